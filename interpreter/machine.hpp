@@ -17,13 +17,14 @@ namespace rubicon::interpreter {
 
 /// One motion: from where the robot is over way points to one goal.
 struct MotionTask {
-  std::vector<GoalSpec> goals;            ///< way points, the last is the goal; at least one
-  std::vector<std::string> situations;    ///< on during the whole motion (besides `via` and what the world switches on)
-  Within within;                          ///< when the goal counts as reached
-  double budget = 20000;                  ///< attempts
-  int first_n = 1;                        ///< number of the first attempt
+  std::vector<GoalSpec> goals;  ///< way points, the last is the goal; at least one
+  std::vector<std::string>
+      situations;  ///< on during the whole motion (besides `via` and what the world switches on)
+  Within within;   ///< when the goal counts as reached
+  double budget = 20000;  ///< attempts
+  int first_n = 1;        ///< number of the first attempt
   Ticks start = 0;
-  std::vector<double> q;                  ///< where the robot stands, per parameter
+  std::vector<double> q;  ///< where the robot stands, per parameter
   robot::Mounting mounting;
 };
 
@@ -41,31 +42,35 @@ struct RefusalCounts {
 /// How a motion ended.
 struct MotionEnd {
   MotionStatus status = MotionStatus::done;
-  bool reached = false;                 ///< only with done
-  std::optional<int> period;            ///< of a livelock, in accepted attempts
+  bool reached = false;       ///< only with done
+  std::optional<int> period;  ///< of a livelock, in accepted attempts
   int tries = 0;
   int accepted = 0;
   RefusalCounts rejected;
-  /// goal - q of every parameter the goal names (or, for a frame, of every free one), cyclic ones the short way.
+  /// goal - q of every parameter the goal names (or, for a frame, of every free one), cyclic ones
+  /// the short way.
   std::vector<std::pair<int, double>> residual;
   std::optional<double> position_error;     ///< m, of a goal frame
   std::optional<double> orientation_error;  ///< degrees
   std::vector<double> q;
-  std::vector<std::pair<std::string, double>> variables;  ///< those that are set, in order of first mention
+  std::vector<std::pair<std::string, double>>
+      variables;  ///< those that are set, in order of first mention
   Ticks time = 0;
-  std::string message;                  ///< in words, for all but done-and-reached
-  Span span;                            ///< the script line it speaks of, if any
-  std::optional<HitPair> hit;           ///< start_blocked: the pair; livelock and others: the last refusal's
+  std::string message;         ///< in words, for all but done-and-reached
+  Span span;                   ///< the script line it speaks of, if any
+  std::optional<HitPair> hit;  ///< start_blocked: the pair; livelock and others: the last refusal's
 };
 
-/// The abstract machine of LANGUAGE section 8. Deterministic; `advance` goes on to the next proposed motion step and no
-/// further. It reads no clock and no file and sees the site only through `World`. Its whole state is a value: copy it
-/// to keep a point of a run, and go on from the copy. Program and robot model must outlive it.
+/// The abstract machine of LANGUAGE section 8. Deterministic; `advance` goes on to the next
+/// proposed motion step and no further. It reads no clock and no file and sees the site only
+/// through `World`. Its whole state is a value: copy it to keep a point of a run, and go on from
+/// the copy. Program and robot model must outlive it.
 class Machine {
  public:
   Machine(const Program& program, MotionTask task);
 
-  /// Runs to and including the next attempt (true), or to the end of the motion (false). `events` may be null.
+  /// Runs to and including the next attempt (true), or to the end of the motion (false). `events`
+  /// may be null.
   bool advance(World& world, EventSink* events);
 
   bool ended() const { return end_.has_value(); }
@@ -74,12 +79,13 @@ class Machine {
   Ticks time() const { return time_; }
   int tries() const { return tries_; }
 
-  /// 128-bit hash of the state that decides what comes next: stack, configuration (in millionths of a step), variables,
-  /// situations, way point. Equal states have equal hashes on every machine.
+  /// 128-bit hash of the state that decides what comes next: stack, configuration (in millionths of
+  /// a step), variables, situations, way point. Equal states have equal hashes on every machine.
   Hash128 state_hash(const World& world) const;
 
  private:
-  /// A number, or a direction that remembers its parameter so that a stored 0 can become the preferred one.
+  /// A number, or a direction that remembers its parameter so that a stored 0 can become the
+  /// preferred one.
   struct Value {
     double number = 0;
     std::int32_t direction_of = -1;
@@ -92,59 +98,82 @@ class Machine {
   struct Frame {
     enum class Kind : std::uint8_t { sequence, loop, each };
     Kind kind = Kind::sequence;
-    bool moved = false;       ///< sequence: r; loop: m
+    bool moved = false;  ///< sequence: r of LANGUAGE 8.2; loop: m
     std::int32_t node = -1;
-    std::int32_t index = 0;   ///< next child of a sequence; element of a loop or each
-    std::int32_t failures = 0;
+    std::int32_t index = 0;     ///< sequence: the next child; loop and each: the current element
+    std::int32_t failures = 0;  ///< loop: f, failures in a row
     std::int32_t successes = 0;
-    std::int32_t actives = 0; ///< loop: where its A begins in actives_
+    std::int32_t actives = 0;  ///< loop: where its A begins in actives_
   };
-  struct Resolved {           ///< the goal of the current way point
+  /// The goal of the current way point, fixed when it begins.
+  struct WayPoint {
     std::vector<double> q;
-    std::vector<bool> named;
+    std::vector<std::uint8_t> named;  ///< per parameter: takes part in reached and residual
     math::Vec3 p_WG = math::Vec3::Zero();
     std::optional<math::Pose> X_WG;
-  };
-  /// What a command would do now.
-  struct Proposal {
-    Refusal refusal = Refusal::none;
-    int limit_parameter = -1;
-    Ticks duration = 0;
-  };
-  struct RunTimeError {
-    std::string message;
-    Span span;
+    bool via = false;
   };
 
+  // machine.cpp: way points and the end of a motion
   bool begin_way_point(World& world, EventSink* events);
   void finish(MotionStatus status, std::string message = {}, Span span = {});
-  bool step_to_attempt(World& world, EventSink* events);
-  void run(std::int32_t node, World& world, EventSink* events);
-  void give_back(bool success, World& world, EventSink* events);
+  void judge();
+  void measure_residual();
+  robot::PoseTolerance frame_tolerance() const;
+  double tolerance_of(int parameter) const;
+  std::string shortfall() const;
+
+  // machine_control.cpp: the rules of LANGUAGE 8.2
+  bool run_to_attempt(World& world, EventSink* events);
+  bool run(std::int32_t node, World& world, EventSink* events);
+  void give_back(World& world, EventSink* events);
+  void enter_loop(std::int32_t node, World& world, EventSink* events);
+  void loop_succeeded(World& world, EventSink* events);
+  void loop_failed(World& world, EventSink* events);
+  void leave_loop(bool reached, bool result, EventSink* events);
+  void choose_module(std::int32_t node, const World& world, EventSink* events);
+  void push_sequence(std::int32_t node);
+  void next_of_sequence();
+  void assign(std::int32_t node, const World& world, EventSink* events);
+  std::int32_t forward(const Node& loop, std::int32_t from, const World& world, EventSink* events);
+  std::int32_t backward(const Node& loop, std::int32_t element) const;
+  bool goal_or_until_holds(const Node& loop, bool until_too, const World& world);
+  bool situation_on(std::int32_t situation, const World& world) const;
+  std::int16_t* active_of(std::int32_t each_node);
+  const Node& node_at(std::int32_t node) const {
+    return program_->nodes[static_cast<std::size_t>(node)];
+  }
+  std::int32_t child_at(const Node& node, std::int32_t i) const {
+    return program_->children[static_cast<std::size_t>(node.first + i)];
+  }
+
+  // machine_motion.cpp: commands, limits, what was seen before
   bool attempt(std::int32_t node, World& world, EventSink* events);
   bool may_attempt(std::int32_t node, const World& world);
-  void assign(const Node& node, World& world, EventSink* events);
+  Refusal plan_part(const Node& part, const World& world, std::vector<double>& steps,
+                    std::int32_t& limit);
+  Refusal plan_move_to(int parameter, double value, std::vector<double>& steps,
+                       std::int32_t& limit) const;
+  Refusal plan_direction(int parameter, double direction, std::vector<double>& steps,
+                         std::int32_t& limit) const;
+  double room(int parameter, bool upwards) const;
+  int first_out_of_range(std::span<const double> q) const;
+  Ticks duration_of(int parameter, double ds, bool loaded) const;
+  std::string describe_next(std::int32_t command) const;
+  bool would_accept(int parameter, double direction, const World& world);
+  void hash_stack(StateHasher& hasher, std::int32_t command) const;
 
-  std::int32_t forward(const Node& loop, std::int32_t from, World& world, EventSink* events);
-  std::int32_t backward(const Node& loop, std::int32_t element) const;
-  bool goal_holds(const Node& loop, World& world);
-  bool until_holds(const Node& loop, World& world);
-  bool has_goal(const Node& loop) const;
-  void leave_loop(bool reached, bool success, EventSink* events);
-
+  // machine_evaluate.cpp: values
   Value evaluate(const Code& code, const World& world);
-  double evaluate_number(const Code& code, const World& world);
+  double number(const Code& code, const World& world) { return evaluate(code, world).number; }
   double delta(int parameter, double value) const;
   bool at(int parameter, double value) const;
-  Refusal plan_part(const Node& part, const World& world, Ticks& duration);
-  Refusal plan_move_to(int parameter, double value);
-  Refusal plan_direction(int parameter, double direction);
-  double room(int parameter, int sign) const;
-  Proposal complete_proposal(Ticks duration);
-  Ticks duration_of(int parameter, double ds) const;
-  bool situation_on(std::int32_t situation, const World& world) const;
-  void judge();
+  Value stored(const Value& value) const;
+  double nearest_axis(int parameter, double value) const;
   double tool_distance() const;
+  const robot::Parameter& parameter(int index) const {
+    return model_->parameters[static_cast<std::size_t>(index)];
+  }
 
   const Program* program_;
   const robot::RobotModel* model_;
@@ -152,17 +181,19 @@ class Machine {
 
   // the state proper
   std::vector<Frame> stack_;
-  std::vector<std::int16_t> actives_;
-  std::int32_t pending_ = -1;        ///< node to run next; -1: give back `result_`
+  std::vector<std::int16_t>
+      actives_;                ///< per loop frame the active element of every `each` of the program
+  std::int32_t pending_ = -1;  ///< node to run next; -1: give back result_
   bool result_ = false;
   std::vector<double> q_;
   std::vector<Variable> variables_;
   Ticks time_ = 0;
   std::size_t way_point_ = 0;
   bool way_point_begun_ = false;
-  Resolved goal_;
+  bool started_ = false;
+  WayPoint goal_;
 
-  // counts and what was seen
+  // counts, and what was seen
   int tries_ = 0;
   int accepted_ = 0;
   RefusalCounts rejected_;
@@ -175,8 +206,9 @@ class Machine {
   // scratch, no part of the state
   std::vector<double> steps_;
   std::vector<double> q_next_;
+  std::vector<double> asked_steps_;
+  std::vector<double> asked_q_;
   std::vector<Value> operands_;
-  bool loaded_ = false;
 };
 
 }  // namespace rubicon::interpreter

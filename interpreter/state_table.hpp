@@ -6,7 +6,8 @@
 
 namespace rubicon::interpreter {
 
-/// A 128-bit hash; wide enough that two different states of a run never meet (2^-64 at 2^32 states).
+/// A 128-bit hash; wide enough that two different states of a run never meet (2^-64 at 2^32
+/// states).
 struct Hash128 {
   std::uint64_t low = 0;
   std::uint64_t high = 0;
@@ -21,7 +22,9 @@ class StateHasher {
     b_ = std::rotl(b_ + word, 41) * 0xc2b2ae3d27d4eb4full ^ (a_ >> 32);
   }
   void add(double value) { add(std::bit_cast<std::uint64_t>(value == 0 ? 0.0 : value)); }
-  Hash128 finish() const { return {mix(a_ + 0x165667b19e3779f9ull * b_), mix(b_ ^ std::rotl(a_, 17))}; }
+  Hash128 finish() const {
+    return {mix(a_ + 0x165667b19e3779f9ull * b_), mix(b_ ^ std::rotl(a_, 17))};
+  }
 
  private:
   static std::uint64_t mix(std::uint64_t x) {
