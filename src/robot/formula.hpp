@@ -8,7 +8,19 @@ namespace rubicon::robot {
 
 /// One operation of a compiled transform function, in postfix order.
 struct FormulaOp {
-  enum class Kind : std::uint8_t { constant, parameter, step, start, add, subtract, multiply, divide, negate, sin, cos };
+  enum class Kind : std::uint8_t {
+    constant,
+    parameter,
+    step,
+    start,
+    add,
+    subtract,
+    multiply,
+    divide,
+    negate,
+    sin,
+    cos
+  };
   Kind kind = Kind::constant;
   int index = 0;     ///< parameter index for parameter, step (p_s) and start (p_c)
   double value = 0;  ///< for constant
@@ -32,8 +44,9 @@ struct Enclosure {
   Interval second;  ///< d2/ds2
 };
 
-/// A transform function of a motion rule, a frame element or a derived parameter: sums, products, sin and cos (degrees)
-/// of parameters, their steps and their start values (1995 paper, 2.3). An empty formula is 0.
+/// A transform function of a motion rule, a frame element or a derived parameter: sums, products,
+/// sin and cos (degrees) of parameters, their steps and their start values (1995 paper, 2.3). An
+/// empty formula is 0.
 struct Formula {
   std::vector<FormulaOp> code;
 
@@ -42,9 +55,13 @@ struct Formula {
   /// Derivative by parameter `index`, all else fixed.
   double derivative(const FormulaInput& input, int index) const;
 
+  /// Derivative while every parameter i changes at the rate direction[i] (chain rule through
+  /// derived parameters).
+  double derivative(const FormulaInput& input, std::span<const double> direction) const;
+
   /// Rigorous bounds while q moves linearly from q0 to q1 and s runs over [s0, s1] of [0, 1].
-  Enclosure enclose(std::span<const double> q0, std::span<const double> q1, std::span<const double> starts, double s0,
-                    double s1) const;
+  Enclosure enclose(std::span<const double> q0, std::span<const double> q1,
+                    std::span<const double> starts, double s0, double s1) const;
 
   bool depends_on_parameter(int index) const;
   bool depends_on_step(int index) const;
