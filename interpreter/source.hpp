@@ -13,6 +13,7 @@ struct SourceFile {
   std::string path;  ///< as shown in messages and traces
   std::string text;
   std::vector<std::uint32_t> line_starts;  ///< byte offset of every line
+  std::vector<std::uint32_t> code_points;  ///< code points before every 1024th byte, for columns
 };
 
 using FileId = std::uint16_t;
