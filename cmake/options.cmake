@@ -1,22 +1,35 @@
-# Compiler options every target of the project shares, and one function to declare a module.
+# What every target of the project shares: the place of its headers, warnings, floating point rules, sanitizers.
 
 find_program(CCACHE_PROGRAM ccache)
-if(CCACHE_PROGRAM)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
 endif()
 
+# The headers, as "src/math/pose.hpp" or "interpreter/machine.hpp"; all that a user of the installed library gets.
+add_library(rubicon_headers INTERFACE)
+target_compile_features(rubicon_headers INTERFACE cxx_std_20)
+target_include_directories(
+  rubicon_headers INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                            $<INSTALL_INTERFACE:${RUBICON_INSTALL_INCLUDEDIR}>)
+
+# How our own code is compiled; never handed on to users of the library.
 add_library(rubicon_options INTERFACE)
+target_link_libraries(rubicon_options INTERFACE rubicon_headers)
 # No fused multiply-add: the same bits on every processor and optimisation level.
 target_compile_options(rubicon_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
                                                  -ffp-contract=off)
 if(RUBICON_WERROR)
   target_compile_options(rubicon_options INTERFACE -Werror)
 endif()
-target_include_directories(rubicon_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 
-# rubicon_module(NAME SOURCES a.cpp ... USES other modules or libraries; PRIVATE libraries only its .cpp files see)
-function(rubicon_module name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRIVATE" ${ARGN})
-  add_library(rubicon_${name} STATIC ${ARG_SOURCES})
-  target_link_libraries(rubicon_${name} PUBLIC rubicon_options ${ARG_USES} PRIVATE ${ARG_PRIVATE})
-endfunction()
+# RUBICON_SANITIZE is a list for -fsanitize=, e.g. "address;undefined". The whole build gets it, or none of it.
+if(RUBICON_SANITIZE)
+  list(JOIN RUBICON_SANITIZE "," sanitizers)
+  add_compile_options(-fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${sanitizers})
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # The checks that the sanitizers add split the paths g++ reasons about; it then warns inside Eigen and std::variant.
+    target_compile_options(rubicon_options INTERFACE -Wno-maybe-uninitialized)
+  endif()
+endif()

@@ -1,0 +1,23 @@
+# rubicon_module(NAME SOURCES a.cpp ... USES other modules or libraries; PRIVATE libraries only its .cpp files see)
+#
+# One static library rubicon_NAME (rubicon::NAME for others), part of rubicon::rubicon and of what is installed.
+function(rubicon_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRIVATE" ${ARGN})
+  add_library(rubicon_${name} STATIC ${ARG_SOURCES})
+  add_library(rubicon::${name} ALIAS rubicon_${name})
+  target_link_libraries(rubicon_${name} PUBLIC rubicon_headers ${ARG_USES} PRIVATE $<BUILD_INTERFACE:rubicon_options>)
+  foreach(library IN LISTS ARG_PRIVATE)
+    set(kind "")
+    if(TARGET ${library})
+      get_target_property(kind ${library} TYPE)
+    endif()
+    if(kind STREQUAL "INTERFACE_LIBRARY")
+      # Nothing to link: users of the installed library need not have it.
+      target_link_libraries(rubicon_${name} PRIVATE $<BUILD_INTERFACE:${library}>)
+    else()
+      target_link_libraries(rubicon_${name} PRIVATE ${library})
+    endif()
+  endforeach()
+  set_target_properties(rubicon_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  set_property(GLOBAL APPEND PROPERTY RUBICON_MODULES rubicon_${name})
+endfunction()
