@@ -174,14 +174,19 @@ TEST(ScriptCheck, LargeScriptsTakeLinearTime) {
        }},
   };
   for (const auto& [title, make] : shapes) {
-    const auto seconds = [&](int n) {
+    const auto seconds = [make = make](int n) {
       Case given;
       given.robot = "crane";
       given.script = make(n);
-      interpreter::SourceMap sources;
-      const auto start = std::chrono::steady_clock::now();
-      check(given, sources);
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      double best = 1e9;  // of three: the machine may be busy with something else
+      for (int run = 0; run < 3; ++run) {
+        interpreter::SourceMap sources;
+        const auto start = std::chrono::steady_clock::now();
+        check(given, sources);
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+        best = std::min(best, taken.count());
+      }
+      return best;
     };
     EXPECT_LT(seconds(20000), 0.1 + 10 * seconds(5000)) << title;
   }
