@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "interpreter/check.hpp"
+#include "interpreter/parse.hpp"
+#include "interpreter/plan_model.hpp"
+#include "src/cli/commands.hpp"
+#include "src/cli/text_kind.hpp"
+#include "src/files/disk_io.hpp"
+#include "src/report/diagnostic_printer.hpp"
+
+namespace rubicon::cli {
+
+namespace {
+
+using interpreter::Diagnostics;
+using interpreter::FileFailure;
+using interpreter::SourceMap;
+
+/// One run of `rubicon check`: what was read, what was found.
+struct Session {
+  SourceMap sources;
+  files::DiskFiles disk;
+  Diagnostics diagnostics;
+};
+
+void fail(Session& session, const std::string& path, const std::string& message) {
+  session.diagnostics.error("F01", {}, fmt::format("'{}': {}", path, message));
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return a == b || (std::filesystem::equivalent(a, b, error) && !error);
+}
+
+bool already_read(const SourceMap& sources, const std::string& path) {
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    if (same_file(sources.file(static_cast<interpreter::FileId>(i)).path, path)) return true;
+  }
+  return false;
+}
+
+void check_motion(Session& session, const std::string& path,
+                  const interpreter::CheckedRobot* robot) {
+  auto text = session.disk.read_text(path);
+  if (const auto* failure = std::get_if<FileFailure>(&text)) {
+    fail(session, path, failure->message);
+    return;
+  }
+  const interpreter::FileId file =
+      session.sources.add(path, std::get<std::string>(std::move(text)));
+  const syntax::Script script = parse_script(session.sources, file, session.diagnostics);
+  interpreter::ScriptContext context;
+  if (robot != nullptr) {
+    context.robot = &robot->model;
+    for (std::size_t i = 0; i < robot->body_scripts.size(); ++i) {
+      if (robot->body_scripts[i]) context.body_behaviours.push_back(robot->model.bodies[i].name);
+    }
+  }
+  check_script(script, context, session.diagnostics);
+}
+
+}  // namespace
+
+int run_check(const CheckOptions& options) {
+  Session session;
+  std::shared_ptr<const interpreter::CheckedRobot> robot;
+  if (!options.robot.empty()) {
+    robot = load_robot(options.robot, session.sources, session.disk, nullptr, session.diagnostics);
+  }
+  for (const std::string& path : options.files) {
+    const std::optional<interpreter::TextKind> kind = kind_of(path);
+    if (!kind) {
+      fail(session, path, "expected a .robot, .motion or .plan file");
+    } else if (already_read(session.sources, path)) {
+      continue;
+    } else if (*kind == interpreter::TextKind::robot) {
+      load_robot(path, session.sources, session.disk, nullptr, session.diagnostics);
+    } else if (*kind == interpreter::TextKind::plan) {
+      load_plan(path, session.sources, session.disk, session.diagnostics);
+    } else if (options.robot.empty() || robot) {
+      check_motion(session, path, robot.get());
+    }
+  }
+  const auto sorted = session.diagnostics.sorted();
+  if (options.format == "json") {
+    const std::string text = report::print_json(sorted, session.sources);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+  } else {
+    const std::string text =
+        report::print_text(sorted, session.sources, files::wants_colour(stderr));
+    std::fwrite(text.data(), 1, text.size(), stderr);
+  }
+  return session.diagnostics.has_errors() ? kWrongInput : kFine;
+}
+
+}  // namespace rubicon::cli

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rubicon::cli {
+
+/// Exit codes of the command.
+inline constexpr int kFine = 0;
+inline constexpr int kInfeasible = 1;
+inline constexpr int kWrongInput = 2;
+inline constexpr int kInternalFault = 3;
+
+struct CheckOptions {
+  std::string robot;
+  std::string format = "text";
+  std::vector<std::string> files;
+};
+int run_check(const CheckOptions& options);
+
+struct FormatOptions {
+  bool check = false;
+  std::string kind = "motion";
+  std::vector<std::string> files;
+};
+int run_format(const FormatOptions& options);
+
+struct RunOptions {
+  std::string plan;
+  std::string format = "table";
+  std::string trace;
+  std::string trace_detail = "steps";
+  std::string out;
+};
+int run_plan_command(const RunOptions& options);
+
+struct TestOptions {
+  std::vector<std::string> folders;
+  std::string filter;
+  bool update = false;
+  int jobs = 0;
+  std::string junit;
+};
+int run_test(const TestOptions& options);
+
+}  // namespace rubicon::cli

@@ -1,0 +1,150 @@
+#include "src/cli/help.hpp"
+
+#include <algorithm>
+
+namespace rubicon::cli {
+
+namespace {
+
+constexpr std::string_view kOverview =
+    R"(rubicon - can these machines build this, how long does it take, where does it fail?
+
+usage: rubicon COMMAND ...
+
+  check [--robot FILE] FILE...   find every mistake in robots, behaviours and plans
+  run PLAN                       simulate a plan: process time, refused tasks with the reason, trace
+  test DIR...                    run golden cases and compare them with what is expected
+  fmt FILE...                    write files in the one canonical form
+  help [COMMAND]                 this page, or the page of a command
+
+  --version                      print the version
+
+Files: NAME.robot describes a machine, NAME.motion its behaviour, NAME.plan what is to be built.
+Exit codes: 0 fine; 1 the plan cannot be done as a whole, or a test failed; 2 the input or the call is wrong;
+3 an internal fault.
+
+try: rubicon run taskplans/unit.plan
+)";
+
+constexpr std::string_view kCheck =
+    R"(rubicon check - find every mistake in robots, behaviours and plans
+
+usage: rubicon check [--robot FILE] [--format text|json] FILE...
+
+Reads each FILE (.robot, .motion or .plan) and reports all its mistakes in one run: where, what was expected, what was
+found, what to do. A plan checks its robots, a robot its behaviours. A behaviour on its own gets only the checks that
+need no robot; name one with --robot and it gets them all.
+
+  --robot FILE     the robot that the .motion files are for
+  --format text    file:line:column: level: message, with the line and a caret, on standard error (the default)
+  --format json    an array for editors, on standard output: one object a file, its diagnostics in the shape of the
+                   Language Server Protocol
+
+Exit code: 0 no errors (warnings and notes may be printed), 2 errors.
+
+examples:
+  rubicon check taskplans/unit.plan
+  rubicon check --robot robots/tower_crane/tower_crane.robot lift.motion
+  rubicon check --format json robots/*/*.robot
+)";
+
+constexpr std::string_view kRun =
+    R"(rubicon run - simulate a plan
+
+usage: rubicon run PLAN [--format table|json|csv] [--trace FILE] [--trace-detail steps|tasks|none] [--out DIR]
+
+Checks the plan, then does its tasks one after the other: every motion step is tested over the whole volume it sweeps,
+with the load. Prints a table of the tasks (robot, crew, start, duration, steps tried and accepted, result) and the
+process time. A task that cannot be done is rejected with the reason; what depends on it is reported as not reached;
+the rest goes on.
+
+  --format FORMAT        table (the default), json or csv, on standard output; times in seconds
+  --trace FILE           write what happened, one JSON object a line (docs/trace.md); - is standard output
+  --trace-detail DETAIL  steps (the default: everything), tasks (no single attempts), none (header and results only)
+  --out DIR              write schedule.csv, schedule.json and trace.jsonl into DIR
+
+A file is written beside its target and renamed, so a stop at any moment leaves the old file or the complete new one.
+What the command cannot execute yet is refused at its place before anything runs.
+
+Exit code: 0 every task was done (a short plan: its motion ended done), 1 otherwise, 2 the input is wrong.
+
+examples:
+  rubicon run taskplans/unit.plan
+  rubicon run taskplans/unit.plan --format csv > unit.csv
+  rubicon run site.plan --trace trace.jsonl
+)";
+
+constexpr std::string_view kTest =
+    R"(rubicon test - run golden cases and compare them with what is expected
+
+usage: rubicon test DIR... [--filter TEXT] [--update] [--jobs N] [--junit FILE]
+
+A case is a folder with site.plan and expected.json; DIR is a case or a folder of cases (at any depth). Each plan is run
+and what happened is compared with expected.json: every attempt (accepted or not, and the configuration to 1e-6), loops,
+assignments, choices, the end and its counts. A difference is shown with the lines round it.
+
+  --filter TEXT    only cases whose path contains TEXT
+  --update         write expected.json and expected.trace (for people) from what happened, instead of comparing
+  --jobs N         how many cases run at once (default: as many as there are processors); the output is the same
+  --junit FILE     write the results as JUnit XML
+
+Exit code: 0 all cases agree, 1 a case differs, 2 there is no case or a file is wrong.
+
+examples:
+  rubicon test tests/language
+  rubicon test examples --filter crane
+  rubicon test my_cases/new_case --update
+)";
+
+constexpr std::string_view kFmt = R"(rubicon fmt - write files in the one canonical form
+
+usage: rubicon fmt [--check] FILE...
+       rubicon fmt [--kind motion|robot|plan] -
+
+Rewrites .robot, .motion and .plan files in place: indentation, spaces, line breaks. Comments stay. A file with errors
+is left alone and its errors are printed. Writing it twice changes nothing.
+
+  --check        change nothing; name the files that would change and exit with 1
+  -              read standard input, write standard output
+  --kind KIND    what standard input is (default: motion)
+
+Exit code: 0 fine, 1 --check found a file that would change, 2 a file has errors.
+
+examples:
+  rubicon fmt robots/tower_crane/*.robot
+  rubicon fmt --check taskplans/*.plan
+  rubicon fmt - < lift.motion
+)";
+
+constexpr std::string_view kHelp = R"(rubicon help - print a page of help
+
+usage: rubicon help [COMMAND]
+
+examples:
+  rubicon help
+  rubicon help run
+)";
+
+}  // namespace
+
+const std::vector<HelpPage>& help_pages() {
+  static const std::vector<HelpPage> pages = {
+      {"check", "find every mistake in robots, behaviours and plans", kCheck},
+      {"run", "simulate a plan", kRun},
+      {"test", "run golden cases and compare them with what is expected", kTest},
+      {"fmt", "write files in the one canonical form", kFmt},
+      {"help", "print a page of help", kHelp},
+  };
+  return pages;
+}
+
+const HelpPage* find_help(std::string_view name) {
+  const auto& pages = help_pages();
+  const auto found = std::find_if(pages.begin(), pages.end(),
+                                  [&](const HelpPage& page) { return page.name == name; });
+  return found == pages.end() ? nullptr : &*found;
+}
+
+std::string_view overview() { return kOverview; }
+
+}  // namespace rubicon::cli

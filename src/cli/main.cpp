@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include "src/cli/commands.hpp"
+#include "src/cli/help.hpp"
+
+namespace {
+
+using namespace rubicon::cli;
+
+void print(std::FILE* stream, std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stream);
+}
+
+/// CLI11 reports what is wrong with a call; the pages are ours.
+class PageFormatter : public CLI::FormatterBase {
+ public:
+  std::string make_help(const CLI::App* app, std::string, CLI::AppFormatMode) const override {
+    const HelpPage* page = find_help(app->get_name());
+    return std::string(page != nullptr ? page->text : overview());
+  }
+};
+
+int dispatch(int argc, char** argv) {
+  CLI::App app("", "rubicon");
+  app.formatter(std::make_shared<PageFormatter>());
+  app.set_version_flag("--version", "rubicon " RUBICON_VERSION);
+  app.require_subcommand(0, 1);
+  app.allow_extras(false);
+
+  CheckOptions check;
+  CLI::App* check_command = app.add_subcommand("check");
+  check_command->add_option("--robot", check.robot);
+  check_command->add_option("--format", check.format)->check(CLI::IsMember({"text", "json"}));
+  check_command->add_option("FILE", check.files)->required();
+
+  RunOptions run;
+  CLI::App* run_command = app.add_subcommand("run");
+  run_command->add_option("PLAN", run.plan)->required();
+  run_command->add_option("--format", run.format)->check(CLI::IsMember({"table", "json", "csv"}));
+  run_command->add_option("--trace", run.trace);
+  run_command->add_option("--trace-detail", run.trace_detail)
+      ->check(CLI::IsMember({"steps", "tasks", "none"}));
+  run_command->add_option("--out", run.out);
+
+  TestOptions test;
+  CLI::App* test_command = app.add_subcommand("test");
+  test_command->add_option("DIR", test.folders)->required();
+  test_command->add_option("--filter", test.filter);
+  test_command->add_flag("--update", test.update);
+  test_command->add_option("--jobs", test.jobs)->check(CLI::Range(1, 256));
+  test_command->add_option("--junit", test.junit);
+
+  FormatOptions format;
+  CLI::App* format_command = app.add_subcommand("fmt");
+  format_command->add_flag("--check", format.check);
+  format_command->add_option("--kind", format.kind)
+      ->check(CLI::IsMember({"motion", "robot", "plan"}));
+  format_command->add_option("FILE", format.files)->required();
+
+  std::string page_name;
+  CLI::App* help_command = app.add_subcommand("help");
+  help_command->add_option("COMMAND", page_name);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const auto chosen = app.get_subcommands();
+    const HelpPage* page = chosen.empty() ? nullptr : find_help(chosen.front()->get_name());
+    print(stdout, page != nullptr ? page->text : overview());
+    return kFine;
+  } catch (const CLI::CallForVersion&) {
+    print(stdout, "rubicon " RUBICON_VERSION "\n");
+    return kFine;
+  } catch (const CLI::ParseError& error) {
+    const auto chosen = app.get_subcommands();
+    const std::string topic = chosen.empty() ? std::string() : " " + chosen.front()->get_name();
+    print(stderr,
+          fmt::format("rubicon: error: {}\n  hint: see 'rubicon help{}'\n", error.what(), topic));
+    return kWrongInput;
+  }
+
+  if (*check_command) return run_check(check);
+  if (*run_command) return run_plan_command(run);
+  if (*test_command) return run_test(test);
+  if (*format_command) return run_format(format);
+  if (!page_name.empty()) {
+    const HelpPage* page = find_help(page_name);
+    if (page == nullptr) {
+      print(stderr,
+            fmt::format("rubicon: error: there is no command '{}'\n  hint: see 'rubicon help'\n",
+                        page_name));
+      return kWrongInput;
+    }
+    print(stdout, page->text);
+    return kFine;
+  }
+  print(stdout, overview());
+  return kFine;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int code = kInternalFault;
+  try {
+    code = dispatch(argc, argv);
+  } catch (const std::exception& error) {
+    print(stderr, fmt::format("rubicon: internal fault: {}\n", error.what()));
+    return kInternalFault;
+  }
+  // What was printed must have arrived: a full disk behind a redirection is an error, not a short
+  // file.
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    print(stderr, "rubicon: error: standard output cannot be written\n");
+    return kWrongInput;
+  }
+  return code;
+}
