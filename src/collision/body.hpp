@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "src/collision/convex.hpp"
+#include "src/collision/relative_motion.hpp"
+#include "src/collision/swept_query.hpp"
+#include "src/collision/triangle_soup.hpp"
+
+namespace rubicon::collision {
+
+/// A rigid body ready for queries: the union of convex pieces and triangle soups. All coordinates
+/// are relative to `extent().centre`, so that bodies drawn far from their origin lose nothing.
+class Body {
+ public:
+  /// `pieces` and `soups` in the frame of the shapes; at least one of them not empty.
+  Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, const Vec3& centre);
+  Body(const Body&) = delete;  // the views point into the pieces
+  Body& operator=(const Body&) = delete;
+
+  const std::vector<Convex>& convexes() const { return convexes_; }
+  const std::vector<TriangleSoup>& soups() const { return soups_; }
+  const BodyExtent& extent() const { return extent_; }
+  const Bounds& bounds() const { return bounds_; }
+  /// A few points of every piece, for tests of containment.
+  const std::vector<Vec3>& probes() const { return probes_; }
+  bool has_closed_soup() const { return has_closed_soup_; }
+
+ private:
+  std::vector<ConvexPiece> pieces_;
+  std::vector<Convex> convexes_;  ///< views of `pieces_`
+  std::vector<TriangleSoup> soups_;
+  BodyExtent extent_;
+  Bounds bounds_;
+  std::vector<Vec3> probes_;
+  bool has_closed_soup_ = false;
+};
+
+}  // namespace rubicon::collision

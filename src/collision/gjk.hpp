@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+
+#include "src/collision/swept_pair.hpp"
+
+namespace rubicon::collision {
+
+/// Points of the difference set of a pair's cores: the last simplex of a search.
+struct Simplex {
+  std::array<Vec3, 4> points;
+  int size = 0;
+};
+
+/// What a search for a separating direction ended with.
+struct GjkResult {
+  bool free = false;  ///< a direction with at most the tolerance was found: a proof
+  bool cores_meet =
+      false;  ///< the cores (without balls) touch or overlap as far as rounding can tell
+  Simplex simplex;
+};
+
+/// Gilbert, Johnson, Keerthi 1988 on the difference set of the cores, every support point being
+/// tried as a certificate. For cores that are apart the direction converges to that of the closest
+/// points, which is the one of least overlap.
+GjkResult gjk(const SweptPair& pair);
+
+}  // namespace rubicon::collision

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "src/math/pose.hpp"
+
+namespace rubicon::collision {
+
+using math::Mat3;
+using math::Pose;
+using math::Vec3;
+
+/// A rigid transform as its two parts, p' = R p + t (m): what the inner loops need of a `Pose`.
+struct Placement {
+  Mat3 R = Mat3::Identity();
+  Vec3 t = Vec3::Zero();
+
+  Placement() = default;
+  Placement(const Mat3& rotation, const Vec3& translation) : R(rotation), t(translation) {}
+  explicit Placement(const Pose& X) : R(X.linear()), t(X.translation()) {}
+
+  Vec3 operator*(const Vec3& p) const { return R * p + t; }
+  Placement inverse() const {
+    const Mat3 transposed = R.transpose();
+    return {transposed, -(transposed * t)};
+  }
+};
+
+}  // namespace rubicon::collision

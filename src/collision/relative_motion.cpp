@@ -1,0 +1,233 @@
+#include "src/collision/relative_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <variant>
+
+#include "src/math/angles.hpp"
+
+namespace rubicon::collision {
+namespace {
+
+using geometry::GeneralMotion;
+using geometry::ScrewMotion;
+
+/// Rotations and axes given by callers may be this far from orthonormal (rounding of long chains of
+/// frames).
+constexpr double kRigid = 1e-6;
+
+const ScrewMotion* screw_of(const Motion& motion) { return std::get_if<ScrewMotion>(&motion.kind); }
+
+const GeneralMotion* general_of(const Motion& motion) {
+  const auto* general = std::get_if<std::shared_ptr<const GeneralMotion>>(&motion.kind);
+  return general ? general->get() : nullptr;
+}
+
+void require_valid(const Motion& motion) {
+  require_rigid(motion.pose(0), "the pose at the start of a motion");
+  const ScrewMotion* screw = screw_of(motion);
+  if (screw == nullptr) {
+    require_rigid(motion.pose(1), "the pose at the end of a motion");
+    return;
+  }
+  if (!screw->slide.allFinite()) throw std::invalid_argument("the slide of a motion is not finite");
+  if (screw->angle_deg == 0) return;
+  if (!std::isfinite(screw->angle_deg) || !screw->point.allFinite()) {
+    throw std::invalid_argument("the rotation of a motion is not finite");
+  }
+  if (!(std::fabs(screw->axis.norm() - 1) < kRigid)) {
+    throw std::invalid_argument("the axis of a motion is not a unit vector");
+  }
+  if (screw->axis.cross(screw->slide).norm() > kRigid * screw->slide.norm()) {
+    throw std::invalid_argument("the slide of a rotating motion is not along its axis");
+  }
+}
+
+/// 1 - cos(half of the angle): how far an arc of unit radius strays from the chord between its
+/// ends; also at equal parameter, docs/collision.md. Never more than the diameter.
+double bulge_of(double angle_deg) {
+  const double angle = std::fabs(angle_deg);
+  if (angle >= 360) return 2;
+  const double sine = math::sin_deg(angle / 4);
+  return 2 * sine * sine;
+}
+
+/// Greatest stretch of the difference of two rotations: 2 sin(half the angle between them).
+double stretch(const Mat3& difference) { return difference.norm() / std::sqrt(2.0); }
+
+/// Bounds for one body on one interval, all against the chord between the interval's ends (m, and 1
+/// for directions).
+struct Stray {
+  double points = 0;  ///< of any core point
+  double centre = 0;  ///< of the body's centre
+};
+
+Stray stray_of(const Motion& motion, const BodyExtent& extent, double s0, double s1) {
+  if (const ScrewMotion* screw = screw_of(motion)) {
+    if (screw->angle_deg == 0) return {};
+    const double bulge = bulge_of(screw->angle_deg * (s1 - s0));
+    const double lever = screw->axis.cross(screw->X0 * extent.centre - screw->point).norm();
+    return {bulge * (lever + extent.radius), bulge * lever};
+  }
+  const GeneralMotion* general = general_of(motion);
+  if (general == nullptr) return {};
+  return {general->chord_deviation(s0, s1, extent.reach),
+          general->chord_deviation(s0, s1, extent.centre.norm())};
+}
+
+/// How far a vector of this length, fixed in the body, strays from its chord.
+double stray_of_vector(const Motion& motion, double length, double s0, double s1) {
+  if (const ScrewMotion* screw = screw_of(motion)) {
+    return length * bulge_of(screw->angle_deg * (s1 - s0));
+  }
+  const GeneralMotion* general = general_of(motion);
+  if (general == nullptr) return 0;
+  return general->chord_deviation(s0, s1, length) + general->chord_deviation(s0, s1, 0);
+}
+
+Placement centred(const Motion& motion, const BodyExtent& extent, double s) {
+  const Pose X = motion.pose(s);
+  return {X.linear(), X * extent.centre};
+}
+
+/// `a` as `b` sees it; the difference of the positions first, so that far from the origin nothing
+/// is lost.
+Placement relative(const Placement& a, const Placement& b) {
+  const Mat3 to_b = b.R.transpose();
+  return {to_b * a.R, to_b * (a.t - b.t)};
+}
+
+/// Bound of how far n.x strays from its chord, for core points x of the moving body and any unit n
+/// fixed in the other (docs/collision.md, "two bodies that both move").
+double general_growth(const Motion& moving, const BodyExtent& moving_extent, const Motion& fixed,
+                      const BodyExtent& fixed_extent, double s0, double s1) {
+  const Placement moving0 = centred(moving, moving_extent, s0);
+  const Placement moving1 = centred(moving, moving_extent, s1);
+  const Placement fixed0 = centred(fixed, fixed_extent, s0);
+  const Placement fixed1 = centred(fixed, fixed_extent, s1);
+  const Stray stray = stray_of(moving, moving_extent, s0, s1);
+  const double arm_stray = stray.points + stray_of(fixed, fixed_extent, s0, s1).centre;
+  const double arm = std::max((moving0.t - fixed0.t).norm(), (moving1.t - fixed1.t).norm()) +
+                     moving_extent.radius + arm_stray;
+  const double arm_change = stretch(moving1.R - moving0.R) * moving_extent.radius +
+                            ((moving1.t - moving0.t) - (fixed1.t - fixed0.t)).norm();
+  const double growth = 0.25 * stretch(fixed1.R - fixed0.R) * arm_change +
+                        stray_of_vector(fixed, arm, s0, s1) + arm_stray;
+  // A motion that cannot bound itself must not pass for one that is well known.
+  return growth >= 0 ? growth : std::numeric_limits<double>::infinity();
+}
+
+bool parallel(const Vec3& axis, const Vec3& slide) {
+  return (axis.cross(slide).array() == 0).all();
+}
+
+/// Whether two screws turn and slide about the very same line, so that the one seen from the other
+/// is a screw again.
+bool share_axis(const ScrewMotion& a, const ScrewMotion& b) {
+  if (a.angle_deg != 0 && b.angle_deg != 0) return a.axis == b.axis && a.point == b.point;
+  return a.angle_deg != 0 ? parallel(a.axis, b.slide) : parallel(b.axis, a.slide);
+}
+
+}  // namespace
+
+void require_rigid(const Pose& X, const char* what) {
+  const Mat3 R = X.linear();
+  if (!R.allFinite() || !X.translation().allFinite()) {
+    throw std::invalid_argument(fmt::format("{} is not finite", what));
+  }
+  if ((R.transpose() * R - Mat3::Identity()).norm() > kRigid || R.determinant() < 0) {
+    throw std::invalid_argument(fmt::format("{} is not a rigid transform", what));
+  }
+}
+
+RelativeMotion::RelativeMotion(const Motion& a, const BodyExtent& extent_a, const Motion& b,
+                               const BodyExtent& extent_b)
+    : a_(a), b_(b), extent_a_(extent_a), extent_b_(extent_b) {
+  require_valid(a);
+  require_valid(b);
+  initial_ = relative(centred(a, extent_a, 0), centred(b, extent_b, 0));
+  const ScrewMotion* screw_a = screw_of(a);
+  const ScrewMotion* screw_b = screw_of(b);
+  if (screw_a == nullptr || screw_b == nullptr) {
+    const bool same_motion =
+        general_of(a) == general_of(b) && screw_a == nullptr && screw_b == nullptr;
+    kind_ = same_motion ? Kind::kStill : Kind::kGeneral;
+    return;
+  }
+  if (screw_a->angle_deg != 0 || screw_b->angle_deg != 0) {
+    if (!share_axis(*screw_a, *screw_b)) {
+      kind_ = Kind::kGeneral;
+      return;
+    }
+    set_screw(screw_a->angle_deg != 0 ? a : b, screw_a->angle_deg - screw_b->angle_deg,
+              screw_a->slide - screw_b->slide);
+    return;
+  }
+  set_screw(a, 0, screw_a->slide - screw_b->slide);
+}
+
+void RelativeMotion::set_screw(const Motion& frame, double angle_deg, const Vec3& slide) {
+  const ScrewMotion& screw = *screw_of(frame);
+  const Placement a = centred(a_, extent_a_, 0);
+  const Placement b = centred(b_, extent_b_, 0);
+  angle_deg_ = angle_deg;
+  slide_ = b.R.transpose() * slide;
+  if (angle_deg == 0) {
+    kind_ = (slide.array() == 0).all() ? Kind::kStill : Kind::kTranslation;
+    return;
+  }
+  kind_ = Kind::kScrew;
+  const auto axis_seen_from = [&](const Placement& body) {
+    Axis seen;
+    seen.axis = body.R.transpose() * screw.axis;
+    seen.point = body.R.transpose() * (screw.point - body.t);
+    seen.point -= seen.axis * seen.axis.dot(seen.point);
+    return seen;
+  };
+  axis_in_b_ = axis_seen_from(b);
+  axis_in_a_ = axis_seen_from(a);
+}
+
+Placement RelativeMotion::pose(double s) const {
+  switch (kind_) {
+    case Kind::kStill:
+      return initial_;
+    case Kind::kTranslation:
+      return {initial_.R, initial_.t + s * slide_};
+    case Kind::kScrew: {
+      const Mat3 turned = math::rotation_about_deg(axis_in_b_.axis, s * angle_deg_);
+      return {turned * initial_.R,
+              axis_in_b_.point + turned * (initial_.t - axis_in_b_.point) + s * slide_};
+    }
+    case Kind::kGeneral:
+      break;
+  }
+  return relative(centred(a_, extent_a_, s), centred(b_, extent_b_, s));
+}
+
+Slice RelativeMotion::slice(double s0, double s1) const {
+  Slice slice;
+  slice.s0 = s0;
+  slice.s1 = s1;
+  View& view = slice.a_in_b;
+  view.start = pose(s0);
+  view.middle = pose(0.5 * (s0 + s1));
+  view.end = pose(s1);
+  slice.b_in_a = {view.start.inverse(), view.middle.inverse(), view.end.inverse(), 0};
+  if (kind_ == Kind::kScrew) {
+    slice.bulge = bulge_of(angle_deg_ * (s1 - s0));
+    slice.turn = math::radians(std::fabs(angle_deg_)) * (s1 - s0);
+  }
+  if (kind_ == Kind::kGeneral) {
+    slice.a_in_b.uniform_growth = general_growth(a_, extent_a_, b_, extent_b_, s0, s1);
+    slice.b_in_a.uniform_growth = general_growth(b_, extent_b_, a_, extent_a_, s0, s1);
+    slice.turn = stretch(view.end.R - view.start.R);
+  }
+  return slice;
+}
+
+}  // namespace rubicon::collision

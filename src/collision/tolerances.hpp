@@ -1,0 +1,52 @@
+#pragma once
+
+namespace rubicon::collision {
+
+/// Depths below this are contact whatever the tolerance (m). Reason: poses 1e5 m from the origin
+/// are rounded to 1.5e-11 m and rotations over such a lever to 1e-10 m. Consequence: a tolerance of
+/// 0 means one nanometre.
+inline constexpr double kRoundingDepth = 1e-9;
+
+/// A pair's tolerance is at most this share of the thinner one's width. Reason: two sheets thinner
+/// than the tolerance would otherwise pass through each other in small steps, and a rod through the
+/// internal cut of a prism. Consequence: below a width of four tolerances contact is judged more
+/// strictly.
+inline constexpr double kThinShare = 0.25;
+
+/// The share above never asks for more than this precision (m). Reason: vertices of fine meshes are
+/// often single precision.
+inline constexpr double kThinFloor = 10e-6;
+
+/// Triangles whose smallest altitude is below this (m) are dropped: their plane is noise, their
+/// neighbours cover the place.
+inline constexpr double kDegenerateAltitude = 1e-9;
+
+/// A screw's interval is not split further once the bulge of its arcs (m) is below this; still
+/// undecided means hit.
+inline constexpr double kScrewResolution = 1e-7;
+
+/// The same for general motions (m), whose bounds are looser; never more than a quarter of the
+/// contact tolerance.
+inline constexpr double kGeneralResolution = 1e-5;
+
+/// An interval must also turn so little that no point of the smaller part moves more than this
+/// against a fixed direction (m) before "undecided" may be called a hit. Consequence: false hits
+/// only nearer than about this to the tolerance.
+inline constexpr double kTurnResolution = 1e-5;
+
+/// Intervals one pair of pieces may look at before it is called a hit: keeps hostile motions from
+/// taking for ever.
+inline constexpr int kMaxIntervals = 1 << 16;
+
+/// No interval is split below this share of the step: a motion whose bounds never become small is
+/// called a hit.
+inline constexpr double kShortestInterval = 1e-8;
+
+/// Directions nearer than this (sine of their angle) are one direction in the feature lists.
+/// Consequence: at 100 m extent a lost direction costs 1e-7 m of false depth, never a miss.
+inline constexpr double kSameDirection = 1e-9;
+
+/// Added around bounding boxes (m) so that rounding never hides a pair.
+inline constexpr double kBoundsMargin = 1e-6;
+
+}  // namespace rubicon::collision

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "src/collision/bounds.hpp"
+
+namespace rubicon::collision {
+
+/// Triangles of a mesh that is not convex, in the (centred) frame of their body, with a tree of
+/// axis-parallel boxes. If `closed`, the triangles bound solids: a point with a winding number
+/// other than 0 is inside.
+class TriangleSoup {
+ public:
+  using Triangle = std::array<int, 3>;
+
+  /// A node of the tree: a leaf holds `count` triangles from `first`, an inner node (count 0) the
+  /// nodes `first` and `first` + 1.
+  struct Node {
+    Bounds bounds;
+    std::int32_t first = 0;
+    std::int32_t count = 0;
+  };
+
+  /// Sorts the triangles into the tree; degenerate ones are left out of it. `vertices` and indices
+  /// must be valid.
+  TriangleSoup(std::vector<Vec3> vertices, std::vector<Triangle> triangles, bool closed);
+
+  bool empty() const { return triangles_.empty(); }
+  bool closed() const { return closed_; }
+  const std::vector<Vec3>& vertices() const { return vertices_; }
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+  const std::vector<Node>& nodes() const { return nodes_; }
+  const Bounds& bounds() const { return nodes_.front().bounds; }
+  const Vec3& corner(int triangle, int k) const { return vertices_[triangles_[triangle][k]]; }
+
+  /// A few points of every connected part, for tests of containment.
+  const std::vector<Vec3>& probes() const { return probes_; }
+
+ private:
+  void build(int node, int begin, int end);
+  void find_probes();
+
+  std::vector<Vec3> vertices_;
+  std::vector<Triangle> triangles_;
+  std::vector<Node> nodes_;
+  std::vector<Vec3> probes_;
+  bool closed_ = false;
+};
+
+/// The connected part each triangle belongs to (parts share no vertex), numbered from 0 in the
+/// order of the triangles.
+std::vector<int> connected_parts(std::size_t vertex_count,
+                                 const std::vector<TriangleSoup::Triangle>& triangles);
+
+}  // namespace rubicon::collision
