@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "interpreter/world.hpp"
+#include "src/site/site_world.hpp"
+
+namespace rubicon::site {
+
+/// The site as one robot's machine meets it. A step sweeps all its bodies and its load; what it may
+/// not meet: everything that stands, its own bodies that are not joined, and the load its bodies
+/// but the hook. The site must outlive it, and the robot must be the active one.
+class RobotView : public interpreter::World {
+ public:
+  RobotView(SiteWorld& site, int robot) : site_(site), index_(robot) { site.activate(robot); }
+
+  std::optional<interpreter::HitPair> propose(const interpreter::MotionStep& step) override;
+  bool would_accept(const interpreter::MotionStep& step) const override;
+  double free_distance(std::span<const double> q, double heading_deg, double range) const override;
+  std::optional<interpreter::HitPair> blocked_at(std::span<const double> q) const override;
+  std::uint64_t version() const override { return site_.version(index_); }
+  /// `transport`, while a component is attached.
+  bool situation(const std::string& name) const override;
+  bool loaded() const override { return site_.load(index_).has_value(); }
+
+ private:
+  const SiteRobot& robot() const { return site_.robot(index_); }
+  std::optional<interpreter::HitPair> refusal(const interpreter::MotionStep& step) const;
+  std::optional<interpreter::HitPair> swept_hit(const interpreter::MotionStep& step) const;
+  std::optional<interpreter::HitPair> overload(const interpreter::MotionStep& step) const;
+  bool nothing_to_meet() const;
+  const std::string& part_name(int part) const;
+
+  SiteWorld& site_;
+  int index_;
+};
+
+}  // namespace rubicon::site
