@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "interpreter/parse.hpp"
+#include "src/mesh_io/mesh_io.hpp"
 
 namespace rubicon::files {
 
@@ -63,6 +64,22 @@ std::variant<std::string, interpreter::FileFailure> DiskFiles::read_text(const s
   auto text = read_all(file);
   std::fclose(file);
   return text;
+}
+
+std::variant<std::shared_ptr<const geometry::TriangleMesh>, interpreter::FileFailure>
+DiskFiles::read_mesh(const interpreter::MeshRequest& request) {
+  mesh_io::MeshRequest wanted;
+  wanted.path = request.path;
+  wanted.folder = request.folder;
+  wanted.metres_per_unit = request.metres_per_unit;
+  wanted.scale = request.scale;
+  wanted.up = request.up;
+  wanted.part = request.part;
+  auto result = mesh_io::read_mesh(wanted);
+  if (auto* failure = std::get_if<mesh_io::MeshFailure>(&result)) {
+    return interpreter::FileFailure{failure->message};
+  }
+  return std::get<std::shared_ptr<const geometry::TriangleMesh>>(std::move(result));
 }
 
 std::variant<std::string, interpreter::FileFailure> read_standard_input() {

@@ -1,0 +1,300 @@
+"""The real command, as users call it: help, exit codes, streams, formats."""
+
+import json
+import os
+import re
+import stat
+import subprocess
+import tempfile
+import unittest
+
+RUBICON = os.environ["RUBICON"]
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+COMMANDS = ("check", "run", "test", "fmt", "help")
+
+GANTRY = """robot gantry {
+  body trolley {
+    param x step(1) range(-10, 60);
+    param y step(1) range(-30, 30);
+    frame trans(x, y, 0);
+    shape box(-0.4, -0.4, 0, 0.4, 0.4, 1);
+  }
+  tool trolley;
+  behaviour "b.motion";
+}
+"""
+PLAN = """plan p {
+  robot "gantry.robot";
+  component wall { shape box(5, -9, 0, 6, 9, 1); }
+  start x 0;
+  goal x 3;
+}
+"""
+
+
+def rubicon(*arguments, cwd=ROOT, **options):
+    return subprocess.run([RUBICON, *arguments], capture_output=True, text=True, timeout=120, cwd=cwd, **options)
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.write("gantry.robot", GANTRY)
+        self.write("b.motion", "chain { move_to(x, goal(x)) };\n")
+        self.plan = self.write("site.plan", PLAN)
+
+    def write(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return path
+
+    def read(self, name):
+        with open(os.path.join(self.folder, name), encoding="utf-8") as file:
+            return file.read()
+
+
+class Help(Case):
+    def test_every_command_has_a_page_with_an_example(self):
+        overview = rubicon().stdout
+        self.assertEqual(rubicon("help").stdout, overview)
+        self.assertEqual(rubicon("--help").stdout, overview)
+        for command in COMMANDS:
+            page = rubicon("help", command)
+            self.assertEqual(page.returncode, 0)
+            self.assertEqual(page.stdout, rubicon(command, "--help").stdout)
+            self.assertIn("example", page.stdout)
+            self.assertIn(f"  {command} ", overview)
+
+    def test_the_docs_carry_the_same_text(self):
+        for command in COMMANDS:
+            with open(os.path.join(ROOT, "docs", "commands", command + ".md"), encoding="utf-8") as file:
+                self.assertIn(rubicon("help", command).stdout, file.read())
+
+    def test_the_manual_page_names_every_command_and_option(self):
+        with open(os.path.join(ROOT, "docs", "man", "rubicon.1"), encoding="utf-8") as file:
+            manual = file.read().replace("\\-", "-")
+        for command in COMMANDS:
+            self.assertIn(f"\n.SS {command}", manual)
+            for option in re.findall(r"^  (--[\w-]+)", rubicon("help", command).stdout, re.M):
+                self.assertIn(option, manual, command)
+
+    def test_wrong_calls_exit_with_2_and_a_hint(self):
+        for arguments in (["nonsense"], ["run"], ["check"], ["run", "a.plan", "--format", "xml"], ["help", "me"],
+                          ["check", "--speed", "x.robot"]):
+            result = rubicon(*arguments)
+            self.assertEqual(result.returncode, 2, arguments)
+            self.assertIn("rubicon help", result.stderr, arguments)
+            self.assertEqual(result.stdout, "")
+
+    def test_version(self):
+        self.assertRegex(rubicon("--version").stdout, r"^rubicon \d+\.\d+\.\d+\n$")
+
+
+class Check(Case):
+    def test_is_quiet_when_all_is_well(self):
+        result = rubicon("check", self.plan)
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+
+    def test_prints_the_line_and_a_caret_without_colour_in_a_pipe(self):
+        script = self.write("bad.motion", "chain {moveto(x, 3)};\n")
+        result = rubicon("check", script)
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual(result.stdout, "")
+        self.assertEqual(result.stderr,
+                         f"{script}:1:8: error: unknown command 'moveto'; did you mean move_to?\n"
+                         "  chain {moveto(x, 3)};\n"
+                         "         ^~~~~~\n"
+                         "1 error\n")
+
+    def test_columns_count_code_points(self):
+        script = self.write("bad.motion", "\ufeffvar(\u03b8) = 1; /* \U0001F3D7 */\tmoveto(x, 3);\n")
+        self.assertIn(":1:19: error: unknown command", rubicon("check", script).stderr)
+
+    def test_json_is_shaped_for_editors(self):
+        script = self.write("bad.motion", "/* \U0001F3D7 */ moveto(x, 3);\n")
+        result = rubicon("check", "--format", "json", script)
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual(result.stderr, "")
+        document = json.loads(result.stdout)
+        self.assertEqual(document[0]["uri"], script)
+        one = document[0]["diagnostics"][0]
+        # UTF-16 columns from 0: the crane sign is two units
+        self.assertEqual(one["range"]["start"], {"line": 0, "character": 9})
+        self.assertEqual((one["severity"], one["code"], one["source"]), (1, "S05", "rubicon"))
+        self.assertEqual(json.loads(rubicon("check", "--format", "json", self.plan).stdout), [])
+
+    def test_a_plan_checks_its_robots_and_they_their_scripts(self):
+        self.write("b.motion", "chain { move_to(q, goal(x)) };\n")
+        result = rubicon("check", self.plan)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("b.motion:1:", result.stderr)
+
+    def test_a_script_alone_gets_only_the_checks_that_need_no_robot(self):
+        script = self.write("lone.motion", "chain { move_to(phi, goal(phi)) };\n")
+        self.assertEqual(rubicon("check", script).returncode, 0)
+        result = rubicon("check", "--robot", os.path.join(self.folder, "gantry.robot"), script)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("has no control parameter 'phi' (it has x, y)", result.stderr)
+
+    def test_other_files_are_refused(self):
+        for path in (self.write("x.txt", ""), os.path.join(self.folder, "missing.plan"), self.folder + "/x.robot"):
+            result = rubicon("check", path)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(path, result.stderr)
+
+    def test_a_pipe_nobody_writes_to_does_not_hang(self):
+        path = os.path.join(self.folder, "pipe.motion")
+        os.mkfifo(path)
+        self.assertEqual(rubicon("check", path).returncode, 2)
+
+
+class Fmt(Case):
+    def test_writes_in_place_keeps_comments_and_is_idempotent(self):
+        script = self.write("s.motion", "# to the goal\nchain{move_to( x,goal(x) )  ,wait } ;   // so\n")
+        self.assertEqual(rubicon("fmt", "--check", script).returncode, 1)
+        self.assertEqual(rubicon("fmt", script).returncode, 0)
+        text = self.read("s.motion")
+        self.assertIn("# to the goal", text)
+        self.assertIn("// so", text)
+        self.assertIn("move_to(x, goal(x))", text)
+        self.assertEqual(rubicon("fmt", "--check", script).returncode, 0)
+        self.assertEqual(rubicon("fmt", "-", input=text).stdout, text)
+
+    def test_leaves_a_wrong_file_alone(self):
+        script = self.write("s.motion", "chain{ move_to(x }\n")
+        result = rubicon("fmt", script)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("error:", result.stderr)
+        self.assertEqual(self.read("s.motion"), "chain{ move_to(x }\n")
+
+    def test_what_we_ship_is_in_canonical_form(self):
+        shipped = []
+        for top in ("robots", "taskplans", "examples"):
+            for folder, _, names in os.walk(os.path.join(ROOT, top)):
+                shipped += [os.path.join(folder, n) for n in names if n.endswith((".robot", ".motion", ".plan"))]
+        self.assertGreater(len(shipped), 10)
+        result = rubicon("fmt", "--check", *sorted(shipped))
+        self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
+
+
+class Run(Case):
+    def test_table_json_and_csv_say_the_same(self):
+        table = rubicon("run", self.plan)
+        self.assertEqual(table.returncode, 0, table.stderr)
+        self.assertIn("process time", table.stdout)
+        document = json.loads(rubicon("run", self.plan, "--format", "json").stdout)
+        self.assertEqual(list(document["tasks"][0]), ["task", "robot", "crew", "start", "duration", "tried", "accepted",
+                                                      "result", "reason"])
+        self.assertEqual(document["process_time"], 3)
+        csv = rubicon("run", self.plan, "--format", "csv").stdout.splitlines()
+        self.assertEqual(csv[0], "task,robot,crew,start,duration,tried,accepted,result,reason")
+        self.assertEqual(csv[1], "p,gantry,,0,3,3,3,done,")
+
+    def test_a_motion_that_does_not_end_done_exits_with_1(self):
+        self.write("b.motion", "chain { move_dir(x, 1), move_dir(x, -1) };\n")
+        result = rubicon("run", self.plan)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("livelock", result.stdout)
+
+    def test_wrong_input_exits_with_2_before_anything_is_written(self):
+        self.write("b.motion", "chain { move_to(x) };\n")
+        trace = os.path.join(self.folder, "t.jsonl")
+        result = rubicon("run", self.plan, "--trace", trace)
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual(result.stdout, "")
+        self.assertFalse(os.path.exists(trace))
+
+    def test_what_is_not_executed_yet_is_refused_at_its_place(self):
+        plan = self.write("full.plan", "plan p {\n  robot g \"gantry.robot\" { cost 10 per h; }\n"
+                                       "  task t { by g; go x 3; }\n}\n")
+        self.assertEqual(rubicon("check", plan).returncode, 0)
+        result = rubicon("run", plan)
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, r"full\.plan:2:\d+: error: .*cost")
+
+    def test_out_writes_the_same_documents(self):
+        out = os.path.join(self.folder, "out")
+        self.assertEqual(rubicon("run", self.plan, "--out", out).returncode, 0)
+        self.assertEqual(sorted(os.listdir(out)), ["schedule.csv", "schedule.json", "trace.jsonl"])
+        self.assertEqual(self.read("out/schedule.json"), rubicon("run", self.plan, "--format", "json").stdout)
+        self.assertEqual(self.read("out/schedule.csv"), rubicon("run", self.plan, "--format", "csv").stdout)
+        trace = rubicon("run", self.plan, "--format", "csv", "--trace", "-").stdout
+        self.assertTrue(trace.startswith(self.read("out/trace.jsonl")))
+
+    def test_a_full_disk_is_an_error(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("no /dev/full here")
+        self.assertEqual(rubicon("run", self.plan, "--trace", "/dev/full").returncode, 2)
+        with open("/dev/full", "w") as full:
+            result = subprocess.run([RUBICON, "run", self.plan], stdout=full, stderr=subprocess.PIPE)
+        self.assertEqual(result.returncode, 2)
+
+    def test_two_runs_give_the_same_bytes(self):
+        first = rubicon("run", self.plan, "--trace", "-").stdout
+        self.assertEqual(first, rubicon("run", self.plan, "--trace", "-").stdout)
+        self.assertIn('"rubicon-trace"', first)
+
+    def test_every_record_of_a_trace_fits_the_schema(self):
+        try:
+            import jsonschema
+        except ImportError:
+            self.skipTest("python3-jsonschema is not installed")
+        with open(os.path.join(ROOT, "docs", "trace.schema.json"), encoding="utf-8") as file:
+            validator = jsonschema.Draft7Validator(json.load(file))
+        seen = set()
+        plans = [self.plan, os.path.join(ROOT, "taskplans", "unit.plan"),
+                 os.path.join(ROOT, "tests", "language", "15_cycle_boundary", "site.plan"),
+                 os.path.join(ROOT, "tests", "language", "23_which_labels", "site.plan")]
+        for plan in plans:
+            for line in rubicon("run", plan, "--format", "csv", "--trace", os.path.join(self.folder, "t")).stdout and \
+                    self.read("t").splitlines():
+                record = json.loads(line)
+                if record["type"] == "try" and "try" in seen and len(seen) > 9:
+                    continue
+                seen.add(record["type"])
+                errors = [e.message for e in validator.iter_errors(record)]
+                self.assertEqual(errors, [], line[:300])
+        self.assertLessEqual({"header", "goal", "set", "enter", "exit", "which", "try", "end", "task_start", "task_end",
+                              "attach", "detach"}, seen)
+
+
+class Test(Case):
+    def setUp(self):
+        super().setUp()
+        rubicon("test", self.folder, "--update")
+
+    def test_update_then_agree(self):
+        result = rubicon("test", self.folder)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertIn("1 passed, 0 failed", result.stdout)
+        self.assertIn("move_to(x, goal(x))", self.read("expected.trace"))
+
+    def test_a_difference_is_shown_and_exits_with_1(self):
+        document = json.loads(self.read("expected.json"))
+        document["events"][-2]["q"]["x"] += 0.001
+        document["tries"] += 1
+        self.write("expected.json", json.dumps(document))
+        result = rubicon("test", self.folder, "--junit", os.path.join(self.folder, "out.xml"))
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("tries", result.stdout)
+        self.assertRegex(result.stdout, r"(?m)^  - try .*x.*3\.001")
+        self.assertRegex(result.stdout, r"(?m)^  \+ try ")
+        self.assertIn("<failure", self.read("out.xml"))
+
+    def test_filter_and_empty_folders(self):
+        result = rubicon("test", self.folder, "--filter", "no such case")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("no case", result.stderr)
+
+    def test_the_output_does_not_depend_on_the_number_of_jobs(self):
+        cases = os.path.join(ROOT, "tests", "language")
+        one = rubicon("test", cases, "--jobs", "1")
+        self.assertEqual(one.returncode, 0, one.stdout)
+        self.assertEqual(one.stdout, rubicon("test", cases, "--jobs", "4").stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
