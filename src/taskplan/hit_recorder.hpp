@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "interpreter/events.hpp"
+
+namespace rubicon::taskplan {
+
+/// An attempt that met something.
+struct RecordedHit {
+  int n = 0;
+  std::vector<std::string> parameters;  ///< display names
+  interpreter::Span span;
+  interpreter::HitPair pair;
+};
+
+/// Passes events on (to a trace, if there is one) and remembers who is in the way: the last hit of
+/// every set of parameters that has not moved since.
+class HitRecorder : public interpreter::EventSink {
+ public:
+  explicit HitRecorder(interpreter::EventSink* next) : next_(next) {}
+
+  /// The latest hit that was not overcome; null if there is none.
+  const RecordedHit* last() const { return open_.empty() ? nullptr : &open_.back(); }
+  void forget() { open_.clear(); }
+
+  void goal(int k, int n) override;
+  void set(const std::string& variable, double value, interpreter::Span span) override;
+  void enter(interpreter::LoopKind kind, interpreter::Span span) override;
+  void exit(interpreter::LoopKind kind, interpreter::Span span, bool reached,
+            int successes) override;
+  void which(const std::string& label, interpreter::Span span) override;
+  void attempt(const interpreter::Attempt& attempt) override;
+  void wait(int n, interpreter::Ticks time, interpreter::Span span) override;
+
+ private:
+  interpreter::EventSink* next_;
+  std::vector<RecordedHit> open_;  ///< oldest first
+};
+
+}  // namespace rubicon::taskplan
