@@ -26,6 +26,7 @@ install(FILES ${PROJECT_BINARY_DIR}/rubicon-config.cmake ${PROJECT_BINARY_DIR}/r
 # The command finds its mesh reader beside itself.
 foreach(command rubicon rubicon-mesh)
   if(TARGET ${command})
+    set_target_properties(${command} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
     install(TARGETS ${command} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   endif()
 endforeach()
