@@ -17,7 +17,9 @@ using math::Vec3;
 struct TriangleMesh {
   std::vector<Vec3> vertices;
   std::vector<std::array<int, 3>> triangles;
-  bool closed = false;  ///< every edge is shared by exactly two triangles, oppositely oriented
+  /// It encloses a volume: every edge is used equally often in both directions (in a simple surface
+  /// by two triangles, oppositely oriented), so winding numbers are defined; triangles face outwards.
+  bool closed = false;
 };
 
 /// Axis-parallel box between two corners, in the frame of the shape.

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <assimp/IOSystem.hpp>
+#include <memory>
+#include <string>
+
+#include "src/mesh_io/mesh_format.hpp"
+#include "src/mesh_io/scene_wire.hpp"
+
+namespace rubicon::mesh_io {
+
+/// How a file is to be understood.
+struct AssimpQuery {
+  std::string name;  ///< what `files` calls the mesh; its extension is that of `format`
+  MeshFormat format;
+  /// The numbers as they are written, whatever up axis the file declares.
+  bool ignore_declared_up = false;
+  SceneLimits limits;
+};
+
+/// Parses a mesh file with assimp: triangles of all nodes, world transforms applied. Runs in the
+/// helper program alone: damaged files make assimp crash, hang and swell. The failure is for
+/// people.
+SceneMessage read_with_assimp(const AssimpQuery& query, std::unique_ptr<Assimp::IOSystem> files);
+
+}  // namespace rubicon::mesh_io

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "src/geometry/shape.hpp"
+#include "src/mesh_io/mending.hpp"
+
+namespace rubicon::mesh_io {
+
+/// What to read, and how the numbers of the file become metres with z up.
+struct MeshRequest {
+  std::string path;    ///< absolute, or relative to the working directory
+  std::string folder;  ///< the mesh must lie inside it, symbolic links resolved; empty: "."
+  double metres_per_unit =
+      0;             ///< 0: the unit the file declares; must be given for STL, OBJ and PLY
+  double scale = 1;  ///< a further factor, > 0
+  char up = 0;       ///< 'y' or 'z': this axis of the numbers in the file points up; 0: as the
+                     ///< file declares (STL, OBJ and PLY declare nothing: z)
+  std::string part;  ///< one named node with all below it, empty: the whole file
+};
+
+/// Why a mesh could not be had. Lower case: what was found, what was expected, what to do.
+struct MeshFailure {
+  std::string message;
+};
+
+/// A mesh in metres, z up, and what was mended on the way.
+struct ReadMesh {
+  std::shared_ptr<const geometry::TriangleMesh> mesh;  // shared: as geometry::Mesh wants it
+  MendingReport report;
+};
+
+/// One node of a file with the meshes that hang directly on it.
+struct NamedMesh {
+  std::string name;  ///< of the node itself
+  std::string path;  ///< names from the root down, joined by '/', ending with `name`; a path of
+                     ///< more than 1000 bytes begins with "..." instead
+  geometry::TriangleMesh mesh;
+  MendingReport report;
+};
+
+/// A whole file as a list of nodes.
+struct SceneRequest {
+  std::string path;    ///< absolute, or relative to the working directory
+  std::string folder;  ///< as in MeshRequest
+};
+
+/// Whether files of this name carry no unit of their own (STL, OBJ, PLY), so that one must be
+/// given.
+bool needs_unit(const std::string& path);
+
+/// Reads meshes through the helper program, which parses each file in a process of its own under
+/// limits of memory and time. Nothing the file contains can harm, stop or swell the caller.
+class MeshReader {
+ public:
+  /// `helper` is the path of the program `rubicon-mesh`.
+  explicit MeshReader(std::string helper);
+
+  /// The helper in the folder of the running executable, or, if there is none, in ../bin or
+  /// ../libexec/rubicon seen from there.
+  static MeshReader beside_command();
+
+  /// The mesh in metres, z up. At least one triangle, finite vertices, indices in range.
+  std::variant<ReadMesh, MeshFailure> read(const MeshRequest& request) const;
+
+  /// Every node that has triangles, in the order of the file. World coordinates of the file as
+  /// declared there: metres for DAE, glTF and IFC (units of the file for the others), and Y up for
+  /// DAE, glTF and IFC (axes of the file for the others).
+  std::variant<std::vector<NamedMesh>, MeshFailure> read_scene(const SceneRequest& request) const;
+
+ private:
+  std::string helper_;
+};
+
+/// MeshReader::beside_command().read(request), without the report.
+std::variant<std::shared_ptr<const geometry::TriangleMesh>, MeshFailure> read_mesh(
+    const MeshRequest& request);
+
+}  // namespace rubicon::mesh_io
