@@ -13,8 +13,10 @@ install(TARGETS rubicon_library rubicon_headers ${modules} EXPORT rubicon_target
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT rubicon_targets NAMESPACE rubicon:: DESTINATION ${RUBICON_INSTALL_CMAKEDIR})
 
+# Private headers show the types of libraries that users need not have.
 install(DIRECTORY interpreter src DESTINATION ${RUBICON_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
-        PATTERN "cli" EXCLUDE)
+        PATTERN "cli" EXCLUDE PATTERN "*assimp*" EXCLUDE PATTERN "parse_*.hpp" EXCLUDE)
+install(FILES docs/man/rubicon.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 
 configure_package_config_file(cmake/rubicon-config.cmake.in rubicon-config.cmake
                               INSTALL_DESTINATION ${RUBICON_INSTALL_CMAKEDIR})

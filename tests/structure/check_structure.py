@@ -49,8 +49,8 @@ RULES = [
     ),
 ]
 
-# Such a header shows the library's types, so it must not come in through another header.
-NAMED_AFTER_LIBRARY = re.compile(r"/\w*(?:fcl|assimp)\w*\.hpp$")
+# Headers that show the types of a hidden library or of the grammar: for .cpp files of their module and one another.
+PRIVATE_HEADER = re.compile(r"/\w*(?:fcl|assimp)\w*\.hpp$|^interpreter/parse_\w+\.hpp$")
 
 
 def read_modules(text):
@@ -108,12 +108,13 @@ def check_includes(path, text, may_use, hidden):
         target = match.group(1)
         place = f"{path}:{line_of(text, match.start(1))}"
         used = module_of(target, may_use)
-        if NAMED_AFTER_LIBRARY.search(target) and not path.endswith(".cpp"):
-            yield f"{place}: includes {target}; only .cpp files may include a header named after a library"
+        hides = path.endswith(".cpp") or PRIVATE_HEADER.search(path) is not None
+        if PRIVATE_HEADER.search(target) and not (hides and used == module):
+            yield f"{place}: includes {target}; only .cpp files of {used} may include this private header"
         if used is None:
             yield f"{place}: includes \"{target}\"; name project headers from the top folder, e.g. \"src/math/pose.hpp\""
         elif used in hidden.get(module, []):
-            if not path.endswith(".cpp"):
+            if not hides:
                 yield f"{place}: includes {used}; only the .cpp files of {module} may"
         elif used not in may_use[module]:
             allowed = ", ".join(name for name in may_use if name in may_use[module] - {module}) or "no other module"
