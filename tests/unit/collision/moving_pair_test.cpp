@@ -1,0 +1,163 @@
+#include <gtest/gtest.h>
+
+#include "tests/unit/collision/box_oracle.hpp"
+#include "tests/unit/collision/random_scene.hpp"
+#include "tests/unit/collision/two_joint_motion.hpp"
+
+namespace rubicon::collision::test {
+namespace {
+
+constexpr double kBand = 1e-4;
+constexpr double kTolerance = 1e-3;
+
+double speed_of(const Motion& motion, double reach) {
+  if (const auto* screw = std::get_if<geometry::ScrewMotion>(&motion.kind)) {
+    return math::radians(std::fabs(screw->angle_deg)) *
+               (screw->axis.cross(screw->X0.translation() - screw->point).norm() + reach) +
+           screw->slide.norm();
+  }
+  const auto& crane = dynamic_cast<const TwoJointMotion&>(*std::get<1>(motion.kind));
+  return math::radians(std::fabs(crane.theta1 - crane.theta0)) *
+             (std::max(crane.place0.norm(), crane.place1.norm()) + reach) +
+         (crane.place1 - crane.place0).norm();
+}
+
+struct Count {
+  int free = 0;
+  int hit = 0;
+};
+
+void check(const Vec3& half_a, const Motion& a, const Vec3& half_b, const Motion& b, Count& count) {
+  const double speed = speed_of(a, half_a.norm()) + speed_of(b, half_b.norm());
+  const Truth truth = classify(
+      [&](double s) {
+        return box_depth({a.pose(s), half_a}, {b.pose(s), half_b});
+      },
+      speed, kTolerance, kBand);
+  if (truth == Truth::kNearBoundary) return;
+  ++(truth == Truth::kHit ? count.hit : count.free);
+  ASSERT_EQ(pair_blocked(*box(half_a), a, *box(half_b), b, kTolerance), truth == Truth::kHit);
+  ASSERT_EQ(pair_blocked(*box(half_b), b, *box(half_a), a, kTolerance), truth == Truth::kHit);
+}
+
+Vec3 random_half(Random& random) {
+  const double x = random.between(0.05, 0.6);
+  const double y = random.between(0.05, 0.6);
+  const double z = random.between(0.05, 0.6);
+  return {x, y, z};
+}
+
+TEST(MovingPair, TwoTranslations) {
+  Random random(61);
+  Count count;
+  for (int i = 0; i < 1500; ++i) {
+    check(random_half(random), geometry::translating(random.pose(1), random.vector(0.5)),
+          random_half(random), geometry::translating(random.pose(1), random.vector(0.5)), count);
+    if (HasFatalFailure()) FAIL() << "case " << i;
+  }
+  EXPECT_GT(count.free, 100);
+  EXPECT_GT(count.hit, 100);
+}
+
+TEST(MovingPair, TwoScrewsAboutUnrelatedAxes) {
+  Random random(62);
+  Count count;
+  for (int i = 0; i < 1500; ++i) {
+    const auto screw = [&] {
+      return turning(random.pose(1), random.direction(), random.vector(2), random.between(-30, 30),
+                     random.between(-0.3, 0.3));
+    };
+    const Motion a = screw();
+    const Motion b = screw();
+    check(random_half(random), a, random_half(random), b, count);
+    if (HasFatalFailure()) FAIL() << "case " << i;
+  }
+  EXPECT_GT(count.free, 100);
+  EXPECT_GT(count.hit, 100);
+}
+
+TEST(MovingPair, TwoScrewsAboutOneAxis) {
+  Random random(63);
+  Count count;
+  for (int i = 0; i < 1500; ++i) {
+    const Vec3 axis = random.direction();
+    const Vec3 point = random.vector(2);
+    const Motion a =
+        turning(random.pose(1), axis, point, random.between(-40, 40), random.between(-0.3, 0.3));
+    const Motion b = i % 3 == 0
+                         ? geometry::translating(random.pose(1), random.between(-0.5, 0.5) * axis)
+                         : turning(random.pose(1), axis, point, random.between(-40, 40),
+                                   random.between(-0.3, 0.3));
+    check(random_half(random), a, random_half(random), b, count);
+    if (HasFatalFailure()) FAIL() << "case " << i;
+  }
+}
+
+TEST(MovingPair, GeneralAgainstScrewAndGeneral) {
+  Random random(64);
+  Count count;
+  for (int i = 0; i < 1500; ++i) {
+    const auto crane = [&] {
+      TwoJointMotion result;
+      result.theta0 = random.between(-10, 10);
+      result.theta1 = result.theta0 + random.between(-10, 10);
+      result.place0 = Vec3(5, 0, 0) + random.vector(1);
+      result.place1 = result.place0 + random.vector(0.5);
+      return result.motion();
+    };
+    Pose X = random.pose(1);
+    X.translation().x() += 5;
+    const Motion a = crane();
+    const Motion b =
+        i % 2 ? crane() : turning(X, random.direction(), random.vector(5), random.between(-10, 10));
+    check(random_half(random), a, random_half(random), b, count);
+    if (HasFatalFailure()) FAIL() << "case " << i;
+  }
+  EXPECT_GT(count.free, 100);
+  EXPECT_GT(count.hit, 100);
+}
+
+TEST(MovingPair, AHookBesideItsJibIsNeverHitByItsOwnSlewing) {
+  // 1 mm below the jib, 30 m out, slewing by 5 degrees: as one rigid thing, then with the trolley
+  // running.
+  const BodyPtr jib = prepare({box_shape(Vec3(0, -0.5, 0), Vec3(40, 0.5, 1))});
+  const BodyPtr hook = prepare({box_shape(Vec3(-0.3, -0.3, -1), Vec3(0.3, 0.3, -0.001))});
+  const Motion slewing_jib = turning(at(0, 0, 40), Vec3::UnitZ(), Vec3::Zero(), 5);
+  EXPECT_FALSE(pair_blocked(*jib, slewing_jib, *hook,
+                            turning(at(30, 0, 40), Vec3::UnitZ(), Vec3::Zero(), 5), 1e-6));
+  EXPECT_TRUE(pair_blocked(*jib, slewing_jib, *hook,
+                           turning(at(30, 0, 40.01), Vec3::UnitZ(), Vec3::Zero(), 5), 1e-6));
+  TwoJointMotion trolley;
+  trolley.theta1 = 5;
+  trolley.place0 = Vec3(30, 0, 40);
+  trolley.place1 = Vec3(30.5, 0, 40);
+  EXPECT_FALSE(pair_blocked(*jib, slewing_jib, *hook, trolley.motion(), 1e-6));
+  TwoJointMotion same_jib;
+  same_jib.theta1 = 5;
+  same_jib.place0 = same_jib.place1 = Vec3(0, 0, 40);
+  EXPECT_FALSE(pair_blocked(*jib, same_jib.motion(), *hook, trolley.motion(), 1e-6));
+  trolley.place1.z() = 40.02;  // hoists into the jib
+  EXPECT_TRUE(pair_blocked(*jib, slewing_jib, *hook, trolley.motion(), 1e-6));
+}
+
+TEST(MovingPair, TogetherAndTouchingIsFreeWhateverTheMotion) {
+  const BodyPtr cube = box(Vec3::Constant(0.5));
+  const Vec3 d(0.3, 0.4, 0.1);
+  EXPECT_FALSE(pair_blocked(*cube, geometry::translating(at(0, 0, 0), d), *cube,
+                            geometry::translating(at(1, 0, 0), d), 1e-6));
+  const auto turn = [](const Pose& X0) {
+    return turning(X0, Vec3(0, 0.6, 0.8), Vec3(3, 2, 1), 30, 0.2);
+  };
+  EXPECT_FALSE(pair_blocked(*cube, turn(at(0, 0, 0)), *cube, turn(at(1, 0, 0)), 1e-6));
+  TwoJointMotion crane;
+  crane.theta1 = 8;
+  crane.place0 = Vec3(3, 0, 0);
+  crane.place1 = Vec3(3.5, 0.2, 0);
+  TwoJointMotion beside = crane;
+  beside.place0.y() += 1;
+  beside.place1.y() += 1;
+  EXPECT_FALSE(pair_blocked(*cube, crane.motion(), *cube, beside.motion(), 1e-3));
+}
+
+}  // namespace
+}  // namespace rubicon::collision::test

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <algorithm>
+#include <memory>
+
+#include "src/geometry/motion.hpp"
+#include "src/math/angles.hpp"
+
+namespace rubicon::collision::test {
+
+/// A crane that slews about z while its trolley runs along the jib: X(s) = Rz(theta) * T(x, y, z) *
+/// Rz(spin).
+class TwoJointMotion : public geometry::GeneralMotion {
+ public:
+  double theta0 = 0;  ///< deg
+  double theta1 = 0;
+  math::Vec3 place0 = math::Vec3::Zero();  ///< m, in the frame of the jib
+  math::Vec3 place1 = math::Vec3::Zero();
+
+  math::Pose pose(double s) const override {
+    const math::Vec3 place = place0 + s * (place1 - place0);
+    return math::rotation_z_deg(theta0 + s * (theta1 - theta0)) *
+           math::translation(place.x(), place.y(), place.z());
+  }
+
+  /// From the second derivative: |x''| <= w^2 r + 2 w v.
+  double chord_deviation(double s0, double s1, double reach) const override {
+    const double w = math::radians(theta1 - theta0 < 0 ? theta0 - theta1 : theta1 - theta0);
+    const double lever = std::max(place0.norm(), place1.norm()) + reach;
+    const double v = (place1 - place0).norm();
+    return (w * w * lever + 2 * w * v) * (s1 - s0) * (s1 - s0) / 8;
+  }
+
+  geometry::Motion motion() const { return {std::make_shared<TwoJointMotion>(*this)}; }
+};
+
+}  // namespace rubicon::collision::test
