@@ -16,7 +16,6 @@ install(EXPORT rubicon_targets NAMESPACE rubicon:: DESTINATION ${RUBICON_INSTALL
 # Private headers show the types of libraries that users need not have.
 install(DIRECTORY interpreter src DESTINATION ${RUBICON_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
         PATTERN "cli" EXCLUDE PATTERN "*assimp*" EXCLUDE PATTERN "parse_*.hpp" EXCLUDE)
-install(FILES docs/man/rubicon.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 
 configure_package_config_file(cmake/rubicon-config.cmake.in rubicon-config.cmake
                               INSTALL_DESTINATION ${RUBICON_INSTALL_CMAKEDIR})
@@ -24,11 +23,3 @@ configure_package_config_file(cmake/rubicon-config.cmake.in rubicon-config.cmake
 write_basic_package_version_file(rubicon-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/rubicon-config.cmake ${PROJECT_BINARY_DIR}/rubicon-config-version.cmake
         DESTINATION ${RUBICON_INSTALL_CMAKEDIR})
-
-# The command finds its mesh reader beside itself.
-foreach(command rubicon rubicon-mesh)
-  if(TARGET ${command})
-    set_target_properties(${command} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
-    install(TARGETS ${command} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  endif()
-endforeach()
