@@ -1,0 +1,49 @@
+#pragma once
+
+#include "grammar/expression.hpp"
+
+/// Frames (products of elementary transforms) and shapes.
+namespace rubicon::grammar {
+
+// ---- frames ------------------------------------------------------------------------------------
+
+struct frame_word : token<sor<word<TAO_PEGTL_STRING("trans")>, word<TAO_PEGTL_STRING("rotx")>,
+                              word<TAO_PEGTL_STRING("roty")>, word<TAO_PEGTL_STRING("rotz")>>> {};
+struct frame_open : open_parenthesis {};
+struct frame_argument : expression {};
+struct frame_close : close_parenthesis {};
+struct frame_element : if_must<frame_word, frame_open, frame_argument,
+                               star<if_must<comma, frame_argument>>, frame_close> {};
+struct frame : seq<frame_element, star<if_must<star_sign, frame_element>>> {};
+
+// ---- shapes ------------------------------------------------------------------------------------
+
+struct at_key : token<word<TAO_PEGTL_STRING("at")>> {};
+struct shape_frame : frame {};
+struct shape_at : if_must<at_key, shape_frame> {};
+
+struct shape_open : open_parenthesis {};
+struct shape_close : close_parenthesis {};
+
+struct mesh_name : token<word<TAO_PEGTL_STRING("mesh")>> {};
+struct mesh_file : string_literal {};
+struct scale_key : token<word<TAO_PEGTL_STRING("scale")>> {};
+struct mesh_scale : signed_number {};
+struct up_key : token<word<TAO_PEGTL_STRING("up")>> {};
+struct mesh_up : name {};
+struct part_key : token<word<TAO_PEGTL_STRING("part")>> {};
+struct mesh_part : string_literal {};
+struct mesh_unit : name {};
+struct mesh_option : sor<if_must<scale_key, mesh_scale>, if_must<up_key, mesh_up>,
+                         if_must<part_key, mesh_part>, mesh_unit> {};
+struct mesh
+    : if_must<mesh_name, shape_open, mesh_file, star<if_must<comma, mesh_option>>, shape_close> {};
+
+struct solid_name : name {};
+struct shape_number : signed_number {};
+struct shape_numbers : opt<shape_number, star<if_must<comma, shape_number>>> {};
+struct solid : if_must<solid_name, shape_open, shape_numbers, shape_close> {};
+
+struct shape : seq<sor<mesh, solid>, opt<shape_at>> {};
+
+}  // namespace rubicon::grammar

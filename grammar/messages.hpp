@@ -1,0 +1,182 @@
+#pragma once
+
+#include "grammar/expectation.hpp"
+#include "grammar/plan.hpp"
+#include "grammar/robot.hpp"
+
+/// What is said where a rule that must match does not. Only commit points have an entry.
+namespace rubicon::grammar {
+
+template <typename Rule>
+inline constexpr Expectation expectation{};
+
+#define RUBICON_EXPECT(rule, ...)                  \
+  template <>                                      \
+  inline constexpr Expectation expectation<rule> { \
+    __VA_ARGS__                                    \
+  }
+
+// names and expressions
+RUBICON_EXPECT(member_name, "a name after '.'");
+RUBICON_EXPECT(call_close, "',' or ')'");
+RUBICON_EXPECT(arguments, "a value or ')'");
+RUBICON_EXPECT(next_argument, "a value");
+RUBICON_EXPECT(variable_open, "'(' after var");
+RUBICON_EXPECT(variable_name, "the name of a variable");
+RUBICON_EXPECT(variable_close, "')'");
+RUBICON_EXPECT(grouped, "a value");
+RUBICON_EXPECT(group_close, "')'", Explain::expected, "==");
+RUBICON_EXPECT(signed_operand, "a value");
+RUBICON_EXPECT(factor, "a value");
+RUBICON_EXPECT(term, "a value");
+RUBICON_EXPECT(compared, "a value");
+RUBICON_EXPECT(comparison_end, "one comparison at a time (a < b and b < c)");
+RUBICON_EXPECT(inverted, "a condition");
+RUBICON_EXPECT(conjunct, "a condition");
+RUBICON_EXPECT(disjunct, "a condition");
+
+// frames and shapes
+inline constexpr const char* kFrameWords = "trans rotx roty rotz";
+inline constexpr const char* kFrame = "a frame such as trans(x, y, z) or rotz(theta)";
+RUBICON_EXPECT(frame, kFrame, Explain::expected, kFrameWords);
+RUBICON_EXPECT(frame_element, kFrame, Explain::expected, kFrameWords);
+RUBICON_EXPECT(frame_open, "'('");
+RUBICON_EXPECT(frame_argument, "a value");
+RUBICON_EXPECT(frame_close, "',' or ')'");
+RUBICON_EXPECT(shape_frame, kFrame, Explain::expected, kFrameWords);
+RUBICON_EXPECT(shape, "a shape such as box(...)");
+RUBICON_EXPECT(shape_open, "'('");
+RUBICON_EXPECT(shape_number, "a number");
+RUBICON_EXPECT(shape_close, "',' or ')'");
+RUBICON_EXPECT(mesh_file, "the name of a mesh file in quotes");
+RUBICON_EXPECT(mesh_option, "a unit, scale, up or part", Explain::expected, "scale up part");
+RUBICON_EXPECT(mesh_scale, "a number");
+RUBICON_EXPECT(mesh_up, "y or z");
+RUBICON_EXPECT(mesh_part, "the name of a part in quotes");
+
+// statements
+RUBICON_EXPECT(block_open, "'{' after {of}");
+RUBICON_EXPECT(command_open, "'(' after the command");
+RUBICON_EXPECT(command_parameter, "a control parameter");
+RUBICON_EXPECT(command_comma, "',' and a value");
+RUBICON_EXPECT(command_value, "a value");
+RUBICON_EXPECT(command_close, "')'");
+RUBICON_EXPECT(assigned_open, "'(' after var");
+RUBICON_EXPECT(assigned_name, "the name of a variable");
+RUBICON_EXPECT(assigned_close, "')'");
+RUBICON_EXPECT(assigned_equals, "'=' and a value");
+RUBICON_EXPECT(assigned_value, "a value");
+RUBICON_EXPECT(together_part, "move_to or move_dir in this together");
+RUBICON_EXPECT(together_close, "',' or '}' in this together");
+RUBICON_EXPECT(element, "a command or structure in this {in}", Explain::statement);
+RUBICON_EXPECT(element_follows, "',' or '}' in this {in}");
+RUBICON_EXPECT(until_open, "'(' after until");
+RUBICON_EXPECT(until_condition, "a condition");
+RUBICON_EXPECT(until_close, "')'", Explain::expected, "==");
+RUBICON_EXPECT(label_colon, "':' after the label");
+RUBICON_EXPECT(when_open, "'(' after when");
+RUBICON_EXPECT(when_condition, "a condition");
+RUBICON_EXPECT(when_close, "')'", Explain::expected, "==");
+RUBICON_EXPECT(statement, "a statement", Explain::statement);
+RUBICON_EXPECT(simple_end, "';'");
+RUBICON_EXPECT(behaviour_name, "a name after behaviour");
+
+// robots
+RUBICON_EXPECT(item_semicolon, "';'");
+RUBICON_EXPECT(param_name, "the name of a control parameter");
+RUBICON_EXPECT(derived_value, "a value");
+RUBICON_EXPECT(attribute_number, "a number");
+RUBICON_EXPECT(attribute_close, "',' or ')'");
+RUBICON_EXPECT(rule_parameter, "a control parameter");
+RUBICON_EXPECT(rule_arrow, "'<-'");
+RUBICON_EXPECT(rule_value, "a value");
+RUBICON_EXPECT(body_item, "body", Explain::item, "param rule frame shape behaviour");
+RUBICON_EXPECT(body_name, "a name after body");
+RUBICON_EXPECT(body_parent, "the name of a body after on");
+RUBICON_EXPECT(setting_value, "a number");
+RUBICON_EXPECT(tool_body, "the name of a body");
+RUBICON_EXPECT(tool_frame, kFrame, Explain::expected, kFrameWords);
+RUBICON_EXPECT(const_name, "a name after const");
+RUBICON_EXPECT(const_equals, "'=' and a value");
+RUBICON_EXPECT(const_value, "a value");
+RUBICON_EXPECT(touching_name, "the name of a body");
+RUBICON_EXPECT(capacity_point, "'(', a radius and a mass");
+RUBICON_EXPECT(capacity_number, "a number");
+RUBICON_EXPECT(capacity_comma, "',' and a mass");
+RUBICON_EXPECT(capacity_close, "')'");
+RUBICON_EXPECT(behaviour_source, "the name of a file in quotes or '{' after behaviour");
+RUBICON_EXPECT(robot_item, "robot", Explain::item,
+               "time_step sensor body tool const touching capacity behaviour");
+RUBICON_EXPECT(robot_key, "'robot' at the start of a robot file");
+RUBICON_EXPECT(robot_name, "a name after robot");
+RUBICON_EXPECT(text_finished, "the end of the file after the '}' of the robot");
+
+// plans
+RUBICON_EXPECT(plan_semicolon, "';'");
+RUBICON_EXPECT(value_number, "a number");
+RUBICON_EXPECT(named_value, "a parameter and its value");
+RUBICON_EXPECT(goal_frame, kFrame, Explain::expected, kFrameWords);
+RUBICON_EXPECT(goal, "'at' and a frame, or a parameter and its value");
+RUBICON_EXPECT(duration, "a duration");
+RUBICON_EXPECT(link_lag, "a duration");
+RUBICON_EXPECT(link, "the name of a task");
+RUBICON_EXPECT(links, "the name of a task");
+RUBICON_EXPECT(listed_name, "a name");
+RUBICON_EXPECT(listed_names, "a name");
+RUBICON_EXPECT(number_value, "a number");
+RUBICON_EXPECT(text_value, "a text in quotes");
+RUBICON_EXPECT(within_limit, "a length, or a parameter and its value");
+RUBICON_EXPECT(shift_dash, "'-' and the end of the shift");
+RUBICON_EXPECT(shift_to, "a time such as 16:30");
+RUBICON_EXPECT(shift_time, "a time such as 07:00");
+RUBICON_EXPECT(off_day, "a date such as 2026-12-24");
+RUBICON_EXPECT(last_day, "a day such as fri");
+RUBICON_EXPECT(shift, "calendar", Explain::item, "mon tue wed thu fri sat sun off carry_over");
+RUBICON_EXPECT(calendar_name, "a name after calendar");
+RUBICON_EXPECT(component_at_frame, kFrame, Explain::expected, kFrameWords);
+RUBICON_EXPECT(component_grip_frame, kFrame, Explain::expected, kFrameWords);
+RUBICON_EXPECT(mass_value, "a number");
+RUBICON_EXPECT(component_part, "component", Explain::item, "shape at grip mass");
+RUBICON_EXPECT(component_name, "a name after component");
+RUBICON_EXPECT(cost_amount, "an amount per h");
+RUBICON_EXPECT(used_calendar, "the name of a calendar");
+RUBICON_EXPECT(robot_start_values, "a parameter and its value");
+RUBICON_EXPECT(park_values, "a parameter and its value");
+RUBICON_EXPECT(robot_use_part, "robot", Explain::item, "start cost calendar park");
+RUBICON_EXPECT(robot_file_name, "the robot's file in quotes");
+RUBICON_EXPECT(robot_frame, kFrame, Explain::expected, kFrameWords);
+RUBICON_EXPECT(robot_use_end, "';' or '{'");
+RUBICON_EXPECT(robot_use_form, "a name or a file in quotes after robot");
+RUBICON_EXPECT(size_value, "a number");
+RUBICON_EXPECT(crew_part, "crew", Explain::item, "size cost calendar");
+RUBICON_EXPECT(crew_end, "';' or '{'");
+RUBICON_EXPECT(crew_name, "a name after crew");
+RUBICON_EXPECT(moved_component, "the name of a component");
+RUBICON_EXPECT(to_key, "'to' and a frame");
+RUBICON_EXPECT(removed_component, "the name of a component");
+RUBICON_EXPECT(work_crew, "the name of a crew");
+RUBICON_EXPECT(guide_name, "the name of a guide");
+RUBICON_EXPECT(task_part, "task", Explain::item,
+               "by move go remove hook adjust release takes via guide situation within budget "
+               "priority zone after");
+RUBICON_EXPECT(task_name, "a name after task");
+RUBICON_EXPECT(module_part, "module", Explain::item, "component task");
+RUBICON_EXPECT(module_name, "a name after module");
+RUBICON_EXPECT(placed_module, "the name of a module");
+RUBICON_EXPECT(placed_at, "'at' and a frame");
+RUBICON_EXPECT(as_key, "'as' and a name");
+RUBICON_EXPECT(placed_as, "a name after as");
+RUBICON_EXPECT(import_file, "the name of a file in quotes");
+RUBICON_EXPECT(import_name, "a name after as");
+RUBICON_EXPECT(import_block, "'{' after import");
+RUBICON_EXPECT(short_start_values, "a parameter and its value");
+RUBICON_EXPECT(plan_item, "plan", Explain::item,
+               "component robot crew task module place import site contact budget start_at "
+               "currency calendar situation start goal via carry within");
+RUBICON_EXPECT(plan_file_key, "'plan' at the start of a plan");
+RUBICON_EXPECT(plan_name, "a name after plan");
+RUBICON_EXPECT(plan_finished, "the end of the file after the '}' of the plan");
+
+#undef RUBICON_EXPECT
+
+}  // namespace rubicon::grammar

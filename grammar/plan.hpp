@@ -1,0 +1,235 @@
+#pragma once
+
+#include "grammar/frame.hpp"
+#include "grammar/script.hpp"
+
+/// Plans: the site, components, robots, crews, tasks, modules; and the short form of one motion.
+namespace rubicon::grammar {
+
+struct plan_semicolon : semicolon {};
+
+// ---- values, goals, links ----------------------------------------------------------------------
+
+struct value_name : qualified_name {};
+struct value_number : signed_number {};
+struct named_value : if_must<value_name, value_number> {};
+struct values : seq<named_value, star<if_must<comma, named_value>>> {};
+
+struct goal_frame : frame {};
+struct goal_values : values {};
+struct goal : sor<if_must<at_key, goal_frame>, goal_values> {};
+
+struct duration : signed_number {};
+struct link_name : qualified_name {};
+struct link_type : name {};
+struct later : plus_sign {};
+struct earlier : minus_sign {};
+struct link_lag : signed_number {};
+struct link : seq<link_name, opt<link_type>, opt<if_must<sor<later, earlier>, link_lag>>> {};
+struct links : seq<link, star<if_must<comma, link>>> {};
+struct after_key : token<word<TAO_PEGTL_STRING("after")>> {};
+
+struct listed_name : name {};
+struct listed_names : seq<listed_name, star<if_must<comma, listed_name>>> {};
+
+// ---- settings ----------------------------------------------------------------------------------
+
+struct site_key : token<word<TAO_PEGTL_STRING("site")>> {};
+struct site_item : if_must<site_key, shape, plan_semicolon> {};
+
+struct number_key
+    : token<sor<word<TAO_PEGTL_STRING("contact")>, word<TAO_PEGTL_STRING("budget")>>> {};
+struct number_value : signed_number {};
+struct number_item : if_must<number_key, number_value, plan_semicolon> {};
+
+struct text_key
+    : token<sor<word<TAO_PEGTL_STRING("start_at")>, word<TAO_PEGTL_STRING("currency")>>> {};
+struct text_value : string_literal {};
+struct text_item : if_must<text_key, text_value, plan_semicolon> {};
+
+struct situation_key : token<word<TAO_PEGTL_STRING("situation")>> {};
+struct situation_item : if_must<situation_key, listed_names, plan_semicolon> {};
+
+struct within_key : token<word<TAO_PEGTL_STRING("within")>> {};
+struct within_length : signed_number {};
+struct within_values : values {};
+struct within_limit : sor<within_length, within_values> {};
+struct within_item : if_must<within_key, within_limit, plan_semicolon> {};
+
+// ---- calendars ---------------------------------------------------------------------------------
+
+struct time_text : seq<digits, one<':'>, digits, not_at<name_other>> {};
+struct shift_from : token<time_text> {};
+struct shift_to : token<time_text> {};
+struct shift_dash : minus_sign {};
+struct shift_time : if_must<shift_from, shift_dash, shift_to> {};
+struct date_text : seq<digits, one<'-'>, digits, one<'-'>, digits, not_at<name_other>> {};
+struct off_date : token<date_text> {};
+struct off_quoted_date : string_literal {};
+struct off_day : sor<off_date, off_quoted_date> {};
+struct off_key : token<word<TAO_PEGTL_STRING("off")>> {};
+struct off_shift : if_must<off_key, off_day, star<if_must<comma, off_day>>, plan_semicolon> {};
+struct carry_over_key : token<word<TAO_PEGTL_STRING("carry_over")>> {};
+struct carry_over : if_must<carry_over_key, plan_semicolon> {};
+struct first_day : name {};
+struct last_day : name {};
+struct day_shift : if_must<first_day, opt<if_must<minus_sign, last_day>>, shift_time,
+                           star<if_must<comma, shift_time>>, plan_semicolon> {};
+struct shift : sor<off_shift, carry_over, day_shift> {};
+struct whole_shift : must<shift> {};
+struct shifts : nested<star<not_at<block_end>, recover<whole_shift, item_end>>> {};
+struct calendar_key : token<word<TAO_PEGTL_STRING("calendar")>> {};
+struct calendar_name : name {};
+struct calendar_item : if_must<calendar_key, calendar_name, block_open, shifts, block_close> {};
+
+// ---- components, robots, crews -----------------------------------------------------------------
+
+struct component_shape_key : token<word<TAO_PEGTL_STRING("shape")>> {};
+struct component_shape : if_must<component_shape_key, shape, plan_semicolon> {};
+struct component_at_frame : frame {};
+struct component_at : if_must<at_key, component_at_frame, plan_semicolon> {};
+struct grip_key : token<word<TAO_PEGTL_STRING("grip")>> {};
+struct component_grip_frame : frame {};
+struct component_grip : if_must<grip_key, component_grip_frame, plan_semicolon> {};
+struct mass_key : token<word<TAO_PEGTL_STRING("mass")>> {};
+struct mass_value : signed_number {};
+struct component_mass : if_must<mass_key, mass_value, plan_semicolon> {};
+struct component_part : sor<component_shape, component_at, component_grip, component_mass> {};
+struct whole_component_part : must<component_part> {};
+struct component_parts : nested<star<not_at<block_end>, recover<whole_component_part, item_end>>> {
+};
+struct component_key : token<word<TAO_PEGTL_STRING("component")>> {};
+struct component_name : name {};
+struct component_item
+    : if_must<component_key, component_name, block_open, component_parts, block_close> {};
+
+struct start_key : token<word<TAO_PEGTL_STRING("start")>> {};
+struct cost_key : token<word<TAO_PEGTL_STRING("cost")>> {};
+struct cost_amount : signed_number {};
+struct cost_item : if_must<cost_key, cost_amount, plan_semicolon> {};
+struct uses_calendar_key : token<word<TAO_PEGTL_STRING("calendar")>> {};
+struct used_calendar : name {};
+struct uses_calendar : if_must<uses_calendar_key, used_calendar, plan_semicolon> {};
+
+struct robot_start_values : values {};
+struct robot_start : if_must<start_key, robot_start_values, plan_semicolon> {};
+struct park_key : token<word<TAO_PEGTL_STRING("park")>> {};
+struct park_values : values {};
+struct robot_park : if_must<park_key, park_values, plan_semicolon> {};
+struct robot_use_part : sor<robot_start, cost_item, uses_calendar, robot_park> {};
+struct whole_robot_use_part : must<robot_use_part> {};
+struct robot_use_parts : nested<star<not_at<block_end>, recover<whole_robot_use_part, item_end>>> {
+};
+struct robot_use_key : token<word<TAO_PEGTL_STRING("robot")>> {};
+struct robot_file_name : string_literal {};
+struct robot_use_name : name {};
+struct robot_frame : frame {};
+struct robot_at : opt<if_must<at_key, robot_frame>> {};
+struct robot_use_block : if_must<block_open, robot_use_parts, block_close> {};
+struct robot_use_end : sor<semicolon, robot_use_block> {};
+struct named_robot : if_must<robot_use_name, robot_file_name, robot_at, robot_use_end> {};
+struct short_robot : if_must<robot_file_name, robot_at, plan_semicolon> {};
+struct robot_use_form : sor<short_robot, named_robot> {};
+struct robot_use : if_must<robot_use_key, robot_use_form> {};
+
+struct size_key : token<word<TAO_PEGTL_STRING("size")>> {};
+struct size_value : signed_number {};
+struct crew_size : if_must<size_key, size_value, plan_semicolon> {};
+struct crew_part : sor<crew_size, cost_item, uses_calendar> {};
+struct whole_crew_part : must<crew_part> {};
+struct crew_parts : nested<star<not_at<block_end>, recover<whole_crew_part, item_end>>> {};
+struct crew_block : if_must<block_open, crew_parts, block_close> {};
+struct crew_end : sor<semicolon, crew_block> {};
+struct crew_key : token<word<TAO_PEGTL_STRING("crew")>> {};
+struct crew_name : name {};
+struct crew_item : if_must<crew_key, crew_name, crew_end> {};
+
+// ---- tasks -------------------------------------------------------------------------------------
+
+struct by_key : token<word<TAO_PEGTL_STRING("by")>> {};
+struct by_item : if_must<by_key, listed_names, plan_semicolon> {};
+struct move_key : token<word<TAO_PEGTL_STRING("move")>> {};
+struct moved_component : qualified_name {};
+struct to_key : token<word<TAO_PEGTL_STRING("to")>> {};
+struct move_item : if_must<move_key, moved_component, to_key, frame, plan_semicolon> {};
+struct go_key : token<word<TAO_PEGTL_STRING("go")>> {};
+struct go_item : if_must<go_key, goal, plan_semicolon> {};
+struct remove_key : token<word<TAO_PEGTL_STRING("remove")>> {};
+struct removed_component : qualified_name {};
+struct remove_item : if_must<remove_key, removed_component, plan_semicolon> {};
+struct crew_work_key : token<sor<word<TAO_PEGTL_STRING("hook")>, word<TAO_PEGTL_STRING("adjust")>,
+                                 word<TAO_PEGTL_STRING("release")>>> {};
+struct work_crew : name {};
+struct crew_work_item
+    : if_must<crew_work_key, duration, opt<if_must<by_key, work_crew>>, plan_semicolon> {};
+struct takes_key : token<word<TAO_PEGTL_STRING("takes")>> {};
+struct takes_item : if_must<takes_key, duration, plan_semicolon> {};
+struct via_key : token<word<TAO_PEGTL_STRING("via")>> {};
+struct via_item : if_must<via_key, goal, plan_semicolon> {};
+struct guide_key : token<word<TAO_PEGTL_STRING("guide")>> {};
+struct guide_name : name {};
+struct guide_item : if_must<guide_key, guide_name, plan_semicolon> {};
+struct task_number_key
+    : token<sor<word<TAO_PEGTL_STRING("budget")>, word<TAO_PEGTL_STRING("priority")>>> {};
+struct task_number_item : if_must<task_number_key, number_value, plan_semicolon> {};
+struct zone_key : token<word<TAO_PEGTL_STRING("zone")>> {};
+struct zone_item : if_must<zone_key, shape, plan_semicolon> {};
+struct after_item : if_must<after_key, links, plan_semicolon> {};
+struct task_part
+    : sor<by_item, move_item, go_item, remove_item, crew_work_item, takes_item, via_item,
+          guide_item, situation_item, within_item, task_number_item, zone_item, after_item> {};
+struct whole_task_part : must<task_part> {};
+struct task_parts : nested<star<not_at<block_end>, recover<whole_task_part, item_end>>> {};
+struct task_key : token<word<TAO_PEGTL_STRING("task")>> {};
+struct task_name : name {};
+struct task_item : if_must<task_key, task_name, block_open, task_parts, block_close> {};
+
+// ---- modules, imports --------------------------------------------------------------------------
+
+struct module_part : sor<component_item, task_item> {};
+struct whole_module_part : must<module_part> {};
+struct module_parts : nested<star<not_at<block_end>, recover<whole_module_part, item_end>>> {};
+struct module_key : token<word<TAO_PEGTL_STRING("module")>> {};
+struct module_name : name {};
+struct module_item : if_must<module_key, module_name, block_open, module_parts, block_close> {};
+
+struct place_key : token<word<TAO_PEGTL_STRING("place")>> {};
+struct placed_module : name {};
+struct placed_at : at_key {};
+struct as_key : token<word<TAO_PEGTL_STRING("as")>> {};
+struct placed_as : name {};
+struct place_item : if_must<place_key, placed_module, placed_at, frame, as_key, placed_as,
+                            opt<if_must<after_key, links>>, plan_semicolon> {};
+
+struct import_block;
+struct import_text : seq<not_at<one<'{', '}'>>, token<any_token_text>> {};
+struct import_content : nested<star<sor<import_text, import_block>>> {};
+struct import_block : if_must<block_open, import_content, block_close> {};
+struct import_key : token<word<TAO_PEGTL_STRING("import")>> {};
+struct import_file : string_literal {};
+struct import_name : name {};
+struct import_item
+    : if_must<import_key, import_file, opt<if_must<as_key, import_name>>, import_block> {};
+
+// ---- the short form, the plan ------------------------------------------------------------------
+
+struct short_start_values : values {};
+struct short_start : if_must<start_key, short_start_values, plan_semicolon> {};
+struct goal_key : token<word<TAO_PEGTL_STRING("goal")>> {};
+struct short_goal : if_must<goal_key, goal, plan_semicolon> {};
+struct carry_key : token<word<TAO_PEGTL_STRING("carry")>> {};
+struct carry_item : if_must<carry_key, shape, plan_semicolon> {};
+
+struct plan_item : sor<component_item, robot_use, crew_item, task_item, module_item, place_item,
+                       import_item, site_item, number_item, text_item, calendar_item,
+                       situation_item, short_start, short_goal, via_item, carry_item, within_item> {
+};
+struct whole_plan_item : must<plan_item> {};
+struct plan_items : nested<star<not_at<block_end>, recover<whole_plan_item, item_end>>> {};
+struct plan_file_key : token<word<TAO_PEGTL_STRING("plan")>> {};
+struct plan_name : name {};
+struct plan_finished : eof {};
+struct plan : must<plan_file_key, plan_name, block_open, plan_items, block_close, plan_finished> {};
+struct plan_file : seq<space, recover<plan, text_end>> {};
+
+}  // namespace rubicon::grammar
