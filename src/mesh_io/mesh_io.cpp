@@ -31,7 +31,7 @@ constexpr std::uint64_t kLargestFile = 256'000'000;
 /// Processor time a file may take: enough to find out that a small one is hostile within seconds,
 /// and in proportion for honest large ones (measured: 25 MB/s for IFC, 80 to 300 for STL, OBJ and
 /// PLY).
-constexpr std::uint64_t kBaseSeconds = 2;
+constexpr std::uint64_t kBaseSeconds = 1;
 constexpr std::uint64_t kBytesPerSecond = 8'000'000;
 
 /// Address space the helper may take: its libraries (80 MB), then in proportion to the file

@@ -26,7 +26,7 @@ std::string refused(const std::string& path, const MeshRequest& request = {}) {
   const auto begin = std::chrono::steady_clock::now();
   const auto result = read_in_own_folder(path, request);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  // The limit of processor time is 2 s; the rest is for a busy machine.
+  // The limit of processor time is 1 s, that of waiting 3 s; the rest is for a busy machine.
   EXPECT_LT(seconds.count(), 5) << path;
   const auto* failure = std::get_if<MeshFailure>(&result);
   if (failure == nullptr) {
@@ -256,7 +256,7 @@ TEST(Damage, APolygonOfTwentyThousandCorners) {
                         radius * math::sin_deg(3 * step));
     face += fmt::format(" {}", i + 1);
   }
-  expect_part(refused(folder.write("a.obj", text + face + "\n")), "takes more than 2 s");
+  expect_part(refused(folder.write("a.obj", text + face + "\n")), "takes more than 1 s");
 }
 
 TEST(Damage, CoordinatesThatAreNotNumbers) {
@@ -339,6 +339,36 @@ TEST(Damage, NamesFromTheFileAreMadePrintable) {
   const std::string message = refused(folder.write("a.dae", dae), request);
   EXPECT_EQ(message.find('\x1b'), std::string::npos);
   EXPECT_EQ(message.find('\xff'), std::string::npos);
+}
+
+TEST(Damage, AFewBytesChangedAnywhere) {
+  const TemporaryFolder folder;
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"stl", as_stl_binary(unit_box())}, {"stl", as_stl_text(unit_box())},
+      {"obj", as_obj(unit_box())},        {"ply", as_ply(unit_box())},
+      {"gltf", as_gltf(unit_box(), "")},  {"dae", as_dae(unit_box(), "Z_UP", "1")}};
+  constexpr int kVariants = 8;
+  std::mt19937 random(11);
+  for (const auto& [extension, whole] : files) {
+    for (int variant = 0; variant < kVariants; ++variant) {
+      std::string bytes = whole;
+      for (int k = 0; k < 4; ++k) bytes[random() % bytes.size()] = static_cast<char>(random());
+      const auto result = read_in_own_folder(folder.write("a." + extension, bytes));
+      const auto* read = std::get_if<ReadMesh>(&result);
+      if (read == nullptr) {
+        EXPECT_GT(std::get<MeshFailure>(result).message.size(), 30U);
+        continue;
+      }
+      ASSERT_FALSE(read->mesh->triangles.empty());
+      for (const Vec3& p : read->mesh->vertices) ASSERT_TRUE(p.allFinite());
+      for (const auto& t : read->mesh->triangles) {
+        for (const int corner : t) {
+          ASSERT_GE(corner, 0);
+          ASSERT_LT(static_cast<std::size_t>(corner), read->mesh->vertices.size());
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
