@@ -17,7 +17,6 @@ namespace rubicon::interpreter::script_check {
 namespace {
 
 using syntax::Expression;
-using syntax::QualifiedName;
 using syntax::Statement;
 using Operator = Expression::Operator;
 using VariableKinds = std::map<std::string, ValueKind>;
