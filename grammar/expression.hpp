@@ -8,8 +8,7 @@ namespace rubicon::grammar {
 struct expression;
 struct unary;
 
-// ---- operands ----------------------------------------------------------------------------------
-
+// Operands.
 struct call_open : open_parenthesis {};
 struct call_close : close_parenthesis {};
 struct argument : nested<expression> {};
@@ -38,8 +37,7 @@ struct group : if_must<group_open, grouped, group_close> {};
 struct number_operand : number {};
 struct operand : sor<number_operand, group, variable_operand, command_operand, name_operand> {};
 
-// ---- operators ---------------------------------------------------------------------------------
-
+// Operators.
 struct negation_sign : minus_sign {};
 struct affirmation_sign : plus_sign {};
 struct signed_operand : nested<unary> {};

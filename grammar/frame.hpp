@@ -5,8 +5,7 @@
 /// Frames (products of elementary transforms) and shapes.
 namespace rubicon::grammar {
 
-// ---- frames ------------------------------------------------------------------------------------
-
+// Frames.
 struct frame_word : token<sor<word<TAO_PEGTL_STRING("trans")>, word<TAO_PEGTL_STRING("rotx")>,
                               word<TAO_PEGTL_STRING("roty")>, word<TAO_PEGTL_STRING("rotz")>>> {};
 struct frame_open : open_parenthesis {};
@@ -16,8 +15,7 @@ struct frame_element : if_must<frame_word, frame_open, frame_argument,
                                star<if_must<comma, frame_argument>>, frame_close> {};
 struct frame : seq<frame_element, star<if_must<star_sign, frame_element>>> {};
 
-// ---- shapes ------------------------------------------------------------------------------------
-
+// Shapes.
 struct at_key : token<word<TAO_PEGTL_STRING("at")>> {};
 struct shape_frame : frame {};
 struct shape_at : if_must<at_key, shape_frame> {};

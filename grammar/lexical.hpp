@@ -8,8 +8,7 @@ namespace rubicon::grammar {
 
 using namespace tao::pegtl;
 
-// ---- white space -------------------------------------------------------------------------------
-
+// White space.
 struct line_comment : seq<sor<one<'#'>, two<'/'>>, until<at<eolf>>> {};
 
 struct comment_open : string<'/', '*'> {};
@@ -30,8 +29,7 @@ struct token : seq<Rules..., end_of_token, space> {};
 template <char C>
 struct symbol : token<one<C>> {};
 
-// ---- names and reserved words ------------------------------------------------------------------
-
+// Names and reserved words.
 struct letter_psi : utf8::one<0x3c8, 0x3a8> {};
 struct letter_phi : utf8::one<0x3c6, 0x3a6, 0x3d5> {};
 struct letter_theta : utf8::one<0x3b8, 0x398, 0x3d1, 0x3f4> {};
@@ -77,8 +75,7 @@ struct member_name : name {};
 struct dot : symbol<'.'> {};
 struct qualified_name : seq<name, opt<if_must<dot, member_name>>> {};
 
-// ---- symbols -----------------------------------------------------------------------------------
-
+// Symbols.
 struct open_brace : symbol<'{'> {};
 struct close_brace : symbol<'}'> {};
 struct open_parenthesis : symbol<'('> {};
@@ -92,8 +89,7 @@ struct minus_sign : symbol<'-'> {};
 struct equals : token<one<'='>, not_at<one<'='>>> {};
 struct arrow : token<sor<string<'<', '-'>, utf8::one<0x2190>>> {};
 
-// ---- numbers and strings -----------------------------------------------------------------------
-
+// Numbers and strings.
 struct digits : plus<digit> {};
 struct exponent : seq<one<'e', 'E'>, opt<one<'+', '-'>>, digits> {};
 struct number_text
@@ -132,9 +128,7 @@ struct string_content : star<not_one<'"', '\n', '\r'>> {};
 struct unterminated_string : success {};
 struct string_literal : token<string_open, string_content, sor<one<'"'>, unterminated_string>> {};
 
-// ---- any token, for messages and for going on after a mistake
-// ------------------------------------
-
+// Any token, for messages and for going on after a mistake.
 struct long_symbol : sor<string<'=', '='>, string<'!', '='>, string<'<', '='>, string<'>', '='>,
                          string<'<', '-'>, utf8::one<0x2190>> {};
 struct short_symbol

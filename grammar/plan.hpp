@@ -8,8 +8,7 @@ namespace rubicon::grammar {
 
 struct plan_semicolon : semicolon {};
 
-// ---- values, goals, links ----------------------------------------------------------------------
-
+// Values, goals, links.
 struct value_name : qualified_name {};
 struct value_number : signed_number {};
 struct named_value : if_must<value_name, value_number> {};
@@ -32,8 +31,7 @@ struct after_key : token<word<TAO_PEGTL_STRING("after")>> {};
 struct listed_name : name {};
 struct listed_names : seq<listed_name, star<if_must<comma, listed_name>>> {};
 
-// ---- settings ----------------------------------------------------------------------------------
-
+// Settings.
 struct site_key : token<word<TAO_PEGTL_STRING("site")>> {};
 struct site_item : if_must<site_key, shape, plan_semicolon> {};
 
@@ -56,8 +54,7 @@ struct within_values : values {};
 struct within_limit : sor<within_length, within_values> {};
 struct within_item : if_must<within_key, within_limit, plan_semicolon> {};
 
-// ---- calendars ---------------------------------------------------------------------------------
-
+// Calendars.
 struct time_text : seq<digits, one<':'>, digits, not_at<name_other>> {};
 struct shift_from : token<time_text> {};
 struct shift_to : token<time_text> {};
@@ -82,8 +79,7 @@ struct calendar_key : token<word<TAO_PEGTL_STRING("calendar")>> {};
 struct calendar_name : name {};
 struct calendar_item : if_must<calendar_key, calendar_name, block_open, shifts, block_close> {};
 
-// ---- components, robots, crews -----------------------------------------------------------------
-
+// Components, robots, crews.
 struct component_shape_key : token<word<TAO_PEGTL_STRING("shape")>> {};
 struct component_shape : if_must<component_shape_key, shape, plan_semicolon> {};
 struct component_at_frame : frame {};
@@ -144,8 +140,7 @@ struct crew_key : token<word<TAO_PEGTL_STRING("crew")>> {};
 struct crew_name : name {};
 struct crew_item : if_must<crew_key, crew_name, crew_end> {};
 
-// ---- tasks -------------------------------------------------------------------------------------
-
+// Tasks.
 struct by_key : token<word<TAO_PEGTL_STRING("by")>> {};
 struct by_item : if_must<by_key, listed_names, plan_semicolon> {};
 struct move_key : token<word<TAO_PEGTL_STRING("move")>> {};
@@ -184,8 +179,7 @@ struct task_key : token<word<TAO_PEGTL_STRING("task")>> {};
 struct task_name : name {};
 struct task_item : if_must<task_key, task_name, block_open, task_parts, block_close> {};
 
-// ---- modules, imports --------------------------------------------------------------------------
-
+// Modules, imports.
 struct module_part : sor<component_item, task_item> {};
 struct whole_module_part : must<module_part> {};
 struct module_parts : nested<star<not_at<block_end>, recover<whole_module_part, item_end>>> {};
@@ -211,8 +205,7 @@ struct import_name : name {};
 struct import_item
     : if_must<import_key, import_file, opt<if_must<as_key, import_name>>, import_block> {};
 
-// ---- the short form, the plan ------------------------------------------------------------------
-
+// The short form, the plan.
 struct short_start_values : values {};
 struct short_start : if_must<start_key, short_start_values, plan_semicolon> {};
 struct goal_key : token<word<TAO_PEGTL_STRING("goal")>> {};

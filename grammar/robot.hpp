@@ -8,8 +8,7 @@ namespace rubicon::grammar {
 
 struct item_semicolon : semicolon {};
 
-// ---- bodies ------------------------------------------------------------------------------------
-
+// Bodies.
 /// A word of the next item: the ';' before it is missing.
 struct body_item_word : sor<word<TAO_PEGTL_STRING("param")>, word<TAO_PEGTL_STRING("rule")>,
                             word<TAO_PEGTL_STRING("frame")>, word<TAO_PEGTL_STRING("shape")>> {};
@@ -54,8 +53,7 @@ struct body_parent : name {};
 struct body : if_must<body_key, body_name, opt<if_must<on_key, body_parent>>, block_open,
                       body_items, block_close> {};
 
-// ---- the robot ---------------------------------------------------------------------------------
-
+// The robot.
 struct setting_key
     : token<sor<word<TAO_PEGTL_STRING("time_step")>, word<TAO_PEGTL_STRING("sensor")>>> {};
 struct setting_value : signed_number {};

@@ -8,8 +8,7 @@ namespace rubicon::grammar {
 struct element;
 struct statement;
 
-// ---- simple statements -------------------------------------------------------------------------
-
+// Simple statements.
 struct command_open : open_parenthesis {};
 struct command_parameter : qualified_name {};
 struct command_comma : comma {};
@@ -47,8 +46,7 @@ struct together : if_must<together_key, block_open, together_parts, together_clo
 
 struct simple : sor<move_command, assignment, together, wait_key, use> {};
 
-// ---- loops and each ----------------------------------------------------------------------------
-
+// Loops and each.
 /// Where a list of elements ends: '}', or where it should be.
 struct list_end : sor<at<one<'}'>>, eof, ask<Query::brace_is_lost>> {};
 struct element_follows : sor<at<one<',', ';'>>, list_end> {};
@@ -87,8 +85,7 @@ struct loop
 struct each_key : token<each_word> {};
 struct each : if_must<each_key, block_open, element_list, list_close> {};
 
-// ---- which -------------------------------------------------------------------------------------
-
+// Which.
 struct statement_item;
 
 struct label_ahead : at<sor<seq<name, one<':'>>, default_word, when_word>> {};
@@ -118,8 +115,7 @@ struct which_key : token<which_word> {};
 struct modules : nested<which_body> {};
 struct which : if_must<which_key, block_open, modules, block_close> {};
 
-// ---- statements --------------------------------------------------------------------------------
-
+// Statements.
 struct structure : sor<loop, each, which> {};
 struct element : sor<structure, simple> {};
 
@@ -138,8 +134,7 @@ struct statement
 struct whole_statement : must<statement> {};
 struct statement_item : sor<semicolon, recover<whole_statement, statement_end>> {};
 
-// ---- scripts -----------------------------------------------------------------------------------
-
+// Scripts.
 struct behaviour_key : token<behaviour_word> {};
 struct behaviour_name : name {};
 struct behaviour_statements : nested<star<not_at<block_end>, statement_item>> {};

@@ -93,9 +93,7 @@ void ParseState::fail(const char* at, const grammar::Expectation& expectation) {
   throw ParseFailure{bad.begin};
 }
 
-// ---- remarks without '#'
-// ---------------------------------------------------------------------------
-
+// Remarks without '#'.
 /// A statement that is a line of words. A word that is not reserved and has another behind it on
 /// its line can begin nothing else; behind a reserved one the whole line must be words.
 bool ParseState::is_remark(const char* at, const char* failure) const {
@@ -153,9 +151,7 @@ void ParseState::fail_remark(const char* at) {
   throw ParseFailure{at, token(line_end).begin};
 }
 
-// ---- statements
-// ------------------------------------------------------------------------------------
-
+// Statements.
 void ParseState::explain_statement(const char* at, const grammar::Expectation& expectation) {
   const Token first = token(at);
   if (first.kind == Kind::name && explain_name(first, expectation)) return;
@@ -247,13 +243,17 @@ bool ParseState::explain_name(const Token& name, const grammar::Expectation& exp
   throw ParseFailure{next.begin};
 }
 
-// ---- items and the rest
-// ------------------------------------------------------------------------------
-
+// Items and the rest.
 void ParseState::explain_item(const char* at, const grammar::Expectation& expectation) {
   const std::vector<std::string> words = split(expectation.words);
   const Token bad = token(at);
   const std::string list = fmt::format("{}", fmt::join(words, ", "));
+  if (bad.kind == Kind::name && is_item_word(bad.text())) {
+    report_token(code_, at,
+                 fmt::format("{} does not belong into this {}; is a '}}' missing before it?",
+                             found(at), expectation.what));
+    return;
+  }
   if (bad.kind == Kind::name) {
     const std::string near = did_you_mean(std::string(bad.text()), words);
     report_token(code_, at,

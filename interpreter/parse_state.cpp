@@ -41,9 +41,7 @@ Span ParseState::span(const char* from, const char* to) const {
           static_cast<std::uint32_t>(std::max(from, to) - begin_)};
 }
 
-// ---- mistakes
-// ------------------------------------------------------------------------------------
-
+// Mistakes.
 void ParseState::report(const char* code, const char* from, const char* to, std::string message,
                         std::string hint) {
   ++errors_;
@@ -90,9 +88,7 @@ std::string ParseState::found(const char* at) const {
   return fmt::format("'{}...'", text.substr(0, cut));
 }
 
-// ---- going on
-// ------------------------------------------------------------------------------------
-
+// Going on.
 void ParseState::roll_back(const Checkpoint& checkpoint) {
   braces_.resize(checkpoint.braces);
   nesting_ = checkpoint.nesting;
@@ -205,9 +201,7 @@ bool ParseState::ask(grammar::Query query, const char* at) {
   return false;
 }
 
-// ---- braces
-// --------------------------------------------------------------------------------------
-
+// Braces.
 void ParseState::open_brace(const char* at) {
   braces_.push_back({announced_, at, errors_, is_loop(announced_), false});
 }
@@ -304,9 +298,7 @@ bool ParseState::semicolon_ends_loop(const char* at) {
   return lost_braces_ > 0;
 }
 
-// ---- tokens with a value
-// ---------------------------------------------------------------------------
-
+// Tokens with a value.
 namespace {
 
 struct Unit {

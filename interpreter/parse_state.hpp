@@ -29,8 +29,7 @@ class ParseState {
   ParseState(const SourceMap& sources, FileId file, Diagnostics& diagnostics, const char* code,
              std::vector<std::string_view> item_words);
 
-  // ---- places ----------------------------------------------------------------------------------
-
+  // Places.
   const char* begin() const { return begin_; }
   const char* end() const { return end_; }
   Span span(const char* from, const char* to) const;
@@ -39,8 +38,7 @@ class ParseState {
 
   const char* last_end = nullptr;  ///< end of the last token, without the space behind it
 
-  // ---- mistakes --------------------------------------------------------------------------------
-
+  // Mistakes.
   /// Reports an error of [from, to); a second one at the same place is dropped.
   void report(const char* code, const char* from, const char* to, std::string message,
               std::string hint = {});
@@ -55,9 +53,7 @@ class ParseState {
   /// "'move_to'", "the end of the file": what stands at `at`.
   std::string found(const char* at) const;
 
-  // ---- grammar::recover, nested, ask
-  // -------------------------------------------------------------
-
+  // Grammar::recover, nested, ask.
   struct Checkpoint {
     std::size_t braces = 0;
     int nesting = 0;
@@ -72,9 +68,7 @@ class ParseState {
   void leave() { --nesting_; }
   bool skipped_remark() const { return skipped_remark_; }
 
-  // ---- braces
-  // ------------------------------------------------------------------------------------
-
+  // Braces.
   /// The structure whose '{' comes next: "chain", "body". Must outlive the parse.
   void announce(std::string_view structure) { announced_ = structure; }
   void open_brace(const char* at);
@@ -87,9 +81,7 @@ class ParseState {
   /// A ',' ends a statement (or that of a remark: throws).
   void comma_for_semicolon(const char* at);
 
-  // ---- tokens with a value
-  // -----------------------------------------------------------------------
-
+  // Tokens with a value.
   void set_name(const char* from, const char* to);
   void set_dot() { dot_ = true; }
   syntax::Name take_name();

@@ -1,0 +1,270 @@
+#include "tests/unit/grammar/tree_text.hpp"
+
+#include <fmt/format.h>
+
+namespace rubicon::grammar_test {
+
+namespace {
+
+/// One writer a tree: S-expressions, a function for every node.
+class Writer {
+ public:
+  std::string take() { return std::move(text_); }
+
+  void name(const syntax::Name& value) { word(value.text); }
+  void name(const syntax::QualifiedName& value) { word(value.text()); }
+  void string(const syntax::String& value) { word('"' + value.text + '"'); }
+  void number(const syntax::Number& value) {
+    word(fmt::format("{}:{}:{}", value.value, static_cast<int>(value.unit), value.unit_text));
+  }
+
+  void expression(const syntax::Expression& value) {
+    using Kind = syntax::Expression::Kind;
+    open(fmt::format("e{}", static_cast<int>(value.kind)));
+    if (value.kind == Kind::number) number(value.number);
+    if (value.kind == Kind::binary) word(std::to_string(static_cast<int>(value.op)));
+    if (!value.name.name.text.empty()) name(value.name);
+    for (const syntax::ExpressionPtr& operand : value.operands) expression(*operand);
+    close();
+  }
+  void expression(const syntax::ExpressionPtr& value) {
+    if (value) expression(*value);
+  }
+
+  void statement(const syntax::Statement& value) {
+    open(fmt::format("s{}", static_cast<int>(value.kind)));
+    if (!value.name.name.text.empty()) name(value.name);
+    expression(value.value);
+    for (const syntax::Statement& element : value.elements) statement(element);
+    if (value.until) {
+      open("until");
+      expression(value.until);
+      close();
+    }
+    for (const syntax::Module& module : value.modules) {
+      open("module");
+      for (const syntax::Label& label : module.labels) {
+        open(fmt::format("label{}", static_cast<int>(label.kind)));
+        name(label.name);
+        expression(label.condition);
+        close();
+      }
+      for (const syntax::Statement& inner : module.statements) statement(inner);
+      close();
+    }
+    close();
+  }
+
+  void script(const syntax::Script& value) {
+    for (const syntax::BehaviourDefinition& behaviour : value.behaviours) {
+      open("behaviour");
+      name(behaviour.name);
+      for (const syntax::Statement& inner : behaviour.statements) statement(inner);
+      close();
+    }
+    for (const syntax::Statement& inner : value.statements) statement(inner);
+  }
+
+  void frame(const syntax::Frame& value) {
+    open("frame");
+    for (const syntax::FrameElement& element : value.elements) {
+      open(fmt::format("f{}", static_cast<int>(element.kind)));
+      for (const syntax::ExpressionPtr& argument : element.arguments) expression(argument);
+      close();
+    }
+    close();
+  }
+  void frame(const std::optional<syntax::Frame>& value) {
+    if (value) frame(*value);
+  }
+
+  void shape(const syntax::Shape& value) {
+    open("shape");
+    name(value.kind);
+    for (const syntax::Number& entry : value.numbers) number(entry);
+    string(value.file);
+    if (value.unit) name(*value.unit);
+    if (value.scale) number(*value.scale);
+    if (value.up) name(*value.up);
+    if (value.part) string(*value.part);
+    frame(value.at);
+    close();
+  }
+
+  void behaviour(const syntax::BehaviourItem& value) {
+    open("behaviour");
+    if (value.file) string(*value.file);
+    script(value.script);
+    close();
+  }
+
+  // Items of robots.
+  void item(const syntax::SettingItem& value) { name(value.name), number(value.value); }
+  void item(const syntax::BodyItem& value) {
+    name(value.name);
+    if (value.on) name(*value.on);
+    for (const syntax::ParameterItem& parameter : value.parameters) {
+      open("param");
+      name(parameter.name);
+      expression(parameter.derived);
+      for (const syntax::Attribute& attribute : parameter.attributes) {
+        open("attribute");
+        name(attribute.name);
+        for (const syntax::Number& entry : attribute.numbers) number(entry);
+        close();
+      }
+      close();
+    }
+    for (const syntax::RuleItem& rule : value.rules) name(rule.parameter), expression(rule.value);
+    for (const syntax::FrameItem& entry : value.frames) frame(entry.frame);
+    for (const syntax::ShapeItem& entry : value.shapes) shape(entry.shape);
+    for (const syntax::BehaviourItem& entry : value.behaviours) behaviour(entry);
+  }
+  void item(const syntax::ToolItem& value) { name(value.body), frame(value.at); }
+  void item(const syntax::ConstItem& value) { name(value.name), expression(value.value); }
+  void item(const syntax::TouchingItem& value) { name(value.a), name(value.b); }
+  void item(const syntax::CapacityItem& value) {
+    for (const auto& [radius, mass] : value.points) number(radius), number(mass);
+  }
+  void item(const syntax::BehaviourItem& value) { behaviour(value); }
+
+  // Items of plans and tasks.
+  void values(const syntax::Values& value) {
+    for (const syntax::NamedValue& entry : value.values) name(entry.name), number(entry.value);
+  }
+  void goal(const syntax::Goal& value) { frame(value.at), values(value.values); }
+  void links(const std::vector<syntax::Link>& list) {
+    for (const syntax::Link& link : list) {
+      open("link");
+      name(link.name);
+      if (link.type) name(*link.type);
+      if (link.lag) number(*link.lag);
+      close();
+    }
+  }
+  void costs(const std::vector<syntax::Cost>& list) {
+    for (const syntax::Cost& cost : list) number(cost.amount);
+  }
+  void names(const std::vector<syntax::Name>& list) {
+    for (const syntax::Name& entry : list) name(entry);
+  }
+  void item(const syntax::SiteItem& value) { shape(value.shape); }
+  void item(const syntax::NumberItem& value) { name(value.name), number(value.value); }
+  void item(const syntax::StringItem& value) { name(value.name), string(value.value); }
+  void item(const syntax::SituationItem& value) { names(value.names); }
+  void item(const syntax::CalendarItem& value) {
+    name(value.name);
+    for (const syntax::Shift& shift : value.shifts) {
+      open(shift.carry_over ? "carry_over" : "shift");
+      name(shift.first_day);
+      if (shift.last_day) name(*shift.last_day);
+      for (const auto& [from, to] : shift.times) string(from), string(to);
+      for (const syntax::String& day : shift.off) string(day);
+      close();
+    }
+  }
+  void item(const syntax::ComponentItem& value) {
+    name(value.name);
+    for (const syntax::Shape& entry : value.shapes) shape(entry);
+    for (const syntax::Frame& entry : value.at) frame(entry);
+    word("grip");
+    for (const syntax::Frame& entry : value.grip) frame(entry);
+    for (const syntax::Number& entry : value.mass) number(entry);
+  }
+  void item(const syntax::RobotUse& value) {
+    if (value.name) name(*value.name);
+    string(value.file);
+    frame(value.at);
+    for (const syntax::Values& entry : value.start) values(entry);
+    costs(value.cost);
+    names(value.calendar);
+    word("park");
+    for (const syntax::Values& entry : value.park) values(entry);
+  }
+  void item(const syntax::CrewItem& value) {
+    name(value.name);
+    for (const syntax::Number& entry : value.size) number(entry);
+    costs(value.cost);
+    names(value.calendar);
+  }
+  void item(const syntax::WorkItem& value) {
+    name(value.name), number(value.duration);
+    if (value.by) name(*value.by);
+  }
+  void item(const syntax::ByItem& value) { names(value.names); }
+  void item(const syntax::MoveItem& value) { name(value.component), frame(value.to); }
+  void item(const syntax::GoItem& value) { goal(value.goal); }
+  void item(const syntax::RemoveItem& value) { name(value.component); }
+  void item(const syntax::ViaItem& value) { goal(value.goal); }
+  void item(const syntax::GuideItem& value) { name(value.name); }
+  void item(const syntax::WithinItem& value) {
+    if (value.length) number(*value.length);
+    values(value.values);
+  }
+  void item(const syntax::ZoneItem& value) { shape(value.shape); }
+  void item(const syntax::AfterItem& value) { links(value.links); }
+  void item(const syntax::TaskItem& value) {
+    name(value.name);
+    variants(value.parts);
+  }
+  void item(const syntax::ModuleItem& value) {
+    name(value.name);
+    variants(value.items);
+  }
+  void item(const syntax::PlaceItem& value) {
+    name(value.module), frame(value.at), name(value.as), links(value.after);
+  }
+  void item(const syntax::ImportItem& value) {
+    string(value.file);
+    if (value.as) name(*value.as);
+  }
+  void item(const syntax::StartItem& value) { values(value.values); }
+  void item(const syntax::GoalItem& value) { goal(value.goal); }
+  void item(const syntax::CarryItem& value) { shape(value.shape); }
+
+  template <typename Items>
+  void variants(const Items& items) {
+    for (const auto& entry : items) {
+      open(fmt::format("i{}", entry.index()));
+      std::visit([this](const auto& value) { item(value); }, entry);
+      close();
+    }
+  }
+
+ private:
+  void word(const std::string& value) { text_ += ' ' + value; }
+  void open(const std::string& value) { text_ += " (" + value; }
+  void close() { text_ += ')'; }
+
+  std::string text_;
+};
+
+}  // namespace
+
+std::string tree_text(const syntax::Expression& expression) {
+  Writer writer;
+  writer.expression(expression);
+  return writer.take();
+}
+
+std::string tree_text(const syntax::Script& script) {
+  Writer writer;
+  writer.script(script);
+  return writer.take();
+}
+
+std::string tree_text(const syntax::Robot& robot) {
+  Writer writer;
+  writer.name(robot.name);
+  writer.variants(robot.items);
+  return writer.take();
+}
+
+std::string tree_text(const syntax::Plan& plan) {
+  Writer writer;
+  writer.name(plan.name);
+  writer.variants(plan.items);
+  return writer.take();
+}
+
+}  // namespace rubicon::grammar_test
