@@ -22,24 +22,21 @@ Pose translation(double x, double y, double z) {
 }
 
 Pose rotation_x_deg(double degrees) {
-  const double c = cos_deg(degrees);
-  const double s = sin_deg(degrees);
+  const auto [s, c] = sine_cosine_deg(degrees);
   Mat3 R;
   R << 1, 0, 0, 0, c, -s, 0, s, c;
   return rotation(R);
 }
 
 Pose rotation_y_deg(double degrees) {
-  const double c = cos_deg(degrees);
-  const double s = sin_deg(degrees);
+  const auto [s, c] = sine_cosine_deg(degrees);
   Mat3 R;
   R << c, 0, s, 0, 1, 0, -s, 0, c;
   return rotation(R);
 }
 
 Pose rotation_z_deg(double degrees) {
-  const double c = cos_deg(degrees);
-  const double s = sin_deg(degrees);
+  const auto [s, c] = sine_cosine_deg(degrees);
   Mat3 R;
   R << c, -s, 0, s, c, 0, 0, 0, 1;
   return rotation(R);
@@ -53,8 +50,7 @@ Mat3 rotation_about_deg(const Vec3& axis, double degrees) {
     return rotation_y_deg(axis.y() < 0 ? -degrees : degrees).linear();
   if (axis.x() == 0 && axis.y() == 0)
     return rotation_z_deg(axis.z() < 0 ? -degrees : degrees).linear();
-  const double c = cos_deg(degrees);
-  const double s = sin_deg(degrees);
+  const auto [s, c] = sine_cosine_deg(degrees);
   const double x = axis.x();
   const double y = axis.y();
   const double z = axis.z();

@@ -8,10 +8,12 @@ namespace rubicon::math {
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
-/// A rigid transform X_AB: p_A = X_AB * p_B (rotation part `linear()`, translation part `translation()`, metres).
+/// A rigid transform X_AB: p_A = X_AB * p_B (rotation part `linear()`, translation part
+/// `translation()`, metres).
 using Pose = Eigen::Isometry3d;
 
-/// The elementary transforms of the language; angles in degrees, right-handed, exact at multiples of 90.
+/// The elementary transforms of the language; angles in degrees, right-handed, exact at multiples
+/// of 90.
 Pose translation(double x, double y, double z);
 Pose rotation_x_deg(double degrees);
 Pose rotation_y_deg(double degrees);

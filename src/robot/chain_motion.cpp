@@ -30,8 +30,7 @@ void transform(const FrameElement& element, const std::array<Enclosure, 3>& argu
     for (std::size_t i = 0; i < 3; ++i) p[i] = p[i] + arguments[i];
     return;
   }
-  const Enclosure c = cosine(arguments[0]);
-  const Enclosure s = sine(arguments[0]);
+  const auto [s, c] = sine_cosine(arguments[0]);
   const std::size_t k = element.kind == FrameElement::Kind::rotx   ? 0
                         : element.kind == FrameElement::Kind::roty ? 1
                                                                    : 2;

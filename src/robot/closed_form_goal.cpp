@@ -57,6 +57,7 @@ Argument argument_of(const GoalProblem& problem, const Formula& formula) {
 /// element is no plain joint.
 std::optional<JointChain> joint_chain(const GoalProblem& problem) {
   JointChain chain;
+  chain.before = problem.mounting().X_WM;
   const FormulaInput now = {problem.q_now(), {}, problem.mounting().starts};
   for (const FrameElement* element : problem.elements()) {
     const bool rotation = element->kind != FrameElement::Kind::trans;

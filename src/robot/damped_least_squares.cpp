@@ -24,6 +24,10 @@ constexpr double kMostDamping = 1e9;
 /// goal is out of reach.
 constexpr double kLeastDampingPart = 1e-10;
 
+/// Part of the squared error by which an iteration has to lower it where the goal is out of reach;
+/// what is still to be had is then below a few parts in a thousand million.
+constexpr double kLeastGain = 1e-10;
+
 /// Squared error (m^2 + rad^2) that is nothing but rounding, and the step (m, rad) that is.
 constexpr double kRoundingSquared = 1e-29;
 constexpr double kRoundingStep = 1e-15;
@@ -144,8 +148,11 @@ GoalState damped_least_squares(const GoalProblem& problem, GoalState start, std:
     const PoseResidual next_residual = counted(next.residual, part);
     fresh = next_residual.squaredNorm() < residual.squaredNorm();
     if (fresh) {
+      const double before = residual.squaredNorm();
       state = std::move(next);
       residual = next_residual;
+      if (before > kSolved * kSolved && before - residual.squaredNorm() < kLeastGain * before)
+        break;
       damping /= 10;
     } else {
       if (size < 1e-12 || damping > kMostDamping) break;

@@ -30,11 +30,10 @@ bool contains_peak(Interval degrees, double peak) {
   return peak + 360 * std::ceil((degrees.lower - peak) / 360) <= degrees.upper;
 }
 
-/// Sine (peak at 90) or cosine (peak at 0) over an interval of degrees.
-Interval wave(Interval degrees, double (*function)(double), double peak) {
+/// A sine or cosine over an interval of degrees, from its values at the two ends and the place of a
+/// peak.
+Interval wave(Interval degrees, double a, double b, double peak) {
   if (!(degrees.upper - degrees.lower < 360)) return {-1, 1};
-  const double a = function(degrees.lower);
-  const double b = function(degrees.upper);
   if (degrees.lower == degrees.upper && (a == 0 || a == 1 || a == -1)) return {a, a};
   // The rounded bounds of the interval may sit just beside a peak; there the error added below
   // covers the rest.
@@ -114,18 +113,22 @@ Enclosure operator/(const Enclosure& a, const Enclosure& b) {
   return a * inverse;
 }
 
-Enclosure sine(const Enclosure& a) {
-  const Interval s = wave(a.value, math::sin_deg, 90);
-  const Interval c = wave(a.value, math::cos_deg, 0);
+SineCosineEnclosure sine_cosine(const Enclosure& a) {
+  const math::SineCosine begin = math::sine_cosine_deg(a.value.lower);
+  const math::SineCosine end =
+      a.value.lower == a.value.upper ? begin : math::sine_cosine_deg(a.value.upper);
+  const Interval s = wave(a.value, begin.sine, end.sine, 90);
+  const Interval c = wave(a.value, begin.cosine, end.cosine, 0);
+  if (is_zero(a.first) && is_zero(a.second)) return {{s, {}, {}}, {c, {}, {}}};
   const Interval rate = scaled(a.first, kRadiansPerDegree);
-  return {s, c * rate, c * scaled(a.second, kRadiansPerDegree) - s * square(rate)};
+  const Interval acceleration = scaled(a.second, kRadiansPerDegree);
+  const Interval rate_squared = square(rate);
+  return {{s, c * rate, c * acceleration - s * rate_squared},
+          {c, -(s * rate), -(s * acceleration) - c * rate_squared}};
 }
 
-Enclosure cosine(const Enclosure& a) {
-  const Interval s = wave(a.value, math::sin_deg, 90);
-  const Interval c = wave(a.value, math::cos_deg, 0);
-  const Interval rate = scaled(a.first, kRadiansPerDegree);
-  return {c, -(s * rate), -(s * scaled(a.second, kRadiansPerDegree)) - c * square(rate)};
-}
+Enclosure sine(const Enclosure& a) { return sine_cosine(a).sine; }
+
+Enclosure cosine(const Enclosure& a) { return sine_cosine(a).cosine; }
 
 }  // namespace rubicon::robot

@@ -28,7 +28,13 @@ Enclosure operator-(const Enclosure& a);
 Enclosure operator*(const Enclosure& a, const Enclosure& b);
 Enclosure operator/(const Enclosure& a, const Enclosure& b);
 
+struct SineCosineEnclosure {
+  Enclosure sine;
+  Enclosure cosine;
+};
+
 /// Sine and cosine of an angle in degrees.
+SineCosineEnclosure sine_cosine(const Enclosure& a);
 Enclosure sine(const Enclosure& a);
 Enclosure cosine(const Enclosure& a);
 

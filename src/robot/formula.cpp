@@ -33,6 +33,33 @@ Dual cosine(Dual a) {
   return {math::cos_deg(a.value), -math::sin_deg(a.value) * math::radians(a.slope)};
 }
 
+/// Brings the memo to an angle.
+void remember(TrigonometryMemo& memo, double degrees) {
+  if (degrees == memo.degrees) return;
+  const auto [sine, cosine] = math::sine_cosine_deg(degrees);
+  memo = {degrees, sine, cosine};
+}
+
+/// A plain number; knows where sines and cosines are remembered.
+struct Number {
+  double value;
+  TrigonometryMemo* memo;
+};
+
+Number operator+(Number a, Number b) { return {a.value + b.value, a.memo}; }
+Number operator-(Number a, Number b) { return {a.value - b.value, a.memo}; }
+Number operator-(Number a) { return {-a.value, a.memo}; }
+Number operator*(Number a, Number b) { return {a.value * b.value, a.memo}; }
+Number operator/(Number a, Number b) { return {a.value / b.value, a.memo}; }
+Number sine(Number a) {
+  remember(*a.memo, a.value);
+  return {a.memo->sine, a.memo};
+}
+Number cosine(Number a) {
+  remember(*a.memo, a.value);
+  return {a.memo->cosine, a.memo};
+}
+
 double sine(double a) { return math::sin_deg(a); }
 double cosine(double a) { return math::cos_deg(a); }
 
@@ -118,6 +145,16 @@ double Formula::evaluate(const FormulaInput& input) const {
   if (code.empty()) return 0;
   if (code.size() == 1) return operand(code[0], input);
   return run<double>(code, [&](const FormulaOp& op) { return operand(op, input); });
+}
+
+double Formula::evaluate(const FormulaInput& input, TrigonometryMemo& memo) const {
+  if (code.empty()) return 0;
+  if (code.size() == 1) return operand(code[0], input);
+  return run<Number>(code,
+                     [&](const FormulaOp& op) {
+                       return Number{operand(op, input), &memo};
+                     })
+      .value;
 }
 
 double Formula::derivative(const FormulaInput& input, int index) const {

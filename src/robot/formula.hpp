@@ -33,6 +33,13 @@ struct FormulaInput {
   std::span<const double> starts;  ///< p_c
 };
 
+/// Sine and cosine of the angle (degrees) asked for last.
+struct TrigonometryMemo {
+  double degrees = 0;
+  double sine = 0;
+  double cosine = 1;
+};
+
 /// Enclosure of a formula and of its first two derivatives in s over an interval of s.
 struct Interval {
   double lower = 0;
@@ -51,6 +58,9 @@ struct Formula {
   std::vector<FormulaOp> code;
 
   double evaluate(const FormulaInput& input) const;
+
+  /// The same; the rules of one motion step share sines and cosines through `memo`.
+  double evaluate(const FormulaInput& input, TrigonometryMemo& memo) const;
 
   /// Derivative by parameter `index`, all else fixed.
   double derivative(const FormulaInput& input, int index) const;

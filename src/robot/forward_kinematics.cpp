@@ -28,6 +28,7 @@ void apply_rules(const RobotModel& model, const Mounting& mounting, std::span<co
                  std::span<const double> steps, std::span<double> q_next) {
   const FormulaInput input = {q, steps, mounting.starts};
   const std::size_t count = model.parameters.size();
+  TrigonometryMemo memo;
   for (std::size_t first = 0; first < count;) {
     const int body = model.parameters[first].body;
     std::size_t last = first;
@@ -42,7 +43,7 @@ void apply_rules(const RobotModel& model, const Mounting& mounting, std::span<co
       } else if (parameter.direct) {
         q_next[i] = q[i] + steps[i];
       } else {
-        q_next[i] = parameter.rule.evaluate(input);
+        q_next[i] = parameter.rule.evaluate(input, memo);
       }
     }
     first = last;

@@ -17,9 +17,7 @@ void append(Pose& X, const FrameElement& element, const FormulaInput& input) {
     }
     return;
   }
-  const double degrees = element.a.evaluate(input);
-  const double c = math::cos_deg(degrees);
-  const double s = math::sin_deg(degrees);
+  const auto [s, c] = math::sine_cosine_deg(element.a.evaluate(input));
   // A rotation about axis k turns the columns i and j that follow it in cyclic order.
   const int k = element.kind == FrameElement::Kind::rotx   ? 0
                 : element.kind == FrameElement::Kind::roty ? 1

@@ -50,16 +50,12 @@ class GoalSearch {
          count < variables.size() && !problem_.solved(best) && !problem_.exhausted();) {
       const int level = variables[count].level;
       while (count < variables.size() && variables[count].level == level) ++count;
-      for (GoalState& start : starts(best, count)) {
-        GoalState found = search_from(std::move(start), count);
-        if (problem_.better(found, best)) best = std::move(found);
+      const GoalState start = best;
+      for (GoalState& other : starts(start, count)) improve(best, std::move(other), count);
+      for (int i = 1; i <= kSpreadStarts && !problem_.solved(best) && !problem_.exhausted(); ++i) {
+        improve(best, problem_.at(spread(start, count, i)), count);
       }
-      if (!problem_.solved(best)) {
-        for (int i = 1; i <= kSpreadStarts && !problem_.exhausted(); ++i) {
-          GoalState found = search_from(problem_.at(spread(best, count, i)), count);
-          if (problem_.better(found, best)) best = std::move(found);
-        }
-      }
+      best = refined(std::move(best), count);
     }
     return best;
   }
@@ -112,17 +108,19 @@ class GoalSearch {
     return clamped(std::move(q));
   }
 
-  /// Nearest configuration from a start: the whole frame if it can be met, else the position before
-  /// the orientation; then the parents moved back as far as that allows.
-  GoalState search_from(GoalState start, std::size_t count) const {
+  /// Replaces `best` by what is found from a start, if that is better: the whole frame where it can
+  /// be met, else the position before the orientation.
+  void improve(GoalState& best, GoalState start, std::size_t count) const {
     GoalState found = nearest_turns(
         damped_least_squares(problem_, std::move(start), count, GoalPart::pose), count);
-    if (!problem_.solved(found)) {
+    if (problem_.solved(found)) {
+      found = refined(std::move(found), count);
+    } else {
       GoalState at_position =
           nearest_turns(damped_least_squares(problem_, found, count, GoalPart::position), count);
       if (problem_.better(at_position, found)) found = std::move(at_position);
     }
-    return count <= kMostRefined ? refined(std::move(found), count) : found;
+    if (problem_.better(found, best)) best = std::move(found);
   }
 
   /// Turn-equivalent angles nearest to those now, where the frames do not mind.
@@ -147,6 +145,7 @@ class GoalSearch {
   /// Follows tip_first_step along the configurations that meet the goal as well as `best` does, as
   /// long as it gets better; every step is brought back onto them by least squares.
   GoalState refined(GoalState best, std::size_t count) const {
+    if (count > kMostRefined) return best;
     double part = 1;
     for (int i = 0; i < kMostRefinements && part >= kLeastPart && !problem_.exhausted(); ++i) {
       const std::vector<double> step = tip_first_step(problem_, best, count);

@@ -1,8 +1,8 @@
 #include "src/robot/tip_first_step.hpp"
 
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace rubicon::robot {
@@ -12,9 +12,8 @@ namespace {
 /// direction in which the tool hardly moves is left to later wishes.
 constexpr double kRank = 1e-6;
 
-/// Metres or radians by which a step may pass a limit before the variable is held at it (it is
-/// clamped in any case).
-constexpr double kLimitSlack = 1e-13;
+/// Metres or radians that count as no change of a step, and as standing on a limit.
+constexpr double kNoChange = 1e-12;
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
@@ -86,35 +85,86 @@ void free_step(const GoalProblem& problem, const GoalState& state, const PoseJac
     step[loose[static_cast<std::size_t>(i)]] = priority.step[i];
 }
 
+/// The box of allowed steps.
+struct StepLimits {
+  std::vector<double> lower, upper;
+};
+
+StepLimits step_limits(const GoalProblem& problem, const GoalState& state, std::size_t count) {
+  StepLimits limits;
+  for (std::size_t v = 0; v < count; ++v) {
+    const GoalVariable& variable = problem.variables()[v];
+    const double value = state.q[variable.parameter];
+    limits.lower.push_back(std::min(0.0, (problem.parameter(v).lower - value) / variable.scale));
+    limits.upper.push_back(std::max(0.0, (problem.parameter(v).upper - value) / variable.scale));
+  }
+  return limits;
+}
+
+/// Moves `step` towards `target` up to the first limit in the way and holds the variable that meets
+/// it; true if it moved or a variable was held.
+bool advance(const std::vector<double>& target, const StepLimits& limits, std::vector<double>& step,
+             std::vector<bool>& held) {
+  double part = 1;
+  std::optional<std::size_t> blocking;
+  double change = 0;
+  for (std::size_t v = 0; v < step.size(); ++v) {
+    if (held[v]) continue;
+    const double wanted = target[v] - step[v];
+    change = std::max(change, std::fabs(wanted));
+    const double limit = wanted > 0 ? limits.upper[v] : limits.lower[v];
+    if (wanted == 0 || (wanted > 0 ? target[v] <= limit : target[v] >= limit)) continue;
+    const double reach = std::max(0.0, (limit - step[v]) / wanted);
+    if (reach >= part) continue;
+    part = reach;
+    blocking = v;
+  }
+  if (change <= kNoChange) return false;
+  for (std::size_t v = 0; v < step.size(); ++v) {
+    if (!held[v])
+      step[v] =
+          std::clamp(step[v] + part * (target[v] - step[v]), limits.lower[v], limits.upper[v]);
+  }
+  if (blocking) {
+    step[*blocking] =
+        target[*blocking] > step[*blocking] ? limits.upper[*blocking] : limits.lower[*blocking];
+    held[*blocking] = true;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<double> tip_first_step(const GoalProblem& problem, const GoalState& state,
                                    std::size_t count) {
   const PoseJacobian jacobian = problem.jacobian(state, count);
+  const StepLimits limits = step_limits(problem, state, count);
   std::vector<bool> held(count, false);
   std::vector<double> step(count, 0.0);
-  for (std::size_t round = 0; round <= count; ++round) {
-    free_step(problem, state, jacobian, held, step);
-    // The innermost level gives way first: what it cannot do is left to its parents.
-    std::optional<std::size_t> worst;
-    double worst_passed = kLimitSlack;
-    double worst_step = 0;
-    for (std::size_t v = 0; v < count; ++v) {
-      if (held[v]) continue;
-      const GoalVariable& variable = problem.variables()[v];
-      if (worst && variable.level > problem.variables()[*worst].level) break;
-      const Parameter& parameter = problem.parameter(v);
-      const double up = (parameter.upper - state.q[variable.parameter]) / variable.scale;
-      const double down = (parameter.lower - state.q[variable.parameter]) / variable.scale;
-      const double passed = std::max(step[v] - up, down - step[v]);
-      if (!(passed > worst_passed)) continue;
-      worst = v;
-      worst_passed = passed;
-      worst_step = step[v] > up ? up : down;
+  for (std::size_t v = 0; v < count; ++v)
+    held[v] = limits.upper[v] <= kNoChange || limits.lower[v] >= -kNoChange;
+
+  // Primal active set: go to the best step with some variables held; when there, let go of one that
+  // then moves inwards. Every round is at least as good as the one before; the bound on rounds is
+  // for degenerate corners.
+  const std::size_t most_rounds = 8 * count + 8;
+  for (std::size_t round = 0; round < most_rounds; ++round) {
+    std::vector<double> target = step;
+    free_step(problem, state, jacobian, held, target);
+    if (advance(target, limits, step, held)) continue;
+    bool released = false;
+    for (std::size_t v = 0; v < count && !released; ++v) {
+      if (!held[v]) continue;
+      held[v] = false;
+      target = step;
+      free_step(problem, state, jacobian, held, target);
+      const bool upwards = target[v] > step[v] + kNoChange && step[v] < limits.upper[v] - kNoChange;
+      const bool downwards =
+          target[v] < step[v] - kNoChange && step[v] > limits.lower[v] + kNoChange;
+      released = upwards || downwards;
+      if (!released) held[v] = true;
     }
-    if (!worst) break;
-    held[*worst] = true;
-    step[*worst] = worst_step;
+    if (!released) break;
   }
   return step;
 }

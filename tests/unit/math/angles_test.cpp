@@ -82,6 +82,20 @@ TEST(Angles, ArcTangentIsExactOnAxesAndDiagonals) {
 
 TEST(Angles, ArcTangentStaysAboveMinusHalfATurn) { EXPECT_EQ(atan2_deg(-1e-300, -1), 180); }
 
+TEST(Angles, SineAndCosineTogetherAreTheSameBits) {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> angle(-1000, 1000);
+  for (int i = 0; i < 20000; ++i) {
+    const double degrees = i < 100 ? 45.0 * i - 2000 : angle(random);
+    const SineCosine both = sine_cosine_deg(degrees);
+    EXPECT_EQ(both.sine, sin_deg(degrees));
+    EXPECT_EQ(both.cosine, cos_deg(degrees));
+    EXPECT_EQ(std::signbit(both.sine), std::signbit(sin_deg(degrees)));
+    EXPECT_EQ(std::signbit(both.cosine), std::signbit(cos_deg(degrees)));
+  }
+  EXPECT_TRUE(std::isnan(sine_cosine_deg(kInfinity).sine));
+}
+
 TEST(Angles, ArcTangentUndoesSineAndCosine) {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> angle(-180, 180);

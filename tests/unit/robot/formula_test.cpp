@@ -51,6 +51,17 @@ TEST(Formula, EvaluatesInPostfixOrder) {
   EXPECT_EQ(step_of(0).evaluate({q, {}, starts}), 0);
 }
 
+TEST(Formula, RememberedSinesChangeNothing) {
+  std::mt19937_64 random(13);
+  std::uniform_real_distribution<double> value(-300, 300);
+  TrigonometryMemo memo;
+  for (int i = 0; i < 2000; ++i) {
+    const Formula formula = random_formula(random, 3);
+    const std::vector<double> q = {value(random), 90, value(random)};
+    EXPECT_EQ(formula.evaluate({q, {}, {}}, memo), formula.evaluate({q, {}, {}}));
+  }
+}
+
 TEST(Formula, LongCodeIsEvaluatedAsWell) {
   Formula right = number(1);
   for (int i = 0; i < 200; ++i) right = of(0) + right;  // deep: all operands before all operations

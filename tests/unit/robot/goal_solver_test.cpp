@@ -314,12 +314,93 @@ TEST(SolveGoal, RedundantVehicleWithArmMovesItsWheelsAsLittleAsNeeded) {
   EXPECT_EQ(solve_goal(model, mounting, now, translation(5.5, 0, 1), {}).q[0], 0);
   const auto aside = solve_goal(model, mounting, now, translation(3, 4, 1), kAnyOrientation);
   ASSERT_TRUE(aside.reachable);
-  EXPECT_NEAR(aside.q[2], 5, 1e-6);
+  EXPECT_NEAR(aside.q[2], 6, 1e-8);
+  EXPECT_NEAR(math::sin_deg(aside.q[1]), 4.0 / 6, 1e-8);
   const auto far = solve_goal(model, mounting, now, translation(10, 0, 1), {});
   ASSERT_TRUE(far.reachable);
   EXPECT_NEAR(far.q[0], 4, 1e-8);
   EXPECT_NEAR(far.q[1], 0, 1e-8);
   EXPECT_NEAR(far.q[2], 6, 1e-8);
+}
+
+/// A slide in the plane, in a direction, over a range.
+struct Slide {
+  Eigen::Vector2d direction;
+  double lower = 0;
+  double upper = 0;
+};
+
+/// The values b for which `rest` - b * direction can be made up by the slides: the sum of segments
+/// is a polygon with centre symmetry, bounded across each of them. Empty as lower > upper.
+std::pair<double, double> feasible(const Eigen::Vector2d& rest, const Slide& moved,
+                                   const std::vector<Slide>& slides) {
+  double lower = moved.lower, upper = moved.upper;
+  for (const Slide& side : slides) {
+    const Eigen::Vector2d normal(-side.direction.y(), side.direction.x());
+    double centre = 0, half = 0;
+    for (const Slide& slide : slides) {
+      const double along = normal.dot(slide.direction);
+      centre += along * (slide.lower + slide.upper) / 2;
+      half += std::fabs(along) * (slide.upper - slide.lower) / 2;
+    }
+    const double rate = normal.dot(moved.direction);
+    const double middle = (normal.dot(rest) - centre) / rate;
+    lower = std::max(lower, middle - half / std::fabs(rate));
+    upper = std::min(upper, middle + half / std::fabs(rate));
+  }
+  return {lower, upper};
+}
+
+TEST(SolveGoal, SlidesOnSlidesAreTheLexicographicOptimum) {
+  std::mt19937_64 random(37);
+  int base_moved = 0, arm_moved = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<double> angles = {uniform(random, 0, 360), uniform(random, 0, 360),
+                                  uniform(random, 0, 360)};
+    std::vector<Slide> slides;
+    for (int k = 0; k < 4; ++k) {
+      const double angle = k < 3 ? angles[static_cast<std::size_t>(k)] : angles[2] + 90;
+      const double size = k == 0 ? 20 : k == 1 ? 4 : 1;
+      slides.push_back({{math::cos_deg(angle), math::sin_deg(angle)},
+                        -uniform(random, 0, size),
+                        uniform(random, 0, size)});
+    }
+    RobotModel model;
+    for (int k = 0; k < 3; ++k) {
+      add_body(model, "slide" + std::to_string(k), k - 1);
+      const double angle = angles[static_cast<std::size_t>(k)];
+      const Slide& slide = slides[static_cast<std::size_t>(k)];
+      const int x = add_parameter(model, "x", slide.lower, slide.upper, 0.1);
+      const int y = k == 2 ? add_parameter(model, "y", slides[3].lower, slides[3].upper, 0.1) : -1;
+      model.bodies.back().frame = {rotz(number(angle)),
+                                   trans(of(x), y < 0 ? number(0) : of(y), number(0)),
+                                   rotz(number(-angle))};
+    }
+    const Mounting mounting = mounting_of(model);
+    std::vector<double> q, now;
+    for (const Parameter& p : model.parameters) {
+      q.push_back(uniform(random, p.lower, p.upper));
+      now.push_back(uniform(random, p.lower, p.upper));
+    }
+    const Pose goal = tool_pose(model, mounting, q);
+    const auto solution = solve_goal(model, mounting, now, goal, {});
+    ASSERT_TRUE(solution.reachable) << i;
+    expect_in_range(model, solution.q);
+
+    const Eigen::Vector2d target(goal.translation().x(), goal.translation().y());
+    const auto base = feasible(target, slides[0], {slides[1], slides[2], slides[3]});
+    const double best_base = std::clamp(now[0], base.first, base.second);
+    EXPECT_NEAR(solution.q[0], best_base, 1e-7) << i;
+    const auto arm =
+        feasible(target - best_base * slides[0].direction, slides[1], {slides[2], slides[3]});
+    EXPECT_NEAR(solution.q[1], std::clamp(now[1], std::min(arm.first, arm.second), arm.second),
+                1e-6)
+        << i;
+    base_moved += best_base != now[0];
+    arm_moved += solution.q[1] != now[1];
+  }
+  EXPECT_GT(base_moved, 300);
+  EXPECT_GT(arm_moved, 300);
 }
 
 TEST(SolveGoal, LimitedTurnsAreTheNearestToNow) {
