@@ -77,11 +77,12 @@ TEST(SiteWorld, RobotsAtRestAreInTheWayOfTheOneAtWork) {
     const std::vector<double> from = {0, 10, 20, 0};
     const std::vector<double> to = {-5, 10, 20, 0};
     EXPECT_FALSE(second.propose({from, to, 0, 0}));
-    site.set_configuration(1, {-90, 10, 20, 0});
+    site.set_configuration(1, {90, 10, 20, 0});
   }
   EXPECT_NE(site.version(0), version);
   RobotView again(site, 0);
-  EXPECT_FALSE(again.blocked_at(q));
+  const auto freed = again.blocked_at(q);
+  EXPECT_FALSE(freed) << freed->moved << " meets " << freed->met;
 }
 
 TEST(LoadChart, IsLinearBetweenItsPointsAndEndsAtTheLast) {
