@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -21,7 +22,7 @@ struct Feature {
   std::string_view hint;
 };
 
-constexpr std::array<Feature, 14> kFeatures = {{
+constexpr std::array<Feature, 13> kFeatures = {{
     {"calendar", "calendars", "leave the calendar out; times are then counted without breaks"},
     {"cost", "cost", "leave the cost out"},
     {"currency", "cost", "leave the currency out"},
@@ -34,7 +35,6 @@ constexpr std::array<Feature, 14> kFeatures = {{
     {"SS", "links other than FS", "use after with a plain task name"},
     {"FF", "links other than FS", "use after with a plain task name"},
     {"SF", "links other than FS", "use after with a plain task name"},
-    {"link", "links other than FS without lag", "use after with a plain task name"},
     {"lag", "lags of links", "put a task that takes the time between the two"},
 }};
 
@@ -73,21 +73,27 @@ class Refusals {
 
 std::vector<Diagnostic> unsupported(const interpreter::PlanModel& plan) {
   Refusals refusals;
-  for (const interpreter::PlanModel::Use& use : plan.uses) refusals.add(use.what, use.span);
-  // The model itself is asked too: what is in it must not be passed over because a list is short.
+  std::set<std::string_view> listed;
+  for (const interpreter::PlanModel::Use& use : plan.uses) {
+    refusals.add(use.what, use.span);
+    listed.insert(use.what);
+  }
+  // The model itself is asked too: what is in it must not be passed over because it is not listed.
+  const auto add_unlisted = [&](std::string_view what, Span span) {
+    if (!listed.contains(what)) refusals.add(what, span);
+  };
   for (const interpreter::CalendarSpec& calendar : plan.calendars) {
-    refusals.add("calendar", calendar.span);
+    add_unlisted("calendar", calendar.span);
   }
   for (const interpreter::TaskSpec& task : plan.tasks) {
-    if (task.guide) refusals.add("guide", task.guide_span);
-    if (!task.zones.empty()) refusals.add("zone", task.zone_span);
-    if (task.priority != 0) refusals.add("priority", task.priority_span);
+    if (task.guide) add_unlisted("guide", task.guide_span);
+    if (!task.zones.empty()) add_unlisted("zone", task.zone_span);
+    if (task.priority != 0) add_unlisted("priority", task.priority_span);
     for (const interpreter::LinkSpec& link : task.after) {
-      if (link.type != interpreter::LinkType::FS) {
-        refusals.add("link", link.span);
-      } else if (link.lag != 0) {
-        refusals.add("lag", link.span);
-      }
+      if (link.type == interpreter::LinkType::SS) add_unlisted("SS", link.span);
+      if (link.type == interpreter::LinkType::FF) add_unlisted("FF", link.span);
+      if (link.type == interpreter::LinkType::SF) add_unlisted("SF", link.span);
+      if (link.lag != 0) add_unlisted("lag", link.span);
     }
   }
   return refusals.take();

@@ -54,6 +54,12 @@ TEST(Unsupported, LooksAtTheModelTooAndSaysEverythingOnce) {
   plan.tasks[1].after.push_back({0, interpreter::LinkType::FS, 3600, {0, 60, 64}});
   plan.uses.push_back({"guide", {0, 5, 10}});
   EXPECT_EQ(unsupported(plan).size(), 4u);
+  // A calendar is listed at its keyword; the model knows its name.
+  plan.calendars.emplace_back();
+  plan.calendars.back().span = {0, 80, 84};
+  EXPECT_EQ(unsupported(plan).size(), 5u);
+  plan.uses.push_back({"calendar", {0, 71, 79}});
+  EXPECT_EQ(unsupported(plan).size(), 5u);
 }
 
 }  // namespace
