@@ -101,7 +101,7 @@ class Machine {
     bool moved = false;  ///< sequence: r of LANGUAGE 8.2; loop: m
     std::int32_t node = -1;
     std::int32_t index = 0;     ///< sequence: the next child; loop and each: the current element
-    std::int32_t failures = 0;  ///< loop: f, failures in a row
+    std::int32_t failures = 0;  ///< cycle: f, failures in a row
     std::int32_t successes = 0;
     std::int32_t actives = 0;  ///< loop: where its A begins in actives_
   };

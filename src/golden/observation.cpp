@@ -76,7 +76,8 @@ Observation::Observation(std::map<Place, std::string> command_texts,
 void Observation::line(std::string_view record_text) {
   const auto record = ordered_json::parse(record_text);
   const std::string type = record.at("type");
-  if (type == "header") return;
+  const bool about_tasks = type == "task_start" || type == "task_end";
+  if (type == "header" || (about_tasks && !with_tasks_)) return;
   if (type == "end") ends_.push_back(record);
   if (type != "end" || with_tasks_) {
     ordered_json event = golden_event(record);

@@ -170,10 +170,7 @@ std::string print_text(const std::vector<Diagnostic>& diagnostics, const SourceM
       text += excerpt(sources, diagnostic.span, tint, reset);
     }
     for (const auto& related : diagnostic.notes) {
-      text += fmt::format("{}note: {}\n", place(sources, related.span), printable(related.message));
-      if (related.span.file != interpreter::kNoFile) {
-        text += excerpt(sources, related.span, colour ? colour_of(Severity::note) : "", reset);
-      }
+      text += fmt::format("  see {}{}\n", place(sources, related.span), printable(related.message));
     }
     if (!diagnostic.hint.empty()) text += fmt::format("  hint: {}\n", printable(diagnostic.hint));
   }
