@@ -30,9 +30,7 @@ TaskOutcome not_reached(const interpreter::PlanModel& plan, const interpreter::T
   TaskOutcome outcome;
   outcome.task = task.name;
   if (task.robot >= 0) outcome.robot = plan.robots[static_cast<std::size_t>(task.robot)].name;
-  for (const int crew : task.crews) {
-    outcome.crews.push_back(plan.crews[static_cast<std::size_t>(crew)].name);
-  }
+  outcome.crews = crew_names(plan, task);
   outcome.start = time;
   outcome.result = TaskResult::not_reached;
   outcome.reason = fmt::format("it comes after {}, which is {}", missing.name,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "interpreter/machine.hpp"
+#include "interpreter/plan_model.hpp"
 #include "interpreter/world.hpp"
 
 namespace rubicon::taskplan {
@@ -28,7 +29,7 @@ struct MotionOutcome {
 struct TaskOutcome {
   std::string task;
   std::string robot;               ///< "" for crew work
-  std::vector<std::string> crews;  ///< in the order of `by`
+  std::vector<std::string> crews;  ///< of `by`, then those that hook, adjust, release, in this order
   Ticks start = 0;
   Ticks duration = 0;
   Ticks motion_time = 0;  ///< of the duration, what motions took
@@ -39,6 +40,10 @@ struct TaskOutcome {
   std::string reason;  ///< why not done; of a short plan also how it is short of its goal
   std::vector<MotionOutcome> motions;
 };
+
+/// The names of all crews that work on a task, each once: those of `by`, then of its works.
+std::vector<std::string> crew_names(const interpreter::PlanModel& plan,
+                                    const interpreter::TaskSpec& task);
 
 /// A plan as it went, in the order of work.
 struct Schedule {

@@ -37,9 +37,7 @@ TaskOutcome TaskRunner::run(const interpreter::TaskSpec& task, Ticks start) {
   run.clock = start;
   run.outcome.task = task.name;
   if (task.robot >= 0) run.outcome.robot = robot_spec(task.robot).name;
-  for (const int crew : task.crews) {
-    run.outcome.crews.push_back(plan_.crews[static_cast<std::size_t>(crew)].name);
-  }
+  run.outcome.crews = crew_names(plan_, task);
   run.outcome.start = start;
   if (trace_) {
     trace_->set_task(task.name, task.robot);

@@ -111,7 +111,7 @@ class Check(Case):
 
     def test_columns_count_code_points(self):
         script = self.write("bad.motion", "\ufeffvar(\u03b8) = 1; /* \U0001F3D7 */\tmoveto(x, 3);\n")
-        self.assertIn(":1:19: error: unknown command", rubicon("check", script).stderr)
+        self.assertIn(":1:21: error: unknown command", rubicon("check", script).stderr)
 
     def test_json_is_shaped_for_editors(self):
         script = self.write("bad.motion", "/* \U0001F3D7 */ moveto(x, 3);\n")
@@ -280,8 +280,8 @@ class Test(Case):
         result = rubicon("test", self.folder, "--junit", os.path.join(self.folder, "out.xml"))
         self.assertEqual(result.returncode, 1)
         self.assertIn("tries", result.stdout)
-        self.assertRegex(result.stdout, r"(?m)^  - try .*x.*3\.001")
-        self.assertRegex(result.stdout, r"(?m)^  \+ try ")
+        self.assertRegex(result.stdout, r"(?m)^ +- try .*x.*3\.001")
+        self.assertRegex(result.stdout, r"(?m)^ +\+ try ")
         self.assertIn("<failure", self.read("out.xml"))
 
     def test_filter_and_empty_folders(self):
