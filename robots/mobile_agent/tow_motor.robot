@@ -4,18 +4,18 @@ robot tow_motor {
   sensor 10;
   body truck {
     param x step(0.5) speed(1.2 m/s) loaded(0.8 m/s) range(-40, 60);
-    param y range(-40, 40);                            # never moved by itself: the rules below change it
+    param y range(-40, 40);  # never moved by itself: the rules below change it
     param z;
     param theta cyclic step(10) speed(30 deg/s) loaded(20 deg/s);
     rule theta <- theta + theta_s;
     rule x <- x + x_s * cos(theta) - y_s * sin(theta);
     rule y <- y + x_s * sin(theta) + y_s * cos(theta);
-    rule z <- z_c;                                     # it stays on its floor
+    rule z <- z_c;  # it stays on its floor
     frame trans(x, y, z) * rotz(theta);
-    shape box(-0.4, -0.5, 0, 1.2, 0.5, 1.1);           # chassis
-    shape box(0.5, -0.45, 1.1, 1.1, 0.45, 2);          # driver
-    shape box(-1.2, -0.4, 0, -0.4, 0.4, 0.15);         # bed
-    shape box(-1.2, -0.4, 0.15, -0.4, 0.4, 1.0);       # pallet
+    shape box(-0.4, -0.5, 0, 1.2, 0.5, 1.1);  # chassis
+    shape box(0.5, -0.45, 1.1, 1.1, 0.45, 2);  # driver
+    shape box(-1.2, -0.4, 0, -0.4, 0.4, 0.15);  # bed
+    shape box(-1.2, -0.4, 0.15, -0.4, 0.4, 1.0);  # pallet
   }
   tool truck;
   behaviour "to_goal.motion";
