@@ -24,6 +24,10 @@ bool is_loop(const Statement& statement) {
 
 bool is_command(const Statement& statement) { return statement.kind != Kind::assignment; }
 
+bool has_commands(const Statement& statement) {
+  return std::any_of(statement.elements.begin(), statement.elements.end(), is_command);
+}
+
 const char* name_of(const Statement& statement) {
   switch (statement.kind) {
     case Kind::chain:
@@ -34,8 +38,6 @@ const char* name_of(const Statement& statement) {
       return "first";
     case Kind::each:
       return "each";
-    case Kind::together:
-      return "together";
     default:
       return "";
   }
@@ -97,7 +99,7 @@ class StructureChecker {
     if (statement.kind == Kind::move_to) {
       warn("W05", statement,
            "a move_to on its own makes a single step; write chain {move_to(...)} to repeat it");
-    } else if (statement.kind == Kind::each) {
+    } else if (statement.kind == Kind::each && has_commands(statement)) {
       warn("W05", statement,
            "each on its own performs one command; put it in a chain to repeat it");
     } else if (statement.kind == Kind::together &&
@@ -114,7 +116,7 @@ class StructureChecker {
   }
 
   void check_commands(const Statement& statement) {
-    if (std::any_of(statement.elements.begin(), statement.elements.end(), is_command)) return;
+    if (has_commands(statement)) return;
     subject_.diagnostics.error("S14", statement.keyword,
                                fmt::format("this {} has no commands", name_of(statement)));
   }
@@ -135,8 +137,7 @@ class StructureChecker {
     const std::vector<const Statement*> goals = own_move_to(loop);
     check_goals(loop, goals);
     if (has_broken(loop)) return;
-    const bool has_commands = std::any_of(loop.elements.begin(), loop.elements.end(), is_command);
-    if (loop.kind == Kind::cycle && has_commands && goals.empty() && !loop.until) {
+    if (loop.kind == Kind::cycle && has_commands(loop) && goals.empty() && !loop.until) {
       warn("W06", loop,
            "this cycle has no until and no move_to: it only ends when nothing can move");
     }
@@ -244,20 +245,9 @@ class StructureChecker {
   // ---- together ----
 
   void check_together(const Statement& together) {
-    check_commands(together);
     std::map<std::string, const Statement*> parts;
     for (const Statement& part : together.elements) {
       if (part.kind == Kind::broken) continue;
-      if (part.kind == Kind::together) {
-        subject_.diagnostics.error("S14", part.keyword,
-                                   "together cannot stand inside together; list its parts");
-        continue;
-      }
-      if (part.kind != Kind::move_to && part.kind != Kind::move_dir) {
-        subject_.diagnostics.error("S14", part.keyword,
-                                   "only move_to and move_dir can be parts of together");
-        continue;
-      }
       const auto [place, is_new] = parts.emplace(key_of(part.name), &part);
       if (is_new) continue;
       Diagnostic twice;
