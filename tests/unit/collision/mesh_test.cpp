@@ -183,15 +183,21 @@ TEST(Mesh, RestingSlidingAndTurningOnAMeshIsFree) {
 }
 
 TEST(Mesh, FineMeshesCannotBePassedThrough) {
-  // Triangles of 8 mm against a tolerance of 10 mm: each alone would be shallow.
-  const BodyPtr fine = mesh_body(l_mesh(6));
-  const BodyPtr other = mesh_body([] {
-    geometry::TriangleMesh mesh = l_mesh(5);
-    for (Vec3& vertex : mesh.vertices) vertex *= 0.4;
-    return mesh;
-  }());
-  EXPECT_TRUE(overlaps(*other, at(1.3, 0.2, 0.8), *fine, at(0, 0, 0), 0.01));
-  EXPECT_TRUE(overlaps(*box(Vec3::Constant(0.1)), at(1.3, 0.5, 0.5), *fine, at(0, 0, 0), 0.01));
+  // Triangles of some 10 mm against a tolerance of 10 mm: each pair alone would be shallow.
+  const auto scaled_l = [](double scale, int fineness) {
+    geometry::TriangleMesh mesh = l_mesh(fineness);
+    for (Vec3& vertex : mesh.vertices) vertex *= scale;
+    return mesh_body(mesh);
+  };
+  const BodyPtr fine = scaled_l(0.2, 5);
+  const BodyPtr other = scaled_l(0.1, 4);
+  Random random(44);
+  for (int i = 0; i < 50; ++i) {
+    Pose X = random.pose(0.0);
+    X.translation() = Vec3(0.25, 0.05, 0.2) - X.linear() * Vec3(0.1, 0.02, 0.05);
+    EXPECT_TRUE(overlaps(*other, X, *fine, at(0, 0, 0), 0.01)) << "case " << i;
+    EXPECT_TRUE(overlaps(*fine, at(0, 0, 0), *other, X, 0.01)) << "case " << i;
+  }
 }
 
 TEST(Mesh, AnOpenMeshHasSurfacesButNoInside) {

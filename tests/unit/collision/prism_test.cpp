@@ -101,9 +101,9 @@ TEST(Prism, TheNotchIsFreeTheMaterialIsNot) {
 }
 
 TEST(Prism, ARodDoesNotPassThroughAnInternalCut) {
-  // With a tolerance of half its width each part alone would let the rod through.
+  // With a tolerance above half its width each part alone would let the rod through.
   const BodyPtr wall = prepare({{geometry::Prism{0, 3, kL}, Pose::Identity()}});
-  const BodyPtr rod = box(Vec3(0.01, 0.01, 1));
+  const BodyPtr rod = box(Vec3(0.006, 0.006, 1));
   for (int i = 0; i <= 40; ++i) {
     for (int k = 0; k <= 40; ++k) {
       const double x = 0.02 + 0.46 * i / 40;
@@ -111,6 +111,17 @@ TEST(Prism, ARodDoesNotPassThroughAnInternalCut) {
       EXPECT_TRUE(overlaps(*rod, at(x, y, 1.5), *wall, at(0, 0, 0), 0.01)) << x << " " << y;
     }
   }
+}
+
+TEST(Prism, SheetsThinnerThanTheToleranceDoNotPassThroughEachOtherInSmallSteps) {
+  const BodyPtr sheet = box(Vec3(1, 0.002, 1));
+  bool stopped = false;
+  for (double y = -0.01; y < 0.01 && !stopped; y += 0.001) {
+    stopped = blocked(*sheet, geometry::translating(at(0, y, 0), Vec3(0, 0.001, 0)), sheet,
+                      at(0, 0, 0), 0.01);
+  }
+  EXPECT_TRUE(stopped);
+  EXPECT_FALSE(overlaps(*sheet, at(0, 0.0035, 0), *sheet, at(0, 0, 0), 0.01));
 }
 
 TEST(Prism, BadPolygonsAreRefused) {

@@ -110,6 +110,28 @@ TEST(Rotation, TurningAwayFromANeighbourIsFreeTurningIntoItIsNot) {
                       neighbour, 1e-6));
 }
 
+TEST(Rotation, AFaceRollingOverAnEdgeStaysFree) {
+  // The block turns about a line in its lower face, where a wedge carries it: the separating
+  // direction turns with the block.
+  const BodyPtr block = prepare({box_shape(Vec3(-1, 0, -0.5), Vec3(1, 1, 0.5))});
+  const BodyPtr wedge =
+      prepare({{geometry::Prism{-1, 1, {{0, 0}, {-0.5, -1}, {0.5, -1}}}, Pose::Identity()}});
+  const Motion roll = turning(math::rotation_z_deg(-10), Vec3::UnitZ(), Vec3::Zero(), 20);
+  EXPECT_FALSE(blocked(*block, roll, wedge, at(0, 0, 0), 1e-6));
+  EXPECT_TRUE(blocked(*block, roll, wedge, at(0, 1e-5, 0), 1e-6));
+  EXPECT_FALSE(blocked(*wedge, roll, block, at(0, 0, 0), 1e-6));
+  EXPECT_TRUE(blocked(*wedge, roll, block, at(0, -1e-5, 0), 1e-6));
+}
+
+TEST(Rotation, TheRimOfADiscCounts) {
+  // A thin disc turned about its diameter; only well inside the step does its rim reach the post.
+  const BodyPtr disc = prepare({{geometry::Cylinder{1, -0.01, 0.01}, Pose::Identity()}});
+  const Motion turn = turning(math::rotation_x_deg(-40), Vec3::UnitX(), Vec3::Zero(), 60);
+  const BodyPtr post = box(Vec3(0.02, 0.02, 0.02));
+  EXPECT_TRUE(blocked(*disc, turn, post, at(0, 1.01, 0), 1e-3));
+  EXPECT_FALSE(blocked(*disc, turn, post, at(0, 1.021, 0), 1e-3));
+}
+
 TEST(Rotation, WholeTurnsAndMore) {
   const BodyPtr arm = prepare({box_shape(Vec3(0, -0.1, 0), Vec3(5, 0.1, 0.2))});
   const BodyPtr post = box(Vec3(0.05, 0.05, 1));
