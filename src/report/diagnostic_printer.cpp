@@ -43,6 +43,9 @@ const char* colour_of(Severity severity) {
   return "";
 }
 
+/// Longest message, in bytes; a name of ten megabytes is cut in the middle.
+constexpr std::size_t kMaxMessage = 1000;
+
 bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
 /// Length of the well-formed UTF-8 sequence at `i`, 0 if there is none.
@@ -75,6 +78,16 @@ std::string printable(std::string_view text) {
     }
   }
   return result;
+}
+
+/// A message that fits: a long one keeps its beginning and its end.
+std::string shortened(const std::string& text) {
+  if (text.size() <= kMaxMessage) return printable(text);
+  std::size_t head = kMaxMessage / 2;
+  while (continues(text[head])) --head;
+  std::size_t tail = text.size() - kMaxMessage / 2;
+  while (continues(text[tail])) ++tail;
+  return printable(text.substr(0, head)) + " ... " + printable(text.substr(tail));
 }
 
 /// The source line of a span and carets under it.
@@ -165,14 +178,14 @@ std::string print_text(const std::vector<Diagnostic>& diagnostics, const SourceM
     const char* tint = colour ? colour_of(diagnostic.severity) : "";
     text +=
         fmt::format("{}{}{}{}{}: {}{}{}{}\n", bold, place(sources, diagnostic.span), reset, tint,
-                    level(diagnostic.severity), reset, bold, printable(diagnostic.message), reset);
+                    level(diagnostic.severity), reset, bold, shortened(diagnostic.message), reset);
     if (diagnostic.span.file != interpreter::kNoFile) {
       text += excerpt(sources, diagnostic.span, tint, reset);
     }
     for (const auto& related : diagnostic.notes) {
-      text += fmt::format("  see {}{}\n", place(sources, related.span), printable(related.message));
+      text += fmt::format("  see {}{}\n", place(sources, related.span), shortened(related.message));
     }
-    if (!diagnostic.hint.empty()) text += fmt::format("  hint: {}\n", printable(diagnostic.hint));
+    if (!diagnostic.hint.empty()) text += fmt::format("  hint: {}\n", shortened(diagnostic.hint));
   }
   if (errors + warnings > 0) {
     const auto counted = [](int count, const char* word) {
@@ -207,14 +220,14 @@ std::string print_json(const std::vector<Diagnostic>& diagnostics, const SourceM
                                      {"severity", static_cast<int>(diagnostic.severity) + 1},
                                      {"code", diagnostic.code},
                                      {"source", "rubicon"},
-                                     {"message", printable(full_message(diagnostic))}};
+                                     {"message", shortened(full_message(diagnostic))}};
     if (!diagnostic.notes.empty()) {
       auto& related = object["relatedInformation"] = nlohmann::ordered_json::array();
       for (const auto& note : diagnostic.notes) {
         related.push_back(
             {{"location",
               {{"uri", uri(sources, note.span)}, {"range", lsp_range(sources, note.span)}}},
-             {"message", printable(note.message)}});
+             {"message", shortened(note.message)}});
       }
     }
     (*entry)["diagnostics"].push_back(std::move(object));
