@@ -74,7 +74,7 @@ class EventGraph {
       const std::optional<std::size_t> before = predecessor(at, i);
       if (!before) continue;
       if (state_[*before] == State::open) {
-        report(*before, i);
+        report(*before);
       } else if (state_[*before] == State::untouched) {
         state_[*before] = State::open;
         path_.push_back(*before);
@@ -82,13 +82,13 @@ class EventGraph {
     }
   }
 
-  void report(std::size_t first, std::size_t last_link) {
+  void report(std::size_t first) {
     constexpr std::size_t kMostNamed = 12;
-    const TaskSpec& closing = tasks_[path_.back() / 2];
     std::vector<std::size_t> members;
     for (auto at = std::find(path_.begin(), path_.end(), first); at != path_.end(); ++at) {
       if (members.empty() || members.back() != *at / 2) members.push_back(*at / 2);
     }
+    if (members.size() > 1 && members.back() == first / 2) members.pop_back();
     std::string text;
     for (std::size_t i = 0; i < members.size() && i < kMostNamed; ++i) {
       text += tasks_[members[i]].name + " after ";
@@ -97,12 +97,20 @@ class EventGraph {
       text += fmt::format("... ({} more) after ", members.size() - kMostNamed);
     }
     text += tasks_[first / 2].name;
-    // The link that closes the cycle; a finish that comes back by its own start has one before it.
-    const Span span =
-        last_link < closing.after.size() ? closing.after[last_link].span : closing.span;
-    subject_.error("P08", span,
-                   members.size() == 1 ? fmt::format("task '{}' waits for itself", closing.name)
-                                       : fmt::format("these tasks wait for each other: {}", text));
+    subject_.error("P08", last_link(),
+                   members.size() == 1
+                       ? fmt::format("task '{}' waits for itself", tasks_[first / 2].name)
+                       : fmt::format("these tasks wait for each other: {}", text));
+  }
+
+  /// The last link of the path; a step from a finish to its own start is none.
+  Span last_link() const {
+    for (auto at = path_.rbegin(); at != path_.rend(); ++at) {
+      const TaskSpec& task = tasks_[*at / 2];
+      const std::size_t i = next_[*at] - 1;
+      if (i < task.after.size()) return task.after[i].span;
+    }
+    return tasks_[path_.back() / 2].span;
   }
 
   Subject& subject_;
@@ -128,6 +136,10 @@ std::vector<LinkSpec> resolve_links(Subject& subject, const Scope& scope,
                                -kMaxDuration, kMaxDuration);
       if (lag) spec.lag = *lag;
     }
+    if (scope.records_uses && type && *type != LinkType::FS) {
+      subject.use(link.type->text, link.span);
+    }
+    if (scope.records_uses && spec.lag != 0) subject.use("lag", link.span);
     if (!task || !type) continue;
     spec.task = *task;
     spec.type = *type;

@@ -147,8 +147,8 @@ std::optional<int> find_element(Subject& subject, const Scope& scope,
     const ModuleInfo& module = subject.module_infos[static_cast<std::size_t>(info.module)];
     const auto found = (module.*of_module).find(name.name.text);
     if (found != (module.*of_module).end()) return info.*first_of_place + found->second;
-    subject.unknown(name.name.span, fmt::format("{} of module '{}'", what, module.item->name.text),
-                    name.name.text, {&(module.*of_module)});
+    subject.unknown(name.name.span, what, name.name.text, {&(module.*of_module)},
+                    fmt::format(" of module '{}'", module.item->name.text));
     return std::nullopt;
   }
   if (scope.module != nullptr) {
@@ -178,7 +178,8 @@ void Subject::twice(Span second, std::string message, Span first) {
 }
 
 void Subject::unknown(Span span, const std::string& what, const std::string& name,
-                      std::initializer_list<const std::map<std::string, int>*> candidates) {
+                      std::initializer_list<const std::map<std::string, int>*> candidates,
+                      const std::string& where) {
   if (!judges_names()) return;
   const std::string ending = suggestions.ending(name, [&] {
     std::vector<std::string> all;
@@ -187,7 +188,7 @@ void Subject::unknown(Span span, const std::string& what, const std::string& nam
     }
     return all;
   });
-  error("P01", span, fmt::format("unknown {} '{}'{}", what, name, ending));
+  error("P01", span, fmt::format("unknown {} '{}'{}{}", what, name, where, ending));
 }
 
 int Subject::find(const std::map<std::string, int>& index, const syntax::Name& name,

@@ -14,7 +14,7 @@
 namespace rubicon::interpreter::plan_check {
 
 /// Most components and most tasks of a plan, placed modules counted as often as they are placed.
-inline constexpr std::size_t kMaxElements = 1000000;
+inline constexpr std::size_t kMaxElements = 200000;
 
 /// The names of a module, and its elements in file order.
 struct ModuleInfo {
@@ -62,9 +62,10 @@ struct Subject {
   void twice(Span second, std::string message, Span first);
   void use(std::string what, Span span) { model.uses.push_back({std::move(what), span}); }
 
-  /// P01 with did-you-mean among the names of the given maps.
+  /// P01 with did-you-mean among the names of the given maps; `where` ends what is unknown.
   void unknown(Span span, const std::string& what, const std::string& name,
-               std::initializer_list<const std::map<std::string, int>*> candidates);
+               std::initializer_list<const std::map<std::string, int>*> candidates,
+               const std::string& where = {});
   /// The index of `name`; -1 after reporting that there is none.
   int find(const std::map<std::string, int>& index, const syntax::Name& name, const char* what);
 };
@@ -119,7 +120,7 @@ std::optional<int> find_task(Subject& subject, const Scope& scope,
 std::optional<int> find_component(Subject& subject, const Scope& scope,
                                   const syntax::QualifiedName& name);
 
-enum class ValueUse { start, goal, park, within };
+enum class ValueUse { start, via, goal, park, within };
 
 /// Parameter values of a robot (null or unusable: nothing is said). P12-P14, P09, F09.
 std::vector<std::pair<int, double>> resolve_values(Subject& subject, const RobotSpec* robot,
@@ -130,9 +131,9 @@ std::vector<std::pair<int, double>> resolve_values(Subject& subject, const Robot
 void set_starts(Subject& subject, RobotSpec& robot,
                 const std::vector<std::pair<int, double>>& values, Span span);
 
-/// A goal; frames are relative to `X_WP`.
+/// A goal or way point; frames are relative to `X_WP`.
 GoalSpec resolve_goal(Subject& subject, const RobotSpec* robot, const syntax::Goal& goal,
-                      const math::Pose& X_WP);
+                      ValueUse use, const math::Pose& X_WP);
 
 /// Adds one `within` item to `within`.
 void resolve_within(Subject& subject, const RobotSpec* robot, const syntax::WithinItem& item,

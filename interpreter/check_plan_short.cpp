@@ -22,10 +22,12 @@ void check_short_form(Subject& subject) {
   }
   for (const syntax::PlanItem& each : subject.plan.items) {
     if (const auto* goal = std::get_if<syntax::GoalItem>(&each)) {
-      GoalSpec spec = resolve_goal(subject, robot, goal->goal, math::Pose::Identity());
+      GoalSpec spec =
+          resolve_goal(subject, robot, goal->goal, ValueUse::goal, math::Pose::Identity());
       if (!model.goal) model.goal = std::move(spec);
     } else if (const auto* via = std::get_if<syntax::ViaItem>(&each)) {
-      model.via.push_back(resolve_goal(subject, robot, via->goal, math::Pose::Identity()));
+      model.via.push_back(
+          resolve_goal(subject, robot, via->goal, ValueUse::via, math::Pose::Identity()));
     } else if (const auto* carry = std::get_if<syntax::CarryItem>(&each)) {
       std::optional<geometry::Shape> shape = subject.shapes.resolve(carry->shape);
       if (shape) model.carry.push_back(*std::move(shape));

@@ -28,7 +28,8 @@ class TaskChecker {
       if (const auto* move = std::get_if<syntax::MoveItem>(&part)) check_move(*move);
       if (const auto* go = std::get_if<syntax::GoItem>(&part)) note_go(*go);
     }
-    if (go_ != nullptr) task_.go = resolve_goal(subject_, robot(), go_->goal, scope_.X_WP);
+    if (go_ != nullptr)
+      task_.go = resolve_goal(subject_, robot(), go_->goal, ValueUse::goal, scope_.X_WP);
     for (const syntax::TaskPart& part : item_.parts) {
       std::visit([&](const auto& each) { check_part(each); }, part);
     }
@@ -161,7 +162,7 @@ class TaskChecker {
 
   void check_part(const syntax::ViaItem& item) {
     needs_motion(item.span, "via");
-    task_.via.push_back(resolve_goal(subject_, robot(), item.goal, scope_.X_WP));
+    task_.via.push_back(resolve_goal(subject_, robot(), item.goal, ValueUse::via, scope_.X_WP));
   }
 
   void check_part(const syntax::GuideItem& item) {
@@ -211,10 +212,6 @@ class TaskChecker {
   void check_part(const syntax::AfterItem& item) {
     const std::vector<LinkSpec> links = resolve_links(subject_, scope_, item.links);
     task_.after.insert(task_.after.end(), links.begin(), links.end());
-    for (const syntax::Link& link : item.links) {
-      if (link.type && link.type->text != "FS") use("link " + link.type->text, link.span);
-      if (link.lag && link.lag->value != 0) use("lag", link.span);
-    }
   }
 
   void needs_motion(Span span, const char* what) {

@@ -43,6 +43,7 @@ void check_tasks(Subject& subject) {
   for (const ModuleInfo& module : subject.module_infos) {
     Scope scope;
     scope.module = &module;
+    scope.records_uses = module.placed;
     for (const syntax::TaskItem* item : module.tasks) {
       TaskSpec task;
       check_task(subject, scope, *item, task);

@@ -20,6 +20,8 @@ const char* use_text(ValueUse use) {
   switch (use) {
     case ValueUse::start:
       return "start";
+    case ValueUse::via:
+      return "via";
     case ValueUse::goal:
       return "goal";
     case ValueUse::park:
@@ -153,13 +155,13 @@ std::vector<std::pair<int, double>> resolve_values(Subject& subject, const Robot
 }
 
 GoalSpec resolve_goal(Subject& subject, const RobotSpec* robot, const syntax::Goal& goal,
-                      const math::Pose& X_WP) {
+                      ValueUse use, const math::Pose& X_WP) {
   GoalSpec result;
   result.span = goal.span;
   if (goal.at) {
     result.X_WG = X_WP * resolve_frame_or_identity(subject, *goal.at);
   } else {
-    result.values = resolve_values(subject, robot, goal.values, ValueUse::goal);
+    result.values = resolve_values(subject, robot, goal.values, use);
   }
   return result;
 }

@@ -72,8 +72,11 @@ class ParameterAttributes {
       } else if (attribute.numbers.size() != form->numbers) {
         subject_.diagnostics.error(
             "R06", attribute.span,
-            fmt::format("{} takes {} number{}, found {}", name, form->numbers,
-                        form->numbers == 1 ? "" : "s", attribute.numbers.size()));
+            fmt::format("{} takes {}, found {}", name,
+                        form->numbers == 0   ? "no number"
+                        : form->numbers == 1 ? "1 number"
+                                             : "2 numbers (lower and upper limit)",
+                        attribute.numbers.size()));
         place->second = nullptr;
       }
     }

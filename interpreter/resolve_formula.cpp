@@ -122,12 +122,7 @@ class FormulaResolver {
       case Operator::subtract:
         kind = node.op == Operator::add ? FormulaOp::Kind::add : FormulaOp::Kind::subtract;
         result.kind = script_check::sum_kind(left.kind, right.kind);
-        if (mixed(left.kind, right.kind)) {
-          diagnostics_.warning(
-              "F13", node.op_span,
-              fmt::format("{} {} and {}", node.op == Operator::add ? "adds" : "subtracts",
-                          script_check::kind_text(left.kind), script_check::kind_text(right.kind)));
-        }
+        if (mixed(left.kind, right.kind)) report_mixed(node, left.kind, right.kind);
         break;
       case Operator::multiply:
         kind = FormulaOp::Kind::multiply;
@@ -171,6 +166,24 @@ class FormulaResolver {
   static bool mixed(ValueKind a, ValueKind b) {
     return a != b && a != ValueKind::number && b != ValueKind::number && a != ValueKind::unknown &&
            b != ValueKind::unknown;
+  }
+
+  /// A literal of the wrong kind is an error, all else may be meant.
+  void report_mixed(const Expression& node, ValueKind left, ValueKind right) {
+    for (const bool second : {true, false}) {
+      const Expression& operand = *node.operands[second ? 1 : 0];
+      if (operand.kind != Expression::Kind::number) continue;
+      failed_ = true;
+      diagnostics_.error("F09", operand.span,
+                         fmt::format("'{}' is {} and stands beside {}", operand.number.unit_text,
+                                     script_check::kind_text(second ? right : left),
+                                     script_check::kind_text(second ? left : right)));
+      return;
+    }
+    diagnostics_.warning(
+        "F13", node.op_span,
+        fmt::format("{} {} and {}", node.op == Expression::Operator::add ? "adds" : "subtracts",
+                    script_check::kind_text(left), script_check::kind_text(right)));
   }
 
   void append(Formula& formula, FormulaOp op, Span span) {

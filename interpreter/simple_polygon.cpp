@@ -50,7 +50,6 @@ std::optional<std::string> polygon_fault(const std::vector<Point>& polygon) {
     }
     area += cross(polygon[0], a, b);
   }
-  if (!(std::fabs(area) > 0)) return "its corners enclose no area";
 
   // Edges in the order of their smallest x: only those that overlap in x can meet.
   const auto low = [&](std::size_t i) { return std::min(at(i).x(), at(i + 1).x()); };
@@ -71,6 +70,7 @@ std::optional<std::string> polygon_fault(const std::vector<Point>& polygon) {
       }
     }
   }
+  if (!(std::fabs(area) > 0)) return "its corners enclose no area";
   return std::nullopt;
 }
 

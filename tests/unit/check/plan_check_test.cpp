@@ -1,0 +1,254 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "interpreter/plan_model.hpp"
+#include "tests/unit/check/check_cases.hpp"
+#include "tests/unit/check/memory_files.hpp"
+
+namespace rubicon::test {
+
+namespace {
+
+using interpreter::Diagnostics;
+using interpreter::LinkType;
+using interpreter::PlanModel;
+using interpreter::SourceMap;
+
+const std::string kPath = "site/site.plan";
+
+/// A plan text, checked, with all that was said.
+struct Loaded {
+  explicit Loaded(const std::string& text) : files(case_files()) {
+    files.texts[kPath] = text;
+    plan = interpreter::load_plan(kPath, sources, files, diagnostics);
+  }
+  std::string said() const { return listed(diagnostics, sources, kPath); }
+
+  SourceMap sources;
+  MemoryFiles files;
+  Diagnostics diagnostics;
+  std::unique_ptr<PlanModel> plan;
+};
+
+TEST(PlanCheck, SaysExactlyWhatEachCaseDeserves) {
+  const std::vector<CheckCase> cases = read_check_cases("plan_cases.txt");
+  ASSERT_GE(cases.size(), 70u);
+  for (const CheckCase& given : cases) {
+    const Loaded plan(given.text);
+    EXPECT_EQ(plan.said(), listed(given.expected)) << given.title << "\n" << given.text;
+    EXPECT_EQ(plan.plan == nullptr, plan.diagnostics.has_errors()) << given.title;
+  }
+}
+
+TEST(PlanCheck, EveryCodeIsProvokedByACase) {
+  std::string all;
+  for (const CheckCase& given : read_check_cases("plan_cases.txt")) all += listed(given.expected);
+  for (const char* code :
+       {"P01", "P02", "P03", "P04", "P05", "P06", "P07", "P08", "P09", "P10", "P11", "P12",
+        "P13", "P14", "P15", "P16", "P17", "F01", "F02", "F03", "F07", "F09", "F12", "W08"}) {
+    EXPECT_NE(all.find(std::string(": ") + code + " "), std::string::npos) << code;
+  }
+}
+
+TEST(PlanCheck, ReadsTheShortForm) {
+  const Loaded short_plan(R"(plan p {
+    contact 1e-6;
+    budget 500;
+    robot "crane.robot" at trans(1, 2, 0);
+    component wall { shape box(0, 0, 0, 1, 1, 1); at trans(5, 0, 0) * rotz(90); }
+    site box(-50, -50, -1, 50, 50, 0);
+    carry box(-2, -2, -4, 2, 2, 0);
+    start theta 10, x 25;
+    via x 30; via at trans(3, 4, 5);
+    goal theta 32 deg, x 2250 cm, z 3;
+    within z 30; within 1 mm;
+    situation transport, night;
+  })");
+  ASSERT_EQ(short_plan.said(), "");
+  const PlanModel& plan = *short_plan.plan;
+  EXPECT_TRUE(plan.short_form);
+  EXPECT_EQ(plan.name, "p");
+  EXPECT_EQ(plan.contact, 1e-6);
+  EXPECT_EQ(plan.budget, 500);
+  ASSERT_EQ(plan.robots.size(), 1u);
+  EXPECT_EQ(plan.robots[0].name, "crane");
+  EXPECT_EQ(plan.robots[0].X_WM.translation().y(), 2);
+  EXPECT_EQ(plan.robots[0].start, (std::vector<double>{10, 25, 10}));
+  ASSERT_TRUE(plan.goal.has_value());
+  EXPECT_EQ(plan.goal->values, (std::vector<std::pair<int, double>>{{0, 32}, {1, 22.5}, {2, 3}}));
+  ASSERT_EQ(plan.via.size(), 2u);
+  EXPECT_EQ(plan.via[1].X_WG->translation().z(), 5);
+  EXPECT_EQ(plan.within.length, 0.001);
+  EXPECT_EQ(plan.within.values, (std::vector<std::pair<int, double>>{{2, 30}}));
+  EXPECT_EQ(plan.carry.size(), 1u);
+  EXPECT_EQ(plan.site.size(), 1u);
+  ASSERT_EQ(plan.components.size(), 1u);
+  EXPECT_EQ(plan.components[0].X_WO.translation().x(), 5);
+  EXPECT_EQ(plan.situations, (std::vector<std::string>{"transport", "night"}));
+  EXPECT_TRUE(plan.uses.empty());
+}
+
+const char* const kFullPlan = R"(plan unit {
+  start_at "2026-03-02 07:00";
+  currency "EUR";
+  calendar site { mon-fri 07:00-12:00, 12:30-16:00; off 2026-12-25; carry_over; }
+  component slab { shape mesh("cube.stl", mm); at trans(0, 0, 0); }
+  component panel { shape box(-3, -0.1, 0, 3, 0.1, 2.8); at trans(30, -6, 0); grip trans(0, 0, 2.8);
+                    mass 4.1 t; }
+  robot crane "crane.robot" at trans(0, 0, 0) { start theta 5, x 20, z 10; cost 180 per h;
+                                                calendar site; park x 4; }
+  crew riggers { size 3; cost 165 per h; calendar site; }
+  task set { by crane, riggers; move panel to trans(22, 14, 3) * rotz(90); hook 4 min by riggers;
+             adjust 6 min by riggers; release 2 min; via x 30; situation night; within z 3 cm;
+             budget 100; priority 2; guide rrt; zone box(0, 0, 0, 1, 1, 1); }
+  task home { by crane; go theta 0, x 20; after set, cure SS + 2 h; }
+  task cure { takes 30 min; takes 1 h; after set FS - 10 min; remove slab; }
+})";
+
+TEST(PlanCheck, ReadsTheFullForm) {
+  const Loaded full(kFullPlan);
+  ASSERT_EQ(full.said(), "");
+  const PlanModel& plan = *full.plan;
+  EXPECT_FALSE(plan.short_form);
+  EXPECT_EQ(plan.start_at, "2026-03-02 07:00");
+  EXPECT_EQ(plan.currency, "EUR");
+  ASSERT_EQ(plan.calendars.size(), 1u);
+  EXPECT_EQ(plan.calendars[0].shifts[0].last_day, 4);
+  EXPECT_EQ(plan.calendars[0].shifts[0].minutes,
+            (std::vector<std::pair<int, int>>{{420, 720}, {750, 960}}));
+  EXPECT_EQ(plan.calendars[0].off, (std::vector<std::string>{"2026-12-25"}));
+  EXPECT_TRUE(plan.calendars[0].carry_over);
+  ASSERT_EQ(plan.components.size(), 2u);
+  EXPECT_EQ(plan.components[1].mass, 4100);
+  EXPECT_EQ(plan.components[1].X_OG.translation().z(), 2.8);
+  EXPECT_EQ(plan.robots[0].start, (std::vector<double>{5, 20, 10}));
+  EXPECT_DOUBLE_EQ(plan.robots[0].cost_per_hour.value(), 180);
+  EXPECT_EQ(plan.robots[0].calendar, "site");
+  EXPECT_EQ(plan.crews[0].size, 3);
+  ASSERT_EQ(plan.tasks.size(), 3u);
+  const interpreter::TaskSpec& set = plan.tasks[0];
+  EXPECT_EQ(set.robot, 0);
+  EXPECT_EQ(set.crews, (std::vector<int>{0}));
+  EXPECT_EQ(set.move, 1);
+  EXPECT_EQ(set.X_WO_goal.translation().x(), 22);
+  EXPECT_EQ(set.hook->duration, 240);
+  EXPECT_EQ(set.hook->crew, 0);
+  EXPECT_EQ(set.release->crew, -1);
+  EXPECT_EQ(set.within.values, (std::vector<std::pair<int, double>>{{2, 0.03}}));
+  EXPECT_EQ(set.budget, 100);
+  EXPECT_EQ(set.zones.size(), 1u);
+  const interpreter::TaskSpec& home = plan.tasks[1];
+  ASSERT_TRUE(home.go.has_value());
+  ASSERT_EQ(home.after.size(), 2u);
+  EXPECT_EQ(home.after[0].task, 0);
+  EXPECT_EQ(home.after[1].task, 2);
+  EXPECT_EQ(home.after[1].type, LinkType::SS);
+  EXPECT_EQ(home.after[1].lag, 7200);
+  EXPECT_EQ(plan.tasks[2].after[0].lag, -600);
+  EXPECT_EQ(plan.tasks[2].takes.size(), 2u);
+  EXPECT_EQ(plan.tasks[2].remove, (std::vector<int>{0}));
+}
+
+TEST(PlanCheck, RecordsWhatItUses) {
+  const Loaded full(kFullPlan);
+  std::vector<std::string> uses;
+  for (const auto& use : full.plan->uses) {
+    uses.push_back(use.what);
+    EXPECT_EQ(use.span.file, 0);
+    EXPECT_LT(use.span.begin, use.span.end) << use.what;
+  }
+  std::sort(uses.begin(), uses.end());
+  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
+  EXPECT_EQ(uses, (std::vector<std::string>{"SS", "calendar", "cost", "currency", "guide", "lag",
+                                            "park", "priority", "size", "start_at", "zone"}));
+  const Loaded imported(
+      "plan p { import \"house.ifc\" as house { } component a { shape sphere(0, 0, 0, 1); } "
+      "task t { remove house.wall; } }");
+  ASSERT_EQ(imported.said(), "");
+  ASSERT_EQ(imported.plan->uses.size(), 1u);
+  EXPECT_EQ(imported.plan->uses[0].what, "import");
+}
+
+TEST(PlanCheck, PlacesModules) {
+  const Loaded placed(R"(plan p {
+    robot crane "crane.robot";
+    component base { shape box(0, 0, -1, 1, 1, 0); }
+    task ground { takes 1 h; }
+    place unit at trans(10, 0, 0) as u1 after ground;
+    module unit {
+      component wall { shape box(0, 0, 0, 1, 1, 1); at trans(1, 0, 0); }
+      task set { by crane; move wall to trans(2, 0, 3); }
+      task seal { takes 5 min; after set; }
+      task tidy { by crane; go at trans(1, 2, 3); after ground; }
+    }
+    place unit at rotz(90) as u2 after u1.seal;
+    task last { takes 1 min; remove u2.wall; after u1.set, u2.seal; }
+  })");
+  ASSERT_EQ(placed.said(), "");
+  const PlanModel& plan = *placed.plan;
+  std::vector<std::string> names;
+  for (const auto& task : plan.tasks) names.push_back(task.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"ground", "u1.set", "u1.seal", "u1.tidy", "u2.set",
+                                             "u2.seal", "u2.tidy", "last"}));
+  ASSERT_EQ(plan.components.size(), 3u);
+  EXPECT_EQ(plan.components[2].name, "u2.wall");
+  EXPECT_NEAR((plan.components[2].X_WO.translation() - math::Vec3(0, 1, 0)).norm(), 0, 1e-12);
+  EXPECT_EQ(plan.tasks[1].move, 1);
+  EXPECT_EQ(plan.tasks[4].move, 2);
+  EXPECT_NEAR((plan.tasks[1].X_WO_goal.translation() - math::Vec3(12, 0, 3)).norm(), 0, 1e-12);
+  EXPECT_NEAR((plan.tasks[6].go->X_WG->translation() - math::Vec3(-2, 1, 3)).norm(), 0, 1e-12);
+  ASSERT_EQ(plan.tasks[1].after.size(), 1u);  // of the place
+  EXPECT_EQ(plan.tasks[1].after[0].task, 0);
+  ASSERT_EQ(plan.tasks[2].after.size(), 1u);  // inside the module only
+  EXPECT_EQ(plan.tasks[2].after[0].task, 1);
+  ASSERT_EQ(plan.tasks[6].after.size(), 2u);  // its own outside the module, and of the place
+  EXPECT_EQ(plan.tasks[6].after[1].task, 2);
+  EXPECT_EQ(plan.tasks[7].remove, (std::vector<int>{2}));
+  EXPECT_EQ(plan.tasks[7].after[1].task, 5);
+}
+
+TEST(PlanCheck, LoadsARobotFileOnce) {
+  const Loaded plan(R"(plan p {
+    robot a "crane.robot"; robot b "./crane.robot" { start x 30; }
+    task t { by a; go x 5; } task u { by b; go x 5; after t; }
+  })");
+  ASSERT_EQ(plan.said(), "");
+  EXPECT_EQ(plan.plan->robots[0].robot, plan.plan->robots[1].robot);
+  EXPECT_EQ(std::count(plan.files.reads.begin(), plan.files.reads.end(), "site/crane.robot"), 1);
+  EXPECT_EQ(plan.plan->robots[1].start[1], 30);
+}
+
+TEST(PlanCheck, StartsOfDerivedParametersAreComputed) {
+  const Loaded plan("plan p { robot \"arm.robot\"; start boom.phi 10; goal boom.phi 20; }");
+  ASSERT_EQ(plan.said(), "");
+  EXPECT_EQ(plan.plan->robots[0].start, (std::vector<double>{10, 25}));
+}
+
+TEST(PlanCheck, FinishesHugePlansQuickly) {
+  std::string text = "plan p { module m {";
+  for (int i = 0; i < 2000; ++i) text += " task t" + std::to_string(i) + " { takes 1; }";
+  text += " }";
+  for (int i = 0; i < 600; ++i) text += " place m at rotz(0) as u" + std::to_string(i) + ";";
+  const Loaded many(text + " }");
+  EXPECT_NE(many.said().find("P18 error"), std::string::npos);
+
+  std::string chain = "plan p { task t0 { takes 1; after t99999; }";
+  for (int i = 1; i < 100000; ++i) {
+    chain += " task t" + std::to_string(i) + " { takes 1; after t" + std::to_string(i - 1) + "; }";
+  }
+  const Loaded cycle(chain + " }");
+  EXPECT_NE(cycle.said().find("P08 error: these tasks wait for each other"), std::string::npos);
+
+  std::string wrong = "plan p {";
+  for (int i = 0; i < 20000; ++i) {
+    wrong += " task task_number_" + std::to_string(i) + " { takes 1; after task_nubmer_" +
+             std::to_string(i) + "; }";
+  }
+  const Loaded unknown(wrong + " }");
+  EXPECT_EQ(unknown.diagnostics.errors(), 20000);
+}
+
+}  // namespace
+
+}  // namespace rubicon::test
