@@ -90,6 +90,7 @@ std::string ParseState::found(const char* at) const {
 
 // Going on.
 void ParseState::roll_back(const Checkpoint& checkpoint) {
+  abandoned_braces_ = static_cast<int>(braces_.size()) - static_cast<int>(checkpoint.braces);
   braces_.resize(checkpoint.braces);
   nesting_ = checkpoint.nesting;
   item_begin_ = checkpoint.item_begin;
@@ -137,7 +138,7 @@ const char* ParseState::skip(grammar::Resume resume, const char* begin,
   if (resume == Resume::nowhere) return end_;
   const char* at = failure.at;
   int parentheses = open_parentheses_before(begin, at);
-  int braces = 0;
+  int braces = abandoned_braces_;
   while (true) {
     const Token next = token(at);
     if (next.kind == Token::Kind::end) return end_;

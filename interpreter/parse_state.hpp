@@ -142,6 +142,7 @@ class ParseState {
   std::vector<Brace> brace_index_;
   bool brace_index_built_ = false;
   int lost_braces_ = 0;
+  int abandoned_braces_ = 0;  ///< open where a mistake was raised, inside what is passed over
   const char* known_semicolon_ = nullptr;
   bool separator_waived_ = false;
   bool skipped_remark_ = false;

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include "tests/unit/grammar/format_oracle.hpp"
+
+namespace rubicon {
+namespace {
+
+using interpreter::format_text;
+using interpreter::TextKind;
+
+/// `text` formatted, after checking that its meaning stays and that nothing changes the next time.
+std::string formatted(std::string_view text, TextKind kind = TextKind::script) {
+  EXPECT_EQ(grammar_test::check_formatting(text, kind), "");
+  EXPECT_NE(grammar_test::parsed_tree(text, kind), "") << "the example has mistakes";
+  return format_text(text, kind);
+}
+
+TEST(Format, StatementsAndSpaces) {
+  EXPECT_EQ(formatted("chain{move_to (x,goal( x ))}until(x>3);var(a)=-3*( b+1);x1;"),
+            "chain { move_to(x, goal(x)) } until (x > 3);\n"
+            "var(a) = -3 * (b + 1);\n"
+            "x1;\n");
+}
+
+TEST(Format, ListsAcrossLinesAreBrokenAtEveryElement) {
+  EXPECT_EQ(formatted("chain {move_to(x, 1),\n move_to(z, 2), each { wait, up }};"),
+            "chain {\n"
+            "  move_to(x, 1),\n"
+            "  move_to(z, 2),\n"
+            "  each { wait, up }\n"
+            "};\n");
+}
+
+TEST(Format, ListsThatDoNotFitAreBroken) {
+  EXPECT_EQ(formatted("chain { move_dir(theta, dir(theta, r_goal(theta))), move_dir(theta, "
+                      "dir(theta, r_goal(theta))), wait };"),
+            "chain {\n"
+            "  move_dir(theta, dir(theta, r_goal(theta))),\n"
+            "  move_dir(theta, dir(theta, r_goal(theta))),\n"
+            "  wait\n"
+            "};\n");
+}
+
+TEST(Format, LabelsAndTheirStatements) {
+  EXPECT_EQ(
+      formatted(
+          "which{\nnight:safety:up;down;\ntransport:\nup;\ndown;\nvia:;\ndefault: chain{wait}}"),
+      "which {\n"
+      "  night: safety: up; down;\n"
+      "  transport:\n"
+      "    up;\n"
+      "    down;\n"
+      "  via: ;\n"
+      "  default: chain { wait }\n"
+      "}\n");
+}
+
+TEST(Format, CommentsAndBlankLinesStay) {
+  EXPECT_EQ(
+      formatted("# head\n\n\n\nchain { # why\n   # first\n  wait, // then\n\n\n  up\n}; # done\n\n"
+                "/* block\n   of text */\nup; /* short */ down;"),
+      "# head\n"
+      "\n"
+      "chain {  # why\n"
+      "  # first\n"
+      "  wait,  // then\n"
+      "\n"
+      "  up\n"
+      "};  # done\n"
+      "\n"
+      "/* block\n"
+      "   of text */\n"
+      "up; /* short */\n"
+      "down;\n");
+}
+
+TEST(Format, CommentsInsideStatements) {
+  formatted(
+      "chain # a\n { # b\n wait # c\n , # d\n up /* e */ } # f\n until # g\n ( # h\n x > 3 # i\n ) "
+      "# j\n ;");
+  formatted("which { # a\n night # b\n : # c\n up # d\n ; when # e\n (x > 3) # f\n : # g\n }");
+}
+
+TEST(Format, LongStatementsGoOnIndented) {
+  const std::string text = formatted(
+      "var(a) = aaaaaaaaaaaaaaaaaaaaaaaaaaaaa + bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb + "
+      "cccccccccccccccccccccccccccc + dddddddddddddddd;");
+  EXPECT_EQ(text,
+            "var(a) = aaaaaaaaaaaaaaaaaaaaaaaaaaaaa + bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb +\n"
+            "    cccccccccccccccccccccccccccc + dddddddddddddddd;\n");
+}
+
+TEST(Format, Robots) {
+  EXPECT_EQ(
+      formatted(
+          "robot r{time_step 1;body b on a{param x step(1cm)range( -1 ,2);rule x<-x+x_s*cos(x);\n"
+          "frame trans(x,0,0)*rotz(- 3);}\ncapacity(3 m,4 "
+          "t),(5,6);behaviour{chain{move_to(x,x<-1)};}}",
+          TextKind::robot),
+      "robot r {\n"
+      "  time_step 1;\n"
+      "  body b on a {\n"
+      "    param x step(1 cm) range(-1, 2);\n"
+      "    rule x <- x + x_s * cos(x);\n"
+      "    frame trans(x, 0, 0) * rotz(-3);\n"
+      "  }\n"
+      "  capacity (3 m, 4 t), (5, 6);\n"
+      "  behaviour { chain { move_to(x, x < -1) }; }\n"
+      "}\n");
+}
+
+TEST(Format, Plans) {
+  EXPECT_EQ(
+      formatted("plan p{start theta  - 10,x 3;\ncalendar c{mon - fri 07:00 - 12:00,13:00-17:00;}"
+                "crew a{cost 180per h;}\ntask t{after a SS+2h,b - 30min;takes 3 h;}}",
+                TextKind::plan),
+      "plan p {\n"
+      "  start theta -10, x 3;\n"
+      "  calendar c { mon-fri 07:00-12:00, 13:00-17:00; }\n"
+      "  crew a { cost 180 per h; }\n"
+      "  task t { after a SS + 2 h, b - 30 min; takes 3 h; }\n"
+      "}\n");
+}
+
+TEST(Format, TextsWithMistakesStayAsTheyAre) {
+  const std::string text = "chain{move_to(x,  3;";
+  EXPECT_EQ(format_text(text, TextKind::script), text);
+}
+
+TEST(Format, LineEndsAndMarksAreMadeOne) {
+  EXPECT_EQ(formatted("\xef\xbb\xbfwait;\r\n# remark  \r\nup;"), "wait;\n# remark\nup;\n");
+  EXPECT_EQ(formatted(""), "");
+}
+
+}  // namespace
+}  // namespace rubicon
