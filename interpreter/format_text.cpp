@@ -41,14 +41,19 @@ class Printer {
     width_.assign(count + 1, 0);
     breaks_.assign(count + 1, 0);
     next_code_.assign(count + 1, count);
-    std::vector<std::size_t> open;
+    std::vector<std::size_t> braces;
+    std::vector<std::size_t> parentheses;
+    const auto close = [this](std::vector<std::size_t>& open, std::size_t i) {
+      if (open.empty()) return;
+      match_[open.back()] = i;
+      open.pop_back();
+    };
     for (std::size_t i = 0; i < count; ++i) {
       const FormatToken& token = tokens_[i];
-      if (token.is("{") || token.is("(")) open.push_back(i);
-      if ((token.is("}") || token.is(")")) && !open.empty()) {
-        match_[open.back()] = i;
-        open.pop_back();
-      }
+      if (token.is("{")) braces.push_back(i);
+      if (token.is("(")) parentheses.push_back(i);
+      if (token.is("}")) close(braces, i);
+      if (token.is(")")) close(parentheses, i);
       width_[i + 1] = width_[i] + (token.space_before ? 1 : 0) + width_of(token.text);
       breaks_[i + 1] =
           breaks_[i] + (token.first_on_line || token.multi_line || token.ends_line() ? 1 : 0);

@@ -121,7 +121,8 @@ class Spacer {
     if (token.is(";") && before.is(":")) return true;
     if (token.is(",") || token.is(";") || token.is(":") || token.is(")") || token.is("."))
       return false;
-    if (before.is("(") || before.is(".")) return false;
+    if (before.is(".")) return token.kind == Kind::number;
+    if (before.is("(")) return false;
     if (before.is("{") && token.is("}")) return false;
     if (in_calendar() && (token.is("-") || before.is("-"))) return false;
     if ((before.is("-") || before.is("+")) && sign_) return false;

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <iterator>
+
 #include "tests/unit/grammar/format_oracle.hpp"
 
 namespace rubicon {
@@ -120,6 +123,45 @@ TEST(Format, Plans) {
       "  crew a { cost 180 per h; }\n"
       "  task t { after a SS + 2 h, b - 30 min; takes 3 h; }\n"
       "}\n");
+}
+
+/// Comments, blanks and line ends wherever a token may end.
+TEST(Format, KeepsTheMeaningWhereverCommentsStand) {
+  const struct {
+    const char* text;
+    TextKind kind;
+  } seeds[] = {
+      {"var(h) = 8 m; chain { move_to(z, max(z, -var(h))), each { wait, up } } until (x >= 2);\n"
+       "which { night: safety: up; down; when (abs(x) > 3): ; default: first { wait } }\n"
+       "together { move_to(x, 1), move_dir(z, 1) }; behaviour up { wait; }",
+       TextKind::script},
+      {"robot r { time_step 1 s; body b { param x step(1); rule x <- x + x_s; frame trans(x, 0, "
+       "0);\n"
+       "behaviour { chain { wait } } } capacity (3 m, 4 t), (5, 6); tool b at rotz(3); }",
+       TextKind::robot},
+      {"plan p { calendar c { mon-fri 07:00-12:00; off 2026-12-25; } task t { by a, b;\n"
+       "hook 4 min by a; after u SS + 2 h; } robot a \"r\" { cost 180 per h; start x -3, y 2; } }",
+       TextKind::plan}};
+  const char* const pieces[] = {"# c\n",  "/* b */", "/* b\n  c */", " ", "\n",
+                                "\n\n\n", "\r\n",    "//\n",         "\t"};
+  std::uint32_t state = 7;
+  const auto next = [&state](std::size_t below) {
+    state = state * 1664525u + 1013904223u;
+    return (state >> 8) % below;
+  };
+  int valid = 0;
+  for (int run = 0; run < 1500; ++run) {
+    const auto& seed = seeds[run % 3];
+    std::string text = seed.text;
+    for (std::size_t count = 1 + next(8); count > 0; --count) {
+      const std::size_t at = text.find_first_of("{}(),; ", next(text.size()));
+      if (at != std::string::npos)
+        text.insert(at, " " + std::string(pieces[next(std::size(pieces))]));
+    }
+    EXPECT_EQ(grammar_test::check_formatting(text, seed.kind), "") << text;
+    if (!grammar_test::parsed_tree(text, seed.kind).empty()) ++valid;
+  }
+  EXPECT_GT(valid, 500);
 }
 
 TEST(Format, TextsWithMistakesStayAsTheyAre) {
