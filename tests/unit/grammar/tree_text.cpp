@@ -226,7 +226,7 @@ class Writer {
   void variants(const Items& items) {
     for (const auto& entry : items) {
       open(fmt::format("i{}", entry.index()));
-      std::visit([this](const auto& value) { item(value); }, entry);
+      std::visit([this](const auto& value) { this->item(value); }, entry);
       close();
     }
   }
