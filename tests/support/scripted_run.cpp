@@ -41,11 +41,11 @@ void EventLog::wait(int n, Ticks time, Span) {
   lines.push_back(fmt::format("{} + wait t {:g}", n, seconds_from_ticks(time)));
 }
 
-Setup set_up(const std::string& robot_text, const std::string& script) {
+Scenario set_up(const std::string& robot_text, const std::string& script) {
   MemoryFiles files({{"r.robot", robot_text}, {"s.motion", script}});
   SourceMap sources;
   Diagnostics diagnostics;
-  Setup setup;
+  Scenario setup;
   setup.robot = load_robot("r.robot", sources, files, nullptr, diagnostics);
   for (const Diagnostic& diagnostic : diagnostics.sorted()) {
     if (diagnostic.severity != Severity::error) continue;
@@ -58,8 +58,8 @@ Setup set_up(const std::string& robot_text, const std::string& script) {
   return setup;
 }
 
-MotionTask Setup::task(const std::vector<std::pair<std::string, double>>& start,
-                       const std::vector<std::pair<std::string, double>>& goal) const {
+MotionTask Scenario::task(const std::vector<std::pair<std::string, double>>& start,
+                          const std::vector<std::pair<std::string, double>>& goal) const {
   MotionTask task;
   task.q = robot->model.start_values();
   for (const auto& [name, value] : start) {
@@ -75,7 +75,7 @@ MotionTask Setup::task(const std::vector<std::pair<std::string, double>>& start,
   return task;
 }
 
-MotionEnd run(const Setup& setup, MotionTask task, World& world, EventSink* log) {
+MotionEnd run(const Scenario& setup, MotionTask task, World& world, EventSink* log) {
   Machine machine(*setup.program, std::move(task));
   while (machine.advance(world, log)) {
   }

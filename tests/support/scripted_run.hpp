@@ -59,7 +59,7 @@ class EventLog : public interpreter::EventSink {
 };
 
 /// A robot and its script, compiled; texts that do not check are a failure of the test.
-struct Setup {
+struct Scenario {
   std::shared_ptr<const interpreter::CheckedRobot> robot;
   std::unique_ptr<interpreter::Program> program;
 
@@ -67,10 +67,10 @@ struct Setup {
   interpreter::MotionTask task(const std::vector<std::pair<std::string, double>>& start,
                                const std::vector<std::pair<std::string, double>>& goal) const;
 };
-Setup set_up(const std::string& robot_text, const std::string& script);
+Scenario set_up(const std::string& robot_text, const std::string& script);
 
 /// Runs to the end and returns the end; `log` may be null.
-interpreter::MotionEnd run(const Setup& setup, interpreter::MotionTask task,
+interpreter::MotionEnd run(const Scenario& setup, interpreter::MotionTask task,
                            interpreter::World& world, interpreter::EventSink* log = nullptr);
 
 /// A slider on two axes, steps of 1 m; the script is put in by set_up.

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 std::vector<std::string> log_of(const std::string& script,
                                 const std::vector<std::pair<std::string, double>>& goal,
                                 const std::function<bool(std::span<const double>)>& blocked = {}) {
-  const Setup setup = set_up(kGantry, script);
+  const Scenario setup = set_up(kGantry, script);
   PredicateWorld world;
   if (blocked) world.blocked = blocked;
   EventLog log;
@@ -83,7 +83,7 @@ TEST(Each, KeepsItsActiveElementAndStartsAgainWhenExhausted) {
 }
 
 TEST(Which, RunsTheFirstModuleWhoseLabelHolds) {
-  const Setup setup = set_up(kGantry, R"(
+  const Scenario setup = set_up(kGantry, R"(
     which { night: dusk: chain { move_to(x, 1) }; when (y > 3): chain { move_to(x, 2) };
             default: chain { move_to(x, 3) }; };)");
   const auto end_x = [&](std::vector<std::string> situations, double y) {
@@ -118,7 +118,7 @@ TEST(Behaviour, ThatGoesOnWithoutMovingIsAnError) {
     script += "behaviour b" + std::to_string(i) + " { b" + std::to_string(i - 1) + "; b" +
               std::to_string(i - 1) + "; }\n";
   }
-  const Setup setup = set_up(kGantry, script + "b39;");
+  const Scenario setup = set_up(kGantry, script + "b39;");
   PredicateWorld world;
   const auto end = run(setup, setup.task({}, {{"x", 1}}), world);
   EXPECT_EQ(end.status, MotionStatus::error);

@@ -10,21 +10,21 @@ using interpreter::MotionStatus;
 using testing::ElementsAre;
 
 TEST(MoveTo, ShortensTheLastStepAndStopsAtTheLimit) {
-  const Setup setup = set_up(kGantry, "chain { move_to(x, goal(x)) };");
+  const Scenario setup = set_up(kGantry, "chain { move_to(x, goal(x)) };");
   PredicateWorld world;
   EventLog log;
   auto end = run(setup, setup.task({{"x", 57.5}}, {{"x", 59.25}}), world, &log);
   EXPECT_TRUE(end.reached);
   EXPECT_THAT(log.lines, ElementsAre("goal 1 of 1", "chain {", "1 + move_to 58.5 0",
                                      "2 + move_to 59.25 0", "} chain reached 2"));
-  const Setup beyond = set_up(kGantry, "chain { move_to(x, 100) };");
+  const Scenario beyond = set_up(kGantry, "chain { move_to(x, 100) };");
   end = run(beyond, beyond.task({{"x", 58.5}}, {{"x", 59}}), world);
   EXPECT_EQ(end.q[0], 60);
   EXPECT_EQ(end.rejected.limit, 1);
 }
 
 TEST(MoveDir, TakesOnlyTheSign) {
-  const Setup setup =
+  const Scenario setup =
       set_up(kGantry, "chain { move_dir(x, 0.001) } until (x >= 2); move_dir(y, 0 * x);");
   PredicateWorld world;
   const auto end = run(setup, setup.task({}, {{"x", 2}}), world);
@@ -56,7 +56,7 @@ const char* const kArm = R"(robot arm {
 )";
 
 TEST(Together, MovesAllPartsAtOnceAndLastsAsLongAsTheSlowest) {
-  const Setup setup =
+  const Scenario setup =
       set_up(kArm, "chain { together { move_to(boom.phi, 10), move_to(stick.phi, 5) } };");
   PredicateWorld world;
   EventLog log;
@@ -73,7 +73,7 @@ TEST(Together, MovesAllPartsAtOnceAndLastsAsLongAsTheSlowest) {
 }
 
 TEST(Together, WithNothingLeftFailsWithTheReasonOfItsFirstPart) {
-  const Setup setup =
+  const Scenario setup =
       set_up(kArm, "together { move_to(boom.phi, 0), move_dir(stick.phi, 0 * stick.phi) };");
   PredicateWorld world;
   EventLog log;
@@ -82,7 +82,7 @@ TEST(Together, WithNothingLeftFailsWithTheReasonOfItsFirstPart) {
 }
 
 TEST(Rules, AreEvaluatedWithOldValuesAtOnce) {
-  const Setup setup = set_up(
+  const Scenario setup = set_up(
       R"(robot agent {
     body truck {
       param x step(2);
@@ -105,7 +105,7 @@ TEST(Rules, AreEvaluatedWithOldValuesAtOnce) {
 }
 
 TEST(Directions, StoredZeroBecomesThePreferredOne) {
-  const Setup setup = set_up(
+  const Scenario setup = set_up(
       R"(robot r {
     body b { param x step(1) prefer(-1); param y step(1); frame trans(x, y, 0); }
     tool b;
@@ -126,7 +126,7 @@ TEST(Cyclic, TurnsTheShortWayAndPrefers) {
     tool b;
     behaviour "s.motion";
   })";
-  const Setup setup = set_up(robot, "chain { move_to(theta, goal(theta)) };");
+  const Scenario setup = set_up(robot, "chain { move_to(theta, goal(theta)) };");
   PredicateWorld world;
   EventLog log;
   run(setup, setup.task({{"theta", 160}}, {{"theta", -140}}), world, &log);
@@ -138,7 +138,7 @@ TEST(Cyclic, TurnsTheShortWayAndPrefers) {
 }
 
 TEST(Expressions, CompareWithTheToleranceAndShortCircuit) {
-  const Setup setup = set_up(kGantry, R"(
+  const Scenario setup = set_up(kGantry, R"(
     which { when (x >= 1 + 5e-7 and not (x > 1) and x == 1 - 5e-7): var(ok) = 1; default: var(ok) = 0; };
     which { when (y != 0 and 1 / y > 0): var(safe) = 0; default: var(safe) = 1; };
     var(f) = max(x, 5) + min(x, -5) + abs(-2) + sin(30) + cos(60) + max(x) - min(y) + dist(x, 4);
@@ -151,7 +151,7 @@ TEST(Expressions, CompareWithTheToleranceAndShortCircuit) {
 }
 
 TEST(Clear, AsksWithoutMoving) {
-  const Setup setup = set_up(kGantry, R"(
+  const Scenario setup = set_up(kGantry, R"(
     which { when (clear(x, 1)): move_dir(x, 1); default: move_dir(y, 1); };
     which { when (clear(x, 1)): move_dir(x, 1); default: move_dir(y, 1); };)");
   PredicateWorld world;

@@ -24,7 +24,7 @@ PredicateWorld obstacle() {
 }
 
 TEST(MachineState, IsAValueThatCanBeCopiedAndResumed) {
-  const Setup setup = set_up(kGantry, kScript);
+  const Scenario setup = set_up(kGantry, kScript);
   PredicateWorld world = obstacle();
   Machine whole(*setup.program, setup.task({}, {{"x", 6}}));
   std::vector<Machine> copies;
@@ -48,7 +48,7 @@ TEST(MachineState, IsAValueThatCanBeCopiedAndResumed) {
 }
 
 TEST(MachineState, HashesDifferBetweenTheStatesOfARun) {
-  const Setup setup = set_up(kGantry, kScript);
+  const Scenario setup = set_up(kGantry, kScript);
   PredicateWorld world = obstacle();
   Machine machine(*setup.program, setup.task({}, {{"x", 6}}));
   std::vector<Hash128> seen;
