@@ -40,8 +40,8 @@ const char* const kRobot = R"(robot agent {
 const char* const kScripts[] = {
     // one command, always accepted
     "chain { move_dir(x, 1) };",
-    // every second attempt refused at its goal, arguments computed from the goal
-    "chain { chain { move_to(theta, theta + 5), move_to(x, x + 1) }, wait };",
+    // every second attempt refused, arguments computed from the configuration
+    "chain { move_dir(theta, dir(theta, theta)), move_dir(x, dir(x, x + 1)) };",
     // drive by bearing, as the paper's mobile agent does
     "chain { move_to(theta, r_goal(theta)), move_to(x, r_goal(x)) } until (dist() < 1);"};
 
