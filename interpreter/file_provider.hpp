@@ -28,6 +28,7 @@ class FileProvider {
   virtual ~FileProvider() = default;
   /// The bytes of a text file (size cap, regular files only).
   virtual std::variant<std::string, FileFailure> read_text(const std::string& path) = 0;
+  /// A mesh in metres, z up. The failure names the mesh: it is shown as it is.
   virtual std::variant<std::shared_ptr<const geometry::TriangleMesh>, FileFailure> read_mesh(const MeshRequest& request) = 0;
 };
 

@@ -45,8 +45,7 @@ std::optional<geometry::Solid> ShapeResolver::resolve_mesh(const syntax::Shape& 
   if (!request) return std::nullopt;
   const MeshResult& result = read(*request);
   if (const auto* failure = std::get_if<FileFailure>(&result)) {
-    diagnostics_.error("F02", shape.file.span,
-                       fmt::format("mesh '{}': {}", shape.file.text, failure->message));
+    diagnostics_.error("F02", shape.file.span, failure->message);
     return std::nullopt;
   }
   return geometry::Mesh{shape.file.text,

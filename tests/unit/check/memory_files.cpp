@@ -20,9 +20,10 @@ std::variant<std::shared_ptr<const geometry::TriangleMesh>, FileFailure> MemoryF
     const interpreter::MeshRequest& request) {
   requests.push_back(request);
   if (std::find(meshes.begin(), meshes.end(), request.path) == meshes.end()) {
-    return FileFailure{"there is no such file"};
+    return FileFailure{"mesh '" + request.path + "' cannot be used: there is no such file"};
   }
-  if (request.path.find("bad") != std::string::npos) return FileFailure{"has no triangles"};
+  if (request.path.find("bad") != std::string::npos)
+    return FileFailure{"mesh '" + request.path + "' cannot be used: it has no triangles"};
   geometry::TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.triangles = {{0, 1, 2}};
