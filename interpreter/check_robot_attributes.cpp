@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "interpreter/check_number.hpp"
 #include "interpreter/check_robot_parts.hpp"
@@ -77,7 +78,7 @@ class ParameterAttributes {
                         : form->numbers == 1 ? "1 number"
                                              : "2 numbers (lower and upper limit)",
                         attribute.numbers.size()));
-        place->second = nullptr;
+        malformed_.insert(name);
       }
     }
   }
@@ -97,7 +98,7 @@ class ParameterAttributes {
   /// The attribute if it is there with the right number of numbers, else null.
   const Attribute* given(const char* name) const {
     const auto found = given_.find(name);
-    return found == given_.end() ? nullptr : found->second;
+    return found == given_.end() || malformed_.count(name) != 0 ? nullptr : found->second;
   }
   bool mentioned(const char* name) const { return given_.count(name) != 0; }
 
@@ -224,7 +225,8 @@ class ParameterAttributes {
   robot::Parameter& parameter_;
   UnitKind unit_;
   UnitKind rate_;
-  std::map<std::string, const Attribute*> given_;
+  std::map<std::string, const Attribute*> given_;  ///< the first of each name
+  std::set<std::string> malformed_;                ///< of these, with a wrong number of numbers
 };
 
 }  // namespace
