@@ -39,9 +39,9 @@ struct name_first : sor<ranges<'a', 'z', 'A', 'Z', '_'>, greek_letter> {};
 struct name_other : sor<ranges<'a', 'z', 'A', 'Z', '0', '9', '_'>, greek_letter> {};
 struct identifier_text : seq<name_first, star<name_other>> {};
 
-/// A whole word: no letter follows.
+/// A whole word: no letter follows. Consumes nothing of another word.
 template <typename Word>
-struct word : seq<Word, not_at<name_other>> {};
+struct word : seq<at<Word, not_at<name_other>>, Word> {};
 
 struct chain_word : word<TAO_PEGTL_STRING("chain")> {};
 struct cycle_word : word<TAO_PEGTL_STRING("cycle")> {};
@@ -86,7 +86,7 @@ struct colon : symbol<':'> {};
 struct star_sign : symbol<'*'> {};
 struct plus_sign : symbol<'+'> {};
 struct minus_sign : symbol<'-'> {};
-struct equals : token<one<'='>, not_at<one<'='>>> {};
+struct equals : token<not_at<two<'='>>, one<'='>> {};
 struct arrow : token<sor<string<'<', '-'>, utf8::one<0x2190>>> {};
 
 // Numbers and strings.

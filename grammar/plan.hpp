@@ -55,12 +55,14 @@ struct within_limit : sor<within_length, within_values> {};
 struct within_item : if_must<within_key, within_limit, plan_semicolon> {};
 
 // Calendars.
-struct time_text : seq<digits, one<':'>, digits, not_at<name_other>> {};
+struct time_parts : seq<digits, one<':'>, digits, not_at<name_other>> {};
+struct time_text : seq<at<time_parts>, time_parts> {};
 struct shift_from : token<time_text> {};
 struct shift_to : token<time_text> {};
 struct shift_dash : minus_sign {};
 struct shift_time : if_must<shift_from, shift_dash, shift_to> {};
-struct date_text : seq<digits, one<'-'>, digits, one<'-'>, digits, not_at<name_other>> {};
+struct date_parts : seq<digits, one<'-'>, digits, one<'-'>, digits, not_at<name_other>> {};
+struct date_text : seq<at<date_parts>, date_parts> {};
 struct off_date : token<date_text> {};
 struct off_quoted_date : string_literal {};
 struct off_day : sor<off_date, off_quoted_date> {};

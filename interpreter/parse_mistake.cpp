@@ -33,6 +33,17 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// What to write here for a word that other languages have.
+std::string other_languages_word(std::string_view word) {
+  if (word == "if" || word == "else" || word == "switch" || word == "case") {
+    return "a choice is written which { when (...): ... default: ... }";
+  }
+  if (word == "while" || word == "for" || word == "loop" || word == "repeat") {
+    return "what repeats is a chain, cycle or first";
+  }
+  return {};
+}
+
 std::vector<std::string> split(const char* words) {
   std::istringstream stream(words);
   std::vector<std::string> result;
@@ -190,11 +201,13 @@ bool ParseState::explain_name(const Token& name, const grammar::Expectation& exp
                          text));
       return true;
     }
-    const std::string near = did_you_mean(text, commands());
+    const std::string wanted = other_languages_word(text);
+    const std::string near = wanted.empty() ? did_you_mean(text, commands()) : std::string();
     report("S05", name.begin, name.end,
            near.empty()
                ? fmt::format("unknown command {}", found(name.begin))
-               : fmt::format("unknown command {}; did you mean {}?", found(name.begin), near));
+               : fmt::format("unknown command {}; did you mean {}?", found(name.begin), near),
+           wanted);
     return true;
   }
   if (next.is_symbol('.')) {
@@ -209,6 +222,11 @@ bool ParseState::explain_name(const Token& name, const grammar::Expectation& exp
     return false;
   }
   if (next.is_symbol('=')) {
+    report("S07", next.begin, next.end,
+           fmt::format("only variables can be assigned: write var({}) = ...", text));
+    return true;
+  }
+  if (next.is_symbol(':') && token(next.end).is_symbol('=')) {
     report("S07", next.begin, next.end,
            fmt::format("only variables can be assigned: write var({}) = ...", text));
     return true;

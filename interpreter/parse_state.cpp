@@ -248,6 +248,10 @@ void ParseState::missing_semicolon(const char* at) {
 
 void ParseState::comma_for_semicolon(const char* at) {
   if (is_remark(item_begin_, at)) fail_remark(item_begin_);
+  if (token(at + 1).kind == Token::Kind::number) {
+    report("S04", at, at + 1, "expected ';', found ','", "a decimal point is written '.'");
+    throw ParseFailure{at};
+  }
   report("S02", at, at + 1,
          "',' separates the elements of a chain, cycle or each; a statement ends with ';'");
 }

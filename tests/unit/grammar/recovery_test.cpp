@@ -174,6 +174,24 @@ TEST(Recovery, AssignmentWithoutVar) {
               ElementsAre("1:8: error: only variables can be assigned: write var(base.x) = ..."));
 }
 
+TEST(Recovery, HabitsOfOtherLanguages) {
+  EXPECT_THAT(in_script("x := 3;"),
+              ElementsAre("1:3: error: only variables can be assigned: write var(x) = ..."));
+  EXPECT_THAT(in_script("var(a) == 3;"),
+              ElementsAre("1:8: error: expected '=' and a value, found '=='"));
+  EXPECT_THAT(in_script("var(a) = 1,5;"), ElementsAre("1:11: error: expected ';', found ','"));
+  EXPECT_THAT(in_script("while (x > 3) { wait; }"),
+              ElementsAre("1:1: error: unknown command 'while'"));
+  EXPECT_THAT(in_script("var(a) = x && y;"), ElementsAre("1:12: error: unexpected character '&'"));
+}
+
+TEST(Recovery, PlacesAreStartsOfTokens) {
+  EXPECT_THAT(in_plan("plan p { task t { move c toward trans(0, 0, 0); } }"),
+              ElementsAre("1:26: error: expected 'to' and a frame, found 'toward'"));
+  EXPECT_THAT(in_plan("plan p { calendar c { mon 07:00-12; } }"),
+              ElementsAre("1:33: error: expected a time such as 16:30, found '12'"));
+}
+
 TEST(Recovery, LabelMissing) {
   EXPECT_THAT(in_script("which { chain {move_to(x, goal(x))}; };"),
               ElementsAre("1:9: error: expected a label such as 'transport:' or 'default:' in this "
