@@ -23,18 +23,27 @@ std::optional<int> missing_predecessor(const interpreter::TaskSpec& task,
   return std::nullopt;
 }
 
-/// A task that could not begin: what it waits for is not done.
+/// A task that could not begin: what it waits for is not done. `cause` is the rejected task behind
+/// that, where there is one (tasks that wait for each other in a ring have none).
 TaskOutcome not_reached(const interpreter::PlanModel& plan, const interpreter::TaskSpec& task,
-                        const interpreter::TaskSpec& missing,
-                        std::optional<TaskResult> missing_result, Ticks time) {
+                        int missing, std::optional<int> cause, Ticks time) {
   TaskOutcome outcome;
   outcome.task = task.name;
   if (task.robot >= 0) outcome.robot = plan.robots[static_cast<std::size_t>(task.robot)].name;
   outcome.crews = crew_names(plan, task);
   outcome.start = time;
   outcome.result = TaskResult::not_reached;
-  outcome.reason = fmt::format("it comes after {}, which is {}", missing.name,
-                               name_of(missing_result.value_or(TaskResult::not_reached)));
+  const auto name = [&](int index) { return plan.tasks[static_cast<std::size_t>(index)].name; };
+  outcome.reason = fmt::format("it comes after {}, which is ", name(missing));
+  if (cause == missing) {
+    outcome.reason += name_of(TaskResult::rejected);
+  } else {
+    outcome.reason += name_of(TaskResult::not_reached);
+    if (cause) {
+      outcome.reason +=
+          fmt::format(" because {} is {}", name(*cause), name_of(TaskResult::rejected));
+    }
+  }
   return outcome;
 }
 
@@ -65,19 +74,22 @@ Schedule run_plan(const interpreter::PlanModel& plan, const interpreter::SourceM
     add(runner.run_short(clock));
   } else {
     std::vector<std::optional<TaskResult>> results(plan.tasks.size());
+    std::vector<std::optional<int>> causes(plan.tasks.size());  // the rejected task behind a result
     for (const int index : task_order(plan.tasks)) {
       const interpreter::TaskSpec& task = plan.tasks[static_cast<std::size_t>(index)];
       const std::optional<int> missing = missing_predecessor(task, results);
       TaskOutcome outcome;
       if (missing) {
-        const auto m = static_cast<std::size_t>(*missing);
-        outcome = not_reached(plan, task, plan.tasks[m], results[m], clock);
+        const std::optional<int> cause = causes[static_cast<std::size_t>(*missing)];
+        causes[static_cast<std::size_t>(index)] = cause;
+        outcome = not_reached(plan, task, *missing, cause, clock);
         if (trace) {
           trace->set_task(task.name, task.robot);
           trace->task_end(clock, name_of(outcome.result), outcome.reason);
         }
       } else {
         outcome = runner.run(task, clock);
+        if (outcome.result != TaskResult::done) causes[static_cast<std::size_t>(index)] = index;
       }
       results[static_cast<std::size_t>(index)] = outcome.result;
       add(std::move(outcome));

@@ -210,7 +210,8 @@ void TaskRunner::run_machine(Run& run, int robot, interpreter::MotionTask motion
   MotionOutcome outcome;
   outcome.purpose = purpose;
   outcome.start = run.clock;
-  hits_.forget();
+  // What stopped the carrying motion still keeps the placing one from its goal.
+  if (purpose != MotionPurpose::place) hits_.forget();
   interpreter::Machine machine(program_of(robot), std::move(motion));
   while (machine.advance(view, &hits_)) {
   }

@@ -192,13 +192,32 @@ TEST(FullPlan, ARejectedTaskIsUndoneAndWhatDependsOnItIsNotReached) {
   EXPECT_EQ(tasks[1].result, TaskResult::not_reached);
   EXPECT_EQ(tasks[1].reason, "it comes after set_1, which is rejected");
   EXPECT_EQ(tasks[2].result, TaskResult::not_reached);
-  EXPECT_EQ(tasks[2].reason, "it comes after set_2, which is not reached");
+  EXPECT_EQ(tasks[2].reason,
+            "it comes after set_2, which is not reached because set_1 is rejected");
   EXPECT_EQ(tasks[3].result, TaskResult::done) << tasks[3].reason;
   EXPECT_EQ(tasks[3].start, 0);
   EXPECT_FALSE(ran.schedule.feasible);
   const auto ends = ran.of_type("task_end");
   ASSERT_EQ(ends.size(), 4u);
   EXPECT_EQ(ends[1].at("result"), "not reached");
+}
+
+TEST(FullPlan, WhatStoppedTheCarryingIsTheReasonOfAPlacingThatFallsShort) {
+  interpreter::PlanModel plan = two_blocks();
+  plan.tasks.resize(1);
+  plan.components.push_back(
+      box_component("wall", {12, 1, 2}, math::rotation_z_deg(45) * translation(10, 0, 0)));
+  // Only the carrying motion turns; the placing one has nothing to do and so meets nothing itself.
+  plan.robots[0].start = {0, 10, 3, 0};
+  plan.robots[0].robot = test::crane(
+      list(test::which("place", chain(list(move_to("z", goal_of("z"), 7)), 7),
+                       chain(list(move_to("jib.theta", goal_of("jib.theta"), 9)), 9), 6)));
+  plan.tasks[0].X_WO_goal = math::rotation_z_deg(90) * translation(10, 0, 0);
+  const Ran ran = run(plan);
+  EXPECT_EQ(ran.schedule.tasks[0].result, TaskResult::rejected);
+  const std::string& reason = ran.schedule.tasks[0].reason;
+  EXPECT_THAT(reason, HasSubstr("(jib.theta, line 9): block_1 meets wall"));
+  EXPECT_THAT(reason, HasSubstr("while placing block_1"));
 }
 
 TEST(FullPlan, ATaskThatFailsWithItsLoadPutsItBack) {
