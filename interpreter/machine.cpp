@@ -11,6 +11,15 @@
 
 namespace rubicon::interpreter {
 
+namespace {
+
+/// Below it (m or degrees) a distance is rounding: a message says 0 instead.
+constexpr double kRounding = 1e-6;
+
+double readable(double distance) { return distance < kRounding ? 0 : distance; }
+
+}  // namespace
+
 const char* name_of(MotionStatus status) {
   switch (status) {
     case MotionStatus::done:
@@ -84,7 +93,8 @@ bool Machine::begin_way_point(World& world, EventSink* events) {
     if (!solution.reachable) {
       finish(MotionStatus::goal_impossible,
              fmt::format("goal out of reach: the nearest pose is {:.3g} m and {:.3g} degrees off",
-                         solution.position_error, math::degrees(solution.orientation_error)),
+                         readable(solution.position_error),
+                         readable(math::degrees(solution.orientation_error))),
              spec.span);
       return false;
     }
@@ -200,8 +210,8 @@ std::string Machine::shortfall() const {
     separator = ", ";
   }
   if (separator[0] == ' ' && end_->position_error) {
-    text += fmt::format(" the tool is {:g} m and {:g} degrees off", *end_->position_error,
-                        *end_->orientation_error);
+    text += fmt::format(" the tool is {:g} m and {:g} degrees off", readable(*end_->position_error),
+                        readable(*end_->orientation_error));
   }
   return text;
 }

@@ -115,6 +115,10 @@ TEST(End, StartBlockedAndGoalImpossibleAreFoundBeforeMoving) {
   end = run(setup, task, world);
   EXPECT_EQ(end.status, MotionStatus::goal_impossible);
   EXPECT_THAT(end.message, HasSubstr("the nearest pose is 5 m"));
+  // What is only rounding is not shown to people.
+  task.goals[0].X_WG = math::translation(3, 4, 5) * math::rotation_z_deg(1e-9);
+  end = run(setup, task, world);
+  EXPECT_THAT(end.message, HasSubstr("the nearest pose is 5 m and 0 degrees off"));
   EXPECT_EQ(end.tries, 0);
 }
 
