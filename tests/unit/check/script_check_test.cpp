@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -10,6 +9,7 @@
 
 #include "interpreter/check.hpp"
 #include "interpreter/parse.hpp"
+#include "tests/support/growth.hpp"
 #include "tests/unit/check/script_robots.hpp"
 
 namespace rubicon::test {
@@ -174,21 +174,16 @@ TEST(ScriptCheck, LargeScriptsTakeLinearTime) {
        }},
   };
   for (const auto& [title, make] : shapes) {
-    const auto seconds = [make = make](int n) {
+    const auto check_at = [make = make](int n) {
       Case given;
       given.robot = "crane";
       given.script = make(n);
-      double best = 1e9;  // of three: the machine may be busy with something else
-      for (int run = 0; run < 3; ++run) {
+      return [given] {
         interpreter::SourceMap sources;
-        const auto start = std::chrono::steady_clock::now();
         check(given, sources);
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-        best = std::min(best, taken.count());
-      }
-      return best;
+      };
     };
-    EXPECT_LT(seconds(20000), 0.1 + 10 * seconds(5000)) << title;
+    EXPECT_TRUE(grows_at_most(10, check_at(5000), check_at(20000))) << title;
   }
 }
 
