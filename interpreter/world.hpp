@@ -11,10 +11,12 @@ namespace rubicon::interpreter {
 using Ticks = std::int64_t;
 inline constexpr double kTicksPerSecond = 1e9;
 Ticks ticks_from_seconds(double seconds);
-inline double seconds_from_ticks(Ticks ticks) { return static_cast<double>(ticks) / kTicksPerSecond; }
+inline double seconds_from_ticks(Ticks ticks) {
+  return static_cast<double>(ticks) / kTicksPerSecond;
+}
 
-/// One proposed motion step of one robot: every changed parameter runs linearly from q_from to q_to (file units; cyclic
-/// angles unwrapped, so |q_to - q_from| is what the step turns), all at once.
+/// One proposed motion step of one robot: every changed parameter runs linearly from q_from to q_to
+/// (file units; cyclic angles unwrapped, so |q_to - q_from| is what the step turns), all at once.
 struct MotionStep {
   std::span<const double> q_from;
   std::span<const double> q_to;
@@ -28,21 +30,23 @@ struct HitPair {
   std::string met;
 };
 
-/// What the machine knows of the site: it accepts or refuses steps and says who is in the way. Owned by the interpreter,
-/// implemented by the site; the machine never sees geometry.
+/// What the machine knows of the site: it accepts or refuses steps and says who is in the way.
+/// Owned by the interpreter, implemented by the site; the machine never sees geometry.
 class World {
  public:
   virtual ~World() = default;
 
-  /// Makes the step if its whole swept volume is free; otherwise nothing changes and the pair is returned.
+  /// Makes the step if its whole swept volume is free; otherwise nothing changes and the pair is
+  /// returned.
   virtual std::optional<HitPair> propose(const MotionStep& step) = 0;
 
   /// Whether `propose` would accept the step now; nothing changes.
   virtual bool would_accept(const MotionStep& step) const = 0;
 
-  /// How far (m) the robot, standing at q, could be pushed along the horizontal heading (degrees, world) before a step
-  /// would be refused; at most `range`.
-  virtual double free_distance(std::span<const double> q, double heading_deg, double range) const = 0;
+  /// How far (m) the robot, standing at q, could be pushed along the horizontal heading (degrees,
+  /// world) before a step would be refused; at most `range`.
+  virtual double free_distance(std::span<const double> q, double heading_deg,
+                               double range) const = 0;
 
   /// The pair that overlaps where the robot stands at q, if any.
   virtual std::optional<HitPair> blocked_at(std::span<const double> q) const = 0;
@@ -53,7 +57,8 @@ class World {
   /// Whether a situation is on by itself now (such as `safety`), besides those given to the motion.
   virtual bool situation(const std::string& name) const = 0;
 
-  /// Whether an object is attached to the tool (loaded speeds, situation `transport` in the full form).
+  /// Whether an object is attached to the tool (loaded speeds, situation `transport` in the full
+  /// form).
   virtual bool loaded() const = 0;
 };
 
