@@ -83,7 +83,7 @@ void add_schedule(ordered_json& document, const taskplan::Schedule& schedule) {
                                  {"tried", task.tried},
                                  {"accepted", task.accepted},
                                  {"result", name_of(task.result)},
-                                 {"reason", task.reason}});
+                                 {"reason", without_folders(task.reason)}});
   }
 }
 

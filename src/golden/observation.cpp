@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -57,7 +58,7 @@ ordered_json golden_event(const ordered_json& record) {
   } else if (type == "task_start" || type == "task_end") {
     keep("t", "time");
     keep("result", "result");
-    keep("reason", "reason");
+    if (record.contains("reason")) event["reason"] = without_folders(record.at("reason"));
   } else if (type == "end") {
     keep("status", "status");
     keep("reached", "reached");
@@ -68,6 +69,20 @@ ordered_json golden_event(const ordered_json& record) {
 }  // namespace
 
 std::string brief(double value) { return fmt::format("{:g}", value == 0 ? 0.0 : value); }
+
+std::string without_folders(std::string reason) {
+  std::size_t open = reason.find('(');
+  while (open != std::string::npos) {
+    const std::size_t close = reason.find(')', open);
+    if (close == std::string::npos) break;
+    const std::size_t slash = reason.rfind('/', close);
+    if (slash != std::string::npos && slash > open && std::isdigit(reason[close - 1]) != 0) {
+      reason.erase(open + 1, slash - open);
+    }
+    open = reason.find('(', open + 1);
+  }
+  return reason;
+}
 
 Observation::Observation(std::map<Place, std::string> command_texts,
                          std::map<std::string, ordered_json> starts, bool with_tasks)
@@ -124,7 +139,7 @@ void Observation::add_text(const ordered_json& record) {
     text_ += fmt::format("task {}\n", record.at("task").get<std::string>());
   } else if (type == "task_end") {
     depth_ = 0;
-    const std::string reason = record.value("reason", std::string());
+    const std::string reason = without_folders(record.value("reason", std::string()));
     text_ +=
         fmt::format("task {} {}{}{}\n", record.at("task").get<std::string>(),
                     record.at("result").get<std::string>(), reason.empty() ? "" : ": ", reason);

@@ -47,6 +47,10 @@ class Observation : public trace::TraceSink {
 /// One event in one line, for differences.
 std::string describe(const nlohmann::ordered_json& event);
 
+/// A reason with its places as `(file:line)`: where the case lies must not matter to what is
+/// expected.
+std::string without_folders(std::string reason);
+
 /// A number as people read it: at most six digits.
 std::string brief(double value);
 
