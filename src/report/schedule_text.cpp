@@ -79,12 +79,17 @@ std::string schedule_table(const Schedule& schedule) {
     }
     text += row.back() + "\n";
   }
-  const auto done = std::count_if(
-      schedule.tasks.begin(), schedule.tasks.end(),
-      [](const TaskOutcome& task) { return task.result == taskplan::TaskResult::done; });
-  text +=
-      fmt::format("\n{} of {} tasks done, process time {} ({} s)\n", done, schedule.tasks.size(),
-                  clock_text(schedule.process_time), seconds_text(schedule.process_time));
+  const auto count = [&](taskplan::TaskResult result) {
+    return std::count_if(schedule.tasks.begin(), schedule.tasks.end(),
+                         [&](const TaskOutcome& task) { return task.result == result; });
+  };
+  text += fmt::format("\n{} of {} tasks done", count(taskplan::TaskResult::done),
+                      schedule.tasks.size());
+  for (const auto result : {taskplan::TaskResult::rejected, taskplan::TaskResult::not_reached}) {
+    if (count(result) > 0) text += fmt::format(", {} {}", count(result), name_of(result));
+  }
+  text += fmt::format(", process time {} ({} s)\n", clock_text(schedule.process_time),
+                      seconds_text(schedule.process_time));
   return text;
 }
 
