@@ -22,14 +22,14 @@ using interpreter::FileFailure;
 using interpreter::SourceMap;
 
 /// One run of `rubicon check`: what was read, what was found.
-struct Session {
+struct CheckRun {
   SourceMap sources;
   files::DiskFiles disk;
   Diagnostics diagnostics;
 };
 
-void fail(Session& session, const std::string& path, const std::string& message) {
-  session.diagnostics.error("F01", {}, fmt::format("'{}': {}", path, message));
+void fail(CheckRun& run, const std::string& path, const std::string& message) {
+  run.diagnostics.error("F01", {}, fmt::format("'{}': {}", path, message));
 }
 
 bool same_file(const std::string& a, const std::string& b) {
@@ -44,16 +44,16 @@ bool already_read(const SourceMap& sources, const std::string& path) {
   return false;
 }
 
-void check_motion(Session& session, const std::string& path,
+void check_motion(CheckRun& run, const std::string& path,
                   const interpreter::CheckedRobot* robot) {
-  auto text = session.disk.read_text(path);
+  auto text = run.disk.read_text(path);
   if (const auto* failure = std::get_if<FileFailure>(&text)) {
-    fail(session, path, failure->message);
+    fail(run, path, failure->message);
     return;
   }
   const interpreter::FileId file =
-      session.sources.add(path, std::get<std::string>(std::move(text)));
-  const syntax::Script script = parse_script(session.sources, file, session.diagnostics);
+      run.sources.add(path, std::get<std::string>(std::move(text)));
+  const syntax::Script script = parse_script(run.sources, file, run.diagnostics);
   interpreter::ScriptContext context;
   if (robot != nullptr) {
     context.robot = &robot->model;
@@ -61,41 +61,41 @@ void check_motion(Session& session, const std::string& path,
       if (robot->body_scripts[i]) context.body_behaviours.push_back(robot->model.bodies[i].name);
     }
   }
-  check_script(script, context, session.diagnostics);
+  check_script(script, context, run.diagnostics);
 }
 
 }  // namespace
 
 int run_check(const CheckOptions& options) {
-  Session session;
+  CheckRun run;
   std::shared_ptr<const interpreter::CheckedRobot> robot;
   if (!options.robot.empty()) {
-    robot = load_robot(options.robot, session.sources, session.disk, nullptr, session.diagnostics);
+    robot = load_robot(options.robot, run.sources, run.disk, nullptr, run.diagnostics);
   }
   for (const std::string& path : options.files) {
     const std::optional<interpreter::TextKind> kind = kind_of(path);
     if (!kind) {
-      fail(session, path, "expected a .robot, .motion or .plan file");
-    } else if (already_read(session.sources, path)) {
+      fail(run, path, "expected a .robot, .motion or .plan file");
+    } else if (already_read(run.sources, path)) {
       continue;
     } else if (*kind == interpreter::TextKind::robot) {
-      load_robot(path, session.sources, session.disk, nullptr, session.diagnostics);
+      load_robot(path, run.sources, run.disk, nullptr, run.diagnostics);
     } else if (*kind == interpreter::TextKind::plan) {
-      load_plan(path, session.sources, session.disk, session.diagnostics);
+      load_plan(path, run.sources, run.disk, run.diagnostics);
     } else if (options.robot.empty() || robot) {
-      check_motion(session, path, robot.get());
+      check_motion(run, path, robot.get());
     }
   }
-  const auto sorted = session.diagnostics.sorted();
+  const auto sorted = run.diagnostics.sorted();
   if (options.format == "json") {
-    const std::string text = report::print_json(sorted, session.sources);
+    const std::string text = report::print_json(sorted, run.sources);
     std::fwrite(text.data(), 1, text.size(), stdout);
   } else {
     const std::string text =
-        report::print_text(sorted, session.sources, files::wants_colour(stderr));
+        report::print_text(sorted, run.sources, files::wants_colour(stderr));
     std::fwrite(text.data(), 1, text.size(), stderr);
   }
-  return session.diagnostics.has_errors() ? kWrongInput : kFine;
+  return run.diagnostics.has_errors() ? kWrongInput : kFine;
 }
 
 }  // namespace rubicon::cli
