@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "interpreter/unparse.hpp"
+
 namespace rubicon::interpreter::script_check {
 
 namespace {
@@ -107,8 +109,7 @@ std::optional<std::string> text_of(const Expression& expression, int depth) {
       const int own = precedence(expression);
       const std::optional<std::string> left = operand(0, own);
       const std::optional<std::string> right = operand(1, own + 1);
-      if (left && right)
-        text = fmt::format("{} {} {}", *left, operator_text(expression.op), *right);
+      if (left && right) text = fmt::format("{} {} {}", *left, symbol_of(expression.op), *right);
       break;
     }
   }
@@ -160,36 +161,6 @@ bool same_expression(const Expression& a, const Expression& b, const SameName& s
     }
   }
   return true;
-}
-
-std::string operator_text(Operator op) {
-  switch (op) {
-    case Operator::add:
-      return "+";
-    case Operator::subtract:
-      return "-";
-    case Operator::multiply:
-      return "*";
-    case Operator::divide:
-      return "/";
-    case Operator::equal:
-      return "==";
-    case Operator::not_equal:
-      return "!=";
-    case Operator::less:
-      return "<";
-    case Operator::less_equal:
-      return "<=";
-    case Operator::greater:
-      return ">";
-    case Operator::greater_equal:
-      return ">=";
-    case Operator::logical_and:
-      return "and";
-    case Operator::logical_or:
-      return "or";
-  }
-  return "";
 }
 
 std::string number_text(const syntax::Number& number) {

@@ -21,9 +21,6 @@ using SameName = std::function<bool(const syntax::QualifiedName&, const syntax::
 bool same_expression(const syntax::Expression& a, const syntax::Expression& b,
                      const SameName& same_parameter);
 
-/// `+ - == and`: as written.
-std::string operator_text(syntax::Expression::Operator op);
-
 /// The literal as written, but for spare digits: `2.5 mm`.
 std::string number_text(const syntax::Number& number);
 

@@ -11,6 +11,7 @@
 #include "interpreter/check_script_parameters.hpp"
 #include "interpreter/check_script_parts.hpp"
 #include "interpreter/check_script_values.hpp"
+#include "interpreter/unparse.hpp"
 
 namespace rubicon::interpreter::script_check {
 
@@ -233,7 +234,7 @@ class KindChecker {
       case Expression::Kind::logical_not:
         return "not";
       default:
-        return operator_text(expression.op);
+        return interpreter::symbol_of(expression.op);
     }
   }
 

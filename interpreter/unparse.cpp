@@ -4,12 +4,10 @@
 
 namespace rubicon::interpreter {
 
-namespace {
-
 using syntax::Expression;
 using syntax::Statement;
 
-const char* symbol(Expression::Operator op) {
+const char* symbol_of(Expression::Operator op) {
   using Operator = Expression::Operator;
   switch (op) {
     case Operator::add:
@@ -40,8 +38,6 @@ const char* symbol(Expression::Operator op) {
   return "?";
 }
 
-}  // namespace
-
 std::string unparse(const Expression& expression) {
   switch (expression.kind) {
     case Expression::Kind::number:
@@ -66,7 +62,7 @@ std::string unparse(const Expression& expression) {
     case Expression::Kind::logical_not:
       return "not " + unparse(*expression.operands[0]);
     case Expression::Kind::binary:
-      return "(" + unparse(*expression.operands[0]) + " " + symbol(expression.op) + " " +
+      return "(" + unparse(*expression.operands[0]) + " " + symbol_of(expression.op) + " " +
              unparse(*expression.operands[1]) + ")";
   }
   return "";
