@@ -36,6 +36,9 @@ struct Format {
   std::string bytes;
 };
 
+/// For the names of the cases; without it they would carry addresses.
+void PrintTo(const Format& format, std::ostream* out) { *out << format.name; }
+
 class UnitlessFormats : public ::testing::TestWithParam<Format> {};
 
 TEST_P(UnitlessFormats, UnitScaleAndUpAreApplied) {
