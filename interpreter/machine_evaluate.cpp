@@ -169,7 +169,8 @@ Machine::Value Machine::evaluate(const Code& code, const World& world) {
         }
       }
     }
-    if (!std::isfinite(operands_.back().number)) {
+    // `and` and `or` have just taken their left side away.
+    if (operands_.size() > base && !std::isfinite(operands_.back().number)) {
       operands_.resize(base);
       throw RunTimeError{"the value is not finite", op.span};
     }
