@@ -1,6 +1,7 @@
 #include "src/collision/body.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace rubicon::collision {
@@ -8,6 +9,61 @@ namespace {
 
 /// More corners than this add nothing to a test of containment.
 constexpr std::size_t kProbesPerPiece = 8;
+/// Corners that are as near as this (m) to those of a box make a box: a tenth of the depth that
+/// counts as rounding.
+constexpr double kBoxCorners = 1e-10;
+/// Unit vectors whose product is below this are perpendicular for a box around a piece.
+constexpr double kPerpendicular = 1e-6;
+
+/// Axes of a close box around a piece: its own face normals where three are perpendicular.
+Mat3 axes_of(const ConvexPiece& piece) {
+  Vec3 x = Vec3::UnitX();
+  if (!piece.normals.empty()) x = piece.normals.front();
+  Vec3 y = x.unitOrthogonal();
+  for (const Vec3& normal : piece.normals) {
+    if (std::fabs(normal.dot(x)) < kPerpendicular) {
+      y = normal;
+      break;
+    }
+  }
+  const Vec3 z = x.cross(y).normalized();
+  Mat3 axes;
+  axes << x, z.cross(x), z;
+  return axes;
+}
+
+BodyPart part_of(const ConvexPiece& piece) {
+  const Convex convex = piece.view();
+  BodyPart part;
+  part.width = piece.width;
+  part.box.R = axes_of(piece);
+  // Exact axes stay exact: most boxes are parallel to their drawing.
+  if (convex.normals.size() >= 3 && (piece.normals[0].array().abs() == 1).any() &&
+      (piece.normals[1].array().abs() == 1).any()) {
+    part.box.R = Mat3::Identity();
+  }
+  Vec3 middle;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Interval interval = convex.extent(part.box.R.col(axis));
+    middle[axis] = 0.5 * (interval.least + interval.greatest);
+    part.box.half[axis] = 0.5 * (interval.greatest - interval.least);
+  }
+  part.box.centre = part.box.R * middle;
+  if (piece.vertices.size() != 8 || piece.ball > 0 || piece.disc > 0) return part;
+  // Eight different corners, each at a corner of the box.
+  unsigned corners = 0;
+  for (const Vec3& vertex : piece.vertices) {
+    const Vec3 at = part.box.R.transpose() * (vertex - part.box.centre);
+    unsigned corner = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::fabs(std::fabs(at[axis]) - part.box.half[axis]) > kBoxCorners) return part;
+      if (at[axis] > 0) corner |= 1U << axis;
+    }
+    corners |= 1U << corner;
+  }
+  part.is_box = corners == 0xff;
+  return part;
+}
 
 }  // namespace
 
@@ -19,6 +75,8 @@ Body::Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, con
     extent_.reach = std::max(extent_.reach, (point + extent_.centre).norm() + disc);
   };
   for (const ConvexPiece& piece : pieces_) {
+    parts_.push_back(part_of(piece));
+    parts_.back().piece = static_cast<int>(convexes_.size());
     convexes_.push_back(piece.view());
     bounds_.add(piece.bounds);
     Vec3 mean = Vec3::Zero();
@@ -32,6 +90,10 @@ Body::Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, con
                    piece.vertices.begin() + static_cast<std::ptrdiff_t>(corners));
   }
   for (const TriangleSoup& soup : soups_) {
+    BodyPart& part = parts_.emplace_back();
+    part.box.centre = soup.bounds().centre();
+    part.box.half = soup.bounds().half();
+    part.soup = static_cast<int>(&soup - soups_.data());
     bounds_.add(soup.bounds());
     for (const auto& triangle : soup.triangles()) {
       for (const int index : triangle) reach_to(soup.vertices()[index], 0);

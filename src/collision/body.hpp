@@ -3,11 +3,21 @@
 #include <vector>
 
 #include "src/collision/convex.hpp"
-#include "src/collision/relative_motion.hpp"
+#include "src/collision/motion_bounds.hpp"
+#include "src/collision/swept_box.hpp"
 #include "src/collision/swept_query.hpp"
 #include "src/collision/triangle_soup.hpp"
 
 namespace rubicon::collision {
+
+/// A solid piece or a mesh of a body, and the box around it.
+struct BodyPart {
+  OrientedBox box;      ///< in the body's centred coordinates
+  bool is_box = false;  ///< the part is this box, to 1e-10 m
+  double width = 0;     ///< m, smallest extent of a solid piece
+  int piece = -1;       ///< index into Body::convexes(), or
+  int soup = -1;        ///< into Body::soups()
+};
 
 /// A rigid body ready for queries: the union of convex pieces and triangle soups. All coordinates
 /// are relative to `extent().centre`, so that bodies drawn far from their origin lose nothing.
@@ -20,6 +30,8 @@ class Body {
 
   const std::vector<Convex>& convexes() const { return convexes_; }
   const std::vector<TriangleSoup>& soups() const { return soups_; }
+  /// All pieces, then all soups.
+  const std::vector<BodyPart>& parts() const { return parts_; }
   const BodyExtent& extent() const { return extent_; }
   const Bounds& bounds() const { return bounds_; }
   /// A few points of every piece, for tests of containment.
@@ -30,6 +42,7 @@ class Body {
   std::vector<ConvexPiece> pieces_;
   std::vector<Convex> convexes_;  ///< views of `pieces_`
   std::vector<TriangleSoup> soups_;
+  std::vector<BodyPart> parts_;
   BodyExtent extent_;
   Bounds bounds_;
   std::vector<Vec3> probes_;

@@ -75,7 +75,7 @@ class BodyPair {
   }
 
   bool meets(const Convex& a, const Convex& b, MotionTree& tree) const {
-    return pair_blocked(a, b, tree, pair_tolerance(a, b, tolerance_));
+    return pair_blocked(a, b, tree, pair_tolerance(a.width, b.width, tolerance_));
   }
 
   /// Calls `test(triangle)` for the triangles of `soup` in boxes that meet `swept_bounds`, until
@@ -190,19 +190,6 @@ bool bodies_blocked(const Body& a, const Motion& motion_a, const Body& b, const 
     }
   }
   return false;
-}
-
-Bounds swept_bounds(const Body& body, const Motion& motion) {
-  const RelativeMotion in_world(motion, body.extent(), geometry::stationary(Pose::Identity()), {});
-  const int count = slice_count(in_world, body.extent().radius);
-  Bounds result;
-  for (int i = 0; i < count; ++i) {
-    const Slice slice =
-        in_world.slice(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-    result.add(
-        swept(body.bounds(), slice.a_in_b, slice, in_world.axis_in_b(), in_world.axis_in_a()));
-  }
-  return result;
 }
 
 }  // namespace rubicon::collision

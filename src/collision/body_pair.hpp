@@ -9,7 +9,4 @@ namespace rubicon::collision {
 bool bodies_blocked(const Body& a, const Motion& motion_a, const Body& b, const Motion& motion_b,
                     double contact_tolerance);
 
-/// The box around everything `body` sweeps, world; infinite where a motion cannot bound itself.
-Bounds swept_bounds(const Body& body, const Motion& motion);
-
 }  // namespace rubicon::collision

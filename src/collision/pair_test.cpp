@@ -105,8 +105,8 @@ bool pair_blocked(const Convex& a, const Convex& b, MotionTree& tree, double tol
   return PairTest(a, b, tree.motion(), tolerance).blocked(tree);
 }
 
-double pair_tolerance(const Convex& a, const Convex& b, double contact_tolerance) {
-  const double thin = std::max(kThinShare * std::min(a.width, b.width), kThinFloor);
+double pair_tolerance(double width_a, double width_b, double contact_tolerance) {
+  const double thin = std::max(kThinShare * std::min(width_a, width_b), kThinFloor);
   return std::max(std::min(contact_tolerance, thin), kRoundingDepth);
 }
 

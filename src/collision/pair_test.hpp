@@ -9,8 +9,8 @@ namespace rubicon::collision {
 /// its own body.
 bool pair_blocked(const Convex& a, const Convex& b, MotionTree& tree, double tolerance);
 
-/// The contact tolerance of a pair of pieces: the given one, less for thin things (see
-/// `kThinShare`).
-double pair_tolerance(const Convex& a, const Convex& b, double contact_tolerance);
+/// The contact tolerance of a pair of pieces by their widths: the given one, less for thin things
+/// (see `kThinShare`).
+double pair_tolerance(double width_a, double width_b, double contact_tolerance);
 
 }  // namespace rubicon::collision

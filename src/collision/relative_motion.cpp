@@ -1,11 +1,8 @@
 #include "src/collision/relative_motion.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <variant>
 
 #include "src/math/angles.hpp"
@@ -16,68 +13,8 @@ namespace {
 using geometry::GeneralMotion;
 using geometry::ScrewMotion;
 
-/// Rotations and axes given by callers may be this far from orthonormal (rounding of long chains of
-/// frames).
-constexpr double kRigid = 1e-6;
-
-const ScrewMotion* screw_of(const Motion& motion) { return std::get_if<ScrewMotion>(&motion.kind); }
-
-const GeneralMotion* general_of(const Motion& motion) {
-  const auto* general = std::get_if<std::shared_ptr<const GeneralMotion>>(&motion.kind);
-  return general ? general->get() : nullptr;
-}
-
-void require_valid(const Motion& motion) {
-  require_rigid(motion.pose(0), "the pose at the start of a motion");
-  const ScrewMotion* screw = screw_of(motion);
-  if (screw == nullptr) {
-    require_rigid(motion.pose(1), "the pose at the end of a motion");
-    return;
-  }
-  if (!screw->slide.allFinite()) throw std::invalid_argument("the slide of a motion is not finite");
-  if (screw->angle_deg == 0) return;
-  if (!std::isfinite(screw->angle_deg) || !screw->point.allFinite()) {
-    throw std::invalid_argument("the rotation of a motion is not finite");
-  }
-  if (!(std::fabs(screw->axis.norm() - 1) < kRigid)) {
-    throw std::invalid_argument("the axis of a motion is not a unit vector");
-  }
-  if (screw->axis.cross(screw->slide).norm() > kRigid * screw->slide.norm()) {
-    throw std::invalid_argument("the slide of a rotating motion is not along its axis");
-  }
-}
-
-/// 1 - cos(half of the angle): how far an arc of unit radius strays from the chord between its
-/// ends; also at equal parameter, docs/collision.md. Never more than the diameter.
-double bulge_of(double angle_deg) {
-  const double angle = std::fabs(angle_deg);
-  if (angle >= 360) return 2;
-  const double sine = math::sin_deg(angle / 4);
-  return 2 * sine * sine;
-}
-
 /// Greatest stretch of the difference of two rotations: 2 sin(half the angle between them).
 double stretch(const Mat3& difference) { return difference.norm() / std::sqrt(2.0); }
-
-/// Bounds for one body on one interval, all against the chord between the interval's ends (m, and 1
-/// for directions).
-struct Stray {
-  double points = 0;  ///< of any core point
-  double centre = 0;  ///< of the body's centre
-};
-
-Stray stray_of(const Motion& motion, const BodyExtent& extent, double s0, double s1) {
-  if (const ScrewMotion* screw = screw_of(motion)) {
-    if (screw->angle_deg == 0) return {};
-    const double bulge = bulge_of(screw->angle_deg * (s1 - s0));
-    const double lever = screw->axis.cross(screw->X0 * extent.centre - screw->point).norm();
-    return {bulge * (lever + extent.radius), bulge * lever};
-  }
-  const GeneralMotion* general = general_of(motion);
-  if (general == nullptr) return {};
-  return {general->chord_deviation(s0, s1, extent.reach),
-          general->chord_deviation(s0, s1, extent.centre.norm())};
-}
 
 /// How far a vector of this length, fixed in the body, strays from its chord.
 double stray_of_vector(const Motion& motion, double length, double s0, double s1) {
@@ -87,11 +24,6 @@ double stray_of_vector(const Motion& motion, double length, double s0, double s1
   const GeneralMotion* general = general_of(motion);
   if (general == nullptr) return 0;
   return general->chord_deviation(s0, s1, length) + general->chord_deviation(s0, s1, 0);
-}
-
-Placement centred(const Motion& motion, const BodyExtent& extent, double s) {
-  const Pose X = motion.pose(s);
-  return {X.linear(), X * extent.centre};
 }
 
 /// `a` as `b` sees it; the difference of the positions first, so that far from the origin nothing
@@ -133,16 +65,6 @@ bool share_axis(const ScrewMotion& a, const ScrewMotion& b) {
 }
 
 }  // namespace
-
-void require_rigid(const Pose& X, const char* what) {
-  const Mat3 R = X.linear();
-  if (!R.allFinite() || !X.translation().allFinite()) {
-    throw std::invalid_argument(fmt::format("{} is not finite", what));
-  }
-  if ((R.transpose() * R - Mat3::Identity()).norm() > kRigid || R.determinant() < 0) {
-    throw std::invalid_argument(fmt::format("{} is not a rigid transform", what));
-  }
-}
 
 RelativeMotion::RelativeMotion(const Motion& a, const BodyExtent& extent_a, const Motion& b,
                                const BodyExtent& extent_b)

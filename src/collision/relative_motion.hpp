@@ -1,18 +1,9 @@
 #pragma once
 
 #include "src/collision/convex.hpp"
-#include "src/geometry/motion.hpp"
+#include "src/collision/motion_bounds.hpp"
 
 namespace rubicon::collision {
-
-using geometry::Motion;
-
-/// What the motion bounds need of a body. Its own coordinates are relative to `centre`.
-struct BodyExtent {
-  Vec3 centre = Vec3::Zero();  ///< in the frame of the shapes (the frame the motions place)
-  double radius = 0;           ///< m, greatest distance of a core point from the centre
-  double reach = 0;            ///< m, greatest distance of a core point from the frame's origin
-};
 
 /// One body's view of the other over [s0, s1]: poses of the moving one in the frame of the fixed
 /// one, and what is known of the way between them.
@@ -71,9 +62,5 @@ class RelativeMotion {
   double angle_deg_ = 0;
   Vec3 slide_ = Vec3::Zero();  ///< in B
 };
-
-/// Throws std::invalid_argument unless X is finite and its rotation orthonormal and right-handed to
-/// 1e-6; `what` names it.
-void require_rigid(const Pose& X, const char* what);
 
 }  // namespace rubicon::collision

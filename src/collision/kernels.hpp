@@ -1,0 +1,24 @@
+#pragma once
+
+#include "src/collision/wide_node.hpp"
+
+// Included by the units that are compiled for one processor: plain data only, see wide_node.hpp.
+
+namespace rubicon::collision {
+
+/// The inner loops, in the form that suits the processor. All forms do the same operations in the
+/// same order on each number, so their answers are the same bit by bit.
+struct Kernels {
+  /// Writes the items of a tree (root: node 0) whose boxes meet `box` to `found`; their number, or
+  /// -1 if there are more than `capacity`.
+  int (*collect)(const WideNode* nodes, const FloatBox& box, int* found, int capacity);
+};
+
+/// Plain C++; the reference.
+const Kernels& baseline_kernels();
+/// For processors with AVX2, null where the compiler cannot make them.
+const Kernels* avx2_kernels();
+/// Those in use (`use_simd`).
+const Kernels& kernels();
+
+}  // namespace rubicon::collision

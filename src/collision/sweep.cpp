@@ -1,0 +1,119 @@
+#include "src/collision/sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "src/collision/tolerances.hpp"
+#include "src/math/angles.hpp"
+
+namespace rubicon::collision {
+namespace {
+
+/// A slice's bounding boxes are useful while its growth is below this share of the body's size.
+constexpr double kUsefulGrowth = 0.05;
+/// Slices a step is cut into at most.
+constexpr int kMaxSlices = 64;
+
+int useful_slices(const Body& body, const Motion& motion) {
+  const geometry::ScrewMotion* screw = screw_of(motion);
+  if (screw == nullptr && general_of(motion) == nullptr) return 1;
+  int count = 1;
+  for (; count < kMaxSlices; count *= 2) {
+    const double growth =
+        screw != nullptr
+            ? bulge_of(screw->angle_deg / count)
+            : stray_of(motion, body.extent(), 0, 1.0 / count).points / body.extent().radius;
+    if (growth <= kUsefulGrowth) break;
+  }
+  return count;
+}
+
+/// The box around everything a slice sweeps, world.
+Bounds slice_bounds(const Body& body, const SweepSlice& slice) {
+  Bounds result = placed(body.bounds(), slice.start());
+  result.add(placed(body.bounds(), slice.end()));
+  Vec3 growth = Vec3::Constant(slice.uniform_growth());
+  if (slice.bulge() > 0) {
+    const Vec3& axis = slice.axis();
+    const Vec3 arm = slice.start() * body.bounds().centre() - slice.point();
+    const double sagitta = slice.bulge() * (axis.cross(arm).norm() + body.bounds().half().norm());
+    const Vec3 squares = axis.cwiseAbs2();
+    growth +=
+        sagitta * Vec3(std::sqrt(squares.y() + squares.z()), std::sqrt(squares.z() + squares.x()),
+                       std::sqrt(squares.x() + squares.y()));
+  }
+  result.grow(growth);
+  return result;
+}
+
+}  // namespace
+
+SweepSlice::SweepSlice(const Body& body, const Motion& motion, double s0, double s1)
+    : body_(&body),
+      motion_(&motion),
+      s0_(s0),
+      s1_(s1),
+      start_(centred(motion, body.extent(), s0)),
+      end_(centred(motion, body.extent(), s1)) {
+  if (const geometry::ScrewMotion* screw = screw_of(motion)) {
+    if (screw->angle_deg == 0) return;
+    bulge_ = bulge_of(screw->angle_deg * (s1 - s0));
+    axis_ = screw->axis;
+    point_ = screw->point;
+    return;
+  }
+  const double stray = stray_of(motion, body.extent(), s0, s1).points;
+  // A motion that cannot bound itself must not pass for one that is well known.
+  uniform_growth_ = stray >= 0 ? stray : std::numeric_limits<double>::infinity();
+}
+
+SweepSlice::SweepSlice(const Body& body, const Motion& motion, const Placement& start,
+                       const Vec3& d)
+    : body_(&body), motion_(&motion), start_(start), end_(start.R, start.t + d) {}
+
+const Placement& SweepSlice::middle() {
+  if (!has_middle_) {
+    middle_ = centred(*motion_, body_->extent(), 0.5 * (s0_ + s1_));
+    has_middle_ = true;
+  }
+  return middle_;
+}
+
+SweepSlice& SweepSlice::first_half() {
+  if (!first_) first_ = std::make_unique<SweepSlice>(*body_, *motion_, s0_, 0.5 * (s0_ + s1_));
+  return *first_;
+}
+
+SweepSlice& SweepSlice::second_half() {
+  if (!second_) second_ = std::make_unique<SweepSlice>(*body_, *motion_, 0.5 * (s0_ + s1_), s1_);
+  return *second_;
+}
+
+Sweep::Sweep(const Body& body, const Motion& motion) : body_(&body), motion_(&motion) {
+  require_valid(motion);
+  const geometry::ScrewMotion* screw = screw_of(motion);
+  if (screw != nullptr && screw->angle_deg == 0) {
+    is_translation_ = true;
+    moves_ = !(screw->slide.array() == 0).all();
+    const Placement start(screw->X0.linear(), screw->X0 * body.extent().centre);
+    first_ = SweepSlice(body, motion, start, screw->slide);
+    bounds_ = placed(body.bounds(), start);
+    bounds_.lower += screw->slide.cwiseMin(0.0);
+    bounds_.upper += screw->slide.cwiseMax(0.0);
+    return;
+  }
+  const int count = useful_slices(body, motion);
+  for (int i = 0; i < count; ++i) {
+    SweepSlice slice(body, motion, static_cast<double>(i) / count,
+                     static_cast<double>(i + 1) / count);
+    bounds_.add(slice_bounds(body, slice));
+    if (i == 0) {
+      first_ = std::move(slice);
+    } else {
+      more_.push_back(std::move(slice));
+    }
+  }
+}
+
+}  // namespace rubicon::collision

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "src/collision/body.hpp"
+
+namespace rubicon::collision {
+
+/// A part [s0, s1] of the motion of one body: poses of its centred coordinates in the world, and
+/// what is known of the way between them. Halves are made when first asked for.
+class SweepSlice {
+ public:
+  SweepSlice() = default;
+  SweepSlice(const Body& body, const Motion& motion, double s0, double s1);
+  /// The whole of a translation by d.
+  SweepSlice(const Body& body, const Motion& motion, const Placement& start, const Vec3& d);
+
+  double s0() const { return s0_; }
+  double s1() const { return s1_; }
+  const Placement& start() const { return start_; }
+  const Placement& end() const { return end_; }
+  const Placement& middle();
+  /// Upper bound (m) of how far core points stray from their chords, whatever the direction.
+  double uniform_growth() const { return uniform_growth_; }
+  /// For screws, also bounded by this times the lever about `axis()`, across it.
+  double bulge() const { return bulge_; }
+  const Vec3& axis() const { return axis_; }
+  const Vec3& point() const { return point_; }
+
+  SweepSlice& first_half();
+  SweepSlice& second_half();
+
+ private:
+  const Body* body_ = nullptr;
+  const Motion* motion_ = nullptr;
+  double s0_ = 0;
+  double s1_ = 1;
+  Placement start_;
+  Placement end_;
+  Placement middle_;
+  bool has_middle_ = false;
+  double uniform_growth_ = 0;
+  double bulge_ = 0;
+  Vec3 axis_ = Vec3::UnitZ();
+  Vec3 point_ = Vec3::Zero();
+  std::unique_ptr<SweepSlice> first_;
+  std::unique_ptr<SweepSlice> second_;
+};
+
+/// One body's motion over a step as the world sees it: made once, looked at for every obstacle.
+/// Body and motion must outlive it.
+class Sweep {
+ public:
+  /// Throws std::invalid_argument as `RelativeMotion`.
+  Sweep(const Body& body, const Motion& motion);
+
+  const Body& body() const { return *body_; }
+  const Motion& motion() const { return *motion_; }
+  /// No rotation: each point moves along the straight line from start to end, in one slice.
+  bool is_translation() const { return is_translation_; }
+  bool moves() const { return moves_; }
+  /// The box around everything the body sweeps, world.
+  const Bounds& bounds() const { return bounds_; }
+  /// Cut so that boxes around slices are useful; one for all but very large steps.
+  int slice_count() const { return 1 + static_cast<int>(more_.size()); }
+  SweepSlice& slice(int i) { return i == 0 ? first_ : more_[static_cast<std::size_t>(i - 1)]; }
+
+ private:
+  const Body* body_;
+  const Motion* motion_;
+  bool is_translation_ = false;
+  bool moves_ = true;
+  Bounds bounds_;
+  SweepSlice first_;
+  std::vector<SweepSlice> more_;
+};
+
+}  // namespace rubicon::collision

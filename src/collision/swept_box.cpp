@@ -1,0 +1,188 @@
+#include "src/collision/swept_box.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubicon::collision {
+namespace {
+
+/// Cross products of unit vectors shorter than this (squared) are parallel edges: their direction
+/// is among the face normals.
+constexpr double kParallel = 1e-24;
+/// Up to this length (squared) the direction of a cross product is not certain enough to be used
+/// without normalising: rounding of 1e-15 m would be amplified to 1e-9 m and more.
+constexpr double kUncertain = 1e-12;
+
+/// The extent of a box along n (both sides of its centre), its axes being the columns of R.
+double reach(const Mat3& R, const Vec3& half, const Vec3& n) {
+  return half[0] * std::fabs(R.col(0).dot(n)) + half[1] * std::fabs(R.col(1).dot(n)) +
+         half[2] * std::fabs(R.col(2).dot(n));
+}
+
+double reach(const Vec3& half, const Vec3& n) {
+  return half[0] * std::fabs(n[0]) + half[1] * std::fabs(n[1]) + half[2] * std::fabs(n[2]);
+}
+
+/// Unit vector i x v.
+Vec3 unit_cross(int i, const Vec3& v) {
+  switch (i) {
+    case 0:
+      return {0, -v[2], v[1]};
+    case 1:
+      return {v[2], 0, -v[0]};
+    default:
+      return {-v[1], v[0], 0};
+  }
+}
+
+/// In the frame of the fixed box, which is at the origin.
+class Translated {
+ public:
+  Translated(const OrientedBox& moving, const Vec3& d, const OrientedBox& fixed, double tolerance)
+      : R_(fixed.R.transpose() * moving.R),
+        half_displacement_(0.5 * (fixed.R.transpose() * d)),
+        middle_(fixed.R.transpose() * (moving.centre - fixed.centre) + half_displacement_),
+        moving_half_(moving.half),
+        fixed_half_(fixed.half),
+        tolerance_(tolerance) {}
+
+  Verdict verdict() {
+    for (int i = 0; i < 3; ++i) {
+      const double moving_reach = moving_half_[0] * std::fabs(R_(i, 0)) +
+                                  moving_half_[1] * std::fabs(R_(i, 1)) +
+                                  moving_half_[2] * std::fabs(R_(i, 2));
+      if (std::fabs(middle_[i]) - std::fabs(half_displacement_[i]) - fixed_half_[i] -
+              moving_reach >=
+          -tolerance_) {
+        return Verdict::kFree;
+      }
+    }
+    for (int j = 0; j < 3; ++j) {
+      if (gap(R_.col(j)) >= -tolerance_) return Verdict::kFree;
+    }
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 3; ++i) {
+        if (free_along(unit_cross(i, R_.col(j)), 1)) return Verdict::kFree;
+      }
+    }
+    const double length_squared = half_displacement_.squaredNorm();
+    if (length_squared > 0) {
+      for (int i = 0; i < 3; ++i) {
+        if (free_along(unit_cross(i, half_displacement_), length_squared)) return Verdict::kFree;
+      }
+      for (int j = 0; j < 3; ++j) {
+        if (free_along(half_displacement_.cross(R_.col(j)), length_squared)) return Verdict::kFree;
+      }
+    }
+    return uncertain_ ? Verdict::kUndecided : Verdict::kHit;
+  }
+
+ private:
+  double gap(const Vec3& n) const {
+    return std::fabs(n.dot(middle_)) - std::fabs(n.dot(half_displacement_)) -
+           reach(fixed_half_, n) - reach(R_, moving_half_, n);
+  }
+
+  bool free_along(const Vec3& n, double scale_squared) {
+    const double length_squared = n.squaredNorm();
+    if (length_squared <= kUncertain * scale_squared) {
+      uncertain_ = uncertain_ || length_squared > kParallel * scale_squared;
+      return false;
+    }
+    const double found = gap(n);
+    return found >= 0 || (found * found <= tolerance_ * tolerance_ * length_squared);
+  }
+
+  Mat3 R_;
+  Vec3 half_displacement_;
+  Vec3 middle_;
+  Vec3 moving_half_;
+  Vec3 fixed_half_;
+  double tolerance_;
+  bool uncertain_ = false;
+};
+
+/// The same with two poses and growth.
+class Turned {
+ public:
+  Turned(const TurnedBox& moving, const OrientedBox& fixed, double tolerance)
+      : moving_(moving), fixed_(fixed), tolerance_(tolerance) {
+    const Mat3 to_fixed = fixed.R.transpose();
+    start_ = to_fixed * (moving.start - fixed.centre);
+    end_ = to_fixed * (moving.end - fixed.centre);
+    R_start_ = to_fixed * moving.R_start;
+    R_end_ = to_fixed * moving.R_end;
+    axis_ = to_fixed * moving.growth_axis;
+  }
+
+  bool free() {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 n = Vec3::Unit(i);
+      if (free_along(n, start_[i], end_[i], fixed_.half[i])) return true;
+    }
+    const Mat3 R = fixed_.R.transpose() * moving_.R_middle;
+    for (int j = 0; j < 3; ++j) {
+      if (free_along(R.col(j))) return true;
+    }
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 3; ++i) {
+        if (free_along_scaled(unit_cross(i, R.col(j)), 1)) return true;
+      }
+    }
+    const Vec3 displacement = end_ - start_;
+    const double length_squared = displacement.squaredNorm();
+    if (length_squared > 0) {
+      for (int i = 0; i < 3; ++i) {
+        if (free_along_scaled(unit_cross(i, displacement), length_squared)) return true;
+      }
+      for (int j = 0; j < 3; ++j) {
+        if (free_along_scaled(displacement.cross(R.col(j)), length_squared)) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  bool free_along_scaled(const Vec3& n, double scale_squared) const {
+    const double length_squared = n.squaredNorm();
+    if (length_squared <= kUncertain * scale_squared) return false;
+    return free_along(n / std::sqrt(length_squared));
+  }
+
+  bool free_along(const Vec3& n) const {
+    return free_along(n, n.dot(start_), n.dot(end_), reach(fixed_.half, n));
+  }
+
+  bool free_along(const Vec3& n, double at_start, double at_end, double fixed_reach) const {
+    const double start_reach = reach(R_start_, moving_.half, n);
+    const double end_reach = reach(R_end_, moving_.half, n);
+    const double least = std::min(at_start - start_reach, at_end - end_reach);
+    const double greatest = std::max(at_start + start_reach, at_end + end_reach);
+    const double slack = std::max(least, -greatest) - fixed_reach + tolerance_;
+    if (slack < moving_.uniform_growth) return false;
+    const double across = n.cross(axis_).norm();
+    return slack >= moving_.uniform_growth + moving_.axial_growth * across;
+  }
+
+  const TurnedBox& moving_;
+  const OrientedBox& fixed_;
+  double tolerance_;
+  Mat3 R_start_;
+  Mat3 R_end_;
+  Vec3 start_;
+  Vec3 end_;
+  Vec3 axis_;
+};
+
+}  // namespace
+
+Verdict translated_box_verdict(const OrientedBox& moving, const Vec3& d, const OrientedBox& fixed,
+                               double tolerance) {
+  return Translated(moving, d, fixed, tolerance).verdict();
+}
+
+Verdict turned_box_verdict(const TurnedBox& moving, const OrientedBox& fixed, double tolerance) {
+  return Turned(moving, fixed, tolerance).free() ? Verdict::kFree : Verdict::kUndecided;
+}
+
+}  // namespace rubicon::collision
