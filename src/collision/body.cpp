@@ -42,6 +42,7 @@ BodyPart part_of(const ConvexPiece& piece) {
       (piece.normals[1].array().abs() == 1).any()) {
     part.box.R = Mat3::Identity();
   }
+  part.aligned = part.box.R == Mat3::Identity();
   Vec3 middle;
   for (int axis = 0; axis < 3; ++axis) {
     const Interval interval = convex.extent(part.box.R.col(axis));
@@ -91,6 +92,7 @@ Body::Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, con
   }
   for (const TriangleSoup& soup : soups_) {
     BodyPart& part = parts_.emplace_back();
+    part.aligned = true;
     part.box.centre = soup.bounds().centre();
     part.box.half = soup.bounds().half();
     part.soup = static_cast<int>(&soup - soups_.data());

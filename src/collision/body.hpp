@@ -12,11 +12,12 @@ namespace rubicon::collision {
 
 /// A solid piece or a mesh of a body, and the box around it.
 struct BodyPart {
-  OrientedBox box;      ///< in the body's centred coordinates
-  bool is_box = false;  ///< the part is this box, to 1e-10 m
-  double width = 0;     ///< m, smallest extent of a solid piece
-  int piece = -1;       ///< index into Body::convexes(), or
-  int soup = -1;        ///< into Body::soups()
+  OrientedBox box;       ///< in the body's centred coordinates
+  bool aligned = false;  ///< box.R is the identity
+  bool is_box = false;   ///< the part is this box, to 1e-10 m
+  double width = 0;      ///< m, smallest extent of a solid piece
+  int piece = -1;        ///< index into Body::convexes(), or
+  int soup = -1;         ///< into Body::soups()
 };
 
 /// A rigid body ready for queries: the union of convex pieces and triangle soups. All coordinates

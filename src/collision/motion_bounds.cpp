@@ -88,8 +88,17 @@ Stray stray_of(const Motion& motion, const BodyExtent& extent, double s0, double
 }
 
 Placement centred(const Motion& motion, const BodyExtent& extent, double s) {
-  const Pose X = motion.pose(s);
-  return {X.linear(), X * extent.centre};
+  const ScrewMotion* screw = screw_of(motion);
+  if (screw == nullptr) {
+    const Pose X = motion.pose(s);
+    return {X.linear(), X * extent.centre};
+  }
+  // Motion::pose(s), without the detour over matrices of four columns.
+  const Placement start(screw->X0.linear(), screw->X0 * extent.centre);
+  if (s == 0) return start;
+  if (screw->angle_deg == 0) return {start.R, start.t + s * screw->slide};
+  const Mat3 turned = math::rotation_about_deg(screw->axis, s * screw->angle_deg);
+  return {turned * start.R, screw->point + turned * (start.t - screw->point) + s * screw->slide};
 }
 
 }  // namespace rubicon::collision

@@ -48,9 +48,8 @@ class PartTest {
 
   Verdict turned(SweepSlice& slice) const {
     TurnedBox box;
-    box.R_start = slice.start().R * moving_.box.R;
-    box.R_middle = slice.middle().R * moving_.box.R;
-    box.R_end = slice.end().R * moving_.box.R;
+    box.R_start = part_rotation(slice.start());
+    box.R_end = part_rotation(slice.end());
     box.start = slice.start() * moving_.box.centre;
     box.end = slice.end() * moving_.box.centre;
     box.half = moving_.box.half;
@@ -61,7 +60,14 @@ class PartTest {
           slice.axis().cross(box.start - slice.point()).norm() + moving_.box.half.norm();
       box.axial_growth = slice.bulge() * lever;
     }
-    return turned_box_verdict(box, fixed_, tolerance_);
+    const TurnedBoxTest test(box, fixed_, tolerance_);
+    const bool free =
+        test.free_along_fixed_normals() || test.free_along_others(part_rotation(slice.middle()));
+    return free ? Verdict::kFree : Verdict::kUndecided;
+  }
+
+  Mat3 part_rotation(const Placement& pose) const {
+    return moving_.aligned ? pose.R : Mat3(pose.R * moving_.box.R);
   }
 
   bool deep_at(const Placement& pose) const {

@@ -29,6 +29,13 @@ int useful_slices(const Body& body, const Motion& motion) {
   return count;
 }
 
+/// Whether a motion, after it is found to be valid, is a translation.
+bool checked_translation(const Motion& motion) {
+  require_valid(motion);
+  const geometry::ScrewMotion* screw = screw_of(motion);
+  return screw != nullptr && screw->angle_deg == 0;
+}
+
 /// The box around everything a slice sweeps, world.
 Bounds slice_bounds(const Body& body, const SweepSlice& slice) {
   Bounds result = placed(body.bounds(), slice.start());
@@ -68,16 +75,9 @@ SweepSlice::SweepSlice(const Body& body, const Motion& motion, double s0, double
   uniform_growth_ = stray >= 0 ? stray : std::numeric_limits<double>::infinity();
 }
 
-SweepSlice::SweepSlice(const Body& body, const Motion& motion, const Placement& start,
-                       const Vec3& d)
-    : body_(&body), motion_(&motion), start_(start), end_(start.R, start.t + d) {}
-
 const Placement& SweepSlice::middle() {
-  if (!has_middle_) {
-    middle_ = centred(*motion_, body_->extent(), 0.5 * (s0_ + s1_));
-    has_middle_ = true;
-  }
-  return middle_;
+  if (!middle_) middle_ = centred(*motion_, body_->extent(), 0.5 * (s0_ + s1_));
+  return *middle_;
 }
 
 SweepSlice& SweepSlice::first_half() {
@@ -90,29 +90,25 @@ SweepSlice& SweepSlice::second_half() {
   return *second_;
 }
 
-Sweep::Sweep(const Body& body, const Motion& motion) : body_(&body), motion_(&motion) {
-  require_valid(motion);
-  const geometry::ScrewMotion* screw = screw_of(motion);
-  if (screw != nullptr && screw->angle_deg == 0) {
-    is_translation_ = true;
-    moves_ = !(screw->slide.array() == 0).all();
-    const Placement start(screw->X0.linear(), screw->X0 * body.extent().centre);
-    first_ = SweepSlice(body, motion, start, screw->slide);
-    bounds_ = placed(body.bounds(), start);
-    bounds_.lower += screw->slide.cwiseMin(0.0);
-    bounds_.upper += screw->slide.cwiseMax(0.0);
+Sweep::Sweep(const Body& body, const Motion& motion)
+    : body_(&body),
+      motion_(&motion),
+      is_translation_(checked_translation(motion)),
+      moves_(motion.moves()),
+      count_(is_translation_ ? 1 : useful_slices(body, motion)),
+      first_(body, motion, 0, 1.0 / count_) {
+  if (is_translation_) {
+    bounds_ = placed(body.bounds(), first_.start());
+    const Vec3 d = first_.end().t - first_.start().t;
+    bounds_.lower += d.cwiseMin(0.0);
+    bounds_.upper += d.cwiseMax(0.0);
     return;
   }
-  const int count = useful_slices(body, motion);
-  for (int i = 0; i < count; ++i) {
-    SweepSlice slice(body, motion, static_cast<double>(i) / count,
-                     static_cast<double>(i + 1) / count);
-    bounds_.add(slice_bounds(body, slice));
-    if (i == 0) {
-      first_ = std::move(slice);
-    } else {
-      more_.push_back(std::move(slice));
-    }
+  bounds_ = slice_bounds(body, first_);
+  for (int i = 1; i < count_; ++i) {
+    more_.emplace_back(body, motion, static_cast<double>(i) / count_,
+                       static_cast<double>(i + 1) / count_);
+    bounds_.add(slice_bounds(body, more_.back()));
   }
 }
 

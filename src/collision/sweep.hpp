@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "src/collision/body.hpp"
@@ -11,10 +12,7 @@ namespace rubicon::collision {
 /// what is known of the way between them. Halves are made when first asked for.
 class SweepSlice {
  public:
-  SweepSlice() = default;
   SweepSlice(const Body& body, const Motion& motion, double s0, double s1);
-  /// The whole of a translation by d.
-  SweepSlice(const Body& body, const Motion& motion, const Placement& start, const Vec3& d);
 
   double s0() const { return s0_; }
   double s1() const { return s1_; }
@@ -32,14 +30,13 @@ class SweepSlice {
   SweepSlice& second_half();
 
  private:
-  const Body* body_ = nullptr;
-  const Motion* motion_ = nullptr;
-  double s0_ = 0;
-  double s1_ = 1;
+  const Body* body_;
+  const Motion* motion_;
+  double s0_;
+  double s1_;
   Placement start_;
   Placement end_;
-  Placement middle_;
-  bool has_middle_ = false;
+  std::optional<Placement> middle_;
   double uniform_growth_ = 0;
   double bulge_ = 0;
   Vec3 axis_ = Vec3::UnitZ();
@@ -63,17 +60,18 @@ class Sweep {
   /// The box around everything the body sweeps, world.
   const Bounds& bounds() const { return bounds_; }
   /// Cut so that boxes around slices are useful; one for all but very large steps.
-  int slice_count() const { return 1 + static_cast<int>(more_.size()); }
+  int slice_count() const { return count_; }
   SweepSlice& slice(int i) { return i == 0 ? first_ : more_[static_cast<std::size_t>(i - 1)]; }
 
  private:
   const Body* body_;
   const Motion* motion_;
-  bool is_translation_ = false;
-  bool moves_ = true;
-  Bounds bounds_;
+  bool is_translation_;
+  bool moves_;
+  int count_;
   SweepSlice first_;
   std::vector<SweepSlice> more_;
+  Bounds bounds_;
 };
 
 }  // namespace rubicon::collision

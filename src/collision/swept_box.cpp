@@ -102,78 +102,6 @@ class Translated {
   bool uncertain_ = false;
 };
 
-/// The same with two poses and growth.
-class Turned {
- public:
-  Turned(const TurnedBox& moving, const OrientedBox& fixed, double tolerance)
-      : moving_(moving), fixed_(fixed), tolerance_(tolerance) {
-    const Mat3 to_fixed = fixed.R.transpose();
-    start_ = to_fixed * (moving.start - fixed.centre);
-    end_ = to_fixed * (moving.end - fixed.centre);
-    R_start_ = to_fixed * moving.R_start;
-    R_end_ = to_fixed * moving.R_end;
-    axis_ = to_fixed * moving.growth_axis;
-  }
-
-  bool free() {
-    for (int i = 0; i < 3; ++i) {
-      const Vec3 n = Vec3::Unit(i);
-      if (free_along(n, start_[i], end_[i], fixed_.half[i])) return true;
-    }
-    const Mat3 R = fixed_.R.transpose() * moving_.R_middle;
-    for (int j = 0; j < 3; ++j) {
-      if (free_along(R.col(j))) return true;
-    }
-    for (int j = 0; j < 3; ++j) {
-      for (int i = 0; i < 3; ++i) {
-        if (free_along_scaled(unit_cross(i, R.col(j)), 1)) return true;
-      }
-    }
-    const Vec3 displacement = end_ - start_;
-    const double length_squared = displacement.squaredNorm();
-    if (length_squared > 0) {
-      for (int i = 0; i < 3; ++i) {
-        if (free_along_scaled(unit_cross(i, displacement), length_squared)) return true;
-      }
-      for (int j = 0; j < 3; ++j) {
-        if (free_along_scaled(displacement.cross(R.col(j)), length_squared)) return true;
-      }
-    }
-    return false;
-  }
-
- private:
-  bool free_along_scaled(const Vec3& n, double scale_squared) const {
-    const double length_squared = n.squaredNorm();
-    if (length_squared <= kUncertain * scale_squared) return false;
-    return free_along(n / std::sqrt(length_squared));
-  }
-
-  bool free_along(const Vec3& n) const {
-    return free_along(n, n.dot(start_), n.dot(end_), reach(fixed_.half, n));
-  }
-
-  bool free_along(const Vec3& n, double at_start, double at_end, double fixed_reach) const {
-    const double start_reach = reach(R_start_, moving_.half, n);
-    const double end_reach = reach(R_end_, moving_.half, n);
-    const double least = std::min(at_start - start_reach, at_end - end_reach);
-    const double greatest = std::max(at_start + start_reach, at_end + end_reach);
-    const double slack = std::max(least, -greatest) - fixed_reach + tolerance_;
-    if (slack < moving_.uniform_growth) return false;
-    const double across = n.cross(axis_).norm();
-    return slack >= moving_.uniform_growth + moving_.axial_growth * across;
-  }
-
-  const TurnedBox& moving_;
-  const OrientedBox& fixed_;
-  double tolerance_;
-  Mat3 R_start_;
-  Mat3 R_end_;
-  Vec3 start_;
-  Vec3 end_;
-  Vec3 axis_;
-};
-
 }  // namespace
 
 Verdict translated_box_verdict(const OrientedBox& moving, const Vec3& d, const OrientedBox& fixed,
@@ -181,8 +109,73 @@ Verdict translated_box_verdict(const OrientedBox& moving, const Vec3& d, const O
   return Translated(moving, d, fixed, tolerance).verdict();
 }
 
-Verdict turned_box_verdict(const TurnedBox& moving, const OrientedBox& fixed, double tolerance) {
-  return Turned(moving, fixed, tolerance).free() ? Verdict::kFree : Verdict::kUndecided;
+TurnedBoxTest::TurnedBoxTest(const TurnedBox& moving, const OrientedBox& fixed, double tolerance)
+    : moving_(moving),
+      fixed_(fixed),
+      tolerance_(tolerance),
+      to_fixed_(fixed.R.transpose()),
+      R_start_(to_fixed_ * moving.R_start),
+      R_end_(to_fixed_ * moving.R_end),
+      start_(to_fixed_ * (moving.start - fixed.centre)),
+      end_(to_fixed_ * (moving.end - fixed.centre)),
+      axis_(to_fixed_ * moving.growth_axis) {}
+
+bool TurnedBoxTest::free_along_fixed_normals() const {
+  const Vec3 start_reach = R_start_.cwiseAbs() * moving_.half;
+  const Vec3 end_reach = R_end_.cwiseAbs() * moving_.half;
+  const Vec3 least = (start_ - start_reach).cwiseMin(end_ - end_reach);
+  const Vec3 greatest = (start_ + start_reach).cwiseMax(end_ + end_reach);
+  const Vec3 slack =
+      (least.cwiseMax(-greatest) - fixed_.half).array() + (tolerance_ - moving_.uniform_growth);
+  for (int i = 0; i < 3; ++i) {
+    if (slack[i] < 0) continue;
+    const double along = axis_[(i + 1) % 3];
+    const double other = axis_[(i + 2) % 3];
+    if (slack[i] >= moving_.axial_growth * std::sqrt(along * along + other * other)) return true;
+  }
+  return false;
+}
+
+bool TurnedBoxTest::free_along_others(const Mat3& R_middle) const {
+  const Mat3 R = to_fixed_ * R_middle;
+  for (int j = 0; j < 3; ++j) {
+    if (free_along(R.col(j))) return true;
+  }
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i < 3; ++i) {
+      if (free_along_scaled(unit_cross(i, R.col(j)), 1)) return true;
+    }
+  }
+  const Vec3 displacement = end_ - start_;
+  const double length_squared = displacement.squaredNorm();
+  if (length_squared > 0) {
+    for (int i = 0; i < 3; ++i) {
+      if (free_along_scaled(unit_cross(i, displacement), length_squared)) return true;
+    }
+    for (int j = 0; j < 3; ++j) {
+      if (free_along_scaled(displacement.cross(R.col(j)), length_squared)) return true;
+    }
+  }
+  return false;
+}
+
+bool TurnedBoxTest::free_along_scaled(const Vec3& n, double scale_squared) const {
+  const double length_squared = n.squaredNorm();
+  if (length_squared <= kUncertain * scale_squared) return false;
+  return free_along(n / std::sqrt(length_squared));
+}
+
+bool TurnedBoxTest::free_along(const Vec3& n) const {
+  const double start_reach = reach(R_start_, moving_.half, n);
+  const double end_reach = reach(R_end_, moving_.half, n);
+  const double at_start = n.dot(start_);
+  const double at_end = n.dot(end_);
+  const double least = std::min(at_start - start_reach, at_end - end_reach);
+  const double greatest = std::max(at_start + start_reach, at_end + end_reach);
+  const double slack = std::max(least, -greatest) - reach(fixed_.half, n) + tolerance_;
+  if (!(slack >= moving_.uniform_growth)) return false;
+  const double across = n.cross(axis_).norm();
+  return slack >= moving_.uniform_growth + moving_.axial_growth * across;
 }
 
 }  // namespace rubicon::collision

@@ -27,7 +27,6 @@ Verdict translated_box_verdict(const OrientedBox& moving, const Vec3& d, const O
 /// axial_growth |n across growth_axis| + uniform_growth (docs/collision.md).
 struct TurnedBox {
   Mat3 R_start = Mat3::Identity();
-  Mat3 R_middle = Mat3::Identity();
   Mat3 R_end = Mat3::Identity();
   Vec3 start = Vec3::Zero();  ///< of the centre
   Vec3 end = Vec3::Zero();
@@ -37,8 +36,31 @@ struct TurnedBox {
   double uniform_growth = 0;  ///< m
 };
 
-/// Whether a turning box is proved free of one that stands: with the same axes, those of the moving
-/// box at the middle pose. Never `kHit`.
-Verdict turned_box_verdict(const TurnedBox& moving, const OrientedBox& fixed, double tolerance);
+/// A turning box against one that stands. The axes tried are those of the standing box, then those
+/// of the moving one at its middle pose with all products of edges and the displacement: the same
+/// as for translations. Free is proved, anything else undecided.
+class TurnedBoxTest {
+ public:
+  TurnedBoxTest(const TurnedBox& moving, const OrientedBox& fixed, double tolerance);
+
+  /// By the normals of the standing box alone; settles most pairs, and needs no middle pose.
+  bool free_along_fixed_normals() const;
+  /// By all the other axes.
+  bool free_along_others(const Mat3& R_middle) const;
+
+ private:
+  bool free_along_scaled(const Vec3& n, double scale_squared) const;
+  bool free_along(const Vec3& n) const;
+
+  const TurnedBox& moving_;
+  const OrientedBox& fixed_;
+  double tolerance_;
+  Mat3 to_fixed_;
+  Mat3 R_start_;  ///< these in the frame of the fixed box
+  Mat3 R_end_;
+  Vec3 start_;
+  Vec3 end_;
+  Vec3 axis_;
+};
 
 }  // namespace rubicon::collision
