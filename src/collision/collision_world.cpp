@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "src/collision/body_clearance.hpp"
+#include "src/collision/body_contact.hpp"
 #include "src/collision/body_pair.hpp"
+#include "src/collision/clearance_budget.hpp"
 #include "src/collision/containment.hpp"
 #include "src/collision/quick_test.hpp"
 #include "src/collision/swept_query.hpp"
@@ -39,6 +44,7 @@ struct CollisionWorld::Impl {
   std::unordered_map<ObstacleId, int> place_of;
   WideTree tree;  ///< over the places in `obstacles`
   ObstacleId next_id = 1;
+  WorldState state{std::make_shared<const int>(0), 0};
 
   /// The obstacles whose boxes meet the sweep, those to be ignored left out, by ascending id.
   void collect(const Sweep& sweep, const std::vector<ObstacleId>& ignore, ItemList& found) const {
@@ -78,10 +84,9 @@ struct CollisionWorld::Impl {
            (sweep.moves() && contained_at(sweep.slice(sweep.slice_count() - 1).end()));
   }
 
-  /// The first obstacle, by id, that `body` meets on its way.
-  std::optional<ObstacleId> first_met(const Body& body, const Motion& motion, double tolerance,
+  /// The first obstacle, by id, that the body meets on its way.
+  std::optional<ObstacleId> first_met(Sweep& sweep, double tolerance,
                                       const std::vector<ObstacleId>& ignore) const {
-    Sweep sweep(body, motion);
     ItemList candidates;
     collect(sweep, ignore, candidates);
     for (const int place : candidates) {
@@ -89,7 +94,106 @@ struct CollisionWorld::Impl {
     }
     return std::nullopt;
   }
+
+  SweptResult test(const SweptQuery& query, ClearanceBudget::Impl* budget) const;
+
+  /// How far the box of an obstacle is from that of a sweep (m).
+  double box_distance(const Sweep& sweep, const Obstacle& obstacle) const {
+    const Bounds other = placed(obstacle.body->bounds(), obstacle.X_WC);
+    const Bounds& own = sweep.bounds();
+    return (other.lower - own.upper).cwiseMax(own.lower - other.upper).cwiseMax(0.0).norm();
+  }
+
+  /// The places of the obstacles that may be as near to the sweep as `range` (m): the nearest box
+  /// first, of equals the lowest id.
+  std::vector<int> nearest_first(const Sweep& sweep, double range,
+                                 const std::vector<ObstacleId>& ignore) const {
+    Bounds grown = sweep.bounds();
+    grown.grow(Vec3::Constant(range));
+    ItemList found;
+    tree.collect(grown, found);
+    struct Near {
+      double distance;
+      ObstacleId id;
+      int place;
+    };
+    std::vector<Near> list;
+    for (const int place : found) {
+      const Obstacle& one = obstacles[place];
+      if (std::find(ignore.begin(), ignore.end(), one.id) != ignore.end()) continue;
+      list.push_back({box_distance(sweep, one), one.id, place});
+    }
+    std::sort(list.begin(), list.end(), [](const Near& a, const Near& b) {
+      return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
+    });
+    std::vector<int> places;
+    for (const Near& one : list) places.push_back(one.place);
+    return places;
+  }
+
+  const Obstacle& obstacle(ObstacleId id) const {
+    const auto found = place_of.find(id);
+    if (found == place_of.end()) {
+      throw std::invalid_argument(fmt::format("there is no obstacle {}", id));
+    }
+    return obstacles[found->second];
+  }
+
+  void changed() { ++state.changes; }
 };
+
+namespace {
+
+void require_valid(const SweptQuery& query) {
+  require_tolerance(query.contact_tolerance);
+  const int count = static_cast<int>(query.items.size());
+  for (const SweptQuery::Item& item : query.items) {
+    if (item.moving.body == nullptr) throw std::invalid_argument("a moving item needs a body");
+  }
+  for (const auto& [first, second] : query.pairs) {
+    if (first < 0 || second < 0 || first >= count || second >= count || first == second) {
+      throw std::invalid_argument(fmt::format(
+          "the pair ({}, {}) does not name two of the {} moving bodies", first, second, count));
+    }
+  }
+}
+
+/// The sweeps of a query's items, each made when first asked for.
+class Sweeps {
+ public:
+  explicit Sweeps(const SweptQuery& query) : query_(query) {}
+
+  Sweep& of(int item) {
+    const MovingBody& moving = query_.items[item].moving;
+    if (query_.pairs.empty()) return only_.emplace(*moving.body, moving.motion);
+    if (all_.empty()) all_.resize(query_.items.size());
+    std::unique_ptr<Sweep>& sweep = all_[item];
+    if (!sweep) sweep = std::make_unique<Sweep>(*moving.body, moving.motion);
+    return *sweep;
+  }
+
+ private:
+  const SweptQuery& query_;
+  std::optional<Sweep> only_;  ///< without pairs nobody comes back to an item
+  std::vector<std::unique_ptr<Sweep>> all_;
+};
+
+/// Whether two bodies of a query block each other.
+bool items_blocked(Sweep& a, Sweep& b, double tolerance) {
+  if (a.bounds().disjoint(b.bounds())) return false;
+  // One that stands is quickly seen to be out of the way.
+  Sweep& moving = b.moves() ? b : a;
+  Sweep& standing = b.moves() ? a : b;
+  const bool has_inside = a.body().has_closed_soup() || b.body().has_closed_soup();
+  if (!standing.moves() && !has_inside) {
+    const Verdict found =
+        quick_verdict(moving, standing.body(), standing.slice(0).start(), tolerance);
+    if (found != Verdict::kUndecided) return found == Verdict::kHit;
+  }
+  return bodies_blocked(a.body(), a.motion(), b.body(), b.motion(), tolerance);
+}
+
+}  // namespace
 
 CollisionWorld::CollisionWorld() : impl_(std::make_unique<Impl>()) {}
 CollisionWorld::~CollisionWorld() = default;
@@ -112,6 +216,7 @@ ObstacleId CollisionWorld::insert(BodyPtr body, const Pose& X_WB) {
   impl_->obstacles[place] = {id, std::move(body), X_WB, X_WC};
   impl_->place_of[id] = place;
   impl_->tree.insert(place, bounds);
+  impl_->changed();
   return id;
 }
 
@@ -125,42 +230,147 @@ void CollisionWorld::remove(ObstacleId id) {
   impl_->obstacles[place] = {};
   impl_->free_places.push_back(place);
   impl_->place_of.erase(found);
+  impl_->changed();
 }
 
-SweptResult CollisionWorld::test(const SweptQuery& query) const {
-  require_tolerance(query.contact_tolerance);
-  const int count = static_cast<int>(query.items.size());
-  for (const SweptQuery::Item& item : query.items) {
-    if (item.moving.body == nullptr) throw std::invalid_argument("a moving item needs a body");
-  }
-  for (const auto& [first, second] : query.pairs) {
-    if (first < 0 || second < 0 || first >= count || second >= count || first == second) {
-      throw std::invalid_argument(fmt::format(
-          "the pair ({}, {}) does not name two of the {} moving bodies", first, second, count));
-    }
-  }
-  for (int i = 0; i < count; ++i) {
+SweptResult CollisionWorld::Impl::test(const SweptQuery& query,
+                                       ClearanceBudget::Impl* budget) const {
+  require_valid(query);
+  if (budget != nullptr) budget->look_at(state);
+  Sweeps sweeps(query);
+  for (int i = 0; i < static_cast<int>(query.items.size()); ++i) {
     const SweptQuery::Item& item = query.items[i];
     if (!item.against_world) continue;
-    const std::optional<ObstacleId> met = impl_->first_met(*item.moving.body, item.moving.motion,
-                                                           query.contact_tolerance, query.ignore);
+    const Body& body = *item.moving.body;
+    if (budget != nullptr && budget->covers(i, body, item.moving.motion)) continue;
+    const std::optional<ObstacleId> met =
+        first_met(sweeps.of(i), query.contact_tolerance, query.ignore);
     if (met) return {SweptHit{i, met, std::nullopt}};
+    if (budget != nullptr) budget->measure(i, body, item.moving.motion, tree);
   }
   for (const auto& [first, second] : query.pairs) {
-    const MovingBody& a = query.items[first].moving;
-    const MovingBody& b = query.items[second].moving;
-    if (bodies_blocked(*a.body, a.motion, *b.body, b.motion, query.contact_tolerance)) {
+    if (items_blocked(sweeps.of(first), sweeps.of(second), query.contact_tolerance)) {
       return {SweptHit{first, std::nullopt, second}};
     }
   }
   return {};
 }
 
+SweptResult CollisionWorld::test(const SweptQuery& query) const {
+  return impl_->test(query, nullptr);
+}
+
+SweptResult CollisionWorld::test(const SweptQuery& query, ClearanceBudget& budget) const {
+  return impl_->test(query, budget.impl_.get());
+}
+
+Contact CollisionWorld::contact(const SweptQuery& query, const SweptHit& hit) const {
+  require_valid(query);
+  const int count = static_cast<int>(query.items.size());
+  if (hit.item < 0 || hit.item >= count || hit.obstacle.has_value() == hit.other_item.has_value() ||
+      hit.other_item.value_or(0) < 0 || hit.other_item.value_or(0) >= count) {
+    throw std::invalid_argument("the hit does not name two bodies of the query");
+  }
+  const MovingBody& moving = query.items[hit.item].moving;
+  std::optional<Contact> found;
+  if (hit.obstacle) {
+    const Obstacle& obstacle = impl_->obstacle(*hit.obstacle);
+    found = body_contact(*moving.body, moving.motion, *obstacle.body,
+                         geometry::stationary(obstacle.X_WB), query.contact_tolerance);
+  } else {
+    const MovingBody& other = query.items[*hit.other_item].moving;
+    found = body_contact(*moving.body, moving.motion, *other.body, other.motion,
+                         query.contact_tolerance);
+  }
+  if (!found) throw std::invalid_argument("the two bodies of the hit do not block each other");
+  return *found;
+}
+
+std::vector<BlockingPair> CollisionWorld::explain(const SweptQuery& query) const {
+  require_valid(query);
+  std::vector<BlockingPair> result;
+  const auto add = [&](const SweptHit& hit) { result.push_back({hit, contact(query, hit)}); };
+  Sweeps sweeps(query);
+  for (int i = 0; i < static_cast<int>(query.items.size()); ++i) {
+    if (!query.items[i].against_world) continue;
+    Sweep& sweep = sweeps.of(i);
+    ItemList candidates;
+    impl_->collect(sweep, query.ignore, candidates);
+    for (const int place : candidates) {
+      const Obstacle& obstacle = impl_->obstacles[place];
+      if (impl_->blocks(obstacle, sweep, query.contact_tolerance)) {
+        add({i, obstacle.id, std::nullopt});
+      }
+    }
+  }
+  for (const auto& [first, second] : query.pairs) {
+    if (items_blocked(sweeps.of(first), sweeps.of(second), query.contact_tolerance)) {
+      add({first, std::nullopt, second});
+    }
+  }
+  return result;
+}
+
+Clearance CollisionWorld::clearance(const SweptQuery& query, double range,
+                                    double resolution) const {
+  require_valid(query);
+  if (!(range >= 0) || !std::isfinite(range) || !(resolution > 0) || !std::isfinite(resolution)) {
+    throw std::invalid_argument(
+        fmt::format("a clearance needs a range of 0 m or more and a resolution above 0 m, "
+                    "not {} and {}",
+                    range, resolution));
+  }
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  NearestMiss nearest;
+  nearest.range = range;
+  nearest.resolution = resolution;
+  nearest.certified = kInfinity;
+  nearest.found = kInfinity;
+  Clearance result;
+  const auto look = [&](int item, const Body& other, const Motion& motion, const SweptHit& pair) {
+    const MovingBody& moving = query.items[item].moving;
+    if (!add_clearance(*moving.body, moving.motion, other, motion, query.contact_tolerance,
+                       nearest)) {
+      return;
+    }
+    result.pair = pair;
+    result.fraction = nearest.fraction;
+    result.point_moving_W = nearest.on_a_W;
+    result.point_met_W = nearest.on_b_W;
+  };
+  Sweeps sweeps(query);
+  for (int i = 0; i < static_cast<int>(query.items.size()); ++i) {
+    if (!query.items[i].against_world) continue;
+    const Sweep& sweep = sweeps.of(i);
+    for (const int place : impl_->nearest_first(sweep, range, query.ignore)) {
+      const Obstacle& obstacle = impl_->obstacles[place];
+      if (impl_->box_distance(sweep, obstacle) > nearest.reach()) break;
+      look(i, *obstacle.body, geometry::stationary(obstacle.X_WB), {i, obstacle.id, std::nullopt});
+    }
+  }
+  for (const auto& [first, second] : query.pairs) {
+    const MovingBody& other = query.items[second].moving;
+    look(first, *other.body, other.motion, {first, std::nullopt, second});
+  }
+  // A distance beyond the range may have been met on the way; it is not part of the answer.
+  if (nearest.found > range) {
+    result = {};
+    result.lower_bound = std::min(nearest.certified, range) < range ? nearest.certified : kInfinity;
+    result.upper_bound = kInfinity;
+    return result;
+  }
+  result.lower_bound = std::min(nearest.certified, nearest.found);
+  result.upper_bound = nearest.found;
+  return result;
+}
+
 std::optional<ObstacleId> CollisionWorld::blocked_at(const Body& body, const Pose& X_WB,
                                                      double contact_tolerance,
                                                      const std::vector<ObstacleId>& ignore) const {
   require_tolerance(contact_tolerance);
-  return impl_->first_met(body, geometry::stationary(X_WB), contact_tolerance, ignore);
+  const Motion standing = geometry::stationary(X_WB);
+  Sweep sweep(body, standing);
+  return impl_->first_met(sweep, contact_tolerance, ignore);
 }
 
 bool overlaps(const Body& a, const Pose& X_WA, const Body& b, const Pose& X_WB,

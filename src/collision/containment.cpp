@@ -146,15 +146,16 @@ bool surface_within(const TriangleSoup& soup, const Vec3& point, double distance
   return false;
 }
 
-bool any_probe_deep(const Body& outer, const std::vector<Vec3>& probes, const Placement& to_outer,
-                    double depth) {
+/// The first of the probes that is deep in a closed mesh of `outer`, in the frame of the probes.
+const Vec3* deep_probe(const Body& outer, const std::vector<Vec3>& probes,
+                       const Placement& to_outer, double depth) {
   for (const TriangleSoup& soup : outer.soups()) {
     if (!soup.closed()) continue;
     for (const Vec3& probe : probes) {
-      if (deep_inside(soup, to_outer * probe, depth)) return true;
+      if (deep_inside(soup, to_outer * probe, depth)) return &probe;
     }
   }
-  return false;
+  return nullptr;
 }
 
 }  // namespace
@@ -171,11 +172,20 @@ bool deep_inside(const TriangleSoup& soup, const Vec3& point, double depth) {
   return winding_number(soup, point) != 0 && !surface_within(soup, point, depth);
 }
 
-bool contained(const Body& a, const Body& b, const Placement& a_in_b, double contact_tolerance) {
-  if (!a.has_closed_soup() && !b.has_closed_soup()) return false;
+std::optional<Vec3> contained_point(const Body& a, const Body& b, const Placement& a_in_b,
+                                    double contact_tolerance) {
   const double depth = std::max(contact_tolerance, kRoundingDepth);
-  if (b.has_closed_soup() && any_probe_deep(b, a.probes(), a_in_b, depth)) return true;
-  return a.has_closed_soup() && any_probe_deep(a, b.probes(), a_in_b.inverse(), depth);
+  if (b.has_closed_soup()) {
+    if (const Vec3* probe = deep_probe(b, a.probes(), a_in_b, depth)) return a_in_b * *probe;
+  }
+  if (a.has_closed_soup()) {
+    if (const Vec3* probe = deep_probe(a, b.probes(), a_in_b.inverse(), depth)) return *probe;
+  }
+  return std::nullopt;
+}
+
+bool contained(const Body& a, const Body& b, const Placement& a_in_b, double contact_tolerance) {
+  return contained_point(a, b, a_in_b, contact_tolerance).has_value();
 }
 
 }  // namespace rubicon::collision

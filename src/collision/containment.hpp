@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "src/collision/body.hpp"
 
 namespace rubicon::collision {
@@ -13,9 +15,13 @@ int winding_number(const TriangleSoup& soup, const Vec3& point);
 /// for an open one.
 bool deep_inside(const TriangleSoup& soup, const Vec3& point, double depth);
 
-/// Whether some probe point of one body is deeper than the contact tolerance in a closed mesh of
-/// the other: what surfaces that do not cross cannot tell. `a_in_b` places A's centred coordinates
-/// in B's. Solid pieces need no such test.
+/// A probe point of one body that is deeper than the contact tolerance in a closed mesh of the
+/// other, in B's centred coordinates: what surfaces that do not cross cannot tell. `a_in_b` places
+/// A's centred coordinates in B's. Solid pieces need no such test.
+std::optional<Vec3> contained_point(const Body& a, const Body& b, const Placement& a_in_b,
+                                    double contact_tolerance);
+
+/// Whether there is one.
 bool contained(const Body& a, const Body& b, const Placement& a_in_b, double contact_tolerance);
 
 }  // namespace rubicon::collision

@@ -17,13 +17,6 @@ constexpr double kNearlyTouching = 1e-6;
 /// Polytopes end after a few rounds; round shapes gain a constant factor a round.
 constexpr int kMaxRounds = 128;
 
-struct Closest {
-  Vec3 point = Vec3::Zero();
-  double distance_squared = std::numeric_limits<double>::infinity();
-  std::array<int, 4> kept{};
-  int size = 0;
-};
-
 void offer(Closest& best, const Vec3& point, std::initializer_list<int> kept) {
   const double distance_squared = point.squaredNorm();
   if (distance_squared >= best.distance_squared) return;
@@ -56,6 +49,13 @@ void offer_face(Closest& best, const Simplex& simplex, int i, int j, int k) {
   offer(best, normal * (normal.dot(a) / area_squared), {i, j, k});
 }
 
+bool holds(const Simplex& simplex, const Vec3& point) {
+  return std::any_of(simplex.points.begin(), simplex.points.begin() + simplex.size,
+                     [&](const Vec3& own) { return own == point; });
+}
+
+}  // namespace
+
 bool encloses_origin(const Simplex& simplex) {
   for (int i = 0; i < 4; ++i) {
     const Vec3& a = simplex.points[(i + 1) % 4];
@@ -67,8 +67,6 @@ bool encloses_origin(const Simplex& simplex) {
   return true;
 }
 
-/// The point of the simplex nearest to the origin; every face is looked at, which is slower and
-/// safer than walking.
 Closest closest_to_origin(const Simplex& simplex) {
   Closest best;
   const int size = simplex.size;
@@ -83,13 +81,6 @@ Closest closest_to_origin(const Simplex& simplex) {
   }
   return best;
 }
-
-bool holds(const Simplex& simplex, const Vec3& point) {
-  return std::any_of(simplex.points.begin(), simplex.points.begin() + simplex.size,
-                     [&](const Vec3& own) { return own == point; });
-}
-
-}  // namespace
 
 GjkResult gjk(const SweptPair& pair) {
   GjkResult result;

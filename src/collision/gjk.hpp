@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "src/collision/swept_pair.hpp"
 
@@ -11,6 +12,21 @@ struct Simplex {
   std::array<Vec3, 4> points;
   int size = 0;
 };
+
+/// The point of a simplex nearest to the origin, and which of its corners it lies between.
+struct Closest {
+  Vec3 point = Vec3::Zero();
+  double distance_squared = std::numeric_limits<double>::infinity();
+  std::array<int, 4> kept{};
+  int size = 0;
+};
+
+/// Every vertex, edge and face is looked at, which is slower and safer than walking; the inside of
+/// a tetrahedron is not.
+Closest closest_to_origin(const Simplex& simplex);
+
+/// Whether the origin lies inside a tetrahedron.
+bool encloses_origin(const Simplex& simplex);
 
 /// What a search for a separating direction ended with.
 struct GjkResult {

@@ -42,7 +42,43 @@ class PairTest {
     return undecided_blocked(tree);
   }
 
+  std::optional<double> first_contact(MotionTree& tree) {
+    const Slice& slice = tree.slice();
+    if (free_on(slice)) return std::nullopt;
+    if (!free_at(slice.a_in_b.start)) return slice.s0;
+    if (kind_ == RelativeMotion::Kind::kStill) return slice.s0;
+    if (kind_ == RelativeMotion::Kind::kTranslation) return end_of_free_translation(tree);
+    const std::optional<double> found = first_contact_inside(tree);
+    // What the search for a hit gave up on must not be lost here.
+    if (!found && blocked(tree)) return slice.s0;
+    return found;
+  }
+
  private:
+  /// The swept volume only grows with the distance, so halving finds where it gets too deep.
+  double end_of_free_translation(const MotionTree& tree) {
+    double accepted = tree.slice().s0;
+    double refused = tree.slice().s1;
+    while (refused - accepted > kContactResolution) {
+      const double middle = 0.5 * (accepted + refused);
+      const bool free = free_on(tree.motion().slice(tree.slice().s0, middle));
+      (free ? accepted : refused) = middle;
+    }
+    return accepted;
+  }
+
+  std::optional<double> first_contact_inside(MotionTree& tree) {
+    const Slice& slice = tree.slice();
+    if (free_on(slice)) return std::nullopt;
+    if (!free_at(slice.a_in_b.start) || ++intervals_ > kMaxIntervals) return slice.s0;
+    if (slice.s1 - slice.s0 <= kContactResolution || fine_enough(slice)) {
+      const bool deep = !free_at(slice.a_in_b.end) || undecided_blocked(tree);
+      return deep ? std::optional(slice.s0) : std::nullopt;
+    }
+    if (const std::optional<double> found = first_contact_inside(tree.first_half())) return found;
+    return first_contact_inside(tree.second_half());
+  }
+
   bool blocked_inside(MotionTree& tree) {
     return !free_on(tree.slice()) && undecided_blocked(tree);
   }
@@ -103,6 +139,11 @@ class PairTest {
 
 bool pair_blocked(const Convex& a, const Convex& b, MotionTree& tree, double tolerance) {
   return PairTest(a, b, tree.motion(), tolerance).blocked(tree);
+}
+
+std::optional<double> first_contact(const Convex& a, const Convex& b, MotionTree& tree,
+                                    double tolerance) {
+  return PairTest(a, b, tree.motion(), tolerance).first_contact(tree);
 }
 
 double pair_tolerance(double width_a, double width_b, double contact_tolerance) {

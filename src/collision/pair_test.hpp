@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "src/collision/motion_tree.hpp"
 
 namespace rubicon::collision {
@@ -8,6 +10,12 @@ namespace rubicon::collision {
 /// other somewhere on the slice. False is always proved. Each piece is in the (centred) frame of
 /// its own body.
 bool pair_blocked(const Convex& a, const Convex& b, MotionTree& tree, double tolerance);
+
+/// Where on the slice (share of the whole step) two pieces first get deeper than `tolerance`: the
+/// slice is proved free of them up to there, and contact begins within `kContactResolution` of the
+/// step after it. Nothing where they stay free.
+std::optional<double> first_contact(const Convex& a, const Convex& b, MotionTree& tree,
+                                    double tolerance);
 
 /// The contact tolerance of a pair of pieces by their widths: the given one, less for thin things
 /// (see `kThinShare`).

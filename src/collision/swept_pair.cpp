@@ -37,12 +37,17 @@ bool SweptPair::free_along(const Vec3& n) const {
   return swept.greatest - still.least <= tolerance || still.greatest - swept.least <= tolerance;
 }
 
-Vec3 SweptPair::difference_support(const Vec3& n) const {
+SweptPair::Support SweptPair::support(const Vec3& n) const {
   const Vec3 opposite = fixed.core_support(-n);
   const Vec3 first = start * moving.core_support(start.R.transpose() * n);
-  if (standing) return first - opposite;
+  if (standing) return {first, opposite};
   const Vec3 last = end * moving.core_support(end.R.transpose() * n);
-  return (n.dot(first) >= n.dot(last) ? first : last) - opposite;
+  return {n.dot(first) >= n.dot(last) ? first : last, opposite};
+}
+
+Vec3 SweptPair::difference_support(const Vec3& n) const {
+  const Support both = support(n);
+  return both.moving - both.fixed;
 }
 
 }  // namespace rubicon::collision

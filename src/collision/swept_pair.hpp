@@ -31,6 +31,12 @@ struct SweptPair {
   /// Point farthest along n of the set {a - b: a in the core of the swept one, b in the core of the
   /// fixed one}.
   Vec3 difference_support(const Vec3& n) const;
+  /// The two core points whose difference that is.
+  struct Support {
+    Vec3 moving = Vec3::Zero();
+    Vec3 fixed = Vec3::Zero();
+  };
+  Support support(const Vec3& n) const;
   double balls() const { return moving.ball + fixed.ball; }
 };
 

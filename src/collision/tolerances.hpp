@@ -42,6 +42,10 @@ inline constexpr int kMaxIntervals = 1 << 16;
 /// called a hit.
 inline constexpr double kShortestInterval = 1e-8;
 
+/// When a contact begins is sought to this share of the step; a step of a metre is so known to 0.1
+/// mm.
+inline constexpr double kContactResolution = 1e-4;
+
 /// Directions nearer than this (sine of their angle) are one direction in the feature lists.
 /// Consequence: at 100 m extent a lost direction costs 1e-7 m of false depth, never a miss.
 inline constexpr double kSameDirection = 1e-9;

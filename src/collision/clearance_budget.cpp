@@ -1,0 +1,89 @@
+#include "src/collision/clearance_budget.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/math/angles.hpp"
+
+namespace rubicon::collision {
+namespace {
+
+/// Free space is measured for this many steps like the last one; more costs a longer search.
+constexpr double kStepsAhead = 32;
+/// Where measuring was of no use, it is tried again after 1, 2, 4, ... queries, at most this many.
+constexpr int kLongestPause = 32;
+/// Taken off every distance (m): more than the rounding of displacements.
+constexpr double kRounding = 1e-9;
+/// How far the square of an axis' length may be from 1 to be believed without the full check.
+constexpr double kUnit = 1e-6;
+
+/// How far the pose moves any core point of the body from where `X` has it.
+double displacement(const Body& body, const Mat3& R, const Vec3& t, const Placement& X) {
+  const double turned = (R - X.R).squaredNorm();
+  const double shifted = (t - X.t).norm();
+  return turned == 0 ? shifted : shifted + std::sqrt(turned) * body.extent().radius;
+}
+
+}  // namespace
+
+std::optional<double> greatest_displacement(const Body& body, const Motion& motion,
+                                            const Placement& X) {
+  const geometry::ScrewMotion* screw = screw_of(motion);
+  if (screw == nullptr) {
+    const double stray = stray_of(motion, body.extent(), 0, 1).points;
+    const Placement start = centred(motion, body.extent(), 0);
+    const Placement end = centred(motion, body.extent(), 1);
+    return std::max(displacement(body, start.R, start.t, X), displacement(body, end.R, end.t, X)) +
+           stray;
+  }
+  const auto R = screw->X0.linear();
+  const Vec3 t = screw->X0 * body.extent().centre;
+  const double at_start = displacement(body, R, t, X);
+  if (screw->angle_deg == 0) {
+    return std::max(at_start, displacement(body, R, t + screw->slide, X));
+  }
+  if (!(std::fabs(screw->axis.squaredNorm() - 1) < kUnit)) return std::nullopt;
+  const double lever = screw->axis.cross(t - screw->point).norm() + body.extent().radius;
+  return at_start + math::radians(std::fabs(screw->angle_deg)) * lever + screw->slide.norm();
+}
+
+void ClearanceBudget::Impl::look_at(const WorldState& now) {
+  if (state == now) return;
+  state = now;
+  items.clear();
+}
+
+bool ClearanceBudget::Impl::covers(std::size_t item, const Body& body, const Motion& motion) const {
+  if (item >= items.size()) return false;
+  const Known& known = items[item];
+  if (known.body != &body || !(known.clear > 0)) return false;
+  const std::optional<double> moved = greatest_displacement(body, motion, known.X);
+  return moved && *moved + kRounding < known.clear;
+}
+
+void ClearanceBudget::Impl::measure(std::size_t item, const Body& body, const Motion& motion,
+                                    const WideTree& obstacles) {
+  if (item >= items.size()) items.resize(item + 1);
+  Known& known = items[item];
+  if (known.body != &body) known = {};
+  known.body = &body;
+  if (known.pause > 0) {
+    --known.pause;
+    return;
+  }
+  const Placement start = centred(motion, body.extent(), 0);
+  const std::optional<double> step = greatest_displacement(body, motion, start);
+  if (!step || !std::isfinite(*step)) return;
+  known.X = centred(motion, body.extent(), 1);
+  known.clear = obstacles.distance(placed(body.bounds(), known.X), kStepsAhead * *step);
+  const bool useful = known.clear > 2 * *step;
+  known.futile = useful ? 0 : known.futile + 1;
+  known.pause = useful ? 0 : std::min(1 << std::min(known.futile, 10), kLongestPause);
+}
+
+ClearanceBudget::ClearanceBudget() : impl_(std::make_unique<Impl>()) {}
+ClearanceBudget::~ClearanceBudget() = default;
+ClearanceBudget::ClearanceBudget(ClearanceBudget&&) noexcept = default;
+ClearanceBudget& ClearanceBudget::operator=(ClearanceBudget&&) noexcept = default;
+
+}  // namespace rubicon::collision
