@@ -3,6 +3,7 @@
 #include "src/collision/containment.hpp"
 #include "src/collision/pair_test.hpp"
 #include "src/collision/part_pairs.hpp"
+#include "src/collision/tolerances.hpp"
 
 namespace rubicon::collision {
 

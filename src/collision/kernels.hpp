@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/collision/triangle_pack.hpp"
 #include "src/collision/wide_node.hpp"
 
 // Included by the units that are compiled for one processor: plain data only, see wide_node.hpp.
@@ -12,6 +13,9 @@ struct Kernels {
   /// Writes the items of a tree (root: node 0) whose boxes meet `box` to `found`; their number, or
   /// -1 if there are more than `capacity`.
   int (*collect)(const WideNode* nodes, const FloatBox& box, int* found, int capacity);
+  /// Which triangles of a pack a moving box may meet by more than the tolerance (bit i: triangle
+  /// i). For a translation exactly those; for a rotation those not proved free.
+  unsigned (*meeting_triangles)(const BoxPass& box, const TrianglePack& pack);
 };
 
 /// Plain C++; the reference.

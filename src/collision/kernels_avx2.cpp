@@ -4,6 +4,8 @@
 #if defined(__AVX2__)
 #include <immintrin.h>
 
+#include "src/collision/triangle_kernel.hpp"
+
 namespace rubicon::collision {
 namespace {
 
@@ -47,7 +49,7 @@ int collect(const WideNode* nodes, const FloatBox& box, int* found, int capacity
 }  // namespace
 
 const Kernels* avx2_kernels() {
-  static constexpr Kernels kernels = {collect};
+  static constexpr Kernels kernels = {collect, meeting_triangles};
   return &kernels;
 }
 

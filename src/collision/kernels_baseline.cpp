@@ -1,4 +1,5 @@
 #include "src/collision/kernels.hpp"
+#include "src/collision/triangle_kernel.hpp"
 
 namespace rubicon::collision {
 namespace {
@@ -38,7 +39,7 @@ int collect(const WideNode* nodes, const FloatBox& box, int* found, int capacity
 }  // namespace
 
 const Kernels& baseline_kernels() {
-  static constexpr Kernels kernels = {collect};
+  static constexpr Kernels kernels = {collect, meeting_triangles};
   return kernels;
 }
 

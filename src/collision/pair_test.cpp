@@ -146,9 +146,4 @@ std::optional<double> first_contact(const Convex& a, const Convex& b, MotionTree
   return PairTest(a, b, tree.motion(), tolerance).first_contact(tree);
 }
 
-double pair_tolerance(double width_a, double width_b, double contact_tolerance) {
-  const double thin = std::max(kThinShare * std::min(width_a, width_b), kThinFloor);
-  return std::max(std::min(contact_tolerance, thin), kRoundingDepth);
-}
-
 }  // namespace rubicon::collision

@@ -17,8 +17,4 @@ bool pair_blocked(const Convex& a, const Convex& b, MotionTree& tree, double tol
 std::optional<double> first_contact(const Convex& a, const Convex& b, MotionTree& tree,
                                     double tolerance);
 
-/// The contact tolerance of a pair of pieces by their widths: the given one, less for thin things
-/// (see `kThinShare`).
-double pair_tolerance(double width_a, double width_b, double contact_tolerance);
-
 }  // namespace rubicon::collision

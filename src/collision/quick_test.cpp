@@ -1,8 +1,9 @@
 #include "src/collision/quick_test.hpp"
 
 #include <algorithm>
+#include <vector>
 
-#include "src/collision/pair_test.hpp"
+#include "src/collision/box_mesh_test.hpp"
 #include "src/collision/tolerances.hpp"
 
 namespace rubicon::collision {
@@ -12,7 +13,8 @@ namespace {
 /// to a quarter each time.
 constexpr int kHalvings = 4;
 
-/// The tolerance of two parts. Soups: their triangles may be too small to be allowed more.
+/// The tolerance for the boxes around two parts. Soups: their triangles may be too small to be
+/// allowed more.
 double part_tolerance(const BodyPart& a, const BodyPart& b, double contact_tolerance) {
   if (a.soup >= 0 || b.soup >= 0) return kRoundingDepth;
   return pair_tolerance(a.width, b.width, contact_tolerance);
@@ -93,6 +95,125 @@ class PartTest {
   double tolerance_;
 };
 
+/// A moving box against a mesh that stands, or a moving mesh against a box that stands; in the
+/// frame of the mesh it is always the box that moves.
+class MeshTest {
+ public:
+  /// `mesh_moves`: the soup belongs to the moving body; `X_WB` places the standing one.
+  MeshTest(const Sweep& sweep, const BodyPart& box, const TriangleSoup& soup, bool mesh_moves,
+           const Placement& X_WB, double contact_tolerance)
+      : sweep_(sweep),
+        box_(box),
+        soup_(soup),
+        mesh_moves_(mesh_moves),
+        X_WB_(X_WB),
+        tolerance_(pair_tolerance(box.width, box.width, contact_tolerance)) {}
+
+  Verdict verdict(SweepSlice& slice) const {
+    // Seen from a moving mesh a general motion has another bound.
+    if (mesh_moves_ && slice.uniform_growth() > 0) return Verdict::kUndecided;
+    const BoxPassage whole = passage(slice);
+    ItemList packs;
+    collect_packs(whole, soup_, packs);
+    int* last = packs_in_the_way(whole, soup_, tolerance_, packs.begin(), packs.end());
+    if (last == packs.begin()) return Verdict::kFree;
+    if (sweep_.is_translation()) return box_.is_box ? Verdict::kHit : Verdict::kUndecided;
+    const std::vector<int> open(packs.begin(), last);
+    if (box_.is_box && deep_at(slice.start(), open)) return Verdict::kHit;
+    return halved(slice, open, kHalvings);
+  }
+
+ private:
+  /// The box at a pose of the moving body, in the frame of the mesh.
+  OrientedBox box_at(const Placement& pose) const {
+    const Placement& mesh = mesh_moves_ ? pose : X_WB_;
+    const Placement& other = mesh_moves_ ? X_WB_ : pose;
+    const Mat3 to_mesh = mesh.R.transpose();
+    const Mat3 R = to_mesh * other.R;
+    return {box_.aligned ? R : Mat3(R * box_.box.R),
+            to_mesh * (other.t - mesh.t) + R * box_.box.centre, box_.box.half};
+  }
+
+  BoxPassage passage(SweepSlice& slice) const {
+    BoxPassage result;
+    const OrientedBox start = box_at(slice.start());
+    const OrientedBox end = box_at(slice.end());
+    result.box.R_start = start.R;
+    result.box.start = start.centre;
+    result.box.end = end.centre;
+    result.box.half = box_.box.half;
+    result.translation = sweep_.is_translation();
+    if (result.translation) {
+      result.box.R_end = start.R;
+      result.R_middle = start.R;
+      result.middle = 0.5 * (start.centre + end.centre);
+      return result;
+    }
+    const OrientedBox middle = box_at(slice.middle());
+    result.box.R_end = end.R;
+    result.R_middle = middle.R;
+    result.middle = middle.centre;
+    const Placement& mesh = mesh_moves_ ? slice.start() : X_WB_;
+    result.box.growth_axis = mesh.R.transpose() * slice.axis();
+    result.box.uniform_growth = slice.uniform_growth();
+    if (slice.bulge() > 0) {
+      const Vec3 centre = mesh * start.centre;
+      const double lever = slice.axis().cross(centre - slice.point()).norm() + box_.box.half.norm();
+      result.box.axial_growth = slice.bulge() * lever;
+    }
+    return result;
+  }
+
+  bool deep_at(const Placement& pose, std::vector<int> packs) const {
+    const OrientedBox box = box_at(pose);
+    BoxPassage still;
+    still.box.R_start = still.box.R_end = still.R_middle = box.R;
+    still.box.start = still.box.end = still.middle = box.centre;
+    still.box.half = box.half;
+    still.translation = true;
+    return packs_in_the_way(still, soup_, tolerance_, packs.data(), packs.data() + packs.size()) !=
+           packs.data();
+  }
+
+  Verdict halved(SweepSlice& slice, const std::vector<int>& packs, int halvings) const {
+    if (box_.is_box && deep_at(slice.middle(), packs)) return Verdict::kHit;
+    if (halvings == 0) return Verdict::kUndecided;
+    for (SweepSlice* half : {&slice.first_half(), &slice.second_half()}) {
+      std::vector<int> open = packs;
+      const int* last = packs_in_the_way(passage(*half), soup_, tolerance_, open.data(),
+                                         open.data() + open.size());
+      open.resize(static_cast<std::size_t>(last - open.data()));
+      if (open.empty()) continue;
+      const Verdict found = halved(*half, open, halvings - 1);
+      if (found != Verdict::kFree) return found;
+    }
+    return Verdict::kFree;
+  }
+
+  const Sweep& sweep_;
+  const BodyPart& box_;
+  const TriangleSoup& soup_;
+  bool mesh_moves_;
+  const Placement& X_WB_;
+  double tolerance_;
+};
+
+/// Over one slice, two parts of which at most one is a mesh.
+Verdict part_verdict(Sweep& sweep, SweepSlice& slice, const BodyPart& moving, const Body& standing,
+                     const BodyPart& fixed, const OrientedBox& fixed_box, const Placement& X_WB,
+                     double contact_tolerance) {
+  const PartTest boxes(sweep, moving, fixed_box, fixed.is_box,
+                       part_tolerance(moving, fixed, contact_tolerance));
+  const Verdict found = boxes.verdict(slice);
+  const bool one_mesh = (moving.soup >= 0) != (fixed.soup >= 0);
+  if (found != Verdict::kUndecided || !one_mesh) return found;
+  const bool mesh_moves = moving.soup >= 0;
+  const TriangleSoup& soup =
+      mesh_moves ? sweep.body().soups()[moving.soup] : standing.soups()[fixed.soup];
+  return MeshTest(sweep, mesh_moves ? fixed : moving, soup, mesh_moves, X_WB, contact_tolerance)
+      .verdict(slice);
+}
+
 }  // namespace
 
 Verdict quick_verdict(Sweep& sweep, const Body& standing, const Placement& X_WB,
@@ -101,10 +222,9 @@ Verdict quick_verdict(Sweep& sweep, const Body& standing, const Placement& X_WB,
   for (const BodyPart& fixed : standing.parts()) {
     const OrientedBox fixed_box = placed(fixed.box, X_WB);
     for (const BodyPart& moving : sweep.body().parts()) {
-      const PartTest test(sweep, moving, fixed_box, fixed.is_box,
-                          part_tolerance(moving, fixed, contact_tolerance));
       for (int i = 0; i < sweep.slice_count(); ++i) {
-        const Verdict found = test.verdict(sweep.slice(i));
+        const Verdict found = part_verdict(sweep, sweep.slice(i), moving, standing, fixed,
+                                           fixed_box, X_WB, contact_tolerance);
         if (found == Verdict::kHit) return found;
         if (found == Verdict::kUndecided) result = found;
       }

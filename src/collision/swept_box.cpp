@@ -6,12 +6,10 @@
 namespace rubicon::collision {
 namespace {
 
-/// Cross products of unit vectors shorter than this (squared) are parallel edges: their direction
-/// is among the face normals.
-constexpr double kParallel = 1e-24;
-/// Up to this length (squared) the direction of a cross product is not certain enough to be used
-/// without normalising: rounding of 1e-15 m would be amplified to 1e-9 m and more.
-constexpr double kUncertain = 1e-12;
+/// Squared lengths of cross products below this share of what they could be are rounding alone: the
+/// two are parallel, and their direction is among the face normals. Any longer one is a valid, if
+/// noisy, axis: extents are worked out for the axis as it is.
+constexpr double kNoAxis = 1e-24;
 
 /// The extent of a box along n (both sides of its centre), its axes being the columns of R.
 double reach(const Mat3& R, const Vec3& half, const Vec3& n) {
@@ -46,7 +44,7 @@ class Translated {
         fixed_half_(fixed.half),
         tolerance_(tolerance) {}
 
-  Verdict verdict() {
+  Verdict verdict() const {
     for (int i = 0; i < 3; ++i) {
       const double moving_reach = moving_half_[0] * std::fabs(R_(i, 0)) +
                                   moving_half_[1] * std::fabs(R_(i, 1)) +
@@ -74,7 +72,7 @@ class Translated {
         if (free_along(half_displacement_.cross(R_.col(j)), length_squared)) return Verdict::kFree;
       }
     }
-    return uncertain_ ? Verdict::kUndecided : Verdict::kHit;
+    return Verdict::kHit;
   }
 
  private:
@@ -83,12 +81,9 @@ class Translated {
            reach(fixed_half_, n) - reach(R_, moving_half_, n);
   }
 
-  bool free_along(const Vec3& n, double scale_squared) {
+  bool free_along(const Vec3& n, double scale_squared) const {
     const double length_squared = n.squaredNorm();
-    if (length_squared <= kUncertain * scale_squared) {
-      uncertain_ = uncertain_ || length_squared > kParallel * scale_squared;
-      return false;
-    }
+    if (length_squared <= kNoAxis * scale_squared) return false;
     const double found = gap(n);
     return found >= 0 || (found * found <= tolerance_ * tolerance_ * length_squared);
   }
@@ -99,7 +94,6 @@ class Translated {
   Vec3 moving_half_;
   Vec3 fixed_half_;
   double tolerance_;
-  bool uncertain_ = false;
 };
 
 }  // namespace
@@ -161,7 +155,7 @@ bool TurnedBoxTest::free_along_others(const Mat3& R_middle) const {
 
 bool TurnedBoxTest::free_along_scaled(const Vec3& n, double scale_squared) const {
   const double length_squared = n.squaredNorm();
-  if (length_squared <= kUncertain * scale_squared) return false;
+  if (length_squared <= kNoAxis * scale_squared) return false;
   return free_along(n / std::sqrt(length_squared));
 }
 

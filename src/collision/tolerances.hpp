@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 namespace rubicon::collision {
 
 /// Depths below this are contact whatever the tolerance (m). Reason: poses 1e5 m from the origin
@@ -16,6 +18,15 @@ inline constexpr double kThinShare = 0.25;
 /// The share above never asks for more than this precision (m). Reason: vertices of fine meshes are
 /// often single precision.
 inline constexpr double kThinFloor = 10e-6;
+
+/// The most that something of this width (m) is allowed to be deep in anything (m).
+inline double thickness_tolerance(double width) { return std::max(kThinShare * width, kThinFloor); }
+
+/// The contact tolerance of a pair of pieces by their widths: the given one, less for thin things.
+inline double pair_tolerance(double width_a, double width_b, double contact_tolerance) {
+  return std::max(std::min(contact_tolerance, thickness_tolerance(std::min(width_a, width_b))),
+                  kRoundingDepth);
+}
 
 /// Triangles whose smallest altitude is below this (m) are dropped: their plane is noise, their
 /// neighbours cover the place.

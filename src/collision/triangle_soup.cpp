@@ -11,7 +11,7 @@
 namespace rubicon::collision {
 namespace {
 
-constexpr int kTrianglesPerLeaf = 4;
+constexpr int kTrianglesPerLeaf = kPack;
 
 }  // namespace
 
@@ -27,6 +27,28 @@ TriangleSoup::TriangleSoup(std::vector<Vec3> vertices, std::vector<Triangle> tri
   find_probes();
   nodes_.emplace_back();
   build(0, 0, static_cast<int>(triangles_.size()));
+  std::vector<Bounds> leaves;
+  for (const Node& node : nodes_) {
+    if (node.count == 0) continue;
+    add_pack(node.first, node.first + node.count);
+    leaves.push_back(node.bounds);
+  }
+  pack_tree_ = WideTree(leaves);
+}
+
+void TriangleSoup::add_pack(int begin, int end) {
+  TrianglePack& pack = packs_.emplace_back();
+  pack.first = begin;
+  pack.count = end - begin;
+  for (int i = 0; i < kPack; ++i) {
+    const int triangle = i < pack.count ? begin + i : begin;
+    for (int k = 0; k < 3; ++k) {
+      for (int axis = 0; axis < 3; ++axis) pack.corner[k][axis][i] = corner(triangle, k)[axis];
+    }
+    const double altitude =
+        smallest_altitude(corner(triangle, 0), corner(triangle, 1), corner(triangle, 2));
+    pack.tolerance[i] = thickness_tolerance(altitude);
+  }
 }
 
 void TriangleSoup::build(int node, int begin, int end) {

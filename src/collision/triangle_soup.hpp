@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "src/collision/bounds.hpp"
+#include "src/collision/triangle_pack.hpp"
+#include "src/collision/wide_tree.hpp"
 
 namespace rubicon::collision {
 
@@ -35,16 +37,23 @@ class TriangleSoup {
   const Bounds& bounds() const { return nodes_.front().bounds; }
   const Vec3& corner(int triangle, int k) const { return vertices_[triangles_[triangle][k]]; }
 
+  /// The leaves of the tree, each as one pack of triangles side by side, and a wide tree over them.
+  const std::vector<TrianglePack>& packs() const { return packs_; }
+  const WideTree& pack_tree() const { return pack_tree_; }
+
   /// A few points of every connected part, for tests of containment.
   const std::vector<Vec3>& probes() const { return probes_; }
 
  private:
   void build(int node, int begin, int end);
   void find_probes();
+  void add_pack(int begin, int end);
 
   std::vector<Vec3> vertices_;
   std::vector<Triangle> triangles_;
   std::vector<Node> nodes_;
+  std::vector<TrianglePack> packs_;
+  WideTree pack_tree_;
   std::vector<Vec3> probes_;
   bool closed_ = false;
 };
