@@ -20,6 +20,8 @@ const char* name_of(Method method) {
   switch (method) {
     case Method::kOurs:
       return "ours";
+    case Method::kOursBaseline:
+      return "ours_baseline";
     case Method::kFclDefault:
       return "fcl_default";
     case Method::kFcl10mm:
@@ -58,7 +60,9 @@ class Comparison {
   /// Calls `use` with a function that answers step number i by `method`.
   template <typename Use>
   void with(Method method, Use use) {
-    if (method == Method::kOurs) {
+    if (method == Method::kOurs || method == Method::kOursBaseline) {
+      collision::use_simd(method == Method::kOurs ? collision::Simd::kAvx2
+                                                  : collision::Simd::kBaseline);
       const OurWorld& ours = ours_.get();
       use([&ours](std::size_t i) { return ours.world.test(ours.queries[i]).hit.has_value(); });
       return;

@@ -11,6 +11,7 @@ namespace rubicon::bench {
 /// How a scene is asked: our engine, and what it is compared with.
 enum class Method {
   kOurs,            ///< CollisionWorld::test, the best instructions of this processor
+  kOursBaseline,    ///< the same with the instructions that every x86-64 processor has
   kFclDefault,      ///< FCL: tree, continuousCollide with its default request
   kFcl10mm,         ///< FCL: at a pose every 10 mm the tree, then collide
   kFcl10mmOneTree,  ///< FCL: the tree once a step, then collide at a pose every 10 mm

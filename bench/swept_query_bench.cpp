@@ -15,8 +15,8 @@ namespace {
 using namespace rubicon::bench;
 
 void register_near() {
-  const std::vector<Method> boxes = {Method::kOurs, Method::kFclDefault, Method::kFcl10mm,
-                                     Method::kFcl10mmOneTree, Method::kFclTight};
+  const std::vector<Method> boxes = {Method::kOurs,    Method::kOursBaseline,   Method::kFclDefault,
+                                     Method::kFcl10mm, Method::kFcl10mmOneTree, Method::kFclTight};
   for (const StepKind kind : {StepKind::kTranslation, StepKind::kRotation}) {
     for (const int count : {1000, 10000, 100000}) {
       register_comparison(
