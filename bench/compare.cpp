@@ -61,10 +61,10 @@ class Comparison {
   template <typename Use>
   void with(Method method, Use use) {
     if (method == Method::kOurs || method == Method::kOursBaseline) {
-      collision::use_simd(method == Method::kOurs ? collision::Simd::kAvx2
-                                                  : collision::Simd::kBaseline);
       const OurWorld& ours = ours_.get();
+      if (method == Method::kOursBaseline) collision::use_simd(collision::Simd::kBaseline);
       use([&ours](std::size_t i) { return ours.world.test(ours.queries[i]).hit.has_value(); });
+      collision::use_simd(collision::Simd::kAvx2);
       return;
     }
     const FclSide& fcl = method == Method::kFclTight     ? fcl_tight_.get()

@@ -117,6 +117,19 @@ void ours(benchmark::State& state, const CraneSite& site, bool own_pairs) {
   });
 }
 
+/// One budget for the crane, as a run keeps it.
+void ours_with_budget(benchmark::State& state, const CraneSite& site, bool own_pairs) {
+  const std::vector<collision::SweptQuery> queries = site.queries(own_pairs);
+  collision::ClearanceBudget budget;
+  measure(state, site, [&] {
+    int hits = 0;
+    for (const collision::SweptQuery& query : queries) {
+      hits += site.world().test(query, budget).hit.has_value();
+    }
+    return hits;
+  });
+}
+
 void fcl_default(benchmark::State& state, const CraneSite& site) {
   const FclWorld world(site.scene());
   const std::vector<FclWorld::StepPtr> steps = site.fcl_steps();
@@ -139,6 +152,10 @@ void register_crane() {
   };
   add("ours", [](benchmark::State& state, const CraneSite& on) { ours(state, on, false); });
   add("ours_pairs", [](benchmark::State& state, const CraneSite& on) { ours(state, on, true); });
+  add("ours_budget",
+      [](benchmark::State& state, const CraneSite& on) { ours_with_budget(state, on, false); });
+  add("ours_pairs_budget",
+      [](benchmark::State& state, const CraneSite& on) { ours_with_budget(state, on, true); });
   add("fcl_default", fcl_default);
 }
 

@@ -9,6 +9,7 @@
 #include "bench/crane_bench.hpp"
 #include "bench/mesh_scene.hpp"
 #include "bench/panel_scene.hpp"
+#include "bench/question_bench.hpp"
 
 namespace {
 
@@ -49,6 +50,7 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   register_near();
   register_crane();
+  register_questions();
   register_changes();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
