@@ -71,7 +71,15 @@ void collect_packs(const BoxPassage& passage, const TriangleSoup& soup, ItemList
   Bounds swept;
   swept.lower = (box.start - start_reach).cwiseMin(box.end - end_reach) - growth;
   swept.upper = (box.start + start_reach).cwiseMax(box.end + end_reach) + growth;
-  soup.pack_tree().collect(swept, found);
+  // The swept box along its middle axes.
+  const BoxPass pass = box_pass(passage, 0);
+  OrientedBox oriented;
+  oriented.R = passage.R_middle;
+  const Vec3 lower(pass.lower[0], pass.lower[1], pass.lower[2]);
+  const Vec3 upper(pass.upper[0], pass.upper[1], pass.upper[2]);
+  oriented.centre = passage.middle + passage.R_middle * (0.5 * (lower + upper));
+  oriented.half = 0.5 * (upper - lower);
+  soup.pack_tree().collect(swept, oriented, found);
 }
 
 int* packs_in_the_way(const BoxPassage& passage, const TriangleSoup& soup, double contact_tolerance,

@@ -1,45 +1,69 @@
 #include "src/collision/kernels.hpp"
+#include "src/collision/tree_walk.hpp"
 #include "src/collision/triangle_kernel.hpp"
 
 namespace rubicon::collision {
 namespace {
 
-unsigned meeting_slots(const WideNode& node, const FloatBox& box) {
-  unsigned mask = 0;
-  for (int slot = 0; slot < kWidth; ++slot) {
-    const bool meets = node.lower[0][slot] <= box.upper[0] && box.lower[0] <= node.upper[0][slot] &&
-                       node.lower[1][slot] <= box.upper[1] && box.lower[1] <= node.upper[1][slot] &&
-                       node.lower[2][slot] <= box.upper[2] && box.lower[2] <= node.upper[2][slot];
-    mask |= static_cast<unsigned>(meets) << slot;
-  }
-  return mask;
-}
+/// Which slots of a node meet a box.
+struct SlotsMeeting {
+  explicit SlotsMeeting(const FloatBox& asked) : box(asked) {}
 
-int collect(const WideNode* nodes, const FloatBox& box, int* found, int capacity) {
-  int open[kMaxOpen];
-  int open_count = 0;
-  int count = 0;
-  open[open_count++] = 0;
-  while (open_count > 0) {
-    const WideNode& node = nodes[open[--open_count]];
-    for (unsigned mask = meeting_slots(node, box); mask != 0; mask &= mask - 1) {
-      const int child = node.child[__builtin_ctz(mask)];
-      if (child >= 0) {
-        open[open_count++] = child;
-      } else if (count < capacity) {
-        found[count++] = ~child;
-      } else {
-        return -1;
+  unsigned operator()(const WideNode& node) const {
+    unsigned mask = 0;
+    for (int slot = 0; slot < kWidth; ++slot) {
+      const bool meets =
+          node.lower[0][slot] <= box.upper[0] && box.lower[0] <= node.upper[0][slot] &&
+          node.lower[1][slot] <= box.upper[1] && box.lower[1] <= node.upper[1][slot] &&
+          node.lower[2][slot] <= box.upper[2] && box.lower[2] <= node.upper[2][slot];
+      mask |= static_cast<unsigned>(meets) << slot;
+    }
+    return mask;
+  }
+
+  const FloatBox& box;
+};
+
+struct SlotsMeetingOriented {
+  explicit SlotsMeetingOriented(const FloatOrientedBox& asked) : parallel(asked.box), box(asked) {}
+
+  unsigned operator()(const WideNode& node) const {
+    unsigned mask = parallel(node);
+    for (int slot = 0; slot < kWidth; ++slot) {
+      if ((mask >> slot & 1U) == 0) continue;
+      float centre[3];
+      float half[3];
+      for (int axis = 0; axis < 3; ++axis) {
+        centre[axis] = 0.5F * (node.lower[axis][slot] + node.upper[axis][slot]);
+        half[axis] = 0.5F * (node.upper[axis][slot] - node.lower[axis][slot]);
+      }
+      for (int j = 0; j < 3; ++j) {
+        const float* a = box.axis[j];
+        const float at = (a[0] * centre[0] + a[1] * centre[1]) + a[2] * centre[2];
+        const float reach = (__builtin_fabsf(a[0]) * half[0] + __builtin_fabsf(a[1]) * half[1]) +
+                            __builtin_fabsf(a[2]) * half[2];
+        if (!(__builtin_fabsf(at - box.middle[j]) <= reach + box.half[j])) mask &= ~(1U << slot);
       }
     }
+    return mask;
   }
-  return count;
+
+  SlotsMeeting parallel;
+  const FloatOrientedBox& box;
+};
+
+int collect(const WideNode* nodes, const FloatBox& box, int* found, int capacity) {
+  return walk(nodes, SlotsMeeting(box), found, capacity);
+}
+
+int collect_oriented(const WideNode* nodes, const FloatOrientedBox& box, int* found, int capacity) {
+  return walk(nodes, SlotsMeetingOriented(box), found, capacity);
 }
 
 }  // namespace
 
 const Kernels& baseline_kernels() {
-  static constexpr Kernels kernels = {collect, meeting_triangles};
+  static constexpr Kernels kernels = {collect, collect_oriented, meeting_triangles};
   return kernels;
 }
 

@@ -1,20 +1,9 @@
 #pragma once
 
-#include "src/collision/placement.hpp"
+#include "src/collision/oriented_box.hpp"
 #include "src/collision/verdict.hpp"
 
 namespace rubicon::collision {
-
-/// A box with its own axes: the points centre + R v with |v_i| <= half_i (m).
-struct OrientedBox {
-  Mat3 R = Mat3::Identity();
-  Vec3 centre = Vec3::Zero();
-  Vec3 half = Vec3::Zero();
-};
-
-inline OrientedBox placed(const OrientedBox& box, const Placement& X) {
-  return {X.R * box.R, X * box.centre, box.half};
-}
 
 /// A box that is translated by `d` (m) against one that stands, both in the same frame; d may be 0.
 /// Exact, never undecided (21 axes: Gottschalk, Lin, Manocha 1996, with displacement x edge).

@@ -20,6 +20,16 @@ struct FloatBox {
   float upper[3];
 };
 
+/// A box with axes of its own beside its axis-parallel one, both relative to the tree's origin: the
+/// points p with |axis[j].p - middle[j]| <= half[j]. The halves include a margin for all rounding
+/// of the test in single precision.
+struct FloatOrientedBox {
+  FloatBox box;
+  float axis[3][3];
+  float middle[3];
+  float half[3];
+};
+
 /// Eight boxes side by side, so that one instruction tests all of them. An unused slot has an empty
 /// box (lower > upper), which meets nothing.
 struct alignas(64) WideNode {

@@ -32,6 +32,9 @@ constexpr double kSafeShare = 1 - 1e-12;
 constexpr double kUnbounded = 1e38;
 /// Rounding to single precision and the step below are each good to 2^-24: this share covers both.
 constexpr float kOutwards = 0x1p-22F;
+/// The test against an oriented box adds some ten numbers up to the size of the tree, each rounded
+/// to 2^-24 of it: this share covers twice that.
+constexpr double kFloatRounding = 0x1p-19;
 
 float rounded_down(double value) {
   const auto result = static_cast<float>(std::min(std::max(-kUnbounded, value), kUnbounded));
@@ -227,6 +230,7 @@ WideTree::WideTree(const std::vector<Bounds>& items) {
   Entries entries;
   for (std::size_t i = 0; i < items.size(); ++i) {
     entries.push_back({to_float(items[i]), static_cast<int>(i)});
+    note_farthest(entries.back().box);
   }
   build(std::move(entries));
 }
@@ -245,6 +249,13 @@ FloatBox WideTree::to_float(const Bounds& bounds) const {
     box.upper[axis] = rounded_up(bounds.upper[axis] + kBoundsMargin - origin_[axis]);
   }
   return box;
+}
+
+void WideTree::note_farthest(const FloatBox& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    farthest_ = std::max({farthest_, static_cast<double>(std::fabs(box.lower[axis])),
+                          static_cast<double>(std::fabs(box.upper[axis]))});
+  }
 }
 
 void WideTree::build(Entries entries) {
@@ -345,6 +356,7 @@ void WideTree::insert(int item, const Bounds& bounds) {
     depth_ = 1;
   }
   const FloatBox box = to_float(bounds);
+  note_farthest(box);
   ++size_;
   int node = 0;
   for (int depth = 1;; ++depth) {
@@ -403,18 +415,52 @@ void WideTree::changed() {
   build(std::move(entries));
 }
 
-void WideTree::collect(const Bounds& bounds, ItemList& found) const {
-  found.set_size(0);
-  if (size_ == 0) return;
-  const FloatBox box = to_float(bounds);
+namespace {
+
+/// Calls a kernel until there is room for all it finds.
+template <typename Collect>
+void collect_all(ItemList& found, const Collect& collect) {
   for (;;) {
-    const int count = kernels().collect(nodes_.data(), box, found.begin(), found.capacity());
+    const int count = collect(found.begin(), found.capacity());
     if (count >= 0) {
       found.set_size(count);
       return;
     }
     found.grow();
   }
+}
+
+}  // namespace
+
+void WideTree::collect(const Bounds& bounds, ItemList& found) const {
+  found.set_size(0);
+  if (size_ == 0) return;
+  const FloatBox box = to_float(bounds);
+  collect_all(found, [&](int* first, int capacity) {
+    return kernels().collect(nodes_.data(), box, first, capacity);
+  });
+}
+
+void WideTree::collect(const Bounds& bounds, const OrientedBox& box, ItemList& found) const {
+  // A box without bound has no middle.
+  if (!box.centre.allFinite() || !box.half.allFinite()) return collect(bounds, found);
+  found.set_size(0);
+  if (size_ == 0) return;
+  FloatOrientedBox asked;
+  asked.box = to_float(bounds);
+  const Vec3 centre = box.centre - origin_;
+  for (int j = 0; j < 3; ++j) {
+    const double middle = box.R.col(j).dot(centre);
+    for (int axis = 0; axis < 3; ++axis) {
+      asked.axis[j][axis] = static_cast<float>(box.R(axis, j));
+    }
+    asked.middle[j] = static_cast<float>(middle);
+    const double rounding = kFloatRounding * (farthest_ + std::fabs(middle) + box.half[j]);
+    asked.half[j] = static_cast<float>(std::min(box.half[j] + rounding, kUnbounded));
+  }
+  collect_all(found, [&](int* first, int capacity) {
+    return kernels().collect_oriented(nodes_.data(), asked, first, capacity);
+  });
 }
 
 double WideTree::distance(const Bounds& bounds, double range) const {

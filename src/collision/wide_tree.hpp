@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "src/collision/bounds.hpp"
+#include "src/collision/oriented_box.hpp"
 #include "src/collision/wide_node.hpp"
 
 namespace rubicon::collision {
@@ -59,14 +60,13 @@ class WideTree {
   /// that miss it by rounding, never fewer.
   void collect(const Bounds& bounds, ItemList& found) const;
 
+  /// The same, but without those that are beside `box` (which lies within `bounds`) along one of
+  /// its axes.
+  void collect(const Bounds& bounds, const OrientedBox& box, ItemList& found) const;
+
   /// A lower bound of the distance (m) between `bounds` and the nearest item's box; `range` or a
   /// little less if none is nearer than that.
   double distance(const Bounds& bounds, double range) const;
-
-  /// For traversals of other kinds: the root is node 0, coordinates are relative to `origin()`.
-  const std::vector<WideNode>& nodes() const { return nodes_; }
-  const Vec3& origin() const { return origin_; }
-  FloatBox to_float(const Bounds& bounds) const;
 
  private:
   struct Place {
@@ -75,6 +75,8 @@ class WideTree {
   };
 
   void set_origin(const Bounds& first);
+  FloatBox to_float(const Bounds& bounds) const;
+  void note_farthest(const FloatBox& box);
   void build(std::vector<Entry> entries);
   void fill_node(int node, std::vector<Entry>& entries, std::size_t begin, std::size_t end,
                  int depth);
@@ -90,6 +92,7 @@ class WideTree {
   std::vector<int> free_nodes_;
   std::vector<Place> places_;  ///< of items
   Vec3 origin_ = Vec3::Zero();
+  double farthest_ = 0;  ///< m, greatest distance of a coordinate from the origin's
   int size_ = 0;
   int changes_ = 0;  ///< since the last build
   int depth_ = 0;    ///< upper bound of the levels
