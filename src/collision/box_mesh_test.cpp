@@ -1,9 +1,6 @@
 #include "src/collision/box_mesh_test.hpp"
 
-#include <algorithm>
 #include <cmath>
-
-#include "src/collision/kernels.hpp"
 
 namespace rubicon::collision {
 namespace {
@@ -25,7 +22,9 @@ Vec3 across_axes(const Vec3& axis) {
           std::sqrt(squares.x() + squares.y())};
 }
 
-BoxPass box_pass(const BoxPassage& passage, double tolerance) {
+}  // namespace
+
+BoxPass box_pass(const BoxPassage& passage, double contact_tolerance) {
   const TurnedBox& box = passage.box;
   const Mat3 to_box = passage.R_middle.transpose();
   const Mat3 start_axes = to_box * box.R_start;
@@ -42,7 +41,7 @@ BoxPass box_pass(const BoxPassage& passage, double tolerance) {
   store(growth_axis, pass.growth_axis);
   pass.axial_growth = box.axial_growth;
   pass.uniform_growth = box.uniform_growth;
-  pass.tolerance = tolerance;
+  pass.tolerance = contact_tolerance;
   pass.same_axes = passage.translation;
   Vec3 start_reach = box.half;
   Vec3 end_reach = box.half;
@@ -59,8 +58,6 @@ BoxPass box_pass(const BoxPassage& passage, double tolerance) {
   store((start + start_reach).cwiseMax(end + end_reach) + growth, pass.upper);
   return pass;
 }
-
-}  // namespace
 
 void collect_packs(const BoxPassage& passage, const TriangleSoup& soup, ItemList& found) {
   const TurnedBox& box = passage.box;
@@ -80,15 +77,6 @@ void collect_packs(const BoxPassage& passage, const TriangleSoup& soup, ItemList
   oriented.centre = passage.middle + passage.R_middle * (0.5 * (lower + upper));
   oriented.half = 0.5 * (upper - lower);
   soup.pack_tree().collect(swept, oriented, found);
-}
-
-int* packs_in_the_way(const BoxPassage& passage, const TriangleSoup& soup, double contact_tolerance,
-                      int* first, int* last) {
-  const BoxPass pass = box_pass(passage, contact_tolerance);
-  const Kernels& use = kernels();
-  return std::remove_if(first, last, [&](int pack) {
-    return use.meeting_triangles(pass, soup.packs()[static_cast<std::size_t>(pack)]) == 0;
-  });
 }
 
 }  // namespace rubicon::collision

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/collision/swept_box.hpp"
+#include "src/collision/triangle_pack.hpp"
 #include "src/collision/triangle_soup.hpp"
 
 namespace rubicon::collision {
@@ -16,10 +17,7 @@ struct BoxPassage {
 /// The packs of a soup that a moving box may come near, in the order of the tree.
 void collect_packs(const BoxPassage& passage, const TriangleSoup& soup, ItemList& found);
 
-/// Keeps those of the packs `first` to `last` whose triangles the box is not proved to be free of
-/// (for a translation, those it meets by more than the tolerance) in front; the end of these.
-/// `contact_tolerance` (m) is what the box allows.
-int* packs_in_the_way(const BoxPassage& passage, const TriangleSoup& soup, double contact_tolerance,
-                      int* first, int* last);
+/// The same passage as the kernels want it; `contact_tolerance` (m) is what the box allows.
+BoxPass box_pass(const BoxPassage& passage, double contact_tolerance);
 
 }  // namespace rubicon::collision

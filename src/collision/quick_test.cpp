@@ -1,9 +1,11 @@
 #include "src/collision/quick_test.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "src/collision/box_mesh_test.hpp"
+#include "src/collision/kernels.hpp"
 #include "src/collision/tolerances.hpp"
 
 namespace rubicon::collision {
@@ -36,10 +38,11 @@ class PartTest {
       return exact_or_undecided(translated_box_verdict(
           placed(moving_.box, slice.start()), slice.end().t - slice.start().t, fixed_, tolerance_));
     }
-    const Verdict whole = turned(slice);
-    if (whole == Verdict::kFree || !both_boxes_) return whole;
-    if (deep_at(slice.start())) return Verdict::kHit;
-    return halved(slice, kHalvings);
+    const TurnedBox box = turned(slice);
+    const TurnedBoxTest test(box, fixed_, tolerance_);
+    if (test.free_along_fixed_normals()) return Verdict::kFree;
+    if (both_boxes_ && deep_at(slice.start())) return Verdict::kHit;
+    return on_slice(slice, test, kHalvings);
   }
 
  private:
@@ -48,7 +51,7 @@ class PartTest {
     return found == Verdict::kHit && !both_boxes_ ? Verdict::kUndecided : found;
   }
 
-  Verdict turned(SweepSlice& slice) const {
+  TurnedBox turned(SweepSlice& slice) const {
     TurnedBox box;
     box.R_start = part_rotation(slice.start());
     box.R_end = part_rotation(slice.end());
@@ -62,10 +65,25 @@ class PartTest {
           slice.axis().cross(box.start - slice.point()).norm() + moving_.box.half.norm();
       box.axial_growth = slice.bulge() * lever;
     }
-    const TurnedBoxTest test(box, fixed_, tolerance_);
-    const bool free =
-        test.free_along_fixed_normals() || test.free_along_others(part_rotation(slice.middle()));
-    return free ? Verdict::kFree : Verdict::kUndecided;
+    return box;
+  }
+
+  /// For a slice that is not free along the normals of the standing box. A pose that is deep is
+  /// looked for before the many products of edges are tried.
+  Verdict on_slice(SweepSlice& slice, const TurnedBoxTest& test, int halvings) const {
+    const Mat3 R_middle = part_rotation(slice.middle());
+    if (test.free_along_moving_normals(R_middle)) return Verdict::kFree;
+    if (both_boxes_ && (deep_at(slice.middle()) || deep_at(slice.end()))) return Verdict::kHit;
+    if (test.free_along_edges(R_middle)) return Verdict::kFree;
+    if (!both_boxes_ || halvings == 0) return Verdict::kUndecided;
+    for (SweepSlice* half : {&slice.first_half(), &slice.second_half()}) {
+      const TurnedBox box = turned(*half);
+      const TurnedBoxTest half_test(box, fixed_, tolerance_);
+      if (half_test.free_along_fixed_normals()) continue;
+      const Verdict found = on_slice(*half, half_test, halvings - 1);
+      if (found != Verdict::kFree) return found;
+    }
+    return Verdict::kFree;
   }
 
   Mat3 part_rotation(const Placement& pose) const {
@@ -75,17 +93,6 @@ class PartTest {
   bool deep_at(const Placement& pose) const {
     return translated_box_verdict(placed(moving_.box, pose), Vec3::Zero(), fixed_, tolerance_) ==
            Verdict::kHit;
-  }
-
-  Verdict halved(SweepSlice& slice, int halvings) const {
-    if (deep_at(slice.middle())) return Verdict::kHit;
-    if (halvings == 0) return Verdict::kUndecided;
-    for (SweepSlice* half : {&slice.first_half(), &slice.second_half()}) {
-      if (turned(*half) == Verdict::kFree) continue;
-      const Verdict found = halved(*half, halvings - 1);
-      if (found != Verdict::kFree) return found;
-    }
-    return Verdict::kFree;
   }
 
   const Sweep& sweep_;
@@ -115,12 +122,10 @@ class MeshTest {
     const BoxPassage whole = passage(slice);
     ItemList packs;
     collect_packs(whole, soup_, packs);
-    int* last = packs_in_the_way(whole, soup_, tolerance_, packs.begin(), packs.end());
-    if (last == packs.begin()) return Verdict::kFree;
-    if (sweep_.is_translation()) return box_.is_box ? Verdict::kHit : Verdict::kUndecided;
-    const std::vector<int> open(packs.begin(), last);
-    if (box_.is_box && deep_at(slice.start(), open)) return Verdict::kHit;
-    return halved(slice, open, kHalvings);
+    if (packs.size() == 0) return Verdict::kFree;
+    const bool start_too = box_.is_box && !sweep_.is_translation();
+    if (start_too && meets_any(still_at(slice.start()), packs)) return Verdict::kHit;
+    return on_slice(slice, whole, packs, kHalvings);
   }
 
  private:
@@ -164,27 +169,46 @@ class MeshTest {
     return result;
   }
 
-  bool deep_at(const Placement& pose, std::vector<int> packs) const {
+  BoxPass still_at(const Placement& pose) const {
     const OrientedBox box = box_at(pose);
     BoxPassage still;
     still.box.R_start = still.box.R_end = still.R_middle = box.R;
     still.box.start = still.box.end = still.middle = box.centre;
     still.box.half = box.half;
     still.translation = true;
-    return packs_in_the_way(still, soup_, tolerance_, packs.data(), packs.data() + packs.size()) !=
-           packs.data();
+    return box_pass(still, tolerance_);
   }
 
-  Verdict halved(SweepSlice& slice, const std::vector<int>& packs, int halvings) const {
-    if (box_.is_box && deep_at(slice.middle(), packs)) return Verdict::kHit;
+  bool meets(const BoxPass& pass, int pack) const {
+    return kernels().meeting_triangles(pass, soup_.packs()[static_cast<std::size_t>(pack)]) != 0;
+  }
+
+  template <typename Packs>
+  bool meets_any(const BoxPass& pass, const Packs& packs) const {
+    return std::any_of(packs.begin(), packs.end(), [&](int pack) { return meets(pass, pack); });
+  }
+
+  template <typename Packs>
+  Verdict on_slice(SweepSlice& slice, const BoxPassage& whole, const Packs& packs,
+                   int halvings) const {
+    const BoxPass sweep = box_pass(whole, tolerance_);
+    std::optional<BoxPass> middle;
+    std::optional<BoxPass> end;
+    std::vector<int> open;
+    for (const int pack : packs) {
+      if (!meets(sweep, pack)) continue;
+      if (sweep_.is_translation()) return box_.is_box ? Verdict::kHit : Verdict::kUndecided;
+      if (box_.is_box) {
+        if (!middle) middle = still_at(slice.middle());
+        if (!end) end = still_at(slice.end());
+        if (meets(*middle, pack) || meets(*end, pack)) return Verdict::kHit;
+      }
+      open.push_back(pack);
+    }
+    if (open.empty()) return Verdict::kFree;
     if (halvings == 0) return Verdict::kUndecided;
     for (SweepSlice* half : {&slice.first_half(), &slice.second_half()}) {
-      std::vector<int> open = packs;
-      const int* last = packs_in_the_way(passage(*half), soup_, tolerance_, open.data(),
-                                         open.data() + open.size());
-      open.resize(static_cast<std::size_t>(last - open.data()));
-      if (open.empty()) continue;
-      const Verdict found = halved(*half, open, halvings - 1);
+      const Verdict found = on_slice(*half, passage(*half), open, halvings - 1);
       if (found != Verdict::kFree) return found;
     }
     return Verdict::kFree;

@@ -130,11 +130,13 @@ bool TurnedBoxTest::free_along_fixed_normals() const {
   return false;
 }
 
-bool TurnedBoxTest::free_along_others(const Mat3& R_middle) const {
+bool TurnedBoxTest::free_along_moving_normals(const Mat3& R_middle) const {
   const Mat3 R = to_fixed_ * R_middle;
-  for (int j = 0; j < 3; ++j) {
-    if (free_along(R.col(j))) return true;
-  }
+  return free_along(R.col(0)) || free_along(R.col(1)) || free_along(R.col(2));
+}
+
+bool TurnedBoxTest::free_along_edges(const Mat3& R_middle) const {
+  const Mat3 R = to_fixed_ * R_middle;
   for (int j = 0; j < 3; ++j) {
     for (int i = 0; i < 3; ++i) {
       if (free_along_scaled(unit_cross(i, R.col(j)), 1)) return true;

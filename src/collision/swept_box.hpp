@@ -33,8 +33,10 @@ class TurnedBoxTest {
 
   /// By the normals of the standing box alone; settles most pairs, and needs no middle pose.
   bool free_along_fixed_normals() const;
-  /// By all the other axes.
-  bool free_along_others(const Mat3& R_middle) const;
+  /// By those of the moving one.
+  bool free_along_moving_normals(const Mat3& R_middle) const;
+  /// By all products of edges, and of the displacement with edges.
+  bool free_along_edges(const Mat3& R_middle) const;
 
  private:
   bool free_along_scaled(const Vec3& n, double scale_squared) const;

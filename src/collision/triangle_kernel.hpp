@@ -71,6 +71,11 @@ RUBICON_INLINE Four reach(const BoxPass& box, const double (*axes)[3], const Fou
 /// Squared lengths of axes below this share of what they could be are rounding alone.
 constexpr double kNoAxis = 1e-24;
 
+/// Where a gap along an axis of this squared length is no deeper than the tolerance.
+RUBICON_INLINE FourBits near_enough(Four gap, Four tolerance, Four squared) {
+  return (gap >= 0) | (gap * gap <= tolerance * tolerance * squared);
+}
+
 /// Which triangles are apart from the box along n, which need not be of unit length; `scale` is the
 /// square of the length it could have.
 RUBICON_INLINE FourBits apart(const BoxPass& box, const FourVectors* corners, Four tolerance,
@@ -93,11 +98,13 @@ RUBICON_INLINE FourBits apart(const BoxPass& box, const FourVectors* corners, Fo
     const Four end = reach(box, box.end_axes, n);
     gap = greatest(least(at_start - start, at_end - end) - upper,
                    lower - greatest(at_start + start, at_end + end));
+    // Growth only makes it less: most axes need no square roots.
+    const FourBits possible = near_enough(gap, tolerance, squared);
+    if (bits(possible) == 0) return possible;
     const FourVectors across = cross(n, same(box.growth_axis));
     gap -= box.axial_growth * root(dot(across, across)) + box.uniform_growth * root(squared);
   }
-  const FourBits shallow = gap * gap <= tolerance * tolerance * squared;
-  return ((gap >= 0) | shallow) & (squared > kNoAxis * scale);
+  return near_enough(gap, tolerance, squared) & (squared > kNoAxis * scale);
 }
 
 /// Which of the four triangles the box may meet by more than the tolerance (bit i: triangle i). For

@@ -18,6 +18,8 @@ class ItemList {
 
   int* begin() { return data_; }
   int* end() { return data_ + size_; }
+  const int* begin() const { return data_; }
+  const int* end() const { return data_ + size_; }
   int size() const { return size_; }
   int capacity() const { return capacity_; }
   void set_size(int size) { size_ = size; }
