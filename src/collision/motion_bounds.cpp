@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <variant>
@@ -62,11 +61,12 @@ void require_rigid(const Pose& X, const char* what) {
   const Vec3 x(M(0, 0), M(1, 0), M(2, 0));
   const Vec3 y(M(0, 1), M(1, 1), M(2, 1));
   const Vec3 z(M(0, 2), M(1, 2), M(2, 2));
-  const double largest = std::max({std::fabs(x.squaredNorm() - 1), std::fabs(y.squaredNorm() - 1),
-                                   std::fabs(z.squaredNorm() - 1), std::fabs(x.dot(y)),
-                                   std::fabs(y.dot(z)), std::fabs(z.dot(x))});
-  // Written so that "not a number" fails.
-  if (largest <= kRigid && x.cross(y).dot(z) > 0 && std::isfinite(M(0, 3) + M(1, 3) + M(2, 3))) {
+  // Two unit columns at right angles, the third their product; written so that "not a number" fails.
+  const double dx = x.squaredNorm() - 1;
+  const double dy = y.squaredNorm() - 1;
+  const double xy = x.dot(y);
+  const double off = (dx * dx + dy * dy) + (xy * xy + (x.cross(y) - z).squaredNorm());
+  if (off <= kRigid * kRigid && std::isfinite(M(0, 3) + M(1, 3) + M(2, 3))) {
     return;
   }
   const bool finite = X.linear().allFinite() && X.translation().allFinite();

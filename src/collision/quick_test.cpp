@@ -13,7 +13,7 @@ namespace {
 
 /// Times a slice is halved for boxes that are neither proved free nor seen to hit; the growth falls
 /// to a quarter each time.
-constexpr int kHalvings = 4;
+constexpr int kHalvings = 8;
 
 /// The tolerance for the boxes around two parts. Soups: their triangles may be too small to be
 /// allowed more.

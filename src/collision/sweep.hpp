@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/collision/body.hpp"
+#include "src/math/angles.hpp"
 
 namespace rubicon::collision {
 
@@ -13,6 +14,8 @@ namespace rubicon::collision {
 class SweepSlice {
  public:
   SweepSlice(const Body& body, const Motion& motion, double s0, double s1);
+  /// The same where the pose at s0 is known.
+  SweepSlice(const Body& body, const Motion& motion, double s0, double s1, const Placement& start);
 
   double s0() const { return s0_; }
   double s1() const { return s1_; }
@@ -30,6 +33,8 @@ class SweepSlice {
   SweepSlice& second_half();
 
  private:
+  Placement turned(const math::SineCosine& turn, const Vec3& slide) const;
+
   const Body* body_;
   const Motion* motion_;
   double s0_;
@@ -39,6 +44,7 @@ class SweepSlice {
   std::optional<Placement> middle_;
   double uniform_growth_ = 0;
   double bulge_ = 0;
+  math::SineCosine half_turn_;
   Vec3 axis_ = Vec3::UnitZ();
   Vec3 point_ = Vec3::Zero();
   std::unique_ptr<SweepSlice> first_;
