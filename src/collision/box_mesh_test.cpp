@@ -1,6 +1,9 @@
 #include "src/collision/box_mesh_test.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace rubicon::collision {
 namespace {
@@ -21,6 +24,11 @@ Vec3 across_axes(const Vec3& axis) {
   return {std::sqrt(squares.y() + squares.z()), std::sqrt(squares.z() + squares.x()),
           std::sqrt(squares.x() + squares.y())};
 }
+
+/// Ways shorter than this share of the box hardly make a box around it larger.
+constexpr double kShortWay = 0.05;
+/// A way nearly along an axis of the box (sine of the angle) has no outline across it.
+constexpr double kSameWay = 0.01;
 
 }  // namespace
 
@@ -68,15 +76,30 @@ void collect_packs(const BoxPassage& passage, const TriangleSoup& soup, ItemList
   Bounds swept;
   swept.lower = (box.start - start_reach).cwiseMin(box.end - end_reach) - growth;
   swept.upper = (box.start + start_reach).cwiseMax(box.end + end_reach) + growth;
-  // The swept box along its middle axes.
-  const BoxPass pass = box_pass(passage, 0);
-  OrientedBox oriented;
-  oriented.R = passage.R_middle;
-  const Vec3 lower(pass.lower[0], pass.lower[1], pass.lower[2]);
-  const Vec3 upper(pass.upper[0], pass.upper[1], pass.upper[2]);
-  oriented.centre = passage.middle + passage.R_middle * (0.5 * (lower + upper));
-  oriented.half = 0.5 * (upper - lower);
-  soup.pack_tree().collect(swept, oriented, found);
+  // The swept box along its middle axes, and across its way along the outlines of its faces.
+  std::array<Slab, FloatSlabs::kMost> slabs;
+  std::size_t count = 0;
+  const auto add = [&](const Vec3& n) {
+    const double start_reach_n = (n.transpose() * box.R_start).cwiseAbs().dot(box.half);
+    const double end_reach_n =
+        passage.translation ? start_reach_n : (n.transpose() * box.R_end).cwiseAbs().dot(box.half);
+    const double at_start = n.dot(box.start);
+    const double at_end = n.dot(box.end);
+    const double growth_n = box.uniform_growth + box.axial_growth * n.cross(box.growth_axis).norm();
+    const double lower = std::min(at_start - start_reach_n, at_end - end_reach_n) - growth_n;
+    const double upper = std::max(at_start + start_reach_n, at_end + end_reach_n) + growth_n;
+    slabs[count++] = {n, 0.5 * (lower + upper), 0.5 * (upper - lower)};
+  };
+  for (int j = 0; j < 3; ++j) add(passage.R_middle.col(j));
+  const Vec3 displacement = box.end - box.start;
+  if (displacement.norm() > kShortWay * box.half.norm()) {
+    for (int j = 0; j < 3; ++j) {
+      const Vec3 across = displacement.cross(passage.R_middle.col(j));
+      const double length = across.norm();
+      if (length > kSameWay * displacement.norm()) add(across / length);
+    }
+  }
+  soup.pack_tree().collect(swept, std::span<const Slab>(slabs).first(count), found);
 }
 
 }  // namespace rubicon::collision

@@ -13,10 +13,9 @@ struct Kernels {
   /// Writes the items of a tree (root: node 0) whose boxes meet `box` to `found`; their number, or
   /// -1 if there are more than `capacity`.
   int (*collect)(const WideNode* nodes, const FloatBox& box, int* found, int capacity);
-  /// The same for a box with axes of its own; of the items whose axis-parallel boxes meet, those
-  /// are left out that lie beside it along one of its axes.
-  int (*collect_oriented)(const WideNode* nodes, const FloatOrientedBox& box, int* found,
-                          int capacity);
+  /// The same for a region between slabs; of the items whose boxes meet its box, those are left out
+  /// that lie beside one of the slabs.
+  int (*collect_between)(const WideNode* nodes, const FloatSlabs& slabs, int* found, int capacity);
   /// Which triangles of a pack a moving box may meet by more than the tolerance (bit i: triangle
   /// i). For a translation exactly those; for a rotation those not proved free.
   unsigned (*meeting_triangles)(const BoxPass& box, const TrianglePack& pack);

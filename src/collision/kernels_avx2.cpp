@@ -38,15 +38,15 @@ struct SlotsMeeting {
   __m256 upper[3];
 };
 
-struct SlotsMeetingOriented {
-  explicit SlotsMeetingOriented(const FloatOrientedBox& box) : parallel(box.box) {
-    for (int j = 0; j < 3; ++j) {
+struct SlotsBetween {
+  explicit SlotsBetween(const FloatSlabs& slabs) : parallel(slabs.box), count(slabs.count) {
+    for (int j = 0; j < count; ++j) {
       for (int axis = 0; axis < 3; ++axis) {
-        a[j][axis] = _mm256_set1_ps(box.axis[j][axis]);
-        reach[j][axis] = _mm256_set1_ps(__builtin_fabsf(box.axis[j][axis]));
+        a[j][axis] = _mm256_set1_ps(slabs.axis[j][axis]);
+        reach[j][axis] = _mm256_set1_ps(__builtin_fabsf(slabs.axis[j][axis]));
       }
-      middle[j] = _mm256_set1_ps(box.middle[j]);
-      half[j] = _mm256_set1_ps(box.half[j]);
+      middle[j] = _mm256_set1_ps(slabs.middle[j]);
+      half[j] = _mm256_set1_ps(slabs.half[j]);
     }
   }
 
@@ -63,7 +63,7 @@ struct SlotsMeetingOriented {
       centre[axis] = _mm256_mul_ps(one_half, _mm256_add_ps(low, high));
       extent[axis] = _mm256_mul_ps(one_half, _mm256_sub_ps(high, low));
     }
-    for (int j = 0; j < 3; ++j) {
+    for (int j = 0; j < count; ++j) {
       const __m256 distance = _mm256_and_ps(_mm256_sub_ps(dot(a[j], centre), middle[j]), no_sign);
       const __m256 allowed = _mm256_add_ps(dot(reach[j], extent), half[j]);
       meets = _mm256_and_ps(meets, _mm256_cmp_ps(distance, allowed, _CMP_LE_OQ));
@@ -77,24 +77,25 @@ struct SlotsMeetingOriented {
   }
 
   SlotsMeeting parallel;
-  __m256 a[3][3];
-  __m256 reach[3][3];
-  __m256 middle[3];
-  __m256 half[3];
+  int count;
+  __m256 a[FloatSlabs::kMost][3];
+  __m256 reach[FloatSlabs::kMost][3];
+  __m256 middle[FloatSlabs::kMost];
+  __m256 half[FloatSlabs::kMost];
 };
 
 int collect(const WideNode* nodes, const FloatBox& box, int* found, int capacity) {
   return walk(nodes, SlotsMeeting(box), found, capacity);
 }
 
-int collect_oriented(const WideNode* nodes, const FloatOrientedBox& box, int* found, int capacity) {
-  return walk(nodes, SlotsMeetingOriented(box), found, capacity);
+int collect_between(const WideNode* nodes, const FloatSlabs& slabs, int* found, int capacity) {
+  return walk(nodes, SlotsBetween(slabs), found, capacity);
 }
 
 }  // namespace
 
 const Kernels* avx2_kernels() {
-  static constexpr Kernels kernels = {collect, collect_oriented, meeting_triangles};
+  static constexpr Kernels kernels = {collect, collect_between, meeting_triangles};
   return &kernels;
 }
 

@@ -24,8 +24,8 @@ struct SlotsMeeting {
   const FloatBox& box;
 };
 
-struct SlotsMeetingOriented {
-  explicit SlotsMeetingOriented(const FloatOrientedBox& asked) : parallel(asked.box), box(asked) {}
+struct SlotsBetween {
+  explicit SlotsBetween(const FloatSlabs& asked) : parallel(asked.box), slabs(asked) {}
 
   unsigned operator()(const WideNode& node) const {
     unsigned mask = parallel(node);
@@ -37,33 +37,34 @@ struct SlotsMeetingOriented {
         centre[axis] = 0.5F * (node.lower[axis][slot] + node.upper[axis][slot]);
         half[axis] = 0.5F * (node.upper[axis][slot] - node.lower[axis][slot]);
       }
-      for (int j = 0; j < 3; ++j) {
-        const float* a = box.axis[j];
+      for (int j = 0; j < slabs.count; ++j) {
+        const float* a = slabs.axis[j];
         const float at = (a[0] * centre[0] + a[1] * centre[1]) + a[2] * centre[2];
         const float reach = (__builtin_fabsf(a[0]) * half[0] + __builtin_fabsf(a[1]) * half[1]) +
                             __builtin_fabsf(a[2]) * half[2];
-        if (!(__builtin_fabsf(at - box.middle[j]) <= reach + box.half[j])) mask &= ~(1U << slot);
+        if (!(__builtin_fabsf(at - slabs.middle[j]) <= reach + slabs.half[j]))
+          mask &= ~(1U << slot);
       }
     }
     return mask;
   }
 
   SlotsMeeting parallel;
-  const FloatOrientedBox& box;
+  const FloatSlabs& slabs;
 };
 
 int collect(const WideNode* nodes, const FloatBox& box, int* found, int capacity) {
   return walk(nodes, SlotsMeeting(box), found, capacity);
 }
 
-int collect_oriented(const WideNode* nodes, const FloatOrientedBox& box, int* found, int capacity) {
-  return walk(nodes, SlotsMeetingOriented(box), found, capacity);
+int collect_between(const WideNode* nodes, const FloatSlabs& slabs, int* found, int capacity) {
+  return walk(nodes, SlotsBetween(slabs), found, capacity);
 }
 
 }  // namespace
 
 const Kernels& baseline_kernels() {
-  static constexpr Kernels kernels = {collect, collect_oriented, meeting_triangles};
+  static constexpr Kernels kernels = {collect, collect_between, meeting_triangles};
   return kernels;
 }
 

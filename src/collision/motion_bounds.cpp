@@ -61,7 +61,8 @@ void require_rigid(const Pose& X, const char* what) {
   const Vec3 x(M(0, 0), M(1, 0), M(2, 0));
   const Vec3 y(M(0, 1), M(1, 1), M(2, 1));
   const Vec3 z(M(0, 2), M(1, 2), M(2, 2));
-  // Two unit columns at right angles, the third their product; written so that "not a number" fails.
+  // Two unit columns at right angles, the third their product; written so that "not a number"
+  // fails.
   const double dx = x.squaredNorm() - 1;
   const double dy = y.squaredNorm() - 1;
   const double xy = x.dot(y);

@@ -123,8 +123,6 @@ class MeshTest {
     ItemList packs;
     collect_packs(whole, soup_, packs);
     if (packs.size() == 0) return Verdict::kFree;
-    const bool start_too = box_.is_box && !sweep_.is_translation();
-    if (start_too && meets_any(still_at(slice.start()), packs)) return Verdict::kHit;
     return on_slice(slice, whole, packs, kHalvings);
   }
 
@@ -184,11 +182,6 @@ class MeshTest {
   }
 
   template <typename Packs>
-  bool meets_any(const BoxPass& pass, const Packs& packs) const {
-    return std::any_of(packs.begin(), packs.end(), [&](int pack) { return meets(pass, pack); });
-  }
-
-  template <typename Packs>
   Verdict on_slice(SweepSlice& slice, const BoxPassage& whole, const Packs& packs,
                    int halvings) const {
     const BoxPass sweep = box_pass(whole, tolerance_);
@@ -202,6 +195,7 @@ class MeshTest {
         if (!middle) middle = still_at(slice.middle());
         if (!end) end = still_at(slice.end());
         if (meets(*middle, pack) || meets(*end, pack)) return Verdict::kHit;
+        if (halvings == kHalvings && meets(still_at(slice.start()), pack)) return Verdict::kHit;
       }
       open.push_back(pack);
     }

@@ -20,14 +20,16 @@ struct FloatBox {
   float upper[3];
 };
 
-/// A box with axes of its own beside its axis-parallel one, both relative to the tree's origin: the
-/// points p with |axis[j].p - middle[j]| <= half[j]. The halves include a margin for all rounding
-/// of the test in single precision.
-struct FloatOrientedBox {
+/// A convex region within an axis-parallel box, both relative to the tree's origin: the points p of
+/// the box with |axis[j].p - middle[j]| <= half[j] for all j. The halves include a margin for all
+/// rounding of the test in single precision.
+struct FloatSlabs {
+  static constexpr int kMost = 6;
   FloatBox box;
-  float axis[3][3];
-  float middle[3];
-  float half[3];
+  int count = 0;
+  float axis[kMost][3];
+  float middle[kMost];
+  float half[kMost];
 };
 
 /// Eight boxes side by side, so that one instruction tests all of them. An unused slot has an empty

@@ -32,7 +32,7 @@ constexpr double kSafeShare = 1 - 1e-12;
 constexpr double kUnbounded = 1e38;
 /// Rounding to single precision and the step below are each good to 2^-24: this share covers both.
 constexpr float kOutwards = 0x1p-22F;
-/// The test against an oriented box adds some ten numbers up to the size of the tree, each rounded
+/// The test against a slab adds some ten numbers up to the size of the tree, each rounded
 /// to 2^-24 of it: this share covers twice that.
 constexpr double kFloatRounding = 0x1p-19;
 
@@ -441,25 +441,27 @@ void WideTree::collect(const Bounds& bounds, ItemList& found) const {
   });
 }
 
-void WideTree::collect(const Bounds& bounds, const OrientedBox& box, ItemList& found) const {
-  // A box without bound has no middle.
-  if (!box.centre.allFinite() || !box.half.allFinite()) return collect(bounds, found);
+void WideTree::collect(const Bounds& bounds, std::span<const Slab> slabs, ItemList& found) const {
   found.set_size(0);
   if (size_ == 0) return;
-  FloatOrientedBox asked;
+  FloatSlabs asked;
   asked.box = to_float(bounds);
-  const Vec3 centre = box.centre - origin_;
-  for (int j = 0; j < 3; ++j) {
-    const double middle = box.R.col(j).dot(centre);
+  for (const Slab& slab : slabs) {
+    const double middle = slab.middle - slab.axis.dot(origin_);
+    // A slab without bound excludes nothing.
+    if (asked.count == FloatSlabs::kMost || !std::isfinite(middle) || !(slab.half < kUnbounded)) {
+      continue;
+    }
+    const int j = asked.count++;
     for (int axis = 0; axis < 3; ++axis) {
-      asked.axis[j][axis] = static_cast<float>(box.R(axis, j));
+      asked.axis[j][axis] = static_cast<float>(slab.axis[axis]);
     }
     asked.middle[j] = static_cast<float>(middle);
-    const double rounding = kFloatRounding * (farthest_ + std::fabs(middle) + box.half[j]);
-    asked.half[j] = static_cast<float>(std::min(box.half[j] + rounding, kUnbounded));
+    const double rounding = kFloatRounding * (farthest_ + std::fabs(middle) + slab.half);
+    asked.half[j] = static_cast<float>(slab.half + rounding);
   }
   collect_all(found, [&](int* first, int capacity) {
-    return kernels().collect_oriented(nodes_.data(), asked, first, capacity);
+    return kernels().collect_between(nodes_.data(), asked, first, capacity);
   });
 }
 

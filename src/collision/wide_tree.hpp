@@ -1,13 +1,20 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "src/collision/bounds.hpp"
-#include "src/collision/oriented_box.hpp"
 #include "src/collision/wide_node.hpp"
 
 namespace rubicon::collision {
+
+/// The points p with |axis.p - middle| <= half (m); axis is a unit vector.
+struct Slab {
+  Vec3 axis = Vec3::UnitZ();
+  double middle = 0;
+  double half = 0;
+};
 
 /// Numbers on the stack, on the heap only where there are many.
 class ItemList {
@@ -62,9 +69,9 @@ class WideTree {
   /// that miss it by rounding, never fewer.
   void collect(const Bounds& bounds, ItemList& found) const;
 
-  /// The same, but without those that are beside `box` (which lies within `bounds`) along one of
-  /// its axes.
-  void collect(const Bounds& bounds, const OrientedBox& box, ItemList& found) const;
+  /// The same, but without those that lie beside one of the slabs; the region asked for is within
+  /// `bounds` and between all slabs.
+  void collect(const Bounds& bounds, std::span<const Slab> slabs, ItemList& found) const;
 
   /// A lower bound of the distance (m) between `bounds` and the nearest item's box; `range` or a
   /// little less if none is nearer than that.
