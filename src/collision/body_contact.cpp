@@ -28,7 +28,8 @@ std::optional<Contact> contact_on(const PartPairs& pairs, MotionTree& tree,
   std::optional<Contact> first;
   const auto look = [&](const Convex& piece_a, const Convex& piece_b) {
     const double tolerance = pair_tolerance(piece_a.width, piece_b.width, contact_tolerance);
-    const std::optional<double> found = first_contact(piece_a, piece_b, tree, tolerance);
+    const std::optional<double> found =
+        first_contact(piece_a, piece_b, tree, tolerance, first ? first->fraction : tree.slice().s1);
     if (!found || (first && first->fraction <= *found)) return false;
     const Placement pose = tree.motion().slice(*found, *found).a_in_b.start;
     first = Contact{*found, witness(piece_a, piece_b, pose)};

@@ -42,9 +42,10 @@ class PairTest {
     return undecided_blocked(tree);
   }
 
-  std::optional<double> first_contact(MotionTree& tree) {
+  std::optional<double> first_contact(MotionTree& tree, double before) {
     const Slice& slice = tree.slice();
     if (free_on(slice)) return std::nullopt;
+    if (before < slice.s1 && free_on(tree.motion().slice(slice.s0, before))) return std::nullopt;
     if (!free_at(slice.a_in_b.start)) return slice.s0;
     if (kind_ == RelativeMotion::Kind::kStill) return slice.s0;
     if (kind_ == RelativeMotion::Kind::kTranslation) return end_of_free_translation(tree);
@@ -142,8 +143,8 @@ bool pair_blocked(const Convex& a, const Convex& b, MotionTree& tree, double tol
 }
 
 std::optional<double> first_contact(const Convex& a, const Convex& b, MotionTree& tree,
-                                    double tolerance) {
-  return PairTest(a, b, tree.motion(), tolerance).first_contact(tree);
+                                    double tolerance, double before) {
+  return PairTest(a, b, tree.motion(), tolerance).first_contact(tree, before);
 }
 
 }  // namespace rubicon::collision

@@ -13,8 +13,9 @@ bool pair_blocked(const Convex& a, const Convex& b, MotionTree& tree, double tol
 
 /// Where on the slice (share of the whole step) two pieces first get deeper than `tolerance`: the
 /// slice is proved free of them up to there, and contact begins within `kContactResolution` of the
-/// step after it. Nothing where they stay free.
+/// step after it. Nothing where they stay free, or free up to `before`, from where on it does not
+/// matter.
 std::optional<double> first_contact(const Convex& a, const Convex& b, MotionTree& tree,
-                                    double tolerance);
+                                    double tolerance, double before);
 
 }  // namespace rubicon::collision

@@ -25,12 +25,14 @@ double part_tolerance(const BodyPart& a, const BodyPart& b, double contact_toler
 /// One moving part against one that stands.
 class PartTest {
  public:
-  PartTest(const Sweep& sweep, const BodyPart& moving, const OrientedBox& fixed, bool fixed_is_box,
-           double tolerance)
+  /// `fixed_box` is that of the standing part, world.
+  PartTest(const Sweep& sweep, const BodyPart& moving, const BodyPart& fixed,
+           const OrientedBox& fixed_box, double tolerance)
       : sweep_(sweep),
         moving_(moving),
-        fixed_(fixed),
-        both_boxes_(moving.is_box && fixed_is_box),
+        fixed_(fixed_box),
+        both_boxes_(moving.is_box && fixed.is_box),
+        around_mesh_(moving.soup >= 0 || fixed.soup >= 0),
         tolerance_(tolerance) {}
 
   Verdict verdict(SweepSlice& slice) const {
@@ -74,6 +76,8 @@ class PartTest {
     const Mat3 R_middle = part_rotation(slice.middle());
     if (test.free_along_moving_normals(R_middle)) return Verdict::kFree;
     if (both_boxes_ && (deep_at(slice.middle()) || deep_at(slice.end()))) return Verdict::kHit;
+    // For the box around a mesh the many other axes are not worth it: its triangles are asked next.
+    if (around_mesh_) return Verdict::kUndecided;
     if (test.free_along_edges(R_middle)) return Verdict::kFree;
     if (!both_boxes_ || halvings == 0) return Verdict::kUndecided;
     for (SweepSlice* half : {&slice.first_half(), &slice.second_half()}) {
@@ -99,6 +103,7 @@ class PartTest {
   const BodyPart& moving_;
   const OrientedBox& fixed_;
   bool both_boxes_;
+  bool around_mesh_;
   double tolerance_;
 };
 
@@ -220,7 +225,7 @@ class MeshTest {
 Verdict part_verdict(Sweep& sweep, SweepSlice& slice, const BodyPart& moving, const Body& standing,
                      const BodyPart& fixed, const OrientedBox& fixed_box, const Placement& X_WB,
                      double contact_tolerance) {
-  const PartTest boxes(sweep, moving, fixed_box, fixed.is_box,
+  const PartTest boxes(sweep, moving, fixed, fixed_box,
                        part_tolerance(moving, fixed, contact_tolerance));
   const Verdict found = boxes.verdict(slice);
   const bool one_mesh = (moving.soup >= 0) != (fixed.soup >= 0);
