@@ -10,6 +10,8 @@ namespace {
 
 /// Free space is measured for this many steps like the last one; more costs a longer search.
 constexpr double kStepsAhead = 32;
+/// Space for fewer steps costs more to measure than it saves.
+constexpr double kUsefulSteps = 6;
 /// Where measuring was of no use, it is tried again after 1, 2, 4, ... queries, at most this many.
 constexpr int kLongestPause = 32;
 /// Taken off every distance (m): more than the rounding of displacements.
@@ -56,9 +58,17 @@ void ClearanceBudget::Impl::look_at(const WorldState& now) {
 bool ClearanceBudget::Impl::covers(std::size_t item, const Body& body, const Motion& motion) const {
   if (item >= items.size()) return false;
   const Known& known = items[item];
-  if (known.body != &body || !(known.clear > 0)) return false;
+  if (known.body != &body || !(known.clear > kRounding)) return false;
+  const double allowed = known.clear - kRounding;
+  const geometry::ScrewMotion* screw = screw_of(motion);
+  if (screw != nullptr && screw->angle_deg == 0 && screw->X0.linear() == known.X.R) {
+    // By far the most steps: no turn at all since the space was measured.
+    const Vec3 from = screw->X0 * body.extent().centre - known.X.t;
+    const double squared = std::max(from.squaredNorm(), (from + screw->slide).squaredNorm());
+    return squared < allowed * allowed;
+  }
   const std::optional<double> moved = greatest_displacement(body, motion, known.X);
-  return moved && *moved + kRounding < known.clear;
+  return moved && *moved < allowed;
 }
 
 void ClearanceBudget::Impl::measure(std::size_t item, const Body& body, const Motion& motion,
@@ -76,7 +86,7 @@ void ClearanceBudget::Impl::measure(std::size_t item, const Body& body, const Mo
   if (!step || !std::isfinite(*step)) return;
   known.X = centred(motion, body.extent(), 1);
   known.clear = obstacles.distance(placed(body.bounds(), known.X), kStepsAhead * *step);
-  const bool useful = known.clear > 2 * *step;
+  const bool useful = known.clear > kUsefulSteps * *step;
   known.futile = useful ? 0 : known.futile + 1;
   known.pause = useful ? 0 : std::min(1 << std::min(known.futile, 10), kLongestPause);
 }

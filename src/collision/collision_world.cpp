@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -165,18 +166,37 @@ class Sweeps {
 
   Sweep& of(int item) {
     const MovingBody& moving = query_.items[item].moving;
-    if (query_.pairs.empty()) return only_.emplace(*moving.body, moving.motion);
-    if (all_.empty()) all_.resize(query_.items.size());
-    std::unique_ptr<Sweep>& sweep = all_[item];
-    if (!sweep) sweep = std::make_unique<Sweep>(*moving.body, moving.motion);
+    // Without pairs nobody comes back to an item.
+    const bool keep = !query_.pairs.empty();
+    std::optional<Sweep>& sweep = keep ? kept(item) : only_;
+    if (!keep || !sweep) sweep.emplace(*moving.body, moving.motion);
     return *sweep;
   }
 
  private:
+  /// Most machines have fewer parts; their sweeps need no memory of their own.
+  static constexpr int kFew = 12;
+
+  std::optional<Sweep>& kept(int item) {
+    if (item < kFew) {
+      if (!few_) few_.emplace();
+      return (*few_)[item];
+    }
+    if (more_.empty()) more_.resize(query_.items.size() - kFew);
+    return more_[item - kFew];
+  }
+
   const SweptQuery& query_;
-  std::optional<Sweep> only_;  ///< without pairs nobody comes back to an item
-  std::vector<std::unique_ptr<Sweep>> all_;
+  std::optional<Sweep> only_;
+  std::optional<std::array<std::optional<Sweep>, kFew>> few_;
+  std::vector<std::optional<Sweep>> more_;
 };
+
+bool in_pair(const SweptQuery& query, int item) {
+  return std::any_of(query.pairs.begin(), query.pairs.end(), [item](const auto& pair) {
+    return pair.first == item || pair.second == item;
+  });
+}
 
 /// Whether two bodies of a query block each other.
 bool items_blocked(Sweep& a, Sweep& b, double tolerance) {
@@ -242,11 +262,13 @@ SweptResult CollisionWorld::Impl::test(const SweptQuery& query,
     const SweptQuery::Item& item = query.items[i];
     if (!item.against_world) continue;
     const Body& body = *item.moving.body;
-    if (budget != nullptr && budget->covers(i, body, item.moving.motion)) continue;
+    // Who is in a pair needs its sweep anyway, and with it the tree costs less than the budget.
+    ClearanceBudget::Impl* use = budget != nullptr && !in_pair(query, i) ? budget : nullptr;
+    if (use != nullptr && use->covers(i, body, item.moving.motion)) continue;
     const std::optional<ObstacleId> met =
         first_met(sweeps.of(i), query.contact_tolerance, query.ignore);
     if (met) return {SweptHit{i, met, std::nullopt}};
-    if (budget != nullptr) budget->measure(i, body, item.moving.motion, tree);
+    if (use != nullptr) use->measure(i, body, item.moving.motion, tree);
   }
   for (const auto& [first, second] : query.pairs) {
     if (items_blocked(sweeps.of(first), sweeps.of(second), query.contact_tolerance)) {
