@@ -38,13 +38,9 @@ double heap_in_use() {
 /// Our engine as a site that changes.
 class OurSite {
  public:
-  explicit OurSite(const SweptScene& scene) : load_(body_of(scene.load)) {
+  explicit OurSite(const SweptScene& scene)
+      : load_(body_of(scene.load)), queries_(queries_of(*load_, scene.steps)) {
     for (const geometry::Solid& solid : scene.solids) bodies_.push_back(body_of(solid));
-    for (const geometry::ScrewMotion& step : scene.steps) {
-      collision::SweptQuery query;
-      query.items.push_back({{load_.get(), {step}}, true});
-      queries_.push_back(std::move(query));
-    }
   }
   void build(const std::vector<Standing>& panels, int count) {
     for (int i = 0; i < count; ++i) insert(panels[i]);

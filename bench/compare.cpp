@@ -28,6 +28,8 @@ const char* name_of(Method method) {
       return "fcl_10mm";
     case Method::kFcl10mmOneTree:
       return "fcl_10mm_one_tree";
+    case Method::kFclDropped:
+      return "fcl_dropped";
     case Method::kFclTight:
       return "fcl_tight";
   }
@@ -67,15 +69,19 @@ class Comparison {
       collision::use_simd(collision::Simd::kAvx2);
       return;
     }
-    const FclSide& fcl = method == Method::kFclTight     ? fcl_tight_.get()
-                         : method == Method::kFclDefault ? fcl_.get()
-                                                         : fcl_poses_.get();
+    const bool poses = method == Method::kFcl10mm || method == Method::kFcl10mmOneTree;
+    const FclSide& fcl = poses                         ? fcl_poses_.get()
+                         : method == Method::kFclTight ? fcl_tight_.get()
+                                                       : fcl_.get();
+    const FclWorld& world = fcl.world;
     if (method == Method::kFcl10mm) {
-      use([&fcl](std::size_t i) { return fcl.world.every_10_mm(*fcl.steps[i]); });
+      use([&](std::size_t i) { return world.every_10_mm(*fcl.steps[i]); });
     } else if (method == Method::kFcl10mmOneTree) {
-      use([&fcl](std::size_t i) { return fcl.world.every_10_mm_one_tree_query(*fcl.steps[i]); });
+      use([&](std::size_t i) { return world.every_10_mm_one_tree_query(*fcl.steps[i]); });
     } else {
-      use([&fcl](std::size_t i) { return fcl.world.continuous(*fcl.steps[i]); });
+      const auto rotation =
+          method == Method::kFclDropped ? FclRotation::kDropped : FclRotation::kScrew;
+      use([&, rotation](std::size_t i) { return world.continuous(*fcl.steps[i], rotation); });
     }
   }
 

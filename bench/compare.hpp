@@ -12,9 +12,10 @@ namespace rubicon::bench {
 enum class Method {
   kOurs,            ///< CollisionWorld::test, the best instructions of this processor
   kOursBaseline,    ///< the same with the instructions that every x86-64 processor has
-  kFclDefault,      ///< FCL: tree, continuousCollide with its default request
+  kFclDefault,      ///< FCL: tree, continuousCollide with its default request; rotations as screws
   kFcl10mm,         ///< FCL: at a pose every 10 mm the tree, then collide
   kFcl10mmOneTree,  ///< FCL: the tree once a step, then collide at a pose every 10 mm
+  kFclDropped,      ///< as kFclDefault, but with the default motion type, which drops rotations
   kFclTight,        ///< as kFclDefault, with exact bounds of the obstacles put into FCL's objects
 };
 

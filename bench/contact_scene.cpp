@@ -21,6 +21,7 @@ SweptScene contact_scene(int count, StepKind kind) {
   const double side =
       std::sqrt(a_storey * 4 * kSlabHalf.x() * kSlabHalf.y());  // m, of a square of slabs
   const int along = static_cast<int>(std::ceil(side / (2 * kSlabHalf.x())));
+  const int rows = a_storey / along;  // that are complete
   for (int i = 0; i < count; ++i) {
     const int place = i / kStoreys;
     const double x = 2 * kSlabHalf.x() * (place % along);
@@ -31,8 +32,8 @@ SweptScene contact_scene(int count, StepKind kind) {
   scene.load = centred_box(kLoadHalf);
   Random random(5);
   for (int i = 0; i < kSteps; ++i) {
-    const double x = random.between(0, side);
-    const double y = random.between(0, side);
+    const double x = random.between(0, 2 * kSlabHalf.x() * (along - 1));
+    const double y = random.between(0, 2 * kSlabHalf.y() * (rows - 1));
     const double top = kStorey * random.below(kStoreys);
     const double yaw = random.between(0, 360);
     const double way = random.between(0, 360);

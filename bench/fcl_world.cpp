@@ -165,12 +165,13 @@ FclWorld::StepPtr FclWorld::make_step(const LoadPtr& load, const geometry::Screw
   return step;
 }
 
-bool FclWorld::continuous(const Step& step) const {
+bool FclWorld::continuous(const Step& step, FclRotation rotation) const {
+  const bool screw = step.rotates && rotation == FclRotation::kScrew;
   const fcl::CollisionGeometryd* load = step.load->shape.get();
   return impl_->any(
       step.asked, step.swept, [&](const fcl::CollisionGeometryd* shape, const fcl::Transform3d& X) {
         fcl::ContinuousCollisionRequestd request;
-        if (step.rotates) request.ccd_motion_type = fcl::CCDM_SCREW;
+        if (screw) request.ccd_motion_type = fcl::CCDM_SCREW;
         fcl::ContinuousCollisionResultd result;
         fcl::continuousCollide(load, step.start, step.end, shape, X, X, request, result);
         return result.is_collide;

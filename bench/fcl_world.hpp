@@ -11,6 +11,10 @@ namespace rubicon::bench {
 /// sphere; kTight puts the exact bounds there, which no user of its interface gets.
 enum class FclBounds { kAsItComes, kTight };
 
+/// What continuousCollide makes of a rotation. Its default request drops it: the body goes along
+/// the chord and does not turn (kDropped). Asked for a screw it answers the question.
+enum class FclRotation { kScrew, kDropped };
+
 /// What most people would use instead: FCL 0.7 as Debian ships it, its dynamic tree built in one
 /// go, libccd for single poses.
 class FclWorld {
@@ -41,8 +45,7 @@ class FclWorld {
                            bool with_poses);
 
   /// The tree, then continuousCollide with its default request (ten poses); the first hit ends it.
-  /// For rotations the motion type is set to screw: the default type drops the rotation.
-  bool continuous(const Step& step) const;
+  bool continuous(const Step& step, FclRotation rotation = FclRotation::kScrew) const;
   /// At each pose the tree, then collide; the first hit ends it.
   bool every_10_mm(const Step& step) const;
   /// The tree once, with the bounds of the whole step, then collide at each pose.

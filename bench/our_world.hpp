@@ -16,6 +16,10 @@ struct OurWorld {
   std::vector<collision::SweptQuery> queries;
 };
 
+/// One query a step.
+std::vector<collision::SweptQuery> queries_of(const collision::Body& load,
+                                              const std::vector<geometry::ScrewMotion>& steps);
+
 /// The engine's form of a solid.
 collision::BodyPtr body_of(const geometry::Solid& solid);
 

@@ -16,25 +16,26 @@ namespace {
 using namespace rubicon::bench;
 
 void register_near() {
-  const std::vector<Method> boxes = {Method::kOurs,    Method::kOursBaseline,   Method::kFclDefault,
-                                     Method::kFcl10mm, Method::kFcl10mmOneTree, Method::kFclTight};
+  const std::vector<Method> short_list = {Method::kOurs, Method::kFclDefault, Method::kFcl10mm};
   for (const StepKind kind : {StepKind::kTranslation, StepKind::kRotation}) {
+    std::vector<Method> all = {Method::kOurs,    Method::kOursBaseline,   Method::kFclDefault,
+                               Method::kFcl10mm, Method::kFcl10mmOneTree, Method::kFclTight};
+    if (kind == StepKind::kRotation) all.push_back(Method::kFclDropped);
     for (const int count : {1000, 10000, 100000}) {
       register_comparison(
-          "panels", name_of(kind), count, [=] { return panel_scene(count, kind); }, boxes);
+          "panels", name_of(kind), count, [=] { return panel_scene(count, kind); }, all);
     }
     for (const int count : {100, 1000, 10000}) {
       register_comparison(
           "meshes", name_of(kind), count, [=] { return mesh_scene(count, kind, MeshLoad::kBox); },
-          boxes);
-      register_comparison("mesh_load", name_of(kind), count,
-                          [=] { return mesh_scene(count, kind, MeshLoad::kMesh); },
-                          {Method::kOurs, Method::kFclDefault, Method::kFcl10mm});
+          all);
+      register_comparison(
+          "mesh_load", name_of(kind), count,
+          [=] { return mesh_scene(count, kind, MeshLoad::kMesh); }, short_list);
     }
     for (const int count : {1000, 10000, 100000}) {
-      register_comparison("contact", name_of(kind), count,
-                          [=] { return contact_scene(count, kind); },
-                          {Method::kOurs, Method::kFclDefault, Method::kFcl10mm});
+      register_comparison(
+          "contact", name_of(kind), count, [=] { return contact_scene(count, kind); }, short_list);
     }
     for (const int count : {1000, 100000}) {
       register_comparison("free", name_of(kind), count, [=] { return free_scene(count, kind); },
