@@ -20,6 +20,7 @@ struct MeshRequest {
   double scale = 1;
   char up = 0;                ///< 'y', 'z', 0: the format's own
   std::string part;           ///< one named node, empty: all
+  bool hull = false;          ///< the convex hull of its corners instead
 };
 
 /// The only way the interpreter reaches files; tests give texts from memory.

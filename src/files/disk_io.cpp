@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "interpreter/parse.hpp"
-#include "src/mesh_io/mesh_io.hpp"
 
 namespace rubicon::files {
 
@@ -75,11 +74,12 @@ DiskFiles::read_mesh(const interpreter::MeshRequest& request) {
   wanted.scale = request.scale;
   wanted.up = request.up;
   wanted.part = request.part;
-  auto result = mesh_io::read_mesh(wanted);
+  wanted.hull = request.hull;
+  auto result = meshes_.read(wanted);
   if (auto* failure = std::get_if<mesh_io::MeshFailure>(&result)) {
     return interpreter::FileFailure{failure->message};
   }
-  return std::get<std::shared_ptr<const geometry::TriangleMesh>>(std::move(result));
+  return std::get<mesh_io::ReadMesh>(std::move(result)).mesh;
 }
 
 std::variant<std::string, interpreter::FileFailure> read_standard_input() {

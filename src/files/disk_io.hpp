@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "interpreter/file_provider.hpp"
+#include "src/mesh_io/mesh_io.hpp"
 
 namespace rubicon::files {
 
@@ -17,6 +18,9 @@ class DiskFiles : public interpreter::FileProvider {
   std::variant<std::string, interpreter::FileFailure> read_text(const std::string& path) override;
   std::variant<std::shared_ptr<const geometry::TriangleMesh>, interpreter::FileFailure> read_mesh(
       const interpreter::MeshRequest& request) override;
+
+ private:
+  mesh_io::MeshReader meshes_ = mesh_io::MeshReader::beside_command();
 };
 
 /// Everything on standard input, up to the size cap of a text.

@@ -25,6 +25,8 @@ struct FileScene {
   bool in_metres = false;
   /// Whether the vertices have Y up by the declaration of the format or the file.
   bool y_up = false;
+  /// Whether files beside the mesh were asked for: its own content does not say all then.
+  bool from_several_files = false;
   std::vector<FileNode> nodes;
 };
 

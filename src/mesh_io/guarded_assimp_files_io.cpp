@@ -1,10 +1,6 @@
 #include "src/mesh_io/guarded_assimp_files_io.hpp"
 
-#include <sys/types.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <utility>
@@ -24,16 +20,7 @@ class ReadOnlyStream : public Assimp::IOStream {
   std::size_t Read(void* buffer, std::size_t item, std::size_t count) override {
     if (item == 0 || count == 0 || place_ >= size_) return 0;
     const std::uint64_t items = std::min<std::uint64_t>(count, (size_ - place_) / item);
-    std::uint64_t wanted = items * item;
-    std::uint64_t done = 0;
-    auto* bytes = static_cast<char*>(buffer);
-    while (done < wanted) {
-      const ssize_t got =
-          ::pread(fd_, bytes + done, wanted - done, static_cast<off_t>(place_ + done));
-      if (got < 0 && errno == EINTR) continue;
-      if (got <= 0) break;
-      done += static_cast<std::uint64_t>(got);
-    }
+    const std::uint64_t done = read_at(fd_, place_, static_cast<char*>(buffer), items * item);
     const std::uint64_t whole = done / item;
     place_ += whole * item;
     return whole;
@@ -65,12 +52,18 @@ class ReadOnlyStream : public Assimp::IOStream {
 }  // namespace
 
 GuardedAssimpFiles::GuardedAssimpFiles(GuardedFile mesh, std::string name, std::string folder,
-                                       bool others)
-    : mesh_(std::move(mesh)), name_(std::move(name)), folder_(std::move(folder)), others_(others) {}
+                                       bool others, bool& others_opened)
+    : mesh_(std::move(mesh)),
+      name_(std::move(name)),
+      folder_(std::move(folder)),
+      others_(others),
+      others_opened_(others_opened) {}
 
 bool GuardedAssimpFiles::Exists(const char* file) const {
   if (name_ == file) return true;
-  return others_ && std::holds_alternative<GuardedFile>(open_inside(folder_, file));
+  if (!others_) return false;
+  others_opened_ = true;
+  return std::holds_alternative<GuardedFile>(open_inside(folder_, file));
 }
 
 Assimp::IOStream* GuardedAssimpFiles::Open(const char* file, const char* mode) {
@@ -79,6 +72,7 @@ Assimp::IOStream* GuardedAssimpFiles::Open(const char* file, const char* mode) {
     return new ReadOnlyStream(mesh_.descriptor.get(), mesh_.size, FileDescriptor());
   }
   if (!others_) return nullptr;
+  others_opened_ = true;
   std::variant<GuardedFile, GuardedFailure> opened = open_inside(folder_, file);
   auto* other = std::get_if<GuardedFile>(&opened);
   if (other == nullptr) return nullptr;

@@ -14,8 +14,9 @@ namespace rubicon::mesh_io {
 class GuardedAssimpFiles : public Assimp::IOSystem {
  public:
   /// `mesh` is open; `name` is what assimp calls it. With `others`, files inside `folder` may be
-  /// opened too.
-  GuardedAssimpFiles(GuardedFile mesh, std::string name, std::string folder, bool others);
+  /// opened too; `others_opened` outlives this object and becomes true when one was asked for.
+  GuardedAssimpFiles(GuardedFile mesh, std::string name, std::string folder, bool others,
+                     bool& others_opened);
 
   bool Exists(const char* file) const override;
   char getOsSeparator() const override { return '/'; }
@@ -27,6 +28,7 @@ class GuardedAssimpFiles : public Assimp::IOSystem {
   std::string name_;
   std::string folder_;
   bool others_;
+  bool& others_opened_;
 };
 
 }  // namespace rubicon::mesh_io

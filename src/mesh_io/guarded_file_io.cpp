@@ -1,6 +1,7 @@
 #include "src/mesh_io/guarded_file_io.hpp"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -116,6 +117,33 @@ std::variant<GuardedFile, GuardedFailure> open_inside(const std::string& resolve
   }
   file.size = static_cast<std::uint64_t>(status.st_size);
   return file;
+}
+
+std::size_t read_at(int fd, std::uint64_t offset, char* bytes, std::size_t size) {
+  std::size_t done = 0;
+  while (done < size) {
+    const ssize_t got = ::pread(fd, bytes + done, size - done, static_cast<off_t>(offset + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) break;
+    done += static_cast<std::size_t>(got);
+  }
+  return done;
+}
+
+FileDescriptor file_in_memory(std::string_view bytes) {
+  FileDescriptor file(::memfd_create("rubicon", MFD_CLOEXEC));
+  if (file.get() >= 0 && !write_all(file.get(), bytes)) file.close();
+  return file;
+}
+
+bool write_all(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t done = ::write(fd, bytes.data(), bytes.size());
+    if (done < 0 && errno == EINTR) continue;
+    if (done <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(done));
+  }
+  return true;
 }
 
 }  // namespace rubicon::mesh_io

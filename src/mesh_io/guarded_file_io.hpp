@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 
 namespace rubicon::mesh_io {
@@ -41,5 +43,15 @@ std::variant<std::string, GuardedFailure> resolve_folder(const std::string& fold
 /// `resolved_folder` (from resolve_folder) or below. Never waits (pipes), never touches a device.
 std::variant<GuardedFile, GuardedFailure> open_inside(const std::string& resolved_folder,
                                                       const std::string& path);
+
+/// Up to `size` bytes of an open file from `offset` on; how many there were before its end or an
+/// error. Does not move the file's own place.
+std::size_t read_at(int fd, std::uint64_t offset, char* bytes, std::size_t size);
+
+/// A file without a name that holds these bytes; descriptor -1 when there is no room.
+FileDescriptor file_in_memory(std::string_view bytes);
+
+/// Writes all of `bytes`; false when that failed.
+bool write_all(int fd, std::string_view bytes);
 
 }  // namespace rubicon::mesh_io

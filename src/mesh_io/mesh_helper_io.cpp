@@ -1,158 +1,177 @@
-// The program `rubicon-mesh`: parses one mesh file under limits and writes it to standard output.
-// It is started by MeshReader and may die at any moment; nothing depends on how.
+// The program `rubicon-mesh`: takes jobs from a socket and forks a guarded child for each. It is
+// started by HelperProcess; it reads no file itself and holds nothing that a child could spoil.
 
 #include <fmt/core.h>
+#include <poll.h>
 #include <signal.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
+#include <sys/signalfd.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
-#include <charconv>
-#include <exception>
-#include <memory>
-#include <new>
+#include <cstring>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
+#include <vector>
 
-#include "src/mesh_io/assimp_scene.hpp"
-#include "src/mesh_io/guarded_assimp_files_io.hpp"
 #include "src/mesh_io/guarded_file_io.hpp"
-#include "src/mesh_io/mesh_format.hpp"
-#include "src/mesh_io/scene_wire.hpp"
+#include "src/mesh_io/guarded_job_io.hpp"
+#include "src/mesh_io/helper_job.hpp"
 
 namespace rubicon::mesh_io {
 
 namespace {
 
-constexpr int kExitUsage = 2;
-constexpr int kExitOutput = 3;
+/// Where HelperProcess puts the socket that jobs come from.
+constexpr int kJobs = STDIN_FILENO;
 
-struct Call {
-  std::string folder;
-  std::string file;
-  bool ignore_declared_up = false;
-  rlim_t seconds = 0;
-  rlim_t bytes = 0;
+struct Child {
+  pid_t process = -1;
+  FileDescriptor status;
+  bool ended_by_us = false;
 };
 
-std::optional<rlim_t> number(std::string_view text) {
-  rlim_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value == 0) return std::nullopt;
-  return value;
+struct Received {
+  std::optional<HelperJob> job;  // nothing: no job, or not with its files
+  std::array<FileDescriptor, kJobFiles> files;
+};
+
+FileDescriptor& file(Received& received, JobFile which) {
+  return received.files[static_cast<std::size_t>(which)];
 }
 
-std::optional<Call> parse_call(int argc, char** argv) {
-  if (argc != 6) return std::nullopt;
-  Call call;
-  call.folder = argv[1];
-  call.file = argv[2];
-  const std::string_view up = argv[3];
-  const std::optional<rlim_t> seconds = number(argv[4]);
-  const std::optional<rlim_t> bytes = number(argv[5]);
-  if ((up != "declared" && up != "written") || !seconds || !bytes) return std::nullopt;
-  call.ignore_declared_up = up == "written";
-  call.seconds = *seconds;
-  call.bytes = *bytes;
-  return call;
-}
-
-bool limit(int resource, rlim_t value) {
-  const rlimit both{value, value};
-  return ::setrlimit(static_cast<__rlimit_resource>(resource), &both) == 0;
-}
-
-bool set_limits(const Call& call) {
-  constexpr rlim_t kOpenFiles = 16;
-  // 1 byte, not 0: a core pattern that pipes into a program ignores 0, and 1 stops both kinds.
-  constexpr rlim_t kCoreBytes = 1;
-  return ::prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-         limit(RLIMIT_CORE, kCoreBytes) && limit(RLIMIT_FSIZE, 0) &&
-         limit(RLIMIT_NOFILE, kOpenFiles) && limit(RLIMIT_CPU, call.seconds) &&
-         limit(RLIMIT_AS, call.bytes);
-}
-
-std::string too_much_memory(const Call& call) {
-  return fmt::format("reading it needs more than {} MB of memory; simplify it",
-                     call.bytes / 1'000'000);
-}
-
-SceneMessage read(const Call& call) {
-  const std::optional<MeshFormat> format = format_of(call.file);
-  if (!format) return fmt::format("its name does not end in {}", kKnownExtensions);
-  std::variant<GuardedFile, GuardedFailure> opened = open_inside(call.folder, call.file);
-  if (const auto* failure = std::get_if<GuardedFailure>(&opened)) return failure->message;
-  GuardedFile& mesh = std::get<GuardedFile>(opened);
-
-  AssimpQuery query;
-  // A name of our own in the right folder: a symbolic link may lead to a file called otherwise.
-  query.name =
-      mesh.path.substr(0, mesh.path.rfind('/')) + "/rubicon-mesh." + std::string(format->extension);
-  query.format = *format;
-  query.ignore_declared_up = call.ignore_declared_up;
-  auto files = std::make_unique<GuardedAssimpFiles>(std::move(mesh), query.name, call.folder,
-                                                    format->has_parts_beside);
-  try {
-    SceneMessage message = read_with_assimp(query, std::move(files));
-    const auto* failure = std::get_if<std::string>(&message);
-    const bool memory = failure != nullptr && failure->find("bad_alloc") != std::string::npos;
-    return memory ? SceneMessage(too_much_memory(call)) : message;
-  } catch (const std::bad_alloc&) {
-    return too_much_memory(call);
-  } catch (const std::exception& error) {
-    return fmt::format("it cannot be read as {}: {}", format->name, error.what());
+/// The next job; false when there will be none.
+bool receive(Received& received) {
+  std::array<char, kLongestJob> message{};
+  iovec part{message.data(), message.size()};
+  alignas(cmsghdr) std::array<char, CMSG_SPACE(kJobFiles * sizeof(int))> control{};
+  msghdr header{};
+  header.msg_iov = &part;
+  header.msg_iovlen = 1;
+  header.msg_control = control.data();
+  header.msg_controllen = control.size();
+  ssize_t size = 0;
+  do {
+    size = ::recvmsg(kJobs, &header, MSG_CMSG_CLOEXEC);
+  } while (size < 0 && errno == EINTR);
+  if (size <= 0) return false;
+  std::size_t count = 0;
+  for (cmsghdr* part_of = CMSG_FIRSTHDR(&header); part_of != nullptr;
+       part_of = CMSG_NXTHDR(&header, part_of)) {
+    if (part_of->cmsg_level != SOL_SOCKET || part_of->cmsg_type != SCM_RIGHTS) continue;
+    const std::size_t bytes = part_of->cmsg_len - CMSG_LEN(0);
+    std::array<int, kJobFiles> numbers{};
+    count = std::min(bytes, sizeof numbers) / sizeof(int);
+    std::memcpy(numbers.data(), CMSG_DATA(part_of), count * sizeof(int));
+    for (std::size_t i = 0; i < count; ++i) received.files[i] = FileDescriptor(numbers[i]);
   }
+  const bool whole = (header.msg_flags & (MSG_TRUNC | MSG_CTRUNC)) == 0 && count == kJobFiles;
+  if (whole) received.job = decode_job({message.data(), static_cast<std::size_t>(size)});
+  return true;
 }
 
-/// Collects small pieces into large writes.
-class Output {
+void tell(const FileDescriptor& status, bool signalled, int code) {
+  const ChildEnd end{signalled ? 1 : 0, code};
+  // There is always room for it; when nobody listens any more it does not matter.
+  static_cast<void>(::send(status.get(), &end, sizeof end, MSG_NOSIGNAL | MSG_DONTWAIT));
+}
+
+class Server {
  public:
-  bool put(std::string_view bytes) {
-    buffer_.append(bytes);
-    return buffer_.size() < kPiece || flush();
-  }
-
-  bool flush() {
-    std::size_t done = 0;
-    while (done < buffer_.size()) {
-      const ssize_t sent = ::write(STDOUT_FILENO, buffer_.data() + done, buffer_.size() - done);
-      if (sent < 0 && errno == EINTR) continue;
-      if (sent <= 0) return false;
-      done += static_cast<std::size_t>(sent);
-    }
-    buffer_.clear();
-    return true;
+  int run() {
+    sigset_t child_ended;
+    ::sigemptyset(&child_ended);
+    ::sigaddset(&child_ended, SIGCHLD);
+    ::sigprocmask(SIG_BLOCK, &child_ended, nullptr);
+    signals_ = FileDescriptor(::signalfd(-1, &child_ended, SFD_CLOEXEC | SFD_NONBLOCK));
+    if (signals_.get() < 0) return kExitUsage;
+    bool more = true;
+    while (more) more = wait() && serve();
+    for (const Child& child : children_) ::kill(child.process, SIGKILL);
+    return 0;
   }
 
  private:
-  static constexpr std::size_t kPiece = std::size_t{1} << 18;
-  std::string buffer_;
-};
+  bool wait() {
+    polled_.assign({{kJobs, POLLIN, 0}, {signals_.get(), POLLIN, 0}});
+    // Anything that comes from the other side of a status channel means: end it.
+    for (const Child& child : children_) {
+      polled_.push_back({child.ended_by_us ? -1 : child.status.get(), POLLIN, 0});
+    }
+    const int ready = ::poll(polled_.data(), polled_.size(), -1);
+    return ready >= 0 || errno == EINTR;
+  }
 
-int run(const Call& call) {
-  const SceneMessage message = read(call);
-  Output output;
-  const bool sent =
-      encode(message, [&](std::string_view bytes) { return output.put(bytes); }) && output.flush();
-  return sent ? 0 : kExitOutput;
-}
+  bool serve() {
+    for (std::size_t i = 0; i < children_.size(); ++i) {
+      if (polled_[i + 2].revents == 0 || children_[i].ended_by_us) continue;
+      ::kill(children_[i].process, SIGKILL);  // not reaped yet, so the number is still its own
+      children_[i].ended_by_us = true;
+    }
+    if (polled_[1].revents != 0) reap();
+    if (polled_[0].revents == 0) return true;
+    Received received;
+    if (!receive(received)) return false;
+    if (received.job) {
+      begin(received);
+    } else {
+      tell(file(received, JobFile::kStatus), false, kExitUsage);
+    }
+    return true;
+  }
+
+  void begin(Received& received) {
+    const pid_t helper = ::getpid();
+    const pid_t process = ::fork();
+    if (process == 0) {
+      // Nothing of the helper stays open, least of all the socket that jobs come from.
+      const JobDescriptors descriptors =
+          keep_only(file(received, JobFile::kInput).get(), file(received, JobFile::kOutput).get());
+      ::_exit(run_guarded_job(*received.job, descriptors, helper));
+    }
+    if (process < 0) {
+      tell(file(received, JobFile::kStatus), false, kExitOutput);
+      return;
+    }
+    children_.push_back({process, std::move(file(received, JobFile::kStatus)), false});
+  }
+
+  void reap() {
+    signalfd_siginfo ignored{};
+    while (::read(signals_.get(), &ignored, sizeof ignored) > 0) {
+    }
+    for (;;) {
+      int status = 0;
+      const pid_t ended = ::waitpid(-1, &status, WNOHANG);
+      if (ended <= 0) return;
+      const auto child = std::find_if(children_.begin(), children_.end(),
+                                      [&](const Child& each) { return each.process == ended; });
+      if (child == children_.end()) continue;
+      tell(child->status, WIFSIGNALED(status),
+           WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status));
+      children_.erase(child);
+    }
+  }
+
+  FileDescriptor signals_;
+  std::vector<Child> children_;
+  std::vector<pollfd> polled_;
+};
 
 }  // namespace
 
 }  // namespace rubicon::mesh_io
 
 int main(int argc, char** argv) {
-  using namespace rubicon::mesh_io;
-  const std::optional<Call> call = parse_call(argc, argv);
-  if (!call || !set_limits(*call)) {
+  if (argc != 2 || std::string_view(argv[1]) != "serve") {
     fmt::print(stderr,
-               "usage: rubicon-mesh FOLDER FILE declared|written CPU_SECONDS MEMORY_BYTES\n"
-               "reads one mesh for the command rubicon; not meant to be called by hand\n");
-    return kExitUsage;
+               "usage: rubicon-mesh serve\n"
+               "reads meshes for the command rubicon; not meant to be called by hand\n");
+    return rubicon::mesh_io::kExitUsage;
   }
-  return run(*call);
+  return rubicon::mesh_io::Server().run();
 }

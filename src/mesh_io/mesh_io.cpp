@@ -1,22 +1,21 @@
 #include "src/mesh_io/mesh_io.hpp"
 
 #include <fmt/core.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <climits>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <utility>
 
-#include "src/mesh_io/child_process_io.hpp"
-#include "src/mesh_io/guarded_file_io.hpp"
+#include "src/mesh_io/bounded_cache.hpp"
+#include "src/mesh_io/disk_cache_io.hpp"
+#include "src/mesh_io/hull_check.hpp"
 #include "src/mesh_io/mesh_format.hpp"
+#include "src/mesh_io/scene_source_io.hpp"
 #include "src/mesh_io/scene_wire.hpp"
 
 namespace rubicon::mesh_io {
@@ -25,21 +24,8 @@ namespace {
 
 using geometry::Vec3;
 
-/// A larger file is refused unread: parsed it would not fit the memory limit either.
-constexpr std::uint64_t kLargestFile = 256'000'000;
-
-/// Processor time a file may take: enough to find out that a small one is hostile within seconds,
-/// and in proportion for honest large ones (measured: 25 MB/s for IFC, 80 to 300 for STL, OBJ and
-/// PLY).
-constexpr std::uint64_t kBaseSeconds = 1;
-constexpr std::uint64_t kBytesPerSecond = 8'000'000;
-
-/// Address space the helper may take: its libraries (80 MB), then in proportion to the file
-/// (measured: 2 to 6 bytes for a byte of STL, OBJ and PLY), never more than a site computer can
-/// spare.
-constexpr std::uint64_t kBaseMemory = 320'000'000;
-constexpr std::uint64_t kMemoryPerByte = 16;
-constexpr std::uint64_t kMostMemory = 2'000'000'000;
+/// Meshes kept so that equal requests share one.
+constexpr std::size_t kMeshBytes = 256'000'000;
 
 /// Beyond this distance from the origin (metres) a unit is wrong: national grids end below 1e7 m.
 constexpr double kFarthest = 1e7;
@@ -48,103 +34,12 @@ constexpr std::size_t kLongestPath = 1000;  ///< bytes, of NamedMesh::path
 constexpr std::size_t kLongestNameShown = 80;
 constexpr std::size_t kNamesShown = 8;
 
-/// One file for the helper.
-struct FileQuery {
-  std::string path;
-  std::string folder;
-  bool ignore_declared_up = false;
-};
-
 MeshFailure failure(const std::string& path, const std::string& reason) {
   return {fmt::format("mesh '{}' cannot be used: {}", printable(path, PATH_MAX), reason)};
 }
 
 std::string quoted(const std::string& name) {
   return fmt::format("'{}'", printable(name, kLongestNameShown));
-}
-
-struct Budget {
-  std::uint64_t seconds = 0;
-  std::uint64_t bytes = 0;
-};
-
-Budget budget_for(std::uint64_t file_size) {
-  return {kBaseSeconds + file_size / kBytesPerSecond,
-          std::min(kBaseMemory + kMemoryPerByte * file_size, kMostMemory)};
-}
-
-/// Why a helper that ended this way gave no mesh; empty when it ended well.
-std::string reason_of(const ChildResult& child, const std::string& helper, const Budget& budget) {
-  const std::string too_long =
-      fmt::format("reading it takes more than {} s; it is damaged, or far too complex for its size",
-                  budget.seconds);
-  switch (child.end) {
-    case ChildResult::End::kNotStarted:
-      return fmt::format(
-          "the program {} that reads meshes cannot be started ({}); it belongs "
-          "beside the command",
-          helper.empty() ? "rubicon-mesh" : quoted(helper), std::strerror(child.code));
-    case ChildResult::End::kTimedOut:
-      return too_long;
-    case ChildResult::End::kTooMuchOutput:
-      return "it grows without end while it is read; it is damaged";
-    case ChildResult::End::kSignalled:
-      if (child.code == SIGXCPU || child.code == SIGKILL) return too_long;
-      return "it is so damaged that its reader broke down; export it again";
-    case ChildResult::End::kExited:
-      if (child.code == 0) return {};
-      return fmt::format(
-          "the program {} that reads meshes failed (exit {}); it does not belong to "
-          "this version",
-          quoted(helper), child.code);
-  }
-  return {};
-}
-
-std::variant<FileScene, MeshFailure> read_file(const std::string& helper, const FileQuery& query) {
-  if (!format_of(query.path)) {
-    return failure(query.path, fmt::format("its name does not end in {}", kKnownExtensions));
-  }
-  const std::variant<std::string, GuardedFailure> folder = resolve_folder(query.folder);
-  if (const auto* wrong = std::get_if<GuardedFailure>(&folder)) {
-    return failure(query.path, wrong->message);
-  }
-  const std::string& resolved_folder = std::get<std::string>(folder);
-  std::uint64_t size = 0;
-  {
-    const std::variant<GuardedFile, GuardedFailure> file = open_inside(resolved_folder, query.path);
-    if (const auto* wrong = std::get_if<GuardedFailure>(&file)) {
-      return failure(query.path, wrong->message);
-    }
-    size = std::get<GuardedFile>(file).size;
-  }
-  if (size == 0) return failure(query.path, "it is empty");
-  if (size > kLargestFile) {
-    return failure(query.path, fmt::format("it has {} MB, at most {} MB are read; simplify it",
-                                           size / 1'000'000, kLargestFile / 1'000'000));
-  }
-
-  const Budget budget = budget_for(size);
-  const SceneLimits limits;
-  ChildQuery child_query;
-  child_query.program = helper;
-  child_query.arguments = {resolved_folder, query.path,
-                           query.ignore_declared_up ? "written" : "declared",
-                           std::to_string(budget.seconds), std::to_string(budget.bytes)};
-  // The limit of processor time comes first; this one is for a child that sleeps.
-  child_query.time_limit = std::chrono::seconds(2 * budget.seconds + 1);
-  child_query.output_limit = largest_message(limits);
-  const ChildResult child = run_child(child_query);
-  if (std::string reason = reason_of(child, helper, budget); !reason.empty()) {
-    return failure(query.path, reason);
-  }
-  std::variant<SceneMessage, WireError> decoded = decode(child.output, limits);
-  if (const auto* error = std::get_if<WireError>(&decoded)) {
-    return failure(query.path, "its reader broke down (" + error->message + "); export it again");
-  }
-  SceneMessage& message = std::get<SceneMessage>(decoded);
-  if (const auto* reason = std::get_if<std::string>(&message)) return failure(query.path, *reason);
-  return std::move(std::get<FileScene>(message));
 }
 
 /// Names of nodes with triangles, for a message.
@@ -234,39 +129,12 @@ std::string path_of(const FileScene& scene, std::size_t index) {
   return path;
 }
 
-}  // namespace
-
-bool needs_unit(const std::string& path) {
-  const std::optional<MeshFormat> format = format_of(path);
-  return format && !format->declares_unit;
-}
-
-MeshReader::MeshReader(std::string helper) : helper_(std::move(helper)) {}
-
-MeshReader MeshReader::beside_command() {
-  std::array<char, PATH_MAX> buffer{};
-  const ssize_t length = ::readlink("/proc/self/exe", buffer.data(), buffer.size());
-  if (length <= 0) return MeshReader({});
-  const std::string command(buffer.data(), static_cast<std::size_t>(length));
-  const std::string folder = command.substr(0, command.rfind('/'));
-  const std::string beside = folder + "/rubicon-mesh";
-  for (const std::string& candidate :
-       {beside, folder + "/../bin/rubicon-mesh", folder + "/../libexec/rubicon/rubicon-mesh"}) {
-    if (::access(candidate.c_str(), X_OK) == 0) return MeshReader(candidate);
-  }
-  return MeshReader(beside);
-}
-
-std::variant<ReadMesh, MeshFailure> MeshReader::read(const MeshRequest& request) const {
-  FileQuery query{request.path, request.folder, request.up != 0};
-  std::variant<FileScene, MeshFailure> file = read_file(helper_, query);
-  if (auto* wrong = std::get_if<MeshFailure>(&file)) return std::move(*wrong);
-  const FileScene& scene = std::get<FileScene>(file);
-
+/// The mesh that is asked for, or what is wrong.
+std::variant<MendedMesh, std::string> mesh_of(const FileScene& scene, const MeshRequest& request) {
   const std::variant<double, std::string> factor = factor_for(scene, request);
-  if (const auto* wrong = std::get_if<std::string>(&factor)) return failure(request.path, *wrong);
+  if (const auto* wrong = std::get_if<std::string>(&factor)) return *wrong;
   const std::variant<std::vector<char>, std::string> chosen = select(scene, request.part);
-  if (const auto* wrong = std::get_if<std::string>(&chosen)) return failure(request.path, *wrong);
+  if (const auto* wrong = std::get_if<std::string>(&chosen)) return *wrong;
 
   const bool turn = request.up == 'y' || (request.up == 0 && scene.y_up);
   std::vector<Vec3> vertices;
@@ -281,21 +149,108 @@ std::variant<ReadMesh, MeshFailure> MeshReader::read(const MeshRequest& request)
       triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
     }
   }
-  if (std::string wrong = wrong_vertices(vertices); !wrong.empty()) {
-    return failure(request.path, wrong);
-  }
+  if (std::string wrong = wrong_vertices(vertices); !wrong.empty()) return wrong;
   MendedMesh mended = mend(vertices, triangles);
-  if (mended.mesh.triangles.empty()) return failure(request.path, kNoTriangles);
-  return ReadMesh{std::make_shared<const geometry::TriangleMesh>(std::move(mended.mesh)),
+  if (mended.mesh.triangles.empty()) return kNoTriangles;
+  return mended;
+}
+
+/// The convex hull of a mesh, verified. What was mended before stays in the report.
+std::variant<MendedMesh, std::string> hull_of(SceneSource& source, const MendedMesh& mesh) {
+  const std::vector<Vec3>& corners = mesh.mesh.vertices;
+  std::variant<FileScene, SceneFailure> found = source.hull(corners);
+  if (auto* wrong = std::get_if<SceneFailure>(&found)) return std::move(*wrong);
+  const FileScene& scene = std::get<FileScene>(found);
+  constexpr const char* kNoHull =
+      "its hull cannot be found exactly enough; leave out 'hull', or simplify it";
+  if (scene.nodes.size() != 1 || !wrong_vertices(scene.nodes[0].vertices).empty()) return kNoHull;
+  MendedMesh hull = mend(scene.nodes[0].vertices, scene.nodes[0].triangles);
+  hull.report = mesh.report;
+  if (!hull.mesh.closed) return "its hull is as thin as a sheet; leave out 'hull'";
+  switch (hull_contains(hull.mesh, corners)) {
+    case HullCheck::kContains:
+      return hull;
+    case HullCheck::kTooMuchWork:
+      return "its hull has too many corners; simplify it";
+    case HullCheck::kSticksOut:
+      return kNoHull;
+  }
+  return kNoHull;
+}
+
+std::size_t bytes_of(const geometry::TriangleMesh& mesh) {
+  return sizeof mesh + mesh.vertices.size() * sizeof(Vec3) +
+         mesh.triangles.size() * sizeof(std::array<int, 3>);
+}
+
+/// Equal for requests that give the same mesh; empty when that cannot be told.
+std::string key_of(const FileContent& content, const MeshRequest& request) {
+  if (content.key.empty()) return {};
+  return fmt::format("{} {:a} {:a} {} {} {}", content.key, request.metres_per_unit, request.scale,
+                     int{request.up}, request.hull, request.part);
+}
+
+}  // namespace
+
+bool needs_unit(const std::string& path) {
+  const std::optional<MeshFormat> format = format_of(path);
+  return format && !format->declares_unit;
+}
+
+struct MeshReader::State {
+  SceneSource source;
+  BoundedCache<ReadMesh> meshes;
+};
+
+MeshReader::MeshReader(std::string helper, std::string cache_folder)
+    : state_(new State{{std::move(helper), std::move(cache_folder)},
+                       BoundedCache<ReadMesh>(kMeshBytes)}) {}
+MeshReader::MeshReader(MeshReader&&) noexcept = default;
+MeshReader& MeshReader::operator=(MeshReader&&) noexcept = default;
+MeshReader::~MeshReader() = default;
+
+MeshReader MeshReader::beside_command() {
+  std::array<char, PATH_MAX> buffer{};
+  const ssize_t length = ::readlink("/proc/self/exe", buffer.data(), buffer.size());
+  if (length <= 0) return MeshReader({});
+  const std::string cache = default_cache_folder();
+  const std::string command(buffer.data(), static_cast<std::size_t>(length));
+  const std::string folder = command.substr(0, command.rfind('/'));
+  const std::string beside = folder + "/rubicon-mesh";
+  for (const std::string& candidate :
+       {beside, folder + "/../bin/rubicon-mesh", folder + "/../libexec/rubicon/rubicon-mesh"}) {
+    if (::access(candidate.c_str(), X_OK) == 0) return MeshReader(candidate, cache);
+  }
+  return MeshReader(beside, cache);
+}
+
+std::variant<ReadMesh, MeshFailure> MeshReader::read(const MeshRequest& request) const {
+  std::variant<FileContent, SceneFailure> file =
+      state_->source.read({request.path, request.folder, request.up != 0});
+  if (const auto* wrong = std::get_if<SceneFailure>(&file)) return failure(request.path, *wrong);
+  const FileContent& content = std::get<FileContent>(file);
+  const std::string key = key_of(content, request);
+  if (!key.empty()) {
+    if (std::optional<ReadMesh> kept = state_->meshes.find(key)) return std::move(*kept);
+  }
+  std::variant<MendedMesh, std::string> made = mesh_of(*content.scene, request);
+  if (request.hull && std::holds_alternative<MendedMesh>(made)) {
+    made = hull_of(state_->source, std::get<MendedMesh>(std::move(made)));
+  }
+  if (const auto* wrong = std::get_if<std::string>(&made)) return failure(request.path, *wrong);
+  MendedMesh& mended = std::get<MendedMesh>(made);
+  ReadMesh result{std::make_shared<const geometry::TriangleMesh>(std::move(mended.mesh)),
                   mended.report};
+  if (!key.empty()) state_->meshes.put(key, result, bytes_of(*result.mesh));
+  return result;
 }
 
 std::variant<std::vector<NamedMesh>, MeshFailure> MeshReader::read_scene(
     const SceneRequest& request) const {
-  std::variant<FileScene, MeshFailure> file =
-      read_file(helper_, {request.path, request.folder, false});
-  if (auto* wrong = std::get_if<MeshFailure>(&file)) return std::move(*wrong);
-  const FileScene& scene = std::get<FileScene>(file);
+  std::variant<FileContent, SceneFailure> file =
+      state_->source.read({request.path, request.folder, false});
+  if (const auto* wrong = std::get_if<SceneFailure>(&file)) return failure(request.path, *wrong);
+  const FileScene& scene = *std::get<FileContent>(file).scene;
   std::vector<NamedMesh> meshes;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const FileNode& node = scene.nodes[i];
@@ -308,13 +263,6 @@ std::variant<std::vector<NamedMesh>, MeshFailure> MeshReader::read_scene(
   }
   if (meshes.empty()) return failure(request.path, kNoTriangles);
   return meshes;
-}
-
-std::variant<std::shared_ptr<const geometry::TriangleMesh>, MeshFailure> read_mesh(
-    const MeshRequest& request) {
-  std::variant<ReadMesh, MeshFailure> result = MeshReader::beside_command().read(request);
-  if (auto* wrong = std::get_if<MeshFailure>(&result)) return std::move(*wrong);
-  return std::get<ReadMesh>(result).mesh;
 }
 
 }  // namespace rubicon::mesh_io

@@ -15,11 +15,12 @@ struct MeshRequest {
   std::string path;    ///< absolute, or relative to the working directory
   std::string folder;  ///< the mesh must lie inside it, symbolic links resolved; empty: "."
   double metres_per_unit =
-      0;             ///< 0: the unit the file declares; must be given for STL, OBJ and PLY
-  double scale = 1;  ///< a further factor, > 0
-  char up = 0;       ///< 'y' or 'z': this axis of the numbers in the file points up; 0: as the
-                     ///< file declares (STL, OBJ and PLY declare nothing: z)
-  std::string part;  ///< one named node with all below it, empty: the whole file
+      0;              ///< 0: the unit the file declares; must be given for STL, OBJ and PLY
+  double scale = 1;   ///< a further factor, > 0
+  char up = 0;        ///< 'y' or 'z': this axis of the numbers in the file points up; 0: as the
+                      ///< file declares (STL, OBJ and PLY declare nothing: z)
+  std::string part;   ///< one named node with all below it, empty: the whole file
+  bool hull = false;  ///< the convex hull of the corners instead of the mesh
 };
 
 /// Why a mesh could not be had. Lower case: what was found, what was expected, what to do.
@@ -53,14 +54,20 @@ struct SceneRequest {
 bool needs_unit(const std::string& path);
 
 /// Reads meshes through the helper program, which parses each file in a process of its own under
-/// limits of memory and time. Nothing the file contains can harm, stop or swell the caller.
+/// limits of memory and time. Nothing the file contains can harm, stop or swell the caller. Equal
+/// requests for equal content give the same mesh object while it is remembered (up to 256 MB).
+/// Several threads may use one reader at once. The helper runs as long as the reader lives.
 class MeshReader {
  public:
-  /// `helper` is the path of the program `rubicon-mesh`.
-  explicit MeshReader(std::string helper);
+  /// `helper` is the path of the program `rubicon-mesh`; `cache_folder` remembers what was read
+  /// from one run to the next, empty: nothing does.
+  explicit MeshReader(std::string helper, std::string cache_folder = {});
+  MeshReader(MeshReader&&) noexcept;
+  MeshReader& operator=(MeshReader&&) noexcept;
+  ~MeshReader();
 
   /// The helper in the folder of the running executable, or, if there is none, in ../bin or
-  /// ../libexec/rubicon seen from there.
+  /// ../libexec/rubicon seen from there; the user's cache folder.
   static MeshReader beside_command();
 
   /// The mesh in metres, z up. At least one triangle, finite vertices, indices in range.
@@ -72,11 +79,8 @@ class MeshReader {
   std::variant<std::vector<NamedMesh>, MeshFailure> read_scene(const SceneRequest& request) const;
 
  private:
-  std::string helper_;
+  struct State;
+  std::unique_ptr<State> state_;
 };
-
-/// MeshReader::beside_command().read(request), without the report.
-std::variant<std::shared_ptr<const geometry::TriangleMesh>, MeshFailure> read_mesh(
-    const MeshRequest& request);
 
 }  // namespace rubicon::mesh_io

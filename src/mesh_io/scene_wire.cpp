@@ -9,7 +9,7 @@ namespace rubicon::mesh_io {
 
 namespace {
 
-constexpr std::string_view kMagic = "rubicon-mesh 1\n";
+constexpr std::string_view kMagic = "rubicon-mesh 2\n";
 constexpr std::string_view kEnd = "end\n";
 constexpr std::size_t kLongestName = 1024;     // assimp's own limit
 constexpr std::size_t kLongestFailure = 1000;  // a message for people
@@ -50,6 +50,7 @@ bool put_scene(const ByteSink& sink, const FileScene& scene) {
   if (!put(sink, scene.declared_metres_per_unit) ||
       !put(sink, static_cast<std::uint8_t>(scene.in_metres ? 1 : 0)) ||
       !put(sink, static_cast<std::uint8_t>(scene.y_up ? 1 : 0)) ||
+      !put(sink, static_cast<std::uint8_t>(scene.from_several_files ? 1 : 0)) ||
       !put(sink, static_cast<std::uint64_t>(scene.nodes.size()))) {
     return false;
   }
@@ -133,14 +134,16 @@ std::variant<SceneMessage, WireError> get_scene(Reader& in, const SceneLimits& l
   FileScene scene;
   std::uint8_t in_metres = 0;
   std::uint8_t y_up = 0;
+  std::uint8_t from_several_files = 0;
   std::uint64_t count = 0;
   if (!in.get(scene.declared_metres_per_unit) || !in.get(in_metres) || !in.get(y_up) ||
-      !in.get(count)) {
+      !in.get(from_several_files) || !in.get(count)) {
     return WireError{"the head of the scene is cut off"};
   }
   if (count > limits.nodes) return WireError{"more nodes than were allowed"};
   scene.in_metres = in_metres != 0;
   scene.y_up = y_up != 0;
+  scene.from_several_files = from_several_files != 0;
   std::uint64_t triangles_left = limits.triangles;
   for (std::size_t i = 0; i < count; ++i) {
     FileNode node;

@@ -9,7 +9,6 @@
 #include <fstream>
 #include <random>
 
-#include "src/math/angles.hpp"
 #include "tests/unit/mesh_io/mesh_files_io.hpp"
 
 // Damaged and hostile files: each is refused with a message, soon, and without harm.
@@ -245,18 +244,7 @@ TEST(Damage, NodesThatDoubleFortyTimes) {
 
 TEST(Damage, APolygonOfTwentyThousandCorners) {
   const TemporaryFolder folder;
-  std::string text;
-  std::string face = "f";
-  constexpr int kTurns = 10'000;
-  // A narrow spiral, in along one side and out along the other: almost no corner is an ear.
-  for (int i = 0; i < 2 * kTurns; ++i) {
-    const int step = i < kTurns ? i : 2 * kTurns - 1 - i;
-    const double radius = (i < kTurns ? 1 : 1.3) + step * 0.01;
-    text += fmt::format("v {} {} 0\n", radius * math::cos_deg(3 * step),
-                        radius * math::sin_deg(3 * step));
-    face += fmt::format(" {}", i + 1);
-  }
-  expect_part(refused(folder.write("a.obj", text + face + "\n")), "takes more than 1 s");
+  expect_part(refused(folder.write("a.obj", spiral_obj(10'000))), "takes more than 1 s");
 }
 
 TEST(Damage, CoordinatesThatAreNotNumbers) {

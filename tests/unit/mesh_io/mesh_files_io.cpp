@@ -10,6 +10,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "src/math/angles.hpp"
+
 namespace rubicon::mesh_io::testing {
 
 namespace {
@@ -189,6 +191,19 @@ std::string as_gltf(const Soup& soup, const std::string& uri) {
 "buffers":[{{"byteLength":{},"uri":"{}"}}]}})",
       3 * soup.size(), low.x(), low.y(), low.z(), high.x(), high.y(), high.z(), buffer.size(),
       buffer.size(), source);
+}
+
+std::string spiral_obj(int turns) {
+  std::string text;
+  std::string face = "f";
+  for (int i = 0; i < 2 * turns; ++i) {
+    const int step = i < turns ? i : 2 * turns - 1 - i;
+    const double radius = (i < turns ? 1 : 1.3) + step * 0.01;
+    text += fmt::format("v {} {} 0\n", radius * math::cos_deg(3 * step),
+                        radius * math::sin_deg(3 * step));
+    face += fmt::format(" {}", i + 1);
+  }
+  return text + face + "\n";
 }
 
 geometry::Box extent(const geometry::TriangleMesh& mesh) {

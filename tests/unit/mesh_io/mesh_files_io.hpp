@@ -49,6 +49,10 @@ std::string as_gltf(const Soup& soup, const std::string& uri);
 /// What that buffer holds.
 std::string gltf_buffer(const Soup& soup);
 
+/// An OBJ of one polygon of 2 * `turns` corners, a narrow spiral in along one side and out along
+/// the other: almost no corner is an ear, so that cutting it into triangles takes long.
+std::string spiral_obj(int turns);
+
 /// Smallest and largest coordinates.
 geometry::Box extent(const geometry::TriangleMesh& mesh);
 
