@@ -95,9 +95,7 @@ SceneMessage flatten(const aiScene& scene, const Affine& X_world, const SceneLim
     node.parent = current.parent;
     triangles += triangle_count(scene, source);
     if (triangles > limits.triangles) {
-      return fmt::format(
-          "it has more than {} triangles; simplify it, or split it into several files",
-          limits.triangles);
+      return too_many_triangles(limits);
     }
     if (result.nodes.size() >= limits.nodes) {
       return fmt::format("it has more than {} nodes; split it into several files", limits.nodes);
@@ -115,6 +113,11 @@ SceneMessage flatten(const aiScene& scene, const Affine& X_world, const SceneLim
 }
 
 }  // namespace
+
+std::string too_many_triangles(const SceneLimits& limits) {
+  return fmt::format("it has more than {} triangles; simplify it, or split it into several files",
+                     limits.triangles);
+}
 
 SceneMessage read_with_assimp(const AssimpQuery& query, std::unique_ptr<Assimp::IOSystem> files) {
   Assimp::Importer importer;

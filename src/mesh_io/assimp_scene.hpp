@@ -23,4 +23,7 @@ struct AssimpQuery {
 /// people.
 SceneMessage read_with_assimp(const AssimpQuery& query, std::unique_ptr<Assimp::IOSystem> files);
 
+/// The failure for a file with more triangles than the limit.
+std::string too_many_triangles(const SceneLimits& limits);
+
 }  // namespace rubicon::mesh_io

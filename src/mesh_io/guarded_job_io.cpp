@@ -62,6 +62,18 @@ std::string read_whole(int fd) {
   return bytes;
 }
 
+/// Triangles that a binary STL file announces; 0 when it is none.
+std::uint64_t announced_triangles(const HelperJob& job, int fd) {
+  constexpr std::uint64_t kHead = 84;
+  constexpr std::uint64_t kTriangle = 50;
+  std::uint32_t count = 0;
+  if (job.extension != "stl" || read_at(fd, kHead - sizeof count, reinterpret_cast<char*>(&count),
+                                        sizeof count) != sizeof count) {
+    return 0;
+  }
+  return size_of(fd) == kHead + kTriangle * count ? count : 0;
+}
+
 SceneMessage read_mesh(const HelperJob& job, const MeshFormat& format, int input) {
   AssimpQuery query;
   // A name of our own in the right folder: a symbolic link may lead to a file called otherwise.
@@ -69,6 +81,9 @@ SceneMessage read_mesh(const HelperJob& job, const MeshFormat& format, int input
       job.path.substr(0, job.path.rfind('/')) + "/rubicon-mesh." + std::string(format.extension);
   query.format = format;
   query.ignore_declared_up = job.ignore_declared_up;
+  // A file of holes is large and costs nothing: it is not even looked into.
+  if (announced_triangles(job, input) > query.limits.triangles)
+    return too_many_triangles(query.limits);
   GuardedFile mesh{FileDescriptor(input), job.path, size_of(input)};
   bool others_opened = false;
   auto files = std::make_unique<GuardedAssimpFiles>(std::move(mesh), query.name, job.folder,
