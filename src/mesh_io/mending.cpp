@@ -1,11 +1,11 @@
 #include "src/mesh_io/mending.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 namespace rubicon::mesh_io {
@@ -26,8 +26,11 @@ double weld_tolerance(const std::vector<Vec3>& vertices) {
 /// Finds an earlier point within the tolerance through a grid of cells twice as wide.
 class WeldGrid {
  public:
-  explicit WeldGrid(double tolerance) : tolerance_(tolerance) {}
+  /// For points with indices below `count`.
+  WeldGrid(double tolerance, std::size_t count)
+      : tolerance_(tolerance), first_(std::bit_ceil(count + 1), -1), next_(count, -1) {}
 
+  /// The lowest index of a point inserted so far that is near enough.
   std::optional<int> find(const std::vector<Vec3>& points, const Vec3& p) const {
     const Cell low = cell(p - Vec3::Constant(tolerance_));
     const Cell high = cell(p + Vec3::Constant(tolerance_));
@@ -35,11 +38,9 @@ class WeldGrid {
     for (std::int64_t x = low[0]; x <= high[0]; ++x) {
       for (std::int64_t y = low[1]; y <= high[1]; ++y) {
         for (std::int64_t z = low[2]; z <= high[2]; ++z) {
-          const auto [first, last] = cells_.equal_range({x, y, z});
-          for (auto it = first; it != last; ++it) {
-            const bool near = (points[at(it->second)] - p).norm() <= tolerance_;
-            // The lowest index wins: the order inside a cell is the container's own affair.
-            if (near && (!best || it->second < *best)) best = it->second;
+          for (int i = first_[list_of({x, y, z})]; i >= 0; i = next_[at(i)]) {
+            const bool near = (points[at(i)] - p).norm() <= tolerance_;
+            if (near && (!best || i < *best)) best = i;
           }
         }
       }
@@ -47,20 +48,24 @@ class WeldGrid {
     return best;
   }
 
-  void insert(const Vec3& p, int index) { cells_.emplace(cell(p), index); }
+  void insert(const Vec3& p, int index) {
+    int& first = first_[list_of(cell(p))];
+    next_[at(index)] = first;
+    first = index;
+  }
 
  private:
   using Cell = std::array<std::int64_t, 3>;
-  struct Hash {
-    std::size_t operator()(const Cell& c) const {
-      std::uint64_t h = 0;
-      for (const std::int64_t v : c) {
-        h = (h ^ static_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15ULL;
-        h ^= h >> 29;
-      }
-      return static_cast<std::size_t>(h);
+
+  /// Several cells may share a list: their points are too far away to be taken.
+  std::size_t list_of(const Cell& c) const {
+    std::uint64_t h = 0;
+    for (const std::int64_t v : c) {
+      h = (h ^ static_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15ULL;
+      h ^= h >> 29;
     }
-  };
+    return static_cast<std::size_t>(h) & (first_.size() - 1);
+  }
 
   Cell cell(const Vec3& p) const {
     Cell c{};
@@ -71,12 +76,13 @@ class WeldGrid {
   }
 
   double tolerance_;
-  std::unordered_multimap<Cell, int, Hash> cells_;
+  std::vector<int> first_;  // of the list of a cell; -1: empty
+  std::vector<int> next_;   // by point
 };
 
 /// For every vertex the index of the one that stands for it.
 std::vector<int> weld(const std::vector<Vec3>& vertices, double tolerance, int& welded) {
-  WeldGrid grid(tolerance);
+  WeldGrid grid(tolerance, vertices.size());
   std::vector<int> representative(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const std::optional<int> earlier = grid.find(vertices, vertices[i]);
