@@ -31,9 +31,10 @@ struct up_key : token<word<TAO_PEGTL_STRING("up")>> {};
 struct mesh_up : name {};
 struct part_key : token<word<TAO_PEGTL_STRING("part")>> {};
 struct mesh_part : string_literal {};
+struct mesh_hull : token<word<TAO_PEGTL_STRING("hull")>> {};
 struct mesh_unit : name {};
 struct mesh_option : sor<if_must<scale_key, mesh_scale>, if_must<up_key, mesh_up>,
-                         if_must<part_key, mesh_part>, mesh_unit> {};
+                         if_must<part_key, mesh_part>, mesh_hull, mesh_unit> {};
 struct mesh
     : if_must<mesh_name, shape_open, mesh_file, star<if_must<comma, mesh_option>>, shape_close> {};
 

@@ -49,7 +49,8 @@ RUBICON_EXPECT(shape_open, "'('");
 RUBICON_EXPECT(shape_number, "a number");
 RUBICON_EXPECT(shape_close, "',' or ')'");
 RUBICON_EXPECT(mesh_file, "the name of a mesh file in quotes");
-RUBICON_EXPECT(mesh_option, "a unit, scale, up or part", Explain::expected, "scale up part");
+RUBICON_EXPECT(mesh_option, "a unit, scale, up, part or hull", Explain::expected,
+               "scale up part hull");
 RUBICON_EXPECT(mesh_scale, "a number");
 RUBICON_EXPECT(mesh_up, "y or z");
 RUBICON_EXPECT(mesh_part, "the name of a part in quotes");

@@ -45,14 +45,18 @@ class FrameState : public ExpressionState {
   }
   void set_mesh_unit(syntax::Name unit) {
     if (shape.unit) {
-      const std::string near = did_you_mean(unit.text, {"scale", "up", "part"});
+      const std::string near = did_you_mean(unit.text, {"scale", "up", "part", "hull"});
       report_token("S04", begin() + unit.span.begin,
                    "unknown option '" + unit.text + "' of a mesh" +
                        (near.empty() ? std::string() : "; did you mean " + near + "?"),
-                   "a mesh has a unit, scale, up and part");
+                   "a mesh has a unit, scale, up, part and hull");
       return;
     }
     shape.unit = std::move(unit);
+  }
+  void set_mesh_hull(const char* from) {
+    if (shape.hull) report_token("S04", from, "hull stands twice in this mesh", "once is enough");
+    shape.hull = syntax::Name{"hull", span_from(from)};
   }
 
   syntax::Shape shape;
@@ -79,6 +83,7 @@ RUBICON_ACTION(FrameAction, FrameState, mesh_file) { st.shape.file = st.string; 
 RUBICON_ACTION(FrameAction, FrameState, mesh_scale) { st.shape.scale = st.number; }
 RUBICON_ACTION(FrameAction, FrameState, mesh_up) { st.shape.up = st.take_name(); }
 RUBICON_ACTION(FrameAction, FrameState, mesh_part) { st.shape.part = st.string; }
+RUBICON_ACTION(FrameAction, FrameState, mesh_hull) { st.set_mesh_hull(begin); }
 RUBICON_ACTION(FrameAction, FrameState, mesh_unit) { st.set_mesh_unit(st.take_name()); }
 
 }  // namespace rubicon::interpreter

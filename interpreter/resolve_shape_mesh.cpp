@@ -76,6 +76,7 @@ std::optional<MeshRequest> ShapeResolver::mesh_request(const syntax::Shape& shap
     fine = false;
   }
   if (!fine) return std::nullopt;
+  request.hull = shape.hull.has_value();
   request.path = resolve_path(naming_file_, written);
   request.folder = folder_of(naming_file_);
   return request;
@@ -127,8 +128,9 @@ bool ShapeResolver::check_options(const syntax::Shape& shape, MeshRequest& reque
 }
 
 const ShapeResolver::MeshResult& ShapeResolver::read(const MeshRequest& request) {
-  const std::string key = fmt::format("{}\n{}\n{}\n{}\n{}", request.path, request.metres_per_unit,
-                                      request.scale, int{request.up}, request.part);
+  const std::string key =
+      fmt::format("{}\n{}\n{}\n{}\n{}\n{}", request.path, request.metres_per_unit, request.scale,
+                  int{request.up}, request.hull, request.part);
   const auto found = meshes_.find(key);
   if (found != meshes_.end()) return found->second;
   return meshes_.emplace(key, files_.read_mesh(request)).first->second;

@@ -140,7 +140,7 @@ struct Frame {
   Span span;
 };
 
-/// box(...), cylinder(...), sphere(...), capsule(...), prism(...), mesh("file", unit, scale 2, up y, part "name")
+/// box(...), cylinder(...), sphere(...), capsule(...), prism(...), mesh("file", unit, scale 2, up y, part "name", hull)
 struct Shape {
   Name kind;                     ///< as written; the checker knows the kinds
   std::vector<Number> numbers;   ///< signed
@@ -149,6 +149,7 @@ struct Shape {
   std::optional<Number> scale;   ///< mesh
   std::optional<Name> up;        ///< mesh
   std::optional<String> part;    ///< mesh
+  std::optional<Name> hull;      ///< mesh: the word
   std::optional<Frame> at;
   Span span;
 };

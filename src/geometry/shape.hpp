@@ -54,7 +54,7 @@ struct Prism {
   std::vector<Eigen::Vector2d> polygon;
 };
 
-/// A mesh read from a file; `mesh` is already in metres, z up, with unit and scale applied.
+/// A mesh read from a file; `mesh` is already in metres, z up, with unit, scale and hull applied.
 struct Mesh {
   std::string file;  ///< as written in the source
   std::shared_ptr<const TriangleMesh> mesh;  // shared: meshes are large and immutable, instances are many

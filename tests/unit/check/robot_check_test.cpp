@@ -145,11 +145,12 @@ TEST(RobotCheck, AsksForMeshesInsideTheFolderOfTheRobotOnce) {
       shape mesh("cube.stl", mm, scale 2, up y, part "a");
       shape mesh("./cube.stl", mm, scale 2, up y, part "a") at trans(1, 0, 0);
       shape mesh("hall.glb");
+      shape mesh("hall.glb", hull);
     }
     behaviour { wait; }
   })");
   ASSERT_EQ(robot.diagnostics.errors(), 0) << robot.said();
-  ASSERT_EQ(robot.files.requests.size(), 2u);
+  ASSERT_EQ(robot.files.requests.size(), 3u);
   const interpreter::MeshRequest& first = robot.files.requests[0];
   EXPECT_EQ(first.path, "site/cube.stl");
   EXPECT_EQ(first.folder, "site");
@@ -157,9 +158,12 @@ TEST(RobotCheck, AsksForMeshesInsideTheFolderOfTheRobotOnce) {
   EXPECT_EQ(first.scale, 2);
   EXPECT_EQ(first.up, 'y');
   EXPECT_EQ(first.part, "a");
+  EXPECT_FALSE(first.hull);
   EXPECT_EQ(robot.files.requests[1].metres_per_unit, 0);
+  EXPECT_FALSE(robot.files.requests[1].hull);
+  EXPECT_TRUE(robot.files.requests[2].hull);
   const auto& shapes = robot.robot->model.bodies[0].shapes;
-  ASSERT_EQ(shapes.size(), 3u);
+  ASSERT_EQ(shapes.size(), 4u);
   EXPECT_EQ(std::get<geometry::Mesh>(shapes[0].solid).mesh,
             std::get<geometry::Mesh>(shapes[1].solid).mesh);
   EXPECT_EQ(shapes[1].X_BS.translation().x(), 1);

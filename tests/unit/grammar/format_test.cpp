@@ -112,6 +112,12 @@ TEST(Format, Robots) {
       "}\n");
 }
 
+TEST(Format, Meshes) {
+  EXPECT_EQ(
+      formatted("robot r{body b{shape mesh( \"a.stl\",mm,hull ,part \"x\");}}", TextKind::robot),
+      "robot r { body b { shape mesh(\"a.stl\", mm, hull, part \"x\"); } }\n");
+}
+
 TEST(Format, Plans) {
   EXPECT_EQ(
       formatted("plan p{start theta  - 10,x 3;\ncalendar c{mon - fri 07:00 - 12:00,13:00-17:00;}"

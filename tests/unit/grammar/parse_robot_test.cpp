@@ -18,7 +18,7 @@ constexpr const char* kText =
     "    rule θ ← θ + θ_s;\n"
     "    frame rotz(θ);\n"
     "    shape cylinder(1, 0, 2) at trans(0, 0, 1) * rotx(90);\n"
-    "    shape mesh(\"arm.stl\", mm, scale 2, up y, part \"arm\");\n"
+    "    shape mesh(\"arm.stl\", mm, scale 2, up y, part \"arm\", hull);\n"
     "  }\n"
     "  body boom on base {\n"
     "    param phi range(-30 deg, 60 deg) step(1);\n"
@@ -68,6 +68,8 @@ TEST(ParseRobot, EveryItem) {
   EXPECT_EQ(mesh.scale->value, 2);
   EXPECT_EQ(mesh.up->text, "y");
   EXPECT_EQ(mesh.part->text, "arm");
+  EXPECT_EQ(mesh.hull->text, "hull");
+  EXPECT_FALSE(base.shapes[0].shape.hull);
 
   const auto& boom = std::get<syntax::BodyItem>(robot.items[4]);
   EXPECT_EQ(boom.on->text, "base");

@@ -87,6 +87,7 @@ class Writer {
     if (value.scale) number(*value.scale);
     if (value.up) name(*value.up);
     if (value.part) string(*value.part);
+    if (value.hull) name(*value.hull);
     frame(value.at);
     close();
   }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 
 #include "tests/unit/mesh_io/mesh_files_io.hpp"
 
@@ -215,6 +216,40 @@ TEST(Formats, RequestsThatMakeNoSenseAreRefused) {
   tiny.metres_per_unit = 1e-9;
   EXPECT_NE(failure_of(read_in_own_folder(path, tiny)).find("no triangle of any size"),
             std::string::npos);
+}
+
+// What docs/meshes.md says about single precision: 8 mm is one unit in the last place at 100 km.
+TEST(FarFromTheOrigin, WrittenCoordinatesAreGoodToEightMillimetres) {
+  const TemporaryFolder folder;
+  const geometry::Vec3 lower(100'000.123, -50'000.456, 100.789);
+  const geometry::Vec3 upper = lower + geometry::Vec3(1.2, 7.9, 0.333);
+  const Soup soup = box_soup(lower, upper);
+  for (const auto& [name, bytes] :
+       std::map<std::string, std::string>{{"a.stl", as_stl_text(soup)},
+                                          {"b.stl", as_stl_binary(soup)},
+                                          {"a.obj", as_obj(soup)},
+                                          {"a.ply", as_ply(soup)}}) {
+    const auto result = read_in_own_folder(folder.write(name, bytes));
+    ASSERT_TRUE(std::holds_alternative<ReadMesh>(result)) << name;
+    const geometry::Box box = extent(*std::get<ReadMesh>(result).mesh);
+    EXPECT_LT((box.lower - lower).cwiseAbs().maxCoeff(), 0.004) << name;
+    EXPECT_LT((box.upper - upper).cwiseAbs().maxCoeff(), 0.004) << name;
+    EXPECT_TRUE(std::get<ReadMesh>(result).mesh->closed) << name;
+  }
+}
+
+TEST(FarFromTheOrigin, APlacedNodeKeepsItsShape) {
+  const TemporaryFolder folder;
+  const Soup soup = box_soup({0.123456, 0, 0}, {1.323456, 7.9, 0.333});
+  std::string text = as_dae(soup, "Z_UP", "1");
+  text.replace(text.find("10 0 0</translate>"), 6, "100000.123 0 0");
+  MeshRequest request;
+  request.part = "part_a";
+  const auto result = read_in_own_folder(folder.write("a.dae", text), request);
+  ASSERT_TRUE(std::holds_alternative<ReadMesh>(result));
+  const geometry::Box box = extent(*std::get<ReadMesh>(result).mesh);
+  EXPECT_LT((box.upper - box.lower - geometry::Vec3(1.2, 7.9, 0.333)).norm(), 1e-6);
+  EXPECT_NEAR(box.lower.x(), 100'000.123 + 0.123456, 0.004);
 }
 
 }  // namespace
