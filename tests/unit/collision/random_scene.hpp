@@ -10,10 +10,13 @@ namespace rubicon::collision::test {
 
 using math::Mat3;
 
-/// Numbers from a seed, the same on every machine (std::uniform_real_distribution is not).
-class Random {
+/// Numbers from a seed, the same on every machine (std::uniform_real_distribution is not). `Engine`
+/// gives 32 bits a call.
+template <typename Engine>
+class BasicRandom {
  public:
-  explicit Random(std::uint32_t seed) : engine_(seed) {}
+  explicit BasicRandom(typename Engine::result_type seed) : BasicRandom(Engine(seed)) {}
+  explicit BasicRandom(const Engine& engine) : engine_(engine) {}
 
   double unit() { return static_cast<double>(engine_()) * 0x1p-32; }
   double between(double low, double high) { return low + (high - low) * unit(); }
@@ -50,8 +53,9 @@ class Random {
   }
 
  private:
-  std::mt19937 engine_;
+  Engine engine_;
 };
+using Random = BasicRandom<std::mt19937>;
 
 inline Pose at(double x, double y, double z) { return math::translation(x, y, z); }
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+
+#include "tests/proof/case.hpp"
+
+namespace rubicon::collision::proof {
+
+/// Steps, by family; each list in the order of the table.
+std::span<const Generator> box_generators();
+std::span<const Generator> touch_generators();
+std::span<const Generator> convex_generators();
+std::span<const Generator> mesh_generators();
+std::span<const Generator> scene_generators();
+/// Poses.
+std::span<const Generator> static_generators();
+
+}  // namespace rubicon::collision::proof
