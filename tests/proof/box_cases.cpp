@@ -20,9 +20,6 @@ struct BoxCase {
 
 /// The third voice speaks in one of so many cases.
 constexpr int kThirdVoiceEvery = 16;
-/// One in so many cases is brought to the very boundary.
-constexpr int kGrazeEvery = 2;
-
 Truth truth_of(const BoxCase& boxes) {
   return polytopes_truth(box_polytope(boxes.half_a), boxes.path_a, box_polytope(boxes.half_b),
                          boxes.path_b, boxes.tolerance);
@@ -44,10 +41,11 @@ void graze(BoxCase& boxes, Random& random) {
   }));
 }
 
-void judge(BoxCase boxes, Random& random, CaseRecord& record) {
-  if (boxes.path_b.kind == MotionKind::kStill && random.below(kGrazeEvery) == 0)
-    graze(boxes, random);
+/// One in `graze_every` cases is brought to the very boundary.
+void judge(BoxCase boxes, Random& random, CaseRecord& record, int graze_every = 2) {
   Outcome outcome;
+  outcome.grazes = boxes.path_b.kind == MotionKind::kStill && random.below(graze_every) == 0;
+  if (outcome.grazes) graze(boxes, random);
   outcome.motion = boxes.path_b.kind == MotionKind::kStill ? boxes.path_a.kind : MotionKind::kPair;
   outcome.truth = truth_of(boxes);
   const BodyPtr a = test::box(boxes.half_a);
@@ -127,7 +125,7 @@ void lattice(Random& random, CaseRecord& record) {
     boxes.path_a = turning(X0, axis, random.lattice_vector(3), angle,
                            random.below(3) == 0 ? random.lattice(0.5) : 0);
   }
-  judge(boxes, random, record);
+  judge(boxes, random, record, 8);
 }
 
 /// Small parts against walls of 20 to 150 mm.

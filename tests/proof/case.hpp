@@ -38,6 +38,8 @@ struct Outcome {
   MotionKind motion = MotionKind::kStill;
   Truth truth = Truth::kNearBoundary;
   bool engine_hit = false;
+  bool grazes = false;  ///< brought to the boundary, where FCL, which has no tolerance, is no
+                        ///< measure of a false hit
   std::optional<bool> fcl_hit;  ///< what FCL's users would get; not asked in every case
   std::optional<Truth> third;   ///< what fcl::collide proves with grown shapes; not asked always
 

@@ -11,7 +11,7 @@ namespace {
 constexpr int kThirdVoiceEvery = 16;
 
 /// One in so many cases is brought to the very boundary.
-constexpr int kGrazeEvery = 3;
+constexpr int kGrazeEvery = 4;
 
 Truth truth_of(const Solid& a, const Path& path, const Solid& b, const Pose& X_WB,
                double tolerance) {
@@ -33,7 +33,8 @@ void convex(Random& random, CaseRecord& record) {
   constexpr double kTolerances[] = {1e-3, 1e-3, 1e-2};
   const double tolerance = kTolerances[random.below(3)];
   const bool has_axes = a.is_polytope() && b.is_polytope();
-  if (random.below(kGrazeEvery) == 0) {
+  const bool grazes = random.below(kGrazeEvery) == 0;
+  if (grazes) {
     const auto shifted = [&](const Vec3& offset) {
       Pose X = X_WB;
       X.translation() += offset;
@@ -41,11 +42,12 @@ void convex(Random& random, CaseRecord& record) {
     };
     const Vec3 towards = path.pose(random.unit()).translation() - X_WB.translation();
     X_WB = shifted(grazing_offset(
-        random, towards, has_axes && path.translates() ? 4 * kExactBand : kBand,
+        random, towards, has_axes && path.translates() ? 4 * kExactBand : 4 * kBand,
         [&](const Vec3& offset) { return truth_of(a, path, b, shifted(offset), tolerance); }));
   }
   Outcome outcome;
   outcome.motion = path.kind;
+  outcome.grazes = grazes;
   outcome.truth = truth_of(a, path, b, X_WB, tolerance);
   if (has_axes && random.below(kThirdVoiceEvery) == 0)
     outcome.third = fcl_truth(a, path, b, X_WB, tolerance);

@@ -10,11 +10,11 @@ namespace {
 
 /// Pieces of a way that carry no point farther than this from its place in the middle (m) are not
 /// divided further.
-constexpr double kFinest = 0.1 * kBand;
+constexpr double kFinest = 0.25 * kBand;
 /// Looks at single poses that one case is worth; more is near the boundary.
-constexpr int kLooks = 3000;
+constexpr int kLooks = 500;
 /// The same for each shift that is tried on a translation.
-constexpr int kLooksAShift = 60;
+constexpr int kLooksAShift = 40;
 
 Pose shifted(const Pose& X, const Vec3& by) {
   Pose result = X;

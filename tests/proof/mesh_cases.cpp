@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tests/proof/generators.hpp"
+#include "tests/proof/graze.hpp"
 #include "tests/proof/mesh_models.hpp"
 #include "tests/proof/solid.hpp"
 #include "tests/unit/collision/meshes.hpp"
@@ -58,32 +59,46 @@ Truth solid_mesh_truth(const Polytope& a, const Path& path_a, const MeshModel& m
   return truth;
 }
 
+/// One in so many cases of a solid against a mesh is brought to the very boundary.
+constexpr int kGrazeEvery = 4;
+
+Pose shifted(const Pose& X, const Vec3& by) {
+  Pose result = X;
+  result.translation() += by;
+  return result;
+}
+
 /// A box or prism against a mesh; which of them moves is left to chance.
 void judge_solid(const Solid& solid, const MeshModel& model, Random& random, CaseRecord& record) {
   const Polytope a = solid.polytope();
   const bool mesh_moves = random.below(4) == 0;
   const Pose X_WM = mesh_moves ? Pose::Identity() : random.pose(0.5);
-  const Pose X_WA = near_surface(random, model, X_WM, 0.5 * solid.reach() + 0.1);
+  const Pose X_WA = near_surface(random, model, X_WM, solid.reach() + 0.1);
+  const Path path = mesh_path(random, mesh_moves ? X_WM : X_WA);
+  Pose X_still = mesh_moves ? X_WA : X_WM;
+  const auto truth_at = [&](const Vec3& offset) {
+    const Path still = standing(shifted(X_still, offset));
+    return mesh_moves ? solid_mesh_truth(a, still, model, path, random)
+                      : solid_mesh_truth(a, path, model, still, random);
+  };
   Outcome outcome;
-  const BodyPtr body = prepare({solid.shape()});
-  if (mesh_moves) {
-    const Path path = mesh_path(random, X_WM);
-    const Path still = standing(X_WA);
-    outcome.motion = path.kind;
-    outcome.truth = solid_mesh_truth(a, still, model, path, random);
-    outcome.engine_hit = test::blocked(*model.body, path.motion, body, X_WA, kTolerance);
-    outcome.fcl_hit = fcl_continuous(model.fcl, path, solid.fcl(), X_WA);
-    note_paths(record, text_of(solid), still, model.name, path);
-  } else {
-    const Path path = mesh_path(random, X_WA);
-    const Path still = standing(X_WM);
-    outcome.motion = path.kind;
-    outcome.truth = solid_mesh_truth(a, path, model, still, random);
-    outcome.engine_hit = test::blocked(*body, path.motion, model.body, X_WM, kTolerance);
-    outcome.fcl_hit = fcl_continuous(solid.fcl(), path, model.fcl, X_WM);
-    note_paths(record, text_of(solid), path, model.name, still);
+  outcome.motion = path.kind;
+  outcome.grazes = random.below(kGrazeEvery) == 0;
+  if (outcome.grazes) {
+    const Vec3 towards = path.pose(random.unit()).translation() - X_still.translation();
+    const double finest = path.translates() ? 4 * kExactBand : 4 * kBand;
+    X_still = shifted(X_still, grazing_offset(random, towards, finest, truth_at));
   }
+  outcome.truth = truth_at(Vec3::Zero());
+  const BodyPtr body = prepare({solid.shape()});
+  const BodyPtr& mover = mesh_moves ? model.body : body;
+  const BodyPtr& met = mesh_moves ? body : model.body;
+  outcome.engine_hit = test::blocked(*mover, path.motion, met, X_still, kTolerance);
+  outcome.fcl_hit = mesh_moves ? fcl_continuous(model.fcl, path, solid.fcl(), X_still)
+                               : fcl_continuous(solid.fcl(), path, model.fcl, X_still);
   record.outcomes.push_back(outcome);
+  const std::string names[] = {text_of(solid), model.name};
+  note_paths(record, names[mesh_moves], path, names[!mesh_moves], standing(X_still));
 }
 
 Solid random_polytope(Random& random) {
@@ -141,7 +156,7 @@ void mesh_mesh(Random& random, CaseRecord& record) {
   const MeshModel& b = models[random.below(count)];
   const Pose X_WB = random.pose(0.5);
   const Vec3& corner = a.mesh.vertices[random.below(static_cast<int>(a.mesh.vertices.size()))];
-  Pose X_WA = near_surface(random, b, X_WB, 0.25);
+  Pose X_WA = near_surface(random, b, X_WB, 0.5);
   X_WA.translation() -= X_WA.linear() * corner;
   const Path path = mesh_path(random, X_WA);
   const Path still = standing(X_WB);

@@ -96,7 +96,7 @@ class PiecesTruth {
       if (here > shallow) left.emplace_back(i, j);
     }
     if (left.empty()) return Truth::kFree;
-    if (stray < 0.1 * kBand || looks_left_ < 0) return Truth::kNearBoundary;
+    if (stray < 0.25 * kBand || looks_left_ < 0) return Truth::kNearBoundary;
     const Truth first = over(s0, middle, left);
     return first == Truth::kHit ? first : worse(first, over(middle, s1, left));
   }

@@ -52,7 +52,7 @@ Truth truth_along(const Depth& depth, double speed, double tolerance, double ban
   std::vector<Interval> open = {{0, 1}};
   bool near = false;
   // Past this many looks the case is too near to call; it bounds the cost of a contact that lasts.
-  int looks_left = 30000;
+  int looks_left = 8000;
   while (!open.empty()) {
     const auto [s0, s1] = open.back();
     open.pop_back();
@@ -61,7 +61,7 @@ Truth truth_along(const Depth& depth, double speed, double tolerance, double ban
     const double here = depth(middle, shallow - stray);
     if (here > deep) return Truth::kHit;
     if (here + stray <= shallow) continue;
-    if (stray < 0.1 * band || --looks_left < 0) {
+    if (stray < 0.25 * band || --looks_left < 0) {
       near = true;
       continue;
     }

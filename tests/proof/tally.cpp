@@ -35,9 +35,9 @@ void Count::add(const Outcome& outcome) {
   false_hits += outcome.is_false_hit();
   if (outcome.fcl_hit) {
     fcl_hits += hit;
-    fcl_frees += free;
+    fcl_frees += free && !outcome.grazes;
     fcl_misses += hit && !*outcome.fcl_hit;
-    fcl_false_hits += free && *outcome.fcl_hit;
+    fcl_false_hits += free && !outcome.grazes && *outcome.fcl_hit;
   }
   third_answers += outcome.third && *outcome.third != Truth::kNearBoundary && (hit || free);
   quarrels += outcome.is_quarrel();
