@@ -1,48 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "tests/unit/collision/meshes.hpp"
-#include "tests/unit/collision/random_scene.hpp"
+#include "tests/unit/collision/bodies.hpp"
 
 namespace rubicon::collision::test {
 namespace {
-
-BodyPtr random_body(Random& random) {
-  const double r = random.between(0.1, 0.5);
-  const double length = random.between(0.2, 0.8);
-  switch (random.below(6)) {
-    case 0:
-      return box(Vec3(r, length, random.between(0.05, 0.6)));
-    case 1:
-      return prepare({{geometry::Sphere{Vec3::Zero(), r}, Pose::Identity()}});
-    case 2:
-      return prepare({{geometry::Cylinder{r, -length, length}, Pose::Identity()}});
-    case 3:
-      return prepare(
-          {{geometry::Capsule{Vec3(0, 0, -length), Vec3(0, 0, length), r}, Pose::Identity()}});
-    case 4:
-      return prepare(
-          {{geometry::Prism{0, length, {{0, 0}, {1, 0}, {1, 0.3}, {0.3, 0.3}, {0.3, 1}, {0, 1}}},
-            Pose::Identity()}});
-    default:
-      return mesh_body(l_mesh(1));
-  }
-}
-
-Motion random_motion(Random& random) {
-  const Pose X = random.pose(1.2);
-  return random.below(2) ? geometry::translating(X, random.vector(0.6))
-                         : turning(X, random.direction(), random.vector(2), random.between(-30, 30),
-                                   random.between(-0.2, 0.2));
-}
-
-/// The part [s0, s1] of a screw as a motion of its own.
-Motion part_of(const Motion& motion, double s0, double s1) {
-  geometry::ScrewMotion screw = std::get<geometry::ScrewMotion>(motion.kind);
-  screw.X0 = motion.pose(s0);
-  screw.angle_deg *= s1 - s0;
-  screw.slide *= s1 - s0;
-  return Motion{screw};
-}
 
 /// The whole scene moved by X.
 Motion moved(const Pose& X, const Motion& motion) {
@@ -72,6 +33,47 @@ TEST(Property, AFreeStepIsFreeInEachHalfAndAtEachPose) {
     }
   }
   EXPECT_GT(free, 500);
+}
+
+TEST(Property, AScrewThatIsHitIsHitInOneOfItsParts) {
+  // At a tolerance a little smaller, since each part is judged anew: undecided near the tolerance
+  // is called a hit within 0.01 mm of it.
+  Random random(85);
+  int hits = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const BodyPtr a = random_body(random);
+    const BodyPtr b = random_body(random);
+    const Motion motion = turning(random.pose(1.2), random.direction(), random.vector(2),
+                                  random.between(-30, 30), random.between(-0.2, 0.2));
+    const Pose X = random.pose(1);
+    if (!blocked(*a, motion, b, X, 1e-3 + 3e-5)) continue;
+    ++hits;
+    const double cut = random.unit();
+    EXPECT_TRUE(blocked(*a, part_of(motion, 0, cut), b, X, 1e-3) ||
+                blocked(*a, part_of(motion, cut, 1), b, X, 1e-3))
+        << "case " << i << " cut at " << cut;
+  }
+  EXPECT_GT(hits, 500);
+}
+
+TEST(Property, APoseThatIsTooDeepBlocksThePartThatHoldsIt) {
+  Random random(86);
+  int deep = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const BodyPtr a = random_body(random);
+    const BodyPtr b = random_body(random);
+    const Motion motion = random_motion(random);
+    const Pose X = random.pose(1);
+    const double cut = random.unit();
+    for (const double s : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+      if (!overlaps(*a, motion.pose(s), *b, X, 1e-3 + 1e-8)) continue;
+      ++deep;
+      EXPECT_TRUE(blocked(*a, motion, b, X, 1e-3)) << "case " << i << " at " << s;
+      const Motion part = s <= cut ? part_of(motion, 0, cut) : part_of(motion, cut, 1);
+      EXPECT_TRUE(blocked(*a, part, b, X, 1e-3)) << "case " << i << " at " << s << " of " << cut;
+    }
+  }
+  EXPECT_GT(deep, 2000);
 }
 
 TEST(Property, MovingTheWholeSceneChangesNothing) {
