@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "src/collision/convex.hpp"
@@ -22,7 +23,8 @@ struct BodyPart {
 
 /// A rigid body ready for queries: the union of convex pieces and triangle soups. All coordinates
 /// are relative to `extent().centre`, so that bodies drawn far from their origin lose nothing.
-class Body {
+/// Can be owned through itself, so that who remembers it keeps its address from another.
+class Body : public std::enable_shared_from_this<Body> {
  public:
   /// `pieces` and `soups` in the frame of the shapes; at least one of them not empty.
   Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, const Vec3& centre);

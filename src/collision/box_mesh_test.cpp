@@ -1,105 +1,111 @@
 #include "src/collision/box_mesh_test.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <span>
+#include <optional>
+
+#include "src/collision/kernels.hpp"
+#include "src/collision/tolerances.hpp"
 
 namespace rubicon::collision {
-namespace {
 
-void store(const Mat3& R, double (&rows)[3][3]) {
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) rows[i][k] = R(i, k);
+BoxMeshTest::BoxMeshTest(const Sweep& sweep, const BodyPart& box, const TriangleSoup& soup,
+                         bool mesh_moves, const Placement& X_WB, double contact_tolerance)
+    : sweep_(sweep),
+      box_(box),
+      soup_(soup),
+      mesh_moves_(mesh_moves),
+      X_WB_(X_WB),
+      tolerance_(pair_tolerance(box.width, box.width, contact_tolerance)) {}
+
+Verdict BoxMeshTest::verdict(SweepSlice& slice) const {
+  // Seen from a moving mesh a general motion has another bound.
+  if (mesh_moves_ && slice.uniform_growth() > 0) return Verdict::kUndecided;
+  const BoxPassage whole = passage(slice);
+  ItemList packs;
+  collect_packs(whole, soup_, packs);
+  if (packs.size() == 0) return Verdict::kFree;
+  return on_slice(slice, whole, packs.begin(), packs.end(), kHalvings);
+}
+
+/// The box at a pose of the moving body, in the frame of the mesh.
+OrientedBox BoxMeshTest::box_at(const Placement& pose) const {
+  const Placement& mesh = mesh_moves_ ? pose : X_WB_;
+  const Placement& other = mesh_moves_ ? X_WB_ : pose;
+  const Mat3 to_mesh = mesh.R.transpose();
+  const Mat3 R = to_mesh * other.R;
+  return {box_.aligned ? R : Mat3(R * box_.box.R),
+          to_mesh * (other.t - mesh.t) + R * box_.box.centre, box_.box.half};
+}
+
+BoxPassage BoxMeshTest::passage(SweepSlice& slice) const {
+  BoxPassage result;
+  const OrientedBox start = box_at(slice.start());
+  const OrientedBox end = box_at(slice.end());
+  result.box.R_start = start.R;
+  result.box.start = start.centre;
+  result.box.end = end.centre;
+  result.box.half = box_.box.half;
+  result.translation = sweep_.is_translation();
+  if (result.translation) {
+    result.box.R_end = start.R;
+    result.R_middle = start.R;
+    result.middle = 0.5 * (start.centre + end.centre);
+    return result;
   }
-}
-
-void store(const Vec3& v, double (&values)[3]) {
-  for (int i = 0; i < 3; ++i) values[i] = v[i];
-}
-
-/// How far a direction of the frame's axes is from the growth axis, for each of the three.
-Vec3 across_axes(const Vec3& axis) {
-  const Vec3 squares = axis.cwiseAbs2();
-  return {std::sqrt(squares.y() + squares.z()), std::sqrt(squares.z() + squares.x()),
-          std::sqrt(squares.x() + squares.y())};
-}
-
-/// Ways shorter than this share of the box hardly make a box around it larger.
-constexpr double kShortWay = 0.05;
-/// A way nearly along an axis of the box (sine of the angle) has no outline across it.
-constexpr double kSameWay = 0.01;
-
-}  // namespace
-
-BoxPass box_pass(const BoxPassage& passage, double contact_tolerance) {
-  const TurnedBox& box = passage.box;
-  const Mat3 to_box = passage.R_middle.transpose();
-  const Mat3 start_axes = to_box * box.R_start;
-  const Mat3 end_axes = to_box * box.R_end;
-  const Vec3 start = to_box * (box.start - passage.middle);
-  const Vec3 end = to_box * (box.end - passage.middle);
-  const Vec3 growth_axis = to_box * box.growth_axis;
-  BoxPass pass;
-  store(to_box, pass.to_box);
-  store(-(to_box * passage.middle), pass.offset);
-  store(box.half, pass.half);
-  store(start, pass.start);
-  store(end, pass.end);
-  store(growth_axis, pass.growth_axis);
-  pass.axial_growth = box.axial_growth;
-  pass.uniform_growth = box.uniform_growth;
-  pass.tolerance = contact_tolerance;
-  pass.same_axes = passage.translation;
-  Vec3 start_reach = box.half;
-  Vec3 end_reach = box.half;
-  if (!passage.translation) {
-    // Axis by axis, as the kernel wants them: columns become rows.
-    store(start_axes.transpose(), pass.start_axes);
-    store(end_axes.transpose(), pass.end_axes);
-    start_reach = start_axes.cwiseAbs() * box.half;
-    end_reach = end_axes.cwiseAbs() * box.half;
+  const OrientedBox middle = box_at(slice.middle());
+  result.box.R_end = end.R;
+  result.R_middle = middle.R;
+  result.middle = middle.centre;
+  const Placement& mesh = mesh_moves_ ? slice.start() : X_WB_;
+  result.box.growth_axis = mesh.R.transpose() * slice.axis();
+  result.box.uniform_growth = slice.uniform_growth();
+  if (slice.bulge() > 0) {
+    const Vec3 centre = mesh * start.centre;
+    const double lever = slice.axis().cross(centre - slice.point()).norm() + box_.box.half.norm();
+    result.box.axial_growth = slice.bulge() * lever;
   }
-  const Vec3 growth =
-      Vec3::Constant(box.uniform_growth) + box.axial_growth * across_axes(growth_axis);
-  store((start - start_reach).cwiseMin(end - end_reach) - growth, pass.lower);
-  store((start + start_reach).cwiseMax(end + end_reach) + growth, pass.upper);
-  return pass;
+  return result;
 }
 
-void collect_packs(const BoxPassage& passage, const TriangleSoup& soup, ItemList& found) {
-  const TurnedBox& box = passage.box;
-  const Vec3 start_reach = box.R_start.cwiseAbs() * box.half;
-  const Vec3 end_reach = passage.translation ? start_reach : Vec3(box.R_end.cwiseAbs() * box.half);
-  const Vec3 growth =
-      Vec3::Constant(box.uniform_growth) + box.axial_growth * across_axes(box.growth_axis);
-  Bounds swept;
-  swept.lower = (box.start - start_reach).cwiseMin(box.end - end_reach) - growth;
-  swept.upper = (box.start + start_reach).cwiseMax(box.end + end_reach) + growth;
-  // The swept box along its middle axes, and across its way along the outlines of its faces.
-  std::array<Slab, FloatSlabs::kMost> slabs;
-  std::size_t count = 0;
-  const auto add = [&](const Vec3& n) {
-    const double start_reach_n = (n.transpose() * box.R_start).cwiseAbs().dot(box.half);
-    const double end_reach_n =
-        passage.translation ? start_reach_n : (n.transpose() * box.R_end).cwiseAbs().dot(box.half);
-    const double at_start = n.dot(box.start);
-    const double at_end = n.dot(box.end);
-    const double growth_n = box.uniform_growth + box.axial_growth * n.cross(box.growth_axis).norm();
-    const double lower = std::min(at_start - start_reach_n, at_end - end_reach_n) - growth_n;
-    const double upper = std::max(at_start + start_reach_n, at_end + end_reach_n) + growth_n;
-    slabs[count++] = {n, 0.5 * (lower + upper), 0.5 * (upper - lower)};
-  };
-  for (int j = 0; j < 3; ++j) add(passage.R_middle.col(j));
-  const Vec3 displacement = box.end - box.start;
-  if (displacement.norm() > kShortWay * box.half.norm()) {
-    for (int j = 0; j < 3; ++j) {
-      const Vec3 across = displacement.cross(passage.R_middle.col(j));
-      const double length = across.norm();
-      if (length > kSameWay * displacement.norm()) add(across / length);
+BoxPass BoxMeshTest::still_at(const Placement& pose) const {
+  const OrientedBox box = box_at(pose);
+  BoxPassage still;
+  still.box.R_start = still.box.R_end = still.R_middle = box.R;
+  still.box.start = still.box.end = still.middle = box.centre;
+  still.box.half = box.half;
+  still.translation = true;
+  return box_pass(still, tolerance_);
+}
+
+bool BoxMeshTest::meets(const BoxPass& pass, int pack) const {
+  return kernels().meeting_triangles(pass, soup_.packs()[static_cast<std::size_t>(pack)]) != 0;
+}
+
+Verdict BoxMeshTest::on_slice(SweepSlice& slice, const BoxPassage& whole, const int* first,
+                              const int* last, int halvings) const {
+  const BoxPass sweep = box_pass(whole, tolerance_);
+  std::optional<BoxPass> middle;
+  std::optional<BoxPass> end;
+  std::vector<int> open;
+  for (const int* at = first; at != last; ++at) {
+    const int pack = *at;
+    if (!meets(sweep, pack)) continue;
+    if (sweep_.is_translation()) return box_.is_box ? Verdict::kHit : Verdict::kUndecided;
+    if (box_.is_box) {
+      if (!middle) middle = still_at(slice.middle());
+      if (!end) end = still_at(slice.end());
+      if (meets(*middle, pack) || meets(*end, pack)) return Verdict::kHit;
+      if (halvings == kHalvings && meets(still_at(slice.start()), pack)) return Verdict::kHit;
     }
+    open.push_back(pack);
   }
-  soup.pack_tree().collect(swept, std::span<const Slab>(slabs).first(count), found);
+  if (open.empty()) return Verdict::kFree;
+  if (halvings == 0) return Verdict::kUndecided;
+  for (SweepSlice* half : {&slice.first_half(), &slice.second_half()}) {
+    const Verdict found =
+        on_slice(*half, passage(*half), open.data(), open.data() + open.size(), halvings - 1);
+    if (found != Verdict::kFree) return found;
+  }
+  return Verdict::kFree;
 }
 
 }  // namespace rubicon::collision

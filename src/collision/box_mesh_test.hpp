@@ -1,23 +1,40 @@
 #pragma once
 
-#include "src/collision/swept_box.hpp"
-#include "src/collision/triangle_pack.hpp"
-#include "src/collision/triangle_soup.hpp"
+#include <vector>
+
+#include "src/collision/box_passage.hpp"
+#include "src/collision/sweep.hpp"
+#include "src/collision/verdict.hpp"
 
 namespace rubicon::collision {
 
-/// A box that moves over an interval, in the frame of a mesh.
-struct BoxPassage {
-  TurnedBox box;
-  Mat3 R_middle = Mat3::Identity();
-  Vec3 middle = Vec3::Zero();  ///< of the centre
-  bool translation = false;    ///< R_start, R_middle and R_end are the same
+/// A moving box against a mesh that stands, or a moving mesh against a box that stands; in the
+/// frame of the mesh it is always the box that moves.
+class BoxMeshTest {
+ public:
+  /// `mesh_moves`: the soup belongs to the moving body, the box to the standing one, which `X_WB`
+  /// places; otherwise the other way round. The box need not be exact (`BodyPart::is_box`); what is
+  /// then met is undecided.
+  BoxMeshTest(const Sweep& sweep, const BodyPart& box, const TriangleSoup& soup, bool mesh_moves,
+              const Placement& X_WB, double contact_tolerance);
+
+  Verdict verdict(SweepSlice& slice) const;
+  /// The box over a slice, in the frame of the mesh. Not for a mesh in general motion.
+  BoxPassage passage(SweepSlice& slice) const;
+
+ private:
+  OrientedBox box_at(const Placement& pose) const;
+  BoxPass still_at(const Placement& pose) const;
+  bool meets(const BoxPass& pass, int pack) const;
+  Verdict on_slice(SweepSlice& slice, const BoxPassage& whole, const int* first, const int* last,
+                   int halvings) const;
+
+  const Sweep& sweep_;
+  const BodyPart& box_;
+  const TriangleSoup& soup_;
+  bool mesh_moves_;
+  const Placement& X_WB_;
+  double tolerance_;
 };
-
-/// The packs of a soup that a moving box may come near, in the order of the tree.
-void collect_packs(const BoxPassage& passage, const TriangleSoup& soup, ItemList& found);
-
-/// The same passage as the kernels want it; `contact_tolerance` (m) is what the box allows.
-BoxPass box_pass(const BoxPassage& passage, double contact_tolerance);
 
 }  // namespace rubicon::collision

@@ -58,7 +58,7 @@ void ClearanceBudget::Impl::look_at(const WorldState& now) {
 bool ClearanceBudget::Impl::covers(std::size_t item, const Body& body, const Motion& motion) const {
   if (item >= items.size()) return false;
   const Known& known = items[item];
-  if (known.body != &body || !(known.clear > kRounding)) return false;
+  if (known.body.get() != &body || !(known.clear > kRounding)) return false;
   const double allowed = known.clear - kRounding;
   const geometry::ScrewMotion* screw = screw_of(motion);
   if (screw != nullptr && screw->angle_deg == 0 && screw->X0.linear() == known.X.R) {
@@ -75,8 +75,11 @@ void ClearanceBudget::Impl::measure(std::size_t item, const Body& body, const Mo
                                     const WideTree& obstacles) {
   if (item >= items.size()) items.resize(item + 1);
   Known& known = items[item];
-  if (known.body != &body) known = {};
-  known.body = &body;
+  if (known.body.get() != &body) {
+    known = {};
+    known.body = body.weak_from_this().lock();
+    if (!known.body) return;
+  }
   if (known.pause > 0) {
     --known.pause;
     return;

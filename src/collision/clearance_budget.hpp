@@ -27,7 +27,7 @@ std::optional<double> greatest_displacement(const Body& body, const Motion& moti
 struct ClearanceBudget::Impl {
   /// Nothing is nearer than `clear` (m) to the body's box at `X`.
   struct Known {
-    const Body* body = nullptr;
+    BodyPtr body;  // shared: no other body can be taken for one that is gone
     Placement X;
     double clear = 0;
     int pause = 0;   ///< queries to wait before free space is measured again

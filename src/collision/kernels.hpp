@@ -19,6 +19,8 @@ struct Kernels {
   /// Which triangles of a pack a moving box may meet by more than the tolerance (bit i: triangle
   /// i). For a translation exactly those; for a rotation those not proved free.
   unsigned (*meeting_triangles)(const BoxPass& box, const TrianglePack& pack);
+  /// The same for a moving triangle.
+  unsigned (*met_by_triangle)(const TrianglePass& moving, const TrianglePack& pack);
 };
 
 /// Plain C++; the reference.

@@ -64,7 +64,7 @@ int collect_between(const WideNode* nodes, const FloatSlabs& slabs, int* found, 
 }  // namespace
 
 const Kernels& baseline_kernels() {
-  static constexpr Kernels kernels = {collect, collect_between, meeting_triangles};
+  static constexpr Kernels kernels = {collect, collect_between, meeting_triangles, met_by_triangle};
   return kernels;
 }
 

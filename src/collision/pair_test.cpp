@@ -72,7 +72,7 @@ class PairTest {
     const Slice& slice = tree.slice();
     if (free_on(slice)) return std::nullopt;
     if (!free_at(slice.a_in_b.start) || ++intervals_ > kMaxIntervals) return slice.s0;
-    if (slice.s1 - slice.s0 <= kContactResolution || fine_enough(slice)) {
+    if (slice.s1 - slice.s0 <= kContactResolution) {
       const bool deep = !free_at(slice.a_in_b.end) || undecided_blocked(tree);
       return deep ? std::optional(slice.s0) : std::nullopt;
     }

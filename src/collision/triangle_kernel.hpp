@@ -161,6 +161,87 @@ unsigned meeting_triangles(const BoxPass& box, const TrianglePack& pack) {
   return ~bits(free) & ((1U << pack.count) - 1U);
 }
 
+/// Which triangles are apart from the moving one along n, which need not be of unit length; `scale`
+/// is the square of the length it could have.
+RUBICON_INLINE FourBits apart(const TrianglePass& moving, const FourVectors* corners,
+                              Four tolerance, const FourVectors& n, Four scale) {
+  const Four a = dot(n, corners[0]);
+  const Four b = dot(n, corners[1]);
+  const Four c = dot(n, corners[2]);
+  Four own_lower = dot(n, moving.start[0]);
+  Four own_upper = own_lower;
+  for (int i = 0; i < 3; ++i) {
+    const Four at_start = dot(n, moving.start[i]);
+    const Four at_end = dot(n, moving.end[i]);
+    own_lower = least(own_lower, least(at_start, at_end));
+    own_upper = greatest(own_upper, greatest(at_start, at_end));
+  }
+  const Four squared = dot(n, n);
+  Four gap = greatest(own_lower - greatest(a, greatest(b, c)), least(a, least(b, c)) - own_upper);
+  if (moving.axial_growth > 0 || moving.uniform_growth > 0) {
+    const FourBits possible = near_enough(gap, tolerance, squared);
+    if (bits(possible) == 0) return possible;
+    const FourVectors across = cross(n, same(moving.growth_axis));
+    gap -= moving.axial_growth * root(dot(across, across)) + moving.uniform_growth * root(squared);
+  }
+  return near_enough(gap, tolerance, squared) & (squared > kNoAxis * scale);
+}
+
+/// The same for a moving triangle: both normals, edge x edge, displacement x edge.
+unsigned met_by_triangle(const TrianglePass& moving, const TrianglePack& pack) {
+  const FourVectors corners[3] = {load(pack.corner[0]), load(pack.corner[1]), load(pack.corner[2])};
+  Four tolerance;
+  for (int i = 0; i < kPack; ++i) tolerance[i] = pack.tolerance[i];
+  tolerance = least(tolerance, all(moving.tolerance));
+  const Four zero = all(0);
+  const Four one = all(1);
+  FourBits free = apart(moving, corners, tolerance, {one, zero, zero}, one) |
+                  apart(moving, corners, tolerance, {zero, one, zero}, one) |
+                  apart(moving, corners, tolerance, {zero, zero, one}, one);
+  if (bits(free) == 15U) return 0;
+
+  const FourVectors edges[3] = {difference(corners[1], corners[0]),
+                                difference(corners[2], corners[1]),
+                                difference(corners[0], corners[2])};
+  const FourVectors own_edges[3] = {same(moving.edges[0]), same(moving.edges[1]),
+                                    same(moving.edges[2])};
+  Four lengths[3];
+  Four own_lengths[3];
+  for (int i = 0; i < 3; ++i) {
+    lengths[i] = dot(edges[i], edges[i]);
+    own_lengths[i] = dot(own_edges[i], own_edges[i]);
+  }
+  free |= apart(moving, corners, tolerance, cross(edges[0], edges[1]), lengths[0] * lengths[1]);
+  free |= apart(moving, corners, tolerance, cross(own_edges[0], own_edges[1]),
+                own_lengths[0] * own_lengths[1]);
+  if (bits(free) == 15U) return 0;
+
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      free |= apart(moving, corners, tolerance, cross(own_edges[i], edges[j]),
+                    own_lengths[i] * lengths[j]);
+    }
+    if (bits(free) == 15U) return 0;
+  }
+
+  double d[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    d[axis] = (moving.end[0][axis] - moving.start[0][axis]) +
+              (moving.end[1][axis] - moving.start[1][axis]) +
+              (moving.end[2][axis] - moving.start[2][axis]);
+  }
+  const double way = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+  if (way > 0) {
+    const FourVectors displacement = same(d);
+    for (int i = 0; i < 3; ++i) {
+      free |= apart(moving, corners, tolerance, cross(displacement, edges[i]), lengths[i] * way);
+      free |= apart(moving, corners, tolerance, cross(displacement, own_edges[i]),
+                    own_lengths[i] * way);
+    }
+  }
+  return ~bits(free) & ((1U << pack.count) - 1U);
+}
+
 #undef RUBICON_INLINE
 
 }  // namespace

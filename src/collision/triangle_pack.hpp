@@ -36,4 +36,15 @@ struct BoxPass {
   bool same_axes = false;     ///< a translation: start_axes and end_axes are the coordinate axes
 };
 
+/// A triangle that moves past others, in their frame.
+struct TrianglePass {
+  double start[3][3];  ///< [corner][axis]
+  double end[3][3];
+  double edges[3][3];  ///< at the middle of the interval
+  double growth_axis[3];
+  double axial_growth = 0;    ///< m
+  double uniform_growth = 0;  ///< m
+  double tolerance = 0;       ///< m, the most this triangle allows
+};
+
 }  // namespace rubicon::collision

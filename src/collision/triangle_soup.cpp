@@ -27,13 +27,12 @@ TriangleSoup::TriangleSoup(std::vector<Vec3> vertices, std::vector<Triangle> tri
   find_probes();
   nodes_.emplace_back();
   build(0, 0, static_cast<int>(triangles_.size()));
-  std::vector<Bounds> leaves;
   for (const Node& node : nodes_) {
     if (node.count == 0) continue;
     add_pack(node.first, node.first + node.count);
-    leaves.push_back(node.bounds);
+    pack_bounds_.push_back(node.bounds);
   }
-  pack_tree_ = WideTree(leaves);
+  pack_tree_ = WideTree(pack_bounds_);
 }
 
 void TriangleSoup::add_pack(int begin, int end) {

@@ -39,6 +39,7 @@ class TriangleSoup {
 
   /// The leaves of the tree, each as one pack of triangles side by side, and a wide tree over them.
   const std::vector<TrianglePack>& packs() const { return packs_; }
+  const std::vector<Bounds>& pack_bounds() const { return pack_bounds_; }
   const WideTree& pack_tree() const { return pack_tree_; }
 
   /// A few points of every connected part, for tests of containment.
@@ -53,6 +54,7 @@ class TriangleSoup {
   std::vector<Triangle> triangles_;
   std::vector<Node> nodes_;
   std::vector<TrianglePack> packs_;
+  std::vector<Bounds> pack_bounds_;
   WideTree pack_tree_;
   std::vector<Vec3> probes_;
   bool closed_ = false;
