@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include "tests/unit/collision/bodies.hpp"
@@ -119,6 +121,31 @@ TEST(ClearanceBudget, NoticesAnotherBodyAtTheAddressOfOneThatIsGone) {
   }
   // The budget keeps the body it remembers, so its address was not given to another.
   EXPECT_EQ(reused, 0);
+}
+
+TEST(ClearanceBudget, RefusesBadMotionsInFreeSpaceToo) {
+  CollisionWorld world;
+  world.insert(box(Vec3::Constant(0.1)), at(50, 0, 0));
+  const BodyPtr cube = box(Vec3::Constant(0.1));
+  ClearanceBudget budget;
+  const auto ask = [&](const Motion& motion) {
+    SweptQuery query;
+    query.items = {item(*cube, motion)};
+    return world.test(query, budget);
+  };
+  for (int k = 0; k < 4; ++k)
+    ASSERT_FALSE(ask(geometry::translating(at(0, 0, 0), Vec3(1, 0, 0))).hit);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(ask(geometry::translating(at(1, 0, 0), Vec3(nan, 0, 0))), std::invalid_argument);
+  Pose skewed = at(1, 0, 0);
+  skewed.linear()(0, 1) = 0.1;
+  EXPECT_THROW(ask(geometry::translating(skewed, Vec3(0.1, 0, 0))), std::invalid_argument);
+  EXPECT_THROW(ask(turning(at(1, 0, 0), Vec3(0, 0, 1.1), Vec3::Zero(), 1)), std::invalid_argument);
+  geometry::ScrewMotion across;
+  across.X0 = at(1, 0, 0);
+  across.angle_deg = 1;
+  across.slide = Vec3(0.1, 0, 0);
+  EXPECT_THROW(ask(Motion{across}), std::invalid_argument);
 }
 
 }  // namespace
