@@ -41,9 +41,14 @@ Part compound(Random& random) {
 }
 
 Part random_part(Random& random) {
-  switch (random.below(5)) {
+  switch (random.below(8)) {
     case 0:
       return compound(random);
+    case 3: {
+      // Open, so that its triangles are all there is to it.
+      const MeshModel& ground = coarse_models()[2];
+      return {ground.body, ground.pieces};
+    }
     case 1:
       return solid_part(random_prism(random, random.between(0.2, 0.6)));
     case 2:
