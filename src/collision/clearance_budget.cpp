@@ -16,9 +16,6 @@ constexpr double kUsefulSteps = 6;
 constexpr int kLongestPause = 32;
 /// Taken off every distance (m): more than the rounding of displacements.
 constexpr double kRounding = 1e-9;
-/// How far the square of an axis' length may be from 1 to be believed without the full check.
-constexpr double kUnit = 1e-6;
-
 /// How far the pose moves any core point of the body from where `X` has it.
 double displacement(const Body& body, const Mat3& R, const Vec3& t, const Placement& X) {
   const double turned = (R - X.R).squaredNorm();
@@ -28,8 +25,7 @@ double displacement(const Body& body, const Mat3& R, const Vec3& t, const Placem
 
 }  // namespace
 
-std::optional<double> greatest_displacement(const Body& body, const Motion& motion,
-                                            const Placement& X) {
+double greatest_displacement(const Body& body, const Motion& motion, const Placement& X) {
   const geometry::ScrewMotion* screw = screw_of(motion);
   if (screw == nullptr) {
     const double stray = stray_of(motion, body.extent(), 0, 1).points;
@@ -44,7 +40,6 @@ std::optional<double> greatest_displacement(const Body& body, const Motion& moti
   if (screw->angle_deg == 0) {
     return std::max(at_start, displacement(body, R, t + screw->slide, X));
   }
-  if (!(std::fabs(screw->axis.squaredNorm() - 1) < kUnit)) return std::nullopt;
   const double lever = screw->axis.cross(t - screw->point).norm() + body.extent().radius;
   return at_start + math::radians(std::fabs(screw->angle_deg)) * lever + screw->slide.norm();
 }
@@ -64,11 +59,12 @@ bool ClearanceBudget::Impl::covers(std::size_t item, const Body& body, const Mot
   if (screw != nullptr && screw->angle_deg == 0 && screw->X0.linear() == known.X.R) {
     // By far the most steps: no turn at all since the space was measured.
     const Vec3 from = screw->X0 * body.extent().centre - known.X.t;
-    const double squared = std::max(from.squaredNorm(), (from + screw->slide).squaredNorm());
-    return squared < allowed * allowed;
+    // Not by their greater one, which a number that is none would hide in.
+    const double squared = allowed * allowed;
+    return from.squaredNorm() < squared && (from + screw->slide).squaredNorm() < squared;
   }
-  const std::optional<double> moved = greatest_displacement(body, motion, known.X);
-  return moved && *moved < allowed;
+  require_valid(motion);
+  return greatest_displacement(body, motion, known.X) < allowed;
 }
 
 void ClearanceBudget::Impl::measure(std::size_t item, const Body& body, const Motion& motion,
@@ -85,11 +81,11 @@ void ClearanceBudget::Impl::measure(std::size_t item, const Body& body, const Mo
     return;
   }
   const Placement start = centred(motion, body.extent(), 0);
-  const std::optional<double> step = greatest_displacement(body, motion, start);
-  if (!step || !std::isfinite(*step)) return;
+  const double step = greatest_displacement(body, motion, start);
+  if (!std::isfinite(step)) return;
   known.X = centred(motion, body.extent(), 1);
-  known.clear = obstacles.distance(placed(body.bounds(), known.X), kStepsAhead * *step);
-  const bool useful = known.clear > kUsefulSteps * *step;
+  known.clear = obstacles.distance(placed(body.bounds(), known.X), kStepsAhead * step);
+  const bool useful = known.clear > kUsefulSteps * step;
   known.futile = useful ? 0 : known.futile + 1;
   known.pause = useful ? 0 : std::min(1 << std::min(known.futile, 10), kLongestPause);
 }

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "src/collision/body.hpp"
@@ -19,9 +18,8 @@ struct WorldState {
 };
 
 /// Upper bound (m) of how far a point of the body is from where `X` (of its centred coordinates)
-/// has it, at any moment of the motion; not finite, or nothing, where no bound is known.
-std::optional<double> greatest_displacement(const Body& body, const Motion& motion,
-                                            const Placement& X);
+/// has it, at any moment of a valid motion; not finite where no bound is known.
+double greatest_displacement(const Body& body, const Motion& motion, const Placement& X);
 
 /// Free space around the bodies of a series of queries, by the index of the item.
 struct ClearanceBudget::Impl {
@@ -38,7 +36,8 @@ struct ClearanceBudget::Impl {
 
   /// Forgets everything if the world is another one or has changed.
   void look_at(const WorldState& now);
-  /// Whether the item stays in space known to be free all the time.
+  /// Whether the item stays in space known to be free all the time. Throws std::invalid_argument
+  /// for a motion that is not valid, unless that is left to the test.
   bool covers(std::size_t item, const Body& body, const Motion& motion) const;
   /// After a step of the item was found free: measures the space where it ends, if that is likely
   /// to be of use.

@@ -116,12 +116,19 @@ class PairTest {
     pair.uniform_growth = view.uniform_growth;
   }
 
+  /// How far the middle of A gets, as B sees it.
+  double travel(const Slice& slice) const {
+    const Vec3 centre = a_in_b_.moving.bounds.centre();
+    return (slice.a_in_b.end * centre - slice.a_in_b.start * centre).norm();
+  }
+
   bool fine_enough(const Slice& slice) const {
     if (slice.s1 - slice.s0 < kShortestInterval) return true;
     const double growth =
         std::max(slice.bulge * std::max(lever_a_, lever_b_),
                  std::max(slice.a_in_b.uniform_growth, slice.b_in_a.uniform_growth));
-    return growth <= resolution_ && 0.5 * slice.turn * size_ <= kTurnResolution;
+    return growth <= resolution_ && 0.5 * slice.turn * size_ <= kTurnResolution &&
+           travel(slice) <= kTravelResolution;
   }
 
   RelativeMotion::Kind kind_;

@@ -45,6 +45,11 @@ inline constexpr double kGeneralResolution = 1e-5;
 /// only nearer than about this to the tolerance.
 inline constexpr double kTurnResolution = 1e-5;
 
+/// And it must travel so little (m): where a corner passes a corner the swept volume is deeper than
+/// any pose, by up to some share of the way. Without this 35 of a million random steps were called
+/// hits with 0.1 to 0.4 mm to spare.
+inline constexpr double kTravelResolution = 1e-4;
+
 /// Intervals one pair of pieces may look at before it is called a hit: keeps hostile motions from
 /// taking for ever.
 inline constexpr int kMaxIntervals = 1 << 16;

@@ -113,7 +113,7 @@ std::optional<interpreter::HitPair> RobotView::swept_hit(
     }
   }
   if (query.items.empty()) return std::nullopt;
-  const collision::SweptResult result = site_.obstacles().test(query);
+  const collision::SweptResult result = site_.obstacles().test(query, budget_);
   if (!result.hit) return std::nullopt;
   int moved = part_of[static_cast<std::size_t>(result.hit->item)];
   if (result.hit->obstacle) {

@@ -36,6 +36,7 @@ class RobotView : public interpreter::World {
 
   SiteWorld& site_;
   int index_;
+  mutable collision::ClearanceBudget budget_;  ///< never changes an answer
 };
 
 }  // namespace rubicon::site
