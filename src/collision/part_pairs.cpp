@@ -7,11 +7,6 @@
 namespace rubicon::collision {
 namespace {
 
-/// A slice's bounding boxes are useful while its bulge is below this share of the body's size.
-constexpr double kUsefulGrowth = 0.05;
-/// Slices a step is cut into at most before boxes are compared.
-constexpr int kMaxSlices = 64;
-
 double lever_of(const Bounds& bounds, const RelativeMotion::Axis& axis) {
   return axis.axis.cross(bounds.centre() - axis.point).norm() + bounds.half().norm();
 }

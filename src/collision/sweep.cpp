@@ -10,12 +10,8 @@
 namespace rubicon::collision {
 namespace {
 
-/// A slice's bounding boxes are useful while its growth is below this share of the body's size.
-constexpr double kUsefulGrowth = 0.05;
-/// Degrees about an axis for which that is so: 1 - cos(18 degrees) = 0.049.
+/// Up to this many degrees about an axis one slice is enough: 1 - cos(18 degrees) = 0.049.
 constexpr double kUsefulAngle = 36;
-/// Slices a step is cut into at most.
-constexpr int kMaxSlices = 64;
 
 int useful_slices(const Body& body, const Motion& motion) {
   const geometry::ScrewMotion* screw = screw_of(motion);

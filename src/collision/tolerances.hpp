@@ -62,6 +62,11 @@ inline constexpr double kShortestInterval = 1e-8;
 /// mm.
 inline constexpr double kContactResolution = 1e-4;
 
+/// The bounding boxes of a slice are useful while its growth is below this share of the bodies'
+/// size; larger steps are cut into slices, at most so many.
+inline constexpr double kUsefulGrowth = 0.05;
+inline constexpr int kMaxSlices = 64;
+
 /// Times a slice is halved by the quick tests for what is neither proved free nor seen to hit; the
 /// growth falls to a quarter each time. What is still undecided is left to the general test.
 inline constexpr int kHalvings = 8;
