@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "src/math/angles.hpp"
 
@@ -21,6 +22,11 @@ double displacement(const Body& body, const Mat3& R, const Vec3& t, const Placem
   const double turned = (R - X.R).squaredNorm();
   const double shifted = (t - X.t).norm();
   return turned == 0 ? shifted : shifted + std::sqrt(turned) * body.extent().radius;
+}
+
+/// Bit for bit; three whole columns lie side by side in a pose.
+bool same_rotation(const Pose& a, const Pose& b) {
+  return std::memcmp(a.matrix().data(), b.matrix().data(), 12 * sizeof(double)) == 0;
 }
 
 }  // namespace
@@ -56,9 +62,9 @@ bool ClearanceBudget::Impl::covers(std::size_t item, const Body& body, const Mot
   if (known.body.get() != &body || !(known.clear > kRounding)) return false;
   const double allowed = known.clear - kRounding;
   const geometry::ScrewMotion* screw = screw_of(motion);
-  if (screw != nullptr && screw->angle_deg == 0 && screw->X0.linear() == known.X.R) {
+  if (screw != nullptr && screw->angle_deg == 0 && same_rotation(screw->X0, known.pose)) {
     // By far the most steps: no turn at all since the space was measured.
-    const Vec3 from = screw->X0 * body.extent().centre - known.X.t;
+    const Vec3 from = screw->X0.translation() - known.pose.translation();
     // Not by their greater one, which a number that is none would hide in.
     const double squared = allowed * allowed;
     return from.squaredNorm() < squared && (from + screw->slide).squaredNorm() < squared;
@@ -84,6 +90,7 @@ void ClearanceBudget::Impl::measure(std::size_t item, const Body& body, const Mo
   const double step = greatest_displacement(body, motion, start);
   if (!std::isfinite(step)) return;
   known.X = centred(motion, body.extent(), 1);
+  known.pose = motion.pose(1);
   known.clear = obstacles.distance(placed(body.bounds(), known.X), kStepsAhead * step);
   const bool useful = known.clear > kUsefulSteps * step;
   known.futile = useful ? 0 : known.futile + 1;

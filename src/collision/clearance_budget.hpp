@@ -27,6 +27,7 @@ struct ClearanceBudget::Impl {
   struct Known {
     BodyPtr body;  // shared: no other body can be taken for one that is gone
     Placement X;
+    Pose pose = Pose::Identity();  ///< of the body's own frame, where X is
     double clear = 0;
     int pause = 0;   ///< queries to wait before free space is measured again
     int futile = 0;  ///< times it was measured and was too small to be of use

@@ -41,10 +41,11 @@ void require_valid(const Motion& motion) {
   if (!std::isfinite(screw->angle_deg) || !screw->point.allFinite()) {
     throw std::invalid_argument("the rotation of a motion is not finite");
   }
-  if (!(std::fabs(screw->axis.norm() - 1) < kRigid)) {
+  if (!(std::fabs(screw->axis.squaredNorm() - 1) < 2 * kRigid)) {
     throw std::invalid_argument("the axis of a motion is not a unit vector");
   }
-  if (screw->axis.cross(screw->slide).norm() > kRigid * screw->slide.norm()) {
+  const double across = screw->axis.cross(screw->slide).squaredNorm();
+  if (across > kRigid * kRigid * screw->slide.squaredNorm()) {
     throw std::invalid_argument("the slide of a rotating motion is not along its axis");
   }
 }
