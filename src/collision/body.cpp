@@ -9,6 +9,8 @@ namespace {
 
 /// More corners than this add nothing to a test of containment.
 constexpr std::size_t kProbesPerPiece = 8;
+/// Bodies of more parts than this have a tree over them.
+constexpr std::size_t kFewParts = 8;
 /// Corners that are as near as this (m) to those of a box make a box: a tenth of the depth that
 /// counts as rounding.
 constexpr double kBoxCorners = 1e-10;
@@ -103,6 +105,13 @@ Body::Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, con
     probes_.insert(probes_.end(), soup.probes().begin(), soup.probes().end());
     has_closed_soup_ = has_closed_soup_ || soup.closed();
   }
+  if (parts_.size() <= kFewParts) return;
+  std::vector<Bounds> part_bounds;
+  for (const BodyPart& part : parts_) {
+    part_bounds.push_back(part.piece >= 0 ? pieces_[part.piece].bounds
+                                          : soups_[part.soup].bounds());
+  }
+  part_tree_ = WideTree(part_bounds);
 }
 
 }  // namespace rubicon::collision

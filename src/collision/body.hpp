@@ -35,6 +35,8 @@ class Body : public std::enable_shared_from_this<Body> {
   const std::vector<TriangleSoup>& soups() const { return soups_; }
   /// All pieces, then all soups.
   const std::vector<BodyPart>& parts() const { return parts_; }
+  /// A tree over the parts; empty where they are few.
+  const WideTree& part_tree() const { return part_tree_; }
   const BodyExtent& extent() const { return extent_; }
   const Bounds& bounds() const { return bounds_; }
   /// A few points of every piece, for tests of containment.
@@ -46,6 +48,7 @@ class Body : public std::enable_shared_from_this<Body> {
   std::vector<Convex> convexes_;  ///< views of `pieces_`
   std::vector<TriangleSoup> soups_;
   std::vector<BodyPart> parts_;
+  WideTree part_tree_;
   BodyExtent extent_;
   Bounds bounds_;
   std::vector<Vec3> probes_;

@@ -127,17 +127,23 @@ Verdict part_verdict(Sweep& sweep, SweepSlice& slice, const BodyPart& moving, co
 Verdict quick_verdict(Sweep& sweep, const Body& standing, const Placement& X_WB,
                       double contact_tolerance) {
   Verdict result = Verdict::kFree;
-  for (const BodyPart& fixed : standing.parts()) {
+  const auto look_at = [&](const BodyPart& fixed) {
     const OrientedBox fixed_box = placed(fixed.box, X_WB);
     for (const BodyPart& moving : sweep.body().parts()) {
-      for (int i = 0; i < sweep.slice_count(); ++i) {
+      for (int i = 0; i < sweep.slice_count() && result != Verdict::kHit; ++i) {
         const Verdict found = part_verdict(sweep, sweep.slice(i), moving, standing, fixed,
                                            fixed_box, X_WB, contact_tolerance);
-        if (found == Verdict::kHit) return found;
-        if (found == Verdict::kUndecided) result = found;
+        if (found != Verdict::kFree) result = found;
       }
     }
+  };
+  if (standing.part_tree().size() == 0) {
+    for (const BodyPart& part : standing.parts()) look_at(part);
+    return result;
   }
+  ItemList near;
+  standing.part_tree().collect(placed(sweep.bounds(), X_WB.inverse()), near);
+  for (const int part : near) look_at(standing.parts()[static_cast<std::size_t>(part)]);
   return result;
 }
 

@@ -4,20 +4,16 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdlib>
-#include <limits>
 #include <utility>
 
+#include "src/collision/float_box.hpp"
 #include "src/collision/kernels.hpp"
 #include "src/collision/tolerances.hpp"
+#include "src/collision/tree_groups.hpp"
 
 namespace rubicon::collision {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr FloatBox kEmpty = {{kInfinity, kInfinity, kInfinity},
-                             {-kInfinity, -kInfinity, -kInfinity}};
-constexpr int kBins = 16;
 /// Changes that never cause a new build, however small the tree.
 constexpr int kFreeChanges = 64;
 /// A child that an additional box enlarges no more than this takes it even where there is a free
@@ -46,26 +42,6 @@ float rounded_up(double value) {
   return result + std::fabs(result) * kOutwards;
 }
 
-void join(FloatBox& box, const FloatBox& other) {
-  for (int axis = 0; axis < 3; ++axis) {
-    box.lower[axis] = std::min(box.lower[axis], other.lower[axis]);
-    box.upper[axis] = std::max(box.upper[axis], other.upper[axis]);
-  }
-}
-
-FloatBox joined(FloatBox box, const FloatBox& other) {
-  join(box, other);
-  return box;
-}
-
-/// Half of the surface; 0 for an empty box. In doubles: infinite boxes give infinity, not NaN.
-double area(const FloatBox& box) {
-  const double x = static_cast<double>(box.upper[0]) - box.lower[0];
-  const double y = static_cast<double>(box.upper[1]) - box.lower[1];
-  const double z = static_cast<double>(box.upper[2]) - box.lower[2];
-  return x >= 0 && y >= 0 && z >= 0 ? x * y + y * z + z * x : 0;
-}
-
 FloatBox slot_box(const WideNode& node, int slot) {
   FloatBox box;
   for (int axis = 0; axis < 3; ++axis) {
@@ -83,7 +59,7 @@ void set_box(WideNode& node, int slot, const FloatBox& box) {
 }
 
 FloatBox node_box(const WideNode& node) {
-  FloatBox box = kEmpty;
+  FloatBox box = kEmptyBox;
   for (int slot = 0; slot < kWidth; ++slot) join(box, slot_box(node, slot));
   return box;
 }
@@ -92,127 +68,6 @@ int node_count(const WideNode& node) {
   int count = 0;
   for (int slot = 0; slot < kWidth; ++slot) count += node.count[slot];
   return count;
-}
-
-using Entries = std::vector<WideTree::Entry>;
-
-/// A run of entries that one child is made of.
-struct Group {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-  double area = 0;
-
-  std::size_t size() const { return end - begin; }
-};
-
-Group group_of(const Entries& entries, std::size_t begin, std::size_t end) {
-  FloatBox box = kEmpty;
-  for (std::size_t i = begin; i < end; ++i) join(box, entries[i].box);
-  return {begin, end, area(box)};
-}
-
-float twice_centre(const FloatBox& box, int axis) { return box.lower[axis] + box.upper[axis]; }
-
-/// Half of the entries each, along the axis in which their centres differ most.
-std::size_t halved(Entries& entries, const Group& group, int axis) {
-  const std::size_t middle = group.begin + group.size() / 2;
-  const auto at = [&](std::size_t i) { return entries.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(group.begin), at(middle), at(group.end),
-                   [axis](const WideTree::Entry& a, const WideTree::Entry& b) {
-                     const float first = twice_centre(a.box, axis);
-                     const float second = twice_centre(b.box, axis);
-                     return first != second ? first < second : a.item < b.item;
-                   });
-  return middle;
-}
-
-/// Where to cut a group in two: the cheapest of the planes between bins by the surface area
-/// heuristic.
-std::size_t split(Entries& entries, const Group& group, bool by_number) {
-  std::array<float, 3> least;
-  std::array<float, 3> greatest;
-  least.fill(kInfinity);
-  greatest.fill(-kInfinity);
-  for (std::size_t i = group.begin; i < group.end; ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const float centre = twice_centre(entries[i].box, axis);
-      least[axis] = std::min(least[axis], centre);
-      greatest[axis] = std::max(greatest[axis], centre);
-    }
-  }
-  int longest = 0;
-  for (int axis = 1; axis < 3; ++axis) {
-    if (greatest[axis] - least[axis] > greatest[longest] - least[longest]) longest = axis;
-  }
-  const float extent = greatest[longest] - least[longest];
-  // Also where boxes are infinite: their centres are no numbers.
-  if (by_number || !(extent > 0) || !(extent < kInfinity)) return halved(entries, group, longest);
-
-  double best_cost = std::numeric_limits<double>::infinity();
-  int best_axis = -1;
-  int best_bin = 0;
-  const auto bin_of = [&](const WideTree::Entry& entry, int axis) {
-    const float share =
-        (twice_centre(entry.box, axis) - least[axis]) / (greatest[axis] - least[axis]);
-    return std::min(static_cast<int>(share * kBins), kBins - 1);
-  };
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!(greatest[axis] > least[axis])) continue;
-    std::array<FloatBox, kBins> boxes;
-    boxes.fill(kEmpty);
-    std::array<int, kBins> counts{};
-    for (std::size_t i = group.begin; i < group.end; ++i) {
-      const int bin = bin_of(entries[i], axis);
-      join(boxes[bin], entries[i].box);
-      ++counts[bin];
-    }
-    std::array<double, kBins> cost_above{};
-    FloatBox box = kEmpty;
-    int count = 0;
-    for (int bin = kBins - 1; bin > 0; --bin) {
-      join(box, boxes[bin]);
-      count += counts[bin];
-      cost_above[bin] = area(box) * count;
-    }
-    box = kEmpty;
-    count = 0;
-    for (int bin = 0; bin + 1 < kBins; ++bin) {
-      join(box, boxes[bin]);
-      count += counts[bin];
-      const double cost = area(box) * count + cost_above[bin + 1];
-      if (count > 0 && count < static_cast<int>(group.size()) && cost < best_cost) {
-        best_cost = cost;
-        best_axis = axis;
-        best_bin = bin;
-      }
-    }
-  }
-  if (best_axis < 0) return halved(entries, group, longest);
-  const auto first = entries.begin() + static_cast<std::ptrdiff_t>(group.begin);
-  const auto last = entries.begin() + static_cast<std::ptrdiff_t>(group.end);
-  const auto middle = std::partition(first, last, [&](const WideTree::Entry& entry) {
-    return bin_of(entry, best_axis) <= best_bin;
-  });
-  return static_cast<std::size_t>(middle - entries.begin());
-}
-
-/// Up to eight runs: the largest is cut until there are eight or each fits into one node.
-std::vector<Group> groups_of(Entries& entries, std::size_t begin, std::size_t end, bool by_number) {
-  std::vector<Group> groups = {group_of(entries, begin, end)};
-  while (groups.size() < kWidth) {
-    Group* largest = nullptr;
-    for (Group& group : groups) {
-      if (group.size() > kWidth && (largest == nullptr || group.area > largest->area)) {
-        largest = &group;
-      }
-    }
-    if (largest == nullptr) break;
-    const Group whole = *largest;
-    const std::size_t middle = split(entries, whole, by_number);
-    *largest = group_of(entries, whole.begin, middle);
-    groups.push_back(group_of(entries, middle, whole.end));
-  }
-  return groups;
 }
 
 }  // namespace
@@ -227,7 +82,7 @@ void ItemList::grow() {
 WideTree::WideTree(const std::vector<Bounds>& items) {
   if (items.empty()) return;
   set_origin(items.front());
-  Entries entries;
+  std::vector<TreeEntry> entries;
   for (std::size_t i = 0; i < items.size(); ++i) {
     entries.push_back({to_float(items[i]), static_cast<int>(i)});
     note_farthest(entries.back().box);
@@ -258,7 +113,7 @@ void WideTree::note_farthest(const FloatBox& box) {
   }
 }
 
-void WideTree::build(Entries entries) {
+void WideTree::build(std::vector<TreeEntry> entries) {
   nodes_.clear();
   parents_.clear();
   free_nodes_.clear();
@@ -269,8 +124,8 @@ void WideTree::build(Entries entries) {
   if (!entries.empty()) fill_node(0, entries, 0, entries.size(), 1);
 }
 
-void WideTree::fill_node(int node, Entries& entries, std::size_t begin, std::size_t end,
-                         int depth) {
+void WideTree::fill_node(int node, std::vector<TreeEntry>& entries, std::size_t begin,
+                         std::size_t end, int depth) {
   depth_ = std::max(depth_, depth);
   if (end - begin <= kWidth) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -281,7 +136,7 @@ void WideTree::fill_node(int node, Entries& entries, std::size_t begin, std::siz
     return;
   }
   int slot = 0;
-  for (const Group& group : groups_of(entries, begin, end, depth > kHeuristicDepth)) {
+  for (const TreeGroup& group : tree_groups(entries, begin, end, depth > kHeuristicDepth)) {
     const int child = add_node({node, slot});
     fill_node(child, entries, group.begin, group.end, depth + 1);
     set_slot(node, slot, node_box(nodes_[child]), child, static_cast<int>(group.size()));
@@ -300,7 +155,7 @@ int WideTree::add_node(Place parent) {
     free_nodes_.pop_back();
   }
   parents_[index] = parent;
-  for (int slot = 0; slot < kWidth; ++slot) set_slot(index, slot, kEmpty, 0, 0);
+  for (int slot = 0; slot < kWidth; ++slot) set_slot(index, slot, kEmptyBox, 0, 0);
   return index;
 }
 
@@ -321,7 +176,7 @@ void WideTree::refresh_above(int node) {
     const Place up = parents_[node];
     const int count = node_count(nodes_[node]);
     if (count == 0) {
-      set_slot(up.node, up.slot, kEmpty, 0, 0);
+      set_slot(up.node, up.slot, kEmptyBox, 0, 0);
       free_nodes_.push_back(node);
     } else {
       set_slot(up.node, up.slot, node_box(nodes_[node]), node, count);
@@ -396,7 +251,7 @@ void WideTree::insert(int item, const Bounds& bounds) {
 void WideTree::remove(int item) {
   const Place place = places_[item];
   assert(place.node >= 0 && nodes_[place.node].child[place.slot] == ~item);
-  set_slot(place.node, place.slot, kEmpty, 0, 0);
+  set_slot(place.node, place.slot, kEmptyBox, 0, 0);
   places_[item] = {};
   --size_;
   refresh_above(place.node);
@@ -406,7 +261,7 @@ void WideTree::remove(int item) {
 void WideTree::changed() {
   ++changes_;
   if (depth_ < kMaxDepth && changes_ <= std::max(kFreeChanges, size_ / 2)) return;
-  Entries entries;
+  std::vector<TreeEntry> entries;
   for (std::size_t item = 0; item < places_.size(); ++item) {
     const Place place = places_[item];
     if (place.node < 0) continue;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/collision/bounds.hpp"
+#include "src/collision/tree_groups.hpp"
 #include "src/collision/wide_node.hpp"
 
 namespace rubicon::collision {
@@ -50,11 +51,6 @@ class ItemList {
 /// amortised. Its shape depends on its history, what it finds does not.
 class WideTree {
  public:
-  struct Entry {
-    FloatBox box;
-    int item = 0;
-  };
-
   WideTree() = default;
   /// The items 0, 1, 2, ... at once.
   explicit WideTree(const std::vector<Bounds>& items);
@@ -86,8 +82,8 @@ class WideTree {
   void set_origin(const Bounds& first);
   FloatBox to_float(const Bounds& bounds) const;
   void note_farthest(const FloatBox& box);
-  void build(std::vector<Entry> entries);
-  void fill_node(int node, std::vector<Entry>& entries, std::size_t begin, std::size_t end,
+  void build(std::vector<TreeEntry> entries);
+  void fill_node(int node, std::vector<TreeEntry>& entries, std::size_t begin, std::size_t end,
                  int depth);
   int add_node(Place parent);
   void set_slot(int node, int slot, const FloatBox& box, int child, int count);

@@ -171,5 +171,37 @@ TEST(CollisionWorld, QueriesOnSeveralThreadsGiveTheSameAnswers) {
   for (const auto& result : results) EXPECT_EQ(result, alone);
 }
 
+TEST(CollisionWorld, ABodyOfManyPartsBlocksWhereItsPartsDo) {
+  Random random(77);
+  int hits = 0;
+  for (int round = 0; round < 40; ++round) {
+    // More parts than are looked at one by one; far from the body's own origin.
+    std::vector<geometry::Shape> shapes;
+    CollisionWorld parts;
+    const Pose X_WB = random.pose(5);
+    for (int i = 0; i < 30; ++i) {
+      const Vec3 corner = Vec3(100, 200, 0) + random.vector(5);
+      shapes.push_back(box_shape(corner, corner + Vec3::Constant(0.5) + random.vector(0.4)));
+      parts.insert(prepare({shapes.back()}), X_WB);
+    }
+    CollisionWorld whole;
+    whole.insert(prepare(shapes), X_WB);
+    const BodyPtr load = box(Vec3(0.3, 0.2, 0.4));
+    for (int i = 0; i < 50; ++i) {
+      Pose X0 = random.pose(0);
+      X0.translation() = X_WB * (Vec3(100, 200, 0) + random.vector(6));
+      const Motion motion = i % 2 == 0 ? geometry::translating(X0, random.vector(0.5))
+                                       : turning(X0, random.direction(), random.vector(20), 3);
+      SweptQuery query;
+      query.items = {item(*load, motion)};
+      const bool expected = parts.test(query).hit.has_value();
+      hits += expected;
+      EXPECT_EQ(whole.test(query).hit.has_value(), expected) << "case " << round << " " << i;
+    }
+  }
+  EXPECT_GT(hits, 100);
+  EXPECT_LT(hits, 1900);
+}
+
 }  // namespace
 }  // namespace rubicon::collision::test
