@@ -165,11 +165,11 @@ std::variant<NetworkTimes, NetworkMistakes> times_of(const Network& network) {
   pass.run();
   if (!pass.all_finished()) {
     for (const auto& [task, resource, holder] : queues.stuck()) {
-      mistakes.messages.push_back(fmt::format(
-          "task '{}' waits for '{}', which '{}' holds until others let it finish; these "
-          "wait too",
-          network.tasks[at(task)].name, network.resources[at(resource)].name,
-          network.tasks[at(holder)].name));
+      mistakes.messages.push_back(
+          fmt::format("task '{}' never gets '{}': '{}' holds it until its links let it finish, "
+                      "and they wait for tasks that cannot go on",
+                      network.tasks[at(task)].name, network.resources[at(resource)].name,
+                      network.tasks[at(holder)].name));
     }
     assert(!mistakes.messages.empty());
     return mistakes;

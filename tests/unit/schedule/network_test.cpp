@@ -185,8 +185,8 @@ TEST(Network, NamesWhatWaitsForWhatAnotherHolds) {
   plan.crew("c");
   plan.task("guard", kHour, {"c"}, {{"work", FF}}).task("work", kHour, {"c"}, {{"guard", SS}});
   EXPECT_EQ(plan.mistakes(),
-            "task 'work' waits for 'c', which 'guard' holds until others let it finish; these wait "
-            "too");
+            "task 'work' never gets 'c': 'guard' holds it until its links let it finish, and they "
+            "wait for tasks that cannot go on");
 }
 
 TEST(Network, NamesRingsOfLinks) {
