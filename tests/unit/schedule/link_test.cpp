@@ -54,6 +54,14 @@ TEST(EarliestStart, OfUnknownDurationLeavesTheFinishToBeHeld) {
   EXPECT_EQ(held_finish({}, 11 * kHour), 11 * kHour);
 }
 
+TEST(EarliestStart, IsHeldByTheStartWhereBothSayTheSame) {
+  LinkBounds bounds;
+  bounds.hold(TaskEnd::start, 3 * kHour, 0);
+  bounds.hold(TaskEnd::finish, 5 * kHour, 1);
+  EXPECT_EQ(earliest_start(bounds, 0, 2 * kHour, {}).hold, StartHold::start_link);
+  EXPECT_EQ(earliest_start(bounds, 0, 2 * kHour - 1, {}).hold, StartHold::finish_link);
+}
+
 TEST(EarliestStart, IsNotBeforeWhatIsGiven) {
   LinkBounds bounds;
   bounds.hold(TaskEnd::start, 3 * kHour, 0);

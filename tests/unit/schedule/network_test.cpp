@@ -133,6 +133,18 @@ TEST(Network, StartsAndFinishesByDifferentLinks) {
                                         "its own work does not count"));
 }
 
+TEST(Network, NamesTheLinkWhereALinkAndACrewSayTheSame) {
+  NetworkBuilder plan(kMonday);
+  plan.crew("c").task("a", kHour, {"c"}).task("b", kHour, {"c"}, {{"a"}});
+  EXPECT_THAT(plan.chain(), ElementsAre("a starts with the plan", "b starts after a (FS)"));
+}
+
+TEST(Network, BeginsTheChainAtTheFirstInTheFileOfThoseThatFinishLast) {
+  NetworkBuilder plan(kMonday);
+  plan.task("a", kHour).task("b", 3 * kHour).task("c", 3 * kHour);
+  EXPECT_THAT(plan.chain(), ElementsAre("b starts with the plan"));
+}
+
 TEST(Network, FollowsTheChainThroughTheStartOfATask) {
   NetworkBuilder plan(kMonday);
   plan.task("a", 5 * kHour).task("b", kHour, {}, {{"a"}});

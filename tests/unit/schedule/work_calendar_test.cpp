@@ -122,6 +122,18 @@ TEST(WorkCalendar, AddsShiftsOfADayUp) {
   EXPECT_EQ(made.work_between(at("2026-03-07 00:00"), at("2026-03-08 00:00")), 2 * kHour);
 }
 
+TEST(WorkCalendar, IsTheSameHoweverItsHoursAreWritten) {
+  CalendarRules whole, parts;
+  whole.name = parts.name = "site";
+  whole.shifts = {{0, 4, {{7 * 60, 16 * 60}}}};
+  parts.shifts = {{0, 4, {{12 * 60, 16 * 60}, {7 * 60, 12 * 60}}}, {2, 2, {{8 * 60, 9 * 60}}}};
+  EXPECT_EQ(calendar(whole, kStart), calendar(parts, kStart));
+  whole.off = {{2026, 3, 7}};  // a Saturday, on which nobody works anyhow
+  EXPECT_EQ(calendar(whole, kStart), calendar(parts, kStart));
+  whole.off = {{2026, 3, 9}};
+  EXPECT_NE(calendar(whole, kStart), calendar(parts, kStart));
+}
+
 TEST(WorkCalendar, IntersectsHoursAndJoinsDaysOff) {
   CalendarRules late = test::daily_shift();
   late.name = "late";
