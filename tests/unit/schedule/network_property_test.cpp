@@ -23,6 +23,7 @@ struct Wanted {
   bool calendars = true;
   bool resources = true;
   bool lags = true;
+  bool forward = false;  ///< only links whose bound is in the future when it becomes known
 };
 
 class Dice {
@@ -59,8 +60,10 @@ class Dice {
       for (int links = place == 0 ? 0 : below(4); links > 0; --links) {
         Link link;
         link.task = order[at(below(place))];
-        link.type = static_cast<LinkType>(below(4));
-        if (wanted.lags && below(2) == 0) link.lag = (below(2400) - 1000) * kMinute;
+        link.type = static_cast<LinkType>(below(wanted.forward ? 2 : 4));
+        if (wanted.lags && below(2) == 0) {
+          link.lag = (below(2400) - (wanted.forward ? 0 : 1000)) * kMinute;
+        }
         link.clock = below(3) == 0 ? LagClock::working : LagClock::elapsed;
         task.after.push_back(link);
       }
@@ -186,6 +189,48 @@ TEST(NetworkProperty, TellsWhatHeldEachTask) {
       }
     }
   }
+}
+
+// Whenever a task waits though its links let it start, something it needs is in use, or was given
+// at this very moment to a task of higher priority.
+TEST(NetworkProperty, LetsNobodyWaitForNothing) {
+  Dice dice(8);
+  int waits = 0;
+  for (int i = 0; i < kNetworks; ++i) {
+    const Network network = dice.network({.forward = true});
+    const NetworkTimes times = calculated(network);
+    for (std::size_t t = 0; t < network.tasks.size(); ++t) {
+      const NetworkTask& task = network.tasks[t];
+      const TaskTimes& own = times.tasks[t];
+      if (task.work == 0) continue;
+      const WorkCalendar calendar = calendar_of(network, task);
+      const Ticks could = calendar.next_working(own.ready);
+      // Something changes only when a task ends or a shift begins: look at these moments.
+      std::vector<Ticks> moments{could};
+      for (const TaskTimes& other : times.tasks) {
+        moments.push_back(calendar.next_working(other.finish));
+      }
+      for (const Ticks moment : moments) {
+        if (moment < could || moment >= own.start) continue;
+        bool excused = false;
+        for (std::size_t v = 0; v < network.tasks.size(); ++v) {
+          const TaskTimes& other = times.tasks[v];
+          const bool uses = other.start <= moment && moment < other.finish;
+          if (v == t || !uses || network.tasks[v].work == 0) continue;
+          for (const int resource : network.tasks[v].resources) {
+            const auto& needed = task.resources;
+            if (std::find(needed.begin(), needed.end(), resource) == needed.end()) continue;
+            // One that starts at the moment at which this becomes ready may be what made it so.
+            excused = excused || other.start < moment || own.ready == moment ||
+                      network.tasks[v].priority > task.priority;
+          }
+        }
+        ASSERT_TRUE(excused) << i << " " << task.name;
+        ++waits;
+      }
+    }
+  }
+  EXPECT_GT(waits, 1000);
 }
 
 TEST(NetworkProperty, DoesNotDependOnFileOrderWherePrioritiesDiffer) {
