@@ -2,13 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
+
+#include "src/collision/winding.hpp"
 
 namespace rubicon::collision {
 namespace {
 
 /// More corners than this add nothing to a test of containment.
 constexpr std::size_t kProbesPerPiece = 8;
+/// A search for a deep point: its steps add up to 25 times the first and end at 1e-4 of it.
+constexpr int kDeepeningRounds = 225;
+constexpr double kStepShrinks = 0.96;
 /// Bodies of more parts than this have a tree over them.
 constexpr std::size_t kFewParts = 8;
 /// Corners that are as near as this (m) to those of a box make a box: a tenth of the depth that
@@ -16,6 +22,42 @@ constexpr std::size_t kFewParts = 8;
 constexpr double kBoxCorners = 1e-10;
 /// Unit vectors whose product is below this are perpendicular for a box around a piece.
 constexpr double kPerpendicular = 1e-6;
+
+/// Of larger meshes only so many triangles have probes, evenly taken.
+constexpr std::size_t kMostProbedTriangles = 4096;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// A point well inside a piece: from the mean of the corners, which may be near its rim, away from
+/// the nearest face, in ever smaller steps; within some percent of the deepest there is.
+Vec3 deep_point(const ConvexPiece& piece) {
+  Vec3 point = Vec3::Zero();
+  for (const Vec3& vertex : piece.vertices) {
+    point += vertex / static_cast<double>(piece.vertices.size());
+  }
+  if (piece.ball > 0 || piece.disc > 0 || piece.normals.empty()) return point;
+  const Convex convex = piece.view();
+  std::vector<Interval> extents;
+  for (const Vec3& normal : piece.normals) extents.push_back(convex.extent(normal));
+  double step = 0.5 * piece.width;
+  for (int round = 0; round < kDeepeningRounds; ++round) {
+    double nearest = kInfinite;
+    Vec3 away = Vec3::Zero();
+    for (std::size_t i = 0; i < extents.size(); ++i) {
+      const double at = piece.normals[i].dot(point);
+      if (at - extents[i].least < nearest) {
+        nearest = at - extents[i].least;
+        away = piece.normals[i];
+      }
+      if (extents[i].greatest - at < nearest) {
+        nearest = extents[i].greatest - at;
+        away = -piece.normals[i];
+      }
+    }
+    point += step * away;
+    step *= kStepShrinks;
+  }
+  return point;
+}
 
 /// Axes of a close box around a piece: its own face normals where three are perpendicular.
 Mat3 axes_of(const ConvexPiece& piece) {
@@ -82,15 +124,12 @@ Body::Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, con
     parts_.back().piece = static_cast<int>(convexes_.size());
     convexes_.push_back(piece.view());
     bounds_.add(piece.bounds);
-    Vec3 mean = Vec3::Zero();
-    for (const Vec3& vertex : piece.vertices) {
-      reach_to(vertex, piece.disc);
-      mean += vertex / static_cast<double>(piece.vertices.size());
-    }
-    probes_.push_back(mean);
+    for (const Vec3& vertex : piece.vertices) reach_to(vertex, piece.disc);
+    probes_.push_back({deep_point(piece), piece.width});
     const std::size_t corners = std::min(piece.vertices.size(), kProbesPerPiece);
-    probes_.insert(probes_.end(), piece.vertices.begin(),
-                   piece.vertices.begin() + static_cast<std::ptrdiff_t>(corners));
+    for (std::size_t i = 0; i < corners; ++i) {
+      probes_.push_back({piece.vertices[i], piece.width});
+    }
   }
   for (const TriangleSoup& soup : soups_) {
     BodyPart& part = parts_.emplace_back();
@@ -102,9 +141,14 @@ Body::Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, con
     for (const auto& triangle : soup.triangles()) {
       for (const int index : triangle) reach_to(soup.vertices()[index], 0);
     }
-    probes_.insert(probes_.end(), soup.probes().begin(), soup.probes().end());
+    for (const Vec3& point : soup.probes()) probes_.push_back({point, kInfinite});
+    inside_grids_.emplace_back(soup);
+    if (soup.closed()) add_surface_probes(soup);
     has_closed_soup_ = has_closed_soup_ || soup.closed();
   }
+  std::vector<Bounds> probe_bounds;
+  for (const Probe& probe : surface_probes_) probe_bounds.emplace_back().add(probe.point);
+  surface_probe_tree_ = WideTree(probe_bounds);
   if (parts_.size() <= kFewParts) return;
   std::vector<Bounds> part_bounds;
   for (const BodyPart& part : parts_) {
@@ -112,6 +156,28 @@ Body::Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, con
                                           : soups_[part.soup].bounds());
   }
   part_tree_ = WideTree(part_bounds);
+}
+
+/// Of each triangle its centroid, its incentre, and the point half way from the centroid to the
+/// surface on the other side of the body.
+void Body::add_surface_probes(const TriangleSoup& soup) {
+  const std::size_t count = soup.triangles().size();
+  const std::size_t stride = (count + kMostProbedTriangles - 1) / kMostProbedTriangles;
+  for (std::size_t i = 0; i < count; i += stride) {
+    const int triangle = static_cast<int>(i);
+    const Vec3& a = soup.corner(triangle, 0);
+    const Vec3& b = soup.corner(triangle, 1);
+    const Vec3& c = soup.corner(triangle, 2);
+    const Vec3 centroid = (a + b + c) / 3.0;
+    const double la = (b - c).norm();
+    const double lb = (c - a).norm();
+    const double lc = (a - b).norm();
+    surface_probes_.push_back({centroid, kInfinite});
+    surface_probes_.push_back({(la * a + lb * b + lc * c) / (la + lb + lc), kInfinite});
+    const Vec3 inwards = -(b - a).cross(c - a).normalized();
+    const double way = way_to_surface(soup, centroid, inwards);
+    if (way < kInfinite) surface_probes_.push_back({centroid + 0.5 * way * inwards, kInfinite});
+  }
 }
 
 }  // namespace rubicon::collision

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "src/collision/convex.hpp"
+#include "src/collision/inside_grid.hpp"
 #include "src/collision/motion_bounds.hpp"
 #include "src/collision/swept_box.hpp"
 #include "src/collision/swept_query.hpp"
@@ -19,6 +20,12 @@ struct BodyPart {
   double width = 0;      ///< m, smallest extent of a solid piece
   int piece = -1;        ///< index into Body::convexes(), or
   int soup = -1;         ///< into Body::soups()
+};
+
+/// A point of a body that is looked for inside the closed meshes of another.
+struct Probe {
+  Vec3 point = Vec3::Zero();
+  double width = 0;  ///< m, of the solid piece it belongs to; infinite for meshes
 };
 
 /// A rigid body ready for queries: the union of convex pieces and triangle soups. All coordinates
@@ -39,11 +46,19 @@ class Body : public std::enable_shared_from_this<Body> {
   const WideTree& part_tree() const { return part_tree_; }
   const BodyExtent& extent() const { return extent_; }
   const Bounds& bounds() const { return bounds_; }
-  /// A few points of every piece, for tests of containment.
-  const std::vector<Vec3>& probes() const { return probes_; }
+  /// A few points of every part, for tests of containment.
+  const std::vector<Probe>& probes() const { return probes_; }
+  /// Points on and under every triangle of closed meshes, and a tree over them, for tests of meshes
+  /// whose surfaces lie in each other.
+  const std::vector<Probe>& surface_probes() const { return surface_probes_; }
+  const WideTree& surface_probe_tree() const { return surface_probe_tree_; }
+  /// One a soup.
+  const std::vector<InsideGrid>& inside_grids() const { return inside_grids_; }
   bool has_closed_soup() const { return has_closed_soup_; }
 
  private:
+  void add_surface_probes(const TriangleSoup& soup);
+
   std::vector<ConvexPiece> pieces_;
   std::vector<Convex> convexes_;  ///< views of `pieces_`
   std::vector<TriangleSoup> soups_;
@@ -51,7 +66,10 @@ class Body : public std::enable_shared_from_this<Body> {
   WideTree part_tree_;
   BodyExtent extent_;
   Bounds bounds_;
-  std::vector<Vec3> probes_;
+  std::vector<Probe> probes_;
+  std::vector<Probe> surface_probes_;
+  WideTree surface_probe_tree_;
+  std::vector<InsideGrid> inside_grids_;
   bool has_closed_soup_ = false;
 };
 

@@ -159,6 +159,18 @@ void require_valid(const SweptQuery& query) {
   }
 }
 
+/// The contact of two bodies that block each other. The quick tests and the search for contact
+/// round differently: a pair that is just as deep as the tolerance may seem free to the search,
+/// which then asks for a little less.
+Contact contact_of(const MovingBody& a, const MovingBody& b, double tolerance) {
+  for (const double less : {0.0, 1e-9, 1e-8, 1e-7, 1e-6}) {
+    const auto found =
+        body_contact(*a.body, a.motion, *b.body, b.motion, std::max(tolerance - less, 0.0));
+    if (found) return *found;
+  }
+  throw std::invalid_argument("the two bodies of the hit do not block each other");
+}
+
 /// The sweeps of a query's items, each made when first asked for.
 class Sweeps {
  public:
@@ -294,18 +306,12 @@ Contact CollisionWorld::contact(const SweptQuery& query, const SweptHit& hit) co
     throw std::invalid_argument("the hit does not name two bodies of the query");
   }
   const MovingBody& moving = query.items[hit.item].moving;
-  std::optional<Contact> found;
   if (hit.obstacle) {
     const Obstacle& obstacle = impl_->obstacle(*hit.obstacle);
-    found = body_contact(*moving.body, moving.motion, *obstacle.body,
-                         geometry::stationary(obstacle.X_WB), query.contact_tolerance);
-  } else {
-    const MovingBody& other = query.items[*hit.other_item].moving;
-    found = body_contact(*moving.body, moving.motion, *other.body, other.motion,
-                         query.contact_tolerance);
+    return contact_of(moving, {obstacle.body.get(), geometry::stationary(obstacle.X_WB)},
+                      query.contact_tolerance);
   }
-  if (!found) throw std::invalid_argument("the two bodies of the hit do not block each other");
-  return *found;
+  return contact_of(moving, query.items[*hit.other_item].moving, query.contact_tolerance);
 }
 
 std::vector<BlockingPair> CollisionWorld::explain(const SweptQuery& query) const {

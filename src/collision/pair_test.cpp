@@ -42,6 +42,8 @@ class PairTest {
     return undecided_blocked(tree);
   }
 
+  int intervals() const { return intervals_; }
+
   std::optional<double> first_contact(MotionTree& tree, double before) {
     const Slice& slice = tree.slice();
     if (free_on(slice)) return std::nullopt;
@@ -145,8 +147,12 @@ class PairTest {
 
 }  // namespace
 
-bool pair_blocked(const Convex& a, const Convex& b, MotionTree& tree, double tolerance) {
-  return PairTest(a, b, tree.motion(), tolerance).blocked(tree);
+bool pair_blocked(const Convex& a, const Convex& b, MotionTree& tree, double tolerance,
+                  int& intervals) {
+  PairTest test(a, b, tree.motion(), tolerance);
+  const bool blocked = test.blocked(tree);
+  intervals += 1 + test.intervals();
+  return blocked || intervals > kMaxIntervalsOfBodies;
 }
 
 std::optional<double> first_contact(const Convex& a, const Convex& b, MotionTree& tree,

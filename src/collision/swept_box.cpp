@@ -11,6 +11,9 @@ namespace {
 /// noisy, axis: extents are worked out for the axis as it is.
 constexpr double kNoAxis = 1e-24;
 
+/// Ways below this (m2, squared) have no direction: products of theirs would vanish in rounding.
+constexpr double kNoWaySquared = 1e-100;
+
 /// The extent of a box along n (both sides of its centre), its axes being the columns of R.
 double reach(const Mat3& R, const Vec3& half, const Vec3& n) {
   return half[0] * std::fabs(R.col(0).dot(n)) + half[1] * std::fabs(R.col(1).dot(n)) +
@@ -38,8 +41,9 @@ class Translated {
  public:
   Translated(const OrientedBox& moving, const Vec3& d, const OrientedBox& fixed, double tolerance)
       : R_(fixed.R.transpose() * moving.R),
-        half_displacement_(0.5 * (fixed.R.transpose() * d)),
-        middle_(fixed.R.transpose() * (moving.centre - fixed.centre) + half_displacement_),
+        displacement_(fixed.R.transpose() * d),
+        start_(fixed.R.transpose() * (moving.centre - fixed.centre)),
+        end_(start_ + displacement_),
         moving_half_(moving.half),
         fixed_half_(fixed.half),
         tolerance_(tolerance) {}
@@ -49,7 +53,7 @@ class Translated {
       const double moving_reach = moving_half_[0] * std::fabs(R_(i, 0)) +
                                   moving_half_[1] * std::fabs(R_(i, 1)) +
                                   moving_half_[2] * std::fabs(R_(i, 2));
-      if (std::fabs(middle_[i]) - std::fabs(half_displacement_[i]) - fixed_half_[i] -
+      if (std::max(std::min(start_[i], end_[i]), -std::max(start_[i], end_[i])) - fixed_half_[i] -
               moving_reach >=
           -tolerance_) {
         return Verdict::kFree;
@@ -63,21 +67,24 @@ class Translated {
         if (free_along(unit_cross(i, R_.col(j)), 1)) return Verdict::kFree;
       }
     }
-    const double length_squared = half_displacement_.squaredNorm();
-    if (length_squared > 0) {
+    const double length_squared = displacement_.squaredNorm();
+    if (length_squared > kNoWaySquared) {
       for (int i = 0; i < 3; ++i) {
-        if (free_along(unit_cross(i, half_displacement_), length_squared)) return Verdict::kFree;
+        if (free_along(unit_cross(i, displacement_), length_squared)) return Verdict::kFree;
       }
       for (int j = 0; j < 3; ++j) {
-        if (free_along(half_displacement_.cross(R_.col(j)), length_squared)) return Verdict::kFree;
+        if (free_along(displacement_.cross(R_.col(j)), length_squared)) return Verdict::kFree;
       }
     }
     return Verdict::kHit;
   }
 
  private:
+  /// By both ends, not by the middle and half of the way: these cancel where the way is very long.
   double gap(const Vec3& n) const {
-    return std::fabs(n.dot(middle_)) - std::fabs(n.dot(half_displacement_)) -
+    const double at_start = n.dot(start_);
+    const double at_end = n.dot(end_);
+    return std::max(std::min(at_start, at_end), -std::max(at_start, at_end)) -
            reach(fixed_half_, n) - reach(R_, moving_half_, n);
   }
 
@@ -89,8 +96,9 @@ class Translated {
   }
 
   Mat3 R_;
-  Vec3 half_displacement_;
-  Vec3 middle_;
+  Vec3 displacement_;
+  Vec3 start_;
+  Vec3 end_;
   Vec3 moving_half_;
   Vec3 fixed_half_;
   double tolerance_;
@@ -144,7 +152,7 @@ bool TurnedBoxTest::free_along_edges(const Mat3& R_middle) const {
   }
   const Vec3 displacement = end_ - start_;
   const double length_squared = displacement.squaredNorm();
-  if (length_squared > 0) {
+  if (length_squared > kNoWaySquared) {
     for (int i = 0; i < 3; ++i) {
       if (free_along_scaled(unit_cross(i, displacement), length_squared)) return true;
     }

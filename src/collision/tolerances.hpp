@@ -54,6 +54,10 @@ inline constexpr double kTravelResolution = 1e-4;
 /// taking for ever.
 inline constexpr int kMaxIntervals = 1 << 16;
 
+/// The same for all pairs of pieces of two bodies together: about a second. Two meshes of tens of
+/// thousands of triangles that turn a long way closely past each other are called a hit.
+inline constexpr int kMaxIntervalsOfBodies = 1 << 20;
+
 /// No interval is split below this share of the step: a motion whose bounds never become small is
 /// called a hit.
 inline constexpr double kShortestInterval = 1e-8;

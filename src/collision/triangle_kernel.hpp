@@ -71,6 +71,9 @@ RUBICON_INLINE Four reach(const BoxPass& box, const double (*axes)[3], const Fou
 /// Squared lengths of axes below this share of what they could be are rounding alone.
 constexpr double kNoAxis = 1e-24;
 
+/// Ways below this (m2, squared) have no direction: products of theirs would vanish in rounding.
+constexpr double kNoWay = 1e-100;
+
 /// Where a gap along an axis of this squared length is no deeper than the tolerance.
 RUBICON_INLINE FourBits near_enough(Four gap, Four tolerance, Four squared) {
   return (gap >= 0) | (gap * gap <= tolerance * tolerance * squared);
@@ -147,7 +150,7 @@ unsigned meeting_triangles(const BoxPass& box, const TrianglePack& pack) {
   const double d[3] = {box.end[0] - box.start[0], box.end[1] - box.start[1],
                        box.end[2] - box.start[2]};
   const double way = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-  if (way > 0) {
+  if (way > kNoWay) {
     const FourVectors displacement = same(d);
     for (int i = 0; i < 3; ++i) {
       free |= apart(box, corners, tolerance, cross(displacement, edges[i]), lengths[i] * way);
@@ -231,7 +234,7 @@ unsigned met_by_triangle(const TrianglePass& moving, const TrianglePack& pack) {
               (moving.end[2][axis] - moving.start[2][axis]);
   }
   const double way = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-  if (way > 0) {
+  if (way > kNoWay) {
     const FourVectors displacement = same(d);
     for (int i = 0; i < 3; ++i) {
       free |= apart(moving, corners, tolerance, cross(displacement, edges[i]), lengths[i] * way);

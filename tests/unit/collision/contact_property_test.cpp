@@ -137,5 +137,23 @@ TEST(ContactProperty, GeneralMotionsToo) {
   EXPECT_GT(hits, 100);
 }
 
+TEST(ContactProperty, EveryHitHasOneAlsoAtTheVeryTolerance) {
+  int hits = 0;
+  for (int i = 0; i < 2000; ++i) {
+    // Lowered onto each other by just the tolerance, in decimals that are not exact.
+    const double height = 0.1 + 0.01 * (i % 50);
+    const double gap = 0.003 * (i / 50);
+    const BodyPtr body = prepare({box_shape(Vec3(0, 0, 0), Vec3(0.3, 0.3, height))});
+    CollisionWorld world;
+    world.insert(prepare({box_shape(Vec3(-1, -1, -0.2), Vec3(1, 1, 0))}), Pose::Identity());
+    SweptQuery query;
+    query.items = {item(*body, geometry::translating(at(0, 0, gap), Vec3(0, 0, -gap - 1e-3)))};
+    if (!world.test(query).hit) continue;
+    ++hits;
+    ASSERT_EQ(world.explain(query).size(), 1U) << i;
+  }
+  EXPECT_GT(hits, 10);
+}
+
 }  // namespace
 }  // namespace rubicon::collision::test

@@ -2,6 +2,7 @@
 
 #include "src/collision/body.hpp"
 #include "src/collision/containment.hpp"
+#include "src/collision/winding.hpp"
 #include "tests/unit/collision/box_oracle.hpp"
 #include "tests/unit/collision/meshes.hpp"
 #include "tests/unit/collision/random_scene.hpp"

@@ -110,5 +110,20 @@ TEST(Translation, ToleranceZeroStillAllowsTouch) {
                       at(0, 0, 0), 0));
 }
 
+TEST(Translation, WaysOfAnyLengthFromADeepStartAreHits) {
+  Random random(31);
+  for (int i = 0; i < 400; ++i) {
+    const BodyPtr cube = box(Vec3::Constant(0.05));
+    const BodyPtr other = box(Vec3::Constant(0.05));
+    const Pose X = at(0.02, 0.03, 0.04);
+    const Vec3 direction = random.direction();
+    for (const double length : {1e-300, 1e-161, 1e-100, 1e-20, 1e6, 1e14, 1e16, 1e18}) {
+      EXPECT_TRUE(blocked(*cube, geometry::translating(X, length * direction), other,
+                          Pose::Identity(), 1e-3))
+          << length;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rubicon::collision::test
