@@ -1,6 +1,7 @@
 #include "src/collision/containment.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "src/collision/tolerances.hpp"
@@ -41,13 +42,22 @@ std::optional<Vec3> deep_probe(const Body& outer, const Body& inner, const Place
     }
     // Surfaces that lie in each other do not cross: between two meshes more points are asked.
     if (inner.surface_probe_tree().size() == 0) continue;
-    ItemList found;
-    inner.surface_probe_tree().collect(placed(soup.bounds(), to_outer.inverse()), found);
-    std::sort(found.begin(), found.end());
-    for (const int index : found) {
-      const Probe& probe = inner.surface_probes()[static_cast<std::size_t>(index)];
-      if (deep(probe)) return probe.point;
+    const Placement to_inner = to_outer.inverse();
+    const Vec3 centre = to_inner * soup.bounds().centre();
+    std::array<Slab, 3> slabs;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 direction = to_inner.R.col(axis);
+      slabs[axis] = {direction, direction.dot(centre), soup.bounds().half()[axis]};
     }
+    ItemList found;
+    inner.surface_probe_tree().collect(placed(soup.bounds(), to_inner), slabs, found);
+    // The first of them, whatever the order of the tree.
+    int first = -1;
+    for (const int index : found) {
+      if (first >= 0 && index > first) continue;
+      if (deep(inner.surface_probes()[static_cast<std::size_t>(index)])) first = index;
+    }
+    if (first >= 0) return inner.surface_probes()[static_cast<std::size_t>(first)].point;
   }
   return std::nullopt;
 }

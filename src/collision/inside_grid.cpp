@@ -15,7 +15,9 @@ InsideGrid::InsideGrid(const TriangleSoup& soup) {
   cells_per_metre_ = (bounds_.upper - bounds_.lower).cwiseInverse() * kCells;
   cells_.assign(static_cast<std::size_t>(kCells) * kCells * kCells, Cell::kOutside);
   known_.assign(cells_.size(), false);
-  for (Bounds near : soup.pack_bounds()) {
+  for (int i = 0; i < static_cast<int>(soup.triangles().size()); ++i) {
+    Bounds near;
+    for (int k = 0; k < 3; ++k) near.add(soup.corner(i, k));
     near.grow(Vec3::Constant(kBoundsMargin));
     for (int z = coordinate(near.lower.z(), 2); z <= coordinate(near.upper.z(), 2); ++z) {
       for (int y = coordinate(near.lower.y(), 1); y <= coordinate(near.upper.y(), 1); ++y) {

@@ -21,7 +21,7 @@ class InsideGrid {
 
  private:
   /// Cells along each axis.
-  static constexpr int kCells = 20;
+  static constexpr int kCells = 32;
 
   int coordinate(double value, int axis) const;
   Vec3 centre(int x, int y, int z) const;
