@@ -43,4 +43,16 @@ struct TestOptions {
 };
 int run_test(const TestOptions& options);
 
+struct ImportOptions {
+  std::string file;
+  std::string out;
+};
+int run_import(const ImportOptions& options);
+
+struct ExportOptions {
+  std::string plan;
+  std::string mspdi;
+};
+int run_export(const ExportOptions& options);
+
 }  // namespace rubicon::cli

@@ -14,6 +14,8 @@ usage: rubicon COMMAND ...
   check [--robot FILE] FILE...   find every mistake in robots, behaviours and plans
   run PLAN                       simulate a plan: process time, refused tasks with the reason, trace
   test DIR...                    run golden cases and compare them with what is expected
+  import FILE [--out PLAN]       make a plan of a schedule from Microsoft Project or Primavera P6
+  export PLAN --mspdi FILE       write a plan as a schedule for other programs
   fmt FILE...                    write files in the one canonical form
   help [COMMAND]                 this page, or the page of a command
 
@@ -116,6 +118,44 @@ examples:
   rubicon fmt - < lift.motion
 )";
 
+constexpr std::string_view kImport =
+    R"(rubicon import - make a plan of a schedule from Microsoft Project or Primavera P6
+
+usage: rubicon import FILE [--out PLAN]
+
+FILE is Microsoft Project XML (in Project: save as XML) or a Primavera XER file; its content tells which. The plan
+is printed, or written to PLAN. Tasks become crew work (takes), milestones take no time, resources become crews,
+links keep their type and lag, calendars their week and days off; headings become remarks. What a plan has no word
+for is carried along in its import block, for the way back with rubicon export. What was not understood, and where the
+plan goes by less than the schedule says, is listed as warnings: docs/commands/import.md tells what each means.
+
+  --out PLAN     write the plan there instead of standard output
+
+Exit code: 0 there is a plan (warnings may be printed), 2 the file cannot be read.
+
+examples:
+  rubicon import planning.xml --out building.plan
+  rubicon import planning.xer --out building.plan && rubicon check building.plan
+)";
+
+constexpr std::string_view kExport =
+    R"(rubicon export - write a plan as a schedule for other programs
+
+usage: rubicon export PLAN --mspdi FILE
+
+Checks the plan and writes its tasks, links, crews, robots and calendars as Microsoft Project XML. A plan that came from
+rubicon import gives back all that was read, also what a plan has no word for; what was changed in the plan since then
+holds. What a schedule has no word for (motions, zones, priorities) is listed as warnings.
+
+  --mspdi FILE   the Microsoft Project XML to write; - is standard output
+
+Exit code: 0 the file is written (warnings may be printed), 2 the plan is wrong or the file cannot be written.
+
+examples:
+  rubicon export building.plan --mspdi building.xml
+  rubicon import planning.xer --out p.plan && rubicon export p.plan --mspdi planning.xml
+)";
+
 constexpr std::string_view kHelp = R"(rubicon help - print a page of help
 
 usage: rubicon help [COMMAND]
@@ -132,6 +172,8 @@ const std::vector<HelpPage>& help_pages() {
       {"check", "find every mistake in robots, behaviours and plans", kCheck},
       {"run", "simulate a plan", kRun},
       {"test", "run golden cases and compare them with what is expected", kTest},
+      {"import", "make a plan of a schedule from Microsoft Project or Primavera P6", kImport},
+      {"export", "write a plan as a schedule for other programs", kExport},
       {"fmt", "write files in the one canonical form", kFmt},
       {"help", "print a page of help", kHelp},
   };

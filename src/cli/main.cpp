@@ -56,6 +56,16 @@ int dispatch(int argc, char** argv) {
   test_command->add_option("--jobs", test.jobs)->check(CLI::Range(1, 256));
   test_command->add_option("--junit", test.junit);
 
+  ImportOptions import;
+  CLI::App* import_command = app.add_subcommand("import");
+  import_command->add_option("FILE", import.file)->required();
+  import_command->add_option("--out", import.out);
+
+  ExportOptions plan_export;
+  CLI::App* export_command = app.add_subcommand("export");
+  export_command->add_option("PLAN", plan_export.plan)->required();
+  export_command->add_option("--mspdi", plan_export.mspdi)->required();
+
   FormatOptions format;
   CLI::App* format_command = app.add_subcommand("fmt");
   format_command->add_flag("--check", format.check);
@@ -88,6 +98,8 @@ int dispatch(int argc, char** argv) {
   if (*check_command) return run_check(check);
   if (*run_command) return run_plan_command(run);
   if (*test_command) return run_test(test);
+  if (*import_command) return run_import(import);
+  if (*export_command) return run_export(plan_export);
   if (*format_command) return run_format(format);
   if (!page_name.empty()) {
     const HelpPage* page = find_help(page_name);

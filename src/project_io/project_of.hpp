@@ -1,0 +1,17 @@
+#pragma once
+
+#include "interpreter/diagnostic.hpp"
+#include "src/project_io/project.hpp"
+
+namespace rubicon::project_io {
+
+/// The schedule that a checked plan stands for: tasks with their durations and links, crews and
+/// robots as resources, calendars. What the plan says holds; where its import block (see
+/// carried.hpp) carries more about the same thing and does not contradict, that is taken too, so
+/// that the project that `plan_text` wrote comes back equal. Listed as warnings: what a schedule
+/// has no word for (I09: motions, zones, ...), and statements of the block that are not understood
+/// (I10).
+Project project_of(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
+                   interpreter::Diagnostics& diagnostics);
+
+}  // namespace rubicon::project_io
