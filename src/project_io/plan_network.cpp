@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "src/project_io/dates.hpp"
 #include "src/project_io/identifiers.hpp"
@@ -32,6 +33,9 @@ class NetworkBuilder {
     begins_.assign(count, false);
     ends_.assign(count, false);
     for (std::size_t i = 0; i < count; ++i) index_.emplace(project_.tasks[i].uid, i);
+    for (const Task& each : project_.tasks) {
+      for (const Link& link : each.after) predecessors_.insert(link.predecessor);
+    }
     find_parents();
     make_names();
     for (std::size_t i = 0; i < count; ++i) note_headings(i);
@@ -63,7 +67,7 @@ class NetworkBuilder {
       const std::string prefix =
           parent_[i] == kNone32 ? std::string() : network_.tasks[parent_[i]].name;
       planned.name = names_.make(task(i).name, fmt::format("row_{}", task(i).uid), prefix);
-      planned.planned = !is_heading(i) && task(i).active;
+      planned.planned = !is_heading(i) && task(i).active && !is_remark(i);
       planned.said.assign(task(i).after.size(), false);
       if (!task(i).active) {
         listing_.add("I08", "inactive", {},
@@ -71,6 +75,13 @@ class NetworkBuilder {
                                  task(i).name));
       }
     }
+  }
+
+  /// A line that only parts or heads others: no work, no links, and no name or no bar.
+  bool is_remark(std::size_t i) const {
+    const Task& line = task(i);
+    return line.duration.seconds == 0 && !line.milestone && line.after.empty() &&
+           !predecessors_.contains(line.uid) && (line.name.empty() || line.hide_bar);
   }
 
   /// Whether both ends of a link are in the plan and it binds what a plan can bind.
@@ -89,7 +100,8 @@ class NetworkBuilder {
       if (!is_heading(from)) continue;
       (link.type == LinkType::FS || link.type == LinkType::FF ? ends_ : begins_)[from] = true;
     }
-    if (!constraint_link(task(i), start_) || !task(i).active) return;
+    if (!constraint_link(task(i), start_)) return;
+    if (!is_heading(i) && !network_.tasks[i].planned) return;
     uses_begin_ = true;
     if (is_heading(i)) begins_[i] = true;
   }
@@ -118,18 +130,19 @@ class NetworkBuilder {
                                  task(from).name, task(i).name));
         continue;
       }
-      const std::int64_t whole = whole_lag(link, task(from));
-      const std::int64_t lag = plan_lag(link, task(from));
+      const std::int64_t whole = whole_lag(project_, link, task(from));
+      const std::int64_t lag = plan_lag(project_, link, task(from));
       if (lag != whole) {
         listing_.add("I08", "long lag", {},
                      fmt::format("the lag from '{}' to '{}' is longer than a plan can say",
                                  task(from).name, task(i).name));
       }
       if (lag != 0 && !link.format.elapsed) {
-        listing_.add("I08", "working lag", {},
-                     fmt::format("the lag from '{}' to '{}' counts working time there; in the plan "
-                                 "it runs on through nights and days off",
-                                 task(from).name, task(i).name));
+        listing_.add(
+            "I08", "working lag", {},
+            fmt::format("the lag from '{}' to '{}' counts working time there; in the plan "
+                        "it runs day and night, a working day as 24 h, a week as seven days",
+                        task(from).name, task(i).name));
       }
       const bool heading_end =
           is_heading(from) && (link.type == LinkType::FS || link.type == LinkType::FF);
@@ -146,10 +159,10 @@ class NetworkBuilder {
                                  "which that may start",
                                  task(i).name, task(from).name));
       }
-      network_.tasks[i].said[k] =
-          !is_heading(from) && !is_heading(i) && link.format == TimeFormat{} && lag == whole;
+      network_.tasks[i].said[k] = !is_heading(from) && !is_heading(i) &&
+                                  link.format == plan_lag_format(link.lag) && lag == link.lag;
     }
-    if (!task(i).active) return;
+    if (!is_heading(i) && !network_.tasks[i].planned) return;
     if (const auto link = constraint_link(task(i), start_)) {
       after.push_back(*link);
     } else {
@@ -221,6 +234,7 @@ class NetworkBuilder {
   PlanNetwork network_;
   Identifiers names_;
   std::unordered_map<std::int64_t, std::size_t> index_;
+  std::unordered_set<std::int64_t> predecessors_;  ///< of any task
   std::vector<std::size_t> parent_;
   std::vector<bool> begins_, ends_;  ///< which headings need a milestone
   std::vector<std::string> begin_name_, end_name_;
@@ -230,18 +244,29 @@ class NetworkBuilder {
 
 }  // namespace
 
-std::int64_t whole_lag(const Link& link, const Task& predecessor) {
-  if (link.format.unit != TimeUnit::percent) return link.lag;
-  // Percent of whole seconds, rounded once. Far beyond any duration the caller cuts.
-  const double seconds =
-      static_cast<double>(predecessor.duration.seconds) * static_cast<double>(link.lag) / 100;
-  constexpr double kFar = 1e15;
-  return std::llround(std::clamp(seconds, -kFar, kFar));
+std::int64_t whole_lag(const Project& project, const Link& link, const Task& predecessor) {
+  std::int64_t lag = link.lag;
+  if (link.format.unit == TimeUnit::percent) {
+    // Percent of whole seconds, rounded once. Far beyond any duration the caller cuts.
+    const double seconds =
+        static_cast<double>(predecessor.duration.seconds) * static_cast<double>(link.lag) / 100;
+    constexpr double kFar = 1e15;
+    lag = std::llround(std::clamp(seconds, -kFar, kFar));
+  }
+  if (link.format.elapsed) return lag;
+  const std::int64_t day = std::max(project.minutes_per_day, 1) * std::int64_t{60};
+  const std::int64_t week = std::max(project.minutes_per_week, 1) * std::int64_t{60};
+  constexpr std::int64_t kDay = 24 * 3600;
+  return lag / week * 7 * kDay + lag % week / day * kDay + lag % week % day;
 }
 
-std::int64_t plan_lag(const Link& link, const Task& predecessor) {
+std::int64_t plan_lag(const Project& project, const Link& link, const Task& predecessor) {
   const auto longest = static_cast<std::int64_t>(kMaxPlanSeconds);
-  return std::clamp(whole_lag(link, predecessor), -longest, longest);
+  return std::clamp(whole_lag(project, link, predecessor), -longest, longest);
+}
+
+TimeFormat plan_lag_format(std::int64_t lag) {
+  return lag == 0 ? TimeFormat{} : TimeFormat{TimeUnit::hours, true, false};
 }
 
 std::optional<PlanLink> constraint_link(const Task& task, const Moment& start) {

@@ -48,11 +48,16 @@ inline constexpr const char* kPlanBegins = "plan_begins";
 /// is listed (I08).
 PlanNetwork plan_network(const Project& project, const Moment& start, Listing& listing);
 
-/// The lag of a link in seconds; percents count from the predecessor's duration.
-std::int64_t whole_lag(const Link& link, const Task& predecessor);
+/// The lag of a link in a plan, in seconds that run day and night; percents count from the
+/// predecessor's duration. Of working time each whole week of the project counts seven days and
+/// each whole working day of the rest 24 hours: a lag of one day stays the next day.
+std::int64_t whole_lag(const Project& project, const Link& link, const Task& predecessor);
 
 /// The same as far as a plan can say it.
-std::int64_t plan_lag(const Link& link, const Task& predecessor);
+std::int64_t plan_lag(const Project& project, const Link& link, const Task& predecessor);
+
+/// How a lag is written that comes from a plan.
+TimeFormat plan_lag_format(std::int64_t lag);
 
 /// The link behind plan_begins by which the plan keeps a constraint; nothing if it cannot, or need
 /// not because the date is not after `start`.

@@ -234,16 +234,21 @@ class PlanWriter {
     };
     out_ += '\n';
     for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
-      if (project_.is_heading(i)) {
-        const std::string text = remark(project_.tasks[i].name);
-        out_ += fmt::format("\n// {} {}\n",
-                            std::string(static_cast<std::size_t>(project_.tasks[i].level + 1), '='),
-                            text);
-      }
+      if (!network_.tasks[i].planned) write_heading(project_.tasks[i]);
       write_milestones(i);
       if (network_.tasks[i].planned) write_task(i, crews[i]);
     }
     write_milestones(SIZE_MAX);
+  }
+
+  /// A line that is no task: a heading, or a remark.
+  void write_heading(const Task& task) {
+    const std::string text = remark(task.name);
+    out_ += '\n';
+    if (text.empty()) return;
+    const auto level = static_cast<std::size_t>(std::max(task.level, 1));
+    out_ += fmt::format("// {} {}{}\n", std::string(level, '='), text,
+                        task.active ? "" : " (not active)");
   }
 
   void write_task(std::size_t i, const std::vector<std::size_t>& crews) {

@@ -421,13 +421,14 @@ class ProjectBuilder {
         }
         const auto uid = task_uid_.find(name);
         if (uid == task_uid_.end()) continue;
-        Link made{uid->second, link.type, std::llround(link.lag), {}};
+        const std::int64_t lag = std::llround(link.lag);
+        Link made{uid->second, link.type, lag / 6 * 6, plan_lag_format(lag)};
         const auto before = known.find({made.predecessor, made.type});
         if (before != known.end() &&
-            plan_lag(before->second, project_.tasks[uid_index_.at(made.predecessor)]) == made.lag) {
+            plan_lag(project_, before->second, project_.tasks[uid_index_.at(made.predecessor)]) ==
+                lag) {
           made = before->second;
         }
-        made.lag = made.format.unit == TimeUnit::percent ? made.lag : made.lag / 6 * 6;
         task.after.push_back(made);
       }
       // The link that kept the constraint is gone: so is the constraint.
