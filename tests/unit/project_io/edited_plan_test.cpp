@@ -1,0 +1,133 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/unit/project_io/project_support.hpp"
+#include "tests/unit/project_io/sample_files_io.hpp"
+
+namespace rubicon::test {
+namespace {
+
+using namespace project_io;
+
+/// What is changed in an imported plan holds on the way back; all else stays.
+class EditedPlan : public testing::Test {
+ protected:
+  EditedPlan()
+      : project_(*read_schedule(sample("house.xml")).project), text_(plan_of(project_).text) {}
+
+  void replace(const std::string& what, const std::string& with) {
+    const std::size_t at = text_.find(what);
+    ASSERT_NE(at, std::string::npos) << what << " in\n" << text_;
+    text_.replace(at, what.size(), with);
+  }
+
+  Project back() { return project_of_plan(text_).project.value_or(Project{}); }
+
+  Project project_;
+  std::string text_;
+};
+
+TEST_F(EditedPlan, durations) {
+  replace("takes 24 h;", "takes 30 h;");
+  project_.tasks[2].duration.seconds = 30 * 3600;
+  Project changed = back();
+  // Half of the new duration is another lag than the one in the plan: the plan holds.
+  EXPECT_EQ(changed.tasks[4].after[0].lag, 28 * 3600);
+  EXPECT_EQ(changed.tasks[4].after[0].format, (TimeFormat{TimeUnit::hours, true, false}));
+  changed.tasks[4].after[0] = project_.tasks[4].after[0];
+  EXPECT_TRUE(changed == project_);
+}
+
+TEST_F(EditedPlan, lags_and_types_of_links) {
+  replace("ausharten FS + 24 h", "ausharten SS + 6 h");
+  project_.tasks[4].after[1] = {3, LinkType::SS, 6 * 3600, {TimeUnit::hours, true, false}};
+  EXPECT_TRUE(back() == project_);
+}
+
+TEST_F(EditedPlan, links_taken_out) {
+  replace("after decke;", "");
+  project_.tasks[6].after.clear();
+  EXPECT_TRUE(back() == project_);
+}
+
+TEST_F(EditedPlan, dates) {
+  replace("after plan_begins FS + 1176 h", "after plan_begins FS + 1200 h");
+  project_.tasks[8].constraint_date.text = "2026-04-21 07:00";
+  EXPECT_TRUE(back() == project_);
+  replace("after plan_begins FS + 1200 h, ausbau_begins", "after ausbau_begins");
+  project_.tasks[8].constraint = Constraint::as_soon_as_possible;
+  project_.tasks[8].constraint_date.text = "";
+  EXPECT_TRUE(back() == project_);
+}
+
+TEST_F(EditedPlan, calendars_and_crews) {
+  replace("mon-tue 07:00-12:00", "mon-tue 06:00-12:00");
+  replace("size 3;", "size 4;");
+  replace("cost 55 per h;", "cost 60 per h;");
+  const Project changed = back();
+  EXPECT_EQ(changed.calendars[0].week[0]->front().from, 6 * 60);
+  EXPECT_EQ(changed.calendars[0].name, "Baustelle");
+  EXPECT_EQ(changed.resources[0].max_units, 4);
+  EXPECT_EQ(changed.resources[0].standard_rate, 60);
+  EXPECT_EQ(changed.tasks, project_.tasks);
+}
+
+TEST_F(EditedPlan, new_tasks_come_behind_the_one_before_them) {
+  replace("  task ausharten {",
+          "  task extra { by maurer; takes 2 h; after fundament; }\n  task ausharten {");
+  const Project changed = back();
+  ASSERT_EQ(changed.tasks.size(), 12u);
+  EXPECT_EQ(changed.tasks[3].name, "extra");
+  EXPECT_EQ(changed.tasks[3].level, 2);
+  EXPECT_EQ(changed.tasks[3].uid, 11);
+  EXPECT_EQ(changed.tasks[3].after.at(0).predecessor, 2);
+  EXPECT_EQ(changed.assignments.back().task, 11);
+  EXPECT_EQ(changed.assignments.back().resource, 1);
+}
+
+TEST_F(EditedPlan, tasks_taken_out_are_gone_with_their_links) {
+  replace("  task rohbau_fertig {\n    takes 0 s;\n    after decke;\n  }\n", "");
+  replace(", rohbau_fertig;", ";");
+  const Project changed = back();
+  EXPECT_EQ(changed.tasks.size(), 10u);
+  EXPECT_EQ(changed.tasks[6].name, "Ausbau");
+}
+
+TEST_F(EditedPlan, a_plan_without_import_block_goes_out_as_well) {
+  const Reading reading = project_of_plan(
+      "plan p { start_at \"2026-03-02 07:00\"; calendar c { mon-fri 07:00-15:00; off 2026-05-01; "
+      "}\n"
+      "crew a { size 2; cost 50 per h; calendar c; } crew b;\n"
+      "task first { by a; takes 1 h; takes 30 min; }\n"
+      "task done { takes 0 s; after first SS + 2 h; priority 2; zone box(0, 0, 0, 1, 1, 1); } }");
+  ASSERT_TRUE(reading.project);
+  const Project& project = *reading.project;
+  EXPECT_EQ(project.name, "p");
+  EXPECT_EQ(project.start.text, "2026-03-02 07:00");
+  EXPECT_EQ(project.calendars.at(0).exceptions.at(0).first, "2026-05-01");
+  EXPECT_EQ(project.resources.at(0).calendar, project.calendars[0].uid);
+  EXPECT_EQ(project.tasks.at(0).duration.seconds, 5400);
+  EXPECT_TRUE(project.tasks.at(1).milestone);
+  EXPECT_EQ(project.tasks[1].after.at(0).lag, 7200);
+  EXPECT_TRUE(project.tasks[1].after[0].format.elapsed);
+  EXPECT_EQ(project.assignments.size(), 1u);
+  EXPECT_TRUE(reading.says("I09", "the priority of task 'done'"));
+  EXPECT_TRUE(reading.says("I09", "zones"));
+}
+
+TEST_F(EditedPlan, a_broken_import_block_is_told_and_harms_nothing) {
+  replace("project house_garage", "projekt house_garage");
+  replace("priority 700", "priority lots");
+  replace("\"2026-03-14=", "\"2026-03-99=");
+  replace("type \"SS\"", "type \"XX\"");
+  const Reading reading = project_of_plan(text_);
+  ASSERT_TRUE(reading.project);
+  EXPECT_EQ(reading.project->tasks.size(), 11u);
+  EXPECT_TRUE(reading.says("I10", "'projekt' in this import is not understood"));
+  EXPECT_TRUE(reading.says("I10", "the value of 'priority'"));
+  EXPECT_TRUE(reading.says("I10", "'exceptions'"));
+  EXPECT_TRUE(reading.says("I10", "'link'"));
+}
+
+}  // namespace
+}  // namespace rubicon::test

@@ -1,0 +1,140 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "src/project_io/value_text.hpp"
+#include "src/project_io/xer_calendar.hpp"
+#include "tests/unit/project_io/project_support.hpp"
+#include "tests/unit/project_io/sample_files_io.hpp"
+
+namespace rubicon::test {
+namespace {
+
+using namespace project_io;
+
+class Xer : public testing::Test {
+ protected:
+  Xer() : reading_(read_schedule(sample("hall.xer"))) {}
+
+  const Task& task(const std::string& name) const {
+    for (const Task& each : reading_.project->tasks) {
+      if (each.name == name) return each;
+    }
+    ADD_FAILURE() << name;
+    return reading_.project->tasks.front();
+  }
+
+  Reading reading_;
+};
+
+TEST_F(Xer, reads_the_work_breakdown_as_an_outline) {
+  ASSERT_TRUE(reading_.project);
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < reading_.project->tasks.size(); ++i) {
+    const Task& each = reading_.project->tasks[i];
+    lines.push_back(std::to_string(each.level) + (reading_.project->is_heading(i) ? "=" : " ") +
+                    each.name);
+  }
+  EXPECT_THAT(lines, testing::ElementsAre("1=Substructure", "2 Piles", "2 Slab \"on grade\"",
+                                          "1=Superstructure", "2 Site management", "2=Steel",
+                                          "3 Columns", "3 Frame done"));
+}
+
+TEST_F(Xer, reads_activities) {
+  ASSERT_TRUE(reading_.project);
+  EXPECT_EQ(reading_.project->name, "HALL-2");
+  EXPECT_EQ(reading_.project->currency_symbol, "€");
+  EXPECT_EQ(reading_.project->start.text, "2026-03-02 07:00");
+  EXPECT_EQ(task("Piles").code, "A1010");
+  EXPECT_EQ(task("Piles").duration.seconds, 80 * 3600);
+  EXPECT_EQ(task("Piles").percent_complete, 100);
+  EXPECT_EQ(task("Slab \"on grade\"").duration.seconds, 40 * 3600 + 1800);
+  EXPECT_EQ(task("Slab \"on grade\"").constraint, Constraint::start_no_earlier_than);
+  EXPECT_TRUE(task("Frame done").milestone);
+  EXPECT_FALSE(task("Columns").milestone);
+}
+
+TEST_F(Xer, reads_every_type_of_link_with_lags) {
+  ASSERT_TRUE(reading_.project);
+  EXPECT_EQ(task("Slab \"on grade\"").after,
+            (std::vector<Link>{{1001, LinkType::FS, 0, {TimeUnit::hours, false, false}}}));
+  EXPECT_EQ(task("Columns").after[0].type, LinkType::SS);
+  EXPECT_EQ(task("Columns").after[0].lag, 16 * 3600);
+  EXPECT_EQ(task("Frame done").after[0].type, LinkType::FF);
+  EXPECT_EQ(task("Frame done").after[0].lag, -9000);
+  EXPECT_EQ(task("Site management").after[0].type, LinkType::SF);
+}
+
+TEST_F(Xer, reads_calendars) {
+  ASSERT_TRUE(reading_.project);
+  const Calendar& calendar = reading_.project->calendars.at(0);
+  EXPECT_EQ(reading_.project->calendar, 501);
+  EXPECT_EQ(text_of(calendar.week[0].value()), "07:00-12:00,12:30-15:30");  // Monday
+  EXPECT_EQ(text_of(calendar.week[6].value()), "off");
+  ASSERT_EQ(calendar.exceptions.size(), 2u);
+  EXPECT_EQ(calendar.exceptions[0],
+            (CalendarException{"2026-03-14", "2026-03-14", {{420, 720}}, ""}));
+  EXPECT_EQ(calendar.exceptions[1], (CalendarException{"2026-05-01", "2026-05-01", {}, ""}));
+}
+
+TEST_F(Xer, reads_resources) {
+  ASSERT_TRUE(reading_.project);
+  ASSERT_EQ(reading_.project->resources.size(), 3u);
+  EXPECT_EQ(reading_.project->resources[0].standard_rate, 48.5);
+  EXPECT_EQ(reading_.project->resources[0].max_units, 4);
+  EXPECT_EQ(reading_.project->resources[2].type, ResourceType::material);
+  EXPECT_EQ(reading_.project->assignments.size(), 3u);
+}
+
+TEST_F(Xer, lists_what_it_does_not_understand) {
+  EXPECT_TRUE(reading_.says("I07", "project 'OTHER' is left out"));
+  EXPECT_TRUE(reading_.says("I07", "'Site management' lasts as long as others"));
+  EXPECT_TRUE(reading_.says("I07", "table UDFVALUE is not taken over (1 rows)"));
+  EXPECT_TRUE(
+      reading_.says("I07", "column status_code of TASK is not taken over, here 'TK_Complete'"));
+  EXPECT_FALSE(reading_.says("I03", ""));
+}
+
+TEST_F(Xer, says_what_is_wrong_with_rows) {
+  const Reading reading = read_schedule(
+      "ERMHDR\t1\n%R\t1\n%T\tPROJECT\n%F\tproj_id\n%R\t1\t2\n%T\tPROJWBS\n%F\twbs_id\tproj_"
+      "id\tparent_wbs_id\n"
+      "%R\t5\t1\t6\n%R\t6\t1\t5\n%R\t6\t1\t\n"
+      "%T\tTASK\n%F\ttask_id\tproj_id\twbs_id\ttarget_drtn_hr_cnt\tcstr_type\n%R\tx\t1\t6\t1e9\tCS_"
+      "ODD\n%R\t2\t1\t\tten\t\n"
+      "%T\tCALENDAR\n%F\tclndr_id\tclndr_data\n%R\t1\t(0||Calendar\n"
+      "%T\tTASKPRED\n%F\ttask_id\tpred_task_id\tpred_type\n%R\t2\t9\tPR_X\n%R\t77\t2\tPR_FS\n");
+  ASSERT_TRUE(reading.project);
+  for (const auto& [code, words] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"I03", "expected a line that begins with"},
+           {"I03", "2 cells, its table 1 columns"},
+           {"I06", "work breakdown"},
+           {"I04", "wbs_id 6 is there twice"},
+           {"I03", "expected a number in column task_id"},
+           {"I03", "no sensible time"},
+           {"I03", "unknown constraint 'CS_ODD'"},
+           {"I03", "target_drtn_hr_cnt of TASK, found 'ten'"},
+           {"I03", "could not be read to the end"},
+           {"I03", "expected PR_FS"},
+           {"I05", "no activity 77"},
+           {"I05", "task 9, which is not there"},
+           {"I01", "no last line %E"},
+           {"I04", "this task has no number"}}) {
+    EXPECT_TRUE(reading.says(code, words)) << words << "\n" << testing::PrintToString(reading.said);
+  }
+  EXPECT_TRUE(read_schedule("ERMHDR\t1\n%E\n").says("I02", "no project"));
+}
+
+TEST_F(Xer, calendar_data_of_any_text_is_read_without_harm) {
+  std::string deep;
+  for (int i = 0; i < 100000; ++i) deep += "(0||a()(";
+  for (const std::string& text :
+       {deep, std::string("("), std::string("(0||"), std::string("(0||a(b|c)"),
+        std::string("(0||C()((0||Exceptions()((0||0(d|99999999)())))))")}) {
+    Calendar calendar;
+    EXPECT_FALSE(read_xer_calendar(text, calendar));
+    EXPECT_TRUE(calendar.exceptions.empty());
+  }
+}
+
+}  // namespace
+}  // namespace rubicon::test
