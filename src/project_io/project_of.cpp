@@ -185,16 +185,18 @@ class ProjectBuilder {
   void build_calendars() {
     std::map<std::string, const interpreter::CalendarSpec*> planned;
     for (const auto& spec : plan_.calendars) planned.emplace(spec.name, &spec);
-    // All that is carried, so that base calendars can be looked up.
+    // All as the plan was written with them, so that base calendars can be looked up.
     Project carried_calendars;
     for (const auto& [name, carried] : calendars_) {
-      carried_calendars.calendars.push_back(carried.calendar);
+      const auto found = planned.find(name);
+      const Calendar& own = carried.calendar;
+      carried_calendars.calendars.push_back(
+          carried.whole || found == planned.end()
+              ? own
+              : calendar_of(plan_calendar(*found->second), own.uid, own.name));
     }
     // The days before the start were left out when the plan was written.
-    std::string from = start_.text.substr(0, 10);
-    if (carried_project_ && !carried_project_->start.text.empty()) {
-      from = carried_project_->start.text.substr(0, 10);
-    }
+    const std::string from = carried_start_.text.substr(0, 10);
     for (const std::string& name : calendar_order_) {
       const CarriedCalendar& carried = calendars_.at(name);
       const auto found = planned.find(name);
@@ -290,8 +292,15 @@ class ProjectBuilder {
     take_terms(crew.cost_per_hour, crew.calendar, resource);
   }
 
+  /// A rate by the day has been divided and written with digits: the last bit may differ.
+  static bool same_cost(std::optional<double> usual, std::optional<double> now) {
+    constexpr double kRounding = 1e-12;
+    if (!usual || !now) return usual == now;
+    return std::abs(*usual - *now) <= kRounding * *usual;
+  }
+
   void take_terms(std::optional<double> cost, const std::string& calendar, Resource& resource) {
-    if (cost_per_hour(project_, resource) != cost) {
+    if (!same_cost(cost_per_hour(project_, resource), cost)) {
       resource.standard_rate = cost.value_or(0);
       resource.rate_format = 2;
     }

@@ -1,4 +1,5 @@
 #include <array>
+#include <cstdlib>
 
 #include "src/project_io/fields.hpp"
 #include "src/project_io/mspdi_calendar_pugixml.hpp"
@@ -19,6 +20,9 @@ constexpr std::array<const char*, 15> kComputed = {
 
 /// LinkLag counts tenths of minutes.
 constexpr std::int64_t kSecondsPerLagUnit = 6;
+
+/// Largest lag, in LinkLag's units: 300 years, or as many percent.
+constexpr std::int64_t kMaxLag = 1600000000;
 
 class MspdiReader {
  public:
@@ -106,6 +110,11 @@ class MspdiReader {
       type = 1;
     }
     link.type = kTypes[static_cast<std::size_t>(type)];
+    if (std::abs(link.lag) > kMaxLag) {
+      reading_.listing.add("I03", "lag", reading_.span(node),
+                           fmt::format("{} is no sensible lag; left out", link.lag));
+      link.lag = 0;
+    }
     if (link.format.unit != TimeUnit::percent) link.lag *= kSecondsPerLagUnit;
     task.after.push_back(link);
     return true;

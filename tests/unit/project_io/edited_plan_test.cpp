@@ -98,8 +98,8 @@ TEST_F(EditedPlan, a_plan_without_import_block_goes_out_as_well) {
       "plan p { start_at \"2026-03-02 07:00\"; calendar c { mon-fri 07:00-15:00; off 2026-05-01; "
       "}\n"
       "crew a { size 2; cost 50 per h; calendar c; } crew b;\n"
-      "task first { by a; takes 1 h; takes 30 min; }\n"
-      "task done { takes 0 s; after first SS + 2 h; priority 2; zone box(0, 0, 0, 1, 1, 1); } }");
+      "task dig { by a; takes 1 h; takes 30 min; }\n"
+      "task done { takes 0 s; after dig SS + 2 h; priority 2; zone box(0, 0, 0, 1, 1, 1); } }");
   ASSERT_TRUE(reading.project);
   const Project& project = *reading.project;
   EXPECT_EQ(project.name, "p");

@@ -160,7 +160,7 @@ TEST(Mspdi, lists_what_it_does_not_understand_once_a_kind_at_its_place) {
             mspdi_task(2, "b", "<Hyperlink>http://y</Hyperlink><Empty/><IsNull>0</IsNull>") +
             "</Tasks><Surprise><Inner>1</Inner></Surprise>"));
   EXPECT_THAT(reading.said,
-              testing::ElementsAre("I07 3:52 Hyperlink of Task is not taken over, here 'http://x' "
+              testing::ElementsAre("I07 3:51 Hyperlink of Task is not taken over, here 'http://x' "
                                    "(1 more like it)",
                                    testing::HasSubstr("Surprise of Project is not taken over")));
 }
