@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>
 #include <unordered_map>
 
-#include "src/project_io/carried.hpp"
+#include "src/project_io/carried_project.hpp"
 #include "src/project_io/dates.hpp"
 #include "src/project_io/plan_network.hpp"
 #include "src/project_io/plan_terms.hpp"
@@ -22,23 +21,15 @@ namespace {
 using interpreter::PlanModel;
 using interpreter::TaskSpec;
 
-constexpr std::array<const char*, 7> kDays = {"mon", "tue", "wed", "thu", "fri", "sat", "sun"};
-constexpr std::array<const char*, 4> kLinkNames = {"FS", "SS", "FF", "SF"};
-
-/// A link that the import block carries.
-struct CarriedLink {
-  Link link;
-  interpreter::Span span;
-};
-
 class ProjectBuilder {
  public:
   ProjectBuilder(const PlanModel& plan, const interpreter::SourceMap& sources,
                  interpreter::Diagnostics& diagnostics)
-      : plan_(plan), diagnostics_(diagnostics), records_(carried_records(plan, sources)) {}
+      : plan_(plan),
+        diagnostics_(diagnostics),
+        carried_(read_carried_project(carried_records(plan, sources), listing_)) {}
 
   Project build() {
-    for (const CarriedRecord& record : records_) read_record(record);
     build_settings();
     build_calendars();
     build_resources();
@@ -51,130 +42,16 @@ class ProjectBuilder {
   }
 
  private:
-  // ---- the import block
-  // --------------------------------------------------------------------------
-
-  struct CarriedCalendar {
-    Calendar calendar;
-    bool whole = false;
-  };
-  struct CarriedTask {
-    Task task;
-    bool planned = false;
-    std::vector<CarriedLink> links;
-  };
-
-  template <typename Record, typename Visit>
-  Record read_fields(const CarriedRecord& record, const Visit& visit) {
-    Record result;
-    CarriedReader reader(record);
-    visit(result, reader);
-    for (const std::string& word : reader.wrong()) {
-      listing_.add(
-          "I10", "field " + word, record.span,
-          fmt::format("the value of '{}' in this import is not understood; left out", word));
-    }
-    return result;
-  }
-
-  void not_understood(const CarriedRecord& record) {
-    listing_.add("I10", "statement " + record.keyword, record.span,
-                 fmt::format("'{}' in this import is not understood; left out", record.keyword));
-  }
-
-  void read_record(const CarriedRecord& record) {
-    const std::string& keyword = record.keyword;
-    if (keyword == "project") {
-      carried_project_ = read_fields<Project>(
-          record, [](Project& project, CarriedReader& reader) { visit_project(project, reader); });
-    } else if (keyword == "calendar") {
-      CarriedCalendar& carried = calendars_[record.name];
-      CarriedReader reader(record);
-      reader("uid", "", carried.calendar.uid);
-      reader("name", "", carried.calendar.name);
-      reader("base", "", carried.calendar.base);
-      reader("whole", "", carried.whole);
-      calendar_order_.push_back(record.name);
-    } else if (keyword == "week") {
-      CarriedReader reader(record);
-      for (std::size_t day = 0; day < 7; ++day) {
-        DayTimes times;
-        if (record.value(kDays[day]) == nullptr) continue;
-        reader(kDays[day], "", times);
-        calendars_[record.name].calendar.week[day] = times;
-      }
-    } else if (keyword == "exceptions") {
-      for (const CarriedItem& item : record.items) {
-        if (!read_exception(item.text, calendars_[record.name].calendar)) not_understood(record);
-      }
-    } else if (keyword == "resource") {
-      resources_[record.name] = read_fields<Resource>(
-          record,
-          [](Resource& resource, CarriedReader& reader) { visit_resource(resource, reader); });
-      resource_order_.push_back(record.name);
-    } else if (keyword == "milestone") {
-      milestones_.insert(record.name);
-    } else if (keyword == "own_crew") {
-      own_crews_.insert(record.name);
-    } else if (keyword == "task" || keyword == "row") {
-      CarriedTask& carried = tasks_[record.name];
-      carried.task = read_fields<Task>(
-          record, [](Task& task, CarriedReader& reader) { visit_task(task, reader); });
-      carried.planned = keyword == "task";
-      task_order_.push_back(record.name);
-    } else if (keyword == "link") {
-      read_link(record);
-    } else if (keyword == "assignment") {
-      assignments_.push_back(
-          read_fields<Assignment>(record, [](Assignment& assignment, CarriedReader& reader) {
-            visit_assignment(assignment, reader);
-          }));
-    } else {
-      not_understood(record);
-    }
-  }
-
-  static bool read_exception(std::string text, Calendar& calendar) {
-    CalendarException exception;
-    const std::size_t bar = text.find('|');
-    if (bar != std::string::npos) exception.name = text.substr(bar + 1);
-    text.resize(std::min(bar, text.size()));
-    const std::size_t sign = text.find('=');
-    if (sign != std::string::npos && !read(text.substr(sign + 1), exception.times)) return false;
-    text.resize(std::min(sign, text.size()));
-    exception.first = text.substr(0, 10);
-    exception.last = text.size() > 10 ? text.substr(std::min<std::size_t>(12, text.size())) : text;
-    const auto first = day_number(exception.first), last = day_number(exception.last);
-    if (!first || !last || *last < *first) return false;
-    calendar.exceptions.push_back(std::move(exception));
-    return true;
-  }
-
-  void read_link(const CarriedRecord& record) {
-    CarriedLink carried;
-    carried.span = record.span;
-    CarriedReader reader(record);
-    std::string type;
-    reader("predecessor", "", carried.link.predecessor);
-    reader("type", "", type);
-    reader("lag", "", carried.link.lag);
-    reader("format", "", carried.link.format);
-    const auto found = std::find(kLinkNames.begin(), kLinkNames.end(), type);
-    if (found == kLinkNames.end()) return not_understood(record);
-    carried.link.type = static_cast<LinkType>(found - kLinkNames.begin());
-    tasks_[record.name].links.push_back(carried);
-  }
-
   // ---- settings, calendars, resources
   // ------------------------------------------------------------
 
   void build_settings() {
-    project_ = carried_project_.value_or(Project{});
-    if (!carried_project_) project_.name = plan_.name;
+    project_ = carried_.project.value_or(Project{});
+    if (!carried_.project) project_.name = plan_.name;
     start_ = plan_.start_at ? Moment{*plan_.start_at} : Moment{};
     Project with_tasks;
     with_tasks.start = project_.start;
-    for (const auto& [name, carried] : tasks_) with_tasks.tasks.push_back(carried.task);
+    for (const auto& [name, carried] : carried_.tasks) with_tasks.tasks.push_back(carried.task);
     carried_start_ = plan_start(with_tasks);
     if (carried_start_ != start_) project_.start = start_;
     if (quoted(project_.currency_symbol) != "\"" + plan_.currency + "\"") {
@@ -187,7 +64,7 @@ class ProjectBuilder {
     for (const auto& spec : plan_.calendars) planned.emplace(spec.name, &spec);
     // All as the plan was written with them, so that base calendars can be looked up.
     Project carried_calendars;
-    for (const auto& [name, carried] : calendars_) {
+    for (const auto& [name, carried] : carried_.calendars) {
       const auto found = planned.find(name);
       const Calendar& own = carried.calendar;
       carried_calendars.calendars.push_back(
@@ -197,8 +74,8 @@ class ProjectBuilder {
     }
     // The days before the start were left out when the plan was written.
     const std::string from = carried_start_.text.substr(0, 10);
-    for (const std::string& name : calendar_order_) {
-      const CarriedCalendar& carried = calendars_.at(name);
+    for (const std::string& name : carried_.calendar_order) {
+      const CarriedCalendar& carried = carried_.calendars.at(name);
       const auto found = planned.find(name);
       const auto said = plan_calendar(carried_calendars, carried.calendar, from);
       if (found == planned.end()) {
@@ -218,8 +95,9 @@ class ProjectBuilder {
     }
     for (const auto& spec : plan_.calendars) {
       if (!planned.contains(spec.name)) continue;
-      push_calendar(spec.name, calendar_of(plan_calendar(spec),
-                                           next_uid(project_.calendars, calendars_), spec.name));
+      push_calendar(spec.name,
+                    calendar_of(plan_calendar(spec),
+                                next_uid(project_.calendars, carried_.calendars), spec.name));
     }
   }
 
@@ -252,8 +130,8 @@ class ProjectBuilder {
     for (std::size_t i = 0; i < plan_.crews.size(); ++i) crews.emplace(plan_.crews[i].name, i);
     for (std::size_t i = 0; i < plan_.robots.size(); ++i) robots.emplace(plan_.robots[i].name, i);
     std::set<std::string> done;
-    for (const std::string& name : resource_order_) {
-      Resource resource = resources_.at(name);
+    for (const std::string& name : carried_.resource_order) {
+      Resource resource = carried_.resources.at(name);
       const auto crew = crews.find(name);
       const auto robot = robots.find(name);
       if (crew != crews.end()) {
@@ -269,12 +147,12 @@ class ProjectBuilder {
     }
     const auto add_new = [&](const std::string& name) -> Resource {
       Resource resource;
-      resource.uid = next_uid(project_.resources, resources_);
+      resource.uid = next_uid(project_.resources, carried_.resources);
       resource.name = name;
       return resource;
     };
     for (const auto& crew : plan_.crews) {
-      if (done.contains(crew.name) || own_crews_.contains(crew.name)) continue;
+      if (done.contains(crew.name) || carried_.own_crews.contains(crew.name)) continue;
       Resource resource = add_new(crew.name);
       take_crew(crew, resource);
       push_resource(crew.name, resource);
@@ -330,9 +208,9 @@ class ProjectBuilder {
     std::string before;
     for (std::size_t i = 0; i < plan_.tasks.size(); ++i) {
       const std::string& name = plan_.tasks[i].name;
-      if (milestones_.contains(name)) continue;
-      const auto carried = tasks_.find(name);
-      if (carried != tasks_.end() && carried->second.planned) {
+      if (carried_.milestones.contains(name)) continue;
+      const auto carried = carried_.tasks.find(name);
+      if (carried != carried_.tasks.end() && carried->second.planned) {
         before = name;
       } else {
         new_behind[before].push_back(i);
@@ -340,8 +218,8 @@ class ProjectBuilder {
     }
     int level = 1;
     for (const std::size_t i : new_behind[""]) push_new(i, level);
-    for (const std::string& name : task_order_) {
-      CarriedTask& carried = tasks_.at(name);
+    for (const std::string& name : carried_.task_order) {
+      CarriedTask& carried = carried_.tasks.at(name);
       const auto found = index.find(name);
       if (carried.planned && found == index.end()) continue;  // somebody took it out of the plan
       if (!task_uid_.emplace(name, carried.task.uid).second) continue;
@@ -364,7 +242,7 @@ class ProjectBuilder {
   void push_new(std::size_t i, int level) {
     const TaskSpec& spec = plan_.tasks[i];
     Task task;
-    task.uid = next_uid(project_.tasks, tasks_);
+    task.uid = next_uid(project_.tasks, carried_.tasks);
     task.name = spec.name;
     task.level = level;
     take_duration(spec, task);
@@ -414,17 +292,17 @@ class ProjectBuilder {
       uid_index_.emplace(project_.tasks[i].uid, i);
     for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
       Task& task = project_.tasks[i];
-      const auto carried = tasks_.find(names_[i]);
+      const auto carried = carried_.tasks.find(names_[i]);
       std::map<std::pair<std::int64_t, LinkType>, Link> known;
-      if (carried != tasks_.end()) {
-        for (const CarriedLink& each : carried->second.links) take_carried(each, i, known);
+      if (carried != carried_.tasks.end()) {
+        for (const Link& each : carried->second.links) take_carried(each, i, known);
       }
       if (specs_[i] == nullptr) continue;
       bool has_begin = false;
       for (const interpreter::LinkSpec& link : specs_[i]->after) {
         const std::string& name = plan_.tasks[static_cast<std::size_t>(link.task)].name;
-        has_begin = has_begin || (name == kPlanBegins && milestones_.contains(name));
-        if (milestones_.contains(name)) {
+        has_begin = has_begin || (name == kPlanBegins && carried_.milestones.contains(name));
+        if (carried_.milestones.contains(name)) {
           if (name == kPlanBegins) take_constraint(link, task);
           continue;
         }
@@ -450,9 +328,8 @@ class ProjectBuilder {
 
   /// A carried link holds by itself where the plan has no task for one of its ends; else it only
   /// says how the plan's link is written.
-  void take_carried(const CarriedLink& carried, std::size_t i,
+  void take_carried(const Link& link, std::size_t i,
                     std::map<std::pair<std::int64_t, LinkType>, Link>& known) {
-    const Link& link = carried.link;
     const auto from = uid_index_.find(link.predecessor);
     if (from == uid_index_.end()) return;  // somebody took the predecessor out of the plan
     if (specs_[i] == nullptr || specs_[from->second] == nullptr) {
@@ -506,7 +383,7 @@ class ProjectBuilder {
     std::set<std::pair<std::int64_t, std::int64_t>> kept;
     std::set<std::int64_t> known;
     for (const Resource& resource : project_.resources) known.insert(resource.uid);
-    for (const Assignment& each : assignments_) {
+    for (const Assignment& each : carried_.assignments) {
       const std::pair pair(each.task, each.resource);
       last = std::max(last, each.uid);
       if (!uid_index_.contains(each.task)) continue;
@@ -528,19 +405,11 @@ class ProjectBuilder {
 
   const PlanModel& plan_;
   interpreter::Diagnostics& diagnostics_;
-  std::vector<CarriedRecord> records_;
   Listing listing_;
+  CarriedProject carried_;
   Project project_;
   Moment start_;          ///< of the plan
   Moment carried_start_;  ///< of the plan as it was written
-
-  std::optional<Project> carried_project_;
-  std::map<std::string, CarriedCalendar> calendars_;
-  std::map<std::string, Resource> resources_;
-  std::map<std::string, CarriedTask> tasks_;
-  std::vector<std::string> calendar_order_, resource_order_, task_order_;
-  std::set<std::string> milestones_, own_crews_;
-  std::vector<Assignment> assignments_;
 
   std::map<std::string, std::int64_t> calendar_uid_, resource_uid_;
   std::unordered_map<std::string, std::int64_t> task_uid_;
