@@ -165,6 +165,13 @@ class NetworkBuilder {
     if (!is_heading(i) && !network_.tasks[i].planned) return;
     if (const auto link = constraint_link(task(i), start_)) {
       after.push_back(*link);
+      if (task(i).constraint == Constraint::must_start_on ||
+          task(i).constraint == Constraint::must_finish_on) {
+        listing_.add("I08", "must", {},
+                     fmt::format("'{}' must be on {} there; in the plan it is not earlier, but may "
+                                 "be later",
+                                 task(i).name, task(i).constraint_date.text));
+      }
     } else {
       list_constraint(i);
     }

@@ -119,6 +119,36 @@ TEST(HostileSchedule, outlines_and_names_without_bounds) {
   expect_no_harm(mspdi("<Tasks>" + tasks + "</Tasks>"));
 }
 
+TEST(HostileSchedule, more_kinds_of_nonsense_than_anybody_reads) {
+  std::string elements;
+  for (int i = 0; i < 100000; ++i) elements += fmt::format("<E{}>1</E{}>", i, i);
+  const Reading reading = read_schedule(mspdi(elements));
+  ASSERT_TRUE(reading.project);
+  EXPECT_EQ(reading.said.size(), 301u);
+  EXPECT_TRUE(reading.says("I07", "99700 more things were not understood"));
+}
+
+TEST(HostileSchedule, calendars_without_bounds) {
+  std::string calendars;
+  for (int i = 1; i <= 12000; ++i) {
+    calendars += fmt::format(
+        "<Calendar><UID>{}</UID><BaseCalendarUID>{}</BaseCalendarUID></Calendar>", i, i - 1);
+  }
+  std::string days;
+  for (int i = 0; i < 20000; ++i) {
+    days += fmt::format(
+        "<Exception><TimePeriod><FromDate>0001-01-01</FromDate><ToDate>{:04}-12-31</ToDate>"
+        "</TimePeriod><DayWorking>0</DayWorking></Exception>",
+        1 + i % 9998);
+  }
+  const std::string text = mspdi("<Calendars>" + calendars + "<Calendar><UID>0</UID><Exceptions>" +
+                                 days + "</Exceptions></Calendar></Calendars>");
+  const Reading reading = read_schedule(text);
+  ASSERT_TRUE(reading.project);
+  EXPECT_TRUE(reading.says("I07", "12001 calendars are too many"));
+  expect_no_harm(text);
+}
+
 /// A chain of tasks with a heading every hundred.
 std::string large(int count) {
   std::string tasks;

@@ -228,6 +228,28 @@ TEST(Mspdi, sees_rings_over_headings) {
   EXPECT_EQ(plan_of(*reading.project).mistakes, "");
 }
 
+TEST(Mspdi, lists_rows_and_links_that_it_leaves_out) {
+  const Reading reading = read_schedule(mspdi(
+      "<Calendars><Calendar><UID>1</UID><BaseCalendarUID>2</BaseCalendarUID></Calendar>"
+      "<Calendar><UID>2</UID><BaseCalendarUID>1</BaseCalendarUID></Calendar></Calendars><Tasks>" +
+      mspdi_task(1, "a", "<IsNull>1</IsNull>") +
+      mspdi_task(2, "b", "<OutlineLevel>7</OutlineLevel>") +
+      mspdi_task(3, "c",
+                 "<PredecessorLink><PredecessorUID>1</PredecessorUID><CrossProject>1</CrossProject>"
+                 "</PredecessorLink>" +
+                     link(2, 1, 2000000000, 7)) +
+      "</Tasks>"));
+  ASSERT_TRUE(reading.project);
+  EXPECT_EQ(reading.project->tasks.size(), 2u);
+  EXPECT_EQ(reading.project->tasks[0].level, 1);
+  EXPECT_EQ(reading.project->tasks[1].after.at(0).lag, 0);
+  EXPECT_TRUE(reading.says("I06", "is based on itself"));
+  EXPECT_TRUE(reading.says("I07", "a blank row is left out"));
+  EXPECT_TRUE(reading.says("I07", "waits for a task of another project"));
+  EXPECT_TRUE(reading.says("I03", "outline level 7 cannot follow level 0"));
+  EXPECT_TRUE(reading.says("I03", "2000000000 is no sensible lag"));
+}
+
 TEST(Mspdi, reads_utf16_and_windows_text) {
   const std::string text =
       mspdi("<Name>B\xc3\xbcro</Name><Tasks>" + mspdi_task(1, "a", "") + "</Tasks>");

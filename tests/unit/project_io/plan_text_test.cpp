@@ -139,6 +139,20 @@ TEST(PlanTextLimits, long_and_late_things_are_said_as_far_as_a_plan_can) {
   }
 }
 
+TEST(PlanTextLimits, a_date_that_must_hold_is_only_not_before) {
+  Project project;
+  project.start.text = "2026-03-02 07:00";
+  Task task;
+  task.uid = 1;
+  task.name = "a";
+  task.constraint = Constraint::must_start_on;
+  task.constraint_date.text = "2026-03-03 07:00";
+  project.tasks = {task};
+  const Planned planned = plan_of(project);
+  EXPECT_THAT(planned.text, HasSubstr("after plan_begins FS + 24 h;"));
+  EXPECT_THAT(planned.said, testing::Contains(HasSubstr("'a' must be on 2026-03-03 07:00")));
+}
+
 TEST(Identifiers, are_names_of_the_language) {
   Identifiers names;
   EXPECT_EQ(names.make("Höhe 2e verdieping", "x"), "hohe_2e_verdieping");
