@@ -55,8 +55,8 @@ void visit_task(TaskType& task, Visit& visit) {
   visit("calendar", "CalendarUID", task.calendar);
   visit("constraint_date", "ConstraintDate", task.constraint_date);
   visit("deadline", "Deadline", task.deadline);
-  visit("hide_bar", "HideBar", task.hide_bar);
   visit("notes", "Notes", task.notes);
+  visit("hide_bar", "HideBar", task.hide_bar);
 }
 
 template <typename ResourceRecord, typename Visit>

@@ -139,8 +139,7 @@ void write_resource(pugi::xml_node node, const Resource& resource) {
   FieldWriter fields(node);
   visit_resource(written, fields);
   if (resource.type != ResourceType::cost) return;
-  pugi::xml_node mark = node.insert_child_before("IsCostResource", node.child("CalendarUID"));
-  mark.append_child(pugi::node_pcdata).set_value("1");
+  add(node, "IsCostResource", "1");
 }
 
 void write_assignment(pugi::xml_node node, const Assignment& assignment) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <sstream>
 
 #include "src/project_io/tidy_project.hpp"
 #include "src/project_io/value_text.hpp"
@@ -62,6 +63,65 @@ TEST(RoundTrip, a_primavera_project_comes_back) {
   const Reading reading = read_schedule(sample("hall.xer"));
   ASSERT_TRUE(reading.project);
   expect_round_trip(*reading.project);
+}
+
+/// The names of the elements directly in the first <element> of a text that has `mark` in it.
+std::vector<std::string> children(const std::string& xml, const std::string& element,
+                                  const std::string& mark) {
+  const std::size_t begin = xml.rfind("<" + element + ">", xml.find(mark));
+  std::istringstream lines(xml.substr(begin, xml.find("</" + element + ">", begin) - begin));
+  std::vector<std::string> names;
+  std::string line;
+  std::getline(lines, line);
+  const std::size_t indent = 6;
+  while (std::getline(lines, line)) {
+    if (line.size() > indent && line.find('<') == indent && line[indent + 1] != '/') {
+      const std::string name =
+          line.substr(indent + 1, line.find_first_of(" >/", indent + 1) - indent - 1);
+      if (names.empty() || names.back() != name) names.push_back(name);
+    }
+  }
+  return names;
+}
+
+/// The schema is a sequence: Project reads elements in this order (mspdi_pj12.xsd; Active and
+/// Manual came with Project 2010).
+TEST(RoundTrip, elements_stand_in_the_order_of_the_schema) {
+  Project project = *read_schedule(sample("house.xml")).project;
+  project.tasks[4].hide_bar = true;
+  project.tasks[4].notes = "n";
+  project.resources[3].notes = "n";
+  const std::string xml = write_mspdi(project);
+  EXPECT_EQ(children(xml, "Task", "<UID>4</UID>"), (std::vector<std::string>{"UID",
+                                                                             "ID",
+                                                                             "Name",
+                                                                             "Active",
+                                                                             "Manual",
+                                                                             "Type",
+                                                                             "OutlineNumber",
+                                                                             "OutlineLevel",
+                                                                             "Priority",
+                                                                             "Duration",
+                                                                             "DurationFormat",
+                                                                             "Work",
+                                                                             "EffortDriven",
+                                                                             "Milestone",
+                                                                             "Summary",
+                                                                             "FixedCost",
+                                                                             "FixedCostAccrual",
+                                                                             "PercentComplete",
+                                                                             "ConstraintType",
+                                                                             "CalendarUID",
+                                                                             "Notes",
+                                                                             "HideBar",
+                                                                             "PredecessorLink"}));
+  EXPECT_EQ(children(xml, "Resource", "Miete"),
+            (std::vector<std::string>{"UID", "ID", "Name", "Type", "MaxUnits", "StandardRate",
+                                      "StandardRateFormat", "OvertimeRate", "OvertimeRateFormat",
+                                      "CostPerUse", "CalendarUID", "Notes", "IsCostResource"}));
+  EXPECT_EQ(children(xml, "Assignment", "<Units>14.5"),
+            (std::vector<std::string>{"UID", "TaskUID", "ResourceUID", "PercentWorkComplete",
+                                      "Units", "Work"}));
 }
 
 TEST(RoundTrip, an_empty_project_comes_back) { expect_round_trip(Project{}); }
