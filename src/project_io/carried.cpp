@@ -46,12 +46,19 @@ void read_block(const interpreter::SourceMap& sources, interpreter::Span span,
                 std::vector<CarriedRecord>& records) {
   const std::string& text = sources.file(span.file).text;
   const char* const end = text.data() + span.end;
-  const char* at = std::find(text.data() + span.begin, end, '{');
-  if (at != end) ++at;
+  const char* at = text.data() + span.begin;
+  // Other imports are of other things: `as schedule` is ours.
+  Token before, token = interpreter::next_token(at, end);
+  while (token.kind != Token::Kind::end && !token.is("{")) {
+    before = token;
+    token = interpreter::next_token(token.end, end);
+  }
+  if (token.kind == Token::Kind::end || !before.is("schedule")) return;
+  at = token.end;
   CarriedRecord record;
   bool has_name = false;
   while (true) {
-    const Token token = interpreter::next_token(at, end);
+    token = interpreter::next_token(at, end);
     if (token.kind == Token::Kind::end || token.is("}")) return;
     at = token.end;
     const auto begin = static_cast<std::uint32_t>(token.begin - text.data());

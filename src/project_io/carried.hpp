@@ -29,7 +29,7 @@ struct CarriedRecord {
   const std::string* value(std::string_view word) const;
 };
 
-/// The statements of all import blocks of a plan, in file order.
+/// The statements of the import blocks of a plan that are called `schedule`, in file order.
 std::vector<CarriedRecord> carried_records(const interpreter::PlanModel& plan,
                                            const interpreter::SourceMap& sources);
 

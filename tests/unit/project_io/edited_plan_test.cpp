@@ -115,6 +115,16 @@ TEST_F(EditedPlan, a_plan_without_import_block_goes_out_as_well) {
   EXPECT_TRUE(reading.says("I09", "zones"));
 }
 
+TEST_F(EditedPlan, imports_of_other_things_are_left_alone) {
+  replace("  import \"schedule.xml\" as schedule {",
+          "  import \"model.ifc\" as schedules { storey \"{\"; match a { b; } }\n"
+          "  import \"schedule.xml\" as schedule {");
+  const Reading reading = project_of_plan(text_);
+  ASSERT_TRUE(reading.project);
+  EXPECT_TRUE(*reading.project == project_);
+  EXPECT_TRUE(reading.said.empty());
+}
+
 TEST_F(EditedPlan, a_broken_import_block_is_told_and_harms_nothing) {
   replace("project house_garage", "projekt house_garage");
   replace("priority 700", "priority lots");
