@@ -10,13 +10,13 @@
 
 namespace rubicon::collision {
 
-/// A rigid body made of one or more solids, prepared once (convex pieces, triangles with their
-/// bounding tree, bounds) and used by value through a shared immutable form. Coordinates in the
-/// body's own frame, metres.
 using geometry::Motion;
 using geometry::Pose;
 using geometry::Vec3;
 
+/// A rigid body made of one or more solids, prepared once (convex pieces, triangles with their
+/// bounding tree, bounds) and used by value through a shared immutable form. Coordinates in the
+/// body's own frame, metres.
 class Body;
 using BodyPtr = std::shared_ptr<const Body>;  // shared: a unit's panel stands 40 times on a site
 
