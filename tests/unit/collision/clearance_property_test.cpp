@@ -70,7 +70,7 @@ void check(const Clearance& found, const Sampled& truth, double range, double re
 TEST(ClearanceProperty, HoldsTheExactDistanceOfBoxes) {
   Random random(601);
   int apart = 0;
-  for (int i = 0; i < 1200; ++i) {
+  for (int i = 0; i < 250; ++i) {
     const Vec3 half = Vec3(0.3, 0.3, 0.3) + random.vector(0.25);
     const Motion motion = any_motion(random);
     const bool is_general = motion.kind.index() == 1;
@@ -101,7 +101,7 @@ TEST(ClearanceProperty, HoldsTheExactDistanceOfBoxes) {
     EXPECT_LE(point_box_distance(found.point_met_W, wall), 1e-8);
     EXPECT_LE(point_box_distance(found.point_moving_W, {motion.pose(found.fraction), half}), 1e-8);
   }
-  EXPECT_GT(apart, 300);
+  EXPECT_GT(apart, 50);
 }
 
 TEST(ClearanceProperty, HoldsTheExactDistanceOfCapsules) {
@@ -141,7 +141,7 @@ TEST(ClearanceProperty, HoldsTheExactDistanceOfCapsules) {
 
 TEST(ClearanceProperty, TheNearestOfManyCounts) {
   Random random(603);
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < 2; ++i) {
     std::vector<OracleBox> walls;
     CollisionWorld world;
     for (int k = 0; k < 40; ++k) {
