@@ -77,9 +77,7 @@ struct CollisionWorld::Impl {
     const Body& body = sweep.body();
     if (!body.has_closed_soup() && !obstacle.body->has_closed_soup()) return false;
     const auto contained_at = [&](const Placement& X_WC) {
-      const Mat3 to_obstacle = obstacle.X_WC.R.transpose();
-      const Placement seen(to_obstacle * X_WC.R, to_obstacle * (X_WC.t - obstacle.X_WC.t));
-      return contained(body, *obstacle.body, seen, tolerance);
+      return contained(body, *obstacle.body, relative(X_WC, obstacle.X_WC), tolerance);
     };
     return contained_at(sweep.slice(0).start()) ||
            (sweep.moves() && contained_at(sweep.slice(sweep.slice_count() - 1).end()));

@@ -85,12 +85,9 @@ void MeshMeshTest::packs_near(SweepSlice& slice, int own, ItemList& found) const
 
 MeshMeshTest::Seen MeshMeshTest::seen(SweepSlice& slice) const {
   const Mat3 to_fixed = X_WB_.R.transpose();
-  const auto pose = [&](const Placement& X) {
-    return Placement(to_fixed * X.R, to_fixed * (X.t - X_WB_.t));
-  };
-  return {pose(slice.start()),
-          pose(slice.middle()),
-          pose(slice.end()),
+  return {relative(slice.start(), X_WB_),
+          relative(slice.middle(), X_WB_),
+          relative(slice.end(), X_WB_),
           to_fixed * slice.axis(),
           to_fixed * (slice.point() - X_WB_.t),
           slice.bulge(),

@@ -58,22 +58,12 @@ class PartPairs {
   /// Calls `test(triangle)` for the triangles of `soup` in boxes that meet `swept`.
   template <typename Test>
   static bool any_triangle(const TriangleSoup& soup, const Bounds& swept, const Test& test) {
-    std::vector<int> open = {0};
-    while (!open.empty()) {
-      const TriangleSoup::Node& node = soup.nodes()[open.back()];
-      open.pop_back();
-      if (swept.disjoint(node.bounds)) continue;
-      if (node.count == 0) {
-        open.push_back(node.first + 1);
-        open.push_back(node.first);
-        continue;
-      }
-      for (int i = node.first; i < node.first + node.count; ++i) {
-        const TrianglePiece triangle(soup.corner(i, 0), soup.corner(i, 1), soup.corner(i, 2));
-        if (!swept.disjoint(triangle.view().bounds) && test(triangle.view())) return true;
-      }
-    }
-    return false;
+    return soup.any_triangle(
+        [&](const Bounds& bounds) { return !swept.disjoint(bounds); },
+        [&](int i) {
+          const TrianglePiece triangle(soup.corner(i, 0), soup.corner(i, 1), soup.corner(i, 2));
+          return !swept.disjoint(triangle.view().bounds) && test(triangle.view());
+        });
   }
 
   template <typename Visit>

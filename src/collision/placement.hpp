@@ -24,4 +24,11 @@ struct Placement {
   }
 };
 
+/// `a` as `b` sees it; the difference of the positions first, so that far from the origin nothing
+/// is lost.
+inline Placement relative(const Placement& a, const Placement& b) {
+  const Mat3 to_b = b.R.transpose();
+  return {to_b * a.R, to_b * (a.t - b.t)};
+}
+
 }  // namespace rubicon::collision

@@ -26,13 +26,6 @@ double stray_of_vector(const Motion& motion, double length, double s0, double s1
   return general->chord_deviation(s0, s1, length) + general->chord_deviation(s0, s1, 0);
 }
 
-/// `a` as `b` sees it; the difference of the positions first, so that far from the origin nothing
-/// is lost.
-Placement relative(const Placement& a, const Placement& b) {
-  const Mat3 to_b = b.R.transpose();
-  return {to_b * a.R, to_b * (a.t - b.t)};
-}
-
 /// Bound of how far n.x strays from its chord, for core points x of the moving body and any unit n
 /// fixed in the other (docs/collision.md, "two bodies that both move").
 double general_growth(const Motion& moving, const BodyExtent& moving_extent, const Motion& fixed,

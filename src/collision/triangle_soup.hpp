@@ -37,6 +37,27 @@ class TriangleSoup {
   const Bounds& bounds() const { return nodes_.front().bounds; }
   const Vec3& corner(int triangle, int k) const { return vertices_[triangles_[triangle][k]]; }
 
+  /// Calls `visit(triangle)` for the triangles in nodes whose bounds `enters`, until one returns
+  /// true; whether one did.
+  template <typename Enters, typename Visit>
+  bool any_triangle(const Enters& enters, const Visit& visit) const {
+    std::vector<int> open = {0};
+    while (!open.empty()) {
+      const Node& node = nodes_[open.back()];
+      open.pop_back();
+      if (!enters(node.bounds)) continue;
+      if (node.count == 0) {
+        open.push_back(node.first + 1);
+        open.push_back(node.first);
+        continue;
+      }
+      for (int i = node.first; i < node.first + node.count; ++i) {
+        if (visit(i)) return true;
+      }
+    }
+    return false;
+  }
+
   /// The leaves of the tree, each as one pack of triangles side by side, and a wide tree over them.
   const std::vector<TrianglePack>& packs() const { return packs_; }
   const std::vector<Bounds>& pack_bounds() const { return pack_bounds_; }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <vector>
 
 #include "src/collision/tolerances.hpp"
 #include "src/math/angles.hpp"
@@ -70,24 +69,15 @@ std::optional<int> crossing(const Vec3& a, const Vec3& b, const Vec3& c, const V
 
 std::optional<int> crossings(const TriangleSoup& soup, const Vec3& from, const Vec3& direction) {
   int sum = 0;
-  std::vector<int> open = {0};
-  while (!open.empty()) {
-    const TriangleSoup::Node& node = soup.nodes()[open.back()];
-    open.pop_back();
-    if (!ray_meets(node.bounds, from, direction)) continue;
-    if (node.count == 0) {
-      open.push_back(node.first);
-      open.push_back(node.first + 1);
-      continue;
-    }
-    for (int i = node.first; i < node.first + node.count; ++i) {
-      const std::optional<int> one =
-          crossing(soup.corner(i, 0), soup.corner(i, 1), soup.corner(i, 2), from, direction);
-      if (!one) return std::nullopt;
-      sum += *one;
-    }
-  }
-  return sum;
+  const bool grazes = soup.any_triangle(
+      [&](const Bounds& bounds) { return ray_meets(bounds, from, direction); },
+      [&](int i) {
+        const std::optional<int> one =
+            crossing(soup.corner(i, 0), soup.corner(i, 1), soup.corner(i, 2), from, direction);
+        sum += one.value_or(0);
+        return !one;
+      });
+  return grazes ? std::nullopt : std::optional(sum);
 }
 
 /// van Oosterom and Strackee 1983.
@@ -134,56 +124,36 @@ int winding_number(const TriangleSoup& soup, const Vec3& point) {
 }
 
 bool surface_within(const TriangleSoup& soup, const Vec3& point, double distance) {
-  std::vector<int> open = {0};
-  while (!open.empty()) {
-    const TriangleSoup::Node& node = soup.nodes()[open.back()];
-    open.pop_back();
-    Bounds bounds = node.bounds;
-    bounds.grow(Vec3::Constant(distance));
-    if (!bounds.contains(point)) continue;
-    if (node.count == 0) {
-      open.push_back(node.first);
-      open.push_back(node.first + 1);
-      continue;
-    }
-    for (int i = node.first; i < node.first + node.count; ++i) {
-      if (squared_distance(point, soup.corner(i, 0), soup.corner(i, 1), soup.corner(i, 2)) <=
-          distance * distance) {
-        return true;
-      }
-    }
-  }
-  return false;
+  return soup.any_triangle(
+      [&](Bounds bounds) {
+        bounds.grow(Vec3::Constant(distance));
+        return bounds.contains(point);
+      },
+      [&](int i) {
+        return squared_distance(point, soup.corner(i, 0), soup.corner(i, 1), soup.corner(i, 2)) <=
+               distance * distance;
+      });
 }
 
 double way_to_surface(const TriangleSoup& soup, const Vec3& from, const Vec3& direction) {
   double nearest = std::numeric_limits<double>::infinity();
-  std::vector<int> open = {0};
-  while (!open.empty()) {
-    const TriangleSoup::Node& node = soup.nodes()[open.back()];
-    open.pop_back();
-    if (!ray_meets(node.bounds, from, direction)) continue;
-    if (node.count == 0) {
-      open.push_back(node.first);
-      open.push_back(node.first + 1);
-      continue;
-    }
-    for (int i = node.first; i < node.first + node.count; ++i) {
-      const Vec3& a = soup.corner(i, 0);
-      const Vec3 ab = soup.corner(i, 1) - a;
-      const Vec3 ac = soup.corner(i, 2) - a;
-      const Vec3 across = direction.cross(ac);
-      const double volume = ab.dot(across);
-      if (volume == 0) continue;
-      const Vec3 arm = from - a;
-      const Vec3 other = arm.cross(ab);
-      const double share_b = arm.dot(across) / volume;
-      const double share_c = direction.dot(other) / volume;
-      const double way = ac.dot(other) / volume;
-      if (share_b < 0 || share_c < 0 || share_b + share_c > 1 || way <= kBoundsMargin) continue;
-      nearest = std::min(nearest, way);
-    }
-  }
+  soup.any_triangle([&](const Bounds& bounds) { return ray_meets(bounds, from, direction); },
+                    [&](int i) {
+                      const Vec3& a = soup.corner(i, 0);
+                      const Vec3 ab = soup.corner(i, 1) - a;
+                      const Vec3 ac = soup.corner(i, 2) - a;
+                      const Vec3 across = direction.cross(ac);
+                      const double volume = ab.dot(across);
+                      if (volume == 0) return false;
+                      const Vec3 arm = from - a;
+                      const Vec3 other = arm.cross(ab);
+                      const double share_b = arm.dot(across) / volume;
+                      const double share_c = direction.dot(other) / volume;
+                      const double way = ac.dot(other) / volume;
+                      const bool within = !(share_b < 0 || share_c < 0 || share_b + share_c > 1);
+                      if (within && way > kBoundsMargin) nearest = std::min(nearest, way);
+                      return false;
+                    });
   return nearest;
 }
 
