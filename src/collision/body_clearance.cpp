@@ -80,10 +80,7 @@ class ClearanceSearch {
   /// The distance at one pose.
   double look_at(const Placement& pose, double fraction) {
     SweptPair still = pair_;
-    still.standing = true;
-    still.start = pose;
-    still.middle = pose;
-    still.end = pose;
+    still.stand_at(pose);
     const ClosestPoints points = closest_points(still);
     if (points.upper_bound < nearest_.found) {
       note(points.upper_bound, fraction, points.moving, points.fixed);

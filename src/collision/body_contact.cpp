@@ -14,10 +14,7 @@ Vec3 witness(const Convex& a, const Convex& b, const Placement& a_in_b) {
   SweptPair pair;
   pair.moving = a;
   pair.fixed = b;
-  pair.start = a_in_b;
-  pair.middle = a_in_b;
-  pair.end = a_in_b;
-  pair.standing = true;
+  pair.stand_at(a_in_b);
   const ClosestPoints points = closest_points(pair);
   return 0.5 * (points.moving + points.fixed);
 }

@@ -18,13 +18,6 @@ void store(const Vec3& v, double (&values)[3]) {
   for (int i = 0; i < 3; ++i) values[i] = v[i];
 }
 
-/// How far a direction of the frame's axes is from the growth axis, for each of the three.
-Vec3 across_axes(const Vec3& axis) {
-  const Vec3 squares = axis.cwiseAbs2();
-  return {std::sqrt(squares.y() + squares.z()), std::sqrt(squares.z() + squares.x()),
-          std::sqrt(squares.x() + squares.y())};
-}
-
 /// Ways shorter than this share of the box hardly make a box around it larger.
 constexpr double kShortWay = 0.05;
 /// A way nearly along an axis of the box (sine of the angle) has no outline across it.

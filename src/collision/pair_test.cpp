@@ -103,9 +103,7 @@ class PairTest {
   }
 
   bool free_at(const Placement& pose) {
-    a_in_b_.standing = true;
-    a_in_b_.start = pose;
-    a_in_b_.middle = pose;
+    a_in_b_.stand_at(pose);
     return separated(a_in_b_);
   }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "src/math/pose.hpp"
 
 namespace rubicon::collision {
@@ -23,6 +25,14 @@ struct Placement {
     return {transposed, -(transposed * t)};
   }
 };
+
+/// How far each of the frame's axes is from a unit vector (sine of the angle): what of a growth
+/// across it counts along them.
+inline Vec3 across_axes(const Vec3& axis) {
+  const Vec3 squares = axis.cwiseAbs2();
+  return {std::sqrt(squares.y() + squares.z()), std::sqrt(squares.z() + squares.x()),
+          std::sqrt(squares.x() + squares.y())};
+}
 
 /// `a` as `b` sees it; the difference of the positions first, so that far from the origin nothing
 /// is lost.

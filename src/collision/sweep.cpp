@@ -44,10 +44,7 @@ Bounds slice_bounds(const Body& body, const SweepSlice& slice) {
     const Vec3& axis = slice.axis();
     const Vec3 arm = slice.start() * body.bounds().centre() - slice.point();
     const double sagitta = slice.bulge() * (axis.cross(arm).norm() + body.bounds().half().norm());
-    const Vec3 squares = axis.cwiseAbs2();
-    growth +=
-        sagitta * Vec3(std::sqrt(squares.y() + squares.z()), std::sqrt(squares.z() + squares.x()),
-                       std::sqrt(squares.x() + squares.y()));
+    growth += sagitta * across_axes(axis);
   }
   result.grow(growth);
   return result;

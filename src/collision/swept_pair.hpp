@@ -19,6 +19,12 @@ struct SweptPair {
   double uniform_growth = 0;  ///< m, the same in every direction
   double tolerance = 0;       ///< m
 
+  /// From now on the moving one stands at `pose`.
+  void stand_at(const Placement& pose) {
+    standing = true;
+    start = middle = end = pose;
+  }
+
   double growth(const Vec3& n) const;
 
   /// How deep the two overlap along the unit vector n, that is how far the fixed one would have to
