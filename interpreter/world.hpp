@@ -28,6 +28,8 @@ struct MotionStep {
 struct HitPair {
   std::string moved;
   std::string met;
+  int machine = -1;    ///< index of the machine that was met
+  int zone_task = -1;  ///< task whose zone was met
 };
 
 /// What the machine knows of the site: it accepts or refuses steps and says who is in the way.

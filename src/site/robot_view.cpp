@@ -4,8 +4,6 @@
 #include <utility>
 
 #include "src/math/angles.hpp"
-#include "src/robot/body_motion.hpp"
-#include "src/site/attached_motion.hpp"
 #include "src/site/load_chart.hpp"
 
 namespace rubicon::site {
@@ -26,7 +24,7 @@ std::optional<interpreter::HitPair> RobotView::propose(const interpreter::Motion
   if (auto pair = refusal(step)) return pair;
   std::vector<double> q(step.q_to.begin(), step.q_to.end());
   robot::normalise(*robot().model, q);
-  site_.set_configuration(index_, std::move(q));
+  site_.begin_step(index_, step, std::move(q));
   return std::nullopt;
 }
 
@@ -38,7 +36,8 @@ bool RobotView::situation(const std::string& name) const {
 }
 
 bool RobotView::nothing_to_meet() const {
-  return !site_.has_obstacles() && robot().own_pairs.empty() && !site_.load(index_);
+  return !site_.has_obstacles() && robot().own_pairs.empty() && !site_.load(index_) &&
+         !site_.has_others(index_);
 }
 
 std::optional<interpreter::HitPair> RobotView::refusal(const interpreter::MotionStep& step) const {
@@ -71,83 +70,77 @@ const std::string& RobotView::part_name(int part) const {
 
 std::optional<interpreter::HitPair> RobotView::swept_hit(
     const interpreter::MotionStep& step) const {
-  const SiteRobot& machine = robot();
-  const auto& load = site_.load(index_);
-  std::vector<geometry::Motion> motions =
-      robot::step_motions(*machine.model, machine.mounting, step.q_from, step.q_to);
-  const std::size_t load_part = machine.bodies.size();
-  const bool carries = load && load->body;
-  if (carries) motions[load_part] = attached_motion(motions[load_part], load->X_TO);
+  const StepQuery query(robot(), site_.load(index_), step.q_from, step.q_to,
+                        site_.contact_tolerance(), site_.has_obstacles());
+  if (query.query().items.empty()) return std::nullopt;
+  if (auto pair = own_hit(query)) return pair;
+  return others_hit(query);
+}
 
-  collision::SweptQuery query;
-  query.contact_tolerance = site_.contact_tolerance();
-  std::vector<int> item_of(load_part + 1, -1);  // per part: its item in the query
-  std::vector<int> part_of;
-  std::vector<bool> moves(load_part + 1, false);
-  const auto item = [&](std::size_t part) {
-    if (item_of[part] < 0) {
-      item_of[part] = static_cast<int>(query.items.size());
-      const collision::Body* body =
-          part < load_part ? machine.bodies[part].get() : load->body.get();
-      query.items.push_back({{body, motions[part]}, moves[part] && site_.has_obstacles()});
-      part_of.push_back(static_cast<int>(part));
-    }
-    return item_of[part];
-  };
-  for (std::size_t part = 0; part <= load_part; ++part) {
-    const bool there = part < load_part ? machine.bodies[part] != nullptr : carries;
-    if (!there) continue;
-    moves[part] = motions[part].moves();
-    if (moves[part]) item(part);
-  }
-  for (const OwnPair& pair : machine.own_pairs) {
-    if (!pair.moves(step.q_from, step.q_to)) continue;
-    const int first = item(static_cast<std::size_t>(pair.first));
-    query.pairs.emplace_back(first, item(static_cast<std::size_t>(pair.second)));
-  }
-  if (carries) {
-    for (const OwnPair& pair : machine.load_pairs) {
-      if (!pair.moves(step.q_from, step.q_to)) continue;
-      const int body = item(static_cast<std::size_t>(pair.first));
-      query.pairs.emplace_back(item(load_part), body);
-    }
-  }
-  if (query.items.empty()) return std::nullopt;
-  const collision::SweptResult result = site_.obstacles().test(query, budget_);
+/// Obstacles and own pairs.
+std::optional<interpreter::HitPair> RobotView::own_hit(const StepQuery& step) const {
+  const collision::SweptResult result = site_.obstacles().test(step.query(), budget_);
   if (!result.hit) return std::nullopt;
-  int moved = part_of[static_cast<std::size_t>(result.hit->item)];
+  int moved = step.part_of(result.hit->item);
   if (result.hit->obstacle) {
     return interpreter::HitPair{part_name(moved), site_.obstacle_name(*result.hit->obstacle)};
   }
-  int met = part_of[static_cast<std::size_t>(result.hit->other_item.value_or(0))];
-  const bool first_is_load = static_cast<std::size_t>(moved) == load_part;
-  if (!first_is_load && !moves[static_cast<std::size_t>(moved)]) std::swap(moved, met);
+  int met = step.part_of(result.hit->other_item.value_or(0));
+  const bool first_is_load = static_cast<std::size_t>(moved) == robot().bodies.size();
+  if (!first_is_load && !step.moves(moved)) std::swap(moved, met);
   return interpreter::HitPair{part_name(moved), part_name(met)};
 }
 
-double RobotView::free_distance(std::span<const double> q, double heading_deg, double range) const {
-  if (!(range > 0)) return 0;
-  if (!site_.has_obstacles()) return range;
+/// Zones, then other machines.
+std::optional<interpreter::HitPair> RobotView::others_hit(const StepQuery& step) const {
+  if (!site_.has_others(index_)) return std::nullopt;
+  const collision::SweptQuery query = step.against_others();
+  const collision::Bounds bounds = swept_bounds(query);
+  auto met = site_.first_zone_met(index_, query, bounds);
+  if (!met) met = site_.first_machine_met(index_, query, bounds, false);
+  if (!met) return std::nullopt;
+  return interpreter::HitPair{part_name(step.part_of_mover(met->item)), met->name, met->machine,
+                              met->zone_task};
+}
+
+/// The robot's bodies and its load, standing at q.
+std::vector<ClaimPart> RobotView::parts_at(std::span<const double> q) const {
   const SiteRobot& machine = robot();
   std::vector<math::Pose> X_WB;
   robot::body_poses(*machine.model, machine.mounting, q, X_WB);
-  std::vector<std::pair<const collision::Body*, math::Pose>> parts;
+  std::vector<ClaimPart> parts;
   for (std::size_t i = 0; i < machine.bodies.size(); ++i) {
-    if (machine.bodies[i]) parts.emplace_back(machine.bodies[i].get(), X_WB[i]);
+    if (!machine.bodies[i]) continue;
+    parts.push_back({machine.bodies[i], geometry::stationary(X_WB[i]), static_cast<int>(i)});
   }
   const auto& load = site_.load(index_);
   if (load && load->body) {
     const math::Pose X_WT = robot::tool_pose(*machine.model, machine.mounting, q);
-    parts.emplace_back(load->body.get(), X_WT * load->X_TO);
+    parts.push_back({load->body, geometry::stationary(X_WT * load->X_TO),
+                     static_cast<int>(machine.bodies.size())});
   }
+  return parts;
+}
+
+double RobotView::free_distance(std::span<const double> q, double heading_deg, double range) const {
+  if (!(range > 0)) return 0;
+  const bool has_others = site_.has_others(index_);
+  if (!site_.has_obstacles() && !has_others) return range;
+  const std::vector<ClaimPart> parts = parts_at(q);
   const math::Vec3 heading(math::cos_deg(heading_deg), math::sin_deg(heading_deg), 0);
   const auto is_free = [&](double distance) {
     collision::SweptQuery query;
     query.contact_tolerance = site_.contact_tolerance();
-    for (const auto& [body, X] : parts) {
-      query.items.push_back({{body, geometry::translating(X, heading * distance)}, true});
+    for (const ClaimPart& part : parts) {
+      const math::Pose X = part.motion.pose(0);
+      query.items.push_back(
+          {{part.body.get(), geometry::translating(X, heading * distance)}, true});
     }
-    return !site_.obstacles().test(query).hit;
+    if (site_.obstacles().test(query).hit) return false;
+    if (!has_others) return true;
+    const collision::Bounds bounds = swept_bounds(query);
+    return !site_.first_zone_met(index_, query, bounds) &&
+           !site_.first_machine_met(index_, query, bounds, false);
   };
   if (is_free(range)) return range;
   // The swept volume only grows with the distance, so halving finds where it first meets anything.
@@ -165,41 +158,46 @@ std::optional<interpreter::HitPair> RobotView::blocked_at(std::span<const double
   if (nothing_to_meet()) return std::nullopt;
   const SiteRobot& machine = robot();
   const double tolerance = site_.contact_tolerance();
-  std::vector<math::Pose> X_WB;
-  robot::body_poses(*machine.model, machine.mounting, q, X_WB);
-  for (std::size_t i = 0; i < machine.bodies.size(); ++i) {
-    if (!machine.bodies[i]) continue;
-    if (const auto id = site_.obstacles().blocked_at(*machine.bodies[i], X_WB[i], tolerance, {})) {
-      return interpreter::HitPair{machine.body_names[i], site_.obstacle_name(*id)};
+  const std::vector<ClaimPart> parts = parts_at(q);
+  std::vector<const ClaimPart*> by_number(machine.bodies.size() + 1, nullptr);
+  for (const ClaimPart& part : parts) {
+    by_number[static_cast<std::size_t>(part.part)] = &part;
+    if (const auto id =
+            site_.obstacles().blocked_at(*part.body, part.motion.pose(0), tolerance, {})) {
+      return interpreter::HitPair{part_name(part.part), site_.obstacle_name(*id)};
     }
   }
-  const auto body = [&](int i) -> const collision::Body& {
-    return *machine.bodies[static_cast<std::size_t>(i)];
+  const auto overlap = [&](int first, int second) {
+    const ClaimPart& a = *by_number[static_cast<std::size_t>(first)];
+    const ClaimPart& b = *by_number[static_cast<std::size_t>(second)];
+    return collision::overlaps(*a.body, a.motion.pose(0), *b.body, b.motion.pose(0), tolerance);
   };
-  const auto pose = [&](int i) -> const math::Pose& { return X_WB[static_cast<std::size_t>(i)]; };
-  const auto& load = site_.load(index_);
-  const bool carries = load && load->body;
-  const math::Pose X_WO = carries
-                              ? robot::tool_pose(*machine.model, machine.mounting, q) * load->X_TO
-                              : math::Pose::Identity();
-  if (carries) {
-    if (const auto id = site_.obstacles().blocked_at(*load->body, X_WO, tolerance, {})) {
-      return interpreter::HitPair{load->name, site_.obstacle_name(*id)};
-    }
-  }
   for (const OwnPair& pair : machine.own_pairs) {
-    if (collision::overlaps(body(pair.first), pose(pair.first), body(pair.second),
-                            pose(pair.second), tolerance)) {
+    if (overlap(pair.first, pair.second)) {
       return interpreter::HitPair{part_name(pair.first), part_name(pair.second)};
     }
   }
-  if (!carries) return std::nullopt;
-  for (const OwnPair& pair : machine.load_pairs) {
-    if (collision::overlaps(*load->body, X_WO, body(pair.first), pose(pair.first), tolerance)) {
-      return interpreter::HitPair{load->name, part_name(pair.first)};
+  const int load_part = static_cast<int>(machine.bodies.size());
+  if (by_number.back() != nullptr) {
+    for (const OwnPair& pair : machine.load_pairs) {
+      if (overlap(load_part, pair.first)) {
+        return interpreter::HitPair{part_name(load_part), part_name(pair.first)};
+      }
     }
   }
-  return std::nullopt;
+  return standing_machine_at(parts);
+}
+
+/// Machines in a step need no test: their steps were tested against where this one stands.
+std::optional<interpreter::HitPair> RobotView::standing_machine_at(
+    const std::vector<ClaimPart>& parts) const {
+  collision::SweptQuery query;
+  query.contact_tolerance = site_.contact_tolerance();
+  for (const ClaimPart& part : parts) query.items.push_back({{part.body.get(), part.motion}, true});
+  const auto met = site_.first_machine_met(index_, query, swept_bounds(query), true);
+  if (!met) return std::nullopt;
+  const ClaimPart& part = parts[static_cast<std::size_t>(met->item)];
+  return interpreter::HitPair{part_name(part.part), met->name, met->machine};
 }
 
 }  // namespace rubicon::site

@@ -7,15 +7,17 @@
 
 #include "interpreter/world.hpp"
 #include "src/site/site_world.hpp"
+#include "src/site/step_query.hpp"
 
 namespace rubicon::site {
 
 /// The site as one robot's machine meets it. A step sweeps all its bodies and its load; what it may
-/// not meet: everything that stands, its own bodies that are not joined, and the load its bodies
-/// but the hook. The site must outlive it, and the robot must be the active one.
+/// not meet: everything that stands, its own bodies that are not joined, the load its bodies but
+/// the hook, the zones where people work, and what belongs to other machines. The site must outlive
+/// it.
 class RobotView : public interpreter::World {
  public:
-  RobotView(SiteWorld& site, int robot) : site_(site), index_(robot) { site.activate(robot); }
+  RobotView(SiteWorld& site, int robot) : site_(site), index_(robot) {}
 
   std::optional<interpreter::HitPair> propose(const interpreter::MotionStep& step) override;
   bool would_accept(const interpreter::MotionStep& step) const override;
@@ -31,7 +33,12 @@ class RobotView : public interpreter::World {
   std::optional<interpreter::HitPair> refusal(const interpreter::MotionStep& step) const;
   std::optional<interpreter::HitPair> swept_hit(const interpreter::MotionStep& step) const;
   std::optional<interpreter::HitPair> overload(const interpreter::MotionStep& step) const;
+  std::optional<interpreter::HitPair> own_hit(const StepQuery& step) const;
+  std::optional<interpreter::HitPair> others_hit(const StepQuery& step) const;
   bool nothing_to_meet() const;
+  std::vector<ClaimPart> parts_at(std::span<const double> q) const;
+  std::optional<interpreter::HitPair> standing_machine_at(
+      const std::vector<ClaimPart>& parts) const;
   const std::string& part_name(int part) const;
 
   SiteWorld& site_;

@@ -1,7 +1,10 @@
 #include "src/site/site_world.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
+
+#include "src/site/step_query.hpp"
 
 namespace rubicon::site {
 
@@ -24,16 +27,16 @@ int SiteWorld::add_robot(SiteRobot robot, std::vector<double> q) {
   RobotEntry& added = robots_.emplace_back();
   added.robot = std::move(robot);
   added.q = std::move(q);
-  set_down(added);
   ++changes_;
   return static_cast<int>(robots_.size()) - 1;
 }
 
-void SiteWorld::activate(int robot) {
-  if (active_ == robot) return;
-  if (active_ >= 0) set_down(entry(active_));
-  active_ = robot;
-  pick_up(entry(robot));
+void SiteWorld::set_time(Ticks now) {
+  for (RobotEntry& robot : robots_) {
+    if (!robot.stepping || robot.step.end > now) continue;
+    robot.stepping = false;
+    changed(robot);
+  }
 }
 
 void SiteWorld::attach(int robot, int component) {
@@ -41,11 +44,13 @@ void SiteWorld::attach(int robot, int component) {
   assert(taken.standing && !entry(robot).load);
   const math::Pose X_TW = tool_pose(robot).inverse(Eigen::Isometry);
   entry(robot).load = Load{taken.name, taken.body, X_TW * taken.X_WO, taken.mass, component};
+  entry(robot).claim.reset();
   lift(taken);
 }
 
 void SiteWorld::attach_carry(int robot, collision::BodyPtr body) {
   entry(robot).load = Load{"load", std::move(body), math::Pose::Identity(), 0, -1};
+  entry(robot).claim.reset();
   ++changes_;
 }
 
@@ -53,15 +58,114 @@ void SiteWorld::detach(int robot) {
   assert(entry(robot).load && entry(robot).load->component >= 0);
   const Load load = *entry(robot).load;
   entry(robot).load.reset();
+  entry(robot).claim.reset();
   stand(components_[static_cast<std::size_t>(load.component)], tool_pose(robot) * load.X_TO);
 }
 
 void SiteWorld::remove(int component) { lift(components_[static_cast<std::size_t>(component)]); }
 
+void SiteWorld::begin_step(int robot, const interpreter::MotionStep& step, std::vector<double> q) {
+  RobotEntry& moving = entry(robot);
+  const bool waits = std::equal(step.q_from.begin(), step.q_from.end(), step.q_to.begin());
+  if (waits && !moving.stepping && moving.q == q) return;
+  moving.q = std::move(q);
+  moving.stepping = !waits && step.duration > 0;
+  if (moving.stepping) {
+    moving.step.q_from.assign(step.q_from.begin(), step.q_from.end());
+    moving.step.q_to.assign(step.q_to.begin(), step.q_to.end());
+    moving.step.end = step.start + step.duration;
+  }
+  changed(moving);
+}
+
 void SiteWorld::set_configuration(int robot, std::vector<double> q) {
-  assert(robot == active_);
   entry(robot).q = std::move(q);
-  ++entry(robot).steps;
+  entry(robot).stepping = false;
+  changed(entry(robot));
+}
+
+MachineState SiteWorld::machine_state(int robot) const {
+  const RobotEntry& machine = entry(robot);
+  MachineState state{machine.q, machine.load, std::nullopt};
+  if (machine.stepping) state.step = machine.step;
+  return state;
+}
+
+void SiteWorld::set_machine_state(int robot, MachineState state) {
+  RobotEntry& machine = entry(robot);
+  machine.q = std::move(state.q);
+  machine.load = std::move(state.load);
+  machine.stepping = state.step.has_value();
+  if (state.step) machine.step = std::move(*state.step);
+  machine.claim.reset();
+  ++changes_;
+}
+
+ComponentState SiteWorld::component_state(int component) const {
+  const Component& one = components_[static_cast<std::size_t>(component)];
+  return {one.standing, one.X_WO};
+}
+
+void SiteWorld::set_component_state(int component, const ComponentState& state) {
+  Component& one = components_[static_cast<std::size_t>(component)];
+  const bool moved = one.X_WO.matrix() != state.X_WO.matrix();
+  if (one.standing && (moved || !state.standing)) lift(one);
+  if (state.standing && !one.standing) stand(one, state.X_WO);
+  one.X_WO = state.X_WO;
+}
+
+void SiteWorld::hold_zone(int task, std::string name, const std::vector<geometry::Shape>& shapes_W,
+                          int exempt_robot) {
+  release_zone(task);
+  if (shapes_W.empty()) return;
+  const geometry::Motion still = geometry::stationary(math::Pose::Identity());
+  Claim claim({{collision::prepare(shapes_W), still, 0}}, claim_growth(contact_tolerance_));
+  zones_.emplace(task, Zone{std::move(name), std::move(claim), exempt_robot});
+  ++changes_;
+}
+
+void SiteWorld::release_zone(int task) {
+  if (zones_.erase(task) > 0) ++changes_;
+}
+
+std::optional<int> SiteWorld::machine_in(const std::vector<geometry::Shape>& shapes_W,
+                                         int exempt_robot) const {
+  if (shapes_W.empty()) return std::nullopt;
+  const collision::BodyPtr body = collision::prepare(shapes_W);
+  collision::SweptQuery query;
+  query.contact_tolerance = contact_tolerance_;
+  query.items.push_back({{body.get(), geometry::stationary(math::Pose::Identity())}, true});
+  const auto met = first_machine_met(exempt_robot, query, swept_bounds(query), false);
+  return met ? std::optional(met->machine) : std::nullopt;
+}
+
+bool SiteWorld::has_others(int robot) const {
+  const auto keeps_out = [robot](const auto& zone) { return zone.second.exempt_robot != robot; };
+  return robots_.size() > 1 || std::any_of(zones_.begin(), zones_.end(), keeps_out);
+}
+
+std::optional<OtherMet> SiteWorld::first_zone_met(int robot, const collision::SweptQuery& query,
+                                                  const collision::Bounds& bounds) const {
+  for (const auto& [task, zone] : zones_) {
+    if (zone.exempt_robot == robot) continue;
+    if (const auto hit = zone.claim.meets(query, bounds)) {
+      return OtherMet{hit->item, zone.name, -1, task};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<OtherMet> SiteWorld::first_machine_met(int robot, const collision::SweptQuery& query,
+                                                     const collision::Bounds& bounds,
+                                                     bool standing_only) const {
+  for (int i = 0; i < static_cast<int>(robots_.size()); ++i) {
+    const RobotEntry& other = entry(i);
+    if (i == robot || (standing_only && other.stepping)) continue;
+    if (const auto hit = claim(other).meets(query, bounds)) {
+      return OtherMet{hit->item, part_name(other, hit->part), i, -1};
+    }
+  }
+  return std::nullopt;
 }
 
 bool SiteWorld::stands(int component) const {
@@ -84,38 +188,9 @@ math::Pose SiteWorld::tool_pose(int robot) const {
 std::uint64_t SiteWorld::version(int robot) const {
   std::uint64_t version = changes_;
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    if (static_cast<int>(i) != robot) version += robots_[i].steps;
+    if (static_cast<int>(i) != robot) version += robots_[i].changes;
   }
   return version;
-}
-
-SiteWorld::Snapshot SiteWorld::snapshot() const {
-  Snapshot snapshot;
-  for (const Component& component : components_) {
-    snapshot.components.push_back({component.standing, component.X_WO});
-  }
-  for (const RobotEntry& robot : robots_) snapshot.robots.push_back({robot.q, robot.load});
-  return snapshot;
-}
-
-void SiteWorld::restore(const Snapshot& snapshot) {
-  for (std::size_t i = 0; i < components_.size(); ++i) {
-    Component& component = components_[i];
-    const Snapshot::Place& place = snapshot.components[i];
-    const bool moved = component.X_WO.matrix() != place.X_WO.matrix();
-    if (component.standing && (moved || !place.standing)) lift(component);
-    if (place.standing && !component.standing) stand(component, place.X_WO);
-    component.X_WO = place.X_WO;
-  }
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    RobotEntry& robot = robots_[i];
-    const bool waits = static_cast<int>(i) != active_;
-    if (waits) pick_up(robot);
-    robot.q = snapshot.robots[i].q;
-    robot.load = snapshot.robots[i].load;
-    if (waits) set_down(robot);
-  }
-  ++changes_;
 }
 
 collision::ObstacleId SiteWorld::insert(const std::string& name, const collision::BodyPtr& body,
@@ -144,23 +219,33 @@ void SiteWorld::lift(Component& component) {
   ++changes_;
 }
 
-void SiteWorld::set_down(RobotEntry& robot) {
-  const SiteRobot& machine = robot.robot;
-  std::vector<math::Pose> X_WB;
-  robot::body_poses(*machine.model, machine.mounting, robot.q, X_WB);
-  for (std::size_t i = 0; i < machine.bodies.size(); ++i) {
-    if (!machine.bodies[i]) continue;
-    robot.ids.push_back(insert(machine.body_names[i], machine.bodies[i], X_WB[i]));
-  }
-  if (robot.load && robot.load->body) {
-    const math::Pose X_WT = robot::tool_pose(*machine.model, machine.mounting, robot.q);
-    robot.ids.push_back(insert(robot.load->name, robot.load->body, X_WT * robot.load->X_TO));
-  }
+void SiteWorld::changed(RobotEntry& robot) {
+  ++robot.changes;
+  robot.claim.reset();
 }
 
-void SiteWorld::pick_up(RobotEntry& robot) {
-  for (const collision::ObstacleId id : robot.ids) erase(id);
-  robot.ids.clear();
+const Claim& SiteWorld::claim(const RobotEntry& robot) const {
+  if (robot.claim) return *robot.claim;
+  const SiteRobot& machine = robot.robot;
+  const std::vector<double>& from = robot.stepping ? robot.step.q_from : robot.q;
+  const std::vector<double>& to = robot.stepping ? robot.step.q_to : robot.q;
+  std::vector<geometry::Motion> motions = part_motions(machine, robot.load, from, to);
+  std::vector<ClaimPart> parts;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const bool is_body = i < machine.bodies.size();
+    collision::BodyPtr body =
+        is_body ? machine.bodies[i] : (robot.load ? robot.load->body : nullptr);
+    if (body) parts.push_back({std::move(body), std::move(motions[i]), static_cast<int>(i)});
+  }
+  robot.claim = std::make_unique<Claim>(std::move(parts), claim_growth(contact_tolerance_));
+  return *robot.claim;
+}
+
+/// Name of a part: a body, or after the last body the load.
+const std::string& SiteWorld::part_name(const RobotEntry& robot, int part) {
+  const auto& names = robot.robot.body_names;
+  const auto i = static_cast<std::size_t>(part);
+  return i < names.size() ? names[i] : robot.load->name;
 }
 
 }  // namespace rubicon::site

@@ -2,27 +2,54 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "interpreter/world.hpp"
 #include "src/collision/swept_query.hpp"
+#include "src/site/claim.hpp"
+#include "src/site/load.hpp"
 #include "src/site/site_robot.hpp"
 
 namespace rubicon::site {
 
-/// What hangs on a robot's tool.
-struct Load {
-  std::string name;  ///< the component's, or "load"
-  collision::BodyPtr body;
-  math::Pose X_TO = math::Pose::Identity();
-  double mass = 0;     ///< kg
-  int component = -1;  ///< index, -1: the `carry` of a short plan
+using interpreter::Ticks;
+
+/// A step a machine is making: its parameters run from `q_from` to `q_to` (cyclic angles unwrapped)
+/// until `end`.
+struct MachineStep {
+  std::vector<double> q_from;
+  std::vector<double> q_to;
+  Ticks end = 0;
 };
 
-/// The site as it stands at a moment: what was built and lies about, the machines and their loads.
-/// Poses in the world frame {W}, metres. Robots that are not at work stand in the world as
-/// obstacles; one is at work at a time (`activate`).
+/// A machine at a moment: where it stands, or will when its step in progress is over.
+struct MachineState {
+  std::vector<double> q;
+  std::optional<Load> load;
+  std::optional<MachineStep> step;
+};
+
+/// Where a component stands, or stood at last.
+struct ComponentState {
+  bool standing = false;
+  math::Pose X_WO = math::Pose::Identity();
+};
+
+/// Another machine, or a zone, that a query meets.
+struct OtherMet {
+  int item = 0;      ///< of the query
+  std::string name;  ///< the machine's body or load, or the zone's name
+  int machine = -1;
+  int zone_task = -1;
+};
+
+/// The site as it stands at a moment: what was built and lies about (the obstacles), the machines
+/// and their loads, and the zones where people work. Poses in the world frame {W}, metres. A
+/// machine owns where it stands, and all that it sweeps while a step of it lasts; other machines
+/// keep out of that and of the zones. For one thread at a time.
 class SiteWorld {
  public:
   explicit SiteWorld(double contact_tolerance) : contact_tolerance_(contact_tolerance) {}
@@ -35,8 +62,8 @@ class SiteWorld {
   /// A robot that stands at q; its index.
   int add_robot(SiteRobot robot, std::vector<double> q);
 
-  /// Takes the robot's bodies out of the obstacles: it is the one that moves now.
-  void activate(int robot);
+  /// Steps that end at `now` or before are over: their machines stand.
+  void set_time(Ticks now);
 
   /// The component leaves the world and hangs on the tool from now on as it stands to it. It must
   /// stand, and the tool must be free.
@@ -48,8 +75,37 @@ class SiteWorld {
   /// The component leaves the site.
   void remove(int component);
 
-  /// The robot's configuration after a step of its own.
+  /// The robot makes a step and stands at q (cyclic angles reduced) when it is over; at once where
+  /// it takes no time or moves nothing. It takes the place of a step in progress.
+  void begin_step(int robot, const interpreter::MotionStep& step, std::vector<double> q);
+  /// The robot stands at q.
   void set_configuration(int robot, std::vector<double> q);
+
+  MachineState machine_state(int robot) const;
+  void set_machine_state(int robot, MachineState state);
+  ComponentState component_state(int component) const;
+  void set_component_state(int component, const ComponentState& state);
+
+  /// People work in the shapes (world) until `release_zone`: machines keep out but for
+  /// `exempt_robot` (-1: none is exempt). A task has one zone: the last one. Throws
+  /// std::invalid_argument for shapes without extent.
+  void hold_zone(int task, std::string name, const std::vector<geometry::Shape>& shapes_W,
+                 int exempt_robot);
+  void release_zone(int task);
+  /// The first machine but the exempt one that stands in the shapes (world) or sweeps them in a
+  /// step in progress.
+  std::optional<int> machine_in(const std::vector<geometry::Shape>& shapes_W,
+                                int exempt_robot) const;
+
+  /// Whether there is anyone else to meet for the robot: machines, zones.
+  bool has_others(int robot) const;
+  /// The first zone, by task, that a query of the robot meets; `bounds` around all it sweeps.
+  std::optional<OtherMet> first_zone_met(int robot, const collision::SweptQuery& query,
+                                         const collision::Bounds& bounds) const;
+  /// The first other machine, by index; with `standing_only` of those that stand.
+  std::optional<OtherMet> first_machine_met(int robot, const collision::SweptQuery& query,
+                                            const collision::Bounds& bounds,
+                                            bool standing_only) const;
 
   bool stands(int component) const;
   const math::Pose& X_WO(int component) const;  ///< where it stands, or stood at last
@@ -67,22 +123,6 @@ class SiteWorld {
   /// Changes whenever anything but `robot`'s own steps changed what it may do.
   std::uint64_t version(int robot) const;
 
-  /// What can be gone back to: components, configurations and loads.
-  struct Snapshot {
-    struct Place {
-      bool standing = false;
-      math::Pose X_WO = math::Pose::Identity();
-    };
-    struct Machine {
-      std::vector<double> q;
-      std::optional<Load> load;
-    };
-    std::vector<Place> components;
-    std::vector<Machine> robots;
-  };
-  Snapshot snapshot() const;
-  void restore(const Snapshot& snapshot);
-
  private:
   struct Component {
     std::string name;
@@ -96,8 +136,15 @@ class SiteWorld {
     SiteRobot robot;
     std::vector<double> q;
     std::optional<Load> load;
-    std::vector<collision::ObstacleId> ids;  ///< its bodies and load, while it is not at work
-    std::uint64_t steps = 0;
+    bool stepping = false;
+    MachineStep step;                      ///< the one in progress, while `stepping`
+    std::uint64_t changes = 0;             ///< of what belongs to it
+    mutable std::unique_ptr<Claim> claim;  ///< of what belongs to it now; made when asked for
+  };
+  struct Zone {
+    std::string name;
+    Claim claim;
+    int exempt_robot = -1;
   };
 
   RobotEntry& entry(int index) { return robots_[static_cast<std::size_t>(index)]; }
@@ -107,15 +154,16 @@ class SiteWorld {
   void erase(collision::ObstacleId id);
   void stand(Component& component, const math::Pose& X_WO);
   void lift(Component& component);
-  void set_down(RobotEntry& robot);
-  void pick_up(RobotEntry& robot);
+  static void changed(RobotEntry& robot);
+  const Claim& claim(const RobotEntry& robot) const;
+  static const std::string& part_name(const RobotEntry& robot, int part);
 
   double contact_tolerance_;
   collision::CollisionWorld obstacles_;
   std::map<collision::ObstacleId, std::string> names_;
   std::vector<Component> components_;
   std::vector<RobotEntry> robots_;
-  int active_ = -1;
+  std::map<int, Zone> zones_;  ///< by task
   std::uint64_t changes_ = 0;
 };
 

@@ -25,6 +25,29 @@ interpreter::Within angles_of(const interpreter::Within& within, const robot::Ro
   return angles;
 }
 
+/// What a task may change, as it was before.
+class StateBefore {
+ public:
+  StateBefore(const site::SiteWorld& site, const interpreter::TaskSpec& task) {
+    if (task.robot >= 0) machine_ = site.machine_state(task.robot);
+    if (task.move) remember(site, *task.move);
+    for (const int component : task.remove) remember(site, component);
+  }
+
+  void restore(site::SiteWorld& site, const interpreter::TaskSpec& task) const {
+    if (machine_) site.set_machine_state(task.robot, *machine_);
+    for (const auto& [component, state] : components_) site.set_component_state(component, state);
+  }
+
+ private:
+  void remember(const site::SiteWorld& site, int component) {
+    components_.emplace_back(component, site.component_state(component));
+  }
+
+  std::optional<site::MachineState> machine_;
+  std::vector<std::pair<int, site::ComponentState>> components_;
+};
+
 }  // namespace
 
 TaskRunner::TaskRunner(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
@@ -43,7 +66,7 @@ TaskOutcome TaskRunner::run(const interpreter::TaskSpec& task, Ticks start) {
     trace_->set_task(task.name, task.robot);
     trace_->task_start(start);
   }
-  const site::SiteWorld::Snapshot before = site_.snapshot();
+  const StateBefore before(site_, task);
   if (task.move) move_component(run);
   if (task.go && !run.rejected()) go(run);
   if (!run.rejected()) {
@@ -51,7 +74,7 @@ TaskOutcome TaskRunner::run(const interpreter::TaskSpec& task, Ticks start) {
     remove_components(run);
   }
   if (run.rejected()) {
-    site_.restore(before);
+    before.restore(site_, task);
     // With several machines the others went on meanwhile; with one, the attempt is undone whole.
     if (plan_.robots.size() <= 1) {
       run.clock = start;
@@ -202,6 +225,7 @@ bool TaskRunner::motion(Run& run, MotionPurpose purpose, const interpreter::Goal
 
 void TaskRunner::run_machine(Run& run, int robot, interpreter::MotionTask motion,
                              MotionPurpose purpose) {
+  site_.set_time(run.clock);
   site::RobotView view(site_, robot);
   motion.first_n = run.outcome.tried + 1;
   motion.start = run.clock;

@@ -21,7 +21,6 @@ interpreter::PlanModel plan_with_panel() {
 TEST(SiteWorld, AnAttachedComponentHangsAsItWasTaken) {
   const interpreter::PlanModel plan = plan_with_panel();
   SiteWorld site = make_site(plan);
-  site.activate(0);
   ASSERT_TRUE(site.stands(0));
   site.attach(0, 0);
   EXPECT_FALSE(site.stands(0));
@@ -37,12 +36,13 @@ TEST(SiteWorld, AnAttachedComponentHangsAsItWasTaken) {
 TEST(SiteWorld, RestoreUndoesATask) {
   const interpreter::PlanModel plan = plan_with_panel();
   SiteWorld site = make_site(plan);
-  site.activate(0);
-  const SiteWorld::Snapshot before = site.snapshot();
+  const MachineState machine = site.machine_state(0);
+  const ComponentState component = site.component_state(0);
   const std::uint64_t version = site.version(0);
   site.attach(0, 0);
   site.set_configuration(0, {90, 12, 30, 0});
-  site.restore(before);
+  site.set_machine_state(0, machine);
+  site.set_component_state(0, component);
   EXPECT_TRUE(site.stands(0));
   EXPECT_TRUE(site.X_WO(0).isApprox(translation(10, 0, 16), 0));
   EXPECT_EQ(site.configuration(0), plan.robots[0].start);
@@ -53,7 +53,7 @@ TEST(SiteWorld, RestoreUndoesATask) {
   EXPECT_TRUE(view.blocked_at(std::vector<double>{0, 10, 18, 0}));
   site.remove(0);
   EXPECT_FALSE(view.blocked_at(std::vector<double>{0, 10, 18, 0}));
-  site.restore(before);
+  site.set_component_state(0, component);
   EXPECT_TRUE(view.blocked_at(std::vector<double>{0, 10, 18, 0}));
 }
 
