@@ -77,7 +77,9 @@ class Declaration {
   }
 
   void declare_import(const syntax::ImportItem& item) {
-    subject_.use("import", item.span);
+    // What an imported schedule had and plans do not have; it changes nothing.
+    const bool is_remainder = item.as && item.as->text == "schedule";
+    subject_.use(is_remainder ? "schedule" : "import", item.span);
     if (item.file.text.empty()) {
       subject_.error("F03", item.file.span, "expected the name of a file to import");
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -72,6 +73,9 @@ class Machine {
   /// Runs to and including the next attempt (true), or to the end of the motion (false). `events`
   /// may be null.
   bool advance(World& world, EventSink* events);
+
+  /// The next attempt is not made before `time`: the machine stood still meanwhile.
+  void resume_at(Ticks time) { time_ = std::max(time_, time); }
 
   bool ended() const { return end_.has_value(); }
   const MotionEnd& end() const { return *end_; }  ///< only once ended

@@ -14,7 +14,7 @@
 #include "src/report/diagnostic_printer.hpp"
 #include "src/report/schedule_text.hpp"
 #include "src/taskplan/run_plan.hpp"
-#include "src/taskplan/unsupported.hpp"
+#include "src/taskplan/run_mistakes.hpp"
 
 namespace rubicon::cli {
 
@@ -35,17 +35,12 @@ class TraceFiles : public trace::TraceSink {
       file.write(text);
       file.write("\n");
     }
-    if (to_standard_output_) {
-      std::fwrite(text.data(), 1, text.size(), stdout);
-      std::fputc('\n', stdout);
-    }
+  }
+  void restart() override {
+    for (files::AtomicFile& file : files_) file.restart();
   }
 
   std::optional<std::string> open(const std::string& path) {
-    if (path == "-") {
-      to_standard_output_ = true;
-      return std::nullopt;
-    }
     auto file = files::AtomicFile::open(path);
     if (auto* message = std::get_if<std::string>(&file)) return *message;
     files_.push_back(std::get<files::AtomicFile>(std::move(file)));
@@ -61,11 +56,10 @@ class TraceFiles : public trace::TraceSink {
     return failure;
   }
 
-  bool wanted() const { return to_standard_output_ || !files_.empty(); }
+  bool wanted() const { return !files_.empty(); }
 
  private:
   std::vector<files::AtomicFile> files_;
-  bool to_standard_output_ = false;
 };
 
 /// "12/36 set_floor_12" on one line of a terminal, once the work is long.
@@ -109,7 +103,7 @@ int run_plan_command(const RunOptions& options) {
   const std::unique_ptr<interpreter::PlanModel> plan =
       load_plan(options.plan, sources, disk, diagnostics);
   if (plan) {
-    for (auto& diagnostic : taskplan::unsupported(*plan)) diagnostics.add(std::move(diagnostic));
+    for (auto& diagnostic : taskplan::run_mistakes(*plan)) diagnostics.add(std::move(diagnostic));
   }
   const std::string messages =
       report::print_text(diagnostics.sorted(), sources, files::wants_colour(stderr));

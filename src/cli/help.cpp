@@ -55,10 +55,12 @@ constexpr std::string_view kRun =
 
 usage: rubicon run PLAN [--format table|json|csv] [--trace FILE] [--trace-detail steps|tasks|none] [--out DIR]
 
-Checks the plan, then does its tasks one after the other: every motion step is tested over the whole volume it sweeps,
-with the load. Prints a table of the tasks (robot, crew, start, duration, steps tried and accepted, result) and the
-process time. A task that cannot be done is rejected with the reason; what depends on it is reported as not reached;
-the rest goes on.
+Checks the plan, then simulates it: tasks start when their links, robots, crews and shifts allow, several machines move in
+one timeline, and every motion step is tested over the whole volume it sweeps, with the load, also against what other
+machines sweep at the time. Prints a table of the tasks (robot, crew, start, duration, of it motion and crew work, time
+waited, steps tried and accepted, result), the process time, the use and cost of robots and crews, and the critical
+chain. A task that cannot be done is rejected with the reason and undone; what depends on it is reported as not
+reached; the rest goes on.
 
   --format FORMAT        table (the default), json or csv, on standard output; times in seconds
   --trace FILE           write what happened, one JSON object a line (docs/trace.md); - is standard output
@@ -66,7 +68,7 @@ the rest goes on.
   --out DIR              write schedule.csv, schedule.json and trace.jsonl into DIR
 
 A file is written beside its target and renamed, so a stop at any moment leaves the old file or the complete new one.
-What the command cannot execute yet is refused at its place before anything runs.
+What the command does not execute is refused at its place before anything runs.
 
 Exit code: 0 every task was done (a short plan: its motion ended done), 1 otherwise, 2 the input is wrong.
 

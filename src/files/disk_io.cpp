@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -90,9 +91,11 @@ AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)),
       temporary_(std::move(other.temporary_)),
       file_(std::exchange(other.file_, nullptr)),
+      target_(std::exchange(other.target_, nullptr)),
       error_(other.error_) {}
 
 AtomicFile::~AtomicFile() {
+  if (target_ != nullptr && target_ != stdout) std::fclose(target_);
   if (file_ == nullptr) return;
   std::fclose(file_);
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
@@ -102,9 +105,13 @@ std::variant<AtomicFile, std::string> AtomicFile::open(const std::string& path) 
   AtomicFile result;
   result.path_ = path;
   struct stat status {};
-  if (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+  if (path == "-") {
+    result.target_ = stdout;
+    result.file_ = std::tmpfile();
+  } else if (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
     if (S_ISDIR(status.st_mode)) return fmt::format("cannot write '{}': it is a folder", path);
-    result.file_ = std::fopen(path.c_str(), "wb");
+    result.target_ = std::fopen(path.c_str(), "wb");
+    if (result.target_ != nullptr) result.file_ = std::tmpfile();
   } else {
     std::string pattern = path + ".XXXXXX";
     const int descriptor = ::mkostemp(pattern.data(), O_CLOEXEC);
@@ -130,9 +137,31 @@ void AtomicFile::write(std::string_view bytes) {
   }
 }
 
+void AtomicFile::restart() {
+  if (std::fflush(file_) != 0 || std::fseek(file_, 0, SEEK_SET) != 0 ||
+      ::ftruncate(::fileno(file_), 0) != 0) {
+    if (error_ == 0) error_ = errno;
+  }
+}
+
+/// Copies what was written to a target that cannot be renamed over.
+void AtomicFile::copy_to_target() {
+  std::array<char, 1 << 16> buffer{};
+  if (std::fseek(file_, 0, SEEK_SET) != 0) error_ = errno;
+  while (error_ == 0) {
+    const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file_);
+    if (count == 0) break;
+    if (std::fwrite(buffer.data(), 1, count, target_) != count) error_ = errno == 0 ? EIO : errno;
+  }
+  if (std::fflush(target_) != 0 && error_ == 0) error_ = errno;
+  if (target_ != stdout && std::fclose(target_) != 0 && error_ == 0) error_ = errno;
+  target_ = nullptr;
+}
+
 std::optional<std::string> AtomicFile::commit() {
+  if (error_ == 0 && std::fflush(file_) != 0) error_ = errno;
+  if (target_ != nullptr) copy_to_target();
   std::FILE* file = std::exchange(file_, nullptr);
-  if (std::fflush(file) != 0 && error_ == 0) error_ = errno;
   if (!temporary_.empty() && ::fsync(::fileno(file)) != 0 && error_ == 0) error_ = errno;
   // A full device may only say so here.
   if (std::fclose(file) != 0 && error_ == 0) error_ = errno;

@@ -27,8 +27,8 @@ class DiskFiles : public interpreter::FileProvider {
 std::variant<std::string, interpreter::FileFailure> read_standard_input();
 
 /// A file that appears whole or not at all: written beside its target, synced, renamed over it on
-/// `commit`. A kill at any moment leaves the old file or the complete new one. Devices and pipes
-/// are written directly.
+/// `commit`. A kill at any moment leaves the old file or the complete new one. Devices, pipes and
+/// standard output ("-") are written on `commit`.
 class AtomicFile {
  public:
   /// Opens for writing; a message if that fails.
@@ -38,15 +38,19 @@ class AtomicFile {
   ~AtomicFile();
 
   void write(std::string_view bytes);
+  /// Forgets all that was written so far.
+  void restart();
   /// Finishes the file; a message if any byte did not reach the disk (then the target is as it
   /// was).
   std::optional<std::string> commit();
 
  private:
   AtomicFile() = default;
+  void copy_to_target();
   std::string path_;
-  std::string temporary_;  ///< empty when written directly
-  std::FILE* file_ = nullptr;
+  std::string temporary_;        ///< empty where the target is no regular file
+  std::FILE* file_ = nullptr;    ///< what is written to: beside the target, or without a name
+  std::FILE* target_ = nullptr;  ///< a device, a pipe or standard output
   int error_ = 0;
 };
 

@@ -12,7 +12,7 @@
 #include "src/golden/observation.hpp"
 #include "src/report/diagnostic_printer.hpp"
 #include "src/taskplan/run_plan.hpp"
-#include "src/taskplan/unsupported.hpp"
+#include "src/taskplan/run_mistakes.hpp"
 #include "src/trace/json_builder.hpp"
 
 namespace rubicon::golden {
@@ -139,7 +139,7 @@ CaseResult run_case(const std::string& folder, const std::string& expected,
   const std::unique_ptr<PlanModel> plan =
       load_plan(folder + "/site.plan", sources, files, diagnostics);
   if (plan) {
-    for (Diagnostic& diagnostic : taskplan::unsupported(*plan))
+    for (Diagnostic& diagnostic : taskplan::run_mistakes(*plan))
       diagnostics.add(std::move(diagnostic));
   }
   if (!plan || diagnostics.has_errors()) {

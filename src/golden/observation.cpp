@@ -86,12 +86,21 @@ std::string without_folders(std::string reason) {
 
 Observation::Observation(std::map<Place, std::string> command_texts,
                          std::map<std::string, ordered_json> starts, bool with_tasks)
-    : command_texts_(std::move(command_texts)), with_tasks_(with_tasks), q_(std::move(starts)) {}
+    : command_texts_(std::move(command_texts)), with_tasks_(with_tasks), starts_(std::move(starts)), q_(starts_) {}
+
+void Observation::restart() {
+  events_ = ordered_json::array();
+  ends_.clear();
+  text_.clear();
+  depth_ = 0;
+  q_ = starts_;
+}
 
 void Observation::line(std::string_view record_text) {
   const auto record = ordered_json::parse(record_text);
   const std::string type = record.at("type");
   const bool about_tasks = type == "task_start" || type == "task_end";
+  if (type == "work" || type == "pause" || type == "remove") return;
   if (type == "header" || (about_tasks && !with_tasks_)) return;
   if (type == "end") ends_.push_back(record);
   if (type != "end" || with_tasks_) {

@@ -23,6 +23,7 @@ class Observation : public trace::TraceSink {
               std::map<std::string, nlohmann::ordered_json> starts, bool with_tasks);
 
   void line(std::string_view record) override;
+  void restart() override;
 
   const nlohmann::ordered_json& events() const { return events_; }
   /// The `end` record of every motion, in order.
@@ -40,6 +41,7 @@ class Observation : public trace::TraceSink {
   std::vector<nlohmann::ordered_json> ends_;
   std::string text_;
   int depth_ = 0;
+  std::map<std::string, nlohmann::ordered_json> starts_;
   std::map<std::string, nlohmann::ordered_json>
       q_;  ///< per robot: the configuration before its next try
 };

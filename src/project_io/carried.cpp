@@ -93,7 +93,7 @@ std::vector<CarriedRecord> carried_records(const interpreter::PlanModel& plan,
                                            const interpreter::SourceMap& sources) {
   std::vector<CarriedRecord> records;
   for (const auto& use : plan.uses) {
-    if (use.what == "import" && use.span.file < sources.size()) {
+    if ((use.what == "import" || use.what == "schedule") && use.span.file < sources.size()) {
       read_block(sources, use.span, records);
     }
   }

@@ -6,18 +6,27 @@
 
 namespace rubicon::report {
 
-/// A table for people: task, robot, crew, start and duration as h:mm:ss, steps tried and accepted,
-/// result with the reason; then the process time.
+/// For people: a table of the tasks (robot, crew, start, duration, of it motion and crew work, time
+/// waited, steps tried and accepted, result with the reason), the process time, the use and cost
+/// of robots and crews, and the critical chain.
 std::string schedule_table(const taskplan::Schedule& schedule);
 
-/// {"tasks":[{task,robot,crew,start,duration,tried,accepted,result,reason}],"process_time":s};
-/// times in seconds.
+/// Everything of a schedule as JSON (docs/commands/run.md); times in seconds.
 std::string schedule_json(const taskplan::Schedule& schedule);
 
-/// The same columns as CSV (RFC 4180, line ends "\n"), a header line first.
+/// The tasks as CSV (RFC 4180, line ends "\n"), a header line first; times in seconds.
 std::string schedule_csv(const taskplan::Schedule& schedule);
 
 /// h:mm:ss, rounded to seconds.
 std::string clock_text(interpreter::Ticks ticks);
+
+/// The names of a task's crews, with commas between.
+std::string crew_text(const taskplan::TaskOutcome& task);
+
+/// A moment of a plan that begins at `start_at`, as "YYYY-MM-DD HH:MM", rounded down to its minute.
+std::string date_text(const std::string& start_at, interpreter::Ticks time);
+
+/// A time in seconds, exactly.
+std::string seconds_text(interpreter::Ticks ticks);
 
 }  // namespace rubicon::report

@@ -5,6 +5,7 @@
 namespace rubicon::taskplan {
 
 void HitRecorder::goal(int k, int n) {
+  way_point_ = k;
   if (next_) next_->goal(k, n);
 }
 
@@ -36,7 +37,8 @@ void HitRecorder::attempt(const interpreter::Attempt& attempt) {
     open_.push_back({attempt.n,
                      {attempt.parameters.begin(), attempt.parameters.end()},
                      attempt.span,
-                     *attempt.hit});
+                     *attempt.hit,
+                     way_point_});
   }
   if (next_) next_->attempt(attempt);
 }

@@ -13,6 +13,7 @@ struct RecordedHit {
   std::vector<std::string> parameters;  ///< display names
   interpreter::Span span;
   interpreter::HitPair pair;
+  int way_point = 1;  ///< from 1, of its motion
 };
 
 /// Passes events on (to a trace, if there is one) and remembers who is in the way: the last hit of
@@ -23,6 +24,8 @@ class HitRecorder : public interpreter::EventSink {
 
   /// The latest hit that was not overcome; null if there is none.
   const RecordedHit* last() const { return open_.empty() ? nullptr : &open_.back(); }
+  /// All that were not overcome, oldest first.
+  const std::vector<RecordedHit>& open() const { return open_; }
   void forget() { open_.clear(); }
 
   void goal(int k, int n) override;
@@ -37,6 +40,7 @@ class HitRecorder : public interpreter::EventSink {
  private:
   interpreter::EventSink* next_;
   std::vector<RecordedHit> open_;  ///< oldest first
+  int way_point_ = 1;
 };
 
 }  // namespace rubicon::taskplan

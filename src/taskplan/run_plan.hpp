@@ -15,11 +15,10 @@ struct RunOptions {
   std::function<void(int done, int total, const TaskOutcome& last)> on_task;
 };
 
-/// Simulates a plan from its beginning, task after task (in an order that respects `after`, else as
-/// in the file), several robots by turns, and writes the trace to `sink` unless it is null. A
-/// rejected task is undone and what depends on it is not reached; the rest goes on. The plan must
-/// have passed `unsupported` without an error. Throws std::invalid_argument for shapes without
-/// extent.
+/// Simulates a plan from its beginning (docs/simulation.md) and writes the trace to `sink` unless
+/// it is null. A rejected task is undone and what depends on it is not reached; the rest goes on.
+/// The plan must have passed `run_mistakes` without an error. Throws std::invalid_argument for
+/// shapes without extent.
 Schedule run_plan(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
                   trace::TraceSink* sink, const RunOptions& options = {});
 

@@ -62,6 +62,50 @@ void write_components(JsonBuilder& json, const PlanModel& plan, MeshTable& meshe
   json.end_array();
 }
 
+void write_rate(JsonBuilder& json, const std::optional<double>& cost_per_hour,
+                const std::string& calendar) {
+  json.key("cost_per_hour");
+  if (cost_per_hour) {
+    json.value(*cost_per_hour);
+  } else {
+    json.null();
+  }
+  json.field("calendar", calendar);
+}
+
+void write_values(JsonBuilder& json, const robot::RobotModel& model,
+                  const std::vector<std::pair<int, double>>& values) {
+  json.begin_object();
+  for (const auto& [index, value] : values) {
+    json.field(model.parameters[static_cast<std::size_t>(index)].display_name, value);
+  }
+  json.end_object();
+}
+
+void write_calendars(JsonBuilder& json, const PlanModel& plan) {
+  json.key("start_at");
+  if (plan.start_at) {
+    json.value(std::string_view(*plan.start_at));
+  } else {
+    json.null();
+  }
+  json.field("currency", plan.currency).key("calendars").begin_array();
+  for (const interpreter::CalendarSpec& calendar : plan.calendars) {
+    json.begin_object().field("name", calendar.name).key("shifts").begin_array();
+    for (const interpreter::CalendarSpec::Shift& shift : calendar.shifts) {
+      json.begin_object().key("days").begin_array();
+      json.value(shift.first_day).value(shift.last_day).end_array().key("minutes").begin_array();
+      for (const auto& [from, to] : shift.minutes) {
+        json.begin_array().value(from).value(to).end_array();
+      }
+      json.end_array().end_object();
+    }
+    json.end_array().key("off").strings(calendar.off);
+    json.field("carry_over", calendar.carry_over).end_object();
+  }
+  json.end_array();
+}
+
 void write_robots(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
   json.key("robots").begin_array();
   for (const interpreter::RobotSpec& spec : plan.robots) {
@@ -73,6 +117,13 @@ void write_robots(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
       json.field(model.parameters[i].display_name, spec.start[i]);
     }
     json.end_object();
+    write_rate(json, spec.cost_per_hour, spec.calendar);
+    json.key("park");
+    if (spec.park) {
+      write_values(json, model, *spec.park);
+    } else {
+      json.null();
+    }
     write_robot_model(json, model, meshes);
     json.end_object();
   }
@@ -136,7 +187,7 @@ void write_task_work(JsonBuilder& json, const PlanModel& plan, const interpreter
   }
 }
 
-void write_tasks(JsonBuilder& json, const PlanModel& plan) {
+void write_tasks(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
   json.key("tasks").begin_array();
   for (const interpreter::TaskSpec& task : plan.tasks) {
     json.begin_object().field("name", task.name).key("robot");
@@ -149,6 +200,8 @@ void write_tasks(JsonBuilder& json, const PlanModel& plan) {
     json.end_array();
     write_task_motions(json, plan, task);
     write_task_work(json, plan, task);
+    json.field("priority", task.priority).key("zones");
+    write_shapes(json, task.zones, meshes);
     json.key("after").begin_array();
     for (const interpreter::LinkSpec& link : task.after) {
       json.begin_object();
@@ -171,6 +224,7 @@ std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sou
   json.field("form", plan.short_form ? "short" : "full").field("detail", name_of(detail));
   json.field("contact", plan.contact).field("budget", plan.budget);
   json.key("situations").strings(plan.situations);
+  write_calendars(json, plan);
   write_files(json, sources);
   json.key("site");
   write_shapes(json, plan.site, meshes);
@@ -180,7 +234,9 @@ std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sou
   write_shapes(json, plan.carry, meshes);
   json.key("crews").begin_array();
   for (const interpreter::CrewSpec& crew : plan.crews) {
-    json.begin_object().field("name", crew.name).field("size", crew.size).end_object();
+    json.begin_object().field("name", crew.name).field("size", crew.size);
+    write_rate(json, crew.cost_per_hour, crew.calendar);
+    json.end_object();
   }
   json.end_array();
   if (plan.short_form) {
@@ -189,7 +245,7 @@ std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sou
     json.end_array();
     if (plan.goal) write_goal(json.key("goal"), plan, 0, *plan.goal);
   }
-  write_tasks(json, plan);
+  write_tasks(json, plan, meshes);
   meshes.write(json.key("meshes"));
   json.end_object();
   return json.take();

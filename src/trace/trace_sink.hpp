@@ -10,6 +10,8 @@ class TraceSink {
   virtual ~TraceSink() = default;
   /// One JSON object without a line end; valid only during the call.
   virtual void line(std::string_view text) = 0;
+  /// Forgets all lines so far: the run begins anew.
+  virtual void restart() = 0;
 };
 
 /// How much is written: every attempt; only tasks, loads and the ends of motions; only the header.

@@ -128,6 +128,49 @@ void TraceWriter::detach(std::string_view component, const math::Pose& X_WO,
   load("detach", component, X_WO, time);
 }
 
+void TraceWriter::span_of_time(interpreter::Ticks from, interpreter::Ticks to) {
+  line_ += ",\"from\":";
+  append_seconds(line_, from);
+  line_ += ",\"t\":";
+  append_seconds(line_, to);
+}
+
+void TraceWriter::remove(std::string_view component, interpreter::Ticks time) {
+  if (detail_ == TraceDetail::none) return;
+  begin("remove");
+  line_ += ",\"component\":";
+  append_string(line_, component);
+  line_ += ",\"t\":";
+  append_seconds(line_, time);
+  finish();
+}
+
+void TraceWriter::work(std::string_view what, std::string_view crew, interpreter::Ticks from,
+                       interpreter::Ticks to, interpreter::Ticks time) {
+  if (detail_ == TraceDetail::none) return;
+  begin("work");
+  line_ += ",\"what\":";
+  append_string(line_, what);
+  line_ += ",\"crew\":";
+  append_string(line_, crew);
+  span_of_time(from, to);
+  line_ += ",\"time\":";
+  append_seconds(line_, time);
+  finish();
+}
+
+void TraceWriter::pause(std::string_view why, std::string_view whom, interpreter::Ticks from,
+                        interpreter::Ticks to) {
+  if (detail_ == TraceDetail::none) return;
+  begin("pause");
+  line_ += ",\"why\":";
+  append_string(line_, why);
+  line_ += ",\"for\":";
+  append_string(line_, whom);
+  span_of_time(from, to);
+  finish();
+}
+
 void TraceWriter::motion_end(const interpreter::MotionEnd& end) {
   if (detail_ == TraceDetail::none) return;
   begin("end");

@@ -33,6 +33,15 @@ class TraceWriter : public interpreter::EventSink {
   void attach(std::string_view component, const math::Pose& X_TO, interpreter::Ticks time);
   /// The component stands on its own again, at X_WO.
   void detach(std::string_view component, const math::Pose& X_WO, interpreter::Ticks time);
+  /// The component leaves the site.
+  void remove(std::string_view component, interpreter::Ticks time);
+  /// Crew work from `from` to `to`, of which `time` is in shifts; `what` is hook, adjust, release
+  /// or takes.
+  void work(std::string_view what, std::string_view crew, interpreter::Ticks from,
+            interpreter::Ticks to, interpreter::Ticks time);
+  /// The task stood still; `why` is machine, crew, shift or held.
+  void pause(std::string_view why, std::string_view whom, interpreter::Ticks from,
+             interpreter::Ticks to);
   void motion_end(const interpreter::MotionEnd& end);
 
   void goal(int k, int n) override;
@@ -48,6 +57,7 @@ class TraceWriter : public interpreter::EventSink {
   void begin(const char* type);
   void finish();
   void place(interpreter::Span span);
+  void span_of_time(interpreter::Ticks from, interpreter::Ticks to);
   void load(const char* type, std::string_view component, const math::Pose& X,
             interpreter::Ticks time);
   void configuration(std::span<const double> q);

@@ -186,12 +186,12 @@ class Run(Case):
         self.assertEqual(table.returncode, 0, table.stderr)
         self.assertIn("process time", table.stdout)
         document = json.loads(rubicon("run", self.plan, "--format", "json").stdout)
-        self.assertEqual(list(document["tasks"][0]), ["task", "robot", "crew", "start", "duration", "tried", "accepted",
-                                                      "result", "reason"])
+        self.assertEqual(list(document["tasks"][0]), ["task", "robot", "crew", "start", "duration", "motion", "work",
+                                                      "waited", "tried", "accepted", "result", "reason"])
         self.assertEqual(document["process_time"], 3)
         csv = rubicon("run", self.plan, "--format", "csv").stdout.splitlines()
-        self.assertEqual(csv[0], "task,robot,crew,start,duration,tried,accepted,result,reason")
-        self.assertEqual(csv[1], "p,gantry,,0,3,3,3,done,")
+        self.assertTrue(csv[0].startswith("task,robot,crew,start,duration,tried,accepted,result,reason,motion,work,"))
+        self.assertEqual(csv[1], "p,gantry,,0,3,3,3,done,,3,0,0,0,0,0,,,")
 
     def test_a_motion_that_does_not_end_done_exits_with_1(self):
         self.write("b.motion", "chain { move_dir(x, 1), move_dir(x, -1) };\n")
@@ -209,11 +209,11 @@ class Run(Case):
 
     def test_what_is_not_executed_yet_is_refused_at_its_place(self):
         plan = self.write("full.plan", "plan p {\n  robot g \"gantry.robot\" { cost 10 per h; }\n"
-                                       "  task t { by g; go x 3; }\n}\n")
+                                       "  task t { by g; go x 3; guide tangent; }\n}\n")
         self.assertEqual(rubicon("check", plan).returncode, 0)
         result = rubicon("run", plan)
         self.assertEqual(result.returncode, 2)
-        self.assertRegex(result.stderr, r"full\.plan:2:\d+: error: .*cost")
+        self.assertRegex(result.stderr, r"full\.plan:3:\d+: error: .*guides")
 
     def test_out_writes_the_same_documents(self):
         out = os.path.join(self.folder, "out")

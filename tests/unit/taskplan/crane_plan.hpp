@@ -52,6 +52,7 @@ interpreter::TaskSpec move_task(const std::string& name, int component, const ma
 class Lines : public trace::TraceSink {
  public:
   void line(std::string_view text) override { lines.emplace_back(text); }
+  void restart() override { lines.clear(); }
   std::vector<std::string> lines;
 };
 

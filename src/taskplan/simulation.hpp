@@ -1,0 +1,203 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "interpreter/machine.hpp"
+#include "interpreter/plan_model.hpp"
+#include "interpreter/source.hpp"
+#include "src/schedule/network.hpp"
+#include "src/site/robot_view.hpp"
+#include "src/site/site_world.hpp"
+#include "src/taskplan/active_task.hpp"
+#include "src/taskplan/journal.hpp"
+#include "src/taskplan/resource_desk.hpp"
+#include "src/taskplan/run_plan.hpp"
+#include "src/taskplan/trace_tape.hpp"
+#include "src/trace/trace_writer.hpp"
+
+namespace rubicon::taskplan {
+
+/// A task that is not done, for good.
+struct ExcludedTask {
+  TaskOutcome outcome;
+  int cause = -1;  ///< the rejected task behind it: itself, or one that it depends on
+};
+using Excluded = std::map<int, ExcludedTask>;
+
+/// What a run has found out for good: which tasks are not done, which robots cannot park.
+struct Verdicts {
+  Excluded tasks;
+  std::vector<bool> parking_failed;
+};
+
+/// A discrete-event simulation of a full plan: tasks start when their links, robots, crews and
+/// shifts allow, several machines move in one timeline, and events happen in the order of (time,
+/// sequence). A task that cannot be done is rejected: the run goes back to the moment when it
+/// started and goes on without it, so that it leaves no mark on the others.
+class Simulation {
+ public:
+  /// `sink` may be null. All arguments must outlive it. The plan must be without `run_mistakes`.
+  /// Tasks of `known` are left out from the beginning.
+  Simulation(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
+             trace::TraceSink* sink, const RunOptions& options, Verdicts known);
+
+  /// Runs to the end; nothing if the whole must begin anew with the `verdicts` so far, which
+  /// happens when a task that was done turns out to be impossible without a later one.
+  std::optional<Schedule> run();
+  Verdicts verdicts() const { return {excluded_, parking_failed_}; }
+
+ private:
+  /// What is copied to go back to a moment; the rest is in the journal.
+  struct Moment {
+    Ticks now = 0;
+    std::uint64_t sequence = 0;
+    std::vector<std::shared_ptr<const ActiveTask>> active;
+    std::vector<ResourceState> resources;
+    std::vector<site::MachineState> machines;
+    std::vector<ZoneWait> zone_waits;
+  };
+  /// The moment before a task started.
+  struct Checkpoint {
+    int task = -1;
+    Journal::Mark mark = 0;
+    TraceTape::Mark trace = 0;
+    Moment moment;
+  };
+  struct Rejection {
+    int task = -1;
+    std::string reason;
+  };
+  enum class Status : std::uint8_t { pending, asking, active, done };
+
+  // simulation.cpp: the loop
+  void prepare();
+  void prepare_queue(int task);
+  bool process_events();
+  bool hand_out();
+  void begin_task(const ResourceDesk::Grant& grant);
+  bool zone_is_free(const ResourceDesk::Grant& grant);
+  void ask_again_for_zones();
+  ActiveTask& activate(int task);
+  void finish_task(ActiveTask& active);
+  void complete(ActiveTask& active);
+  void hold_all(ActiveTask& active);
+  void wake_at(ActiveTask& active, Ticks time);
+  std::optional<Ticks> next_event() const;
+
+  // simulation_links.cpp: when tasks may start and finish
+  void prepare_links();
+  void make_ready(int task);
+  void publish(int task, schedule::TaskEnd end, Ticks time);
+  void spread();
+  void count_down(int& counter);
+  schedule::LinkBounds bounds_of(int task, bool with_finish) const;
+  bool waits_to_start(int task, schedule::LinkType type) const;
+  bool known_work(int task) const { return work_[index(task)] >= 0; }
+  bool is_milestone(int task) const { return work_[index(task)] == 0; }
+
+  // simulation_phases.cpp: what a task does
+  void run_phases(ActiveTask& active);
+  bool begin_phase(ActiveTask& active);
+  void go_on(ActiveTask& active);
+  bool begin_work(ActiveTask& active);
+  bool do_work(ActiveTask& active);
+  void end_work(ActiveTask& active);
+  void crew_came(ActiveTask& active, const ResourceDesk::Grant& grant);
+  int work_queue(const ActiveTask& active);
+  void wait_for_shift(ActiveTask& active, const schedule::WorkCalendar& calendar, Doing then);
+  void pause(ActiveTask& active, const char* why, const std::string& whom);
+  void attach(ActiveTask& active);
+  void detach(ActiveTask& active);
+  bool weigh(ActiveTask& active);
+  bool remove(ActiveTask& active);
+  void keep_component(int component);
+
+  // simulation_motion.cpp: motions, and waiting for other machines
+  bool begin_motion(ActiveTask& active);
+  bool start_machine(ActiveTask& active);
+  bool move_on(ActiveTask& active);
+  void count_step(ActiveTask& active, Ticks to, bool waited);
+  bool end_motion(ActiveTask& active);
+  bool retry(ActiveTask& active);
+  void wake_those_who_wait_for(int robot, int zone_task);
+  bool park_idle_machines();
+  bool may_park(int robot) const;
+
+  // simulation_deadlock.cpp: when nobody can go on
+  bool find_ring();
+  bool resolve_standstill();
+  std::string standstill_reason(int task);
+
+  // simulation_undo.cpp: going back
+  void reject(const ActiveTask& active, std::string reason);
+  bool apply_rejection();
+  void exclude(int task, TaskOutcome outcome, int cause);
+  void exclude_followers(int task);
+  void let_go(ActiveTask& active, int before, schedule::LinkType type);
+  TaskOutcome not_reached(int task, int missing) const;
+  void go_back(const Checkpoint& checkpoint);
+  void drop_checkpoint(int task);
+  void add_checkpoint(int task, std::vector<ResourceState> resources);
+
+  ActiveTask* find_active(int task);
+  const interpreter::TaskSpec& spec(int task) const { return *specs_[index(task)]; }
+  const interpreter::RobotSpec& robot_spec(int robot) const { return plan_.robots[index(robot)]; }
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  int crew_resource(int crew) const { return static_cast<int>(plan_.robots.size()) + crew; }
+  bool is_park(int task) const { return task >= static_cast<int>(plan_.tasks.size()); }
+  const interpreter::Program& program_of(int robot);
+  void own_trace(const ActiveTask& active);
+  void trace_end(int task, Ticks time, const TaskOutcome& outcome);
+
+  // make_schedule.cpp
+  Schedule make_schedule();
+  void add_critical_chain(Schedule& schedule) const;
+
+  const interpreter::PlanModel& plan_;
+  const interpreter::SourceMap& sources_;
+  const RunOptions& options_;
+  Journal journal_;
+  std::optional<TraceTape> tape_;
+  std::optional<trace::TraceWriter> trace_;
+  site::SiteWorld site_;
+  std::deque<site::RobotView> views_;  ///< one a robot
+  std::map<const interpreter::CheckedRobot*, interpreter::Program> programs_;
+  std::optional<ResourceDesk> desk_;
+
+  // to each task: those of the plan, and then one a robot for parking it
+  std::vector<interpreter::TaskSpec> parks_;
+  std::vector<const interpreter::TaskSpec*> specs_;
+  std::vector<int> queue_;   ///< where it asks for what it holds from start to finish
+  std::vector<Ticks> work_;  ///< known before it starts: crew work; -1: not known
+  std::vector<bool> tied_;   ///< schedule::LinkOrder::tied_both_ways
+  std::vector<std::vector<schedule::Link>> links_;
+  std::vector<std::vector<std::pair<int, schedule::LinkType>>> followers_;
+  std::vector<Status> status_;
+  std::vector<int> to_start_;   ///< events not known yet, without which it cannot start
+  std::vector<int> to_finish_;  ///< and without which it cannot finish
+  std::vector<schedule::TaskTimes> times_;
+  std::vector<std::uint8_t> known_;  ///< bits: 1 its start is known, 2 its finish
+  std::vector<std::optional<TaskOutcome>> outcomes_;
+  std::vector<TaskOutcome> parkings_;
+  std::vector<std::pair<int, schedule::TaskEnd>> news_;  ///< known, and not told to followers yet
+
+  // for good, whatever the run goes back to
+  Excluded excluded_;
+  std::vector<TaskOutcome> failed_parkings_;
+  std::vector<bool> parking_failed_;
+  bool must_restart_ = false;
+
+  Moment now_;
+  std::vector<Checkpoint> checkpoints_;  ///< of active tasks, oldest first
+  std::optional<Rejection> rejection_;
+  int done_ = 0;
+};
+
+}  // namespace rubicon::taskplan

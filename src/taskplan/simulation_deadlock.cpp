@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "src/taskplan/simulation.hpp"
+
+namespace rubicon::taskplan {
+
+namespace {
+
+/// Of several tasks the one that gives way: the least priority, of equals the last in the file.
+int last_of(const std::vector<int>& tasks, const std::vector<const interpreter::TaskSpec*>& specs) {
+  const auto key = [&](int task) {
+    return std::pair(-specs[static_cast<std::size_t>(task)]->priority, task);
+  };
+  return *std::max_element(tasks.begin(), tasks.end(),
+                           [&](int a, int b) { return key(a) < key(b); });
+}
+
+std::string meeting(const Blocker& blocker) {
+  return fmt::format("{} meets {}", blocker.moved, blocker.met);
+}
+
+using Waiting = std::vector<const ActiveTask*>;
+using WaitsFor = std::function<const ActiveTask*(const Blocker&)>;
+
+/// Starting anywhere among tasks each of which waits for another of them, a ring of these.
+Waiting ring_among(const Waiting& waiting, const WaitsFor& waits_for) {
+  Waiting ring;
+  for (const ActiveTask* at = waiting.front();; at = waits_for(at->blockers.front())) {
+    const auto again = std::find(ring.begin(), ring.end(), at);
+    if (again != ring.end()) {
+      ring.erase(ring.begin(), again);
+      return ring;
+    }
+    ring.push_back(at);
+  }
+}
+
+}  // namespace
+
+/// Machines that wait for each other, so that none can ever go on: one of their tasks is rejected.
+/// Seen as soon as the last of them begins to wait.
+bool Simulation::find_ring() {
+  Waiting waiting;
+  for (const auto& active : now_.active) {
+    if (active->doing == Doing::waiting_for_machine && !active->wake) {
+      waiting.push_back(active.get());
+    }
+  }
+  const WaitsFor waits_for = [&](const Blocker& blocker) -> const ActiveTask* {
+    for (const ActiveTask* other : waiting) {
+      if (blocker.zone_task >= 0 ? other->task == blocker.zone_task
+                                 : spec(other->task).robot == blocker.robot) {
+        return other;
+      }
+    }
+    return nullptr;
+  };
+  // Who has anything in the way that may still move has hope.
+  while (std::erase_if(waiting, [&](const ActiveTask* active) {
+           return std::any_of(active->blockers.begin(), active->blockers.end(),
+                              [&](const Blocker& blocker) { return !waits_for(blocker); });
+         }) > 0) {
+  }
+  if (waiting.empty()) return false;
+  const Waiting ring = ring_among(waiting, waits_for);
+  std::string text = "machines wait for each other: ";
+  std::vector<int> tasks;
+  for (const ActiveTask* each : ring) {
+    if (!tasks.empty()) text += ", ";
+    tasks.push_back(each->task);
+    const Blocker& blocker = each->blockers.front();
+    const int robot = spec(each->task).robot;
+    text += fmt::format("{} ({}) waits for {}: {}", robot_spec(robot).name, spec(each->task).name,
+                        blocker.robot >= 0 ? robot_spec(blocker.robot).name : blocker.met,
+                        meeting(blocker));
+  }
+  rejection_ = Rejection{last_of(tasks, specs_), std::move(text)};
+  return true;
+}
+
+/// Nothing will happen any more, but some tasks have not finished: one is rejected. False if all
+/// have.
+bool Simulation::resolve_standstill() {
+  std::vector<int> stuck;
+  for (const auto& active : now_.active) stuck.push_back(active->task);
+  for (const ZoneWait& wait : now_.zone_waits) stuck.push_back(wait.task);
+  if (stuck.empty()) {
+    for (int task = 0; task < static_cast<int>(plan_.tasks.size()); ++task) {
+      const bool over = status_[index(task)] == Status::done || excluded_.contains(task);
+      if (!over) stuck.push_back(task);
+    }
+  }
+  if (stuck.empty()) return false;
+  const int task = last_of(stuck, specs_);
+  rejection_ = Rejection{task, standstill_reason(task)};
+  return true;
+}
+
+std::string Simulation::standstill_reason(int task) {
+  const auto zone = std::find_if(now_.zone_waits.begin(), now_.zone_waits.end(),
+                                 [&](const ZoneWait& wait) { return wait.task == task; });
+  if (zone != now_.zone_waits.end()) {
+    return fmt::format("{} stands in its zone and does not move any more",
+                       robot_spec(zone->robot).name);
+  }
+  const ActiveTask* const active = find_active(task);
+  if (!active) return "no shift of all that it needs ever begins";
+  if (active->doing == Doing::waiting_for_machine) {
+    const Blocker& blocker = active->blockers.front();
+    std::string reason =
+        fmt::format("blocked for ever: {}, which does not move any more", meeting(blocker));
+    if (blocker.robot >= 0 && !robot_spec(blocker.robot).park) {
+      reason += fmt::format("; give {} a park position", robot_spec(blocker.robot).name);
+    }
+    return reason;
+  }
+  if (active->doing == Doing::waiting_for_crew) {
+    const int holder = desk_->state(active->crew).holder;
+    return fmt::format("it never gets {}, which {} holds", desk_->name(active->crew),
+                       holder >= 0 ? spec(holder).name : std::string("nobody"));
+  }
+  return "its links never let it finish";
+}
+
+}  // namespace rubicon::taskplan

@@ -1,0 +1,248 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "src/taskplan/goal_holds.hpp"
+#include "src/taskplan/motion_task.hpp"
+#include "src/taskplan/reason.hpp"
+#include "src/taskplan/simulation.hpp"
+
+namespace rubicon::taskplan {
+
+namespace {
+
+using interpreter::MotionStatus;
+
+/// Whether a motion that ended so may succeed when another machine has moved.
+bool may_try_again(MotionStatus status) {
+  return status == MotionStatus::done || status == MotionStatus::livelock ||
+         status == MotionStatus::circling;
+}
+
+/// The machines and zones that a motion met last and did not get round, each once.
+std::vector<Blocker> blockers_of(const HitRecorder& hits) {
+  std::vector<Blocker> blockers;
+  for (const RecordedHit& hit : hits.open()) {
+    const Blocker blocker{hit.pair.machine, hit.pair.zone_task, hit.pair.moved, hit.pair.met};
+    if (blocker.robot < 0 && blocker.zone_task < 0) continue;
+    const bool known = std::any_of(blockers.begin(), blockers.end(),
+                                   [&](const Blocker& other) { return other.same_as(blocker); });
+    if (!known) blockers.push_back(blocker);
+  }
+  return blockers;
+}
+
+/// The way point at which a machine was met first.
+std::size_t first_way_point(const HitRecorder& hits) {
+  int first = 0;
+  for (const RecordedHit& hit : hits.open()) {
+    if (hit.pair.machine < 0 && hit.pair.zone_task < 0) continue;
+    if (first == 0 || hit.way_point < first) first = hit.way_point;
+  }
+  return static_cast<std::size_t>(std::max(first - 1, 0));
+}
+
+}  // namespace
+
+bool Simulation::begin_motion(ActiveTask& active) {
+  const interpreter::TaskSpec& task = spec(active.task);
+  const MotionPurpose purpose = active.now().purpose;
+  if (task.move && purpose == MotionPurpose::grip && !site_.stands(*task.move)) {
+    reject(active, site_.component_name(*task.move) + " is not on the site any more");
+    return false;
+  }
+  const schedule::WorkCalendar& calendar = desk_->calendar(queue_[index(active.task)]);
+  if (!calendar.works_at(now_.now)) {
+    wait_for_shift(active, calendar, Doing::moving);
+    return false;
+  }
+  active.goals = goals_of(plan_, task, purpose, site_);
+  active.budget = task.budget.value_or(plan_.budget);
+  // What stopped the carrying motion still keeps the placing one from its goal.
+  if (purpose != MotionPurpose::place) active.hits.forget();
+  const std::vector<double>& q = site_.configuration(task.robot);
+  const robot::RobotModel& model = robot_spec(task.robot).robot->model;
+  const robot::Mounting& mounting = site_.robot(task.robot).mounting;
+  if (active.goals.size() == 1 &&
+      goal_holds(model, mounting, q, active.goals.front(), within_of(plan_, task, purpose))) {
+    MotionOutcome held;
+    held.purpose = purpose;
+    held.start = now_.now;
+    held.end.reached = true;
+    held.end.q = q;
+    held.end.time = now_.now;
+    own_trace(active);
+    if (trace_) trace_->motion_end(held.end);
+    active.outcome.motions.push_back(std::move(held));
+    return true;
+  }
+  return start_machine(active);
+}
+
+/// Whether the motion is over at once.
+bool Simulation::start_machine(ActiveTask& active) {
+  const interpreter::TaskSpec& task = spec(active.task);
+  const MotionPurpose purpose = active.now().purpose;
+  interpreter::MotionTask motion;
+  motion.goals = active.goals;
+  motion.situations = situations_of(plan_, task, purpose);
+  motion.within = within_of(plan_, task, purpose);
+  motion.budget = active.budget;
+  motion.first_n = active.outcome.tried + 1;
+  motion.start = now_.now;
+  motion.q = site_.configuration(task.robot);
+  motion.mounting = site_.robot(task.robot).mounting;
+  active.doing = Doing::moving;
+  active.machine_start = now_.now;
+  active.machine.emplace(program_of(task.robot), std::move(motion));
+  return move_on(active);
+}
+
+/// Attempts until one takes time; whether the motion is over and did what the task needs.
+bool Simulation::move_on(ActiveTask& active) {
+  const int robot = spec(active.task).robot;
+  const schedule::WorkCalendar& calendar = desk_->calendar(queue_[index(active.task)]);
+  if (calendar.carries_over() && !calendar.works_at(now_.now)) {
+    wait_for_shift(active, calendar, Doing::moving);
+    return false;
+  }
+  own_trace(active);
+  interpreter::Machine& machine = *active.machine;
+  while (machine.time() == now_.now) {
+    const std::vector<double> before = machine.q();
+    if (!machine.advance(views_[index(robot)], &active.hits)) break;
+    if (machine.time() == now_.now) continue;
+    count_step(active, machine.time(), machine.q() == before);
+  }
+  if (machine.time() > now_.now) {
+    wake_at(active, machine.time());
+    return false;
+  }
+  return end_motion(active);
+}
+
+/// A step from now to `to`, or a `wait` of the script, which waits for what was in the way last.
+void Simulation::count_step(ActiveTask& active, Ticks to, bool waited) {
+  const Ticks duration = to - now_.now;
+  if (waited && !blockers_of(active.hits).empty()) {
+    active.outcome.waits.machine += duration;
+  } else {
+    active.outcome.motion_time += duration;
+  }
+  const std::vector<int>& resources = desk_->resources(queue_[index(active.task)]);
+  for (std::size_t i = 0; i < resources.size(); ++i) {
+    active.over_time[i] += desk_->hours(resources[i]).idle_between(now_.now, to);
+  }
+}
+
+bool Simulation::end_motion(ActiveTask& active) {
+  MotionOutcome made;
+  made.purpose = active.now().purpose;
+  made.start = active.machine_start;
+  made.end = active.machine->end();
+  active.machine.reset();
+  active.outcome.tried += made.end.tries;
+  active.outcome.accepted += made.end.accepted;
+  active.budget -= made.end.tries;
+  own_trace(active);
+  if (trace_) trace_->motion_end(made.end);
+  const bool reached = made.end.reached;
+  const bool enough = is_enough(made.purpose, made.end);
+  std::vector<Blocker> blockers;
+  if (!reached && may_try_again(made.end.status)) blockers = blockers_of(active.hits);
+  active.outcome.motions.push_back(std::move(made));
+  if (blockers.empty()) {
+    if (enough) return true;
+    const interpreter::TaskSpec& task = spec(active.task);
+    const std::string component = task.move ? site_.component_name(*task.move) : std::string();
+    reject(active,
+           task_reason(active.outcome.motions.back(), active.hits.last(), component, sources_));
+    return false;
+  }
+  active.goals.erase(
+      active.goals.begin(),
+      active.goals.begin() + static_cast<std::ptrdiff_t>(
+                                 std::min(first_way_point(active.hits), active.goals.size() - 1)));
+  active.doing = Doing::waiting_for_machine;
+  active.since = now_.now;
+  active.blockers = std::move(blockers);
+  return false;
+}
+
+/// What was in the way has moved: the script is tried again. Where it still makes no step, the try
+/// leaves no trace and the task goes on waiting.
+bool Simulation::retry(ActiveTask& active) {
+  const ActiveTask before = active;
+  const TraceTape::Mark mark = tape_ ? tape_->mark() : 0;
+  active.outcome.waits.machine += now_.now - active.since;
+  const Blocker& first = active.blockers.front();
+  pause(active, "machine",
+        first.robot >= 0 ? robot_spec(first.robot).name
+                         : "the zone of " + spec(first.zone_task).name);
+  active.hits.forget();
+  const bool over = start_machine(active);
+  const bool fruitless = active.doing == Doing::waiting_for_machine && !rejection_ &&
+                         active.outcome.accepted == before.outcome.accepted;
+  if (!fruitless) return over;
+  std::vector<Blocker> blockers = std::move(active.blockers);
+  HitRecorder hits = std::move(active.hits);
+  active = before;
+  active.blockers = std::move(blockers);
+  active.hits = std::move(hits);
+  active.wake.reset();
+  if (tape_) tape_->forget_since(mark);
+  return false;
+}
+
+/// A machine moved, or people left: those who wait for it try again.
+void Simulation::wake_those_who_wait_for(int robot, int zone_task) {
+  for (std::size_t i = 0; i < now_.active.size(); ++i) {
+    if (now_.active[i]->doing != Doing::waiting_for_machine || now_.active[i]->wake) continue;
+    const std::vector<Blocker>& blockers = now_.active[i]->blockers;
+    const bool waits = std::any_of(blockers.begin(), blockers.end(), [&](const Blocker& blocker) {
+      return robot >= 0 ? blocker.robot == robot : blocker.zone_task == zone_task;
+    });
+    if (waits) wake_at(*find_active(now_.active[i]->task), now_.now);
+  }
+}
+
+bool Simulation::may_park(int robot) const {
+  if (!robot_spec(robot).park || parking_failed_[index(robot)]) return false;
+  if (desk_->state(robot).holder >= 0 || site_.load(robot)) return false;
+  const interpreter::TaskSpec& park = parks_[index(robot)];
+  return !goal_holds(robot_spec(robot).robot->model, site_.robot(robot).mounting,
+                     site_.configuration(robot), *park.go, {});
+}
+
+/// Asks idle machines that are in somebody's way to their park position; whether one was asked.
+bool Simulation::park_idle_machines() {
+  std::vector<int> in_the_way;
+  for (const auto& active : now_.active) {
+    if (active->doing != Doing::waiting_for_machine) continue;
+    for (const Blocker& blocker : active->blockers) in_the_way.push_back(blocker.robot);
+  }
+  for (const ZoneWait& wait : now_.zone_waits) in_the_way.push_back(wait.robot);
+  for (const int robot : in_the_way) {
+    if (robot < 0 || !may_park(robot)) continue;
+    const int task = static_cast<int>(plan_.tasks.size()) + robot;
+    ResourceDesk::Grant grant;
+    grant.task = task;
+    grant.queue = queue_[index(task)];
+    grant.before = desk_->states();
+    grant.resource = desk_->state(robot).last >= 0 ? robot : -1;
+    grant.task_before = desk_->state(robot).last;
+    grant.free = desk_->state(robot).free_since;
+    desk_->take_directly(robot, task);
+    schedule::TaskTimes times;
+    times.ready = times.wanted = now_.now;
+    journal_.assign(times_[index(task)], times);
+    journal_.assign(known_[index(task)], std::uint8_t{0});
+    begin_task(grant);
+    spread();
+    return true;
+  }
+  return false;
+}
+
+}  // namespace rubicon::taskplan

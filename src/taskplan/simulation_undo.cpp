@@ -1,0 +1,155 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "src/taskplan/simulation.hpp"
+
+namespace rubicon::taskplan {
+
+void Simulation::add_checkpoint(int task, std::vector<ResourceState> resources) {
+  Checkpoint checkpoint;
+  checkpoint.task = task;
+  checkpoint.mark = journal_.mark();
+  checkpoint.trace = tape_ ? tape_->mark() : 0;
+  checkpoint.moment = now_;
+  checkpoint.moment.resources = std::move(resources);
+  std::erase_if(checkpoint.moment.zone_waits,
+                [&](const ZoneWait& wait) { return wait.task == task; });
+  for (int robot = 0; robot < static_cast<int>(plan_.robots.size()); ++robot) {
+    checkpoint.moment.machines.push_back(site_.machine_state(robot));
+  }
+  checkpoints_.push_back(std::move(checkpoint));
+}
+
+void Simulation::drop_checkpoint(int task) {
+  std::erase_if(checkpoints_,
+                [&](const Checkpoint& checkpoint) { return checkpoint.task == task; });
+  journal_.forget_before(checkpoints_.empty() ? journal_.mark() : checkpoints_.front().mark);
+  if (tape_) {
+    tape_->release_before(checkpoints_.empty() ? tape_->mark() : checkpoints_.front().trace);
+  }
+}
+
+void Simulation::reject(const ActiveTask& active, std::string reason) {
+  if (!rejection_) rejection_ = Rejection{active.task, std::move(reason)};
+}
+
+/// Undoes a task that is to be rejected; false if there is none.
+bool Simulation::apply_rejection() {
+  if (!rejection_) return false;
+  const Rejection rejection = *std::exchange(rejection_, std::nullopt);
+  news_.clear();
+  const int task = rejection.task;
+  const auto checkpoint = std::find_if(checkpoints_.begin(), checkpoints_.end(),
+                                       [&](const Checkpoint& each) { return each.task == task; });
+  TaskOutcome outcome;
+  if (ActiveTask* const active = find_active(task)) {
+    outcome = std::move(active->outcome);
+  } else {
+    outcome.task = spec(task).name;
+    outcome.crews = crew_names(plan_, spec(task));
+    if (spec(task).robot >= 0) outcome.robot = robot_spec(spec(task).robot).name;
+    outcome.start = now_.now;
+  }
+  outcome.result = TaskResult::rejected;
+  outcome.reason = rejection.reason;
+  outcome.duration = outcome.motion_time = outcome.work_time = 0;
+  outcome.holds.clear();
+  if (checkpoint != checkpoints_.end()) {
+    go_back(*checkpoint);
+  } else if (find_active(task)) {
+    must_restart_ = true;
+  }
+  if (is_park(task)) {
+    parking_failed_[index(task) - plan_.tasks.size()] = true;
+    if (tape_) tape_->set_kept(true);
+    trace_end(task, outcome.start, outcome);
+    if (tape_) tape_->set_kept(false);
+    failed_parkings_.push_back(std::move(outcome));
+    return true;
+  }
+  exclude(task, std::move(outcome), task);
+  exclude_followers(task);
+  return true;
+}
+
+void Simulation::go_back(const Checkpoint& checkpoint) {
+  const Checkpoint back = checkpoint;  // it is one of those that are dropped
+  journal_.undo_to(back.mark);
+  if (tape_) tape_->keep_only(back.trace, back.task);
+  now_ = back.moment;
+  desk_->set_states(back.moment.resources);
+  site_.set_time(now_.now);
+  for (int robot = 0; robot < static_cast<int>(plan_.robots.size()); ++robot) {
+    site_.set_machine_state(robot, back.moment.machines[index(robot)]);
+  }
+  now_.resources.clear();
+  now_.machines.clear();
+  const auto place = std::find_if(checkpoints_.begin(), checkpoints_.end(),
+                                  [&](const Checkpoint& each) { return each.task == back.task; });
+  checkpoints_.erase(place, checkpoints_.end());
+}
+
+void Simulation::exclude(int task, TaskOutcome outcome, int cause) {
+  desk_->exclude(task);
+  std::erase_if(now_.zone_waits, [&](const ZoneWait& wait) { return wait.task == task; });
+  if (tape_) tape_->set_kept(true);
+  trace_end(task, outcome.start, outcome);
+  if (tape_) tape_->set_kept(false);
+  if (options_.on_task) {
+    options_.on_task(++done_, static_cast<int>(plan_.tasks.size()), outcome);
+  }
+  excluded_.emplace(task, ExcludedTask{std::move(outcome), cause});
+}
+
+/// A task that could not begin: what it waits for is not done.
+TaskOutcome Simulation::not_reached(int task, int missing) const {
+  const interpreter::TaskSpec& each = spec(task);
+  TaskOutcome outcome;
+  outcome.task = each.name;
+  if (each.robot >= 0) outcome.robot = robot_spec(each.robot).name;
+  outcome.crews = crew_names(plan_, each);
+  outcome.start = now_.now;
+  outcome.result = TaskResult::not_reached;
+  const ExcludedTask& before = excluded_.at(missing);
+  outcome.reason = fmt::format("it comes after {}, which is {}", before.outcome.task,
+                               name_of(before.outcome.result));
+  if (before.cause != missing) {
+    outcome.reason +=
+        fmt::format(" because {} is {}", spec(before.cause).name, name_of(TaskResult::rejected));
+  }
+  return outcome;
+}
+
+/// What depends on a task that is not done is not reached; a task that has begun and is only held
+/// to its finish goes on without it.
+void Simulation::exclude_followers(int first) {
+  std::vector<int> open = {first};
+  while (!open.empty()) {
+    const int task = open.back();
+    open.pop_back();
+    std::vector<int> reached;
+    for (const auto& [follower, type] : followers_[index(task)]) {
+      if (excluded_.contains(follower) || status_[index(follower)] == Status::done) continue;
+      if (ActiveTask* const active = find_active(follower)) {
+        let_go(*active, task, type);
+        continue;
+      }
+      exclude(follower, not_reached(follower, task), first);
+      reached.push_back(follower);
+    }
+    open.insert(open.end(), reached.rbegin(), reached.rend());
+  }
+}
+
+/// A task that has begun is not held to its finish any more by a link from a task that is not done.
+void Simulation::let_go(ActiveTask& active, int before, schedule::LinkType type) {
+  const int event = end_before(type) == schedule::TaskEnd::start ? 1 : 2;
+  const bool told = (known_[index(before)] & event) != 0;
+  if (end_after(type) != schedule::TaskEnd::finish || told) return;
+  if (--to_finish_[index(active.task)] > 0 || active.doing != Doing::held) return;
+  wake_at(active, std::max(now_.now, bounds_of(active.task, true).finish));
+}
+
+}  // namespace rubicon::taskplan
