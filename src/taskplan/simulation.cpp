@@ -85,11 +85,7 @@ void Simulation::prepare_queue(int task) {
 }
 
 std::optional<Schedule> Simulation::run() {
-  const int tasks = static_cast<int>(plan_.tasks.size());
-  for (int task = 0; task < tasks; ++task) {
-    if (to_start_[index(task)] == 0) make_ready(task);
-  }
-  spread();
+  start_plan();
   while (!must_restart_) {
     if (apply_rejection()) continue;
     if (process_events() || hand_out() || park_idle_machines() || find_ring()) continue;
@@ -200,7 +196,11 @@ void Simulation::begin_task(const ResourceDesk::Grant& grant) {
   const int task = grant.task;
   add_checkpoint(task, grant.before);
   schedule::TaskTimes times = times_[index(task)];
-  if (grant.resource >= 0 && grant.free > times.ready) {
+  if (foreseen_[index(task)]) {
+    for (const int resource : desk_->resources(queue_[index(task)])) {
+      desk_->take_directly(resource, task);
+    }
+  } else if (grant.resource >= 0 && grant.free > times.ready) {
     times.wanted = grant.free;
     times.held = schedule::Held::resource;
     times.link = -1;
@@ -208,9 +208,9 @@ void Simulation::begin_task(const ResourceDesk::Grant& grant) {
     times.task_before = grant.task_before;
   }
   times.start = now_.now;
-  if (work_[index(task)] != 0) {
-    const Ticks wanted = times.wanted;
-    times.first_gain = wanted - desk_->calendar(grant.queue).last_working(wanted);
+  const schedule::WorkCalendar& calendar = desk_->calendar(queue_[index(task)]);
+  if (!is_milestone(task)) {
+    times.first_gain = times.wanted - calendar.last_working(times.wanted);
   }
   ActiveTask& active = activate(task);
   WaitTimes& waits = active.outcome.waits;
@@ -234,9 +234,10 @@ void Simulation::begin_task(const ResourceDesk::Grant& grant) {
     site_.hold_zone(task, "the zone of " + each.name, each.zones, each.robot);
     journal_.on_undo([this, task] { site_.release_zone(task); });
   }
-  if (!is_milestone(task)) publish(task, schedule::TaskEnd::start, now_.now);
-  if (known_work(task) && !is_milestone(task) && to_finish_[index(task)] == 0) {
-    const Ticks done = desk_->calendar(grant.queue).finish(now_.now, work_[index(task)]);
+  const bool told = foreseen_[index(task)] || is_milestone(task);
+  if (!told) publish(task, schedule::TaskEnd::start, now_.now);
+  if (!told && known_work(task) && to_finish_[index(task)] == 0) {
+    const Ticks done = calendar.finish(now_.now, work_[index(task)]);
     publish(task, schedule::TaskEnd::finish, schedule::held_finish(bounds_of(task, true), done));
   }
   run_phases(active);

@@ -93,6 +93,7 @@ class Simulation {
 
   // simulation_links.cpp: when tasks may start and finish
   void prepare_links();
+  void start_plan();
   void make_ready(int task);
   void publish(int task, schedule::TaskEnd end, Ticks time);
   void spread();
@@ -174,9 +175,10 @@ class Simulation {
   // to each task: those of the plan, and then one a robot for parking it
   std::vector<interpreter::TaskSpec> parks_;
   std::vector<const interpreter::TaskSpec*> specs_;
-  std::vector<int> queue_;   ///< where it asks for what it holds from start to finish
-  std::vector<Ticks> work_;  ///< known before it starts: crew work; -1: not known
-  std::vector<bool> tied_;   ///< schedule::LinkOrder::tied_both_ways
+  std::vector<int> queue_;      ///< where it asks for what it holds from start to finish
+  std::vector<Ticks> work_;     ///< known before it starts: crew work; -1: not known
+  std::vector<bool> foreseen_;  ///< its times were known before the plan began
+  std::vector<bool> tied_;      ///< schedule::LinkOrder::tied_both_ways
   std::vector<std::vector<schedule::Link>> links_;
   std::vector<std::vector<std::pair<int, schedule::LinkType>>> followers_;
   std::vector<Status> status_;

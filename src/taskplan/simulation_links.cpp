@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "src/schedule/link_order.hpp"
+#include "src/taskplan/foreseen_times.hpp"
 #include "src/taskplan/plan_network.hpp"
 #include "src/taskplan/simulation.hpp"
 
@@ -12,6 +13,7 @@ using schedule::TaskEnd;
 void Simulation::prepare_links() {
   const std::size_t count = specs_.size();
   std::vector<schedule::NetworkTask> tasks = network_tasks(plan_);
+  const auto foreseen = foreseen_times(plan_, tasks);
   tasks.resize(count);
   tied_ = schedule::link_order(tasks).tied_both_ways;
   followers_.resize(count);
@@ -20,6 +22,12 @@ void Simulation::prepare_links() {
   to_finish_.resize(count, 0);
   times_.resize(count);
   known_.resize(count, 0);
+  foreseen_.resize(count, false);
+  for (std::size_t i = 0; i < foreseen.size(); ++i) {
+    if (!foreseen[i]) continue;
+    foreseen_[i] = true;
+    times_[i] = *foreseen[i];
+  }
   for (std::size_t i = 0; i < count; ++i) {
     links_.push_back(std::move(tasks[i].after));
     const int task = static_cast<int>(i);
@@ -29,6 +37,23 @@ void Simulation::prepare_links() {
       if (end_after(link.type) == TaskEnd::finish) ++to_finish_[i];
     }
   }
+}
+
+/// Tasks without links ask from now on; of those that are foreseen all is known already.
+void Simulation::start_plan() {
+  const int always = std::get<int>(desk_->queue_for({}, {}));
+  for (int task = 0; task < static_cast<int>(plan_.tasks.size()); ++task) {
+    if (foreseen_[index(task)]) {
+      const schedule::TaskTimes& times = times_[index(task)];
+      status_[index(task)] = Status::asking;
+      desk_->ask(always, task, spec(task).priority, times.start);
+      publish(task, TaskEnd::start, times.start);
+      publish(task, TaskEnd::finish, times.finish);
+    } else if (to_start_[index(task)] == 0) {
+      make_ready(task);
+    }
+  }
+  spread();
 }
 
 /// Work that is known starts so late that it does not finish too early, and so waits for what holds
@@ -56,7 +81,7 @@ schedule::LinkBounds Simulation::bounds_of(int task, bool with_finish) const {
 
 /// Its links are known: the task asks for its robots and crews from the moment they let it start.
 void Simulation::make_ready(int task) {
-  if (excluded_.contains(task)) return;
+  if (excluded_.contains(task) || foreseen_[index(task)]) return;
   const bool known = known_work(task);
   const schedule::LinkBounds bounds = bounds_of(task, known && !tied_[index(task)]);
   const schedule::WorkCalendar& calendar = desk_->calendar(queue_[index(task)]);

@@ -10,70 +10,18 @@
 #include "src/schedule/critical_chain.hpp"
 #include "tests/unit/schedule/calendar_cases.hpp"
 #include "tests/unit/schedule/network_cases.hpp"
+#include "tests/unit/schedule/random_network.hpp"
 
 namespace rubicon::schedule {
 namespace {
 
-constexpr const char* kStart = "2026-03-05 09:20";
+constexpr const char* kStart = test::kRandomStart;
 constexpr int kNetworks = 400;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-struct Wanted {
-  bool calendars = true;
-  bool resources = true;
-  bool lags = true;
-  bool forward = false;  ///< only links whose bound is in the future when it becomes known
-};
-
-class Dice {
- public:
-  explicit Dice(unsigned seed) : engine_(seed) {}
-
-  int below(int count) { return static_cast<int>(engine_() % static_cast<unsigned>(count)); }
-
-  /// Up to 40 tasks whose links lead back in a random order, so not in file order.
-  Network network(const Wanted& wanted) {
-    Network network;
-    network.calendars = {test::calendar(test::daily_shift(), kStart),
-                         test::calendar(test::weekday_shift(), kStart)};
-    for (int i = 0; i < 5; ++i) {
-      network.resources.push_back(
-          {std::string(1, static_cast<char>('A' + i)), wanted.calendars ? below(3) - 1 : -1});
-    }
-    const int count = 1 + below(40);
-    std::vector<int> order;
-    for (int i = 0; i < count; ++i) order.push_back(i);
-    std::shuffle(order.begin(), order.end(), engine_);
-    network.tasks.resize(at(count));
-    std::vector<int> priorities = order;
-    std::shuffle(priorities.begin(), priorities.end(), engine_);
-    for (int place = 0; place < count; ++place) {
-      NetworkTask& task = network.tasks[at(order[at(place)])];
-      task.name = "t" + std::to_string(order[at(place)]);
-      task.work = below(8) == 0 ? 0 : (1 + below(600)) * kMinute;
-      task.priority = priorities[at(place)];
-      for (int i = 0; i < 5; ++i) {
-        if (below(3) == 0) task.resources.push_back(i);
-      }
-      if (!wanted.resources) task.resources.clear();
-      for (int links = place == 0 ? 0 : below(4); links > 0; --links) {
-        Link link;
-        link.task = order[at(below(place))];
-        link.type = static_cast<LinkType>(below(wanted.forward ? 2 : 4));
-        if (wanted.lags && below(2) == 0) {
-          link.lag = (below(2400) - (wanted.forward ? 0 : 1000)) * kMinute;
-        }
-        link.clock = below(3) == 0 ? LagClock::working : LagClock::elapsed;
-        task.after.push_back(link);
-      }
-    }
-    return network;
-  }
-
- private:
-  std::mt19937 engine_;
-};
+using test::Dice;
+using Wanted = test::RandomNetworkWanted;
 
 WorkCalendar calendar_of(const Network& network, const NetworkTask& task) {
   WorkCalendar common;
