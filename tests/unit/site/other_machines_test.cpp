@@ -1,0 +1,216 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "src/site/make_site.hpp"
+#include "src/site/robot_view.hpp"
+#include "tests/unit/taskplan/crane_plan.hpp"
+
+namespace rubicon::site {
+namespace {
+
+using interpreter::HitPair;
+using interpreter::MotionStep;
+using math::translation;
+using Q = std::vector<double>;
+
+/// Turns of the lower crane, over whatever is at (20, 0) when it points to -90 degrees.
+const Q kBefore = {-120, 10, 20, 0};
+const Q kAfter = {-60, 10, 20, 0};
+/// The hook of the upper one at (20, 0): below, and above, the jib of the lower one.
+const Q kLow = {0, 20, 20, 0};
+const Q kHigh = {0, 20, 40, 0};
+
+/// Two tower cranes: "crane" at the origin, its jib 44 m up, and "other" at (20, 20) with its jib
+/// from 34 to 36 m.
+interpreter::PlanModel two_cranes() {
+  interpreter::PlanModel plan = test::crane_plan();
+  plan.robots.push_back(plan.robots[0]);
+  plan.robots[0].start = kLow;
+  plan.robots[1].name = "other";
+  plan.robots[1].X_WM = translation(20, 20, -10);
+  plan.robots[1].start = kBefore;
+  return plan;
+}
+
+std::string names(const std::optional<HitPair>& pair) {
+  return pair ? pair->moved + " meets " + pair->met : "free";
+}
+
+class OtherMachines : public testing::Test {
+ protected:
+  interpreter::PlanModel plan_ = two_cranes();
+  SiteWorld site_ = make_site(plan_);
+  RobotView crane_{site_, 0};
+  RobotView other_{site_, 1};
+
+  std::optional<HitPair> lift(Ticks start = 0) { return crane_.propose({kLow, kHigh, start, 10}); }
+};
+
+TEST_F(OtherMachines, AStepOwnsAllThatItSweepsWhileItLasts) {
+  const MotionStep up{kLow, kHigh, 0, 10};
+  EXPECT_TRUE(crane_.would_accept(up));
+  EXPECT_EQ(names(other_.propose({kBefore, kAfter, 0, 100})), "free");
+  // Neither where it began nor where it ends is in the way.
+  const auto met = lift(50);
+  EXPECT_EQ(names(met), "crane.hook meets other.jib");
+  EXPECT_EQ(met->machine, 1);
+  EXPECT_EQ(met->zone_task, -1);
+  EXPECT_EQ(site_.configuration(0), kLow);
+  site_.set_time(99);
+  EXPECT_FALSE(crane_.would_accept(up));
+  site_.set_time(100);
+  EXPECT_EQ(names(lift(100)), "free");
+  EXPECT_EQ(site_.configuration(0), kHigh);
+}
+
+TEST_F(OtherMachines, WhoWasFirstIsTheOneThatIsMet) {
+  EXPECT_EQ(names(lift()), "free");
+  const auto met = other_.propose({kBefore, kAfter, 0, 100});
+  EXPECT_EQ(names(met), "other.jib meets crane.hook");
+  EXPECT_EQ(met->machine, 0);
+  // Half the way does not reach it.
+  const Q half = {-110, 10, 20, 0};
+  EXPECT_EQ(names(other_.propose({kBefore, half, 0, 100})), "free");
+}
+
+TEST_F(OtherMachines, AStandingMachineOwnsWhereItStands) {
+  site_.set_configuration(1, {-90, 10, 20, 0});
+  EXPECT_EQ(names(lift()), "crane.hook meets other.jib");
+  EXPECT_EQ(names(crane_.blocked_at(Q{0, 20, 35, 0})), "crane.hook meets other.jib");
+  EXPECT_EQ(crane_.blocked_at(Q{0, 20, 35, 0})->machine, 1);
+  EXPECT_EQ(names(crane_.blocked_at(kHigh)), "free");
+  // Up to touching it.
+  const Q below = {0, 20, 33, 0};
+  EXPECT_EQ(names(crane_.propose({kLow, below, 0, 0})), "free");
+}
+
+TEST_F(OtherMachines, PosesAreNotTestedAgainstStepsInProgress) {
+  ASSERT_FALSE(other_.propose({kBefore, kAfter, 0, 100}));
+  EXPECT_EQ(names(crane_.blocked_at(Q{0, 20, 35, 0})), "free");
+  site_.set_time(100);
+  EXPECT_EQ(names(crane_.blocked_at(Q{0, 31.5, 34.5, 0})), "crane.hook meets other.jib");
+}
+
+TEST_F(OtherMachines, AStepOfNoTimeOrNoWayLeavesTheMachineStanding) {
+  ASSERT_FALSE(other_.propose({kBefore, kAfter, 0, 0}));
+  EXPECT_FALSE(site_.machine_state(1).step);
+  EXPECT_TRUE(crane_.would_accept({kLow, kHigh, 0, 10}));
+  const std::uint64_t version = crane_.version();
+  ASSERT_FALSE(other_.propose({kAfter, kAfter, 0, 100}));  // it waits
+  EXPECT_FALSE(site_.machine_state(1).step);
+  EXPECT_EQ(crane_.version(), version);
+}
+
+TEST_F(OtherMachines, TheLoadIsPartOfTheSweep) {
+  plan_.components.push_back(test::box_component("panel", {1, 1, 24}, translation(15, 11.34, -14)));
+  site_ = make_site(plan_);
+  site_.attach(1, 0);
+  ASSERT_EQ(names(other_.propose({kBefore, kAfter, 0, 100})), "free");
+  // The hook at (20, 10): the panel passes below it, the other's hook does not reach up to it.
+  const Q from = {26.565, 22.3607, 5, 0};
+  const Q to = {26.565, 22.3607, 4, 0};
+  const auto met = crane_.propose({from, to, 50, 10});
+  EXPECT_EQ(names(met), "crane.hook meets panel");
+  EXPECT_EQ(met->machine, 1);
+  EXPECT_EQ(met->moved, "crane.hook");
+  site_.set_time(100);
+  EXPECT_EQ(names(crane_.propose({from, to, 100, 10})), "free");
+}
+
+TEST_F(OtherMachines, ZonesKeepMachinesOutButTheExemptOne) {
+  const geometry::Shape zone{geometry::Box{{19, -1, 25}, {21, 1, 30}}, math::Pose::Identity()};
+  site_.hold_zone(7, "the zone of dig", {zone}, 1);
+  const auto met = lift();
+  EXPECT_EQ(names(met), "crane.hook meets the zone of dig");
+  EXPECT_EQ(met->machine, -1);
+  EXPECT_EQ(met->zone_task, 7);
+  EXPECT_EQ(names(crane_.blocked_at(Q{0, 20, 27, 0})), "free");
+  // The exempt one may come in: its hook at (20, 0, 27).
+  EXPECT_EQ(names(other_.propose({Q{-90, 20, 34, 0}, Q{-90, 20, 38, 0}, 0, 0})), "free");
+  site_.set_configuration(1, kAfter);
+  site_.release_zone(7);
+  EXPECT_EQ(names(lift()), "free");
+}
+
+TEST_F(OtherMachines, ZonesComeBeforeMachinesAndByTask) {
+  site_.set_configuration(1, {-90, 10, 20, 0});
+  const geometry::Shape zone{geometry::Box{{19, -1, 25}, {21, 1, 30}}, math::Pose::Identity()};
+  site_.hold_zone(7, "the zone of dig", {zone}, -1);
+  site_.hold_zone(3, "the zone of pour", {zone}, -1);
+  EXPECT_EQ(lift()->zone_task, 3);
+  site_.release_zone(3);
+  EXPECT_EQ(lift()->zone_task, 7);
+  site_.release_zone(7);
+  EXPECT_EQ(lift()->machine, 1);
+}
+
+TEST_F(OtherMachines, SaysWhichMachineIsInAZone) {
+  const std::vector<geometry::Shape> zone = {
+      {geometry::Box{{19, -1, 30}, {21, 1, 38}}, math::Pose::Identity()}};
+  EXPECT_FALSE(site_.machine_in(zone, -1));
+  ASSERT_FALSE(other_.propose({kBefore, kAfter, 0, 100}));
+  EXPECT_EQ(site_.machine_in(zone, -1), 1);
+  EXPECT_EQ(site_.machine_in(zone, 0), 1);
+  EXPECT_FALSE(site_.machine_in(zone, 1));
+  site_.set_time(100);
+  EXPECT_FALSE(site_.machine_in(zone, -1));
+  site_.set_configuration(0, {0, 20, 35, 0});
+  EXPECT_EQ(site_.machine_in(zone, -1), 0);
+}
+
+TEST_F(OtherMachines, FreeDistanceEndsAtOthers) {
+  const Q q = {0, 20, 34.5, 0};
+  EXPECT_EQ(crane_.free_distance(q, 180, 5), 5);
+  ASSERT_FALSE(other_.propose({kBefore, kAfter, 0, 100}));
+  EXPECT_EQ(crane_.free_distance(q, 180, 5), 0);
+  site_.set_time(100);
+  const geometry::Shape zone{geometry::Box{{10, -1, 30}, {15.5, 1, 38}}, math::Pose::Identity()};
+  site_.hold_zone(7, "the zone of dig", {zone}, -1);
+  // From the hook's side at 19.5 to the zone.
+  EXPECT_NEAR(crane_.free_distance(q, 180, 5), 4 + plan_.contact, 3e-6);
+}
+
+TEST_F(OtherMachines, TheVersionTellsWhatOthersDid) {
+  std::uint64_t version = crane_.version();
+  const auto changed = [&] {
+    const std::uint64_t before = version;
+    version = crane_.version();
+    return version != before;
+  };
+  ASSERT_FALSE(crane_.propose({kLow, Q{0, 20, 21, 0}, 0, 10}));
+  EXPECT_FALSE(changed());
+  ASSERT_FALSE(other_.propose({kBefore, kAfter, 0, 100}));
+  EXPECT_TRUE(changed());
+  site_.set_time(10);  // its own step ends
+  EXPECT_FALSE(changed());
+  site_.set_time(100);
+  EXPECT_TRUE(changed());
+  site_.set_time(200);
+  EXPECT_FALSE(changed());
+  site_.hold_zone(0, "zone", {{geometry::Sphere{{0, 0, -50}, 1}, math::Pose::Identity()}}, -1);
+  EXPECT_TRUE(changed());
+  site_.release_zone(0);
+  EXPECT_TRUE(changed());
+  site_.release_zone(0);
+  EXPECT_FALSE(changed());
+}
+
+TEST_F(OtherMachines, AStateCanBeGoneBackTo) {
+  const MachineState before = site_.machine_state(1);
+  EXPECT_FALSE(before.step);
+  ASSERT_FALSE(other_.propose({kBefore, kAfter, 0, 100}));
+  const MachineState during = site_.machine_state(1);
+  ASSERT_TRUE(during.step);
+  EXPECT_EQ(during.step->end, 100);
+  EXPECT_EQ(during.q, kAfter);
+  site_.set_machine_state(1, before);
+  EXPECT_TRUE(crane_.would_accept({kLow, kHigh, 0, 10}));
+  EXPECT_EQ(site_.configuration(1), kBefore);
+  site_.set_machine_state(1, during);
+  EXPECT_FALSE(crane_.would_accept({kLow, kHigh, 0, 10}));
+}
+
+}  // namespace
+}  // namespace rubicon::site
