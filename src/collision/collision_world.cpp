@@ -15,8 +15,8 @@
 #include "src/collision/body_contact.hpp"
 #include "src/collision/body_pair.hpp"
 #include "src/collision/clearance_budget.hpp"
-#include "src/collision/containment.hpp"
 #include "src/collision/quick_test.hpp"
+#include "src/collision/standing_body.hpp"
 #include "src/collision/swept_query.hpp"
 #include "src/collision/wide_tree.hpp"
 
@@ -33,8 +33,7 @@ void require_tolerance(double tolerance) {
 struct Obstacle {
   ObstacleId id = 0;  ///< 0: the place is free
   BodyPtr body;
-  Pose X_WB;
-  Placement X_WC;  ///< of the body's centred coordinates
+  StandingPlace place;
 };
 
 }  // namespace
@@ -61,26 +60,8 @@ struct CollisionWorld::Impl {
               [this](int a, int b) { return obstacles[a].id < obstacles[b].id; });
   }
 
-  bool blocks(const Obstacle& obstacle, Sweep& sweep, double tolerance) const {
-    const Body& body = sweep.body();
-    const Verdict found = quick_verdict(sweep, *obstacle.body, obstacle.X_WC, tolerance);
-    if (found == Verdict::kHit) return true;
-    if (found == Verdict::kUndecided) {
-      return bodies_blocked(body, sweep.motion(), *obstacle.body,
-                            geometry::stationary(obstacle.X_WB), tolerance);
-    }
-    return contained_on_the_way(sweep, obstacle, tolerance);
-  }
-
-  /// From outside a closed mesh one must cross its surface, so the ends of the step are enough.
-  bool contained_on_the_way(Sweep& sweep, const Obstacle& obstacle, double tolerance) const {
-    const Body& body = sweep.body();
-    if (!body.has_closed_soup() && !obstacle.body->has_closed_soup()) return false;
-    const auto contained_at = [&](const Placement& X_WC) {
-      return contained(body, *obstacle.body, relative(X_WC, obstacle.X_WC), tolerance);
-    };
-    return contained_at(sweep.slice(0).start()) ||
-           (sweep.moves() && contained_at(sweep.slice(sweep.slice_count() - 1).end()));
+  static bool blocks(const Obstacle& obstacle, Sweep& sweep, double tolerance) {
+    return blocked_by_standing(sweep, *obstacle.body, obstacle.place, tolerance);
   }
 
   /// The first obstacle, by id, that the body meets on its way.
@@ -98,7 +79,7 @@ struct CollisionWorld::Impl {
 
   /// How far the box of an obstacle is from that of a sweep (m).
   double box_distance(const Sweep& sweep, const Obstacle& obstacle) const {
-    const Bounds other = placed(obstacle.body->bounds(), obstacle.X_WC);
+    const Bounds other = placed(obstacle.body->bounds(), obstacle.place.X_WC);
     const Bounds& own = sweep.bounds();
     return (other.lower - own.upper).cwiseMax(own.lower - other.upper).cwiseMax(0.0).norm();
   }
@@ -233,8 +214,8 @@ CollisionWorld& CollisionWorld::operator=(CollisionWorld&&) noexcept = default;
 ObstacleId CollisionWorld::insert(BodyPtr body, const Pose& X_WB) {
   if (!body) throw std::invalid_argument("an obstacle needs a body");
   require_rigid(X_WB, "the pose of an obstacle");
-  const Placement X_WC(X_WB.linear(), X_WB * body->extent().centre);
-  const Bounds bounds = placed(body->bounds(), X_WC);
+  const StandingPlace standing(*body, X_WB);
+  const Bounds bounds = placed(body->bounds(), standing.X_WC);
   int place = static_cast<int>(impl_->obstacles.size());
   if (impl_->free_places.empty()) {
     impl_->obstacles.emplace_back();
@@ -243,7 +224,7 @@ ObstacleId CollisionWorld::insert(BodyPtr body, const Pose& X_WB) {
     impl_->free_places.pop_back();
   }
   const ObstacleId id = impl_->next_id++;
-  impl_->obstacles[place] = {id, std::move(body), X_WB, X_WC};
+  impl_->obstacles[place] = {id, std::move(body), standing};
   impl_->place_of[id] = place;
   impl_->tree.insert(place, bounds);
   impl_->changed();
@@ -306,7 +287,7 @@ Contact CollisionWorld::contact(const SweptQuery& query, const SweptHit& hit) co
   const MovingBody& moving = query.items[hit.item].moving;
   if (hit.obstacle) {
     const Obstacle& obstacle = impl_->obstacle(*hit.obstacle);
-    return contact_of(moving, {obstacle.body.get(), geometry::stationary(obstacle.X_WB)},
+    return contact_of(moving, {obstacle.body.get(), geometry::stationary(obstacle.place.X_WB)},
                       query.contact_tolerance);
   }
   return contact_of(moving, query.items[*hit.other_item].moving, query.contact_tolerance);
@@ -371,7 +352,7 @@ Clearance CollisionWorld::clearance(const SweptQuery& query, double range,
     for (const int place : impl_->nearest_first(sweep, range, query.ignore)) {
       const Obstacle& obstacle = impl_->obstacles[place];
       if (impl_->box_distance(sweep, obstacle) > nearest.reach()) break;
-      look(i, *obstacle.body, geometry::stationary(obstacle.X_WB), {i, obstacle.id, std::nullopt});
+      look(i, *obstacle.body, geometry::stationary(obstacle.place.X_WB), {i, obstacle.id, std::nullopt});
     }
   }
   for (const auto& [first, second] : query.pairs) {

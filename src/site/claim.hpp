@@ -1,11 +1,9 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include "src/collision/bounds.hpp"
-#include "src/collision/swept_query.hpp"
+#include "src/collision/swept_volume.hpp"
 
 namespace rubicon::site {
 
@@ -13,7 +11,7 @@ namespace rubicon::site {
 /// tolerance, so that what only touches stays free. Consequence: false hits only where two machines
 /// come nearer than this to the tolerance.
 inline constexpr double kClaimGrowthShare = 0.25;
-/// But not less (m): below it slices of a step become too many.
+/// But not less (m): below it the slices of a step become too many.
 inline constexpr double kLeastClaimGrowth = 1e-5;
 
 double claim_growth(double contact_tolerance);
@@ -26,7 +24,7 @@ struct ClaimPart {
 };
 
 /// The volume that belongs to one owner: where a machine stands, all that it sweeps while a step of
-/// it lasts, or a zone. Made when it is first met.
+/// it lasts, or a zone.
 class Claim {
  public:
   Claim(std::vector<ClaimPart> parts, double growth);
@@ -36,25 +34,16 @@ class Claim {
     int item = 0;
     int part = 0;
   };
-  /// The first such pair, by the order of the query's items. `bounds` is the box around all that
-  /// the query sweeps (world).
-  std::optional<Hit> meets(const collision::SweptQuery& query,
-                           const collision::Bounds& bounds) const;
+  /// The first such pair: by the items of the query, then by the parts.
+  std::optional<Hit> meets(collision::MovingBodies& bodies) const;
 
  private:
-  struct Volume {
-    collision::CollisionWorld world;
-    std::vector<int> part_of;  ///< by the order in which the obstacles came
+  struct Part {
+    collision::SweptVolume volume;
+    int part = 0;
   };
-  const Volume& volume() const;
-
-  std::vector<ClaimPart> parts_;
-  double growth_;
+  std::vector<Part> parts_;
   collision::Bounds bounds_;
-  mutable std::unique_ptr<Volume> volume_;
 };
-
-/// The box around all that a query's bodies sweep (m, world).
-collision::Bounds swept_bounds(const collision::SweptQuery& query);
 
 }  // namespace rubicon::site

@@ -95,9 +95,9 @@ std::optional<interpreter::HitPair> RobotView::own_hit(const StepQuery& step) co
 std::optional<interpreter::HitPair> RobotView::others_hit(const StepQuery& step) const {
   if (!site_.has_others(index_)) return std::nullopt;
   const collision::SweptQuery query = step.against_others();
-  const collision::Bounds bounds = swept_bounds(query);
-  auto met = site_.first_zone_met(index_, query, bounds);
-  if (!met) met = site_.first_machine_met(index_, query, bounds, false);
+  collision::MovingBodies bodies(query);
+  auto met = site_.first_zone_met(index_, bodies);
+  if (!met) met = site_.first_machine_met(index_, bodies, false);
   if (!met) return std::nullopt;
   return interpreter::HitPair{part_name(step.part_of_mover(met->item)), met->name, met->machine,
                               met->zone_task};
@@ -138,9 +138,8 @@ double RobotView::free_distance(std::span<const double> q, double heading_deg, d
     }
     if (site_.obstacles().test(query).hit) return false;
     if (!has_others) return true;
-    const collision::Bounds bounds = swept_bounds(query);
-    return !site_.first_zone_met(index_, query, bounds) &&
-           !site_.first_machine_met(index_, query, bounds, false);
+    collision::MovingBodies bodies(query);
+    return !site_.first_zone_met(index_, bodies) && !site_.first_machine_met(index_, bodies, false);
   };
   if (is_free(range)) return range;
   // The swept volume only grows with the distance, so halving finds where it first meets anything.
@@ -194,7 +193,8 @@ std::optional<interpreter::HitPair> RobotView::standing_machine_at(
   collision::SweptQuery query;
   query.contact_tolerance = site_.contact_tolerance();
   for (const ClaimPart& part : parts) query.items.push_back({{part.body.get(), part.motion}, true});
-  const auto met = site_.first_machine_met(index_, query, swept_bounds(query), true);
+  collision::MovingBodies bodies(query);
+  const auto met = site_.first_machine_met(index_, bodies, true);
   if (!met) return std::nullopt;
   const ClaimPart& part = parts[static_cast<std::size_t>(met->item)];
   return interpreter::HitPair{part_name(part.part), met->name, met->machine};

@@ -135,7 +135,8 @@ std::optional<int> SiteWorld::machine_in(const std::vector<geometry::Shape>& sha
   collision::SweptQuery query;
   query.contact_tolerance = contact_tolerance_;
   query.items.push_back({{body.get(), geometry::stationary(math::Pose::Identity())}, true});
-  const auto met = first_machine_met(exempt_robot, query, swept_bounds(query), false);
+  collision::MovingBodies bodies(query);
+  const auto met = first_machine_met(exempt_robot, bodies, false);
   return met ? std::optional(met->machine) : std::nullopt;
 }
 
@@ -144,24 +145,23 @@ bool SiteWorld::has_others(int robot) const {
   return robots_.size() > 1 || std::any_of(zones_.begin(), zones_.end(), keeps_out);
 }
 
-std::optional<OtherMet> SiteWorld::first_zone_met(int robot, const collision::SweptQuery& query,
-                                                  const collision::Bounds& bounds) const {
+std::optional<OtherMet> SiteWorld::first_zone_met(int robot,
+                                                  collision::MovingBodies& bodies) const {
   for (const auto& [task, zone] : zones_) {
     if (zone.exempt_robot == robot) continue;
-    if (const auto hit = zone.claim.meets(query, bounds)) {
+    if (const auto hit = zone.claim.meets(bodies)) {
       return OtherMet{hit->item, zone.name, -1, task};
     }
   }
   return std::nullopt;
 }
 
-std::optional<OtherMet> SiteWorld::first_machine_met(int robot, const collision::SweptQuery& query,
-                                                     const collision::Bounds& bounds,
+std::optional<OtherMet> SiteWorld::first_machine_met(int robot, collision::MovingBodies& bodies,
                                                      bool standing_only) const {
   for (int i = 0; i < static_cast<int>(robots_.size()); ++i) {
     const RobotEntry& other = entry(i);
     if (i == robot || (standing_only && other.stepping)) continue;
-    if (const auto hit = claim(other).meets(query, bounds)) {
+    if (const auto hit = claim(other).meets(bodies)) {
       return OtherMet{hit->item, part_name(other, hit->part), i, -1};
     }
   }

@@ -99,12 +99,10 @@ class SiteWorld {
 
   /// Whether there is anyone else to meet for the robot: machines, zones.
   bool has_others(int robot) const;
-  /// The first zone, by task, that a query of the robot meets; `bounds` around all it sweeps.
-  std::optional<OtherMet> first_zone_met(int robot, const collision::SweptQuery& query,
-                                         const collision::Bounds& bounds) const;
+  /// The first zone, by task, that bodies of the robot meet.
+  std::optional<OtherMet> first_zone_met(int robot, collision::MovingBodies& bodies) const;
   /// The first other machine, by index; with `standing_only` of those that stand.
-  std::optional<OtherMet> first_machine_met(int robot, const collision::SweptQuery& query,
-                                            const collision::Bounds& bounds,
+  std::optional<OtherMet> first_machine_met(int robot, collision::MovingBodies& bodies,
                                             bool standing_only) const;
 
   bool stands(int component) const;
