@@ -24,6 +24,9 @@ constexpr int kHeuristicDepth = 11;
 /// A distance in doubles is certain to this share; more than enough for a dozen roundings.
 constexpr double kSafeShare = 1 - 1e-12;
 
+/// A part of the tree that is built anew has at least so many items.
+constexpr int kLeastPart = 1024;
+
 /// Numbers this large stand for "without bound"; larger ones are cut, and so is "not a number".
 constexpr double kUnbounded = 1e38;
 /// Rounding to single precision and the step below are each good to 2^-24: this share covers both.
@@ -241,6 +244,7 @@ void WideTree::insert(int item, const Bounds& bounds) {
       note_place(item, {child, 1});
       depth_ = std::max(depth_, depth + 1);
       refresh_above(child);
+      if (depth + 1 >= kMaxDepth) rebuild_part_around(child, depth + 1);
       break;
     }
     node = here.child[cheapest];
@@ -268,6 +272,45 @@ void WideTree::changed() {
     entries.push_back({slot_box(nodes_[place.node], place.slot), static_cast<int>(item)});
   }
   build(std::move(entries));
+}
+
+/// Items that come one beside the other, as a building grows, make a deep and narrow part of the
+/// tree, over and over again at another place. Only that part is built anew: above `node`, at
+/// `depth`, as much as makes it shallow.
+void WideTree::rebuild_part_around(int node, int depth) {
+  int enough = kLeastPart;
+  do {
+    while (parents_[node].node >= 0 && node_count(nodes_[node]) < enough) {
+      node = parents_[node].node;
+      --depth;
+    }
+    std::vector<TreeEntry> entries = take_items(node);
+    depth_ = 0;
+    fill_node(node, entries, 0, entries.size(), depth);
+    enough *= kWidth;
+  } while (depth_ > kMaxDepth / 2 && parents_[node].node >= 0);
+}
+
+/// Takes out all items at and below a node, which is then empty.
+std::vector<TreeEntry> WideTree::take_items(int node) {
+  std::vector<TreeEntry> entries;
+  std::vector<int> open = {node};
+  while (!open.empty()) {
+    const int each = open.back();
+    open.pop_back();
+    for (int slot = 0; slot < kWidth; ++slot) {
+      if (nodes_[each].count[slot] == 0) continue;
+      const int child = nodes_[each].child[slot];
+      if (child >= 0) {
+        open.push_back(child);
+      } else {
+        entries.push_back({slot_box(nodes_[each], slot), ~child});
+      }
+    }
+    if (each != node) free_nodes_.push_back(each);
+  }
+  for (int slot = 0; slot < kWidth; ++slot) set_slot(node, slot, kEmptyBox, 0, 0);
+  return entries;
 }
 
 namespace {

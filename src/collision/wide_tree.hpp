@@ -91,6 +91,8 @@ class WideTree {
   void refresh_above(int node);
   static int cheapest_slot(const WideNode& node, const FloatBox& box);
   void changed();
+  void rebuild_part_around(int node, int depth);
+  std::vector<TreeEntry> take_items(int node);
 
   std::vector<WideNode> nodes_;
   std::vector<Place> parents_;  ///< of nodes; the root has none
@@ -100,7 +102,7 @@ class WideTree {
   double farthest_ = 0;  ///< m, greatest distance of a coordinate from the origin's
   int size_ = 0;
   int changes_ = 0;  ///< since the last build
-  int depth_ = 0;    ///< upper bound of the levels
+  int depth_ = 0;    ///< levels of what was built last, or reached since by an insertion
 };
 
 }  // namespace rubicon::collision

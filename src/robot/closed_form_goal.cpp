@@ -133,19 +133,23 @@ bool set(const GoalProblem& problem, std::vector<double>& q, int parameter, doub
   return true;
 }
 
+/// A vehicle or a gantry with a hook that turns: translations, then a turn; without the turn a plain
+/// gantry.
 std::vector<std::vector<double>> vehicle_solutions(const GoalProblem& problem,
                                                    const JointChain& chain) {
   const Joint& slide = chain.joints[0];
-  const Joint& turn = chain.joints[1];
+  const Joint* turn = chain.joints.size() > 1 ? &chain.joints[1] : nullptr;
   // before * trans(t) * slide.after * rotz(theta) * turn.after = goal
   const Pose H = chain.before.inverse() * problem.goal();
-  const math::Mat3 turned =
-      slide.after.linear().transpose() * H.linear() * turn.after.linear().transpose();
   std::vector<double> q = problem.q_now();
-  if (!set(problem, q, turn.parameters[0], yaw_deg(turned))) return {};
-  const Pose rest = slide.after *
-                    math::rotation_z_deg(q[static_cast<std::size_t>(turn.parameters[0])]) *
-                    turn.after;
+  Pose rest = slide.after;
+  if (turn != nullptr) {
+    const math::Mat3 turned =
+        slide.after.linear().transpose() * H.linear() * turn->after.linear().transpose();
+    if (!set(problem, q, turn->parameters[0], yaw_deg(turned))) return {};
+    const double theta = q[static_cast<std::size_t>(turn->parameters[0])];
+    rest = rest * math::rotation_z_deg(theta) * turn->after;
+  }
   const Vec3 t = H.translation() - rest.translation();
   for (std::size_t i = 0; i < 3; ++i) {
     if (slide.parameters[i] != kNone &&
@@ -215,7 +219,8 @@ std::optional<GoalState> closed_form_goal(const GoalProblem& problem) {
   if (!chain) return std::nullopt;
   const std::vector<Joint>& joints = chain->joints;
   std::vector<std::vector<double>> solutions;
-  if (joints.size() == 2 && !joints[0].rotation && joints[1].rotation) {
+  if (!joints.empty() && !joints[0].rotation &&
+      (joints.size() == 1 || (joints.size() == 2 && joints[1].rotation))) {
     solutions = vehicle_solutions(problem, *chain);
   } else if ((joints.size() == 2 || (joints.size() == 3 && joints[2].rotation)) &&
              joints[0].rotation && !joints[1].rotation) {
