@@ -3,6 +3,7 @@
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <fstream>
 #include <memory>
@@ -86,6 +87,7 @@ void run_block(benchmark::State& state) {
   const Loaded loaded = load(block(panels));
   double memory = 0;
   for (auto each : state) {
+    ::malloc_trim(0);
     forget_peak();
     const double before = memory_of("VmRSS");
     const taskplan::Schedule schedule =
