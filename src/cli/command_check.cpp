@@ -44,15 +44,13 @@ bool already_read(const SourceMap& sources, const std::string& path) {
   return false;
 }
 
-void check_motion(CheckRun& run, const std::string& path,
-                  const interpreter::CheckedRobot* robot) {
+void check_motion(CheckRun& run, const std::string& path, const interpreter::CheckedRobot* robot) {
   auto text = run.disk.read_text(path);
   if (const auto* failure = std::get_if<FileFailure>(&text)) {
     fail(run, path, failure->message);
     return;
   }
-  const interpreter::FileId file =
-      run.sources.add(path, std::get<std::string>(std::move(text)));
+  const interpreter::FileId file = run.sources.add(path, std::get<std::string>(std::move(text)));
   const syntax::Script script = parse_script(run.sources, file, run.diagnostics);
   interpreter::ScriptContext context;
   if (robot != nullptr) {
@@ -91,8 +89,7 @@ int run_check(const CheckOptions& options) {
     const std::string text = report::print_json(sorted, run.sources);
     std::fwrite(text.data(), 1, text.size(), stdout);
   } else {
-    const std::string text =
-        report::print_text(sorted, run.sources, files::wants_colour(stderr));
+    const std::string text = report::print_text(sorted, run.sources, files::wants_colour(stderr));
     std::fwrite(text.data(), 1, text.size(), stderr);
   }
   return run.diagnostics.has_errors() ? kWrongInput : kFine;

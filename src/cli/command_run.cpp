@@ -3,24 +3,21 @@
 
 #include <chrono>
 #include <cstdio>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "interpreter/plan_model.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/load_runnable_plan.hpp"
 #include "src/files/disk_io.hpp"
-#include "src/report/diagnostic_printer.hpp"
 #include "src/report/schedule_text.hpp"
 #include "src/taskplan/run_plan.hpp"
-#include "src/taskplan/run_mistakes.hpp"
 
 namespace rubicon::cli {
 
 namespace {
 
-using interpreter::Diagnostics;
 using interpreter::SourceMap;
 
 /// A run shorter than this shows no progress.
@@ -98,17 +95,8 @@ trace::TraceDetail detail_of(const std::string& word) {
 
 int run_plan_command(const RunOptions& options) {
   SourceMap sources;
-  files::DiskFiles disk;
-  Diagnostics diagnostics;
-  const std::unique_ptr<interpreter::PlanModel> plan =
-      load_plan(options.plan, sources, disk, diagnostics);
-  if (plan) {
-    for (auto& diagnostic : taskplan::run_mistakes(*plan)) diagnostics.add(std::move(diagnostic));
-  }
-  const std::string messages =
-      report::print_text(diagnostics.sorted(), sources, files::wants_colour(stderr));
-  std::fwrite(messages.data(), 1, messages.size(), stderr);
-  if (!plan || diagnostics.has_errors()) return kWrongInput;
+  const auto plan = load_runnable_plan(options.plan, sources);
+  if (!plan) return kWrongInput;
 
   TraceFiles trace_files;
   if (!options.trace.empty()) {

@@ -43,6 +43,13 @@ struct TestOptions {
 };
 int run_test(const TestOptions& options);
 
+struct WhyOptions {
+  std::string source;  ///< a plan, a result folder or a trace
+  std::string task;
+  std::string format = "text";
+};
+int run_why(const WhyOptions& options);
+
 struct ImportOptions {
   std::string file;
   std::string out;

@@ -12,7 +12,8 @@ constexpr std::string_view kOverview =
 usage: rubicon COMMAND ...
 
   check [--robot FILE] FILE...   find every mistake in robots, behaviours and plans
-  run PLAN                       simulate a plan: process time, refused tasks with the reason, trace
+  run PLAN                       simulate a plan: process time, cost, refused tasks with the reason, trace
+  why PLAN|RESULT TASK           tell why a task failed, took long or came late
   test DIR...                    run golden cases and compare them with what is expected
   import FILE [--out PLAN]       make a plan of a schedule from Microsoft Project or Primavera P6
   export PLAN --mspdi FILE       write a plan as a schedule for other programs
@@ -76,6 +77,26 @@ examples:
   rubicon run taskplans/unit.plan
   rubicon run taskplans/unit.plan --format csv > unit.csv
   rubicon run site.plan --trace trace.jsonl
+)";
+
+constexpr std::string_view kWhy =
+    R"(rubicon why - tell why a task failed, took long or came late
+
+usage: rubicon why PLAN|RESULT|TRACE TASK [--format text|json]
+
+For a rejected task: what blocked it first, at which step and by which line of the script, where the robot stood, and
+what the script tried instead and how each try ended. For any task: what it waited for on its way, and the chain of
+waits back to the beginning of the plan that made it begin when it did. RESULT is the folder of rubicon run --out:
+nothing is simulated again. A PLAN is run first.
+
+  --format FORMAT  text (the default) or json, on standard output; times in seconds
+
+Exit code: 0 the story is told, 2 there is no such task or the input is wrong.
+
+examples:
+  rubicon why taskplans/unit.plan set_west_1
+  rubicon run site.plan --out result; rubicon why result set_7
+  rubicon why result set_7 --format json
 )";
 
 constexpr std::string_view kTest =
@@ -173,6 +194,7 @@ const std::vector<HelpPage>& help_pages() {
   static const std::vector<HelpPage> pages = {
       {"check", "find every mistake in robots, behaviours and plans", kCheck},
       {"run", "simulate a plan", kRun},
+      {"why", "tell why a task failed, took long or came late", kWhy},
       {"test", "run golden cases and compare them with what is expected", kTest},
       {"import", "make a plan of a schedule from Microsoft Project or Primavera P6", kImport},
       {"export", "write a plan as a schedule for other programs", kExport},

@@ -48,6 +48,12 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::IsMember({"steps", "tasks", "none"}));
   run_command->add_option("--out", run.out);
 
+  WhyOptions why;
+  CLI::App* why_command = app.add_subcommand("why");
+  why_command->add_option("SOURCE", why.source)->required();
+  why_command->add_option("TASK", why.task)->required();
+  why_command->add_option("--format", why.format)->check(CLI::IsMember({"text", "json"}));
+
   TestOptions test;
   CLI::App* test_command = app.add_subcommand("test");
   test_command->add_option("DIR", test.folders)->required();
@@ -97,6 +103,7 @@ int dispatch(int argc, char** argv) {
 
   if (*check_command) return run_check(check);
   if (*run_command) return run_plan_command(run);
+  if (*why_command) return run_why(why);
   if (*test_command) return run_test(test);
   if (*import_command) return run_import(import);
   if (*export_command) return run_export(plan_export);

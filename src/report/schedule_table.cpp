@@ -137,6 +137,11 @@ std::string date_text(const std::string& start_at, Ticks time) {
   return start ? schedule::text_of(schedule::civil_time_at(*start, time)) : std::string();
 }
 
+std::string moment_text(const std::string& start_at, Ticks time) {
+  const Ticks seconds = schedule::floor_division(time, schedule::kSecond);
+  return fmt::format("{}:{:02}", date_text(start_at, time), seconds % 60);
+}
+
 std::string schedule_table(const Schedule& schedule) {
   std::string text = task_table(schedule) + "\n" + total_line(schedule);
   if (!schedule.resources.empty()) text += "\n" + use_table(schedule);

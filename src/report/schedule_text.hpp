@@ -26,6 +26,9 @@ std::string crew_text(const taskplan::TaskOutcome& task);
 /// A moment of a plan that begins at `start_at`, as "YYYY-MM-DD HH:MM", rounded down to its minute.
 std::string date_text(const std::string& start_at, interpreter::Ticks time);
 
+/// The same to the second, as "YYYY-MM-DD HH:MM:SS".
+std::string moment_text(const std::string& start_at, interpreter::Ticks time);
+
 /// A time in seconds, exactly.
 std::string seconds_text(interpreter::Ticks ticks);
 

@@ -56,6 +56,7 @@ bool Simulation::apply_rejection() {
   outcome.reason = rejection.reason;
   outcome.duration = outcome.motion_time = outcome.work_time = 0;
   outcome.holds.clear();
+  outcome.waits = {};
   if (checkpoint != checkpoints_.end()) {
     go_back(*checkpoint);
   } else if (find_active(task)) {

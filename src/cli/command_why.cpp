@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "interpreter/name_suggestion.hpp"
+#include "src/cli/commands.hpp"
+#include "src/cli/load_runnable_plan.hpp"
+#include "src/files/disk_io.hpp"
+#include "src/taskplan/run_plan.hpp"
+#include "src/why/story_reader.hpp"
+#include "src/why/story_text.hpp"
+
+namespace rubicon::cli {
+
+namespace {
+
+int fail(const std::string& message) {
+  fmt::print(stderr, "rubicon: error: {}\n", message);
+  return kWrongInput;
+}
+
+/// Reads a trace; a message if it cannot.
+std::optional<std::string> read_trace(const std::string& path, why::StoryReader& reader) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return fmt::format("cannot read '{}'", path);
+  int number = 0;
+  for (std::string line; std::getline(file, line);) {
+    ++number;
+    try {
+      reader.line(line);
+    } catch (const std::invalid_argument& error) {
+      return fmt::format("{}:{}: {}", path, number, error.what());
+    }
+  }
+  if (!reader.has_header()) return fmt::format("'{}' is empty: this is no trace", path);
+  return std::nullopt;
+}
+
+std::string trace_of(const std::string& path) {
+  if (files::is_folder(path)) return path + "/trace.jsonl";
+  return path.ends_with(".jsonl") ? path : std::string();
+}
+
+}  // namespace
+
+int run_why(const WhyOptions& options) {
+  why::StoryReader reader(options.task);
+  const std::string trace = trace_of(options.source);
+  if (!trace.empty()) {
+    if (const auto failure = read_trace(trace, reader)) return fail(*failure);
+  } else {
+    interpreter::SourceMap sources;
+    const auto plan = load_runnable_plan(options.source, sources);
+    if (!plan) return kWrongInput;
+    taskplan::run_plan(*plan, sources, &reader, {});
+  }
+  if (!reader.has_task()) {
+    interpreter::NameSuggestions suggestions;
+    return fail(fmt::format("there is no task '{}' in {}{}", options.task, options.source,
+                            suggestions.ending(options.task, [&] { return reader.tasks(); })));
+  }
+  const why::TaskStory story = reader.story();
+  const std::string text =
+      options.format == "json" ? why::story_json(story) : why::story_text(story);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  return kFine;
+}
+
+}  // namespace rubicon::cli

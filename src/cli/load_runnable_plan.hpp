@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "interpreter/plan_model.hpp"
+
+namespace rubicon::cli {
+
+/// Reads and checks a plan that is to be run and prints what is wrong with it; null if it cannot be
+/// run.
+std::unique_ptr<interpreter::PlanModel> load_runnable_plan(const std::string& path,
+                                                           interpreter::SourceMap& sources);
+
+}  // namespace rubicon::cli

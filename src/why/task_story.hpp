@@ -1,0 +1,96 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rubicon::why {
+
+/// One attempt of a command. Times in seconds from the beginning of the plan.
+struct Attempt {
+  int n = 0;
+  std::string command;                  ///< move_to, move_dir, together
+  std::vector<std::string> parameters;  ///< display names
+  std::string file;
+  int line = 0;
+  bool ok = false;
+  std::string reason;  ///< "", at goal, no direction, limit P, hit
+  std::string moved;   ///< of a hit: what moved
+  std::string met;     ///< and what it met
+  double t = 0;
+};
+
+using Configuration = std::vector<std::pair<std::string, double>>;
+
+/// One motion of the task. Of the attempts those are kept that tell why it ended: all since what
+/// was blocked last has not moved any more, steps of other parameters among them.
+struct Motion {
+  std::string what;  ///< "to PANEL", "carrying PANEL", "placing PANEL", "going"
+  double from = 0;
+  double to = 0;
+  int tries = 0;
+  int accepted = 0;
+  bool reached = false;
+  std::string status;
+  std::string message;
+  std::optional<Attempt> first_hit;
+  Configuration first_hit_at;  ///< where the robot stood then
+  int hits = 0;
+  std::vector<Attempt> last;  ///< in order; of very many the latest
+  Configuration at_end;
+};
+
+/// A time in which the task stood still, or its crews worked.
+struct Span {
+  std::string what;  ///< hook, adjust, release, takes; machine, crew, shift, held
+  std::string whom;
+  double from = 0;
+  double to = 0;
+  double time = 0;  ///< of it in shifts, of work
+};
+
+/// When a task of the plan was done.
+struct TaskRun {
+  bool started = false;
+  double start = 0;
+  double end = 0;
+  std::string result;  ///< "" as long as it is not known
+  std::string reason;
+};
+
+/// A task before another, as the plan has it.
+struct LinkText {
+  std::string task;
+  std::string type;
+  double lag = 0;
+};
+
+/// What the plan says of a task.
+struct TaskPlan {
+  std::string name;
+  std::vector<std::string> holds;  ///< its robot and crews
+  std::vector<LinkText> after;
+};
+
+/// Why a task began when it did.
+struct WaitStep {
+  std::string task;
+  double start = 0;
+  std::string text;  ///< a sentence
+};
+
+/// All that a trace tells of a task.
+struct TaskStory {
+  std::string task;
+  std::string robot;
+  TaskRun run;
+  std::vector<Motion> motions;
+  std::vector<Span> works;
+  std::vector<Span> pauses;
+  std::vector<WaitStep> waits;  ///< first to last; the last is the task itself
+  std::optional<std::string> start_at;
+  std::string detail;  ///< of the trace
+};
+
+}  // namespace rubicon::why
