@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/support/random_cases.hpp"
 #include "tests/unit/collision/bodies.hpp"
 #include "tests/unit/collision/exact_distance.hpp"
 #include "tests/unit/collision/two_joint_motion.hpp"
@@ -70,7 +71,7 @@ void check(const Clearance& found, const Sampled& truth, double range, double re
 TEST(ClearanceProperty, HoldsTheExactDistanceOfBoxes) {
   Random random(601);
   int apart = 0;
-  for (int i = 0; i < 250; ++i) {
+  for (int i = 0; i < rubicon::test::cases(250); ++i) {
     const Vec3 half = Vec3(0.3, 0.3, 0.3) + random.vector(0.25);
     const Motion motion = any_motion(random);
     const bool is_general = motion.kind.index() == 1;
@@ -101,13 +102,13 @@ TEST(ClearanceProperty, HoldsTheExactDistanceOfBoxes) {
     EXPECT_LE(point_box_distance(found.point_met_W, wall), 1e-8);
     EXPECT_LE(point_box_distance(found.point_moving_W, {motion.pose(found.fraction), half}), 1e-8);
   }
-  EXPECT_GT(apart, 50);
+  EXPECT_GT(apart, rubicon::test::at_least(50));
 }
 
 TEST(ClearanceProperty, HoldsTheExactDistanceOfCapsules) {
   Random random(602);
   int apart = 0;
-  for (int i = 0; i < 1200; ++i) {
+  for (int i = 0; i < rubicon::test::cases(1200); ++i) {
     const double r1 = random.between(0.05, 0.4);
     const double r2 = random.between(0.05, 0.4);
     const double l1 = random.between(0.1, 1);
@@ -136,7 +137,7 @@ TEST(ClearanceProperty, HoldsTheExactDistanceOfCapsules) {
     check(found, truth, 4, 1e-3, false);
     apart += found.lower_bound > 0;
   }
-  EXPECT_GT(apart, 300);
+  EXPECT_GT(apart, rubicon::test::at_least(300));
 }
 
 TEST(ClearanceProperty, TheNearestOfManyCounts) {
@@ -177,7 +178,7 @@ TEST(ClearanceProperty, TheNearestOfManyCounts) {
 TEST(ClearanceProperty, ABlockedStepHasNone) {
   Random random(604);
   int blocked_steps = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < rubicon::test::cases(1000); ++i) {
     const BodyPtr a = random_body(random);
     const BodyPtr b = random_body(random);
     const Motion motion = random_motion(random);
@@ -195,7 +196,7 @@ TEST(ClearanceProperty, ABlockedStepHasNone) {
       EXPECT_FALSE(world.test(query).hit) << "case " << i;
     }
   }
-  EXPECT_GT(blocked_steps, 200);
+  EXPECT_GT(blocked_steps, rubicon::test::at_least(200));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "tests/support/random_cases.hpp"
 #include "tests/unit/collision/bodies.hpp"
 #include "tests/unit/collision/box_oracle.hpp"
 #include "tests/unit/collision/two_joint_motion.hpp"
@@ -58,8 +59,8 @@ TEST(ContactProperty, TheStepIsFreeUpToTheFractionAndBlockedABitBeyond) {
     EXPECT_TRUE(blocked(*hit.a, part_of(hit.motion, 0, beyond), hit.b, hit.X_WB, kTolerance - 3e-5))
         << fraction;
   });
-  EXPECT_GT(hits, 500);
-  EXPECT_GT(later, 100);
+  EXPECT_GT(hits, rubicon::test::at_least(500));
+  EXPECT_GT(later, rubicon::test::at_least(100));
 }
 
 TEST(ContactProperty, TheWitnessIsAPointOfBothBodies) {
@@ -72,13 +73,13 @@ TEST(ContactProperty, TheWitnessIsAPointOfBothBodies) {
     EXPECT_TRUE(overlaps(*ball, X_ball, *hit.a, hit.motion.pose(hit.contact.fraction), 0))
         << hit.contact.fraction;
   });
-  EXPECT_GT(hits, 500);
+  EXPECT_GT(hits, rubicon::test::at_least(500));
 }
 
 TEST(ContactProperty, TheFractionOfBoxesIsWhereTheExactSweptDepthPassesTheTolerance) {
   Random random(503);
   int hits = 0;
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < rubicon::test::cases(5000); ++i) {
     const OracleBox a{random.pose(1), Vec3(0.2, 0.4, 0.1) + random.vector(0.08)};
     const OracleBox b{random.pose(1), Vec3(0.3, 0.2, 0.5) + random.vector(0.15)};
     const Vec3 d = random.vector(1);
@@ -99,13 +100,13 @@ TEST(ContactProperty, TheFractionOfBoxesIsWhereTheExactSweptDepthPassesTheTolera
     EXPECT_LE(contact.fraction, free + 1e-6) << "case " << i;
     EXPECT_GE(contact.fraction, free - 1.1e-4) << "case " << i;
   }
-  EXPECT_GT(hits, 200);
+  EXPECT_GT(hits, rubicon::test::at_least(200));
 }
 
 TEST(ContactProperty, GeneralMotionsToo) {
   Random random(504);
   int hits = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < rubicon::test::cases(2000); ++i) {
     TwoJointMotion crane;
     crane.theta0 = random.between(-3, 0);
     crane.theta1 = crane.theta0 + random.between(-6, 6);
@@ -134,12 +135,12 @@ TEST(ContactProperty, GeneralMotionsToo) {
       deepest = std::max(deepest, depth_at(std::min(1.0, contact.fraction + 2e-4 * k / 20.0)));
     EXPECT_GT(deepest, kTolerance - 1e-4) << "case " << i << " " << contact.fraction;
   }
-  EXPECT_GT(hits, 100);
+  EXPECT_GT(hits, rubicon::test::at_least(100));
 }
 
 TEST(ContactProperty, EveryHitHasOneAlsoAtTheVeryTolerance) {
   int hits = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < rubicon::test::cases(2000); ++i) {
     // Lowered onto each other by just the tolerance, in decimals that are not exact.
     const double height = 0.1 + 0.01 * (i % 50);
     const double gap = 0.003 * (i / 50);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "tests/support/random_cases.hpp"
 #include "tests/unit/collision/box_oracle.hpp"
 #include "tests/unit/collision/random_scene.hpp"
 #include "tests/unit/collision/two_joint_motion.hpp"
@@ -51,7 +52,7 @@ TEST(MovingPair, TwoTranslations) {
   // One of them, seen from the other, translates: the depth of that swept volume is exact.
   Random random(61);
   Count count;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < rubicon::test::cases(1500); ++i) {
     const OracleBox a{random.pose(1), random_half(random)};
     const OracleBox b{random.pose(1), random_half(random)};
     const Vec3 d_a = random.vector(0.5);
@@ -65,14 +66,14 @@ TEST(MovingPair, TwoTranslations) {
               expected)
         << "case " << i;
   }
-  EXPECT_GT(count.free, 100);
-  EXPECT_GT(count.hit, 100);
+  EXPECT_GT(count.free, rubicon::test::at_least(100));
+  EXPECT_GT(count.hit, rubicon::test::at_least(100));
 }
 
 TEST(MovingPair, TwoScrewsAboutUnrelatedAxes) {
   Random random(62);
   Count count;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < rubicon::test::cases(1500); ++i) {
     const auto screw = [&] {
       return turning(random.pose(1), random.direction(), random.vector(2), random.between(-30, 30),
                      random.between(-0.3, 0.3));
@@ -82,14 +83,14 @@ TEST(MovingPair, TwoScrewsAboutUnrelatedAxes) {
     check(random_half(random), a, random_half(random), b, count);
     if (HasFatalFailure()) FAIL() << "case " << i;
   }
-  EXPECT_GT(count.free, 100);
-  EXPECT_GT(count.hit, 100);
+  EXPECT_GT(count.free, rubicon::test::at_least(100));
+  EXPECT_GT(count.hit, rubicon::test::at_least(100));
 }
 
 TEST(MovingPair, TwoScrewsAboutOneAxis) {
   Random random(63);
   Count count;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < rubicon::test::cases(1500); ++i) {
     const Vec3 axis = random.direction();
     const Vec3 point = random.vector(2);
     const Motion a =
@@ -106,7 +107,7 @@ TEST(MovingPair, TwoScrewsAboutOneAxis) {
 TEST(MovingPair, GeneralAgainstScrewAndGeneral) {
   Random random(64);
   Count count;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < rubicon::test::cases(1500); ++i) {
     const auto crane = [&] {
       TwoJointMotion result;
       result.theta0 = random.between(-10, 10);
@@ -123,8 +124,8 @@ TEST(MovingPair, GeneralAgainstScrewAndGeneral) {
     check(random_half(random), a, random_half(random), b, count);
     if (HasFatalFailure()) FAIL() << "case " << i;
   }
-  EXPECT_GT(count.free, 100);
-  EXPECT_GT(count.hit, 100);
+  EXPECT_GT(count.free, rubicon::test::at_least(100));
+  EXPECT_GT(count.hit, rubicon::test::at_least(100));
 }
 
 TEST(MovingPair, AHookBesideItsJibIsNeverHitByItsOwnSlewing) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "tests/support/random_cases.hpp"
 #include "tests/unit/collision/bodies.hpp"
 
 namespace rubicon::collision::test {
@@ -18,7 +19,7 @@ Motion moved(const Pose& X, const Motion& motion) {
 TEST(Property, AFreeStepIsFreeInEachHalfAndAtEachPose) {
   Random random(81);
   int free = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < rubicon::test::cases(3000); ++i) {
     const BodyPtr a = random_body(random);
     const BodyPtr b = random_body(random);
     const Motion motion = random_motion(random);
@@ -32,7 +33,7 @@ TEST(Property, AFreeStepIsFreeInEachHalfAndAtEachPose) {
       EXPECT_FALSE(overlaps(*a, motion.pose(s), *b, X, 1e-3 + 1e-8)) << "case " << i << " at " << s;
     }
   }
-  EXPECT_GT(free, 500);
+  EXPECT_GT(free, rubicon::test::at_least(500));
 }
 
 TEST(Property, AScrewThatIsHitIsHitInOneOfItsParts) {
@@ -40,7 +41,7 @@ TEST(Property, AScrewThatIsHitIsHitInOneOfItsParts) {
   // is called a hit within 0.01 mm of it.
   Random random(85);
   int hits = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < rubicon::test::cases(3000); ++i) {
     const BodyPtr a = random_body(random);
     const BodyPtr b = random_body(random);
     const Motion motion = turning(random.pose(1.2), random.direction(), random.vector(2),
@@ -53,13 +54,13 @@ TEST(Property, AScrewThatIsHitIsHitInOneOfItsParts) {
                 blocked(*a, part_of(motion, cut, 1), b, X, 1e-3))
         << "case " << i << " cut at " << cut;
   }
-  EXPECT_GT(hits, 500);
+  EXPECT_GT(hits, rubicon::test::at_least(500));
 }
 
 TEST(Property, APoseThatIsTooDeepBlocksThePartThatHoldsIt) {
   Random random(86);
   int deep = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < rubicon::test::cases(3000); ++i) {
     const BodyPtr a = random_body(random);
     const BodyPtr b = random_body(random);
     const Motion motion = random_motion(random);
@@ -73,13 +74,13 @@ TEST(Property, APoseThatIsTooDeepBlocksThePartThatHoldsIt) {
       EXPECT_TRUE(blocked(*a, part, b, X, 1e-3)) << "case " << i << " at " << s << " of " << cut;
     }
   }
-  EXPECT_GT(deep, 2000);
+  EXPECT_GT(deep, rubicon::test::at_least(2000));
 }
 
 TEST(Property, MovingTheWholeSceneChangesNothing) {
   Random random(82);
   int decided = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < rubicon::test::cases(2000); ++i) {
     const BodyPtr a = random_body(random);
     const BodyPtr b = random_body(random);
     const Motion motion = random_motion(random);
@@ -93,7 +94,7 @@ TEST(Property, MovingTheWholeSceneChangesNothing) {
     EXPECT_EQ(blocked(*a, moved(elsewhere, motion), b, elsewhere * X, 1e-3), answer)
         << "case " << i;
   }
-  EXPECT_GT(decided, 1800);
+  EXPECT_GT(decided, rubicon::test::at_least(1800));
 }
 
 TEST(Property, TheMirroredSceneGivesTheSameAnswer) {
@@ -106,7 +107,7 @@ TEST(Property, TheMirroredSceneGivesTheSameAnswer) {
     result.translation() = mirror * X.translation();
     return result;
   };
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < rubicon::test::cases(2000); ++i) {
     const BodyPtr a =
         box(Vec3(random.between(0.1, 0.6), random.between(0.1, 0.6), random.between(0.1, 0.6)));
     const BodyPtr b =
@@ -128,7 +129,7 @@ TEST(Property, TheMirroredSceneGivesTheSameAnswer) {
 
 TEST(Property, TheSameQuestionTwiceGivesTheSameAnswerAndRolesMayBeSwapped) {
   Random random(84);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < rubicon::test::cases(2000); ++i) {
     const BodyPtr a = random_body(random);
     const BodyPtr b = random_body(random);
     const Pose X_WA = random.pose(1);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "tests/support/random_cases.hpp"
 #include "tests/unit/collision/box_oracle.hpp"
 #include "tests/unit/collision/random_scene.hpp"
 
@@ -30,7 +31,7 @@ void check(const Vec3& half, const Motion& motion, const OracleBox& b, double to
 TEST(Rotation, GenericScrews) {
   Random random(11);
   Count count;
-  for (int i = 0; i < 2500; ++i) {
+  for (int i = 0; i < rubicon::test::cases(2500); ++i) {
     const Vec3 half(random.between(0.05, 1), random.between(0.05, 1), random.between(0.05, 1));
     const OracleBox b{random.pose(0.8), Vec3(random.between(0.05, 1), random.between(0.05, 1),
                                              random.between(0.05, 1))};
@@ -39,14 +40,14 @@ TEST(Rotation, GenericScrews) {
     check(half, motion, b, i % 2 ? 1e-6 : 1e-3, count);
     if (HasFatalFailure()) FAIL() << "case " << i;
   }
-  EXPECT_GT(count.free, 300);
-  EXPECT_GT(count.hit, 300);
+  EXPECT_GT(count.free, rubicon::test::at_least(300));
+  EXPECT_GT(count.hit, rubicon::test::at_least(300));
 }
 
 TEST(Rotation, SlewingWithThirtyMetresOfJibThroughThinWalls) {
   Random random(12);
   Count count;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < rubicon::test::cases(3000); ++i) {
     const Vec3 half(random.between(0.1, 2), random.between(0.05, 0.2), random.between(0.1, 1.5));
     const double lever = random.between(5, 30);
     const Pose X0 = math::rotation_z_deg(random.between(0, 360)) * at(lever, 0, 0) *
@@ -62,8 +63,8 @@ TEST(Rotation, SlewingWithThirtyMetresOfJibThroughThinWalls) {
     check(half, motion, wall, 1e-3, count);
     if (HasFatalFailure()) FAIL() << "case " << i;
   }
-  EXPECT_GT(count.free, 300);
-  EXPECT_GT(count.hit, 300);
+  EXPECT_GT(count.free, rubicon::test::at_least(300));
+  EXPECT_GT(count.hit, rubicon::test::at_least(300));
 }
 
 TEST(Rotation, TheBulgeOfAnArcCounts) {
@@ -82,7 +83,7 @@ TEST(Rotation, TheBulgeOfAnArcCounts) {
 
 TEST(Rotation, StandingOnASlabWhileTurningIsFree) {
   Random random(13);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < rubicon::test::cases(1000); ++i) {
     const Vec3 far = i % 2 ? Vec3(1e5, -1e5, 0) : Vec3(0, 0, 0);
     const Vec3 half(random.between(0.1, 3), random.between(0.05, 0.2), random.between(0.1, 1.5));
     const BodyPtr slab = box(Vec3(20, 20, 0.1));

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "tests/support/random_cases.hpp"
 #include "tests/unit/collision/fcl_oracle.hpp"
 #include "tests/unit/collision/random_scene.hpp"
 
@@ -47,7 +48,7 @@ TEST_P(RoundShapes, AgreeWithFclAtManyPoses) {
   Random random(100 + 10 * static_cast<int>(kind_a) + static_cast<int>(kind_b));
   int clear = 0;
   int deep = 0;
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < rubicon::test::cases(500); ++i) {
     const FclSolid a = random_solid(random, kind_a);
     const FclSolid b = random_solid(random, kind_b);
     const Pose X_WA = random.pose(1.0);
@@ -70,8 +71,8 @@ TEST_P(RoundShapes, AgreeWithFclAtManyPoses) {
               must_hit)
         << "case " << i;
   }
-  EXPECT_GT(clear, 80);
-  EXPECT_GT(deep, 80);
+  EXPECT_GT(clear, rubicon::test::at_least(80));
+  EXPECT_GT(deep, rubicon::test::at_least(80));
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, RoundShapes,
@@ -95,7 +96,7 @@ BodyPtr upright(double radius) {
 
 TEST(RoundShapes, DepthOfSpheresIsExact) {
   Random random(21);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < rubicon::test::cases(300); ++i) {
     const double r1 = random.between(0.1, 2);
     const double r2 = random.between(0.1, 2);
     const Vec3 way = random.direction();
@@ -113,7 +114,7 @@ TEST(RoundShapes, DepthOfSpheresIsExact) {
 TEST(RoundShapes, DepthOfCylindersSideBySideIsExact) {
   // The direction of least overlap is neither a face nor an edge direction.
   Random random(22);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < rubicon::test::cases(300); ++i) {
     const double r1 = random.between(0.1, 0.9);
     const double r2 = random.between(0.1, 0.9);
     const double heading = random.between(0, 360);
@@ -131,7 +132,7 @@ TEST(RoundShapes, DepthOfCylindersSideBySideIsExact) {
 
 TEST(RoundShapes, ACylinderAgainstTheEdgeOfABoxIsExact) {
   Random random(23);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < rubicon::test::cases(300); ++i) {
     const double radius = random.between(0.1, 0.9);
     const BodyPtr block = box(Vec3(1, 1, 3));
     // Towards the vertical edge at (1, 1), from within its corner of space.

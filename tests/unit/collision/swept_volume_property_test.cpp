@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/collision/swept_volume.hpp"
+#include "tests/support/random_cases.hpp"
 #include "tests/unit/collision/bodies.hpp"
 #include "tests/unit/collision/meshes.hpp"
 #include "tests/unit/collision/two_joint_motion.hpp"
@@ -128,7 +129,7 @@ TEST(SweptVolumeProperty, HoldsEveryPointAtEveryMoment) {
   Random random(601);
   // As small as may be, so that what the volume lacks is seen.
   const BodyPtr probe = ball(1e-6);
-  for (int i = 0; i < 600; ++i) {
+  for (int i = 0; i < rubicon::test::cases(600); ++i) {
     const Solid solid = random_solid(random);
     const Motion motion = any_motion(random);
     const SweptVolume volume(solid.body, motion, kGrowth);
@@ -148,7 +149,7 @@ TEST(SweptVolumeProperty, IsNotLargerThanItsGrowth) {
   const double radius = 0.01;
   const BodyPtr probe = ball(radius);
   int near = 0;
-  for (int i = 0; i < 600; ++i) {
+  for (int i = 0; i < rubicon::test::cases(600); ++i) {
     const Solid solid = random_solid(random);
     const Motion motion = any_motion(random);
     const SweptVolume volume(solid.body, motion, kGrowth);
@@ -163,7 +164,7 @@ TEST(SweptVolumeProperty, IsNotLargerThanItsGrowth) {
       EXPECT_FALSE(meets_at(volume, *ball(room), point, 0)) << "case " << i << ", " << apart;
     }
   }
-  EXPECT_GT(near, 1000);
+  EXPECT_GT(near, rubicon::test::at_least(1000));
 }
 
 /// How far a point of a random solid gets per unit of s (m): corners of a box around all of them,
@@ -187,7 +188,7 @@ TEST(SweptVolumeProperty, StepsThatKeepOutOfItNeverOverlapItAtAnyTwoMoments) {
   int free = 0;
   int refused_in_time = 0;
   int deep = 0;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < rubicon::test::cases(1500); ++i) {
     const Solid first = random_solid(random);
     const Solid second = random_solid(random);
     const Motion motion_a = any_motion(random);
@@ -208,15 +209,15 @@ TEST(SweptVolumeProperty, StepsThatKeepOutOfItNeverOverlapItAtAnyTwoMoments) {
       EXPECT_TRUE(met) << "case " << i << " at " << u << ", " << v;
     }
   }
-  EXPECT_GT(free, 150);
-  EXPECT_GT(deep, 5000);
-  EXPECT_GT(refused_in_time, 1000);
+  EXPECT_GT(free, rubicon::test::at_least(150));
+  EXPECT_GT(deep, rubicon::test::at_least(5000));
+  EXPECT_GT(refused_in_time, rubicon::test::at_least(1000));
 }
 
 TEST(SweptVolumeProperty, StepsThatKeepApartAreNotRefused) {
   Random random(604);
   int apart = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < rubicon::test::cases(400); ++i) {
     const Solid first = random_solid(random);
     const Solid second = random_solid(random);
     const Motion motion_a = any_motion(random);
@@ -235,7 +236,7 @@ TEST(SweptVolumeProperty, StepsThatKeepApartAreNotRefused) {
     const SweptVolume volume(first.body, motion_a, kGrowth);
     EXPECT_FALSE(meets(volume, *second.body, motion_b, 0)) << "case " << i << ", " << least;
   }
-  EXPECT_GT(apart, 40);
+  EXPECT_GT(apart, rubicon::test::at_least(40));
 }
 
 TEST(SweptVolumeProperty, AnswersDoNotDependOnWhatWasAskedBefore) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "tests/support/random_cases.hpp"
 #include "tests/unit/collision/bodies.hpp"
 
 namespace rubicon::collision::test {
@@ -84,7 +85,7 @@ TEST_P(SiteOfSize, TheOrderOfInsertionDoesNotMatter) {
   for (const int name : order) shuffled.insert(name, site.at(name));
   const BodyPtr load = box(Vec3(0.3, 0.2, 0.6));
   int hits = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < rubicon::test::cases(300); ++i) {
     const SweptQuery query = random_query(random, load, size);
     const std::set<int> expected = blockers(forwards, query);
     ASSERT_EQ(blockers(shuffled, query), expected) << "query " << i;
@@ -116,7 +117,7 @@ TEST_P(SiteOfSize, ChangesLeaveNoTrace) {
   int next_name = GetParam();
   const BodyPtr load = box(Vec3(0.3, 0.2, 0.6));
   for (int round = 0; round < 6; ++round) {
-    for (int change = 0; change < 400; ++change) {
+    for (int change = 0; change < rubicon::test::cases(400); ++change) {
       const bool grow = site.empty() || (static_cast<int>(site.size()) <= GetParam() + 5 &&
                                          (site.size() < 2 || random.below(2) == 0));
       if (grow) {
@@ -164,7 +165,7 @@ TEST(ExplainProperty, NamesEachPairThatBlocksAlone) {
   Random random(303);
   const std::vector<BodyPtr> bodies = site_bodies();
   int pairs = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < rubicon::test::cases(300); ++i) {
     const Site site = random_site(random, 30);
     Named named;
     for (const auto& [name, standing] : site) named.insert(name, standing);
@@ -204,7 +205,7 @@ TEST(ExplainProperty, NamesEachPairThatBlocksAlone) {
     }
     pairs += static_cast<int>(found.size());
   }
-  EXPECT_GT(pairs, 300);
+  EXPECT_GT(pairs, rubicon::test::at_least(300));
 }
 
 }  // namespace
