@@ -77,6 +77,9 @@ class Machine {
   /// The next attempt is not made before `time`: the machine stood still meanwhile.
   void resume_at(Ticks time) { time_ = std::max(time_, time); }
 
+  /// So many attempts more may be made: those that waited for something else to go away.
+  void extend_budget(int attempts) { task_.budget += attempts; }
+
   bool ended() const { return end_.has_value(); }
   const MotionEnd& end() const { return *end_; }  ///< only once ended
   const std::vector<double>& q() const { return q_; }

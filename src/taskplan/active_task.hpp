@@ -65,6 +65,9 @@ struct ActiveTask {
   std::vector<interpreter::GoalSpec> goals;  ///< those that are left
   double budget = 0;                         ///< attempts left
   Ticks machine_start = 0;
+  int tries_before = 0;                      ///< of the machine, up to its last step
+  bool waits_in_script = false;              ///< its step is a `wait`
+  math::Pose X_WO = math::Pose::Identity();  ///< where the component stood that it set out to take
   std::vector<Blocker> blockers;
 
   const Phase& now() const { return phases[phase]; }

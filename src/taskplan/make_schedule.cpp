@@ -67,9 +67,11 @@ Schedule Simulation::make_schedule() {
     use.size = crew.size;
     use.rate = crew.cost_per_hour;
   }
+  // A machine may still be on its way out of the way when the last task is done.
+  Ticks end = schedule.process_time;
+  for (const TaskOutcome& task : schedule.tasks) end = std::max(end, task.start + task.duration);
   for (std::size_t i = 0; i < schedule.resources.size(); ++i) {
-    schedule.resources[i].shift_time =
-        desk_->hours(static_cast<int>(i)).work_between(0, schedule.process_time);
+    schedule.resources[i].shift_time = desk_->hours(static_cast<int>(i)).work_between(0, end);
   }
   count_uses(schedule);
   add_critical_chain(schedule);
@@ -91,6 +93,8 @@ void Simulation::add_critical_chain(Schedule& schedule) const {
     // Motions are work too.
     if (each.work == 0 && spec(static_cast<int>(task)).robot >= 0) each.work = 1;
     if (excluded_.contains(static_cast<int>(task))) times.tasks[task] = {};
+    // The plan is over with its own tasks.
+    if (is_park(static_cast<int>(task))) times.tasks[task].finish = 0;
   }
   for (const schedule::ChainStep& step : critical_chain(network, times)) {
     schedule.critical.push_back(

@@ -59,7 +59,9 @@ void Simulation::prepare() {
   for (int task = 0; task < static_cast<int>(specs_.size()); ++task) prepare_queue(task);
   for (const auto& [task, excluded] : excluded_) {
     desk_->exclude(task);
-    trace_end(task, excluded.outcome.start, excluded.outcome);
+    if (!tape_) continue;
+    for (const std::string& line : excluded.lines) tape_->line(line);
+    if (excluded.lines.empty()) trace_end(task, excluded.outcome.start, excluded.outcome);
   }
   prepare_links();
 }
@@ -71,7 +73,8 @@ void Simulation::prepare_queue(int task) {
   std::vector<int> resources = held_resources(plan_, each);
   const auto queue = desk_->queue_for(resources, resources);
   queue_[index(task)] = std::get<int>(queue);
-  if (each.robot >= 0) {
+  // What may fail or has to wait for a machine is known only when it is done.
+  if (each.robot >= 0 || !each.remove.empty()) {
     work_[index(task)] = -1;
     return;
   }
@@ -80,6 +83,7 @@ void Simulation::prepare_queue(int task) {
                       [](Ticks sum, const interpreter::WorkSpec& work) {
                         return sum + interpreter::ticks_from_seconds(work.duration);
                       });
+  if (work_[index(task)] == 0 && !each.zones.empty()) work_[index(task)] = -1;
   // A milestone waits for nobody.
   if (work_[index(task)] == 0) queue_[index(task)] = std::get<int>(desk_->queue_for({}, {}));
 }
@@ -324,6 +328,13 @@ ActiveTask* Simulation::find_active(int task) {
     // Others may keep this state to go back to it: what changes is a copy.
     if (active.use_count() > 1) active = std::make_shared<ActiveTask>(*active);
     return const_cast<ActiveTask*>(active.get());
+  }
+  return nullptr;
+}
+
+const ActiveTask* Simulation::look_at_active(int task) const {
+  for (const auto& active : now_.active) {
+    if (active->task == task) return active.get();
   }
   return nullptr;
 }

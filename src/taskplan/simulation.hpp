@@ -28,6 +28,7 @@ namespace rubicon::taskplan {
 struct ExcludedTask {
   TaskOutcome outcome;
   int cause = -1;  ///< the rejected task behind it: itself, or one that it depends on
+  std::vector<std::string> lines;  ///< of a rejected one: its lines in the trace
 };
 using Excluded = std::map<int, ExcludedTask>;
 
@@ -105,6 +106,7 @@ class Simulation {
 
   // simulation_phases.cpp: what a task does
   void run_phases(ActiveTask& active);
+  void run_phases_after(ActiveTask& active);
   bool begin_phase(ActiveTask& active);
   void go_on(ActiveTask& active);
   bool begin_work(ActiveTask& active);
@@ -114,7 +116,8 @@ class Simulation {
   int work_queue(const ActiveTask& active);
   void wait_for_shift(ActiveTask& active, const schedule::WorkCalendar& calendar, Doing then);
   void pause(ActiveTask& active, const char* why, const std::string& whom);
-  void attach(ActiveTask& active);
+  bool still_there(ActiveTask& active);
+  bool attach(ActiveTask& active);
   void detach(ActiveTask& active);
   bool weigh(ActiveTask& active);
   bool remove(ActiveTask& active);
@@ -135,6 +138,11 @@ class Simulation {
   bool find_ring();
   bool resolve_standstill();
   std::string standstill_reason(int task);
+  std::vector<int> waits_on(int task) const;
+  int last_of(const std::vector<int>& tasks) const;
+  bool is_over(int task) const {
+    return status_[index(task)] == Status::done || excluded_.contains(task);
+  }
 
   // simulation_undo.cpp: going back
   void reject(const ActiveTask& active, std::string reason);
@@ -148,6 +156,7 @@ class Simulation {
   void add_checkpoint(int task, std::vector<ResourceState> resources);
 
   ActiveTask* find_active(int task);
+  const ActiveTask* look_at_active(int task) const;
   const interpreter::TaskSpec& spec(int task) const { return *specs_[index(task)]; }
   const interpreter::RobotSpec& robot_spec(int robot) const { return plan_.robots[index(robot)]; }
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <tuple>
 #include <utility>
 
 #include "src/taskplan/simulation.hpp"
@@ -9,15 +10,6 @@
 namespace rubicon::taskplan {
 
 namespace {
-
-/// Of several tasks the one that gives way: the least priority, of equals the last in the file.
-int last_of(const std::vector<int>& tasks, const std::vector<const interpreter::TaskSpec*>& specs) {
-  const auto key = [&](int task) {
-    return std::pair(-specs[static_cast<std::size_t>(task)]->priority, task);
-  };
-  return *std::max_element(tasks.begin(), tasks.end(),
-                           [&](int a, int b) { return key(a) < key(b); });
-}
 
 std::string meeting(const Blocker& blocker) {
   return fmt::format("{} meets {}", blocker.moved, blocker.met);
@@ -78,24 +70,66 @@ bool Simulation::find_ring() {
                         blocker.robot >= 0 ? robot_spec(blocker.robot).name : blocker.met,
                         meeting(blocker));
   }
-  rejection_ = Rejection{last_of(tasks, specs_), std::move(text)};
+  rejection_ = Rejection{last_of(tasks), std::move(text)};
   return true;
 }
 
-/// Nothing will happen any more, but some tasks have not finished: one is rejected. False if all
-/// have.
-bool Simulation::resolve_standstill() {
-  std::vector<int> stuck;
-  for (const auto& active : now_.active) stuck.push_back(active->task);
-  for (const ZoneWait& wait : now_.zone_waits) stuck.push_back(wait.task);
-  if (stuck.empty()) {
-    for (int task = 0; task < static_cast<int>(plan_.tasks.size()); ++task) {
-      const bool over = status_[index(task)] == Status::done || excluded_.contains(task);
-      if (!over) stuck.push_back(task);
+/// Of several tasks the one that gives way: parking first, then the least priority, of equals the
+/// last in the file.
+int Simulation::last_of(const std::vector<int>& tasks) const {
+  const auto key = [&](int task) { return std::tuple(is_park(task), -spec(task).priority, task); };
+  return *std::max_element(tasks.begin(), tasks.end(),
+                           [&](int a, int b) { return key(a) < key(b); });
+}
+
+/// The tasks that have to go on before this one can: nobody's, if what it waits for never comes.
+std::vector<int> Simulation::waits_on(int task) const {
+  std::vector<int> result;
+  const auto add_holder = [&](int resource) {
+    const int holder = desk_->state(resource).holder;
+    if (holder >= 0 && holder != task) result.push_back(holder);
+  };
+  const ActiveTask* const active = look_at_active(task);
+  if (active && active->doing == Doing::waiting_for_machine) {
+    for (const Blocker& blocker : active->blockers) {
+      if (blocker.zone_task >= 0) result.push_back(blocker.zone_task);
+      if (blocker.robot >= 0) add_holder(blocker.robot);
     }
+  } else if (active && active->doing == Doing::waiting_for_crew) {
+    add_holder(active->crew);
+  } else if (!active && status_[index(task)] == Status::asking) {
+    for (const ZoneWait& wait : now_.zone_waits) {
+      if (wait.task == task) add_holder(wait.robot);
+    }
+    for (const int resource : desk_->resources(queue_[index(task)])) add_holder(resource);
+  } else {
+    for (const schedule::Link& link : links_[index(task)]) result.push_back(link.task);
   }
-  if (stuck.empty()) return false;
-  const int task = last_of(stuck, specs_);
+  std::erase_if(result, [&](int other) { return is_over(other); });
+  return result;
+}
+
+/// Nothing will happen any more, but some tasks have not finished: the one that the others wait for
+/// is rejected. False if all have finished.
+bool Simulation::resolve_standstill() {
+  int task = -1;
+  if (!now_.active.empty()) task = now_.active.front()->task;
+  for (int i = 0; task < 0 && i < static_cast<int>(plan_.tasks.size()); ++i) {
+    if (!is_over(i)) task = i;
+  }
+  if (task < 0) return false;
+  std::vector<int> way;
+  while (true) {
+    const auto again = std::find(way.begin(), way.end(), task);
+    if (again != way.end()) {
+      task = last_of({again, way.end()});
+      break;
+    }
+    way.push_back(task);
+    const std::vector<int> others = waits_on(task);
+    if (others.empty()) break;
+    task = others.front();
+  }
   rejection_ = Rejection{task, standstill_reason(task)};
   return true;
 }

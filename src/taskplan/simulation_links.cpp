@@ -32,6 +32,7 @@ void Simulation::prepare_links() {
     links_.push_back(std::move(tasks[i].after));
     const int task = static_cast<int>(i);
     for (const schedule::Link& link : links_.back()) {
+      if (excluded_.contains(link.task)) continue;
       followers_[index(link.task)].emplace_back(task, link.type);
       if (waits_to_start(task, link.type)) ++to_start_[i];
       if (end_after(link.type) == TaskEnd::finish) ++to_finish_[i];
@@ -89,20 +90,21 @@ void Simulation::make_ready(int task) {
       known ? earliest_start(bounds, 0, work_[index(task)], calendar)
             : earliest_start_of_unknown(bounds, 0, calendar);
   schedule::TaskTimes times;
-  times.ready = times.wanted = earliest.wanted;
+  // What a negative lag allows may be over when it becomes known.
+  times.ready = times.wanted = std::max(earliest.wanted, now_.now);
   if (earliest.hold != schedule::StartHold::not_before) {
     times.held = schedule::Held::link;
     times.link =
         earliest.hold == schedule::StartHold::start_link ? bounds.start_link : bounds.finish_link;
   }
-  times.start = earliest.start;
+  times.start = std::max(earliest.start, now_.now);
   journal_.assign(times_[index(task)], times);
   journal_.assign(status_[index(task)], Status::asking);
-  desk_->ask(queue_[index(task)], task, spec(task).priority, earliest.start);
+  desk_->ask(queue_[index(task)], task, spec(task).priority, times.start);
   if (!is_milestone(task)) return;
-  publish(task, TaskEnd::start, earliest.start);
+  publish(task, TaskEnd::start, times.start);
   if (to_finish_[index(task)] > 0) return;
-  publish(task, TaskEnd::finish, held_finish(bounds_of(task, true), earliest.start));
+  publish(task, TaskEnd::finish, held_finish(bounds_of(task, true), times.start));
 }
 
 /// From now on it is known when the task starts or finishes.

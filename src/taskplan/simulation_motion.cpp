@@ -58,6 +58,7 @@ bool Simulation::begin_motion(ActiveTask& active) {
     return false;
   }
   active.goals = goals_of(plan_, task, purpose, site_);
+  if (purpose == MotionPurpose::grip) active.X_WO = site_.X_WO(*task.move);
   active.budget = task.budget.value_or(plan_.budget);
   // What stopped the carrying motion still keeps the placing one from its goal.
   if (purpose != MotionPurpose::place) active.hits.forget();
@@ -95,6 +96,7 @@ bool Simulation::start_machine(ActiveTask& active) {
   motion.mounting = site_.robot(task.robot).mounting;
   active.doing = Doing::moving;
   active.machine_start = now_.now;
+  active.tries_before = 0;
   active.machine.emplace(program_of(task.robot), std::move(motion));
   return move_on(active);
 }
@@ -109,6 +111,7 @@ bool Simulation::move_on(ActiveTask& active) {
   }
   own_trace(active);
   interpreter::Machine& machine = *active.machine;
+  active.waits_in_script = false;
   while (machine.time() == now_.now) {
     const std::vector<double> before = machine.q();
     if (!machine.advance(views_[index(robot)], &active.hits)) break;
@@ -125,6 +128,13 @@ bool Simulation::move_on(ActiveTask& active) {
 /// A step from now to `to`, or a `wait` of the script, which waits for what was in the way last.
 void Simulation::count_step(ActiveTask& active, Ticks to, bool waited) {
   const Ticks duration = to - now_.now;
+  active.waits_in_script = waited;
+  // What a script tries while it waits for another machine does not use up its budget.
+  const int tries = active.machine->tries();
+  if (waited && !blockers_of(active.hits).empty()) {
+    active.machine->extend_budget(tries - active.tries_before);
+  }
+  active.tries_before = tries;
   if (waited && !blockers_of(active.hits).empty()) {
     active.outcome.waits.machine += duration;
   } else {
@@ -173,6 +183,12 @@ bool Simulation::end_motion(ActiveTask& active) {
 /// What was in the way has moved: the script is tried again. Where it still makes no step, the try
 /// leaves no trace and the task goes on waiting.
 bool Simulation::retry(ActiveTask& active) {
+  const schedule::WorkCalendar& calendar = desk_->calendar(queue_[index(active.task)]);
+  const bool hangs = site_.load(spec(active.task).robot).has_value();
+  if (!hangs && !calendar.works_at(now_.now)) {
+    wake_at(active, calendar.next_working(now_.now));
+    return false;
+  }
   const ActiveTask before = active;
   const TraceTape::Mark mark = tape_ ? tape_->mark() : 0;
   active.outcome.waits.machine += now_.now - active.since;

@@ -35,8 +35,7 @@ bool Simulation::begin_phase(ActiveTask& active) {
     case Phase::Kind::work:
       return begin_work(active);
     case Phase::Kind::attach:
-      attach(active);
-      return true;
+      return attach(active);
     case Phase::Kind::detach:
       detach(active);
       return true;
@@ -51,7 +50,7 @@ void Simulation::go_on(ActiveTask& active) {
   bool over = false;
   switch (active.doing) {
     case Doing::moving:
-      wake_those_who_wait_for(spec(active.task).robot, -1);
+      if (!active.waits_in_script) wake_those_who_wait_for(spec(active.task).robot, -1);
       over = move_on(active);
       break;
     case Doing::working:
@@ -80,7 +79,10 @@ void Simulation::go_on(ActiveTask& active) {
       complete(active);
       return;
   }
-  if (!over) return;
+  if (over) run_phases_after(active);
+}
+
+void Simulation::run_phases_after(ActiveTask& active) {
   ++active.phase;
   run_phases(active);
 }
@@ -97,7 +99,12 @@ void Simulation::wait_for_shift(ActiveTask& active, const schedule::WorkCalendar
   active.doing = Doing::waiting_for_shift;
   active.then = then;
   active.since = now_.now;
-  wake_at(active, calendar.next_working(now_.now));
+  const Ticks next = calendar.next_working(now_.now);
+  if (next >= schedule::kEndOfTime) {
+    reject(active, "there is no shift any more for all that it needs");
+  } else {
+    wake_at(active, next);
+  }
 }
 
 /// The queue with the hours of a work: those of all that the task holds and of the crew that does
@@ -148,6 +155,10 @@ bool Simulation::do_work(ActiveTask& active) {
   }
   const Ticks duration = interpreter::ticks_from_seconds(spec.duration);
   const Ticks finish = calendar.finish(now_.now, duration);
+  if (finish >= schedule::kEndOfTime) {
+    reject(active, fmt::format("its work ({}) is not done within 126 years", active.now().what));
+    return false;
+  }
   active.doing = Doing::working;
   active.outcome.work_time += duration;
   active.outcome.waits.shift += finish - now_.now - duration;
@@ -172,7 +183,22 @@ void Simulation::end_work(ActiveTask& active) {
   active.crew = -1;
 }
 
+/// Whether the component is where the tool took hold of it; if somebody moved it meanwhile, the
+/// task begins again from its motion there.
+bool Simulation::still_there(ActiveTask& active) {
+  const int component = active.now().component;
+  if (!site_.stands(component)) {
+    reject(active, gone(site_.component_name(component)));
+    return false;
+  }
+  if (site_.X_WO(component).matrix() == active.X_WO.matrix()) return true;
+  active.phase = 0;
+  if (begin_motion(active)) run_phases_after(active);
+  return false;
+}
+
 bool Simulation::weigh(ActiveTask& active) {
+  if (!still_there(active)) return false;
   const int robot = spec(active.task).robot;
   const int component = active.now().component;
   const interpreter::RobotSpec& machine = robot_spec(robot);
@@ -193,7 +219,8 @@ void Simulation::keep_component(int component) {
   });
 }
 
-void Simulation::attach(ActiveTask& active) {
+bool Simulation::attach(ActiveTask& active) {
+  if (!still_there(active)) return false;
   const int robot = spec(active.task).robot;
   const int component = active.now().component;
   keep_component(component);
@@ -203,6 +230,7 @@ void Simulation::attach(ActiveTask& active) {
     trace_->attach(site_.component_name(component), site_.load(robot)->X_TO, now_.now);
   }
   wake_those_who_wait_for(robot, -1);
+  return true;
 }
 
 void Simulation::detach(ActiveTask& active) {

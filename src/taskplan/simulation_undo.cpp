@@ -101,7 +101,9 @@ void Simulation::exclude(int task, TaskOutcome outcome, int cause) {
   if (options_.on_task) {
     options_.on_task(++done_, static_cast<int>(plan_.tasks.size()), outcome);
   }
-  excluded_.emplace(task, ExcludedTask{std::move(outcome), cause});
+  ExcludedTask excluded{std::move(outcome), cause, {}};
+  if (tape_ && task == cause) excluded.lines = tape_->kept_of(task);
+  excluded_.emplace(task, std::move(excluded));
 }
 
 /// A task that could not begin: what it waits for is not done.
@@ -150,7 +152,13 @@ void Simulation::let_go(ActiveTask& active, int before, schedule::LinkType type)
   const bool told = (known_[index(before)] & event) != 0;
   if (end_after(type) != schedule::TaskEnd::finish || told) return;
   if (--to_finish_[index(active.task)] > 0 || active.doing != Doing::held) return;
-  wake_at(active, std::max(now_.now, bounds_of(active.task, true).finish));
+  const Ticks finish = bounds_of(active.task, true).finish;
+  if (finish < now_.now && active.since < now_.now) {
+    // It has been held for nothing, and others may have waited for it.
+    must_restart_ = true;
+  } else {
+    wake_at(active, std::max(now_.now, finish));
+  }
 }
 
 }  // namespace rubicon::taskplan

@@ -26,6 +26,14 @@ void TraceTape::keep_only(Mark mark, int owner) {
   }
 }
 
+std::vector<std::string> TraceTape::kept_of(int owner) const {
+  std::vector<std::string> lines;
+  for (const Line& line : lines_) {
+    if (line.kept && line.owner == owner) lines.push_back(line.text);
+  }
+  return lines;
+}
+
 void TraceTape::release_before(Mark mark) {
   while (written_ < mark && !lines_.empty()) {
     out_.line(lines_.front().text);

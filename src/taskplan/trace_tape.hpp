@@ -4,6 +4,7 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "src/trace/trace_sink.hpp"
 
@@ -33,6 +34,9 @@ class TraceTape : public trace::TraceSink {
 
   /// Takes out the lines since `mark`, but puts those of `owner` back at the end, for good.
   void keep_only(Mark mark, int owner);
+
+  /// The lines of `owner` that are kept for good and not written yet.
+  std::vector<std::string> kept_of(int owner) const;
 
   /// Whether the lines from now on are for good.
   void set_kept(bool kept) { kept_ = kept; }

@@ -76,7 +76,7 @@ TEST(CrewSchedule, LinksAreAsWorkedByHand) {
   EXPECT_GE(count, 40);
 }
 
-/// The network as a plan; `far` puts a zone far from everything on each task, which changes nothing
+/// The network as a plan; `far` puts a zone far from everything on each work, which changes nothing
 /// but that nothing can be foreseen.
 interpreter::PlanModel plan_of(const schedule::Network& network, bool far) {
   interpreter::PlanModel plan;
@@ -98,7 +98,7 @@ interpreter::PlanModel plan_of(const schedule::Network& network, bool far) {
       task.after.push_back(
           {link.task, static_cast<interpreter::LinkType>(link.type), seconds(link.lag), {}});
     }
-    if (far) {
+    if (far && each.work > 0) {
       task.zones.push_back({geometry::Box{{0, 0, 0}, {1, 1, 1}}, math::translation(900, 0, 0)});
     }
   }

@@ -1,0 +1,288 @@
+// Machines, crews and people in one timeline: who waits for whom, and what happens when nobody can
+// go on.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "interpreter/plan_model.hpp"
+#include "src/taskplan/run_plan.hpp"
+#include "tests/support/memory_files.hpp"
+#include "tests/unit/taskplan/crane_plan.hpp"
+
+namespace rubicon::taskplan {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr Ticks kSecond = 1'000'000'000;
+
+/// A car on a line, 1 m a second.
+constexpr const char* kLine = R"(robot line {
+  body car {
+    param x range(-100, 100) step(1) speed(1 m/s);
+    frame trans(x, 0, 0);
+    shape box(-0.5, -0.5, 0, 0.5, 0.5, 1);
+  }
+  tool car;
+  behaviour { chain { move_to(x, goal(x)) }; }
+}
+)";
+/// The same, which waits by itself when something is in the way.
+constexpr const char* kWaiting = R"(robot waiting {
+  body car {
+    param x range(-100, 100) step(1) speed(1 m/s);
+    frame trans(x, 0, 0);
+    shape box(-0.5, -0.5, 0, 0.5, 0.5, 1);
+  }
+  tool car;
+  behaviour { first { move_to(x, goal(x)), wait }; }
+}
+)";
+/// A gantry that takes things from above.
+constexpr const char* kGantry = R"(robot gantry {
+  body hoist {
+    param x range(-100, 100) step(1) speed(1 m/s);
+    param y range(-100, 100) step(1) speed(1 m/s);
+    param z range(0, 20) step(1) speed(1 m/s) start(5);
+    frame trans(x, y, z);
+    shape box(-0.2, -0.2, 0, 0.2, 0.2, 1);
+  }
+  tool hoist;
+  behaviour { chain { move_to(x, goal(x)) }; chain { move_to(y, goal(y)) }; chain { move_to(z, goal(z)) }; }
+}
+)";
+
+struct Ran {
+  std::map<std::string, TaskOutcome> tasks;
+  Schedule schedule;
+};
+
+Ran run(const std::string& items) {
+  test::MemoryFiles files({{"site.plan", "plan site {\n" + items + "\n}\n"},
+                           {"line.robot", kLine},
+                           {"waiting.robot", kWaiting},
+                           {"gantry.robot", kGantry}});
+  interpreter::SourceMap sources;
+  interpreter::Diagnostics diagnostics;
+  const auto plan = interpreter::load_plan("site.plan", sources, files, diagnostics);
+  if (!plan) {
+    for (const auto& each : diagnostics.sorted()) ADD_FAILURE() << each.code << each.message;
+    return {};
+  }
+  Ran ran;
+  test::Lines lines;
+  ran.schedule = run_plan(*plan, sources, &lines);
+  for (const TaskOutcome& task : ran.schedule.tasks) {
+    ran.tasks[task.task] = task;
+    const WaitTimes& waits = task.waits;
+    if (task.result != TaskResult::done) continue;
+    EXPECT_EQ(waits.predecessor + waits.resource + waits.machine + waits.shift + task.motion_time +
+                  task.work_time,
+              task.start + task.duration)
+        << task.task;
+  }
+  return ran;
+}
+
+TEST(SeveralMachines, OneWaitsUntilTheOtherIsOutOfTheWay) {
+  const Ran ran = run(R"(
+    robot a "line.robot" { start x 0; }
+    robot b "line.robot" { start x 5; }
+    task follow { by a; go x 20; }
+    task lead { by b; go x 40; after pause; }
+    task pause { takes 1 min; })");
+  EXPECT_EQ(ran.tasks.at("follow").result, TaskResult::done) << ran.tasks.at("follow").reason;
+  EXPECT_GE(ran.tasks.at("follow").waits.machine, 50 * kSecond);
+  EXPECT_EQ(ran.tasks.at("follow").motion_time, 20 * kSecond);
+  EXPECT_EQ(ran.tasks.at("lead").duration, 35 * kSecond);
+}
+
+TEST(SeveralMachines, WhoWaitForEachOtherAreNamedAndTheLastGivesWay) {
+  for (const char* robot : {"line.robot", "waiting.robot"}) {
+    const Ran ran = run(std::string(R"(
+      robot a ")") + robot +
+                        R"(" { start x 0; }
+      robot b ")" + robot +
+                        R"(" { start x 10; park x 30; }
+      task east { by a; go x 10; }
+      task west { by b; go x 0; })");
+    EXPECT_EQ(ran.tasks.at("west").result, TaskResult::rejected);
+    EXPECT_THAT(ran.tasks.at("west").reason, HasSubstr("machines wait for each other: "));
+    EXPECT_THAT(ran.tasks.at("west").reason, HasSubstr("a (east) waits for b: a.car meets b.car"));
+    EXPECT_THAT(ran.tasks.at("west").reason, HasSubstr("b (west) waits for a: b.car meets a.car"));
+    EXPECT_EQ(ran.tasks.at("east").result, TaskResult::done) << ran.tasks.at("east").reason;
+    EXPECT_EQ(ran.tasks.at("park b").result, TaskResult::done);
+    EXPECT_TRUE(ran.tasks.at("park b").parking);
+  }
+}
+
+TEST(SeveralMachines, TheTaskOfLeastPriorityGivesWay) {
+  const Ran ran = run(R"(
+    robot a "line.robot" { start x 0; park x -20; }
+    robot b "line.robot" { start x 10; }
+    task east { by a; go x 10; }
+    task west { by b; go x 0; priority 1; })");
+  EXPECT_EQ(ran.tasks.at("east").result, TaskResult::rejected);
+  EXPECT_EQ(ran.tasks.at("west").result, TaskResult::done) << ran.tasks.at("west").reason;
+}
+
+TEST(SeveralMachines, AnIdleMachineWithoutAParkPositionIsInTheWayForEver) {
+  const Ran ran = run(R"(
+    robot a "line.robot" { start x 0; }
+    robot b "line.robot" { start x 5; }
+    crew riggers;
+    task east { by a, riggers; go x 20; priority 5; }
+    task joints { by riggers; takes 1 h; })");
+  EXPECT_EQ(ran.tasks.at("east").result, TaskResult::rejected);
+  EXPECT_EQ(ran.tasks.at("east").reason,
+            "blocked for ever: a.car meets b.car, which does not move any more; give b a park "
+            "position");
+  EXPECT_EQ(ran.tasks.at("joints").result, TaskResult::done);
+  EXPECT_EQ(ran.tasks.at("joints").start, 0);  // nobody was held up
+}
+
+TEST(SeveralMachines, KeepOutOfTheZonesOfPeople) {
+  const Ran ran = run(R"(
+    robot a "line.robot" { start x 0; }
+    crew masons;
+    task bricks { by masons; takes 5 min; zone box(10, -2, 0, 12, 2, 2); }
+    task past { by a; go x 20; })");
+  EXPECT_EQ(ran.tasks.at("past").result, TaskResult::done) << ran.tasks.at("past").reason;
+  EXPECT_EQ(ran.tasks.at("past").start + ran.tasks.at("past").duration, (300 + 11) * kSecond);
+  EXPECT_EQ(ran.tasks.at("past").waits.machine, (300 - 9) * kSecond);
+}
+
+TEST(SeveralMachines, AZoneWaitsUntilNoMachineIsInIt) {
+  const Ran ran = run(R"(
+    robot a "line.robot" { start x 11; park x 20; }
+    crew masons;
+    task bricks { by masons; takes 5 min; zone box(10, -2, 0, 12, 2, 2); })");
+  EXPECT_EQ(ran.tasks.at("bricks").result, TaskResult::done) << ran.tasks.at("bricks").reason;
+  EXPECT_EQ(ran.tasks.at("park a").duration, 9 * kSecond);
+  EXPECT_GT(ran.tasks.at("bricks").start, 0);
+  EXPECT_EQ(ran.tasks.at("bricks").waits.machine, ran.tasks.at("bricks").start);
+
+  const Ran stuck = run(R"(
+    robot a "line.robot" { start x 11; }
+    crew masons;
+    task bricks { by masons; takes 5 min; zone box(10, -2, 0, 12, 2, 2); })");
+  EXPECT_EQ(stuck.tasks.at("bricks").reason, "a stands in its zone and does not move any more");
+}
+
+TEST(SeveralMachines, ACrewServesTwoMachinesByTurns) {
+  const Ran ran = run(R"(
+    robot g "gantry.robot" { start x 0; }
+    robot h "gantry.robot" { start x 40; }
+    crew riggers;
+    component c { shape box(-1, -1, 0, 1, 1, 1); at trans(0, 0, 0); grip trans(0, 0, 1); }
+    component d { shape box(-1, -1, 0, 1, 1, 1); at trans(40, 0, 0); grip trans(0, 0, 1); }
+    task one { by g; move c to trans(0, 9, 0); hook 4 min by riggers; release 1 min by riggers; }
+    task two { by h; move d to trans(40, 9, 0); hook 4 min by riggers; release 1 min by riggers; })");
+  EXPECT_EQ(ran.tasks.at("one").waits.resource, (240 - 9) * kSecond);  // d is hooked meanwhile
+  // two is hooked after one, and released after one.
+  EXPECT_EQ(ran.tasks.at("two").waits.resource, (240 + 51) * kSecond);
+  const auto riggers = ran.schedule.resources.at(2);
+  EXPECT_EQ(riggers.held, 600 * kSecond);
+  EXPECT_EQ(riggers.busy, 600 * kSecond);
+}
+
+TEST(SeveralMachines, AComponentThatIsMovedMeanwhileIsFetchedWhereItIs) {
+  const Ran ran = run(R"(
+    robot g "gantry.robot" { start x 9, z 5; }
+    robot h "gantry.robot" { start x -60, z 9; }
+    component c { shape box(-1, -1, 0, 1, 1, 1); at trans(10, 0, 0); grip trans(0, 0, 1); }
+    task earlier { by g; move c to trans(10, 20, 0); }
+    task aside { by g; go x 10, y 60, z 20; after earlier; }
+    task second { by h; move c to trans(-20, 0, 0); })");
+  for (const auto& [name, task] : ran.tasks) {
+    EXPECT_EQ(task.result, TaskResult::done) << name << task.reason;
+  }
+  // 70 m to where it stood, 20 m to where it stands; 30 m and 20 m to its place.
+  EXPECT_EQ(ran.tasks.at("second").motion_time, (70 + 8 + 20 + 30 + 20) * kSecond);
+}
+
+TEST(SeveralMachines, AComponentThatIsRemovedWhileItIsHookedIsNotCarried) {
+  const Ran ran = run(R"(
+    robot g "gantry.robot" { start x 10, z 5; }
+    crew riggers;
+    component c { shape box(-1, -1, 0, 1, 1, 1); at trans(10, 0, 0); grip trans(0, 0, 1); }
+    task move_it { by g; move c to trans(10, 20, 0); hook 10 min; }
+    task remove_it { by riggers; takes 5 min; remove c; })");
+  EXPECT_EQ(ran.tasks.at("move_it").result, TaskResult::rejected);
+  EXPECT_EQ(ran.tasks.at("move_it").reason, "c is not on the site any more");
+  EXPECT_EQ(ran.tasks.at("remove_it").result, TaskResult::done);
+}
+
+TEST(SeveralMachines, WhatComesAfterARemovalThatFailsIsNotReached) {
+  const Ran ran = run(R"(
+    crew riggers;
+    component c { shape box(-1, -1, 0, 1, 1, 1); at trans(10, 0, 0); }
+    task work { by riggers; takes 1 min; after gone FS - 30 s; }
+    task gone { remove c; after earlier; }
+    task earlier { remove c; })");
+  EXPECT_EQ(ran.tasks.at("earlier").result, TaskResult::done);
+  EXPECT_EQ(ran.tasks.at("gone").result, TaskResult::rejected);
+  EXPECT_EQ(ran.tasks.at("work").result, TaskResult::not_reached);
+}
+
+TEST(SeveralMachines, MotionsFinishAfterTheShiftOrStopWithIt) {
+  const std::string plan = R"(
+    start_at "2026-03-02 11:59";
+    robot a "line.robot" { start x 0; calendar site; cost 3600 per h; }
+    task east { by a; go x 100; })";
+  const Ran through = run("calendar site { mon-fri 07:00-12:00, 13:00-16:00; }" + plan);
+  EXPECT_EQ(through.tasks.at("east").duration, 100 * kSecond);
+  EXPECT_NEAR(through.schedule.cost, 100, 1e-9);  // a second costs 1
+  const Ran stops = run("calendar site { mon-fri 07:00-12:00, 13:00-16:00; carry_over; }" + plan);
+  EXPECT_EQ(stops.tasks.at("east").duration, (100 + 3600) * kSecond);
+  EXPECT_EQ(stops.tasks.at("east").waits.shift, 3600 * kSecond);
+  EXPECT_NEAR(stops.schedule.cost, 100, 1e-9);
+}
+
+TEST(SeveralMachines, WaitingInAScriptDoesNotUseUpItsBudget) {
+  const Ran ran = run(R"(
+    budget 100;
+    robot a "waiting.robot" { start x 0; }
+    robot b "line.robot" { start x 5; }
+    robot c "line.robot" at trans(0, 20, 0) { start x -90; }
+    task round { by c; go x 90; }
+    task follow { by a; go x 20; }
+    task lead { by b; go x 40; after round; })");
+  EXPECT_EQ(ran.tasks.at("follow").result, TaskResult::done) << ran.tasks.at("follow").reason;
+  EXPECT_GT(ran.tasks.at("follow").waits.machine, 150 * kSecond);
+}
+
+TEST(SeveralMachines, WhoWaitedWithoutALoadGoesOnInItsShift) {
+  const Ran ran = run(R"(
+    start_at "2026-03-02 15:00";
+    calendar site { mon-fri 07:00-16:00; }
+    robot a "line.robot" { start x 0; calendar site; }
+    robot b "line.robot" { start x 5; }
+    task follow { by a; go x 20; }
+    task lead { by b; go x 40; after pause; }
+    task pause { takes 5 h; })");
+  EXPECT_EQ(ran.tasks.at("follow").result, TaskResult::done) << ran.tasks.at("follow").reason;
+  EXPECT_EQ(ran.tasks.at("follow").start + ran.tasks.at("follow").duration,
+            (16 * 3600 + 16) * kSecond);
+}
+
+TEST(SeveralMachines, ATaskHeldByOneThatIsRejectedIsLetGoAtOnce) {
+  const Ran ran = run(R"(
+    site box(20, -5, 0, 21, 5, 5);
+    robot a "line.robot" { start x 0; }
+    robot b "line.robot" at trans(0, 10, 0) { start x 0; }
+    task hour { takes 10 h; }
+    task bad { by a; go x 50; after hour; }
+    task good { by b; go x 10; after bad SF; })");
+  EXPECT_EQ(ran.tasks.at("bad").result, TaskResult::rejected);
+  EXPECT_GT(ran.tasks.at("bad").tried, 0);
+  EXPECT_EQ(ran.tasks.at("good").result, TaskResult::done);
+  EXPECT_EQ(ran.tasks.at("good").duration, 10 * kSecond);
+}
+
+}  // namespace
+}  // namespace rubicon::taskplan
