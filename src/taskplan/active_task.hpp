@@ -66,6 +66,7 @@ struct ActiveTask {
   double budget = 0;                         ///< attempts left
   Ticks machine_start = 0;
   int tries_before = 0;                      ///< of the machine, up to its last step
+  int free_tries = 0;                        ///< of these, what waiting for other machines took
   bool waits_in_script = false;              ///< its step is a `wait`
   math::Pose X_WO = math::Pose::Identity();  ///< where the component stood that it set out to take
   std::vector<Blocker> blockers;

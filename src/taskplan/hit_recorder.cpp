@@ -27,18 +27,23 @@ void HitRecorder::which(const std::string& label, interpreter::Span span) {
 }
 
 void HitRecorder::attempt(const interpreter::Attempt& attempt) {
-  if (attempt.hit != nullptr || (attempt.accepted && !open_.empty())) {
+  if (attempt.hit != nullptr || attempt.accepted) {
     std::erase_if(open_, [&](const RecordedHit& hit) {
       return std::equal(hit.parameters.begin(), hit.parameters.end(), attempt.parameters.begin(),
                         attempt.parameters.end());
     });
+    std::erase_if(given_way_, [&](const RecordedHit& hit) {
+      return hit.span.file == attempt.span.file && hit.span.begin == attempt.span.begin;
+    });
   }
   if (attempt.hit != nullptr) {
-    open_.push_back({attempt.n,
-                     {attempt.parameters.begin(), attempt.parameters.end()},
-                     attempt.span,
-                     *attempt.hit,
-                     way_point_});
+    const RecordedHit hit{attempt.n,
+                          {attempt.parameters.begin(), attempt.parameters.end()},
+                          attempt.span,
+                          *attempt.hit,
+                          way_point_};
+    if (hit.pair.machine >= 0 || hit.pair.zone_task >= 0) given_way_.push_back(hit);
+    open_.push_back(hit);
   }
   if (next_) next_->attempt(attempt);
 }

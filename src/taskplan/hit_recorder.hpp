@@ -26,7 +26,13 @@ class HitRecorder : public interpreter::EventSink {
   const RecordedHit* last() const { return open_.empty() ? nullptr : &open_.back(); }
   /// All that were not overcome, oldest first.
   const std::vector<RecordedHit>& open() const { return open_; }
-  void forget() { open_.clear(); }
+  /// Hits of other machines and of zones since `forget` whose command has not succeeded since: also
+  /// those that the robot gave way to.
+  const std::vector<RecordedHit>& given_way() const { return given_way_; }
+  void forget() {
+    open_.clear();
+    given_way_.clear();
+  }
 
   void goal(int k, int n) override;
   void set(const std::string& variable, double value, interpreter::Span span) override;
@@ -39,7 +45,8 @@ class HitRecorder : public interpreter::EventSink {
 
  private:
   interpreter::EventSink* next_;
-  std::vector<RecordedHit> open_;  ///< oldest first
+  std::vector<RecordedHit> open_;       ///< oldest first
+  std::vector<RecordedHit> given_way_;  ///< oldest first
   int way_point_ = 1;
 };
 

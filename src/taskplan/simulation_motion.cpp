@@ -20,10 +20,10 @@ bool may_try_again(MotionStatus status) {
          status == MotionStatus::circling;
 }
 
-/// The machines and zones that a motion met last and did not get round, each once.
-std::vector<Blocker> blockers_of(const HitRecorder& hits) {
+/// The machines and zones among hits, each once.
+std::vector<Blocker> blockers_of(const std::vector<RecordedHit>& hits) {
   std::vector<Blocker> blockers;
-  for (const RecordedHit& hit : hits.open()) {
+  for (const RecordedHit& hit : hits) {
     const Blocker blocker{hit.pair.machine, hit.pair.zone_task, hit.pair.moved, hit.pair.met};
     if (blocker.robot < 0 && blocker.zone_task < 0) continue;
     const bool known = std::any_of(blockers.begin(), blockers.end(),
@@ -36,8 +36,7 @@ std::vector<Blocker> blockers_of(const HitRecorder& hits) {
 /// The way point at which a machine was met first.
 std::size_t first_way_point(const HitRecorder& hits) {
   int first = 0;
-  for (const RecordedHit& hit : hits.open()) {
-    if (hit.pair.machine < 0 && hit.pair.zone_task < 0) continue;
+  for (const RecordedHit& hit : hits.given_way()) {
     if (first == 0 || hit.way_point < first) first = hit.way_point;
   }
   return static_cast<std::size_t>(std::max(first - 1, 0));
@@ -96,7 +95,7 @@ bool Simulation::start_machine(ActiveTask& active) {
   motion.mounting = site_.robot(task.robot).mounting;
   active.doing = Doing::moving;
   active.machine_start = now_.now;
-  active.tries_before = 0;
+  active.tries_before = active.free_tries = 0;
   active.machine.emplace(program_of(task.robot), std::move(motion));
   return move_on(active);
 }
@@ -129,13 +128,18 @@ bool Simulation::move_on(ActiveTask& active) {
 void Simulation::count_step(ActiveTask& active, Ticks to, bool waited) {
   const Ticks duration = to - now_.now;
   active.waits_in_script = waited;
-  // What a script tries while it waits for another machine does not use up its budget.
+  // What a script tries while it waits for others does not use up its budget: they bound it.
   const int tries = active.machine->tries();
-  if (waited && !blockers_of(active.hits).empty()) {
+  const bool others = std::any_of(now_.active.begin(), now_.active.end(), [&](const auto& other) {
+    return other->task != active.task &&
+           (spec(other->task).robot >= 0 || !spec(other->task).zones.empty());
+  });
+  if (waited && others) {
+    active.free_tries += tries - active.tries_before;
     active.machine->extend_budget(tries - active.tries_before);
   }
   active.tries_before = tries;
-  if (waited && !blockers_of(active.hits).empty()) {
+  if (waited && !active.hits.given_way().empty()) {
     active.outcome.waits.machine += duration;
   } else {
     active.outcome.motion_time += duration;
@@ -154,13 +158,15 @@ bool Simulation::end_motion(ActiveTask& active) {
   active.machine.reset();
   active.outcome.tried += made.end.tries;
   active.outcome.accepted += made.end.accepted;
-  active.budget -= made.end.tries;
+  active.budget -= made.end.tries - active.free_tries;
   own_trace(active);
   if (trace_) trace_->motion_end(made.end);
   const bool reached = made.end.reached;
   const bool enough = is_enough(made.purpose, made.end);
   std::vector<Blocker> blockers;
-  if (!reached && may_try_again(made.end.status)) blockers = blockers_of(active.hits);
+  if (!reached && may_try_again(made.end.status)) {
+    blockers = blockers_of(enough ? active.hits.open() : active.hits.given_way());
+  }
   active.outcome.motions.push_back(std::move(made));
   if (blockers.empty()) {
     if (enough) return true;

@@ -245,7 +245,7 @@ TEST(SeveralMachines, MotionsFinishAfterTheShiftOrStopWithIt) {
 
 TEST(SeveralMachines, WaitingInAScriptDoesNotUseUpItsBudget) {
   const Ran ran = run(R"(
-    budget 100;
+    budget 250;
     robot a "waiting.robot" { start x 0; }
     robot b "line.robot" { start x 5; }
     robot c "line.robot" at trans(0, 20, 0) { start x -90; }
