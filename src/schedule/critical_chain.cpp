@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
+#include <tuple>
 
 namespace rubicon::schedule {
 
@@ -27,6 +29,60 @@ std::string link_text(const Link& link) {
   return text;
 }
 
+/// What is followed back: the start of a task, its finish, or a moment between at which it let
+/// something go.
+enum class Moment { start, midway, finish };
+struct Event {
+  int task = -1;
+  Moment moment = Moment::finish;
+  Ticks time = 0;
+};
+
+ChainStep step_of(const Network& network, const TaskTimes& own, const Event& event) {
+  ChainStep step;
+  step.task = event.task;
+  step.work_counts = event.moment != Moment::start && network.tasks[at(event.task)].work > 0;
+  if (event.moment == Moment::finish && own.finish_link >= 0) {
+    step.at_finish = true;
+    step.work_counts = false;
+    step.held = Held::link;
+    step.link = own.finish_link;
+    step.wanted = own.finish;
+    return step;
+  }
+  for (auto wait = own.mid_waits.rbegin(); wait != own.mid_waits.rend(); ++wait) {
+    if (event.moment == Moment::start || wait->until > event.time) continue;
+    step.midway = true;
+    step.held = wait->held;
+    step.resource = wait->resource;
+    step.task_before = wait->task_before;
+    step.wanted = wait->until;
+    return step;
+  }
+  step.held = own.held;
+  step.link = own.link;
+  step.resource = own.resource;
+  step.task_before = own.task_before;
+  step.wanted = own.wanted;
+  step.out_of_shift = own.start - own.wanted;
+  step.first_gain = own.first_gain;
+  return step;
+}
+
+/// The event that held a step; none for the first. Sets the step's task before.
+Event cause_of(const Network& network, const NetworkTimes& times, ChainStep& step) {
+  if (step.held == Held::link) {
+    const Link& link = network.tasks[at(step.task)].after[at(step.link)];
+    step.task_before = link.task;
+    const TaskTimes& before = times.tasks[at(link.task)];
+    if (end_before(link.type) == TaskEnd::start) return {link.task, Moment::start, before.start};
+    return {link.task, Moment::finish, before.finish};
+  }
+  if (step.task_before < 0) return {};
+  const bool midway = step.midway || times.tasks[at(step.task)].given_back_midway;
+  return {step.task_before, midway ? Moment::midway : Moment::finish, step.wanted};
+}
+
 }  // namespace
 
 std::vector<ChainStep> critical_chain(const Network& network, const NetworkTimes& times) {
@@ -35,40 +91,22 @@ std::vector<ChainStep> critical_chain(const Network& network, const NetworkTimes
       std::max_element(times.tasks.begin(), times.tasks.end(),
                        [](const TaskTimes& a, const TaskTimes& b) { return a.finish < b.finish; });
   if (last == times.tasks.end()) return chain;
-  int task = static_cast<int>(last - times.tasks.begin());
-  TaskEnd end = TaskEnd::finish;
-  while (task >= 0) {
-    const TaskTimes& own = times.tasks[at(task)];
-    const std::vector<Link>& links = network.tasks[at(task)].after;
-    ChainStep step;
-    step.task = task;
-    if (end == TaskEnd::finish && own.finish_link >= 0) {
-      step.at_finish = true;
-      step.held = Held::link;
-      step.link = own.finish_link;
-      step.wanted = own.finish;
-    } else {
-      step.work_counts = end == TaskEnd::finish && network.tasks[at(task)].work > 0;
-      step.held = own.held;
-      step.link = own.link;
-      step.resource = own.resource;
-      step.wanted = own.wanted;
-      step.out_of_shift = own.start - own.wanted;
-      step.first_gain = own.first_gain;
-    }
-    if (step.held == Held::link) {
-      const Link& link = links[at(step.link)];
-      step.task_before = link.task;
-      end = end_before(link.type);
-    } else {
-      step.task_before = own.task_before;
-      end = TaskEnd::finish;
-    }
-    chain.push_back(step);
-    task = step.task_before;
+  Event event{static_cast<int>(last - times.tasks.begin()), Moment::finish, last->finish};
+  // Every event is earlier than the one it led to, or at the same moment another one.
+  std::set<std::tuple<int, Moment, Ticks>> seen;
+  while (event.task >= 0 && seen.emplace(event.task, event.moment, event.time).second) {
+    chain.push_back(step_of(network, times.tasks[at(event.task)], event));
+    event = cause_of(network, times, chain.back());
   }
   std::reverse(chain.begin(), chain.end());
   return chain;
+}
+
+ChainStep start_step(const Network& network, int task, const TaskTimes& times) {
+  ChainStep step = step_of(network, times, {task, Moment::start, times.start});
+  step.work_counts = true;
+  if (step.held == Held::link) step.task_before = network.tasks[at(task)].after[at(step.link)].task;
+  return step;
 }
 
 std::string text_of(const Network& network, const ChainStep& step) {
@@ -76,6 +114,17 @@ std::string text_of(const Network& network, const ChainStep& step) {
   std::string text = task.name;
   if (step.held == Held::plan_start) {
     text += " starts with the plan";
+  } else if (step.midway || step.held == Held::machine) {
+    text += step.midway ? " waits on its way for " : " starts after it waited for ";
+    const std::string before =
+        step.task_before >= 0 ? network.tasks[at(step.task_before)].name : std::string();
+    if (step.resource < 0) {
+      text += "the zone of " + before;
+    } else {
+      text += fmt::format("'{}'", network.resources[at(step.resource)].name);
+      if (!before.empty()) text += fmt::format(", which {} had", before);
+      if (step.held == Held::machine) text += ", to be out of the way";
+    }
   } else if (step.held == Held::resource) {
     text += fmt::format(" starts when '{}' is free, which {} had",
                         network.resources[at(step.resource)].name,

@@ -16,6 +16,7 @@ struct ChainStep {
   int resource = -1;       ///< held by a resource: index
   int task_before = -1;    ///< whose event held it, the step before; -1 for the first step
   bool at_finish = false;  ///< its finish was held, not its start
+  bool midway = false;     ///< it stood still after its start
   Ticks wanted = 0;        ///< when what held it let go
   Ticks out_of_shift = 0;  ///< from then to the begin of the next shift
   Ticks first_gain = 0;    ///< it starts no sooner unless it is let go more than this much sooner
@@ -27,6 +28,9 @@ struct ChainStep {
 /// (`work_counts`) or, where a link leads from or to its other end, as a point in time only.
 /// Empty for a network without tasks. Linear in tasks.
 std::vector<ChainStep> critical_chain(const Network& network, const NetworkTimes& times);
+
+/// Why a task started when it did: the step for its start, with its own work counted.
+ChainStep start_step(const Network& network, int task, const TaskTimes& times);
 
 /// A sentence for the step: "b starts after a (SS + 2 h), 15 h later: the next shift".
 std::string text_of(const Network& network, const ChainStep& step);

@@ -33,7 +33,16 @@ struct Network {
 };
 
 /// What a task waited for last before it started, shifts aside.
-enum class Held { plan_start, link, resource };
+enum class Held { plan_start, link, resource, machine };
+
+/// A wait of a task after its start: for a resource that another task had, or until a machine that
+/// another task moved was out of the way.
+struct MidWait {
+  Ticks until = 0;
+  Held held = Held::resource;  ///< resource or machine
+  int resource = -1;           ///< what was waited for
+  int task_before = -1;        ///< who had it
+};
 
 /// When a task is done, and why not sooner.
 struct TaskTimes {
@@ -43,9 +52,11 @@ struct TaskTimes {
   Ticks finish = 0;
   Ticks first_gain = 0;  ///< `wanted` has to be sooner by more than this before `start` is sooner
   Held held = Held::plan_start;
-  int link = -1;         ///< held by a link: index into `after`
-  int resource = -1;     ///< held by a resource: index
-  int task_before = -1;  ///< held by a resource: the task that had it
+  int link = -1;                   ///< held by a link: index into `after`
+  int resource = -1;               ///< held by a resource: index
+  int task_before = -1;            ///< held by a resource: the task that had it
+  bool given_back_midway = false;  ///< that task gave it back before its own finish
+  std::vector<MidWait> mid_waits;  ///< in order; only of tasks that are simulated
   int finish_link = -1;  ///< the link that holds the finish, if the task's own work does not
 };
 

@@ -70,6 +70,7 @@ struct ActiveTask {
   bool waits_in_script = false;              ///< its step is a `wait`
   math::Pose X_WO = math::Pose::Identity();  ///< where the component stood that it set out to take
   std::vector<Blocker> blockers;
+  bool may_go_on = false;  ///< what it waits with is enough for the task
 
   const Phase& now() const { return phases[phase]; }
 };

@@ -2,7 +2,6 @@
 #include <utility>
 
 #include "src/schedule/critical_chain.hpp"
-#include "src/taskplan/plan_network.hpp"
 #include "src/taskplan/simulation.hpp"
 
 namespace rubicon::taskplan {
@@ -79,26 +78,16 @@ Schedule Simulation::make_schedule() {
 }
 
 void Simulation::add_critical_chain(Schedule& schedule) const {
-  schedule::Network network;
-  network.tasks = network_tasks(plan_);
-  for (const interpreter::TaskSpec& park : parks_) {
-    network.tasks.emplace_back().name = park.name;
-  }
-  for (const ResourceUse& use : schedule.resources) network.resources.push_back({use.name, -1});
   schedule::NetworkTimes times;
   times.tasks = times_;
-  for (std::size_t task = 0; task < network.tasks.size(); ++task) {
-    schedule::NetworkTask& each = network.tasks[task];
-    each.after = links_[task];
-    // Motions are work too.
-    if (each.work == 0 && spec(static_cast<int>(task)).robot >= 0) each.work = 1;
+  for (std::size_t task = 0; task < times.tasks.size(); ++task) {
     if (excluded_.contains(static_cast<int>(task))) times.tasks[task] = {};
     // The plan is over with its own tasks.
     if (is_park(static_cast<int>(task))) times.tasks[task].finish = 0;
   }
-  for (const schedule::ChainStep& step : critical_chain(network, times)) {
+  for (const schedule::ChainStep& step : critical_chain(network_, times)) {
     schedule.critical.push_back(
-        {network.tasks[index(step.task)].name, step.work_counts, text_of(network, step)});
+        {network_.tasks[index(step.task)].name, step.work_counts, text_of(network_, step)});
   }
 }
 

@@ -135,6 +135,7 @@ std::optional<ResourceDesk::Grant> ResourceDesk::take(Ticks now) {
       grant.resource = resource;
       grant.free = state.free_since;
       grant.task_before = state.last;
+      grant.midway = state.midway;
     }
     take_directly(resource, grant.task);
   }
@@ -146,9 +147,10 @@ void ResourceDesk::take_directly(int resource, int task) {
   states_[at(resource)].last = task;
 }
 
-void ResourceDesk::release(int resource, Ticks now) {
+void ResourceDesk::release(int resource, Ticks now, bool midway) {
   states_[at(resource)].holder = -1;
   states_[at(resource)].free_since = now;
+  states_[at(resource)].midway = midway;
 }
 
 Ticks ResourceDesk::next_chance(Ticks now) {

@@ -21,6 +21,7 @@ struct ResourceState {
   int holder = -1;  ///< the task that has it, -1: it is free
   int last = -1;    ///< the task that has or had it, -1: nobody yet
   Ticks free_since = 0;
+  bool midway = false;  ///< it was given back before that task's finish
 };
 
 /// Gives robots and crews to the tasks that wait for them: all a task asks for at once or nothing;
@@ -55,12 +56,14 @@ class ResourceDesk {
     int resource = -1;     ///< what was free last of what it asked for; -1: nobody had any of it
     int task_before = -1;  ///< who had it
     Ticks free = 0;        ///< since when all of it is free
+    bool midway = false;   ///< it was given back before that task's finish
     std::vector<ResourceState> before;  ///< all states before it was given
   };
   /// Gives the next task what it asks for, in the working hours of its queue only.
   std::optional<Grant> take(Ticks now);
 
-  void release(int resource, Ticks now);
+  /// `midway`: the task that gives it back goes on.
+  void release(int resource, Ticks now, bool midway);
 
   /// The next moment after `now` at which somebody could be given something if nothing is given
   /// back before; kEndOfTime if never.

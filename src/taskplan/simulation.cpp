@@ -4,8 +4,10 @@
 #include <numeric>
 #include <utility>
 
+#include "src/schedule/critical_chain.hpp"
 #include "src/site/make_site.hpp"
 #include "src/taskplan/plan_calendars.hpp"
+#include "src/taskplan/plan_network.hpp"
 
 namespace rubicon::taskplan {
 
@@ -38,7 +40,7 @@ void Simulation::prepare() {
     park.go.emplace();
     park.go->values = *robot_spec(robot).park;
   }
-  parking_failed_.resize(parks_.size(), false);
+  parking_failed_.resize(parks_.size());
   for (const interpreter::TaskSpec& task : plan_.tasks) specs_.push_back(&task);
   for (const interpreter::TaskSpec& park : parks_) specs_.push_back(&park);
 
@@ -52,6 +54,7 @@ void Simulation::prepare() {
     names.push_back(crew.name);
     calendars.push_back(calendar_index(plan_, crew.calendar));
   }
+  for (const std::string& name : names) network_.resources.push_back({name, -1});
   desk_.emplace(std::move(names), std::move(calendars), calendars_of(plan_), journal_);
   queue_.resize(specs_.size());
   work_.resize(specs_.size());
@@ -210,6 +213,7 @@ void Simulation::begin_task(const ResourceDesk::Grant& grant) {
     times.link = -1;
     times.resource = grant.resource;
     times.task_before = grant.task_before;
+    times.given_back_midway = grant.midway;
   }
   times.start = now_.now;
   const schedule::WorkCalendar& calendar = desk_->calendar(queue_[index(task)]);
@@ -227,12 +231,17 @@ void Simulation::begin_task(const ResourceDesk::Grant& grant) {
     const Ticks waited = now_.now - std::max(zone->since, times.wanted);
     waits.machine = waited;
     waits.shift -= waited;
+    times.held = schedule::Held::machine;
+    times.resource = zone->robot;
+    times.task_before = desk_->state(zone->robot).last;
+    times.given_back_midway = true;
+    times.wanted = now_.now;
     now_.zone_waits.erase(zone);
   }
   journal_.assign(times_[index(task)], times);
   journal_.assign(status_[index(task)], Status::active);
   own_trace(active);
-  if (trace_) trace_->task_start(now_.now);
+  if (trace_) trace_start(task, times);
   const interpreter::TaskSpec& each = spec(task);
   if (!each.zones.empty()) {
     site_.hold_zone(task, "the zone of " + each.name, each.zones, each.robot);
@@ -267,10 +276,12 @@ void Simulation::complete(ActiveTask& active) {
   const bool held = active.since < now_.now;
   const bool started_for_finish =
       times.held == schedule::Held::link &&
-      end_after(links_[index(task)][index(times.link)].type) == schedule::TaskEnd::finish;
+      end_after(network_.tasks[index(task)].after[index(times.link)].type) ==
+          schedule::TaskEnd::finish;
   if (held) {
-    const int before =
-        bounds.finish_link < 0 ? -1 : links_[index(task)][index(bounds.finish_link)].task;
+    const int before = bounds.finish_link < 0
+                           ? -1
+                           : network_.tasks[index(task)].after[index(bounds.finish_link)].task;
     active.outcome.waits.predecessor += now_.now - active.since;
     pause(active, "held", before < 0 ? std::string() : spec(before).name);
   }
@@ -318,7 +329,7 @@ void Simulation::hold_all(ActiveTask& active) {
     const bool robot = resource < static_cast<int>(plan_.robots.size());
     hold.busy = robot ? active.outcome.motion_time : active.held_work;
     active.outcome.holds.push_back(hold);
-    desk_->release(resource, now_.now);
+    desk_->release(resource, now_.now, false);
   }
 }
 
@@ -350,6 +361,12 @@ void Simulation::own_trace(const ActiveTask& active) {
   if (!trace_) return;
   tape_->set_owner(active.task);
   trace_->set_task(spec(active.task).name, spec(active.task).robot);
+}
+
+void Simulation::trace_start(int task, const schedule::TaskTimes& times) {
+  const schedule::ChainStep step = start_step(network_, task, times);
+  trace_->task_start(now_.now, text_of(network_, step),
+                     step.task_before < 0 ? "" : network_.tasks[index(step.task_before)].name);
 }
 
 void Simulation::trace_end(int task, Ticks time, const TaskOutcome& outcome) {

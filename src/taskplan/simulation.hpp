@@ -32,10 +32,16 @@ struct ExcludedTask {
 };
 using Excluded = std::map<int, ExcludedTask>;
 
+/// When a robot could not be parked last, and how often it could not.
+struct ParkingFailure {
+  Ticks last = -1;
+  int count = 0;
+};
+
 /// What a run has found out for good: which tasks are not done, which robots cannot park.
 struct Verdicts {
   Excluded tasks;
-  std::vector<bool> parking_failed;
+  std::vector<ParkingFailure> parking_failed;  ///< to each robot
 };
 
 /// A discrete-event simulation of a full plan: tasks start when their links, robots, crews and
@@ -138,6 +144,7 @@ class Simulation {
   bool find_ring();
   bool resolve_standstill();
   std::string standstill_reason(int task);
+  bool lets_one_go_on(const std::vector<int>& tasks);
   std::vector<int> waits_on(int task) const;
   int last_of(const std::vector<int>& tasks) const;
   bool is_over(int task) const {
@@ -164,6 +171,8 @@ class Simulation {
   bool is_park(int task) const { return task >= static_cast<int>(plan_.tasks.size()); }
   const interpreter::Program& program_of(int robot);
   void own_trace(const ActiveTask& active);
+  void trace_start(int task, const schedule::TaskTimes& times);
+  void add_mid_wait(int task, schedule::MidWait wait);
   void trace_end(int task, Ticks time, const TaskOutcome& outcome);
 
   // make_schedule.cpp
@@ -188,7 +197,7 @@ class Simulation {
   std::vector<Ticks> work_;     ///< known before it starts: crew work; -1: not known
   std::vector<bool> foreseen_;  ///< its times were known before the plan began
   std::vector<bool> tied_;      ///< schedule::LinkOrder::tied_both_ways
-  std::vector<std::vector<schedule::Link>> links_;
+  schedule::Network network_;   ///< names, work and links, for texts and the critical chain
   std::vector<std::vector<std::pair<int, schedule::LinkType>>> followers_;
   std::vector<Status> status_;
   std::vector<int> to_start_;   ///< events not known yet, without which it cannot start
@@ -202,7 +211,7 @@ class Simulation {
   // for good, whatever the run goes back to
   Excluded excluded_;
   std::vector<TaskOutcome> failed_parkings_;
-  std::vector<bool> parking_failed_;
+  std::vector<ParkingFailure> parking_failed_;
   bool must_restart_ = false;
 
   Moment now_;

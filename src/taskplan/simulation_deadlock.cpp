@@ -70,7 +70,7 @@ bool Simulation::find_ring() {
                         blocker.robot >= 0 ? robot_spec(blocker.robot).name : blocker.met,
                         meeting(blocker));
   }
-  rejection_ = Rejection{last_of(tasks), std::move(text)};
+  if (!lets_one_go_on(tasks)) rejection_ = Rejection{last_of(tasks), std::move(text)};
   return true;
 }
 
@@ -80,6 +80,21 @@ int Simulation::last_of(const std::vector<int>& tasks) const {
   const auto key = [&](int task) { return std::tuple(is_park(task), -spec(task).priority, task); };
   return *std::max_element(tasks.begin(), tasks.end(),
                            [&](int a, int b) { return key(a) < key(b); });
+}
+
+/// Of tasks that wait for machines for ever, one that is near enough to its goal goes on as it is
+/// (carrying may end short); false if there is none.
+bool Simulation::lets_one_go_on(const std::vector<int>& tasks) {
+  for (const int task : tasks) {
+    ActiveTask* const active = find_active(task);
+    if (!active || active->doing != Doing::waiting_for_machine || !active->may_go_on) continue;
+    active->outcome.waits.machine += now_.now - active->since;
+    pause(*active, "machine", active->blockers.front().met);
+    run_phases_after(*active);
+    spread();
+    return true;
+  }
+  return false;
 }
 
 /// The tasks that have to go on before this one can: nobody's, if what it waits for never comes.
@@ -103,7 +118,8 @@ std::vector<int> Simulation::waits_on(int task) const {
     }
     for (const int resource : desk_->resources(queue_[index(task)])) add_holder(resource);
   } else {
-    for (const schedule::Link& link : links_[index(task)]) result.push_back(link.task);
+    for (const schedule::Link& link : network_.tasks[index(task)].after)
+      result.push_back(link.task);
   }
   std::erase_if(result, [&](int other) { return is_over(other); });
   return result;
@@ -130,6 +146,7 @@ bool Simulation::resolve_standstill() {
     if (others.empty()) break;
     task = others.front();
   }
+  if (lets_one_go_on(way)) return true;
   rejection_ = Rejection{task, standstill_reason(task)};
   return true;
 }

@@ -12,9 +12,14 @@ using schedule::TaskEnd;
 
 void Simulation::prepare_links() {
   const std::size_t count = specs_.size();
-  std::vector<schedule::NetworkTask> tasks = network_tasks(plan_);
+  std::vector<schedule::NetworkTask>& tasks = network_.tasks;
+  tasks = network_tasks(plan_);
   const auto foreseen = foreseen_times(plan_, tasks);
-  tasks.resize(count);
+  for (const interpreter::TaskSpec& park : parks_) tasks.emplace_back().name = park.name;
+  for (std::size_t i = 0; i < count; ++i) {
+    // Motions are work too.
+    if (tasks[i].work == 0 && specs_[i]->robot >= 0) tasks[i].work = 1;
+  }
   tied_ = schedule::link_order(tasks).tied_both_ways;
   followers_.resize(count);
   status_.resize(count, Status::pending);
@@ -29,9 +34,8 @@ void Simulation::prepare_links() {
     times_[i] = *foreseen[i];
   }
   for (std::size_t i = 0; i < count; ++i) {
-    links_.push_back(std::move(tasks[i].after));
     const int task = static_cast<int>(i);
-    for (const schedule::Link& link : links_.back()) {
+    for (const schedule::Link& link : tasks[i].after) {
       if (excluded_.contains(link.task)) continue;
       followers_[index(link.task)].emplace_back(task, link.type);
       if (waits_to_start(task, link.type)) ++to_start_[i];
@@ -65,7 +69,7 @@ bool Simulation::waits_to_start(int task, schedule::LinkType type) const {
 
 schedule::LinkBounds Simulation::bounds_of(int task, bool with_finish) const {
   schedule::LinkBounds bounds;
-  const std::vector<schedule::Link>& links = links_[index(task)];
+  const std::vector<schedule::Link>& links = network_.tasks[index(task)].after;
   for (std::size_t i = 0; i < links.size(); ++i) {
     const TaskEnd end = end_after(links[i].type);
     // A task that is not done holds nobody who began without it.

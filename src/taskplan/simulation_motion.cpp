@@ -14,6 +14,9 @@ namespace {
 
 using interpreter::MotionStatus;
 
+/// So often a robot that could not park is asked again.
+constexpr int kMostParkings = 100;
+
 /// Whether a motion that ended so may succeed when another machine has moved.
 bool may_try_again(MotionStatus status) {
   return status == MotionStatus::done || status == MotionStatus::livelock ||
@@ -89,6 +92,7 @@ bool Simulation::start_machine(ActiveTask& active) {
   motion.situations = situations_of(plan_, task, purpose);
   motion.within = within_of(plan_, task, purpose);
   motion.budget = active.budget;
+  motion.full_budget = task.budget.value_or(plan_.budget);
   motion.first_n = active.outcome.tried + 1;
   motion.start = now_.now;
   motion.q = site_.configuration(task.robot);
@@ -183,6 +187,7 @@ bool Simulation::end_motion(ActiveTask& active) {
   active.doing = Doing::waiting_for_machine;
   active.since = now_.now;
   active.blockers = std::move(blockers);
+  active.may_go_on = enough;
   return false;
 }
 
@@ -198,7 +203,7 @@ bool Simulation::retry(ActiveTask& active) {
   const ActiveTask before = active;
   const TraceTape::Mark mark = tape_ ? tape_->mark() : 0;
   active.outcome.waits.machine += now_.now - active.since;
-  const Blocker& first = active.blockers.front();
+  const Blocker first = active.blockers.front();
   pause(active, "machine",
         first.robot >= 0 ? robot_spec(first.robot).name
                          : "the zone of " + spec(first.zone_task).name);
@@ -206,7 +211,13 @@ bool Simulation::retry(ActiveTask& active) {
   const bool over = start_machine(active);
   const bool fruitless = active.doing == Doing::waiting_for_machine && !rejection_ &&
                          active.outcome.accepted == before.outcome.accepted;
-  if (!fruitless) return over;
+  if (!fruitless) {
+    const int holder = first.robot >= 0 ? desk_->state(first.robot).last : first.zone_task;
+    if (now_.now > before.since) {
+      add_mid_wait(active.task, {now_.now, schedule::Held::machine, first.robot, holder});
+    }
+    return over;
+  }
   std::vector<Blocker> blockers = std::move(active.blockers);
   HitRecorder hits = std::move(active.hits);
   active = before;
@@ -230,7 +241,10 @@ void Simulation::wake_those_who_wait_for(int robot, int zone_task) {
 }
 
 bool Simulation::may_park(int robot) const {
-  if (!robot_spec(robot).park || parking_failed_[index(robot)]) return false;
+  if (!robot_spec(robot).park) return false;
+  // Where it could not go it is asked again later, but not for ever.
+  const ParkingFailure& failure = parking_failed_[index(robot)];
+  if (failure.count >= kMostParkings || now_.now <= failure.last) return false;
   if (desk_->state(robot).holder >= 0 || site_.load(robot)) return false;
   const interpreter::TaskSpec& park = parks_[index(robot)];
   return !goal_holds(robot_spec(robot).robot->model, site_.robot(robot).mounting,

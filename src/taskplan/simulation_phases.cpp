@@ -132,6 +132,11 @@ bool Simulation::begin_work(ActiveTask& active) {
   return false;
 }
 
+void Simulation::add_mid_wait(int task, schedule::MidWait wait) {
+  times_[index(task)].mid_waits.push_back(wait);
+  journal_.on_undo([this, task] { times_[index(task)].mid_waits.pop_back(); });
+}
+
 void Simulation::crew_came(ActiveTask& active, const ResourceDesk::Grant& grant) {
   const Ticks free = std::clamp(grant.free, active.since, now_.now);
   active.outcome.waits.resource += free - active.since;
@@ -141,6 +146,9 @@ void Simulation::crew_came(ActiveTask& active, const ResourceDesk::Grant& grant)
     trace_->pause("crew", desk_->name(active.crew), active.since, free);
   }
   if (trace_ && now_.now > free) trace_->pause("shift", "", free, now_.now);
+  if (free > active.since) {
+    add_mid_wait(active.task, {free, schedule::Held::resource, active.crew, grant.task_before});
+  }
   active.crew_since = now_.now;
   do_work(active);
 }
@@ -179,7 +187,7 @@ void Simulation::end_work(ActiveTask& active) {
   hold.held = desk_->hours(active.crew).work_between(active.crew_since, now_.now);
   hold.busy = interpreter::ticks_from_seconds(active.now().work->duration);
   active.outcome.holds.push_back(hold);
-  desk_->release(active.crew, now_.now);
+  desk_->release(active.crew, now_.now, true);
   active.crew = -1;
 }
 

@@ -63,13 +63,20 @@ bool Simulation::apply_rejection() {
     must_restart_ = true;
   }
   if (is_park(task)) {
-    parking_failed_[index(task) - plan_.tasks.size()] = true;
+    ParkingFailure& failure = parking_failed_[index(task) - plan_.tasks.size()];
+    failure.last = std::max(failure.last, now_.now);
+    ++failure.count;
     if (tape_) tape_->set_kept(true);
     trace_end(task, outcome.start, outcome);
     if (tape_) tape_->set_kept(false);
+    // Of several tries of a robot the last is told.
+    std::erase_if(failed_parkings_,
+                  [&](const TaskOutcome& other) { return other.task == outcome.task; });
     failed_parkings_.push_back(std::move(outcome));
     return true;
   }
+  // Without it a robot may get to its park position.
+  for (ParkingFailure& failure : parking_failed_) failure.last = -1;
   exclude(task, std::move(outcome), task);
   exclude_followers(task);
   return true;

@@ -84,11 +84,18 @@ void TraceWriter::configuration(std::span<const double> q) {
   line_ += '}';
 }
 
-void TraceWriter::task_start(interpreter::Ticks time) {
+void TraceWriter::task_start(interpreter::Ticks time, std::string_view because,
+                             std::string_view after) {
   if (detail_ == TraceDetail::none) return;
   begin("task_start");
   line_ += ",\"t\":";
   append_seconds(line_, time);
+  if (!because.empty()) {
+    line_ += ",\"because\":";
+    append_string(line_, because);
+    line_ += ",\"after\":";
+    append_string(line_, after);
+  }
   finish();
 }
 

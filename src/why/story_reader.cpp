@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
@@ -28,23 +29,6 @@ std::vector<std::string> names(const json& one_or_more) {
   return one_or_more.get<std::vector<std::string>>();
 }
 
-TaskPlan plan_of(const json& task) {
-  TaskPlan plan;
-  plan.name = task.at("name");
-  const std::string robot = task.at("robot");
-  if (!robot.empty()) plan.holds.push_back(robot);
-  for (const json& crew : task.at("crews")) plan.holds.push_back(crew);
-  if (robot.empty() && task.contains("takes")) {
-    for (const json& work : task.at("takes")) {
-      if (!work.at("crew").is_null()) plan.holds.push_back(work.at("crew"));
-    }
-  }
-  for (const json& link : task.at("after")) {
-    plan.after.push_back({link.at("task"), link.at("type"), link.at("lag")});
-  }
-  return plan;
-}
-
 }  // namespace
 
 StoryReader::StoryReader(std::string task) : task_(std::move(task)) { story_.task = task_; }
@@ -64,6 +48,8 @@ void StoryReader::line(std::string_view text) {
       TaskRun& run = runs_[task];
       run.started = true;
       run.start = record.at("t");
+      run.because = record.value("because", "");
+      run.after = record.value("after", "");
     } else if (type == "task_end") {
       TaskRun& run = runs_[task];
       run.end = record.at("t");
@@ -87,14 +73,7 @@ void StoryReader::read_header(const json& record) {
   if (record.at("form") == "short") order_.push_back(record.at("plan"));
   for (const json& task : record.at("tasks")) {
     order_.push_back(task.at("name"));
-    plans_[order_.back()] = plan_of(task);
     if (order_.back() == task_ && task.contains("move")) move_ = task.at("move");
-  }
-  for (const json& robot : record.at("robots")) {
-    TaskPlan park;
-    park.name = "park " + robot.at("name").get<std::string>();
-    park.holds = {robot.at("name")};
-    plans_[park.name] = std::move(park);
   }
 }
 
@@ -206,14 +185,16 @@ void StoryReader::keep(Motion& in, Attempt attempt) {
 
 std::vector<std::string> StoryReader::tasks() const { return order_; }
 
-bool StoryReader::has_task() const { return plans_.contains(task_) || runs_.contains(task_); }
+bool StoryReader::has_task() const {
+  return runs_.contains(task_) || std::find(order_.begin(), order_.end(), task_) != order_.end();
+}
 
 TaskStory StoryReader::story() const {
   TaskStory story = story_;
   const auto run = runs_.find(task_);
   if (run != runs_.end()) story.run = run->second;
   if (story.run.started && story.run.result == "done") {
-    story.waits = wait_chain(task_, plans_, runs_);
+    story.waits = wait_chain(task_, runs_);
   }
   return story;
 }

@@ -40,7 +40,6 @@ class StoryReader : public trace::TraceSink {
   std::string task_;
   TaskStory story_;
   bool has_header_ = false;
-  std::map<std::string, TaskPlan> plans_;
   std::map<std::string, TaskRun> runs_;
   std::vector<std::string> order_;
   std::string move_;  ///< the component it moves

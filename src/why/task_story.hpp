@@ -57,20 +57,8 @@ struct TaskRun {
   double end = 0;
   std::string result;  ///< "" as long as it is not known
   std::string reason;
-};
-
-/// A task before another, as the plan has it.
-struct LinkText {
-  std::string task;
-  std::string type;
-  double lag = 0;
-};
-
-/// What the plan says of a task.
-struct TaskPlan {
-  std::string name;
-  std::vector<std::string> holds;  ///< its robot and crews
-  std::vector<LinkText> after;
+  std::string because;  ///< why it began when it did
+  std::string after;    ///< the task it waited for, "" for none
 };
 
 /// Why a task began when it did.

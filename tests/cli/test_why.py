@@ -86,9 +86,9 @@ class Why(unittest.TestCase):
         self.assertIn("paint is done", told)
         chain = told.split("why it began when it did:\n")[1].splitlines()
         self.assertEqual([line.split()[2] for line in chain], ["west", "joints", "paint"])
-        self.assertIn("began with the plan", chain[0])
-        self.assertIn("began after west (FS)", chain[1])
-        self.assertIn("began when c was free, which joints had", chain[2])
+        self.assertIn("starts with the plan", chain[0])
+        self.assertIn("starts after west (FS)", chain[1])
+        self.assertIn("starts when 'c' is free, which joints had", chain[2])
 
     def test_a_plan_is_run_and_tells_the_same(self):
         for task in ("east", "after_east", "paint"):
