@@ -192,10 +192,14 @@ struct module_item : if_must<module_key, module_name, block_open, module_parts, 
 struct place_key : token<word<TAO_PEGTL_STRING("place")>> {};
 struct placed_module : name {};
 struct placed_at : at_key {};
+struct placed_frame : frame {};
+struct from_key : token<word<TAO_PEGTL_STRING("from")>> {};
+struct stock_frame : frame {};
+struct placed_from : opt<if_must<from_key, stock_frame>> {};
 struct as_key : token<word<TAO_PEGTL_STRING("as")>> {};
 struct placed_as : name {};
-struct place_item : if_must<place_key, placed_module, placed_at, frame, as_key, placed_as,
-                            opt<if_must<after_key, links>>, plan_semicolon> {};
+struct place_item : if_must<place_key, placed_module, placed_at, placed_frame, placed_from, as_key,
+                            placed_as, opt<if_must<after_key, links>>, plan_semicolon> {};
 
 struct import_block;
 struct import_text : seq<not_at<one<'{', '}'>>, token<any_token_text>> {};

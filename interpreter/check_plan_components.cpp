@@ -78,7 +78,7 @@ void check_components(Subject& subject) {
       ComponentSpec& component = subject.model.components[index++];
       component = each;
       component.name = place.item->as.text + "." + each.name;
-      component.X_WO = place.X_WP * each.X_WO;
+      component.X_WO = place.X_WS * each.X_WO;
     }
   }
 }

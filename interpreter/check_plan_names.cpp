@@ -99,6 +99,7 @@ class Declaration {
     PlaceInfo info;
     info.item = &item;
     info.X_WP = resolve_frame_or_identity(subject_, item.at);
+    info.X_WS = item.from ? resolve_frame_or_identity(subject_, *item.from) : info.X_WP;
     info.module = subject_.find(subject_.modules, item.module, "module");
     info.first_component = static_cast<int>(components_);
     info.first_task = static_cast<int>(tasks_);

@@ -30,7 +30,8 @@ struct ModuleInfo {
 struct PlaceInfo {
   const syntax::PlaceItem* item = nullptr;
   int module = -1;
-  math::Pose X_WP = math::Pose::Identity();
+  math::Pose X_WP = math::Pose::Identity();  ///< where it is built
+  math::Pose X_WS = math::Pose::Identity();  ///< its stock: where its components stand at first
   int first_component = 0;
   int first_task = 0;
 };

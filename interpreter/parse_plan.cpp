@@ -224,8 +224,9 @@ RUBICON_ACTION(PlanAction, PlanState, placed_module) {
   st.place = {};
   st.place.module = st.take_name();
 }
+RUBICON_ACTION(PlanAction, PlanState, placed_frame) { st.place.at = st.take_frame(); }
+RUBICON_ACTION(PlanAction, PlanState, stock_frame) { st.place.from = st.take_frame(); }
 RUBICON_ACTION(PlanAction, PlanState, placed_as) {
-  st.place.at = st.take_frame();
   st.place.as = st.take_name();
 }
 RUBICON_ACTION(PlanAction, PlanState, place_item) {

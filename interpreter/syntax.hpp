@@ -393,10 +393,11 @@ struct ModuleItem {
   std::vector<std::variant<ComponentItem, TaskItem>> items;
   Span span;
 };
-/// place NAME at frame as NAME [after links];
+/// place NAME at frame [from frame] as NAME [after links];
 struct PlaceItem {
   Name module;
   Frame at;
+  std::optional<Frame> from;  ///< where its components stand at first; none: where it is built
   Name as;
   std::vector<Link> after;
   Span span;

@@ -208,6 +208,35 @@ TEST(PlanCheck, PlacesModules) {
   EXPECT_EQ(plan.tasks[7].after[1].task, 5);
 }
 
+TEST(PlanCheck, PlacesModulesFromTheirStock) {
+  const Loaded placed(R"(plan p {
+    robot crane "crane.robot";
+    module unit {
+      component wall { shape box(0, 0, 0, 1, 1, 1); at trans(1, 0, 0); }
+      task set { by crane; move wall to trans(2, 0, 3); zone box(0, 0, 0, 1, 1, 1); }
+      task back { by crane; go at trans(1, 0, 0); via at trans(0, 1, 0); after set; }
+    }
+    place unit at trans(10, 0, 0) from trans(0, 20, 0) * rotz(90) as u1;
+    place unit at trans(10, 5, 0) as u2;
+  })");
+  ASSERT_EQ(placed.said(), "");
+  const PlanModel& plan = *placed.plan;
+  const auto at = [](const math::Pose& X, double x, double y, double z) {
+    return (X.translation() - math::Vec3(x, y, z)).norm() < 1e-12;
+  };
+  // The components stand in the stock, turned as it is ...
+  EXPECT_TRUE(at(plan.components[0].X_WO, 0, 21, 0));
+  EXPECT_NEAR(plan.components[0].X_WO.linear()(1, 0), 1, 1e-12);
+  // ... and all that the tasks say is meant where the module is built.
+  EXPECT_TRUE(at(plan.tasks[0].X_WO_goal, 12, 0, 3));
+  EXPECT_NEAR(plan.tasks[0].X_WO_goal.linear()(1, 0), 0, 1e-12);
+  EXPECT_TRUE(at(plan.tasks[0].zones[0].X_BS, 10, 0, 0));
+  EXPECT_TRUE(at(*plan.tasks[1].go->X_WG, 11, 0, 0));
+  EXPECT_TRUE(at(*plan.tasks[1].via[0].X_WG, 10, 1, 0));
+  // Without a stock of its own a module stands where it is built.
+  EXPECT_TRUE(at(plan.components[1].X_WO, 11, 5, 0));
+}
+
 TEST(PlanCheck, LoadsARobotFileOnce) {
   const Loaded plan(R"(plan p {
     robot a "crane.robot"; robot b "./crane.robot" { start x 30; }

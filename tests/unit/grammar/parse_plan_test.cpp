@@ -70,11 +70,12 @@ TEST(ParsePlan, FullForm) {
       "  module unit { component c { shape sphere(0,0,0,1); } task t { by crane; go x 3; remove c; "
       "} }\n"
       "  place unit at trans(0,0,3) as u1 after set, a;\n"
+      "  place unit at trans(0,0,6) from trans(9,0,0) * rotz(90) as u2;\n"
       "  import \"x.ifc\" as h { layer { a b: 3; } \"foo\" }\n"
       "}\n");
   ASSERT_TRUE(parsed.diagnostics.all().empty()) << parsed.diagnostics.all()[0].message;
   const auto& items = parsed.plan.items;
-  ASSERT_EQ(items.size(), 12u);
+  ASSERT_EQ(items.size(), 13u);
   EXPECT_EQ(std::get<syntax::StringItem>(items[0]).value.text, "2026-03-02 07:00");
 
   const auto& calendar = std::get<syntax::CalendarItem>(items[3]);
@@ -118,8 +119,15 @@ TEST(ParsePlan, FullForm) {
   const auto& place = std::get<syntax::PlaceItem>(items[10]);
   EXPECT_EQ(place.as.text, "u1");
   EXPECT_EQ(place.at.elements.size(), 1u);
+  EXPECT_FALSE(place.from);
   EXPECT_EQ(place.after.size(), 2u);
-  EXPECT_EQ(std::get<syntax::ImportItem>(items[11]).as->text, "h");
+  const auto& from_stock = std::get<syntax::PlaceItem>(items[11]);
+  EXPECT_EQ(from_stock.as.text, "u2");
+  EXPECT_EQ(from_stock.at.elements.size(), 1u);
+  ASSERT_TRUE(from_stock.from);
+  EXPECT_EQ(from_stock.from->elements.size(), 2u);
+  EXPECT_TRUE(from_stock.after.empty());
+  EXPECT_EQ(std::get<syntax::ImportItem>(items[12]).as->text, "h");
 }
 
 }  // namespace
