@@ -1,0 +1,133 @@
+"""The shipped plans with several machines and with people: each runs through, machines really meet, and at no moment is one
+in another or in a zone of people, as an independent calculation from the trace says."""
+
+import os
+import re
+import tempfile
+import unittest
+
+import replay
+import scene_support as scene
+
+PLANS = os.path.join(scene.ROOT, "taskplans")
+
+
+def read(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def promised_times():
+    """Process time (s) of each plan as taskplans/README.md gives it."""
+    rows = re.findall(r"^\| `(\w+)\.plan` \|.*\| *([\d ]+) s *\|", read(os.path.join(PLANS, "README.md")).decode(), re.M)
+    return {name: int(seconds.replace(" ", "")) for name, seconds in rows}
+
+
+class Shipped(unittest.TestCase):
+    """What is asked of every plan; each plan below is a class of its own."""
+
+    plan = None
+    meetings = ()
+    """Who must be refused a step by whom: robot, beginning of what it met."""
+
+    @classmethod
+    def setUpClass(cls):
+        if cls.plan is None:
+            raise unittest.SkipTest("not a plan")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(PLANS, cls.plan + ".plan")
+            cls.run_1 = scene.Run(path, folder)
+            trace_1 = read(os.path.join(folder, "trace.jsonl"))
+            cls.run_2 = scene.Run(path, folder)
+            cls.same_trace = trace_1 == read(os.path.join(folder, "trace.jsonl"))
+        cls.replay = replay.Replay(cls.run_1)
+
+    def test_no_task_is_refused(self):
+        self.assertEqual(self.run_1.exit_code, 0, self.run_1.stderr)
+        self.assertEqual(self.run_1.results("done"), list(self.run_1.tasks))
+
+    def test_nothing_is_said_against_it(self):
+        self.assertEqual(self.run_1.stderr, "")
+
+    def test_its_process_time_is_the_one_in_the_readme(self):
+        self.assertEqual(round(self.run_1.process_time), promised_times()[self.plan])
+
+    def test_it_gives_the_same_bytes_twice(self):
+        self.assertTrue(self.same_trace)
+        self.assertEqual(self.run_1.tasks, self.run_2.tasks)
+
+    def test_machines_and_people_really_meet(self):
+        hits = {(r["robot"], r["hit"][1]) for r in self.run_1.of_type("try") if "hit" in r}
+        for robot, met in self.meetings:
+            self.assertTrue(any(r == robot and m.startswith(met) for r, m in hits), (robot, met))
+
+    def test_no_machine_is_ever_in_another(self):
+        machines = list(self.replay.machines)
+        for name in machines:
+            others = [other for other in machines if other != name]
+            self.assertEqual(next(self.replay.overlaps(name, others), None), None)
+
+    def test_no_machine_is_ever_in_a_zone(self):
+        self.assertEqual(next(self.replay.intrusions(), None), None)
+
+    def test_every_component_ends_where_its_last_task_puts_it(self):
+        wanted = {task["move"]: task for task in self.run_1.header["tasks"] if task.get("move")}
+        poses = self.run_1.final_poses()
+        for component, task in wanted.items():
+            self.assertLess(scene.position_error(poses[component], task["to"]), 2e-6, component)
+
+
+class ThreeTowMotors(Shipped):
+    plan = "three_tow_motors"
+    meetings = [
+        (f"{one}_motor", f"{other}_motor.")
+        for one in ("brick", "tile", "mortar")
+        for other in ("brick", "tile", "mortar")
+        if one != other
+    ]
+
+
+class TwoCranes(Shipped):
+    plan = "two_cranes"
+    meetings = [("low", "high."), ("high", "low.")]
+
+    def test_the_higher_crane_lifts_its_load_over_the_lower_jib(self):
+        tops = [r["q"]["hook.z"] for r in self.run_1.of_type("try") if r["robot"] == "high"]
+        self.assertGreater(max(tops), 36)
+
+
+class CraneAndTrucks(Shipped):
+    plan = "crane_and_trucks"
+    meetings = [
+        ("truck_east", "truck_west."),
+        ("truck_west", "truck_east."),
+        ("truck_east", "the zone of unload_west"),
+        ("truck_west", "the zone of unload_east"),
+        ("tow_motor", "the zone of unload_"),
+    ]
+
+    def test_each_frame_goes_by_truck_and_then_by_crane(self):
+        ways = {}
+        for record in self.run_1.of_type("attach"):
+            ways.setdefault(record["component"], []).append(record["robot"])
+        for side in ("west", "east"):
+            for number in (1, 2, 3):
+                self.assertEqual(ways[f"{side}_{number}"], [f"truck_{side}", "crane"])
+
+
+class PeopleBelow(Shipped):
+    plan = "people_below"
+    meetings = [("crane", "the zone of chimney"), ("crane", "the zone of drains")]
+
+    def test_the_crane_goes_round_and_waits(self):
+        tasks = self.run_1.tasks
+        work_ends = {r["task"]: r["t"] for r in self.run_1.of_type("task_end")}
+        # Round: done long before the masons come down. Waits: set down where they worked, after that.
+        self.assertLess(work_ends["bring_drum_4"], work_ends["chimney"])
+        self.assertGreater(work_ends["bring_drum_5"], work_ends["chimney"])
+        self.assertGreater(work_ends["bring_drum_1"], work_ends["drains"])
+        self.assertEqual(tasks["bring_drum_5"]["result"], "done")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
