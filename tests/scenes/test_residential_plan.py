@@ -103,10 +103,13 @@ class Residential(unittest.TestCase):
         self.assertEqual(self.floating(self.first), [])
         self.assertEqual(self.floating(self.last), [])
 
-    def test_one_without_its_wall_is_found_to_float(self):
-        poses = dict(self.last)
-        poses["u_2_1.slab_1"] = scene.multiply(scene.translation(0, 0, 0.002), poses["u_2_1.slab_1"])
-        self.assertIn("u_2_1.slab_1", self.floating(poses))
+    def test_one_that_floats_or_is_in_another_is_found(self):
+        slab = "u_5_1.slab_1"  # nothing stands on it
+        for lift, floats, overlaps in ((0.002, True, False), (-0.002, True, True), (0, False, False)):
+            poses = dict(self.last)
+            poses[slab] = scene.multiply(scene.translation(0, 0, lift), poses[slab])
+            self.assertEqual(slab in self.floating(poses), floats, lift)
+            self.assertEqual(any(slab in pair for pair in self.overlapping(poses)), overlaps, lift)
 
     def test_each_upper_storey_rests_on_the_one_below(self):
         """Every wall stands on slabs of the unit below it or of its neighbour, not on anything else."""

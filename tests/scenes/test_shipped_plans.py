@@ -11,6 +11,9 @@ import scene_support as scene
 
 PLANS = os.path.join(scene.ROOT, "taskplans")
 
+PLACED = 2e-6
+"""m: a tow motor is at its goal when its way and its heading each are to a millionth of a step."""
+
 
 def read(path):
     with open(path, "rb") as file:
@@ -74,7 +77,7 @@ class Shipped(unittest.TestCase):
         wanted = {task["move"]: task for task in self.run_1.header["tasks"] if task.get("move")}
         poses = self.run_1.final_poses()
         for component, task in wanted.items():
-            self.assertLess(scene.position_error(poses[component], task["to"]), 2e-6, component)
+            self.assertLess(scene.position_error(poses[component], task["to"]), PLACED, component)
 
 
 class ThreeTowMotors(Shipped):

@@ -6,6 +6,7 @@ import tempfile
 import unittest
 
 import scene_support as scene
+import test_shipped_plans as shipped
 
 PLAN = os.path.join(scene.ROOT, "taskplans", "unit.plan")
 
@@ -47,6 +48,9 @@ class AsShipped(unittest.TestCase):
         self.assertEqual(self.outcome.exit_code, 0, self.outcome.stderr)
         self.assertEqual(self.outcome.results("done"), list(self.outcome.tasks))
         self.assertEqual(len(self.outcome.tasks), len(re.findall(r"^  task ", text_of_plan(), re.MULTILINE)))
+
+    def test_its_process_time_is_the_one_in_the_readme(self):
+        self.assertEqual(round(self.outcome.process_time), shipped.promised_times()["unit"])
 
     def test_every_component_ends_where_the_plan_says(self):
         wanted = targets(text_of_plan())
