@@ -50,6 +50,12 @@ struct WhyOptions {
 };
 int run_why(const WhyOptions& options);
 
+struct VerifyOptions {
+  std::string result;
+  std::string format = "text";
+};
+int run_verify(const VerifyOptions& options);
+
 struct ImportOptions {
   std::string file;
   std::string out;

@@ -15,6 +15,7 @@ usage: rubicon COMMAND ...
   run PLAN                       simulate a plan: process time, cost, refused tasks with the reason, trace
   why PLAN|RESULT TASK           tell why a task failed, took long or came late
   test DIR...                    run golden cases and compare them with what is expected
+  verify RESULT                  replay a result by other means and look for contact, gaps and broken links
   import FILE [--out PLAN]       make a plan of a schedule from Microsoft Project or Primavera P6
   export PLAN --mspdi FILE       write a plan as a schedule for other programs
   fmt FILE...                    write files in the one canonical form
@@ -121,6 +122,27 @@ examples:
   rubicon test my_cases/new_case --update
 )";
 
+constexpr std::string_view kVerify =
+    R"(rubicon verify - replay a result by other means and look for contact, gaps and broken links
+
+usage: rubicon verify RESULT [--format text|json]
+
+RESULT is the folder that rubicon run --out wrote, or a trace of a run with all its steps. The result is replayed by a
+second, simpler and slower method, which shares nothing with the one that made it: whether the clock has gaps, whether
+each step is one that the robot's rules allow, whether anything meets anything at any moment, where loads are taken and put
+down, whether a robot or crew is in two places at once, shifts, links, and whether the schedules tell the same. What is
+checked, how and how exactly: docs/verify.md.
+
+  --format text    one line if all is well, else one line a fault, at most 50: file:line: task, time: what (the default)
+  --format json    one object with all faults
+
+Exit code: 0 no fault, 1 faults, 2 the result cannot be read.
+
+examples:
+  rubicon run taskplans/unit.plan --out unit && rubicon verify unit
+  rubicon run site.plan --trace trace.jsonl && rubicon verify trace.jsonl --format json
+)";
+
 constexpr std::string_view kFmt = R"(rubicon fmt - write files in the one canonical form
 
 usage: rubicon fmt [--check] FILE...
@@ -196,6 +218,8 @@ const std::vector<HelpPage>& help_pages() {
       {"run", "simulate a plan", kRun},
       {"why", "tell why a task failed, took long or came late", kWhy},
       {"test", "run golden cases and compare them with what is expected", kTest},
+      {"verify", "replay a result by other means and look for contact, gaps and broken links",
+       kVerify},
       {"import", "make a plan of a schedule from Microsoft Project or Primavera P6", kImport},
       {"export", "write a plan as a schedule for other programs", kExport},
       {"fmt", "write files in the one canonical form", kFmt},

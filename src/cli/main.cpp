@@ -62,6 +62,11 @@ int dispatch(int argc, char** argv) {
   test_command->add_option("--jobs", test.jobs)->check(CLI::Range(1, 256));
   test_command->add_option("--junit", test.junit);
 
+  VerifyOptions verify;
+  CLI::App* verify_command = app.add_subcommand("verify");
+  verify_command->add_option("RESULT", verify.result)->required();
+  verify_command->add_option("--format", verify.format)->check(CLI::IsMember({"text", "json"}));
+
   ImportOptions import;
   CLI::App* import_command = app.add_subcommand("import");
   import_command->add_option("FILE", import.file)->required();
@@ -105,6 +110,7 @@ int dispatch(int argc, char** argv) {
   if (*run_command) return run_plan_command(run);
   if (*why_command) return run_why(why);
   if (*test_command) return run_test(test);
+  if (*verify_command) return run_verify(verify);
   if (*import_command) return run_import(import);
   if (*export_command) return run_export(plan_export);
   if (*format_command) return run_format(format);
