@@ -154,6 +154,18 @@ void write_work(JsonBuilder& json, const PlanModel& plan, const interpreter::Wor
   json.end_object();
 }
 
+/// What the plan gives: `length` for the tool's position, values by parameter.
+void write_within(JsonBuilder& json, const PlanModel& plan, const interpreter::TaskSpec& task) {
+  json.key("within").begin_object();
+  if (task.within.length >= 0) json.field("length", task.within.length);
+  const auto& parameters =
+      plan.robots[static_cast<std::size_t>(task.robot)].robot->model.parameters;
+  for (const auto& [index, value] : task.within.values) {
+    json.field(parameters[static_cast<std::size_t>(index)].display_name, value);
+  }
+  json.end_object();
+}
+
 void write_task_motions(JsonBuilder& json, const PlanModel& plan,
                         const interpreter::TaskSpec& task) {
   if (task.move) {
@@ -166,6 +178,7 @@ void write_task_motions(JsonBuilder& json, const PlanModel& plan,
     for (const interpreter::GoalSpec& goal : task.via) write_goal(json, plan, task.robot, goal);
     json.end_array();
   }
+  if (task.robot >= 0) write_within(json, plan, task);
   if (!task.situations.empty()) json.key("situations").strings(task.situations);
 }
 
