@@ -73,7 +73,7 @@ Verdict verify(const Result& result) {
     check_clock(trace, run, verdict.faults);
     check_phases(trace, run, verdict.faults);
     check_shifts(trace, run, hours, verdict.faults);
-    if (run.task >= 0 && run.happened) ++verdict.done;
+    if (run.task >= 0 && run.result == TaskResult::done) ++verdict.done;
   }
   verdict.tasks = static_cast<int>(trace.scene.tasks.size());
   check_resources(trace, runs, verdict.faults);
