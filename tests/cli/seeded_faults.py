@@ -1,0 +1,775 @@
+"""Results with one fault each, made from good ones by a program with a seed.
+
+A fault is only seeded where it changes what the result says by more than what verify promises to see; each comes with
+the tasks, and where it has one the line of the trace, at which it must be found.
+"""
+
+import copy
+import csv
+import datetime
+import io
+import json
+import math
+import random
+import re
+
+
+class Result:
+    """A result folder in memory: trace records (the first is the header), schedule, table."""
+
+    def __init__(self, folder):
+        with open(f"{folder}/trace.jsonl", encoding="utf-8") as file:
+            self.records = [json.loads(line) for line in file]
+        with open(f"{folder}/schedule.json", encoding="utf-8") as file:
+            self.schedule = json.load(file)
+        with open(f"{folder}/schedule.csv", encoding="utf-8", newline="") as file:
+            self.table = list(csv.reader(file))
+
+    @property
+    def header(self):
+        return self.records[0]
+
+    def write(self, folder):
+        with open(f"{folder}/trace.jsonl", "w", encoding="utf-8") as file:
+            file.writelines(json.dumps(record) + "\n" for record in self.records)
+        with open(f"{folder}/schedule.json", "w", encoding="utf-8") as file:
+            tasks = ",\n".join(json.dumps(task, separators=(",", ":")) for task in self.schedule["tasks"])
+            rest = json.dumps({key: value for key, value in self.schedule.items() if key != "tasks"})
+            file.write('{"tasks":[\n' + tasks + "\n]," + rest[1:])
+        with open(f"{folder}/schedule.csv", "w", encoding="utf-8", newline="") as file:
+            out = io.StringIO()
+            csv.writer(out, lineterminator="\n").writerows(self.table)
+            file.write(out.getvalue())
+
+    # What happened: records of tasks that are done.
+
+    def results(self):
+        return {record["task"]: record["result"] for record in self.records if record["type"] == "task_end"}
+
+    def places(self, *types, where=lambda record: True):
+        """Indices of records of these types in tasks that are done."""
+        short = self.header["form"] == "short"
+        result = self.results()
+        return [index for index, record in enumerate(self.records) if record["type"] in types and where(record)
+                and (short or result[record["task"]] == "done")]
+
+    def task(self, name):
+        return next((task for task in self.header["tasks"] if task["name"] == name), None)
+
+    def robot(self, name):
+        return next(robot for robot in self.header["robots"] if robot["name"] == name)
+
+    def span(self, name):
+        times = {record["type"]: record["t"] for record in self.records[1:]
+                 if record["task"] == name and record["type"] in ("task_start", "task_end")}
+        return times.get("task_start"), times.get("task_end")
+
+    def before(self, index):
+        """The values of the robot before a step, and the clock of its task."""
+        record = self.records[index]
+        values, clock = None, None
+        for other in self.places("try", "end", "task_start", "wait", "work", "pause", "attach", "detach"):
+            if other >= index:
+                break
+            past = self.records[other]
+            if past["robot"] == record["robot"] and "q" in past:
+                values = past["q"]
+            if past["task"] == record["task"]:
+                clock = past["t"]
+        if values is None:
+            values = self.robot(record["robot"])["start"]
+        return values, clock
+
+
+# Poses as lists of three rows.
+
+def product(a, b):
+    rows = []
+    for row in a:
+        rows.append([sum(row[k] * b[k][j] for k in range(3)) + (row[3] if j == 3 else 0) for j in range(4)])
+    return rows
+
+
+def rows_of(pose):
+    return [pose[0:4], pose[4:8], pose[8:12]]
+
+
+def translation(x, y, z):
+    return [[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z]]
+
+
+def rotation(axis, degrees):
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    rows = [[float(a == b) for b in range(3)] + [0.0] for a in range(3)]
+    rows[i][i] = rows[j][j] = c
+    rows[i][j], rows[j][i] = -s, s
+    return rows
+
+
+def frame(text, q):
+    """The pose that a frame of a header has at the values q."""
+    names = {"trans": translation, "rotx": lambda v: rotation(0, v), "roty": lambda v: rotation(1, v),
+             "rotz": lambda v: rotation(2, v), "sin": lambda v: math.sin(math.radians(v)),
+             "cos": lambda v: math.cos(math.radians(v))}
+    result = translation(0, 0, 0)
+    depth, begin, elements = 0, 0, []
+    for place, letter in enumerate(text):
+        depth += (letter == "(") - (letter == ")")
+        if letter == "*" and depth == 0:
+            elements.append(text[begin:place])
+            begin = place + 1
+    for element in elements + [text[begin:]]:
+        code = re.sub(r"(?<![\w.])[A-Za-z_][\w.]*", lambda m: m[0] if m[0] in names else f"q[{m[0]!r}]", element)
+        result = product(result, eval(code.strip(), {"__builtins__": {}}, {**names, "q": q}))
+    return result
+
+
+def body_pose(robot, name, q):
+    body = next(body for body in robot["bodies"] if body["name"] == name)
+    parent = body_pose(robot, body["parent"], q) if body["parent"] else rows_of(robot["pose"])
+    return product(parent, frame(body["frame"], q))
+
+
+def inner_point(shape):
+    """A point well inside of a shape, in the frame of its body; None where it is not easily told."""
+    if shape["type"] == "box":
+        point = [(a + b) / 2 for a, b in zip(shape["lower"], shape["upper"])]
+    elif shape["type"] == "sphere":
+        point = shape["centre"]
+    elif shape["type"] == "capsule":
+        point = shape["a"]
+    elif shape["type"] == "cylinder":
+        point = [0, 0, (shape["z0"] + shape["z1"]) / 2]
+    elif shape["type"] == "mesh":
+        point = [0.15, 0.15, 0.5]  # of the angle of meeting.plan
+    else:
+        return None
+    return [row[3] for row in product(rows_of(shape["pose"]), translation(*point))]
+
+
+class Fault:
+    """A result with one fault: where it must be found."""
+
+    def __init__(self, kind, result, tasks, line=None, near=3, words=""):
+        self.kind = kind
+        self.result = result
+        self.tasks = set(tasks)
+        self.line = line  # of the trace, from 1
+        self.near = near
+        self.words = words  # that tell it
+
+    def is_found(self, faults):
+        """Whether one of the faults that verify tells is this one."""
+        for fault in faults:
+            if self.words not in fault["text"]:
+                continue
+            if self.line is not None and fault["file"].endswith("trace.jsonl"):
+                if fault["task"] in self.tasks and abs(fault["line"] - self.line) <= self.near:
+                    return True
+            elif self.line is None and (fault["task"] in self.tasks or not self.tasks):
+                return True
+        return False
+
+
+def steps(result, where=lambda record: True):
+    return result.places("try", where=lambda record: record["ok"] and where(record))
+
+
+def next_of_task(result, index):
+    """Line of the first record with a time after `index` in the same task."""
+    name = result.records[index]["task"]
+    for other in range(index + 1, len(result.records)):
+        record = result.records[other]
+        if record["task"] == name and "t" in record:
+            return other + 1
+    return index + 1
+
+
+# One function a kind: (good result, random numbers) -> Fault, or None where the result has no place for it.
+
+def shift_a_step(good, rng):
+    places = steps(good)
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    result.records[index]["t"] = round(result.records[index]["t"] + rng.choice((-1, 1)) * rng.uniform(0.001, 2), 9)
+    return Fault("shift a step", result, [good.records[index]["task"]], index + 1)
+
+
+def shift_the_rest_of_a_task(good, rng):
+    places = steps(good)
+    if not places:
+        return None
+    index = rng.choice(places)
+    name, dt = good.records[index]["task"], rng.uniform(0.01, 30)
+    result = copy.deepcopy(good)
+    for record in result.records[index:]:
+        if record["task"] == name:
+            for key in ("t", "from"):
+                if key in record:
+                    record[key] = round(record[key] + dt, 9)
+    return Fault("shift the rest of a task", result, [name], index + 1)
+
+
+def drop_a_wait(good, rng):
+    """A wait, pause or work is left out: a gap."""
+    places = good.places("wait", "pause", "work", where=lambda record: record.get("t", 0) > record.get("from", -1))
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    del result.records[index]
+    return Fault("drop a wait", result, [good.records[index]["task"]], next_of_task(good, index) - 1)
+
+
+def close_a_wait_up(good, rng):
+    """A pause for another machine is left out and what comes after it comes sooner: the two meet, or clock and
+    links break."""
+    places = good.places("pause", where=lambda record: record["why"] in ("machine", "shift"))
+    if not places:
+        return None
+    index = rng.choice(places)
+    pause = good.records[index]
+    dt, name = pause["t"] - pause["from"], pause["task"]
+    result = copy.deepcopy(good)
+    del result.records[index]
+    for record in result.records[index:]:
+        if record["task"] == name:
+            for key in ("t", "from"):
+                if key in record:
+                    record[key] = round(record[key] - dt, 9)
+    return Fault("close a wait up", result, [name, *others(good, name)], None)
+
+
+def others(good, name):
+    return [task["name"] for task in good.header["tasks"] if task["name"] != name]
+
+
+def swap_times(good, rng):
+    """Two tasks of which one follows the other change places on the clock, in the schedules too."""
+    spans = {name: good.span(name) for name, result in good.results().items() if result == "done"}
+    pairs = [(task["name"], link["task"]) for task in good.header["tasks"] for link in task["after"]
+             if link["type"] == "FS" and link["lag"] >= 0 and task["name"] in spans and link["task"] in spans]
+    pairs = [(a, b) for a, b in pairs if spans[a][0] - spans[b][0] > 0.01 and spans[b][1] - spans[b][0] > 0.01]
+    if not pairs:
+        return None
+    later, sooner = rng.choice(pairs)
+    shift = {later: spans[sooner][0] - spans[later][0], sooner: spans[later][0] - spans[sooner][0]}
+    result = copy.deepcopy(good)
+    for record in result.records[1:]:
+        for key in ("t", "from"):
+            if key in record and record["task"] in shift:
+                record[key] = round(record[key] + shift[record["task"]], 9)
+    for row in result.schedule["tasks"]:
+        row["start"] = round(row["start"] + shift.get(row["task"], 0), 9)
+    for row in result.table[1:]:
+        row[3] = repr(round(float(row[3]) + shift.get(row[0], 0), 9))
+    return Fault("swap times", result, [later, sooner], words="too early after")
+
+
+def start_too_early(good, rng):
+    """A whole task begins before the robot's task before it is over."""
+    tasks = [(good.span(name)[0], good.task(name)["robot"], name) for name, result in good.results().items()
+             if result == "done" and good.task(name) and good.task(name)["robot"]]
+    tasks.sort()
+    pairs = [(a, b) for a, b in zip(tasks, tasks[1:]) if a[1] == b[1] and good.span(a[2])[1] - a[0] > 2]
+    if not pairs:
+        return None
+    first, second = rng.choice(pairs)
+    end = good.span(first[2])[1]
+    dt = good.span(second[2])[0] - rng.uniform(first[0] + 0.5, end - 0.5)
+    result = copy.deepcopy(good)
+    for record in result.records[1:]:
+        if record["task"] == second[2]:
+            for key in ("t", "from"):
+                if key in record:
+                    record[key] = round(record[key] - dt, 9)
+    return Fault("start too early", result, [first[2], second[2]], words="is still in")
+
+
+def move_a_component(good, rng):
+    places = good.places("attach")
+    first = {}
+    for index in places:
+        first.setdefault(good.records[index]["component"], index)
+    if not first:
+        return None
+    name, index = rng.choice(sorted(first.items()))
+    result = copy.deepcopy(good)
+    component = next(each for each in result.header["components"] if each["name"] == name)
+    component["pose"][rng.choice((3, 7, 11))] += rng.choice((-1, 1)) * rng.uniform(1e-4, 0.5)
+    return Fault("move a component", result, [good.records[index]["task"]], index + 1, words="from where it stood")
+
+
+def change_a_value(good, rng):
+    places = steps(good)
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    values = result.records[index]["q"]
+    # A value that `together` names may be another: the step is then another one that is allowed.
+    together = result.records[index]["parameter"]
+    together = together if isinstance(together, list) else []
+    names = sorted(set(values) - set(together))
+    if not names:
+        return None
+    name = rng.choice(names)
+    values[name] += rng.choice((-1, 1)) * rng.uniform(1e-4, 0.4)
+    return Fault("change a value", result, [good.records[index]["task"]], index + 1)
+
+
+def drop_a_step(good, rng):
+    places = steps(good)
+    if not places:
+        return None
+    index = rng.choice(places)
+    line = next_of_task(good, index) - 1
+    result = copy.deepcopy(good)
+    del result.records[index]
+    return Fault("drop a step", result, [good.records[index]["task"]], line)
+
+
+def drop_a_step_neatly(good, rng):
+    """The attempts after it are renumbered, the counts and schedules put right: only the motion tells."""
+    places = steps(good)
+    if not places:
+        return None
+    index = rng.choice(places)
+    name = good.records[index]["task"]
+    result = copy.deepcopy(good)
+    del result.records[index]
+    counted = False
+    for record in result.records[index:]:
+        if record["task"] != name:
+            continue
+        if "n" in record and record["type"] in ("try", "wait"):
+            record["n"] -= 1
+        if record["type"] == "end" and not counted:
+            record["tries"] -= 1
+            record["accepted"] -= 1
+            counted = True
+    for row in result.schedule["tasks"]:
+        if row["task"] == name:
+            row["tried"] -= 1
+            row["accepted"] -= 1
+    for row in result.table[1:]:
+        if row[0] == name:
+            row[5], row[6] = str(int(row[5]) - 1), str(int(row[6]) - 1)
+    return Fault("drop a step neatly", result, [name], next_of_task(good, index) - 1)
+
+
+def repeat_a_step(good, rng):
+    places = steps(good)
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    result.records.insert(index, copy.deepcopy(result.records[index]))
+    return Fault("repeat a step", result, [good.records[index]["task"]], index + 2)
+
+
+def move_the_grip(good, rng):
+    places = good.places("attach")
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    result.records[index]["pose"][rng.choice((3, 7, 11))] += rng.choice((-1, 1)) * rng.uniform(1e-4, 0.3)
+    return Fault("move the grip", result, [good.records[index]["task"]], index + 1, words="from where it stood")
+
+
+def move_what_is_put_down(good, rng):
+    places = good.places("detach")
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    result.records[index]["pose"][rng.choice((3, 7, 11))] += rng.choice((-1, 1)) * rng.uniform(1e-4, 0.3)
+    return Fault("move what is put down", result, [good.records[index]["task"]], index + 1, words="is put")
+
+
+def turn_what_is_put_down(good, rng):
+    places = good.places("detach")
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    turned = product(rows_of(result.records[index]["pose"]), rotation(2, rng.choice((-1, 1)) * rng.uniform(0.01, 90)))
+    result.records[index]["pose"] = [number for row in turned for number in row]
+    return Fault("turn what is put down", result, [good.records[index]["task"]], index + 1, words="is put")
+
+
+def move_the_goal(good, rng):
+    tasks = [task["name"] for task in good.header["tasks"] if "to" in task and good.results()[task["name"]] == "done"]
+    if not tasks:
+        return None
+    name = rng.choice(tasks)
+    result = copy.deepcopy(good)
+    result.task(name)["to"][rng.choice((3, 7, 11))] += rng.choice((-1, 1)) * rng.uniform(2e-3, 1)
+    index = next(i for i in good.places("detach") if good.records[i]["task"] == name)
+    return Fault("move the goal", result, [name], index + 1, words="from its goal")
+
+
+def drop_a_load_change(good, rng):
+    places = good.places("attach", "detach", "remove")
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    del result.records[index]
+    name = good.records[index]["task"]
+    return Fault("drop a load change", result, [name, *others(good, name)], None)
+
+
+def overload(good, rng):
+    """A component is too heavy for the chart of the robot."""
+    places = [i for i in good.places("attach") if good.robot(good.records[i]["robot"])["capacity"]]
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    record = good.records[index]
+    most = max(mass for _, mass in good.robot(record["robot"])["capacity"])
+    next(each for each in result.header["components"] if each["name"] == record["component"])["mass"] = most + 1
+    return Fault("overload", result, [record["task"]], index + 1, words="too heavy")
+
+
+def lengthen_work(good, rng):
+    places = good.places("work")
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    record = result.records[index]
+    if rng.random() < 0.5:
+        record["time"] = round(max(record["time"] + rng.choice((-1, 1)) * rng.uniform(0.01, 600), 0), 9)
+    else:
+        record["t"] = round(record["t"] + rng.uniform(0.01, 600), 9)
+    return Fault("lengthen work", result, [record["task"]], index + 1, near=12)
+
+
+def take_a_day_off(good, rng):
+    """The day of a work becomes a day off for its crew."""
+    header = good.header
+    if not header.get("start_at"):
+        return None
+    calendar_of = {crew["name"]: crew["calendar"] for crew in header["crews"]}
+    places = good.places("work", where=lambda record: calendar_of.get(record["crew"]))
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    record = good.records[index]
+    wanted = calendar_of[record["crew"]]
+    calendar = next(each for each in result.header["calendars"] if each["name"] == wanted)
+    date, clock = header["start_at"].split(" ")
+    seconds = int(clock[:2]) * 3600 + int(clock[3:]) * 60 + record["from"]
+    day = datetime.date.fromisoformat(date) + datetime.timedelta(days=int(seconds // 86400))
+    calendar["off"].append(day.isoformat())
+    return Fault("take a day off", result, [record["task"]], index + 1, words="of shifts for it")
+
+
+def shorten_a_shift(good, rng):
+    """All shifts of a robot's calendar end before its first motion begins."""
+    calendars = {robot["name"]: robot["calendar"] for robot in good.header["robots"] if robot.get("calendar")}
+    places = steps(good, where=lambda record: record["robot"] in calendars)
+    if not places:
+        return None
+    record = good.records[places[0]]
+    result = copy.deepcopy(good)
+    calendar = next(each for each in result.header["calendars"] if each["name"] == calendars[record["robot"]])
+    for shift in calendar["shifts"]:
+        shift["minutes"] = [[0, 1]]
+    return Fault("shorten a shift", result, [record["task"]], words="out of shift")
+
+
+def book_a_crew_twice(good, rng):
+    """Two works at the same time are given to one crew."""
+    places = good.places("work", where=lambda record: record["crew"])
+    pairs = []
+    for a in places:
+        for b in places:
+            one, other = good.records[a], good.records[b]
+            overlap = min(one["t"], other["t"]) - max(one["from"], other["from"])
+            if a != b and one["task"] != other["task"] and one["crew"] != other["crew"] and overlap > 0.01:
+                pairs.append((a, b))
+    if not pairs:
+        return None
+    a, b = rng.choice(pairs)
+    result = copy.deepcopy(good)
+    record = result.records[a]
+    record["crew"] = good.records[b]["crew"]
+    task = result.task(record["task"])
+    planned = task["takes"] if record["what"] == "takes" else [task[record["what"]]]
+    for work in planned:
+        work["crew"] = record["crew"]
+    return Fault("book a crew twice", result, [record["task"], good.records[b]["task"]], words="is still in")
+
+
+def give_work_to_another(good, rng):
+    crews = [crew["name"] for crew in good.header["crews"]]
+    places = good.places("work", where=lambda record: record["crew"])
+    if not places or len(crews) < 2:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    record = result.records[index]
+    record["crew"] = rng.choice([crew for crew in crews if crew != record["crew"]])
+    return Fault("give work to another", result, [record["task"]], index + 1, words="by the crew of the plan")
+
+
+def break_a_link(good, rng):
+    """The lag of a link becomes longer than what lies between the two tasks."""
+    done = {name for name, result in good.results().items() if result == "done"}
+    links = [(task["name"], i) for task in good.header["tasks"] for i, link in enumerate(task["after"])
+             if task["name"] in done and link["task"] in done]
+    if not links:
+        return None
+    name, i = rng.choice(links)
+    result = copy.deepcopy(good)
+    link = result.task(name)["after"][i]
+    moment = good.span(name)[1 if link["type"] in ("FF", "SF") else 0]
+    before = good.span(link["task"])[0 if link["type"] in ("SS", "SF") else 1]
+    link["lag"] = round(moment - before + rng.uniform(0.001, 7200), 9)
+    return Fault("break a link", result, [name], words="too early after")
+
+
+def link_to_what_is_not_done(good, rng):
+    results = good.results()
+    undone = [name for name, result in results.items() if result != "done" and good.task(name)]
+    done = [name for name, result in results.items() if result == "done" and good.task(name)]
+    if not undone or not done:
+        return None
+    name = rng.choice(done)
+    result = copy.deepcopy(good)
+    result.task(name)["after"].append({"task": rng.choice(undone), "type": rng.choice(("FS", "SS")), "lag": 0})
+    return Fault("link to what is not done", result, [name], words="it was done without")
+
+
+def silence_a_refusal(good, rng):
+    places = [i for i, record in enumerate(good.records) if record["type"] == "task_end" and record["result"] != "done"]
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    result.records[index]["reason"] = ""
+    return Fault("silence a refusal", result, [good.records[index]["task"]], index + 1, words="no reason")
+
+
+def call_it_done(good, rng):
+    """A task that was refused or not reached is told as done."""
+    places = [i for i, record in enumerate(good.records) if record["type"] == "task_end" and record["result"] != "done"
+              and good.header["form"] == "full"]
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    result.records[index]["result"], result.records[index]["reason"] = "done", ""
+    return Fault("call it done", result, [good.records[index]["task"]])
+
+
+def drop_a_task(good, rng):
+    names = [name for name in good.results() if good.task(name)]
+    if not names:
+        return None
+    name = rng.choice(names)
+    result = copy.deepcopy(good)
+    result.records = [record for record in result.records if record.get("task") != name]
+    return Fault("drop a task", result, [name, *others(good, name)])
+
+
+def cut_the_trace(good, rng):
+    if len(good.records) < 5:
+        return None
+    result = copy.deepcopy(good)
+    keep = rng.randrange(2, len(good.records) - 1)
+    result.records = result.records[:keep]
+    lost = {record["task"] for record in good.records[keep:]}
+    return Fault("cut the trace", result, lost)
+
+
+def site_name(result):
+    """How the last shape of the site is called."""
+    count = len(result.header["site"])
+    return "site" if count == 1 else f"site {count}"
+
+
+def wall_in_the_way(good, rng):
+    """A thin plate across the way of the tool, in the middle of a step that jumps over it."""
+    def jump(index):
+        """Where a point inside the tool's body is before, in the middle of and after a step."""
+        before, _ = good.before(index)
+        robot = good.robot(good.records[index]["robot"])
+        after = dict(good.records[index]["q"])
+        for name in after:  # the short way round
+            if abs(after[name] - before[name]) > 180:
+                after[name] += 360 if after[name] < before[name] else -360
+        middle = {name: (before[name] + after[name]) / 2 for name in after}
+        body = next(each for each in robot["bodies"] if each["name"] == robot["tool"]["body"])
+        point = inner_point(body["shapes"][0])
+        if point is None:
+            return None
+        poses = [product(body_pose(robot, body["name"], q), translation(*point)) for q in (before, middle, after)]
+        return [[row[3] for row in pose] for pose in poses]
+
+    places = steps(good)
+    rng.shuffle(places)
+    for index in places[:40]:
+        start, middle, end = jump(index) or ([0], [0], [0])
+        length = math.dist(start, end)
+        if length < 0.4:
+            continue
+        n = [(b - a) / length for a, b in zip(start, end)]
+        i = min(range(3), key=lambda k: abs(n[k]))
+        u = [(k == i) - n[i] * n[k] for k in range(3)]
+        size = math.sqrt(sum(x * x for x in u))
+        u = [x / size for x in u]
+        v = [n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0]]
+        pose = [number for k in range(3) for number in (u[k], v[k], n[k], middle[k])]
+        thick = rng.choice((0.02, 0.002, 0.0006))
+        result = copy.deepcopy(good)
+        result.header["site"].append({"type": "box", "lower": [-0.05, -0.05, -thick / 2],
+                                      "upper": [0.05, 0.05, thick / 2], "pose": pose})
+        # Another step may meet it first.
+        return Fault("wall in the way", result, good.results(), words=f"meets {site_name(result)} (")
+    return None
+
+
+def thing_where_a_load_is_put(good, rng):
+    """Something lies where a component is put down: box, ball or cylinder, 20 mm deep or more."""
+    places = good.places("detach")
+    if not places:
+        return None
+    index = rng.choice(places)
+    record = good.records[index]
+    component = next(each for each in good.header["components"] if each["name"] == record["component"])
+    point = inner_point(component["shapes"][0])
+    if point is None:
+        return None
+    centre = product(rows_of(record["pose"]), translation(*point))
+    pose = [number for row in centre for number in row]
+    things = [{"type": "box", "lower": [-0.02] * 3, "upper": [0.02] * 3},
+              {"type": "sphere", "centre": [0, 0, 0], "radius": 0.03},
+              {"type": "cylinder", "z0": -0.05, "z1": 0.05, "radius": 0.02},
+              {"type": "capsule", "a": [-0.1, 0, 0], "b": [0.1, 0, 0], "radius": 0.02}]
+    result = copy.deepcopy(good)
+    result.header["site"].append({**rng.choice(things), "pose": pose})
+    return Fault("thing where a load is put", result, good.results(), words=f"meets {site_name(result)} (")
+
+
+def zone_round_a_robot(good, rng):
+    """The zone of a task is where another robot stands or goes."""
+    zoned = [task["name"] for task in good.header["tasks"] if task["zones"] and good.results()[task["name"]] == "done"]
+    if not zoned:
+        return None
+    name = rng.choice(zoned)
+    robots = [robot for robot in good.header["robots"] if robot["name"] != good.task(name)["robot"]]
+    robot = rng.choice(robots)
+    pose = robot["pose"]
+    result = copy.deepcopy(good)
+    zone = result.task(name)["zones"][0]
+    # High enough for any of its bodies.
+    zone.update({"type": "box", "lower": [-40, -40, -5], "upper": [40, 40, 40], "pose": pose})
+    return Fault("zone round a robot", result, [*good.results(), ""], words=f"meets the zone of {name} (")
+
+
+def edit_the_schedule(good, rng):
+    rows = good.schedule["tasks"]
+    row = rng.randrange(len(rows))
+    result = copy.deepcopy(good)
+    name = rows[row]["task"]
+    field = rng.choice(("start", "duration", "tried", "accepted", "result", "process_time", "drop", "crew", "reason"))
+    edited = result.schedule["tasks"][row]
+    if field in ("start", "duration"):
+        edited[field] = round(edited[field] + rng.uniform(0.001, 1000), 9)
+    elif field in ("tried", "accepted"):
+        edited[field] += rng.randrange(1, 9)
+    elif field == "result":
+        edited[field] = "rejected" if edited[field] == "done" else "done"
+    elif field == "process_time":
+        result.schedule[field] = round(result.schedule[field] + rng.uniform(0.001, 1000), 9)
+        name = ""
+    elif field == "drop":
+        del result.schedule["tasks"][row]
+    elif field == "crew":
+        if "parking" in edited:
+            return None
+        edited[field] += "x"
+    else:
+        edited[field] += "!"
+    return Fault("edit the schedule", result, [name])
+
+
+def edit_the_table(good, rng):
+    row = rng.randrange(1, len(good.table))
+    result = copy.deepcopy(good)
+    column = rng.choice((3, 4, 5, 6, 7))
+    value = result.table[row][column]
+    if column == 7:
+        result.table[row][column] = "rejected" if value == "done" else "done"
+    elif column < 5:
+        result.table[row][column] = repr(round(float(value) + rng.uniform(0.001, 1000), 9))
+    else:
+        result.table[row][column] = str(int(value) + 1)
+    return Fault("edit the table", result, [good.table[row][0]])
+
+
+def change_the_speed(good, rng):
+    """A parameter is faster than it was: its steps last too long."""
+    places = steps(good, where=lambda record: isinstance(record["parameter"], str))
+    if not places:
+        return None
+    index = rng.choice(places)
+    record = good.records[index]
+    result = copy.deepcopy(good)
+    robot = result.robot(record["robot"])
+    parameter = next(each for each in robot["parameters"] if each["name"] == record["parameter"])
+    parameter["speed"] *= 1.05
+    parameter["loaded_speed"] *= 1.05
+    first = next(i for i in places if good.records[i]["robot"] == record["robot"]
+                 and good.records[i]["parameter"] == record["parameter"])
+    return Fault("change the speed", result, [good.records[first]["task"]], first + 1, words="the step lasts")
+
+
+def name_another_parameter(good, rng):
+    places = steps(good, where=lambda record: isinstance(record["parameter"], str) and len(record["q"]) > 1)
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    record = result.records[index]
+    robot = result.robot(record["robot"])
+    rules = " ".join(each.get("rule", each.get("derived")) for each in robot["parameters"]
+                     if each["name"] != record["parameter"])
+    names = [each["name"] for each in robot["parameters"] if each["name"] != record["parameter"]
+             and each["step"] > 0 and f"{record['parameter']}_s" not in rules]
+    if not names:
+        return None
+    record["parameter"] = rng.choice(names)
+    return Fault("name another parameter", result, [record["task"]], index + 1)
+
+
+KINDS = (shift_a_step, shift_the_rest_of_a_task, drop_a_wait, close_a_wait_up, swap_times, start_too_early,
+         move_a_component, change_a_value, drop_a_step, drop_a_step_neatly, repeat_a_step, move_the_grip,
+         move_what_is_put_down, turn_what_is_put_down, move_the_goal, drop_a_load_change, overload, lengthen_work,
+         take_a_day_off, shorten_a_shift, book_a_crew_twice, give_work_to_another, break_a_link,
+         link_to_what_is_not_done, silence_a_refusal, call_it_done, drop_a_task, cut_the_trace, wall_in_the_way,
+         thing_where_a_load_is_put, zone_round_a_robot, edit_the_schedule, edit_the_table, change_the_speed,
+         name_another_parameter)
+
+
+def seeded(results, seed, rounds):
+    """`rounds` faults of each kind, in results that have a place for it."""
+    rng = random.Random(seed)
+    for kind in KINDS:
+        made = 0
+        for _ in range(20 * rounds):
+            fault = kind(rng.choice(results), rng)
+            if fault is not None:
+                made += 1
+                yield fault
+            if made == rounds:
+                break

@@ -1,0 +1,169 @@
+"""rubicon verify: good results have no fault, and every fault that is seeded into them is found where it is."""
+
+import collections
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+
+import seeded_faults
+
+RUBICON = os.environ["RUBICON"]
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+SEED = int(os.environ.get("RUBICON_SEED", "1995"))
+ROUNDS = int(os.environ.get("RUBICON_ROUNDS", "8"))
+
+
+def rubicon(*arguments):
+    return subprocess.run([RUBICON, *arguments], capture_output=True, text=True, timeout=300)
+
+
+def plans():
+    """Plans whose results are verified: ours, those that are shipped, those of the tour and the robots' cases."""
+    found = [os.path.join(HERE, "verify_results", name) for name in ("yard.plan", "meeting.plan")]
+    for folder in ("taskplans", "examples", "robots", os.path.join("tests", "language")):
+        for path, _, files in sorted(os.walk(os.path.join(ROOT, folder))):
+            found += [os.path.join(path, name) for name in sorted(files) if name.endswith(".plan")]
+    return found
+
+
+class Verify(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = cls.temporary.name
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def run_plan(self, plan):
+        folder = os.path.join(self.folder, str(abs(hash(plan))))
+        if not os.path.exists(folder):
+            result = rubicon("run", plan, "--out", folder)
+            self.assertIn(result.returncode, (0, 1), f"{plan}: {result.stderr}")
+        return folder
+
+    def test_good_results_have_no_fault(self):
+        for plan in plans():
+            with self.subTest(plan=plan):
+                folder = self.run_plan(plan)
+                result = rubicon("verify", folder)
+                self.assertEqual((result.returncode, result.stderr), (0, ""), result.stdout)
+                self.assertRegex(result.stdout, r"^verified: \d+ tasks \(\d+ done\), \d+ steps, .*no fault\n$")
+                trace = rubicon("verify", os.path.join(folder, "trace.jsonl"))
+                self.assertEqual(trace.returncode, 0, trace.stdout)
+
+    def test_every_seeded_fault_is_found_at_its_place(self):
+        names = [os.path.join(HERE, "verify_results", "yard.plan"),
+                 os.path.join(HERE, "verify_results", "meeting.plan"),
+                 os.path.join(ROOT, "examples", "07_three_blocks", "site.plan"),
+                 os.path.join(ROOT, "examples", "05_level_bucket", "site.plan"),
+                 os.path.join(ROOT, "examples", "06_wait_for_the_goal", "site.plan")]
+        results = [seeded_faults.Result(self.run_plan(name)) for name in names]
+        folder = os.path.join(self.folder, "seeded")
+        os.makedirs(folder)
+        counts = collections.Counter()
+        for number, fault in enumerate(seeded_faults.seeded(results, SEED, ROUNDS)):
+            counts[fault.kind] += 1
+            with self.subTest(number=number, kind=fault.kind, tasks=sorted(fault.tasks)[:3], line=fault.line):
+                fault.result.write(folder)
+                result = rubicon("verify", folder, "--format", "json")
+                self.assertEqual(result.returncode, 1, result.stderr)
+                faults = json.loads(result.stdout)["faults"]
+                self.assertTrue(fault.is_found(faults), json.dumps(faults[:8], indent=1))
+        self.assertEqual(len(counts), len(seeded_faults.KINDS), counts)
+        self.assertGreaterEqual(sum(counts.values()), 200, counts)
+
+    def test_faults_of_a_large_result_are_found(self):
+        result = seeded_faults.Result(self.run_plan(os.path.join(ROOT, "taskplans", "unit.plan")))
+        folder = os.path.join(self.folder, "large")
+        os.makedirs(folder)
+        for number, fault in enumerate(seeded_faults.seeded([result], SEED + 1, 1)):
+            with self.subTest(number=number, kind=fault.kind, tasks=sorted(fault.tasks)[:3], line=fault.line):
+                fault.result.write(folder)
+                told = rubicon("verify", folder, "--format", "json")
+                self.assertEqual(told.returncode, 1, told.stderr)
+                self.assertTrue(fault.is_found(json.loads(told.stdout)["faults"]), told.stdout[:2000])
+
+    def test_a_copy_without_a_fault_is_good(self):
+        """What the program of faults writes is a result like any other."""
+        for name in ("yard.plan", "meeting.plan"):
+            folder = os.path.join(self.folder, "copy")
+            os.makedirs(folder, exist_ok=True)
+            seeded_faults.Result(self.run_plan(os.path.join(HERE, "verify_results", name))).write(folder)
+            self.assertEqual(rubicon("verify", folder).returncode, 0)
+
+    def test_a_fault_is_one_line_with_its_place(self):
+        good = seeded_faults.Result(self.run_plan(os.path.join(HERE, "verify_results", "yard.plan")))
+        folder = os.path.join(self.folder, "line")
+        os.makedirs(folder)
+        good.header["site"].append({"type": "box", "lower": [-1.5, -0.5, 0], "upper": [-1, 0, 0.1],
+                                    "pose": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]})
+        good.write(folder)
+        result = rubicon("verify", folder)
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stdout.splitlines()[0],
+                         r"^\S+/trace\.jsonl:\d+: task set_slab_2 at 0:\d\d:\d\d(\.\d+)?: slab_2 meets site 2 "
+                         r"\(at least \d+\.\d mm deep\)$")
+        self.assertRegex(result.stdout.splitlines()[-1], r"^\d+ faults?$")
+
+    def test_many_faults_are_counted(self):
+        good = seeded_faults.Result(self.run_plan(os.path.join(HERE, "verify_results", "yard.plan")))
+        folder = os.path.join(self.folder, "many")
+        os.makedirs(folder)
+        for index in good.places("try")[::2]:
+            good.records[index]["t"] += 0.5
+        good.write(folder)
+        lines = rubicon("verify", folder).stdout.splitlines()
+        self.assertEqual(len(lines), 51)
+        self.assertRegex(lines[-1], r"^\d+ faults, the first 50 of them above$")
+        told = json.loads(rubicon("verify", folder, "--format", "json").stdout)
+        self.assertFalse(told["verified"])
+        self.assertEqual(f"{len(told['faults'])} faults, the first 50 of them above", lines[-1])
+
+    def test_what_cannot_be_read_exits_with_2(self):
+        folder = os.path.join(self.folder, "unreadable")
+        os.makedirs(folder)
+        good = seeded_faults.Result(self.run_plan(os.path.join(HERE, "verify_results", "yard.plan")))
+        header = json.dumps(good.header)
+        rest = "\n".join(json.dumps(record) for record in good.records[1:])
+
+        def expect(name, text, words):
+            path = os.path.join(folder, name)
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+            result = rubicon("verify", path)
+            self.assertEqual((result.returncode, result.stdout), (2, ""), name)
+            self.assertIn(words, result.stderr)
+            self.assertTrue(result.stderr.startswith("rubicon: error: "), result.stderr)
+
+        expect("empty", "", "empty:1: expected the header")
+        expect("text", "hello\n", "text:1: expected JSON")
+        expect("other", "{}\n", "expected 'type'")
+        expect("torn", header + "\n" + rest[:-30], "expected JSON")
+        expect("tasks", header.replace('"detail": "steps"', '"detail": "tasks"') + "\n" + rest, "expected every step")
+        expect("deep", "[" * 100000, "too many brackets")
+        expect("robot", header + "\n" + rest.replace('"robot": "left"', '"robot": "nobody"'), "a robot of the header")
+        expect("huge", header + "\n" + rest.replace('"t": ', '"t": 1e400', 1), "expected")
+        self.assertIn("there is no such file", rubicon("verify", os.path.join(folder, "missing")).stderr)
+        self.assertEqual(rubicon("verify", folder).returncode, 2)
+        self.assertEqual(rubicon("verify").returncode, 2)
+
+    def test_a_result_without_schedules_exits_with_2(self):
+        folder = os.path.join(self.folder, "half")
+        os.makedirs(folder)
+        seeded_faults.Result(self.run_plan(os.path.join(HERE, "verify_results", "yard.plan"))).write(folder)
+        os.remove(os.path.join(folder, "schedule.csv"))
+        self.assertIn("schedule.csv: there is no such file", rubicon("verify", folder).stderr)
+        with open(os.path.join(folder, "schedule.csv"), "w", encoding="utf-8") as file:
+            file.write("task\na\n")
+        result = rubicon("verify", folder)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("schedule.csv: 2: expected a column 'robot'", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
