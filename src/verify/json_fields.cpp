@@ -12,8 +12,10 @@ namespace {
 /// A trace is nested less than this; deeper text is hostile and would cost stack.
 constexpr int kDeepest = 32;
 
-/// s, 285 years: in nanoseconds it still fits.
-constexpr double kLongest = 9e9;
+/// s, 126 years: in nanoseconds the sum of two still fits.
+constexpr double kLongest = 4e9;
+
+constexpr int kLargestInteger = 1'000'000'000;
 
 /// How far a matrix may be from a rotation. Poses are written to the last digit.
 constexpr double kRotationSlack = 1e-6;
@@ -73,11 +75,8 @@ double JsonFields::number(const char* name) const {
 }
 
 int JsonFields::integer(const char* name) const {
-  const double value = number(name);
-  if (value != std::floor(value) || std::fabs(value) > 1e9) {
-    fail(fmt::format("a whole number as '{}'", name));
-  }
-  return static_cast<int>(value);
+  return integer_of(any(name), fmt::format("'{}' of {}", name, what_), -kLargestInteger,
+                    kLargestInteger);
 }
 
 bool JsonFields::truth(const char* name) const {
@@ -129,6 +128,15 @@ double number_of(const Json& value, const std::string& what) {
     throw UnreadableInput(fmt::format("expected a smaller number: {}", what));
   }
   return number;
+}
+
+int integer_of(const Json& value, const std::string& what, int least, int most) {
+  const double number = number_of(value, what);
+  if (number != std::floor(number) || number < least || number > most) {
+    throw UnreadableInput(
+        fmt::format("expected a whole number from {} to {}: {}", least, most, what));
+  }
+  return static_cast<int>(number);
 }
 
 const std::string& text_of(const Json& value, const std::string& what) {

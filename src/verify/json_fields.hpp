@@ -49,6 +49,8 @@ class JsonFields {
 
 /// A number that is not absurdly large, of this element; throws UnreadableInput.
 double number_of(const Json& value, const std::string& what);
+/// A whole number in a range; throws UnreadableInput.
+int integer_of(const Json& value, const std::string& what, int least, int most);
 /// A name; throws UnreadableInput.
 const std::string& text_of(const Json& value, const std::string& what);
 /// Twelve numbers, the upper rows of a rigid transform; throws UnreadableInput.

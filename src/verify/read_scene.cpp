@@ -51,12 +51,12 @@ SceneCalendar read_calendar(const JsonFields& fields) {
     SceneCalendar::Shift shift;
     const Json& days = read.array("days");
     if (days.size() != 2) read.fail("two days");
-    shift.first_day = static_cast<int>(number_of(days[0], "a day"));
-    shift.last_day = static_cast<int>(number_of(days[1], "a day"));
+    shift.first_day = integer_of(days[0], "a day", 0, 6);
+    shift.last_day = integer_of(days[1], "a day", 0, 6);
     for (const Json& pair : read.array("minutes")) {
       if (!pair.is_array() || pair.size() != 2) read.fail("pairs of minutes");
-      shift.minutes.emplace_back(static_cast<int>(number_of(pair[0], "a minute")),
-                                 static_cast<int>(number_of(pair[1], "a minute")));
+      shift.minutes.emplace_back(integer_of(pair[0], "a minute", 0, 1440),
+                                 integer_of(pair[1], "a minute", 0, 1440));
     }
     calendar.shifts.push_back(std::move(shift));
   }

@@ -70,10 +70,14 @@ class CsvReader {
   int line_ = 1;
 };
 
+/// Seconds or attempts in a table; more is none.
+constexpr double kLargest = 2e9;
+
 double number_in(const std::string& field, int line) {
   double value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc() || end != field.data() + field.size() || !(std::fabs(value) < 9e9)) {
+  if (error != std::errc() || end != field.data() + field.size() ||
+      !(std::fabs(value) < kLargest)) {
     throw UnreadableInput(fmt::format("{}: expected a number, found '{}'", line, field));
   }
   return value;

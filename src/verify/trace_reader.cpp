@@ -125,7 +125,7 @@ class RecordReader {
     end.tries = fields_.integer("tries");
     end.accepted = fields_.integer("accepted");
     for (const auto& [reason, count] : fields_.object("rejected").json().items()) {
-      end.refused += static_cast<int>(number_of(count, "'rejected'"));
+      end.refused += integer_of(count, "'rejected'", 0, 10'000'000);
     }
     end.q = configuration();
     return end;

@@ -63,10 +63,10 @@ void tidy(std::vector<std::pair<Ticks, Ticks>>& intervals) {
 }  // namespace
 
 WorkingHours::WorkingHours(const Scene& scene) {
-  start_ = day_number("2024-01-01") * kDay;
+  first_day_ = day_number("2024-01-01");
   if (!scene.start_at.empty()) {
-    start_ = day_number(scene.start_at) * kDay +
-             digits(scene.start_at, 11, 2, 0, 23) * 60 * kMinute +
+    first_day_ = day_number(scene.start_at);
+    start_ = digits(scene.start_at, 11, 2, 0, 23) * 60 * kMinute +
              digits(scene.start_at, 14, 2, 0, 59) * kMinute;
   }
   for (const SceneCalendar& rules : scene.calendars) {
@@ -90,10 +90,10 @@ std::vector<WorkingHours::Interval> WorkingHours::hours(std::span<const int> cal
   std::vector<Interval> common = {{0, kDay}};
   for (const int index : calendars) {
     const Calendar& calendar = calendars_[static_cast<std::size_t>(index)];
-    if (calendar.off.contains(day)) return {};
+    if (calendar.off.contains(first_day_ + day)) return {};
     std::vector<Interval> both;
     for (const Interval& a : common) {
-      for (const Interval& b : calendar.week[weekday(day)]) {
+      for (const Interval& b : calendar.week[weekday(first_day_ + day)]) {
         const Interval cut{std::max(a.first, b.first), std::min(a.second, b.second)};
         if (cut.first < cut.second) both.push_back(cut);
       }

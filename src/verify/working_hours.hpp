@@ -29,10 +29,12 @@ class WorkingHours {
     std::vector<std::vector<Interval>> week;  ///< by weekday, Monday first; in order, apart
     std::set<std::int64_t> off;               ///< days since 1970-01-01
   };
+  /// `day` counts from the first day of the plan.
   std::vector<Interval> hours(std::span<const int> calendars, std::int64_t day) const;
 
   std::vector<Calendar> calendars_;
-  Ticks start_ = 0;  ///< since 1970-01-01 00:00
+  std::int64_t first_day_ = 0;  ///< of the plan, since 1970-01-01
+  Ticks start_ = 0;             ///< since the midnight before it
 };
 
 }  // namespace rubicon::verify
