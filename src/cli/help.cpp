@@ -24,8 +24,8 @@ usage: rubicon COMMAND ...
   --version                      print the version
 
 Files: NAME.robot describes a machine, NAME.motion its behaviour, NAME.plan what is to be built.
-Exit codes: 0 fine; 1 the plan cannot be done as a whole, or a test failed; 2 the input or the call is wrong;
-3 an internal fault.
+Exit codes: 0 fine; 1 the plan cannot be done as a whole, a test failed or a result has faults; 2 the input or the call
+is wrong; 3 an internal fault.
 
 try: rubicon run taskplans/unit.plan
 )";

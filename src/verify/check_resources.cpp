@@ -78,56 +78,10 @@ class ResourceCheck {
   std::map<std::string, std::vector<Hold>> holds_;
 };
 
-const char* name_of(LinkType type) {
-  switch (type) {
-    case LinkType::FS:
-      return "FS";
-    case LinkType::SS:
-      return "SS";
-    case LinkType::FF:
-      return "FF";
-    case LinkType::SF:
-      return "SF";
-  }
-  return "";
-}
-
 }  // namespace
 
 void check_resources(const Trace& trace, const std::vector<TaskRun>& runs, Faults& faults) {
   ResourceCheck(trace, runs, faults).check();
-}
-
-void check_links(const Trace& trace, const std::vector<TaskRun>& runs, Faults& faults) {
-  std::vector<const TaskRun*> run_of(trace.scene.tasks.size(), nullptr);
-  for (const TaskRun& run : runs) {
-    if (run.task >= 0) run_of[at(run.task)] = &run;
-  }
-  for (const TaskRun& run : runs) {
-    if (run.task < 0 || !run.happened) continue;
-    for (const SceneLink& link : trace.scene.tasks[at(run.task)].after) {
-      const std::string& name = trace.scene.tasks[at(link.task)].name;
-      const TaskRun* before = run_of[at(link.task)];
-      const bool holds_finish = link.type == LinkType::FF || link.type == LinkType::SF;
-      const auto fault = [&](std::string text) {
-        const int line = holds_finish ? run.end_line : run.start_line;
-        faults.push_back({FaultKind::link, ResultFile::trace, line, trace.runs[at(run.run)],
-                          holds_finish ? run.end : run.start, std::move(text)});
-      };
-      if (before == nullptr || !before->happened) {
-        // A task that was only held to its finish goes on without the one that is not done.
-        if (!holds_finish) fault(fmt::format("it was done without {}", name));
-        continue;
-      }
-      const bool from_start = link.type == LinkType::SS || link.type == LinkType::SF;
-      const Ticks earliest = (from_start ? before->start : before->end) + link.lag;
-      const Ticks moment = holds_finish ? run.end : run.start;
-      if (moment >= earliest - kTimeSlack) continue;
-      fault(fmt::format("it {} {:g} s too early after {} ({})", holds_finish ? "ends" : "starts",
-                        static_cast<double>(earliest - moment) / static_cast<double>(kSecond), name,
-                        name_of(link.type)));
-    }
-  }
 }
 
 }  // namespace rubicon::verify

@@ -9,8 +9,4 @@ namespace rubicon::verify {
 /// that lasts.
 void check_resources(const Trace& trace, const std::vector<TaskRun>& runs, Faults& faults);
 
-/// Checks the links of all tasks that are done, and that none was begun before or without what it
-/// follows.
-void check_links(const Trace& trace, const std::vector<TaskRun>& runs, Faults& faults);
-
 }  // namespace rubicon::verify

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "src/verify/check_links.hpp"
 #include "src/verify/check_resources.hpp"
 #include "src/verify/check_schedule.hpp"
 #include "src/verify/check_shifts.hpp"

@@ -83,6 +83,9 @@ class Result:
 
 # Poses as lists of three rows.
 
+IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]
+
+
 def product(a, b):
     rows = []
     for row in a:
@@ -129,6 +132,13 @@ def body_pose(robot, name, q):
     body = next(body for body in robot["bodies"] if body["name"] == name)
     parent = body_pose(robot, body["parent"], q) if body["parent"] else rows_of(robot["pose"])
     return product(parent, frame(body["frame"], q))
+
+
+def inverse_product(a, b):
+    """b as seen from a."""
+    turned = [[a[k][i] for k in range(3)] for i in range(3)]
+    back = [-sum(turned[i][k] * a[k][3] for k in range(3)) for i in range(3)]
+    return product([turned[i] + [back[i]] for i in range(3)], b)
 
 
 def inner_point(shape):
@@ -549,6 +559,22 @@ def link_to_what_is_not_done(good, rng):
     return Fault("link to what is not done", result, [name], words="it was done without")
 
 
+def call_it_not_reached(good, rng):
+    """A task is told as not reached, though all it follows is done."""
+    results = good.results()
+    names = [task["name"] for task in good.header["tasks"] if results[task["name"]] == "done"
+             and all(results[link["task"]] == "done" for link in task["after"])]
+    if not names:
+        return None
+    name = rng.choice(names)
+    result = copy.deepcopy(good)
+    last = next(i for i, record in enumerate(result.records) if record.get("task") == name
+                and record["type"] == "task_end")
+    result.records[last]["result"], result.records[last]["reason"] = "not reached", "no reason"
+    result.records = [record for i, record in enumerate(result.records) if record.get("task") != name or i == last]
+    return Fault("call it not reached", result, [name], words="all it follows is done")
+
+
 def silence_a_refusal(good, rng):
     places = [i for i, record in enumerate(good.records) if record["type"] == "task_end" and record["result"] != "done"]
     if not places:
@@ -660,6 +686,35 @@ def thing_where_a_load_is_put(good, rng):
     return Fault("thing where a load is put", result, good.results(), words=f"meets {site_name(result)} (")
 
 
+def grow_a_body(good, rng):
+    """The tool's body reaches, at the end of a step, into the robot's first body, which it must not touch."""
+    places = steps(good)
+    rng.shuffle(places)
+    for index in places[:20]:
+        record = good.records[index]
+        robot = good.robot(record["robot"])
+        first, tool = robot["bodies"][0], robot["tool"]["body"]
+        body = next(each for each in robot["bodies"] if each["name"] == tool)
+        if body is first or body["parent"] == first["name"] or not (first["shapes"] and body["shapes"]):
+            continue
+        before, _ = good.before(index)
+        relative = [inverse_product(body_pose(robot, tool, q), body_pose(robot, first["name"], q))
+                    for q in (before, record["q"])]
+        if math.dist(sum(relative[0], []), sum(relative[1], [])) < 0.01:
+            continue  # the step does not move one against the other
+        ends = inner_point(body["shapes"][0]), inner_point(first["shapes"][0])
+        if None in ends:
+            continue
+        target = [row[3] for row in product(relative[1], translation(*ends[1]))]
+        result = copy.deepcopy(good)
+        grown = result.robot(record["robot"])
+        next(each for each in grown["bodies"] if each["name"] == tool)["shapes"].append(
+            {"type": "capsule", "a": ends[0], "b": target, "radius": 0.01, "pose": IDENTITY})
+        # An earlier step may do it too.
+        return Fault("grow a body", result, good.results(), words=f"{robot['name']}.{first['name']}")
+    return None
+
+
 def zone_round_a_robot(good, rng):
     """The zone of a task is where another robot stands or goes."""
     zoned = [task["name"] for task in good.header["tasks"] if task["zones"] and good.results()[task["name"]] == "done"]
@@ -756,9 +811,9 @@ KINDS = (shift_a_step, shift_the_rest_of_a_task, drop_a_wait, close_a_wait_up, s
          move_a_component, change_a_value, drop_a_step, drop_a_step_neatly, repeat_a_step, move_the_grip,
          move_what_is_put_down, turn_what_is_put_down, move_the_goal, drop_a_load_change, overload, lengthen_work,
          take_a_day_off, shorten_a_shift, book_a_crew_twice, give_work_to_another, break_a_link,
-         link_to_what_is_not_done, silence_a_refusal, call_it_done, drop_a_task, cut_the_trace, wall_in_the_way,
-         thing_where_a_load_is_put, zone_round_a_robot, edit_the_schedule, edit_the_table, change_the_speed,
-         name_another_parameter)
+         link_to_what_is_not_done, silence_a_refusal, call_it_done, call_it_not_reached, drop_a_task, cut_the_trace,
+         wall_in_the_way, thing_where_a_load_is_put, grow_a_body, zone_round_a_robot, edit_the_schedule,
+         edit_the_table, change_the_speed, name_another_parameter)
 
 
 def seeded(results, seed, rounds):

@@ -7,6 +7,7 @@ import subprocess
 import tempfile
 import unittest
 
+import random_plans
 import seeded_faults
 
 RUBICON = os.environ["RUBICON"]
@@ -14,6 +15,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 SEED = int(os.environ.get("RUBICON_SEED", "1995"))
 ROUNDS = int(os.environ.get("RUBICON_ROUNDS", "8"))
+RANDOM_PLANS = int(os.environ.get("RUBICON_RANDOM_PLANS", "60"))
 
 
 def rubicon(*arguments):
@@ -55,6 +57,24 @@ class Verify(unittest.TestCase):
                 self.assertRegex(result.stdout, r"^verified: \d+ tasks \(\d+ done\), \d+ steps, .*no fault\n$")
                 trace = rubicon("verify", os.path.join(folder, "trace.jsonl"))
                 self.assertEqual(trace.returncode, 0, trace.stdout)
+
+    def test_results_of_random_plans_have_no_fault(self):
+        """Nothing ever meets anything, whatever machines do: two methods that share nothing agree."""
+        steps, waits = 0, 0
+        for number in range(RANDOM_PLANS):
+            folder = os.path.join(self.folder, f"random_{number}")
+            os.makedirs(folder)
+            with self.subTest(number=number):
+                out = os.path.join(folder, "out")
+                run = rubicon("run", random_plans.write_plan(SEED * 10000 + number, folder), "--out", out)
+                self.assertIn(run.returncode, (0, 1), run.stderr)
+                result = rubicon("verify", out, "--format", "json")
+                self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+                steps += json.loads(result.stdout)["steps"]
+                with open(os.path.join(out, "trace.jsonl"), encoding="utf-8") as file:
+                    waits += file.read().count('"why":"machine"')
+        self.assertGreater(steps, 50 * RANDOM_PLANS)
+        self.assertGreater(waits, 0)
 
     def test_every_seeded_fault_is_found_at_its_place(self):
         names = [os.path.join(HERE, "verify_results", "yard.plan"),
