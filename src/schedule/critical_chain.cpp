@@ -114,6 +114,8 @@ std::string text_of(const Network& network, const ChainStep& step) {
   std::string text = task.name;
   if (step.held == Held::plan_start) {
     text += " starts with the plan";
+  } else if (step.held == Held::asked) {
+    text += fmt::format(" starts because {} asks for it", network.tasks[at(step.task_before)].name);
   } else if (step.midway || step.held == Held::machine) {
     text += step.midway ? " waits on its way for " : " starts after it waited for ";
     const std::string before =

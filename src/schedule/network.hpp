@@ -32,8 +32,9 @@ struct Network {
   std::vector<NetworkTask> tasks;
 };
 
-/// What a task waited for last before it started, shifts aside.
-enum class Held { plan_start, link, resource, machine };
+/// What a task waited for last before it started, shifts aside. `machine`: for one in its way;
+/// `asked`: a machine moves out of the way of another task.
+enum class Held { plan_start, link, resource, machine, asked };
 
 /// A wait of a task after its start: for a resource that another task had, or until a machine that
 /// another task moved was out of the way.

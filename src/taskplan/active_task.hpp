@@ -34,6 +34,12 @@ struct Blocker {
   }
 };
 
+/// Where a robot stood when it began to wait for others, and how far these had come.
+struct WaitPlace {
+  std::vector<double> q;
+  std::uint64_t others = 0;
+};
+
 /// A task that has what it needs but for its zone, in which a machine stands.
 struct ZoneWait {
   int task = -1;
@@ -70,6 +76,11 @@ struct ActiveTask {
   bool waits_in_script = false;              ///< its step is a `wait`
   math::Pose X_WO = math::Pose::Identity();  ///< where the component stood that it set out to take
   std::vector<Blocker> blockers;
+  std::vector<WaitPlace> places;  ///< where it began to wait in this phase
+  std::uint64_t progress = 0;     ///< grows with every phase done and every new place
+  std::uint64_t others = 0;       ///< how far those in the way had come when it began to wait
+  bool stubborn =
+      false;  ///< it waits where it waited before, and who is in the way came no further
   bool may_go_on = false;  ///< what it waits with is enough for the task
 
   const Phase& now() const { return phases[phase]; }

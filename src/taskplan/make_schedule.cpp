@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "src/schedule/critical_chain.hpp"
@@ -13,11 +14,12 @@ double hours(Ticks ticks) { return interpreter::seconds_from_ticks(ticks) / 3600
 /// Adds up who was used for how long, and what tasks and the whole cost.
 void count_uses(Schedule& schedule) {
   for (TaskOutcome& task : schedule.tasks) {
+    std::set<int> had;
     for (const ResourceHold& hold : task.holds) {
       ResourceUse& use = schedule.resources[static_cast<std::size_t>(hold.resource)];
       use.held += hold.held;
       use.busy += hold.busy;
-      ++use.tasks;
+      if (had.insert(hold.resource).second) ++use.tasks;
       task.cost += use.rate.value_or(0) * hours(hold.held);
     }
   }
@@ -78,6 +80,7 @@ Schedule Simulation::make_schedule() {
 }
 
 void Simulation::add_critical_chain(Schedule& schedule) const {
+  if (schedule.process_time == 0) return;
   schedule::NetworkTimes times;
   times.tasks = times_;
   for (std::size_t task = 0; task < times.tasks.size(); ++task) {

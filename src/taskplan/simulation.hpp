@@ -128,6 +128,7 @@ class Simulation {
   bool weigh(ActiveTask& active);
   bool remove(ActiveTask& active);
   void keep_component(int component);
+  std::string gone(int component) const;
 
   // simulation_motion.cpp: motions, and waiting for other machines
   bool begin_motion(ActiveTask& active);
@@ -136,6 +137,9 @@ class Simulation {
   void count_step(ActiveTask& active, Ticks to, bool waited);
   bool end_motion(ActiveTask& active);
   bool retry(ActiveTask& active);
+  std::uint64_t progress_of(const std::vector<Blocker>& blockers) const;
+  void note_place(ActiveTask& active);
+  void came_further(ActiveTask& active);
   void wake_those_who_wait_for(int robot, int zone_task);
   bool park_idle_machines();
   bool may_park(int robot) const;

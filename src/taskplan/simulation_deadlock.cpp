@@ -70,7 +70,7 @@ bool Simulation::find_ring() {
                         blocker.robot >= 0 ? robot_spec(blocker.robot).name : blocker.met,
                         meeting(blocker));
   }
-  if (!lets_one_go_on(tasks)) rejection_ = Rejection{last_of(tasks), std::move(text)};
+  rejection_ = Rejection{last_of(tasks), std::move(text)};
   return true;
 }
 

@@ -51,7 +51,7 @@ bool Simulation::begin_motion(ActiveTask& active) {
   const interpreter::TaskSpec& task = spec(active.task);
   const MotionPurpose purpose = active.now().purpose;
   if (task.move && purpose == MotionPurpose::grip && !site_.stands(*task.move)) {
-    reject(active, site_.component_name(*task.move) + " is not on the site any more");
+    reject(active, gone(*task.move));
     return false;
   }
   const schedule::WorkCalendar& calendar = desk_->calendar(queue_[index(active.task)]);
@@ -188,7 +188,42 @@ bool Simulation::end_motion(ActiveTask& active) {
   active.since = now_.now;
   active.blockers = std::move(blockers);
   active.may_go_on = enough;
+  note_place(active);
   return false;
+}
+
+/// How far those in the way have come, as a number that changes when one gets any further.
+std::uint64_t Simulation::progress_of(const std::vector<Blocker>& blockers) const {
+  std::uint64_t sum = 0;
+  for (const Blocker& blocker : blockers) {
+    const int task = blocker.robot >= 0 ? desk_->state(blocker.robot).holder : blocker.zone_task;
+    const ActiveTask* const other = look_at_active(task);
+    sum = sum * 1'000'003 + static_cast<std::uint64_t>(task + 2) * 65'537 +
+          (other ? other->progress + 1 : 0);
+  }
+  return sum;
+}
+
+/// A script that evades and comes back to where it waited before, while nobody in its way came any
+/// further, would go on for ever: it now waits until one does.
+void Simulation::note_place(ActiveTask& active) {
+  const std::vector<double>& q = site_.configuration(spec(active.task).robot);
+  const std::uint64_t others = progress_of(active.blockers);
+  active.others = others;
+  for (WaitPlace& place : active.places) {
+    if (place.q != q) continue;
+    active.stubborn = place.others == others;
+    place.others = others;
+    return;
+  }
+  active.places.push_back({q, others});
+  active.stubborn = false;
+  came_further(active);
+}
+
+void Simulation::came_further(ActiveTask& active) {
+  ++active.progress;
+  wake_those_who_wait_for(spec(active.task).robot, active.task);
 }
 
 /// What was in the way has moved: the script is tried again. Where it still makes no step, the try
@@ -231,11 +266,14 @@ bool Simulation::retry(ActiveTask& active) {
 /// A machine moved, or people left: those who wait for it try again.
 void Simulation::wake_those_who_wait_for(int robot, int zone_task) {
   for (std::size_t i = 0; i < now_.active.size(); ++i) {
-    if (now_.active[i]->doing != Doing::waiting_for_machine || now_.active[i]->wake) continue;
-    const std::vector<Blocker>& blockers = now_.active[i]->blockers;
+    const ActiveTask& waiting = *now_.active[i];
+    if (waiting.doing != Doing::waiting_for_machine || waiting.wake) continue;
+    const std::vector<Blocker>& blockers = waiting.blockers;
     const bool waits = std::any_of(blockers.begin(), blockers.end(), [&](const Blocker& blocker) {
-      return robot >= 0 ? blocker.robot == robot : blocker.zone_task == zone_task;
+      return (robot >= 0 && blocker.robot == robot) ||
+             (zone_task >= 0 && blocker.zone_task == zone_task);
     });
+    if (waiting.stubborn && progress_of(blockers) == waiting.others) continue;
     if (waits) wake_at(*find_active(now_.active[i]->task), now_.now);
   }
 }
@@ -253,25 +291,27 @@ bool Simulation::may_park(int robot) const {
 
 /// Asks idle machines that are in somebody's way to their park position; whether one was asked.
 bool Simulation::park_idle_machines() {
-  std::vector<int> in_the_way;
+  std::vector<std::pair<int, int>> in_the_way;  // the robot, the task that waits for it
   for (const auto& active : now_.active) {
     if (active->doing != Doing::waiting_for_machine) continue;
-    for (const Blocker& blocker : active->blockers) in_the_way.push_back(blocker.robot);
+    for (const Blocker& blocker : active->blockers) {
+      in_the_way.emplace_back(blocker.robot, active->task);
+    }
   }
-  for (const ZoneWait& wait : now_.zone_waits) in_the_way.push_back(wait.robot);
-  for (const int robot : in_the_way) {
+  for (const ZoneWait& wait : now_.zone_waits) in_the_way.emplace_back(wait.robot, wait.task);
+  for (const auto& [robot, asking] : in_the_way) {
     if (robot < 0 || !may_park(robot)) continue;
     const int task = static_cast<int>(plan_.tasks.size()) + robot;
     ResourceDesk::Grant grant;
     grant.task = task;
     grant.queue = queue_[index(task)];
     grant.before = desk_->states();
-    grant.resource = desk_->state(robot).last >= 0 ? robot : -1;
-    grant.task_before = desk_->state(robot).last;
-    grant.free = desk_->state(robot).free_since;
     desk_->take_directly(robot, task);
     schedule::TaskTimes times;
     times.ready = times.wanted = now_.now;
+    times.held = schedule::Held::asked;
+    times.task_before = asking;
+    times.given_back_midway = true;
     journal_.assign(times_[index(task)], times);
     journal_.assign(known_[index(task)], std::uint8_t{0});
     begin_task(grant);

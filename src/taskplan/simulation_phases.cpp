@@ -8,17 +8,24 @@
 
 namespace rubicon::taskplan {
 
-namespace {
-
-std::string gone(const std::string& component) {
-  return component + " is not on the site any more";
+/// Why the component cannot be taken.
+std::string Simulation::gone(int component) const {
+  for (int robot = 0; robot < static_cast<int>(plan_.robots.size()); ++robot) {
+    const auto& load = site_.load(robot);
+    if (!load || load->component != component) continue;
+    const int holder = desk_->state(robot).holder;
+    return fmt::format("{} hangs on {} just then{}", site_.component_name(component),
+                       robot_spec(robot).name,
+                       holder >= 0 ? ": put this after " + spec(holder).name : std::string());
+  }
+  return site_.component_name(component) + " is not on the site any more";
 }
-
-}  // namespace
 
 /// Goes on with the phases until one takes time, the task is over or cannot be done.
 void Simulation::run_phases(ActiveTask& active) {
   while (active.phase < active.phases.size()) {
+    active.places.clear();
+    came_further(active);
     if (!begin_phase(active)) return;
     ++active.phase;
   }
@@ -196,7 +203,7 @@ void Simulation::end_work(ActiveTask& active) {
 bool Simulation::still_there(ActiveTask& active) {
   const int component = active.now().component;
   if (!site_.stands(component)) {
-    reject(active, gone(site_.component_name(component)));
+    reject(active, gone(component));
     return false;
   }
   if (site_.X_WO(component).matrix() == active.X_WO.matrix()) return true;
@@ -256,7 +263,7 @@ void Simulation::detach(ActiveTask& active) {
 bool Simulation::remove(ActiveTask& active) {
   const int component = active.now().component;
   if (!site_.stands(component)) {
-    reject(active, gone(site_.component_name(component)));
+    reject(active, gone(component));
     return false;
   }
   keep_component(component);
