@@ -74,7 +74,8 @@ std::uint64_t triangle_count(const aiScene& scene, const aiNode& node) {
   return count;
 }
 
-SceneMessage flatten(const aiScene& scene, const Affine& X_world, const SceneLimits& limits,
+/// `X_root` places the root, in place of its own transform.
+SceneMessage flatten(const aiScene& scene, const Affine& X_root, const SceneLimits& limits,
                      FileScene result) {
   struct Pending {
     const aiNode* node;
@@ -82,13 +83,13 @@ SceneMessage flatten(const aiScene& scene, const Affine& X_world, const SceneLim
     Affine X;
   };
   // An explicit stack: the depth of the tree is the file's choice.
-  std::vector<Pending> stack{{scene.mRootNode, -1, X_world}};
+  std::vector<Pending> stack{{scene.mRootNode, -1, X_root}};
   std::uint64_t triangles = 0;
   while (!stack.empty()) {
     const Pending current = stack.back();
     stack.pop_back();
     const aiNode& source = *current.node;
-    const Affine X = current.X * affine(source.mTransformation);
+    const Affine& X = current.X;
     const auto index = static_cast<int>(result.nodes.size());
     FileNode node;
     node.name = source.mName.C_Str();
@@ -98,7 +99,7 @@ SceneMessage flatten(const aiScene& scene, const Affine& X_world, const SceneLim
       return too_many_triangles(limits);
     }
     if (result.nodes.size() >= limits.nodes) {
-      return fmt::format("it has more than {} nodes; split it into several files", limits.nodes);
+      return too_many_nodes(limits);
     }
     const bool mirrored = X.linear().determinant() < 0;
     for (unsigned int i = 0; i < source.mNumMeshes; ++i) {
@@ -106,7 +107,8 @@ SceneMessage flatten(const aiScene& scene, const Affine& X_world, const SceneLim
     }
     result.nodes.push_back(std::move(node));
     for (unsigned int i = source.mNumChildren; i-- > 0;) {
-      stack.push_back({source.mChildren[i], index, X});
+      const aiNode& child = *source.mChildren[i];
+      stack.push_back({&child, index, X * affine(child.mTransformation)});
     }
   }
   return result;
@@ -117,6 +119,10 @@ SceneMessage flatten(const aiScene& scene, const Affine& X_world, const SceneLim
 std::string too_many_triangles(const SceneLimits& limits) {
   return fmt::format("it has more than {} triangles; simplify it, or split it into several files",
                      limits.triangles);
+}
+
+std::string too_many_nodes(const SceneLimits& limits) {
+  return fmt::format("it has more than {} nodes; split it into several files", limits.nodes);
 }
 
 SceneMessage read_with_assimp(const AssimpQuery& query, std::unique_ptr<Assimp::IOSystem> files) {
@@ -136,21 +142,16 @@ SceneMessage read_with_assimp(const AssimpQuery& query, std::unique_ptr<Assimp::
   }
 
   FileScene result;
-  Affine X_world = Affine::Identity();
+  const Affine X_root = affine(scene->mRootNode->mTransformation);
   if (query.format.declares_unit) {
+    // The importer of Collada puts unit and axes into the root; glTF is in metres, Y up.
     const bool gltf = query.format.name == "glTF";
-    const bool ifc = query.format.name == "IFC";
-    // The importers of Collada and IFC put unit and axes into the root; glTF is in metres, Y up.
-    const Affine X_root = affine(scene->mRootNode->mTransformation);
     result.declared_metres_per_unit = gltf ? 1.0 : X_root.linear().col(0).norm();
     result.in_metres = true;
     result.y_up = !query.ignore_declared_up;
-    if (ifc && query.ignore_declared_up) {
-      // Back to the numbers of the file, which are Z up.
-      X_world.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-    }
   }
-  return flatten(*scene, X_world, query.limits, std::move(result));
+  return flatten(*scene, query.ignore_root ? Affine::Identity() : X_root, query.limits,
+                 std::move(result));
 }
 
 }  // namespace rubicon::mesh_io

@@ -15,6 +15,8 @@ struct AssimpQuery {
   MeshFormat format;
   /// The numbers as they are written, whatever up axis the file declares.
   bool ignore_declared_up = false;
+  /// Without the transform of the root, by which an importer turns and scales all it has read.
+  bool ignore_root = false;
   SceneLimits limits;
 };
 
@@ -25,5 +27,7 @@ SceneMessage read_with_assimp(const AssimpQuery& query, std::unique_ptr<Assimp::
 
 /// The failure for a file with more triangles than the limit.
 std::string too_many_triangles(const SceneLimits& limits);
+/// The same for nodes.
+std::string too_many_nodes(const SceneLimits& limits);
 
 }  // namespace rubicon::mesh_io

@@ -13,7 +13,8 @@ namespace rubicon::mesh_io {
 struct FileNode {
   std::string name;
   int parent = -1;                   ///< index of an earlier node; -1: none
-  std::vector<math::Vec3> vertices;  ///< world coordinates of the file, in the units of FileScene
+  std::vector<math::Vec3> vertices;  ///< world coordinates of the file behind FileScene::origin, in
+                                     ///< its units
   std::vector<std::array<int, 3>> triangles;
 };
 
@@ -27,6 +28,8 @@ struct FileScene {
   bool y_up = false;
   /// Whether files beside the mesh were asked for: its own content does not say all then.
   bool from_several_files = false;
+  /// Vertices count from here: far from the origin of the file the difference keeps its digits.
+  math::Vec3 origin = math::Vec3::Zero();
   std::vector<FileNode> nodes;
 };
 

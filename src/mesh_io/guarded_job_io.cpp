@@ -22,6 +22,7 @@
 #include "src/mesh_io/convex_hull.hpp"
 #include "src/mesh_io/guarded_assimp_files_io.hpp"
 #include "src/mesh_io/guarded_file_io.hpp"
+#include "src/mesh_io/ifc_scene.hpp"
 #include "src/mesh_io/mesh_format.hpp"
 #include "src/mesh_io/scene_wire.hpp"
 #include "src/mesh_io/system_call_filter_io.hpp"
@@ -75,6 +76,11 @@ std::uint64_t announced_triangles(const HelperJob& job, int fd) {
 }
 
 SceneMessage read_mesh(const HelperJob& job, const MeshFormat& format, int input) {
+  if (format.name == "IFC") {
+    IfcQuery ifc;
+    ifc.ignore_declared_up = job.ignore_declared_up;
+    return read_ifc(read_whole(input), ifc);
+  }
   AssimpQuery query;
   // A name of our own in the right folder: a symbolic link may lead to a file called otherwise.
   query.name =

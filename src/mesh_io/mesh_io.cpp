@@ -56,6 +56,13 @@ std::string names_in(const FileScene& scene) {
   return "it has " + names;
 }
 
+/// Whether the name of a node ends with a GlobalId of IFC: it stays when a model is renamed.
+bool has_global_id(const std::string& name, const std::string& id) {
+  constexpr std::size_t kLength = 22;
+  return id.size() == kLength && name.size() > kLength && name.ends_with(id) &&
+         name[name.size() - kLength - 1] == '_';
+}
+
 /// Which nodes belong to `part`: the node of that name and all below it. Or why that is not clear.
 std::variant<std::vector<char>, std::string> select(const FileScene& scene,
                                                     const std::string& part) {
@@ -65,7 +72,7 @@ std::variant<std::vector<char>, std::string> select(const FileScene& scene,
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const FileNode& node = scene.nodes[i];
     const bool below = node.parent >= 0 && chosen[static_cast<std::size_t>(node.parent)] != 0;
-    const bool named = node.name == part;
+    const bool named = node.name == part || has_global_id(node.name, part);
     chosen[i] = below || named ? 1 : 0;
     if (named && !below) ++outermost;
   }
@@ -104,13 +111,14 @@ std::variant<double, std::string> factor_for(const FileScene& scene, const MeshR
   return factor * request.scale;
 }
 
-/// Why these vertices cannot be used; empty when they can.
-std::string wrong_vertices(const std::vector<Vec3>& vertices) {
+/// Why these vertices, counted from `origin`, cannot be used; empty when they can.
+std::string wrong_vertices(const std::vector<Vec3>& vertices, const Vec3& origin) {
   double farthest = 0;
   for (const Vec3& p : vertices) {
     if (!p.allFinite()) return "a corner is not a finite number; export it again";
-    farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+    farthest = std::max(farthest, (p + origin).cwiseAbs().maxCoeff());
   }
+  if (!origin.allFinite()) return "its origin is not a finite point; export it again";
   if (farthest <= kFarthest) return {};
   return fmt::format("it reaches {:.3g} m from its origin; check the unit and the scale", farthest);
 }
@@ -129,14 +137,28 @@ std::string path_of(const FileScene& scene, std::size_t index) {
   return path;
 }
 
+/// A mesh, and the point that its vertices still count from.
+struct LocalMesh {
+  MendedMesh mended;
+  Vec3 origin = Vec3::Zero();
+};
+
+/// Puts the vertices where they belong. Last of all: what is done before is exact to the size of
+/// the mesh, not to its distance.
+void move_to_world(std::vector<Vec3>& vertices, const Vec3& origin) {
+  if (origin == Vec3::Zero()) return;
+  for (Vec3& p : vertices) p += origin;
+}
+
 /// The mesh that is asked for, or what is wrong.
-std::variant<MendedMesh, std::string> mesh_of(const FileScene& scene, const MeshRequest& request) {
+std::variant<LocalMesh, std::string> mesh_of(const FileScene& scene, const MeshRequest& request) {
   const std::variant<double, std::string> factor = factor_for(scene, request);
   if (const auto* wrong = std::get_if<std::string>(&factor)) return *wrong;
   const std::variant<std::vector<char>, std::string> chosen = select(scene, request.part);
   if (const auto* wrong = std::get_if<std::string>(&chosen)) return *wrong;
 
   const bool turn = request.up == 'y' || (request.up == 0 && scene.y_up);
+  const Vec3 origin = (turn ? z_up(scene.origin) : scene.origin) * std::get<double>(factor);
   std::vector<Vec3> vertices;
   std::vector<std::array<int, 3>> triangles;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -149,27 +171,29 @@ std::variant<MendedMesh, std::string> mesh_of(const FileScene& scene, const Mesh
       triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
     }
   }
-  if (std::string wrong = wrong_vertices(vertices); !wrong.empty()) return wrong;
+  if (std::string wrong = wrong_vertices(vertices, origin); !wrong.empty()) return wrong;
   MendedMesh mended = mend(vertices, triangles);
   if (mended.mesh.triangles.empty()) return kNoTriangles;
-  return mended;
+  return LocalMesh{std::move(mended), origin};
 }
 
 /// The convex hull of a mesh, verified. What was mended before stays in the report.
-std::variant<MendedMesh, std::string> hull_of(SceneSource& source, const MendedMesh& mesh) {
-  const std::vector<Vec3>& corners = mesh.mesh.vertices;
+std::variant<LocalMesh, std::string> hull_of(SceneSource& source, const LocalMesh& mesh) {
+  const std::vector<Vec3>& corners = mesh.mended.mesh.vertices;
   std::variant<FileScene, SceneFailure> found = source.hull(corners);
   if (auto* wrong = std::get_if<SceneFailure>(&found)) return std::move(*wrong);
   const FileScene& scene = std::get<FileScene>(found);
   constexpr const char* kNoHull =
       "its hull cannot be found exactly enough; leave out 'hull', or simplify it";
-  if (scene.nodes.size() != 1 || !wrong_vertices(scene.nodes[0].vertices).empty()) return kNoHull;
+  if (scene.nodes.size() != 1 || !wrong_vertices(scene.nodes[0].vertices, mesh.origin).empty()) {
+    return kNoHull;
+  }
   MendedMesh hull = mend(scene.nodes[0].vertices, scene.nodes[0].triangles);
-  hull.report = mesh.report;
+  hull.report = mesh.mended.report;
   if (!hull.mesh.closed) return "its hull is as thin as a sheet; leave out 'hull'";
   switch (hull_contains(hull.mesh, corners)) {
     case HullCheck::kContains:
-      return hull;
+      return LocalMesh{std::move(hull), mesh.origin};
     case HullCheck::kTooMuchWork:
       return "its hull has too many corners; simplify it";
     case HullCheck::kSticksOut:
@@ -233,12 +257,13 @@ std::variant<ReadMesh, MeshFailure> MeshReader::read(const MeshRequest& request)
   if (!key.empty()) {
     if (std::optional<ReadMesh> kept = state_->meshes.find(key)) return std::move(*kept);
   }
-  std::variant<MendedMesh, std::string> made = mesh_of(*content.scene, request);
-  if (request.hull && std::holds_alternative<MendedMesh>(made)) {
-    made = hull_of(state_->source, std::get<MendedMesh>(std::move(made)));
+  std::variant<LocalMesh, std::string> made = mesh_of(*content.scene, request);
+  if (request.hull && std::holds_alternative<LocalMesh>(made)) {
+    made = hull_of(state_->source, std::get<LocalMesh>(made));
   }
   if (const auto* wrong = std::get_if<std::string>(&made)) return failure(request.path, *wrong);
-  MendedMesh& mended = std::get<MendedMesh>(made);
+  MendedMesh& mended = std::get<LocalMesh>(made).mended;
+  move_to_world(mended.mesh.vertices, std::get<LocalMesh>(made).origin);
   ReadMesh result{std::make_shared<const geometry::TriangleMesh>(std::move(mended.mesh)),
                   mended.report};
   if (!key.empty()) state_->meshes.put(key, result, bytes_of(*result.mesh));
@@ -254,11 +279,12 @@ std::variant<std::vector<NamedMesh>, MeshFailure> MeshReader::read_scene(
   std::vector<NamedMesh> meshes;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const FileNode& node = scene.nodes[i];
-    if (std::string wrong = wrong_vertices(node.vertices); !wrong.empty()) {
+    if (std::string wrong = wrong_vertices(node.vertices, scene.origin); !wrong.empty()) {
       return failure(request.path, fmt::format("part {}: {}", quoted(node.name), wrong));
     }
     MendedMesh mended = mend(node.vertices, node.triangles);
     if (mended.mesh.triangles.empty()) continue;
+    move_to_world(mended.mesh.vertices, scene.origin);
     meshes.push_back({node.name, path_of(scene, i), std::move(mended.mesh), mended.report});
   }
   if (meshes.empty()) return failure(request.path, kNoTriangles);

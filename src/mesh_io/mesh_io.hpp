@@ -19,7 +19,8 @@ struct MeshRequest {
   double scale = 1;   ///< a further factor, > 0
   char up = 0;        ///< 'y' or 'z': this axis of the numbers in the file points up; 0: as the
                       ///< file declares (STL, OBJ and PLY declare nothing: z)
-  std::string part;   ///< one named node with all below it, empty: the whole file
+  std::string part;   ///< one named node with all below it, empty: the whole file; of IFC the
+                      ///< GlobalId is enough
   bool hull = false;  ///< the convex hull of the corners instead of the mesh
 };
 

@@ -22,7 +22,7 @@ namespace rubicon::mesh_io {
 namespace {
 
 /// To be raised when the same file would give another scene than before.
-constexpr std::string_view kReaderVersion = "rubicon mesh reader 1";
+constexpr std::string_view kReaderVersion = "rubicon mesh reader 2";
 
 /// A larger file is refused unread: parsed it would not fit the memory limit either.
 constexpr std::uint64_t kLargestFile = 256'000'000;
@@ -106,7 +106,10 @@ std::array<std::int64_t, 3> stamp_of(int fd) {
 
 /// Whether a scene may come from the disk cache: it is all there, and every number is one.
 bool may_be_kept(const FileScene& scene) {
-  if (scene.from_several_files || !std::isfinite(scene.declared_metres_per_unit)) return false;
+  if (scene.from_several_files || !std::isfinite(scene.declared_metres_per_unit) ||
+      !scene.origin.allFinite()) {
+    return false;
+  }
   return std::all_of(scene.nodes.begin(), scene.nodes.end(), [](const FileNode& node) {
     return std::all_of(node.vertices.begin(), node.vertices.end(),
                        [](const math::Vec3& p) { return p.allFinite(); });

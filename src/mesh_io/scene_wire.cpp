@@ -9,7 +9,7 @@ namespace rubicon::mesh_io {
 
 namespace {
 
-constexpr std::string_view kMagic = "rubicon-mesh 2\n";
+constexpr std::string_view kMagic = "rubicon-mesh 3\n";
 constexpr std::string_view kEnd = "end\n";
 constexpr std::size_t kLongestName = 1024;     // assimp's own limit
 constexpr std::size_t kLongestFailure = 1000;  // a message for people
@@ -51,7 +51,8 @@ bool put_scene(const ByteSink& sink, const FileScene& scene) {
       !put(sink, static_cast<std::uint8_t>(scene.in_metres ? 1 : 0)) ||
       !put(sink, static_cast<std::uint8_t>(scene.y_up ? 1 : 0)) ||
       !put(sink, static_cast<std::uint8_t>(scene.from_several_files ? 1 : 0)) ||
-      !put(sink, static_cast<std::uint64_t>(scene.nodes.size()))) {
+      !put(sink, scene.origin.x()) || !put(sink, scene.origin.y()) ||
+      !put(sink, scene.origin.z()) || !put(sink, static_cast<std::uint64_t>(scene.nodes.size()))) {
     return false;
   }
   for (const FileNode& node : scene.nodes) {
@@ -137,7 +138,8 @@ std::variant<SceneMessage, WireError> get_scene(Reader& in, const SceneLimits& l
   std::uint8_t from_several_files = 0;
   std::uint64_t count = 0;
   if (!in.get(scene.declared_metres_per_unit) || !in.get(in_metres) || !in.get(y_up) ||
-      !in.get(from_several_files) || !in.get(count)) {
+      !in.get(from_several_files) || !in.get(scene.origin.x()) || !in.get(scene.origin.y()) ||
+      !in.get(scene.origin.z()) || !in.get(count)) {
     return WireError{"the head of the scene is cut off"};
   }
   if (count > limits.nodes) return WireError{"more nodes than were allowed"};

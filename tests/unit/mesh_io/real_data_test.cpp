@@ -54,7 +54,7 @@ TEST(RealData, TheFloorElementsComeInMetresYUp) {
   for (const NamedMesh& node : std::get<std::vector<NamedMesh>>(scene)) {
     if (!node.name.starts_with("IfcSlab_vloer_")) continue;
     ++elements;
-    EXPECT_NE(node.path.find("IfcBuildingStorey_00beganegrond"), std::string::npos) << node.path;
+    EXPECT_NE(node.path.find("IfcBuildingStorey_00 begane grond"), std::string::npos) << node.path;
     const geometry::Box box = extent(node.mesh);
     EXPECT_NEAR(box.upper.y(), -0.09, 1e-5) << node.name;
     EXPECT_TRUE(node.mesh.closed) << node.name;

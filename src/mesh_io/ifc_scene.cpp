@@ -1,0 +1,150 @@
+#include "src/mesh_io/ifc_scene.hpp"
+
+#include <assimp/MemoryIOWrapper.h>
+
+#include <assimp/IOSystem.hpp>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "src/ifc/ifc_model.hpp"
+#include "src/ifc/plain_ifc.hpp"
+#include "src/ifc/step_file.hpp"
+#include "src/mesh_io/assimp_scene.hpp"
+#include "src/mesh_io/mesh_format.hpp"
+
+namespace rubicon::mesh_io {
+
+namespace {
+
+using math::Vec3;
+
+/// Farther from its origin (metres) a scene gets an origin of its own: nearer, the numbers of a
+/// file are as good as those of the library.
+constexpr double kFarFromOrigin = 1000;
+/// Such an origin lies on a grid of this size (metres), so that people can read it.
+constexpr double kOriginGrid = 100;
+
+/// The one file that assimp sees: a text in memory.
+class TextFile : public Assimp::IOSystem {
+ public:
+  TextFile(std::string name, const std::string& text) : name_(std::move(name)), text_(text) {}
+
+  bool Exists(const char* file) const override { return name_ == file; }
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* file, const char*) override {
+    if (name_ != file) return nullptr;
+    return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(text_.data()),
+                                      text_.size());
+  }
+  void Close(Assimp::IOStream* stream) override { delete stream; }
+
+ private:
+  std::string name_;
+  const std::string& text_;
+};
+
+/// Which element the triangles of a node belong to: the node's own or that of one above it.
+std::optional<std::size_t> element_at(const FileScene& plain, std::size_t node) {
+  for (int at = static_cast<int>(node); at >= 0;
+       at = plain.nodes[static_cast<std::size_t>(at)].parent) {
+    const auto element = ifc::element_of(plain.nodes[static_cast<std::size_t>(at)].name);
+    if (element) return element;
+  }
+  return std::nullopt;
+}
+
+/// A round point near the first element, if that is far out; else the origin of the file.
+Vec3 scene_origin(const ifc::IfcModel& model, const ifc::PlainIfc& plain) {
+  for (std::size_t i = 0; i < model.elements.size(); ++i) {
+    const ifc::IfcElement& element = model.elements[i];
+    if (!element.X_WE) continue;
+    const Vec3 p = *element.X_WE * (plain.offsets[i] * model.metres_per_unit);
+    if (!p.allFinite() || p.cwiseAbs().maxCoeff() <= kFarFromOrigin) return Vec3::Zero();
+    return (p / kOriginGrid).array().round().matrix() * kOriginGrid;
+  }
+  return Vec3::Zero();
+}
+
+class SceneBuilder {
+ public:
+  SceneBuilder(const ifc::IfcModel& model, const ifc::PlainIfc& plain, const IfcQuery& query)
+      : model_(model),
+        plain_(plain),
+        turn_(!query.ignore_declared_up),
+        origin_(scene_origin(model, plain)) {
+    scene_.declared_metres_per_unit = model.metres_per_unit;
+    scene_.in_metres = true;
+    scene_.y_up = turn_;
+    scene_.origin = turned(origin_);
+    for (const ifc::IfcNode& node : model.tree) {
+      scene_.nodes.push_back({node.name, node.parent, {}, {}});
+    }
+  }
+
+  /// Adds what the library made of the plain file.
+  FileScene build(const FileScene& plain) {
+    for (std::size_t i = 0; i < plain.nodes.size(); ++i) {
+      if (plain.nodes[i].triangles.empty()) continue;
+      const std::optional<std::size_t> element = element_at(plain, i);
+      if (element && *element < model_.elements.size()) {
+        add(plain.nodes[i], *element);
+      }
+    }
+    return std::move(scene_);
+  }
+
+ private:
+  Vec3 turned(const Vec3& p) const { return turn_ ? Vec3(p.x(), p.z(), -p.y()) : p; }
+
+  void add(const FileNode& source, std::size_t index) {
+    const ifc::IfcElement& element = model_.elements[index];
+    FileNode& node = scene_.nodes[static_cast<std::size_t>(element.node)];
+    const auto base = static_cast<int>(node.vertices.size());
+    math::Pose X_SE = *element.X_WE;
+    X_SE.translation() = *element.X_WE * (plain_.offsets[index] * model_.metres_per_unit) - origin_;
+    for (const Vec3& p : source.vertices) {
+      node.vertices.push_back(turned(X_SE * (p * model_.metres_per_unit)));
+    }
+    for (const std::array<int, 3>& t : source.triangles) {
+      node.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+    }
+  }
+
+  const ifc::IfcModel& model_;
+  const ifc::PlainIfc& plain_;
+  bool turn_;
+  Vec3 origin_;
+  FileScene scene_;
+};
+
+}  // namespace
+
+SceneMessage read_ifc(std::string_view text, const IfcQuery& query) {
+  const auto file = ifc::StepFile::read(text);
+  if (const auto* error = std::get_if<ifc::StepError>(&file)) {
+    return "it cannot be read as IFC: line " + std::to_string(error->line) + ": " + error->message;
+  }
+  const auto model = ifc::read_model(std::get<ifc::StepFile>(file));
+  if (const auto* failure = std::get_if<ifc::IfcFailure>(&model)) return failure->message;
+  const auto& building = std::get<ifc::IfcModel>(model);
+  if (building.tree.size() > query.limits.nodes) return too_many_nodes(query.limits);
+  const ifc::PlainIfc plain = ifc::plain_ifc(std::get<ifc::StepFile>(file), building);
+  AssimpQuery plain_query;
+  plain_query.name = "plain.ifc";
+  plain_query.format = *format_of(plain_query.name);
+  plain_query.ignore_root = true;
+  plain_query.limits = query.limits;
+  SceneMessage message =
+      read_with_assimp(plain_query, std::make_unique<TextFile>(plain_query.name, plain.text));
+  auto* scene = std::get_if<FileScene>(&message);
+  if (scene == nullptr) return message;
+  return SceneBuilder(building, plain, query).build(*scene);
+}
+
+}  // namespace rubicon::mesh_io
