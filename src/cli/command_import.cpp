@@ -6,10 +6,11 @@
 #include <string>
 
 #include "src/cli/commands.hpp"
+#include "src/cli/import_schedule.hpp"
 #include "src/files/disk_io.hpp"
+#include "src/mesh_io/mesh_format.hpp"
 #include "src/project_io/decode_text.hpp"
 #include "src/project_io/plan_text.hpp"
-#include "src/project_io/read_project.hpp"
 #include "src/report/diagnostic_printer.hpp"
 
 namespace rubicon::cli {
@@ -21,27 +22,16 @@ int fail(const std::string& message) {
   return kWrongInput;
 }
 
-}  // namespace
-
-int run_import(const ImportOptions& options) {
+int import_schedule(const ImportOptions& options) {
   files::DiskFiles disk;
-  const auto bytes = disk.read_text(options.file);
-  if (const auto* failure = std::get_if<interpreter::FileFailure>(&bytes)) {
-    return fail(fmt::format("'{}': {}", options.file, failure->message));
-  }
-  project_io::DecodedText text = project_io::decode_text(std::get<std::string>(bytes));
   interpreter::SourceMap sources;
   interpreter::Diagnostics diagnostics;
-  const interpreter::FileId file = sources.add(options.file, std::move(text.text));
-  if (text.guessed) {
-    diagnostics.warning("I03", {file, 0, 0}, "this text is not UTF-8: it is read as Windows-1252",
-                        "check names with accents");
-  }
+  const std::string& path = options.files.front();
   const std::optional<project_io::Project> project =
-      project_io::read_project(sources, file, diagnostics);
+      read_schedule(path, disk, sources, diagnostics);
   std::string plan;
   if (project) {
-    const std::string name = std::filesystem::path(options.file).filename().string();
+    const std::string name = std::filesystem::path(path).filename().string();
     plan = project_io::plan_text(*project, project_io::clean_utf8(name), diagnostics);
   }
   const std::string messages =
@@ -54,6 +44,22 @@ int run_import(const ImportOptions& options) {
     return fail(*failure);
   }
   return kFine;
+}
+
+}  // namespace
+
+int run_import(const ImportOptions& options) {
+  std::size_t models = 0;
+  for (const std::string& file : options.files) models += mesh_io::format_of(file) ? 1U : 0U;
+  if (models == options.files.size()) return import_building(options);
+  if (models > 0)
+    return fail("models and schedules cannot be mixed; a schedule goes with models by --schedule");
+  if (options.files.size() > 1) return fail("one schedule at a time");
+  if (!options.match.empty() || !options.schedule.empty() || !options.unit.empty() ||
+      !options.up.empty()) {
+    return fail("--schedule, --match, --unit and --up go with a model (.ifc, .gltf, .obj ...)");
+  }
+  return import_schedule(options);
 }
 
 }  // namespace rubicon::cli

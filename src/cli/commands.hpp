@@ -57,10 +57,16 @@ struct VerifyOptions {
 int run_verify(const VerifyOptions& options);
 
 struct ImportOptions {
-  std::string file;
+  std::vector<std::string> files;  ///< one schedule, or models
+  std::string schedule;            ///< that the models are joined to
+  std::string match;
+  std::string unit;
+  std::string up;
   std::string out;
 };
 int run_import(const ImportOptions& options);
+/// Of models: run_import's other half.
+int import_building(const ImportOptions& options);
 
 struct ExportOptions {
   std::string plan;

@@ -69,7 +69,11 @@ int dispatch(int argc, char** argv) {
 
   ImportOptions import;
   CLI::App* import_command = app.add_subcommand("import");
-  import_command->add_option("FILE", import.file)->required();
+  import_command->add_option("FILE", import.files)->required();
+  import_command->add_option("--schedule", import.schedule);
+  import_command->add_option("--match", import.match);
+  import_command->add_option("--unit", import.unit)->check(CLI::IsMember({"mm", "cm", "m"}));
+  import_command->add_option("--up", import.up)->check(CLI::IsMember({"y", "z"}));
   import_command->add_option("--out", import.out);
 
   ExportOptions plan_export;

@@ -202,6 +202,50 @@ std::variant<LocalMesh, std::string> hull_of(SceneSource& source, const LocalMes
   return kNoHull;
 }
 
+/// What becomes of the numbers of a file.
+struct NodeTerms {
+  double factor = 1;
+  bool turn = false;  ///< from Y up to Z up
+};
+
+/// Which nodes have triangles somewhere below them.
+std::vector<char> with_triangles_below(const FileScene& scene) {
+  std::vector<char> below(scene.nodes.size(), 0);
+  for (std::size_t i = scene.nodes.size(); i-- > 0;) {
+    const FileNode& node = scene.nodes[i];
+    if (node.parent < 0 || (node.triangles.empty() && below[i] == 0)) continue;
+    below[static_cast<std::size_t>(node.parent)] = 1;
+  }
+  return below;
+}
+
+/// All nodes with triangles.
+std::variant<std::vector<NamedMesh>, MeshFailure> nodes_of(const FileScene& scene,
+                                                           const std::string& path,
+                                                           const NodeTerms& terms) {
+  const auto put = [&](const Vec3& p) -> Vec3 { return (terms.turn ? z_up(p) : p) * terms.factor; };
+  const Vec3 origin = put(scene.origin);
+  const std::vector<char> below = with_triangles_below(scene);
+  std::vector<NamedMesh> meshes;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const FileNode& node = scene.nodes[i];
+    std::vector<Vec3> vertices;
+    for (const Vec3& p : node.vertices) vertices.push_back(put(p));
+    if (std::string wrong = wrong_vertices(vertices, origin); !wrong.empty()) {
+      return failure(path, fmt::format("part {}: {}", quoted(node.name), wrong));
+    }
+    MendedMesh mended = mend(vertices, node.triangles);
+    if (mended.mesh.triangles.empty()) continue;
+    move_to_world(mended.mesh.vertices, origin);
+    NamedMesh found{node.name, path_of(scene, i), i, {},
+                    below[i] != 0, std::move(mended.mesh), mended.report};
+    if (node.parent > 0) found.above = scene.nodes[static_cast<std::size_t>(node.parent)].name;
+    meshes.push_back(std::move(found));
+  }
+  if (meshes.empty()) return failure(path, kNoTriangles);
+  return meshes;
+}
+
 std::size_t bytes_of(const geometry::TriangleMesh& mesh) {
   return sizeof mesh + mesh.vertices.size() * sizeof(Vec3) +
          mesh.triangles.size() * sizeof(std::array<int, 3>);
@@ -275,20 +319,21 @@ std::variant<std::vector<NamedMesh>, MeshFailure> MeshReader::read_scene(
   std::variant<FileContent, SceneFailure> file =
       state_->source.read({request.path, request.folder, false});
   if (const auto* wrong = std::get_if<SceneFailure>(&file)) return failure(request.path, *wrong);
+  return nodes_of(*std::get<FileContent>(file).scene, request.path, {});
+}
+
+std::variant<std::vector<NamedMesh>, MeshFailure> MeshReader::read_nodes(
+    const MeshRequest& request) const {
+  std::variant<FileContent, SceneFailure> file =
+      state_->source.read({request.path, request.folder, request.up != 0});
+  if (const auto* wrong = std::get_if<SceneFailure>(&file)) return failure(request.path, *wrong);
   const FileScene& scene = *std::get<FileContent>(file).scene;
-  std::vector<NamedMesh> meshes;
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    const FileNode& node = scene.nodes[i];
-    if (std::string wrong = wrong_vertices(node.vertices, scene.origin); !wrong.empty()) {
-      return failure(request.path, fmt::format("part {}: {}", quoted(node.name), wrong));
-    }
-    MendedMesh mended = mend(node.vertices, node.triangles);
-    if (mended.mesh.triangles.empty()) continue;
-    move_to_world(mended.mesh.vertices, scene.origin);
-    meshes.push_back({node.name, path_of(scene, i), std::move(mended.mesh), mended.report});
-  }
-  if (meshes.empty()) return failure(request.path, kNoTriangles);
-  return meshes;
+  const std::variant<double, std::string> factor = factor_for(scene, request);
+  if (const auto* wrong = std::get_if<std::string>(&factor)) return failure(request.path, *wrong);
+  NodeTerms terms;
+  terms.factor = std::get<double>(factor);
+  terms.turn = request.up == 'y' || (request.up == 0 && scene.y_up);
+  return nodes_of(scene, request.path, terms);
 }
 
 }  // namespace rubicon::mesh_io

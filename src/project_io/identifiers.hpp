@@ -17,6 +17,9 @@ class Identifiers {
   std::string make(std::string_view name, const std::string& fallback,
                    const std::string& prefix = {});
 
+  /// Keeps a name for somebody else.
+  void reserve(const std::string& name) { taken_.insert(name); }
+
  private:
   std::set<std::string> taken_;
   std::map<std::string, int> next_;

@@ -24,14 +24,16 @@ LinkType from_point(LinkType type) {
 
 class NetworkBuilder {
  public:
-  NetworkBuilder(const Project& project, const Moment& start, Listing& listing)
-      : project_(project), start_(start), listing_(listing) {}
+  NetworkBuilder(const Project& project, const Moment& start, Listing& listing,
+                 const TaskParts& parts)
+      : project_(project), start_(start), listing_(listing), parts_(parts) {}
 
   PlanNetwork build() {
     const std::size_t count = project_.tasks.size();
     network_.tasks.resize(count);
     begins_.assign(count, false);
     ends_.assign(count, false);
+    end_links_.resize(count);
     for (std::size_t i = 0; i < count; ++i) index_.emplace(project_.tasks[i].uid, i);
     for (const Task& each : project_.tasks) {
       for (const Link& link : each.after) predecessors_.insert(link.predecessor);
@@ -49,6 +51,9 @@ class NetworkBuilder {
  private:
   const Task& task(std::size_t i) const { return project_.tasks[i]; }
   bool is_heading(std::size_t i) const { return project_.is_heading(i); }
+  bool is_in_parts(std::size_t i) const { return network_.tasks[i].in_parts; }
+  /// Whether its links go over milestones.
+  bool has_milestones(std::size_t i) const { return is_heading(i) || is_in_parts(i); }
 
   void find_parents() {
     parent_.assign(project_.tasks.size(), kNone32);
@@ -62,12 +67,17 @@ class NetworkBuilder {
 
   void make_names() {
     names_.make(kPlanBegins, kPlanBegins);
+    for (const auto& [uid, names] : parts_) {
+      for (const std::string& name : names) names_.reserve(name);
+    }
     for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
       PlanTask& planned = network_.tasks[i];
       const std::string prefix =
           parent_[i] == kNone32 ? std::string() : network_.tasks[parent_[i]].name;
       planned.name = names_.make(task(i).name, fmt::format("row_{}", task(i).uid), prefix);
       planned.planned = !is_heading(i) && task(i).active && !is_remark(i);
+      planned.in_parts = planned.planned && parts_.contains(task(i).uid);
+      if (planned.in_parts) planned.planned = false;
       planned.said.assign(task(i).after.size(), false);
       if (!task(i).active) {
         listing_.add("I08", "inactive", {},
@@ -86,13 +96,16 @@ class NetworkBuilder {
 
   /// Whether both ends of a link are in the plan and it binds what a plan can bind.
   bool can_say(std::size_t from, std::size_t to, LinkType type) const {
-    const auto is_there = [&](std::size_t i) { return is_heading(i) || network_.tasks[i].planned; };
+    const auto is_there = [&](std::size_t i) {
+      return has_milestones(i) || network_.tasks[i].planned;
+    };
     const bool to_finish = type == LinkType::FF || type == LinkType::SF;
     return is_there(from) && is_there(to) && !(is_heading(to) && to_finish);
   }
 
   /// Which milestones the links and the constraint of a line need.
   void note_headings(std::size_t i) {
+    if (is_in_parts(i)) begins_[i] = ends_[i] = true;
     for (const Link& link : task(i).after) {
       const std::size_t from = index_.at(link.predecessor);
       if (!can_say(from, i, link.type)) continue;
@@ -101,7 +114,7 @@ class NetworkBuilder {
       (link.type == LinkType::FS || link.type == LinkType::FF ? ends_ : begins_)[from] = true;
     }
     if (!constraint_link(task(i), start_)) return;
-    if (!is_heading(i) && !network_.tasks[i].planned) return;
+    if (!has_milestones(i) && !network_.tasks[i].planned) return;
     uses_begin_ = true;
     if (is_heading(i)) begins_[i] = true;
   }
@@ -118,8 +131,14 @@ class NetworkBuilder {
     begin_links_.resize(count);
   }
 
+  /// Where a link of this type to a line is written.
+  std::vector<PlanLink>& links_to(std::size_t i, LinkType type) {
+    if (!has_milestones(i)) return network_.tasks[i].after;
+    const bool to_finish = type == LinkType::FF || type == LinkType::SF;
+    return to_finish ? end_links_[i] : begin_links_[i];
+  }
+
   void make_links(std::size_t i) {
-    std::vector<PlanLink>& after = is_heading(i) ? begin_links_[i] : network_.tasks[i].after;
     for (std::size_t k = 0; k < task(i).after.size(); ++k) {
       const Link& link = task(i).after[k];
       const std::size_t from = index_.at(link.predecessor);
@@ -145,26 +164,26 @@ class NetworkBuilder {
                         task(from).name, task(i).name));
       }
       const bool heading_end =
-          is_heading(from) && (link.type == LinkType::FS || link.type == LinkType::FF);
+          has_milestones(from) && (link.type == LinkType::FS || link.type == LinkType::FF);
       PlanLink said;
-      said.predecessor = !is_heading(from) ? network_.tasks[from].name
-                         : heading_end     ? end_name_[from]
-                                           : begin_name_[from];
-      said.type = is_heading(from) ? from_point(link.type) : link.type;
+      said.predecessor = !has_milestones(from) ? network_.tasks[from].name
+                         : heading_end         ? end_name_[from]
+                                               : begin_name_[from];
+      said.type = has_milestones(from) ? from_point(link.type) : link.type;
       said.lag = lag;
-      after.push_back(said);
+      links_to(i, link.type).push_back(said);
       if (is_heading(from) && !heading_end) {
         listing_.add("I08", "heading start", {},
                      fmt::format("'{}' is bound to the start of '{}': in the plan to the moment at "
                                  "which that may start",
                                  task(i).name, task(from).name));
       }
-      network_.tasks[i].said[k] = !is_heading(from) && !is_heading(i) &&
+      network_.tasks[i].said[k] = !has_milestones(from) && !has_milestones(i) &&
                                   link.format == plan_lag_format(link.lag) && lag == link.lag;
     }
-    if (!is_heading(i) && !network_.tasks[i].planned) return;
+    if (!has_milestones(i) && !network_.tasks[i].planned) return;
     if (const auto link = constraint_link(task(i), start_)) {
-      after.push_back(*link);
+      links_to(i, is_heading(i) ? LinkType::FS : link->type).push_back(*link);
       if (task(i).constraint == Constraint::must_start_on ||
           task(i).constraint == Constraint::must_finish_on) {
         listing_.add("I08", "must", {},
@@ -198,7 +217,6 @@ class NetworkBuilder {
 
   /// What is below a heading waits for its beginning; its end waits for what is below.
   void add_outline_links() {
-    end_links_.resize(project_.tasks.size());
     for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
       const std::size_t begin = nearest(i, begins_);
       if (begin != kNone32) {
@@ -226,18 +244,25 @@ class NetworkBuilder {
   void finish_milestones() {
     const bool none_planned = std::none_of(network_.tasks.begin(), network_.tasks.end(),
                                            [](const PlanTask& each) { return each.planned; });
-    if (uses_begin_ || none_planned) network_.milestones.push_back({kPlanBegins, 0, {}});
+    if (uses_begin_ || none_planned) network_.milestones.push_back({kPlanBegins, 0, false, {}});
     for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
       if (begins_[i]) {
-        network_.milestones.push_back({begin_name_[i], i, std::move(begin_links_[i])});
+        network_.milestones.push_back({begin_name_[i], i, false, std::move(begin_links_[i])});
       }
-      if (ends_[i]) network_.milestones.push_back({end_name_[i], i, std::move(end_links_[i])});
+      if (!ends_[i]) continue;
+      if (is_in_parts(i)) {
+        for (const std::string& name : parts_.at(task(i).uid)) {
+          end_links_[i].push_back({name, LinkType::FS, 0});
+        }
+      }
+      network_.milestones.push_back({end_name_[i], i, is_in_parts(i), std::move(end_links_[i])});
     }
   }
 
   const Project& project_;
   const Moment& start_;
   Listing& listing_;
+  const TaskParts& parts_;
   PlanNetwork network_;
   Identifiers names_;
   std::unordered_map<std::int64_t, std::size_t> index_;
@@ -294,8 +319,9 @@ std::optional<PlanLink> constraint_link(const Task& task, const Moment& start) {
   }
 }
 
-PlanNetwork plan_network(const Project& project, const Moment& start, Listing& listing) {
-  return NetworkBuilder(project, start, listing).build();
+PlanNetwork plan_network(const Project& project, const Moment& start, Listing& listing,
+                         const TaskParts& parts) {
+  return NetworkBuilder(project, start, listing, parts).build();
 }
 
 }  // namespace rubicon::project_io

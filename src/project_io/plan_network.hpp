@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct PlanLink {
 struct PlanTask {
   std::string name;  ///< of headings too: it is unique among all lines
   bool planned = false;
+  bool in_parts = false;  ///< other tasks do it, between its milestones; it is not planned itself
   std::vector<PlanLink> after;
   std::vector<bool> said;  ///< which of the line's links the plan says just so
 };
@@ -30,12 +32,14 @@ struct PlanTask {
 struct PlanMilestone {
   std::string name;
   std::size_t before = 0;  ///< the line before which it is written
+  bool ends = false;       ///< it stands behind all parts of that line
   std::vector<PlanLink> after;
 };
 
 /// The lines of a schedule as tasks of a plan with names and links. Links to and from headings go
-/// over milestones NAME_begins (before all that is below) and NAME_ends (after all of it); "not
-/// before this date" becomes a lag behind the milestone plan_begins.
+/// over milestones NAME_begins (before all that is below) and NAME_ends (after all of it), and so
+/// do those of tasks that are done in parts; "not before this date" becomes a lag behind the
+/// milestone plan_begins.
 struct PlanNetwork {
   std::vector<PlanTask> tasks;            ///< one a line, in their order
   std::vector<PlanMilestone> milestones;  ///< by `before`
@@ -44,9 +48,14 @@ struct PlanNetwork {
 /// The name of the milestone at which the plan starts.
 inline constexpr const char* kPlanBegins = "plan_begins";
 
+/// The tasks of the plan that do a task of the schedule, by its uid; their names are no names of
+/// lines then.
+using TaskParts = std::map<std::int64_t, std::vector<std::string>>;
+
 /// `start` is the moment at which the plan starts, empty if it says none. What the plan cannot say
 /// is listed (I08).
-PlanNetwork plan_network(const Project& project, const Moment& start, Listing& listing);
+PlanNetwork plan_network(const Project& project, const Moment& start, Listing& listing,
+                         const TaskParts& parts = {});
 
 /// The lag of a link in a plan, in seconds that run day and night; percents count from the
 /// predecessor's duration. Of working time each whole week of the project counts seven days and

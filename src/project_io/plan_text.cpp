@@ -85,11 +85,18 @@ CarriedWriter fields_of(const Record& record) {
 
 class PlanWriter {
  public:
-  PlanWriter(const Project& project, const std::string& file, interpreter::Diagnostics& diagnostics)
-      : project_(project), file_(file), diagnostics_(diagnostics), start_(plan_start(project)) {}
+  PlanWriter(const Project& project, const std::string& file, const PlanInsert& insert,
+             interpreter::Diagnostics& diagnostics)
+      : project_(project),
+        file_(file),
+        insert_(insert),
+        diagnostics_(diagnostics),
+        start_(plan_start(project)) {}
 
   std::string write() {
-    network_ = plan_network(project_, start_, listing_);
+    network_ = plan_network(project_, start_, listing_, part_names());
+    for (const std::string& name : insert_.calendars) calendar_names_.reserve(name);
+    for (const std::string& name : insert_.workers) crew_names_.reserve(name);
     for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
       task_index_.emplace(project_.tasks[i].uid, i);
     }
@@ -101,6 +108,7 @@ class PlanWriter {
     }
     write_calendars();
     write_crews();
+    out_ += insert_.items;
     write_tasks();
     write_carried(name);
     out_ += "}\n";
@@ -111,6 +119,14 @@ class PlanWriter {
  private:
   // ---- what the plan says
   // ------------------------------------------------------------------------
+
+  TaskParts part_names() const {
+    TaskParts names;
+    for (const auto& [uid, parts] : insert_.parts) {
+      for (const PlanInsert::Part& part : parts) names[uid].push_back(part.name);
+    }
+    return names;
+  }
 
   void write_calendars() {
     for (const Calendar& calendar : project_.calendars) {
@@ -229,22 +245,36 @@ class PlanWriter {
            milestone < network_.milestones.size() && network_.milestones[milestone].before <= until;
            ++milestone) {
         const PlanMilestone& each = network_.milestones[milestone];
+        if (each.ends) write_parts(each.before, network_.milestones[milestone - 1].name);
         out_ += fmt::format("task {} {{\ntakes 0 s;\n{}}}\n", each.name, links_text(each.after));
       }
     };
     out_ += '\n';
     for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
-      if (!network_.tasks[i].planned) write_heading(project_.tasks[i]);
+      const PlanTask& planned = network_.tasks[i];
+      if (!planned.planned) write_heading(project_.tasks[i], planned.in_parts);
       write_milestones(i);
       if (network_.tasks[i].planned) write_task(i, crews[i]);
     }
     write_milestones(SIZE_MAX);
   }
 
-  /// A line that is no task: a heading, or a remark.
-  void write_heading(const Task& task) {
+  /// What is done in place of a line's duration, behind the milestone at which that begins.
+  void write_parts(std::size_t i, const std::string& begins) {
+    for (const PlanInsert::Part& part : insert_.parts.at(project_.tasks[i].uid)) {
+      out_ += fmt::format("task {} {{\n{}after {};\n}}\n", part.name, part.items, begins);
+    }
+  }
+
+  /// A line that is no task: a heading, a remark, or a task that is done in parts.
+  void write_heading(const Task& task, bool in_parts) {
     const std::string text = remark(task.name);
     out_ += '\n';
+    if (in_parts) {
+      out_ += fmt::format("// {} ({} parts; {} in the schedule)\n", text,
+                          insert_.parts.at(task.uid).size(), time_text(plan_seconds(task)));
+      return;
+    }
     if (text.empty()) return;
     const auto level = static_cast<std::size_t>(std::max(task.level, 1));
     out_ += fmt::format("// {} {}{}\n", std::string(level, '='), text,
@@ -309,6 +339,11 @@ class PlanWriter {
     for (const PlanMilestone& each : network_.milestones) {
       out_ += fmt::format("milestone {};\n", each.name);
     }
+    for (const auto& [uid, parts] : insert_.parts) {
+      for (const PlanInsert::Part& part : parts) {
+        out_ += fmt::format("milestone {};\n", part.name);
+      }
+    }
     for (const std::string& name : own_crews_) out_ += fmt::format("own_crew {};\n", name);
     carry_tasks();
     const CarriedWriter usual_assignment = fields_of(Assignment());
@@ -370,6 +405,7 @@ class PlanWriter {
 
   const Project& project_;
   const std::string& file_;
+  const PlanInsert& insert_;
   interpreter::Diagnostics& diagnostics_;
   const Moment start_;
   Listing listing_;
@@ -386,8 +422,8 @@ class PlanWriter {
 }  // namespace
 
 std::string plan_text(const Project& project, const std::string& file,
-                      interpreter::Diagnostics& diagnostics) {
-  return PlanWriter(project, file, diagnostics).write();
+                      interpreter::Diagnostics& diagnostics, const PlanInsert& insert) {
+  return PlanWriter(project, file, insert, diagnostics).write();
 }
 
 }  // namespace rubicon::project_io

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace rubicon::building_io {
+
+/// A name out of a model for a plan, a table or a message: UTF-8 on one line, without control
+/// characters.
+std::string clean(std::string_view name);
+
+/// Whether a text can stand between the quotation marks of a plan.
+bool can_be_quoted(std::string_view text);
+
+/// Between quotation marks for a remark, shortened where it is long; "-" if it is empty.
+std::string remark_name(std::string_view name);
+
+}  // namespace rubicon::building_io

@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "src/building_io/building_plan.hpp"
+#include "src/building_io/match_file.hpp"
+#include "src/building_io/names.hpp"
+#include "src/building_io/read_elements.hpp"
+#include "src/cli/commands.hpp"
+#include "src/cli/import_schedule.hpp"
+#include "src/files/disk_io.hpp"
+#include "src/mesh_io/mesh_format.hpp"
+#include "src/mesh_io/mesh_io.hpp"
+#include "src/report/diagnostic_printer.hpp"
+
+namespace rubicon::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One run of `rubicon import` on models.
+class BuildingImport {
+ public:
+  explicit BuildingImport(const ImportOptions& options) : options_(options) {
+    const fs::path out = options.out.empty() ? fs::path("building.plan") : fs::path(options.out);
+    folder_ = out.parent_path().empty() ? "." : out.parent_path().string();
+    stem_ = building_io::clean(out.stem().string());
+  }
+
+  int run() {
+    if (options_.schedule.empty() != options_.match.empty()) {
+      return fail("--schedule and --match go together: the match file joins elements to tasks");
+    }
+    const std::optional<building_io::BuildingPlan> plan = make_plan();
+    const std::string messages =
+        report::print_text(diagnostics_.sorted(), sources_, files::wants_colour(stderr));
+    std::fwrite(messages.data(), 1, messages.size(), stderr);
+    if (!plan || diagnostics_.has_errors()) return kWrongInput;
+    return options_.out.empty() ? print(*plan) : write(*plan);
+  }
+
+ private:
+  static int fail(const std::string& message) {
+    fmt::print(stderr, "rubicon: error: {}\n", message);
+    return kWrongInput;
+  }
+
+  std::optional<building_io::BuildingPlan> make_plan() {
+    std::vector<building_io::ModelFile> models;
+    for (const std::string& path : options_.files) {
+      if (auto model = read_model(path)) models.push_back(std::move(*model));
+    }
+    if (diagnostics_.has_errors()) return std::nullopt;
+    building_io::ModelTerms terms;
+    terms.folder = folder_;
+    terms.unit = options_.unit;
+    terms.up = options_.up.empty() ? '\0' : options_.up.front();
+    const building_io::Elements elements = building_io::read_elements(
+        models, terms, mesh_io::MeshReader::beside_command(), diagnostics_);
+    if (diagnostics_.has_errors()) return std::nullopt;
+    building_io::PlanNames names{stem_, stem_ + "_meshes"};
+    if (options_.match.empty()) return building_io::standing_building(elements, names);
+    return make_work(elements, names);
+  }
+
+  std::optional<building_io::BuildingPlan> make_work(const building_io::Elements& elements,
+                                                     const building_io::PlanNames& names) {
+    const auto project = read_schedule(options_.schedule, disk_, sources_, diagnostics_);
+    const auto text = disk_.read_text(options_.match);
+    if (const auto* failure = std::get_if<interpreter::FileFailure>(&text)) {
+      diagnostics_.error("F01", {}, fmt::format("'{}': {}", options_.match, failure->message));
+      return std::nullopt;
+    }
+    const building_io::MatchFile match = building_io::read_match_file(
+        sources_, sources_.add(options_.match, std::get<std::string>(text)), diagnostics_);
+    if (!project || diagnostics_.has_errors()) return std::nullopt;
+    building_io::BuildingTasks tasks;
+    tasks.project = &*project;
+    tasks.schedule = building_io::clean(fs::path(options_.schedule).filename().string());
+    tasks.match = &match;
+    return building_io::building_under_work(elements, tasks, names, diagnostics_);
+  }
+
+  /// A model with the name that the plan will give it.
+  std::optional<building_io::ModelFile> read_model(const std::string& path) {
+    const auto wrong = [&](const std::string& message, const std::string& hint) {
+      diagnostics_.error("I11", {}, fmt::format("model '{}' {}", path, message), hint);
+      return std::nullopt;
+    };
+    std::error_code error;
+    const fs::path file = fs::canonical(path, error);
+    if (error) return wrong("cannot be read: " + error.message(), "");
+    const fs::path folder = fs::canonical(folder_, error);
+    if (error) return wrong(fmt::format("has no folder '{}' to go with", folder_), "");
+    building_io::ModelFile model;
+    model.path = path;
+    model.reference = file.lexically_relative(folder).string();
+    if (model.reference.empty() || model.reference.starts_with("..")) {
+      return wrong("lies outside the folder of the plan",
+                   "write the plan (--out) into the folder of its models, or copy them there");
+    }
+    if (!building_io::can_be_quoted(model.reference)) {
+      return wrong("has a name that a plan cannot hold", "rename it");
+    }
+    if (mesh_io::format_of(path)->name == "IFC") {
+      auto text = disk_.read_text(path);
+      if (const auto* failure = std::get_if<interpreter::FileFailure>(&text)) {
+        return wrong("cannot be read: " + failure->message, "");
+      }
+      model.text = std::get<std::string>(std::move(text));
+    }
+    if (mesh_io::needs_unit(path) && options_.unit.empty()) {
+      return wrong("says no unit", "give --unit mm, cm or m");
+    }
+    return model;
+  }
+
+  static int print(const building_io::BuildingPlan& plan) {
+    if (!plan.meshes.empty()) {
+      return fail(
+          fmt::format("{} elements need mesh files of their own beside the plan; give --out",
+                      plan.meshes.size()));
+    }
+    std::fwrite(plan.plan.data(), 1, plan.plan.size(), stdout);
+    return kFine;
+  }
+
+  /// The plan last: when it is there, all it needs is.
+  int write(const building_io::BuildingPlan& plan) const {
+    const std::string base = folder_ + "/";
+    if (!plan.meshes.empty()) {
+      if (const auto failure = files::make_folder(base + stem_ + "_meshes")) return fail(*failure);
+    }
+    for (const auto& mesh : plan.meshes) {
+      if (const auto failure = files::write_file(base + mesh.name, mesh.text)) {
+        return fail(*failure);
+      }
+    }
+    const std::string table = base + stem_ + "_elements.csv";
+    if (const auto failure = files::write_file(table, plan.elements)) return fail(*failure);
+    if (const auto failure = files::write_file(options_.out, plan.plan)) return fail(*failure);
+    return kFine;
+  }
+
+  const ImportOptions& options_;
+  std::string folder_;  ///< of the plan
+  std::string stem_;    ///< its name without ending
+  files::DiskFiles disk_;
+  interpreter::SourceMap sources_;
+  interpreter::Diagnostics diagnostics_;
+};
+
+}  // namespace
+
+int import_building(const ImportOptions& options) { return BuildingImport(options).run(); }
+
+}  // namespace rubicon::cli

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "interpreter/diagnostic.hpp"
+#include "interpreter/file_provider.hpp"
+#include "src/project_io/project.hpp"
+
+namespace rubicon::cli {
+
+/// Reads a schedule of another program from the disk; what is wrong or doubtful goes into
+/// `diagnostics`. Nothing if it cannot be read.
+std::optional<project_io::Project> read_schedule(const std::string& path,
+                                                 interpreter::FileProvider& disk,
+                                                 interpreter::SourceMap& sources,
+                                                 interpreter::Diagnostics& diagnostics);
+
+}  // namespace rubicon::cli
