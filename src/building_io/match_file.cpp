@@ -159,7 +159,16 @@ class MatchReader {
       if (is("stack") ? !stack(area.stack) : (next(), !length(area.gap))) return false;
     }
     if (area.gap < 0) return expected("a gap of 0 or more");
+    const Span span = span_of(word.begin, last_end_);
     if (!take(';', "after a stock area")) return false;
+    for (const StockArea& other : result_.stocks) {
+      const auto& a = area.box;
+      const auto& b = other.box;
+      if ((a.lower.array() < b.upper.array()).all() && (b.lower.array() < a.upper.array()).all()) {
+        diagnostics_.error("I12", span, "this stock area lies in another one",
+                           "what waits in both would stand in each other");
+      }
+    }
     result_.stocks.push_back(std::move(area));
     return true;
   }
@@ -266,7 +275,12 @@ class MatchReader {
     rule.terms = defaults_;
     if (!action(rule)) return false;
     rule.span = span_of(begin, last_end_);
-    if (!take(';', "after a rule")) return false;
+    const bool closed = *(last_end_ - 1) == '}';
+    if (token_.is_symbol(';')) {
+      next();
+    } else if (!closed) {
+      return take(';', "after a rule");
+    }
     result_.rules.push_back(std::move(rule));
     return true;
   }
@@ -282,6 +296,10 @@ class MatchReader {
     } else if (token_.kind == Token::Kind::name && condition.field == Field::type) {
       condition.pattern = token_.text();
       next();
+      if (token_.is_symbol('*') && token_.begin == last_end_) {  // IfcWall*
+        condition.pattern += '*';
+        next();
+      }
     } else {
       return expected("a pattern such as \"*floor*\"");
     }
