@@ -149,7 +149,7 @@ class WorkWriter {
       }
     }
     const auto places = lay_out(items, match_.stocks);
-    report_room(places);
+    report_room(items, places);
     std::size_t item = 0;
     for (const Activity& activity : matching_.activities) {
       const std::int64_t uid = tasks_.project->tasks[activity.task].uid;
@@ -172,10 +172,13 @@ class WorkWriter {
     insert_.items += component_text(element, terms);
     project_io::PlanInsert::Part part;
     part.name = "set_" + element.component;
+    part.awaited = !how.unlinked;
     part.items =
         fmt::format("by {};\nmove {} to {};\n", how.by, element.component, target_text(element));
-    for (const auto& [word, text] :
-         {std::pair("hook", &how.hook), {"adjust", &how.adjust}, {"release", &how.release}}) {
+    for (const auto& [word, text] : {std::pair("hook", &how.hook),
+                                     {"adjust", &how.adjust},
+                                     {"release", &how.release},
+                                     {"priority", &how.priority}}) {
       if (!text->empty()) part.items += fmt::format("{} {};\n", word, *text);
     }
     ElementRow& row = rows_[move.element];
@@ -209,15 +212,25 @@ class WorkWriter {
         "give one in their rule: { mass 120; }");
   }
 
-  void report_room(const std::vector<std::optional<StockPlace>>& places) {
-    const auto without = std::count(places.begin(), places.end(), std::nullopt);
-    if (without == 0) return;
-    diagnostics_.error("I17", {},
-                       match_.stocks.empty()
-                           ? std::string("there is no stock area for the elements to wait in")
-                           : fmt::format("{} of {} elements find no room in the stock areas",
-                                         without, places.size()),
-                       "in the match file: stock box(x0, y0, z0, x1, y1, z1) stack 5 gap 0.5 m;");
+  void report_room(const std::vector<StockItem>& items,
+                   const std::vector<std::optional<StockPlace>>& places) {
+    std::map<std::string, std::vector<std::string>> without;  // by area
+    std::size_t item = 0;
+    for (const Activity& activity : matching_.activities) {
+      for (const Activity::Move& move : activity.moves) {
+        if (!places[item]) without[items[item].stock].push_back(elements()[move.element].component);
+        ++item;
+      }
+    }
+    for (const auto& [area, names] : without) {
+      const std::string where = match_.stocks.empty() ? "for there is no stock area"
+                                : area.empty()        ? "in the stock areas"
+                                                      : fmt::format("in stock area '{}'", area);
+      diagnostics_.error("I17", {},
+                         fmt::format("{} of {} elements find no room {}: {}", names.size(),
+                                     places.size(), where, joined(names, kGroupsShown)),
+                         "in the match file: stock box(x0, y0, z0, x1, y1, z1) stack 5 gap 0.5 m;");
+    }
   }
 
   Vec3 origin_;

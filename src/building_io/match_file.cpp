@@ -100,7 +100,7 @@ class MatchReader {
     if (is_field() || token_.is_symbol('-')) return rule();
     return expected("a rule such as: type IfcSlab -> task \"Lay floor\";",
                     "rules begin with storey, type, name, guid, file or ->; others: plan, stock, "
-                    "by, hook, adjust, release, grip, mass, density");
+                    "by, hook, adjust, release, grip, mass, density, priority");
   }
 
   /// plan { ... }: kept as it stands.
@@ -212,7 +212,7 @@ class MatchReader {
 
   bool is_term() const {
     for (const std::string_view word :
-         {"by", "hook", "adjust", "release", "grip", "mass", "density"}) {
+         {"by", "hook", "adjust", "release", "grip", "mass", "density", "priority", "unlinked"}) {
       if (is(word)) return true;
     }
     return false;
@@ -222,6 +222,10 @@ class MatchReader {
   bool term(MoveTerms& terms) {
     const std::string_view word = token_.text();
     next();
+    if (word == "unlinked") {
+      terms.unlinked = true;
+      return true;
+    }
     if (word == "density") {
       double density = 0;
       if (!number(density)) return false;
@@ -230,12 +234,13 @@ class MatchReader {
       terms.mass.clear();
       return true;
     }
-    std::string& text = word == "by"       ? terms.by
-                        : word == "hook"   ? terms.hook
-                        : word == "adjust" ? terms.adjust
-                        : word == "grip"   ? terms.grip
-                        : word == "mass"   ? terms.mass
-                                           : terms.release;
+    std::string& text = word == "by"         ? terms.by
+                        : word == "hook"     ? terms.hook
+                        : word == "adjust"   ? terms.adjust
+                        : word == "grip"     ? terms.grip
+                        : word == "mass"     ? terms.mass
+                        : word == "priority" ? terms.priority
+                                             : terms.release;
     return words(text);
   }
 
@@ -354,7 +359,8 @@ class MatchReader {
         terms.stock = token_.text();
         next();
       } else if (!is_term()) {
-        return expected("by, hook, adjust, release, grip, mass, density, stock or '}'");
+        return expected(
+            "by, hook, adjust, release, grip, mass, density, priority, stock, unlinked or '}'");
       } else if (!term(terms)) {
         return false;
       }

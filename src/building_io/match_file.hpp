@@ -15,8 +15,10 @@ struct MoveTerms {
   std::string by;                     ///< "crane" or "crane, riggers"
   std::string hook, adjust, release;  ///< "4 min by riggers"; empty: none
   std::string grip;                   ///< a frame behind the middle of the upper side; empty: that
+  std::string priority;               ///< of the tasks; empty: none
   std::string mass;                   ///< "1.2 t"; empty: by density
   std::optional<double> density;      ///< kg/m3
+  bool unlinked = false;              ///< what comes after the task does not wait for them
   std::string stock;                  ///< name of the area they wait in; empty: the first with room
 };
 

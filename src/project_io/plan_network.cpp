@@ -67,8 +67,8 @@ class NetworkBuilder {
 
   void make_names() {
     names_.make(kPlanBegins, kPlanBegins);
-    for (const auto& [uid, names] : parts_) {
-      for (const std::string& name : names) names_.reserve(name);
+    for (const auto& [uid, parts] : parts_) {
+      for (const TaskPart& part : parts) names_.reserve(part.name);
     }
     for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
       PlanTask& planned = network_.tasks[i];
@@ -251,8 +251,10 @@ class NetworkBuilder {
       }
       if (!ends_[i]) continue;
       if (is_in_parts(i)) {
-        for (const std::string& name : parts_.at(task(i).uid)) {
-          end_links_[i].push_back({name, LinkType::FS, 0});
+        // Also where none is awaited the end does not come before the beginning.
+        end_links_[i].push_back({begin_name_[i], LinkType::FS, 0});
+        for (const TaskPart& part : parts_.at(task(i).uid)) {
+          if (part.awaited) end_links_[i].push_back({part.name, LinkType::FS, 0});
         }
       }
       network_.milestones.push_back({end_name_[i], i, is_in_parts(i), std::move(end_links_[i])});

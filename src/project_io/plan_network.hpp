@@ -48,9 +48,13 @@ struct PlanNetwork {
 /// The name of the milestone at which the plan starts.
 inline constexpr const char* kPlanBegins = "plan_begins";
 
-/// The tasks of the plan that do a task of the schedule, by its uid; their names are no names of
-/// lines then.
-using TaskParts = std::map<std::int64_t, std::vector<std::string>>;
+/// A task of the plan that does a part of a task of the schedule.
+struct TaskPart {
+  std::string name;     ///< no line is called so
+  bool awaited = true;  ///< the end of the task waits for it
+};
+/// By uid of the task.
+using TaskParts = std::map<std::int64_t, std::vector<TaskPart>>;
 
 /// `start` is the moment at which the plan starts, empty if it says none. What the plan cannot say
 /// is listed (I08).

@@ -123,7 +123,7 @@ class PlanWriter {
   TaskParts part_names() const {
     TaskParts names;
     for (const auto& [uid, parts] : insert_.parts) {
-      for (const PlanInsert::Part& part : parts) names[uid].push_back(part.name);
+      for (const PlanInsert::Part& part : parts) names[uid].push_back({part.name, part.awaited});
     }
     return names;
   }

@@ -19,8 +19,9 @@ inline constexpr double kMaxPlanSeconds = interpreter::kMaxDuration;
 struct PlanInsert {
   /// A task of the plan that does a part of a task of the schedule.
   struct Part {
-    std::string name;   ///< unique among the parts
-    std::string items;  ///< all but its links, as plan text
+    std::string name;     ///< unique among the parts
+    std::string items;    ///< all but its links, as plan text
+    bool awaited = true;  ///< what comes after the task waits for this part
   };
   std::string items;                ///< of the plan, before its tasks: robots, components ...
   std::set<std::string> workers;    ///< names of robots and crews in them
