@@ -13,6 +13,7 @@
 #include "src/building_io/names.hpp"
 #include "src/building_io/stock_layout.hpp"
 #include "src/project_io/identifiers.hpp"
+#include "src/project_io/plan_terms.hpp"
 #include "src/project_io/plan_text.hpp"
 
 namespace rubicon::building_io {
@@ -97,23 +98,23 @@ class WorkWriter {
   void list_idle_tasks() {
     if (matching_.idle_tasks.empty()) return;
     std::vector<std::string> names;
-    insert_.items += fmt::format("// {} tasks put no element into place and keep their duration:\n",
-                                 matching_.idle_tasks.size());
+    insert_.items += fmt::format("// {} without an element; they keep their duration:\n",
+                                 counted(matching_.idle_tasks.size(), "task"));
     for (const std::size_t i : matching_.idle_tasks) {
       names.push_back(matching_.plan_names[i]);
       insert_.items += fmt::format("//   {}\n", matching_.plan_names[i]);
     }
     diagnostics_.warning(
         "I16", {},
-        fmt::format("{} tasks of the schedule put no element into place and keep their duration: "
-                    "{}",
-                    names.size(), joined(names, kTasksShown)));
+        fmt::format("{} of the schedule without an element; they keep their duration: {}",
+                    counted(names.size(), "task"), joined(names, kTasksShown)));
   }
 
   void list_elements(const std::vector<std::size_t>& which, const char* fate, const char* why) {
     if (which.empty()) return;
     std::map<std::string, int> groups;
-    insert_.items += fmt::format("// {} elements that {}:\n", which.size(), why);
+    insert_.items +=
+        fmt::format("// {} that {}; no part of the plan:\n", counted(which.size(), "element"), why);
     for (const std::size_t i : which) {
       const Element& element = elements()[i];
       rows_[i].fate = fate;
@@ -125,9 +126,10 @@ class WorkWriter {
     }
     std::vector<std::string> names;
     for (const auto& [group, count] : groups) names.push_back(fmt::format("{} {}", count, group));
-    const std::string text =
-        fmt::format("{} elements that {}: {}", which.size(), why, joined(names, kGroupsShown));
-    diagnostics_.warning("I15", {}, text + "; they are no part of the plan");
+    diagnostics_.warning(
+        "I15", {},
+        fmt::format("{} that {}; no part of the plan: {}", counted(which.size(), "element"), why,
+                    joined(names, kGroupsShown)));
   }
 
   void write_standing() {
@@ -152,16 +154,16 @@ class WorkWriter {
     report_room(items, places);
     std::size_t item = 0;
     for (const Activity& activity : matching_.activities) {
-      const std::int64_t uid = tasks_.project->tasks[activity.task].uid;
       for (const Activity::Move& move : activity.moves) {
-        write_move(activity, move, places[item++].value_or(StockPlace{}), uid);
+        write_move(activity, move, places[item++].value_or(StockPlace{}));
       }
     }
     report_masses();
   }
 
-  void write_move(const Activity& activity, const Activity::Move& move, const StockPlace& place,
-                  std::int64_t uid) {
+  void write_move(const Activity& activity, const Activity::Move& move, const StockPlace& place) {
+    const project_io::Task& task = tasks_.project->tasks[activity.task];
+    const double hours = static_cast<double>(project_io::plan_seconds(task)) / 3600;
     const Element& element = elements()[move.element];
     const MoveTerms& how = match_.rules[move.rule].terms;
     ComponentTerms terms;
@@ -184,9 +186,10 @@ class WorkWriter {
     ElementRow& row = rows_[move.element];
     row.fate = "moved";
     row.activity = activity.plan_name;
+    row.hours = number_text(hours);
     row.task = part.name;
     row.mass = terms.mass;
-    insert_.parts[uid].push_back(std::move(part));
+    insert_.parts[task.uid].push_back(std::move(part));
   }
 
   std::string target_text(const Element& element) const {
@@ -207,8 +210,8 @@ class WorkWriter {
     if (without_mass_.empty()) return;
     diagnostics_.warning(
         "I18", {},
-        fmt::format("{} elements have no mass, for their surface is not closed: {}",
-                    without_mass_.size(), joined(without_mass_, kGroupsShown)),
+        fmt::format("{} without a mass, for the surface is not closed: {}",
+                    counted(without_mass_.size(), "element"), joined(without_mass_, kGroupsShown)),
         "give one in their rule: { mass 120; }");
   }
 
@@ -226,10 +229,11 @@ class WorkWriter {
       const std::string where = match_.stocks.empty() ? "for there is no stock area"
                                 : area.empty()        ? "in the stock areas"
                                                       : fmt::format("in stock area '{}'", area);
-      diagnostics_.error("I17", {},
-                         fmt::format("{} of {} elements find no room {}: {}", names.size(),
-                                     places.size(), where, joined(names, kGroupsShown)),
-                         "in the match file: stock box(x0, y0, z0, x1, y1, z1) stack 5 gap 0.5 m;");
+      diagnostics_.error(
+          "I17", {},
+          fmt::format("{} of {} without room {}: {}", names.size(),
+                      counted(places.size(), "element"), where, joined(names, kGroupsShown)),
+          "in the match file: stock box(x0, y0, z0, x1, y1, z1) stack 5 gap 0.5 m;");
     }
   }
 
@@ -256,7 +260,7 @@ BuildingPlan standing_building(const Elements& elements, const PlanNames& names)
     terms.at = element.frame.origin - elements.origin;
     terms.turn_deg = element.frame.turn_deg;
     text += component_text(element, terms);
-    rows.push_back({&element, "stands", "", "", ""});
+    rows.push_back({&element, "stands", "", "", "", ""});
   }
   parts.result.plan = interpreter::format_text(text + "}\n", interpreter::TextKind::plan);
   parts.result.elements = elements_table(rows, elements.origin);

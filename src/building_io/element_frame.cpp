@@ -81,7 +81,7 @@ double direction_of(const std::vector<Point>& hull) {
     const double x = b[0] - a[0];
     const double y = b[1] - a[1];
     const double edge = std::sqrt(x * x + y * y);
-    if (!(edge > kPlaceGrid)) continue;
+    if (!(edge * kPlacesPerMetre > 1)) continue;
     const Extent extent = extent_along(hull, x / edge, y / edge);
     const double area = extent.length() * extent.width();
     const bool smaller = area < best_area * (1 - kSameArea);
@@ -122,7 +122,10 @@ double volume_of(const geometry::TriangleMesh& mesh) {
 
 }  // namespace
 
-double on_grid(double metres) { return std::round(metres / kPlaceGrid) * kPlaceGrid + 0.0; }
+// Divided, so that it is the double nearest to the decimal number.
+double on_grid(double metres) {
+  return std::round(metres * kPlacesPerMetre) / kPlacesPerMetre + 0.0;
+}
 
 ElementFrame frame_of(const geometry::TriangleMesh& mesh) {
   ElementFrame frame;

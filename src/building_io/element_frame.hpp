@@ -5,7 +5,7 @@
 namespace rubicon::building_io {
 
 /// Places are given to 0.01 mm: finer than any model is drawn, and short to read.
-inline constexpr double kPlaceGrid = 1e-5;
+inline constexpr double kPlacesPerMetre = 1e5;
 
 /// A number on that grid, never -0.
 double on_grid(double metres);

@@ -12,6 +12,7 @@ struct ElementRow {
   const Element* element = nullptr;
   std::string fate;      ///< moved, stands, left out, unmatched
   std::string activity;  ///< the line of the schedule that it belongs to, as the plan calls it
+  std::string hours;     ///< how long that takes by the schedule, h
   std::string task;      ///< the task of the plan that puts it into place
   std::string mass;
 };

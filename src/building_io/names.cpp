@@ -1,5 +1,7 @@
 #include "src/building_io/names.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "src/project_io/decode_text.hpp"
@@ -23,6 +25,10 @@ std::string clean(std::string_view name) {
 
 bool can_be_quoted(std::string_view text) {
   return text == clean(text) && text.find('"') == std::string_view::npos;
+}
+
+std::string counted(std::size_t count, const std::string& thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
 std::string remark_name(std::string_view name) {

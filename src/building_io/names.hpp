@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,9 @@ std::string clean(std::string_view name);
 
 /// Whether a text can stand between the quotation marks of a plan.
 bool can_be_quoted(std::string_view text);
+
+/// "1 element", "3 elements".
+std::string counted(std::size_t count, const std::string& thing);
 
 /// Between quotation marks for a remark, shortened where it is long; "-" if it is empty.
 std::string remark_name(std::string_view name);

@@ -140,7 +140,7 @@ class ElementReader {
   // ---- other formats
 
   void read_nodes(const ModelFile& model, const std::vector<NamedMesh>& nodes) {
-    result_.notes.push_back(fmt::format("{}: {} elements", model.reference, nodes.size()));
+    result_.notes.push_back(model.reference + ": " + counted(nodes.size(), "element"));
     std::map<std::string, int> count;
     for (const NamedMesh& node : nodes) ++count[node.name];
     for (const NamedMesh& node : nodes) {

@@ -271,8 +271,9 @@ class PlanWriter {
     const std::string text = remark(task.name);
     out_ += '\n';
     if (in_parts) {
-      out_ += fmt::format("// {} ({} parts; {} in the schedule)\n", text,
-                          insert_.parts.at(task.uid).size(), time_text(plan_seconds(task)));
+      const std::size_t count = insert_.parts.at(task.uid).size();
+      out_ += fmt::format("// {} ({} part{}; {} in the schedule)\n", text, count,
+                          count == 1 ? "" : "s", time_text(plan_seconds(task)));
       return;
     }
     if (text.empty()) return;
