@@ -16,7 +16,7 @@ usage: rubicon COMMAND ...
   why PLAN|RESULT TASK           tell why a task failed, took long or came late
   test DIR...                    run golden cases and compare them with what is expected
   verify RESULT                  replay a result by other means and look for contact, gaps and broken links
-  import FILE [--out PLAN]       make a plan of a schedule from Microsoft Project or Primavera P6
+  import FILE... [--out PLAN]    make a plan of a schedule, of a building model, or of both
   export PLAN --mspdi FILE       write a plan as a schedule for other programs
   fmt FILE...                    write files in the one canonical form
   help [COMMAND]                 this page, or the page of a command
@@ -164,23 +164,36 @@ examples:
 )";
 
 constexpr std::string_view kImport =
-    R"(rubicon import - make a plan of a schedule from Microsoft Project or Primavera P6
+    R"(rubicon import - make a plan of a schedule, of a building model, or of both
 
-usage: rubicon import FILE [--out PLAN]
+usage: rubicon import SCHEDULE [--out PLAN]
+       rubicon import MODEL... [--schedule SCHEDULE --match FILE] [--unit mm|cm|m] [--up y|z] [--out PLAN]
 
-FILE is Microsoft Project XML (in Project: save as XML) or a Primavera XER file; its content tells which. The plan
-is printed, or written to PLAN. Tasks become crew work (takes), milestones take no time, resources become crews,
-links keep their type and lag, calendars their week and days off; headings become remarks. What a plan has no word
-for is carried along in its import block, for the way back with rubicon export. What was not understood, and where the
-plan goes by less than the schedule says, is listed as warnings: docs/commands/import.md tells what each means.
+SCHEDULE is Microsoft Project XML (in Project: save as XML) or a Primavera XER file; its content tells which. Tasks become
+crew work (takes), milestones take no time, resources become crews, links keep their type and lag, calendars their week
+and days off; headings become remarks. What a plan has no word for is carried along in its import block, for the way back
+with rubicon export. What was not understood, and where the plan goes by less than the schedule says, is listed as
+warnings: docs/commands/import.md tells what each means.
 
-  --out PLAN     write the plan there instead of standard output
+MODEL is an IFC file (2x3, 4 or 4.3), glTF, Collada, OBJ, STL or PLY, in the folder of the plan or below. Every element
+becomes a component that stands where the model has it. With a schedule and a match file, which says what belongs to
+which task and who lifts it, the elements wait in a stock area and the tasks put them into place; elements and tasks
+without partner are listed. Beside PLAN a table PLAN_elements.csv tells what became of each element:
+docs/import_building.md.
 
-Exit code: 0 there is a plan (warnings may be printed), 2 the file cannot be read.
+  --out PLAN           write the plan there instead of standard output
+  --schedule SCHEDULE  the schedule whose tasks put the model up
+  --match FILE         what of the model belongs to which task
+  --unit UNIT          mm, cm or m: what the numbers of OBJ, STL and PLY files are
+  --up AXIS            y or z: which axis of the model points up, where it does not say so rightly
+
+Exit code: 0 there is a plan (warnings may be printed), 2 a file cannot be read, or the match file is wrong.
 
 examples:
   rubicon import planning.xml --out building.plan
   rubicon import planning.xer --out building.plan && rubicon check building.plan
+  rubicon import walls.ifc floors.ifc --out building.plan
+  rubicon import walls.ifc floors.ifc --schedule planning.xml --match building.match --out building.plan
 )";
 
 constexpr std::string_view kExport =
@@ -221,6 +234,7 @@ const std::vector<HelpPage>& help_pages() {
       {"verify", "replay a result by other means and look for contact, gaps and broken links",
        kVerify},
       {"import", "make a plan of a schedule from Microsoft Project or Primavera P6", kImport},
+      {"import", "make a plan of a schedule, of a building model, or of both", kImport},
       {"export", "write a plan as a schedule for other programs", kExport},
       {"fmt", "write files in the one canonical form", kFmt},
       {"help", "print a page of help", kHelp},

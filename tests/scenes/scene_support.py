@@ -18,9 +18,9 @@ def rubicon(*arguments, cwd=ROOT):
 class Run:
     """A plan as it was run: exit code, schedule by task, trace."""
 
-    def __init__(self, plan, folder):
+    def __init__(self, plan, folder, *options):
         trace = os.path.join(folder, "trace.jsonl")
-        done = rubicon("run", plan, "--format", "json", "--trace", trace)
+        done = rubicon("run", plan, "--format", "json", "--trace", trace, *options)
         self.exit_code, self.stderr = done.returncode, done.stderr
         if not done.stdout:
             raise AssertionError(f"rubicon run gave no schedule (exit {done.returncode}): {done.stderr}")
