@@ -9,6 +9,7 @@
 
 #include "src/ifc/ifc_curve.hpp"
 #include "src/ifc/ifc_placement.hpp"
+#include "src/ifc/ifc_profile.hpp"
 
 namespace rubicon::ifc {
 
@@ -169,7 +170,8 @@ bool ShapeWriter::write_record(const StepRecord& record) {
   if (FaceWriter::takes(record)) return faces_.write(record);
   if (record.keyword == "IFCINDEXEDPOLYCURVE") return write_curve(record);
   if (record.keyword == "IFCSHAPEREPRESENTATION") return write_representation(record);
-  return is_plain(record.keyword) && write_plain(record);
+  if (is_plain(record.keyword)) return write_plain(record);
+  return write_profile(record);
 }
 
 bool ShapeWriter::write_representation(const StepRecord& record) {
@@ -209,6 +211,17 @@ bool ShapeWriter::write_curve(const StepRecord& record) {
     points.push_back(out_.add_point(move ? *far_.moved(p) : p, line->flat));
   }
   out_.put(record.id, fmt::format("IFCPOLYLINE(({}))", references_text(points)));
+  return true;
+}
+
+bool ShapeWriter::write_profile(const StepRecord& record) {
+  const std::optional<std::vector<math::Vec3>> outline = profile_outline(file_, record);
+  if (!outline) return false;
+  std::vector<std::uint64_t> points;
+  for (const math::Vec3& p : *outline) points.push_back(out_.add_point(p, true));
+  points.push_back(points.front());
+  const auto line = out_.add(fmt::format("IFCPOLYLINE(({}))", references_text(points)));
+  out_.put(record.id, fmt::format("IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$,#{})", line));
   return true;
 }
 

@@ -40,6 +40,7 @@ class ShapeWriter {
   bool write_representation(const StepRecord& record);
   bool has_body(std::uint64_t id) const;
   bool write_curve(const StepRecord& record);
+  bool write_profile(const StepRecord& record);
   bool write_plain(const StepRecord& record);
   bool write_far_point(std::uint64_t id, const StepItem& coordinates);
   std::uint64_t stand_in(std::string_view keyword, std::size_t index) const;

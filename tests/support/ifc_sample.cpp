@@ -151,6 +151,10 @@ class SampleWriter {
       const std::string profile = add("IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$,{})", curve);
       return add("IFCEXTRUDEDAREASOLID({},$,{},{})", profile, up_, height);
     }
+    if (sample_.shape.starts_with("IFC")) {
+      const std::string profile = add("{}", sample_.shape);
+      return add("IFCEXTRUDEDAREASOLID({},$,{},{})", profile, up_, height);
+    }
     const bool bare = sample_.shape == "extrusion without positions";
     // Without positions the profile lies about the origin: the block is moved by its own corner.
     const std::string middle =

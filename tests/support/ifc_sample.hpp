@@ -19,7 +19,8 @@ struct SampleBlock {
 struct IfcSample {
   std::string schema = "IFC2X3";
   /// How blocks are shaped: "extrusion", "extrusion without positions" (IFC 4), "brep",
-  /// "triangles", "polygons", "indexed curve", "mapped", "advanced" (not read).
+  /// "triangles", "polygons", "indexed curve", "mapped", "advanced" (not read), or the text of a
+  /// profile such as "IFCLSHAPEPROFILEDEF(.AREA.,$,$,100.,100.,10.,$,$,$)", extruded.
   std::string shape = "extrusion";
   std::string unit = "mm";  ///< mm, m, ft
   std::vector<std::string> storeys{"Ground floor"};

@@ -63,6 +63,72 @@ TEST(Ifc, ShapesOfVersion4AreRead) {
   expect_block(ifc_text(sample_with("IFC4", "extrusion without positions")), {2, 3.9, 3}, 1e-6);
 }
 
+/// Profiles that are given by their measures, with area and extent worked out by hand. A hollow one
+/// is filled: larger, never smaller.
+TEST(Ifc, ProfilesByTheirMeasuresAreRead) {
+  struct Case {
+    const char* profile;
+    double area;  // mm2
+    double width, depth;
+  };
+  for (const Case& each : {
+           Case{"IFCLSHAPEPROFILEDEF(.AREA.,$,$,150.,100.,10.,$,$,$)", 150 * 10 + 90 * 10, 100,
+                150},
+           Case{"IFCLSHAPEPROFILEDEF(.AREA.,$,$,100.,$,10.,$,$,$)", 1900, 100, 100},
+           Case{"IFCUSHAPEPROFILEDEF(.AREA.,$,$,200.,75.,8.,11.,$,$,$)", 2 * 75 * 11 + 178 * 8, 75,
+                200},
+           Case{"IFCTSHAPEPROFILEDEF(.AREA.,$,$,100.,80.,6.,9.,$,$,$,$,$)", 80 * 9 + 91 * 6, 80,
+                100},
+           Case{"IFCCSHAPEPROFILEDEF(.AREA.,$,$,200.,60.,2.,20.,$)",
+                200 * 2 + 2 * 58 * 2 + 2 * 18 * 2, 60, 200},
+           Case{"IFCZSHAPEPROFILEDEF(.AREA.,$,$,160.,70.,8.,10.,$,$)", 160 * 8 + 2 * 62 * 10, 132,
+                160},
+           Case{"IFCASYMMETRICISHAPEPROFILEDEF(.AREA.,$,$,200.,300.,8.,12.,$,150.,10.,$)",
+                200 * 12 + 150 * 10 + 278 * 8, 200, 300},
+           Case{"IFCTRAPEZIUMPROFILEDEF(.AREA.,$,$,200.,100.,80.,-20.)", 150 * 80, 220, 80},
+           Case{"IFCRECTANGLEHOLLOWPROFILEDEF(.AREA.,$,$,120.,80.,5.,$,$)", 120 * 80, 120, 80},
+           Case{"IFCISHAPEPROFILEDEF(.AREA.,$,$,100.,200.,6.,9.,$)", 2 * 100 * 9 + 182 * 6, 100,
+                200},
+       }) {
+    SCOPED_TRACE(each.profile);
+    IfcSample sample;
+    sample.shape = each.profile;
+    TemporaryFolder folder;
+    const auto result = read_in_own_folder(folder.write("a.ifc", ifc_text(sample)));
+    ASSERT_TRUE(std::holds_alternative<ReadMesh>(result)) << std::get<MeshFailure>(result).message;
+    const geometry::TriangleMesh& mesh = *std::get<ReadMesh>(result).mesh;
+    const Vec3 size = extent(mesh).upper - extent(mesh).lower;
+    EXPECT_LT((size - Vec3(each.width / 1000, each.depth / 1000, 2.5)).norm(), 1e-6)
+        << size.transpose();
+    EXPECT_TRUE(mesh.closed);
+    EXPECT_NEAR(volume(mesh), each.area * 1e-6 * 2.5, 1e-9);
+  }
+}
+
+TEST(Ifc, AProfileStandsWhereItsPositionSays) {
+  IfcSample sample;
+  sample.shape = "IFCLSHAPEPROFILEDEF(.AREA.,$,#900,100.,50.,10.,$,$,$)";
+  sample.more =
+      "#900= IFCAXIS2PLACEMENT2D(#901,#902);\n#901= IFCCARTESIANPOINT((1000.,500.));\n"
+      "#902= IFCDIRECTION((0.,1.));\n";
+  TemporaryFolder folder;
+  const auto result = read_in_own_folder(folder.write("a.ifc", ifc_text(sample)));
+  ASSERT_TRUE(std::holds_alternative<ReadMesh>(result)) << std::get<MeshFailure>(result).message;
+  const geometry::TriangleMesh& mesh = *std::get<ReadMesh>(result).mesh;
+  // Turned by a right angle: the short leg, at the lower end, now lies at the right.
+  EXPECT_LT((extent(mesh).lower - Vec3(0.95, 0.475, 0)).norm(), 1e-6);
+  EXPECT_LT((extent(mesh).upper - Vec3(1.05, 0.525, 2.5)).norm(), 1e-6);
+  double right = 0;  // area of the face at x 1.05
+  for (const auto& t : mesh.triangles) {
+    const auto corner = [&](std::size_t k) {
+      return mesh.vertices[static_cast<std::size_t>(t[k])];
+    };
+    const Vec3 area = (corner(1) - corner(0)).cross(corner(2) - corner(0)) / 2;
+    if (area.x() > 0 && std::abs(corner(0).x() - 1.05) < 1e-5) right += area.x();
+  }
+  EXPECT_NEAR(right, 0.05 * 2.5, 1e-6);
+}
+
 TEST(Ifc, AFileOfVersion4NeedsNoOwners) {
   IfcSample sample = sample_with("IFC4", "extrusion");
   sample.owner_history = false;
