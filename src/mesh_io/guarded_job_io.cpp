@@ -19,11 +19,13 @@
 #include <variant>
 
 #include "src/mesh_io/assimp_scene.hpp"
+#include "src/mesh_io/assimp_text_file.hpp"
 #include "src/mesh_io/convex_hull.hpp"
 #include "src/mesh_io/guarded_assimp_files_io.hpp"
 #include "src/mesh_io/guarded_file_io.hpp"
 #include "src/mesh_io/ifc_scene.hpp"
 #include "src/mesh_io/mesh_format.hpp"
+#include "src/mesh_io/near_text.hpp"
 #include "src/mesh_io/scene_wire.hpp"
 #include "src/mesh_io/system_call_filter_io.hpp"
 
@@ -75,6 +77,13 @@ std::uint64_t announced_triangles(const HelperJob& job, int fd) {
   return size_of(fd) == kHead + kTriangle * count ? count : 0;
 }
 
+/// An OBJ or STL file as text, near its origin; nothing if it is there already or no such text.
+std::optional<NearText> text_near_origin(const HelperJob& job, int input) {
+  if (job.extension == "obj") return move_near(read_whole(input), "v");
+  if (job.extension != "stl" || announced_triangles(job, input) > 0) return std::nullopt;
+  return move_near(read_whole(input), "vertex");
+}
+
 SceneMessage read_mesh(const HelperJob& job, const MeshFormat& format, int input) {
   if (format.name == "IFC") {
     IfcQuery ifc;
@@ -90,6 +99,12 @@ SceneMessage read_mesh(const HelperJob& job, const MeshFormat& format, int input
   // A file of holes is large and costs nothing: it is not even looked into.
   if (announced_triangles(job, input) > query.limits.triangles)
     return too_many_triangles(query.limits);
+  if (const auto moved = text_near_origin(job, input)) {
+    SceneMessage message =
+        read_with_assimp(query, std::make_unique<AssimpTextFile>(query.name, moved->text));
+    if (auto* scene = std::get_if<FileScene>(&message)) scene->origin = moved->origin;
+    return message;
+  }
   GuardedFile mesh{FileDescriptor(input), job.path, size_of(input)};
   bool others_opened = false;
   auto files = std::make_unique<GuardedAssimpFiles>(std::move(mesh), query.name, job.folder,

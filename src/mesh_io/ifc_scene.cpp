@@ -1,8 +1,5 @@
 #include "src/mesh_io/ifc_scene.hpp"
 
-#include <assimp/MemoryIOWrapper.h>
-
-#include <assimp/IOSystem.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +13,7 @@
 #include "src/ifc/plain_ifc.hpp"
 #include "src/ifc/step_file.hpp"
 #include "src/mesh_io/assimp_scene.hpp"
+#include "src/mesh_io/assimp_text_file.hpp"
 #include "src/mesh_io/mesh_format.hpp"
 
 namespace rubicon::mesh_io {
@@ -29,25 +27,6 @@ using math::Vec3;
 constexpr double kFarFromOrigin = 1000;
 /// Such an origin lies on a grid of this size (metres), so that people can read it.
 constexpr double kOriginGrid = 100;
-
-/// The one file that assimp sees: a text in memory.
-class TextFile : public Assimp::IOSystem {
- public:
-  TextFile(std::string name, const std::string& text) : name_(std::move(name)), text_(text) {}
-
-  bool Exists(const char* file) const override { return name_ == file; }
-  char getOsSeparator() const override { return '/'; }
-  Assimp::IOStream* Open(const char* file, const char*) override {
-    if (name_ != file) return nullptr;
-    return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(text_.data()),
-                                      text_.size());
-  }
-  void Close(Assimp::IOStream* stream) override { delete stream; }
-
- private:
-  std::string name_;
-  const std::string& text_;
-};
 
 /// Which element the triangles of a node belong to: the node's own or that of one above it.
 std::optional<std::size_t> element_at(const FileScene& plain, std::size_t node) {
@@ -141,7 +120,7 @@ SceneMessage read_ifc(std::string_view text, const IfcQuery& query) {
   plain_query.ignore_root = true;
   plain_query.limits = query.limits;
   SceneMessage message =
-      read_with_assimp(plain_query, std::make_unique<TextFile>(plain_query.name, plain.text));
+      read_with_assimp(plain_query, std::make_unique<AssimpTextFile>(plain_query.name, plain.text));
   auto* scene = std::get_if<FileScene>(&message);
   if (scene == nullptr) return message;
   return SceneBuilder(building, plain, query).build(*scene);

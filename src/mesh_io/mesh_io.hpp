@@ -37,12 +37,12 @@ struct ReadMesh {
 
 /// One node of a file with the meshes that hang directly on it.
 struct NamedMesh {
-  std::string name;   ///< of the node itself
-  std::string path;   ///< names from the root down, joined by '/', ending with `name`; a path of
-                      ///< more than 1000 bytes begins with "..." instead
+  std::string name;      ///< of the node itself
+  std::string path;      ///< names from the root down, joined by '/', ending with `name`; a path of
+                         ///< more than 1000 bytes begins with "..." instead
   std::size_t node = 0;  ///< its number among the nodes of the file, the root's is 0
-  std::string above;  ///< name of the node it hangs on; empty when that is the root, or it is
-                      ///< the root itself
+  std::string above;     ///< name of the node it hangs on; empty when that is the root, or it is
+                         ///< the root itself
   bool has_nodes_below = false;  ///< with triangles of their own: as a part it comes with them
   geometry::TriangleMesh mesh;
   MendingReport report;
