@@ -51,10 +51,19 @@ Ticks waited(const TaskOutcome& task) {
   return task.waits.resource + task.waits.machine + task.waits.shift;
 }
 
+/// Of the tries of a robot to park that failed the table shows the last.
+bool is_repeated(const Schedule& schedule, const TaskOutcome& task) {
+  if (!task.parking || task.result == taskplan::TaskResult::done) return false;
+  return std::any_of(schedule.tasks.begin(), schedule.tasks.end(), [&](const TaskOutcome& other) {
+    return &other > &task && other.task == task.task && other.result == task.result;
+  });
+}
+
 std::string task_table(const Schedule& schedule) {
   std::vector<Row> rows = {{"task", "robot", "crew", "start", "duration", "motion", "work",
                             "waited", "tried", "accepted", "result"}};
   for (const TaskOutcome& task : schedule.tasks) {
+    if (is_repeated(schedule, task)) continue;
     std::string result = name_of(task.result);
     if (!task.reason.empty()) result += ": " + task.reason;
     rows.push_back(

@@ -140,6 +140,16 @@ std::optional<int> SiteWorld::machine_in(const std::vector<geometry::Shape>& sha
   return met ? std::optional(met->machine) : std::nullopt;
 }
 
+std::optional<OtherMet> SiteWorld::zone_around(int component, int robot) const {
+  const Component& one = components_[static_cast<std::size_t>(component)];
+  if (!one.body || zones_.empty()) return std::nullopt;
+  collision::SweptQuery query;
+  query.contact_tolerance = contact_tolerance_;
+  query.items.push_back({{one.body.get(), geometry::stationary(one.X_WO)}, true});
+  collision::MovingBodies bodies(query);
+  return first_zone_met(robot, bodies);
+}
+
 bool SiteWorld::has_others(int robot) const {
   const auto keeps_out = [robot](const auto& zone) { return zone.second.exempt_robot != robot; };
   return robots_.size() > 1 || std::any_of(zones_.begin(), zones_.end(), keeps_out);

@@ -97,6 +97,9 @@ class SiteWorld {
   std::optional<int> machine_in(const std::vector<geometry::Shape>& shapes_W,
                                 int exempt_robot) const;
 
+  /// The zone, by task, that the component stands in and the robot has to keep out of.
+  std::optional<OtherMet> zone_around(int component, int robot) const;
+
   /// Whether there is anyone else to meet for the robot: machines, zones.
   bool has_others(int robot) const;
   /// The first zone, by task, that bodies of the robot meet.

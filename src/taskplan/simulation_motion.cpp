@@ -243,7 +243,9 @@ bool Simulation::retry(ActiveTask& active) {
         first.robot >= 0 ? robot_spec(first.robot).name
                          : "the zone of " + spec(first.zone_task).name);
   active.hits.forget();
-  const bool over = start_machine(active);
+  active.doing = Doing::moving;
+  const bool moves = active.now().kind == Phase::Kind::motion;
+  const bool over = moves ? start_machine(active) : begin_phase(active);
   const bool fruitless = active.doing == Doing::waiting_for_machine && !rejection_ &&
                          active.outcome.accepted == before.outcome.accepted;
   if (!fruitless) {

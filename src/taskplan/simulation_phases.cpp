@@ -238,6 +238,14 @@ bool Simulation::attach(ActiveTask& active) {
   if (!still_there(active)) return false;
   const int robot = spec(active.task).robot;
   const int component = active.now().component;
+  // Hanging on a machine it would be part of that, where people keep machines out.
+  if (const auto zone = site_.zone_around(component, robot)) {
+    active.doing = Doing::waiting_for_machine;
+    active.since = now_.now;
+    active.blockers = {{-1, zone->zone_task, site_.component_name(component), zone->name}};
+    active.stubborn = active.may_go_on = false;
+    return false;
+  }
   keep_component(component);
   site_.attach(robot, component);
   if (trace_) {

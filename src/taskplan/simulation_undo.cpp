@@ -69,9 +69,6 @@ bool Simulation::apply_rejection() {
     if (tape_) tape_->set_kept(true);
     trace_end(task, outcome.start, outcome);
     if (tape_) tape_->set_kept(false);
-    // Of several tries of a robot the last is told.
-    std::erase_if(failed_parkings_,
-                  [&](const TaskOutcome& other) { return other.task == outcome.task; });
     failed_parkings_.push_back(std::move(outcome));
     return true;
   }

@@ -42,6 +42,17 @@ constexpr const char* kWaiting = R"(robot waiting {
   behaviour { first { move_to(x, goal(x)), wait }; }
 }
 )";
+/// A car that goes to and fro.
+constexpr const char* kPacing = R"(robot pacing {
+  body car {
+    param x range(-100, 100) step(1) speed(1 m/s);
+    frame trans(x, 0, 0);
+    shape box(-0.5, -0.5, 0, 0.5, 0.5, 1);
+  }
+  tool car;
+  behaviour { cycle { move_dir(x, 1), move_dir(x, -1) }; }
+}
+)";
 /// A gantry that takes things from above.
 constexpr const char* kGantry = R"(robot gantry {
   body hoist {
@@ -52,6 +63,7 @@ constexpr const char* kGantry = R"(robot gantry {
     shape box(-0.2, -0.2, 0, 0.2, 0.2, 1);
   }
   tool hoist;
+  capacity (10, 4 t), (30, 2 t), (90, 1 t);
   behaviour { chain { move_to(x, goal(x)) }; chain { move_to(y, goal(y)) }; chain { move_to(z, goal(z)) }; }
 }
 )";
@@ -65,6 +77,7 @@ Ran run(const std::string& items) {
   test::MemoryFiles files({{"site.plan", "plan site {\n" + items + "\n}\n"},
                            {"line.robot", kLine},
                            {"waiting.robot", kWaiting},
+                           {"pacing.robot", kPacing},
                            {"gantry.robot", kGantry}});
   interpreter::SourceMap sources;
   interpreter::Diagnostics diagnostics;
@@ -154,6 +167,18 @@ TEST(SeveralMachines, KeepOutOfTheZonesOfPeople) {
   EXPECT_EQ(ran.tasks.at("past").result, TaskResult::done) << ran.tasks.at("past").reason;
   EXPECT_EQ(ran.tasks.at("past").start + ran.tasks.at("past").duration, (300 + 11) * kSecond);
   EXPECT_EQ(ran.tasks.at("past").waits.machine, (300 - 9) * kSecond);
+}
+
+TEST(SeveralMachines, WhatStandsInAZoneIsNotTakenWhilePeopleWorkThere) {
+  const Ran ran = run(R"(
+    robot g "gantry.robot" { start x 0, z 5; }
+    crew masons;
+    component c { shape box(-1, -1, 0, 1, 1, 3); at trans(0, 0, 0); grip trans(0, 0, 3); }
+    task bricks { by masons; takes 5 min; zone box(-2, -2, 0, 2, 2, 2.5); }
+    task fetch { by g; move c to trans(0, 9, 0); })");
+  EXPECT_EQ(ran.tasks.at("fetch").result, TaskResult::done) << ran.tasks.at("fetch").reason;
+  EXPECT_EQ(ran.tasks.at("fetch").waits.machine, (300 - 2) * kSecond);
+  EXPECT_EQ(ran.tasks.at("fetch").duration, (300 + 9) * kSecond);
 }
 
 TEST(SeveralMachines, AZoneWaitsUntilNoMachineIsInIt) {
@@ -282,6 +307,42 @@ TEST(SeveralMachines, ATaskHeldByOneThatIsRejectedIsLetGoAtOnce) {
   EXPECT_GT(ran.tasks.at("bad").tried, 0);
   EXPECT_EQ(ran.tasks.at("good").result, TaskResult::done);
   EXPECT_EQ(ran.tasks.at("good").duration, 10 * kSecond);
+}
+
+/// Every reason for which a task is refused, by the words of its reason.
+TEST(Refusals, EveryReasonIsToldInItsWords) {
+  const std::map<std::string, std::pair<std::string, std::string>> cases = {
+      {"out of reach",
+       {"robot a \"line.robot\"; task t { by a; go at trans(0, 7, 0); }",
+        "goal out of reach: the nearest pose is 7 m"}},
+      {"start in collision",
+       {"robot a \"line.robot\" { start x 0; } site box(-1, -1, 0, 1, 1, 1); task t { by a; go x "
+        "9; }",
+        "start in collision: a.car meets site"}},
+      {"blocked",
+       {"robot a \"line.robot\" { start x 0; } site box(5, -1, 0, 6, 1, 1);"
+        "task t { by a; go x 9; }",
+        "blocked by site at step 5 (x, line 8): a.car meets site"}},
+      {"livelock",
+       {"robot a \"pacing.robot\" { start x 0; } task t { by a; go x 9; }", "livelock: after "}},
+      {"budget",
+       {"robot a \"line.robot\" { start x 0; } task t { by a; go x 9; budget 3; }",
+        "budget: 3 attempts are used up before move_to(x, goal(x))"}},
+      {"overload",
+       {"robot a \"gantry.robot\" { start x 0; } component c { shape box(-1, -1, 0, 1, 1, 1); at "
+        "trans(30, 0, 0); grip trans(0, 0, 1); mass 3 t; } task t { by a; move c to trans(0, 9, "
+        "0); }",
+        "too heavy: c has 3000 kg, the load chart of a allows 2000 kg at 30 m"}},
+      {"gone",
+       {"component c { } task first_one { remove c; } task t { remove c; after first_one; }",
+        "c is not on the site any more"}},
+  };
+  for (const auto& [name, given] : cases) {
+    const Ran ran = run(given.first);
+    EXPECT_EQ(ran.tasks.at("t").result, TaskResult::rejected) << name;
+    EXPECT_THAT(ran.tasks.at("t").reason, HasSubstr(given.second)) << name;
+    EXPECT_EQ(ran.tasks.at("t").duration, 0) << name;
+  }
 }
 
 }  // namespace
