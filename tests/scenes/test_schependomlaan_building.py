@@ -135,6 +135,12 @@ class WholeBuilding(unittest.TestCase):
             if row.name in begins:
                 self.assertEqual(row.first[:10], begins[row.name])
 
+    def test_a_second_method_finds_no_fault_in_the_result(self):
+        command("run", "building.plan", "--out", "whole", cwd=self.folder)
+        verified = scene.rubicon("verify", "whole", cwd=self.folder)
+        self.assertEqual(verified.returncode, 0, verified.stdout)
+        self.assertIn("no fault", verified.stdout)
+
     def test_the_schedule_comes_back_as_it_was(self):
         command("export", "building.plan", "--mspdi", "back.xml", cwd=self.folder)
         command("import", self.schedule, "--out", "schedule.plan", cwd=self.folder)
