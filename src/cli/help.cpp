@@ -233,7 +233,6 @@ const std::vector<HelpPage>& help_pages() {
       {"test", "run golden cases and compare them with what is expected", kTest},
       {"verify", "replay a result by other means and look for contact, gaps and broken links",
        kVerify},
-      {"import", "make a plan of a schedule from Microsoft Project or Primavera P6", kImport},
       {"import", "make a plan of a schedule, of a building model, or of both", kImport},
       {"export", "write a plan as a schedule for other programs", kExport},
       {"fmt", "write files in the one canonical form", kFmt},
