@@ -138,8 +138,12 @@ void Simulation::exclude_followers(int first) {
     open.pop_back();
     std::vector<int> reached;
     for (const auto& [follower, type] : followers_[index(task)]) {
-      if (excluded_.contains(follower) || status_[index(follower)] == Status::done) continue;
-      if (ActiveTask* const active = find_active(follower)) {
+      if (excluded_.contains(follower)) continue;
+      // Where the run begins anew nothing that starts after it has happened.
+      const bool undone = must_restart_ && end_after(type) == schedule::TaskEnd::start;
+      if (!undone && status_[index(follower)] == Status::done) continue;
+      ActiveTask* const active = find_active(follower);
+      if (active && !undone) {
         let_go(*active, task, type);
         continue;
       }
