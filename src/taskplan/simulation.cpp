@@ -338,7 +338,7 @@ ActiveTask* Simulation::find_active(int task) {
     if (active->task != task) continue;
     // Others may keep this state to go back to it: what changes is a copy.
     if (active.use_count() > 1) active = std::make_shared<ActiveTask>(*active);
-    return const_cast<ActiveTask*>(active.get());
+    return active.get();
   }
   return nullptr;
 }

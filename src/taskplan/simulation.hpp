@@ -65,7 +65,7 @@ class Simulation {
   struct Moment {
     Ticks now = 0;
     std::uint64_t sequence = 0;
-    std::vector<std::shared_ptr<const ActiveTask>> active;
+    std::vector<std::shared_ptr<ActiveTask>> active;  ///< to be changed through `find_active` only
     std::vector<ResourceState> resources;
     std::vector<site::MachineState> machines;
     std::vector<ZoneWait> zone_waits;
