@@ -165,23 +165,4 @@ Ticks ResourceDesk::next_chance(Ticks now) {
   return next;
 }
 
-std::vector<std::pair<int, int>> ResourceDesk::waiting(Ticks now) const {
-  std::vector<std::pair<int, int>> result;
-  for (const Queue& queue : queues_) {
-    for (const int resource : queue.resources) {
-      if (states_[at(resource)].holder < 0) continue;
-      const auto add = [&](int task) {
-        if (!excluded_.contains(task)) result.emplace_back(task, resource);
-      };
-      for (const Place& place : queue.waiting) add(place.second);
-      for (const auto& place : queue.later) {
-        if (std::get<Ticks>(place) <= now) add(std::get<int>(place));
-      }
-      break;
-    }
-  }
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
 }  // namespace rubicon::taskplan

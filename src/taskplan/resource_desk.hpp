@@ -69,9 +69,6 @@ class ResourceDesk {
   /// back before; kEndOfTime if never.
   Ticks next_chance(Ticks now);
 
-  /// Who asks for something now that another has: the task, the resource.
-  std::vector<std::pair<int, int>> waiting(Ticks now) const;
-
   const std::string& name(int resource) const { return names_[static_cast<std::size_t>(resource)]; }
   const ResourceState& state(int resource) const {
     return states_[static_cast<std::size_t>(resource)];

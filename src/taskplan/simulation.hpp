@@ -66,8 +66,6 @@ class Simulation {
     Ticks now = 0;
     std::uint64_t sequence = 0;
     std::vector<std::shared_ptr<ActiveTask>> active;  ///< to be changed through `find_active` only
-    std::vector<ResourceState> resources;
-    std::vector<site::MachineState> machines;
     std::vector<ZoneWait> zone_waits;
   };
   /// The moment before a task started.
@@ -76,6 +74,8 @@ class Simulation {
     Journal::Mark mark = 0;
     TraceTape::Mark trace = 0;
     Moment moment;
+    std::vector<ResourceState> resources;
+    std::vector<site::MachineState> machines;
   };
   struct Rejection {
     int task = -1;

@@ -13,11 +13,11 @@ void Simulation::add_checkpoint(int task, std::vector<ResourceState> resources) 
   checkpoint.mark = journal_.mark();
   checkpoint.trace = tape_ ? tape_->mark() : 0;
   checkpoint.moment = now_;
-  checkpoint.moment.resources = std::move(resources);
+  checkpoint.resources = std::move(resources);
   std::erase_if(checkpoint.moment.zone_waits,
                 [&](const ZoneWait& wait) { return wait.task == task; });
   for (int robot = 0; robot < static_cast<int>(plan_.robots.size()); ++robot) {
-    checkpoint.moment.machines.push_back(site_.machine_state(robot));
+    checkpoint.machines.push_back(site_.machine_state(robot));
   }
   checkpoints_.push_back(std::move(checkpoint));
 }
@@ -84,13 +84,11 @@ void Simulation::go_back(const Checkpoint& checkpoint) {
   journal_.undo_to(back.mark);
   if (tape_) tape_->keep_only(back.trace, back.task);
   now_ = back.moment;
-  desk_->set_states(back.moment.resources);
+  desk_->set_states(back.resources);
   site_.set_time(now_.now);
   for (int robot = 0; robot < static_cast<int>(plan_.robots.size()); ++robot) {
-    site_.set_machine_state(robot, back.moment.machines[index(robot)]);
+    site_.set_machine_state(robot, back.machines[index(robot)]);
   }
-  now_.resources.clear();
-  now_.machines.clear();
   const auto place = std::find_if(checkpoints_.begin(), checkpoints_.end(),
                                   [&](const Checkpoint& each) { return each.task == back.task; });
   checkpoints_.erase(place, checkpoints_.end());
