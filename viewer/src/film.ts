@@ -1,0 +1,174 @@
+import type { Header, ScheduleData } from './header';
+
+// Reads a film: docs/film.md.
+
+export const kinds = ['task_start', 'goal', 'set', 'enter', 'exit', 'which', 'try', 'wait', 'work', 'pause', 'attach', 'detach',
+  'remove', 'end', 'task_end'] as const;
+export type Kind = (typeof kinds)[number];
+
+/** A task that began, or was not reached. */
+export interface Run {
+  task: string;
+  /** Number in header.robots, -1: none. */
+  robot: number;
+  start: number;
+  /** null as long as it is not over. */
+  end: number | null;
+  result: '' | 'done' | 'rejected' | 'not reached';
+  reason: string;
+  because: string;
+  after: string;
+  /** What the records of a rejected run tell did not happen. */
+  happened: boolean;
+}
+
+/** How a robot moved; docs/film.md says how its keys stand in the columns. */
+export interface Track {
+  robot: number;
+  /** -1: what happened; else the number of the rejected run. */
+  run: number;
+  first: number;
+  count: number;
+  q: number;
+}
+
+interface Column {
+  offset: number;
+  count: number;
+  scale: number;
+  delta: boolean;
+}
+
+interface Head {
+  header: Header;
+  schedule: ScheduleData | null;
+  end: number;
+  strings: string[];
+  places: [number, number, number][];
+  runs: Run[];
+  tracks: Track[];
+  columns: Record<string, Column>;
+}
+
+/** A line of a script. */
+export interface Place {
+  file: string;
+  line: number;
+  column: number;
+}
+
+const magic = 'RUBICONF';
+
+export class FilmError extends Error {}
+
+export class Film {
+  readonly header: Header;
+  readonly schedule: ScheduleData | null;
+  readonly end: number;
+  readonly runs: Run[];
+  readonly tracks: Track[];
+  readonly strings: string[];
+  /** How many records there are. */
+  readonly records: number;
+  private readonly head: Head;
+  private readonly bytes: Uint8Array;
+  private readonly decoded = new Map<string, Float64Array>();
+  private ranks: Int32Array | null = null;
+
+  constructor(raw: Uint8Array) {
+    const view = new DataView(raw.buffer, raw.byteOffset, raw.byteLength);
+    if (raw.length < 16 || new TextDecoder().decode(raw.subarray(0, 8)) !== magic) throw new FilmError('these bytes are no film');
+    if (view.getUint32(8, true) !== 1) throw new FilmError(`this page reads films of version 1, not ${view.getUint32(8, true)}`);
+    const length = view.getUint32(12, true);
+    this.head = JSON.parse(new TextDecoder().decode(raw.subarray(16, 16 + length))) as Head;
+    this.bytes = raw.subarray(16 + length);
+    ({ header: this.header, schedule: this.schedule, end: this.end, runs: this.runs, tracks: this.tracks,
+      strings: this.strings } = this.head);
+    this.records = this.head.columns['record.kind']?.count ?? 0;
+  }
+
+  /** The numbers of a column; decoded once. A column that is not there is empty. */
+  column(name: string): Float64Array {
+    let values = this.decoded.get(name);
+    if (!values) {
+      values = this.decode(this.head.columns[name]);
+      this.decoded.set(name, values);
+    }
+    return values;
+  }
+
+  kind(record: number): Kind {
+    return kinds[this.column('record.kind')[record]];
+  }
+
+  time(record: number): number {
+    return this.column('record.t')[record];
+  }
+
+  run(record: number): number {
+    return this.column('record.run')[record];
+  }
+
+  /** A member of a record, such as number(r, 'try.ok'); the record must be of that kind. */
+  number(record: number, column: string): number {
+    return this.column(column)[this.rank(record)];
+  }
+
+  text(record: number, column: string): string {
+    return this.strings[this.number(record, column)];
+  }
+
+  /** Where in the scripts a record of the kinds enter, exit, which and try comes from. */
+  place(record: number): Place {
+    const [file, line, column] = this.head.places[this.number(record, `${this.kind(record)}.place`)];
+    return { file: this.strings[file], line, column };
+  }
+
+  /** Seven numbers: x, y, z (m), then the quaternion x, y, z, w; of attach (X_TO) and detach (X_WO). */
+  pose(record: number): Float64Array {
+    const first = 7 * this.rank(record);
+    return this.column(`${this.kind(record)}.pose`).subarray(first, first + 7);
+  }
+
+  /** How many records of the same kind come before this one. */
+  private rank(record: number): number {
+    if (!this.ranks) {
+      const kind = this.column('record.kind');
+      const seen = new Int32Array(kinds.length);
+      this.ranks = new Int32Array(kind.length);
+      for (let i = 0; i < kind.length; ++i) this.ranks[i] = seen[kind[i]]++;
+    }
+    return this.ranks[record];
+  }
+
+  private decode(column: Column | undefined): Float64Array {
+    if (!column) return new Float64Array();
+    const values = new Float64Array(column.count);
+    const { bytes } = this;
+    // Exact: whole numbers below 2^53, divided by what the scale is the inverse of.
+    const divisor = column.scale < 1 ? Math.round(1 / column.scale) : 1;
+    let at = column.offset;
+    let last = 0;
+    for (let i = 0; i < values.length; ++i) {
+      let byte = bytes[at++];
+      let value = byte & 127;
+      for (let place = 128; byte > 127; place *= 128) {
+        byte = bytes[at++];
+        value += (byte & 127) * place;
+      }
+      value = value % 2 === 0 ? value / 2 : -(value + 1) / 2;
+      if (column.delta) value = last += value;
+      values[i] = value / divisor;
+    }
+    return values;
+  }
+}
+
+/** The film of a page: base64 of gzip of docs/film.md. */
+export async function readFilm(base64: string): Promise<Film> {
+  const text = base64.trim();
+  if (text === '') throw new FilmError('this page holds no film: it is the empty frame that rubicon report fills');
+  const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Film(new Uint8Array(await new Response(stream).arrayBuffer()));
+}

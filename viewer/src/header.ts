@@ -1,0 +1,137 @@
+// The header of a trace as docs/trace.md describes it, and schedule.json as docs/commands/run.md does: what the page reads of them.
+// Lengths in metres, angles in degrees, times in seconds from the beginning of the plan.
+
+/** The upper three rows of a 4 x 4 matrix, row by row. */
+export type PoseRows = number[];
+
+export interface ShapeData {
+  type: 'box' | 'cylinder' | 'sphere' | 'capsule' | 'prism' | 'mesh';
+  pose: PoseRows;
+  lower?: number[];
+  upper?: number[];
+  centre?: number[];
+  a?: number[];
+  b?: number[];
+  radius?: number;
+  z0?: number;
+  z1?: number;
+  polygon?: [number, number][];
+  /** Number in `meshes`. */
+  mesh?: number;
+}
+
+export interface Parameter {
+  name: string;
+  body: string;
+  kind: 'translation' | 'rotation';
+  cyclic: boolean;
+  lower: number | null;
+  upper: number | null;
+  step: number;
+  speed: number;
+  start: number;
+}
+
+export interface RobotData {
+  name: string;
+  type: string;
+  pose: PoseRows;
+  start: Record<string, number>;
+  calendar: string;
+  bodies: { name: string; parent: string | null; frame: string; shapes: ShapeData[] }[];
+  parameters: Parameter[];
+  tool: { body: string; frame: string };
+  capacity: [number, number][];
+}
+
+export interface ComponentData {
+  name: string;
+  pose: PoseRows;
+  grip: PoseRows;
+  mass: number;
+  shapes: ShapeData[];
+}
+
+export interface CalendarData {
+  name: string;
+  shifts: { days: [number, number]; minutes: [number, number][] }[];
+  off: string[];
+  carry_over: boolean;
+}
+
+export interface TaskData {
+  name: string;
+  robot: string;
+  crews: string[];
+  move?: string;
+  to?: PoseRows;
+  zones: ShapeData[];
+  after: { task: string; type: string; lag: number }[];
+}
+
+export interface Header {
+  plan: string;
+  path: string;
+  form: 'short' | 'full';
+  detail: 'steps' | 'tasks' | 'none';
+  start_at: string | null;
+  currency: string;
+  calendars: CalendarData[];
+  files: { path: string; text: string }[];
+  site: ShapeData[];
+  components: ComponentData[];
+  robots: RobotData[];
+  carry: ShapeData[];
+  crews: { name: string; size: number; cost_per_hour: number | null; calendar: string }[];
+  tasks: TaskData[];
+  /** In the film the numbers of a mesh stand in columns; these are their names. */
+  meshes: { closed: boolean; vertices: string; triangles: string }[];
+}
+
+export interface Waited {
+  predecessor: number;
+  resource: number;
+  machine: number;
+  shift: number;
+}
+
+export interface ScheduledTask {
+  task: string;
+  robot: string;
+  crew: string;
+  start: number;
+  duration: number;
+  begins?: string;
+  ends?: string;
+  motion: number;
+  work: number;
+  waited: Waited;
+  cost?: number;
+  tried: number;
+  accepted: number;
+  result: 'done' | 'rejected' | 'not reached';
+  reason: string;
+}
+
+export interface ResourceData {
+  name: string;
+  kind: 'robot' | 'crew';
+  tasks: number;
+  held: number;
+  busy: number;
+  shifts: number;
+  utilisation: number;
+  cost_per_hour?: number | null;
+  cost?: number;
+}
+
+export interface ScheduleData {
+  tasks: ScheduledTask[];
+  process_time: number;
+  start_at?: string;
+  ends?: string;
+  cost?: number;
+  currency?: string;
+  resources: ResourceData[];
+  critical: { task: string; work_counts: boolean; text: string }[];
+}

@@ -1,0 +1,247 @@
+import type { Film } from './film';
+
+/** What is picked: an element, a run of a task, a robot. */
+export type Selection =
+  | { kind: 'component'; index: number }
+  | { kind: 'run'; index: number }
+  | { kind: 'robot'; index: number };
+
+/** What a listener is told of. */
+export type Change = 'time' | 'playing' | 'speed' | 'fast' | 'record' | 'selection' | 'section';
+
+export const slowest = 0.25;
+export const fastest = 600;
+/** Real seconds that a component is looked at in fast play. */
+const fastPlaySeconds = 0.15;
+
+/**
+ * The one state of the page: the moment it shows, whether it plays, what is picked, which record the debugger stands at. Everything that
+ * is drawn follows it; everything that is pressed changes it. Knows no element of the page.
+ */
+export class Player {
+  readonly end: number;
+  private t = 0;
+  private plays = false;
+  private isFast = false;
+  private rate = 60;
+  private skips = true;
+  private at: number | null = null;
+  private picked: Selection | null = null;
+  private cut: number | null = null;
+  private owed = 0;
+  private readonly listeners = new Map<Change, (() => void)[]>();
+  /** When components came to stand, in order. */
+  private readonly landmarks: number[];
+  /** [from, to] of the times in which some task goes on, in order, apart from each other. */
+  private readonly busy: [number, number][];
+  /** Records of the kinds try and wait, in order. */
+  private readonly steps: Int32Array;
+
+  constructor(readonly film: Film) {
+    this.end = film.end;
+    const landmarks: number[] = [];
+    const steps: number[] = [];
+    for (let i = 0; i < film.records; ++i) {
+      const kind = film.kind(i);
+      if (kind === 'try' || kind === 'wait') steps.push(i);
+      else if ((kind === 'detach' || kind === 'remove') && film.runs[film.run(i)].happened) landmarks.push(film.time(i));
+    }
+    this.landmarks = [...new Set(landmarks)].sort((a, b) => a - b);
+    this.steps = Int32Array.from(steps);
+    this.busy = busyTimes(film);
+  }
+
+  on(change: Change | Change[], listener: () => void): void {
+    for (const each of Array.isArray(change) ? change : [change]) {
+      const all = this.listeners.get(each) ?? [];
+      this.listeners.set(each, [...all, listener]);
+    }
+  }
+
+  get time(): number { return this.t; }
+  get playing(): boolean { return this.plays; }
+  /** Fast play: machines are hidden, components appear one after the other. */
+  get fast(): boolean { return this.isFast; }
+  /** Seconds of the plan a second. */
+  get speed(): number { return this.rate; }
+  /** Whether playing passes over the times in which no task goes on (nights). */
+  get skipsIdle(): boolean { return this.skips; }
+  /** The record the debugger stands at, null if it does not. */
+  get record(): number | null { return this.at; }
+  /** The rejected run that is shown as if it had happened, -1 for none. */
+  get triedRun(): number {
+    if (this.at === null) return -1;
+    const run = this.film.run(this.at);
+    return this.film.runs[run].happened ? -1 : run;
+  }
+  get selection(): Selection | null { return this.picked; }
+  /** Height (m) above which nothing is drawn, null: everything is. */
+  get section(): number | null { return this.cut; }
+
+  play(): void { this.start(false); }
+  fastPlay(): void { this.start(true); }
+  toggle(): void { if (this.plays) this.pause(); else this.start(this.isFast); }
+
+  pause(): void {
+    if (!this.plays) return;
+    this.plays = false;
+    this.tell('playing');
+  }
+
+  /** Back to the beginning, machines shown. */
+  stop(): void {
+    this.pause();
+    this.setFast(false);
+    this.seek(0);
+  }
+
+  seek(time: number): void {
+    this.leaveRecord();
+    this.setTime(time);
+  }
+
+  setSpeed(rate: number): void {
+    this.rate = Math.min(Math.max(rate, slowest), fastest);
+    this.tell('speed');
+  }
+
+  setSkipsIdle(skips: boolean): void {
+    this.skips = skips;
+    this.tell('speed');
+  }
+
+  setSection(height: number | null): void {
+    this.cut = height;
+    this.tell('section');
+  }
+
+  nextComponent(): void {
+    this.pause();
+    this.seek(this.landmarks.find((t) => t > this.t) ?? this.end);
+  }
+
+  previousComponent(): void {
+    this.pause();
+    this.seek(this.landmarks.findLast((t) => t < this.t) ?? 0);
+  }
+
+  select(selection: Selection | null): void {
+    this.picked = selection;
+    this.tell('selection');
+  }
+
+  /** Puts the debugger at a record; the page shows its moment, and of a rejected run what it tried. */
+  goToRecord(record: number | null): void {
+    if (record === null) {
+      this.leaveRecord();
+      return;
+    }
+    this.pause();
+    this.setFast(false);
+    this.at = record;
+    this.setTime(this.film.time(record));
+    this.tell('record');
+  }
+
+  /** To the next (or, backwards, the previous) attempt or wait of the same run, or of the run that is picked. */
+  step(by: 1 | -1): void {
+    const run = this.at !== null ? this.film.run(this.at) : this.picked?.kind === 'run' ? this.picked.index : -1;
+    let i = this.at !== null ? this.stepAt(this.at, by) : this.stepAtTime(by);
+    while (i >= 0 && i < this.steps.length && run >= 0 && this.film.run(this.steps[i]) !== run) i += by;
+    if (i >= 0 && i < this.steps.length) this.goToRecord(this.steps[i]);
+  }
+
+  /** Real time went on. */
+  tick(seconds: number): void {
+    if (!this.plays) return;
+    if (this.isFast) {
+      this.owed += seconds;
+      if (this.owed < fastPlaySeconds) return;
+      this.owed = 0;
+      this.setTime(this.landmarks.find((t) => t > this.t) ?? this.end);
+    } else {
+      this.setTime(this.awake(this.t + seconds * this.rate));
+    }
+    if (this.t >= this.end) this.pause();
+  }
+
+  private start(fast: boolean): void {
+    this.leaveRecord();
+    if (this.t >= this.end) this.setTime(0);
+    this.setFast(fast);
+    this.plays = true;
+    this.owed = 0;
+    this.tell('playing');
+  }
+
+  private setFast(fast: boolean): void {
+    if (this.isFast === fast) return;
+    this.isFast = fast;
+    this.tell('fast');
+  }
+
+  private setTime(time: number): void {
+    this.t = Math.min(Math.max(time, 0), this.end);
+    this.tell('time');
+  }
+
+  private leaveRecord(): void {
+    if (this.at === null) return;
+    this.at = null;
+    this.tell('record');
+  }
+
+  /** The moment itself, or the next at which some task goes on. */
+  private awake(time: number): number {
+    if (!this.skips) return time;
+    const next = this.busy.find(([, to]) => to >= time);
+    return next ? Math.max(time, next[0]) : this.end;
+  }
+
+  private stepAt(record: number, by: 1 | -1): number {
+    let low = 0;
+    let high = this.steps.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.steps[middle] < record) low = middle + 1;
+      else high = middle;
+    }
+    if (by < 0) return low - 1;
+    return this.steps[low] === record ? low + 1 : low;
+  }
+
+  private stepAtTime(by: 1 | -1): number {
+    const { film, steps, t } = this;
+    if (by > 0) {
+      const i = steps.findIndex((record) => film.time(record) >= t);
+      return i < 0 ? steps.length : i;
+    }
+    return steps.findLastIndex((record) => film.time(record) <= t);
+  }
+
+  private tell(change: Change): void {
+    for (const listener of this.listeners.get(change) ?? []) listener();
+  }
+}
+
+/** When some task goes on that does not wait for its shift. */
+function busyTimes(film: Film): [number, number][] {
+  const pieces: [number, number][] = [];
+  const from = film.runs.map((run) => run.start);
+  for (let i = 0; i < film.records; ++i) {
+    if (film.kind(i) !== 'pause' || film.text(i, 'pause.why') !== 'shift') continue;
+    const run = film.run(i);
+    const begin = film.number(i, 'pause.from');
+    if (film.runs[run].happened && begin > from[run]) pieces.push([from[run], begin]);
+    from[run] = film.time(i);
+  }
+  film.runs.forEach((run, i) => { if (run.happened) pieces.push([from[i], run.end ?? film.end]); });
+  pieces.sort((a, b) => a[0] - b[0]);
+  const merged: [number, number][] = [];
+  for (const [begin, end] of pieces) {
+    const last = merged.at(-1);
+    if (last && begin <= last[1]) last[1] = Math.max(last[1], end);
+    else merged.push([begin, end]);
+  }
+  return merged;
+}

@@ -1,0 +1,49 @@
+import { createHash } from 'node:crypto';
+import { defineConfig, type Plugin } from 'vite';
+
+/**
+ * Puts the built script and style sheet into the page itself, which then needs no other file, and lets the page run nothing
+ * but this script: the browser refuses whatever a text of a plan might smuggle in.
+ */
+function onePage(): Plugin {
+  const hash = (text: string) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
+  return {
+    name: 'one-page',
+    enforce: 'post',
+    generateBundle(_, bundle) {
+      const page = bundle['index.html'];
+      if (!page || page.type !== 'asset') throw new Error('no index.html was built');
+      let script = '';
+      let style = '';
+      for (const [name, file] of Object.entries(bundle)) {
+        if (file.type === 'chunk') script += file.code;
+        else if (name.endsWith('.css')) style += String(file.source);
+        if (name !== 'index.html') delete bundle[name];
+      }
+      script = script.trim().replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
+      const policy = [
+        "default-src 'none'", `script-src ${hash(script)}`, `style-src ${hash(style)}`, 'img-src data: blob:',
+        "base-uri 'none'", "form-action 'none'",
+      ].join('; ');
+      page.source = String(page.source)
+        .replace(/\s*<script type="module"[^>]*><\/script>/, '')
+        .replace(/\s*<link rel="stylesheet"[^>]*>/, '')
+        .replace('<meta charset="utf-8">',
+                 () => `<meta charset="utf-8">\n<meta http-equiv="Content-Security-Policy" content="${policy}">`)
+        .replace('</head>', () => `<style>${style}</style>\n</head>`)
+        .replace('</body>', () => `<script type="module">${script}</script>\n</body>`);
+    },
+  };
+}
+
+export default defineConfig({
+  plugins: [onePage()],
+  build: {
+    target: 'es2022',
+    assetsInlineLimit: 1e8,
+    cssCodeSplit: false,
+    modulePreload: false,
+    chunkSizeWarningLimit: 2000,
+    rollupOptions: { output: { inlineDynamicImports: true } },
+  },
+});
