@@ -1,9 +1,22 @@
 import { readFilm } from './film';
+import { Motion } from './motion';
 import { Player } from './player';
+import { openSiteView } from './view/open';
+import type { SiteView } from './view/site_view';
+
+declare global {
+  interface Window {
+    /** What tests of whole pages ask: see SiteView.poses, states, stats and whereIs. */
+    rubicon?: { player: Player; view: SiteView | null };
+  }
+}
 
 async function open(): Promise<void> {
   const film = await readFilm(document.getElementById('film')?.textContent ?? '');
   const player = new Player(film);
+  const host = document.getElementById('view');
+  const view = host && openSiteView(host, film, new Motion(film), player);
+  window.rubicon = { player, view };
   let last = performance.now();
   const frame = (now: number) => {
     player.tick(Math.min((now - last) / 1000, 0.25));

@@ -1,0 +1,23 @@
+/** Strokes of 16 x 16 drawings. */
+const drawings = {
+  fit: 'M2 6V2h4M10 2h4v4M14 10v4h-4M6 14H2v-4M6 6h4v4H6z',
+  top: 'M3 3h10v10H3zM3 8h10M8 3v10',
+  front: 'M2 13h12M4 13V5l4-2.5L12 5v8M7 13V9h2v4',
+  side: 'M2 13h12M3 13V6l10-3v10M6 13V9.5M10 13V8.5',
+  machine: 'M2 14h5M4.5 14V2M2 4.5h12M4.5 2L14 4.5M12 4.5v4M10.5 8.5h3v2.5h-3z',
+  paths: 'M2.5 13.5c4-1 2-6 5.5-7s2.5-3 5-4M2.5 13.5h.01M13 2.5h.01',
+  zones: 'M3 3h10v10H3zM3 9l6-6M3 13L13 3M7 13l6-6',
+  close: 'M4 4l8 8M12 4l-8 8',
+} as const;
+export type IconName = keyof typeof drawings;
+
+export function icon(name: IconName): SVGSVGElement {
+  const space = 'http://www.w3.org/2000/svg';
+  const svg = document.createElementNS(space, 'svg');
+  svg.setAttribute('viewBox', '0 0 16 16');
+  svg.setAttribute('aria-hidden', 'true');
+  const path = document.createElementNS(space, 'path');
+  path.setAttribute('d', drawings[name]);
+  svg.append(path);
+  return svg;
+}

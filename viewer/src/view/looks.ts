@@ -1,0 +1,118 @@
+import type { Film } from '../film';
+import type { Player } from '../player';
+import type { Style } from './batch';
+import type { Part, SiteModel } from './site_model';
+import { mixed, type Colour, type Theme } from './theme';
+
+/** The kind of a component by its name: `wall` of `u_1_2.wall_3`. */
+export function kindOf(name: string): string {
+  return name.slice(name.lastIndexOf('.') + 1).replace(/[\d_]+$/, '') || name;
+}
+
+/** How bodies of one machine differ: share of white (positive) or black. */
+const shades = [0, 0.22, -0.14, 0.36, -0.24, 0.12];
+
+/** How far what is not meant is dimmed while something is pointed out. */
+const dimmed = 0.72;
+
+/** Colours what the model shows: by state and kind, with what is picked and the pair of a refused step pointed out. */
+export class Looks {
+  private readonly kinds: number[];
+  private theme!: Theme;
+  /** Of the refused step shown, by batch and element. */
+  private pair = new Map<string, Colour>();
+  private picked = new Set<string>();
+
+  constructor(private readonly film: Film, private readonly model: SiteModel, private readonly player: Player) {
+    const numbers = new Map<string, number>();
+    this.kinds = film.header.components.map(({ name }) => {
+      const kind = kindOf(name);
+      if (!numbers.has(kind)) numbers.set(kind, numbers.size);
+      return numbers.get(kind) ?? 0;
+    });
+  }
+
+  setTheme(theme: Theme): void {
+    this.theme = theme;
+  }
+
+  machineColour(robot: number): Colour {
+    return this.theme.machines[robot % this.theme.machines.length];
+  }
+
+  /** What is selected and what blocks may have changed: everything. */
+  all(): void {
+    const { model, film } = this;
+    this.picked = new Set(this.selectedParts().map(key));
+    this.pair = this.blockingPair();
+    film.header.site.forEach((_, i) => this.site(i));
+    this.site(model.ground.element);
+    film.header.components.forEach((_, i) => this.component(i));
+    film.header.robots.forEach((robot, r) => robot.bodies.forEach((_, i) => this.body(r, i)));
+    if (model.carry >= 0) this.put({ batch: 'machine', element: model.carry }, this.theme.carried, 'plain');
+  }
+
+  component(element: number): void {
+    const { state } = this.model.stock.items[element];
+    const { theme } = this;
+    const colour = state === 'carried' ? theme.carried : state === 'waiting' ? theme.waiting
+      : theme.components[this.kinds[element] % theme.components.length];
+    const hidden = state === 'removed' || (state === 'carried' && this.player.fast);
+    this.put({ batch: 'component', element }, colour, hidden ? 'hidden' : 'plain');
+  }
+
+  /** The parts of what is picked; of a run its component and its robot. */
+  selectedParts(): Part[] {
+    const { selection } = this.player;
+    const { header, runs } = this.film;
+    if (!selection) return [];
+    if (selection.kind === 'component') return [{ batch: 'component', element: selection.index }];
+    if (selection.kind === 'robot') return this.model.partsOfRobot(selection.index);
+    const run = runs[selection.index];
+    if (!run) return [];
+    const moved = header.tasks.find((task) => task.name === run.task)?.move;
+    const component = header.components.findIndex(({ name }) => name === moved);
+    const parts: Part[] = component >= 0 ? [{ batch: 'component', element: component }] : [];
+    return run.robot >= 0 ? [...parts, ...this.model.partsOfRobot(run.robot)] : parts;
+  }
+
+  private site(element: number): void {
+    const { theme, model } = this;
+    this.put({ batch: 'site', element }, element === model.ground.element ? theme.ground : theme.fixture, 'plain');
+  }
+
+  private body(robot: number, body: number): void {
+    const shade = shades[body % shades.length];
+    const colour = mixed(this.machineColour(robot), shade > 0 ? [1, 1, 1] : [0, 0, 0], Math.abs(shade));
+    this.put({ batch: 'machine', element: this.model.robots[robot].first + body }, colour, 'plain');
+  }
+
+  private put(part: Part, colour: Colour, style: Style): void {
+    const { model, theme } = this;
+    const batch = part.batch === 'site' ? model.site : part.batch === 'component' ? model.components : model.machines;
+    const marked = this.picked.has(key(part));
+    let shown = marked ? mixed(colour, theme.selected, part.batch === 'component' ? 0.45 : 0.18) : colour;
+    let drawn = style === 'plain' && marked ? 'marked' : style;
+    const met = this.pair.get(key(part));
+    if (met) {
+      shown = met;
+    } else if (this.pair.size > 0) {
+      shown = mixed(colour, theme.skyBelow, dimmed);
+      if (drawn === 'marked') drawn = 'plain';
+    }
+    batch.setLook(part.element, shown, drawn);
+  }
+
+  private blockingPair(): Map<string, Colour> {
+    const { film, player: { record }, model, theme } = this;
+    const pair = new Map<string, Colour>();
+    if (record === null || film.kind(record) !== 'try' || film.number(record, 'try.ok') !== 0) return pair;
+    for (const part of model.partsOf(film.text(record, 'try.met'))) pair.set(key(part), theme.met);
+    for (const part of model.partsOf(film.text(record, 'try.moved'))) pair.set(key(part), theme.moved);
+    return pair;
+  }
+}
+
+function key({ batch, element }: Part): string {
+  return `${batch} ${element}`;
+}

@@ -1,0 +1,277 @@
+import { Box3, Vector3 } from 'three';
+import { Activity } from '../activity';
+import type { Film } from '../film';
+import type { PoseRows } from '../header';
+import { poseRows } from '../kinematics';
+import type { Motion } from '../motion';
+import type { Player, Selection } from '../player';
+import { makeLight, setLight } from './batch';
+import { Card } from './card';
+import { make } from './elements';
+import { bindKeys } from './keys';
+import { GroundLabels } from './labels';
+import { Looks } from './looks';
+import { Overlay } from './overlay';
+import { Paths } from './paths';
+import { Picker } from './picker';
+import { cabOf } from './ride';
+import { Rig, type ViewName } from './rig';
+import { Ropes } from './ropes';
+import { Section } from './section';
+import { SiteModel, type Part } from './site_model';
+import { Sky } from './sky';
+import { Stage } from './stage';
+import { themeOf, type Theme } from './theme';
+import { Toolbar } from './toolbar';
+import './view.css';
+
+/** Room (m) about what is flown to. */
+const roomAround = 6;
+
+/** The site in 3D at the moment that the player shows. Draws by itself, whenever something changed. */
+export class SiteView {
+  private readonly light = makeLight();
+  private readonly model: SiteModel;
+  private readonly looks: Looks;
+  private readonly activity: Activity;
+  private readonly overlay: Overlay;
+  private readonly paths: Paths;
+  private readonly ropes: Ropes;
+  private readonly labels: GroundLabels;
+  private readonly sky = new Sky();
+  private readonly card: Card;
+  private readonly section: Section;
+  private readonly toolbar: Toolbar;
+  private readonly rig: Rig;
+  private readonly stage: Stage;
+  private readonly picker: Picker;
+  private readonly shows = { paths: true, zones: true };
+  private theme: Theme;
+  /** The robot that the camera rides on, -1: none. */
+  private riding = -1;
+  private movedOn = true;
+  private repainted = true;
+
+  /** Throws where there is no WebGL; `openSiteView` says so in the page instead. */
+  constructor(host: HTMLElement, private readonly film: Film, motion: Motion, private readonly player: Player) {
+    this.theme = themeOf(host);
+    this.model = new SiteModel(film, motion, this.light);
+    this.activity = new Activity(film);
+    this.looks = new Looks(film, this.model, player);
+    this.overlay = new Overlay(film, this.light);
+    this.paths = new Paths(film, motion, this.light);
+    this.ropes = new Ropes(this.model, this.light);
+    this.labels = new GroundLabels(this.model.ground.box);
+    this.card = new Card(film, player, this.model, this.activity);
+    const { extent, ground } = this.model;
+    this.section = new Section(player, ground.box.max.z, Math.max(extent.max.z, ground.box.max.z + 3));
+    this.toolbar = this.makeToolbar();
+    const canvas = make('canvas', 'view-canvas');
+    this.rig = new Rig(canvas, new Box3().copy(extent).union(ground.box), () => this.stage.touch(), () => this.ride(-1));
+    this.stage = new Stage(host, canvas, this.rig.camera, (ratio, width, height) => {
+      this.rig.resize(width, height);
+      this.light.pixelRatio.value = ratio;
+      for (const { strokes } of [this.paths, this.ropes]) strokes.size.set(width * ratio, height * ratio);
+    });
+    this.picker = new Picker(this.stage.renderer, this.stage.scene, this.rig.camera, this.model);
+    this.stage.scene.add(this.model.group, this.labels.mesh, this.paths.strokes.mesh, this.ropes.strokes.mesh, this.overlay.group,
+                         this.sky.mesh);
+    canvas.tabIndex = 0;
+    canvas.setAttribute('role', 'img');
+    host.append(canvas, this.section.element, this.toolbar.element, this.card.element);
+    if (film.header.components.length + film.header.robots.length + film.header.site.length === 0) {
+      host.append(make('p', 'view-note', 'This plan has no site, no components and no machines: there is nothing to see here yet.'));
+    }
+    this.listen(canvas);
+    bindKeys(canvas, {
+      nudge: (...by) => { this.ride(-1); this.rig.nudge(...by); this.stage.touch(); },
+      fit: () => this.look(null),
+      look: (view) => this.look(view),
+      machine: () => this.ride(this.riding >= 0 ? -1 : this.robotToRide()),
+      toggle: (what) => this.toggle(what),
+      section: (by) => this.section.nudge(by),
+      drop: () => player.select(null),
+    });
+    this.setTheme();
+    this.stage.resize();
+    this.rig.resize(Math.max(host.clientWidth, 1), Math.max(host.clientHeight, 1));
+    this.rig.fit(this.model.extent, 'free', false);
+    const frame = (now: number) => {
+      if (this.rig.fly(now)) this.stage.touch();
+      this.stage.frame(now, () => this.update());
+      requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+  }
+
+  /** For tests: the pose in {W} (rows) of every body as `robot.body`, every tool as `robot.tool` and every component, at the moment shown. */
+  poses(): { bodies: Record<string, PoseRows>; tools: Record<string, PoseRows>; components: Record<string, PoseRows> } {
+    this.update();
+    const { header } = this.film;
+    const bodies: [string, PoseRows][] = [];
+    const tools: [string, PoseRows][] = [];
+    for (const { robot, mechanism } of this.model.robots) {
+      const { name, bodies: parts } = header.robots[robot];
+      parts.forEach((body, i) => bodies.push([`${name}.${body.name}`, poseRows(mechanism.bodies[i])]));
+      tools.push([name, poseRows(mechanism.tool)]);
+    }
+    const components = header.components.map(({ name }, i): [string, PoseRows] => [name, poseRows(this.model.poses[i])]);
+    return { bodies: Object.fromEntries(bodies), tools: Object.fromEntries(tools), components: Object.fromEntries(components) };
+  }
+
+  /** For tests: `waiting`, `carried`, `placed` or `removed` by component at the moment shown. */
+  states(): Record<string, string> {
+    this.update();
+    return Object.fromEntries(this.film.header.components.map(({ name }, i) => [name, this.model.stock.items[i].state]));
+  }
+
+  /** For tests and measurements: pictures a second while playing, draw calls and triangles of the last picture. */
+  stats(): { fps: number; calls: number; triangles: number; pixelRatio: number } {
+    return this.stage.stats();
+  }
+
+  /** For tests: where a component or a robot is in the window (CSS pixels), null if it is not in the picture. */
+  whereIs(what: Selection): { x: number; y: number } | null {
+    this.update();
+    const box = this.model.boundsOf(what.kind === 'robot' ? this.model.partsOfRobot(what.index) : this.partsOf(what));
+    const { camera } = this.rig;
+    camera.updateMatrixWorld();
+    const at = box.getCenter(new Vector3()).project(camera);
+    const { left, top, width, height } = this.stage.canvas.getBoundingClientRect();
+    if (box.isEmpty() || Math.abs(at.x) > 1 || Math.abs(at.y) > 1 || at.z > 1) return null;
+    return { x: left + (0.5 + 0.5 * at.x) * width, y: top + (0.5 - 0.5 * at.y) * height };
+  }
+
+  private listen(canvas: HTMLCanvasElement): void {
+    const { player } = this;
+    player.on('time', () => { this.movedOn = true; this.stage.touch(); });
+    player.on(['record', 'selection', 'fast'], () => { this.movedOn = this.repainted = true; this.stage.touch(); });
+    player.on('section', () => { this.section.show(); this.repainted = true; this.stage.touch(); });
+    player.on('fast', () => { if (player.fast) this.ride(-1); this.toolbar.setEnabled('machine', !player.fast); });
+    this.toolbar.setEnabled('machine', this.film.header.robots.length > 0);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.setTheme());
+    new MutationObserver(() => this.setTheme()).observe(document.documentElement, { attributes: true });
+    let down = { x: 0, y: 0 };
+    canvas.addEventListener('pointerdown', (event) => { down = { x: event.clientX, y: event.clientY }; });
+    canvas.addEventListener('click', (event) => {
+      if (Math.hypot(event.clientX - down.x, event.clientY - down.y) < 5) player.select(this.selectionAt(event));
+    });
+    canvas.addEventListener('dblclick', (event) => {
+      const picked = this.selectionAt(event);
+      if (picked) this.flyTo(this.partsOf(picked));
+    });
+    canvas.addEventListener('webglcontextrestored', () => { this.repainted = true; this.stage.touch(); });
+  }
+
+  private makeToolbar(): Toolbar {
+    const view = (name: ViewName, label: string, key: string) => ({ name: name as 'top' | 'front' | 'side', label,
+      title: `Look from ${name === 'top' ? 'above' : `the ${name}`} (${key} in the view)`, press: () => this.look(name) });
+    return new Toolbar([
+      [{ name: 'fit', label: 'Fit', title: 'Show all (F in the view; W A S D turn, with Shift move, + - bring near)',
+        press: () => this.look(null) },
+      view('top', 'Top', '1'), view('front', 'Front', '2'), view('side', 'Side', '3'),
+      { name: 'machine', label: 'Machine', title: 'Ride on the machine that is picked or at work (4 in the view)', toggle: true,
+        press: () => this.ride(this.riding >= 0 ? -1 : this.robotToRide()) }],
+      [{ name: 'paths', label: 'Paths', title: 'Ways of the hooks and tools (P in the view)', toggle: true, press: () => this.toggle('paths') },
+      { name: 'zones', label: 'Zones', title: 'Zones of people (Z in the view)', toggle: true, press: () => this.toggle('zones') }],
+    ]);
+  }
+
+  private setTheme(): void {
+    this.theme = themeOf(this.stage.canvas);
+    setLight(this.light, this.theme);
+    this.looks.setTheme(this.theme);
+    this.labels.setTheme(this.theme);
+    this.sky.setTheme(this.theme);
+    this.repainted = true;
+    this.stage.touch();
+    for (const what of ['paths', 'zones'] as const) this.toolbar.setPressed(what, this.shows[what]);
+  }
+
+  /** Brings what is drawn to what the player shows. */
+  private update(): void {
+    const { model, player, film, looks } = this;
+    if (this.movedOn || this.repainted) {
+      const tried = player.triedRun;
+      const changed = model.move(player.time, tried);
+      if (this.repainted) looks.all();
+      else for (const component of changed) looks.component(component);
+      const { record } = player;
+      const met = record !== null && film.kind(record) === 'try' ? film.text(record, 'try.met') : '';
+      const running = this.activity.running(player.time, tried);
+      const machines = !player.fast;
+      this.overlay.show(running, this.shows.zones, met, this.theme);
+      model.machines.mesh.visible = machines;
+      this.ropes.show(this.theme);
+      this.paths.show(machines && this.shows.paths ? running : [], tried, player.time, (robot) => looks.machineColour(robot), this.theme.dark);
+      if (!machines) this.ropes.strokes.mesh.visible = false;
+      const cut = player.section;
+      this.light.section.value = cut ?? 1e9;
+      for (const batch of model.batches) batch.setCut(cut !== null);
+      this.overlay.setCut(cut !== null);
+      this.card.show();
+      this.movedOn = this.repainted = false;
+    }
+    if (this.riding >= 0) {
+      const { mechanism, first } = model.robots[this.riding];
+      const robot = film.header.robots[this.riding];
+      const { eye, at } = cabOf(mechanism, (body) => model.machineBounds[first + body],
+                                (body) => robot.parameters.some((parameter) => parameter.body === robot.bodies[body].name));
+      this.rig.ride(eye, at);
+    }
+  }
+
+  private look(view: ViewName | null): void {
+    this.ride(-1);
+    this.rig.fit(this.model.extent, view);
+    this.stage.touch();
+  }
+
+  private flyTo(parts: Part[]): void {
+    const box = this.model.boundsOf(parts);
+    if (box.isEmpty()) return;
+    this.ride(-1);
+    this.rig.fit(box.expandByScalar(roomAround));
+    this.stage.touch();
+  }
+
+  private ride(robot: number): void {
+    if (robot === this.riding) return;
+    this.riding = robot;
+    if (robot < 0) this.rig.leave();
+    this.toolbar.setPressed('machine', robot >= 0);
+    this.stage.touch();
+  }
+
+  /** The machine that is picked, else one at work, else the first. */
+  private robotToRide(): number {
+    const { player, film } = this;
+    const { selection } = player;
+    if (film.header.robots.length === 0 || player.fast) return -1;
+    if (selection?.kind === 'robot') return selection.index;
+    if (selection?.kind === 'run' && film.runs[selection.index].robot >= 0) return film.runs[selection.index].robot;
+    return this.activity.running(player.time, player.triedRun).map((run) => film.runs[run].robot).find((robot) => robot >= 0) ?? 0;
+  }
+
+  private toggle(what: 'paths' | 'zones'): void {
+    this.shows[what] = !this.shows[what];
+    this.toolbar.setPressed(what, this.shows[what]);
+    this.repainted = true;
+    this.stage.touch();
+  }
+
+  private selectionAt(event: MouseEvent): Selection | null {
+    const { left, top, width, height } = this.stage.canvas.getBoundingClientRect();
+    this.update();
+    const part = this.picker.at((event.clientX - left) / width, (event.clientY - top) / height);
+    this.stage.touch();
+    if (!part) return null;
+    if (part.batch === 'component') return { kind: 'component', index: part.element };
+    const robot = this.model.robots.findLast((machine) => machine.first <= part.element);
+    return robot ? { kind: 'robot', index: part.element === this.model.carry ? 0 : robot.robot } : null;
+  }
+
+  private partsOf(selection: Selection): Part[] {
+    return selection.kind === 'component' ? [{ batch: 'component', element: selection.index }] : this.looks.selectedParts();
+  }
+}
