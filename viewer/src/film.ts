@@ -74,6 +74,7 @@ export class Film {
   private readonly bytes: Uint8Array;
   private readonly decoded = new Map<string, Float64Array>();
   private ranks: Int32Array | null = null;
+  private byRun: Int32Array[] | null = null;
 
   constructor(raw: Uint8Array) {
     const view = new DataView(raw.buffer, raw.byteOffset, raw.byteLength);
@@ -107,6 +108,19 @@ export class Film {
 
   run(record: number): number {
     return this.column('record.run')[record];
+  }
+
+  /** The records of a run, in their order. Their times never fall, but for the `task_end` of what was rejected. */
+  recordsOf(run: number): Int32Array {
+    if (!this.byRun) {
+      const runs = this.column('record.run');
+      const counts = new Int32Array(this.runs.length);
+      for (const each of runs) ++counts[each];
+      this.byRun = Array.from(counts, (count) => new Int32Array(count));
+      counts.fill(0);
+      for (let i = 0; i < runs.length; ++i) this.byRun[runs[i]][counts[runs[i]]++] = i;
+    }
+    return this.byRun[run];
   }
 
   /** A member of a record, such as number(r, 'try.ok'); the record must be of that kind. */

@@ -1,5 +1,7 @@
+import './styles.css';
 import { readFilm } from './film';
 import { Motion } from './motion';
+import { mountPanels } from './panels/mount';
 import { Player } from './player';
 import { openSiteView } from './view/open';
 import type { SiteView } from './view/site_view';
@@ -14,9 +16,12 @@ declare global {
 async function open(): Promise<void> {
   const film = await readFilm(document.getElementById('film')?.textContent ?? '');
   const player = new Player(film);
+  const motion = new Motion(film);
   const host = document.getElementById('view');
-  const view = host && openSiteView(host, film, new Motion(film), player);
+  const view = host && openSiteView(host, film, motion, player);
+  mountPanels(film, motion, player);
   window.rubicon = { player, view };
+  document.documentElement.dataset.ready = '';
   let last = performance.now();
   const frame = (now: number) => {
     player.tick(Math.min((now - last) / 1000, 0.25));

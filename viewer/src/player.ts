@@ -1,4 +1,6 @@
+import { busyTimes } from './busy';
 import type { Film } from './film';
+import type { Interval } from './shifts';
 
 /** What is picked: an element, a run of a task, a robot. */
 export type Selection =
@@ -33,21 +35,16 @@ export class Player {
   /** When components came to stand, in order. */
   private readonly landmarks: number[];
   /** [from, to] of the times in which some task goes on, in order, apart from each other. */
-  private readonly busy: [number, number][];
-  /** Records of the kinds try and wait, in order. */
-  private readonly steps: Int32Array;
+  private readonly busy: Interval[];
 
   constructor(readonly film: Film) {
     this.end = film.end;
     const landmarks: number[] = [];
-    const steps: number[] = [];
     for (let i = 0; i < film.records; ++i) {
       const kind = film.kind(i);
-      if (kind === 'try' || kind === 'wait') steps.push(i);
-      else if ((kind === 'detach' || kind === 'remove') && film.runs[film.run(i)].happened) landmarks.push(film.time(i));
+      if ((kind === 'detach' || kind === 'remove') && film.runs[film.run(i)].happened) landmarks.push(film.time(i));
     }
     this.landmarks = [...new Set(landmarks)].sort((a, b) => a - b);
-    this.steps = Int32Array.from(steps);
     this.busy = busyTimes(film);
   }
 
@@ -143,12 +140,23 @@ export class Player {
     this.tell('record');
   }
 
-  /** To the next (or, backwards, the previous) attempt or wait of the same run, or of the run that is picked. */
+  /** To the next (or, backwards, the previous) attempt or wait of the same run, of the run that is picked, or of any that happened. */
   step(by: 1 | -1): void {
-    const run = this.at !== null ? this.film.run(this.at) : this.picked?.kind === 'run' ? this.picked.index : -1;
-    let i = this.at !== null ? this.stepAt(this.at, by) : this.stepAtTime(by);
-    while (i >= 0 && i < this.steps.length && run >= 0 && this.film.run(this.steps[i]) !== run) i += by;
-    if (i >= 0 && i < this.steps.length) this.goToRecord(this.steps[i]);
+    const { film, at } = this;
+    let next = -1;
+    if (at !== null) {
+      const records = film.recordsOf(film.run(at));
+      next = this.stepFrom(records, records.indexOf(at) + by, by);
+    } else if (this.picked?.kind === 'run') {
+      next = this.stepAtTime(this.picked.index, by);
+    } else {
+      film.runs.forEach((run, i) => {
+        if (!run.happened) return;
+        const found = this.stepAtTime(i, by);
+        if (found >= 0 && (next < 0 || by * (film.time(found) - film.time(next)) < 0)) next = found;
+      });
+    }
+    if (next >= 0) this.goToRecord(next);
   }
 
   /** Real time went on. */
@@ -198,50 +206,29 @@ export class Player {
     return next ? Math.max(time, next[0]) : this.end;
   }
 
-  private stepAt(record: number, by: 1 | -1): number {
+  /** The first attempt or wait of a run that is not over yet, or, backwards, the last that is; -1: none. */
+  private stepAtTime(run: number, by: 1 | -1): number {
+    const records = this.film.recordsOf(run);
     let low = 0;
-    let high = this.steps.length;
+    let high = records.length;
     while (low < high) {
       const middle = (low + high) >> 1;
-      if (this.steps[middle] < record) low = middle + 1;
+      const time = this.film.time(records[middle]);
+      if (by > 0 ? time < this.t : time <= this.t) low = middle + 1;
       else high = middle;
     }
-    if (by < 0) return low - 1;
-    return this.steps[low] === record ? low + 1 : low;
+    return this.stepFrom(records, by > 0 ? low : low - 1, by);
   }
 
-  private stepAtTime(by: 1 | -1): number {
-    const { film, steps, t } = this;
-    if (by > 0) {
-      const i = steps.findIndex((record) => film.time(record) >= t);
-      return i < 0 ? steps.length : i;
+  private stepFrom(records: Int32Array, first: number, by: 1 | -1): number {
+    for (let i = first; i >= 0 && i < records.length; i += by) {
+      const kind = this.film.kind(records[i]);
+      if (kind === 'try' || kind === 'wait') return records[i];
     }
-    return steps.findLastIndex((record) => film.time(record) <= t);
+    return -1;
   }
 
   private tell(change: Change): void {
     for (const listener of this.listeners.get(change) ?? []) listener();
   }
-}
-
-/** When some task goes on that does not wait for its shift. */
-function busyTimes(film: Film): [number, number][] {
-  const pieces: [number, number][] = [];
-  const from = film.runs.map((run) => run.start);
-  for (let i = 0; i < film.records; ++i) {
-    if (film.kind(i) !== 'pause' || film.text(i, 'pause.why') !== 'shift') continue;
-    const run = film.run(i);
-    const begin = film.number(i, 'pause.from');
-    if (film.runs[run].happened && begin > from[run]) pieces.push([from[run], begin]);
-    from[run] = film.time(i);
-  }
-  film.runs.forEach((run, i) => { if (run.happened) pieces.push([from[i], run.end ?? film.end]); });
-  pieces.sort((a, b) => a[0] - b[0]);
-  const merged: [number, number][] = [];
-  for (const [begin, end] of pieces) {
-    const last = merged.at(-1);
-    if (last && begin <= last[1]) last[1] = Math.max(last[1], end);
-    else merged.push([begin, end]);
-  }
-  return merged;
 }

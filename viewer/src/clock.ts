@@ -1,0 +1,86 @@
+const weekdays = ['Mon', 'Tue', 'Wed', 'Thu', 'Fri', 'Sat', 'Sun'];
+const months = ['Jan', 'Feb', 'Mar', 'Apr', 'May', 'Jun', 'Jul', 'Aug', 'Sep', 'Oct', 'Nov', 'Dec'];
+
+export const day = 86400;
+
+/** Monday 1970-01-05 00:00, where a plan without `start_at` begins, as seconds since 1970 (UTC). */
+const someMonday = 4 * day;
+
+/**
+ * What the time of the plan is called: dates where the plan has `start_at`, else hours since it began. Days have 24 hours, there
+ * are no time zones; everything is computed as if it were UTC.
+ */
+export class Clock {
+  /** Seconds since 1970 at the beginning of the plan. */
+  readonly epoch: number;
+  readonly dated: boolean;
+
+  constructor(startAt: string | null) {
+    const parts = /^(\d{4})-(\d{2})-(\d{2})[ T](\d{2}):(\d{2})(?::(\d{2}))?$/.exec(startAt ?? '');
+    this.dated = parts !== null;
+    const [year, month, date, hour, minute, second] = (parts ?? []).slice(1).map((part) => Number(part ?? 0));
+    this.epoch = parts ? Date.UTC(year, month - 1, date, hour, minute, second) / 1000 : someMonday;
+  }
+
+  /** `Mon 4 May 2026 07:18:05`, or `0:18:05`. */
+  full(t: number): string {
+    if (!this.dated) return duration(t);
+    const at = this.date(t);
+    return `${weekdays[(at.getUTCDay() + 6) % 7]} ${at.getUTCDate()} ${months[at.getUTCMonth()]} ${at.getUTCFullYear()} ${this.clock(t)}`;
+  }
+
+  /** `4 May 07:18`, or `0:18:05`. */
+  short(t: number): string {
+    return this.dated ? `${this.dayOf(t)} ${this.clock(t).slice(0, 5)}` : duration(t);
+  }
+
+  /** The day alone: `4 May`; `day 1` where there is no date. */
+  dayOf(t: number): string {
+    const at = this.date(t);
+    if (this.dated) return `${at.getUTCDate()} ${months[at.getUTCMonth()]}`;
+    return `day ${Math.floor(Math.floor(t) / day) + 1}`;
+  }
+
+  /** The time of the day: `07:18:05`. */
+  clock(t: number): string {
+    return this.date(t).toISOString().slice(11, 19);
+  }
+
+  /** Time of the day with tenths: `07:18:05.3`, or `0:18:05.3`. */
+  exact(t: number): string {
+    const tenths = Math.floor(t * 10 + 1e-4);
+    const whole = Math.floor(tenths / 10);
+    return `${this.dated ? this.clock(whole) : duration(whole)}.${tenths % 10}`;
+  }
+
+  private date(t: number): Date {
+    // Whole seconds; a nanosecond short of one is that one.
+    return new Date(Math.floor(this.epoch + t + 1e-6) * 1000);
+  }
+}
+
+/** `h:mm:ss` of seconds. */
+export function duration(seconds: number): string {
+  const whole = Math.floor(Math.abs(seconds) + 1e-6);
+  const two = (value: number) => String(value).padStart(2, '0');
+  return `${seconds < -1e-6 && whole > 0 ? '-' : ''}${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}`;
+}
+
+/** `24.2 days`, or `3.5 h`, whichever tells more. */
+export function roughly(seconds: number): string {
+  if (seconds >= day) return `${(seconds / day).toFixed(1)} days`;
+  if (seconds >= 3600) return `${(seconds / 3600).toFixed(1)} h`;
+  return seconds >= 60 ? `${(seconds / 60).toFixed(1)} min` : `${number(seconds, 1)} s`;
+}
+
+/** At most so many decimals, no zeros behind them. */
+export function number(value: number, decimals = 4): string {
+  const text = String(Number(value.toFixed(decimals)));
+  return text === '-0' ? '0' : text;
+}
+
+/** `66,865.05 EUR`. */
+export function money(value: number, currency: string): string {
+  const text = value.toLocaleString('en-GB', { minimumFractionDigits: 2, maximumFractionDigits: 2 });
+  return currency ? `${text} ${currency}` : text;
+}

@@ -1,0 +1,108 @@
+import { duration } from '../clock';
+import { button, icon, make, named, onceAFrame, setText } from './dom';
+import type { Page } from './page';
+import { speeds } from './speeds';
+import { makeTimeline } from './timeline';
+
+const icons = {
+  play: 'M3.5 2v12l10-6z',
+  fast: 'M1.5 2.5v11L8 8zM8 2.5v11L14.5 8z',
+  previous: 'M3 2.5h2v11H3zM13.5 2.5v11L5.5 8z',
+  next: 'M11 2.5h2v11h-2zM2.5 2.5v11l8-5.5z',
+  pause: 'M3.5 2.5h3v11h-3zM9.5 2.5h3v11h-3z',
+  stop: 'M3 3h10v10H3z',
+};
+
+/** The control panel: the time slider above, keys, clock, speed and the tasks that go on below. */
+export function mountControls(host: HTMLElement, page: Page): void {
+  const row = make('div', { class: 'row' });
+  row.append(makeKeys(page), makeClock(page), makeSpeed(page), makeIdle(page), makeChips(page));
+  host.append(makeTimeline(page), row);
+}
+
+function makeKeys({ player }: Page): HTMLElement {
+  const play = button('Play (space)', () => player.play(), { class: 'main' }, icon(icons.play));
+  const fast = button('Fast play: components only', () => player.fastPlay(), {}, icon(icons.fast));
+  const previous = button('Previous component (←)', () => player.previousComponent(), {}, icon(icons.previous));
+  const next = button('Next component (→)', () => player.nextComponent(), {}, icon(icons.next));
+  const pause = button('Pause (space)', () => player.pause(), {}, icon(icons.pause));
+  const stop = button('Stop: back to the beginning', () => player.stop(), {}, icon(icons.stop));
+  const keys = make('div', { class: 'keys', role: 'group', 'aria-label': 'Play' }, play, fast, previous, next, pause, stop);
+  // The mouse takes no focus here, so that space goes on meaning play and pause.
+  keys.addEventListener('mousedown', (event) => event.preventDefault());
+  const show = () => {
+    play.setAttribute('aria-pressed', String(player.playing && !player.fast));
+    fast.setAttribute('aria-pressed', String(player.playing && player.fast));
+    pause.setAttribute('aria-pressed', String(!player.playing && player.time > 0 && player.time < player.end));
+  };
+  player.on(['playing', 'fast'], show);
+  player.on('time', () => { if (!player.playing) show(); });
+  show();
+  return keys;
+}
+
+function makeClock({ player, clock }: Page): HTMLElement {
+  const time = make('span');
+  const since = make('small');
+  const show = () => {
+    setText(time, clock.full(player.time));
+    setText(since, clock.dated ? `${duration(player.time)} since the beginning` : 'since the beginning');
+  };
+  player.on('time', onceAFrame(show));
+  show();
+  return make('div', { class: 'clock', role: 'timer', 'aria-label': 'Simulated time' }, time, since);
+}
+
+function makeSpeed({ player }: Page): HTMLElement {
+  const select = make('select', { 'aria-label': 'Speed', title: 'Seconds of the plan a second (↑ ↓)' });
+  for (const speed of speeds) select.append(make('option', { value: String(speed) }, `${speed}×`));
+  select.addEventListener('change', () => player.setSpeed(Number(select.value)));
+  const show = () => {
+    const known = speeds.includes(player.speed);
+    if (!known && !Array.from(select.options).some((option) => Number(option.value) === player.speed)) {
+      select.append(make('option', { value: String(player.speed) }, `${player.speed}×`));
+    }
+    select.value = String(player.speed);
+  };
+  player.on('speed', show);
+  show();
+  return make('label', { class: 'field' }, 'Speed', select);
+}
+
+function makeIdle({ player }: Page): HTMLElement {
+  const box = make('input', { type: 'checkbox' });
+  box.addEventListener('change', () => player.setSkipsIdle(box.checked));
+  const show = () => { box.checked = player.skipsIdle; };
+  player.on('speed', show);
+  show();
+  return make('label', { class: 'field', title: 'Pass over the times in which nobody works' }, box, 'Skip idle time');
+}
+
+/** Tasks that go on: one line, what has no room is counted. */
+function makeChips({ player, runs }: Page): HTMLElement {
+  const host = make('div', { class: 'chips', role: 'group', 'aria-label': 'Tasks that go on' });
+  let shown = '';
+  const show = () => {
+    const now = runs.current(player.time);
+    const picked = runs.focused(player);
+    const room = Math.max(Math.floor(host.clientWidth / 130), 1);
+    const key = `${now.join(' ')}/${picked}/${room}`;
+    if (key === shown) return;
+    shown = key;
+    const chips: HTMLElement[] = now.slice(0, now.length > room ? room : now.length).map((run) => {
+      const who = runs.who(run);
+      const task = runs.all[run].task;
+      const chip = button(task, () => player.select({ kind: 'run', index: run }), run === picked ? { class: 'picked' } : {},
+        ...(who ? [named(who, 40), ': '] : []), named(task, 80));
+      chip.title = `${who}: ${task}`.slice(0, 300);
+      return chip;
+    });
+    if (now.length > room) chips.push(make('span', { class: 'more' }, `+${now.length - room}`));
+    if (now.length === 0) chips.push(make('span', { class: 'more' }, player.time >= player.end ? 'the end' : 'nobody works'));
+    host.replaceChildren(...chips);
+  };
+  const soon = onceAFrame(show);
+  player.on(['time', 'selection', 'record'], soon);
+  new ResizeObserver(soon).observe(host);
+  return host;
+}

@@ -1,0 +1,31 @@
+import { button, make } from './dom';
+
+const keys: [string, string][] = [
+  ['Space', 'play, pause'],
+  ['← →', 'previous, next component'],
+  ['Shift ← →', 'previous, next attempt (the Steps follow)'],
+  ['Home, End', 'beginning, end'],
+  ['↑ ↓ or > <', 'faster, slower'],
+  ['Gantt: wheel, + −', 'zoom; 0 shows all'],
+  ['Gantt: drag, arrows', 'move'],
+  ['Gantt: Enter, Shift Enter', 'next, previous task'],
+  ['Steps: ↑ ↓', 'previous, next record'],
+  ['Steps: a line with a blue number', 'on to the next record from this line'],
+  ['?', 'this list'],
+];
+
+/** What keys do. */
+export function makeHelp(): HTMLDialogElement {
+  const body = make('tbody');
+  for (const [key, what] of keys) {
+    body.append(make('tr', {}, make('th', { scope: 'row' }, make('kbd', {}, key)), make('td', { class: 'start' }, what)));
+  }
+  const dialog = make('dialog', { 'aria-label': 'Keys and hints' }, make('h2', {}, 'Keys and hints'), make('table', {}, body));
+  dialog.append(button('Close', () => dialog.close()));
+  document.addEventListener('keydown', (event) => {
+    if (event.key !== '?' || dialog.open || event.target instanceof HTMLInputElement) return;
+    event.preventDefault();
+    dialog.showModal();
+  });
+  return dialog;
+}

@@ -1,0 +1,35 @@
+import { Clock } from '../clock';
+import type { Film } from '../film';
+import type { Motion } from '../motion';
+import type { Player } from '../player';
+import { Runs } from '../runs';
+import { mountControls } from './controls';
+import { listenToKeys } from './keyboard';
+import { mountOverview } from './overview';
+import type { Page } from './page';
+import { mountSide } from './side';
+import { mountTasks } from './tasks';
+import { restoreTheme } from './theme';
+import { mountTopBar } from './top_bar';
+
+/** Fills #top, #side and #controls. */
+export function mountPanels(film: Film, motion: Motion, player: Player): void {
+  restoreTheme();
+  document.title = `${film.header.plan.slice(0, 80)} · RUBICON`;
+  const side = mountSide(element('side'));
+  const page: Page = { film, motion, player, runs: new Runs(film), clock: new Clock(film.header.start_at), open: side.open };
+  const overview = mountOverview(side.panel('Overview'), page);
+  mountTasks(side.panel('Tasks'), page, side.shows('Tasks'));
+  mountTopBar(element('top'), page, () => {
+    side.open('Overview');
+    overview.showRefusals();
+  });
+  mountControls(element('controls'), page);
+  listenToKeys(player);
+}
+
+function element(id: string): HTMLElement {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`the page has no #${id}`);
+  return found;
+}

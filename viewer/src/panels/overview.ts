@@ -1,0 +1,124 @@
+import { duration, money, number, roughly } from '../clock';
+import type { ScheduleData, Waited } from '../header';
+import { button, make, named } from './dom';
+import { goToRun, goToStep, type Page } from './page';
+
+/** Longer lists are cut: the tables have them whole. */
+const mostListed = 300;
+
+/** Numbers, machines and crews, waits, refusals, critical chain. */
+export function mountOverview(host: HTMLElement, page: Page): { showRefusals(): void } {
+  const { film } = page;
+  host.classList.add('scrolls');
+  host.tabIndex = 0;
+  const refusals = refusalsOf(page);
+  host.append(numbersOf(page));
+  if (!film.schedule) host.append(make('p', { class: 'muted' }, 'There is no schedule: cost, utilisation, waits and the critical chain are missing.'));
+  if (film.runs.length === 0) host.append(make('p', { class: 'muted' }, nothing(page)));
+  if (refusals) host.append(refusals);
+  if (film.schedule) host.append(...resourcesOf(page, film.schedule), ...waitsOf(film.schedule), ...chainOf(page, film.schedule));
+  return {
+    showRefusals: () => {
+      refusals?.scrollIntoView({ block: 'start' });
+      refusals?.querySelector('button')?.focus();
+    },
+  };
+}
+
+function nothing({ film }: Page): string {
+  if (film.header.detail === 'none') return 'The trace was written without detail: it tells of no task. Run with --trace-detail steps to see them.';
+  return 'This plan has no tasks: there is nothing to play.';
+}
+
+function numbersOf({ film, runs, clock }: Page): HTMLElement {
+  const { schedule, header } = film;
+  const list = make('dl', { class: 'numbers' });
+  const add = (name: string, value: string, more = '') => {
+    const shown = make('dd', { title: more }, value);
+    if (more) shown.append(make('small', {}, more));
+    list.append(make('div', {}, make('dt', {}, name), shown));
+  };
+  const long = schedule?.process_time ?? film.end;
+  add('Process time', duration(long), roughly(long));
+  if (schedule?.cost !== undefined) add('Cost', money(schedule.cost, schedule.currency ?? header.currency));
+  const results = schedule?.tasks.map((task) => task.result) ?? runs.all.map((run) => run.result || 'done');
+  const done = results.filter((result) => result === 'done').length;
+  add('Tasks', `${done} of ${results.length}`, results.length === 0 ? '' : done === results.length ? 'all done' : `${results.length - done} refused`);
+  if (clock.dated) add('Begins', clock.short(0));
+  if (clock.dated) add('Ends', clock.short(long));
+  let tried = 0;
+  let accepted = 0;
+  for (const task of schedule?.tasks ?? []) [tried, accepted] = [tried + task.tried, accepted + task.accepted];
+  if (schedule) add('Steps', tried.toLocaleString('en-GB'), `${(tried - accepted).toLocaleString('en-GB')} refused`);
+  return list;
+}
+
+function refusalsOf(page: Page): HTMLElement | null {
+  const { runs } = page;
+  const refused = runs.all.map((_, i) => i).filter((i) => runs.isRefused(i));
+  if (refused.length === 0) return null;
+  const list = make('ul', { class: 'refusals' });
+  for (const i of refused.slice(0, mostListed)) {
+    const { task, result, reason } = runs.all[i];
+    const name = button(task, () => goToStep(page, i, runs.refusedAt(i)), { class: 'link' }, named(task, 200));
+    list.append(make('li', { class: result === 'rejected' ? '' : 'later' }, name, ` ${result} `, make('br'), named(reason, 600)));
+  }
+  const more = refused.length > mostListed ? [make('p', { class: 'muted' }, `and ${refused.length - mostListed} more: see Tasks`)] : [];
+  return make('section', {}, make('h2', { class: 'bad' }, `Refused: ${refused.length}`), list, ...more);
+}
+
+function head(...names: string[]): HTMLElement {
+  return make('thead', {}, make('tr', {}, ...names.map((name) => make('th', { scope: 'col' }, name))));
+}
+
+function resourcesOf({ film }: Page, schedule: ScheduleData): HTMLElement[] {
+  if (schedule.resources.length === 0) return [];
+  const hasCost = schedule.resources.some((resource) => resource.cost !== undefined && resource.cost !== null);
+  const body = make('tbody');
+  for (const resource of schedule.resources) {
+    const share = (seconds: number) => `${Math.min(resource.shifts > 0 ? 100 * seconds / resource.shifts : 0, 100).toFixed(1)}%`;
+    const held = make('i', { class: 'held' });
+    const busy = make('i', { class: 'busy' });
+    held.style.width = share(resource.held);
+    busy.style.width = share(resource.busy);
+    const percent = `${number(100 * resource.utilisation, 0)} %`;
+    const meter = make('div', { class: resource.kind === 'crew' ? 'meter crew' : 'meter', role: 'img',
+      'aria-label': `used ${percent}, busy ${share(resource.busy)}`, title: `held ${share(resource.held)}, busy ${share(resource.busy)} of its shifts` },
+      held, busy);
+    body.append(make('tr', {}, make('th', { scope: 'row' }, named(resource.name)), make('td', {}, String(resource.tasks)),
+      make('td', {}, duration(resource.held)), make('td', {}, duration(resource.busy)), make('td', {}, percent, meter),
+      ...(hasCost ? [make('td', {}, resource.cost === undefined ? '' : money(resource.cost, ''))] : [])));
+  }
+  const currency = schedule.currency ?? film.header.currency;
+  return [make('h2', {}, 'Machines and crews'),
+    make('table', { class: 'resources' }, head('Name', 'Tasks', 'Held', 'Busy', 'Used', ...(hasCost ? [currency ? `Cost, ${currency}` : 'Cost'] : [])), body)];
+}
+
+const waitNames: [keyof Waited, string][] = [['predecessor', 'for tasks before'], ['resource', 'for a machine or crew that was busy'],
+  ['machine', 'on the way, for another machine or a zone'], ['shift', 'for the next shift']];
+
+function waitsOf(schedule: ScheduleData): HTMLElement[] {
+  const body = make('tbody');
+  for (const [kind, name] of waitNames) {
+    const waits = schedule.tasks.map((task) => task.waited[kind]).filter((wait) => wait > 0);
+    const sum = waits.reduce((a, b) => a + b, 0);
+    body.append(make('tr', {}, make('th', { scope: 'row' }, name), make('td', {}, String(waits.length)), make('td', {}, duration(sum))));
+  }
+  return [make('h2', {}, 'Waits, all tasks together'), make('table', {}, head('Waited', 'Tasks', 'Time'), body)];
+}
+
+function chainOf(page: Page, schedule: ScheduleData): HTMLElement[] {
+  if (schedule.critical.length === 0) return [];
+  const byName = new Map<string, number>();
+  page.runs.all.forEach((run, i) => { if (run.happened) byName.set(run.task, i); });
+  const list = make('ol', { class: 'chain' });
+  for (const link of schedule.critical.slice(0, mostListed)) {
+    const run = byName.get(link.task);
+    const text = named(link.text, 400);
+    const item = make('li', {}, run === undefined ? text : button(link.text, () => goToRun(page, run), { class: 'link' }, text));
+    if (!link.work_counts) item.append(' ', make('small', {}, '(its own work does not count)'));
+    list.append(item);
+  }
+  const more = schedule.critical.length - mostListed;
+  return [make('h2', {}, 'Critical chain'), list, ...(more > 0 ? [make('p', { class: 'muted' }, `and ${more} more`)] : [])];
+}

@@ -1,0 +1,51 @@
+import { duration } from './clock';
+import type { Film } from './film';
+
+/** What a record says, in one line for people. */
+export function sentence(film: Film, record: number): string {
+  const text = (column: string) => film.text(record, column);
+  const number = (column: string) => film.number(record, column);
+  const component = (column: string) => film.header.components[number(column)]?.name ?? '?';
+  const run = film.runs[film.run(record)];
+  switch (film.kind(record)) {
+    case 'task_start': return run.because || 'begins';
+    case 'goal': return `way point ${number('goal.k')} of ${number('goal.n')}`;
+    case 'set': return `var(${text('set.var')}) = ${text('set.value')}`;
+    case 'enter': return `${text('enter.kind')} {`;
+    case 'exit': {
+      const made = number('exit.successes');
+      return `} ${text('exit.kind')} ${number('exit.reached') ? 'reached' : 'exhausted'}, ${made} ${made === 1 ? 'success' : 'successes'}`;
+    }
+    case 'which': return `which ${text('which.label')}`;
+    case 'try': return `${text('try.command')} ${text('try.parameter')}${number('try.ok') ? '' : ` refused: ${refusal(film, record)}`}`;
+    case 'wait': return 'wait';
+    case 'work': {
+      const crew = text('work.crew');
+      return `${text('work.what')}${crew && ` by ${crew}`}, ${duration(number('work.time'))}`;
+    }
+    case 'pause': {
+      const why = text('pause.why');
+      const whom = text('pause.for');
+      const long = duration(film.time(record) - number('pause.from'));
+      if (why === 'shift') return `waited ${long} for the next shift`;
+      if (why === 'held') return `was held ${long} by ${whom}`;
+      return `waited ${long} for ${whom}`;
+    }
+    case 'attach': return `takes up ${component('attach.component')}`;
+    case 'detach': return `puts down ${component('detach.component')}`;
+    case 'remove': return `removes ${component('remove.component')}`;
+    case 'end': {
+      const message = text('end.message');
+      const status = text('end.status') + (number('end.reached') ? ', reached' : '');
+      return `motion ended: ${status}, ${number('end.accepted')} of ${number('end.tries')} tries made${message && ` (${message})`}`;
+    }
+    case 'task_end': return `${run.result || 'over'}${run.reason && `: ${run.reason}`}`;
+  }
+}
+
+/** Why an attempt was refused: `hit, low.jib meets high.hook`. */
+export function refusal(film: Film, record: number): string {
+  const reason = film.text(record, 'try.reason');
+  const met = film.text(record, 'try.met');
+  return met ? `${reason}, ${film.text(record, 'try.moved')} meets ${met}` : reason;
+}
