@@ -4,6 +4,7 @@ import type { Motion } from '../motion';
 import type { Player } from '../player';
 import { Runs } from '../runs';
 import { mountControls } from './controls';
+import { mountGantt } from './gantt';
 import { listenToKeys } from './keyboard';
 import { mountOverview } from './overview';
 import type { Page } from './page';
@@ -20,6 +21,7 @@ export function mountPanels(film: Film, motion: Motion, player: Player): void {
   const page: Page = { film, motion, player, runs: new Runs(film), clock: new Clock(film.header.start_at), open: side.open };
   const overview = mountOverview(side.panel('Overview'), page);
   mountTasks(side.panel('Tasks'), page, side.shows('Tasks'));
+  mountGantt(side.panel('Gantt'), page, side.shows('Gantt'));
   mountTopBar(element('top'), page, () => {
     side.open('Overview');
     overview.showRefusals();

@@ -40,7 +40,7 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
   };
   const long = schedule?.process_time ?? film.end;
   add('Process time', duration(long), roughly(long));
-  if (schedule?.cost !== undefined) add('Cost', money(schedule.cost, schedule.currency ?? header.currency));
+  if (schedule?.cost !== undefined) add('Cost', money(schedule.cost, ''), schedule.currency ?? header.currency);
   const results = schedule?.tasks.map((task) => task.result) ?? runs.all.map((run) => run.result || 'done');
   const done = results.filter((result) => result === 'done').length;
   add('Tasks', `${done} of ${results.length}`, results.length === 0 ? '' : done === results.length ? 'all done' : `${results.length - done} refused`);

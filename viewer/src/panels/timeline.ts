@@ -40,7 +40,14 @@ export function makeTimeline({ film, player, runs, clock }: Page): HTMLElement {
     paint(mark.start, colour.machine, 0, 9);
     paint(mark.blocked, colour.wait, band - 6, 6);
     pen.fillStyle = colour.bad;
-    for (let x = 0; x < width; ++x) if (marks[x] & mark.refused) pen.fillRect(x - 1, 0, 3, band);
+    for (let x = 0; x < width; ++x) {
+      if (!(marks[x] & mark.refused)) continue;
+      pen.beginPath();
+      pen.moveTo(x + 0.5, band - 12);
+      pen.lineTo(x + 6.5, band);
+      pen.lineTo(x - 5.5, band);
+      pen.fill();
+    }
     pen.font = `11px ${getComputedStyle(slider).fontFamily}`;
     pen.textBaseline = 'bottom';
     let right = -10;
