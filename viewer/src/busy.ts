@@ -1,38 +1,40 @@
 import { Clock } from './clock';
 import type { Film } from './film';
-import { merged, onShift, type Interval } from './shifts';
+import { common, merged, onShift, type Interval } from './shifts';
 
 /**
  * When some task goes on, in order and apart from each other: not while it waits for its shift, and of crew work only the hours in
  * which somebody works.
  */
 export function busyTimes(film: Film): Interval[] {
-  const { header } = film;
-  const clock = new Clock(header.start_at);
   const pieces: Interval[] = [];
   const from = film.runs.map((run) => run.start);
-  const leave = (run: number, begin: number, end: number) => {
-    if (film.runs[run].happened && begin > from[run]) pieces.push([from[run], begin]);
-    from[run] = end;
-  };
-  const calendars = new Map(header.calendars.map((calendar) => [calendar.name, calendar]));
-  const calendarOf = new Map(header.crews.map((crew) => [crew.name, crew.calendar]));
-  const crews = new Map(header.tasks.map((task) => [task.name, task.crews]));
   for (let i = 0; i < film.records; ++i) {
     const kind = film.kind(i);
     const run = film.run(i);
-    if (kind === 'pause' && film.text(i, 'pause.why') === 'shift') leave(run, film.number(i, 'pause.from'), film.time(i));
-    if (kind !== 'work') continue;
-    const [begin, end] = [film.number(i, 'work.from'), film.time(i)];
-    if (end - begin - film.number(i, 'work.time') < 1e-3) continue;
-    // It lasts longer than its work: through hours in which its crew (or those who hold the task) has no shift.
-    const crew = film.text(i, 'work.crew') || (crews.get(film.runs[run].task)?.[0] ?? '');
-    const name = calendarOf.get(crew) ?? header.robots[film.runs[run].robot]?.calendar ?? '';
-    const calendar = calendars.get(name);
-    if (!calendar) continue;
-    leave(run, begin, end);
-    if (film.runs[run].happened) pieces.push(...onShift(calendar, clock.epoch, begin, end));
+    const isWork = kind === 'work';
+    if (!film.runs[run].happened || !(isWork || (kind === 'pause' && film.text(i, 'pause.why') === 'shift'))) continue;
+    pieces.push([from[run], film.number(i, isWork ? 'work.from' : 'pause.from')]);
+    if (isWork) pieces.push(...workedHours(film, i));
+    from[run] = film.time(i);
   }
   film.runs.forEach((run, i) => { if (run.happened) pieces.push([from[i], run.end ?? film.end]); });
-  return merged(pieces);
+  return merged(pieces.filter(([begin, end]) => end > begin));
+}
+
+/** The hours of a record of crew work in which somebody works: all of them, unless shifts end within. */
+export function workedHours(film: Film, record: number): Interval[] {
+  const { header } = film;
+  const [begin, end] = [film.number(record, 'work.from'), film.time(record)];
+  if (end - begin - film.number(record, 'work.time') < 1e-3) return [[begin, end]];
+  const run = film.runs[film.run(record)];
+  // Without a crew of its own it is done by those who hold the task.
+  const name = film.text(record, 'work.crew');
+  const crews = name ? [name] : header.tasks.find((task) => task.name === run.task)?.crews ?? [];
+  const names = crews.map((crew) => header.crews.find((each) => each.name === crew)?.calendar ?? '');
+  const machine = header.robots[run.robot];
+  if (!name && machine) names.push(machine.calendar);
+  const { epoch } = new Clock(header.start_at);
+  return header.calendars.filter((calendar) => names.includes(calendar.name))
+    .map((calendar) => onShift(calendar, epoch, begin, end)).reduce(common, [[begin, end]]);
 }

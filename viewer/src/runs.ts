@@ -1,12 +1,13 @@
+import { workedHours } from './busy';
 import type { Film, Run } from './film';
 import type { ScheduledTask, TaskData, Waited } from './header';
 import type { Player } from './player';
 
-/** What a run did in a piece of its time, besides moving: crew work, a wait of its script, a pause. Times in s. */
+/** What a run did in a piece of its time, besides moving: crew work, a wait of its script, a pause, hours without a shift. Times in s. */
 export interface Span {
   from: number;
   to: number;
-  kind: 'work' | 'wait';
+  kind: 'work' | 'wait' | 'off';
   /** `hook by riggers`, `waits for the zone of chimney`: for people. */
   text: string;
   /** Who does crew work, `""`: those who hold the task. */
@@ -138,11 +139,16 @@ export class Runs {
       const kind = film.kind(i);
       if (kind === 'work') {
         const crew = film.text(i, 'work.crew');
-        own.push({ kind: 'work', from: film.number(i, 'work.from'), to, crew,
-          text: film.text(i, 'work.what') + (crew && ` by ${crew}`) });
+        const text = film.text(i, 'work.what') + (crew && ` by ${crew}`);
+        let from = film.number(i, 'work.from');
+        for (const [begin, end] of workedHours(film, i)) {
+          if (begin > from) own.push({ kind: 'off', from, to: begin, crew: '', text: 'no shift' });
+          own.push({ kind: 'work', from: begin, to: end, crew, text });
+          from = end;
+        }
       } else if (kind === 'pause') {
         const why = film.text(i, 'pause.why');
-        own.push({ kind: 'wait', from: film.number(i, 'pause.from'), to, crew: '',
+        own.push({ kind: why === 'shift' ? 'off' : 'wait', from: film.number(i, 'pause.from'), to, crew: '',
           text: `${pauses[why] ?? `waits: ${why}`} ${film.text(i, 'pause.for')}`.trim() });
       } else if (kind === 'wait') {
         const before = own.at(-1);

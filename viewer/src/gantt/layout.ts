@@ -7,7 +7,7 @@ export const rowGap = 8;
 /** How high the heading of a group of rows is (px). */
 export const groupHeight = 22;
 
-export type PieceKind = 'motion' | 'work' | 'wait';
+export type PieceKind = 'motion' | 'work' | 'wait' | 'off';
 
 /** Times in s. */
 export interface Piece {

@@ -15,6 +15,8 @@ const letterWidth = 6.4;
 /** The strip of a bar: below its name. */
 const stripTop = 14;
 const stripHeight = 11;
+/** Bars of the critical chain that are narrower have a line below, no frame around (px). */
+const narrow = 16;
 
 export interface Scene {
   layout: Layout;
@@ -77,7 +79,7 @@ function paintOff(painter: Painter, { view, clock, colours }: Scene, row: Row, y
 
 function paintLane(painter: Painter, scene: Scene, lane: readonly Bar[], y: number): void {
   const { view, colours, picked } = scene;
-  const fill = { motion: colours.machine, work: colours.crew, wait: colours.wait };
+  const fill = { motion: colours.machine, work: colours.crew, wait: colours.wait, off: colours.line };
   let drawn = -Infinity;
   for (let i = firstAfter(lane, view.from); i < lane.length && lane[i].from < view.to; ++i) {
     const bar = lane[i];
@@ -90,19 +92,23 @@ function paintLane(painter: Painter, scene: Scene, lane: readonly Bar[], y: numb
     const wide = Math.max(right - left - (right - left > 4 ? 1 : 0), 1);
     if (isPicked) painter.rect(left - 2, y, wide + 4, laneHeight - 2, colours.pick);
     if (wide < 4) {
-      painter.rect(left, y + stripTop, wide, stripHeight, bar.critical ? colours.critical : fill[bar.pieces[0].kind]);
+      painter.rect(left, y + stripTop, wide, stripHeight, fill[bar.pieces[0].kind]);
+      if (bar.critical) painter.rect(left, y + stripTop + stripHeight, wide, 2, colours.critical);
       continue;
     }
     for (const piece of bar.pieces) {
       if (piece.to < view.from || piece.from > view.to) continue;
       const x = labelWidth + xOf(view, piece.from);
       const end = Math.min(labelWidth + xOf(view, piece.to), left + wide);
-      painter.rect(x, y + stripTop, Math.max(end - x, 0.5), stripHeight, fill[piece.kind]);
+      // Where nobody works it is a thread.
+      const off = piece.kind === 'off';
+      painter.rect(x, y + stripTop + (off ? 4 : 0), Math.max(end - x, 0.5), off ? 3 : stripHeight, fill[piece.kind]);
     }
-    if (bar.critical) painter.frame(left, y + stripTop - 1, wide, stripHeight + 2, colours.critical);
+    if (bar.critical && wide < narrow) painter.rect(left, y + stripTop + stripHeight, wide, 2, colours.critical);
+    else if (bar.critical) painter.frame(left, y + stripTop - 1, wide, stripHeight + 2, colours.critical);
     const from = Math.max(left, labelWidth);
     const room = Math.floor((left + wide - from - 3) / letterWidth);
-    if (room >= 3) painter.text(from + 1, y + 7, clipped(scene.nameOf(bar.run), room), colours.text, isPicked);
+    if (room >= 5) painter.text(from + 1, y + 7, clipped(scene.nameOf(bar.run), room), colours.text, isPicked);
   }
 }
 

@@ -191,7 +191,7 @@ export function mountGantt(host: HTMLElement, page: Page, shown: Shown): void {
 }
 
 function legend(): HTMLElement {
-  const names = [['machine', 'motion'], ['crew', 'crew work'], ['wait', 'waiting'], ['off', 'no shift'], ['critical', 'critical chain'],
+  const names = [['machine', 'motion'], ['crew', 'crew work'], ['wait', 'waiting'], ['off', 'no shift'], ['critical', 'critical'],
     ['refused', 'refused']];
   return make('div', { class: 'legend', 'aria-hidden': 'true' }, ...names.map(([key, text]) => make('span', { class: key }, text)));
 }

@@ -9,6 +9,7 @@ import { listenToKeys } from './keyboard';
 import { mountOverview } from './overview';
 import type { Page } from './page';
 import { mountSide } from './side';
+import { mountSteps } from './steps';
 import { mountTasks } from './tasks';
 import { restoreTheme } from './theme';
 import { mountTopBar } from './top_bar';
@@ -22,6 +23,7 @@ export function mountPanels(film: Film, motion: Motion, player: Player): void {
   const overview = mountOverview(side.panel('Overview'), page);
   mountTasks(side.panel('Tasks'), page, side.shows('Tasks'));
   mountGantt(side.panel('Gantt'), page, side.shows('Gantt'));
+  mountSteps(side.panel('Steps'), page, side.shows('Steps'));
   mountTopBar(element('top'), page, () => {
     side.open('Overview');
     overview.showRefusals();

@@ -1,0 +1,103 @@
+import { behaviourAt, isRefusal, type BehaviourState } from '../behaviour';
+import { duration, number } from '../clock';
+import { refusal, sentence } from '../sentences';
+import type { Trail } from '../trail';
+import { cut, make, named } from './dom';
+import type { Page } from './page';
+
+interface Change {
+  name: string;
+  unit: string;
+  before: number;
+  after: number;
+}
+
+/** How a behaviour stands at a position of a trail: what was done, configuration before and after, variables, open loops. */
+export function showState(host: HTMLElement, page: Page, trail: Trail, at: number): void {
+  if (at < 0) {
+    host.replaceChildren();
+    return;
+  }
+  const record = trail.records[at];
+  const changes = changesAt(page, trail, at);
+  const state = behaviourAt(page.film, trail.run, at);
+  const said = make('div', { class: `said ${isRefusal(page.film, record) ? 'bad' : ''}` }, make('bdi', {}, cut(saying(page, record, changes), 500)));
+  const where = state.goal && state.goal.n > 1 ? `, way point ${state.goal.k} of ${state.goal.n}` : '';
+  host.replaceChildren(said, make('div', { class: 'muted' }, `${page.clock.exact(page.film.time(record))}, record ${at + 1} of `
+    + `${trail.records.length}${where}`), make('div', { class: 'pairs' }, configuration(changes), variables(state)), loops(page, state));
+}
+
+function changesAt({ film, motion }: Page, trail: Trail, at: number): Change[] {
+  const robot = film.runs[trail.run].robot;
+  const data = film.header.robots[robot];
+  if (!data) return [];
+  const tried = film.runs[trail.run].happened ? -1 : trail.run;
+  const t = film.time(trail.records[at]);
+  const kind = film.kind(trail.records[at]);
+  const moved = at > 0 && (kind === 'try' || kind === 'wait');
+  const after = motion.configuration(robot, kind === 'task_end' && at > 0 ? film.time(trail.records[at - 1]) : t, tried);
+  const before = moved ? motion.configuration(robot, film.time(trail.records[at - 1]), tried) : after;
+  return data.parameters.map((parameter, i) => ({ name: parameter.name, unit: parameter.kind === 'rotation' ? '°' : ' m', before: before[i],
+    after: after[i] }));
+}
+
+function saying({ film }: Page, record: number, changes: Change[]): string {
+  if (film.kind(record) !== 'try') return sentence(film, record);
+  const command = film.text(record, 'try.command');
+  const steps = film.text(record, 'try.parameter').split(', ').map((name) => {
+    const change = changes.find((each) => each.name === name);
+    if (!change) return name;
+    const stays = number(change.before) === number(change.after);
+    return `${name} ${number(change.before)}${stays ? '' : ` → ${number(change.after)}`}${change.unit}`;
+  });
+  const how = film.number(record, 'try.ok') ? 'accepted' : `refused: ${refusal(film, record)}`;
+  return `${command} ${steps.join(', ')}: ${how}`;
+}
+
+function head(...names: string[]): HTMLElement {
+  return make('thead', {}, make('tr', {}, ...names.map((name) => make('th', { scope: 'col' }, name))));
+}
+
+function configuration(changes: Change[]): HTMLElement {
+  const box = make('div', {}, make('h3', {}, 'Configuration'));
+  if (changes.length === 0) return box;
+  const body = make('tbody');
+  for (const { name, unit, before, after } of changes) {
+    const same = number(before) === number(after);
+    body.append(make('tr', same ? {} : { class: 'changed' }, make('td', {}, named(name, 60)), make('td', {}, number(before)),
+      make('td', {}, number(after) + unit)));
+  }
+  box.append(make('table', {}, head('', 'before', 'after'), body));
+  return box;
+}
+
+function variables(state: BehaviourState): HTMLElement {
+  const box = make('div', {}, make('h3', {}, 'Variables'));
+  if (state.variables.size === 0) {
+    box.append(make('div', { class: 'muted' }, 'none is set'));
+    return box;
+  }
+  const body = make('tbody');
+  for (const [name, { value }] of state.variables) {
+    const shown = Number.isFinite(Number(value)) ? number(Number(value)) : value;
+    body.append(make('tr', {}, make('td', {}, named(name, 60)), make('td', { title: cut(value, 300) }, cut(shown, 60))));
+  }
+  box.append(make('table', {}, body));
+  return box;
+}
+
+function loops({ film, clock }: Page, state: BehaviourState): HTMLElement {
+  const box = make('div', {}, make('h3', {}, 'Open loops, from outside in'));
+  if (state.loops.length === 0) {
+    box.append(make('div', { class: 'muted' }, 'none'));
+    return box;
+  }
+  const body = make('tbody');
+  for (const loop of state.loops) {
+    const since = film.time(loop.entered);
+    body.append(make('tr', {}, make('td', {}, `${loop.kind}, line ${loop.place.line}`), make('td', {}, String(loop.tries)),
+      make('td', {}, String(loop.accepted)), make('td', { title: duration(since) }, clock.exact(since))));
+  }
+  box.append(make('table', {}, head('loop', 'tries', 'accepted', 'since'), body));
+  return box;
+}

@@ -1,0 +1,173 @@
+import type { Place } from '../film';
+import { fileText, isRefusal } from '../behaviour';
+import { sentence } from '../sentences';
+import { Trail } from '../trail';
+import { button, cut, icon, make, onceAFrame, setText } from './dom';
+import { goToRun, goToStep, type Page } from './page';
+import type { Shown } from './side';
+import { showState } from './step_state';
+import { VirtualList } from './virtual_list';
+
+const lineHeight = 20;
+/** What a row or a name in the list of tasks shows of a text at most: longer ones only slow the browser down. */
+const longest = 400;
+const longestName = 70;
+
+/** A debugger's view: the records of a run, the script, and how it stands. */
+export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
+  const { film, player, runs, clock } = page;
+  host.classList.add('column', 'steps');
+  let trail = new Trail(film, -1);
+  /** The position of the record that is shown; -1: the run has none. */
+  let at = -1;
+  let place: Place | null = null;
+  let script: string[] = [];
+
+  const chooser = make('select', { 'aria-label': 'Task' });
+  const note = make('p', { class: 'empty hidden' });
+  const list = new VirtualList({ class: 'list trail', role: 'listbox', 'aria-label': 'Records of the task' }, lineHeight, recordRow);
+  const file = make('div', { class: 'file' });
+  const text = new VirtualList({ class: 'list script', role: 'region', 'aria-label': 'Script' }, lineHeight, scriptRow);
+  const state = make('div', { class: 'state', tabindex: '0', role: 'region', 'aria-label': 'State', 'aria-live': 'off' });
+  const buttons = makeButtons();
+  host.append(make('div', { class: 'bar' }, chooser), buttons.element, list.element, note, file, text.element, state);
+
+  chooser.addEventListener('change', () => {
+    const run = Number(chooser.value);
+    if (runs.all[run].happened) goToRun(page, run);
+    else goToStep(page, run, runs.refusedAt(run));
+  });
+  list.element.addEventListener('keydown', (event) => {
+    const to = { ArrowUp: at - 1, ArrowDown: at + 1, Home: 0, End: trail.records.length - 1 }[event.key];
+    if (to === undefined || event.shiftKey) return;
+    event.preventDefault();
+    go(to);
+  });
+  shown.on(show);
+  const soon = onceAFrame(show);
+  player.on(['time', 'record', 'selection'], soon);
+
+  function go(position: number): void {
+    const record = trail.records[position];
+    if (record !== undefined) player.goToRecord(record);
+  }
+
+  /** The run that is picked; else one that goes on, else the one shown before. */
+  function wantedRun(): number {
+    const focused = runs.focused(player);
+    if (focused >= 0) return focused;
+    const now = runs.current(player.time);
+    if (now.includes(trail.run)) return trail.run;
+    return now[0] ?? (trail.run >= 0 ? trail.run : runs.all.length > 0 ? 0 : -1);
+  }
+
+  function show(): void {
+    if (!shown.now()) return;
+    fillChooser();
+    const run = wantedRun();
+    const changed = run !== trail.run;
+    if (changed) {
+      trail = new Trail(film, run);
+      chooser.value = String(run);
+      list.setCount(trail.records.length);
+      sayWhatIsMissing();
+    }
+    const record = run < 0 ? -1 : player.record ?? runs.recordAt(run, player.time);
+    const position = record < 0 ? -1 : trail.positionOf(record);
+    if (!changed && position === at) return;
+    at = position;
+    list.reveal(Math.max(at, 0));
+    list.element.setAttribute('aria-activedescendant', at >= 0 ? `record-${at}` : '');
+    showScript();
+    buttons.enable();
+    showState(state, page, trail, at);
+  }
+
+  function sayWhatIsMissing(): void {
+    const message = runs.all.length === 0 ? 'There are no tasks to step through.'
+      : trail.records.length === 0 ? 'The trace tells nothing of this task.'
+      : trail.hasSteps() || film.header.detail === 'steps' ? ''
+      : 'The trace was written without single steps (--trace-detail steps has them): only what the task did as a whole is here.';
+    setText(note, message);
+    note.classList.toggle('hidden', message === '');
+    for (const element of [file, text.element]) element.classList.toggle('hidden', !trail.hasSteps());
+  }
+
+  function showScript(): void {
+    const next = at >= 0 ? trail.placeAround(at) : null;
+    if (next && next.file !== place?.file) {
+      script = (fileText(film, next.file) ?? '').split(/\r\n|\r|\n/);
+      setText(file, fileText(film, next.file) === null ? `${cut(next.file, 200)} (its text is not in the trace)` : cut(next.file, 200));
+      file.title = cut(next.file, 300);
+      text.setCount(script.length);
+    }
+    place = next;
+    if (place) text.reveal(place.line - 1);
+  }
+
+  function recordRow(i: number): HTMLElement {
+    const record = trail.records[i];
+    const row = make('div', { role: 'option', id: `record-${i}`, 'aria-selected': String(i === at), class: classOf(record) },
+      make('span', { class: 'time' }, clock.exact(film.time(record))));
+    if (i === at) row.classList.add('at');
+    const line = trail.place(record)?.line;
+    const words = make('bdi', {}, cut(sentence(film, record), longest));
+    words.style.paddingInlineStart = `${Math.min(trail.depth[i], 12) * 12}px`;
+    row.append(words, ...(line ? [make('span', { class: 'muted' }, `   line ${line}`)] : []));
+    row.addEventListener('click', () => go(i));
+    return row;
+  }
+
+  function classOf(record: number): string {
+    switch (film.kind(record)) {
+      case 'try': return isRefusal(film, record) ? 'refused' : film.number(record, 'try.ok') ? 'made' : 'idle';
+      case 'end': return film.number(record, 'end.reached') ? 'event' : 'event warn';
+      case 'task_end': return runs.isRefused(trail.run) ? 'event refused' : 'event';
+      case 'task_start': case 'goal': case 'attach': case 'detach': case 'remove': case 'work': return 'event';
+      case 'pause': case 'wait': return 'idle';
+      default: return '';
+    }
+  }
+
+  function scriptRow(i: number): HTMLElement {
+    const row = make('div', i + 1 === place?.line ? { class: 'at', 'aria-current': 'step' } : {}, make('span', { class: 'line' }, String(i + 1)),
+      make('bdi', {}, script[i].length > 2000 ? cut(script[i], 2000) : script[i]));
+    const from = place?.file;
+    if (from !== undefined && trail.hasLine(from, i + 1)) {
+      row.classList.add('visited');
+      row.title = 'On to the next record from this line';
+      row.addEventListener('click', () => go(trail.nextFromLine(at, from, i + 1)));
+    }
+    return row;
+  }
+
+  /** Options for all tasks; made when they are first seen. */
+  function fillChooser(): void {
+    if (chooser.options.length > 0 || runs.all.length === 0) return;
+    chooser.append(...runs.all.map((run, i) => {
+      const refused = runs.isRefused(i) ? `✗ ${run.result}: ` : '';
+      return make('option', { value: String(i) }, `${refused}${cut(run.task, longestName)} (${cut(runs.who(i), 30)}, ${clock.short(run.start)})`);
+    }));
+  }
+
+  function makeButtons(): { element: HTMLElement; enable(): void } {
+    const back = 'M12 2.5v11L4 8z';
+    const on = 'M4 2.5v11L12 8z';
+    const wanted: [string, string, string, () => number][] = [
+      ['First record', 'M3 2.5h2v11H3zM13 2.5v11L6 8z', '', () => (at > 0 ? 0 : -1)],
+      ['Previous refusal', back, 'refusal', () => trail.next(at, -1, 'refusal')],
+      ['Previous try (Shift ←)', back, 'try', () => trail.next(at, -1, 'try')],
+      ['Next try (Shift →)', on, 'try', () => trail.next(at, 1, 'try')],
+      ['Next refusal', on, 'refusal', () => trail.next(at, 1, 'refusal')],
+      ['Last record', 'M11 2.5h2v11h-2zM3 2.5v11L10 8z', '', () => (at < trail.records.length - 1 ? trail.records.length - 1 : -1)],
+    ];
+    const element = make('div', { class: 'bar nav', role: 'group', 'aria-label': 'Step' });
+    const all = wanted.map(([label, path, word, to]) => {
+      const face = make('span', { class: 'face' }, ...(path === back ? [icon(path), word] : word ? [word, icon(path)] : [icon(path)]));
+      const made = button(label, () => go(to()), word ? {} : { class: 'small' }, face);
+      element.append(made);
+      return { made, to };
+    });
+    return { element, enable: () => { for (const { made, to } of all) made.disabled = to() < 0; } };
+  }
+}
