@@ -55,6 +55,7 @@ export class Player {
     }
   }
 
+  /** 0 to `end`, or later at a record of a rejected run that was tried for longer. */
   get time(): number { return this.t; }
   get playing(): boolean { return this.plays; }
   /** Fast play: machines are hidden, components appear one after the other. */
@@ -136,7 +137,9 @@ export class Player {
     this.pause();
     this.setFast(false);
     this.at = record;
-    this.setTime(this.film.time(record));
+    // What was rejected may have been tried for longer than the plan took without it.
+    this.t = this.film.time(record);
+    this.tell('time');
     this.tell('record');
   }
 
@@ -197,6 +200,7 @@ export class Player {
     if (this.at === null) return;
     this.at = null;
     this.tell('record');
+    if (this.t > this.end) this.setTime(this.end);
   }
 
   /** The moment itself, or the next at which some task goes on. */

@@ -38,7 +38,7 @@ export function mountSide(host: HTMLElement): Side {
     const tab = button(name, () => open(name), { role: 'tab', id: `tab-${name}`, 'aria-controls': `panel-${name}` });
     tab.addEventListener('keydown', (event) => {
       const to = { ArrowLeft: i - 1, ArrowRight: i + 1, Home: 0, End: names.length - 1 }[event.key];
-      if (to === undefined) return;
+      if (to === undefined || event.shiftKey) return;
       event.preventDefault();
       event.stopPropagation();
       const next = names[(to + names.length) % names.length];

@@ -1,5 +1,5 @@
 import { behaviourAt, isRefusal, type BehaviourState } from '../behaviour';
-import { duration, number } from '../clock';
+import { number } from '../clock';
 import { refusal, sentence } from '../sentences';
 import type { Trail } from '../trail';
 import { cut, make, named } from './dom';
@@ -24,7 +24,8 @@ export function showState(host: HTMLElement, page: Page, trail: Trail, at: numbe
   const said = make('div', { class: `said ${isRefusal(page.film, record) ? 'bad' : ''}` }, make('bdi', {}, cut(saying(page, record, changes), 500)));
   const where = state.goal && state.goal.n > 1 ? `, way point ${state.goal.k} of ${state.goal.n}` : '';
   host.replaceChildren(said, make('div', { class: 'muted' }, `${page.clock.exact(page.film.time(record))}, record ${at + 1} of `
-    + `${trail.records.length}${where}`), make('div', { class: 'pairs' }, configuration(changes), variables(state)), loops(page, state));
+    + `${trail.records.length}${where}`), make('div', { class: 'pairs' }, configuration(changes),
+    make('div', {}, variables(state), loops(state))));
 }
 
 function changesAt({ film, motion }: Page, trail: Trail, at: number): Change[] {
@@ -35,7 +36,7 @@ function changesAt({ film, motion }: Page, trail: Trail, at: number): Change[] {
   const t = film.time(trail.records[at]);
   const kind = film.kind(trail.records[at]);
   const moved = at > 0 && (kind === 'try' || kind === 'wait');
-  const after = motion.configuration(robot, kind === 'task_end' && at > 0 ? film.time(trail.records[at - 1]) : t, tried);
+  const after = motion.configuration(robot, t, tried);
   const before = moved ? motion.configuration(robot, film.time(trail.records[at - 1]), tried) : after;
   return data.parameters.map((parameter, i) => ({ name: parameter.name, unit: parameter.kind === 'rotation' ? '°' : ' m', before: before[i],
     after: after[i] }));
@@ -86,7 +87,7 @@ function variables(state: BehaviourState): HTMLElement {
   return box;
 }
 
-function loops({ film, clock }: Page, state: BehaviourState): HTMLElement {
+function loops(state: BehaviourState): HTMLElement {
   const box = make('div', {}, make('h3', {}, 'Open loops, from outside in'));
   if (state.loops.length === 0) {
     box.append(make('div', { class: 'muted' }, 'none'));
@@ -94,10 +95,9 @@ function loops({ film, clock }: Page, state: BehaviourState): HTMLElement {
   }
   const body = make('tbody');
   for (const loop of state.loops) {
-    const since = film.time(loop.entered);
     body.append(make('tr', {}, make('td', {}, `${loop.kind}, line ${loop.place.line}`), make('td', {}, String(loop.tries)),
-      make('td', {}, String(loop.accepted)), make('td', { title: duration(since) }, clock.exact(since))));
+      make('td', {}, String(loop.accepted))));
   }
-  box.append(make('table', {}, head('loop', 'tries', 'accepted', 'since'), body));
+  box.append(make('table', {}, head('', 'tries', 'accepted'), body));
   return box;
 }

@@ -64,7 +64,7 @@ export function makeTimeline({ film, player, runs, clock }: Page): HTMLElement {
   };
 
   const follow = () => {
-    const share = film.end > 0 ? player.time / film.end : 0;
+    const share = film.end > 0 ? Math.min(player.time / film.end, 1) : 0;
     thumb.style.transform = `translateX(${(share * slider.clientWidth).toFixed(1)}px)`;
     slider.setAttribute('aria-valuenow', String(Math.round(player.time)));
     slider.setAttribute('aria-valuetext', clock.full(player.time));
