@@ -15,7 +15,7 @@ install(EXPORT rubicon_targets NAMESPACE rubicon:: DESTINATION ${RUBICON_INSTALL
 
 # Private headers show the types of libraries that users need not have.
 install(DIRECTORY interpreter src DESTINATION ${RUBICON_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
-        PATTERN "cli" EXCLUDE PATTERN "*assimp*" EXCLUDE PATTERN "*pugixml*" EXCLUDE PATTERN "parse_*.hpp" EXCLUDE)
+        PATTERN "cli" EXCLUDE PATTERN "*assimp*" EXCLUDE PATTERN "*pugixml*" EXCLUDE PATTERN "*simdjson*" EXCLUDE PATTERN "parse_*.hpp" EXCLUDE)
 
 configure_package_config_file(cmake/rubicon-config.cmake.in rubicon-config.cmake
                               INSTALL_DESTINATION ${RUBICON_INSTALL_CMAKEDIR})

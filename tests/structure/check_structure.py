@@ -27,9 +27,9 @@ RULES = [
         "PEGTL costs minutes of compile time: only .cpp files and the rules in grammar/ include it",
     ),
     Rule(
-        re.compile(r"#\s*include\s*<(?:fcl/|assimp/|pugixml)"),
-        re.compile(r"\.cpp$|(?:^|/)\w*(?:fcl|assimp|pugixml)\w*\.hpp$"),
-        "FCL, assimp and pugixml stay hidden in the .cpp files that need them, or in headers named after them",
+        re.compile(r"#\s*include\s*<(?:fcl/|assimp/|pugixml|simdjson)"),
+        re.compile(r"\.cpp$|(?:^|/)\w*(?:fcl|assimp|pugixml|simdjson)\w*\.hpp$"),
+        "FCL, assimp, pugixml and simdjson stay hidden in the .cpp files that need them, or in headers named after them",
     ),
     Rule(
         re.compile(rf"\bstd\s*::\s*(?:{_NUMERIC})[fl]?\b|(?<![\w.>:])(?:::\s*)?\b(?:{_NUMERIC})[fl]?\s*\("),
@@ -50,7 +50,7 @@ RULES = [
 ]
 
 # Headers that show the types of a hidden library or of the grammar: for .cpp files of their module and one another.
-PRIVATE_HEADER = re.compile(r"/\w*(?:fcl|assimp|pugixml)\w*\.hpp$|^interpreter/parse_\w+\.hpp$")
+PRIVATE_HEADER = re.compile(r"/\w*(?:fcl|assimp|pugixml|simdjson)\w*\.hpp$|^interpreter/parse_\w+\.hpp$")
 
 
 def read_modules(text):

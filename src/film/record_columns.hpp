@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "src/film/column.hpp"
+#include "src/film/string_table.hpp"
+
+namespace rubicon::film {
+
+/// The types of records, in the order of their numbers in a film.
+enum class RecordKind {
+  task_start,
+  goal,
+  set,
+  enter,
+  exit,
+  which,
+  attempt,
+  wait,
+  work,
+  pause,
+  attach,
+  detach,
+  remove,
+  end,
+  task_end
+};
+
+/// As `type` writes them.
+inline constexpr std::array<std::string_view, 15> kRecordTypes = {
+    "task_start", "goal",  "set",    "enter",  "exit",   "which", "try",     "wait",
+    "work",       "pause", "attach", "detach", "remove", "end",   "task_end"};
+
+/// Lengths and parts of quaternions that stay exact where a double holds them; beyond
+/// `kLargestFinePose` (m) there are fewer digits.
+inline constexpr double kFinePose = 1e-9;
+inline constexpr double kLargestFinePose = 4e6;
+
+/// Poses of loads: seven numbers each. They are few, so their unit is chosen when all are known.
+struct PoseColumn {
+  std::vector<double> values;
+  Column column() const;
+};
+
+/// What the records of each kind tell, one column a member.
+struct RecordColumns {
+  Column kind, run{1, true}, t{kMillionth, true};
+  Column goal_k, goal_n;
+  Column set_var, set_value;
+  Column enter_kind, enter_place;
+  Column exit_kind, exit_place, exit_reached, exit_successes;
+  Column which_label, which_place;
+  Column try_command, try_parameter, try_place, try_ok, try_reason, try_moved, try_met;
+  Column work_what, work_crew, work_from{kMillionth, true}, work_time{kMillionth};
+  Column pause_why, pause_for, pause_from{kMillionth, true};
+  Column attach_component, detach_component, remove_component;
+  PoseColumn attach_pose, detach_pose;
+  Column end_status, end_message, end_reached, end_tries, end_accepted;
+
+  /// All of them by the names of docs/film.md.
+  std::vector<std::pair<std::string_view, Column>> take();
+};
+
+}  // namespace rubicon::film
