@@ -4,13 +4,17 @@
 #include <chrono>
 #include <cstdio>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "interpreter/plan_model.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/load_runnable_plan.hpp"
+#include "src/cli/report_file.hpp"
 #include "src/files/disk_io.hpp"
+#include "src/film/film_writer.hpp"
+#include "src/page/report_page.hpp"
 #include "src/report/schedule_text.hpp"
 #include "src/taskplan/run_plan.hpp"
 
@@ -24,10 +28,11 @@ using interpreter::SourceMap;
 constexpr std::chrono::milliseconds kQuiet{1000};
 constexpr std::chrono::milliseconds kBetweenProgress{100};
 
-/// Writes each line of a trace to all files that want it.
+/// Hands each line of a trace to all files that want it, and to the film of the report.
 class TraceFiles : public trace::TraceSink {
  public:
   void line(std::string_view text) override {
+    film_line(text);
     for (files::AtomicFile& file : files_) {
       file.write(text);
       file.write("\n");
@@ -35,6 +40,8 @@ class TraceFiles : public trace::TraceSink {
   }
   void restart() override {
     for (files::AtomicFile& file : files_) file.restart();
+    if (film_) film_->restart();
+    film_failure_.clear();
   }
 
   std::optional<std::string> open(const std::string& path) {
@@ -55,7 +62,27 @@ class TraceFiles : public trace::TraceSink {
 
   bool wanted() const { return !files_.empty(); }
 
+  void make_film() { film_.emplace(); }
+
+  /// Writes the page of the report; a message if that fails, also if the film has no room for
+  /// something in the trace.
+  std::optional<std::string> write_page(const std::string& path, const std::string& schedule) {
+    if (!film_failure_.empty()) return film_failure_;
+    return write_report(path, *film_, schedule);
+  }
+
  private:
+  void film_line(std::string_view text) {
+    if (!film_ || !film_failure_.empty()) return;
+    try {
+      film_->line(text);
+    } catch (const std::invalid_argument& error) {
+      film_failure_ = error.what();
+    }
+  }
+
+  std::optional<film::FilmWriter> film_;
+  std::string film_failure_;
   std::vector<files::AtomicFile> files_;
 };
 
@@ -86,6 +113,24 @@ int fail(const std::string& message) {
   return kWrongInput;
 }
 
+/// What --out asks for, beside the trace; the page comes last. A message on failure.
+std::optional<std::string> write_result(const std::string& folder,
+                                        const taskplan::Schedule& schedule,
+                                        TraceFiles& trace_files) {
+  const std::string json = report::schedule_json(schedule);
+  if (auto failure = files::write_file(folder + "/schedule.json", json)) return failure;
+  const std::string csv = report::schedule_csv(schedule);
+  if (auto failure = files::write_file(folder + "/schedule.csv", csv)) return failure;
+  if (page::viewer_page().empty()) {
+    fmt::print(stderr, "rubicon: note: there is no report.html: {}\n", page::kNoViewerPage);
+    return std::nullopt;
+  }
+  if (auto failure = trace_files.write_page(folder + "/report.html", json)) {
+    return "report.html: " + *failure;
+  }
+  return std::nullopt;
+}
+
 trace::TraceDetail detail_of(const std::string& word) {
   if (word == "tasks") return trace::TraceDetail::tasks;
   return word == "none" ? trace::TraceDetail::none : trace::TraceDetail::steps;
@@ -105,6 +150,7 @@ int run_plan_command(const RunOptions& options) {
   if (!options.out.empty()) {
     if (const auto failure = files::make_folder(options.out)) return fail(*failure);
     if (const auto failure = trace_files.open(options.out + "/trace.jsonl")) return fail(*failure);
+    if (!page::viewer_page().empty()) trace_files.make_film();
   }
 
   taskplan::Schedule schedule;
@@ -119,12 +165,7 @@ int run_plan_command(const RunOptions& options) {
   }
   if (const auto failure = trace_files.commit()) return fail(*failure);
   if (!options.out.empty()) {
-    if (const auto failure =
-            files::write_file(options.out + "/schedule.json", report::schedule_json(schedule))) {
-      return fail(*failure);
-    }
-    if (const auto failure =
-            files::write_file(options.out + "/schedule.csv", report::schedule_csv(schedule))) {
+    if (const auto failure = write_result(options.out, schedule, trace_files)) {
       return fail(*failure);
     }
   }

@@ -50,6 +50,12 @@ struct WhyOptions {
 };
 int run_why(const WhyOptions& options);
 
+struct ReportOptions {
+  std::string result;  ///< a result folder or a trace
+  std::string out;
+};
+int run_report(const ReportOptions& options);
+
 struct VerifyOptions {
   std::string result;
   std::string format = "text";

@@ -14,6 +14,7 @@ usage: rubicon COMMAND ...
   check [--robot FILE] FILE...   find every mistake in robots, behaviours and plans
   run PLAN                       simulate a plan: process time, cost, refused tasks with the reason, trace
   why PLAN|RESULT TASK           tell why a task failed, took long or came late
+  report RESULT                  make the page that shows a result: the film, the Gantt, the tables
   test DIR...                    run golden cases and compare them with what is expected
   verify RESULT                  replay a result by other means and look for contact, gaps and broken links
   import FILE... [--out PLAN]    make a plan of a schedule, of a building model, or of both
@@ -67,7 +68,7 @@ reached; the rest goes on.
   --format FORMAT        table (the default), json or csv, on standard output; times in seconds
   --trace FILE           write what happened, one JSON object a line (docs/trace.md); - is standard output
   --trace-detail DETAIL  steps (the default: everything), tasks (no single attempts), none (header and results only)
-  --out DIR              write schedule.csv, schedule.json and trace.jsonl into DIR
+  --out DIR              write schedule.csv, schedule.json, trace.jsonl and report.html, the page that shows it all, into DIR
 
 A file is written beside its target and renamed, so a stop at any moment leaves the old file or the complete new one.
 What the command does not execute is refused at its place before anything runs.
@@ -98,6 +99,24 @@ examples:
   rubicon why taskplans/unit.plan set_west_1
   rubicon run site.plan --out result; rubicon why result set_7
   rubicon why result set_7 --format json
+)";
+
+constexpr std::string_view kReport =
+    R"(rubicon report - make the page that shows a result
+
+usage: rubicon report RESULT [--out FILE]
+
+RESULT is the folder that rubicon run --out wrote, or a trace. Makes one HTML file that a browser opens without network:
+the site in three dimensions with everything that moved, step by step if the trace has the steps, the Gantt chart, the
+tables, and why something failed. Nothing is simulated again. rubicon run --out makes the same page.
+
+  --out FILE   the page to write (default: report.html in the folder); - is standard output; a trace alone needs it
+
+Prints the path of the page. Exit code: 0 it is written, 2 the result cannot be read, or this build has no page.
+
+examples:
+  rubicon run taskplans/unit.plan --out unit; rubicon report unit
+  rubicon run site.plan --trace trace.jsonl; rubicon report trace.jsonl --out site.html
 )";
 
 constexpr std::string_view kTest =
@@ -230,6 +249,7 @@ const std::vector<HelpPage>& help_pages() {
       {"check", "find every mistake in robots, behaviours and plans", kCheck},
       {"run", "simulate a plan", kRun},
       {"why", "tell why a task failed, took long or came late", kWhy},
+      {"report", "make the page that shows a result", kReport},
       {"test", "run golden cases and compare them with what is expected", kTest},
       {"verify", "replay a result by other means and look for contact, gaps and broken links",
        kVerify},

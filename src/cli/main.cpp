@@ -54,6 +54,11 @@ int dispatch(int argc, char** argv) {
   why_command->add_option("TASK", why.task)->required();
   why_command->add_option("--format", why.format)->check(CLI::IsMember({"text", "json"}));
 
+  ReportOptions report;
+  CLI::App* report_command = app.add_subcommand("report");
+  report_command->add_option("RESULT", report.result)->required();
+  report_command->add_option("--out", report.out);
+
   TestOptions test;
   CLI::App* test_command = app.add_subcommand("test");
   test_command->add_option("DIR", test.folders)->required();
@@ -113,6 +118,7 @@ int dispatch(int argc, char** argv) {
   if (*check_command) return run_check(check);
   if (*run_command) return run_plan_command(run);
   if (*why_command) return run_why(why);
+  if (*report_command) return run_report(report);
   if (*test_command) return run_test(test);
   if (*verify_command) return run_verify(verify);
   if (*import_command) return run_import(import);
