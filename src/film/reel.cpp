@@ -70,14 +70,21 @@ Record FilmWriter::Reel::parse(std::string_view text) {
   return Record(root);
 }
 
-double FilmWriter::Reel::time_of(const Record& record, const FilmRun& run) const {
-  return record.number_if_any("t").value_or(run.last);
+/// When a record is over.
+double FilmWriter::Reel::time_of(const Record& record, RecordKind kind, const FilmRun& run) const {
+  const double t = record.number_if_any("t").value_or(run.last);
+  // The end of a rejected task tells its start again.
+  const bool undone = kind == RecordKind::task_end && record.text("result") != "done";
+  if (t < run.last && !undone) {
+    throw std::invalid_argument("the task's time runs backwards here");
+  }
+  return t;
 }
 
 void FilmWriter::Reel::record(const Record& record) {
   const RecordKind kind = kind_of(record);
   const int run = run_of(record, kind);
-  const double t = time_of(record, runs_[run]);
+  const double t = time_of(record, kind, runs_[run]);
   columns_.kind.add(static_cast<int>(kind));
   columns_.run.add(run);
   columns_.t.add(millionths(t, "a time"));

@@ -28,7 +28,7 @@ class FilmWriter::Reel {
   Record parse(std::string_view text);
   void record(const Record& record);
   int run_of(const Record& record, RecordKind kind);
-  double time_of(const Record& record, const FilmRun& run) const;
+  double time_of(const Record& record, RecordKind kind, const FilmRun& run) const;
 
   void write_goal(const Record& record);
   void write_set(const Record& record);
