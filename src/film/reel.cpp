@@ -248,7 +248,6 @@ void FilmWriter::Reel::write_work(const Record& record, int run) {
   columns_.work_crew.add(string(record.text("crew")));
   columns_.work_from.add(millionths(record.number("from"), "a time"));
   columns_.work_time.add(millionths(record.number("time"), "a time"));
-  tracks_->stand(run, record.number("from"));
   tracks_->stand(run, record.number("t"));
 }
 
@@ -256,7 +255,6 @@ void FilmWriter::Reel::write_pause(const Record& record, int run) {
   columns_.pause_why.add(string(record.text("why")));
   columns_.pause_for.add(string(record.text("for")));
   columns_.pause_from.add(millionths(record.number("from"), "a time"));
-  tracks_->stand(run, record.number("from"));
   tracks_->stand(run, record.number("t"));
 }
 

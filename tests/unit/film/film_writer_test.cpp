@@ -61,6 +61,22 @@ TEST(FilmWriter, TurnsAreUnrolled) {
   EXPECT_EQ(track.q[0], std::vector<std::int64_t>(track.t.size(), 1'500'000));
 }
 
+TEST(FilmWriter, WaitsWorkAndPausesStandStill) {
+  const DecodedFilm film = film_of(
+      header(),
+      {kStart, R"({"type":"wait","task":"a","robot":"crane","n":1,"t":3})", step(4, 2, 170),
+       R"({"type":"work","task":"a","robot":"crane","what":"hook","crew":"","from":4,"t":5,"time":1})",
+       step(6, 3, 170),
+       R"({"type":"pause","task":"a","robot":"crane","why":"crew","for":"c","from":6,"t":7})",
+       step(8, 4, 170), kDone});
+  EXPECT_EQ(film.track(0).t,
+            (std::vector<std::int64_t>{0, 2'000'000, 3'000'000, 4'000'000, 5'000'000, 6'000'000,
+                                       7'000'000, 8'000'000}));
+  EXPECT_EQ(film.track(0).q[0],
+            (std::vector<std::int64_t>{1'500'000, 1'500'000, 1'500'000, 2'000'000, 2'000'000,
+                                       3'000'000, 3'000'000, 4'000'000}));
+}
+
 TEST(FilmWriter, ARejectedTaskHasATrackOfItsOwn) {
   const DecodedFilm film = film_of(header(), {kStart, step(3, 5, 170), step(4, 9, 170, false),
                                               kRejected, kStart, step(8, 3, 170), kDone});
