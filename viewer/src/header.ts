@@ -30,6 +30,8 @@ export interface Parameter {
   step: number;
   speed: number;
   start: number;
+  /** The formula by which it follows others. */
+  derived?: string;
 }
 
 export interface RobotData {
@@ -41,6 +43,8 @@ export interface RobotData {
   bodies: { name: string; parent: string | null; frame: string; shapes: ShapeData[] }[];
   parameters: Parameter[];
   tool: { body: string; frame: string };
+  /** Pairs of bodies that may meet. */
+  touching: [string, string][];
   capacity: [number, number][];
 }
 

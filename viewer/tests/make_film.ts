@@ -50,7 +50,7 @@ export function makeHoist(name: string, pose = identity): RobotData {
   const parameter = (of: string, body: string) =>
     ({ name: of, body, kind: 'translation' as const, cyclic: false, lower: 0, upper: 30, step: 1, speed: 1, start: 0 });
   return {
-    name, type: 'hoist', pose, start: { x: 0, z: 0 }, calendar: '', capacity: [],
+    name, type: 'hoist', pose, start: { x: 0, z: 0 }, calendar: '', touching: [], capacity: [],
     bodies: [
       { name: 'trolley', parent: null, frame: 'trans(x, 0, 9)', shapes: [makeBox([-0.4, -0.4, 0], [0.4, 0.4, 0.5])] },
       { name: 'hook', parent: 'trolley', frame: 'trans(0, 0, z - 9)', shapes: [makeBox([-0.2, -0.2, 0], [0.2, 0.2, 0.4])] },

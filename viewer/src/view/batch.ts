@@ -77,7 +77,7 @@ export class Batch {
       material.depthWrite = false;
     }
     this.picking = options.pick
-      ? new ShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader: pickShader, uniforms })
+      ? new ShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader: pickShader, uniforms, defines: { PICK: 1 } })
       : null;
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;

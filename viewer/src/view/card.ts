@@ -79,6 +79,7 @@ export class Card {
     if (load.length > 0) rows.push(['Load', load.map((i) => this.film.header.components[i].name).join(', ')]);
     const { q } = this.model.robots[index];
     robot.parameters.forEach((parameter, i) => {
+      if (parameter.derived !== undefined) return;
       rows.push([parameter.name, parameter.kind === 'rotation' ? `${quantity(q[i], 1)}°` : `${quantity(q[i], 2)} m`]);
     });
     return [robot.name, robot.type.replaceAll('_', ' '), rows];

@@ -1,5 +1,5 @@
 import type { Film } from '../film';
-import type { Player } from '../player';
+import type { Player, Selection } from '../player';
 import type { Style } from './batch';
 import type { Part, SiteModel } from './site_model';
 import { mixed, type Colour, type Theme } from './theme';
@@ -61,11 +61,14 @@ export class Looks {
     this.put({ batch: 'component', element }, colour, hidden ? 'hidden' : 'plain');
   }
 
-  /** The parts of what is picked; of a run its component and its robot. */
   selectedParts(): Part[] {
     const { selection } = this.player;
+    return selection ? this.partsOf(selection) : [];
+  }
+
+  /** Of a run its component and its robot. */
+  partsOf(selection: Selection): Part[] {
     const { header, runs } = this.film;
-    if (!selection) return [];
     if (selection.kind === 'component') return [{ batch: 'component', element: selection.index }];
     if (selection.kind === 'robot') return this.model.partsOfRobot(selection.index);
     const run = runs[selection.index];
@@ -101,6 +104,8 @@ export class Looks {
       if (drawn === 'marked') drawn = 'plain';
     }
     batch.setLook(part.element, shown, drawn);
+    // Not hatched: that is for people.
+    if (part.batch === 'machine') model.envelopes.setLook(part.element, shown, 'marked');
   }
 
   private blockingPair(): Map<string, Colour> {

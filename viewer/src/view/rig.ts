@@ -1,6 +1,5 @@
-import { Box3, MathUtils, PerspectiveCamera, Vector3 } from 'three';
+import { type Box3, MathUtils, PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
-import { cornersOf } from './shapes';
 
 /** From where a view looks: towards the middle, z up. */
 export type ViewName = 'free' | 'top' | 'front' | 'side';
@@ -16,8 +15,8 @@ const directions: Record<ViewName, Vector3> = {
 const opening = 38;
 const openingAboard = 62;
 const flightSeconds = 0.7;
-/** Share of the picture that a fitted box fills. */
-const fill = 0.94;
+/** Share of the picture that what is fitted fills. */
+const fill = 0.92;
 
 /** The camera: turned, moved and brought near by pointer and keys, flying gently to where it is sent, or riding on a machine. */
 export class Rig {
@@ -25,10 +24,12 @@ export class Rig {
   private readonly controls: OrbitControls;
   private flight: { position: [Vector3, Vector3]; target: [Vector3, Vector3]; began: number } | null = null;
   private aboard = false;
+  /** What is fitted, as long as nobody has moved the camera since: a new size of the picture asks for a new distance. */
+  private fitted: { points: Vector3[]; view: ViewName | null } | null = null;
   private readonly still = matchMedia('(prefers-reduced-motion: reduce)');
 
   /** `moved` is called when the camera is moved by hand; `left`: when that ends a ride. */
-  constructor(element: HTMLElement, private readonly scene: Box3, moved: () => void, left: () => void) {
+  constructor(element: HTMLElement, scene: Box3, moved: () => void, left: () => void) {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, element);
     this.controls.zoomToCursor = true;
@@ -36,6 +37,7 @@ export class Rig {
     this.controls.addEventListener('change', moved);
     this.controls.addEventListener('start', () => {
       this.flight = null;
+      this.fitted = null;
       if (this.aboard) left();
     });
     const size = scene.getSize(new Vector3()).length();
@@ -48,28 +50,39 @@ export class Rig {
   resize(width: number, height: number): void {
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    if (this.fitted) this.fit(this.fitted.points, this.fitted.view, false);
   }
 
-  /** Looks at a box from where the camera is now, or from a side. */
-  fit(box: Box3 = this.scene, view: ViewName | null = null, gently = true): void {
+  /** Looks at all of these points (m) from where the camera is now, or from a side, as near as it can. */
+  fit(points: Vector3[], view: ViewName | null = null, gently = true): void {
+    if (points.length === 0) return;
     this.leave();
-    const direction = view ? directions[view].clone() : this.camera.position.clone().sub(this.controls.target).normalize();
-    const target = box.getCenter(new Vector3());
-    const right = new Vector3().crossVectors(this.camera.up, direction).normalize();
-    const up = new Vector3().crossVectors(direction, right);
+    this.fitted = { points, view };
+    const back = view ? directions[view].clone() : this.camera.position.clone().sub(this.controls.target).normalize();
+    const right = new Vector3().crossVectors(this.camera.up, back).normalize();
+    const up = new Vector3().crossVectors(back, right);
     const tall = fill * Math.tan(MathUtils.degToRad(opening / 2));
-    let distance = 4;
-    for (const corner of cornersOf(box)) {
-      const away = corner.sub(target);
-      const need = Math.max(Math.abs(away.dot(right)) / (tall * this.camera.aspect), Math.abs(away.dot(up)) / tall);
-      distance = Math.max(distance, need + away.dot(direction));
-    }
-    this.go(target.clone().addScaledVector(direction, distance), target, gently);
+    // The eye must be behind the four planes through the rims of the picture and the outermost points.
+    const eye = [right, up].map((axis, i) => {
+      const slope = i === 0 ? tall * this.camera.aspect : tall;
+      let [positive, negative] = [-Infinity, -Infinity];
+      for (const point of points) {
+        positive = Math.max(positive, point.dot(axis) + slope * point.dot(back));
+        negative = Math.max(negative, -point.dot(axis) + slope * point.dot(back));
+      }
+      return { along: (positive - negative) / 2, away: (positive + negative) / (2 * slope) };
+    });
+    const [farthest, nearest] = minMax(points.map((point) => point.dot(back)));
+    const middle = (farthest + nearest) / 2;
+    const away = Math.max(eye[0].away, eye[1].away, nearest + 2);
+    const across = right.clone().multiplyScalar(eye[0].along).addScaledVector(up, eye[1].along);
+    this.go(across.clone().addScaledVector(back, away), across.clone().addScaledVector(back, middle), gently);
   }
 
   /** Keys of the camera: how far to the right, up (turns, or moves if `sideways`) and nearer. */
   nudge(right: number, up: number, nearer: number, sideways: boolean): void {
     this.flight = null;
+    this.fitted = null;
     const { target } = this.controls;
     const arm = this.camera.position.clone().sub(target);
     if (sideways) {
@@ -94,6 +107,7 @@ export class Rig {
     if (!this.aboard) {
       this.aboard = true;
       this.flight = null;
+      this.fitted = null;
       this.controls.enableZoom = false;
       this.setOpening(openingAboard);
     }
@@ -138,4 +152,14 @@ export class Rig {
     this.camera.fov = angle;
     this.camera.updateProjectionMatrix();
   }
+}
+
+/** The least and the greatest; of any number of values. */
+function minMax(values: number[]): [number, number] {
+  let [least, greatest] = [Infinity, -Infinity];
+  for (const value of values) {
+    least = Math.min(least, value);
+    greatest = Math.max(greatest, value);
+  }
+  return [least, greatest];
 }

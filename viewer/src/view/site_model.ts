@@ -1,11 +1,11 @@
 import { Box3, Group, Matrix4, Vector3 } from 'three';
-import type { Film } from '../film';
-import type { ShapeData } from '../header';
+import type { Film, Track } from '../film';
+import type { RobotData, ShapeData } from '../header';
 import { Mechanism, poseMatrix } from '../kinematics';
 import type { Motion } from '../motion';
 import { Stock } from '../stock';
 import { Batch, type Light } from './batch';
-import { expandBy, Shapes } from './shapes';
+import { cornersOf, expandBy, Shapes } from './shapes';
 
 /** An element of one of the three batches. */
 export interface Part {
@@ -23,7 +23,10 @@ export interface Machine {
   q: ArrayLike<number>;
 }
 
+/** Room (m) about what stands on a ground that the plan does not have. */
 const margin = 10;
+/** Moments at which it is looked where a machine comes. */
+const wayMarks = 60;
 
 /** The things of the site as they are drawn, and where they are at the moment shown. */
 export class SiteModel {
@@ -31,6 +34,8 @@ export class SiteModel {
   readonly site: Batch;
   readonly components: Batch;
   readonly machines: Batch;
+  /** Elements as in `machines`: those that stand for the room a machine keeps for itself. */
+  readonly envelopes: Batch;
   readonly robots: Machine[];
   readonly stock: Stock;
   /** In its own frame, by component. */
@@ -40,6 +45,8 @@ export class SiteModel {
   readonly ground: { element: number; box: Box3 };
   /** What is worth looking at at some time: all but the ground. */
   readonly extent: Box3;
+  /** Corners of all that is worth looking at. */
+  readonly outline: Vector3[] = [];
   /** The element of `header.carry` in the batch of machines, -1: there is none. */
   readonly carry: number;
   /** X_WO by component at the moment shown. */
@@ -64,13 +71,16 @@ export class SiteModel {
       return { robot: i, mechanism: new Mechanism(robot), first, q: [] };
     });
     this.carry = header.carry.length > 0 && this.robots.length > 0 ? bodies.push(header.carry) - 1 : -1;
-    const machines = this.shapes.surface(bodies);
-    this.machineBounds = machines.bounds;
-    this.machines = new Batch(machines, bodies.length, light, { pick: 1 + header.components.length });
+    this.machineBounds = this.shapes.surface(bodies).bounds;
+    const roomy = this.robots.flatMap((machine) => envelopesOf(header.robots[machine.robot], machine, this.machineBounds));
+    const only = (wanted: boolean) => this.shapes.surface(bodies.map((shapes, i) => (roomy.includes(i) === wanted ? shapes : [])));
+    this.machines = new Batch(only(false), bodies.length, light, { pick: 1 + header.components.length });
+    this.envelopes = new Batch(only(true), bodies.length, light, { translucent: true });
+    this.envelopes.mesh.renderOrder = 4;
 
-    this.move(0, -1);
     this.stock.items.forEach((item, i) => this.components.setPose(i, item.pose));
     this.extent = this.measure();
+    this.move(0, -1);
     const site = header.site.map((shape) => [shape]);
     const bounds = this.shapes.surface(site).bounds;
     const areas = bounds.map((box) => (box.max.x - box.min.x) * (box.max.y - box.min.y));
@@ -84,16 +94,17 @@ export class SiteModel {
     this.site = new Batch(this.shapes.surface(site), site.length, light, { grid: true });
     bounds.forEach((box, i) => {
       this.site.setPose(i, new Matrix4());
-      if (i !== ground) this.extent.union(box);
+      if (i !== ground) this.addOutline(box, new Matrix4());
     });
-    if (this.extent.isEmpty()) this.extent.copy(this.ground.box);
-    this.group.add(this.site.mesh, this.components.mesh, this.machines.mesh);
+    if (this.outline.length === 0) this.addOutline(this.ground.box, new Matrix4());
+    this.extent.setFromPoints(this.outline);
+    this.group.add(this.site.mesh, this.components.mesh, this.machines.mesh, this.envelopes.mesh);
     this.nameParts();
   }
 
   /** The batches in the order in which they are drawn. */
   get batches(): Batch[] {
-    return [this.site, this.components, this.machines];
+    return [this.site, this.components, this.machines, this.envelopes];
   }
 
   /** Brings everything to a moment (s); `tried` as in Stock. Returns the components that are not as they were. */
@@ -101,7 +112,9 @@ export class SiteModel {
     for (const machine of this.robots) {
       machine.q = this.motion.configuration(machine.robot, time, tried);
       machine.mechanism.place(machine.q);
-      machine.mechanism.bodies.forEach((pose, i) => this.machines.setPose(machine.first + i, pose));
+      for (const batch of [this.machines, this.envelopes]) {
+        machine.mechanism.bodies.forEach((pose, i) => batch.setPose(machine.first + i, pose));
+      }
     }
     if (this.carry >= 0) this.machines.setPose(this.carry, this.robots[0].mechanism.tool);
     const changed = this.stock.seek(time, tried);
@@ -146,14 +159,31 @@ export class SiteModel {
   }
 
   private measure(): Box3 {
-    const box = new Box3();
     const numbers = new Map(this.film.header.components.map((component, i) => [component.name, i]));
-    this.poses.forEach((pose, i) => expandBy(box, this.componentBounds[i], pose));
+    this.poses.forEach((pose, i) => this.addOutline(this.componentBounds[i], pose));
     for (const task of this.film.header.tasks) {
       const component = numbers.get(task.move ?? '');
-      if (component !== undefined && task.to) expandBy(box, this.componentBounds[component], poseMatrix(task.to));
+      if (component !== undefined && task.to) this.addOutline(this.componentBounds[component], poseMatrix(task.to));
     }
-    return box.union(this.boundsOf(this.robots.flatMap((machine) => this.partsOfRobot(machine.robot))));
+    for (const track of this.film.tracks) this.addWay(track);
+    for (const { mechanism, first } of this.robots) {
+      mechanism.bodies.forEach((pose, i) => this.addOutline(this.machineBounds[first + i], pose));
+    }
+    return new Box3().setFromPoints(this.outline);
+  }
+
+  /** Where a machine comes. */
+  private addWay({ robot, run, first, count }: Track): void {
+    const { mechanism, first: body } = this.robots[robot];
+    const times = this.film.column('key.t');
+    for (let i = 0; i < wayMarks; ++i) {
+      mechanism.place(this.motion.configuration(robot, times[first + Math.round((i * (count - 1)) / (wayMarks - 1))] ?? 0, run));
+      mechanism.bodies.forEach((pose, part) => this.addOutline(this.machineBounds[body + part], pose));
+    }
+  }
+
+  private addOutline(box: Box3, pose: Matrix4): void {
+    if (!box.isEmpty()) for (const corner of cornersOf(box)) this.outline.push(corner.applyMatrix4(pose));
   }
 
   /** A ground for a plan that has none: as large as what stands on it, to whole tens of metres. */
@@ -177,4 +207,24 @@ export class SiteModel {
     });
     header.site.forEach((_, i) => add(header.site.length > 1 ? `site ${i + 1}` : 'site', { batch: 'site', element: i }));
   }
+}
+
+/**
+ * The bodies of a robot that are no things: they may meet another body of it and have it inside at the moment shown. People write
+ * them for the room that belongs to a machine, such as the column about the rope of a crane that reaches over another.
+ */
+function envelopesOf(robot: RobotData, { mechanism, first }: Machine, bounds: Box3[]): number[] {
+  mechanism.place(robot.parameters.map((parameter) => robot.start[parameter.name] ?? parameter.start));
+  const box = (name: string) => {
+    const body = robot.bodies.findIndex((each) => each.name === name);
+    const around = new Box3();
+    if (body >= 0) expandBy(around, bounds[first + body], mechanism.bodies[body]);
+    return { element: first + body, around };
+  };
+  return robot.touching.flatMap((pair) => {
+    const [a, b] = pair.map(box);
+    const inside = (outer: Box3, inner: Box3) =>
+      !inner.isEmpty() && outer.min.x < inner.min.x && outer.min.y < inner.min.y && outer.max.x > inner.max.x && outer.max.y > inner.max.y;
+    return [...(inside(a.around, b.around) ? [a.element] : []), ...(inside(b.around, a.around) ? [b.element] : [])];
+  });
 }

@@ -2,7 +2,7 @@ import { Box3, Vector3 } from 'three';
 import { Activity } from '../activity';
 import type { Film } from '../film';
 import type { PoseRows } from '../header';
-import { poseRows } from '../kinematics';
+import { poseMatrix, poseRows } from '../kinematics';
 import type { Motion } from '../motion';
 import type { Player, Selection } from '../player';
 import { makeLight, setLight } from './batch';
@@ -18,8 +18,8 @@ import { cabOf } from './ride';
 import { Rig, type ViewName } from './rig';
 import { Ropes } from './ropes';
 import { Section } from './section';
-import { SiteModel, type Part } from './site_model';
-import { Sky } from './sky';
+import { cornersOf, expandBy } from './shapes';
+import { SiteModel } from './site_model';
 import { Stage } from './stage';
 import { themeOf, type Theme } from './theme';
 import { Toolbar } from './toolbar';
@@ -38,7 +38,6 @@ export class SiteView {
   private readonly paths: Paths;
   private readonly ropes: Ropes;
   private readonly labels: GroundLabels;
-  private readonly sky = new Sky();
   private readonly card: Card;
   private readonly section: Section;
   private readonly toolbar: Toolbar;
@@ -49,6 +48,8 @@ export class SiteView {
   private theme: Theme;
   /** The robot that the camera rides on, -1: none. */
   private riding = -1;
+  /** Whether what is picked is being picked here. */
+  private picking = false;
   private movedOn = true;
   private repainted = true;
 
@@ -74,8 +75,7 @@ export class SiteView {
       for (const { strokes } of [this.paths, this.ropes]) strokes.size.set(width * ratio, height * ratio);
     });
     this.picker = new Picker(this.stage.renderer, this.stage.scene, this.rig.camera, this.model);
-    this.stage.scene.add(this.model.group, this.labels.mesh, this.paths.strokes.mesh, this.ropes.strokes.mesh, this.overlay.group,
-                         this.sky.mesh);
+    this.stage.scene.add(this.model.group, this.labels.mesh, this.paths.strokes.mesh, this.ropes.strokes.mesh, this.overlay.group);
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'img');
     host.append(canvas, this.section.element, this.toolbar.element, this.card.element);
@@ -93,9 +93,9 @@ export class SiteView {
       drop: () => player.select(null),
     });
     this.setTheme();
-    this.stage.resize();
     this.rig.resize(Math.max(host.clientWidth, 1), Math.max(host.clientHeight, 1));
-    this.rig.fit(this.model.extent, 'free', false);
+    this.stage.resize();
+    this.rig.fit(this.model.outline, 'free', false);
     const frame = (now: number) => {
       if (this.rig.fly(now)) this.stage.touch();
       this.stage.frame(now, () => this.update());
@@ -133,7 +133,7 @@ export class SiteView {
   /** For tests: where a component or a robot is in the window (CSS pixels), null if it is not in the picture. */
   whereIs(what: Selection): { x: number; y: number } | null {
     this.update();
-    const box = this.model.boundsOf(what.kind === 'robot' ? this.model.partsOfRobot(what.index) : this.partsOf(what));
+    const box = this.model.boundsOf(this.looks.partsOf(what));
     const { camera } = this.rig;
     camera.updateMatrixWorld();
     const at = box.getCenter(new Vector3()).project(camera);
@@ -146,6 +146,7 @@ export class SiteView {
     const { player } = this;
     player.on('time', () => { this.movedOn = true; this.stage.touch(); });
     player.on(['record', 'selection', 'fast'], () => { this.movedOn = this.repainted = true; this.stage.touch(); });
+    player.on('selection', () => this.frameSelection());
     player.on('section', () => { this.section.show(); this.repainted = true; this.stage.touch(); });
     player.on('fast', () => { if (player.fast) this.ride(-1); this.toolbar.setEnabled('machine', !player.fast); });
     this.toolbar.setEnabled('machine', this.film.header.robots.length > 0);
@@ -154,11 +155,11 @@ export class SiteView {
     let down = { x: 0, y: 0 };
     canvas.addEventListener('pointerdown', (event) => { down = { x: event.clientX, y: event.clientY }; });
     canvas.addEventListener('click', (event) => {
-      if (Math.hypot(event.clientX - down.x, event.clientY - down.y) < 5) player.select(this.selectionAt(event));
+      if (Math.hypot(event.clientX - down.x, event.clientY - down.y) < 5) this.pick(event);
     });
     canvas.addEventListener('dblclick', (event) => {
       const picked = this.selectionAt(event);
-      if (picked) this.flyTo(this.partsOf(picked));
+      if (picked) this.flyTo(this.model.boundsOf(this.looks.partsOf(picked)));
     });
     canvas.addEventListener('webglcontextrestored', () => { this.repainted = true; this.stage.touch(); });
   }
@@ -182,7 +183,7 @@ export class SiteView {
     setLight(this.light, this.theme);
     this.looks.setTheme(this.theme);
     this.labels.setTheme(this.theme);
-    this.sky.setTheme(this.theme);
+    this.stage.setTheme(this.theme);
     this.repainted = true;
     this.stage.touch();
     for (const what of ['paths', 'zones'] as const) this.toolbar.setPressed(what, this.shows[what]);
@@ -201,7 +202,7 @@ export class SiteView {
       const running = this.activity.running(player.time, tried);
       const machines = !player.fast;
       this.overlay.show(running, this.shows.zones, met, this.theme);
-      model.machines.mesh.visible = machines;
+      model.machines.mesh.visible = model.envelopes.mesh.visible = machines;
       this.ropes.show(this.theme);
       this.paths.show(machines && this.shows.paths ? running : [], tried, player.time, (robot) => looks.machineColour(robot), this.theme.dark);
       if (!machines) this.ropes.strokes.mesh.visible = false;
@@ -223,16 +224,36 @@ export class SiteView {
 
   private look(view: ViewName | null): void {
     this.ride(-1);
-    this.rig.fit(this.model.extent, view);
+    this.rig.fit(this.model.outline, view);
     this.stage.touch();
   }
 
-  private flyTo(parts: Part[]): void {
-    const box = this.model.boundsOf(parts);
+  private flyTo(box: Box3): void {
     if (box.isEmpty()) return;
     this.ride(-1);
-    this.rig.fit(box.expandByScalar(roomAround));
+    this.rig.fit(cornersOf(box.expandByScalar(roomAround)));
     this.stage.touch();
+  }
+
+  private pick(event: MouseEvent): void {
+    this.picking = true;
+    this.player.select(this.selectionAt(event));
+    this.picking = false;
+  }
+
+  /** What is picked elsewhere in the page comes into the picture: of a run its component on its way from here to its goal. */
+  private frameSelection(): void {
+    const { selection } = this.player;
+    if (this.picking || !selection || this.riding >= 0) return;
+    if (selection.kind !== 'run') {
+      if (!this.whereIs(selection)) this.flyTo(this.model.boundsOf(this.looks.partsOf(selection)));
+      return;
+    }
+    const parts = this.looks.selectedParts().filter((part) => part.batch === 'component');
+    const box = this.model.boundsOf(parts.length > 0 ? parts : this.looks.selectedParts());
+    const task = this.film.header.tasks.find(({ name }) => name === this.film.runs[selection.index].task);
+    for (const { element } of parts) if (task?.to) expandBy(box, this.model.componentBounds[element], poseMatrix(task.to));
+    this.flyTo(box);
   }
 
   private ride(robot: number): void {
@@ -269,9 +290,5 @@ export class SiteView {
     if (part.batch === 'component') return { kind: 'component', index: part.element };
     const robot = this.model.robots.findLast((machine) => machine.first <= part.element);
     return robot ? { kind: 'robot', index: part.element === this.model.carry ? 0 : robot.robot } : null;
-  }
-
-  private partsOf(selection: Selection): Part[] {
-    return selection.kind === 'component' ? [{ batch: 'component', element: selection.index }] : this.looks.selectedParts();
   }
 }
