@@ -78,8 +78,8 @@ export function makeFilmBytes(made: MadeFilm): Uint8Array {
   const tracks: Track[] = [];
   for (const { robot, run, keys } of made.tracks ?? []) {
     tracks.push({ robot, run, first: column('key.t').length, count: keys.length, q: column('key.q').length });
-    column('key.t').push(...keys.map((key) => key[0]));
-    for (let p = 1; p < (keys[0]?.length ?? 0); ++p) column('key.q').push(...keys.map((key) => key[p]));
+    for (const key of keys) column('key.t').push(key[0]);
+    for (let p = 1; p < (keys[0]?.length ?? 0); ++p) for (const key of keys) column('key.q').push(key[p]);
   }
   const bytes: number[] = [];
   const described: Record<string, unknown> = {};

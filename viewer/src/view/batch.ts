@@ -107,14 +107,13 @@ export class Batch {
     }
   }
 
-  /** Draws with the numbers of elements for colours while `draw` runs; nothing if it is not there to be picked. */
+  /** Draws with the numbers of elements for colours while `draw` runs; not at all if it is not there to be picked or not to be seen. */
   pickWhile(draw: () => void): void {
-    const { material, visible } = this.mesh;
-    if (this.picking) this.mesh.material = this.picking;
-    else this.mesh.visible = false;
+    const { material } = this.mesh;
+    if (!this.picking || !this.mesh.visible) return;
+    this.mesh.material = this.picking;
     draw();
     this.mesh.material = material;
-    this.mesh.visible = visible;
   }
 
   dispose(): void {

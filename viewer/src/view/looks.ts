@@ -57,8 +57,7 @@ export class Looks {
     const { theme } = this;
     const colour = state === 'carried' ? theme.carried : state === 'waiting' ? theme.waiting
       : theme.components[this.kinds[element] % theme.components.length];
-    const hidden = state === 'removed' || (state === 'carried' && this.player.fast);
-    this.put({ batch: 'component', element }, colour, hidden ? 'hidden' : 'plain');
+    this.put({ batch: 'component', element }, colour, state === 'removed' ? 'hidden' : 'plain');
   }
 
   selectedParts(): Part[] {
@@ -92,6 +91,7 @@ export class Looks {
 
   private put(part: Part, colour: Colour, style: Style): void {
     const { model, theme } = this;
+    const load = part.batch === 'component' ? model.loaded.indexOf(part.element) : -1;
     const batch = part.batch === 'site' ? model.site : part.batch === 'component' ? model.components : model.machines;
     const marked = this.picked.has(key(part));
     let shown = marked ? mixed(colour, theme.selected, part.batch === 'component' ? 0.45 : 0.18) : colour;
@@ -103,7 +103,8 @@ export class Looks {
       shown = mixed(colour, theme.skyBelow, dimmed);
       if (drawn === 'marked') drawn = 'plain';
     }
-    batch.setLook(part.element, shown, drawn);
+    batch.setLook(part.element, shown, load >= 0 ? 'hidden' : drawn);
+    if (load >= 0) model.loads?.setLook(load, shown, drawn);
     // Not hatched: that is for people.
     if (part.batch === 'machine') model.envelopes.setLook(part.element, shown, 'marked');
   }

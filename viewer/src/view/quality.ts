@@ -4,7 +4,7 @@ const levels = [2, 1.5, 1, 0.8, 0.65, 0.5];
 const slow = 34;
 const quick = 18;
 /** Pictures after which the level is thought over. */
-const window = 8;
+const window = 12;
 /** Milliseconds without change after which the picture is drawn once at its finest. */
 const restAfter = 160;
 
@@ -33,8 +33,8 @@ export class Quality {
     this.gaps.push(gap);
     if (this.gaps.length < window) return;
     const middle = [...this.gaps].sort((a, b) => a - b)[window >> 1];
+    this.rate = (1000 * window) / this.gaps.reduce((sum, each) => sum + each, 0);
     this.gaps.length = 0;
-    this.rate = 1000 / middle;
     if (middle > slow && this.level < levels.length - 1) ++this.level;
     else if (middle < quick && this.level > 2) --this.level;
   }

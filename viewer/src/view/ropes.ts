@@ -40,10 +40,10 @@ export class Ropes {
       for (const corner of corners) lowest = Math.min(lowest, corner.z);
       for (const corner of corners.filter((_, i) => i >= 4)) if (corner.z < tool.z - 0.1) this.strokes.add(tool, corner, theme.rope, 0.9);
     };
-    model.stock.items.forEach((item, i) => {
-      if (item.state !== 'carried' || item.robot !== machine.robot || model.componentBounds[i].isEmpty()) return;
+    for (const i of model.loaded) {
+      if (model.stock.items[i].robot !== machine.robot || model.componentBounds[i].isEmpty()) continue;
       hang(cornersOf(model.componentBounds[i]).map((corner) => corner.applyMatrix4(model.poses[i])));
-    });
+    }
     if (lowest > ground + 0.1) this.strokes.add(new Vector3(tool.x, tool.y, lowest), new Vector3(tool.x, tool.y, ground), theme.rope, 0.35);
   }
 }

@@ -30,7 +30,9 @@ const wayMarks = 60;
 
 /** The things of the site as they are drawn, and where they are at the moment shown. */
 export class SiteModel {
-  readonly group = new Group();
+  /** What changes only when a component changes hands, and what moves. */
+  readonly still = new Group();
+  readonly moving = new Group();
   readonly site: Batch;
   readonly components: Batch;
   readonly machines: Batch;
@@ -51,10 +53,13 @@ export class SiteModel {
   readonly carry: number;
   /** X_WO by component at the moment shown. */
   readonly poses: Matrix4[];
+  /** The components that are carried, anew in a batch of their own, so that the others stand still; and which they are. */
+  loads: Batch | null = null;
+  loaded: number[] = [];
   private readonly shapes: Shapes;
   private readonly parts = new Map<string, Part[]>();
 
-  constructor(private readonly film: Film, private readonly motion: Motion, light: Light) {
+  constructor(private readonly film: Film, private readonly motion: Motion, private readonly light: Light) {
     const { header } = film;
     this.shapes = new Shapes(film);
     this.stock = new Stock(film);
@@ -98,13 +103,13 @@ export class SiteModel {
     });
     if (this.outline.length === 0) this.addOutline(this.ground.box, new Matrix4());
     this.extent.setFromPoints(this.outline);
-    this.group.add(this.site.mesh, this.components.mesh, this.machines.mesh, this.envelopes.mesh);
+    this.still.add(this.site.mesh, this.components.mesh);
+    this.moving.add(this.machines.mesh, this.envelopes.mesh);
     this.nameParts();
   }
 
-  /** The batches in the order in which they are drawn. */
   get batches(): Batch[] {
-    return [this.site, this.components, this.machines, this.envelopes];
+    return [this.site, this.components, this.machines, this.envelopes, ...(this.loads ? [this.loads] : [])];
   }
 
   /** Brings everything to a moment (s); `tried` as in Stock. Returns the components that are not as they were. */
@@ -118,11 +123,28 @@ export class SiteModel {
     }
     if (this.carry >= 0) this.machines.setPose(this.carry, this.robots[0].mechanism.tool);
     const changed = this.stock.seek(time, tried);
-    for (const i of changed) this.place(i);
-    this.stock.items.forEach((item, i) => {
-      if (item.state === 'carried' && !changed.has(i)) this.place(i);
+    if (changed.size > 0) this.load();
+    for (const i of changed) if (!this.loaded.includes(i)) this.components.setPose(i, this.poses[i].copy(this.stock.items[i].pose));
+    this.loaded.forEach((component, i) => {
+      const { pose, robot } = this.stock.items[component];
+      this.poses[component].copy(pose);
+      if (this.robots[robot]) this.poses[component].premultiply(this.robots[robot].mechanism.tool);
+      this.loads?.setPose(i, this.poses[component]);
     });
     return changed;
+  }
+
+  /** Makes the batch of what is carried. */
+  private load(): void {
+    this.loaded = this.stock.items.flatMap((item, i) => (item.state === 'carried' ? [i] : []));
+    if (this.loads) this.moving.remove(this.loads.mesh);
+    this.loads?.dispose();
+    this.loads = null;
+    if (this.loaded.length === 0) return;
+    const { components } = this.film.header;
+    const surface = this.shapes.surface(this.loaded.map((component) => components[component].shapes));
+    this.loads = new Batch(surface, this.loaded.length, this.light, { pick: 1 + components.length + this.machines.count });
+    this.moving.add(this.loads.mesh);
   }
 
   /** Everything that a name of a refused step means: `robot.body`, a component, `load`, `site 2`, `the load chart of ROBOT`. */
@@ -149,13 +171,6 @@ export class SiteModel {
       else if (batch === 'machine') expandBy(box, this.machineBounds[element], bodies[element] ?? this.robots[0].mechanism.tool);
     }
     return box;
-  }
-
-  private place(component: number): void {
-    const item = this.stock.items[component];
-    const pose = this.poses[component].copy(item.pose);
-    if (item.state === 'carried' && this.robots[item.robot]) pose.premultiply(this.robots[item.robot].mechanism.tool);
-    this.components.setPose(component, pose);
   }
 
   private measure(): Box3 {

@@ -20,7 +20,7 @@ import { Ropes } from './ropes';
 import { Section } from './section';
 import { cornersOf, expandBy } from './shapes';
 import { SiteModel } from './site_model';
-import { Stage } from './stage';
+import { Stage, type Stats } from './stage';
 import { themeOf, type Theme } from './theme';
 import { Toolbar } from './toolbar';
 import './view.css';
@@ -74,8 +74,9 @@ export class SiteView {
       this.light.pixelRatio.value = ratio;
       for (const { strokes } of [this.paths, this.ropes]) strokes.size.set(width * ratio, height * ratio);
     });
-    this.picker = new Picker(this.stage.renderer, this.stage.scene, this.rig.camera, this.model);
-    this.stage.scene.add(this.model.group, this.labels.mesh, this.paths.strokes.mesh, this.ropes.strokes.mesh, this.overlay.group);
+    this.picker = new Picker(this.stage.renderer, this.rig.camera, this.model);
+    this.stage.still.add(this.model.still, this.labels.mesh);
+    this.stage.moving.add(this.model.moving, this.paths.strokes.mesh, this.ropes.strokes.mesh, this.overlay.group);
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'img');
     host.append(canvas, this.section.element, this.toolbar.element, this.card.element);
@@ -126,7 +127,7 @@ export class SiteView {
   }
 
   /** For tests and measurements: pictures a second while playing, draw calls and triangles of the last picture. */
-  stats(): { fps: number; calls: number; triangles: number; pixelRatio: number } {
+  stats(): Stats {
     return this.stage.stats();
   }
 
@@ -196,13 +197,14 @@ export class SiteView {
       const tried = player.triedRun;
       const changed = model.move(player.time, tried);
       if (this.repainted) looks.all();
-      else for (const component of changed) looks.component(component);
+      else for (const component of [...changed, ...model.loaded]) looks.component(component);
+      if (this.repainted || changed.size > 0) this.stage.touchStill();
       const { record } = player;
       const met = record !== null && film.kind(record) === 'try' ? film.text(record, 'try.met') : '';
       const running = this.activity.running(player.time, tried);
       const machines = !player.fast;
       this.overlay.show(running, this.shows.zones, met, this.theme);
-      model.machines.mesh.visible = model.envelopes.mesh.visible = machines;
+      model.moving.visible = machines;
       this.ropes.show(this.theme);
       this.paths.show(machines && this.shows.paths ? running : [], tried, player.time, (robot) => looks.machineColour(robot), this.theme.dark);
       if (!machines) this.ropes.strokes.mesh.visible = false;
