@@ -27,7 +27,8 @@ export function scrollToRow(row: number, scrollTop: number, viewHeight: number, 
   const height = Math.min(real, Math.max(highest, viewHeight));
   const at = realTop(scrollTop, viewHeight, real, height);
   if (row * rowHeight >= at && (row + 1) * rowHeight <= at + viewHeight) return scrollTop;
-  const wanted = Math.min(Math.max(row * rowHeight - viewHeight / 3, 0), Math.max(real - viewHeight, 0));
+  const above = Math.floor(viewHeight / 3 / rowHeight);
+  const wanted = Math.min(Math.max(row - above, 0) * rowHeight, Math.max(real - viewHeight, 0));
   return real <= height ? wanted : wanted * (height - viewHeight) / (real - viewHeight);
 }
 

@@ -51,7 +51,9 @@ export function paintGantt(painter: Painter, scene: Scene): void {
         paintPoints(painter, scene, row, y + 2);
       });
       const room = Math.floor((labelWidth - 14) / letterWidth);
-      painter.text(8, y + laneHeight / 2 + 2, clipped(row.name, room), colours.text, true);
+      painter.clip(0, y, labelWidth - 4, row.height, () => {
+        painter.text(8, y + laneHeight / 2 + 2, clipped(row.name, room), colours.text, true);
+      });
       painter.line(0, y + row.height - 0.5, width, y + row.height - 0.5, colours.line, 1);
     }
     for (const group of layout.groups) {

@@ -1,6 +1,6 @@
 import { duration, money, number, roughly } from '../clock';
 import type { ScheduleData, Waited } from '../header';
-import { button, make, named } from './dom';
+import { button, cut, make, named } from './dom';
 import { goToRun, goToStep, type Page } from './page';
 
 /** Longer lists are cut: the tables have them whole. */
@@ -40,7 +40,7 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
   };
   const long = schedule?.process_time ?? film.end;
   add('Process time', duration(long), roughly(long));
-  if (schedule?.cost !== undefined) add('Cost', money(schedule.cost, ''), schedule.currency ?? header.currency);
+  if (schedule?.cost !== undefined) add('Cost', money(schedule.cost, ''), cut(schedule.currency ?? header.currency, 12));
   const results = schedule?.tasks.map((task) => task.result) ?? runs.all.map((run) => run.result || 'done');
   const done = results.filter((result) => result === 'done').length;
   add('Tasks', `${done} of ${results.length}`, results.length === 0 ? '' : done === results.length ? 'all done' : `${results.length - done} refused`);
@@ -61,7 +61,7 @@ function refusalsOf(page: Page): HTMLElement | null {
   for (const i of refused.slice(0, mostListed)) {
     const { task, result, reason } = runs.all[i];
     const name = button(task, () => goToStep(page, i, runs.refusedAt(i)), { class: 'link' }, named(task, 200));
-    list.append(make('li', { class: result === 'rejected' ? '' : 'later' }, name, ` ${result} `, make('br'), named(reason, 600)));
+    list.append(make('li', { class: result === 'rejected' ? '' : 'later' }, name, ` ${result} `, make('div', { class: 'reason' }, named(reason, 600))));
   }
   const more = refused.length > mostListed ? [make('p', { class: 'muted' }, `and ${refused.length - mostListed} more: see Tasks`)] : [];
   return make('section', {}, make('h2', { class: 'bad' }, `Refused: ${refused.length}`), list, ...more);
@@ -89,7 +89,7 @@ function resourcesOf({ film }: Page, schedule: ScheduleData): HTMLElement[] {
       make('td', {}, duration(resource.held)), make('td', {}, duration(resource.busy)), make('td', {}, percent, meter),
       ...(hasCost ? [make('td', {}, resource.cost === undefined ? '' : money(resource.cost, ''))] : [])));
   }
-  const currency = schedule.currency ?? film.header.currency;
+  const currency = cut(schedule.currency ?? film.header.currency, 8);
   return [make('h2', {}, 'Machines and crews'),
     make('table', { class: 'resources' }, head('Name', 'Tasks', 'Held', 'Busy', 'Used', ...(hasCost ? [currency ? `Cost, ${currency}` : 'Cost'] : [])), body)];
 }

@@ -21,6 +21,8 @@ export interface Side {
 /** The tabs on the right, and the splitter that makes them wider. */
 export function mountSide(host: HTMLElement): Side {
   const list = make('div', { role: 'tablist', 'aria-label': 'What is shown' });
+  // The mouse takes no focus here: arrows go on meaning components, unless somebody came by the keyboard.
+  list.addEventListener('mousedown', (event) => event.preventDefault());
   const tabs = new Map<TabName, HTMLButtonElement>();
   const panels = new Map<TabName, HTMLElement>();
   const listeners = new Map<TabName, (() => void)[]>();

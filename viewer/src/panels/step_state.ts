@@ -22,9 +22,7 @@ export function showState(host: HTMLElement, page: Page, trail: Trail, at: numbe
   const changes = changesAt(page, trail, at);
   const state = behaviourAt(page.film, trail.run, at);
   const said = make('div', { class: `said ${isRefusal(page.film, record) ? 'bad' : ''}` }, make('bdi', {}, cut(saying(page, record, changes), 500)));
-  const where = state.goal && state.goal.n > 1 ? `, way point ${state.goal.k} of ${state.goal.n}` : '';
-  host.replaceChildren(said, make('div', { class: 'muted' }, `${page.clock.exact(page.film.time(record))}, record ${at + 1} of `
-    + `${trail.records.length}${where}`), make('div', { class: 'pairs' }, configuration(changes),
+  host.replaceChildren(said, make('div', { class: 'pairs' }, configuration(changes),
     make('div', {}, variables(state), loops(state))));
 }
 
@@ -68,7 +66,7 @@ function configuration(changes: Change[]): HTMLElement {
     body.append(make('tr', same ? {} : { class: 'changed' }, make('td', {}, named(name, 60)), make('td', {}, number(before)),
       make('td', {}, number(after) + unit)));
   }
-  box.append(make('table', {}, head('', 'before', 'after'), body));
+  box.append(make('table', { class: 'fixed' }, head('', 'before', 'after'), body));
   return box;
 }
 
@@ -83,7 +81,7 @@ function variables(state: BehaviourState): HTMLElement {
     const shown = Number.isFinite(Number(value)) ? number(Number(value)) : value;
     body.append(make('tr', {}, make('td', {}, named(name, 60)), make('td', { title: cut(value, 300) }, cut(shown, 60))));
   }
-  box.append(make('table', {}, body));
+  box.append(make('table', { class: 'fixed' }, body));
   return box;
 }
 
@@ -95,9 +93,9 @@ function loops(state: BehaviourState): HTMLElement {
   }
   const body = make('tbody');
   for (const loop of state.loops) {
-    body.append(make('tr', {}, make('td', {}, `${loop.kind}, line ${loop.place.line}`), make('td', {}, String(loop.tries)),
+    body.append(make('tr', {}, make('td', {}, named(`${loop.kind}, line ${loop.place.line}`, 60)), make('td', {}, String(loop.tries)),
       make('td', {}, String(loop.accepted))));
   }
-  box.append(make('table', {}, head('', 'tries', 'accepted'), body));
+  box.append(make('table', { class: 'fixed' }, head('', 'tries', 'accepted'), body));
   return box;
 }

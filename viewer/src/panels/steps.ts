@@ -26,11 +26,13 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
   const chooser = make('select', { 'aria-label': 'Task' });
   const note = make('p', { class: 'empty hidden' });
   const list = new VirtualList({ class: 'list trail', role: 'listbox', 'aria-label': 'Records of the task' }, lineHeight, recordRow);
-  const file = make('div', { class: 'file' });
+  const file = make('bdi', { class: 'grow' });
+  const count = make('span');
+  const fileBar = make('div', { class: 'file' }, file, count);
   const text = new VirtualList({ class: 'list script', role: 'region', 'aria-label': 'Script' }, lineHeight, scriptRow);
   const state = make('div', { class: 'state', tabindex: '0', role: 'region', 'aria-label': 'State', 'aria-live': 'off' });
   const buttons = makeButtons();
-  host.append(make('div', { class: 'bar' }, chooser), buttons.element, list.element, note, file, text.element, state);
+  host.append(make('div', { class: 'bar' }, chooser), buttons.element, list.element, note, fileBar, text.element, state);
 
   chooser.addEventListener('change', () => {
     const run = Number(chooser.value);
@@ -78,6 +80,7 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
     at = position;
     list.reveal(Math.max(at, 0));
     list.element.setAttribute('aria-activedescendant', at >= 0 ? `record-${at}` : '');
+    setText(count, at < 0 ? '' : `record ${at + 1} of ${trail.records.length}`);
     showScript();
     buttons.enable();
     showState(state, page, trail, at);
@@ -90,7 +93,7 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
       : 'The trace was written without single steps (--trace-detail steps has them): only what the task did as a whole is here.';
     setText(note, message);
     note.classList.toggle('hidden', message === '');
-    for (const element of [file, text.element]) element.classList.toggle('hidden', !trail.hasSteps());
+    for (const element of [fileBar, text.element]) element.classList.toggle('hidden', !trail.hasSteps());
   }
 
   function showScript(): void {
@@ -108,12 +111,12 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
   function recordRow(i: number): HTMLElement {
     const record = trail.records[i];
     const row = make('div', { role: 'option', id: `record-${i}`, 'aria-selected': String(i === at), class: classOf(record) },
-      make('span', { class: 'time' }, clock.exact(film.time(record))));
+      make('span', { class: 'time' }, clock.exact(film.time(record))),
+      make('span', { class: 'line' }, String(trail.place(record)?.line ?? '')));
     if (i === at) row.classList.add('at');
-    const line = trail.place(record)?.line;
     const words = make('bdi', {}, cut(sentence(film, record), longest));
     words.style.paddingInlineStart = `${Math.min(trail.depth[i], 12) * 12}px`;
-    row.append(words, ...(line ? [make('span', { class: 'muted' }, `   line ${line}`)] : []));
+    row.append(words);
     row.addEventListener('click', () => go(i));
     return row;
   }

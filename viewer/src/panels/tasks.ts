@@ -1,6 +1,6 @@
 import { duration, money } from '../clock';
 import { visibleRows, scrollToRow } from '../virtual';
-import { button, make, named, onceAFrame, setText } from './dom';
+import { button, cut, make, named, onceAFrame, setText } from './dom';
 import { goToRun, type Page } from './page';
 import type { Shown } from './side';
 import { filtered, sorted, tableRows, type SortKey, type TableRow } from '../task_table';
@@ -8,16 +8,18 @@ import { filtered, sorted, tableRows, type SortKey, type TableRow } from '../tas
 const rowHeight = 26;
 const headHeight = 28;
 
-const columns: { key: SortKey; title: string; width: string }[] = [
-  { key: 'name', title: 'Task', width: '24%' }, { key: 'who', title: 'By', width: '14%' }, { key: 'start', title: 'Start', width: '15%' },
-  { key: 'duration', title: 'Duration', width: '11%' }, { key: 'motion', title: 'Motion', width: '10%' },
-  { key: 'work', title: 'Crew work', width: '10%' }, { key: 'waits', title: 'Waits', width: '10%' }, { key: 'cost', title: 'Cost', width: '10%' },
-  { key: 'result', title: 'Result', width: '13%' },
+/** Widths in px; the names take what is left. */
+const columns: { key: SortKey; title: string; width: number }[] = [
+  { key: 'name', title: 'Task', width: 0 }, { key: 'start', title: 'Start', width: 104 },
+  { key: 'duration', title: 'Duration', width: 84 }, { key: 'waits', title: 'Waits', width: 76 },
+  { key: 'result', title: 'Result', width: 94 }, { key: 'motion', title: 'Motion', width: 76 },
+  { key: 'work', title: 'Crew work', width: 92 }, { key: 'cost', title: 'Cost', width: 84 },
+  { key: 'who', title: 'By', width: 130 },
 ];
 
 /** The table of all tasks: sorted, filtered, only what is seen is there. */
 export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
-  const { player, runs, clock, film } = page;
+  const { player, runs, clock } = page;
   host.classList.add('column');
   const rows = tableRows(runs);
   let order: TableRow[] = rows;
@@ -28,9 +30,8 @@ export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
   const count = make('span', { class: 'muted' });
   const headRow = make('tr');
   const heads = columns.map(({ key, title, width }) => {
-    const cell = make('th', { scope: 'col' }, button(title, () => sortBy(key)));
-    if (key === 'cost' && film.header.currency) cell.title = film.header.currency.slice(0, 40);
-    cell.style.width = width;
+    const cell = make('th', key === 'who' ? { scope: 'col', class: 'start' } : { scope: 'col' }, button(title, () => sortBy(key)));
+    if (width > 0) cell.style.width = `${width}px`;
     headRow.append(cell);
     return cell;
   });
@@ -58,17 +59,18 @@ export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
 
   const rowElement = (row: TableRow, at: number, picked: boolean, now: boolean) => {
     const element = make('tr', { 'aria-rowindex': String(at + 2), 'aria-selected': String(picked), ...(now ? { class: 'now' } : {}) });
-    const cell = (...children: (Node | string)[]) => element.append(make('td', {}, ...children));
-    const seconds = (value: number | null) => value === null ? '' : duration(value);
-    const name = make('td', {}, named(row.name, 200));
-    element.append(name);
-    element.append(make('td', { class: 'start' }, named(row.who, 100)));
+    const cell = (content: Node | string, kind = '') => element.append(make('td', kind ? { class: kind } : {}, content));
+    const seconds = (value: number | null) => cell(value === null ? '' : duration(value));
+    cell(named(row.name, 200));
     cell(clock.short(row.start));
-    for (const value of [row.duration, row.motion, row.work, row.waits]) cell(seconds(value));
+    seconds(row.duration);
+    seconds(row.waits);
+    const result = make('span', row.reason ? { title: cut(row.reason, 300) } : {}, row.result);
+    cell(result, row.result === 'done' ? 'good' : row.result === 'rejected' ? 'bad' : 'muted');
+    seconds(row.motion);
+    seconds(row.work);
     cell(row.cost === null ? '' : money(row.cost, ''));
-    const result = make('td', { class: row.result === 'done' ? 'good' : row.result === 'rejected' ? 'bad' : 'muted' }, row.result);
-    if (row.reason) result.title = row.reason.slice(0, 300);
-    element.append(result);
+    cell(named(row.who, 100), 'start');
     element.addEventListener('click', () => goToRun(page, row.run));
     return element;
   };

@@ -84,12 +84,12 @@ export function makeTimeline({ film, player, runs, clock }: Page): HTMLElement {
     const near = film.end / Math.max(slider.clientWidth, 1) * 2;
     const refused = runs.all.filter((run) => !run.happened && Math.abs(run.start - t) <= near);
     const now = runs.current(t);
-    showHint(event.clientX, slider.getBoundingClientRect().top - 84, [
+    showHint(event.clientX, slider.getBoundingClientRect().top, [
       clock.dated ? `${clock.full(t)} (${duration(t)})` : clock.full(t),
       ...refused.slice(0, 2).map((run) => `${run.result}: ${run.task}`),
       ...now.slice(0, 3).map((run) => `${runs.who(run) || 'nobody'}: ${runs.all[run].task}`),
       ...(now.length > 3 ? [`and ${now.length - 3} more`] : []),
-    ]);
+    ], true);
   });
   slider.addEventListener('pointerleave', hideHint);
   slider.addEventListener('keydown', (event) => {

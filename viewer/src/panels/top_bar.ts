@@ -1,5 +1,5 @@
 import { duration, money, roughly, day } from '../clock';
-import { button, icon, make, named } from './dom';
+import { button, cut, icon, make, named } from './dom';
 import { makeHelp } from './help';
 import type { Page } from './page';
 import { isDark, onTheme, toggleTheme } from './theme';
@@ -29,7 +29,7 @@ export function mountTopBar(host: HTMLElement, page: Page, showRefusals: () => v
   const fact = (name: string, value: string) => facts.append(make('div', {}, make('dt', {}, name), make('dd', {}, value)));
   const long = schedule?.process_time ?? film.end;
   fact('Process time', long >= day ? `${duration(long)} (${roughly(long)})` : duration(long));
-  if (schedule?.cost !== undefined) fact('Cost', money(schedule.cost, schedule.currency ?? header.currency));
+  if (schedule?.cost !== undefined) fact('Cost', money(schedule.cost, cut(schedule.currency ?? header.currency, 8)));
 
   const help = makeHelp();
   const themeButton = button('Light or dark', toggleTheme, {}, icon(moon));
