@@ -39,7 +39,8 @@ function apply(film: Film, record: number, state: BehaviourState): void {
   } else if (kind === 'set') {
     state.variables.set(film.text(record, 'set.var'), { value: film.text(record, 'set.value'), record });
   } else if (kind === 'enter') {
-    state.loops.push({ kind: film.text(record, 'enter.kind'), place: film.place(record), entered: record, tries: 0, accepted: 0 });
+    const kindOfLoop = film.text(record, 'enter.kind');
+    state.loops.push({ kind: kindOfLoop, place: film.place(record), entered: record, tries: 0, accepted: 0 });
   } else if (kind === 'exit') {
     state.loops.pop();
   } else if (kind === 'try' || kind === 'wait') {

@@ -3,8 +3,8 @@ import type { Film } from './film';
 import { common, merged, onShift, type Interval } from './shifts';
 
 /**
- * When some task goes on, in order and apart from each other: not while it waits for its shift, and of crew work only the hours in
- * which somebody works.
+ * When some task goes on, in order and apart from each other: not while it waits for its shift, and of crew work only the
+ * hours in which somebody works.
  */
 export function busyTimes(film: Film): Interval[] {
   const pieces: Interval[] = [];

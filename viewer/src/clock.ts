@@ -26,7 +26,8 @@ export class Clock {
   full(t: number): string {
     if (!this.dated) return duration(t);
     const at = this.date(t);
-    return `${weekdays[(at.getUTCDay() + 6) % 7]} ${at.getUTCDate()} ${months[at.getUTCMonth()]} ${at.getUTCFullYear()} ${this.clock(t)}`;
+    const weekday = weekdays[(at.getUTCDay() + 6) % 7];
+    return `${weekday} ${at.getUTCDate()} ${months[at.getUTCMonth()]} ${at.getUTCFullYear()} ${this.clock(t)}`;
   }
 
   /** `4 May 07:18`, or `0:18:05`. */
@@ -63,7 +64,8 @@ export class Clock {
 export function duration(seconds: number): string {
   const whole = Math.floor(Math.abs(seconds) + 1e-6);
   const two = (value: number) => String(value).padStart(2, '0');
-  return `${seconds < -1e-6 && whole > 0 ? '-' : ''}${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}`;
+  const sign = seconds < -1e-6 && whole > 0 ? '-' : '';
+  return `${sign}${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}`;
 }
 
 /** `24.2 days`, or `3.5 h`, whichever tells more. */

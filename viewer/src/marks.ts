@@ -1,14 +1,15 @@
 import { isRefusal } from './behaviour';
 import type { Film } from './film';
+import type { Interval } from './shifts';
 
 /** What stands at a pixel of the time slider. */
 export const mark = { busy: 1, start: 2, blocked: 4, refused: 8 } as const;
 
 /**
- * The marks of a slider so many pixels wide: where some task goes on, where tasks start, where attempts were refused by something in
- * the way, and where tasks were refused: at most one of each a pixel.
+ * The marks of a slider so many pixels wide: where some task goes on, where tasks start, where attempts were refused by what was
+ * in the way, and where tasks were refused: at most one of each a pixel.
  */
-export function sliderMarks(film: Film, busy: readonly [number, number][], width: number): Uint8Array {
+export function sliderMarks(film: Film, busy: readonly Interval[], width: number): Uint8Array {
   const marks = new Uint8Array(Math.max(width, 0));
   const end = Math.max(film.end, 1e-9);
   const pixel = (t: number) => Math.min(Math.max(Math.floor(t / end * width), 0), width - 1);

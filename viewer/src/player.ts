@@ -17,8 +17,8 @@ export const fastest = 600;
 const fastPlaySeconds = 0.15;
 
 /**
- * The one state of the page: the moment it shows, whether it plays, what is picked, which record the debugger stands at. Everything that
- * is drawn follows it; everything that is pressed changes it. Knows no element of the page.
+ * The one state of the page: the moment it shows, whether it plays, what is picked, which record the debugger stands at.
+ * Everything that is drawn follows it; everything that is pressed changes it. Knows no element of the page.
  */
 export class Player {
   readonly end: number;
@@ -35,7 +35,7 @@ export class Player {
   /** When components came to stand, in order. */
   private readonly landmarks: number[];
   /** [from, to] of the times in which some task goes on, in order, apart from each other. */
-  private readonly busy: Interval[];
+  readonly busy: readonly Interval[];
 
   constructor(readonly film: Film) {
     this.end = film.end;
@@ -143,7 +143,7 @@ export class Player {
     this.tell('record');
   }
 
-  /** To the next (or, backwards, the previous) attempt or wait of the same run, of the run that is picked, or of any that happened. */
+  /** To the next (or, backwards, the previous) attempt or wait: of the same run, of the one that is picked, of any. */
   step(by: 1 | -1): void {
     const { film, at } = this;
     let next = -1;

@@ -3,7 +3,7 @@ import type { Film, Run } from './film';
 import type { ScheduledTask, TaskData, Waited } from './header';
 import type { Player } from './player';
 
-/** What a run did in a piece of its time, besides moving: crew work, a wait of its script, a pause, hours without a shift. Times in s. */
+/** What a run did in a piece of its time (s), besides moving: crew work, a wait of its script, a pause, hours without a shift. */
 export interface Span {
   from: number;
   to: number;
@@ -102,7 +102,7 @@ export class Runs {
     return movers.findLast((run) => this.all[run].start <= player.time) ?? movers[0] ?? -1;
   }
 
-  /** Where to look for the reason why a run was refused: the attempt that its reason names, the last that was refused, its end. */
+  /** Where to look for the reason why a run was refused: the attempt that its reason names, else the motion that ended short. */
   refusedAt(run: number): number {
     const { film } = this;
     const records = film.recordsOf(run);

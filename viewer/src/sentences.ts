@@ -14,10 +14,14 @@ export function sentence(film: Film, record: number): string {
     case 'enter': return `${text('enter.kind')} {`;
     case 'exit': {
       const made = number('exit.successes');
-      return `} ${text('exit.kind')} ${number('exit.reached') ? 'reached' : 'exhausted'}, ${made} ${made === 1 ? 'success' : 'successes'}`;
+      const how = number('exit.reached') ? 'reached' : 'exhausted';
+      return `} ${text('exit.kind')} ${how}, ${made} ${made === 1 ? 'success' : 'successes'}`;
     }
     case 'which': return `which ${text('which.label')}`;
-    case 'try': return `${text('try.command')} ${text('try.parameter')}${number('try.ok') ? '' : ` refused: ${refusal(film, record)}`}`;
+    case 'try': {
+      const step = `${text('try.command')} ${text('try.parameter')}`;
+      return number('try.ok') ? step : `${step} refused: ${refusal(film, record)}`;
+    }
     case 'wait': return 'wait';
     case 'work': {
       const crew = text('work.crew');
@@ -37,7 +41,8 @@ export function sentence(film: Film, record: number): string {
     case 'end': {
       const message = text('end.message');
       const status = text('end.status') + (number('end.reached') ? ', reached' : '');
-      return `motion ended: ${status}, ${number('end.accepted')} of ${number('end.tries')} tries made${message && ` (${message})`}`;
+      const tries = `${number('end.accepted')} of ${number('end.tries')} tries made`;
+      return `motion ended: ${status}, ${tries}${message && ` (${message})`}`;
     }
     case 'task_end': return `${run.result || 'over'}${run.reason && `: ${run.reason}`}`;
   }

@@ -25,8 +25,9 @@ export function tableRows(runs: Runs): TableRow[] {
     const machine = runs.machine(i);
     return {
       run: i, name: run.task, who: machine && crew ? `${machine}, ${crew}` : machine || runs.who(i), start: run.start,
-      duration: row?.duration ?? (run.happened ? runs.end(i) - run.start : null), motion: row?.motion ?? null, work: row?.work ?? null,
-      waits: waited, cost: row?.cost ?? null, result: run.result || row?.result || 'done', reason: run.reason,
+      duration: row?.duration ?? (run.happened ? runs.end(i) - run.start : null),
+      motion: row?.motion ?? null, work: row?.work ?? null, waits: waited,
+      cost: row?.cost ?? null, result: run.result || row?.result || 'done', reason: run.reason,
     };
   });
 }

@@ -4,8 +4,10 @@ import { sentence } from '../src/sentences';
 import { Trail } from '../src/trail';
 import { makeFilm, type RecordData } from './film_maker';
 
-const attempt = (t: number, line: number, ok: number, reason = 'hit'): RecordData => ({ kind: 'try', run: 0, t, command: 'move_to',
-  parameter: 'x', place: line, ok, reason: ok ? '' : reason, moved: ok ? '' : 'crane.hook', met: ok ? '' : 'wall' });
+const attempt = (t: number, line: number, ok: number, reason = 'hit'): RecordData => ({
+  kind: 'try', run: 0, t, command: 'move_to', parameter: 'x', place: line, ok, reason: ok ? '' : reason,
+  moved: ok ? '' : 'crane.hook', met: ok ? '' : 'wall',
+});
 
 /** A random walk of a script: goals, loops within loops, attempts, variables. A small generator of its own keeps it the same. */
 function walk(seed: number): RecordData[] {
@@ -69,7 +71,8 @@ describe('behaviour', () => {
       records.forEach((record, i) => {
         const { loops, variables } = behaviourAt(film, 0, i);
         const expected = replay(records, i);
-        expect(loops.map((loop) => ({ line: loop.place.line, tries: loop.tries, accepted: loop.accepted }))).toEqual(expected.loops);
+        const told = loops.map(({ place, tries, accepted }) => ({ line: place.line, tries, accepted }));
+        expect(told).toEqual(expected.loops);
         expect(Object.fromEntries([...variables].map(([name, { value }]) => [name, value]))).toEqual(expected.variables);
         expect(depth[i]).toBe(expected.loops.length - (record.kind === 'enter' ? 1 : 0));
       });
@@ -77,7 +80,8 @@ describe('behaviour', () => {
   });
 
   it('calls refused what something or a limit refused', () => {
-    const records = [attempt(0, 1, 0), attempt(0, 1, 0, 'limit x'), attempt(0, 1, 0, 'at goal'), attempt(0, 1, 0, 'no direction'), attempt(1, 1, 1)];
+    const records = [attempt(0, 1, 0), attempt(0, 1, 0, 'limit x'), attempt(0, 1, 0, 'at goal'),
+      attempt(0, 1, 0, 'no direction'), attempt(1, 1, 1)];
     const film = makeFilm({ end: 1, runs: [{ task: 'a' }], records });
     expect(records.map((_, i) => isRefusal(film, i))).toEqual([true, true, false, false, false]);
     expect(sentence(film, 0)).toBe('move_to x refused: hit, crane.hook meets wall');
@@ -85,7 +89,8 @@ describe('behaviour', () => {
   });
 
   it('finds the text of a file whose path is longer or shorter', () => {
-    const film = makeFilm({ header: { files: [{ path: 'robots/a/s.motion', text: 'A' }, { path: 'b/s.motion', text: 'B' }] }, end: 0, runs: [] });
+    const film = makeFilm({ header: { files: [{ path: 'robots/a/s.motion', text: 'A' }, { path: 'b/s.motion', text: 'B' }] },
+      end: 0, runs: [] });
     expect(fileText(film, 'robots/a/s.motion')).toBe('A');
     expect(fileText(film, '/home/x/b/s.motion')).toBe('B');
     expect(fileText(film, 'a/s.motion')).toBe('A');
@@ -95,8 +100,10 @@ describe('behaviour', () => {
 
 describe('trail', () => {
   const records: RecordData[] = [
-    { kind: 'task_start', run: 0, t: 0 }, { kind: 'goal', run: 0, t: 0, k: 1, n: 1 }, { kind: 'enter', run: 0, t: 0, kind_: 'chain', place: 7 },
-    attempt(1, 8, 1), { kind: 'task_start', run: 1, t: 1 }, attempt(1, 9, 0), attempt(2, 8, 1), { kind: 'wait', run: 0, t: 3 }, attempt(3, 9, 0),
+    { kind: 'task_start', run: 0, t: 0 }, { kind: 'goal', run: 0, t: 0, k: 1, n: 1 },
+      { kind: 'enter', run: 0, t: 0, kind_: 'chain', place: 7 },
+    attempt(1, 8, 1), { kind: 'task_start', run: 1, t: 1 }, attempt(1, 9, 0), attempt(2, 8, 1), { kind: 'wait', run: 0, t: 3 },
+      attempt(3, 9, 0),
   ];
   const film = makeFilm({ end: 3, runs: [{ task: 'a' }, { task: 'b' }], records });
   const trail = new Trail(film, 0);
@@ -109,7 +116,8 @@ describe('trail', () => {
   });
 
   it('goes to tries and to refusals', () => {
-    expect([trail.next(0, 1, 'try'), trail.next(3, 1, 'try'), trail.next(6, 1, 'try'), trail.next(7, 1, 'try')]).toEqual([3, 4, 7, -1]);
+    expect([trail.next(0, 1, 'try'), trail.next(3, 1, 'try'), trail.next(6, 1, 'try'), trail.next(7, 1, 'try')]).toEqual(
+      [3, 4, 7, -1]);
     expect([trail.next(0, 1, 'refusal'), trail.next(4, 1, 'refusal'), trail.next(4, -1, 'refusal')]).toEqual([4, 7, -1]);
   });
 
@@ -117,7 +125,8 @@ describe('trail', () => {
     expect(trail.nextFromLine(3, 'a.motion', 8)).toBe(5);
     expect(trail.nextFromLine(5, 'a.motion', 8)).toBe(3);
     expect(trail.nextFromLine(0, 'a.motion', 99)).toBe(-1);
-    expect([trail.hasLine('a.motion', 9), trail.hasLine('a.motion', 10), trail.hasLine('b.motion', 9)]).toEqual([true, false, false]);
+    expect([trail.hasLine('a.motion', 9), trail.hasLine('a.motion', 10), trail.hasLine('b.motion', 9)]).toEqual(
+      [true, false, false]);
   });
 
   it('knows the line it stands at between records with a place', () => {

@@ -12,7 +12,8 @@ const columnsOf: Record<string, { members: string[]; scale?: Record<string, numb
   try: { members: ['command', 'parameter', 'place', 'ok', 'reason', 'moved', 'met'] },
   work: { members: ['what', 'crew', 'from', 'time'], scale: { from: 1e-6, time: 1e-6 }, delta: ['from'] },
   pause: { members: ['why', 'for', 'from'], scale: { from: 1e-6 }, delta: ['from'] },
-  attach: { members: ['component', 'pose'], scale: { pose: 1e-9 } }, detach: { members: ['component', 'pose'], scale: { pose: 1e-9 } },
+  attach: { members: ['component', 'pose'], scale: { pose: 1e-9 } }, detach: { members: ['component', 'pose'],
+    scale: { pose: 1e-9 } },
   remove: { members: ['component'] }, end: { members: ['status', 'message', 'reached', 'tries', 'accepted'] },
 };
 
@@ -28,8 +29,10 @@ export interface FilmData {
 
 export function robot(name: string, parameters: string[], calendar = ''): RobotData {
   return {
-    name, type: name, pose: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], start: {}, calendar, bodies: [], tool: { body: '', frame: '' }, capacity: [],
-    parameters: parameters.map((each) => ({ name: each, body: 'b', kind: 'translation', cyclic: false, lower: null, upper: null, step: 1,
+    name, type: name, pose: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], start: {}, calendar, bodies: [], tool: { body: '', frame: '' },
+      capacity: [],
+    parameters: parameters.map((each) => ({ name: each, body: 'b', kind: 'translation', cyclic: false, lower: null, upper: null,
+      step: 1,
       speed: 1, start: 0 })),
   };
 }
@@ -91,10 +94,12 @@ export function encodeFilm({ header, schedule = null, end, runs, records = [], t
     }
   }
   const head = {
-    header: { plan: 'p', path: 'p.plan', form: 'full', detail: 'steps', start_at: null, currency: '', calendars: [], files: [], site: [],
+    header: { plan: 'p', path: 'p.plan', form: 'full', detail: 'steps', start_at: null, currency: '', calendars: [], files: [],
+      site: [],
       components: [], robots: [], carry: [], crews: [], tasks: [], meshes: [], ...header },
     schedule, end, strings, places, tracks: headTracks, columns: headColumns,
-    runs: runs.map((run) => ({ robot: -1, start: 0, end: end, result: 'done', reason: '', because: '', after: '', happened: true, ...run })),
+    runs: runs.map((run) => ({ robot: -1, start: 0, end: end, result: 'done', reason: '', because: '', after: '', happened: true,
+      ...run })),
   };
   const json = new TextEncoder().encode(JSON.stringify(head));
   const result = new Uint8Array(16 + json.length + bytes.length);

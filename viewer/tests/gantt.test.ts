@@ -10,10 +10,12 @@ import { makeFilm, robot } from './film_maker';
 const film = () => makeFilm({
   header: { robots: [robot('crane', ['x'])], crews: [{ name: 'riggers', size: 2, cost_per_hour: null, calendar: '' },
     { name: 'masons', size: 1, cost_per_hour: null, calendar: '' }],
-    tasks: [{ name: 'lift', robot: 'crane', crews: [], zones: [], after: [] }, { name: 'wall', robot: '', crews: ['masons'], zones: [], after: [] }] },
+    tasks: [{ name: 'lift', robot: 'crane', crews: [], zones: [], after: [] }, { name: 'wall', robot: '', crews: ['masons'],
+      zones: [], after: [] }] },
   end: 100,
   runs: [{ task: 'lift', robot: 0, start: 0, end: 50 }, { task: 'wall', start: 50, end: 100 },
-    { task: 'no', robot: 0, start: 50, end: 90, result: 'rejected', reason: 'blocked', happened: false }, { task: 'ready', start: 100, end: 100 }],
+    { task: 'no', robot: 0, start: 50, end: 90, result: 'rejected', reason: 'blocked', happened: false },
+      { task: 'ready', start: 100, end: 100 }],
   records: [
     { kind: 'work', run: 0, t: 20, what: 'hook', crew: 'riggers', from: 10, time: 10 },
     { kind: 'pause', run: 0, t: 30, why: 'machine', for: 'high', from: 25 },
@@ -56,7 +58,8 @@ describe('layout', () => {
   it('leaves no gap between pieces, however spans overlap', () => {
     const span = (from: number, to: number, kind: 'work' | 'wait') => ({ from, to, kind, text: '', crew: '' });
     const pieces = piecesOf([span(-5, 3, 'wait'), span(2, 6, 'work'), span(4, 5, 'wait'), span(8, 20, 'wait')], 0, 10, 'motion');
-    expect(pieces.map(({ from, to, kind }) => [from, to, kind])).toEqual([[0, 3, 'wait'], [3, 6, 'work'], [6, 8, 'motion'], [8, 10, 'wait']]);
+    expect(pieces.map(({ from, to, kind }) => [from, to, kind])).toEqual([[0, 3, 'wait'], [3, 6, 'work'], [6, 8, 'motion'],
+      [8, 10, 'wait']]);
   });
 });
 
@@ -89,7 +92,8 @@ describe('view', () => {
 describe('painting', () => {
   const scene = (width: number): Scene => {
     const runs = new Runs(film());
-    return { layout: layoutGantt(runs), view: wholeView(100, width - labelWidth), scroll: 0, width, height: 300, clock: new Clock(null),
+    return { layout: layoutGantt(runs), view: wholeView(100, width - labelWidth), scroll: 0, width, height: 300,
+      clock: new Clock(null),
       nameOf: (run) => runs.all[run].task, picked: -1, now: 10, colours: {} };
   };
 

@@ -3,16 +3,19 @@ import { Player } from '../src/player';
 import { makeFilm, robot, type RecordData } from './film_maker';
 
 const pose = [0, 0, 0, 0, 0, 0, 1];
-const step = (run: number, t: number, ok = 1): RecordData => ({ kind: 'try', run, t, command: 'move_to', parameter: 'x', place: 1, ok,
+const step = (run: number, t: number, ok = 1): RecordData => ({ kind: 'try', run, t, command: 'move_to', parameter: 'x',
+  place: 1, ok,
   reason: ok ? '' : 'hit', moved: ok ? '' : 'a.b', met: ok ? '' : 'c' });
 
 /** Two tasks that go on at once, a pause between, and a rejected one that was tried for longer than all. */
 const film = () => makeFilm({
   header: { robots: [robot('a', ['x']), robot('b', ['x'])] }, end: 100,
   runs: [{ task: 'one', robot: 0, start: 0, end: 20 }, { task: 'two', robot: 1, start: 5, end: 30 },
-    { task: 'no', robot: 0, start: 20, end: 150, result: 'rejected', happened: false }, { task: 'three', robot: 0, start: 60, end: 100 }],
+    { task: 'no', robot: 0, start: 20, end: 150, result: 'rejected', happened: false },
+      { task: 'three', robot: 0, start: 60, end: 100 }],
   records: [
-    step(0, 4), step(0, 8), step(1, 7), step(0, 8, 0), { kind: 'wait', run: 1, t: 9 }, { kind: 'detach', run: 0, t: 20, component: 0, pose },
+    step(0, 4), step(0, 8), step(1, 7), step(0, 8, 0), { kind: 'wait', run: 1, t: 9 },
+      { kind: 'detach', run: 0, t: 20, component: 0, pose },
     step(2, 40), { kind: 'detach', run: 2, t: 45, component: 0, pose }, step(2, 150, 0), { kind: 'task_end', run: 2, t: 20 },
     { kind: 'detach', run: 1, t: 28, component: 1, pose }, step(3, 70), { kind: 'remove', run: 3, t: 90, component: 0 },
   ],

@@ -7,7 +7,8 @@ import { makeFilm } from './film_maker';
 
 const hour = 3600;
 const day = 24 * hour;
-const site: CalendarData = { name: 'site', shifts: [{ days: [0, 4], minutes: [[420, 720], [750, 960]] }], off: ['2026-05-05'], carry_over: false };
+const site: CalendarData = { name: 'site', shifts: [{ days: [0, 4], minutes: [[420, 720], [750, 960]] }], off: ['2026-05-05'],
+  carry_over: false };
 /** A Monday, 07:00. */
 const { epoch } = new Clock('2026-05-04 07:00');
 
@@ -31,12 +32,14 @@ describe('shifts', () => {
   });
 
   it('agree with asking minute by minute', () => {
-    const night: CalendarData = { name: 'n', shifts: [{ days: [6, 1], minutes: [[0, 360], [1320, 1440]] }], off: ['2026-05-10'], carry_over: true };
+    const night: CalendarData = { name: 'n', shifts: [{ days: [6, 1], minutes: [[0, 360], [1320, 1440]] }], off: ['2026-05-10'],
+      carry_over: true };
     const on = onShift(night, epoch, 0, 8 * day);
     for (let t = 30; t < 8 * day; t += 420) {
       const at = new Date((epoch + t) * 1000);
       const minute = at.getUTCHours() * 60 + at.getUTCMinutes();
-      const works = [0, 1, 2].includes(at.getUTCDay()) && at.toISOString().slice(0, 10) !== '2026-05-10' && (minute < 360 || minute >= 1320);
+      const works = [0, 1, 2].includes(at.getUTCDay()) && at.toISOString().slice(0, 10) !== '2026-05-10' &&
+        (minute < 360 || minute >= 1320);
       expect(on.some(([from, to]) => from <= t && t < to), at.toISOString()).toBe(works);
     }
   });
@@ -53,7 +56,8 @@ describe('shifts', () => {
 describe('busy times', () => {
   it('leave out the night within crew work and the wait for a shift', () => {
     const film = makeFilm({
-      header: { start_at: '2026-05-06 15:00', calendars: [site], crews: [{ name: 'masons', size: 1, cost_per_hour: null, calendar: 'site' }],
+      header: { start_at: '2026-05-06 15:00', calendars: [site], crews: [{ name: 'masons', size: 1, cost_per_hour: null,
+        calendar: 'site' }],
         tasks: [{ name: 'a', robot: '', crews: ['masons'], zones: [], after: [] }] },
       end: 42 * hour,
       runs: [{ task: 'a', start: 0, end: 18 * hour }, { task: 'b', start: 18 * hour, end: 42 * hour },

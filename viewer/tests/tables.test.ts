@@ -7,23 +7,30 @@ import { filtered, sorted, tableRows } from '../src/task_table';
 import type { ScheduledTask } from '../src/header';
 import { makeFilm, robot, type RecordData } from './film_maker';
 
-const scheduled = (task: string, start: number, cost: number): ScheduledTask => ({ task, robot: 'crane', crew: '', start, duration: 10, motion: 6,
-  work: 4, waited: { predecessor: 1, resource: 2, machine: 3, shift: 4 }, cost, tried: 5, accepted: 4, result: 'done', reason: '' });
+const scheduled = (task: string, start: number, cost: number): ScheduledTask => ({
+  task, robot: 'crane', crew: '', start, duration: 10, motion: 6, work: 4,
+  waited: { predecessor: 1, resource: 2, machine: 3, shift: 4 }, cost, tried: 5, accepted: 4, result: 'done', reason: '',
+});
 
-const refusedTry = (run: number, t: number): RecordData => ({ kind: 'try', run, t, command: 'move_to', parameter: 'x', place: 1, ok: 0,
-  reason: 'hit', moved: 'a', met: 'b' });
+const refusedTry = (run: number, t: number): RecordData => ({
+  kind: 'try', run, t, command: 'move_to', parameter: 'x', place: 1, ok: 0, reason: 'hit', moved: 'a', met: 'b',
+});
 
 const film = () => makeFilm({
   header: { robots: [robot('crane', ['x'])], components: [{ name: 'beam', pose: [], grip: [], mass: 1, shapes: [] }],
     tasks: [{ name: 'set_10', robot: 'crane', crews: [], move: 'beam', zones: [], after: [] }] },
-  schedule: { tasks: [scheduled('park crane', 50, 2), scheduled('set_10', 0, 7), scheduled('park crane', 20, 1)], process_time: 100,
+  schedule: { tasks: [scheduled('park crane', 50, 2), scheduled('set_10', 0, 7), scheduled('park crane', 20, 1)],
+    process_time: 100,
     resources: [], critical: [{ task: 'set_10', work_counts: true, text: 'set_10 starts with the plan' }] },
   end: 100,
   runs: [{ task: 'set_10', robot: 0, start: 0, end: 10 }, { task: 'park crane', robot: 0, start: 20, end: 30 },
     { task: 'park crane', robot: 0, start: 50, end: 60 },
-    { task: 'set_9', robot: 0, start: 60, end: 95, result: 'rejected', reason: 'blocked by wall at step 2 (z, line 4)', happened: false }],
-  records: [{ kind: 'task_start', run: 0, t: 0 }, refusedTry(0, 5), { kind: 'task_start', run: 3, t: 60 }, { kind: 'wait', run: 3, t: 61 },
-    refusedTry(3, 61), refusedTry(3, 61), { kind: 'end', run: 3, t: 95, status: 'done', message: '', reached: 0, tries: 3, accepted: 1 },
+    { task: 'set_9', robot: 0, start: 60, end: 95, result: 'rejected', reason: 'blocked by wall at step 2 (z, line 4)',
+      happened: false }],
+  records: [{ kind: 'task_start', run: 0, t: 0 }, refusedTry(0, 5), { kind: 'task_start', run: 3, t: 60 },
+    { kind: 'wait', run: 3, t: 61 },
+    refusedTry(3, 61), refusedTry(3, 61), { kind: 'end', run: 3, t: 95, status: 'done', message: '', reached: 0, tries: 3,
+      accepted: 1 },
     { kind: 'task_end', run: 3, t: 60 }],
 });
 
@@ -99,6 +106,7 @@ describe('marks of the slider', () => {
 describe('speeds', () => {
   it('go from 0.25 to 600 and no farther', () => {
     expect([speeds[0], speeds.at(-1)]).toEqual([0.25, 600]);
-    expect([fasterSpeed(60, 1), fasterSpeed(60, -1), fasterSpeed(600, 1), fasterSpeed(0.25, -1), fasterSpeed(70, 1)]).toEqual([120, 30, 600, 0.25, 120]);
+    expect([fasterSpeed(60, 1), fasterSpeed(60, -1), fasterSpeed(600, 1), fasterSpeed(0.25, -1),
+      fasterSpeed(70, 1)]).toEqual([120, 30, 600, 0.25, 120]);
   });
 });

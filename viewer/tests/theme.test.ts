@@ -4,7 +4,8 @@ import { describe, expect, it } from 'vitest';
 describe('theme', () => {
   /** WCAG 2.1, 1.4.3: relative luminance of #rrggbb. */
   const luminance = (colour: string) => {
-    const [r, g, b] = [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16) / 255).map((c) => (c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+    const [r, g, b] = [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16) / 255).map((c) =>
+      (c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;
   };
   const contrast = (a: string, b: string) => {
@@ -24,11 +25,14 @@ describe('theme', () => {
   it('can be read: 4.5 to 1 for text, 3 to 1 for what is drawn', () => {
     for (const colours of blocks) {
       for (const back of ['bg', 'panel', 'pick', 'raised']) {
-        for (const text of ['text', 'muted']) expect(contrast(colours[text], colours[back]), `${text} on ${back}`).toBeGreaterThanOrEqual(4.5);
+        for (const text of ['text', 'muted']) expect(contrast(colours[text], colours[back]),
+          `${text} on ${back}`).toBeGreaterThanOrEqual(4.5);
       }
       for (const back of ['bg', 'panel']) {
-        for (const text of ['accent', 'good', 'bad', 'warn']) expect(contrast(colours[text], colours[back]), `${text} on ${back}`).toBeGreaterThanOrEqual(4.5);
-        for (const drawn of ['machine', 'crew', 'critical', 'focus']) expect(contrast(colours[drawn], colours[back]), `${drawn} on ${back}`).toBeGreaterThanOrEqual(3);
+        for (const text of ['accent', 'good', 'bad', 'warn']) expect(contrast(colours[text], colours[back]),
+          `${text} on ${back}`).toBeGreaterThanOrEqual(4.5);
+        for (const drawn of ['machine', 'crew', 'critical', 'focus']) expect(contrast(colours[drawn], colours[back]),
+          `${drawn} on ${back}`).toBeGreaterThanOrEqual(3);
       }
       expect(contrast(colours['on-accent'], colours.accent)).toBeGreaterThanOrEqual(4.5);
     }

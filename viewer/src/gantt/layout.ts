@@ -75,7 +75,8 @@ export function layoutGantt(runs: Runs): Layout {
       } else if (to <= from) {
         each.points.push({ run: i, t: from, kind: 'milestone' });
       } else {
-        bars.get(each)?.push({ run: i, from, to, critical, pieces: piecesOf(runs.spansOf(i), from, to, each.kind === 'machine' ? 'motion' : 'work') });
+        const rest = each.kind === 'machine' ? 'motion' : 'work';
+        bars.get(each)?.push({ run: i, from, to, critical, pieces: piecesOf(runs.spansOf(i), from, to, rest) });
       }
     }
     if (!run.happened) return;
@@ -83,7 +84,8 @@ export function layoutGantt(runs: Runs): Layout {
     for (const span of runs.spansOf(i)) {
       const crew = span.kind === 'work' ? crewOf.get(span.crew) : undefined;
       if (!crew || whole.includes(crew) || span.to <= span.from) continue;
-      bars.get(crew)?.push({ run: i, from: span.from, to: span.to, critical, pieces: [{ from: span.from, to: span.to, kind: 'work' }] });
+      const time = { from: span.from, to: span.to };
+      bars.get(crew)?.push({ run: i, ...time, critical, pieces: [{ ...time, kind: 'work' }] });
     }
   });
   for (const [each, own] of bars) each.lanes = lanesOf(own);

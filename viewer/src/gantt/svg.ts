@@ -16,8 +16,8 @@ export class SvgPainter implements Painter {
   }
 
   line(x0: number, y0: number, x1: number, y1: number, stroke: string, width: number): void {
-    this.parts.push(`<line x1="${px(x0)}" y1="${px(y0)}" x2="${px(x1)}" y2="${px(y1)}" stroke="${escaped(stroke)}" `
-      + `stroke-width="${px(width)}"/>`);
+    this.parts.push(`<line x1="${px(x0)}" y1="${px(y0)}" x2="${px(x1)}" y2="${px(y1)}" `
+      + `stroke="${escaped(stroke)}" stroke-width="${px(width)}"/>`);
   }
 
   diamond(x: number, y: number, radius: number, fill: string): void {
@@ -27,8 +27,9 @@ export class SvgPainter implements Painter {
 
   text(x: number, y: number, text: string, fill: string, bold = false): void {
     // A third of the size below the middle is the base line.
-    this.parts.push(`<text x="${px(x)}" y="${px(y + fontSize * 0.35)}" fill="${escaped(fill)}"${bold ? ' font-weight="600"' : ''} `
-      + `unicode-bidi="isolate">${escaped(text)}</text>`);
+    const weight = bold ? ' font-weight="600"' : '';
+    this.parts.push(`<text x="${px(x)}" y="${px(y + fontSize * 0.35)}" fill="${escaped(fill)}"${weight} unicode-bidi="isolate">`
+      + `${escaped(text)}</text>`);
   }
 
   clip(x: number, y: number, width: number, height: number, draw: () => void): void {
@@ -41,7 +42,8 @@ export class SvgPainter implements Painter {
 
   /** The file; `title` is what it is called where pictures have names. */
   document(width: number, height: number, title: string): string {
-    return `<?xml version="1.0" encoding="UTF-8"?>\n<svg xmlns="http://www.w3.org/2000/svg" width="${px(width)}" height="${px(height)}" `
+    return '<?xml version="1.0" encoding="UTF-8"?>\n'
+      + `<svg xmlns="http://www.w3.org/2000/svg" width="${px(width)}" height="${px(height)}" `
       + `viewBox="0 0 ${px(width)} ${px(height)}" font-family="${escaped(fontFamily)}" font-size="${fontSize}">\n`
       + `<title>${escaped(title)}</title>\n${this.parts.join('\n')}\n</svg>\n`;
   }

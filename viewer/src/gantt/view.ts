@@ -19,13 +19,14 @@ export function timeOf(view: TimeView, x: number): number {
 /** All of a plan with a little room at both ends. */
 export function wholeView(end: number, width: number): TimeView {
   const long = Math.max(end, 1);
-  return { from: -0.01 * long, to: 1.02 * long, width };
+  return { from: -0.03 * long, to: 1.03 * long, width };
 }
 
 /** Zooms by a factor (below 1: closer); what is at x stays there, unless the ends of the plan are met. */
 export function zoomed(view: TimeView, x: number, factor: number, end: number): TimeView {
   const whole = wholeView(end, view.width);
-  const span = Math.min(Math.max((view.to - view.from) * factor, Math.min(shortest, whole.to - whole.from)), whole.to - whole.from);
+  const longest = whole.to - whole.from;
+  const span = Math.min(Math.max((view.to - view.from) * factor, shortest), longest);
   const from = timeOf(view, x) - x / view.width * span;
   return within({ from, to: from + span, width: view.width }, end);
 }

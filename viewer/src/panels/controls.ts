@@ -1,5 +1,5 @@
 import { duration } from '../clock';
-import { button, icon, make, named, onceAFrame, setText } from './dom';
+import { button, givesBackFocus, icon, make, named, onceAFrame, setText } from './dom';
 import type { Page } from './page';
 import { speeds } from './speeds';
 import { makeTimeline } from './timeline';
@@ -56,6 +56,7 @@ function makeClock({ player, clock }: Page): HTMLElement {
 function makeSpeed({ player }: Page): HTMLElement {
   const select = make('select', { 'aria-label': 'Speed', title: 'Seconds of the plan a second (↑ ↓)' });
   for (const speed of speeds) select.append(make('option', { value: String(speed) }, `${speed}×`));
+  givesBackFocus(select);
   select.addEventListener('change', () => player.setSpeed(Number(select.value)));
   const show = () => {
     const known = speeds.includes(player.speed);
@@ -75,7 +76,9 @@ function makeIdle({ player }: Page): HTMLElement {
   const show = () => { box.checked = player.skipsIdle; };
   player.on('speed', show);
   show();
-  return make('label', { class: 'field', title: 'Pass over the times in which nobody works' }, box, 'Skip idle time');
+  const label = make('label', { class: 'field', title: 'Pass over the times in which nobody works' }, box, 'Skip idle time');
+  label.addEventListener('mousedown', (event) => event.preventDefault());
+  return label;
 }
 
 /** Tasks that go on: one line, what has no room is counted. */
@@ -98,7 +101,9 @@ function makeChips({ player, runs }: Page): HTMLElement {
       return chip;
     });
     if (now.length > room) chips.push(make('span', { class: 'more' }, `+${now.length - room}`));
-    if (now.length === 0) chips.push(make('span', { class: 'more' }, player.time >= player.end ? 'the end' : 'nobody works'));
+    if (now.length === 0 && runs.all.length > 0) {
+      chips.push(make('span', { class: 'more' }, player.time >= player.end ? 'the end' : 'nobody works'));
+    }
     host.replaceChildren(...chips);
   };
   const soon = onceAFrame(show);

@@ -11,7 +11,10 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-export function button(label: string, press: () => void, attributes: Record<string, string> = {}, ...children: (Node | string)[]) {
+/** A button; with children it shows these, and its label is what is heard and hinted. */
+export function button(
+  label: string, press: () => void, attributes: Record<string, string> = {}, ...children: (Node | string)[]
+): HTMLButtonElement {
   const element = make('button', { type: 'button', ...attributes }, ...(children.length ? children : [label]));
   if (children.length) {
     element.setAttribute('aria-label', label);
@@ -45,6 +48,14 @@ export function named(text: string, most = 300): HTMLElement {
   const element = make('bdi', {}, cut(text, most));
   element.title = cut(text, 300);
   return element;
+}
+
+/** A list that was opened with the mouse keeps no focus once something is chosen: keys go on meaning the page. */
+export function givesBackFocus(select: HTMLSelectElement): void {
+  let byMouse = false;
+  select.addEventListener('pointerdown', () => { byMouse = true; });
+  select.addEventListener('keydown', () => { byMouse = false; });
+  select.addEventListener('change', () => { if (byMouse) select.blur(); });
 }
 
 /** Changes a text only if it is another. */

@@ -4,7 +4,7 @@ import { axisHeight, labelWidth, paintGantt, runsAt, type Scene } from '../gantt
 import { CanvasPainter } from '../gantt/painter';
 import { SvgPainter } from '../gantt/svg';
 import { panned, showing, wholeView, zoomed, type TimeView } from '../gantt/view';
-import { button, make, onceAFrame } from './dom';
+import { button, make, onceAFrame, setText } from './dom';
 import { download, fileName } from './download';
 import { hideHint, showHint } from './hint';
 import { goToRun, type Page } from './page';
@@ -18,15 +18,17 @@ const largestCanvas = 16000;
 export function mountGantt(host: HTMLElement, page: Page, shown: Shown): void {
   const { film, player, runs, clock } = page;
   host.classList.add('column');
-  const canvas = make('canvas', { tabindex: '0', role: 'application', 'aria-label': 'Gantt chart: arrows move, plus and minus zoom, Enter '
-    + 'goes to the next task' });
-  const chart = make('div', { class: 'gantt' }, canvas);
+  const canvas = make('canvas', { tabindex: '0', role: 'application',
+    'aria-label': 'Gantt chart: arrows move, plus and minus zoom, Enter goes to the next task' });
+  const said = make('div', { class: 'unseen', 'aria-live': 'polite' });
+  const chart = make('div', { class: 'gantt' }, canvas, said);
   const layout = layoutGantt(runs);
   const byStart = runs.all.map((_, i) => i).sort((a, b) => runs.all[a].start - runs.all[b].start || a - b);
   let view: TimeView = wholeView(film.end, 1);
   let scroll = 0;
 
-  const scene = (width: number, height: number): Scene => ({ layout, view, scroll, width, height, clock, nameOf: (run) => runs.all[run].task,
+  const nameOf = (run: number) => runs.all[run].task;
+  const scene = (width: number, height: number): Scene => ({ layout, view, scroll, width, height, clock, nameOf,
     picked: runs.focused(player), now: player.time, colours: palette() });
   const draw = onceAFrame(() => {
     const { clientWidth: width, clientHeight: height } = chart;
@@ -51,6 +53,7 @@ export function mountGantt(host: HTMLElement, page: Page, shown: Shown): void {
   const all = () => look(wholeView(film.end, view.width));
   const pick = (run: number) => {
     goToRun(page, run);
+    setText(said, cardOf(run).slice(0, 3).join(', ').slice(0, 300));
     look(showing(view, runs.all[run].start, film.end));
   };
   const pickNext = (by: 1 | -1) => {
@@ -64,7 +67,8 @@ export function mountGantt(host: HTMLElement, page: Page, shown: Shown): void {
     const actions: Record<string, () => void> = {
       ArrowLeft: () => look(panned(view, -80, film.end)), ArrowRight: () => look(panned(view, 80, film.end)),
       ArrowUp: () => { scroll -= 40; draw(); }, ArrowDown: () => { scroll += 40; draw(); },
-      '+': () => zoom(0.7), '=': () => zoom(0.7), '-': () => zoom(1 / 0.7), '0': all, Enter: () => pickNext(event.shiftKey ? -1 : 1),
+      '+': () => zoom(0.7), '=': () => zoom(0.7), '-': () => zoom(1 / 0.7), '0': all,
+      Enter: () => pickNext(event.shiftKey ? -1 : 1),
     };
     const action = actions[event.key];
     if (!action || event.ctrlKey || (event.shiftKey && event.key.startsWith('Arrow'))) return;
@@ -184,14 +188,15 @@ export function mountGantt(host: HTMLElement, page: Page, shown: Shown): void {
   }
 
   function toolbar(): HTMLElement {
-    return make('div', { class: 'bar', role: 'group', 'aria-label': 'Chart' }, button('Closer', () => zoom(0.6), {}, '+'),
-      button('Farther', () => zoom(1 / 0.6), {}, '−'), button('All', all), make('span', { class: 'grow' }), button('Export SVG', exportSvg),
-      button('Export PNG', exportPng));
+    return make('div', { class: 'bar', role: 'group', 'aria-label': 'Chart' },
+      button('Closer', () => zoom(0.6), {}, '+'), button('Farther', () => zoom(1 / 0.6), {}, '−'), button('All', all),
+      make('span', { class: 'grow' }), button('Export SVG', exportSvg), button('Export PNG', exportPng));
   }
 }
 
 function legend(): HTMLElement {
   const names = [['machine', 'motion'], ['crew', 'crew work'], ['wait', 'waiting'], ['off', 'no shift'], ['critical', 'critical'],
     ['refused', 'refused']];
-  return make('div', { class: 'legend', 'aria-hidden': 'true' }, ...names.map(([key, text]) => make('span', { class: key }, text)));
+  const entries = names.map(([key, text]) => make('span', { class: key }, text));
+  return make('div', { class: 'legend', 'aria-hidden': 'true' }, ...entries);
 }

@@ -4,7 +4,8 @@ import { fasterSpeed } from './speeds';
 /** The keys of the page, unless what has the focus needs the key itself. */
 export function listenToKeys(player: Player): void {
   document.addEventListener('keydown', (event) => {
-    if (event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey || document.querySelector('dialog[open]')) return;
+    if (event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (document.querySelector('dialog[open]')) return;
     if (event.target instanceof Element && needs(event.target, event.key)) return;
     const action = actionOf(player, event);
     if (!action) return;

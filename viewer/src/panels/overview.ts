@@ -13,8 +13,9 @@ export function mountOverview(host: HTMLElement, page: Page): { showRefusals(): 
   host.tabIndex = 0;
   const refusals = refusalsOf(page);
   host.append(numbersOf(page));
-  if (!film.schedule) host.append(make('p', { class: 'muted' }, 'There is no schedule: cost, utilisation, waits and the critical chain are missing.'));
-  if (film.runs.length === 0) host.append(make('p', { class: 'muted' }, nothing(page)));
+  const say = (text: string) => host.append(make('p', { class: 'muted' }, text));
+  if (!film.schedule) say('There is no schedule: cost, utilisation, waits and the critical chain are missing.');
+  if (film.runs.length === 0) say(nothing(page));
   if (refusals) host.append(refusals);
   if (film.schedule) host.append(...resourcesOf(page, film.schedule), ...waitsOf(film.schedule), ...chainOf(page, film.schedule));
   return {
@@ -26,7 +27,9 @@ export function mountOverview(host: HTMLElement, page: Page): { showRefusals(): 
 }
 
 function nothing({ film }: Page): string {
-  if (film.header.detail === 'none') return 'The trace was written without detail: it tells of no task. Run with --trace-detail steps to see them.';
+  if (film.header.detail === 'none') {
+    return 'The trace was written without detail: it tells of no task. Run with --trace-detail steps to see them.';
+  }
   return 'This plan has no tasks: there is nothing to play.';
 }
 
@@ -43,7 +46,8 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
   if (schedule?.cost !== undefined) add('Cost', money(schedule.cost, ''), cut(schedule.currency ?? header.currency, 12));
   const results = schedule?.tasks.map((task) => task.result) ?? runs.all.map((run) => run.result || 'done');
   const done = results.filter((result) => result === 'done').length;
-  add('Tasks', `${done} of ${results.length}`, results.length === 0 ? '' : done === results.length ? 'all done' : `${results.length - done} refused`);
+  const refused = results.length - done;
+  add('Tasks', `${done} of ${results.length}`, results.length === 0 ? '' : refused === 0 ? 'all done' : `${refused} refused`);
   if (clock.dated) add('Begins', clock.short(0));
   if (clock.dated) add('Ends', clock.short(long));
   let tried = 0;
@@ -61,10 +65,13 @@ function refusalsOf(page: Page): HTMLElement | null {
   for (const i of refused.slice(0, mostListed)) {
     const { task, result, reason } = runs.all[i];
     const name = button(task, () => goToStep(page, i, runs.refusedAt(i)), { class: 'link' }, named(task, 200));
-    list.append(make('li', { class: result === 'rejected' ? '' : 'later' }, name, ` ${result} `, make('div', { class: 'reason' }, named(reason, 600))));
+    const why = make('div', { class: 'reason' }, named(reason, 600));
+    list.append(make('li', { class: result === 'rejected' ? '' : 'later' }, name, ` ${result} `, why));
   }
-  const more = refused.length > mostListed ? [make('p', { class: 'muted' }, `and ${refused.length - mostListed} more: see Tasks`)] : [];
-  return make('section', {}, make('h2', { class: 'bad' }, `Refused: ${refused.length}`), list, ...more);
+  const section = make('section', {}, make('h2', { class: 'bad' }, `Refused: ${refused.length}`), list);
+  const more = refused.length - mostListed;
+  if (more > 0) section.append(make('p', { class: 'muted' }, `and ${more} more: see Tasks`));
+  return section;
 }
 
 function head(...names: string[]): HTMLElement {
@@ -82,27 +89,33 @@ function resourcesOf({ film }: Page, schedule: ScheduleData): HTMLElement[] {
     held.style.width = share(resource.held);
     busy.style.width = share(resource.busy);
     const percent = `${number(100 * resource.utilisation, 0)} %`;
-    const meter = make('div', { class: resource.kind === 'crew' ? 'meter crew' : 'meter', role: 'img',
-      'aria-label': `used ${percent}, busy ${share(resource.busy)}`, title: `held ${share(resource.held)}, busy ${share(resource.busy)} of its shifts` },
-      held, busy);
+    const used = `held ${share(resource.held)}, busy ${share(resource.busy)} of its shifts`;
+    const meter = make('div', { class: resource.kind === 'crew' ? 'meter crew' : 'meter', role: 'img', 'aria-label': used,
+      title: used }, held, busy);
     body.append(make('tr', {}, make('th', { scope: 'row' }, named(resource.name)), make('td', {}, String(resource.tasks)),
       make('td', {}, duration(resource.held)), make('td', {}, duration(resource.busy)), make('td', {}, percent, meter),
       ...(hasCost ? [make('td', {}, resource.cost === undefined ? '' : money(resource.cost, ''))] : [])));
   }
   const currency = cut(schedule.currency ?? film.header.currency, 8);
+  const costs = currency ? `Cost, ${currency}` : 'Cost';
   return [make('h2', {}, 'Machines and crews'),
-    make('table', { class: 'resources' }, head('Name', 'Tasks', 'Held', 'Busy', 'Used', ...(hasCost ? [currency ? `Cost, ${currency}` : 'Cost'] : [])), body)];
+    make('table', { class: 'resources' }, head('Name', 'Tasks', 'Held', 'Busy', 'Used', ...(hasCost ? [costs] : [])), body)];
 }
 
-const waitNames: [keyof Waited, string][] = [['predecessor', 'for tasks before'], ['resource', 'for a machine or crew that was busy'],
-  ['machine', 'on the way, for another machine or a zone'], ['shift', 'for the next shift']];
+const waitNames: [keyof Waited, string][] = [
+  ['predecessor', 'for tasks before'],
+  ['resource', 'for a machine or crew that was busy'],
+  ['machine', 'on the way, for another machine or a zone'],
+  ['shift', 'for the next shift'],
+];
 
 function waitsOf(schedule: ScheduleData): HTMLElement[] {
   const body = make('tbody');
   for (const [kind, name] of waitNames) {
     const waits = schedule.tasks.map((task) => task.waited[kind]).filter((wait) => wait > 0);
     const sum = waits.reduce((a, b) => a + b, 0);
-    body.append(make('tr', {}, make('th', { scope: 'row' }, name), make('td', {}, String(waits.length)), make('td', {}, duration(sum))));
+    const cells = [String(waits.length), duration(sum)].map((text) => make('td', {}, text));
+    body.append(make('tr', {}, make('th', { scope: 'row' }, name), ...cells));
   }
   return [make('h2', {}, 'Waits, all tasks together'), make('table', {}, head('Waited', 'Tasks', 'Time'), body)];
 }

@@ -21,7 +21,8 @@ export function showState(host: HTMLElement, page: Page, trail: Trail, at: numbe
   const record = trail.records[at];
   const changes = changesAt(page, trail, at);
   const state = behaviourAt(page.film, trail.run, at);
-  const said = make('div', { class: `said ${isRefusal(page.film, record) ? 'bad' : ''}` }, make('bdi', {}, cut(saying(page, record, changes), 500)));
+  const words = make('bdi', {}, cut(saying(page, record, changes), 500));
+  const said = make('div', { class: `said ${isRefusal(page.film, record) ? 'bad' : ''}` }, words);
   host.replaceChildren(said, make('div', { class: 'pairs' }, configuration(changes),
     make('div', {}, variables(state), loops(state))));
 }
@@ -36,8 +37,15 @@ function changesAt({ film, motion }: Page, trail: Trail, at: number): Change[] {
   const moved = at > 0 && (kind === 'try' || kind === 'wait');
   const after = motion.configuration(robot, t, tried);
   const before = moved ? motion.configuration(robot, film.time(trail.records[at - 1]), tried) : after;
-  return data.parameters.map((parameter, i) => ({ name: parameter.name, unit: parameter.kind === 'rotation' ? '°' : ' m', before: before[i],
-    after: after[i] }));
+  return data.parameters.map(({ name, kind: moves, cyclic }, i) => {
+    const value = cyclic ? wrapped : (each: number) => each;
+    return { name, unit: moves === 'rotation' ? '°' : ' m', before: value(before[i]), after: value(after[i]) };
+  });
+}
+
+/** An angle as scripts see it: in (-180, 180]. */
+function wrapped(angle: number): number {
+  return angle - 360 * Math.ceil((angle - 180) / 360 - 1e-9);
 }
 
 function saying({ film }: Page, record: number, changes: Change[]): string {
@@ -66,7 +74,7 @@ function configuration(changes: Change[]): HTMLElement {
     body.append(make('tr', same ? {} : { class: 'changed' }, make('td', {}, named(name, 60)), make('td', {}, number(before)),
       make('td', {}, number(after) + unit)));
   }
-  box.append(make('table', { class: 'fixed' }, head('', 'before', 'after'), body));
+  box.append(make('table', { class: 'fixed values' }, head('', 'before', 'after'), body));
   return box;
 }
 
@@ -93,9 +101,9 @@ function loops(state: BehaviourState): HTMLElement {
   }
   const body = make('tbody');
   for (const loop of state.loops) {
-    body.append(make('tr', {}, make('td', {}, named(`${loop.kind}, line ${loop.place.line}`, 60)), make('td', {}, String(loop.tries)),
-      make('td', {}, String(loop.accepted))));
+    const cells = [named(`${loop.kind}, line ${loop.place.line}`, 60), String(loop.tries), String(loop.accepted)];
+    body.append(make('tr', {}, ...cells.map((cell) => make('td', {}, cell))));
   }
-  box.append(make('table', { class: 'fixed' }, head('', 'tries', 'accepted'), body));
+  box.append(make('table', { class: 'fixed loops' }, head('', 'tries', 'made'), body));
   return box;
 }

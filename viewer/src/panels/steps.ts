@@ -2,7 +2,7 @@ import type { Place } from '../film';
 import { fileText, isRefusal } from '../behaviour';
 import { sentence } from '../sentences';
 import { Trail } from '../trail';
-import { button, cut, icon, make, onceAFrame, setText } from './dom';
+import { button, cut, givesBackFocus, icon, make, onceAFrame, setText } from './dom';
 import { goToRun, goToStep, type Page } from './page';
 import type { Shown } from './side';
 import { showState } from './step_state';
@@ -18,6 +18,7 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
   const { film, player, runs, clock } = page;
   host.classList.add('column', 'steps');
   let trail = new Trail(film, -1);
+  let begun = false;
   /** The position of the record that is shown; -1: the run has none. */
   let at = -1;
   let place: Place | null = null;
@@ -25,7 +26,8 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
 
   const chooser = make('select', { 'aria-label': 'Task' });
   const note = make('p', { class: 'empty hidden' });
-  const list = new VirtualList({ class: 'list trail', role: 'listbox', 'aria-label': 'Records of the task' }, lineHeight, recordRow);
+  const listAttributes = { class: 'list trail', role: 'listbox', 'aria-label': 'Records of the task' };
+  const list = new VirtualList(listAttributes, lineHeight, recordRow);
   const file = make('bdi', { class: 'grow' });
   const count = make('span');
   const fileBar = make('div', { class: 'file' }, file, count);
@@ -34,6 +36,7 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
   const buttons = makeButtons();
   host.append(make('div', { class: 'bar' }, chooser), buttons.element, list.element, note, fileBar, text.element, state);
 
+  givesBackFocus(chooser);
   chooser.addEventListener('change', () => {
     const run = Number(chooser.value);
     if (runs.all[run].happened) goToRun(page, run);
@@ -67,7 +70,8 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
     if (!shown.now()) return;
     fillChooser();
     const run = wantedRun();
-    const changed = run !== trail.run;
+    const changed = run !== trail.run || !begun;
+    begun = true;
     if (changed) {
       trail = new Trail(film, run);
       chooser.value = String(run);
@@ -94,13 +98,16 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
     setText(note, message);
     note.classList.toggle('hidden', message === '');
     for (const element of [fileBar, text.element]) element.classList.toggle('hidden', !trail.hasSteps());
+    for (const element of [list.element, state]) element.classList.toggle('hidden', trail.records.length === 0);
+    chooser.disabled = runs.all.length === 0;
   }
 
   function showScript(): void {
     const next = at >= 0 ? trail.placeAround(at) : null;
     if (next && next.file !== place?.file) {
-      script = (fileText(film, next.file) ?? '').split(/\r\n|\r|\n/);
-      setText(file, fileText(film, next.file) === null ? `${cut(next.file, 200)} (its text is not in the trace)` : cut(next.file, 200));
+      const whole = fileText(film, next.file);
+      script = (whole ?? '').split(/\r\n|\r|\n/);
+      setText(file, cut(next.file, 200) + (whole === null ? ' (its text is not in the trace)' : ''));
       file.title = cut(next.file, 300);
       text.setCount(script.length);
     }
@@ -133,8 +140,8 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
   }
 
   function scriptRow(i: number): HTMLElement {
-    const row = make('div', i + 1 === place?.line ? { class: 'at', 'aria-current': 'step' } : {}, make('span', { class: 'line' }, String(i + 1)),
-      make('bdi', {}, script[i].length > 2000 ? cut(script[i], 2000) : script[i]));
+    const row = make('div', i + 1 === place?.line ? { class: 'at', 'aria-current': 'step' } : {},
+      make('span', { class: 'line' }, String(i + 1)), make('bdi', {}, cut(script[i], 2000)));
     const from = place?.file;
     if (from !== undefined && trail.hasLine(from, i + 1)) {
       row.classList.add('visited');
@@ -149,24 +156,28 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
     if (chooser.options.length > 0 || runs.all.length === 0) return;
     chooser.append(...runs.all.map((run, i) => {
       const refused = runs.isRefused(i) ? `✗ ${run.result}: ` : '';
-      return make('option', { value: String(i) }, `${refused}${cut(run.task, longestName)} (${cut(runs.who(i), 30)}, ${clock.short(run.start)})`);
+      const where = `${cut(runs.who(i), 30)}, ${clock.short(run.start)}`;
+      return make('option', { value: String(i) }, `${refused}${cut(run.task, longestName)} (${where})`);
     }));
   }
 
   function makeButtons(): { element: HTMLElement; enable(): void } {
     const back = 'M12 2.5v11L4 8z';
     const on = 'M4 2.5v11L12 8z';
+    const last = () => trail.records.length - 1;
     const wanted: [string, string, string, () => number][] = [
       ['First record', 'M3 2.5h2v11H3zM13 2.5v11L6 8z', '', () => (at > 0 ? 0 : -1)],
       ['Previous refusal', back, 'refusal', () => trail.next(at, -1, 'refusal')],
       ['Previous try (Shift ←)', back, 'try', () => trail.next(at, -1, 'try')],
       ['Next try (Shift →)', on, 'try', () => trail.next(at, 1, 'try')],
       ['Next refusal', on, 'refusal', () => trail.next(at, 1, 'refusal')],
-      ['Last record', 'M11 2.5h2v11h-2zM3 2.5v11L10 8z', '', () => (at < trail.records.length - 1 ? trail.records.length - 1 : -1)],
+      ['Last record', 'M11 2.5h2v11h-2zM3 2.5v11L10 8z', '', () => (at < last() ? last() : -1)],
     ];
     const element = make('div', { class: 'bar nav', role: 'group', 'aria-label': 'Step' });
+    element.addEventListener('mousedown', (event) => event.preventDefault());
     const all = wanted.map(([label, path, word, to]) => {
-      const face = make('span', { class: 'face' }, ...(path === back ? [icon(path), word] : word ? [word, icon(path)] : [icon(path)]));
+      const face = make('span', { class: 'face' }, icon(path));
+      if (word) face[path === back ? 'append' : 'prepend'](word);
       const made = button(label, () => go(to()), word ? {} : { class: 'small' }, face);
       element.append(made);
       return { made, to };

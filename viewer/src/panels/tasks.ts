@@ -26,11 +26,13 @@ export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
   let sortKey: SortKey = 'start';
   let down = false;
 
-  const search = make('input', { type: 'search', placeholder: 'Find a task, machine, crew or result', 'aria-label': 'Find tasks', class: 'grow' });
+  const search = make('input', { type: 'search', class: 'grow', placeholder: 'Find a task, machine, crew or result',
+    'aria-label': 'Find tasks' });
   const count = make('span', { class: 'muted' });
   const headRow = make('tr');
   const heads = columns.map(({ key, title, width }) => {
-    const cell = make('th', key === 'who' ? { scope: 'col', class: 'start' } : { scope: 'col' }, button(title, () => sortBy(key)));
+    const cell = make('th', { scope: 'col', class: key === 'who' ? 'start' : '' }, button(title, () => sortBy(key)));
+    if (key === 'waits') cell.title = 'For tasks before, for busy machines and crews, on the way, for shifts';
     if (width > 0) cell.style.width = `${width}px`;
     headRow.append(cell);
     return cell;
@@ -58,7 +60,7 @@ export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
   let lastNow = '';
 
   const rowElement = (row: TableRow, at: number, picked: boolean, now: boolean) => {
-    const element = make('tr', { 'aria-rowindex': String(at + 2), 'aria-selected': String(picked), ...(now ? { class: 'now' } : {}) });
+    const element = make('tr', { 'aria-rowindex': String(at + 2), 'aria-selected': String(picked), class: now ? 'now' : '' });
     const cell = (content: Node | string, kind = '') => element.append(make('td', kind ? { class: kind } : {}, content));
     const seconds = (value: number | null) => cell(value === null ? '' : duration(value));
     cell(named(row.name, 200));

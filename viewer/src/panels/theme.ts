@@ -1,8 +1,8 @@
 /** The colours of the page now, by the name of their custom property without the dashes. */
 export function palette(): Record<string, string> {
   const style = getComputedStyle(document.documentElement);
-  const names = ['bg', 'panel', 'raised', 'text', 'muted', 'line', 'accent', 'good', 'bad', 'warn', 'focus', 'machine', 'crew', 'wait',
-    'critical', 'off', 'pick'];
+  const names = ['bg', 'panel', 'raised', 'text', 'muted', 'line', 'accent', 'good', 'bad', 'warn', 'focus', 'machine', 'crew',
+    'wait', 'critical', 'off', 'pick'];
   return Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
 }
 

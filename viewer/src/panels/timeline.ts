@@ -1,4 +1,3 @@
-import { busyTimes } from '../busy';
 import { duration } from '../clock';
 import { mark, sliderMarks } from '../marks';
 import { ticks } from '../ticks';
@@ -7,19 +6,22 @@ import { hideHint, showHint } from './hint';
 import type { Page } from './page';
 import { onTheme, palette } from './theme';
 
+/** By what share of the whole keys move the slider. */
+const shares: Record<string, number | undefined> = { ArrowLeft: -0.01, ArrowDown: -0.01, ArrowRight: 0.01, ArrowUp: 0.01,
+  PageUp: 0.1, PageDown: -0.1, Home: -1, End: 1 };
+
 /** The time slider: where tasks start and where something was refused; drag, arrows, Page Up and Page Down. */
 export function makeTimeline({ film, player, runs, clock }: Page): HTMLElement {
   const canvas = make('canvas', { 'aria-hidden': 'true' });
   const thumb = make('div', { class: 'thumb' });
   const slider = make('div', { class: 'timeline', role: 'slider', tabindex: '0', 'aria-label': 'Time', 'aria-valuemin': '0',
     'aria-valuemax': String(Math.ceil(film.end)) }, canvas, thumb);
-  const busy = busyTimes(film);
   let marks: Uint8Array = new Uint8Array();
 
   const draw = () => {
     const { clientWidth: width, clientHeight: height } = canvas;
     if (width === 0) return;
-    if (marks.length !== width) marks = sliderMarks(film, busy, width);
+    if (marks.length !== width) marks = sliderMarks(film, player.busy, width);
     const ratio = devicePixelRatio || 1;
     canvas.width = Math.round(width * ratio);
     canvas.height = Math.round(height * ratio);
@@ -93,7 +95,7 @@ export function makeTimeline({ film, player, runs, clock }: Page): HTMLElement {
   });
   slider.addEventListener('pointerleave', hideHint);
   slider.addEventListener('keydown', (event) => {
-    const by = { ArrowLeft: -0.01, ArrowDown: -0.01, ArrowRight: 0.01, ArrowUp: 0.01, PageUp: 0.1, PageDown: -0.1, Home: -1, End: 1 }[event.key];
+    const by = shares[event.key];
     if (by === undefined || event.shiftKey) return;
     event.preventDefault();
     player.seek(player.time + by * film.end);

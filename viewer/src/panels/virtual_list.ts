@@ -8,7 +8,9 @@ export class VirtualList {
   private count = 0;
 
   /** `row` makes the element of a line; it is asked anew whenever the list scrolls or is refreshed. */
-  constructor(attributes: Record<string, string>, private readonly rowHeight: number, private readonly row: (index: number) => HTMLElement) {
+  constructor(
+    attributes: Record<string, string>, private readonly rowHeight: number, private readonly row: (index: number) => HTMLElement
+  ) {
     this.element = make('div', { tabindex: '0', ...attributes }, this.inner);
     const soon = onceAFrame(() => this.refresh());
     this.element.addEventListener('scroll', soon);
