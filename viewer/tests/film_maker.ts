@@ -30,7 +30,7 @@ export interface FilmData {
 export function robot(name: string, parameters: string[], calendar = ''): RobotData {
   return {
     name, type: name, pose: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], start: {}, calendar, bodies: [], tool: { body: '', frame: '' },
-      capacity: [],
+      capacity: [], touching: [],
     parameters: parameters.map((each) => ({ name: each, body: 'b', kind: 'translation', cyclic: false, lower: null, upper: null,
       step: 1,
       speed: 1, start: 0 })),
