@@ -31,15 +31,13 @@ if(why_no_page)
     COMMENT "Leaving out the report page"
     VERBATIM)
 else()
-  # Not what lies in node_modules.
-  file(GLOB viewer_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/viewer/*.json ${PROJECT_SOURCE_DIR}/viewer/*.ts
-       ${PROJECT_SOURCE_DIR}/viewer/*.js ${PROJECT_SOURCE_DIR}/viewer/*.mjs ${PROJECT_SOURCE_DIR}/viewer/*.html)
-  file(GLOB_RECURSE viewer_more CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/viewer/src/* ${PROJECT_SOURCE_DIR}/viewer/public/*)
   add_custom_command(
     OUTPUT ${RUBICON_VIEWER_PAGE}
     COMMAND ${PROJECT_SOURCE_DIR}/cmake/build_viewer ${PROJECT_SOURCE_DIR}/viewer ${PROJECT_BINARY_DIR}/viewer
             ${NPM_PROGRAM}
-    DEPENDS ${viewer_sources} ${viewer_more} ${PROJECT_SOURCE_DIR}/cmake/build_viewer
+    DEPENDS ${PROJECT_SOURCE_DIR}/cmake/build_viewer ${PROJECT_SOURCE_DIR}/viewer/package-lock.json
+    # The sources; a glob would make the build ask anew each time. A new source counts as soon as an old one names it.
+    DEPFILE ${PROJECT_BINARY_DIR}/viewer.d
     COMMENT "Building the report page"
     VERBATIM)
 endif()
