@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "src/cli/commands.hpp"
 #include "src/cli/report_file.hpp"
@@ -22,10 +24,19 @@ int fail(const std::string& message) {
   return kWrongInput;
 }
 
+/// Opens a file to read; a message if it cannot. A pipe that nobody writes to must not hang.
+std::optional<std::string> open(const std::string& path, std::ifstream& file) {
+  std::error_code error;
+  const bool regular = std::filesystem::is_regular_file(path, error);
+  if (regular) file.open(path, std::ios::binary);
+  if (regular && file) return std::nullopt;
+  return fmt::format("cannot read '{}'{}", path, regular ? "" : ": there is no such file");
+}
+
 /// Reads a trace; a message if it cannot.
 std::optional<std::string> read_trace(const std::string& path, film::FilmWriter& writer) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return fmt::format("cannot read '{}'", path);
+  std::ifstream file;
+  if (auto failure = open(path, file)) return failure;
   int number = 0;
   for (std::string line; std::getline(file, line);) {
     ++number;
@@ -40,12 +51,17 @@ std::optional<std::string> read_trace(const std::string& path, film::FilmWriter&
   return std::nullopt;
 }
 
-/// The text of the file; "" where there is none.
-std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file) text << file.rdbuf();
-  return text.str();
+/// Reads schedule.json, where there is one; a message if it cannot.
+std::optional<std::string> read_schedule(const std::string& path, std::string& text) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return std::nullopt;
+  std::ifstream file;
+  if (auto failure = open(path, file)) return failure;
+  std::ostringstream all;
+  all << file.rdbuf();
+  text = all.str();
+  if (text.empty()) return fmt::format("'{}' is empty", path);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -60,10 +76,14 @@ int run_report(const ReportOptions& options) {
   film::FilmWriter writer;
   const std::string trace = folder ? options.result + "/trace.jsonl" : options.result;
   if (const auto failure = read_trace(trace, writer)) return fail(*failure);
-  const std::string schedule = folder ? options.result + "/schedule.json" : "";
+  const std::string schedule = options.result + "/schedule.json";
+  std::string schedule_text;
+  if (folder) {
+    if (const auto failure = read_schedule(schedule, schedule_text)) return fail(*failure);
+  }
   const std::string out = options.out.empty() ? options.result + "/report.html" : options.out;
   try {
-    if (const auto failure = write_report(out, writer, text_of(schedule))) return fail(*failure);
+    if (const auto failure = write_report(out, writer, schedule_text)) return fail(*failure);
   } catch (const std::invalid_argument& error) {
     return fail(fmt::format("{}: {}", schedule, error.what()));
   }

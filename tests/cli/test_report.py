@@ -172,8 +172,18 @@ class Report(Case):
         result = rubicon("report", self.path("out"))
         self.assertEqual(result.returncode, 2)
         self.assertIn("schedule.json: this is no JSON", result.stderr)
+        open(self.path("out", "schedule.json"), "w").close()
+        self.assertIn("schedule.json' is empty", rubicon("report", self.path("out")).stderr)
         os.remove(self.path("out", "trace.jsonl"))
+        os.mkfifo(self.path("out", "trace.jsonl"))
         self.assertEqual(rubicon("report", self.path("out")).returncode, 2)
+
+    def test_a_page_that_cannot_be_written(self):
+        self.run_plan("examples/01_one_step_at_a_time/site.plan")
+        for place in (self.path("no", "such", "folder.html"), self.folder):
+            result = rubicon("report", self.path("out"), "--out", place)
+            self.assertEqual((result.returncode, result.stdout), (2, ""))
+            self.assertIn("cannot write", result.stderr)
 
 
 if __name__ == "__main__":
