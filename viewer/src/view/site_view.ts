@@ -1,4 +1,4 @@
-import { Box3, Vector3 } from 'three';
+import { Box3 } from 'three';
 import { Activity } from '../activity';
 import type { Film } from '../film';
 import type { PoseRows } from '../header';
@@ -131,16 +131,10 @@ export class SiteView {
     return this.stage.stats();
   }
 
-  /** For tests: where a component or a robot is in the window (CSS pixels), null if it is not in the picture. */
+  /** For tests: where in the window (CSS pixels) a click picks a component or a robot, null if it is out of sight. */
   whereIs(what: Selection): { x: number; y: number } | null {
     this.update();
-    const box = this.model.boundsOf(this.looks.partsOf(what));
-    const { camera } = this.rig;
-    camera.updateMatrixWorld();
-    const at = box.getCenter(new Vector3()).project(camera);
-    const { left, top, width, height } = this.stage.canvas.getBoundingClientRect();
-    if (box.isEmpty() || Math.abs(at.x) > 1 || Math.abs(at.y) > 1 || at.z > 1) return null;
-    return { x: left + (0.5 + 0.5 * at.x) * width, y: top + (0.5 - 0.5 * at.y) * height };
+    return this.picker.whereIs(what, this.model.boundsOf(this.looks.partsOf(what)));
   }
 
   private listen(canvas: HTMLCanvasElement): void {
@@ -159,7 +153,7 @@ export class SiteView {
       if (Math.hypot(event.clientX - down.x, event.clientY - down.y) < 5) this.pick(event);
     });
     canvas.addEventListener('dblclick', (event) => {
-      const picked = this.selectionAt(event);
+      const picked = this.picker.at(event.clientX, event.clientY);
       if (picked) this.flyTo(this.model.boundsOf(this.looks.partsOf(picked)));
     });
     canvas.addEventListener('webglcontextrestored', () => { this.repainted = true; this.stage.touch(); });
@@ -239,7 +233,7 @@ export class SiteView {
 
   private pick(event: MouseEvent): void {
     this.picking = true;
-    this.player.select(this.selectionAt(event));
+    this.player.select(this.picker.at(event.clientX, event.clientY));
     this.picking = false;
   }
 
@@ -248,7 +242,8 @@ export class SiteView {
     const { selection } = this.player;
     if (this.picking || !selection || this.riding >= 0) return;
     if (selection.kind !== 'run') {
-      if (!this.whereIs(selection)) this.flyTo(this.model.boundsOf(this.looks.partsOf(selection)));
+      const box = this.model.boundsOf(this.looks.partsOf(selection));
+      if (this.picker.pointsOf(box, 0.5).length < 12) this.flyTo(box);
       return;
     }
     const parts = this.looks.selectedParts().filter((part) => part.batch === 'component');
@@ -281,16 +276,5 @@ export class SiteView {
     this.toolbar.setPressed(what, this.shows[what]);
     this.repainted = true;
     this.stage.touch();
-  }
-
-  private selectionAt(event: MouseEvent): Selection | null {
-    const { left, top, width, height } = this.stage.canvas.getBoundingClientRect();
-    this.update();
-    const part = this.picker.at((event.clientX - left) / width, (event.clientY - top) / height);
-    this.stage.touch();
-    if (!part) return null;
-    if (part.batch === 'component') return { kind: 'component', index: part.element };
-    const robot = this.model.robots.findLast((machine) => machine.first <= part.element);
-    return robot ? { kind: 'robot', index: part.element === this.model.carry ? 0 : robot.robot } : null;
   }
 }
