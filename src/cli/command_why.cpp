@@ -1,16 +1,12 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <fstream>
-#include <memory>
-#include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "interpreter/name_suggestion.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/load_runnable_plan.hpp"
-#include "src/files/disk_io.hpp"
+#include "src/cli/trace_source.hpp"
 #include "src/taskplan/run_plan.hpp"
 #include "src/why/story_reader.hpp"
 #include "src/why/story_text.hpp"
@@ -24,33 +20,11 @@ int fail(const std::string& message) {
   return kWrongInput;
 }
 
-/// Reads a trace; a message if it cannot.
-std::optional<std::string> read_trace(const std::string& path, why::StoryReader& reader) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return fmt::format("cannot read '{}'", path);
-  int number = 0;
-  for (std::string line; std::getline(file, line);) {
-    ++number;
-    try {
-      reader.line(line);
-    } catch (const std::invalid_argument& error) {
-      return fmt::format("{}:{}: {}", path, number, error.what());
-    }
-  }
-  if (!reader.has_header()) return fmt::format("'{}' is empty: this is no trace", path);
-  return std::nullopt;
-}
-
-std::string trace_of(const std::string& path) {
-  if (files::is_folder(path)) return path + "/trace.jsonl";
-  return path.ends_with(".jsonl") ? path : std::string();
-}
-
 }  // namespace
 
 int run_why(const WhyOptions& options) {
   why::StoryReader reader(options.task);
-  const std::string trace = trace_of(options.source);
+  const std::string trace = trace_named(options.source);
   if (!trace.empty()) {
     if (const auto failure = read_trace(trace, reader)) return fail(*failure);
   } else {

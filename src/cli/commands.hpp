@@ -56,6 +56,14 @@ struct ReportOptions {
 };
 int run_report(const ReportOptions& options);
 
+struct DebugOptions {
+  std::string source;  ///< a plan, a result folder or a trace
+  std::string task;    ///< "" for all
+  std::vector<std::string> commands;
+  bool batch = false;
+};
+int run_debug(const DebugOptions& options);
+
 struct VerifyOptions {
   std::string result;
   std::string format = "text";

@@ -15,6 +15,7 @@ usage: rubicon COMMAND ...
   run PLAN                       simulate a plan: process time, cost, refused tasks with the reason, trace
   why PLAN|RESULT TASK           tell why a task failed, took long or came late
   report RESULT                  make the page that shows a result: the film, the Gantt, the tables
+  debug PLAN|RESULT [TASK]       step through the behaviour of machines, forward and back
   test DIR...                    run golden cases and compare them with what is expected
   verify RESULT                  replay a result by other means and look for contact, gaps and broken links
   import FILE... [--out PLAN]    make a plan of a schedule, of a building model, or of both
@@ -117,6 +118,30 @@ Prints the path of the page. Exit code: 0 it is written, 2 the result cannot be 
 examples:
   rubicon run taskplans/unit.plan --out unit; rubicon report unit
   rubicon run site.plan --trace trace.jsonl; rubicon report trace.jsonl --out site.html
+)";
+
+constexpr std::string_view kDebug =
+    R"(rubicon debug - step through the behaviour of machines, forward and back
+
+usage: rubicon debug PLAN|RESULT|TRACE [TASK] [-x COMMANDS]... [--batch]
+
+Shows a behaviour at work: the line of the script, what it tried and how that ended (accepted, or refused by what), its
+loops, variables and configuration, the motion, the load and the time; one step after the other, forward and back, with
+breakpoints at lines, at refusals and at what meets what. RESULT is the folder of rubicon run --out: nothing is simulated
+again. A PLAN is run first. Without TASK all tasks follow one another in the order in which they begin.
+
+Commands are read from standard input; 'help' tells them all, docs/debug.md shows them at work. Where the input is no
+terminal each command is shown before its answer.
+
+  -x, --command COMMANDS  do these first; ';' separates them
+  --batch                 end after them
+
+Exit code: 0 fine, 2 there is no such task, the trace has no steps or the input is wrong.
+
+examples:
+  rubicon debug taskplans/two_cranes.plan set_wall_4
+  rubicon run site.plan --out result; rubicon debug result set_7
+  rubicon debug result set_7 --command "break hit; continue; where; print" --batch
 )";
 
 constexpr std::string_view kTest =
@@ -250,6 +275,7 @@ const std::vector<HelpPage>& help_pages() {
       {"run", "simulate a plan", kRun},
       {"why", "tell why a task failed, took long or came late", kWhy},
       {"report", "make the page that shows a result", kReport},
+      {"debug", "step through the behaviour of machines, forward and back", kDebug},
       {"test", "run golden cases and compare them with what is expected", kTest},
       {"verify", "replay a result by other means and look for contact, gaps and broken links",
        kVerify},

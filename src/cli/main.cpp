@@ -59,6 +59,13 @@ int dispatch(int argc, char** argv) {
   report_command->add_option("RESULT", report.result)->required();
   report_command->add_option("--out", report.out);
 
+  DebugOptions debug;
+  CLI::App* debug_command = app.add_subcommand("debug");
+  debug_command->add_option("SOURCE", debug.source)->required();
+  debug_command->add_option("TASK", debug.task);
+  debug_command->add_option("-x,--command", debug.commands)->expected(1)->take_all();
+  debug_command->add_flag("--batch", debug.batch);
+
   TestOptions test;
   CLI::App* test_command = app.add_subcommand("test");
   test_command->add_option("DIR", test.folders)->required();
@@ -119,6 +126,7 @@ int dispatch(int argc, char** argv) {
   if (*run_command) return run_plan_command(run);
   if (*why_command) return run_why(why);
   if (*report_command) return run_report(report);
+  if (*debug_command) return run_debug(debug);
   if (*test_command) return run_test(test);
   if (*verify_command) return run_verify(verify);
   if (*import_command) return run_import(import);

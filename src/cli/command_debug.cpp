@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include "src/cli/commands.hpp"
+#include "src/cli/load_runnable_plan.hpp"
+#include "src/cli/trace_source.hpp"
+#include "src/debug/command_words.hpp"
+#include "src/debug/recording_reader.hpp"
+#include "src/debug/session.hpp"
+#include "src/files/disk_io.hpp"
+#include "src/taskplan/run_plan.hpp"
+
+namespace rubicon::cli {
+
+namespace {
+
+/// A longer line of input (bytes) is no command; what follows it is not read.
+constexpr std::size_t kLongestLine = 65536;
+
+int fail(const std::string& message) {
+  fmt::print(stderr, "rubicon: error: {}\n", message);
+  return kWrongInput;
+}
+
+/// False when nobody reads any more.
+bool show(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  return std::fflush(stdout) == 0;
+}
+
+/// The next line of standard input; nothing at its end, or where a line is too long.
+std::optional<std::string> next_line() {
+  std::string line;
+  for (int c = std::fgetc(stdin); c != EOF; c = std::fgetc(stdin)) {
+    if (c == '\n') return line;
+    if (line.size() == kLongestLine) return std::nullopt;
+    line += static_cast<char>(c);
+  }
+  if (line.empty()) return std::nullopt;
+  return line;
+}
+
+/// Does the commands of a line; false when it is over.
+bool execute_line(debug::Session& session, const std::string& line, bool echo) {
+  for (const std::string& command : debug::commands_of(line)) {
+    const std::string said = echo ? debug::prompt_of(command) : std::string();
+    if (!show(said + session.execute(command)) || session.ended()) return false;
+  }
+  return true;
+}
+
+void converse(debug::Session& session, const DebugOptions& options) {
+  for (const std::string& line : options.commands) {
+    if (!execute_line(session, line, true)) return;
+  }
+  if (options.batch) return;
+  const bool terminal = ::isatty(STDIN_FILENO) != 0;
+  while (true) {
+    if (terminal && !show("> ")) return;
+    const std::optional<std::string> line = next_line();
+    if (!line || !execute_line(session, *line, !terminal)) {
+      if (terminal && !line) show("\n");
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+int run_debug(const DebugOptions& options) {
+  debug::RecordingReader reader;
+  const std::string trace = trace_named(options.source);
+  if (!trace.empty()) {
+    if (const auto failure = read_trace(trace, reader)) return fail(*failure);
+  } else {
+    interpreter::SourceMap sources;
+    const auto plan = load_runnable_plan(options.source, sources);
+    if (!plan) return kWrongInput;
+    taskplan::run_plan(*plan, sources, &reader, {});
+  }
+  debug::Recording recording = reader.take();
+  const std::string nothing = debug::Session::why_not(recording, options.task);
+  if (!nothing.empty()) return fail(nothing);
+  debug::Session session(std::move(recording), options.task,
+                         debug::Paint{files::wants_colour(stdout)});
+  if (show(session.opening())) converse(session, options);
+  return kFine;
+}
+
+}  // namespace rubicon::cli

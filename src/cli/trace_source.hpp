@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "src/trace/trace_sink.hpp"
+
+namespace rubicon::cli {
+
+/// The trace that a user names: of a result folder its trace.jsonl, a .jsonl file itself; empty for
+/// all else, which is a plan.
+std::string trace_named(const std::string& source);
+
+/// Hands the lines of a trace to `sink`; a message if the file cannot be read, is empty or the sink
+/// refuses a line (std::invalid_argument).
+std::optional<std::string> read_trace(const std::string& path, trace::TraceSink& sink);
+
+}  // namespace rubicon::cli
