@@ -11,6 +11,9 @@ namespace rubicon::debug {
 
 namespace {
 
+/// Of the names that would do so many are told.
+constexpr std::size_t kShownNames = 8;
+
 using Answer = std::variant<Breakpoint, std::string>;
 
 bool is_number(const std::string& text) {
@@ -45,6 +48,15 @@ std::vector<std::string> names_in_hits(const Recording& recording) {
   return {names.begin(), names.end()};
 }
 
+/// "; what meets something is high.hook, low.jib": of many some.
+std::string some_of(const std::vector<std::string>& names) {
+  if (names.empty()) return {};
+  const auto count = static_cast<std::ptrdiff_t>(std::min(names.size(), kShownNames));
+  return fmt::format("; what meets something is {}{}",
+                     fmt::join(names.begin(), names.begin() + count, ", "),
+                     names.size() > kShownNames ? " ..." : "");
+}
+
 Answer pair_of(const std::vector<std::string>& words, const Recording& recording) {
   if (words.size() < 2 || words.size() > 3) {
     return "break pair takes one or two names; those with blanks stand in \"...\"";
@@ -56,8 +68,9 @@ Answer pair_of(const std::vector<std::string>& words, const Recording& recording
   if (words.size() == 3) breakpoint.other = words[2];
   for (std::size_t i = 1; i < words.size(); ++i) {
     if (std::find(names.begin(), names.end(), words[i]) != names.end()) continue;
+    const std::string near = suggestion(words[i], names);
     return fmt::format("nothing meets '{}' in this recording{}", words[i],
-                       suggestion(words[i], names));
+                       near.empty() ? some_of(names) : near);
   }
   return breakpoint;
 }

@@ -52,11 +52,15 @@ CommandMatch find_command(const std::string& word) {
   }
   if (begun.empty()) return unknown(word);
   // break and breaks, task and tasks: the shorter one is meant.
-  const std::string_view first = begun.front()->name;
-  const bool one = std::all_of(begun.begin(), begun.end(), [&](const CommandWord* each) {
-    return std::string_view(each->name).starts_with(first);
-  });
-  if (one) return {begun.front(), {}};
+  const CommandWord* shortest =
+      *std::min_element(begun.begin(), begun.end(), [](const CommandWord* a, const CommandWord* b) {
+        return std::string_view(a->name).size() < std::string_view(b->name).size();
+      });
+  if (std::all_of(begun.begin(), begun.end(), [&](const CommandWord* each) {
+        return std::string_view(each->name).starts_with(shortest->name);
+      })) {
+    return {shortest, {}};
+  }
   std::string names;
   for (const CommandWord* each : begun)
     names += fmt::format("{}{}", names.empty() ? "" : ", ", each->name);

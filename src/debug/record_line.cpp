@@ -13,6 +13,9 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// A `try` has so many, the longest of the frequent records.
+constexpr std::size_t kUsualMembers = 16;
+
 [[noreturn]] void refuse(const std::string& why) {
   throw std::invalid_argument("this is no line of a trace: " + why);
 }
@@ -113,6 +116,7 @@ class RecordHandler : public nlohmann::json_sax<Json> {
 };
 
 RecordLine::RecordLine(std::string_view text) {
+  members_.reserve(kUsualMembers);
   RecordHandler handler(*this);
   Json::sax_parse(text.begin(), text.end(), &handler);
 }

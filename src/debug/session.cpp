@@ -72,8 +72,9 @@ std::string Session::opening() const {
 
 std::string Session::execute(std::string_view command) {
   if (command.size() > kLongestCommand) return "this line is too long for a command\n";
-  Words words = words_of(clean_text(command, kLongestCommand));
+  Words words = words_of(command);
   if (words.empty()) words = words_of(again_);
+  for (std::string& word : words) word = clean_text(word);
   const CommandMatch match = find_command(words.front());
   if (match.command == nullptr) return match.message + "\n";
   words.erase(words.begin());

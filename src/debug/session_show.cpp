@@ -5,6 +5,7 @@
 
 #include "interpreter/diagnostic.hpp"
 #include "src/debug/command_words.hpp"
+#include "src/debug/number_text.hpp"
 #include "src/debug/session.hpp"
 #include "src/debug/stop_text.hpp"
 
@@ -16,10 +17,6 @@ namespace {
 constexpr int kLinesAround = 5;
 /// `tasks` shows so many.
 constexpr std::size_t kShownTasks = 60;
-
-std::string number_text(double value) {
-  return std::isnan(value) ? std::string("?") : fmt::format("{:g}", value + 0.0);
-}
 
 std::string counted(int count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
@@ -72,7 +69,7 @@ std::string Session::loop_text(const LoopState& loop) const {
       loop.place < recording_.places.size() ? &recording_.places[loop.place] : nullptr;
   std::string text = fmt::format("{} at {}", recording_.texts[loop.kind],
                                  place == nullptr ? "?" : recording_.place_text(*place));
-  if (loop.visit > 1) text += fmt::format(", begun the {}. time", loop.visit);
+  if (loop.visit > 1) text += fmt::format(", begun {} times", loop.visit);
   text += fmt::format(": round {}, {} tried, {} made", loop.rounds, loop.tried, loop.made);
   const std::span<const Event> events = run().events();
   const std::uint32_t exit = events[loop.entered].row;
@@ -104,8 +101,8 @@ std::string Session::config() const {
   std::string text;
   for (std::size_t i = 0; i < after.size(); ++i) {
     const bool moved = before[i] != after[i] && !std::isnan(after[i]);
-    text += fmt::format("{:<{}}  {}{}\n", run().parameters()[i], width, number_text(before[i]),
-                        moved ? " -> " + number_text(after[i]) : "");
+    text += fmt::format("{:<{}}  {}\n", run().parameters()[i], width,
+                        moved ? change_text(before[i], after[i]) : number_text(after[i]));
   }
   return text;
 }

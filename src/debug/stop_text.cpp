@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/debug/number_text.hpp"
 #include "src/report/schedule_text.hpp"
 
 namespace rubicon::debug {
@@ -13,18 +14,6 @@ namespace {
 
 /// Later than this (s) no date is told: nanoseconds would not fit their integer.
 constexpr double kLatestDate = 9e9;
-
-std::string number_text(double value) {
-  return std::isnan(value) ? std::string("?") : fmt::format("{:g}", value + 0.0);
-}
-
-/// Seconds to the millisecond.
-std::string seconds_text(double seconds) {
-  std::string text = fmt::format("{:.3f}", seconds + 0.0);
-  while (text.back() == '0') text.pop_back();
-  if (text.back() == '.') text.pop_back();
-  return text + " s";
-}
 
 std::string trimmed(const std::string& line) {
   const std::size_t begin = line.find_first_not_of(' ');
@@ -44,8 +33,7 @@ std::string motion_text(const Recording& recording, const TaskRun& run, const Ta
     text += fmt::format("{}{}", parameter == command.parameters.front() ? " " : ",  ", parameter);
     if (found == names.end()) continue;
     const auto i = static_cast<std::size_t>(found - names.begin());
-    text += "  " + number_text(event.ok ? before[i] : after[i]);
-    if (event.ok) text += " -> " + number_text(after[i]);
+    text += "  " + (event.ok ? change_text(before[i], after[i]) : number_text(after[i]));
   }
   return text;
 }

@@ -78,12 +78,15 @@ TEST(Breakpoint, StopsAtEveryHitOfAPairInEitherOrder) {
     std::set<std::pair<std::string, std::string>> met;
     for (const DirectRun& run : runs) {
       for (const json& record : run.records) {
-        if (record.contains("hit")) met.insert({record.at("hit").at(0), record.at("hit").at(1)});
+        if (record.contains("hit")) {
+          met.emplace(record.at("hit").at(0).get<std::string>(),
+                      record.at("hit").at(1).get<std::string>());
+        }
       }
     }
     for (const auto& [one, other] : met) {
-      const auto expected = scan(
-          runs, [&](const json& record) { return is_hit_of(record, one, other); });
+      const auto expected =
+          scan(runs, [&](const json& record) { return is_hit_of(record, one, other); });
       expect_stops(session, "pair \"" + one + "\" \"" + other + "\"", expected);
       expect_stops(session, "pair \"" + other + "\" \"" + one + "\"", expected);
       ++pairs;
@@ -100,7 +103,9 @@ TEST(Breakpoint, StopsAtEveryRecordOfALine) {
     std::set<std::pair<std::string, int>> named;
     for (const DirectRun& run : runs) {
       for (const json& record : run.records) {
-        if (record.contains("file")) named.insert({record.at("file"), record.at("line")});
+        if (record.contains("file")) {
+          named.emplace(record.at("file").get<std::string>(), record.at("line").get<int>());
+        }
       }
     }
     for (const auto& [file, line] : named) {
@@ -139,19 +144,28 @@ TEST(Breakpoint, WrongOnesAreRefusedWithAWayOut) {
   debug::Session session = session_of(trace_of("taskplans/two_cranes.plan"));
   session.execute("step");
   const auto said = [&](const std::string& text) { return session.execute("break " + text); };
-  EXPECT_EQ(said("pair low.hok"), "nothing meets 'low.hok' in this recording; did you mean low.hook?\n");
+  EXPECT_EQ(said("pair hig.hook"),
+            "nothing meets 'hig.hook' in this recording; did you mean high.hook?\n");
+  EXPECT_EQ(
+      said("pair low.jib wall_2"),
+      "nothing meets 'wall_2' in this recording; what meets something is high.hook, low.jib\n");
   EXPECT_EQ(said("lift.motion:3"), "there is no file 'lift.motion'\n");
-  EXPECT_EQ(said("lift_over_and_wait.moton:3"),
-            "there is no file 'lift_over_and_wait.moton'; did you mean lift_over_and_wait.motion?\n");
-  EXPECT_EQ(said("refsed"), "'refsed' is no place to stop; did you mean refused?; see help break\n");
+  EXPECT_EQ(
+      said("lift_over_and_wait.moton:3"),
+      "there is no file 'lift_over_and_wait.moton'; did you mean lift_over_and_wait.motion?\n");
+  EXPECT_EQ(said("refsed"),
+            "'refsed' is no place to stop; did you mean refused?; see help break\n");
   EXPECT_EQ(said(""), "where? see help break\n");
   EXPECT_EQ(said("0"), "'0' is no line: it is LINE or FILE:LINE\n");
-  EXPECT_EQ(said("99999999999999999999"), "'99999999999999999999' is no line: it is LINE or FILE:LINE\n");
+  EXPECT_EQ(said("99999999999999999999"),
+            "'99999999999999999999' is no line: it is LINE or FILE:LINE\n");
   EXPECT_EQ(said("task set_wal_4"),
             "no task 'set_wal_4' begins in this recording; did you mean set_wall_4?\n");
   EXPECT_EQ(said("refused now"), "'now' is too much; see help break\n");
   EXPECT_EQ(session.execute("breaks"), "no breakpoints\n");
-  EXPECT_EQ(said("4"), "breakpoint 1: lift_over_and_wait.motion:4; nothing is tried there, but at 13, 14, 15\n");
+  EXPECT_EQ(
+      said("4"),
+      "breakpoint 1: lift_over_and_wait.motion:4; nothing is tried there, but at 13, 14, 15\n");
   EXPECT_EQ(session.execute("delete 2"), "there is no breakpoint 2\n");
   EXPECT_EQ(session.execute("delete 1"), "breakpoint 1 is gone\n");
 }

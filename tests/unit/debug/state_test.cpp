@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/unit/debug/direct_replay.hpp"
@@ -68,9 +69,14 @@ TEST(State, BeginsWhereTheRobotStood) {
         const auto& moved = recording.commands[event.text].parameters;
         for (std::size_t k = 0; k < before.size(); ++k) {
           ASSERT_FALSE(std::isnan(before[k])) << plan << " " << run.parameters()[k];
-          const bool named = std::find(moved.begin(), moved.end(), run.parameters()[k]) != moved.end();
-          if (!event.ok) EXPECT_EQ(before[k], after[k]) << plan;
-          if (named && event.ok) EXPECT_NE(before[k], after[k]) << plan;
+          const bool named =
+              std::find(moved.begin(), moved.end(), run.parameters()[k]) != moved.end();
+          if (!event.ok) {
+            EXPECT_EQ(before[k], after[k]) << plan;
+          }
+          if (named && event.ok) {
+            EXPECT_NE(before[k], after[k]) << plan;
+          }
         }
         break;
       }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "tests/unit/debug/direct_replay.hpp"
 #include "tests/unit/debug/shipped_traces.hpp"
 
@@ -104,6 +107,7 @@ TEST_P(Walk, RunToATryIsTheStepWithItsNumber) {
 /// `next` and `out` end where the loops of the state say that fewer run.
 TEST_P(Walk, NextAndOutLeaveLoops) {
   debug::Session session = session_of(trace_of(GetParam()));
+  session.execute("step");
   int left = 0;
   for (int i = 0; i < 400; ++i) {
     const debug::TaskState before = session.state();
@@ -122,12 +126,14 @@ TEST_P(Walk, NextAndOutLeaveLoops) {
   EXPECT_GT(left, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(ShippedPlans, Walk, testing::ValuesIn(walked_plans()),
-                         [](const testing::TestParamInfo<std::string>& info) {
-                           std::string name;
-                           for (const char c : info.param) name += std::isalnum(c) ? c : '_';
-                           return name;
-                         });
+std::string name_of(const testing::TestParamInfo<std::string>& plan) {
+  std::string name;
+  for (const char c : plan.param)
+    name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(ShippedPlans, Walk, testing::ValuesIn(walked_plans()), name_of);
 
 }  // namespace
 
