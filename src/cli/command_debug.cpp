@@ -18,7 +18,7 @@ namespace rubicon::cli {
 
 namespace {
 
-/// A longer line of input (bytes) is no command; what follows it is not read.
+/// A longer line of input (bytes) is no command, and may have no end.
 constexpr std::size_t kLongestLine = 65536;
 
 int fail(const std::string& message) {
@@ -32,12 +32,11 @@ bool show(const std::string& text) {
   return std::fflush(stdout) == 0;
 }
 
-/// The next line of standard input; nothing at its end, or where a line is too long.
+/// The next line of standard input; nothing at its end. A line that is too long is cut.
 std::optional<std::string> next_line() {
   std::string line;
-  for (int c = std::fgetc(stdin); c != EOF; c = std::fgetc(stdin)) {
+  for (int c = std::fgetc(stdin); c != EOF && line.size() <= kLongestLine; c = std::fgetc(stdin)) {
     if (c == '\n') return line;
-    if (line.size() == kLongestLine) return std::nullopt;
     line += static_cast<char>(c);
   }
   if (line.empty()) return std::nullopt;
@@ -53,20 +52,24 @@ bool execute_line(debug::Session& session, const std::string& line, bool echo) {
   return true;
 }
 
-void converse(debug::Session& session, const DebugOptions& options) {
+/// Commands of the call, then those of standard input.
+int converse(debug::Session& session, const DebugOptions& options) {
   for (const std::string& line : options.commands) {
-    if (!execute_line(session, line, true)) return;
+    if (!execute_line(session, line, true)) return kFine;
   }
-  if (options.batch) return;
+  if (options.batch) return kFine;
   const bool terminal = ::isatty(STDIN_FILENO) != 0;
-  while (true) {
-    if (terminal && !show("> ")) return;
+  while (!terminal || show("> ")) {
     const std::optional<std::string> line = next_line();
-    if (!line || !execute_line(session, *line, !terminal)) {
-      if (terminal && !line) show("\n");
-      return;
+    if (!line) {
+      if (terminal) show("\n");
+      return kFine;
     }
+    if (line->size() > kLongestLine)
+      return fail("no command is that long: the input is not read on");
+    if (!execute_line(session, *line, !terminal)) return kFine;
   }
+  return kFine;
 }
 
 }  // namespace
@@ -87,8 +90,7 @@ int run_debug(const DebugOptions& options) {
   if (!nothing.empty()) return fail(nothing);
   debug::Session session(std::move(recording), options.task,
                          debug::Paint{files::wants_colour(stdout)});
-  if (show(session.opening())) converse(session, options);
-  return kFine;
+  return show(session.opening()) ? converse(session, options) : kFine;
 }
 
 }  // namespace rubicon::cli

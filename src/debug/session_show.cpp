@@ -170,8 +170,9 @@ std::string Session::info() const {
   std::string text = stop_text(recording_, run(), state_, paint_);
   text += fmt::format("  {}{}\n", robot.empty() ? std::string() : robot + ": ",
                       situation_text(recording_, run(), state_));
-  text += fmt::format("  {} tried so far, {} made; record {} of {}\n", state_.tried, state_.made,
-                      at_.position, run().size());
+  text +=
+      fmt::format("  {} tried so far, {} made, {}; record {} of {}\n", state_.tried, state_.made,
+                  counted(state_.waits, "wait", "waits"), at_.position, run().size());
   if (const std::optional<Place> place = here()) {
     text += fmt::format("  in {}:{}\n", recording_.files[place->file].path, place->line);
   }

@@ -163,7 +163,7 @@ std::string Session::passed(const Cursor& from, const Cursor& to) const {
   const std::size_t count = to.position - 1 - from.position;
   const std::size_t first = to.position - 1 - std::min(count, kShownRecords);
   std::string text;
-  if (count > kShownRecords) text += fmt::format("  ... {} records\n", count - kShownRecords);
+  if (count > kShownRecords) text += fmt::format("  ... {} before\n", count - kShownRecords);
   for (std::size_t i = first; i + 1 < to.position; ++i) {
     const Event& event = run.events()[i];
     const Place* place = recording_.place_of(event);

@@ -96,6 +96,7 @@ void apply(const Event& event, TaskState& state) {
     case EventKind::wait:
       begin_motion(state);
       state.n = event.n;
+      ++state.waits;
       break;
     case EventKind::end:
       end_motion(event, state);

@@ -29,6 +29,7 @@ struct TaskState {
   int n = 0;                         ///< number of the last attempt or wait
   int tried = 0;                     ///< attempts so far
   int made = 0;                      ///< of them accepted
+  int waits = 0;                     ///< so far
   int motion = 0;                    ///< the motion it is in or was in last, from 1
   bool moving = false;               ///< whether that motion goes on
   int way_point = 0;                 ///< from 1; 0 before the first

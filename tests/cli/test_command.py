@@ -10,7 +10,7 @@ import unittest
 
 RUBICON = os.environ["RUBICON"]
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-COMMANDS = ("check", "run", "test", "verify", "import", "export", "fmt", "why", "report", "help")
+COMMANDS = ("check", "run", "test", "verify", "import", "export", "fmt", "why", "report", "debug", "help")
 
 GANTRY = """robot gantry {
   body trolley {

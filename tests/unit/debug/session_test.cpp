@@ -85,7 +85,7 @@ TEST(Session, ShowsLoopsVariablesAndConfiguration) {
             "  s.motion:2  move_to(x, 3),\n"
             "  move_to x  1  refused: arm of r meets wall\n"
             "  r: motion 1 of 1: going; way point 1\n"
-            "  2 tried so far, 1 made; record 5 of 10\n"
+            "  2 tried so far, 1 made, 0 waits; record 5 of 10\n"
             "  in s.motion:2\n");
 }
 
