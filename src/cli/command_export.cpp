@@ -1,37 +1,156 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "interpreter/plan_model.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/result_files.hpp"
 #include "src/files/disk_io.hpp"
+#include "src/gantt/svg_chart.hpp"
 #include "src/project_io/project_of.hpp"
 #include "src/project_io/write_mspdi.hpp"
 #include "src/report/diagnostic_printer.hpp"
+#include "src/report/schedule_reader.hpp"
+#include "src/report/schedule_text.hpp"
 
 namespace rubicon::cli {
 
-int run_export(const ExportOptions& options) {
+namespace {
+
+/// A file to write and all its bytes.
+struct Output {
+  std::string path;
+  std::string bytes;
+};
+
+int fail(const std::string& message) {
+  fmt::print(stderr, "rubicon: error: {}\n", message);
+  return kWrongInput;
+}
+
+/// What is wrong with the call, if anything.
+std::optional<std::string> call_mistake(const ExportOptions& options) {
+  const std::array<std::pair<const char*, const std::string*>, 3> files = {
+      {{"--svg", &options.svg}, {"--mspdi", &options.mspdi}, {"--csv", &options.csv}}};
+  const auto wanted = std::count_if(files.begin(), files.end(),
+                                    [](const auto& file) { return !file.second->empty(); });
+  if (wanted == 0) {
+    return "nothing is to be written: name a file with --svg, --mspdi or --csv";
+  }
+  const auto to_screen = std::count_if(files.begin(), files.end(),
+                                       [](const auto& file) { return *file.second == "-"; });
+  if (to_screen > 1) return "only one of the files can go to standard output";
+  if (files::is_folder(options.source)) {
+    if (options.mspdi.empty()) return std::nullopt;
+    return fmt::format("--mspdi needs a plan, and '{}' is a folder", options.source);
+  }
+  for (const auto& [name, path] : files) {
+    if (path != &options.mspdi && !path->empty()) {
+      return fmt::format(
+          "{} needs the folder of a result, and '{}' is no folder; 'rubicon run "
+          "PLAN --out DIR' makes one",
+          name, options.source);
+    }
+  }
+  return std::nullopt;
+}
+
+/// The schedule of a plan before it is run; nothing, and the mistakes are printed, if the plan is
+/// wrong.
+std::optional<Output> plan_output(const ExportOptions& options) {
   interpreter::SourceMap sources;
   files::DiskFiles disk;
   interpreter::Diagnostics diagnostics;
   const std::unique_ptr<interpreter::PlanModel> plan =
-      load_plan(options.plan, sources, disk, diagnostics);
-  std::string schedule;
-  if (plan) schedule = project_io::write_mspdi(project_io::project_of(*plan, sources, diagnostics));
+      load_plan(options.source, sources, disk, diagnostics);
+  std::optional<Output> output;
+  if (plan) {
+    const project_io::Project project = project_io::project_of(*plan, sources, diagnostics);
+    output = Output{options.mspdi, project_io::write_mspdi(project)};
+  }
   const std::string messages =
       report::print_text(diagnostics.sorted(), sources, files::wants_colour(stderr));
   std::fwrite(messages.data(), 1, messages.size(), stderr);
-  if (!plan) return kWrongInput;
-  if (options.mspdi == "-") {
-    std::fwrite(schedule.data(), 1, schedule.size(), stdout);
-  } else if (const auto failure = files::write_file(options.mspdi, schedule)) {
-    fmt::print(stderr, "rubicon: error: {}\n", *failure);
-    return kWrongInput;
+  return output;
+}
+
+taskplan::Schedule read_schedule(const ResultFiles& result) {
+  const std::string text = result.schedule_json();
+  try {
+    return report::schedule_from_json(text);
+  } catch (const std::invalid_argument& error) {
+    throw WrongResult(fmt::format("{}: {}", result.schedule_path(), error.what()));
+  }
+}
+
+/// The name of a folder, without what it stands in.
+std::string folder_name(const std::string& path) {
+  return std::filesystem::path(path + "/").lexically_normal().parent_path().filename().string();
+}
+
+/// A chart needs no trace, but is better with it.
+std::string gantt_chart(const ExportOptions& options, const ResultFiles& result) {
+  const taskplan::Schedule schedule = read_schedule(result);
+  if (!result.has_trace()) {
+    return gantt::svg_chart(gantt::make_chart(schedule, nullptr, folder_name(options.source)));
+  }
+  gantt::TraceTimesReader reader;
+  result.each_trace_line([&](const std::string& line) { reader.line(line); });
+  const gantt::TraceTimes times = reader.take();
+  try {
+    return gantt::svg_chart(gantt::make_chart(schedule, &times, folder_name(options.source)));
+  } catch (const std::invalid_argument& error) {
+    throw WrongResult(fmt::format("{}:1: {}", result.trace_path(), error.what()));
+  }
+}
+
+std::vector<Output> result_outputs(const ExportOptions& options) {
+  const ResultFiles result(options.source);
+  std::vector<Output> outputs;
+  if (!options.csv.empty()) {
+    outputs.push_back({options.csv, report::schedule_csv(read_schedule(result))});
+  }
+  if (!options.svg.empty()) outputs.push_back({options.svg, gantt_chart(options, result)});
+  return outputs;
+}
+
+int write(const Output& output) {
+  if (output.path == "-") {
+    std::fwrite(output.bytes.data(), 1, output.bytes.size(), stdout);
+  } else if (const auto failure = files::write_file(output.path, output.bytes)) {
+    return fail(*failure);
   }
   return kFine;
+}
+
+}  // namespace
+
+int run_export(const ExportOptions& options) {
+  if (const auto mistake = call_mistake(options)) return fail(*mistake);
+  std::vector<Output> outputs;
+  if (files::is_folder(options.source)) {
+    try {
+      outputs = result_outputs(options);
+    } catch (const WrongResult& wrong) {
+      return fail(wrong.what());
+    }
+  } else if (auto output = plan_output(options)) {
+    outputs.push_back(std::move(*output));
+  } else {
+    return kWrongInput;
+  }
+  int code = kFine;
+  for (const Output& output : outputs) code = std::max(code, write(output));
+  return code;
 }
 
 }  // namespace rubicon::cli

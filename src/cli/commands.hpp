@@ -83,8 +83,10 @@ int run_import(const ImportOptions& options);
 int import_building(const ImportOptions& options);
 
 struct ExportOptions {
-  std::string plan;
+  std::string source;  ///< the folder of a result, or a plan
+  std::string svg;     ///< files to write; "" is none, "-" is standard output
   std::string mspdi;
+  std::string csv;
 };
 int run_export(const ExportOptions& options);
 

@@ -19,7 +19,7 @@ usage: rubicon COMMAND ...
   test DIR...                    run golden cases and compare them with what is expected
   verify RESULT                  replay a result by other means and look for contact, gaps and broken links
   import FILE... [--out PLAN]    make a plan of a schedule, of a building model, or of both
-  export PLAN --mspdi FILE       write a plan as a schedule for other programs
+  export RESULT|PLAN ...         write a Gantt chart, a table or a schedule for other programs
   fmt FILE...                    write files in the one canonical form
   help [COMMAND]                 this page, or the page of a command
 
@@ -241,19 +241,27 @@ examples:
 )";
 
 constexpr std::string_view kExport =
-    R"(rubicon export - write a plan as a schedule for other programs
+    R"(rubicon export - write a plan or a result for other programs
 
-usage: rubicon export PLAN --mspdi FILE
+usage: rubicon export RESULT [--svg FILE] [--csv FILE]
+       rubicon export PLAN --mspdi FILE
 
-Checks the plan and writes its tasks, links, crews, robots and calendars as Microsoft Project XML. A plan that came from
-rubicon import gives back all that was read, also what a plan has no word for; what was changed in the plan since then
-holds. What a schedule has no word for (motions, zones, priorities) is listed as warnings.
+RESULT is the folder that rubicon run --out wrote. PLAN is checked and written as it is planned: its tasks, links, crews,
+robots and calendars; a plan that came from rubicon import gives back all that was read, also what a plan has no word
+for, and what was changed in the plan since then holds. What a schedule has no word for (motions, zones, priorities) is
+listed as warnings.
 
-  --mspdi FILE   the Microsoft Project XML to write; - is standard output
+  --svg FILE     a Gantt chart: what each machine and crew did, tasks, the critical chain, shifts, what was not done
+  --csv FILE     the table of tasks, as rubicon run --format csv gives it
+  --mspdi FILE   Microsoft Project XML
 
-Exit code: 0 the file is written (warnings may be printed), 2 the plan is wrong or the file cannot be written.
+Several files can be written at once; - is standard output, for one of them.
+
+Exit code: 0 the files are written (warnings may be printed), 2 the plan or the result is wrong or a file cannot be
+written.
 
 examples:
+  rubicon run site.plan --out site && rubicon export site --svg site.svg --csv site.csv
   rubicon export building.plan --mspdi building.xml
   rubicon import planning.xer --out p.plan && rubicon export p.plan --mspdi planning.xml
 )";
@@ -280,7 +288,7 @@ const std::vector<HelpPage>& help_pages() {
       {"verify", "replay a result by other means and look for contact, gaps and broken links",
        kVerify},
       {"import", "make a plan of a schedule, of a building model, or of both", kImport},
-      {"export", "write a plan as a schedule for other programs", kExport},
+      {"export", "write a plan or a result for other programs", kExport},
       {"fmt", "write files in the one canonical form", kFmt},
       {"help", "print a page of help", kHelp},
   };

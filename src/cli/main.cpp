@@ -88,10 +88,12 @@ int dispatch(int argc, char** argv) {
   import_command->add_option("--up", import.up)->check(CLI::IsMember({"y", "z"}));
   import_command->add_option("--out", import.out);
 
-  ExportOptions plan_export;
+  ExportOptions exported;
   CLI::App* export_command = app.add_subcommand("export");
-  export_command->add_option("PLAN", plan_export.plan)->required();
-  export_command->add_option("--mspdi", plan_export.mspdi)->required();
+  export_command->add_option("SOURCE", exported.source)->required();
+  export_command->add_option("--svg", exported.svg);
+  export_command->add_option("--mspdi", exported.mspdi);
+  export_command->add_option("--csv", exported.csv);
 
   FormatOptions format;
   CLI::App* format_command = app.add_subcommand("fmt");
@@ -130,7 +132,7 @@ int dispatch(int argc, char** argv) {
   if (*test_command) return run_test(test);
   if (*verify_command) return run_verify(verify);
   if (*import_command) return run_import(import);
-  if (*export_command) return run_export(plan_export);
+  if (*export_command) return run_export(exported);
   if (*format_command) return run_format(format);
   if (!page_name.empty()) {
     const HelpPage* page = find_help(page_name);

@@ -1,0 +1,132 @@
+"""rubicon export of results: tables, charts, schedules, and what is said of folders that are no results."""
+
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+RUBICON = os.environ["RUBICON"]
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+PLANS = ("taskplans/unit.plan", "taskplans/two_cranes.plan", "taskplans/people_below.plan",
+         "taskplans/crane_and_trucks.plan", "taskplans/three_tow_motors.plan", "taskplans/residential.plan",
+         "examples/03_round_the_block/site.plan", "examples/08_what_cannot_be_done/site.plan")
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def rubicon(*arguments):
+    return subprocess.run([RUBICON, *arguments], capture_output=True, text=True, timeout=300)
+
+
+class Export(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folders = {}
+        for plan in PLANS:
+            folder = os.path.join(cls.temporary.name, plan.replace("/", "_"))
+            result = rubicon("run", os.path.join(ROOT, plan), "--out", folder)
+            assert result.returncode in (0, 1), result.stderr
+            cls.folders[plan] = folder
+        cls.unit = cls.folders["taskplans/unit.plan"]
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def path(self, name):
+        return os.path.join(self.temporary.name, name)
+
+    def read(self, path):
+        with open(path, encoding="utf-8", newline="") as file:
+            return file.read()
+
+    def expect_error(self, *arguments):
+        result = rubicon("export", *arguments)
+        self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
+        self.assertTrue(result.stderr.startswith("rubicon: error: "), result.stderr)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        return result.stderr
+
+    def test_csv_is_that_of_the_run(self):
+        for plan, folder in self.folders.items():
+            with self.subTest(plan=plan):
+                result = rubicon("export", folder, "--csv", "-")
+                self.assertEqual((result.returncode, result.stderr), (0, ""))
+                self.assertEqual(result.stdout, self.read(os.path.join(folder, "schedule.csv")))
+
+    def test_charts_are_whole_and_the_same_each_time(self):
+        for plan, folder in self.folders.items():
+            with self.subTest(plan=plan):
+                chart = self.path("chart.svg")
+                result = rubicon("export", folder, "--svg", chart, "--csv", self.path("table.csv"))
+                self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+                self.assertLess(os.path.getsize(chart), 2_000_000)
+                self.assertEqual(rubicon("export", folder, "--svg", "-").stdout, self.read(chart))
+                root = xml.etree.ElementTree.parse(chart).getroot()
+                self.assertEqual(root.tag, SVG + "svg")
+                titles = [element.text.split("\n")[0] for element in root.iter(SVG + "title")]
+                with open(os.path.join(folder, "schedule.json"), encoding="utf-8") as file:
+                    tasks = json.load(file)["tasks"]
+                texts = "\n".join(element.text or "" for element in root.iter(SVG + "text"))
+                for task in tasks:
+                    if task["result"] == "done":
+                        self.assertIn(task["task"], titles)
+                    elif not task.get("parking"):
+                        self.assertIn(task["task"], texts)
+                self.assertFalse([e for e in root.iter() if e.tag.endswith(("script", "image", "foreignObject"))])
+
+    def test_a_chart_needs_no_trace_and_takes_any_detail(self):
+        plan = os.path.join(ROOT, "taskplans", "two_cranes.plan")
+        for detail in ("none", "tasks", "steps"):
+            folder = self.path("detail_" + detail)
+            rubicon("run", plan, "--out", folder, "--trace-detail", detail)
+            result = rubicon("export", folder, "--svg", "-")
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assertIn("out of shift", result.stdout)
+        os.remove(os.path.join(folder, "trace.jsonl"))
+        result = rubicon("export", folder, "--svg", "-")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertIn(">detail_steps</title>", result.stdout)
+
+    def test_calls_that_are_wrong(self):
+        self.assertIn("nothing is to be written", self.expect_error(self.unit))
+        self.assertIn("only one of the files", self.expect_error(self.unit, "--svg", "-", "--csv", "-"))
+        plan = os.path.join(ROOT, "taskplans", "unit.plan")
+        self.assertIn("--csv needs the folder of a result", self.expect_error(plan, "--csv", "-"))
+        self.assertIn("--svg needs the folder of a result", self.expect_error(self.path("no"), "--svg", "-"))
+        self.assertEqual(rubicon("export", self.unit, "--csv", "/dev/full").returncode, 2)
+
+    def test_folders_that_are_no_results(self):
+        folder = self.path("empty")
+        os.makedirs(folder)
+        self.assertIn("schedule.json: there is no such file", self.expect_error(folder, "--csv", "-"))
+        os.makedirs(os.path.join(folder, "schedule.json"))
+        self.assertIn("schedule.json: this is not a file", self.expect_error(folder, "--svg", "-"))
+
+    def broken(self, name, text):
+        """A copy of a good result with one file that has another text."""
+        folder = self.path("broken")
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(self.unit, folder)
+        with open(os.path.join(folder, name), "w", encoding="utf-8", newline="") as file:
+            file.write(text)
+        return folder
+
+    def test_broken_files_are_named(self):
+        good = self.read(os.path.join(self.unit, "schedule.json"))
+        for bad in ("", "{", "[]", good[: len(good) // 2], good.replace('"done"', '"did"', 1), "[" * 100_000):
+            message = self.expect_error(self.broken("schedule.json", bad), "--csv", "-")
+            self.assertIn("schedule.json: expected", message)
+        trace = self.read(os.path.join(self.unit, "trace.jsonl"))
+        for bad, line in (("", ""), ("{}\n", "1"), (trace[:1000], "1"),
+                          (trace.replace('{"type":"work"', '{"type":"work",,', 1), "")):
+            message = self.expect_error(self.broken("trace.jsonl", bad), "--svg", "-")
+            self.assertIn(f"trace.jsonl:{line}", message)
+
+
+if __name__ == "__main__":
+    unittest.main()
