@@ -14,6 +14,7 @@
 #include "interpreter/plan_model.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/result_files.hpp"
+#include "src/cli/result_project.hpp"
 #include "src/files/disk_io.hpp"
 #include "src/gantt/svg_chart.hpp"
 #include "src/project_io/project_of.hpp"
@@ -49,10 +50,7 @@ std::optional<std::string> call_mistake(const ExportOptions& options) {
   const auto to_screen = std::count_if(files.begin(), files.end(),
                                        [](const auto& file) { return *file.second == "-"; });
   if (to_screen > 1) return "only one of the files can go to standard output";
-  if (files::is_folder(options.source)) {
-    if (options.mspdi.empty()) return std::nullopt;
-    return fmt::format("--mspdi needs a plan, and '{}' is a folder", options.source);
-  }
+  if (files::is_folder(options.source)) return std::nullopt;
   for (const auto& [name, path] : files) {
     if (path != &options.mspdi && !path->empty()) {
       return fmt::format(
@@ -118,6 +116,9 @@ std::vector<Output> result_outputs(const ExportOptions& options) {
   std::vector<Output> outputs;
   if (!options.csv.empty()) {
     outputs.push_back({options.csv, report::schedule_csv(read_schedule(result))});
+  }
+  if (!options.mspdi.empty()) {
+    outputs.push_back({options.mspdi, result_mspdi(result, read_schedule(result))});
   }
   if (!options.svg.empty()) outputs.push_back({options.svg, gantt_chart(options, result)});
   return outputs;

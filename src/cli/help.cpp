@@ -243,17 +243,17 @@ examples:
 constexpr std::string_view kExport =
     R"(rubicon export - write a plan or a result for other programs
 
-usage: rubicon export RESULT [--svg FILE] [--csv FILE]
+usage: rubicon export RESULT [--svg FILE] [--mspdi FILE] [--csv FILE]
        rubicon export PLAN --mspdi FILE
 
 RESULT is the folder that rubicon run --out wrote. PLAN is checked and written as it is planned: its tasks, links, crews,
 robots and calendars; a plan that came from rubicon import gives back all that was read, also what a plan has no word
-for, and what was changed in the plan since then holds. What a schedule has no word for (motions, zones, priorities) is
-listed as warnings.
+for, and what was changed in the plan since then holds. Of a result the schedule has the dates of the run. What a
+schedule has no word for (motions, zones, priorities) is listed as warnings.
 
   --svg FILE     a Gantt chart: what each machine and crew did, tasks, the critical chain, shifts, what was not done
+  --mspdi FILE   the schedule as Microsoft Project XML
   --csv FILE     the table of tasks, as rubicon run --format csv gives it
-  --mspdi FILE   Microsoft Project XML
 
 Several files can be written at once; - is standard output, for one of them.
 
@@ -261,7 +261,7 @@ Exit code: 0 the files are written (warnings may be printed), 2 the plan or the 
 written.
 
 examples:
-  rubicon run site.plan --out site && rubicon export site --svg site.svg --csv site.csv
+  rubicon run site.plan --out site && rubicon export site --svg site.svg --mspdi site.xml
   rubicon export building.plan --mspdi building.xml
   rubicon import planning.xer --out p.plan && rubicon export p.plan --mspdi planning.xml
 )";

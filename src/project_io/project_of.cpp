@@ -24,9 +24,10 @@ using interpreter::TaskSpec;
 class ProjectBuilder {
  public:
   ProjectBuilder(const PlanModel& plan, const interpreter::SourceMap& sources,
-                 interpreter::Diagnostics& diagnostics)
+                 interpreter::Diagnostics& diagnostics, const SimulatedRun* run)
       : plan_(plan),
         diagnostics_(diagnostics),
+        run_(run),
         carried_(read_carried_project(carried_records(plan, sources), listing_)) {}
 
   Project build() {
@@ -36,6 +37,7 @@ class ProjectBuilder {
     build_tasks();
     build_links();
     build_assignments();
+    if (run_ != nullptr) take_run(*run_, plan_names(), project_);
     tidy_project(project_, {}, listing_);
     listing_.report(diagnostics_);
     return std::move(project_);
@@ -265,7 +267,7 @@ class ProjectBuilder {
   }
 
   void list_unsayable(const TaskSpec& spec) {
-    if (spec.move || spec.go) {
+    if ((spec.move || spec.go) && run_ == nullptr) {
       listing_.add("I09", "motion", spec.span,
                    fmt::format("the motions of task '{}' are left out: a schedule knows its crew "
                                "work only",
@@ -403,8 +405,16 @@ class ProjectBuilder {
     }
   }
 
+  /// Of each line, its name in the plan; "" if the plan has no task for it.
+  std::vector<std::string> plan_names() const {
+    std::vector<std::string> names;
+    for (const TaskSpec* spec : specs_) names.push_back(spec != nullptr ? spec->name : "");
+    return names;
+  }
+
   const PlanModel& plan_;
   interpreter::Diagnostics& diagnostics_;
+  const SimulatedRun* run_;  ///< null: the schedule is that of the plan
   Listing listing_;
   CarriedProject carried_;
   Project project_;
@@ -423,8 +433,8 @@ class ProjectBuilder {
 }  // namespace
 
 Project project_of(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
-                   interpreter::Diagnostics& diagnostics) {
-  return ProjectBuilder(plan, sources, diagnostics).build();
+                   interpreter::Diagnostics& diagnostics, const SimulatedRun* run) {
+  return ProjectBuilder(plan, sources, diagnostics, run).build();
 }
 
 }  // namespace rubicon::project_io

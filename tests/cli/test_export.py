@@ -1,5 +1,6 @@
 """rubicon export of results: tables, charts, schedules, and what is said of folders that are no results."""
 
+import datetime
 import json
 import os
 import shutil
@@ -92,6 +93,51 @@ class Export(unittest.TestCase):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertIn(">detail_steps</title>", result.stdout)
 
+    def test_a_schedule_has_the_dates_of_the_run(self):
+        name = "{http://schemas.microsoft.com/project}"
+        for plan, folder in self.folders.items():
+            with self.subTest(plan=plan):
+                out = self.path("result.xml")
+                result = rubicon("export", folder, "--mspdi", out)
+                self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
+                self.assertEqual(rubicon("export", folder, "--mspdi", "-").stdout, self.read(out))
+                with open(os.path.join(folder, "schedule.json"), encoding="utf-8") as file:
+                    schedule = json.load(file)
+                start = datetime.datetime.fromisoformat(schedule.get("start_at", "2024-01-01 00:00"))
+                written = {}
+                for element in xml.etree.ElementTree.parse(out).getroot().iter(name + "Task"):
+                    written[element.find(name + "Name").text] = element
+                short = "03_round" in plan  # a plan without tasks
+                for task in schedule["tasks"]:
+                    if short or task.get("parking"):
+                        continue
+                    element = written.pop(task["task"])
+                    text = {each.tag.removeprefix(name): each.text for each in element}
+                    if task["result"] != "done":
+                        self.assertIn(f"rubicon: {task['result']}: {task['reason']}", text["Notes"])
+                        self.assertNotIn("Start", text)
+                        continue
+                    for what, seconds in (("Start", task["start"]), ("Finish", task["start"] + task["duration"])):
+                        expected = start + datetime.timedelta(seconds=int(seconds + 1e-9))
+                        self.assertEqual(text[what], expected.isoformat(), task["task"])
+                    self.assertEqual((text["Manual"], text["ConstraintType"]), ("1", "4"))
+                self.assertFalse(written)
+                back = self.path("back.plan")
+                self.assertEqual(rubicon("import", out, "--out", back).returncode, 0)
+                if not short:
+                    self.assertEqual(rubicon("check", back).returncode, 0)
+
+    def test_a_schedule_of_an_imported_plan_keeps_what_came_with_it(self):
+        plan, folder, out = self.path("house.plan"), self.path("house"), self.path("house.xml")
+        source = os.path.join(ROOT, "tests", "unit", "project_io", "house.xml")
+        self.assertEqual(rubicon("import", source, "--out", plan).returncode, 0)
+        self.assertIn(rubicon("run", plan, "--out", folder).returncode, (0, 1))
+        self.assertEqual(rubicon("export", folder, "--mspdi", out).returncode, 0)
+        name = "{http://schemas.microsoft.com/project}"
+        before, after = (xml.etree.ElementTree.parse(path).getroot() for path in (source, out))
+        for tag in ("UID", "Name", "OutlineLevel"):
+            self.assertEqual(*([task.findtext(name + tag) for task in root.iter(name + "Task")] for root in (before, after)))
+
     def test_calls_that_are_wrong(self):
         self.assertIn("nothing is to be written", self.expect_error(self.unit))
         self.assertIn("only one of the files", self.expect_error(self.unit, "--svg", "-", "--csv", "-"))
@@ -126,6 +172,11 @@ class Export(unittest.TestCase):
                           (trace.replace('{"type":"work"', '{"type":"work",,', 1), "")):
             message = self.expect_error(self.broken("trace.jsonl", bad), "--svg", "-")
             self.assertIn(f"trace.jsonl:{line}", message)
+        for bad in ("", "{}\n", trace[:1000], '{"type":"header","path":"a.plan","files":[]}\n'):
+            folder = self.broken("trace.jsonl", bad)
+            result = rubicon("export", folder, "--mspdi", self.path("x.xml"))
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("trace.jsonl", result.stderr)
 
 
 if __name__ == "__main__":
