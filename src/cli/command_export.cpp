@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -17,11 +18,13 @@
 #include "src/cli/result_project.hpp"
 #include "src/files/disk_io.hpp"
 #include "src/gantt/svg_chart.hpp"
+#include "src/gltf/document_file.hpp"
 #include "src/project_io/project_of.hpp"
 #include "src/project_io/write_mspdi.hpp"
 #include "src/report/diagnostic_printer.hpp"
 #include "src/report/schedule_reader.hpp"
 #include "src/report/schedule_text.hpp"
+#include "src/verify/trace_reader.hpp"
 
 namespace rubicon::cli {
 
@@ -40,16 +43,21 @@ int fail(const std::string& message) {
 
 /// What is wrong with the call, if anything.
 std::optional<std::string> call_mistake(const ExportOptions& options) {
-  const std::array<std::pair<const char*, const std::string*>, 3> files = {
-      {{"--svg", &options.svg}, {"--mspdi", &options.mspdi}, {"--csv", &options.csv}}};
+  const std::array<std::pair<const char*, const std::string*>, 4> files = {
+      {{"--gltf", &options.gltf},
+       {"--svg", &options.svg},
+       {"--mspdi", &options.mspdi},
+       {"--csv", &options.csv}}};
   const auto wanted = std::count_if(files.begin(), files.end(),
                                     [](const auto& file) { return !file.second->empty(); });
   if (wanted == 0) {
-    return "nothing is to be written: name a file with --svg, --mspdi or --csv";
+    return "nothing is to be written: name a file with --gltf, --svg, --mspdi or --csv";
   }
   const auto to_screen = std::count_if(files.begin(), files.end(),
                                        [](const auto& file) { return *file.second == "-"; });
   if (to_screen > 1) return "only one of the files can go to standard output";
+  if (std::isnan(options.speed_up)) return "expected a number after --speed-up";
+  if (options.speed_up > 0 && options.gltf.empty()) return "--speed-up goes with --gltf";
   if (files::is_folder(options.source)) return std::nullopt;
   for (const auto& [name, path] : files) {
     if (path != &options.mspdi && !path->empty()) {
@@ -111,9 +119,22 @@ std::string gantt_chart(const ExportOptions& options, const ResultFiles& result)
   }
 }
 
+/// Binary if its name ends so, else text.
+std::string film(const ExportOptions& options, const ResultFiles& result) {
+  verify::TraceReader reader;
+  result.each_trace_line([&](const std::string& line) { reader.line(line); });
+  try {
+    const gltf::Document document = gltf::make_document(reader.finish(), {options.speed_up});
+    return options.gltf.ends_with(".glb") ? gltf::glb_bytes(document) : gltf::gltf_text(document);
+  } catch (const verify::UnreadableInput& error) {
+    throw WrongResult(fmt::format("{}: {}", result.trace_path(), error.what()));
+  }
+}
+
 std::vector<Output> result_outputs(const ExportOptions& options) {
   const ResultFiles result(options.source);
   std::vector<Output> outputs;
+  if (!options.gltf.empty()) outputs.push_back({options.gltf, film(options, result)});
   if (!options.csv.empty()) {
     outputs.push_back({options.csv, report::schedule_csv(read_schedule(result))});
   }

@@ -83,8 +83,10 @@ int run_import(const ImportOptions& options);
 int import_building(const ImportOptions& options);
 
 struct ExportOptions {
-  std::string source;  ///< the folder of a result, or a plan
-  std::string svg;     ///< files to write; "" is none, "-" is standard output
+  std::string source;   ///< the folder of a result, or a plan
+  std::string gltf;     ///< files to write; "" is none, "-" is standard output
+  double speed_up = 0;  ///< of the film, seconds of the plan for one of its own; 0: chosen
+  std::string svg;
   std::string mspdi;
   std::string csv;
 };

@@ -19,7 +19,7 @@ usage: rubicon COMMAND ...
   test DIR...                    run golden cases and compare them with what is expected
   verify RESULT                  replay a result by other means and look for contact, gaps and broken links
   import FILE... [--out PLAN]    make a plan of a schedule, of a building model, or of both
-  export RESULT|PLAN ...         write a Gantt chart, a table or a schedule for other programs
+  export RESULT|PLAN ...         write a film, a Gantt chart, a schedule or a table
   fmt FILE...                    write files in the one canonical form
   help [COMMAND]                 this page, or the page of a command
 
@@ -243,7 +243,7 @@ examples:
 constexpr std::string_view kExport =
     R"(rubicon export - write a plan or a result for other programs
 
-usage: rubicon export RESULT [--svg FILE] [--mspdi FILE] [--csv FILE]
+usage: rubicon export RESULT [--gltf FILE [--speed-up N]] [--svg FILE] [--mspdi FILE] [--csv FILE]
        rubicon export PLAN --mspdi FILE
 
 RESULT is the folder that rubicon run --out wrote. PLAN is checked and written as it is planned: its tasks, links, crews,
@@ -251,6 +251,10 @@ robots and calendars; a plan that came from rubicon import gives back all that w
 for, and what was changed in the plan since then holds. Of a result the schedule has the dates of the run. What a
 schedule has no word for (motions, zones, priorities) is listed as warnings.
 
+  --gltf FILE    the site, machines and components with all that happened as one animation, in glTF 2.0: binary if the
+                 name ends in .glb, else one text; needs a trace with all steps
+  --speed-up N   the film shows N seconds of the plan in one of its own; without it a round number, so that the film
+                 lasts two minutes or less
   --svg FILE     a Gantt chart: what each machine and crew did, tasks, the critical chain, shifts, what was not done
   --mspdi FILE   the schedule as Microsoft Project XML
   --csv FILE     the table of tasks, as rubicon run --format csv gives it
@@ -261,7 +265,7 @@ Exit code: 0 the files are written (warnings may be printed), 2 the plan or the 
 written.
 
 examples:
-  rubicon run site.plan --out site && rubicon export site --svg site.svg --mspdi site.xml
+  rubicon run site.plan --out site && rubicon export site --gltf site.glb --svg site.svg
   rubicon export building.plan --mspdi building.xml
   rubicon import planning.xer --out p.plan && rubicon export p.plan --mspdi planning.xml
 )";

@@ -91,6 +91,8 @@ int dispatch(int argc, char** argv) {
   ExportOptions exported;
   CLI::App* export_command = app.add_subcommand("export");
   export_command->add_option("SOURCE", exported.source)->required();
+  export_command->add_option("--gltf", exported.gltf);
+  export_command->add_option("--speed-up", exported.speed_up)->check(CLI::Range(0.01, 1e7));
   export_command->add_option("--svg", exported.svg);
   export_command->add_option("--mspdi", exported.mspdi);
   export_command->add_option("--csv", exported.csv);

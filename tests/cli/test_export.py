@@ -1,9 +1,11 @@
 """rubicon export of results: tables, charts, schedules, and what is said of folders that are no results."""
 
+import base64
 import datetime
 import json
 import os
 import shutil
+import struct
 import subprocess
 import tempfile
 import unittest
@@ -80,6 +82,53 @@ class Export(unittest.TestCase):
                         self.assertIn(task["task"], texts)
                 self.assertFalse([e for e in root.iter() if e.tag.endswith(("script", "image", "foreignObject"))])
 
+    def test_films_are_whole_and_the_same_each_time(self):
+        for plan, folder in self.folders.items():
+            with self.subTest(plan=plan):
+                film = self.path("film.glb")
+                result = rubicon("export", folder, "--gltf", film, "--csv", self.path("table.csv"))
+                self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+                with open(film, "rb") as file:
+                    data = file.read()
+                magic, version, total, length, kind = struct.unpack("<4sIII4s", data[:20])
+                self.assertEqual((magic, version, total, kind), (b"glTF", 2, len(data), b"JSON"))
+                document = json.loads(data[20:20 + length])
+                text = json.loads(rubicon("export", folder, "--gltf", "-").stdout)
+                head = "data:application/octet-stream;base64,"
+                uri = text["buffers"][0].pop("uri")
+                self.assertEqual(text, document)
+                self.assertTrue(uri.startswith(head))
+                binary = base64.b64decode(uri[len(head):], validate=True)
+                self.assertEqual(binary, data[28 + length:28 + length + len(binary)])
+                with open(os.path.join(folder, "trace.jsonl"), encoding="utf-8") as file:
+                    header = json.loads(file.readline())
+                names = {node["name"] for node in document["nodes"]}
+                for each in header["components"] + header["robots"]:
+                    self.assertIn(each["name"], names)
+                for robot in header["robots"]:
+                    for body in robot["bodies"]:
+                        self.assertIn(f"{robot['name']}.{body['name']}", names)
+                with open(os.path.join(folder, "schedule.json"), encoding="utf-8") as file:
+                    seconds = json.load(file)["process_time"]
+                extras = document["asset"]["extras"]
+                self.assertAlmostEqual(extras["seconds"], seconds, delta=1e-6)
+                self.assertLessEqual(seconds / extras["speed_up"], 120)
+                self.assertEqual([animation["name"] for animation in document["animations"]], ["construction"])
+                for node in document["nodes"]:
+                    for value in node.get("extras", {}).values():
+                        self.assertIsInstance(value, (str, list))
+
+    def test_the_speed_of_a_film(self):
+        film = self.path("film.gltf")
+        self.assertEqual(rubicon("export", self.unit, "--gltf", film, "--speed-up", "60").returncode, 0)
+        with open(film, encoding="utf-8") as file:
+            document = json.load(file)
+        self.assertEqual(document["asset"]["extras"]["speed_up"], 60)
+        last = max(document["accessors"][s["input"]]["max"][0] for s in document["animations"][0]["samplers"])
+        self.assertAlmostEqual(last * 60, document["asset"]["extras"]["seconds"], delta=7200)
+        for bad in ("0", "-1", "x", "nan"):
+            self.assertEqual(rubicon("export", self.unit, "--gltf", film, "--speed-up", bad).returncode, 2, bad)
+
     def test_a_chart_needs_no_trace_and_takes_any_detail(self):
         plan = os.path.join(ROOT, "taskplans", "two_cranes.plan")
         for detail in ("none", "tasks", "steps"):
@@ -140,6 +189,8 @@ class Export(unittest.TestCase):
 
     def test_calls_that_are_wrong(self):
         self.assertIn("nothing is to be written", self.expect_error(self.unit))
+        self.assertIn("--speed-up goes with --gltf", self.expect_error(self.unit, "--csv", "-", "--speed-up", "2"))
+        self.assertIn("--gltf needs the folder", self.expect_error(self.path("no"), "--gltf", "-"))
         self.assertIn("only one of the files", self.expect_error(self.unit, "--svg", "-", "--csv", "-"))
         plan = os.path.join(ROOT, "taskplans", "unit.plan")
         self.assertIn("--csv needs the folder of a result", self.expect_error(plan, "--csv", "-"))
@@ -172,6 +223,10 @@ class Export(unittest.TestCase):
                           (trace.replace('{"type":"work"', '{"type":"work",,', 1), "")):
             message = self.expect_error(self.broken("trace.jsonl", bad), "--svg", "-")
             self.assertIn(f"trace.jsonl:{line}", message)
+            self.assertIn("trace.jsonl:", self.expect_error(self.broken("trace.jsonl", bad), "--gltf", "-"))
+        folder = self.path("tasks_only")
+        rubicon("run", os.path.join(ROOT, "taskplans", "unit.plan"), "--out", folder, "--trace-detail", "tasks")
+        self.assertIn("every step", self.expect_error(folder, "--gltf", self.path("x.glb")))
         for bad in ("", "{}\n", trace[:1000], '{"type":"header","path":"a.plan","files":[]}\n'):
             folder = self.broken("trace.jsonl", bad)
             result = rubicon("export", folder, "--mspdi", self.path("x.xml"))

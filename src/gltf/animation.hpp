@@ -1,0 +1,44 @@
+#pragma once
+
+#include "src/gltf/binary_data.hpp"
+#include "src/gltf/motion_curves.hpp"
+
+namespace rubicon::gltf {
+
+/// From when to when something is there, in seconds of the plan.
+struct Presence {
+  double from = 0;
+  double to = 0;
+};
+
+/// The one animation of a document. Times of the plan are divided by `speed_up`; two keys that fall
+/// together as floats are drawn apart by the least that there is.
+class Animation {
+ public:
+  Animation(double speed_up, BinaryData& data) : speed_up_(speed_up), data_(data) {}
+
+  /// A node's translation or rotation along a curve that has keys.
+  void add_element(int node, const ElementCurve& curve);
+
+  /// A node that has its size only while it is there; `end` is when the plan is over. True if it is
+  /// not there at the beginning.
+  bool add_presence(int node, const Presence& presence, double end);
+
+  /// Writes `animations`, if there is anything to it.
+  void finish(Json& document);
+
+ private:
+  Floats film_times(const std::vector<double>& times) const;
+  void add_channel(int node, const char* path, const char* interpolation, const Floats& times,
+                   const Floats& values, std::size_t width);
+
+  double speed_up_;
+  BinaryData& data_;
+  Json channels_ = Json::array();
+  Json samplers_ = Json::array();
+};
+
+/// A turn by `degrees` about the axis of an element, as x, y, z, w.
+Eigen::Vector4d turn_of(verify::FrameElement::Kind kind, double degrees);
+
+}  // namespace rubicon::gltf

@@ -1,0 +1,66 @@
+#include "src/gltf/document_file.hpp"
+
+#include <cstdint>
+#include <string_view>
+
+namespace rubicon::gltf {
+
+namespace {
+
+void append_number(std::string& bytes, std::size_t number) {
+  for (int shift = 0; shift < 32; shift += 8) {
+    bytes += static_cast<char>((number >> shift) & 0xFF);
+  }
+}
+
+void append_chunk(std::string& bytes, std::string_view type, std::string chunk, char padding) {
+  while (chunk.size() % 4 != 0) chunk += padding;
+  append_number(bytes, chunk.size());
+  bytes += type;
+  bytes += chunk;
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve(bytes.size() / 3 * 4 + 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      text += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63];
+    }
+  }
+  return text;
+}
+
+std::string text_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string glb_bytes(const Document& document) {
+  std::string chunks;
+  append_chunk(chunks, "JSON", text_of(document.json), ' ');
+  if (!document.binary.empty()) {
+    append_chunk(chunks, std::string_view("BIN\0", 4), document.binary, '\0');
+  }
+  constexpr std::size_t kHeader = 12;
+  std::string bytes = "glTF";
+  append_number(bytes, 2);
+  append_number(bytes, kHeader + chunks.size());
+  return bytes + chunks;
+}
+
+std::string gltf_text(const Document& document) {
+  if (document.binary.empty()) return text_of(document.json) + "\n";
+  Json json = document.json;
+  json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(document.binary);
+  return text_of(json) + "\n";
+}
+
+}  // namespace rubicon::gltf
