@@ -6,6 +6,25 @@
 
 namespace rubicon::debug {
 
+namespace {
+
+/// "hook of low" for low.hook, a body of a robot; all else by its name.
+std::string body_text(const std::map<std::string, std::vector<std::string>>& robots,
+                      const std::string& name) {
+  for (std::size_t dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1)) {
+    const auto robot = robots.find(name.substr(0, dot));
+    if (robot == robots.end()) continue;
+    const std::string body = name.substr(dot + 1);
+    const auto& bodies = robot->second;
+    if (std::find(bodies.begin(), bodies.end(), body) != bodies.end()) {
+      return body + " of " + robot->first;
+    }
+  }
+  return name;
+}
+
+}  // namespace
+
 const PlannedTask* Recording::task_of(const TaskRun& run) const {
   const std::string& name = texts[run.name()];
   const auto found = std::find_if(tasks.begin(), tasks.end(),
@@ -28,23 +47,10 @@ std::string Recording::place_text(const Place& place) const {
   return fmt::format("{}:{}", files[place.file].name, place.line);
 }
 
-/// A body of a robot is written ROBOT.BODY; all else by its name.
-std::string Recording::body_text(const std::string& name) const {
-  for (std::size_t dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1)) {
-    const auto robot = robots.find(name.substr(0, dot));
-    if (robot == robots.end()) continue;
-    const std::string body = name.substr(dot + 1);
-    const auto& bodies = robot->second;
-    if (std::find(bodies.begin(), bodies.end(), body) != bodies.end()) {
-      return body + " of " + robot->first;
-    }
-  }
-  return name;
-}
-
 std::string Recording::refusal_text(const Refusal& refusal) const {
   if (!refusal.met.empty()) {
-    return fmt::format("{} meets {}", body_text(refusal.moved), body_text(refusal.met));
+    return fmt::format("{} meets {}", body_text(robots, refusal.moved),
+                       body_text(robots, refusal.met));
   }
   if (refusal.reason == "at goal") return "it is there already";
   if (refusal.reason == "no direction") return "it has no direction";

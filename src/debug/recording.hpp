@@ -3,7 +3,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "src/debug/task_run.hpp"
@@ -70,9 +69,6 @@ struct Recording {
   std::string place_text(const Place& place) const;
   /// "hook of low meets wall_2", "limit of x".
   std::string refusal_text(const Refusal& refusal) const;
-
- private:
-  std::string body_text(const std::string& name) const;
 };
 
 }  // namespace rubicon::debug

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -97,7 +96,7 @@ void RecordingReader::read_header(std::string_view text) {
     }
     Configuration& stands = stands_[robot.at("name")];
     for (const auto& [name, value] : robot.at("start").items()) {
-      stands.emplace_back(name, value.get<double>());
+      stands[name] = value.get<double>();
     }
   }
   if (header.at("form") == "short") planned(header.at("plan"));
@@ -161,71 +160,82 @@ void RecordingReader::end_task(TaskRun& run, const RecordLine& record) {
 }
 
 Event RecordingReader::event_of(EventKind kind, const RecordLine& record) {
-  StringTable& texts = recording_.texts;
   Event event;
   event.kind = kind;
   const std::size_t known = open_.at(record.text("task"));
   event.t = record.has("t") ? record.number("t") : recording_.runs[known].last().t;
   if (record.has("file")) event.place = place_of(record);
-  switch (kind) {
-    case EventKind::task_start:
-      if (record.has("because")) event.text = texts.add(record.text("because"));
-      break;
+  if (!read_script(record, event)) read_work(record, event);
+  return event;
+}
+
+/// The members of a record of what a script does; false if it is none.
+bool RecordingReader::read_script(const RecordLine& record, Event& event) {
+  StringTable& texts = recording_.texts;
+  switch (event.kind) {
     case EventKind::goal:
       event.n = record.integer("k");
       event.value = record.integer("n");
-      break;
+      return true;
     case EventKind::set:
       event.text = texts.add(record.text("var"));
       event.value = record.number("value");
-      break;
+      return true;
     case EventKind::exit:
       event.ok = record.truth("reached");
       event.value = record.integer("successes");
       [[fallthrough]];
     case EventKind::enter:
       event.text = texts.add(record.text("kind"));
-      break;
+      return true;
     case EventKind::which:
       event.text = texts.add(record.text("label"));
-      break;
+      return true;
     case EventKind::attempt:
       event.n = record.integer("n");
       event.ok = record.truth("ok");
       event.text = command_of(record);
       if (!event.ok) event.other = refusal_of(record);
-      break;
+      return true;
     case EventKind::wait:
       event.n = record.integer("n");
-      break;
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// The members of a record of what becomes of a task.
+void RecordingReader::read_work(const RecordLine& record, Event& event) {
+  StringTable& texts = recording_.texts;
+  switch (event.kind) {
+    case EventKind::task_start:
+      if (record.has("because")) event.text = texts.add(record.text("because"));
+      return;
     case EventKind::work:
       event.text = texts.add(record.text("what"));
       event.other = texts.add(record.text("crew"));
       event.value = record.number("from");
-      break;
+      return;
     case EventKind::pause:
       event.text = texts.add(record.text("why"));
       event.other = texts.add(record.text("for"));
       event.value = record.number("from");
-      break;
-    case EventKind::attach:
-    case EventKind::detach:
-    case EventKind::remove:
-      event.text = texts.add(record.text("component"));
-      break;
+      return;
     case EventKind::end:
       event.text = texts.add(record.text("status"));
       if (record.has("message")) event.other = texts.add(record.text("message"));
       event.ok = record.truth("reached");
       event.n = record.integer("tries");
       event.value = record.integer("accepted");
-      break;
+      return;
     case EventKind::task_end:
       event.text = texts.add(record.text("result"));
       event.other = texts.add(record.text("reason"));
-      break;
+      return;
+    default:  // attach, detach, remove
+      event.text = texts.add(record.text("component"));
   }
-  return event;
 }
 
 /// The number of a file; it is added where it is not known.
@@ -235,8 +245,7 @@ std::size_t RecordingReader::add_file(const std::string& path, const std::string
     const std::string shown = clean_text(path);
     const std::size_t slash = shown.rfind('/');
     const std::string name = slash == std::string::npos ? shown : shown.substr(slash + 1);
-    const bool taken = std::any_of(recording_.files.begin(), recording_.files.end(),
-                                   [&](const ScriptFile& each) { return each.name == name; });
+    const bool taken = !file_names_.insert(name).second;
     recording_.files.push_back({shown, taken ? shown : name, lines_of(text)});
   }
   return slot->second;
@@ -257,6 +266,9 @@ std::uint32_t RecordingReader::place_of(const RecordLine& record) {
 std::uint32_t RecordingReader::command_of(const RecordLine& record) {
   Command command;
   command.parameters = record.texts("parameter");
+  if (command.parameters.size() > kMostParameters) {
+    throw std::invalid_argument("this is no line of a trace: too many parameters");
+  }
   for (std::string& each : command.parameters) each = clean_text(each);
   command.text =
       fmt::format("{} {}", clean_text(record.text("command")), fmt::join(command.parameters, ", "));

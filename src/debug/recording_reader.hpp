@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -24,11 +25,13 @@ class RecordingReader : public trace::TraceSink {
   Recording take();
 
  private:
-  using Configuration = std::vector<std::pair<std::string, double>>;
+  using Configuration = std::map<std::string, double>;
 
   void read_header(std::string_view text);
   void read_record(const std::string& type, const RecordLine& record);
   Event event_of(EventKind kind, const RecordLine& record);
+  bool read_script(const RecordLine& record, Event& event);
+  void read_work(const RecordLine& record, Event& event);
   TaskRun& run_of(EventKind kind, const RecordLine& record);
   void end_task(TaskRun& run, const RecordLine& record);
   std::size_t add_file(const std::string& path, const std::string& text);
@@ -42,6 +45,7 @@ class RecordingReader : public trace::TraceSink {
   std::map<std::string, std::size_t> open_;     ///< the run of each task that goes on
   std::map<std::string, std::size_t> planned_;  ///< in Recording::tasks
   std::map<std::string, std::size_t> files_;
+  std::set<std::string> file_names_;
   std::map<std::tuple<std::string, int, int>, std::uint32_t> places_;
   std::map<std::string, std::uint32_t> commands_;
   std::map<std::tuple<std::string, std::string, std::string>, std::uint32_t> refusals_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 #include "interpreter/diagnostic.hpp"
@@ -29,9 +30,9 @@ std::optional<Number> number_of(const std::string& word) {
 }
 
 /// How often: 1 without a word.
-std::optional<long> times(const std::vector<std::string>& words) {
+std::optional<std::int64_t> times(const std::vector<std::string>& words) {
   if (words.empty()) return 1;
-  return words.size() == 1 ? number_of<long>(words.front()) : std::nullopt;
+  return words.size() == 1 ? number_of<std::int64_t>(words.front()) : std::nullopt;
 }
 
 std::string no_count(const std::vector<std::string>& words) {
@@ -178,7 +179,7 @@ std::string Session::step(const Words& words) {
   if (!count || *count < 1) return no_count(words);
   Cursor cursor = at_;
   Cursor before = at_;
-  for (long i = 0; i < *count; ++i) {
+  for (std::int64_t i = 0; i < *count; ++i) {
     const Cursor last = cursor;
     if (!next_stop(cursor)) break;
     before = last;
@@ -192,7 +193,7 @@ std::string Session::back(const Words& words) {
   const auto count = times(words);
   if (!count || *count < 1) return no_count(words);
   Cursor cursor = at_;
-  for (long i = 0; i < *count && stop_before(cursor); ++i) {
+  for (std::int64_t i = 0; i < *count && stop_before(cursor); ++i) {
   }
   return cursor == at_ ? "this is the beginning\n" : go(cursor);
 }
@@ -201,9 +202,9 @@ std::string Session::record(const Words& words) {
   const auto count = times(words);
   if (!count || *count == 0) return no_count(words);
   Cursor cursor = at_;
-  for (long i = 0; i < *count && next_record(cursor); ++i) {
+  for (std::int64_t i = 0; i < *count && next_record(cursor); ++i) {
   }
-  for (long i = 0; i > *count && record_before(cursor); --i) {
+  for (std::int64_t i = 0; i > *count && record_before(cursor); --i) {
   }
   if (cursor == at_) return *count > 0 ? "this is the end\n" : "this is the beginning\n";
   return go(cursor);
@@ -242,8 +243,8 @@ std::string Session::go_back() {
 
 std::string Session::run_to(const Words& words) {
   const bool to = words.size() == 2 && words.front() == "to";
-  const auto number =
-      to || words.size() == 1 ? number_of<long>(words.back()) : std::optional<long>();
+  const auto number = to || words.size() == 1 ? number_of<std::int64_t>(words.back())
+                                              : std::optional<std::int64_t>();
   if (!number) return "run to what? run to N, the number of a try\n";
   const std::span<const Event> events = run().events();
   for (std::size_t i = 0; i < events.size(); ++i) {

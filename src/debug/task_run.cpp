@@ -17,6 +17,9 @@ constexpr std::size_t kBetweenCheckpoints = 1024;
 }  // namespace
 
 std::uint32_t TaskRun::add_row(const std::vector<std::pair<std::string, double>>& q) {
+  if (q.size() > kMostParameters) {
+    throw std::invalid_argument("this is no line of a trace: too many parameters");
+  }
   if (parameters_.empty()) {
     for (const auto& [name, value] : q) {
       keys_.push_back(name);
@@ -49,6 +52,10 @@ void TaskRun::add(Event event, const std::vector<std::pair<std::string, double>>
     }
     events_[last_.loops.back().entered].row = static_cast<std::uint32_t>(events_.size());
   }
+  if ((event.kind == EventKind::enter && last_.loops.size() >= kMostLoops) ||
+      (event.kind == EventKind::set && last_.variables.size() >= kMostVariables)) {
+    throw std::invalid_argument("this is no line of a trace: too many loops or variables");
+  }
   if (events_.size() % kBetweenCheckpoints == 0) checkpoints_.push_back(last_);
   events_.push_back(event);
   apply(event, last_);
@@ -70,17 +77,16 @@ std::vector<double> TaskRun::configuration(std::uint32_t row) const {
   }
   std::vector<double> values(width, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < width; ++i) {
-    for (const auto& [name, value] : before_) {
-      if (name == keys_[i]) values[i] = value;
-    }
+    const auto known = before_.find(keys_[i]);
+    if (known != before_.end()) values[i] = known->second;
   }
   return values;
 }
 
-std::vector<std::pair<std::string, double>> TaskRun::ended_at() const {
-  std::vector<std::pair<std::string, double>> q;
+std::map<std::string, double> TaskRun::ended_at() const {
+  std::map<std::string, double> q;
   const std::vector<double> values = configuration(last_.row);
-  for (std::size_t i = 0; i < values.size(); ++i) q.emplace_back(keys_[i], values[i]);
+  for (std::size_t i = 0; i < values.size(); ++i) q[keys_[i]] = values[i];
   return q;
 }
 

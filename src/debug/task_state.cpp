@@ -21,14 +21,18 @@ void begin_motion(TaskState& state) {
 
 void enter(const Event& event, TaskState& state) {
   count_round(state, event.place);
-  auto known = std::find_if(state.visits.begin(), state.visits.end(),
-                            [&](const auto& each) { return each.first == event.place; });
-  if (known == state.visits.end()) known = state.visits.insert(known, {event.place, 0});
+  const auto known = std::find_if(state.visits.begin(), state.visits.end(),
+                                  [&](const auto& each) { return each.first == event.place; });
   LoopState loop;
   loop.kind = event.text;
   loop.place = event.place;
   loop.entered = state.position;
-  loop.visit = ++known->second;
+  if (known != state.visits.end()) {
+    loop.visit = ++known->second;
+  } else if (state.visits.size() < kMostVisited) {
+    loop.visit = 1;
+    state.visits.emplace_back(event.place, 1);
+  }
   state.loops.push_back(loop);
 }
 

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <random>
 #include <stdexcept>
 
 #include "src/debug/clean_text.hpp"
 #include "src/debug/recording_reader.hpp"
+#include "tests/support/growth.hpp"
 #include "tests/support/random_cases.hpp"
 #include "tests/unit/debug/hand_trace.hpp"
 #include "tests/unit/debug/shipped_traces.hpp"
@@ -126,6 +128,43 @@ TEST(HostileTrace, ControlCharactersAreNeverPrinted) {
         "break pair \xe2\x80\xae", "break \x1b:3"}) {
     const std::string said = session.execute(command);
     EXPECT_TRUE(is_safe(said)) << command << said;
+  }
+}
+
+/// Very many different things of a kind are read in time that grows with the trace, or refused.
+TEST(HostileTrace, VeryManyThingsCostNoMoreThanTheirLines) {
+  using Line = std::function<std::string(int)>;
+  const std::string place = R"("file":"s.motion","column":1,"line":)";
+  const std::vector<Line> kinds = {
+      [&](int i) { return hand_record("enter", R"("kind":"chain",)" + place + std::to_string(i)); },
+      [](int i) { return hand_record("set", fmt::format(R"("var":"v{}","value":1)", i)); },
+      [](int i) {
+        return hand_record("which",
+                           fmt::format(R"("label":"l{0}","file":"{0}","line":1,"column":1)", i));
+      },
+      [](int i) {
+        return fmt::format(R"({{"type":"goal","task":"t{}","robot":"r","k":1,"n":1}})", i);
+      },
+      [&](int i) {
+        const std::string more = R"("kind":"chain",)" + place + std::to_string(i / 2);
+        return i % 2 == 0 ? hand_record("enter", more)
+                          : hand_record("exit", more + R"(,"reached":true,"successes":0)");
+      }};
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    const auto read = [&](int count) {
+      std::vector<std::string> lines = {hand_header()};
+      for (int i = 0; i < count; ++i) lines.push_back(kinds[kind](i));
+      if (refusal(lines).empty()) {
+        debug::Session session = session_of(lines);
+        for (const char* command :
+             {"continue", "where", "print", "tasks", "list", "back", "reverse"}) {
+          EXPECT_LT(session.execute(command).size(), 400'000u);
+        }
+      }
+    };
+    EXPECT_TRUE(grows_at_most(
+        40, [&] { read(cases(3000)); }, [&] { read(cases(60'000)); }))
+        << kind;
   }
 }
 
