@@ -21,22 +21,30 @@ Eigen::Vector4d turn_of(FrameElement::Kind kind, double degrees) {
   }
 }
 
-Floats Animation::film_times(const std::vector<double>& times) const {
-  Floats film;
-  for (const double time : times) {
-    auto next = static_cast<float>(time / speed_up_);
-    if (!film.empty() && next <= film.back()) {
-      next = std::nextafter(film.back(), std::numeric_limits<float>::infinity());
-    }
-    film.push_back(next);
+void Animation::add_key(std::vector<FilmKey>& keys, double time,
+                        const Eigen::Vector4d& value) const {
+  const auto after = [](float moment) {
+    return std::nextafter(moment, std::numeric_limits<float>::infinity());
+  };
+  const auto moment = static_cast<float>(time / speed_up_);
+  if (keys.empty() || moment > keys.back().time) {
+    keys.push_back({moment, value});
+  } else if (keys.size() > 1 && after(keys[keys.size() - 2].time) == keys.back().time) {
+    keys.back().value = value;
+  } else {
+    keys.push_back({after(keys.back().time), value});
   }
-  return film;
 }
 
 void Animation::add_channel(int node, const char* path, const char* interpolation,
-                            const Floats& times, const Floats& values, std::size_t width) {
+                            const std::vector<FilmKey>& keys, int width) {
+  Floats times, values;
+  for (const FilmKey& key : keys) {
+    times.push_back(key.time);
+    for (int i = 0; i < width; ++i) values.push_back(static_cast<float>(key.value[i]) + 0.0F);
+  }
   const int input = data_.add_times(times);
-  const int output = data_.add_values(values, width);
+  const int output = data_.add_values(values, static_cast<std::size_t>(width));
   channels_.push_back(
       {{"sampler", samplers_.size()}, {"target", {{"node", node}, {"path", path}}}});
   samplers_.push_back({{"input", input}, {"interpolation", interpolation}, {"output", output}});
@@ -46,38 +54,26 @@ void Animation::add_element(int node, const ElementCurve& curve) {
   const bool turns = curve.kind != FrameElement::Kind::trans;
   // Turns run the shorter way from key to key.
   constexpr double kShortTurn = 90;
-  const KeyCurve keys = turns ? with_short_turns(curve.keys, kShortTurn) : curve.keys;
-  std::vector<double> times;
-  Floats values;
-  for (const Key& key : keys) {
-    times.push_back(key.time);
-    if (turns) {
-      const Eigen::Vector4d turn = turn_of(curve.kind, key.value.x());
-      for (int i = 0; i < 4; ++i) values.push_back(static_cast<float>(turn[i]) + 0.0F);
-    } else {
-      for (int i = 0; i < 3; ++i) values.push_back(static_cast<float>(key.value[i]) + 0.0F);
-    }
+  std::vector<FilmKey> keys;
+  for (const Key& key : turns ? with_short_turns(curve.keys, kShortTurn) : curve.keys) {
+    const Vec3& value = key.value;
+    add_key(keys, key.time,
+            turns ? turn_of(curve.kind, value.x())
+                  : Eigen::Vector4d(value.x(), value.y(), value.z(), 0));
   }
-  add_channel(node, turns ? "rotation" : "translation", "LINEAR", film_times(times), values,
-              turns ? 4 : 3);
+  add_channel(node, turns ? "rotation" : "translation", "LINEAR", keys, turns ? 4 : 3);
 }
 
 bool Animation::add_presence(int node, const Presence& presence, double end) {
-  std::vector<double> times = {0};
-  Floats sizes = {presence.from > 0 ? 0.0F : 1.0F};
-  if (presence.from > 0) {
-    times.push_back(presence.from);
-    sizes.push_back(1);
-  }
-  if (presence.to < end) {
-    times.push_back(presence.to);
-    sizes.push_back(0);
-  }
-  if (times.size() == 1) return false;
-  Floats scales;
-  for (const float size : sizes) scales.insert(scales.end(), 3, size);
-  add_channel(node, "scale", "STEP", film_times(times), scales, 3);
-  return presence.from > 0;
+  const Eigen::Vector4d there = Eigen::Vector4d::Ones();
+  const Eigen::Vector4d gone = Eigen::Vector4d::Zero();
+  const bool late = presence.from > 0;
+  std::vector<FilmKey> keys;
+  add_key(keys, 0, late ? gone : there);
+  if (late) add_key(keys, presence.from, there);
+  if (presence.to < end) add_key(keys, presence.to, gone);
+  if (keys.size() > 1) add_channel(node, "scale", "STEP", keys, 3);
+  return late;
 }
 
 void Animation::finish(Json& document) {

@@ -11,8 +11,8 @@ struct Presence {
   double to = 0;
 };
 
-/// The one animation of a document. Times of the plan are divided by `speed_up`; two keys that fall
-/// together as floats are drawn apart by the least that there is.
+/// The one animation of a document. Times of the plan are divided by `speed_up`; of keys that fall
+/// together as floats the first and the last stay, drawn apart by the least that there is.
 class Animation {
  public:
   Animation(double speed_up, BinaryData& data) : speed_up_(speed_up), data_(data) {}
@@ -28,9 +28,14 @@ class Animation {
   void finish(Json& document);
 
  private:
-  Floats film_times(const std::vector<double>& times) const;
-  void add_channel(int node, const char* path, const char* interpolation, const Floats& times,
-                   const Floats& values, std::size_t width);
+  /// A key of the film: its time and its value.
+  struct FilmKey {
+    float time = 0;
+    Eigen::Vector4d value = Eigen::Vector4d::Zero();
+  };
+  void add_key(std::vector<FilmKey>& keys, double time, const Eigen::Vector4d& value) const;
+  void add_channel(int node, const char* path, const char* interpolation,
+                   const std::vector<FilmKey>& keys, int width);
 
   double speed_up_;
   BinaryData& data_;

@@ -10,6 +10,11 @@ namespace rubicon::gltf {
 
 namespace {
 
+/// m or degrees: no machine goes so far, and turns are cut into quarters.
+constexpr double kLargestValue = 1e8;
+/// Of one element; frames that need more are hostile.
+constexpr std::size_t kMostKeys = 4'000'000;
+
 using verify::FrameElement;
 using verify::Leg;
 using verify::Ticks;
@@ -31,8 +36,10 @@ class ElementSampler {
   }
 
   ElementCurve follow(const verify::RobotTrack& track) {
+    expect_bounds();
     for (const Leg& leg : track.legs) {
       if (leg.moves() && moves_in(leg)) add(leg);
+      expect_bounds();
     }
     const auto moves = [&](const Key& key) {
       return (key.value - curve_.start).cwiseAbs().maxCoeff() > slack_;
@@ -43,6 +50,18 @@ class ElementSampler {
   }
 
  private:
+  void expect_bounds() {
+    const auto too_large = [](const Vec3& value) {
+      return !(value.cwiseAbs().maxCoeff() <= kLargestValue) || value.hasNaN();
+    };
+    bool wrong = too_large(curve_.start) || curve_.keys.size() > kMostKeys;
+    for (; checked_ < curve_.keys.size(); ++checked_) {
+      wrong = wrong || too_large(curve_.keys[checked_].value);
+    }
+    if (!wrong) return;
+    throw verify::UnreadableInput("expected frames within bounds in robot '" + robot_.name + "'");
+  }
+
   Vec3 value(std::span<const double> q) const {
     const verify::FormulaValues at{q, {}, robot_.starts};
     if (turns_) return {element_.a.value(at), 0, 0};
@@ -112,6 +131,7 @@ class ElementSampler {
   const double slack_;
   Vec3 whole_turns_ = Vec3::Zero();
   ElementCurve curve_;
+  std::size_t checked_ = 0;  ///< keys
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ using FrameCurves = std::vector<ElementCurve>;
 
 /// How all frames of a robot move along its track. Elements whose formulas are no straight lines
 /// are sampled; keys on a line are left out. No value is off by more than kCurveSlack (m) or
-/// kTurnSlack (degrees).
+/// kTurnSlack (degrees). Throws verify::UnreadableInput for frames that go beyond all bounds.
 std::vector<FrameCurves> motion_curves(const verify::SceneRobot& robot,
                                        const verify::RobotTrack& track);
 

@@ -79,6 +79,16 @@ TEST(MotionCurves, HaveNoKeysWhereNothingMoves) {
   EXPECT_TRUE(motion_curves(turner(), standing)[0][0].keys.empty());
 }
 
+TEST(MotionCurves, RefuseFramesBeyondAllBounds) {
+  const std::vector<std::string> names = {"theta", "x"};
+  SceneRobot robot = turner();
+  for (const char* frame : {"trans(1 / x, 0, 0)", "rotz(1000000000000 * x)",
+                            "trans(1000000000000 * x, 0, 0) * rotx(x / 0)"}) {
+    robot.bodies[0].frame = verify::parse_frame(frame, names);
+    EXPECT_THROW(motion_curves(robot, track({{{0, 0}, {0, 1}}})), verify::UnreadableInput) << frame;
+  }
+}
+
 TEST(MotionCurves, StandStillBetweenSteps) {
   auto steps = track({{{0, 0}, {0, 1}}, {{0, 1}, {0, 2}}});
   steps.legs[1].from += 100 * verify::kSecond;
