@@ -52,7 +52,8 @@ project_io::SimulatedRun run_of(const taskplan::Schedule& schedule) {
     simulated.done = task.result == TaskResult::done;
     simulated.start = moment(task.start);
     simulated.finish = moment(task.start + task.duration);
-    simulated.elapsed_seconds = seconds(task.start + task.duration) - seconds(task.start);
+    simulated.start_seconds = seconds(task.start);
+    simulated.finish_seconds = seconds(task.start + task.duration);
     simulated.note = note_of(schedule, task);
   }
   return run;

@@ -63,6 +63,7 @@ class ChartBuilder {
     Lane& lane = chart_.resources.emplace_back();
     lane.name = use.name;
     lane.note = use_label(schedule_, use);
+    lane.brief = percent_label(use);
     const auto off = off_.find(use.name);
     if (off != off_.end()) lane.off = off->second;
   }

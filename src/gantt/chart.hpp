@@ -29,7 +29,8 @@ struct Bar {
 /// A machine, a crew, a task or a group of tasks through time.
 struct Lane {
   std::string name;
-  std::string note;  ///< how it was used, or when it was done
+  std::string note;   ///< how it was used, or how long it took
+  std::string brief;  ///< the same where there is little room
   std::vector<Bar> bars;
   std::vector<Span> off;  ///< out of its shifts
 };

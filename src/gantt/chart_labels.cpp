@@ -53,6 +53,10 @@ std::string use_label(const Schedule& schedule, const taskplan::ResourceUse& use
   return text;
 }
 
+std::string percent_label(const taskplan::ResourceUse& use) {
+  return fmt::format("{:.0f} %", 100 * use.utilisation());
+}
+
 std::string task_label(const Schedule& schedule, const TaskOutcome& task, bool critical) {
   std::string text =
       fmt::format("{}\n{} to {} ({} h)", task.task, moment_label(schedule, task.start),

@@ -19,6 +19,9 @@ std::vector<std::string> fact_labels(const taskplan::Schedule& schedule);
 /// How a robot or crew was used, in short.
 std::string use_label(const taskplan::Schedule& schedule, const taskplan::ResourceUse& use);
 
+/// The same, shorter: "16 %".
+std::string percent_label(const taskplan::ResourceUse& use);
+
 /// All about a task, in lines.
 std::string task_label(const taskplan::Schedule& schedule, const taskplan::TaskOutcome& task,
                        bool critical);

@@ -25,7 +25,7 @@ std::string place_of(const std::string& task) {
 Lane group_row(const std::string& place, const std::vector<const Bar*>& tasks) {
   Lane row;
   row.name = place;
-  row.note = fmt::format("{} tasks", tasks.size());
+  row.brief = fmt::format("{} tasks", tasks.size());
   for (const Bar* task : tasks) row.bars.push_back(*task);
   return row;
 }
@@ -37,7 +37,8 @@ std::vector<Lane> chart_rows(const std::vector<Bar>& tasks, std::string& title) 
   title = "Tasks";
   if (tasks.size() <= kMostRows) {
     for (const Bar& task : tasks) {
-      rows.push_back({task.name, report::clock_text(task.span.to - task.span.from), {task}, {}});
+      rows.push_back(
+          {task.name, {}, report::clock_text(task.span.to - task.span.from), {task}, {}});
     }
     return rows;
   }

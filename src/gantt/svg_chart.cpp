@@ -20,6 +20,8 @@ constexpr double kLeft = 252;  ///< where time begins
 constexpr double kPlot = kWidth - kLeft - kMargin;
 constexpr double kLaneHeight = 46;
 constexpr double kLaneBar = 20;
+/// Of more lanes the labels are left out.
+constexpr std::size_t kMostTallLanes = 20;
 constexpr double kRowHeight = 17;
 constexpr double kRowBar = 10;
 constexpr double kTextSize = 12;
@@ -29,6 +31,9 @@ constexpr int kMostMarks = 25;
 constexpr double kLeastLabel = 22;
 /// Bytes of a longer name that still tell what it is.
 constexpr std::size_t kLeastShown = 12;
+/// In lanes with more bars those that are narrower than a pixel have no title: they would make the
+/// file large, and nobody can point at them.
+constexpr std::size_t kMostTitles = 1000;
 /// What takes less time is drawn this wide all the same.
 constexpr double kLeastWidth = 1;
 /// Bars narrower than this have no outline: it would hide them.
@@ -58,7 +63,9 @@ class SvgWriter {
     write_legend();
     const double top = y_ + 44;
     y_ = top;
-    write_lanes("Machines and crews", chart_.resources, kLaneHeight, kLaneBar);
+    const bool many = chart_.resources.size() > kMostTallLanes;
+    write_lanes("Machines and crews", chart_.resources, many ? kRowHeight : kLaneHeight,
+                many ? kRowBar : kLaneBar);
     if (!chart_.rows.empty()) {
       write_off(chart_.nobody, y_ + 24, kRowHeight * static_cast<double>(chart_.rows.size()));
       write_lanes(chart_.rows_title, chart_.rows, kRowHeight, kRowBar);
@@ -167,10 +174,10 @@ class SvgWriter {
       clipped_text(kMargin, y_ + 34, kRoom, kSmallSize, lane.note);
       return;
     }
-    const double note = lane.note.empty() ? 0 : text_width(lane.note, kSmallSize) + 8;
+    const double note = lane.brief.empty() ? 0 : text_width(lane.brief, kSmallSize) + 8;
     clipped_text(kMargin, y_ + 12.5, kRoom - note, 11, lane.name);
-    if (!lane.note.empty()) {
-      text(kLeft - 12, y_ + 12.5, kSmallSize, kFaint, lane.note, " text-anchor=\"end\"");
+    if (!lane.brief.empty()) {
+      text(kLeft - 12, y_ + 12.5, kSmallSize, kFaint, lane.brief, " text-anchor=\"end\"");
     }
   }
 
@@ -196,6 +203,7 @@ class SvgWriter {
     write_critical(bars, top, height);
     std::string titles;
     for (const Bar& bar : bars) {
+      if (bars.size() > kMostTitles && x_of(bar.span.to) - x_of(bar.span.from) < 1) continue;
       titles += fmt::format(
           "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>{}</title></rect>\n",
           length_text(x_of(bar.span.from)), length_text(top),

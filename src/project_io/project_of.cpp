@@ -37,7 +37,7 @@ class ProjectBuilder {
     build_tasks();
     build_links();
     build_assignments();
-    if (run_ != nullptr) take_run(*run_, plan_names(), project_);
+    if (run_ != nullptr) take_run(*run_, planned_lines(), project_);
     tidy_project(project_, {}, listing_);
     listing_.report(diagnostics_);
     return std::move(project_);
@@ -405,11 +405,19 @@ class ProjectBuilder {
     }
   }
 
-  /// Of each line, its name in the plan; "" if the plan has no task for it.
-  std::vector<std::string> plan_names() const {
-    std::vector<std::string> names;
-    for (const TaskSpec* spec : specs_) names.push_back(spec != nullptr ? spec->name : "");
-    return names;
+  /// The lines as the plan has them. A line that is done in parts has a task that moves something
+  /// for each, which waits for the line to begin.
+  std::vector<PlannedLine> planned_lines() const {
+    std::unordered_map<std::string, std::vector<std::string>> waiting;
+    for (const TaskSpec& spec : plan_.tasks) {
+      if (!spec.move) continue;
+      for (const interpreter::LinkSpec& link : spec.after) {
+        waiting[plan_.tasks[static_cast<std::size_t>(link.task)].name].push_back(spec.name);
+      }
+    }
+    std::vector<PlannedLine> lines;
+    for (const std::string& name : names_) lines.push_back({name, waiting[name + "_begins"]});
+    return lines;
   }
 
   const PlanModel& plan_;

@@ -64,6 +64,18 @@ TEST(SvgChart, StaysSmallWithManyTasks) {
   EXPECT_LT(svg_chart(make_chart(schedule_of(names), nullptr, "big")).size(), 2'000'000U);
 }
 
+TEST(SvgChart, DrawsManyCrewsInLowLanes) {
+  Schedule schedule = schedule_of({"a"});
+  const auto height = [&](std::size_t crews) {
+    schedule.resources.resize(crews);
+    pugi::xml_document document;
+    document.load_string(svg_chart(make_chart(schedule, nullptr, "")).c_str());
+    return document.child("svg").attribute("height").as_double();
+  };
+  EXPECT_NEAR(height(20) - height(10), 10 * 46, 1e-9);
+  EXPECT_NEAR(height(90) - height(40), 50 * 17, 1e-9);
+}
+
 TEST(SvgChart, DrawsAnEmptyPlan) {
   const std::string svg = svg_chart(make_chart(Schedule{}, nullptr, "nothing"));
   pugi::xml_document document;
