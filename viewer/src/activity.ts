@@ -1,4 +1,4 @@
-import type { Film } from './film';
+import { kinds, type Film } from './film';
 
 /** What a robot or a crew does at a moment: a stretch of a run that is not motion. */
 interface Stretch {
@@ -13,9 +13,11 @@ export class Activity {
   private readonly stretches = new Map<number, Stretch[]>();
 
   constructor(private readonly film: Film) {
+    const codes = film.column('record.kind');
+    const [works, pauses] = [kinds.indexOf('work'), kinds.indexOf('pause')];
     for (let record = 0; record < film.records; ++record) {
+      if (codes[record] !== works && codes[record] !== pauses) continue;
       const kind = film.kind(record);
-      if (kind !== 'work' && kind !== 'pause') continue;
       const run = film.run(record);
       const all = this.stretches.get(run) ?? [];
       if (all.length === 0) this.stretches.set(run, all);

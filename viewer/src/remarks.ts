@@ -1,8 +1,8 @@
 import type { Header } from './header';
 
 /**
- * What the plan's texts say in the lines directly above `component NAME {`: for imported elements their storey, type, name and GlobalId.
- * By the name in the text; that of a component of a module is the last part of its full name.
+ * What the plan's texts say in the lines directly above `component NAME {`: for imported elements their storey, type, name and
+ * GlobalId. By the name in the text; that of a component of a module is the last part of its full name.
  */
 export function readRemarks(header: Header): Map<string, string> {
   const remarks = new Map<string, string>();

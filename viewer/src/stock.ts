@@ -1,8 +1,11 @@
 import { Matrix4 } from 'three';
-import type { Film } from './film';
+import { kinds, type Film } from './film';
 import { poseMatrix, quaternionMatrix } from './kinematics';
 
-/** What became of a component: it waits where it was at first, hangs on a machine, stands where it was put, or has left the site. */
+/**
+ * What became of a component: it waits where it was at first, hangs on a machine, stands where it was put, or has left the
+ * site.
+ */
 export type State = 'waiting' | 'carried' | 'placed' | 'removed';
 
 /** A component at a moment. `pose` is X_WO, but X_TO while it is carried by the robot of number `robot` (else -1). */
@@ -22,8 +25,8 @@ interface Event extends Item {
 }
 
 /**
- * Where every component is at a moment, forwards and backwards: events in the order of time and a cursor that remembers for each what was
- * before it, so that going on costs what happens in between, not how much there is.
+ * Where every component is at a moment, forwards and backwards: events in the order of time and a cursor that remembers for
+ * each what was before it, so that going on costs what happens in between, not how much there is.
  */
 export class Stock {
   /** One for each component of the header, as of the last `seek`. */
@@ -40,8 +43,10 @@ export class Stock {
   constructor(private readonly film: Film) {
     this.first = film.header.components.map((component) => ({ state: 'waiting', robot: -1, pose: poseMatrix(component.pose) }));
     this.items = [...this.first];
+    const codes = film.column('record.kind');
+    const wanted = new Set([kinds.indexOf('attach'), kinds.indexOf('detach'), kinds.indexOf('remove')]);
     for (let record = 0; record < film.records; ++record) {
-      const event = this.read(record);
+      const event = wanted.has(codes[record]) ? this.read(record) : null;
       if (!event) continue;
       if (film.runs[event.run].happened) this.events.push(event);
       else if (this.tries.has(event.run)) this.tries.get(event.run)?.push(event);
@@ -56,8 +61,8 @@ export class Stock {
   }
 
   /**
-   * Goes to a moment (s). `tried`: a rejected run that is shown as if it had happened, -1 for none: what its robot did in its stead is not,
-   * and what it tried itself is. Returns the components that are not as they were.
+   * Goes to a moment (s). `tried`: a rejected run that is shown as if it had happened, -1 for none: what its robot did in its
+   * stead is not, and what it tried itself is. Returns the components that are not as they were.
    */
   seek(time: number, tried = -1): Set<number> {
     const before = new Map<number, Item>();

@@ -43,14 +43,18 @@ export function makeBigFilm({ components, tries }: BigFilm): Uint8Array {
     header: {
       start_at: '2026-03-02 07:00', site: [makeBox([-40, -40, -0.5], [4 * side + 10, 4 * side + 10, 0])],
       components: names.map((name, i) => ({
-        name, pose: at({ x: -30 + (i % 8) * 2.5, y: Math.floor(i / 8) % 64, z: 0.3 * Math.floor(i / 512) }), grip: at({ x: 0, y: 0, z: 3 }),
-        mass: 2400, shapes: i % 3 === 0 ? slab : panel,
+        name, pose: at({ x: -30 + (i % 8) * 2.5, y: Math.floor(i / 8) % 64, z: 0.3 * Math.floor(i / 512) }),
+        grip: at({ x: 0, y: 0, z: 3 }), mass: 2400, shapes: i % 3 === 0 ? slab : panel,
       })),
       robots: [makeHoist('hoist')],
-      tasks: names.map((name, i) => ({ name: `set_${name}`, robot: 'hoist', crews: [], move: name, to: at(place(i)), zones: [], after: [] })),
+      tasks: names.map((name, i) => ({
+        name: `set_${name}`, robot: 'hoist', crews: [], move: name, to: at(place(i)), zones: [], after: [],
+      })),
     },
     strings: ['', 'move_to', 'x'],
-    runs: names.map((name, i) => ({ task: `set_${name}`, start: i * secondsEach, end: (i + 1) * secondsEach - 1, result: 'done' as const })),
+    runs: names.map((name, i) => ({
+      task: `set_${name}`, start: i * secondsEach, end: (i + 1) * secondsEach - 1, result: 'done' as const,
+    })),
     records, tracks: [{ robot: 0, run: -1, keys }], end,
   });
 }

@@ -8,7 +8,9 @@ function apart(a: number[], b: number[]): number {
   return Math.max(...a.map((value, i) => Math.abs(value - b[i])));
 }
 
-function robot(bodies: [string, string | null, string][], tool: [string, string], parameters: string[], pose = identity): RobotData {
+type Body = [name: string, parent: string | null, frame: string];
+
+function robot(bodies: Body[], tool: [string, string], parameters: string[], pose = identity): RobotData {
   return {
     ...makeHoist('made', pose),
     bodies: bodies.map(([name, parent, frame]) => ({ name, parent, frame, shapes: [] })),
@@ -18,11 +20,11 @@ function robot(bodies: [string, string | null, string][], tool: [string, string]
 }
 
 // Out of traces of taskplans/two_cranes.plan and crane_and_trucks.plan: the configuration at a detach, X_TO of the attach, X_WO.
-const crane: [string, string | null, string][] = [
+const crane: Body[] = [
   ['mast', null, 'trans(0, 0, 0)'], ['jib', 'mast', 'rotz(jib.theta)'], ['trolley', 'jib', 'trans(x, 0, 31.2)'],
   ['hook', 'trolley', 'trans(0, 0, hook.z - 31.2) * rotz(hook.theta)'],
 ];
-const high: [string, string | null, string][] = [
+const high: Body[] = [
   ['mast', null, 'trans(0, 0, 0)'], ['jib', 'mast', 'rotz(jib.theta)'], ['trolley', 'jib', 'trans(x, 0, 49.7)'],
   ['hook', 'trolley', 'trans(0, 0, 0.2923 * hook.z - 27.7)'],
 ];
@@ -33,12 +35,13 @@ test.each([
   ['a low crane sets wall_1', robot(crane, ['hook', 'trans(0, 0, 0)'], parameters, at(-25, 0)),
     [30.46554491945988, 19.72308292331602, 3.8000000000000007, 59.53445508054012], [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -3.8],
     [0, -1, 0, -8, 1, 0, 0, 10, 0, 0, 1, 0]],
-  ['a high crane sets wall_2', robot(high, ['hook', 'trans(0, 0, 0.7077 * hook.z - 22) * rotz(hook.theta)'], parameters, at(25, 0)),
+  ['a high crane sets wall_2',
+    robot(high, ['hook', 'trans(0, 0, 0.7077 * hook.z - 22) * rotz(hook.theta)'], parameters, at(25, 0)),
     [162.12130340415865, 32.57299494980467, 3.7999999999999976, -72.12130340415865], [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -3.8],
     [0, -1, 0, -6, 1, 0, 0, 10, 0, 0, 1, 0]],
   ['a tow motor brings mortar_2',
-    robot([['truck', null, 'trans(x, y, 0) * rotz(theta)'], ['forks', 'truck', 'trans(0.5, 0, z)']], ['forks', 'trans(0.6, 0, 2)'],
-          ['x', 'y', 'theta', 'z']),
+    robot([['truck', null, 'trans(x, y, 0) * rotz(theta)'], ['forks', 'truck', 'trans(0.5, 0, z)']],
+          ['forks', 'trans(0.6, 0, 2)'], ['x', 'y', 'theta', 'z']),
     [11.4, 7.9, 90, 2.0816681711721685e-16], [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -2], [0, -1, 0, 11.4, 1, 0, 0, 9, 0, 0, 1, 0]],
 ])('%s where the simulator says', (_, made, q, X_TO, X_WO) => {
   const mechanism = new Mechanism(made);
@@ -59,7 +62,8 @@ test('turns about each axis go by the right hand', () => {
 });
 
 test('a body may stand before its parent in the header', () => {
-  const mechanism = new Mechanism(robot([['hook', 'jib', 'trans(0, 0, 1)'], ['jib', null, 'trans(a, 0, 0)']], ['hook', 'trans(0, 0, 1)'], ['a']));
+  const bodies: Body[] = [['hook', 'jib', 'trans(0, 0, 1)'], ['jib', null, 'trans(a, 0, 0)']];
+  const mechanism = new Mechanism(robot(bodies, ['hook', 'trans(0, 0, 1)'], ['a']));
   mechanism.place([5]);
   expect(poseRows(mechanism.tool)).toEqual([1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 2]);
   expect(mechanism.chain()).toEqual([1, 0]);

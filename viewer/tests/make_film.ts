@@ -36,8 +36,8 @@ export const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
 
 export function makeHeader(part: Partial<Header> = {}): Header {
   return {
-    plan: 'made', path: 'made.plan', form: 'full', detail: 'steps', start_at: null, currency: '', calendars: [], files: [], site: [],
-    components: [], robots: [], carry: [], crews: [], tasks: [], meshes: [], ...part,
+    plan: 'made', path: 'made.plan', form: 'full', detail: 'steps', start_at: null, currency: '', calendars: [], files: [],
+    site: [], components: [], robots: [], carry: [], crews: [], tasks: [], meshes: [], ...part,
   };
 }
 

@@ -45,9 +45,12 @@ describe.each([['at the origin', identity], ['turned and shifted', turned]])('%s
 });
 
 test('normals look the way the triangles do', () => {
-  for (const shape of [{ type: 'box', lower: [0, 0, 0], upper: [1, 2, 3], pose: turned }, { type: 'cylinder', radius: 1, z0: 0, z1: 1, pose: turned },
-    { type: 'mesh', mesh: 0, pose: turned }, { type: 'capsule', a: [0, 0, 0], b: [0, 2, 0], radius: 1, pose: turned }] as ShapeData[]) {
-    const { positions, normals, corners } = surfaceOf(shape).arrays();
+  const shapes: Omit<ShapeData, 'pose'>[] = [
+    { type: 'box', lower: [0, 0, 0], upper: [1, 2, 3] }, { type: 'cylinder', radius: 1, z0: 0, z1: 1 }, { type: 'mesh', mesh: 0 },
+    { type: 'capsule', a: [0, 0, 0], b: [0, 2, 0], radius: 1 },
+  ];
+  for (const shape of shapes) {
+    const { positions, normals, corners } = surfaceOf({ ...shape, pose: turned }).arrays();
     for (let i = 0; i < corners.length; i += 3) {
       const [a, b, c] = [0, 1, 2].map((k) => new Vector3().fromArray(positions, 3 * corners[i + k]));
       const face = b.clone().sub(a).cross(c.clone().sub(a));

@@ -20,7 +20,8 @@ function shown(stock: Stock): string {
 const made = {
   header: { components: [component('a', 0), component('b', 1), component('c', 2)], robots: [makeHoist('one'), makeHoist('two')] },
   runs: [{ task: 'first', robot: 0, start: 0, end: 20 }, { task: 'again', robot: 1, start: 20, end: 40 },
-    { task: 'no', robot: 0, start: 20, end: 50, result: 'rejected' as const, happened: false }, { task: 'after', robot: 0, start: 20, end: 30 }],
+    { task: 'no', robot: 0, start: 20, end: 50, result: 'rejected' as const, happened: false },
+    { task: 'after', robot: 0, start: 20, end: 30 }],
   records: [
     attach(0, 5, 0), detach(0, 10, 0, 7), attach(2, 25, 2), detach(2, 35, 2, 8), attach(3, 22, 1), detach(3, 28, 1, 3),
     attach(1, 24, 0), detach(1, 36, 0, 9), remove(1, 38, 0),

@@ -8,7 +8,9 @@ import { Quality } from '../src/view/quality';
 import { cabOf } from '../src/view/ride';
 import { makeFilm, makeHoist } from './make_film';
 
-test.each([['u_1_2.wall_3', 'wall'], ['north_1', 'north'], ['slab', 'slab'], ['d_1_1.pallet', 'pallet'], ['12', '12']])('%s is a %s', (name, kind) => {
+test.each([
+  ['u_1_2.wall_3', 'wall'], ['north_1', 'north'], ['slab', 'slab'], ['d_1_1.pallet', 'pallet'], ['12', '12'],
+])('%s is a %s', (name, kind) => {
   expect(kindOf(name)).toBe(kind);
 });
 

@@ -1,5 +1,7 @@
-import { BufferAttribute, BufferGeometry, DataTexture, FloatType, GLSL3, type Matrix4, Mesh, NearestFilter, RGBAFormat, ShaderMaterial,
-  type IUniform, Vector3 } from 'three';
+import {
+  BufferAttribute, BufferGeometry, DataTexture, FloatType, GLSL3, type IUniform, type Matrix4, Mesh, NearestFilter, RGBAFormat,
+  ShaderMaterial, Vector3,
+} from 'three';
 import { fragmentShader, pickShader, vertexShader } from './batch_shader';
 import type { Surface } from './surface';
 import type { Colour, Theme } from './theme';
@@ -33,8 +35,10 @@ export interface Light {
 }
 
 export function makeLight(): Light {
-  return { edge: { value: new Vector3() }, selected: { value: new Vector3() }, gridColour: { value: new Vector3() }, section: { value: 1e9 },
-    pixelRatio: { value: 1 } };
+  return {
+    edge: { value: new Vector3() }, selected: { value: new Vector3() }, gridColour: { value: new Vector3() },
+    section: { value: 1e9 }, pixelRatio: { value: 1 },
+  };
 }
 
 export function setLight(light: Light, theme: Theme): void {
@@ -44,8 +48,8 @@ export function setLight(light: Light, theme: Theme): void {
 }
 
 /**
- * Many elements in one draw call, however many and whatever their shapes: their triangles stand in one buffer, and where each element is
- * and how it looks in a table (a texture) that the shader reads.
+ * Many elements in one draw call, however many and whatever their shapes: their triangles stand in one buffer, and where each
+ * element is and how it looks in a table (a texture) that the shader reads.
  */
 export class Batch {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
@@ -107,7 +111,10 @@ export class Batch {
     }
   }
 
-  /** Draws with the numbers of elements for colours while `draw` runs; not at all if it is not there to be picked or not to be seen. */
+  /**
+   * Draws with the numbers of elements for colours while `draw` runs; not at all if it is not there to be picked or not to be
+   * seen.
+   */
   pickWhile(draw: () => void): void {
     const { material } = this.mesh;
     if (!this.picking || !this.mesh.visible) return;

@@ -1,5 +1,6 @@
-// The shaders of a Batch. Light is soft: from the sky above, and a little sun, computed at corners; edges are lines as wide as the `rim`
-// numbers of a corner say (surface.ts), smoothed by themselves, so that the picture needs no other smoothing within a shape.
+// The shaders of a Batch. Light is soft: from the sky above, and a little sun, computed at corners; edges are lines as wide as
+// the `rim` numbers of a corner say (surface.ts), smoothed by themselves, so that the picture needs no other smoothing within a
+// shape.
 
 // What a kind of batch has no use for is left out: on a software renderer each number that runs across a triangle costs.
 

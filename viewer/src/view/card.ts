@@ -63,7 +63,9 @@ export class Card {
     const { name, mass } = header.components[index];
     const rows: Row[] = [];
     const item = this.model.stock.items[index];
-    rows.push(['Now', item.state === 'carried' ? `carried by ${header.robots[item.robot]?.name ?? 'a machine'}` : stateWords[item.state]]);
+    const carrier = header.robots[item.robot]?.name ?? 'a machine';
+    const now = item.state === 'carried' ? `carried by ${carrier}` : stateWords[item.state];
+    rows.push(['Now', now]);
     if (mass > 0) rows.push(['Mass', mass >= 1000 ? `${quantity(mass / 1000, 2)} t` : `${quantity(mass, 0)} kg`]);
     for (const task of header.tasks) if (task.move === name) rows.push(['Task', task.name], ...this.times(task.name));
     return [name, remarkOf(this.remarks, name), rows];

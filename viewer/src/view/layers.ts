@@ -5,8 +5,9 @@ import { mixed, type Theme } from './theme';
 const skyStripes = 64;
 
 /**
- * Two pictures with their depths: what stands still, drawn only when it is not as it was, and what is shown: a copy of the first with what
- * moves drawn over it. So a picture costs what moves, however large the building is; copying is cheap even without a graphics card.
+ * Two pictures with their depths: what stands still, drawn only when it is not as it was, and what is shown: a copy of the
+ * first with what moves drawn over it. So a picture costs what moves, however large the building is; copying is cheap even
+ * without a graphics card.
  */
 export class Layers {
   private readonly still = new WebGLRenderTarget();

@@ -5,7 +5,7 @@
 export function momentText(startAt: string | null, seconds: number): string {
   const begin = startAt ? Date.parse(`${startAt.replace(' ', 'T')}Z`) : Number.NaN;
   const whole = Math.floor(seconds + 1e-6);
-  if (Number.isNaN(begin)) return new Date(whole * 1000).toISOString().slice(11, 19).replace(/^\d\d/, String(Math.floor(whole / 3600)));
+  if (Number.isNaN(begin)) return `${Math.floor(whole / 3600)}${new Date(whole * 1000).toISOString().slice(13, 19)}`;
   const date = new Date(begin + whole * 1000);
   const day = date.toLocaleDateString('en-GB', { day: 'numeric', month: 'short', timeZone: 'UTC' });
   return `${day} ${date.toISOString().slice(11, 16)}`;

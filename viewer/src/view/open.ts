@@ -12,6 +12,7 @@ export function openSiteView(host: HTMLElement, film: Film, motion: Motion, play
   } catch (error) {
     why = error instanceof Error ? error.message : String(error);
   }
-  host.replaceChildren(make('p', 'view-note', `The site cannot be shown in 3D: ${why}. Schedule, numbers and steps are there without it.`));
+  const note = `The site cannot be shown in 3D: ${why}. Schedule, numbers and steps are there without it.`;
+  host.replaceChildren(make('p', 'view-note', note));
   return null;
 }

@@ -26,8 +26,8 @@ export class Overlay {
   }
 
   /**
-   * Shows what belongs to the runs that go on. `met`: what a refused step met, in its words; a zone of that name is pointed out. Returns
-   * whether something is not as it was.
+   * Shows what belongs to the runs that go on. `met`: what a refused step met, in its words; a zone of that name is pointed
+   * out. Returns whether something is not as it was.
    */
   show(running: number[], zones: boolean, met: string, theme: Theme): boolean {
     const key = `${running.join(' ')} ${zones} ${met} ${theme.dark}`;

@@ -7,7 +7,8 @@ export class Picker {
   private readonly target = new WebGLRenderTarget(1, 1);
   private readonly pixel = new Uint8Array(4);
 
-  constructor(private readonly renderer: WebGLRenderer, private readonly camera: PerspectiveCamera, private readonly model: SiteModel) {}
+  constructor(private readonly renderer: WebGLRenderer, private readonly camera: PerspectiveCamera,
+              private readonly model: SiteModel) {}
 
   /** The component or robot at a place in the window (CSS pixels), null if there is none. */
   at(x: number, y: number): Selection | null {
@@ -30,8 +31,8 @@ export class Picker {
   }
 
   /**
-   * Points on the faces of a box ({W}, m) that are in the picture, which goes from -1 to 1; `share`: where between the middle of a face
-   * (0.5) and its rim.
+   * Points on the faces of a box ({W}, m) that are in the picture, which goes from -1 to 1; `share`: where between the middle
+   * of a face (0.5) and its rim.
    */
   pointsOf(box: Box3, share: number): Vector3[] {
     if (box.isEmpty()) return [];

@@ -6,10 +6,11 @@ import type { Mechanism } from '../kinematics';
 const highUp = 8;
 
 /**
- * The eye of who drives a machine, and what they look at, in {W} (m): aboard the first body that turns or drives, beside and below its near
- * end if that is high up (a crane's jib), else behind and above it (a vehicle). They look at the tool.
+ * The eye of who drives a machine, and what they look at, in {W} (m): aboard the first body that turns or drives, beside and
+ * below its near end if that is high up (a crane's jib), else behind and above it (a vehicle). They look at the tool.
  */
-export function cabOf(mechanism: Mechanism, bounds: (body: number) => Box3, moves: (body: number) => boolean): { eye: Vector3; at: Vector3 } {
+export function cabOf(mechanism: Mechanism, bounds: (body: number) => Box3,
+                      moves: (body: number) => boolean): { eye: Vector3; at: Vector3 } {
   const chain = mechanism.chain();
   const body = chain.find(moves) ?? chain[0];
   const at = new Vector3().setFromMatrixPosition(mechanism.tool);
@@ -26,7 +27,8 @@ export function cabOf(mechanism: Mechanism, bounds: (body: number) => Box3, move
   if (low > highUp) {
     eye.addScaledVector(forward, 1.5).addScaledVector(side, 1.9).setZ(box.min.z - 0.2);
   } else {
-    const back = box.isEmpty() ? 3 : Math.abs(forward.x) * (box.max.x - box.min.x) + Math.abs(forward.y) * (box.max.y - box.min.y);
+    const size = box.isEmpty() ? new Vector3(3, 3, 1) : box.getSize(new Vector3());
+    const back = Math.abs(forward.x) * size.x + Math.abs(forward.y) * size.y;
     eye.addScaledVector(forward, -0.9 * back - 2).setZ((box.isEmpty() ? 1 : box.max.z) + 1.6);
   }
   return { eye: eye.applyMatrix4(pose), at };

@@ -9,7 +9,10 @@ import type { Theme } from './theme';
 const shortest = 1;
 const plumb = 1e-3;
 
-/** What bodies leave out: ropes from a trolley to its hook, slings from the hook to the load, and where on the ground the hook is. */
+/**
+ * What bodies leave out: ropes from a trolley to its hook, slings from the hook to the load, and where on the ground the hook
+ * is.
+ */
 export class Ropes {
   readonly strokes: Strokes;
 
@@ -38,12 +41,13 @@ export class Ropes {
     let lowest = tool.z;
     const hang = (corners: Vector3[]) => {
       for (const corner of corners) lowest = Math.min(lowest, corner.z);
-      for (const corner of corners.filter((_, i) => i >= 4)) if (corner.z < tool.z - 0.1) this.strokes.add(tool, corner, theme.rope, 0.9);
+      for (const corner of corners.slice(4)) if (corner.z < tool.z - 0.1) this.strokes.add(tool, corner, theme.rope, 0.9);
     };
     for (const i of model.loaded) {
       if (model.stock.items[i].robot !== machine.robot || model.componentBounds[i].isEmpty()) continue;
       hang(cornersOf(model.componentBounds[i]).map((corner) => corner.applyMatrix4(model.poses[i])));
     }
-    if (lowest > ground + 0.1) this.strokes.add(new Vector3(tool.x, tool.y, lowest), new Vector3(tool.x, tool.y, ground), theme.rope, 0.35);
+    const [high, low] = [lowest, ground].map((z) => new Vector3(tool.x, tool.y, z));
+    if (lowest > ground + 0.1) this.strokes.add(high, low, theme.rope, 0.35);
   }
 }

@@ -1,7 +1,7 @@
 import { Box3, Group, Matrix4, Vector3 } from 'three';
 import type { Film, Track } from '../film';
 import type { RobotData, ShapeData } from '../header';
-import { Mechanism, poseMatrix } from '../kinematics';
+import { Mechanism, poseMatrix, poseRows } from '../kinematics';
 import type { Motion } from '../motion';
 import { Stock } from '../stock';
 import { Batch, type Light } from './batch';
@@ -78,7 +78,8 @@ export class SiteModel {
     this.carry = header.carry.length > 0 && this.robots.length > 0 ? bodies.push(header.carry) - 1 : -1;
     this.machineBounds = this.shapes.surface(bodies).bounds;
     const roomy = this.robots.flatMap((machine) => envelopesOf(header.robots[machine.robot], machine, this.machineBounds));
-    const only = (wanted: boolean) => this.shapes.surface(bodies.map((shapes, i) => (roomy.includes(i) === wanted ? shapes : [])));
+    const only = (wanted: boolean) =>
+      this.shapes.surface(bodies.map((shapes, i) => (roomy.includes(i) === wanted ? shapes : [])));
     this.machines = new Batch(only(false), bodies.length, light, { pick: 1 + header.components.length });
     this.envelopes = new Batch(only(true), bodies.length, light, { translucent: true });
     this.envelopes.mesh.renderOrder = 4;
@@ -92,7 +93,8 @@ export class SiteModel {
     let ground = areas.indexOf(Math.max(...areas));
     if (ground < 0) {
       const box = this.plain();
-      ground = site.push([{ type: 'box', pose: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], lower: box.min.toArray(), upper: box.max.toArray() }]) - 1;
+      const pose = poseRows(new Matrix4());
+      ground = site.push([{ type: 'box', pose, lower: box.min.toArray(), upper: box.max.toArray() }]) - 1;
       bounds.push(box);
     }
     this.ground = { element: ground, box: bounds[ground] };
@@ -124,7 +126,9 @@ export class SiteModel {
     if (this.carry >= 0) this.machines.setPose(this.carry, this.robots[0].mechanism.tool);
     const changed = this.stock.seek(time, tried);
     if (changed.size > 0) this.load();
-    for (const i of changed) if (!this.loaded.includes(i)) this.components.setPose(i, this.poses[i].copy(this.stock.items[i].pose));
+    for (const i of changed) {
+      if (!this.loaded.includes(i)) this.components.setPose(i, this.poses[i].copy(this.stock.items[i].pose));
+    }
     this.loaded.forEach((component, i) => {
       const { pose, robot } = this.stock.items[component];
       this.poses[component].copy(pose);
@@ -151,7 +155,7 @@ export class SiteModel {
   partsOf(name: string): Part[] {
     if (name === 'load') {
       if (this.carry >= 0) return [{ batch: 'machine', element: this.carry }];
-      return this.stock.items.flatMap((item, element) => (item.state === 'carried' ? [{ batch: 'component' as const, element }] : []));
+      return this.loaded.map((element) => ({ batch: 'component', element }));
     }
     const chart = 'the load chart of ';
     return this.parts.get(name.startsWith(chart) ? name.slice(chart.length) : name) ?? [];
@@ -238,8 +242,8 @@ function envelopesOf(robot: RobotData, { mechanism, first }: Machine, bounds: Bo
   };
   return robot.touching.flatMap((pair) => {
     const [a, b] = pair.map(box);
-    const inside = (outer: Box3, inner: Box3) =>
-      !inner.isEmpty() && outer.min.x < inner.min.x && outer.min.y < inner.min.y && outer.max.x > inner.max.x && outer.max.y > inner.max.y;
+    const within = (a: Box3, b: Box3, axis: 'x' | 'y') => a.min[axis] < b.min[axis] && a.max[axis] > b.max[axis];
+    const inside = (outer: Box3, inner: Box3) => !inner.isEmpty() && within(outer, inner, 'x') && within(outer, inner, 'y');
     return [...(inside(a.around, b.around) ? [a.element] : []), ...(inside(b.around, a.around) ? [b.element] : [])];
   });
 }

@@ -81,7 +81,8 @@ export class SiteView {
     canvas.setAttribute('role', 'img');
     host.append(canvas, this.section.element, this.toolbar.element, this.card.element);
     if (film.header.components.length + film.header.robots.length + film.header.site.length === 0) {
-      host.append(make('p', 'view-note', 'This plan has no site, no components and no machines: there is nothing to see here yet.'));
+      const note = 'This plan has no site, no components and no machines: there is nothing to see here yet.';
+      host.append(make('p', 'view-note', note));
     }
     this.listen(canvas);
     bindKeys(canvas, {
@@ -105,7 +106,10 @@ export class SiteView {
     requestAnimationFrame(frame);
   }
 
-  /** For tests: the pose in {W} (rows) of every body as `robot.body`, every tool as `robot.tool` and every component, at the moment shown. */
+  /**
+   * For tests: the pose in {W} (rows) of every body as `robot.body`, every tool as `robot.tool` and every component, at the
+   * moment shown.
+   */
   poses(): { bodies: Record<string, PoseRows>; tools: Record<string, PoseRows>; components: Record<string, PoseRows> } {
     this.update();
     const { header } = this.film;
@@ -168,8 +172,10 @@ export class SiteView {
       view('top', 'Top', '1'), view('front', 'Front', '2'), view('side', 'Side', '3'),
       { name: 'machine', label: 'Machine', title: 'Ride on the machine that is picked or at work (4 in the view)', toggle: true,
         press: () => this.ride(this.riding >= 0 ? -1 : this.robotToRide()) }],
-      [{ name: 'paths', label: 'Paths', title: 'Ways of the hooks and tools (P in the view)', toggle: true, press: () => this.toggle('paths') },
-      { name: 'zones', label: 'Zones', title: 'Zones of people (Z in the view)', toggle: true, press: () => this.toggle('zones') }],
+      [{ name: 'paths', label: 'Paths', title: 'Ways of the hooks and tools (P in the view)', toggle: true,
+        press: () => this.toggle('paths') },
+      { name: 'zones', label: 'Zones', title: 'Zones of people (Z in the view)', toggle: true,
+        press: () => this.toggle('zones') }],
     ]);
   }
 
@@ -200,7 +206,8 @@ export class SiteView {
       this.overlay.show(running, this.shows.zones, met, this.theme);
       model.moving.visible = machines;
       this.ropes.show(this.theme);
-      this.paths.show(machines && this.shows.paths ? running : [], tried, player.time, (robot) => looks.machineColour(robot), this.theme.dark);
+      this.paths.show(machines && this.shows.paths ? running : [], tried, player.time, (robot) => looks.machineColour(robot),
+                      this.theme.dark);
       if (!machines) this.ropes.strokes.mesh.visible = false;
       const cut = player.section;
       this.light.section.value = cut ?? 1e9;
@@ -268,7 +275,8 @@ export class SiteView {
     if (film.header.robots.length === 0 || player.fast) return -1;
     if (selection?.kind === 'robot') return selection.index;
     if (selection?.kind === 'run' && film.runs[selection.index].robot >= 0) return film.runs[selection.index].robot;
-    return this.activity.running(player.time, player.triedRun).map((run) => film.runs[run].robot).find((robot) => robot >= 0) ?? 0;
+    const robots = this.activity.running(player.time, player.triedRun).map((run) => film.runs[run].robot);
+    return robots.find((robot) => robot >= 0) ?? 0;
   }
 
   private toggle(what: 'paths' | 'zones'): void {

@@ -10,7 +10,8 @@ const turnPieces = 20;
 /** Adds a shape to a surface, in the frame of what it belongs to (m). */
 export function addShape(surface: Surface, shape: ShapeData, mesh: (number: number) => MeshNumbers): void {
   surface.frame = poseMatrix(shape.pose);
-  const { lower = [0, 0, 0], upper = [0, 0, 0], centre = [0, 0, 0], a = [0, 0, 0], b = [0, 0, 0], radius = 0, z0 = 0, z1 = 0 } = shape;
+  const none = [0, 0, 0];
+  const { lower = none, upper = none, centre = none, a = none, b = none, radius = 0, z0 = 0, z1 = 0 } = shape;
   switch (shape.type) {
     case 'box': return addBox(surface, lower, upper);
     case 'cylinder': return addPrism(surface, circle(radius), z0, z1, true);
@@ -36,8 +37,8 @@ function addBox(surface: Surface, lower: number[], upper: number[]): void {
       const [u, v] = side === upper ? [(axis + 1) % 3, (axis + 2) % 3] : [(axis + 2) % 3, (axis + 1) % 3];
       const corner = (atU: number[], atV: number[]) =>
         new Vector3().setComponent(axis, side[axis]).setComponent(u, atU[u]).setComponent(v, atV[v]);
-      surface.quad([corner(lower, lower), corner(upper, lower), corner(upper, upper), corner(lower, upper)], [normal, normal, normal, normal],
-                   { u: true, v: true });
+      const corners = [corner(lower, lower), corner(upper, lower), corner(upper, upper), corner(lower, upper)];
+      surface.quad(corners, [normal, normal, normal, normal], { u: true, v: true });
     }
   }
 }

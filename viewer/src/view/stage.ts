@@ -14,7 +14,10 @@ export interface Stats {
   pixelRatio: number;
 }
 
-/** The canvas and what draws on it: only when something changed, coarser while that is too slow, once at its finest when it rests. */
+/**
+ * The canvas and what draws on it: only when something changed, coarser while that is too slow, once at its finest when it
+ * rests.
+ */
 export class Stage {
   /** What stays where it is from picture to picture, and what does not. */
   readonly still = new Scene();
@@ -58,8 +61,10 @@ export class Stage {
   /** Pictures a second while they follow each other; draw calls and triangles of both layers. */
   stats(): Stats {
     const { calls, triangles } = this.renderer.info.render;
-    return { fps: Math.round(10 * this.quality.rate) / 10, calls: calls + this.cost.calls, triangles: triangles + this.cost.triangles,
-      pixelRatio: this.ratio };
+    return {
+      fps: Math.round(10 * this.quality.rate) / 10, calls: calls + this.cost.calls,
+      triangles: triangles + this.cost.triangles, pixelRatio: this.ratio,
+    };
   }
 
   /** Once a frame; `prepare` is called before something is drawn. */

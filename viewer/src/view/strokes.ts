@@ -1,5 +1,7 @@
-import { DynamicDrawUsage, GLSL3, InstancedBufferGeometry, InterleavedBufferAttribute, InstancedInterleavedBuffer,
-  BufferAttribute, Mesh, ShaderMaterial, Vector2, type IUniform, type Vector3 } from 'three';
+import {
+  BufferAttribute, DynamicDrawUsage, GLSL3, InstancedBufferGeometry, InstancedInterleavedBuffer, InterleavedBufferAttribute,
+  type IUniform, Mesh, ShaderMaterial, Vector2, type Vector3,
+} from 'three';
 import type { Light } from './batch';
 import type { Colour } from './theme';
 
@@ -100,7 +102,9 @@ export class Strokes {
       const buffer = new InstancedInterleavedBuffer(new Float32Array(this.capacity * stride), stride);
       buffer.setUsage(DynamicDrawUsage);
       const members: [string, number, number][] = [['a', 3, 0], ['b', 3, 3], ['times', 2, 6], ['tint', 4, 8]];
-      for (const [name, size, offset] of members) geometry.setAttribute(name, new InterleavedBufferAttribute(buffer, size, offset));
+      for (const [name, size, offset] of members) {
+        geometry.setAttribute(name, new InterleavedBufferAttribute(buffer, size, offset));
+      }
     }
     if (count > 0) {
       const { data } = geometry.getAttribute('a') as InterleavedBufferAttribute;

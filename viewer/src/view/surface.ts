@@ -1,18 +1,26 @@
 import { Box3, Matrix4, Vector3 } from 'three';
 
-/** Grows as numbers are appended. */
+/** Grows as items of `size` numbers are appended. */
 class Numbers<T extends Float32Array | Int8Array | Uint32Array> {
   length = 0;
-  constructor(private values: T, private readonly make: (length: number) => T) {}
+  private values: T;
 
-  push(...numbers: number[]): void {
-    if (this.length + numbers.length > this.values.length) {
+  constructor(private readonly make: (length: number) => T, private readonly size: number) {
+    this.values = make(4096);
+  }
+
+  push(a: number, b = 0, c = 0, d = 0): void {
+    if (this.length + 4 > this.values.length) {
       const grown = this.make(2 * this.values.length);
       grown.set(this.values);
       this.values = grown;
     }
-    this.values.set(numbers, this.length);
-    this.length += numbers.length;
+    const { values, length, size } = this;
+    values[length] = a;
+    if (size > 1) values[length + 1] = b;
+    if (size > 2) values[length + 2] = c;
+    if (size > 3) values[length + 3] = d;
+    this.length += size;
   }
 
   done(): T {
@@ -20,14 +28,10 @@ class Numbers<T extends Float32Array | Int8Array | Uint32Array> {
   }
 }
 
-const floats = () => new Numbers(new Float32Array(1 << 12), (n) => new Float32Array(n));
-const bytes = () => new Numbers(new Int8Array(1 << 12), (n) => new Int8Array(n));
-const whole = () => new Numbers(new Uint32Array(1 << 12), (n) => new Uint32Array(n));
-
 /**
- * The triangles of many elements in one. Each corner has a place in its element's frame (m), a normal (127 is 1), the number of its element
- * and four `rim` numbers: where one of them is 127 or -127 an edge runs that is drawn as a line. Between corners they run
- * linearly, so that a shader sees how far from the edges a point is.
+ * The triangles of many elements in one. Each corner has a place in its element's frame (m), a normal (127 is 1), the number of
+ * its element and four `rim` numbers: where one of them is 127 or -127 an edge runs that is drawn as a line. Between corners
+ * they run linearly, so that a shader sees how far from the edges a point is.
  */
 export class Surface {
   /** The number of the element that is added to. */
@@ -36,11 +40,11 @@ export class Surface {
   frame = new Matrix4();
   /** By element, in its own frame. */
   readonly bounds: Box3[] = [];
-  private readonly positions = floats();
-  private readonly normals = bytes();
-  private readonly rims = bytes();
-  private readonly elements = floats();
-  private readonly corners = whole();
+  private readonly positions = new Numbers((length) => new Float32Array(length), 3);
+  private readonly normals = new Numbers((length) => new Int8Array(length), 4);
+  private readonly rims = new Numbers((length) => new Int8Array(length), 4);
+  private readonly elements = new Numbers((length) => new Float32Array(length), 1);
+  private readonly corners = new Numbers((length) => new Uint32Array(length), 3);
   private readonly point = new Vector3();
   private readonly direction = new Vector3();
 
@@ -49,8 +53,10 @@ export class Surface {
   }
 
   arrays(): { positions: Float32Array; normals: Int8Array; rims: Int8Array; elements: Float32Array; corners: Uint32Array } {
-    return { positions: this.positions.done(), normals: this.normals.done(), rims: this.rims.done(), elements: this.elements.done(),
-      corners: this.corners.done() };
+    return {
+      positions: this.positions.done(), normals: this.normals.done(), rims: this.rims.done(), elements: this.elements.done(),
+      corners: this.corners.done(),
+    };
   }
 
   /**
@@ -61,7 +67,8 @@ export class Surface {
     const u = lines.u ? [-127, 127, 127, -127] : [0, 0, 0, 0];
     const v = lines.v ? [-127, -127, 127, 127] : [0, 0, 0, 0];
     for (let i = 0; i < 4; ++i) this.corner(points[i], normals[i], u[i], v[i], 0);
-    this.corners.push(first, first + 1, first + 2, first, first + 2, first + 3);
+    this.corners.push(first, first + 1, first + 2);
+    this.corners.push(first, first + 2, first + 3);
   }
 
   /** Three corners; `lines[i]`: the side opposite corner i is an edge. */
@@ -79,8 +86,8 @@ export class Surface {
     const n = this.direction.copy(normal).transformDirection(this.frame);
     (this.bounds[this.element] ??= new Box3()).expandByPoint(p);
     this.positions.push(p.x, p.y, p.z);
-    this.normals.push(Math.round(127 * n.x), Math.round(127 * n.y), Math.round(127 * n.z), 0);
-    this.rims.push(u, v, w, 0);
+    this.normals.push(Math.round(127 * n.x), Math.round(127 * n.y), Math.round(127 * n.z));
+    this.rims.push(u, v, w);
     this.elements.push(this.element);
   }
 }
