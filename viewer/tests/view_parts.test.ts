@@ -25,7 +25,7 @@ test('moments have a date where the plan has one', () => {
 test('pictures get coarser while they are slow and finest at rest', () => {
   const quality = new Quality(() => 1);
   let now = 0;
-  const play = (gap: number) => { for (let i = 0; i < 60; ++i) quality.moved(now += gap); };
+  const play = (gap: number) => { for (let i = 0; i < 600; ++i) quality.moved(now += gap); };
   play(16);
   expect(quality.ratio).toBe(1);
   expect(quality.rate).toBeCloseTo(62.5);

@@ -1,6 +1,6 @@
 import {
-  BufferAttribute, DynamicDrawUsage, GLSL3, InstancedBufferGeometry, InstancedInterleavedBuffer, InterleavedBufferAttribute,
-  type IUniform, Mesh, ShaderMaterial, Vector2, type Vector3,
+  BufferAttribute, BufferGeometry, DynamicDrawUsage, GLSL3, InterleavedBuffer, InterleavedBufferAttribute, type IUniform, Mesh,
+  ShaderMaterial, Vector2, type Vector3,
 } from 'three';
 import type { Light } from './batch';
 import type { Colour } from './theme';
@@ -11,6 +11,7 @@ uniform vec2 size;
 uniform float width;
 uniform float pixelRatio;
 uniform float now;
+in vec2 corner;
 in vec3 a;
 in vec3 b;
 in vec2 times;
@@ -32,11 +33,11 @@ void main() {
   float length = max(length(along), 1e-6);
   vec2 normal = vec2(-along.y, along.x) / length;
   vHalf = 0.5 * width * pixelRatio;
-  vAcross = position.y * (vHalf + 1.0);
-  vec4 here = position.x < 0.5 ? from : to;
+  vAcross = corner.y * (vHalf + 1.0);
+  vec4 here = corner.x < 0.5 ? from : to;
   here.xy += normal * vAcross * 2.0 / size * here.w;
-  vTint = vec4(tint.rgb, (position.x < 0.5 ? times.x : times.y) <= now ? tint.a : tint.a * 0.45);
-  vWorld = position.x < 0.5 ? a : b;
+  vTint = vec4(tint.rgb, (corner.x < 0.5 ? times.x : times.y) <= now ? tint.a : tint.a * 0.45);
+  vWorld = corner.x < 0.5 ? a : b;
   gl_Position = here;
 }
 `;
@@ -56,25 +57,26 @@ void main() {
 }
 `;
 
-/** Numbers of a segment: both ends (m), the times at which it is passed (s), colour with opacity. */
-const stride = 12;
+/** Numbers of a corner: which it is, both ends of its piece (m), the times at which they are passed (s), colour with opacity. */
+const members: [name: string, size: number, offset: number][] =
+  [['corner', 2, 0], ['a', 3, 2], ['b', 3, 5], ['times', 2, 8], ['tint', 4, 10]];
+const stride = 14;
+const corners = [[0, -1], [1, -1], [1, 1], [0, 1]];
 
 /** Straight pieces of lines as wide as `width` pixels of the page, in one draw call. What comes after `now` is faint. */
 export class Strokes {
-  readonly mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
+  readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   /** Pixels of the picture. */
   readonly size = new Vector2(1, 1);
   private readonly now: IUniform<number> = { value: 1e30 };
   private numbers: number[] = [];
-  private capacity = 0;
+  private buffer: InterleavedBuffer | null = null;
 
   constructor(light: Light, width: number) {
     const uniforms = { ...light, size: { value: this.size }, width: { value: width }, now: this.now };
-    this.mesh = new Mesh(new InstancedBufferGeometry(), new ShaderMaterial({
+    this.mesh = new Mesh(new BufferGeometry(), new ShaderMaterial({
       glslVersion: GLSL3, vertexShader, fragmentShader, uniforms, transparent: true, depthWrite: false, side: 2,
     }));
-    this.mesh.geometry.setAttribute('position', new BufferAttribute(new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0]), 3));
-    this.mesh.geometry.setIndex([0, 1, 2, 0, 2, 3]);
     this.mesh.frustumCulled = false;
     this.mesh.matrixAutoUpdate = false;
     this.mesh.renderOrder = 3;
@@ -90,28 +92,33 @@ export class Strokes {
   }
 
   add(a: Vector3, b: Vector3, colour: Colour, opacity = 1, from = -1e30, to = -1e30): void {
-    this.numbers.push(a.x, a.y, a.z, b.x, b.y, b.z, from, to, ...colour, opacity);
+    for (const corner of corners) {
+      this.numbers.push(...corner, a.x, a.y, a.z, b.x, b.y, b.z, from, to, ...colour, opacity);
+    }
   }
 
   /** Shows what has been added since the last `clear`. */
   flush(): void {
-    const count = this.numbers.length / stride;
-    const { geometry } = this.mesh;
-    if (count > this.capacity) {
-      this.capacity = Math.max(64, 2 * count);
-      const buffer = new InstancedInterleavedBuffer(new Float32Array(this.capacity * stride), stride);
-      buffer.setUsage(DynamicDrawUsage);
-      const members: [string, number, number][] = [['a', 3, 0], ['b', 3, 3], ['times', 2, 6], ['tint', 4, 8]];
-      for (const [name, size, offset] of members) {
-        geometry.setAttribute(name, new InterleavedBufferAttribute(buffer, size, offset));
-      }
-    }
-    if (count > 0) {
-      const { data } = geometry.getAttribute('a') as InterleavedBufferAttribute;
-      data.array.set(this.numbers);
-      data.needsUpdate = true;
-    }
-    geometry.instanceCount = count;
-    this.mesh.visible = count > 0;
+    const pieces = this.numbers.length / stride / 4;
+    this.mesh.visible = pieces > 0;
+    if (pieces === 0) return;
+    if (!this.buffer || this.buffer.array.length < this.numbers.length) this.buffer = this.room(2 * pieces);
+    this.buffer.array.set(this.numbers);
+    this.buffer.needsUpdate = true;
+    this.mesh.geometry.setDrawRange(0, 6 * pieces);
+  }
+
+  /** A buffer for so many pieces. */
+  private room(pieces: number): InterleavedBuffer {
+    const buffer = new InterleavedBuffer(new Float32Array(pieces * 4 * stride), stride);
+    buffer.setUsage(DynamicDrawUsage);
+    const geometry = new BufferGeometry();
+    for (const [name, size, offset] of members) geometry.setAttribute(name, new InterleavedBufferAttribute(buffer, size, offset));
+    const triangles = new Uint32Array(6 * pieces);
+    for (let i = 0; i < pieces; ++i) triangles.set([0, 1, 2, 0, 2, 3].map((corner) => 4 * i + corner), 6 * i);
+    geometry.setIndex(new BufferAttribute(triangles, 1));
+    this.mesh.geometry.dispose();
+    this.mesh.geometry = geometry;
+    return buffer;
   }
 }
