@@ -1,0 +1,209 @@
+import { readFileSync } from 'node:fs';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { hasBrowser, openReport, startBrowser, type Opened } from './browser';
+import { placeOf, posesOf, seek, timeOf } from './hook';
+import { readTrace, runPlan, type Result } from './result';
+
+// A real report, used as people use it.
+
+describe.skipIf(!hasBrowser)('the page', () => {
+  let browser: Browser;
+  let result: Result;
+  let opened: Opened;
+  let page: Page;
+  const tab = (name: string) => page.getByRole('tab', { name, exact: true }).click();
+  const press = (name: string | RegExp) => page.getByRole('button', { name }).first().click();
+
+  beforeAll(async () => {
+    browser = await startBrowser();
+    result = runPlan('taskplans/two_cranes.plan');
+    opened = await openReport(browser, result.report);
+    page = opened.page;
+  });
+  afterAll(async () => {
+    expect(opened.complaints).toEqual([]);
+    expect(opened.requests).toEqual([]);
+    await browser.close();
+    result.remove();
+  });
+
+  test('shows the numbers of the schedule', async () => {
+    const schedule = JSON.parse(readFileSync(`${result.folder}/schedule.json`, 'utf8'));
+    const top = await page.locator('#top').innerText();
+    expect(top).toContain('two_cranes');
+    expect(top).toContain('feasible');
+    const seconds = Math.round(schedule.process_time);
+    expect(top).toContain(`${Math.floor(seconds / 3600)}:${String(Math.floor(seconds / 60) % 60).padStart(2, '0')}`);
+    expect(top).toContain('1,308.55');
+    await tab('Tasks');
+    const first = page.getByRole('row').filter({ hasText: 'set_wall_1' }).first();
+    expect(await first.isVisible()).toBe(true);
+  });
+
+  test('plays, pauses, stops, and goes from component to component', async () => {
+    await seek(page, 0);
+    await press(/^Play/);
+    await page.waitForFunction(() => (window.rubicon?.player.time ?? 0) > 5);
+    await press(/^Pause/);
+    const paused = await timeOf(page);
+    await page.waitForTimeout(300);
+    expect(await timeOf(page)).toBe(paused);
+
+    await press(/^Next component/);
+    const placed = readTrace(result).filter((record) => record.type === 'detach').map((record) => record.t as number);
+    placed.sort((a, b) => a - b);
+    expect(await timeOf(page)).toBeCloseTo(placed[0], 5);
+    await press(/^Next component/);
+    expect(await timeOf(page)).toBeCloseTo(placed[1], 5);
+    await press(/^Previous component/);
+    expect(await timeOf(page)).toBeCloseTo(placed[0], 5);
+
+    await press(/^Fast play/);
+    await page.waitForFunction((t) => (window.rubicon?.player.time ?? 0) > t, placed[3]);
+    expect(await page.evaluate(() => window.rubicon?.player.fast)).toBe(true);
+    await press(/^Stop/);
+    expect(await timeOf(page)).toBe(0);
+    expect(await page.evaluate(() => window.rubicon?.player.fast)).toBe(false);
+  });
+
+  test('hears the keys', async () => {
+    await page.locator('#view').click({ position: { x: 5, y: 560 } });
+    await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+    await page.keyboard.press('End');
+    expect(await timeOf(page)).toBe(await page.evaluate(() => window.rubicon?.player.end));
+    await page.keyboard.press('Home');
+    expect(await timeOf(page)).toBe(0);
+    await page.keyboard.press('ArrowRight');
+    const one = await timeOf(page);
+    expect(one).toBeGreaterThan(0);
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('ArrowLeft');
+    expect(await timeOf(page)).toBe(one);
+    await page.keyboard.press(' ');
+    expect(await page.evaluate(() => window.rubicon?.player.playing)).toBe(true);
+    await page.keyboard.press(' ');
+    expect(await page.evaluate(() => window.rubicon?.player.playing)).toBe(false);
+    const speed = await page.evaluate(() => window.rubicon?.player.speed ?? 0);
+    await page.keyboard.press('ArrowUp');
+    expect(await page.evaluate(() => window.rubicon?.player.speed)).toBeGreaterThan(speed);
+    await page.keyboard.press('ArrowDown');
+    expect(await page.evaluate(() => window.rubicon?.player.speed)).toBe(speed);
+  });
+
+  test('steps forth and back through what was tried', async () => {
+    await tab('Steps');
+    await page.evaluate(() => window.rubicon?.player.select({ kind: 'run', index: 0 }));
+    await seek(page, 0);
+    const tries = readTrace(result).filter((record) => record.type === 'try' && record.task === 'set_wall_1');
+    const seen: string[] = [];
+    const look = async () => JSON.stringify([
+      // What stands on the page follows in the next frame.
+      await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(() => done(0))); })),
+      await page.evaluate(() => window.rubicon?.player.record), await posesOf(page), await page.locator('.state').innerText()]);
+    for (let i = 0; i < 30; ++i) {
+      await page.keyboard.press('Shift+ArrowRight');
+      seen.push(await look());
+    }
+    // What stands at a step is the trace's try, with its line.
+    const shown = await page.evaluate(() => {
+      const { player } = window.rubicon!;
+      const record = player.record!;
+      return { ...player.film.place(record), time: player.time, ok: player.film.number(record, 'try.ok') === 1 };
+    });
+    const told = tries.find((record) => Math.abs((record.t as number) - shown.time) < 1e-5 && record.ok === shown.ok);
+    expect(told).toBeDefined();
+    expect({ file: shown.file, line: shown.line }).toEqual({ file: told?.file, line: told?.line });
+    for (let i = seen.length - 2; i >= 0; --i) {
+      await page.keyboard.press('Shift+ArrowLeft');
+      expect(await look()).toBe(seen[i]);
+    }
+  });
+
+  test('goes to a refusal and says who is in the way', async () => {
+    await tab('Steps');
+    await page.evaluate(() => window.rubicon?.player.select({ kind: 'run', index: 0 }));
+    await seek(page, 0);
+    await press('Next refusal');
+    const first = readTrace(result).find((record) => record.type === 'try' && record.task === 'set_wall_1' && record.reason === 'hit');
+    const [moved, met] = first?.hit as [string, string];
+    await expect.poll(() => page.locator('.state').innerText()).toContain(`${moved} meets ${met}`);
+    expect(await timeOf(page)).toBeCloseTo(first?.t as number, 5);
+  });
+
+  test('tells what is picked', async () => {
+    await seek(page, 0);
+    await page.evaluate(() => window.rubicon?.player.select(null));
+    const index = await page.evaluate(() => window.rubicon!.player.film.header.components.findIndex(({ name }) => name === 'wall_1'));
+    const place = await placeOf(page, { kind: 'component', index });
+    expect(place).not.toBeNull();
+    await page.mouse.click(place!.x, place!.y);
+    const picked = await page.evaluate(() => window.rubicon?.player.selection);
+    expect(picked?.kind).toBe('component');
+    const name = await page.evaluate((i) => window.rubicon!.player.film.header.components[i].name, picked!.index);
+    const card = await page.getByLabel('What is picked').innerText();
+    expect(card).toContain(name);
+    expect(card).toContain('3.9 t');
+    expect(card).toContain(`set_${name}`);
+  });
+
+  test('goes to a task that is clicked in the table', async () => {
+    await tab('Tasks');
+    await page.getByRole('row').filter({ hasText: 'set_wall_4' }).first().click();
+    const start = readTrace(result).find((record) => record.type === 'task_start' && record.task === 'set_wall_4')?.t as number;
+    expect(await timeOf(page)).toBeCloseTo(start, 5);
+    expect(await page.evaluate(() => {
+      const { selection, film } = window.rubicon!.player;
+      return selection?.kind === 'run' ? film.runs[selection.index].task : '';
+    })).toBe('set_wall_4');
+  });
+
+  test('hands the chart out', async () => {
+    await tab('Gantt');
+    const [svg] = await Promise.all([page.waitForEvent('download'), press('Export SVG')]);
+    const text = readFileSync((await svg.path())!, 'utf8');
+    expect(text).toMatch(/^(<\?xml[^>]*>\s*)?<svg /);
+    for (const name of ['low', 'high', 'erectors', 'grout']) expect(text).toContain(`>${name}<`);
+    const error = await page.evaluate((xml) => new DOMParser().parseFromString(xml, 'image/svg+xml').querySelector('parsererror')?.textContent, text);
+    expect(error ?? '').toBe('');
+    const [png] = await Promise.all([page.waitForEvent('download'), press('Export PNG')]);
+    expect(readFileSync((await png.path())!).subarray(1, 4).toString()).toBe('PNG');
+  });
+
+  test('bears every button being pressed', async () => {
+    for (const name of ['Overview', 'Tasks', 'Gantt', 'Steps']) {
+      await tab(name);
+      const count = await page.locator('button:visible').count();
+      expect(count).toBeGreaterThan(12);
+      for (let i = 0; i < count; ++i) {
+        const button = page.locator('button:visible').nth(i);
+        if (!(await button.count()) || !(await button.isEnabled())) continue;
+        expect(await button.evaluate((it) => it.getAttribute('aria-label') ?? it.textContent?.trim()), 'its name').not.toBe('');
+        await button.click({ timeout: 5000 });
+        if (await page.locator('dialog[open]').count()) await page.keyboard.press('Escape');
+        // A tab that was pressed leads elsewhere: back to the one under test.
+        await tab(name);
+      }
+    }
+    await press(/^Stop/);
+    expect(opened.complaints).toEqual([]);
+  });
+
+  test.each([[1280, 720], [1920, 1080]])('stays in its place at %i x %i', async (width, height) => {
+    const look = await openReport(browser, result.report, { width, height, dark: width > 1500 });
+    const shift = await look.page.evaluate(async () => {
+      let sum = 0;
+      new PerformanceObserver((list) => {
+        for (const entry of list.getEntries()) sum += (entry as unknown as { value: number }).value;
+      }).observe({ type: 'layout-shift', buffered: true });
+      window.rubicon?.player.play();
+      await new Promise((done) => { setTimeout(done, 1500); });
+      return sum;
+    });
+    expect(shift).toBeLessThan(0.001);
+    const scrolls = await look.page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
+    expect(scrolls).toEqual([width, height]);
+    expect(look.complaints).toEqual([]);
+    await look.close();
+  });
+});
