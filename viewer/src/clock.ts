@@ -24,7 +24,7 @@ export class Clock {
 
   /** `Mon 4 May 2026 07:18:05`, or `0:18:05`. */
   full(t: number): string {
-    if (!this.dated) return duration(t);
+    if (!this.dated) return duration(Math.floor(t + 1e-6));
     const at = this.date(t);
     const weekday = weekdays[(at.getUTCDay() + 6) % 7];
     return `${weekday} ${at.getUTCDate()} ${months[at.getUTCMonth()]} ${at.getUTCFullYear()} ${this.clock(t)}`;
@@ -32,7 +32,7 @@ export class Clock {
 
   /** `4 May 07:18`, or `0:18:05`. */
   short(t: number): string {
-    return this.dated ? `${this.dayOf(t)} ${this.clock(t).slice(0, 5)}` : duration(t);
+    return this.dated ? `${this.dayOf(t)} ${this.clock(t).slice(0, 5)}` : duration(Math.floor(t + 1e-6));
   }
 
   /** The day alone: `4 May`; `day 1` where there is no date. */
@@ -60,9 +60,9 @@ export class Clock {
   }
 }
 
-/** `h:mm:ss` of seconds. */
+/** `h:mm:ss` of seconds, to the nearest, as the tables of the command have it. */
 export function duration(seconds: number): string {
-  const whole = Math.floor(Math.abs(seconds) + 1e-6);
+  const whole = Math.round(Math.abs(seconds));
   const two = (value: number) => String(value).padStart(2, '0');
   const sign = seconds < -1e-6 && whole > 0 ? '-' : '';
   return `${sign}${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}`;

@@ -51,6 +51,13 @@ export class Runs {
 
   task(run: number): TaskData | null { return this.tasks.get(this.all[run].task) ?? null; }
 
+  /** How many tasks the plan has, and how many of them were done: machines that only go out of the way (`park`) are none. */
+  tally(): { tasks: number; done: number } {
+    const outcomes = this.film.schedule?.tasks ?? this.all.map(({ task, result }) => ({ task, result: result || 'done' }));
+    const own = outcomes.filter(({ task }) => this.tasks.size === 0 || this.tasks.has(task));
+    return { tasks: own.length, done: own.filter(({ result }) => result === 'done').length };
+  }
+
   isCritical(run: number): boolean { return this.all[run].happened && this.chain.has(this.all[run].task); }
 
   isRefused(run: number): boolean { return this.all[run].result === 'rejected' || this.all[run].result === 'not reached'; }

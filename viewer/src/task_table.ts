@@ -9,6 +9,7 @@ export interface TableRow {
   duration: number | null;
   motion: number | null;
   work: number | null;
+  /** For machines and crews that were busy, on its way, for shifts: not for the tasks before it. */
   waits: number | null;
   cost: number | null;
   result: string;
@@ -20,7 +21,7 @@ export type SortKey = Exclude<keyof TableRow, 'run' | 'reason'>;
 export function tableRows(runs: Runs): TableRow[] {
   return runs.all.map((run, i) => {
     const row = runs.row(i);
-    const waited = row ? row.waited.predecessor + row.waited.resource + row.waited.machine + row.waited.shift : null;
+    const waited = row ? row.waited.resource + row.waited.machine + row.waited.shift : null;
     const crew = row?.crew ?? '';
     const machine = runs.machine(i);
     return {

@@ -7,6 +7,7 @@ describe('clock', () => {
     const clock = new Clock('2026-05-04 07:00');
     expect(clock.full(0)).toBe('Mon 4 May 2026 07:00:00');
     expect(clock.full(21543.309)).toBe('Mon 4 May 2026 12:59:03');
+    expect(clock.short(1082.78)).toBe('4 May 07:18');
     expect(clock.short(6 * 86400)).toBe('10 May 07:00');
     expect(clock.full(240 * 86400)).toBe('Wed 30 Dec 2026 07:00:00');
     expect(clock.exact(1.26)).toBe('07:00:01.2');
@@ -21,6 +22,7 @@ describe('clock', () => {
     const clock = new Clock(null);
     expect(clock.dated).toBe(false);
     expect(clock.full(90061)).toBe('25:01:01');
+    expect(clock.short(5099.5)).toBe('1:24:59');
     expect(clock.exact(0.3)).toBe('0:00:00.3');
     expect(clock.dayOf(86400)).toBe('day 2');
   });
@@ -28,6 +30,8 @@ describe('clock', () => {
   it('forgives a nanosecond', () => {
     expect(duration(59.999999999)).toBe('0:01:00');
     expect(new Clock('2026-05-04 07:00').clock(59.999999999)).toBe('07:01:00');
+    expect(duration(8615.6)).toBe('2:23:36');
+    expect(new Clock(null).full(8615.6)).toBe('2:23:35');
     expect(duration(-90)).toBe('-0:01:30');
     expect(duration(-1e-9)).toBe('0:00:00');
   });

@@ -41,6 +41,10 @@ describe('runs', () => {
     expect([0, 3].map((run) => runs.isCritical(run))).toEqual([true, false]);
   });
 
+  it('are counted as the command counts: machines that only go out of the way are no tasks', () => {
+    expect(new Runs(film()).tally()).toEqual({ tasks: 1, done: 1 });
+  });
+
   it('know what goes on, and the last record at a moment', () => {
     const runs = new Runs(film());
     expect([0, 10, 25, 70].map((t) => runs.current(t))).toEqual([[0], [], [1], []]);
@@ -72,7 +76,7 @@ describe('table of tasks', () => {
   const names = (found: typeof rows) => found.map((row) => `${row.name} ${row.start}`);
 
   it('adds the waits up and leaves out what is not known', () => {
-    expect(rows[0]).toMatchObject({ who: 'crane', waits: 10, duration: 10, cost: 7, result: 'done' });
+    expect(rows[0]).toMatchObject({ who: 'crane', waits: 9, duration: 10, cost: 7, result: 'done' });
     expect(rows[3]).toMatchObject({ duration: null, waits: null, cost: null, result: 'rejected' });
   });
 

@@ -3,7 +3,7 @@ import { expect, test } from 'vitest';
 import { Activity } from '../src/activity';
 import { Mechanism } from '../src/kinematics';
 import { kindOf } from '../src/view/looks';
-import { momentText, quantity } from '../src/view/moment';
+import { quantity } from '../src/view/quantity';
 import { Quality } from '../src/view/quality';
 import { cabOf } from '../src/view/ride';
 import { makeFilm, makeHoist } from './make_film';
@@ -14,11 +14,7 @@ test.each([
   expect(kindOf(name)).toBe(kind);
 });
 
-test('moments have a date where the plan has one', () => {
-  expect(momentText('2026-05-04 07:00', 1082.78)).toBe('4 May 07:18');
-  expect(momentText('2026-12-31 23:30', 3600)).toBe('1 Jan 00:30');
-  expect(momentText(null, 5099.5)).toBe('1:24:59');
-  expect(momentText(null, 90000)).toBe('25:00:00');
+test('quantities have no zeros that say nothing', () => {
   expect([quantity(2.5, 0), quantity(1.255, 1), quantity(-0.0001, 2)]).toEqual(['3', '1.3', '0']);
 });
 

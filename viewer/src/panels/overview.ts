@@ -44,10 +44,8 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
   const long = schedule?.process_time ?? film.end;
   add('Process time', duration(long), roughly(long));
   if (schedule?.cost !== undefined) add('Cost', money(schedule.cost, ''), cut(schedule.currency ?? header.currency, 12));
-  const results = schedule?.tasks.map((task) => task.result) ?? runs.all.map((run) => run.result || 'done');
-  const done = results.filter((result) => result === 'done').length;
-  const refused = results.length - done;
-  add('Tasks', `${done} of ${results.length}`, results.length === 0 ? '' : refused === 0 ? 'all done' : `${refused} refused`);
+  const { tasks, done } = runs.tally();
+  add('Tasks', `${done} of ${tasks}`, tasks === 0 ? '' : done === tasks ? 'all done' : `${tasks - done} refused`);
   if (clock.dated) add('Begins', clock.short(0));
   if (clock.dated) add('Ends', clock.short(long));
   let tried = 0;

@@ -14,13 +14,13 @@ export function mountTopBar(host: HTMLElement, page: Page, showRefusals: () => v
   const { schedule, header } = film;
   const title = make('h1', {}, named(header.plan || 'a plan without a name', 300));
 
-  const refused = runs.all.filter((_, i) => runs.isRefused(i)).length;
-  const tasks = schedule?.tasks.length ?? runs.all.length;
+  const { tasks, done } = runs.tally();
+  const refused = tasks - done;
   let badge: HTMLElement;
   if (refused > 0) {
     badge = button(`${refused} of ${tasks} ${tasks === 1 ? 'task' : 'tasks'} refused`, showRefusals, { class: 'badge bad' });
   } else if (tasks === 0) {
-    badge = make('span', { class: 'badge muted' }, 'nothing to do');
+    badge = make('span', { class: 'badge muted' }, header.tasks.length === 0 ? 'nothing to do' : 'no results in the trace');
   } else {
     badge = make('span', { class: 'badge good' }, 'feasible');
   }

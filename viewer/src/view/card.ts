@@ -1,10 +1,11 @@
 import type { Activity } from '../activity';
+import { Clock } from '../clock';
 import type { Film } from '../film';
 import type { Player } from '../player';
 import { readRemarks, remarkOf } from '../remarks';
 import { make } from './elements';
 import { icon } from './icons';
-import { momentText, quantity } from './moment';
+import { quantity } from './quantity';
 import type { SiteModel } from './site_model';
 
 type Row = [name: string, value: string];
@@ -20,11 +21,13 @@ export class Card {
   private readonly remark = make('p');
   private readonly list = make('dl');
   private readonly remarks: Map<string, string>;
+  private readonly clock: Clock;
   private shown = '';
 
   constructor(private readonly film: Film, private readonly player: Player, private readonly model: SiteModel,
               private readonly activity: Activity) {
     this.remarks = readRemarks(film.header);
+    this.clock = new Clock(film.header.start_at);
     this.element.setAttribute('aria-label', 'What is picked');
     this.element.hidden = true;
     const close = make('button', 'view-close');
@@ -103,10 +106,9 @@ export class Card {
   /** When a task went on, or why it did not. */
   private times(task: string): Row[] {
     const { film } = this;
-    const start = film.header.start_at;
     return film.runs.filter((run) => run.task === task).map((run): Row => {
       if (!run.happened) return [run.result === 'rejected' ? 'Rejected' : 'Not reached', run.reason];
-      return ['When', `${momentText(start, run.start)} – ${momentText(start, run.end ?? film.end)}`];
+      return ['When', `${this.clock.short(run.start)} – ${this.clock.short(run.end ?? film.end)}`];
     });
   }
 }
