@@ -1,4 +1,5 @@
 import { kinds, type Film } from './film';
+import { workWord } from './sentences';
 
 /** What a robot or a crew does at a moment: a stretch of a run that is not motion. */
 interface Stretch {
@@ -50,7 +51,7 @@ export class Activity {
     if (record === null) return 'moves';
     if (film.kind(record) === 'work') {
       const crew = film.text(record, 'work.crew');
-      return film.text(record, 'work.what') + (crew ? ` (${crew})` : '');
+      return workWord(film.text(record, 'work.what')) + (crew ? ` (${crew})` : '');
     }
     const why = film.text(record, 'pause.why');
     const whom = film.text(record, 'pause.for');

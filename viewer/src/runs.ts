@@ -2,6 +2,7 @@ import { workedHours } from './busy';
 import type { Film, Run } from './film';
 import type { ScheduledTask, TaskData, Waited } from './header';
 import type { Player } from './player';
+import { workWord } from './sentences';
 
 /** What a run did in a piece of its time (s), besides moving: crew work, a wait of its script, a pause, hours without a shift. */
 export interface Span {
@@ -84,6 +85,15 @@ export class Runs {
     return found;
   }
 
+  /** The runs that the page shows as going on: where a rejected run is stepped through, that instead of its robot's others. */
+  shown(player: Player): number[] {
+    const tried = player.triedRun;
+    const now = this.current(player.time);
+    if (tried < 0) return now;
+    const { robot } = this.all[tried];
+    return [tried, ...now.filter((run) => robot < 0 || this.all[run].robot !== robot)];
+  }
+
   /** The last record of a run at or before a moment, its first if there is none; -1 if it has no records. */
   recordAt(run: number, t: number): number {
     const records = this.film.recordsOf(run);
@@ -146,7 +156,7 @@ export class Runs {
       const kind = film.kind(i);
       if (kind === 'work') {
         const crew = film.text(i, 'work.crew');
-        const text = film.text(i, 'work.what') + (crew && ` by ${crew}`);
+        const text = workWord(film.text(i, 'work.what')) + (crew && ` by ${crew}`);
         let from = film.number(i, 'work.from');
         for (const [begin, end] of workedHours(film, i)) {
           if (begin > from) own.push({ kind: 'off', from, to: begin, crew: '', text: 'no shift' });

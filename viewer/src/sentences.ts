@@ -1,6 +1,11 @@
 import { duration } from './clock';
 import type { Film } from './film';
 
+/** The word of a plan for crew work, for people: `takes` is the whole of what a crew does. */
+export function workWord(what: string): string {
+  return what === 'takes' ? 'crew work' : what;
+}
+
 /** What a record says, in one line for people. */
 export function sentence(film: Film, record: number): string {
   const text = (column: string) => film.text(record, column);
@@ -25,7 +30,7 @@ export function sentence(film: Film, record: number): string {
     case 'wait': return 'wait';
     case 'work': {
       const crew = text('work.crew');
-      return `${text('work.what')}${crew && ` by ${crew}`}, ${duration(number('work.time'))}`;
+      return `${workWord(text('work.what'))}${crew && ` by ${crew}`}, ${duration(number('work.time'))}`;
     }
     case 'pause': {
       const why = text('pause.why');

@@ -53,6 +53,15 @@ describe('runs', () => {
     expect(runs.recordAt(1, 25)).toBe(-1);
   });
 
+  it('show what was tried in place of what its robot did', () => {
+    const runs = new Runs(film());
+    const player = new Player(runs.film);
+    player.seek(5);
+    expect(runs.shown(player)).toEqual([0]);
+    player.goToRecord(4);
+    expect(runs.shown(player)).toEqual([3]);
+  });
+
   it('lead to the attempt that was refused', () => {
     expect(new Runs(film()).refusedAt(3)).toBe(4);
   });

@@ -1,5 +1,5 @@
 import { duration } from '../clock';
-import { button, givesBackFocus, icon, make, named, onceAFrame, setText } from './dom';
+import { button, cut, givesBackFocus, icon, make, named, onceAFrame, setText } from './dom';
 import type { Page } from './page';
 import { speeds } from './speeds';
 import { makeTimeline } from './timeline';
@@ -86,7 +86,8 @@ function makeChips({ player, runs }: Page): HTMLElement {
   const host = make('div', { class: 'chips', role: 'group', 'aria-label': 'Tasks that go on' });
   let shown = '';
   const show = () => {
-    const now = runs.current(player.time);
+    const tried = player.triedRun;
+    const now = runs.shown(player);
     const picked = runs.focused(player);
     const room = Math.max(Math.floor(host.clientWidth / 130), 1);
     const key = `${now.join(' ')}/${picked}/${room}`;
@@ -95,9 +96,10 @@ function makeChips({ player, runs }: Page): HTMLElement {
     const chips: HTMLElement[] = now.slice(0, now.length > room ? room : now.length).map((run) => {
       const who = runs.who(run);
       const task = runs.all[run].task;
-      const chip = button(task, () => player.select({ kind: 'run', index: run }), run === picked ? { class: 'picked' } : {},
-        ...(who ? [named(who, 40), ': '] : []), named(task, 80));
-      chip.title = `${who}: ${task}`.slice(0, 300);
+      const kind = run === tried ? 'tried' : run === picked ? 'picked' : '';
+      const chip = button(task, () => player.select({ kind: 'run', index: run }), kind ? { class: kind } : {},
+        ...(run === tried ? ['refused, only tried: '] : []), ...(who ? [named(who, 40), ': '] : []), named(task, 80));
+      chip.title = cut(`${who}: ${task}${run === tried ? ' (it was undone: this did not happen)' : ''}`, 300);
       return chip;
     });
     if (now.length > room) chips.push(make('span', { class: 'more' }, `+${now.length - room}`));

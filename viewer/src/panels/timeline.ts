@@ -45,9 +45,10 @@ export function makeTimeline({ film, player, runs, clock }: Page): HTMLElement {
     for (let x = 0; x < width; ++x) {
       if (!(marks[x] & mark.refused)) continue;
       pen.beginPath();
-      pen.moveTo(x + 0.5, band - 12);
-      pen.lineTo(x + 6.5, band);
-      pen.lineTo(x - 5.5, band);
+      const middle = Math.min(Math.max(x + 0.5, 6), width - 6);
+      pen.moveTo(middle, band - 12);
+      pen.lineTo(middle + 6, band);
+      pen.lineTo(middle - 6, band);
       pen.fill();
     }
     pen.font = `11px ${getComputedStyle(slider).fontFamily}`;

@@ -97,10 +97,8 @@ export class Looks {
     let shown = marked ? mixed(colour, theme.selected, part.batch === 'component' ? 0.45 : 0.18) : colour;
     let drawn = style === 'plain' && marked ? 'marked' : style;
     const met = this.pair.get(key(part));
-    if (met) {
-      shown = met;
-    } else if (this.pair.size > 0) {
-      shown = mixed(colour, theme.skyBelow, dimmed);
+    if (this.pair.size > 0) {
+      shown = met ?? mixed(colour, theme.skyBelow, dimmed);
       if (drawn === 'marked') drawn = 'plain';
     }
     batch.setLook(part.element, shown, load >= 0 ? 'hidden' : drawn);
@@ -109,13 +107,17 @@ export class Looks {
     if (part.batch === 'machine') model.envelopes.setLook(part.element, shown, 'marked');
   }
 
+  /** What moved and what it met in the refused step that is shown; nothing of any other step. */
+  pairParts(): { moved: Part[]; met: Part[] } {
+    const { film, player: { record }, model } = this;
+    if (record === null || film.kind(record) !== 'try' || film.number(record, 'try.ok') !== 0) return { moved: [], met: [] };
+    return { moved: model.partsOf(film.text(record, 'try.moved')), met: model.partsOf(film.text(record, 'try.met')) };
+  }
+
   private blockingPair(): Map<string, Colour> {
-    const { film, player: { record }, model, theme } = this;
-    const pair = new Map<string, Colour>();
-    if (record === null || film.kind(record) !== 'try' || film.number(record, 'try.ok') !== 0) return pair;
-    for (const part of model.partsOf(film.text(record, 'try.met'))) pair.set(key(part), theme.met);
-    for (const part of model.partsOf(film.text(record, 'try.moved'))) pair.set(key(part), theme.moved);
-    return pair;
+    const { moved, met } = this.pairParts();
+    const { theme } = this;
+    return new Map([...met.map((part) => [key(part), theme.met] as const), ...moved.map((part) => [key(part), theme.moved] as const)]);
   }
 }
 

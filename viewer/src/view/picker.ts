@@ -45,6 +45,13 @@ export class Picker {
     return places.filter(({ x, y, z }) => Math.abs(x) < 1 && Math.abs(y) < 1 && z < 1);
   }
 
+  /** What share of the picture, across or down, a box ({W}, m) fills; 0 if not all of it is in the picture. */
+  sizeOf(box: Box3): number {
+    const seen = this.pointsOf(box, 0.5);
+    const span = (of: (point: Vector3) => number) => (Math.max(...seen.map(of)) - Math.min(...seen.map(of))) / 2;
+    return seen.length < 12 ? 0 : Math.max(span(({ x }) => x), span(({ y }) => y));
+  }
+
   /** x, y in 0..1 from the upper left corner of the picture. */
   private draw(x: number, y: number): Selection | null {
     const { renderer, camera, model } = this;

@@ -124,6 +124,9 @@ export class Rig {
     this.setOpening(opening);
   }
 
+  /** Whether the camera is on its way to where it was sent. */
+  get flying(): boolean { return this.flight !== null; }
+
   /** Goes on with a flight; true as long as it lasts. */
   fly(now: number): boolean {
     if (!this.flight) return false;

@@ -27,6 +27,8 @@ import './view.css';
 
 /** Room (m) about what is flown to. */
 const roomAround = 6;
+/** Share of the picture that a refused pair fills at least, or the camera goes nearer. */
+const leastPair = 0.12;
 
 /** The site in 3D at the moment that the player shows. Draws by itself, whenever something changed. */
 export class SiteView {
@@ -146,6 +148,7 @@ export class SiteView {
     player.on('time', () => { this.movedOn = true; this.stage.touch(); });
     player.on(['record', 'selection', 'fast'], () => { this.movedOn = this.repainted = true; this.stage.touch(); });
     player.on('selection', () => this.frameSelection());
+    player.on('record', () => this.framePair());
     player.on('section', () => { this.section.show(); this.repainted = true; this.stage.touch(); });
     player.on('fast', () => { if (player.fast) this.ride(-1); this.toolbar.setEnabled('machine', !player.fast); });
     this.toolbar.setEnabled('machine', this.film.header.robots.length > 0);
@@ -258,6 +261,16 @@ export class SiteView {
     const task = this.film.header.tasks.find(({ name }) => name === this.film.runs[selection.index].task);
     for (const { element } of parts) if (task?.to) expandBy(box, this.model.componentBounds[element], poseMatrix(task.to));
     this.flyTo(box);
+  }
+
+  /** The pair of a refused step comes into the picture if it is small or out of sight, or the task was picked just now. */
+  private framePair(): void {
+    const { moved, met } = this.looks.pairParts();
+    if (moved.length + met.length === 0 || this.riding >= 0) return;
+    const flying = this.rig.flying;
+    this.update();
+    const box = this.model.boundsOf([...moved, ...met]);
+    if (flying || this.picker.sizeOf(box) < leastPair) this.flyTo(box);
   }
 
   private ride(robot: number): void {
