@@ -23,8 +23,18 @@ export function showState(host: HTMLElement, page: Page, trail: Trail, at: numbe
   const state = behaviourAt(page.film, trail.run, at);
   const words = make('bdi', {}, cut(saying(page, record, changes), 500));
   const said = make('div', { class: `said ${isRefusal(page.film, record) ? 'bad' : ''}` }, words);
-  host.replaceChildren(said, make('div', { class: 'pairs' }, configuration(changes),
-    make('div', {}, variables(state), loops(state))));
+  const hasScript = trail.hasSteps();
+  host.replaceChildren(said, ...pairOf(page, record), make('div', { class: 'pairs' },
+    ...(changes.length > 0 ? [configuration(changes)] : []),
+    ...(hasScript ? [make('div', {}, variables(state), loops(state))] : [])));
+}
+
+/** What moved and what it met, with the colours that they have in the view. */
+function pairOf({ film }: Page, record: number): HTMLElement[] {
+  if (film.kind(record) !== 'try' || film.text(record, 'try.met') === '') return [];
+  const entry = (kind: string, column: string) =>
+    make('span', { class: kind }, `${kind} `, named(film.text(record, column), 80));
+  return [make('div', { class: 'pair' }, entry('moved', 'try.moved'), entry('met', 'try.met'))];
 }
 
 function changesAt({ film, motion }: Page, trail: Trail, at: number): Change[] {
@@ -66,8 +76,7 @@ function head(...names: string[]): HTMLElement {
 }
 
 function configuration(changes: Change[]): HTMLElement {
-  const box = make('div', {}, make('h3', {}, 'Configuration'));
-  if (changes.length === 0) return box;
+  const box = make('div', {}, make('h3', {}, 'Where the machine stands'));
   const body = make('tbody');
   for (const { name, unit, before, after } of changes) {
     const same = number(before) === number(after);
@@ -94,16 +103,16 @@ function variables(state: BehaviourState): HTMLElement {
 }
 
 function loops(state: BehaviourState): HTMLElement {
-  const box = make('div', {}, make('h3', {}, 'Open loops, from outside in'));
+  const box = make('div', {}, make('h3', {}, 'Open loops'));
   if (state.loops.length === 0) {
     box.append(make('div', { class: 'muted' }, 'none'));
     return box;
   }
   const body = make('tbody');
   for (const loop of state.loops) {
-    const cells = [named(`${loop.kind}, line ${loop.place.line}`, 60), String(loop.tries), String(loop.accepted)];
+    const cells = [named(loop.kind, 60), String(loop.place.line), String(loop.tries), String(loop.accepted)];
     body.append(make('tr', {}, ...cells.map((cell) => make('td', {}, cell))));
   }
-  box.append(make('table', { class: 'fixed loops' }, head('', 'tries', 'made'), body));
+  box.append(make('table', { class: 'fixed loops' }, head('', 'line', 'tries', 'made'), body));
   return box;
 }

@@ -63,7 +63,8 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
     if (focused >= 0) return focused;
     const now = runs.current(player.time);
     if (now.includes(trail.run)) return trail.run;
-    return now[0] ?? (trail.run >= 0 ? trail.run : runs.all.length > 0 ? 0 : -1);
+    // A machine has steps to look at, a crew has none.
+    return now.find((run) => runs.all[run].robot >= 0) ?? now[0] ?? (trail.run >= 0 ? trail.run : runs.all.length > 0 ? 0 : -1);
   }
 
   function show(): void {
