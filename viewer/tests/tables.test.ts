@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { mark, sliderMarks } from '../src/marks';
 import { Player } from '../src/player';
 import { Runs } from '../src/runs';
-import { fasterSpeed, speeds } from '../src/panels/speeds';
+import { fasterSpeed, fittingSpeed, speeds } from '../src/panels/speeds';
 import { filtered, sorted, tableRows } from '../src/task_table';
 import type { ScheduledTask } from '../src/header';
 import { makeFilm, robot, type RecordData } from './film_maker';
@@ -117,6 +117,10 @@ describe('marks of the slider', () => {
 });
 
 describe('speeds', () => {
+  it('begin so that a plan takes a minute or more, but none is slowed down', () => {
+    expect([0, 12, 119, 120, 5386, 21543, 1e7].map(fittingSpeed)).toEqual([1, 1, 1, 2, 60, 300, 600]);
+  });
+
   it('go from 0.25 to 600 and no farther', () => {
     expect([speeds[0], speeds.at(-1)]).toEqual([0.25, 600]);
     expect([fasterSpeed(60, 1), fasterSpeed(60, -1), fasterSpeed(600, 1), fasterSpeed(0.25, -1),

@@ -98,8 +98,8 @@ function makeChips({ player, runs }: Page): HTMLElement {
       const task = runs.all[run].task;
       const kind = run === tried ? 'tried' : run === picked ? 'picked' : '';
       const chip = button(task, () => player.select({ kind: 'run', index: run }), kind ? { class: kind } : {},
-        ...(run === tried ? ['refused, only tried: '] : []), ...(who ? [named(who, 40), ': '] : []), named(task, 80));
-      chip.title = cut(`${who}: ${task}${run === tried ? ' (it was undone: this did not happen)' : ''}`, 300);
+        ...(run === tried ? [`${runs.all[run].result}: `] : []), ...(who ? [named(who, 40), ': '] : []), named(task, 80));
+      chip.title = cut(`${who}: ${task}${run === tried ? ' (what is shown was only tried: it did not happen)' : ''}`, 300);
       return chip;
     });
     if (now.length > room) chips.push(make('span', { class: 'more' }, `+${now.length - room}`));

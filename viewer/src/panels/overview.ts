@@ -28,7 +28,7 @@ export function mountOverview(host: HTMLElement, page: Page): { showRefusals(): 
 
 function nothing({ film }: Page): string {
   if (film.header.detail === 'none') {
-    return 'The trace was written without detail: it tells of no task. Run with --trace-detail steps to see them.';
+    return 'The trace tells of no task: it was written with \u201ctrace-detail none\u201d. Run the plan without this to see them.';
   }
   return 'This plan has no tasks: there is nothing to play.';
 }
@@ -51,7 +51,7 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
   let tried = 0;
   let accepted = 0;
   for (const task of schedule?.tasks ?? []) [tried, accepted] = [tried + task.tried, accepted + task.accepted];
-  if (schedule) add('Steps', tried.toLocaleString('en-GB'), `${(tried - accepted).toLocaleString('en-GB')} refused`);
+  if (tried > 0) add('Steps tried', tried.toLocaleString('en-GB'), `${(tried - accepted).toLocaleString('en-GB')} refused`);
   return list;
 }
 
@@ -97,25 +97,30 @@ function resourcesOf({ film }: Page, schedule: ScheduleData): HTMLElement[] {
   const currency = cut(schedule.currency ?? film.header.currency, 8);
   const costs = currency ? `Cost, ${currency}` : 'Cost';
   return [make('h2', {}, 'Machines and crews'),
+    make('p', { class: 'muted' }, 'Held: from the beginning to the end of its tasks. Busy: it moves or works. '
+      + 'Used: how much of its shifts it is held.'),
     make('table', { class: 'resources' }, head('Name', 'Tasks', 'Held', 'Busy', 'Used', ...(hasCost ? [costs] : [])), body)];
 }
 
-const waitNames: [keyof Waited, string][] = [
-  ['predecessor', 'for tasks before'],
+const waitNames: [Exclude<keyof Waited, 'predecessor'>, string][] = [
   ['resource', 'for a machine or crew that was busy'],
   ['machine', 'on the way, for another machine or a zone'],
   ['shift', 'for the next shift'],
 ];
 
+/** What tasks waited for once those before them were done. */
 function waitsOf(schedule: ScheduleData): HTMLElement[] {
   const body = make('tbody');
   for (const [kind, name] of waitNames) {
     const waits = schedule.tasks.map((task) => task.waited[kind]).filter((wait) => wait > 0);
+    if (waits.length === 0) continue;
     const sum = waits.reduce((a, b) => a + b, 0);
-    const cells = [String(waits.length), duration(sum)].map((text) => make('td', {}, text));
+    const longest = waits.reduce((a, b) => Math.max(a, b), 0);
+    const cells = [String(waits.length), duration(longest), duration(sum)].map((text) => make('td', {}, text));
     body.append(make('tr', {}, make('th', { scope: 'row' }, name), ...cells));
   }
-  return [make('h2', {}, 'Waits, all tasks together'), make('table', {}, head('Waited', 'Tasks', 'Time'), body)];
+  if (body.rows.length === 0) return [];
+  return [make('h2', {}, 'Waits'), make('table', {}, head('Waited', 'Tasks', 'Longest', 'In all'), body)];
 }
 
 function chainOf(page: Page, schedule: ScheduleData): HTMLElement[] {

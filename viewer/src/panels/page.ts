@@ -16,11 +16,13 @@ export interface Page {
   open(tab: TabName): void;
 }
 
-/** Picks a run and goes to its beginning. */
-export function goToRun({ film, player }: Page, run: number): void {
+/** Picks a run and goes to its beginning; of a rejected one to the attempt for which it was. */
+export function goToRun({ film, player, runs }: Page, run: number): void {
   player.pause();
   player.select({ kind: 'run', index: run });
-  player.seek(film.runs[run].start);
+  const refused = film.runs[run].result === 'rejected' ? runs.refusedAt(run) : -1;
+  if (refused >= 0) player.goToRecord(refused);
+  else player.seek(film.runs[run].start);
 }
 
 /** Picks a run and puts the debugger at one of its records, if it has any. */

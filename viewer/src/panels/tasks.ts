@@ -11,8 +11,8 @@ const headHeight = 28;
 /** Widths in px; the names take what is left. */
 const columns: { key: SortKey; title: string; width: number }[] = [
   { key: 'name', title: 'Task', width: 0 }, { key: 'start', title: 'Start', width: 104 },
-  { key: 'duration', title: 'Duration', width: 84 }, { key: 'waits', title: 'Waits', width: 76 },
-  { key: 'result', title: 'Result', width: 94 }, { key: 'motion', title: 'Motion', width: 76 },
+  { key: 'duration', title: 'Duration', width: 84 }, { key: 'result', title: 'Result', width: 90 },
+  { key: 'waits', title: 'Waited', width: 80 }, { key: 'motion', title: 'Motion', width: 76 },
   { key: 'work', title: 'Crew work', width: 92 }, { key: 'cost', title: 'Cost', width: 84 },
   { key: 'who', title: 'By', width: 130 },
 ];
@@ -32,7 +32,7 @@ export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
   const headRow = make('tr');
   const heads = columns.map(({ key, title, width }) => {
     const cell = make('th', { scope: 'col', class: key === 'who' ? 'start' : '' }, button(title, () => sortBy(key)));
-    if (key === 'waits') cell.title = 'For tasks before, for busy machines and crews, on the way, for shifts';
+    if (key === 'waits') cell.title = 'For busy machines and crews, on the way, for shifts; not for the tasks before it';
     if (width > 0) cell.style.width = `${width}px`;
     headRow.append(cell);
     return cell;
@@ -66,9 +66,9 @@ export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
     cell(named(row.name, 200));
     cell(clock.short(row.start));
     seconds(row.duration);
-    seconds(row.waits);
     const result = make('span', row.reason ? { title: cut(row.reason, 300) } : {}, row.result);
     cell(result, row.result === 'done' ? 'good' : row.result === 'rejected' ? 'bad' : 'muted');
+    seconds(row.waits);
     seconds(row.motion);
     seconds(row.work);
     cell(row.cost === null ? '' : money(row.cost, ''));
