@@ -57,6 +57,13 @@ describe('ticks', () => {
     expect(ticks(clock, 0, 30 * 86400, 5).map((tick) => tick.label)).toEqual(['11 May', '18 May', '25 May', '1 Jun']);
   });
 
+  it('of months begin on their first days, of years with the year', () => {
+    const clock = new Clock('2025-02-18 08:00');
+    expect(ticks(clock, 0, 320 * 86400, 5).map((tick) => tick.label)).toEqual(['1 Apr', '1 Jul', '1 Oct', '2026']);
+    expect(clock.full(ticks(clock, 0, 320 * 86400, 5)[0].t)).toBe('Tue 1 Apr 2025 00:00:00');
+    expect(ticks(clock, 0, 3000 * 86400, 5).map((tick) => tick.label)).toEqual(['2026', '2028', '2030', '2032']);
+  });
+
   it('are never more than asked for, whatever the span', () => {
     for (const span of [0.5, 1, 7, 61, 4000, 1e5, 1e6, 1e8, 4e9]) {
       for (const clock of [new Clock(null), new Clock('2026-05-06 07:00')]) {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { Clock } from '../src/clock';
-import { firstAfter, lanesOf, layoutGantt, piecesOf, type Bar } from '../src/gantt/layout';
-import { axisHeight, labelWidth, paintGantt, runsAt, type Scene } from '../src/gantt/paint';
+import { firstAfter, lanesOf, layoutGantt, piecesOf, stretched, type Bar } from '../src/gantt/layout';
+import { axisHeight, paintGantt, runsAt, type Scene } from '../src/gantt/paint';
 import type { Painter } from '../src/gantt/painter';
 import { panned, showing, timeOf, wholeView, xOf, zoomed } from '../src/gantt/view';
 import { Runs } from '../src/runs';
@@ -34,6 +34,16 @@ describe('layout', () => {
     expect(rows[2].lanes[0].map((bar) => [bar.run, bar.from, bar.to])).toEqual([[1, 50, 100]]);
     expect(rows[0].points).toEqual([{ run: 2, t: 50, kind: 'rejected' }]);
     expect(rows[3].points).toEqual([{ run: 3, t: 100, kind: 'milestone' }]);
+  });
+
+  it('makes rows higher where there is room, within bounds', () => {
+    const low = layoutGantt(new Runs(film()));
+    expect(stretched(low, 100).height).toBe(low.height);
+    const high = stretched(low, low.height + 40);
+    expect([high.laneHeight, high.height]).toEqual([low.laneHeight + 10, low.height + 40]);
+    expect(high.rows[1].top - high.rows[0].top).toBeGreaterThan(low.rows[1].top - low.rows[0].top);
+    expect(stretched(high, 5000).rows[0].height).toBe(56);
+    expect(stretched(high, 100)).toEqual(low);
   });
 
   it('puts bars that overlap in different lanes, and needs no more lanes than bars at once', () => {
@@ -92,7 +102,8 @@ describe('view', () => {
 describe('painting', () => {
   const scene = (width: number): Scene => {
     const runs = new Runs(film());
-    return { layout: layoutGantt(runs), view: wholeView(100, width - labelWidth), scroll: 0, width, height: 300,
+    const layout = layoutGantt(runs);
+    return { layout, view: wholeView(100, width - layout.labelWidth), scroll: 0, width, height: 300,
       clock: new Clock(null),
       nameOf: (run) => runs.all[run].task, picked: -1, now: 10, colours: {} };
   };
@@ -100,7 +111,7 @@ describe('painting', () => {
   it('finds the task under the pointer: bars, and marks first', () => {
     const at = scene(800);
     const row = (i: number) => axisHeight + at.layout.rows[i].top + 16;
-    const x = (t: number) => labelWidth + xOf(at.view, t);
+    const x = (t: number) => at.layout.labelWidth + xOf(at.view, t);
     expect(runsAt(at, x(25), row(0))).toEqual([0]);
     expect(runsAt(at, x(15), row(1))).toEqual([0]);
     expect(runsAt(at, x(40), row(1))).toEqual([]);
@@ -116,7 +127,8 @@ describe('painting', () => {
     let rects = 0;
     const painter: Painter = { rect: () => { ++rects; }, frame: () => undefined, line: () => undefined, diamond: () => undefined,
       text: () => undefined, clip: (_x, _y, _w, _h, draw) => draw() };
-    paintGantt(painter, { ...scene(800), layout: layoutGantt(new Runs(many)), view: wholeView(1e5, 800 - labelWidth) });
+    const layout = layoutGantt(new Runs(many));
+    paintGantt(painter, { ...scene(800), layout, view: wholeView(1e5, 800 - layout.labelWidth) });
     expect(rects).toBeGreaterThan(300);
     expect(rects).toBeLessThan(800);
   });

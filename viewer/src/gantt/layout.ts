@@ -1,8 +1,9 @@
 import type { CalendarData } from '../header';
 import type { Runs, Span } from '../runs';
 
-/** How high a lane is, and the space below a row (px). */
-export const laneHeight = 28;
+/** How high a lane is at least and at most, and the space below a row (px). */
+const lowestLane = 28;
+const highestLane = 48;
 export const rowGap = 8;
 /** How high the heading of a group of rows is (px). */
 export const groupHeight = 22;
@@ -43,11 +44,22 @@ export interface Row {
   height: number;
 }
 
+/** Rows below a heading. */
+export interface Group {
+  title: string;
+  /** px */
+  top: number;
+  rows: Row[];
+}
+
 export interface Layout {
-  groups: { title: string; top: number }[];
+  groups: Group[];
   rows: Row[];
   /** px */
   height: number;
+  laneHeight: number;
+  /** Room for the names of the rows, at the left (px). */
+  labelWidth: number;
 }
 
 /** One row for each machine and each crew; a task stands in the rows of all that work on it. */
@@ -90,7 +102,16 @@ export function layoutGantt(runs: Runs): Layout {
   });
   for (const [each, own] of bars) each.lanes = lanesOf(own);
   const hasNobody = nobody.points.length > 0 || (bars.get(nobody)?.length ?? 0) > 0;
-  return stack([['Machines', machines], ['Crews', crews], ['Without a machine', hasNobody ? [nobody] : []]]);
+  const groups: [string, Row[]][] = [['Machines', machines], ['Crews', crews], ['Without a machine', hasNobody ? [nobody] : []]];
+  const filled = groups.filter(([, rows]) => rows.length > 0);
+  return stacked(filled.map(([title, rows]) => ({ title, top: 0, rows })), lowestLane);
+}
+
+/** The same rows, higher where there is more room (px) than they need. */
+export function stretched({ groups, rows }: Layout, room: number): Layout {
+  const lanes = rows.reduce((sum, row) => sum + Math.max(row.lanes.length, 1), 0);
+  const free = room - groups.length * groupHeight - rows.length * rowGap;
+  return stacked(groups, Math.min(Math.max(Math.floor(free / Math.max(lanes, 1)), lowestLane), highestLane));
 }
 
 function crewsOf(runs: Runs, run: number): string[] {
@@ -126,21 +147,28 @@ export function lanesOf(bars: Bar[]): Bar[][] {
   return lanes;
 }
 
-function stack(groups: [string, Row[]][]): Layout {
-  const layout: Layout = { groups: [], rows: [], height: 0 };
-  for (const [title, rows] of groups) {
-    if (rows.length === 0) continue;
-    layout.groups.push({ title, top: layout.height });
-    layout.height += groupHeight;
-    for (const row of rows) {
-      row.points.sort((a, b) => a.t - b.t);
-      row.top = layout.height;
-      row.height = Math.max(row.lanes.length, 1) * laneHeight + rowGap;
-      layout.height += row.height;
-      layout.rows.push(row);
-    }
+/** A letter of a name needs so much, about (px). */
+const letterWidth = 7.4;
+
+function stacked(groups: Group[], laneHeight: number): Layout {
+  const rows: Row[] = [];
+  const placed: Group[] = [];
+  let height = 0;
+  for (const group of groups) {
+    const top = height;
+    height += groupHeight;
+    const own = group.rows.map((row) => {
+      const points = [...row.points].sort((a, b) => a.t - b.t);
+      const high = Math.max(row.lanes.length, 1) * laneHeight + rowGap;
+      height += high;
+      return { ...row, points, top: height - high, height: high };
+    });
+    placed.push({ title: group.title, top, rows: own });
+    rows.push(...own);
   }
-  return layout;
+  const longest = rows.reduce((most, row) => Math.max(most, row.name.length), 0);
+  const labelWidth = Math.min(Math.max(Math.ceil(longest * letterWidth) + 16, 80), 150);
+  return { groups: placed, rows, height, laneHeight, labelWidth };
 }
 
 /** The number of the first bar of a lane that ends after `t`. */

@@ -2,19 +2,21 @@ import type { Clock } from '../clock';
 import { day } from '../clock';
 import { offShift, type Interval } from '../shifts';
 import { ticks } from '../ticks';
-import { firstAfter, laneHeight, rowGap, type Bar, type Layout, type Row } from './layout';
+import { firstAfter, rowGap, type Bar, type Layout, type Row } from './layout';
 import type { Painter } from './painter';
 import { timeOf, xOf, type TimeView } from './view';
 
-/** Room for the names on the left and the time above (px). */
-export const labelWidth = 104;
+/** Room for the time above (px). */
 export const axisHeight = 30;
 
 /** A name needs so much a letter, about (px). */
 const letterWidth = 6.4;
+/** A bold letter of the name of a row. */
+const boldWidth = 7.2;
 /** The strip of a bar: below its name. */
 const stripTop = 14;
-const stripHeight = 11;
+/** What a lane has besides the strip. */
+const aroundStrip = 17;
 /** Bars of the critical chain that are narrower have a line below, no frame around (px). */
 const narrow = 16;
 
@@ -38,6 +40,7 @@ export interface Scene {
 /** Draws the chart: only what is seen. */
 export function paintGantt(painter: Painter, scene: Scene): void {
   const { layout, scroll, width, height, colours } = scene;
+  const { laneHeight, labelWidth } = layout;
   painter.rect(0, 0, width, height, colours.panel);
   painter.clip(0, axisHeight, width, height - axisHeight, () => {
     const seen = (top: number, tall: number) => top + tall > scroll && top < scroll + height - axisHeight;
@@ -50,7 +53,7 @@ export function paintGantt(painter: Painter, scene: Scene): void {
         row.lanes.forEach((lane, i) => paintLane(painter, scene, lane, y + 2 + i * laneHeight));
         paintPoints(painter, scene, row, y + 2);
       });
-      const room = Math.floor((labelWidth - 14) / letterWidth);
+      const room = Math.floor((labelWidth - 12) / boldWidth);
       painter.clip(0, y, labelWidth - 4, row.height, () => {
         painter.text(8, y + laneHeight / 2 + 2, clipped(row.name, room), colours.text, true);
       });
@@ -65,7 +68,7 @@ export function paintGantt(painter: Painter, scene: Scene): void {
   paintAxis(painter, scene);
 }
 
-function paintOff(painter: Painter, { view, clock, colours }: Scene, row: Row, y: number, known: Map<string, Interval[]>): void {
+function paintOff(painter: Painter, { layout: { labelWidth }, view, clock, colours }: Scene, row: Row, y: number, known: Map<string, Interval[]>): void {
   // Days narrower than two px would only make it grey.
   if (!row.calendar || (view.to - view.from) / day > view.width / 2) return;
   let off = known.get(row.calendar.name);
@@ -80,7 +83,8 @@ function paintOff(painter: Painter, { view, clock, colours }: Scene, row: Row, y
 }
 
 function paintLane(painter: Painter, scene: Scene, lane: readonly Bar[], y: number): void {
-  const { view, colours, picked } = scene;
+  const { view, colours, picked, layout: { labelWidth, laneHeight } } = scene;
+  const stripHeight = laneHeight - aroundStrip;
   const fill = { motion: colours.machine, work: colours.crew, wait: colours.wait, off: colours.line };
   let drawn = -Infinity;
   for (let i = firstAfter(lane, view.from); i < lane.length && lane[i].from < view.to; ++i) {
@@ -104,7 +108,7 @@ function paintLane(painter: Painter, scene: Scene, lane: readonly Bar[], y: numb
       const end = Math.min(labelWidth + xOf(view, piece.to), left + wide);
       // Where nobody works it is a thread.
       const off = piece.kind === 'off';
-      painter.rect(x, y + stripTop + (off ? 4 : 0), Math.max(end - x, 0.5), off ? 3 : stripHeight, fill[piece.kind]);
+      painter.rect(x, y + stripTop + (off ? stripHeight / 2 - 1.5 : 0), Math.max(end - x, 0.5), off ? 3 : stripHeight, fill[piece.kind]);
     }
     if (bar.critical && wide < narrow) painter.rect(left, y + stripTop + stripHeight, wide, 2, colours.critical);
     else if (bar.critical) painter.frame(left, y + stripTop - 1, wide, stripHeight + 2, colours.critical);
@@ -114,9 +118,9 @@ function paintLane(painter: Painter, scene: Scene, lane: readonly Bar[], y: numb
   }
 }
 
-function paintPoints(painter: Painter, { view, colours, picked }: Scene, row: Row, y: number): void {
+function paintPoints(painter: Painter, { layout: { labelWidth, laneHeight }, view, colours, picked }: Scene, row: Row, y: number): void {
   const fill = { rejected: colours.bad, 'not reached': colours.muted, milestone: colours.text };
-  const middle = y + stripTop + stripHeight / 2;
+  const middle = y + stripTop + (laneHeight - aroundStrip) / 2;
   const drawn = new Map<string, number>();
   for (const point of row.points) {
     const x = labelWidth + xOf(view, point.t);
@@ -129,7 +133,7 @@ function paintPoints(painter: Painter, { view, colours, picked }: Scene, row: Ro
   }
 }
 
-function paintAxis(painter: Painter, { view, width, height, clock, colours, now }: Scene): void {
+function paintAxis(painter: Painter, { layout: { labelWidth }, view, width, height, clock, colours, now }: Scene): void {
   painter.rect(0, 0, width, axisHeight, colours.panel);
   painter.clip(labelWidth, 0, width - labelWidth, height, () => {
     for (const { t, label, major } of ticks(clock, view.from, view.to, view.width / 74)) {
@@ -157,6 +161,7 @@ function clipped(text: string, most: number): string {
 /** The runs at a point of the chart (px): a bar, or all marks there; the time at x. */
 export function runsAt(scene: Scene, x: number, y: number): number[] {
   const { layout, view, scroll } = scene;
+  const { labelWidth, laneHeight } = layout;
   if (x < labelWidth || y < axisHeight) return [];
   const down = y - axisHeight + scroll;
   const row = layout.rows.find((each) => down >= each.top && down < each.top + each.height - rowGap);

@@ -1,6 +1,6 @@
 import { duration } from '../clock';
-import { layoutGantt } from '../gantt/layout';
-import { axisHeight, labelWidth, paintGantt, runsAt, type Scene } from '../gantt/paint';
+import { layoutGantt, stretched } from '../gantt/layout';
+import { axisHeight, paintGantt, runsAt, type Scene } from '../gantt/paint';
 import { CanvasPainter } from '../gantt/painter';
 import { SvgPainter } from '../gantt/svg';
 import { panned, showing, wholeView, zoomed, type TimeView } from '../gantt/view';
@@ -22,7 +22,8 @@ export function mountGantt(host: HTMLElement, page: Page, shown: Shown): void {
     'aria-label': 'Gantt chart: arrows move, plus and minus zoom, Enter goes to the next task' });
   const said = make('div', { class: 'unseen', 'aria-live': 'polite' });
   const chart = make('div', { class: 'gantt' }, canvas, said);
-  const layout = layoutGantt(runs);
+  let layout = layoutGantt(runs);
+  const { labelWidth } = layout;
   const byStart = runs.all.map((_, i) => i).sort((a, b) => runs.all[a].start - runs.all[b].start || a - b);
   let view: TimeView = wholeView(film.end, 1);
   let scroll = 0;
@@ -33,6 +34,7 @@ export function mountGantt(host: HTMLElement, page: Page, shown: Shown): void {
   const draw = onceAFrame(() => {
     const { clientWidth: width, clientHeight: height } = chart;
     if (!shown.now() || width === 0) return;
+    layout = stretched(layout, height - axisHeight);
     view = { ...view, width: width - labelWidth };
     scroll = Math.min(Math.max(scroll, 0), Math.max(layout.height - (height - axisHeight), 0));
     const ratio = devicePixelRatio || 1;
