@@ -15,8 +15,9 @@ const directions: Record<ViewName, Vector3> = {
 const opening = 38;
 const openingAboard = 62;
 const flightSeconds = 0.7;
-/** Share of the picture that what is fitted fills. */
+/** Share of the picture that what is fitted fills, and how much of its top (px) is under the buttons. */
 const fill = 0.92;
+const underButtons = 48;
 
 /** The camera: turned, moved and brought near by pointer and keys, flying gently to where it is sent, or riding on a machine. */
 export class Rig {
@@ -24,6 +25,8 @@ export class Rig {
   private readonly controls: OrbitControls;
   private flight: { position: [Vector3, Vector3]; target: [Vector3, Vector3]; began: number } | null = null;
   private aboard = false;
+  /** Of the picture (px). */
+  private height = 1;
   /** What is fitted, as long as nobody has moved the camera since: a new size of the picture asks for a new distance. */
   private fitted: { points: Vector3[]; view: ViewName | null } | null = null;
   private readonly still = matchMedia('(prefers-reduced-motion: reduce)');
@@ -48,6 +51,7 @@ export class Rig {
   }
 
   resize(width: number, height: number): void {
+    this.height = height;
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     if (this.fitted) this.fit(this.fitted.points, this.fitted.view, false);
@@ -61,21 +65,25 @@ export class Rig {
     const back = view ? directions[view].clone() : this.camera.position.clone().sub(this.controls.target).normalize();
     const right = new Vector3().crossVectors(this.camera.up, back).normalize();
     const up = new Vector3().crossVectors(back, right);
-    const tall = fill * Math.tan(MathUtils.degToRad(opening / 2));
+    const tall = Math.tan(MathUtils.degToRad(opening / 2));
+    const top = Math.min(fill, 1 - (2 * underButtons) / Math.max(this.height, 4 * underButtons));
     // The eye must be behind the four planes through the rims of the picture and the outermost points.
-    const eye = [right, up].map((axis, i) => {
-      const slope = i === 0 ? tall * this.camera.aspect : tall;
+    const rims = [[right, fill * tall * this.camera.aspect, fill * tall * this.camera.aspect],
+      [up, top * tall, fill * tall]] as const;
+    const eye = rims.map(([axis, over, under]) => {
       let [positive, negative] = [-Infinity, -Infinity];
       for (const point of points) {
-        positive = Math.max(positive, point.dot(axis) + slope * point.dot(back));
-        negative = Math.max(negative, -point.dot(axis) + slope * point.dot(back));
+        positive = Math.max(positive, point.dot(axis) + over * point.dot(back));
+        negative = Math.max(negative, -point.dot(axis) + under * point.dot(back));
       }
-      return { along: (positive - negative) / 2, away: (positive + negative) / (2 * slope) };
+      // Farther away there is room between the planes: then in their middle.
+      const along = (away: number) => (positive - over * away + under * away - negative) / 2;
+      return { along, away: (positive + negative) / (over + under) };
     });
     const [farthest, nearest] = minMax(points.map((point) => point.dot(back)));
     const middle = (farthest + nearest) / 2;
     const away = Math.max(eye[0].away, eye[1].away, nearest + 2);
-    const across = right.clone().multiplyScalar(eye[0].along).addScaledVector(up, eye[1].along);
+    const across = right.clone().multiplyScalar(eye[0].along(away)).addScaledVector(up, eye[1].along(away));
     this.go(across.clone().addScaledVector(back, away), across.clone().addScaledVector(back, middle), gently);
   }
 

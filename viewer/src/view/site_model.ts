@@ -104,6 +104,9 @@ export class SiteModel {
       if (i !== ground) this.addOutline(box, new Matrix4());
     });
     if (this.outline.length === 0) this.addOutline(this.ground.box, new Matrix4());
+    // A ground no longer than what is on it is worth looking at, all of it.
+    const longest = ({ min, max }: Box3) => Math.max(max.x - min.x, max.y - min.y);
+    if (longest(bounds[ground]) <= longest(this.extent)) this.addOutline(bounds[ground], new Matrix4());
     this.extent.setFromPoints(this.outline);
     this.still.add(this.site.mesh, this.components.mesh);
     this.moving.add(this.machines.mesh, this.envelopes.mesh);

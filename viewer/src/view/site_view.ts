@@ -82,10 +82,9 @@ export class SiteView {
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'img');
     host.append(canvas, this.section.element, this.toolbar.element, this.card.element);
-    if (film.header.components.length + film.header.robots.length + film.header.site.length === 0) {
-      const note = 'This plan has no site, no components and no machines: there is nothing to see here yet.';
-      host.append(make('p', 'view-note', note));
-    }
+    const { components, robots, site } = film.header;
+    const note = 'This plan has no site, no components and no machines: there is nothing to see here yet.';
+    if (components.length + robots.length + site.length === 0) host.append(make('p', 'view-note', note));
     this.listen(canvas);
     bindKeys(canvas, {
       nudge: (...by) => { this.ride(-1); this.rig.nudge(...by); this.stage.touch(); },
