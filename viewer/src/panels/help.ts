@@ -11,6 +11,11 @@ const keys: [string, string][] = [
   ['Gantt: Enter, Shift Enter', 'next, previous task'],
   ['Steps: ↑ ↓', 'previous, next record'],
   ['Steps: a line with a blue number', 'on to the next record from this line'],
+  ['Site: drag, wheel', 'turn, zoom; right button moves; a click picks, a double click goes there'],
+  ['Site: W A S D, + −', 'turn, zoom; with Shift move'],
+  ['Site: F, 0, 1 2 3, 4', 'all; from the corner, above, front, side; ride on the machine'],
+  ['Site: [ ], P, Z', 'section lower, higher; paths; zones'],
+  ['Escape', 'pick nothing, leave the steps'],
   ['?', 'this list'],
 ];
 

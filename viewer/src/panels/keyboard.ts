@@ -19,6 +19,7 @@ function actionOf(player: Player, { key, shiftKey }: KeyboardEvent): (() => void
     case ' ': return () => player.toggle();
     case 'ArrowRight': return () => { if (shiftKey) player.step(1); else player.nextComponent(); };
     case 'ArrowLeft': return () => { if (shiftKey) player.step(-1); else player.previousComponent(); };
+    case 'Escape': return () => { player.goToRecord(null); player.select(null); };
     case 'Home': return () => player.seek(0);
     case 'End': return () => player.seek(player.end);
     case 'ArrowUp': case '>': return () => player.setSpeed(fasterSpeed(player.speed, 1));

@@ -11,12 +11,14 @@ export interface KeyActions {
   drop: () => void;
 }
 
-export const keyHelp = 'F fits; 1, 2, 3 look from above, the front, the side; 4 rides on the machine; 0 looks from the corner; '
+const keyHelp = 'F fits; 1, 2, 3 look from above, the front, the side; 4 rides on the machine; 0 looks from the corner; '
   + 'W A S D turn, with Shift they move; + and - bring near and away; [ and ] lower and raise the section; P paths, Z zones; '
   + 'Escape picks nothing';
 
 export function bindKeys(canvas: HTMLCanvasElement, actions: KeyActions): void {
-  canvas.setAttribute('aria-label', `The site in 3D. Keys: ${keyHelp}.`);
+  canvas.setAttribute('role', 'application');
+  canvas.setAttribute('aria-label', 'The site in 3D');
+  canvas.setAttribute('aria-description', `Keys: ${keyHelp}.`);
   canvas.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey || !act(event.key, event.shiftKey, actions)) return;
     event.preventDefault();

@@ -25,6 +25,8 @@ export class Section {
     slider.addEventListener('keydown', (event) => event.stopPropagation());
     const label = make('span', '', 'Section');
     label.setAttribute('aria-hidden', 'true');
+    // What the slider says need not be said twice.
+    height.setAttribute('aria-hidden', 'true');
     this.element.append(label, slider, height);
     this.show();
   }

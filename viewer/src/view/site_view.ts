@@ -80,7 +80,6 @@ export class SiteView {
     this.stage.still.add(this.model.still, this.labels.mesh);
     this.stage.moving.add(this.model.moving, this.paths.strokes.mesh, this.ropes.strokes.mesh, this.overlay.group);
     canvas.tabIndex = 0;
-    canvas.setAttribute('role', 'img');
     host.append(canvas, this.section.element, this.toolbar.element, this.card.element);
     const { components, robots, site } = film.header;
     const note = 'This plan has no site, no components and no machines: there is nothing to see here yet.';

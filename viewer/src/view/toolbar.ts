@@ -24,7 +24,8 @@ export class Toolbar {
         const button = make('button');
         button.type = 'button';
         button.title = tool.title;
-        button.setAttribute('aria-label', tool.title);
+        // Its name is what is seen, also where there is no room for words; the rest is its description.
+        button.setAttribute('aria-label', tool.label);
         button.dataset.tool = tool.name;
         button.append(icon(tool.name), make('span', '', tool.label));
         button.addEventListener('click', tool.press);
