@@ -22,6 +22,24 @@ export function readRemarks(header: Header): Map<string, string> {
   return remarks;
 }
 
+/** What an import writes above an element of a building model. */
+export interface Origin {
+  storey: string;
+  /** `IfcSlab 'vloer_V0'` */
+  what: string;
+  guid: string;
+}
+
+/**
+ * The origin that a remark tells in its last line: `'ground floor', IfcSlab 'Deck', 2O2Fr$t4X7Zf8NOew3FLOH`. What stands above is
+ * about the plan, not about the element. Null: it is a remark in somebody's own words.
+ */
+export function originOf(remark: string): Origin | null {
+  const line = remark.slice(remark.lastIndexOf('\n') + 1);
+  const parts = /^(?:'(.*)', )?(Ifc\w+(?: '.*')?), ([0-9A-Za-z_$]{22})$/.exec(line);
+  return parts && { storey: parts[1] ?? '', what: parts[2], guid: parts[3] };
+}
+
 /** The remark of a component by its full name, such as `u_1_2.wall_3`; empty if it has none. */
 export function remarkOf(remarks: Map<string, string>, component: string): string {
   return remarks.get(component) ?? remarks.get(component.slice(component.lastIndexOf('.') + 1)) ?? '';

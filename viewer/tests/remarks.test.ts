@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { readRemarks, remarkOf } from '../src/remarks';
+import { originOf, readRemarks, remarkOf } from '../src/remarks';
 import { makeHeader } from './make_film';
 
 const text = `# a plan
@@ -28,4 +28,17 @@ test.each([
   ['unknown', ''],
 ])('above %s stands %j', (name, remark) => {
   expect(remarkOf(remarks, name)).toBe(remark);
+});
+
+test.each([
+  ["'00 begane grond', IfcSlab 'vloer_V0', 2dWeqcZXj94QwNPbNEIcDK",
+    { storey: '00 begane grond', what: "IfcSlab 'vloer_V0'", guid: '2dWeqcZXj94QwNPbNEIcDK' }],
+  ["5 elements that a rule leaves out\nIfcBeam, 0jxtYk_DPFmfsr5FLf4yfo",
+    { storey: '', what: 'IfcBeam', guid: '0jxtYk_DPFmfsr5FLf4yfo' }],
+  ["'it\'s', said', IfcWall 'a, b', 0GUGYII3j58vHPlOrLYtw3",
+    { storey: "it's', said", what: "IfcWall 'a, b'", guid: '0GUGYII3j58vHPlOrLYtw3' }],
+  ['it hangs over the place where a shall stand', null],
+  ['', null],
+])('%j tells the origin %j', (remark, origin) => {
+  expect(originOf(remark)).toEqual(origin);
 });

@@ -2,7 +2,7 @@ import type { Activity } from '../activity';
 import { Clock } from '../clock';
 import type { Film } from '../film';
 import type { Player } from '../player';
-import { readRemarks, remarkOf } from '../remarks';
+import { originOf, readRemarks, remarkOf } from '../remarks';
 import { make } from './elements';
 import { icon } from './icons';
 import { quantity } from './quantity';
@@ -71,7 +71,11 @@ export class Card {
     rows.push(['Now', now]);
     if (mass > 0) rows.push(['Mass', mass >= 1000 ? `${quantity(mass / 1000, 2)} t` : `${quantity(mass, 0)} kg`]);
     for (const task of header.tasks) if (task.move === name) rows.push(['Task', task.name], ...this.times(task.name));
-    return [name, remarkOf(this.remarks, name), rows];
+    const remark = remarkOf(this.remarks, name);
+    const origin = originOf(remark);
+    if (!origin) return [name, remark, rows];
+    const storey: Row[] = origin.storey ? [['Storey', origin.storey]] : [];
+    return [name, '', [...storey, ['Element', origin.what], ['GUID', origin.guid], ...rows]];
   }
 
   private robot(index: number): [string, string, Row[]] {
