@@ -68,7 +68,8 @@ export function paintGantt(painter: Painter, scene: Scene): void {
   paintAxis(painter, scene);
 }
 
-function paintOff(painter: Painter, { layout: { labelWidth }, view, clock, colours }: Scene, row: Row, y: number, known: Map<string, Interval[]>): void {
+function paintOff(painter: Painter, scene: Scene, row: Row, y: number, known: Map<string, Interval[]>): void {
+  const { layout: { labelWidth }, view, clock, colours } = scene;
   // Days narrower than two px would only make it grey.
   if (!row.calendar || (view.to - view.from) / day > view.width / 2) return;
   let off = known.get(row.calendar.name);
@@ -108,7 +109,8 @@ function paintLane(painter: Painter, scene: Scene, lane: readonly Bar[], y: numb
       const end = Math.min(labelWidth + xOf(view, piece.to), left + wide);
       // Where nobody works it is a thread.
       const off = piece.kind === 'off';
-      painter.rect(x, y + stripTop + (off ? stripHeight / 2 - 1.5 : 0), Math.max(end - x, 0.5), off ? 3 : stripHeight, fill[piece.kind]);
+      const top = y + stripTop + (off ? stripHeight / 2 - 1.5 : 0);
+      painter.rect(x, top, Math.max(end - x, 0.5), off ? 3 : stripHeight, fill[piece.kind]);
     }
     if (bar.critical && wide < narrow) painter.rect(left, y + stripTop + stripHeight, wide, 2, colours.critical);
     else if (bar.critical) painter.frame(left, y + stripTop - 1, wide, stripHeight + 2, colours.critical);
@@ -118,7 +120,8 @@ function paintLane(painter: Painter, scene: Scene, lane: readonly Bar[], y: numb
   }
 }
 
-function paintPoints(painter: Painter, { layout: { labelWidth, laneHeight }, view, colours, picked }: Scene, row: Row, y: number): void {
+function paintPoints(painter: Painter, scene: Scene, row: Row, y: number): void {
+  const { layout: { labelWidth, laneHeight }, view, colours, picked } = scene;
   const fill = { rejected: colours.bad, 'not reached': colours.muted, milestone: colours.text };
   const middle = y + stripTop + (laneHeight - aroundStrip) / 2;
   const drawn = new Map<string, number>();

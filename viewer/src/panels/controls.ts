@@ -50,7 +50,8 @@ function makeClock({ player, clock }: Page): HTMLElement {
   };
   player.on('time', onceAFrame(show));
   show();
-  return make('div', { class: clock.dated ? 'clock dated' : 'clock', role: 'timer', 'aria-label': 'Simulated time' }, time, since);
+  const kind = clock.dated ? 'clock dated' : 'clock';
+  return make('div', { class: kind, role: 'timer', 'aria-label': 'Simulated time' }, time, since);
 }
 
 function makeSpeed({ player }: Page): HTMLElement {
@@ -97,7 +98,8 @@ function makeChips({ player, runs }: Page): HTMLElement {
       const who = runs.who(run);
       const task = runs.all[run].task;
       const kind = run === tried ? 'tried' : run === picked ? 'picked' : '';
-      const chip = button(who ? `${cut(who, 40)}: ${cut(task, 80)}` : cut(task, 80), () => player.select({ kind: 'run', index: run }), kind ? { class: kind } : {},
+      const label = who ? `${cut(who, 40)}: ${cut(task, 80)}` : cut(task, 80);
+      const chip = button(label, () => player.select({ kind: 'run', index: run }), kind ? { class: kind } : {},
         ...(run === tried ? [`${runs.all[run].result}: `] : []), ...(who ? [named(who, 40), ': '] : []), named(task, 80));
       chip.title = cut(`${who}: ${task}${run === tried ? ' (what is shown was only tried: it did not happen)' : ''}`, 300);
       return chip;

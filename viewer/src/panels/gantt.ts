@@ -14,6 +14,9 @@ import { onTheme, palette } from './theme';
 /** No canvas is larger than this (px), in most browsers. */
 const largestCanvas = 16000;
 
+/** An exported chart is so wide at least (px): names of tasks have room. */
+const exportWidth = 1600;
+
 /** The Gantt chart: machines and crews, with what held them. */
 export function mountGantt(host: HTMLElement, page: Page, shown: Shown): void {
   const { film, player, runs, clock } = page;
@@ -163,9 +166,11 @@ export function mountGantt(host: HTMLElement, page: Page, shown: Shown): void {
     return lines;
   }
 
-  /** All rows at the zoom that is seen. */
+  /** All rows and the piece of time that is seen, as wide as a sheet of paper is. */
   function wholeScene(): Scene {
-    return { ...scene(Math.max(chart.clientWidth, 400), layout.height + axisHeight), scroll: 0, now: null, picked: -1 };
+    const width = Math.max(chart.clientWidth, exportWidth);
+    return { ...scene(width, layout.height + axisHeight), view: { ...view, width: width - labelWidth }, scroll: 0, now: null,
+      picked: -1 };
   }
 
   function exportSvg(): void {

@@ -28,7 +28,7 @@ export function mountOverview(host: HTMLElement, page: Page): { showRefusals(): 
 
 function nothing({ film }: Page): string {
   if (film.header.detail === 'none') {
-    return 'The trace tells of no task: it was written with \u201ctrace-detail none\u201d. Run the plan without this to see them.';
+    return 'The trace tells of no task: it was written without detail. Run the plan with all detail to see them.';
   }
   return 'This plan has no tasks: there is nothing to play.';
 }

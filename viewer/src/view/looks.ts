@@ -117,7 +117,8 @@ export class Looks {
   private blockingPair(): Map<string, Colour> {
     const { moved, met } = this.pairParts();
     const { theme } = this;
-    return new Map([...met.map((part) => [key(part), theme.met] as const), ...moved.map((part) => [key(part), theme.moved] as const)]);
+    const coloured = (parts: Part[], colour: Colour) => parts.map((part): [string, Colour] => [key(part), colour]);
+    return new Map([...coloured(met, theme.met), ...coloured(moved, theme.moved)]);
   }
 }
 
