@@ -138,6 +138,8 @@ function paintPoints(painter: Painter, scene: Scene, row: Row, y: number): void 
 
 function paintAxis(painter: Painter, { layout: { labelWidth }, view, width, height, clock, colours, now }: Scene): void {
   painter.rect(0, 0, width, axisHeight, colours.panel);
+  // The day at the left rim: hours alone do not tell it.
+  if (clock.dated) painter.text(8, axisHeight / 2 - 1, clock.dayOf(Math.max(view.from, 0)), colours.muted, true);
   painter.clip(labelWidth, 0, width - labelWidth, height, () => {
     for (const { t, label, major } of ticks(clock, view.from, view.to, view.width / 74)) {
       const x = Math.round(labelWidth + xOf(view, t)) + 0.5;
