@@ -173,7 +173,10 @@ export class Player {
     } else {
       this.setTime(this.awake(this.t + seconds * this.rate));
     }
-    if (this.t >= this.end) this.pause();
+    if (this.t < this.end) return;
+    this.pause();
+    // What was hidden so that one sees the building grow has its place in the result.
+    this.setFast(false);
   }
 
   private start(fast: boolean): void {

@@ -117,6 +117,8 @@ describe('painting', () => {
     expect(runsAt(at, x(40), row(1))).toEqual([]);
     expect(runsAt(at, x(50), row(0))).toEqual([2]);
     expect(runsAt(at, x(75), row(2))).toEqual([1]);
+    at.layout.rows[0].points.unshift({ run: 3, t: 50, kind: 'not reached' });
+    expect(runsAt(at, x(50), row(0))).toEqual([2, 3]);
     expect(runsAt(at, 20, row(0))).toEqual([]);
     expect(runsAt(at, x(25), 3)).toEqual([]);
   });

@@ -104,6 +104,13 @@ describe('player', () => {
     expect([player.time, player.fast, player.playing]).toEqual([0, false, false]);
   });
 
+  it('shows the machines again when fast play is over', () => {
+    const player = new Player(film());
+    player.fastPlay();
+    for (let i = 0; i < 20; ++i) player.tick(0.2);
+    expect([player.time, player.fast, player.playing]).toEqual([100, false, false]);
+  });
+
   it('tells who listens, and keeps speed and time in their bounds', () => {
     const player = new Player(film());
     const told: string[] = [];

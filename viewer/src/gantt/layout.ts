@@ -158,7 +158,8 @@ function stacked(groups: Group[], laneHeight: number): Layout {
     const top = height;
     height += groupHeight;
     const own = group.rows.map((row) => {
-      const points = [...row.points].sort((a, b) => a.t - b.t);
+      // What was rejected lies above what was not reached because of it.
+      const points = [...row.points].sort((a, b) => a.t - b.t || Number(a.kind === 'rejected') - Number(b.kind === 'rejected'));
       const high = Math.max(row.lanes.length, 1) * laneHeight + rowGap;
       height += high;
       return { ...row, points, top: height - high, height: high };

@@ -172,7 +172,7 @@ export function runsAt(scene: Scene, x: number, y: number): number[] {
   const row = layout.rows.find((each) => down >= each.top && down < each.top + each.height - rowGap);
   if (!row) return [];
   const points = row.points.filter((point) => Math.abs(xOf(view, point.t) - (x - labelWidth)) <= 7);
-  if (points.length > 0 && down < row.top + laneHeight) return points.map((point) => point.run);
+  if (points.length > 0 && down < row.top + laneHeight) return points.map((point) => point.run).reverse();
   const lane = row.lanes[Math.floor((down - row.top) / laneHeight)] ?? [];
   const t = timeOf(view, x - labelWidth);
   // Two px beside a narrow bar are near enough.

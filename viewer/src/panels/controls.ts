@@ -32,7 +32,7 @@ function makeKeys({ player }: Page): HTMLElement {
   keys.addEventListener('mousedown', (event) => event.preventDefault());
   const show = () => {
     play.setAttribute('aria-pressed', String(player.playing && !player.fast));
-    fast.setAttribute('aria-pressed', String(player.playing && player.fast));
+    fast.setAttribute('aria-pressed', String(player.fast));
     pause.setAttribute('aria-pressed', String(!player.playing && player.time > 0 && player.time < player.end));
   };
   player.on(['playing', 'fast'], show);
