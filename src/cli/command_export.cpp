@@ -14,6 +14,7 @@
 
 #include "interpreter/plan_model.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/input_file.hpp"
 #include "src/cli/result_files.hpp"
 #include "src/cli/result_project.hpp"
 #include "src/files/disk_io.hpp"
@@ -41,6 +42,13 @@ int fail(const std::string& message) {
   return kWrongInput;
 }
 
+/// The files that the call reads.
+std::vector<std::string> inputs_of(const ExportOptions& options) {
+  if (!files::is_folder(options.source)) return {options.source};
+  const ResultFiles result(options.source);
+  return {result.trace_path(), result.schedule_path()};
+}
+
 /// What is wrong with the call, if anything.
 std::optional<std::string> call_mistake(const ExportOptions& options) {
   const std::array<std::pair<const char*, const std::string*>, 4> files = {
@@ -56,9 +64,11 @@ std::optional<std::string> call_mistake(const ExportOptions& options) {
   const auto to_screen = std::count_if(files.begin(), files.end(),
                                        [](const auto& file) { return *file.second == "-"; });
   if (to_screen > 1) return "only one of the files can go to standard output";
+  const auto overwritten =
+      overwriting(inputs_of(options), {options.gltf, options.svg, options.mspdi, options.csv});
   if (std::isnan(options.speed_up)) return "expected a number after --speed-up";
   if (options.speed_up > 0 && options.gltf.empty()) return "--speed-up goes with --gltf";
-  if (files::is_folder(options.source)) return std::nullopt;
+  if (files::is_folder(options.source)) return overwritten;
   for (const auto& [name, path] : files) {
     if (path != &options.mspdi && !path->empty()) {
       return fmt::format(
@@ -67,7 +77,7 @@ std::optional<std::string> call_mistake(const ExportOptions& options) {
           name, options.source);
     }
   }
-  return std::nullopt;
+  return overwritten;
 }
 
 /// The schedule of a plan before it is run; nothing, and the mistakes are printed, if the plan is
@@ -94,7 +104,7 @@ taskplan::Schedule read_schedule(const ResultFiles& result) {
   try {
     return report::schedule_from_json(text);
   } catch (const std::invalid_argument& error) {
-    throw WrongResult(fmt::format("{}: {}", result.schedule_path(), error.what()));
+    throw WrongInput(fmt::format("{}: {}", result.schedule_path(), error.what()));
   }
 }
 
@@ -115,7 +125,7 @@ std::string gantt_chart(const ExportOptions& options, const ResultFiles& result)
   try {
     return gantt::svg_chart(gantt::make_chart(schedule, &times, folder_name(options.source)));
   } catch (const std::invalid_argument& error) {
-    throw WrongResult(fmt::format("{}:1: {}", result.trace_path(), error.what()));
+    throw WrongInput(fmt::format("{}:1: {}", result.trace_path(), error.what()));
   }
 }
 
@@ -127,7 +137,7 @@ std::string film(const ExportOptions& options, const ResultFiles& result) {
     const gltf::Document document = gltf::make_document(reader.finish(), {options.speed_up});
     return options.gltf.ends_with(".glb") ? gltf::glb_bytes(document) : gltf::gltf_text(document);
   } catch (const verify::UnreadableInput& error) {
-    throw WrongResult(fmt::format("{}: {}", result.trace_path(), error.what()));
+    throw WrongInput(fmt::format("{}: {}", result.trace_path(), error.what()));
   }
 }
 
@@ -162,7 +172,7 @@ int run_export(const ExportOptions& options) {
   if (files::is_folder(options.source)) {
     try {
       outputs = result_outputs(options);
-    } catch (const WrongResult& wrong) {
+    } catch (const WrongInput& wrong) {
       return fail(wrong.what());
     }
   } else if (auto output = plan_output(options)) {

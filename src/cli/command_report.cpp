@@ -1,19 +1,18 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 
 #include "src/cli/commands.hpp"
+#include "src/cli/input_file.hpp"
 #include "src/cli/report_file.hpp"
+#include "src/cli/result_files.hpp"
 #include "src/files/disk_io.hpp"
 #include "src/film/film_writer.hpp"
 #include "src/page/report_page.hpp"
+#include "src/report/schedule_reader.hpp"
 
 namespace rubicon::cli {
 
@@ -24,44 +23,28 @@ int fail(const std::string& message) {
   return kWrongInput;
 }
 
-/// Opens a file to read; a message if it cannot. A pipe that nobody writes to must not hang.
-std::optional<std::string> open(const std::string& path, std::ifstream& file) {
-  std::error_code error;
-  const bool regular = std::filesystem::is_regular_file(path, error);
-  if (regular) file.open(path, std::ios::binary);
-  if (regular && file) return std::nullopt;
-  return fmt::format("cannot read '{}'{}", path, regular ? "" : ": there is no such file");
+/// The text of schedule.json, "" where there is none.
+std::string read_schedule(const ResultFiles& result) {
+  if (!result.has_schedule()) return {};
+  std::string text = result.schedule_json();
+  // The page relies on what stands in it.
+  report::schedule_from_json(text);
+  return text;
 }
 
-/// Reads a trace; a message if it cannot.
-std::optional<std::string> read_trace(const std::string& path, film::FilmWriter& writer) {
-  std::ifstream file;
-  if (auto failure = open(path, file)) return failure;
-  int number = 0;
-  for (std::string line; std::getline(file, line);) {
-    ++number;
-    try {
-      writer.line(line);
-    } catch (const std::invalid_argument& error) {
-      return fmt::format("{}:{}: {}", path, number, error.what());
-    }
+/// Reads the files of a result and writes its page; a message if the page cannot be written.
+std::optional<std::string> make_page(const ReportOptions& options, bool folder,
+                                     const std::string& out) {
+  const ResultFiles result(options.result);
+  const std::string trace = folder ? result.trace_path() : options.result;
+  if (auto mistake = overwriting({trace, result.schedule_path()}, {out})) return mistake;
+  film::FilmWriter writer;
+  each_trace_line(trace, [&](const std::string& line) { writer.line(line); });
+  try {
+    return write_report(out, writer, folder ? read_schedule(result) : std::string());
+  } catch (const std::invalid_argument& error) {
+    throw WrongInput(fmt::format("{}: {}", result.schedule_path(), error.what()));
   }
-  if (file.bad()) return fmt::format("cannot read '{}'", path);
-  if (!writer.has_header()) return fmt::format("'{}' is empty: this is no trace", path);
-  return std::nullopt;
-}
-
-/// Reads schedule.json, where there is one; a message if it cannot.
-std::optional<std::string> read_schedule(const std::string& path, std::string& text) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) return std::nullopt;
-  std::ifstream file;
-  if (auto failure = open(path, file)) return failure;
-  std::ostringstream all;
-  all << file.rdbuf();
-  text = all.str();
-  if (text.empty()) return fmt::format("'{}' is empty", path);
-  return std::nullopt;
 }
 
 }  // namespace
@@ -73,19 +56,11 @@ int run_report(const ReportOptions& options) {
     return fail(
         fmt::format("'{}' is no folder: name the page to write with --out FILE", options.result));
   }
-  film::FilmWriter writer;
-  const std::string trace = folder ? options.result + "/trace.jsonl" : options.result;
-  if (const auto failure = read_trace(trace, writer)) return fail(*failure);
-  const std::string schedule = options.result + "/schedule.json";
-  std::string schedule_text;
-  if (folder) {
-    if (const auto failure = read_schedule(schedule, schedule_text)) return fail(*failure);
-  }
   const std::string out = options.out.empty() ? options.result + "/report.html" : options.out;
   try {
-    if (const auto failure = write_report(out, writer, schedule_text)) return fail(*failure);
-  } catch (const std::invalid_argument& error) {
-    return fail(fmt::format("{}: {}", schedule, error.what()));
+    if (const auto failure = make_page(options, folder, out)) return fail(*failure);
+  } catch (const WrongInput& wrong) {
+    return fail(wrong.what());
   }
   if (out != "-") fmt::print("{}\n", out);
   return kFine;

@@ -2,11 +2,11 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
+#include <system_error>
 
 #include "src/cli/commands.hpp"
+#include "src/cli/input_file.hpp"
 #include "src/verify/trace_reader.hpp"
 #include "src/verify/verdict_text.hpp"
 
@@ -16,34 +16,19 @@ namespace {
 
 using verify::UnreadableInput;
 
-std::ifstream open_file(const std::string& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) {
-    throw UnreadableInput(fmt::format("{}: expected a file, found a folder", path));
-  }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw UnreadableInput(fmt::format("{}: there is no such file", path));
-  return file;
+int fail(const std::string& message) {
+  fmt::print(stderr, "rubicon: error: {}\n", message);
+  return kWrongInput;
 }
 
 verify::Trace read_trace(const std::string& path) {
-  std::ifstream file = open_file(path);
   verify::TraceReader reader;
+  each_trace_line(path, [&](const std::string& line) { reader.line(line); });
   try {
-    std::string line;
-    while (std::getline(file, line)) reader.line(line);
-    if (file.bad()) throw UnreadableInput("0: the file cannot be read to its end");
     return reader.finish();
   } catch (const UnreadableInput& error) {
     throw UnreadableInput(fmt::format("{}:{}", path, error.what()));
   }
-}
-
-std::string read_whole(const std::string& path) {
-  const std::ifstream file = open_file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
 }
 
 verify::Result read_result(const std::string& path, verify::ResultNames& names) {
@@ -56,8 +41,8 @@ verify::Result read_result(const std::string& path, verify::ResultNames& names) 
   }
   names = {path + "/trace.jsonl", path + "/schedule.json", path + "/schedule.csv"};
   result.trace = read_trace(names.trace);
-  result.schedule_json = read_whole(names.schedule_json);
-  result.schedule_csv = read_whole(names.schedule_csv);
+  result.schedule_json = read_input(names.schedule_json);
+  result.schedule_csv = read_input(names.schedule_csv);
   return result;
 }
 
@@ -69,8 +54,9 @@ int run_verify(const VerifyOptions& options) {
   try {
     verdict = verify::verify(read_result(options.result, names));
   } catch (const UnreadableInput& error) {
-    fmt::print(stderr, "rubicon: error: {}\n", error.what());
-    return kWrongInput;
+    return fail(error.what());
+  } catch (const WrongInput& error) {
+    return fail(error.what());
   }
   const std::string text = options.format == "json" ? verify::verdict_json(verdict, names)
                                                     : verify::verdict_text(verdict, names);

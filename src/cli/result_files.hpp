@@ -1,19 +1,16 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
-#include <stdexcept>
 #include <string>
+#include <system_error>
+#include <utility>
+
+#include "src/cli/input_file.hpp"
 
 namespace rubicon::cli {
 
-/// A result that cannot be used, in a message for the user.
-class WrongResult : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// The files that `rubicon run --out` wrote into a folder. All throw WrongResult where the file is
-/// not there or is none.
+/// The files that `rubicon run --out` wrote into a folder. What reads them throws WrongInput.
 class ResultFiles {
  public:
   explicit ResultFiles(std::string folder) : folder_(std::move(folder)) {}
@@ -21,15 +18,20 @@ class ResultFiles {
   std::string schedule_path() const { return folder_ + "/schedule.json"; }
   std::string trace_path() const { return folder_ + "/trace.jsonl"; }
 
-  bool has_trace() const;
-  std::string schedule_json() const;
-  /// The first line of the trace: its header.
-  std::string trace_header() const;
-  /// Gives each line of the trace to `take`; what it throws as std::invalid_argument or
-  /// verify::UnreadableInput becomes a WrongResult with the line.
-  void each_trace_line(const std::function<void(const std::string&)>& take) const;
+  bool has_schedule() const { return is_there(schedule_path()); }
+  bool has_trace() const { return is_there(trace_path()); }
+  std::string schedule_json() const { return read_input(schedule_path()); }
+  std::string trace_header() const { return read_trace_header(trace_path()); }
+  void each_trace_line(const std::function<void(const std::string&)>& take) const {
+    cli::each_trace_line(trace_path(), take);
+  }
 
  private:
+  static bool is_there(const std::string& path) {
+    std::error_code error;
+    return std::filesystem::exists(path, error);
+  }
+
   std::string folder_;
 };
 

@@ -66,7 +66,7 @@ std::string result_mspdi(const ResultFiles& result, const taskplan::Schedule& sc
   try {
     files.emplace(result.trace_header());
   } catch (const std::invalid_argument& error) {
-    throw WrongResult(fmt::format("{}:1: {}", result.trace_path(), error.what()));
+    throw WrongInput(fmt::format("{}:1: {}", result.trace_path(), error.what()));
   }
   interpreter::SourceMap sources;
   interpreter::Diagnostics diagnostics;
@@ -81,7 +81,7 @@ std::string result_mspdi(const ResultFiles& result, const taskplan::Schedule& sc
       report::print_text(diagnostics.sorted(), sources, files::wants_colour(stderr));
   std::fwrite(messages.data(), 1, messages.size(), stderr);
   if (!plan) {
-    throw WrongResult(
+    throw WrongInput(
         fmt::format("{}:1: the plan that the trace carries cannot be read", result.trace_path()));
   }
   if (!schedule.start_at) {

@@ -1,10 +1,6 @@
 #include "src/cli/trace_source.hpp"
 
-#include <fmt/format.h>
-
-#include <fstream>
-#include <stdexcept>
-
+#include "src/cli/input_file.hpp"
 #include "src/files/disk_io.hpp"
 
 namespace rubicon::cli {
@@ -15,18 +11,11 @@ std::string trace_named(const std::string& source) {
 }
 
 std::optional<std::string> read_trace(const std::string& path, trace::TraceSink& sink) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return fmt::format("cannot read '{}'", path);
-  int number = 0;
-  for (std::string line; std::getline(file, line);) {
-    ++number;
-    try {
-      sink.line(line);
-    } catch (const std::invalid_argument& error) {
-      return fmt::format("{}:{}: {}", path, number, error.what());
-    }
+  try {
+    each_trace_line(path, [&](const std::string& line) { sink.line(line); });
+  } catch (const WrongInput& wrong) {
+    return wrong.what();
   }
-  if (number == 0) return fmt::format("'{}' is empty: this is no trace", path);
   return std::nullopt;
 }
 

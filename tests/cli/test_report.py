@@ -148,7 +148,7 @@ class Report(Case):
         with open(trace, encoding="utf-8") as file:
             lines = file.read().splitlines()
         damaged = {
-            "empty: this is no trace": [],
+            ":1: expected the header of a trace, found nothing": [],
             ":1: this is no trace": lines[1:],
             ":4: this is no line of a trace": lines[:3] + [lines[3][:40]],
             ":3: this is no line of a trace: it has no 'k'": [*lines[:2], lines[2].replace('"k"', '"kk"')],
@@ -162,7 +162,7 @@ class Report(Case):
             self.assertFalse(os.path.exists(self.path("out", "report.html")))
 
     def test_missing_and_broken_files(self):
-        self.assertIn("cannot read", rubicon("report", self.path("nothing"), "--out", self.path("x")).stderr)
+        self.assertIn("there is no such file", rubicon("report", self.path("nothing"), "--out", self.path("x")).stderr)
         self.run_plan("examples/01_one_step_at_a_time/site.plan")
         os.remove(self.path("out", "schedule.json"))
         self.assertEqual(rubicon("report", self.path("out")).returncode, 0)
@@ -171,9 +171,15 @@ class Report(Case):
             file.write('{"tasks": [')
         result = rubicon("report", self.path("out"))
         self.assertEqual(result.returncode, 2)
-        self.assertIn("schedule.json: this is no JSON", result.stderr)
+        self.assertIn("schedule.json: expected JSON", result.stderr)
         open(self.path("out", "schedule.json"), "w").close()
-        self.assertIn("schedule.json' is empty", rubicon("report", self.path("out")).stderr)
+        self.assertIn("schedule.json: expected JSON", rubicon("report", self.path("out")).stderr)
+        for text in ("5", "[]", "{}", '{"tasks": 5}'):
+            with open(self.path("out", "schedule.json"), "w", encoding="utf-8") as file:
+                file.write(text)
+            result = rubicon("report", self.path("out"))
+            self.assertEqual((result.returncode, result.stdout), (2, ""), text)
+            self.assertIn("schedule.json: expected", result.stderr)
         os.remove(self.path("out", "trace.jsonl"))
         os.mkfifo(self.path("out", "trace.jsonl"))
         self.assertEqual(rubicon("report", self.path("out")).returncode, 2)
