@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -13,7 +14,7 @@ namespace rubicon::film {
 namespace {
 
 constexpr std::int64_t kTraceVersion = 1;
-constexpr std::int64_t kCorners = 3;
+constexpr std::size_t kCorners = 3;
 
 simdjson::dom::element parse(simdjson::dom::parser& parser, std::string_view text) {
   simdjson::dom::element root;
@@ -44,7 +45,10 @@ SceneMesh read_mesh(const Record& record) {
   for (const auto each : record.array("vertices")) {
     mesh.vertices.add(millionths(as_number(each), "a corner of a mesh"));
   }
-  const auto corners = static_cast<std::int64_t>(mesh.vertices.count()) / kCorners;
+  if (mesh.vertices.count() % kCorners != 0) {
+    throw std::invalid_argument("the corners of a mesh have three numbers each");
+  }
+  const auto corners = static_cast<std::int64_t>(mesh.vertices.count() / kCorners);
   for (const auto each : record.array("triangles")) {
     const std::int64_t corner = as_whole(each);
     if (corner < 0 || corner >= corners) {
@@ -52,6 +56,9 @@ SceneMesh read_mesh(const Record& record) {
           fmt::format("a mesh has {} corners and a triangle at number {}", corners, corner));
     }
     mesh.triangles.add(corner);
+  }
+  if (mesh.triangles.count() % kCorners != 0) {
+    throw std::invalid_argument("the triangles of a mesh have three corners each");
   }
   return mesh;
 }
@@ -72,7 +79,12 @@ void append_meshes(std::string& out, Scene& scene, const Record& header) {
 
 std::string header_json(Scene& scene, const Record& header) {
   std::string json = "{";
+  std::set<std::string_view> names;
   for (const auto member : header.members()) {
+    // Some readers of JSON take the first of two, others the last.
+    if (!names.insert(member.key).second) {
+      throw std::invalid_argument(fmt::format("the header of the trace has two '{}'", member.key));
+    }
     if (json.size() > 1) json += ',';
     trace::append_string(json, member.key);
     json += ':';

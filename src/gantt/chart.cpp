@@ -17,6 +17,9 @@ using taskplan::Schedule;
 using taskplan::TaskOutcome;
 using taskplan::TaskResult;
 
+/// Shades of more times out of shift than this, in all lanes, make the file too large to open.
+constexpr std::size_t kMostShades = 100'000;
+
 class ChartBuilder {
  public:
   ChartBuilder(const Schedule& schedule, const TraceTimes* times)
@@ -48,14 +51,17 @@ class ChartBuilder {
     for (const auto& rules : times_->calendars) {
       by_calendar[rules.name] = off_times(rules, start_.value_or(kMonday), chart_.end);
     }
+    std::size_t shades = 0;
     for (const auto& [resource, calendar] : times_->calendar_of) {
       const auto found = by_calendar.find(calendar);
       if (found == by_calendar.end()) {
         throw std::invalid_argument("'" + resource + "' has a calendar that is not there");
       }
+      shades += found->second.size();
+      if (shades > kMostShades) return off_.clear();
       off_[resource] = found->second;
-      chart_.has_shifts |= !found->second.empty();
     }
+    chart_.has_shifts = shades > 0;
   }
 
   void add_resource(const taskplan::ResourceUse& use) {

@@ -14,6 +14,10 @@ using schedule::kMinute;
 /// Of more days than this (three years) no chart shows the nights.
 constexpr Ticks kMostDays = 1100;
 
+/// Nor of more turns of shifts than this, twenty a day in three years: they would stand on each
+/// other and cost time and memory.
+constexpr Ticks kMostTurns = 20 * kMostDays;
+
 /// Minutes of a day at which a shift may begin or end.
 std::set<int> turning_minutes(const schedule::CalendarRules& rules) {
   std::set<int> minutes = {0};
@@ -43,8 +47,9 @@ std::vector<Span> off_times(const schedule::CalendarRules& rules, const schedule
   const auto& calendar = std::get<schedule::WorkCalendar>(made);
   std::vector<Span> off;
   if (end / kDay > kMostDays) return off;
-  std::vector<Ticks> turns = {0};
   const std::set<int> minutes = turning_minutes(rules);
+  if ((end / kDay + 1) * static_cast<Ticks>(minutes.size()) > kMostTurns) return off;
+  std::vector<Ticks> turns = {0};
   for (Ticks day = -start.minute_of_day * kMinute; day < end; day += kDay) {
     for (const int minute : minutes) {
       const Ticks turn = day + minute * kMinute;

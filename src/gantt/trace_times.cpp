@@ -35,13 +35,13 @@ schedule::CalendarRules read_calendar(const json& object) {
   return rules;
 }
 
-/// The type of a record; lines begin with it, so that what is not wanted need not be read.
+/// The type of a record; lines that rubicon wrote begin with it, so that what is not wanted need
+/// not be read.
 std::string type_of(const std::string& line) {
   constexpr std::string_view kBegin = R"({"type":")";
+  if (!line.starts_with(kBegin)) return ExactJson::parse(line).at("type").text();
   const std::size_t end = line.find('"', kBegin.size());
-  if (!line.starts_with(kBegin) || end == std::string::npos) {
-    throw std::invalid_argument("this is no line of a trace");
-  }
+  if (end == std::string::npos) throw std::invalid_argument("this is no line of a trace");
   return line.substr(kBegin.size(), end - kBegin.size());
 }
 
@@ -55,6 +55,9 @@ Stretch stretch_of(const std::string& type, const ExactJson& record) {
   } else {
     stretch.kind = Stretch::Kind::wait;
     stretch.what = record.at("why").text();
+  }
+  if (stretch.to < stretch.from) {
+    throw std::invalid_argument("this is no line of a trace: it ends before it begins");
   }
   return stretch;
 }

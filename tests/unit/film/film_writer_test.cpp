@@ -231,7 +231,11 @@ TEST(FilmWriter, DamagedHeadersAreErrors) {
     change(head);
     return head.dump();
   };
+  const std::string whole = header().dump();
   const std::vector<std::pair<std::string, std::string>> cases = {
+      {whole.substr(0, whole.size() - 1) + R"(,"meshes":[]})", "two 'meshes'"},
+      {changed([](auto& head) { head["meshes"][0]["triangles"].push_back(0); }), "three corners"},
+      {changed([](auto& head) { head["meshes"][0]["vertices"].push_back(0); }), "three numbers"},
       {kStart, "this is no trace"},
       {"", "this is no JSON"},
       {changed([](auto& head) { head["version"] = 2; }), "version 2"},

@@ -123,6 +123,17 @@ TEST(Chart, NobodyWorksWhereAllAreOff) {
   EXPECT_TRUE(make_chart(lifted(), &times, "").nobody.empty());
 }
 
+TEST(Chart, ShadesNothingWhereThatWouldMakeALargeFile) {
+  Schedule schedule = lifted();
+  schedule.process_time = 900 * 24 * kHour;
+  TraceTimes times = lifted_times();
+  EXPECT_TRUE(make_chart(schedule, &times, "").has_shifts);
+  for (int i = 0; i < 100; ++i) times.calendar_of["crew_" + std::to_string(i)] = "site";
+  const Chart chart = make_chart(schedule, &times, "");
+  EXPECT_FALSE(chart.has_shifts);
+  EXPECT_TRUE(chart.resources.front().off.empty());
+}
+
 TEST(Chart, RefusesACalendarThatIsNotThere) {
   TraceTimes times = lifted_times();
   times.calendars.clear();

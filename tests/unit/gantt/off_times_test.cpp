@@ -44,6 +44,17 @@ TEST(OffTimes, HoldDaysOffAndEndWithThePlan) {
   EXPECT_TRUE(off_times(rules, kMondayAtEight, 40'000 * kDay).empty());
 }
 
+TEST(OffTimes, AreNotCountedForShiftsOfMinutes) {
+  schedule::CalendarRules rules;
+  rules.name = "minutes";
+  rules.shifts.push_back({0, 6, {}});
+  for (int minute = 0; minute < schedule::kDay / kMinute; minute += 2) {
+    rules.shifts.back().minutes.emplace_back(minute, minute + 1);
+  }
+  EXPECT_EQ(off_times(rules, kMondayAtEight, kDay).size(), 720U);
+  EXPECT_TRUE(off_times(rules, kMondayAtEight, 1000 * kDay).empty());
+}
+
 TEST(OffTimes, RefuseRulesThatAreNone) {
   EXPECT_THROW(off_times({}, kMondayAtEight, kDay), std::invalid_argument);
 }

@@ -40,6 +40,13 @@ TEST(TraceTimes, KeepWorkAndWaitingOfTasksThatWereDone) {
   EXPECT_EQ(times.calendars.front().off.front(), (schedule::Date{2026, 12, 25}));
 }
 
+TEST(TraceTimes, ReadLinesThatAnotherProgramWroteAnew) {
+  const TraceTimes times =
+      read({kHeader, R"({ "task": "set", "t": 1, "robot": "crane", "type": "task_start" })",
+            R"({ "task": "set", "t": 7, "result": "done", "type": "task_end" })"});
+  EXPECT_EQ(times.runs.at({"set", schedule::kSecond}).end, 7 * schedule::kSecond);
+}
+
 TEST(TraceTimes, RefuseWhatIsNoTrace) {
   EXPECT_THROW(read({""}), std::invalid_argument);
   EXPECT_THROW(read({"{}"}), std::invalid_argument);
@@ -47,6 +54,9 @@ TEST(TraceTimes, RefuseWhatIsNoTrace) {
   EXPECT_THROW(read({R"({"type":"header"})"}), std::invalid_argument);
   EXPECT_THROW(read({kHeader.substr(0, kHeader.size() / 2)}), std::invalid_argument);
   EXPECT_THROW(read({kHeader, "garbage"}), std::invalid_argument);
+  EXPECT_THROW(read({kHeader, R"({"type":"task_start","task":"set","robot":"","t":1})",
+                     R"({"type":"work","task":"set","what":"hook","crew":"","from":4,"t":3})"}),
+               std::invalid_argument);
   EXPECT_THROW(read({kHeader, R"({"type":"work","task":"set","from":"x"})"}),
                std::invalid_argument);
 }
