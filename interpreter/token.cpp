@@ -2,6 +2,7 @@
 
 #include "grammar/lexical.hpp"
 #include "grammar/script.hpp"
+#include "interpreter/utf8_character.hpp"
 
 namespace rubicon::interpreter {
 
@@ -81,8 +82,7 @@ bool is_reserved(std::string_view word) { return is_whole<grammar::reserved_word
 bool starts_command(std::string_view word) { return is_whole<grammar::command_start>(word); }
 
 std::size_t utf8_length(const char* at, const char* end) {
-  Input in(at, end, "");
-  return matches<pegtl::utf8::any>(in) ? static_cast<std::size_t>(in.current() - at) : 0;
+  return utf8_character({at, static_cast<std::size_t>(end - at)}).length;
 }
 
 }  // namespace rubicon::interpreter

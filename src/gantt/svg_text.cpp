@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "interpreter/utf8_character.hpp"
+
 namespace rubicon::gantt {
 
 namespace {
@@ -20,33 +22,17 @@ struct Character {
 bool is_allowed(char32_t code) {
   if (code < 0x20) return code == '\t' || code == '\n' || code == '\r';
   if (code >= 0x7F && code <= 0x9F) return false;
-  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
   const bool none = (code & 0xFFFE) == 0xFFFE || (code >= 0xFDD0 && code <= 0xFDEF);
   const bool turning = code == 0x200E || code == 0x200F || code == 0x061C ||
                        (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
-  return !surrogate && !none && !turning && code <= 0x10FFFF;
+  return !none && !turning;
 }
 
 /// The character at the begin of a text that is not empty.
 Character first_of(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  const std::size_t length = lead < 0x80   ? 1
-                             : lead < 0xC2 ? 0
-                             : lead < 0xE0 ? 2
-                             : lead < 0xF0 ? 3
-                             : lead < 0xF5 ? 4
-                                           : 0;
-  const Character broken{0xFFFD, text.substr(0, 1)};
-  if (length == 0 || length > text.size()) return broken;
-  char32_t code = length == 1 ? lead : static_cast<char32_t>(lead & (0x7F >> length));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return broken;
-    code = (code << 6) | (byte(i) & 0x3F);
-  }
-  constexpr char32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
-  if (code < kLeast[length]) return broken;
-  return {is_allowed(code) ? code : 0xFFFD, text.substr(0, length)};
+  const auto [code, length] = interpreter::utf8_character(text);
+  return {length > 0 && is_allowed(code) ? code : 0xFFFD,
+          text.substr(0, std::max<std::size_t>(length, 1))};
 }
 
 template <typename Take>

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstdint>
 
 #include "interpreter/token.hpp"
+#include "interpreter/utf8_character.hpp"
 
 namespace rubicon::project_io {
 
@@ -20,14 +20,7 @@ constexpr std::string_view kPlainLetters =
     "lllnnnnnnnnnoooooooorrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs";  // from U+0140
 static_assert(kPlainLetters.size() == 192);
 
-std::uint32_t code_point(const char* at, std::size_t length) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(at[i]); };
-  if (length == 1) return byte(0);
-  if (length == 2) return (byte(0) & 0x1fu) << 6 | (byte(1) & 0x3fu);
-  return 0;
-}
-
-char plain(std::uint32_t code) {
+char plain(char32_t code) {
   if ((code >= 'a' && code <= 'z') || (code >= '0' && code <= '9')) return static_cast<char>(code);
   if (code >= 'A' && code <= 'Z') return static_cast<char>(code - 'A' + 'a');
   if (code >= 0xc0 && code < 0x180) return kPlainLetters[code - 0xc0];
@@ -46,11 +39,10 @@ bool is_special(std::string_view word) {
 
 std::string identifier(std::string_view name) {
   std::string result;
-  const char* const end = name.data() + name.size();
-  for (const char* at = name.data(); at != end && result.size() < kMaxLength;) {
-    const std::size_t length = interpreter::utf8_length(at, end);
-    const char c = length == 0 ? '_' : plain(code_point(at, length));
-    at += length == 0 ? 1 : length;
+  while (!name.empty() && result.size() < kMaxLength) {
+    const auto [code, length] = interpreter::utf8_character(name);
+    const char c = length == 0 ? '_' : plain(code);
+    name.remove_prefix(length == 0 ? 1 : length);
     if (c != '_' || (!result.empty() && result.back() != '_')) result += c;
   }
   while (!result.empty() && result.back() == '_') result.pop_back();

@@ -184,6 +184,8 @@ TEST(HostileTrace, CleanTextKeepsLetters) {
             "Wand \xc3\xa4\xe2\x82\xac\xf0\x9f\x8f\x97 1");
   EXPECT_EQ(debug::clean_text("a\tb\x1b\x7f\xc2\x9b\xff\xc3"), "a b?????");
   EXPECT_EQ(debug::clean_text("\xc3\xa4\xc3\xa4", 3), "\xc3\xa4...");
+  // An overlong form and a surrogate are no characters: a terminal may make of them what it likes.
+  EXPECT_EQ(debug::clean_text("\xe0\x80\x9b|\xed\xa0\x80"), "???|???");
 }
 
 }  // namespace
