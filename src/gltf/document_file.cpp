@@ -1,7 +1,8 @@
 #include "src/gltf/document_file.hpp"
 
-#include <cstdint>
 #include <string_view>
+
+#include "src/encoding/base64.hpp"
 
 namespace rubicon::gltf {
 
@@ -18,23 +19,6 @@ void append_chunk(std::string& bytes, std::string_view type, std::string chunk, 
   append_number(bytes, chunk.size());
   bytes += type;
   bytes += chunk;
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve(bytes.size() / 3 * 4 + 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63];
-    }
-  }
-  return text;
 }
 
 std::string text_of(const Json& json) {
@@ -59,7 +43,8 @@ std::string glb_bytes(const Document& document) {
 std::string gltf_text(const Document& document) {
   if (document.binary.empty()) return text_of(document.json) + "\n";
   Json json = document.json;
-  json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(document.binary);
+  json["buffers"][0]["uri"] =
+      "data:application/octet-stream;base64," + encoding::base64(document.binary);
   return text_of(json) + "\n";
 }
 

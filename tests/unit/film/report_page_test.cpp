@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "src/page/base64.hpp"
+#include "src/encoding/base64.hpp"
 #include "tests/unit/film/film_decoder.hpp"
 
 namespace rubicon::page {
@@ -76,12 +76,12 @@ TEST(ReportPage, TheBuiltPageHasItsPlaces) {
 }
 
 TEST(Base64, AsTheStandardSays) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
+  EXPECT_EQ(encoding::base64(""), "");
+  EXPECT_EQ(encoding::base64("f"), "Zg==");
+  EXPECT_EQ(encoding::base64("fo"), "Zm8=");
+  EXPECT_EQ(encoding::base64("foo"), "Zm9v");
+  EXPECT_EQ(encoding::base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(encoding::base64("\xff\xfe\xfd"), "//79");
 }
 
 }  // namespace

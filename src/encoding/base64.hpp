@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
-namespace rubicon::page {
+namespace rubicon::encoding {
 
 /// Base64 with padding, without line ends (RFC 4648, section 4).
 std::string base64(std::string_view bytes);
 
-}  // namespace rubicon::page
+}  // namespace rubicon::encoding

@@ -1,9 +1,9 @@
-#include "src/page/base64.hpp"
+#include "src/encoding/base64.hpp"
 
 #include <cstddef>
 #include <cstdint>
 
-namespace rubicon::page {
+namespace rubicon::encoding {
 
 namespace {
 
@@ -28,4 +28,4 @@ std::string base64(std::string_view bytes) {
   return result;
 }
 
-}  // namespace rubicon::page
+}  // namespace rubicon::encoding
