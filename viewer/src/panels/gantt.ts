@@ -27,6 +27,8 @@ export function mountGantt(host: HTMLElement, page: Page, shown: Shown): void {
   const chart = make('div', { class: 'gantt' }, canvas, said);
   let layout = layoutGantt(runs);
   const { labelWidth } = layout;
+  /** The height (px) that the rows were stretched for. */
+  let room = 0;
   const byStart = runs.all.map((_, i) => i).sort((a, b) => runs.all[a].start - runs.all[b].start || a - b);
   let view: TimeView = wholeView(film.end, 1);
   let scroll = 0;
@@ -37,7 +39,8 @@ export function mountGantt(host: HTMLElement, page: Page, shown: Shown): void {
   const draw = onceAFrame(() => {
     const { clientWidth: width, clientHeight: height } = chart;
     if (!shown.now() || width === 0) return;
-    layout = stretched(layout, height - axisHeight);
+    if (height !== room) layout = stretched(layout, height - axisHeight);
+    room = height;
     view = { ...view, width: width - labelWidth };
     scroll = Math.min(Math.max(scroll, 0), Math.max(layout.height - (height - axisHeight), 0));
     const ratio = devicePixelRatio || 1;
