@@ -52,8 +52,6 @@ void Animation::add_channel(int node, const char* path, const char* interpolatio
 
 void Animation::add_element(int node, const ElementCurve& curve) {
   const bool turns = curve.kind != FrameElement::Kind::trans;
-  // Turns run the shorter way from key to key.
-  constexpr double kShortTurn = 90;
   std::vector<FilmKey> keys;
   for (const Key& key : turns ? with_short_turns(curve.keys, kShortTurn) : curve.keys) {
     const Vec3& value = key.value;

@@ -155,6 +155,8 @@ class DocumentBuilder {
     nodes_.place(mounting, near(robot.X_WM));
     nodes_.set(mounting, "extras", {{"robot", robot.name}});
     const std::vector<FrameCurves> curves = motion_curves(robot, track);
+    keys_ += film_keys(curves);
+    if (keys_ > kMostKeys) throw verify::UnreadableInput("expected a film within bounds");
     std::vector<int> body_nodes;
     for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
       const verify::SceneBody& body = robot.bodies[i];
@@ -239,6 +241,7 @@ class DocumentBuilder {
   Ticks until_ = 0;
   double seconds_ = 0;
   double speed_up_ = 1;
+  std::size_t keys_ = 0;  ///< of all robots
   BinaryData data_;
   Meshes meshes_;
   std::optional<Animation> animation_;

@@ -1,5 +1,6 @@
 #include "src/gltf/key_curve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,6 +31,11 @@ class Door {
   Vec3 upper_ = Vec3::Constant(std::numeric_limits<double>::infinity());
 };
 
+/// Into how many pieces a turn is cut so that none is more than `most`.
+int pieces_of(double turn, double most) {
+  return static_cast<int>(std::ceil(std::fabs(turn) / most));
+}
+
 }  // namespace
 
 KeyCurve reduced(const KeyCurve& curve, double slack) {
@@ -58,8 +64,7 @@ KeyCurve with_short_turns(const KeyCurve& curve, double most) {
   for (const Key& key : curve) {
     if (!result.empty()) {
       const Key last = result.back();
-      const int pieces =
-          static_cast<int>(std::ceil(std::fabs(key.value.x() - last.value.x()) / most));
+      const int pieces = pieces_of(key.value.x() - last.value.x(), most);
       for (int i = 1; i < pieces; ++i) {
         const double share = static_cast<double>(i) / pieces;
         result.push_back({last.time + share * (key.time - last.time),
@@ -69,6 +74,15 @@ KeyCurve with_short_turns(const KeyCurve& curve, double most) {
     result.push_back(key);
   }
   return result;
+}
+
+std::size_t count_with_short_turns(const KeyCurve& curve, double most) {
+  std::size_t count = curve.size();
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    const int pieces = pieces_of(curve[i].value.x() - curve[i - 1].value.x(), most);
+    count += static_cast<std::size_t>(std::max(pieces - 1, 0));
+  }
+  return count;
 }
 
 }  // namespace rubicon::gltf

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "src/math/pose.hpp"
@@ -23,5 +24,8 @@ KeyCurve reduced(const KeyCurve& curve, double slack);
 /// The curve with keys added where the first component, an angle in degrees, turns by more than
 /// `most` from one key to the next.
 KeyCurve with_short_turns(const KeyCurve& curve, double most);
+
+/// How many keys that makes, without making them.
+std::size_t count_with_short_turns(const KeyCurve& curve, double most);
 
 }  // namespace rubicon::gltf

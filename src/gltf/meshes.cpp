@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "src/gltf/triangles.hpp"
+#include "src/verify/fault.hpp"
 
 namespace rubicon::gltf {
 
@@ -57,6 +58,10 @@ const std::optional<Meshes::Corners>& Meshes::corners_of(const std::vector<Shape
   if (!added) return place->second;
   const std::vector<Triangle> triangles = triangles_of(shapes, source_);
   if (triangles.empty()) return place->second;
+  triangles_ += triangles.size();
+  if (triangles_ > kMostTriangles) {
+    throw verify::UnreadableInput("expected fewer shapes: their triangles fill no film");
+  }
   Corners corners;
   corners.offset = offset_of(triangles);
   std::vector<Vec3> positions, normals;

@@ -43,6 +43,7 @@ class Meshes {
 
   const std::vector<verify::MeshData>& source_;
   BinaryData& data_;
+  std::size_t triangles_ = 0;                              ///< of all corners
   std::map<std::string, std::optional<Corners>> corners_;  ///< by the numbers of the shapes
   std::map<std::pair<int, Material>, int> meshes_;         ///< by positions
   std::map<Material, int> materials_;

@@ -12,8 +12,6 @@ namespace {
 
 /// m or degrees: no machine goes so far, and turns are cut into quarters.
 constexpr double kLargestValue = 1e8;
-/// Of one element; frames that need more are hostile.
-constexpr std::size_t kMostKeys = 4'000'000;
 
 using verify::FrameElement;
 using verify::Leg;
@@ -21,6 +19,15 @@ using verify::Ticks;
 
 double seconds_of(Ticks ticks) {
   return static_cast<double>(ticks) / static_cast<double>(verify::kSecond);
+}
+
+[[noreturn]] void refuse(const verify::SceneRobot& robot) {
+  throw verify::UnreadableInput("expected frames within bounds in robot '" + robot.name + "'");
+}
+
+std::size_t film_keys_of(const ElementCurve& curve) {
+  if (curve.kind == FrameElement::Kind::trans) return curve.keys.size();
+  return count_with_short_turns(curve.keys, kShortTurn);
 }
 
 /// Follows one element through a track. Half of the slack goes to the samples, half to leaving out.
@@ -58,8 +65,7 @@ class ElementSampler {
     for (; checked_ < curve_.keys.size(); ++checked_) {
       wrong = wrong || too_large(curve_.keys[checked_].value);
     }
-    if (!wrong) return;
-    throw verify::UnreadableInput("expected frames within bounds in robot '" + robot_.name + "'");
+    if (wrong) refuse(robot_);
   }
 
   Vec3 value(std::span<const double> q) const {
@@ -139,15 +145,26 @@ class ElementSampler {
 std::vector<FrameCurves> motion_curves(const verify::SceneRobot& robot,
                                        const verify::RobotTrack& track) {
   std::vector<FrameCurves> frames;
+  std::size_t keys = 0;
   const auto add = [&](const std::vector<FrameElement>& frame) {
     FrameCurves& curves = frames.emplace_back();
     for (const FrameElement& element : frame) {
       curves.push_back(ElementSampler(robot, element).follow(track));
+      keys += film_keys_of(curves.back());
+      if (keys > kMostKeys) refuse(robot);
     }
   };
   for (const verify::SceneBody& body : robot.bodies) add(body.frame);
   add(robot.tool_frame);
   return frames;
+}
+
+std::size_t film_keys(const std::vector<FrameCurves>& frames) {
+  std::size_t keys = 0;
+  for (const FrameCurves& curves : frames) {
+    for (const ElementCurve& curve : curves) keys += film_keys_of(curve);
+  }
+  return keys;
 }
 
 }  // namespace rubicon::gltf

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "src/gltf/key_curve.hpp"
@@ -20,9 +21,18 @@ using FrameCurves = std::vector<ElementCurve>;
 
 /// How all frames of a robot move along its track. Elements whose formulas are no straight lines
 /// are sampled; keys on a line are left out. No value is off by more than kCurveSlack (m) or
-/// kTurnSlack (degrees). Throws verify::UnreadableInput for frames that go beyond all bounds.
+/// kTurnSlack (degrees). Throws verify::UnreadableInput for frames that go beyond all bounds, or
+/// take more than kMostKeys.
 std::vector<FrameCurves> motion_curves(const verify::SceneRobot& robot,
                                        const verify::RobotTrack& track);
+
+/// How many keys of the film they take.
+std::size_t film_keys(const std::vector<FrameCurves>& frames);
+
+/// A film has no more keys than this; frames that need more are hostile.
+inline constexpr std::size_t kMostKeys = 4'000'000;
+/// Degrees from key to key: turns run the shorter way.
+inline constexpr double kShortTurn = 90;
 
 /// m. With half a dozen elements the load of a crane is off by less than 1 mm.
 inline constexpr double kCurveSlack = 1e-4;

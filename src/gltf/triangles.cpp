@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "src/math/angles.hpp"
+#include "src/verify/fault.hpp"
 #include "src/verify/polygon_parts.hpp"
 
 namespace rubicon::gltf {
@@ -52,6 +53,7 @@ class TriangleCollector {
     }
   }
 
+  std::size_t count() const { return triangles_.size(); }
   std::vector<Triangle> take() { return std::move(triangles_); }
 
  private:
@@ -147,9 +149,14 @@ class TriangleCollector {
 }  // namespace
 
 std::vector<Triangle> triangles_of(const std::vector<ShapeData>& shapes,
-                                   const std::vector<verify::MeshData>& meshes) {
+                                   const std::vector<verify::MeshData>& meshes, std::size_t most) {
   TriangleCollector collector(meshes);
-  for (const ShapeData& shape : shapes) collector.add(shape);
+  for (const ShapeData& shape : shapes) {
+    collector.add(shape);
+    if (collector.count() > most) {
+      throw verify::UnreadableInput("expected fewer shapes: their triangles fill no film");
+    }
+  }
   return collector.take();
 }
 

@@ -64,6 +64,7 @@ TEST(KeyCurve, CutsLongTurns) {
   ASSERT_EQ(turns.size(), 8U);
   EXPECT_DOUBLE_EQ(turns[1].value.x(), 90);
   EXPECT_DOUBLE_EQ(turns[1].time, 1);
+  EXPECT_EQ(count_with_short_turns(curve, 90), turns.size());
 }
 
 }  // namespace

@@ -89,6 +89,16 @@ TEST(MotionCurves, RefuseFramesBeyondAllBounds) {
   }
 }
 
+TEST(MotionCurves, RefuseTurnsThatMakeMoreKeysThanAFilmHas) {
+  SceneRobot robot = turner();
+  robot.bodies[0].frame = verify::parse_frame("rotz(10000000 * x)", {"theta", "x"});
+  std::vector<std::pair<std::vector<double>, std::vector<double>>> steps = {{{0, 0}, {0, 9}}};
+  const std::size_t few = film_keys(motion_curves(robot, track(steps)));
+  EXPECT_EQ(few, 1'000'001U);  // quarters
+  for (int i = 0; i < 4; ++i) steps.push_back({steps.back().second, steps.back().first});
+  EXPECT_THROW(motion_curves(robot, track(steps)), verify::UnreadableInput);
+}
+
 TEST(MotionCurves, StandStillBetweenSteps) {
   auto steps = track({{{0, 0}, {0, 1}}, {{0, 1}, {0, 2}}});
   steps.legs[1].from += 100 * verify::kSecond;

@@ -69,6 +69,16 @@ TEST(Triangles, EncloseAPrismOfEitherOrientation) {
   EXPECT_NEAR(closed_volume(prism), 14, 1e-12);
 }
 
+TEST(Triangles, RefuseMoreThanAnyFilmHas) {
+  ShapeData sphere;
+  sphere.kind = ShapeData::Kind::sphere;
+  sphere.radius = 1;
+  const std::size_t each = triangles_of({sphere}, {}).size();
+  const std::vector<ShapeData> many(3, sphere);
+  EXPECT_EQ(triangles_of(many, {}, 3 * each).size(), 3 * each);
+  EXPECT_THROW(triangles_of(many, {}, 3 * each - 1), verify::UnreadableInput);
+}
+
 TEST(Triangles, LeaveOutWhatHasNoArea) {
   verify::MeshData mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}};
