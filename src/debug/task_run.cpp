@@ -44,7 +44,9 @@ std::uint32_t TaskRun::add_row(const std::vector<std::pair<std::string, double>>
 }
 
 void TaskRun::add(Event event, const std::vector<std::pair<std::string, double>>& q) {
-  if (!q.empty()) event.row = add_row(q);
+  // In what begins a loop `row` is where it ends.
+  const bool tells = event.kind == EventKind::attempt || event.kind == EventKind::end;
+  if (tells && !q.empty()) event.row = add_row(q);
   if (event.kind == EventKind::exit) {
     if (last_.loops.empty() || last_.loops.back().place != event.place ||
         last_.loops.back().kind != event.text) {

@@ -179,6 +179,19 @@ TEST(HostileTrace, LongNamesAreCut) {
   EXPECT_LT(session.execute(name.substr(0, 4000)).size(), 1000u);
 }
 
+TEST(HostileTrace, ALoopThatTellsAConfigurationEndsAllTheSame) {
+  debug::Session session(
+      recording_of({hand_header(), hand_loop("enter", R"(,"t":0,"q":{"x":1,"y":2})"),
+                    hand_try(1, "x", 2, true, 1, 1, 0),
+                    hand_loop("exit", R"(,"t":1,"reached":true,"successes":1)"),
+                    hand_record("set", R"("var":"v","value":1e300)")}),
+      "", {});
+  session.execute("step");
+  EXPECT_EQ(
+      session.execute("where"),
+      "#0  chain at s.motion:1: round 1, 1 tried, 1 made; ends reached after try 1, 1 success\n");
+}
+
 TEST(HostileTrace, CleanTextKeepsLetters) {
   EXPECT_EQ(debug::clean_text("Wand \xc3\xa4\xe2\x82\xac\xf0\x9f\x8f\x97 1"),
             "Wand \xc3\xa4\xe2\x82\xac\xf0\x9f\x8f\x97 1");
