@@ -1,13 +1,28 @@
 #include "src/cli/trace_source.hpp"
 
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
 #include "src/cli/input_file.hpp"
 #include "src/files/disk_io.hpp"
 
 namespace rubicon::cli {
 
+namespace {
+
+/// A plan begins with a word or a comment, a trace with the brace of its header.
+bool begins_with_brace(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  return std::ifstream(path, std::ios::binary).get() == '{';
+}
+
+}  // namespace
+
 std::string trace_named(const std::string& source) {
   if (files::is_folder(source)) return source + "/trace.jsonl";
-  return source.ends_with(".jsonl") ? source : std::string();
+  return source.ends_with(".jsonl") || begins_with_brace(source) ? source : std::string();
 }
 
 std::optional<std::string> read_trace(const std::string& path, trace::TraceSink& sink) {

@@ -3,6 +3,7 @@
 import contextlib
 import os
 import re
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -84,10 +85,10 @@ class Sources(unittest.TestCase):
     def test_a_plan_a_result_and_a_trace_tell_the_same(self):
         out = os.path.join(self.folder, "out")
         rubicon("run", EXAMPLE, "--out", out)
+        renamed = shutil.copy(os.path.join(out, "trace.jsonl"), os.path.join(self.folder, "of any name"))
         told = [rubicon("debug", source, stdin="s 3\nw\nx\np\nl\nc\n").stdout
-                for source in (EXAMPLE, out, os.path.join(out, "trace.jsonl"))]
-        self.assertEqual(told[0], told[1])
-        self.assertEqual(told[0], told[2])
+                for source in (EXAMPLE, out, os.path.join(out, "trace.jsonl"), renamed)]
+        self.assertEqual(told[1:], told[:1] * 3)
         self.assertIn("try 3/34", told[0])
 
     def test_a_trace_without_steps_says_how_to_get_them(self):
