@@ -141,10 +141,10 @@ describe.skipIf(!hasBrowser)('the page', () => {
     const picked = await page.evaluate(() => window.rubicon?.player.selection);
     expect(picked?.kind).toBe('component');
     const name = await page.evaluate((i) => window.rubicon!.player.film.header.components[i].name, picked!.index);
-    const card = await page.getByLabel('What is picked').innerText();
-    expect(card).toContain(name);
-    expect(card).toContain('3.9 t');
-    expect(card).toContain(`set_${name}`);
+    const card = page.getByLabel('What is picked');
+    await expect.poll(() => card.locator('h2').innerText()).toBe(name);
+    expect(await card.innerText()).toContain('3.9 t');
+    expect(await card.innerText()).toContain(`set_${name}`);
   });
 
   test('goes to a task that is clicked in the table', async () => {
