@@ -158,7 +158,7 @@ class DamagedResult(unittest.TestCase):
             os.remove(out)
 
     def test_damaged_files_are_refused_or_shown(self):
-        count = int(os.environ.get("RUBICON_DAMAGED_RESULTS", "20"))
+        count = int(os.environ.get("RUBICON_DAMAGED_RESULTS", "12"))
         for seed in range(count):
             folder, out = self.path(str(seed)), self.path("out")
             self.write_damaged(random.Random(seed), folder)
