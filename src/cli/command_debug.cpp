@@ -6,13 +6,11 @@
 #include <string>
 
 #include "src/cli/commands.hpp"
-#include "src/cli/load_runnable_plan.hpp"
 #include "src/cli/trace_source.hpp"
 #include "src/debug/command_words.hpp"
 #include "src/debug/recording_reader.hpp"
 #include "src/debug/session.hpp"
 #include "src/files/disk_io.hpp"
-#include "src/taskplan/run_plan.hpp"
 
 namespace rubicon::cli {
 
@@ -76,15 +74,7 @@ int converse(debug::Session& session, const DebugOptions& options) {
 
 int run_debug(const DebugOptions& options) {
   debug::RecordingReader reader;
-  const std::string trace = trace_named(options.source);
-  if (!trace.empty()) {
-    if (const auto failure = read_trace(trace, reader)) return fail(*failure);
-  } else {
-    interpreter::SourceMap sources;
-    const auto plan = load_runnable_plan(options.source, sources);
-    if (!plan) return kWrongInput;
-    taskplan::run_plan(*plan, sources, &reader, {});
-  }
+  if (!tell(options.source, reader)) return kWrongInput;
   debug::Recording recording = reader.take();
   const std::string nothing = debug::Session::why_not(recording, options.task);
   if (!nothing.empty()) return fail(nothing);

@@ -5,9 +5,7 @@
 
 #include "interpreter/name_suggestion.hpp"
 #include "src/cli/commands.hpp"
-#include "src/cli/load_runnable_plan.hpp"
 #include "src/cli/trace_source.hpp"
-#include "src/taskplan/run_plan.hpp"
 #include "src/why/story_reader.hpp"
 #include "src/why/story_text.hpp"
 
@@ -24,15 +22,7 @@ int fail(const std::string& message) {
 
 int run_why(const WhyOptions& options) {
   why::StoryReader reader(options.task);
-  const std::string trace = trace_named(options.source);
-  if (!trace.empty()) {
-    if (const auto failure = read_trace(trace, reader)) return fail(*failure);
-  } else {
-    interpreter::SourceMap sources;
-    const auto plan = load_runnable_plan(options.source, sources);
-    if (!plan) return kWrongInput;
-    taskplan::run_plan(*plan, sources, &reader, {});
-  }
+  if (!tell(options.source, reader)) return kWrongInput;
   if (!reader.has_task()) {
     interpreter::NameSuggestions suggestions;
     return fail(fmt::format("there is no task '{}' in {}{}", options.task, options.source,

@@ -1,11 +1,15 @@
 #include "src/cli/trace_source.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <fstream>
 #include <system_error>
 
 #include "src/cli/input_file.hpp"
+#include "src/cli/load_runnable_plan.hpp"
 #include "src/files/disk_io.hpp"
+#include "src/taskplan/run_plan.hpp"
 
 namespace rubicon::cli {
 
@@ -32,6 +36,19 @@ std::optional<std::string> read_trace(const std::string& path, trace::TraceSink&
     return wrong.what();
   }
   return std::nullopt;
+}
+
+bool tell(const std::string& source, trace::TraceSink& sink) {
+  const std::string trace = trace_named(source);
+  if (trace.empty()) {
+    interpreter::SourceMap sources;
+    const auto plan = load_runnable_plan(source, sources);
+    if (plan) taskplan::run_plan(*plan, sources, &sink, {});
+    return plan != nullptr;
+  }
+  const auto failure = read_trace(trace, sink);
+  if (failure) fmt::print(stderr, "rubicon: error: {}\n", *failure);
+  return !failure;
 }
 
 }  // namespace rubicon::cli

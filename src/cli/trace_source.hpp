@@ -15,4 +15,8 @@ std::string trace_named(const std::string& source);
 /// refuses a line (std::invalid_argument).
 std::optional<std::string> read_trace(const std::string& path, trace::TraceSink& sink);
 
+/// Hands `sink` the trace of what a user names: of a result or a trace its lines, of a plan those
+/// of its run. False when there is none; what is wrong is on the screen then.
+bool tell(const std::string& source, trace::TraceSink& sink);
+
 }  // namespace rubicon::cli

@@ -3,26 +3,11 @@
 #include <cstdint>
 
 #include "src/debug/string_table.hpp"
+#include "src/trace/record_kind.hpp"
 
 namespace rubicon::debug {
 
-enum class EventKind : std::uint8_t {
-  task_start,
-  goal,
-  set,
-  enter,
-  exit,
-  which,
-  attempt,
-  wait,
-  work,
-  pause,
-  attach,
-  detach,
-  remove,
-  end,
-  task_end
-};
+using EventKind = trace::RecordKind;
 
 /// One record of a trace (docs/trace.md), 40 bytes: a trace has millions. What `text`, `other`,
 /// `value`, `n` and `row` are depends on the kind.

@@ -14,33 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-struct KindName {
-  const char* name;
-  EventKind kind;
-};
-constexpr KindName kKinds[] = {{"try", EventKind::attempt},
-                               {"which", EventKind::which},
-                               {"enter", EventKind::enter},
-                               {"exit", EventKind::exit},
-                               {"set", EventKind::set},
-                               {"goal", EventKind::goal},
-                               {"wait", EventKind::wait},
-                               {"work", EventKind::work},
-                               {"pause", EventKind::pause},
-                               {"attach", EventKind::attach},
-                               {"detach", EventKind::detach},
-                               {"remove", EventKind::remove},
-                               {"end", EventKind::end},
-                               {"task_end", EventKind::task_end},
-                               {"task_start", EventKind::task_start}};
-
-std::optional<EventKind> kind_of(const std::string& type) {
-  for (const KindName& each : kKinds) {
-    if (type == each.name) return each.kind;
-  }
-  return std::nullopt;
-}
-
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -114,7 +87,7 @@ PlannedTask& RecordingReader::planned(const std::string& name) {
 }
 
 void RecordingReader::read_record(const std::string& type, const RecordLine& record) {
-  const std::optional<EventKind> kind = kind_of(type);
+  const std::optional<EventKind> kind = trace::record_kind(type);
   if (!kind) {
     throw std::invalid_argument(
         fmt::format("this is no line of a trace: its type is '{}'", clean_text(type)));

@@ -1,38 +1,15 @@
 #pragma once
 
-#include <array>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "src/film/column.hpp"
 #include "src/film/string_table.hpp"
+#include "src/trace/record_kind.hpp"
 
 namespace rubicon::film {
 
-/// The types of records, in the order of their numbers in a film.
-enum class RecordKind {
-  task_start,
-  goal,
-  set,
-  enter,
-  exit,
-  which,
-  attempt,
-  wait,
-  work,
-  pause,
-  attach,
-  detach,
-  remove,
-  end,
-  task_end
-};
-
-/// As `type` writes them.
-inline constexpr std::array<std::string_view, 15> kRecordTypes = {
-    "task_start", "goal",  "set",    "enter",  "exit",   "which", "try",     "wait",
-    "work",       "pause", "attach", "detach", "remove", "end",   "task_end"};
+using trace::RecordKind;
 
 /// Lengths and parts of quaternions that stay exact where a double holds them; beyond
 /// `kLargestFinePose` (m) there are fewer digits.

@@ -19,9 +19,7 @@ constexpr double kRotationSlack = 1e-3;
 
 RecordKind kind_of(const Record& record) {
   const std::string_view type = record.text("type");
-  for (std::size_t i = 0; i < kRecordTypes.size(); ++i) {
-    if (kRecordTypes[i] == type) return static_cast<RecordKind>(i);
-  }
+  if (const auto kind = trace::record_kind(type)) return *kind;
   throw std::invalid_argument(
       fmt::format("this is no line of a trace: there is no type '{}'", type));
 }

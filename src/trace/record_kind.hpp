@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace rubicon::trace {
+
+/// What a record of a trace tells of (docs/trace.md); a film numbers them in this order
+/// (docs/film.md).
+enum class RecordKind : std::uint8_t {
+  task_start,
+  goal,
+  set,
+  enter,
+  exit,
+  which,
+  attempt,  ///< "try"
+  wait,
+  work,
+  pause,
+  attach,
+  detach,
+  remove,
+  end,
+  task_end
+};
+
+/// As the member `type` writes them, in the order of RecordKind.
+inline constexpr std::array<std::string_view, 15> kRecordTypes = {
+    "task_start", "goal",  "set",    "enter",  "exit",   "which", "try",     "wait",
+    "work",       "pause", "attach", "detach", "remove", "end",   "task_end"};
+
+/// The kind of a record by its `type`; nothing for what is none, such as a header.
+constexpr std::optional<RecordKind> record_kind(std::string_view type) {
+  for (std::size_t i = 0; i < kRecordTypes.size(); ++i) {
+    if (kRecordTypes[i] == type) return static_cast<RecordKind>(i);
+  }
+  return std::nullopt;
+}
+
+}  // namespace rubicon::trace
