@@ -14,8 +14,10 @@ import xml.etree.ElementTree
 RUBICON = os.environ["RUBICON"]
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
+# Once is enough of what takes sanitizers half a minute.
+LARGEST = "taskplans/residential.plan"
 PLANS = ("taskplans/unit.plan", "taskplans/two_cranes.plan", "taskplans/people_below.plan",
-         "taskplans/crane_and_trucks.plan", "taskplans/three_tow_motors.plan", "taskplans/residential.plan",
+         "taskplans/crane_and_trucks.plan", "taskplans/three_tow_motors.plan", LARGEST,
          "examples/03_round_the_block/site.plan", "examples/08_what_cannot_be_done/site.plan")
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -82,6 +84,15 @@ class Export(unittest.TestCase):
                         self.assertIn(task["task"], texts)
                 self.assertFalse([e for e in root.iter() if e.tag.endswith(("script", "image", "foreignObject"))])
 
+    def expect_the_same_as_text(self, folder, document, binary):
+        text = json.loads(rubicon("export", folder, "--gltf", "-").stdout)
+        head = "data:application/octet-stream;base64,"
+        uri = text["buffers"][0].pop("uri")
+        self.assertEqual(text, document)
+        self.assertTrue(uri.startswith(head))
+        within = base64.b64decode(uri[len(head):], validate=True)
+        self.assertEqual(within, binary[:len(within)])
+
     def test_films_are_whole_and_the_same_each_time(self):
         for plan, folder in self.folders.items():
             with self.subTest(plan=plan):
@@ -93,13 +104,8 @@ class Export(unittest.TestCase):
                 magic, version, total, length, kind = struct.unpack("<4sIII4s", data[:20])
                 self.assertEqual((magic, version, total, kind), (b"glTF", 2, len(data), b"JSON"))
                 document = json.loads(data[20:20 + length])
-                text = json.loads(rubicon("export", folder, "--gltf", "-").stdout)
-                head = "data:application/octet-stream;base64,"
-                uri = text["buffers"][0].pop("uri")
-                self.assertEqual(text, document)
-                self.assertTrue(uri.startswith(head))
-                binary = base64.b64decode(uri[len(head):], validate=True)
-                self.assertEqual(binary, data[28 + length:28 + length + len(binary)])
+                if plan != LARGEST:
+                    self.expect_the_same_as_text(folder, document, data[28 + length:])
                 with open(os.path.join(folder, "trace.jsonl"), encoding="utf-8") as file:
                     header = json.loads(file.readline())
                 names = {node["name"] for node in document["nodes"]}
