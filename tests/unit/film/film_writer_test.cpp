@@ -254,7 +254,7 @@ TEST(FilmWriter, DamagedHeadersAreErrors) {
 
 TEST(Gzip, UnpacksToTheSame) {
   std::string bytes;
-  for (int i = 0; i < 300'000; ++i) bytes += static_cast<char>(i * i % 251);
+  for (int i = 0; i < 300'000; ++i) bytes += static_cast<char>(std::int64_t{i} * i % 251);
   EXPECT_EQ(test::unpacked(gzip(bytes)), bytes);
   EXPECT_EQ(test::unpacked(gzip("")), "");
   // No time, and no name of a system.
