@@ -12,7 +12,7 @@ TEST(SvgText, EscapesMarkup) {
 TEST(SvgText, ReplacesWhatXmlDoesNotAllow) {
   const std::string control("a\0b\x01\x1b\x7f", 6);
   EXPECT_EQ(xml_text(control), "a\uFFFDb\uFFFD\uFFFD\uFFFD");
-  EXPECT_EQ(xml_text("\xEF\xBF\xBF"), "\uFFFD");  // U+FFFF
+  EXPECT_EQ(xml_text("\xEF\xBF\xBF"), "\uFFFD");              // U+FFFF
   EXPECT_EQ(xml_text("\xED\xA0\x80"), "\uFFFD\uFFFD\uFFFD");  // half of a surrogate pair
   EXPECT_EQ(xml_text("\xC0\xAF\xF5\xE2\x82"), "\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD");
   EXPECT_EQ(xml_text("a\u202Eb"), "a\uFFFDb");  // turns the text around
