@@ -174,7 +174,7 @@ void expect_records(const DecodedFilm& film, const std::vector<ordered_json>& re
   EXPECT_EQ(film.columns.at("record.run"), trace.run_of);
   for (std::size_t i = 0; i < records.size(); ++i) {
     const auto kind = static_cast<std::size_t>(film.columns.at("record.kind")[i]);
-    ASSERT_EQ(types.at(kind), records[i].at("type"));
+    ASSERT_EQ(types.at(kind), records[i].at("type").get<std::string>());
     if (records[i].contains("t")) {
       ASSERT_EQ(film.columns.at("record.t")[i], millionths_of(records[i].at("t")));
     }
