@@ -18,7 +18,7 @@ bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x
 }  // namespace
 
 std::string clean(std::string_view name) {
-  std::string text = project_io::clean_utf8(name);
+  std::string text = project_io::clean_text(name);
   std::replace_if(text.begin(), text.end(), is_control, ' ');
   return text;
 }

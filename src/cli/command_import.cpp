@@ -32,7 +32,7 @@ int import_schedule(const ImportOptions& options) {
   std::string plan;
   if (project) {
     const std::string name = std::filesystem::path(path).filename().string();
-    plan = project_io::plan_text(*project, project_io::clean_utf8(name), diagnostics);
+    plan = project_io::plan_text(*project, project_io::clean_text(name), diagnostics);
   }
   const std::string messages =
       report::print_text(diagnostics.sorted(), sources, files::wants_colour(stderr));

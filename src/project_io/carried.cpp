@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "interpreter/token.hpp"
+#include "src/project_io/decode_text.hpp"
 
 namespace rubicon::project_io {
 
@@ -39,7 +40,7 @@ std::string unquoted(std::string_view text) {
     }
     text.remove_prefix(word.size());
   }
-  return result;
+  return clean_text(result);
 }
 
 void read_block(const interpreter::SourceMap& sources, interpreter::Span span,

@@ -89,7 +89,7 @@ DecodedText decode_text(std::string_view bytes) {
   return {from_windows(bytes), true};
 }
 
-std::string clean_utf8(std::string_view text) {
+std::string clean_text(std::string_view text) {
   std::string result;
   result.reserve(text.size());
   const char* const end = text.data() + text.size();
@@ -98,6 +98,8 @@ std::string clean_utf8(std::string_view text) {
     if (length == 0 || *at == '\0') {
       append(result, kReplacement);
       ++at;
+    } else if (*at == '\r') {
+      if (++at == end || *at != '\n') result += '\n';
     } else {
       result.append(at, length);
       at += length;

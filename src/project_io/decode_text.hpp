@@ -14,7 +14,8 @@ struct DecodedText {
 /// Primavera writes the code page of its machine, for western languages Windows-1252.
 DecodedText decode_text(std::string_view bytes);
 
-/// The text with everything that is not UTF-8, and every zero byte, replaced by U+FFFD.
-std::string clean_utf8(std::string_view text);
+/// The text with everything that is not UTF-8, and every zero byte, replaced by U+FFFD, and with
+/// line breaks as XML has them: a carriage return, alone or before a line feed, is a line feed.
+std::string clean_text(std::string_view text);
 
 }  // namespace rubicon::project_io

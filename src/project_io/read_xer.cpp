@@ -51,7 +51,7 @@ class XerReader {
   }
 
   static std::string text(std::string_view cell) {
-    std::string result = clean_utf8(cell);
+    std::string result = clean_text(cell);
     for (char& c : result) {
       if (c == '\x7f') c = '\n';
     }
@@ -64,7 +64,7 @@ class XerReader {
     if (found.empty() || project_io::read(found, value)) return;
     listing_.add("I03", fmt::format("cell {}.{}", table, column), row.span(),
                  fmt::format("expected {} in column {} of {}, found '{}'; left out",
-                             expected(value), column, table, clean_utf8(found)));
+                             expected(value), column, table, clean_text(found)));
   }
 
   /// A number that names another row; none if there is none.
@@ -179,7 +179,7 @@ class XerReader {
       if (!index.emplace(row["wbs_id"], branches.size()).second) {
         listing_.add("I04", "wbs twice", row.span(),
                      fmt::format("wbs_id {} is there twice; the second is left out",
-                                 clean_utf8(row["wbs_id"])));
+                                 clean_text(row["wbs_id"])));
         continue;
       }
       branches.push_back({&row, {}, {}, false});
@@ -298,7 +298,7 @@ class XerReader {
     const auto found = kTypes.find(name);
     if (found == kTypes.end()) {
       listing_.add("I03", "constraint", row.span(),
-                   fmt::format("unknown constraint '{}'; left out", clean_utf8(name)));
+                   fmt::format("unknown constraint '{}'; left out", clean_text(name)));
       return;
     }
     task.constraint = found->second;
@@ -332,7 +332,7 @@ class XerReader {
         listing_.add(
             "I03", "pred_type", row.span(),
             fmt::format("expected PR_FS, PR_SS, PR_FF or PR_SF, found '{}'; taken as PR_FS",
-                        clean_utf8(row["pred_type"])));
+                        clean_text(row["pred_type"])));
       } else {
         link.type = type->second;
       }

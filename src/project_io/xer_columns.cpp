@@ -55,8 +55,8 @@ void list_columns(std::string_view name, const XerTable& table, const Columns& k
       settled[i] = true;
       listing.add(
           "I07", fmt::format("column {}.{}", name, table.columns[i]), row.span(),
-          fmt::format("column {} of {} is not taken over, here '{}'", clean_utf8(table.columns[i]),
-                      clean_utf8(name), clean_utf8(row.cells()[i])));
+          fmt::format("column {} of {} is not taken over, here '{}'", clean_text(table.columns[i]),
+                      clean_text(name), clean_text(row.cells()[i])));
     }
   }
 }
@@ -70,7 +70,7 @@ void list_unread(const XerFile& xer, Listing& listing) {
       if (table.rows.empty()) continue;
       listing.add(
           "I07", fmt::format("table {}", name), table.span,
-          fmt::format("table {} is not taken over ({} rows)", clean_utf8(name), table.rows.size()));
+          fmt::format("table {} is not taken over ({} rows)", clean_text(name), table.rows.size()));
       continue;
     }
     list_columns(name, table, known->second, listing);

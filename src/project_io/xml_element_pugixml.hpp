@@ -33,7 +33,7 @@ inline std::string text_in(const pugi::xml_node& node) {
     if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
       text += child.value();
   }
-  return clean_utf8(text);
+  return clean_text(text);
 }
 
 /// One element whose children are fields. Takes them one by one; what was not taken in the end is

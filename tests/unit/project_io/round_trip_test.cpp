@@ -124,6 +124,14 @@ TEST(RoundTrip, elements_stand_in_the_order_of_the_schema) {
                                       "Units", "Work"}));
 }
 
+TEST(RoundTrip, carriage_returns_become_line_feeds) {
+  const Reading reading =
+      read_schedule(mspdi("<Tasks>" + mspdi_task(1, "a&#13;&#10;b&#13;c", "") + "</Tasks>"));
+  ASSERT_TRUE(reading.project);
+  EXPECT_EQ(reading.project->tasks.at(0).name, "a\nb\nc");
+  expect_round_trip(*reading.project);
+}
+
 TEST(RoundTrip, an_empty_project_comes_back) { expect_round_trip(Project{}); }
 
 /// Random projects with odd names, links of all kinds, and numbers far apart.
