@@ -14,5 +14,7 @@ std::span<const Generator> mesh_generators();
 std::span<const Generator> scene_generators();
 /// Poses.
 std::span<const Generator> static_generators();
+/// Poses and steps of meshes whose faces lie in each other.
+std::span<const Generator> aligned_generators();
 
 }  // namespace rubicon::collision::proof
