@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "src/collision/winding.hpp"
-
 namespace rubicon::collision {
 namespace {
 
@@ -22,9 +20,6 @@ constexpr std::size_t kFewParts = 8;
 constexpr double kBoxCorners = 1e-10;
 /// Unit vectors whose product is below this are perpendicular for a box around a piece.
 constexpr double kPerpendicular = 1e-6;
-
-/// Of larger meshes only so many triangles have probes, evenly taken.
-constexpr std::size_t kMostProbedTriangles = 4096;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// A point well inside a piece: from the mean of the corners, which may be near its rim, away from
@@ -142,8 +137,10 @@ Body::Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, con
       for (const int index : triangle) reach_to(soup.vertices()[index], 0);
     }
     for (const Vec3& point : soup.probes()) probes_.push_back({point, kInfinite});
-    inside_grids_.emplace_back(soup);
-    if (soup.closed()) add_surface_probes(soup);
+    mesh_insides_.emplace_back(soup);
+    for (const MeshInside::Middle& middle : mesh_insides_.back().middles()) {
+      surface_probes_.push_back({middle.point, middle.width});
+    }
     has_closed_soup_ = has_closed_soup_ || soup.closed();
   }
   std::vector<Bounds> probe_bounds;
@@ -156,28 +153,6 @@ Body::Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, con
                                           : soups_[part.soup].bounds());
   }
   part_tree_ = WideTree(part_bounds);
-}
-
-/// Of each triangle its centroid, its incentre, and the point half way from the centroid to the
-/// surface on the other side of the body.
-void Body::add_surface_probes(const TriangleSoup& soup) {
-  const std::size_t count = soup.triangles().size();
-  const std::size_t stride = (count + kMostProbedTriangles - 1) / kMostProbedTriangles;
-  for (std::size_t i = 0; i < count; i += stride) {
-    const int triangle = static_cast<int>(i);
-    const Vec3& a = soup.corner(triangle, 0);
-    const Vec3& b = soup.corner(triangle, 1);
-    const Vec3& c = soup.corner(triangle, 2);
-    const Vec3 centroid = (a + b + c) / 3.0;
-    const double la = (b - c).norm();
-    const double lb = (c - a).norm();
-    const double lc = (a - b).norm();
-    surface_probes_.push_back({centroid, kInfinite});
-    surface_probes_.push_back({(la * a + lb * b + lc * c) / (la + lb + lc), kInfinite});
-    const Vec3 inwards = -(b - a).cross(c - a).normalized();
-    const double way = way_to_surface(soup, centroid, inwards);
-    if (way < kInfinite) surface_probes_.push_back({centroid + 0.5 * way * inwards, kInfinite});
-  }
 }
 
 }  // namespace rubicon::collision

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "src/collision/convex.hpp"
-#include "src/collision/inside_grid.hpp"
+#include "src/collision/mesh_inside.hpp"
 #include "src/collision/motion_bounds.hpp"
 #include "src/collision/swept_box.hpp"
 #include "src/collision/swept_query.hpp"
@@ -48,17 +48,15 @@ class Body : public std::enable_shared_from_this<Body> {
   const Bounds& bounds() const { return bounds_; }
   /// A few points of every part, for tests of containment.
   const std::vector<Probe>& probes() const { return probes_; }
-  /// Points on and under every triangle of closed meshes, and a tree over them, for tests of meshes
-  /// whose surfaces lie in each other.
+  /// Points half way through closed meshes under their triangles, and a tree over them, for tests
+  /// of meshes whose surfaces lie in each other.
   const std::vector<Probe>& surface_probes() const { return surface_probes_; }
   const WideTree& surface_probe_tree() const { return surface_probe_tree_; }
   /// One a soup.
-  const std::vector<InsideGrid>& inside_grids() const { return inside_grids_; }
+  const std::vector<MeshInside>& mesh_insides() const { return mesh_insides_; }
   bool has_closed_soup() const { return has_closed_soup_; }
 
  private:
-  void add_surface_probes(const TriangleSoup& soup);
-
   std::vector<ConvexPiece> pieces_;
   std::vector<Convex> convexes_;  ///< views of `pieces_`
   std::vector<TriangleSoup> soups_;
@@ -69,7 +67,7 @@ class Body : public std::enable_shared_from_this<Body> {
   std::vector<Probe> probes_;
   std::vector<Probe> surface_probes_;
   WideTree surface_probe_tree_;
-  std::vector<InsideGrid> inside_grids_;
+  std::vector<MeshInside> mesh_insides_;
   bool has_closed_soup_ = false;
 };
 

@@ -4,24 +4,11 @@
 #include <array>
 #include <optional>
 
+#include "src/collision/surface_search.hpp"
 #include "src/collision/tolerances.hpp"
-#include "src/collision/winding.hpp"
 
 namespace rubicon::collision {
 namespace {
-
-bool deep_inside(const TriangleSoup& soup, const InsideGrid& grid, const Vec3& point,
-                 double depth) {
-  switch (grid.at(point)) {
-    case InsideGrid::Cell::kOutside:
-      return false;
-    case InsideGrid::Cell::kInside:
-      return !surface_within(soup, point, depth);
-    case InsideGrid::Cell::kUnknown:
-      break;
-  }
-  return winding_number(soup, point) != 0 && !surface_within(soup, point, depth);
-}
 
 /// The first of the probes of `inner` that is deep in a closed mesh of `outer`, in the frame of
 /// `inner`.
@@ -34,13 +21,12 @@ std::optional<Vec3> deep_probe(const Body& outer, const Body& inner, const Place
       const double depth =
           std::max(std::min(contact_tolerance, thickness_tolerance(probe.width)), kRoundingDepth);
       const Vec3 point = to_outer * probe.point;
-      return soup.bounds().contains(point) &&
-             deep_inside(soup, outer.inside_grids()[i], point, depth);
+      return soup.bounds().contains(point) && outer.mesh_insides()[i].holds_deep(point, depth);
     };
     for (const Probe& probe : inner.probes()) {
       if (deep(probe)) return probe.point;
     }
-    // Surfaces that lie in each other do not cross: between two meshes more points are asked.
+    // Two meshes may be the same solid: a point within each part of it is asked.
     if (inner.surface_probe_tree().size() == 0) continue;
     const Placement to_inner = to_outer.inverse();
     const Vec3 centre = to_inner * soup.bounds().centre();
@@ -62,14 +48,34 @@ std::optional<Vec3> deep_probe(const Body& outer, const Body& inner, const Place
   return std::nullopt;
 }
 
+/// A point of the surface of a mesh of `inner` that is deep in a closed one of `outer`, in the
+/// frame of `outer`.
+std::optional<Vec3> deep_surface(const Body& outer, const Body& inner, const Placement& to_outer,
+                                 double contact_tolerance) {
+  for (const MeshInside& around : outer.mesh_insides()) {
+    if (!around.soup().closed()) continue;
+    for (const MeshInside& mesh : inner.mesh_insides()) {
+      SurfaceSearch search(mesh, around, to_outer, contact_tolerance);
+      if (const auto point = search.find()) return point;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Vec3> contained_point(const Body& a, const Body& b, const Placement& a_in_b,
                                     double contact_tolerance) {
+  const Placement b_in_a = a_in_b.inverse();
   if (b.has_closed_soup()) {
     if (const auto probe = deep_probe(b, a, a_in_b, contact_tolerance)) return a_in_b * *probe;
   }
-  if (a.has_closed_soup()) return deep_probe(a, b, a_in_b.inverse(), contact_tolerance);
+  if (a.has_closed_soup()) {
+    if (const auto probe = deep_probe(a, b, b_in_a, contact_tolerance)) return probe;
+  }
+  // Their points are quick; the search misses nothing.
+  if (const auto point = deep_surface(b, a, a_in_b, contact_tolerance)) return point;
+  if (const auto point = deep_surface(a, b, b_in_a, contact_tolerance)) return a_in_b * *point;
   return std::nullopt;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "src/collision/tolerances.hpp"
 #include "src/math/angles.hpp"
@@ -135,8 +136,12 @@ bool surface_within(const TriangleSoup& soup, const Vec3& point, double distance
       });
 }
 
-double way_to_surface(const TriangleSoup& soup, const Vec3& from, const Vec3& direction) {
-  double nearest = std::numeric_limits<double>::infinity();
+double way_out(const TriangleSoup& soup, const Vec3& from, const Vec3& direction) {
+  struct Crossing {
+    double way;
+    int side;
+  };
+  std::vector<Crossing> met;
   soup.any_triangle([&](const Bounds& bounds) { return ray_meets(bounds, from, direction); },
                     [&](int i) {
                       const Vec3& a = soup.corner(i, 0);
@@ -151,10 +156,21 @@ double way_to_surface(const TriangleSoup& soup, const Vec3& from, const Vec3& di
                       const double share_c = direction.dot(other) / volume;
                       const double way = ac.dot(other) / volume;
                       const bool within = !(share_b < 0 || share_c < 0 || share_b + share_c > 1);
-                      if (within && way > kBoundsMargin) nearest = std::min(nearest, way);
+                      if (within && way > kBoundsMargin) met.push_back({way, volume > 0 ? -1 : 1});
                       return false;
                     });
-  return nearest;
+  std::sort(met.begin(), met.end(), [](const Crossing& a, const Crossing& b) {
+    return a.way != b.way ? a.way < b.way : a.side < b.side;
+  });
+  // Where the ray ends there is no solid: from there back.
+  int winding = 0;
+  for (const Crossing& crossing : met) winding += crossing.side;
+  if (winding == 0) return met.empty() ? std::numeric_limits<double>::infinity() : met.front().way;
+  for (const Crossing& crossing : met) {
+    winding -= crossing.side;
+    if (winding == 0) return crossing.way;
+  }
+  return std::numeric_limits<double>::infinity();
 }
 
 }  // namespace rubicon::collision

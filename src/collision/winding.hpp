@@ -12,8 +12,9 @@ int winding_number(const TriangleSoup& soup, const Vec3& point);
 /// Whether a point is within `distance` (m) of the surface.
 bool surface_within(const TriangleSoup& soup, const Vec3& point, double distance);
 
-/// How far (m) it is from a point along a unit vector to the next place of the surface, the point's
-/// own place left out; infinite where there is none. Where a ray grazes an edge it may pass.
-double way_to_surface(const TriangleSoup& soup, const Vec3& from, const Vec3& direction);
+/// How far (m) it is from a point of the surface of a closed soup along a unit vector, which points
+/// into the solid, to where the solid ends; infinite where that is not found. Where the ray grazes
+/// an edge it may be too far.
+double way_out(const TriangleSoup& soup, const Vec3& from, const Vec3& direction);
 
 }  // namespace rubicon::collision

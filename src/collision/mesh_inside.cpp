@@ -1,0 +1,86 @@
+#include "src/collision/mesh_inside.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "src/collision/convex.hpp"
+#include "src/collision/tolerances.hpp"
+#include "src/collision/winding.hpp"
+
+namespace rubicon::collision {
+namespace {
+
+/// Of larger meshes only so many triangles have a point half way, evenly taken.
+constexpr std::size_t kMostMiddles = 4096;
+/// Triangles of meshes of no more than these are looked under at four places, others at one.
+constexpr std::size_t kFewTriangles = 1024;
+/// The normals of triangles with a smaller altitude (m) are noise.
+constexpr double kNoNormal = 1e-6;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// 1 if the normals of a closed soup point outwards, -1 if inwards.
+double side_of_normals(const TriangleSoup& soup) {
+  double volume = 0;
+  for (int i = 0; i < static_cast<int>(soup.triangles().size()); ++i) {
+    volume += soup.corner(i, 0).dot(soup.corner(i, 1).cross(soup.corner(i, 2)));
+  }
+  return volume < 0 ? -1 : 1;
+}
+
+}  // namespace
+
+MeshInside::MeshInside(const TriangleSoup& soup) : soup_(&soup), grid_(soup) {
+  const std::size_t count = soup.triangles().size();
+  widths_.assign(count, kInfinite);
+  if (!soup.closed()) return;
+  side_ = side_of_normals(soup);
+  const std::size_t stride = (count + kMostMiddles - 1) / kMostMiddles;
+  for (std::size_t i = 0; i < count; ++i) {
+    const int triangle = static_cast<int>(i);
+    const Vec3& a = soup.corner(triangle, 0);
+    const Vec3& b = soup.corner(triangle, 1);
+    const Vec3& c = soup.corner(triangle, 2);
+    if (smallest_altitude(a, b, c) < kNoNormal) continue;
+    const bool keep = i % stride == 0;
+    look_under(triangle, (a + b + c) / 3.0, keep);
+    if (count > kFewTriangles) continue;
+    for (const Vec3& near : {a, b, c}) look_under(triangle, (a + b + c + 3 * near) / 6.0, keep);
+  }
+}
+
+void MeshInside::look_under(int triangle, const Vec3& from, bool keep) {
+  const Vec3 inwards = -outwards(triangle);
+  const double way = way_out(*soup_, from, inwards);
+  double& width = widths_[static_cast<std::size_t>(triangle)];
+  width = std::min(width, way);
+  if (keep && way < kInfinite) middles_.push_back({from + 0.5 * way * inwards, way});
+}
+
+bool MeshInside::holds(const Vec3& point) const {
+  switch (grid_.at(point)) {
+    case InsideGrid::Cell::kOutside:
+      return false;
+    case InsideGrid::Cell::kInside:
+      return true;
+    case InsideGrid::Cell::kUnknown:
+      break;
+  }
+  return winding_number(*soup_, point) != 0;
+}
+
+bool MeshInside::holds_deep(const Vec3& point, double depth) const {
+  return holds(point) && !surface_within(*soup_, point, depth);
+}
+
+Vec3 MeshInside::outwards(int triangle) const {
+  const Vec3& a = soup_->corner(triangle, 0);
+  const Vec3 normal = (soup_->corner(triangle, 1) - a).cross(soup_->corner(triangle, 2) - a);
+  return side_ * normal.normalized();
+}
+
+double MeshInside::allowed(int triangle, double contact_tolerance) const {
+  const double width = widths_[static_cast<std::size_t>(triangle)];
+  return std::max(std::min(contact_tolerance, thickness_tolerance(width)), kRoundingDepth);
+}
+
+}  // namespace rubicon::collision

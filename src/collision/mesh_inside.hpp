@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "src/collision/inside_grid.hpp"
+#include "src/collision/triangle_soup.hpp"
+
+namespace rubicon::collision {
+
+/// What is known of the inside of a mesh, found once. A mesh that is not closed has none. The soup
+/// must outlive it.
+class MeshInside {
+ public:
+  explicit MeshInside(const TriangleSoup& soup);
+
+  const TriangleSoup& soup() const { return *soup_; }
+  /// Whether a point that is not on the surface is inside.
+  bool holds(const Vec3& point) const;
+  /// Whether it is inside and farther than `depth` (m) from the surface.
+  bool holds_deep(const Vec3& point, double depth) const;
+  /// The normal of a triangle that points out of the solid; of triangles that are almost needles it
+  /// is noise.
+  Vec3 outwards(int triangle) const;
+  /// The most (m) that a triangle may be deep in anything: less than the contact tolerance where
+  /// the solid under it is thin.
+  double allowed(int triangle, double contact_tolerance) const;
+
+  /// A point half way from the surface to the surface on the other side.
+  struct Middle {
+    Vec3 point = Vec3::Zero();
+    double width = 0;  ///< m, from surface to surface
+  };
+  /// Such points under the triangles; of large meshes under some, evenly taken.
+  const std::vector<Middle>& middles() const { return middles_; }
+
+ private:
+  void look_under(int triangle, const Vec3& from, bool keep);
+
+  const TriangleSoup* soup_;
+  InsideGrid grid_;
+  double side_ = 1;  ///< 1 if the triangles' normals point outwards, -1 if inwards
+  std::vector<double> widths_;
+  std::vector<Middle> middles_;
+};
+
+}  // namespace rubicon::collision

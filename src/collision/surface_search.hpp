@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "src/collision/flat_cover.hpp"
+#include "src/collision/mesh_inside.hpp"
+
+namespace rubicon::collision {
+
+/// Looks for a point of the surface of one mesh that is deeper than the contact tolerance (less
+/// where either is thin) inside another, closed one; all of it, not only some points. Source of the
+/// method: docs/collision.md, "Inside".
+class SurfaceSearch {
+ public:
+  /// `to_outer` places the frame of `inner` in that of `outer`.
+  SurfaceSearch(const MeshInside& inner, const MeshInside& outer, const Placement& to_outer,
+                double contact_tolerance);
+
+  /// Such a point in the frame of `outer`; a point near it where the search has become too long to
+  /// be finished.
+  std::optional<Vec3> find();
+
+ private:
+  /// A triangle of `outer` near the one that is looked at, as that one sees it.
+  struct Near {
+    SeenTriangle seen;
+    Vec2 lower = Vec2::Zero();
+    Vec2 upper = Vec2::Zero();
+    double highest = 0;  ///< m, above or below
+  };
+  /// The triangle of `inner` that is looked at: its corners and plane in the frame of `outer`.
+  struct Looked {
+    int index = 0;
+    std::array<Vec3, 3> corners;
+    Vec3 normal = Vec3::UnitZ();
+    Vec3 u = Vec3::UnitX();
+    Vec3 v = Vec3::UnitY();
+    double allowed = 0;  ///< m
+
+    Vec2 flat(const Vec3& point) const {
+      return {u.dot(point - corners[0]), v.dot(point - corners[0])};
+    }
+    Vec3 solid(const Vec2& point) const { return corners[0] + point.x() * u + point.y() * v; }
+  };
+
+  bool look_at_node(int node, const std::vector<int>& packs);
+  bool look_at_triangle(int triangle, const std::vector<int>& packs);
+  std::vector<Near> near_triangles(const Looked& looked, const std::vector<int>& packs);
+  static std::vector<Near> near_to(const FlatPolygon& polygon, const std::vector<Near>& near,
+                                   double reach);
+  bool solids_meet_under(const Looked& looked, int other, const Near& near);
+  bool look_at_piece(const Looked& looked, const FlatPolygon& piece, const std::vector<Near>& near,
+                     int halvings);
+  bool look_at_rest(const Looked& looked, const FlatPolygon& rest, const std::vector<Near>& near);
+  bool deep_somewhere(const Looked& looked, const FlatPolygon& rest);
+  /// Notes a point; true.
+  bool found(const Vec3& point);
+  /// Counts a step of the search; true when there were too many, which counts as found.
+  bool too_long(const Vec3& point, std::int64_t steps = 1);
+
+  const MeshInside& inner_;
+  const MeshInside& outer_;
+  Placement to_outer_;
+  Placement to_inner_;
+  double contact_tolerance_;
+  std::optional<Vec3> found_;
+  std::int64_t steps_ = 0;
+};
+
+}  // namespace rubicon::collision
