@@ -16,53 +16,63 @@ constexpr double kOpposite = 1e-6;
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vec2 turned_right(const Vec2& a) { return {a.y(), -a.x()}; }
 
-/// The corners of the part of a triangle between two heights.
-std::vector<Vec2> part_between(const SeenTriangle& triangle, double height) {
-  std::vector<Vec2> corners;
+/// A few corners, on the stack. A triangle has no more than seven between two heights, twice
+/// counted ones included.
+struct FewCorners {
+  std::array<Vec2, 8> at;
+  std::size_t count = 0;
+
+  void add(const Vec2& corner) { at[count++] = corner; }
+  /// Unless one of them is as near as that.
+  void add_new(const Vec2& corner, double same) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if ((corner - at[i]).squaredNorm() < same * same) return;
+    }
+    add(corner);
+  }
+};
+
+/// The corners of the part of a triangle between two heights, in the order of its rim.
+FewCorners part_between(const SeenTriangle& triangle, double height, double same) {
+  FewCorners corners;
   for (int k = 0; k < 3; ++k) {
     const int next = (k + 1) % 3;
     const double from = triangle.height[k];
     const double to = triangle.height[next];
-    if (std::fabs(from) <= height) corners.push_back(triangle.at[k]);
-    std::array<double, 2> shares{};
-    int count = 0;
-    for (const double level : {-height, height}) {
-      if ((from < level) != (to < level)) shares[count++] = (level - from) / (to - from);
-    }
-    for (int i = 0; i < count; ++i) {
-      corners.push_back(triangle.at[k] + shares[i] * (triangle.at[next] - triangle.at[k]));
+    if (std::fabs(from) <= height) corners.add_new(triangle.at[k], same);
+    const double first = from < to ? -height : height;
+    for (const double level : {first, -first}) {
+      if ((from < level) == (to < level)) continue;
+      const double share = (level - from) / (to - from);
+      corners.add_new(triangle.at[k] + share * (triangle.at[next] - triangle.at[k]), same);
     }
   }
   return corners;
 }
 
-/// Andrew 1979. Corners that nearly coincide are taken for one.
-FlatPolygon hull_of(std::vector<Vec2> corners, double same) {
-  std::sort(corners.begin(), corners.end(), [](const Vec2& a, const Vec2& b) {
+/// Andrew 1979.
+FewCorners hull_of(FewCorners corners) {
+  if (corners.count < 3) return corners;
+  const auto before = [](const Vec2& a, const Vec2& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  std::vector<Vec2> kept;
-  for (const Vec2& corner : corners) {
-    const bool known = std::any_of(kept.begin(), kept.end(), [&](const Vec2& other) {
-      return (corner - other).squaredNorm() < same * same;
-    });
-    if (!known) kept.push_back(corner);
-  }
-  if (kept.size() < 3) return kept;
-  FlatPolygon hull;
-  const auto add_chain = [&](auto begin, auto end) {
-    const std::size_t first = hull.size();
-    for (auto at = begin; at != end; ++at) {
-      while (hull.size() >= first + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], *at - hull.back()) <= 0) {
-        hull.pop_back();
-      }
-      hull.push_back(*at);
-    }
-    hull.pop_back();
   };
-  add_chain(kept.begin(), kept.end());
-  add_chain(kept.rbegin(), kept.rend());
+  for (std::size_t i = 1; i < corners.count; ++i) {
+    for (std::size_t k = i; k > 0 && before(corners.at[k], corners.at[k - 1]); --k) {
+      std::swap(corners.at[k], corners.at[k - 1]);
+    }
+  }
+  FewCorners hull;
+  const auto add_to_chain = [&](std::size_t first, const Vec2& corner) {
+    while (hull.count >= first + 2 && cross(hull.at[hull.count - 1] - hull.at[hull.count - 2],
+                                            corner - hull.at[hull.count - 1]) <= 0) {
+      --hull.count;
+    }
+    hull.add(corner);
+  };
+  for (std::size_t i = 0; i < corners.count; ++i) add_to_chain(0, corners.at[i]);
+  const std::size_t last = --hull.count;
+  for (std::size_t i = corners.count; i-- > 0;) add_to_chain(last, corners.at[i]);
+  --hull.count;
   return hull;
 }
 
@@ -70,35 +80,34 @@ FlatPolygon hull_of(std::vector<Vec2> corners, double same) {
 
 FlatRegion::FlatRegion(const SeenTriangle& triangle, double height, double along, double fullness) {
   negligible_ = kNegligibleShare * along;
-  const FlatPolygon hull = hull_of(part_between(triangle, height), negligible_);
-  if (hull.empty()) return;
+  const FewCorners hull = hull_of(part_between(triangle, height, negligible_));
+  if (hull.count == 0) return;
+  if (hull.count == 1) {
+    const double half = std::sqrt(0.5) * along;
+    for (const Vec2& normal : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) {
+      add_side(normal, normal.dot(hull.at[0]) + half);
+    }
+    return;
+  }
   // Sides are moved out by `fullness` of the margin and corners cut off where they would be farther
   // out than the margin: at a corner that turns by 2 t the cut passes through the points of the
   // sides at the margin's distance.
   const double rest = std::sqrt(1 - fullness * fullness);
-  if (hull.size() == 1) {
-    const double half = std::sqrt(0.5) * along;
-    for (const Vec2& normal : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) {
-      sides_.push_back({normal, normal.dot(hull.front()) + half});
-    }
-    return;
+  std::array<Vec2, 8> along_side;
+  for (std::size_t i = 0; i < hull.count; ++i) {
+    along_side[i] = (hull.at[(i + 1) % hull.count] - hull.at[i]).normalized();
   }
-  const std::size_t count = hull.size();
-  const auto direction = [&](std::size_t i) {
-    return Vec2((hull[(i + 1) % count] - hull[i % count]).normalized());
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec2 along_side = direction(i);
-    const Vec2 normal = turned_right(along_side);
-    sides_.push_back({normal, normal.dot(hull[i]) + fullness * along});
-    const Vec2 next = turned_right(direction(i + 1));
-    const Vec2& corner = hull[(i + 1) % count];
-    const Vec2 sum = normal + next;
-    const Vec2 bisector = sum.norm() > kOpposite ? Vec2(sum.normalized()) : along_side;
+  for (std::size_t i = 0; i < hull.count; ++i) {
+    const std::size_t next = (i + 1) % hull.count;
+    const Vec2 normal = turned_right(along_side[i]);
+    add_side(normal, normal.dot(hull.at[i]) + fullness * along);
+    const Vec2 sum = normal + turned_right(along_side[next]);
+    const double length = sum.norm();
+    const Vec2 bisector = length > kOpposite ? Vec2(sum / length) : along_side[i];
     const double cosine = std::clamp(normal.dot(bisector), 0.0, 1.0);
     if (fullness <= cosine) continue;  // the corner of the sides is near enough
     const double sine = std::sqrt(1 - cosine * cosine);
-    sides_.push_back({bisector, bisector.dot(corner) + along * (fullness * cosine + rest * sine)});
+    add_side(bisector, bisector.dot(hull.at[next]) + along * (fullness * cosine + rest * sine));
   }
 }
 
@@ -107,13 +116,15 @@ void FlatRegion::cut_from(const FlatPolygon& polygon, std::vector<FlatPolygon>& 
     return std::all_of(polygon.begin(), polygon.end(),
                        [&](const Vec2& corner) { return side.normal.dot(corner) >= side.offset; });
   };
-  if (sides_.empty() || std::any_of(sides_.begin(), sides_.end(), beside)) {
+  const auto end = sides_.begin() + static_cast<std::ptrdiff_t>(count_);
+  if (empty() || std::any_of(sides_.begin(), end, beside)) {
     rest.push_back(polygon);
     return;
   }
   const std::size_t first = rest.size();
   FlatPolygon inside = polygon;
-  for (const Side& side : sides_) {
+  for (auto at = sides_.begin(); at != end; ++at) {
+    const Side& side = *at;
     double farthest = 0;
     for (const Vec2& corner : inside) {
       farthest = std::max(farthest, side.normal.dot(corner) - side.offset);

@@ -28,16 +28,21 @@ class FlatRegion {
   /// how much of `along` the sides get; the more, the less the corners do.
   FlatRegion(const SeenTriangle& triangle, double height, double along, double fullness);
 
-  bool empty() const { return sides_.empty(); }
+  bool empty() const { return count_ == 0; }
   /// Adds what of a polygon is outside the region to `rest`, in convex pieces.
   void cut_from(const FlatPolygon& polygon, std::vector<FlatPolygon>& rest) const;
 
  private:
   struct Side {
-    Vec2 normal;
+    Vec2 normal = Vec2::UnitX();
     double offset = 0;  ///< inside: normal.p <= offset
   };
-  std::vector<Side> sides_;
+  void add_side(const Vec2& normal, double offset) { sides_[count_++] = {normal, offset}; }
+
+  /// A triangle between two heights has five corners, by rounding perhaps more; each makes a side
+  /// and a cut.
+  std::array<Side, 16> sides_;
+  std::size_t count_ = 0;
   double negligible_ = 0;  ///< m, pieces that stick out by less are nothing
 };
 

@@ -11,11 +11,16 @@ namespace rubicon::collision {
 namespace {
 
 /// Of larger meshes only so many triangles have a point half way, evenly taken.
-constexpr std::size_t kMostMiddles = 4096;
+constexpr std::size_t kMostMiddles = 1024;
 /// Triangles of meshes of no more than these are looked under at four places, others at one.
 constexpr std::size_t kFewTriangles = 1024;
+/// What is thicker (m) is not thin by any contact tolerance: under triangles without such a point
+/// nobody looks farther.
+constexpr double kThick = 0.25;
 /// The normals of triangles with a smaller altitude (m) are noise.
 constexpr double kNoNormal = 1e-6;
+/// The boxes around more parts than this are not compared.
+constexpr std::size_t kManyParts = 256;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// 1 if the normals of a closed soup point outwards, -1 if inwards.
@@ -27,6 +32,24 @@ double side_of_normals(const TriangleSoup& soup) {
   return volume < 0 ? -1 : 1;
 }
 
+/// Whether the boxes around some connected parts meet.
+bool parts_may_overlap(const TriangleSoup& soup) {
+  std::vector<Bounds> parts;
+  const std::vector<int> part_of = connected_parts(soup.vertices().size(), soup.triangles());
+  for (std::size_t i = 0; i < part_of.size(); ++i) {
+    const auto part = static_cast<std::size_t>(part_of[i]);
+    if (part >= parts.size()) parts.resize(part + 1);
+    for (int k = 0; k < 3; ++k) parts[part].add(soup.corner(static_cast<int>(i), k));
+  }
+  if (parts.size() > kManyParts) return true;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!parts[i].disjoint(parts[j])) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 MeshInside::MeshInside(const TriangleSoup& soup) : soup_(&soup), grid_(soup) {
@@ -34,6 +57,7 @@ MeshInside::MeshInside(const TriangleSoup& soup) : soup_(&soup), grid_(soup) {
   widths_.assign(count, kInfinite);
   if (!soup.closed()) return;
   side_ = side_of_normals(soup);
+  is_plain_ = !parts_may_overlap(soup);
   const std::size_t stride = (count + kMostMiddles - 1) / kMostMiddles;
   for (std::size_t i = 0; i < count; ++i) {
     const int triangle = static_cast<int>(i);
@@ -50,10 +74,18 @@ MeshInside::MeshInside(const TriangleSoup& soup) : soup_(&soup), grid_(soup) {
 
 void MeshInside::look_under(int triangle, const Vec3& from, bool keep) {
   const Vec3 inwards = -outwards(triangle);
-  const double way = way_out(*soup_, from, inwards);
+  double way = 0;
+  // Surfaces may lie inside the solid where its parts overlap: as far as it goes on behind them.
+  for (const double next : ways_to_surface(*soup_, from, inwards, keep ? kInfinite : kThick)) {
+    if (!holds(from + 0.5 * (way + next) * inwards)) break;
+    if (way > 0) is_plain_ = false;
+    way = next;
+  }
+  if (way == 0) return;
   double& width = widths_[static_cast<std::size_t>(triangle)];
   width = std::min(width, way);
-  if (keep && way < kInfinite) middles_.push_back({from + 0.5 * way * inwards, way});
+  const Vec3 middle = from + 0.5 * way * inwards;
+  if (keep && holds(middle)) middles_.push_back({middle, way});
 }
 
 bool MeshInside::holds(const Vec3& point) const {

@@ -25,6 +25,10 @@ class MeshInside {
   /// the solid under it is thin.
   double allowed(int triangle, double contact_tolerance) const;
 
+  /// Whether its surface bounds the solid everywhere: as far as is seen, nothing of it lies inside,
+  /// as where parts overlap.
+  bool is_plain() const { return is_plain_; }
+
   /// A point half way from the surface to the surface on the other side.
   struct Middle {
     Vec3 point = Vec3::Zero();
@@ -38,6 +42,7 @@ class MeshInside {
 
   const TriangleSoup* soup_;
   InsideGrid grid_;
+  bool is_plain_ = true;
   double side_ = 1;  ///< 1 if the triangles' normals point outwards, -1 if inwards
   std::vector<double> widths_;
   std::vector<Middle> middles_;

@@ -43,6 +43,12 @@ constexpr Level kLevels[] = {{0.9995, 0.0316, 0.9}, {0.966, 0.258, 0.9}, {0.866,
 constexpr double kDeepResolution = 0.02;
 constexpr int kMostDeepLooks = 4000;
 
+/// A box is not under a plane if it is less under it than this share of what is allowed.
+constexpr double kNotUnder = 0.1;
+/// The product of unit normals of triangles of nearly one plane, and of planes that may be one.
+constexpr double kFlat = 0.99;
+constexpr double kPerhapsOnePlane = 0.8;
+
 /// Where two surfaces lie in each other with both solids on one side, the point under them is
 /// looked for at this share of what is allowed.
 constexpr double kUnder = 1.01;
@@ -90,6 +96,73 @@ std::optional<Vec3> SurfaceSearch::find() {
   return found_;
 }
 
+/// A quick proof for faces that touch from outside: no point in the box of a node is deep.
+///
+/// Suppose one is, and some other point of the box is not. On the way between them a point x is
+/// exactly as deep as allowed. The place of the surface nearest to x is on a triangle near the box
+/// whose plane x is under by that depth (if it is on an edge, then still under one of its two
+/// planes, by a share of the depth that depends on the angle there and is a tenth only if the solid
+/// has a slit narrower than 12 degrees). So if the box is above all planes of triangles near it,
+/// or a tenth under them, there is no x. All this is true only where surfaces have the solid on one
+/// side.
+bool SurfaceSearch::stays_outside(const TriangleSoup::Node& node, const std::vector<int>& packs) {
+  if (!outer_.is_plain()) return false;
+  const double least_allowed = std::min(contact_tolerance_, kThinFloor);
+  const Vec3 centre = to_outer_ * node.bounds.centre();
+  const Vec3 half = node.bounds.half();
+  Bounds around = placed(node.bounds, to_outer_);
+  around.grow(Vec3::Constant(contact_tolerance_));
+  int first = static_cast<int>(&node - inner_.soup().nodes().data());
+  while (inner_.soup().nodes()[static_cast<std::size_t>(first)].count == 0) {
+    first = inner_.soup().nodes()[static_cast<std::size_t>(first)].first;
+  }
+  first = inner_.soup().nodes()[static_cast<std::size_t>(first)].first;
+  const Vec3 outwards = to_outer_.R * inner_.outwards(first);
+  for (const int pack : packs) {
+    const TrianglePack& four = outer_.soup().packs()[static_cast<std::size_t>(pack)];
+    for (int i = four.first; i < four.first + four.count; ++i) {
+      const Vec3& a = outer_.soup().corner(i, 0);
+      const Vec3& b = outer_.soup().corner(i, 1);
+      const Vec3& c = outer_.soup().corner(i, 2);
+      Bounds bounds;
+      bounds.add(a);
+      bounds.add(b);
+      bounds.add(c);
+      if (around.disjoint(bounds)) continue;
+      const Vec3 normal = outer_.outwards(i);
+      const double height = normal.dot(centre - a);
+      const double reach = (to_outer_.R.transpose() * normal).cwiseAbs().dot(half);
+      if (height - reach < -kNotUnder * least_allowed) return false;
+      // Solids on the same side of a common plane are looked at more closely.
+      if (normal.dot(outwards) > kPerhapsOnePlane) return false;
+      if (smallest_altitude(a, b, c) < kNoNormal) return false;
+    }
+  }
+  if (!is_flat(node)) return false;
+  const Vec3 point = to_outer_ * inner_.soup().corner(first, 0);
+  return surface_within(outer_.soup(), point, least_allowed) || !outer_.holds(point);
+}
+
+/// Whether the normals of the triangles below a node are nearly the same.
+bool SurfaceSearch::is_flat(const TriangleSoup::Node& node) const {
+  std::vector<const TriangleSoup::Node*> open = {&node};
+  std::optional<Vec3> normal;
+  while (!open.empty()) {
+    const TriangleSoup::Node& here = *open.back();
+    open.pop_back();
+    if (here.count == 0) {
+      open.push_back(&inner_.soup().nodes()[static_cast<std::size_t>(here.first) + 1]);
+      open.push_back(&inner_.soup().nodes()[static_cast<std::size_t>(here.first)]);
+    }
+    for (int i = here.first; i < here.first + here.count; ++i) {
+      const Vec3 other = inner_.outwards(i);
+      if (!normal) normal = other;
+      if (!(normal->dot(other) > kFlat)) return false;
+    }
+  }
+  return true;
+}
+
 /// The triangles below a node of the tree of `inner`; only `packs` of `outer` come near its parent.
 bool SurfaceSearch::look_at_node(int node, const std::vector<int>& packs) {
   const TriangleSoup::Node& here = inner_.soup().nodes()[static_cast<std::size_t>(node)];
@@ -106,6 +179,7 @@ bool SurfaceSearch::look_at_node(int node, const std::vector<int>& packs) {
     const Vec3 point = to_outer_ * here.bounds.centre();
     return outer_.holds(point) && found(point);
   }
+  if (stays_outside(here, near)) return false;
   if (here.count == 0) {
     return look_at_node(here.first, near) || look_at_node(here.first + 1, near);
   }

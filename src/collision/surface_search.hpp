@@ -45,6 +45,8 @@ class SurfaceSearch {
     Vec3 solid(const Vec2& point) const { return corners[0] + point.x() * u + point.y() * v; }
   };
 
+  bool stays_outside(const TriangleSoup::Node& node, const std::vector<int>& packs);
+  bool is_flat(const TriangleSoup::Node& node) const;
   bool look_at_node(int node, const std::vector<int>& packs);
   bool look_at_triangle(int triangle, const std::vector<int>& packs);
   std::vector<Near> near_triangles(const Looked& looked, const std::vector<int>& packs);

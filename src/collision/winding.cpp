@@ -25,9 +25,10 @@ const std::array<Vec3, 4>& ray_directions() {
   return directions;
 }
 
-bool ray_meets(const Bounds& bounds, const Vec3& from, const Vec3& direction) {
+bool ray_meets(const Bounds& bounds, const Vec3& from, const Vec3& direction,
+               double reach = std::numeric_limits<double>::infinity()) {
   double enter = 0;
-  double leave = std::numeric_limits<double>::infinity();
+  double leave = reach;
   for (int axis = 0; axis < 3; ++axis) {
     double first = (bounds.lower[axis] - kBoundsMargin - from[axis]) / direction[axis];
     double second = (bounds.upper[axis] + kBoundsMargin - from[axis]) / direction[axis];
@@ -136,13 +137,10 @@ bool surface_within(const TriangleSoup& soup, const Vec3& point, double distance
       });
 }
 
-double way_out(const TriangleSoup& soup, const Vec3& from, const Vec3& direction) {
-  struct Crossing {
-    double way;
-    int side;
-  };
-  std::vector<Crossing> met;
-  soup.any_triangle([&](const Bounds& bounds) { return ray_meets(bounds, from, direction); },
+std::vector<double> ways_to_surface(const TriangleSoup& soup, const Vec3& from,
+                                    const Vec3& direction, double reach) {
+  std::vector<double> ways;
+  soup.any_triangle([&](const Bounds& bounds) { return ray_meets(bounds, from, direction, reach); },
                     [&](int i) {
                       const Vec3& a = soup.corner(i, 0);
                       const Vec3 ab = soup.corner(i, 1) - a;
@@ -155,22 +153,16 @@ double way_out(const TriangleSoup& soup, const Vec3& from, const Vec3& direction
                       const double share_b = arm.dot(across) / volume;
                       const double share_c = direction.dot(other) / volume;
                       const double way = ac.dot(other) / volume;
-                      const bool within = !(share_b < 0 || share_c < 0 || share_b + share_c > 1);
-                      if (within && way > kBoundsMargin) met.push_back({way, volume > 0 ? -1 : 1});
+                      // A ray through an edge must not pass between the two triangles.
+                      const double least = std::min({share_b, share_c, 1 - share_b - share_c});
+                      if (least >= -kGrazing && way > kBoundsMargin && way <= reach)
+                        ways.push_back(way);
                       return false;
                     });
-  std::sort(met.begin(), met.end(), [](const Crossing& a, const Crossing& b) {
-    return a.way != b.way ? a.way < b.way : a.side < b.side;
-  });
-  // Where the ray ends there is no solid: from there back.
-  int winding = 0;
-  for (const Crossing& crossing : met) winding += crossing.side;
-  if (winding == 0) return met.empty() ? std::numeric_limits<double>::infinity() : met.front().way;
-  for (const Crossing& crossing : met) {
-    winding -= crossing.side;
-    if (winding == 0) return crossing.way;
-  }
-  return std::numeric_limits<double>::infinity();
+  std::sort(ways.begin(), ways.end());
+  const auto same = [](double a, double b) { return b - a < kBoundsMargin; };
+  ways.erase(std::unique(ways.begin(), ways.end(), same), ways.end());
+  return ways;
 }
 
 }  // namespace rubicon::collision

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "src/collision/triangle_soup.hpp"
 
 namespace rubicon::collision {
@@ -12,9 +14,10 @@ int winding_number(const TriangleSoup& soup, const Vec3& point);
 /// Whether a point is within `distance` (m) of the surface.
 bool surface_within(const TriangleSoup& soup, const Vec3& point, double distance);
 
-/// How far (m) it is from a point of the surface of a closed soup along a unit vector, which points
-/// into the solid, to where the solid ends; infinite where that is not found. Where the ray grazes
-/// an edge it may be too far.
-double way_out(const TriangleSoup& soup, const Vec3& from, const Vec3& direction);
+/// How far (m) it is from a point along a unit vector to each place where the ray meets the
+/// surface, in order; the point's own place left out, places that are next to each other taken
+/// once, none farther than `reach` (m).
+std::vector<double> ways_to_surface(const TriangleSoup& soup, const Vec3& from,
+                                    const Vec3& direction, double reach);
 
 }  // namespace rubicon::collision

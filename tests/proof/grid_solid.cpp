@@ -200,20 +200,21 @@ bool holds_cube(const GridSolid& solid, const Vec3& middle, double half) {
   return true;
 }
 
-Truth grid_truth(const GridSolid& a, const GridSolid& b, double tolerance, double finest,
-                 double doubt) {
+Truth grid_truth(const GridSolid& a, const GridSolid& b, const GridRules& rules) {
   const GridSolid both = common(a, b);
   bool hit = false;
   for_each_cell(both, [&](const std::array<int, 3>& cell) {
     if (hit || !both.has(cell)) return;
     const Vec3 middle = both.middle(cell);
-    const double width = std::min(thickness_at(a, middle), thickness_at(b, middle));
-    hit = holds_cube(both, middle, tolerance_of(width, tolerance) + doubt);
+    const double width = rules.thin ? std::min(thickness_at(a, middle), thickness_at(b, middle))
+                                    : std::numeric_limits<double>::infinity();
+    hit = holds_cube(both, middle, tolerance_of(width, rules.tolerance) + rules.doubt);
   });
-  const double deep = tolerance_of(std::numeric_limits<double>::infinity(), tolerance) + doubt;
+  const double deep =
+      tolerance_of(std::numeric_limits<double>::infinity(), rules.tolerance) + rules.doubt;
   if (hit || overlap(a, eroded(b, deep)) || overlap(eroded(a, deep), b)) return Truth::kHit;
   const double width = std::min(thinnest(a), thinnest(b));
-  const double shallow = std::min(tolerance_of(width, tolerance), finest) - doubt;
+  const double shallow = std::min(tolerance_of(width, rules.tolerance), rules.finest) - rules.doubt;
   if (shallow <= 0) return Truth::kNearBoundary;
   if (both.empty()) return Truth::kFree;
   // A point is as deep along the axes as it is deep by the root of 3.
@@ -223,7 +224,7 @@ Truth grid_truth(const GridSolid& a, const GridSolid& b, double tolerance, doubl
 }
 
 Truth grid_truth_along(const GridSolid& a, int axis, double way, const GridSolid& b,
-                       double tolerance, double finest, double doubt) {
+                       const GridRules& rules) {
   // Where planes meet, and between.
   std::vector<double> places = {0, way};
   for (const double own : a.planes[axis]) {
@@ -236,12 +237,11 @@ Truth grid_truth_along(const GridSolid& a, int axis, double way, const GridSolid
   const std::size_t count = places.size();
   for (std::size_t i = 1; i < count; ++i) places.push_back(0.5 * (places[i - 1] + places[i]));
   for (const double place : places) {
-    if (grid_truth(shifted(a, place * Vec3::Unit(axis)), b, tolerance, finest, doubt) ==
-        Truth::kHit) {
+    if (grid_truth(shifted(a, place * Vec3::Unit(axis)), b, rules) == Truth::kHit) {
       return Truth::kHit;
     }
   }
-  const Truth all = grid_truth(swept(a, axis, way), b, tolerance, finest, doubt);
+  const Truth all = grid_truth(swept(a, axis, way), b, rules);
   return all == Truth::kFree ? Truth::kFree : Truth::kNearBoundary;
 }
 

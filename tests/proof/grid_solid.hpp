@@ -51,15 +51,20 @@ double thinnest(const GridSolid& solid);
 double thickness_at(const GridSolid& solid, const Vec3& point);
 bool holds_cube(const GridSolid& solid, const Vec3& middle, double half);
 
-/// Whether two solids of these positions are deeper in each other than the rules of
-/// docs/collision.md allow: a hit if some cube in both is larger than the tolerance (less where
-/// they are thin), or a point of one is deeper in the other; free if no point of one is half as
-/// deep. `doubt` (m): how much the bodies may differ from the solids; `finest` (m): the most that
-/// their triangles allow.
-Truth grid_truth(const GridSolid& a, const GridSolid& b, double tolerance, double finest,
-                 double doubt);
+/// What is allowed.
+struct GridRules {
+  double tolerance = 1e-3;  ///< m
+  double finest = 1e-3;     ///< m, the most that the triangles allow
+  double doubt = 0;         ///< m, how much the bodies may differ from the solids
+  bool thin = true;         ///< less is allowed where the solids are thin
+};
+
+/// Whether two solids are deeper in each other than the rules of docs/collision.md allow: a hit if
+/// some cube in both is larger than the tolerance (less where they are thin), or a point of one is
+/// deeper in the other; free if no point of one is half as deep.
+Truth grid_truth(const GridSolid& a, const GridSolid& b, const GridRules& rules);
 /// The same for `a` being shifted along an axis.
 Truth grid_truth_along(const GridSolid& a, int axis, double way, const GridSolid& b,
-                       double tolerance, double finest, double doubt);
+                       const GridRules& rules);
 
 }  // namespace rubicon::collision::proof
