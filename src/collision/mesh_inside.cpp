@@ -55,8 +55,17 @@ bool parts_may_overlap(const TriangleSoup& soup) {
 MeshInside::MeshInside(const TriangleSoup& soup) : soup_(&soup), grid_(soup) {
   const std::size_t count = soup.triangles().size();
   widths_.assign(count, kInfinite);
+  const double side = soup.closed() ? side_of_normals(soup) : 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    const int triangle = static_cast<int>(i);
+    const Vec3& a = soup.corner(triangle, 0);
+    const Vec3& b = soup.corner(triangle, 1);
+    const Vec3& c = soup.corner(triangle, 2);
+    const bool is_needle = smallest_altitude(a, b, c) < kNoNormal;
+    outwards_.push_back(is_needle ? Vec3(Vec3::Zero())
+                                  : Vec3(side * (b - a).cross(c - a).normalized()));
+  }
   if (!soup.closed()) return;
-  side_ = side_of_normals(soup);
   is_plain_ = !parts_may_overlap(soup);
   const std::size_t stride = (count + kMostMiddles - 1) / kMostMiddles;
   for (std::size_t i = 0; i < count; ++i) {
@@ -64,7 +73,7 @@ MeshInside::MeshInside(const TriangleSoup& soup) : soup_(&soup), grid_(soup) {
     const Vec3& a = soup.corner(triangle, 0);
     const Vec3& b = soup.corner(triangle, 1);
     const Vec3& c = soup.corner(triangle, 2);
-    if (smallest_altitude(a, b, c) < kNoNormal) continue;
+    if (outwards(triangle).isZero()) continue;
     const bool keep = i % stride == 0;
     look_under(triangle, (a + b + c) / 3.0, keep);
     if (count > kFewTriangles) continue;
@@ -84,6 +93,7 @@ void MeshInside::look_under(int triangle, const Vec3& from, bool keep) {
   if (way == 0) return;
   double& width = widths_[static_cast<std::size_t>(triangle)];
   width = std::min(width, way);
+  least_width_ = std::min(least_width_, way);
   const Vec3 middle = from + 0.5 * way * inwards;
   if (keep && holds(middle)) middles_.push_back({middle, way});
 }
@@ -104,15 +114,13 @@ bool MeshInside::holds_deep(const Vec3& point, double depth) const {
   return holds(point) && !surface_within(*soup_, point, depth);
 }
 
-Vec3 MeshInside::outwards(int triangle) const {
-  const Vec3& a = soup_->corner(triangle, 0);
-  const Vec3 normal = (soup_->corner(triangle, 1) - a).cross(soup_->corner(triangle, 2) - a);
-  return side_ * normal.normalized();
-}
-
 double MeshInside::allowed(int triangle, double contact_tolerance) const {
   const double width = widths_[static_cast<std::size_t>(triangle)];
   return std::max(std::min(contact_tolerance, thickness_tolerance(width)), kRoundingDepth);
+}
+
+double MeshInside::least_allowed(double contact_tolerance) const {
+  return std::max(std::min(contact_tolerance, thickness_tolerance(least_width_)), kRoundingDepth);
 }
 
 }  // namespace rubicon::collision

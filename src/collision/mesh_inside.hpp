@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "src/collision/inside_grid.hpp"
@@ -18,12 +19,14 @@ class MeshInside {
   bool holds(const Vec3& point) const;
   /// Whether it is inside and farther than `depth` (m) from the surface.
   bool holds_deep(const Vec3& point, double depth) const;
-  /// The normal of a triangle that points out of the solid; of triangles that are almost needles it
-  /// is noise.
-  Vec3 outwards(int triangle) const;
+  /// The unit normal of a triangle that points out of the solid; zero for triangles that are almost
+  /// needles, whose normals are noise.
+  const Vec3& outwards(int triangle) const { return outwards_[static_cast<std::size_t>(triangle)]; }
   /// The most (m) that a triangle may be deep in anything: less than the contact tolerance where
   /// the solid under it is thin.
   double allowed(int triangle, double contact_tolerance) const;
+  /// The least of them.
+  double least_allowed(double contact_tolerance) const;
 
   /// Whether its surface bounds the solid everywhere: as far as is seen, nothing of it lies inside,
   /// as where parts overlap.
@@ -43,8 +46,9 @@ class MeshInside {
   const TriangleSoup* soup_;
   InsideGrid grid_;
   bool is_plain_ = true;
-  double side_ = 1;  ///< 1 if the triangles' normals point outwards, -1 if inwards
+  std::vector<Vec3> outwards_;
   std::vector<double> widths_;
+  double least_width_ = std::numeric_limits<double>::infinity();
   std::vector<Middle> middles_;
 };
 

@@ -54,8 +54,6 @@ constexpr double kPerhapsOnePlane = 0.8;
 constexpr double kUnder = 1.01;
 /// Faces are of one plane if the product of their unit normals is more than this.
 constexpr double kOnePlane = 0.9;
-/// The normals of triangles with a smaller altitude (m) are noise.
-constexpr double kNoNormal = 1e-6;
 /// Two triangles whose common part is narrower (m) have none.
 constexpr double kNarrow = 1e-9;
 
@@ -107,7 +105,7 @@ std::optional<Vec3> SurfaceSearch::find() {
 /// side.
 bool SurfaceSearch::stays_outside(const TriangleSoup::Node& node, const std::vector<int>& packs) {
   if (!outer_.is_plain()) return false;
-  const double least_allowed = std::min(contact_tolerance_, kThinFloor);
+  const double least_allowed = inner_.least_allowed(contact_tolerance_);
   const Vec3 centre = to_outer_ * node.bounds.centre();
   const Vec3 half = node.bounds.half();
   Bounds around = placed(node.bounds, to_outer_);
@@ -129,13 +127,13 @@ bool SurfaceSearch::stays_outside(const TriangleSoup::Node& node, const std::vec
       bounds.add(b);
       bounds.add(c);
       if (around.disjoint(bounds)) continue;
-      const Vec3 normal = outer_.outwards(i);
+      const Vec3& normal = outer_.outwards(i);
+      if (normal.isZero()) return false;
       const double height = normal.dot(centre - a);
       const double reach = (to_outer_.R.transpose() * normal).cwiseAbs().dot(half);
       if (height - reach < -kNotUnder * least_allowed) return false;
       // Solids on the same side of a common plane are looked at more closely.
       if (normal.dot(outwards) > kPerhapsOnePlane) return false;
-      if (smallest_altitude(a, b, c) < kNoNormal) return false;
     }
   }
   if (!is_flat(node)) return false;
@@ -213,6 +211,7 @@ std::vector<SurfaceSearch::Near> SurfaceSearch::near_triangles(const Looked& loo
   Bounds around;
   for (const Vec3& corner : looked.corners) around.add(corner);
   around.grow(Vec3::Constant(looked.allowed));
+  const Vec3 outwards = to_outer_.R * inner_.outwards(looked.index);
   for (const int pack : packs) {
     if (around.disjoint(outer_.soup().pack_bounds()[static_cast<std::size_t>(pack)])) continue;
     const TrianglePack& four = outer_.soup().packs()[static_cast<std::size_t>(pack)];
@@ -235,6 +234,9 @@ std::vector<SurfaceSearch::Near> SurfaceSearch::near_triangles(const Looked& loo
       near.lower = near.seen.at[0].cwiseMin(near.seen.at[1]).cwiseMin(near.seen.at[2]);
       near.upper = near.seen.at[0].cwiseMax(near.seen.at[1]).cwiseMax(near.seen.at[2]);
       near.highest = std::max(highest, -lowest);
+      near.outwards = outer_.outwards(i);
+      near.offset = near.outwards.dot(outer_.soup().corner(i, 0));
+      near.same_side = near.outwards.dot(outwards) > kPerhapsOnePlane;
       if (solids_meet_under(looked, i, near)) return result;
       result.push_back(near);
     }
@@ -249,15 +251,9 @@ bool SurfaceSearch::solids_meet_under(const Looked& looked, int other, const Nea
   const double allowed = std::min(looked.allowed, outer_.allowed(other, contact_tolerance_));
   if (near.highest > looked.allowed) return false;
   const Vec3& a = outer_.soup().corner(other, 0);
-  const Vec3& b = outer_.soup().corner(other, 1);
-  const Vec3& c = outer_.soup().corner(other, 2);
   const Vec3 outwards = to_outer_.R * inner_.outwards(looked.index);
-  const Vec3 normal = outer_.outwards(other);
+  const Vec3& normal = outer_.outwards(other);
   if (outwards.dot(normal) < kOnePlane) return false;
-  if (smallest_altitude(a, b, c) < kNoNormal ||
-      smallest_altitude(looked.corners[0], looked.corners[1], looked.corners[2]) < kNoNormal) {
-    return false;
-  }
   FlatPolygon own;
   for (const Vec3& corner : looked.corners) own.push_back(looked.flat(corner));
   const FlatPolygon both = common_part(own, near.seen.at);
@@ -293,12 +289,28 @@ std::vector<SurfaceSearch::Near> SurfaceSearch::near_to(const FlatPolygon& polyg
   return result;
 }
 
+/// The proof of `stays_outside` for a piece of a triangle.
+bool SurfaceSearch::touches_from_outside(const Looked& looked, const FlatPolygon& piece,
+                                         const std::vector<Near>& near) const {
+  if (!outer_.is_plain()) return false;
+  for (const Near& one : near) {
+    if (one.same_side || one.outwards.isZero()) return false;
+    for (const Vec2& corner : piece) {
+      const double height = one.outwards.dot(looked.solid(corner)) - one.offset;
+      if (height < -kNotUnder * looked.allowed) return false;
+    }
+  }
+  const Vec3 middle = looked.solid(mean_of(piece));
+  return surface_within(outer_.soup(), middle, looked.allowed) || !outer_.holds(middle);
+}
+
 /// A convex piece of a triangle: what is farther from the other surface than allowed, is it inside?
 bool SurfaceSearch::look_at_piece(const Looked& looked, const FlatPolygon& piece,
                                   const std::vector<Near>& near, int halvings) {
   const Vec3 middle = looked.solid(mean_of(piece));
   if (too_long(middle, static_cast<std::int64_t>(near.size()) + 1)) return true;
   if (near.empty()) return outer_.holds(middle) && found(middle);
+  if (touches_from_outside(looked, piece, near)) return false;
   if (near.size() > kFewNear && halvings > 0) {
     const FlatBounds bounds(piece);
     int axis = 0;

@@ -28,7 +28,10 @@ class SurfaceSearch {
     SeenTriangle seen;
     Vec2 lower = Vec2::Zero();
     Vec2 upper = Vec2::Zero();
-    double highest = 0;  ///< m, above or below
+    double highest = 0;            ///< m, above or below
+    Vec3 outwards = Vec3::Zero();  ///< its own normal; zero where that is not known
+    double offset = 0;             ///< m, of its plane along it
+    bool same_side = false;        ///< perhaps both solids are on one side of one plane
   };
   /// The triangle of `inner` that is looked at: its corners and plane in the frame of `outer`.
   struct Looked {
@@ -53,6 +56,8 @@ class SurfaceSearch {
   static std::vector<Near> near_to(const FlatPolygon& polygon, const std::vector<Near>& near,
                                    double reach);
   bool solids_meet_under(const Looked& looked, int other, const Near& near);
+  bool touches_from_outside(const Looked& looked, const FlatPolygon& piece,
+                            const std::vector<Near>& near) const;
   bool look_at_piece(const Looked& looked, const FlatPolygon& piece, const std::vector<Near>& near,
                      int halvings);
   bool look_at_rest(const Looked& looked, const FlatPolygon& rest, const std::vector<Near>& near);
