@@ -111,7 +111,9 @@ bool MeshInside::holds(const Vec3& point) const {
 }
 
 bool MeshInside::holds_deep(const Vec3& point, double depth) const {
-  return holds(point) && !surface_within(*soup_, point, depth);
+  if (grid_.at(point) == InsideGrid::Cell::kOutside) return false;
+  // First what is quick: points that touch the surface graze it on every ray.
+  return !surface_within(*soup_, point, depth) && holds(point);
 }
 
 double MeshInside::allowed(int triangle, double contact_tolerance) const {

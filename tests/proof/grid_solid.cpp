@@ -95,13 +95,15 @@ Vec3 GridSolid::middle(const std::array<int, 3>& cell) const {
 }
 
 std::array<std::vector<double>, 3> random_planes(Random& random) {
-  constexpr int kSteps[] = {2, 8, 40, 256, 256, 1024};
+  constexpr std::array<int, 6> kThinAndThick = {2, 8, 40, 256, 256, 1024};
+  constexpr std::array<int, 6> kThick = {40, 40, 160, 256, 256, 1024};
+  const std::array<int, 6>& steps = random.below(2) ? kThinAndThick : kThick;
   std::array<std::vector<double>, 3> planes;
   for (std::vector<double>& along : planes) {
     int at = 0;
     along.push_back(0);
     for (int i = 2 + random.below(4); i > 0; --i) {
-      at += kSteps[random.below(6)];
+      at += steps[static_cast<std::size_t>(random.below(6))];
       along.push_back(at * 0x1p-10);
     }
   }

@@ -46,17 +46,24 @@ BodyPtr angle() {
   return extruded({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, kAngleCaps, 0, 1);
 }
 
-/// A channel of 0.3 m x 0.3 m with walls of 20 mm, standing, 5 m long.
-BodyPtr channel() {
+/// A channel of 0.3 m x 0.3 m, standing, 5 m long.
+BodyPtr channel(double wall = 0.02) {
+  const double inner = 0.3 - wall;
   return extruded({{0, 0},
                    {0.3, 0},
                    {0.3, 0.3},
-                   {0.28, 0.3},
-                   {0.28, 0.02},
-                   {0.02, 0.02},
-                   {0.02, 0.3},
+                   {inner, 0.3},
+                   {inner, wall},
+                   {wall, wall},
+                   {wall, 0.3},
                    {0, 0.3}},
                   {{0, 5, 7}, {5, 6, 7}, {0, 1, 5}, {1, 4, 5}, {1, 2, 4}, {2, 3, 4}}, 0, 5);
+}
+
+/// An L of sheet metal lying on z = 0, legs of 1 m.
+BodyPtr sheet(double thickness) {
+  return extruded({{0, 0}, {1, 0}, {1, 0.3}, {0.3, 0.3}, {0.3, 1}, {0, 1}}, kAngleCaps, 0,
+                  thickness);
 }
 
 /// A column of 200 sides, too many corners to be tested as one polytope.
@@ -120,6 +127,47 @@ TEST(AlignedMeshes, WhollyInsideWithFlushFaces) {
   const BodyPtr inner = extruded({{.1, .1}, {.9, .1}, {.9, .4}, {.4, .4}, {.4, .9}, {.1, .9}},
                                  kAngleCaps, 0.0009, 0.9991);
   EXPECT_TRUE(overlaps(*inner, at(0, 0, 0), *angle(), at(0, 0, 0), kTolerance));
+}
+
+TEST(AlignedMeshes, ThinnerThanTheToleranceAtTheSamePlace) {
+  for (const double wall : {1.5e-3, 0.8e-3, 0.3e-3, 0.1e-3}) {
+    const BodyPtr thin = channel(wall);
+    EXPECT_TRUE(overlaps(*thin, at(0, 0, 0), *thin, at(0, 0, 0), kTolerance)) << wall;
+    EXPECT_TRUE(overlaps(*thin, at(0, 0, 2.5), *thin, at(0, 0, 0), kTolerance)) << wall;
+    EXPECT_TRUE(overlaps(*thin, at(0, 0, -4.9), *thin, at(0, 0, 0), kTolerance)) << wall;
+    EXPECT_FALSE(overlaps(*thin, at(0, 0, 5), *thin, at(0, 0, 0), kTolerance)) << wall;
+    EXPECT_FALSE(overlaps(*thin, at(0.3, 0, 0), *thin, at(0, 0, 0), kTolerance)) << wall;
+    EXPECT_FALSE(overlaps(*thin, at(0, -0.3, 1), *thin, at(0, 0, 0), kTolerance)) << wall;
+    EXPECT_TRUE(lowered(*thin, at(0, 0, 5), Vec3(0, 0, -0.3), thin)) << wall;
+    EXPECT_FALSE(lowered(*thin, at(0.3, 0, 5), Vec3(0, 0, -5), thin)) << wall;
+  }
+}
+
+TEST(AlignedMeshes, ASheetSunkIntoASlab) {
+  const BodyPtr thin = sheet(0.8e-3);
+  EXPECT_TRUE(overlaps(*thin, at(0.4, 0.4, 1 - 0.8e-3), *angle(), at(0, 0, 0), kTolerance));
+  EXPECT_TRUE(overlaps(*thin, at(0, 0, 1 - 0.8e-3), *angle(), at(0, 0, 0), kTolerance));
+  EXPECT_FALSE(overlaps(*thin, at(0, 0, 1), *angle(), at(0, 0, 0), kTolerance));
+  EXPECT_FALSE(overlaps(*thin, at(0, 0, 1 - 0.1e-3), *angle(), at(0, 0, 0), kTolerance));
+}
+
+TEST(AlignedMeshes, SheetsCannotCreepThroughEachOther) {
+  const BodyPtr thin = sheet(0.8e-3);
+  double height = 1.5e-3;
+  while (height > -1.5e-3 && !lowered(*thin, at(0, 0, height), Vec3(0, 0, -1e-4), thin)) {
+    height -= 1e-4;
+  }
+  EXPECT_GT(height, 0.5e-3);
+}
+
+TEST(AlignedMeshes, TurnedAsAWhole) {
+  const Pose X = math::translation(3, -2, 1) * math::rotation_z_deg(33) * math::rotation_x_deg(17);
+  for (const BodyPtr& body : {angle(), channel(), channel(1e-3), column()}) {
+    EXPECT_TRUE(overlaps(*body, X, *body, X, kTolerance));
+    EXPECT_TRUE(overlaps(*body, X * at(0, 0, 0.7), *body, X, kTolerance));
+  }
+  EXPECT_FALSE(overlaps(*angle(), X * at(0.3, 0.4, 1), *angle(), X, kTolerance));
+  EXPECT_FALSE(overlaps(*channel(1e-3), X * at(0, 0, 5), *channel(1e-3), X, kTolerance));
 }
 
 TEST(AlignedMeshes, AConeWithManyCornersAtItsRim) {
