@@ -87,11 +87,56 @@ SurfaceSearch::SurfaceSearch(const MeshInside& inner, const MeshInside& outer,
       to_inner_(to_outer.inverse()),
       contact_tolerance_(std::max(contact_tolerance, kRoundingDepth)) {}
 
+void SurfaceSearch::collect_packs() {
+  const Bounds& bounds = inner_.soup().bounds();
+  const double reach = contact_tolerance_ + kBoundsMargin;
+  const Vec3 centre = to_outer_ * bounds.centre();
+  std::array<Slab, 3> slabs;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 direction = to_outer_.R.col(axis);
+    slabs[axis] = {direction, direction.dot(centre), bounds.half()[axis] + reach};
+  }
+  Bounds around = placed(bounds, to_outer_);
+  around.grow(Vec3::Constant(reach));
+  ItemList found;
+  outer_.soup().pack_tree().collect(around, slabs, found);
+  packs_.assign(found.begin(), found.end());
+  // The order of the tree is not that of the mesh.
+  std::sort(packs_.begin(), packs_.end());
+}
+
+bool SurfaceSearch::comes_near() {
+  collect_packs();
+  return !packs_.empty() && node_comes_near(0, 0);
+}
+
 std::optional<Vec3> SurfaceSearch::find() {
-  std::vector<int> packs(outer_.soup().packs().size());
-  for (std::size_t i = 0; i < packs.size(); ++i) packs[i] = static_cast<int>(i);
-  look_at_node(0, packs);
+  collect_packs();
+  look_at_node(0, 0);
   return found_;
+}
+
+/// Adds those packs of `outer` of the last list, which begins at `begin`, that come near a node as
+/// a list of their own.
+void SurfaceSearch::add_packs_near(const TriangleSoup::Node& node, std::size_t begin) {
+  const Bounds around = placed(node.bounds, to_outer_);
+  const double reach = contact_tolerance_ + kBoundsMargin;
+  const std::size_t end = packs_.size();
+  for (std::size_t i = begin; i < end; ++i) {
+    const int pack = packs_[i];
+    const Bounds& bounds = outer_.soup().pack_bounds()[static_cast<std::size_t>(pack)];
+    if (!boxes_apart(bounds, around, node.bounds, to_inner_, reach)) packs_.push_back(pack);
+  }
+}
+
+bool SurfaceSearch::node_comes_near(int node, std::size_t begin) {
+  const TriangleSoup::Node& here = inner_.soup().nodes()[static_cast<std::size_t>(node)];
+  const std::size_t own = packs_.size();
+  add_packs_near(here, begin);
+  const bool near = packs_.size() > own && (here.count > 0 || node_comes_near(here.first, own) ||
+                                            node_comes_near(here.first + 1, own));
+  packs_.resize(own);
+  return near;
 }
 
 /// A quick proof for faces that touch from outside: no point in the box of a node is deep.
@@ -103,7 +148,7 @@ std::optional<Vec3> SurfaceSearch::find() {
 /// has a slit narrower than 12 degrees). So if the box is above all planes of triangles near it,
 /// or a tenth under them, there is no x. All this is true only where surfaces have the solid on one
 /// side.
-bool SurfaceSearch::stays_outside(const TriangleSoup::Node& node, const std::vector<int>& packs) {
+bool SurfaceSearch::stays_outside(const TriangleSoup::Node& node, std::span<const int> packs) {
   if (!outer_.is_plain()) return false;
   const double least_allowed = inner_.least_allowed(contact_tolerance_);
   const Vec3 centre = to_outer_ * node.bounds.centre();
@@ -161,33 +206,36 @@ bool SurfaceSearch::is_flat(const TriangleSoup::Node& node) const {
   return true;
 }
 
-/// The triangles below a node of the tree of `inner`; only `packs` of `outer` come near its parent.
-bool SurfaceSearch::look_at_node(int node, const std::vector<int>& packs) {
+/// The triangles below a node of the tree of `inner`; only the packs of `outer` from `begin` on
+/// come near its parent.
+bool SurfaceSearch::look_at_node(int node, std::size_t begin) {
   const TriangleSoup::Node& here = inner_.soup().nodes()[static_cast<std::size_t>(node)];
-  const Bounds around = placed(here.bounds, to_outer_);
-  if (around.disjoint(outer_.soup().bounds())) return false;
-  std::vector<int> near;
-  const double reach = contact_tolerance_ + kBoundsMargin;
-  for (const int pack : packs) {
-    const Bounds& bounds = outer_.soup().pack_bounds()[static_cast<std::size_t>(pack)];
-    if (!boxes_apart(bounds, around, here.bounds, to_inner_, reach)) near.push_back(pack);
-  }
-  if (near.empty()) {
+  if (placed(here.bounds, to_outer_).disjoint(outer_.soup().bounds())) return false;
+  const std::size_t own = packs_.size();
+  add_packs_near(here, begin);
+  const bool result = look_at_packs(here, own);
+  packs_.resize(own);
+  return result;
+}
+
+/// The same; the packs from `own` on come near the node itself.
+bool SurfaceSearch::look_at_packs(const TriangleSoup::Node& here, std::size_t own) {
+  if (packs_.size() == own) {
     // No surface comes near: all of the node is inside, or nothing of it.
     const Vec3 point = to_outer_ * here.bounds.centre();
     return outer_.holds(point) && found(point);
   }
-  if (stays_outside(here, near)) return false;
+  if (stays_outside(here, std::span<const int>(packs_).subspan(own))) return false;
   if (here.count == 0) {
-    return look_at_node(here.first, near) || look_at_node(here.first + 1, near);
+    return look_at_node(here.first, own) || look_at_node(here.first + 1, own);
   }
   for (int i = here.first; i < here.first + here.count; ++i) {
-    if (look_at_triangle(i, near)) return true;
+    if (look_at_triangle(i, std::span<const int>(packs_).subspan(own))) return true;
   }
   return false;
 }
 
-bool SurfaceSearch::look_at_triangle(int triangle, const std::vector<int>& packs) {
+bool SurfaceSearch::look_at_triangle(int triangle, std::span<const int> packs) {
   Looked looked;
   looked.index = triangle;
   for (int k = 0; k < 3; ++k) looked.corners[k] = to_outer_ * inner_.soup().corner(triangle, k);
@@ -206,7 +254,7 @@ bool SurfaceSearch::look_at_triangle(int triangle, const std::vector<int>& packs
 
 /// The triangles of `outer` that come nearer to one of `inner` than is allowed.
 std::vector<SurfaceSearch::Near> SurfaceSearch::near_triangles(const Looked& looked,
-                                                               const std::vector<int>& packs) {
+                                                               std::span<const int> packs) {
   std::vector<Near> result;
   Bounds around;
   for (const Vec3& corner : looked.corners) around.add(corner);

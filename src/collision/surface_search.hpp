@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "src/collision/flat_cover.hpp"
@@ -17,6 +18,10 @@ class SurfaceSearch {
   /// `to_outer` places the frame of `inner` in that of `outer`.
   SurfaceSearch(const MeshInside& inner, const MeshInside& outer, const Placement& to_outer,
                 double contact_tolerance);
+
+  /// Whether the two surfaces come anywhere near each other; if they do not, a point of each part
+  /// says all.
+  bool comes_near();
 
   /// Such a point in the frame of `outer`; a point near it where the search has become too long to
   /// be finished.
@@ -48,11 +53,15 @@ class SurfaceSearch {
     Vec3 solid(const Vec2& point) const { return corners[0] + point.x() * u + point.y() * v; }
   };
 
-  bool stays_outside(const TriangleSoup::Node& node, const std::vector<int>& packs);
+  void collect_packs();
+  void add_packs_near(const TriangleSoup::Node& node, std::size_t begin);
+  bool stays_outside(const TriangleSoup::Node& node, std::span<const int> packs);
   bool is_flat(const TriangleSoup::Node& node) const;
-  bool look_at_node(int node, const std::vector<int>& packs);
-  bool look_at_triangle(int triangle, const std::vector<int>& packs);
-  std::vector<Near> near_triangles(const Looked& looked, const std::vector<int>& packs);
+  bool node_comes_near(int node, std::size_t begin);
+  bool look_at_node(int node, std::size_t begin);
+  bool look_at_packs(const TriangleSoup::Node& here, std::size_t own);
+  bool look_at_triangle(int triangle, std::span<const int> packs);
+  std::vector<Near> near_triangles(const Looked& looked, std::span<const int> packs);
   static std::vector<Near> near_to(const FlatPolygon& polygon, const std::vector<Near>& near,
                                    double reach);
   bool solids_meet_under(const Looked& looked, int other, const Near& near);
@@ -72,6 +81,9 @@ class SurfaceSearch {
   Placement to_outer_;
   Placement to_inner_;
   double contact_tolerance_;
+  /// Packs of `outer` near the nodes from the root to the one that is looked at, one list after the
+  /// other.
+  std::vector<int> packs_;
   std::optional<Vec3> found_;
   std::int64_t steps_ = 0;
 };
