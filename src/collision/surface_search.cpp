@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "src/collision/convex.hpp"
+#include "src/collision/kernels.hpp"
 #include "src/collision/tolerances.hpp"
 #include "src/collision/winding.hpp"
 
@@ -129,12 +130,39 @@ void SurfaceSearch::add_packs_near(const TriangleSoup::Node& node, std::size_t b
   }
 }
 
+/// A triangle of `inner`, grown by the contact tolerance, as the kernels look at it.
+TrianglePass SurfaceSearch::reaching(int triangle) const {
+  TrianglePass pass;
+  std::array<Vec3, 3> corners;
+  for (int k = 0; k < 3; ++k) corners[k] = to_outer_ * inner_.soup().corner(triangle, k);
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 edge = corners[(k + 1) % 3] - corners[k];
+    for (int axis = 0; axis < 3; ++axis) {
+      pass.start[k][axis] = pass.end[k][axis] = corners[k][axis];
+      pass.edges[k][axis] = edge[axis];
+    }
+    pass.growth_axis[k] = 0;
+  }
+  pass.uniform_growth = contact_tolerance_ + kBoundsMargin;
+  return pass;
+}
+
 bool SurfaceSearch::node_comes_near(int node, std::size_t begin) {
   const TriangleSoup::Node& here = inner_.soup().nodes()[static_cast<std::size_t>(node)];
   const std::size_t own = packs_.size();
   add_packs_near(here, begin);
-  const bool near = packs_.size() > own && (here.count > 0 || node_comes_near(here.first, own) ||
-                                            node_comes_near(here.first + 1, own));
+  bool near = false;
+  if (packs_.size() > own && here.count == 0) {
+    near = node_comes_near(here.first, own) || node_comes_near(here.first + 1, own);
+  }
+  for (int i = here.first; !near && packs_.size() > own && i < here.first + here.count; ++i) {
+    const TrianglePass pass = reaching(i);
+    near =
+        std::any_of(packs_.begin() + static_cast<std::ptrdiff_t>(own), packs_.end(), [&](int pack) {
+          return kernels().met_by_triangle(
+                     pass, outer_.soup().packs()[static_cast<std::size_t>(pack)]) != 0;
+        });
+  }
   packs_.resize(own);
   return near;
 }

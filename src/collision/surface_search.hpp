@@ -57,6 +57,7 @@ class SurfaceSearch {
   void add_packs_near(const TriangleSoup::Node& node, std::size_t begin);
   bool stays_outside(const TriangleSoup::Node& node, std::span<const int> packs);
   bool is_flat(const TriangleSoup::Node& node) const;
+  TrianglePass reaching(int triangle) const;
   bool node_comes_near(int node, std::size_t begin);
   bool look_at_node(int node, std::size_t begin);
   bool look_at_packs(const TriangleSoup::Node& here, std::size_t own);
