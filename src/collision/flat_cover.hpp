@@ -19,8 +19,7 @@ struct SeenTriangle {
   std::array<double, 3> height;
 };
 
-/// The points of a plane within `half.distance` of some lines, all at once: a convex region as half
-/// planes.
+/// A convex region of a plane: the points near a triangle, as what some half planes have in common.
 class FlatRegion {
  public:
   /// Points of the plane that are certainly within a distance of a triangle: those within

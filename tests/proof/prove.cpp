@@ -172,7 +172,7 @@ int run_command(int argc, char** argv) {
   Options options;
   CLI::App app("Proves the collision engine on random questions against independent oracles.");
   app.add_option("--cases", options.questions,
-                 "questions in all (default 1,000,000; poses 12,000,000; aligned 400,000)");
+                 "questions in all (default 1,000,000; poses 12,000,000; aligned 100,000)");
   app.add_option("--seed", options.seed, "another seed gives other cases");
   app.add_option("--threads", options.threads, "the answers do not depend on it")
       ->check(CLI::Range(1, 64));
@@ -188,7 +188,7 @@ int run_command(int argc, char** argv) {
   }
   if (!options.replay.empty()) return replay(options.replay);
   if (options.poses && app.count("--cases") == 0) options.questions = 12'000'000;
-  if (options.aligned && app.count("--cases") == 0) options.questions = 400'000;
+  if (options.aligned && app.count("--cases") == 0) options.questions = 100'000;
   return prove(options);
 }
 
