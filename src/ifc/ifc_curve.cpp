@@ -1,8 +1,8 @@
 #include "src/ifc/ifc_curve.hpp"
 
-#include <cmath>
 #include <cstddef>
 
+#include "src/ifc/chords.hpp"
 #include "src/ifc/step_values.hpp"
 #include "src/math/angles.hpp"
 
@@ -36,7 +36,8 @@ std::optional<PointLine> point_list(const StepFile& file, std::uint64_t id) {
 }
 
 /// The points of the arc from a over b to c, without a.
-void add_arc(const Vec3& a, const Vec3& b, const Vec3& c, std::vector<Vec3>& out) {
+void add_arc(const Vec3& a, const Vec3& b, const Vec3& c, double metres_per_unit,
+             std::vector<Vec3>& out) {
   const Vec3 u = b - a;
   const Vec3 v = c - a;
   const Vec3 n = u.cross(v);
@@ -55,17 +56,14 @@ void add_arc(const Vec3& a, const Vec3& b, const Vec3& c, std::vector<Vec3>& out
   const double radius = (a - centre).norm();
   double turn = math::atan2_deg((c - centre).dot(y), (c - centre).dot(x));
   if (turn <= 0) turn += 360;
-  const int chords = static_cast<int>(std::ceil(turn / kChordTurnDeg));
-  for (int i = 1; i < chords; ++i) {
-    const math::SineCosine at = math::sine_cosine_deg(turn * i / chords);
-    out.push_back(centre + radius * (at.cosine * x + at.sine * y));
-  }
-  out.push_back(c);
+  add_chords({centre, radius * x, radius * y, 0, turn}, metres_per_unit, out);
+  out.back() = c;
 }
 
 }  // namespace
 
-std::optional<PointLine> indexed_curve(const StepFile& file, const StepRecord& record) {
+std::optional<PointLine> indexed_curve(const StepFile& file, const StepRecord& record,
+                                       double metres_per_unit) {
   if (record.keyword != "IFCINDEXEDPOLYCURVE") return std::nullopt;
   const auto values = StepValues::read(record.arguments);
   if (!values) return std::nullopt;
@@ -85,7 +83,7 @@ std::optional<PointLine> indexed_curve(const StepFile& file, const StepRecord& r
     if (corners.size() < 2) return std::nullopt;
     if (line.points.empty()) line.points.push_back(corners.front());
     if (segment.text() == "IFCARCINDEX" && corners.size() == 3) {
-      add_arc(corners[0], corners[1], corners[2], line.points);
+      add_arc(corners[0], corners[1], corners[2], metres_per_unit, line.points);
     } else if (segment.text() == "IFCLINEINDEX") {
       line.points.insert(line.points.end(), corners.begin() + 1, corners.end());
     } else {

@@ -14,11 +14,9 @@ struct PointLine {
   bool flat = false;  ///< in a plane, z is nothing
 };
 
-/// An arc is replaced by chords that turn by at most this much, as the library does with circles.
-inline constexpr double kChordTurnDeg = 10;
-
 /// The points of an IfcIndexedPolyCurve: its lines, and its arcs as chords. Nothing if it is none,
 /// or an index or a number is not there.
-std::optional<PointLine> indexed_curve(const StepFile& file, const StepRecord& record);
+std::optional<PointLine> indexed_curve(const StepFile& file, const StepRecord& record,
+                                       double metres_per_unit);
 
 }  // namespace rubicon::ifc

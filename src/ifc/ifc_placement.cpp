@@ -1,5 +1,7 @@
 #include "src/ifc/ifc_placement.hpp"
 
+#include <cmath>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,13 +34,6 @@ std::optional<Vec3> coordinates(const StepFile& file, std::uint64_t id, const ch
   return result;
 }
 
-/// A unit vector; nothing for a direction that is not given or has no length.
-std::optional<Vec3> direction(const StepFile& file, const StepItem& item) {
-  const std::optional<Vec3> found = coordinates(file, item.reference(), "IFCDIRECTION");
-  if (!found || !(found->norm() > kShortest)) return std::nullopt;
-  return found->normalized();
-}
-
 /// x as near to `wanted` as a right angle to z allows (IfcFirstProjAxis).
 Vec3 first_axis(const Vec3& z, const std::optional<Vec3>& wanted) {
   for (const Vec3& each : {wanted.value_or(Vec3::UnitX()), Vec3(Vec3::UnitX())}) {
@@ -54,6 +49,12 @@ std::optional<Vec3> cartesian_point(const StepFile& file, std::uint64_t id) {
   return coordinates(file, id, "IFCCARTESIANPOINT");
 }
 
+std::optional<Vec3> unit_direction(const StepFile& file, std::uint64_t id) {
+  const std::optional<Vec3> found = coordinates(file, id, "IFCDIRECTION");
+  if (!found || !(found->norm() > kShortest)) return std::nullopt;
+  return found->normalized();
+}
+
 std::optional<Pose> axis_placement(const StepFile& file, std::uint64_t id) {
   const StepRecord* record = file.find(id);
   if (record == nullptr) return std::nullopt;
@@ -63,13 +64,41 @@ std::optional<Pose> axis_placement(const StepFile& file, std::uint64_t id) {
   if (!values) return std::nullopt;
   const std::optional<Vec3> origin = cartesian_point(file, (*values)[0].reference());
   if (!origin) return std::nullopt;
-  const Vec3 z =
-      flat ? Vec3(Vec3::UnitZ()) : direction(file, (*values)[1]).value_or(Vec3(Vec3::UnitZ()));
-  const Vec3 x = first_axis(z, direction(file, (*values)[flat ? 1 : 2]));
+  const Vec3 z = flat
+                     ? Vec3(Vec3::UnitZ())
+                     : unit_direction(file, (*values)[1].reference()).value_or(Vec3(Vec3::UnitZ()));
+  const Vec3 x = first_axis(z, unit_direction(file, (*values)[flat ? 1 : 2].reference()));
   Pose pose = Pose::Identity();
   pose.linear() << x, z.cross(x), z;
   pose.translation() = *origin;
   return pose;
+}
+
+std::optional<Transformation> transformation(const StepFile& file, std::uint64_t id) {
+  constexpr std::string_view kOperator = "IFCCARTESIANTRANSFORMATIONOPERATOR";
+  const StepRecord* record = file.find(id);
+  if (record == nullptr || !record->keyword.starts_with(kOperator)) return std::nullopt;
+  const auto values = StepValues::read(record->arguments);
+  const auto origin = values ? cartesian_point(file, (*values)[2].reference()) : std::nullopt;
+  if (!origin) return std::nullopt;
+  const bool flat = record->keyword.starts_with("IFCCARTESIANTRANSFORMATIONOPERATOR2D");
+  const bool uneven = record->keyword.ends_with("NONUNIFORM");
+  const auto axis = [&](std::size_t i) { return unit_direction(file, (*values)[i].reference()); };
+  // IfcBaseAxis: the second may point either way.
+  const Vec3 z = flat ? Vec3(Vec3::UnitZ()) : axis(4).value_or(Vec3(Vec3::UnitZ()));
+  const Vec3 x = first_axis(z, axis(0));
+  Vec3 y = z.cross(x);
+  if (axis(1).value_or(y).dot(y) < 0) y = -y;
+  const double first = (*values)[3].number().value_or(1);
+  const auto scale = [&](std::size_t i) {
+    return uneven ? (*values)[i].number().value_or(first) : first;
+  };
+  Transformation result = Transformation::Identity();
+  result.linear() << first * x, scale(flat ? 4 : 5) * y, (flat ? 1 : scale(6)) * z;
+  result.translation() = *origin;
+  const double size = std::fabs(result.linear().determinant());
+  if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
+  return result;
 }
 
 std::optional<Pose> IfcPlacements::world(std::uint64_t id) {

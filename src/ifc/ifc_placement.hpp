@@ -13,9 +13,19 @@ namespace rubicon::ifc {
 /// coordinates); nothing if the record is none, or its numbers are none.
 std::optional<math::Vec3> cartesian_point(const StepFile& file, std::uint64_t id);
 
+/// The unit vector of an IfcDirection; nothing if the record is none, or it has no length.
+std::optional<math::Vec3> unit_direction(const StepFile& file, std::uint64_t id);
+
 /// The pose of an IfcAxis2Placement3D or 2D, translation in the units of the file. Axes as the
 /// standard has them (IfcBuildAxes): z first, x as near to the given one as that allows.
 std::optional<math::Pose> axis_placement(const StepFile& file, std::uint64_t id);
+
+/// What mapped and derived shapes are moved by: it may scale and mirror.
+using Transformation = Eigen::Transform<double, 3, Eigen::Affine>;
+
+/// An IfcCartesianTransformationOperator2D or 3D, also a non-uniform one, translation in the units
+/// of the file. Nothing if it is none, or flattens what it moves.
+std::optional<Transformation> transformation(const StepFile& file, std::uint64_t id);
 
 /// Where the things of a file stand. Placements are relative to others; each is worked out once.
 class IfcPlacements {

@@ -23,17 +23,20 @@ constexpr std::string_view kMark = "_element_";
 
 class PlainWriter {
  public:
-  PlainWriter(const StepFile& file, const IfcModel& model)
+  PlainWriter(const StepFile& file, const IfcModel& model, const std::vector<char>& left_out)
       : file_(file),
         model_(model),
+        left_out_(left_out),
         out_(file.largest_id()),
         far_(file, model.metres_per_unit, shapes_of(file, model)),
-        shapes_(file, far_, out_),
+        shapes_(file, model.metres_per_unit, far_, out_),
         placements_(file) {}
 
   PlainIfc write() {
     write_frame();
-    for (std::size_t i = 0; i < model_.elements.size(); ++i) write_element(i);
+    for (std::size_t i = 0; i < model_.elements.size(); ++i) {
+      if (left_out_.empty() || left_out_[i] == 0) write_element(i);
+    }
     for (const IfcOpening& opening : model_.openings) write_opening(opening);
     out_.add(fmt::format("IFCRELAGGREGATES('a',#{},$,$,#{},(#{}))", owner_, project_, site_));
     if (!written_.empty()) {
@@ -44,6 +47,7 @@ class PlainWriter {
     for (const IfcElement& element : model_.elements) {
       plain.offsets.push_back(far_.offset_of(element.shape));
     }
+    plain.elements = written_.size();
     plain.text =
         "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n"
         "FILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA(('IFC2X3'));\nENDSEC;\nDATA;\n" +
@@ -134,6 +138,7 @@ class PlainWriter {
 
   const StepFile& file_;
   const IfcModel& model_;
+  const std::vector<char>& left_out_;
   RecordWriter out_;
   FarPoints far_;
   ShapeWriter shapes_;
@@ -145,8 +150,8 @@ class PlainWriter {
 
 }  // namespace
 
-PlainIfc plain_ifc(const StepFile& file, const IfcModel& model) {
-  return PlainWriter(file, model).write();
+PlainIfc plain_ifc(const StepFile& file, const IfcModel& model, const std::vector<char>& left_out) {
+  return PlainWriter(file, model, left_out).write();
 }
 
 std::optional<std::size_t> element_of(std::string_view node_name) {

@@ -19,10 +19,13 @@ namespace rubicon::ifc {
 /// shape that has anything else in it is left out: its element comes without one.
 struct PlainIfc {
   std::string text;
+  std::size_t elements = 0;  ///< written in the text
   /// By element: what was taken off its points because they lie far out, in the units of the file.
   std::vector<math::Vec3> offsets;
 };
-PlainIfc plain_ifc(const StepFile& file, const IfcModel& model);
+/// `left_out`, by element: what is not wanted; empty: all are.
+PlainIfc plain_ifc(const StepFile& file, const IfcModel& model,
+                   const std::vector<char>& left_out = {});
 
 /// Index in IfcModel::elements by the name that the library gives the node of an element; nothing
 /// for the names of other nodes.

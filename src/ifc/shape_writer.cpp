@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "src/ifc/body_items.hpp"
 #include "src/ifc/ifc_curve.hpp"
 #include "src/ifc/ifc_placement.hpp"
 #include "src/ifc/ifc_profile.hpp"
@@ -67,14 +68,7 @@ constexpr auto kPlain =
                                      "IFCVECTOR"});
 static_assert(std::is_sorted(kPlain.begin(), kPlain.end()));
 
-/// Representations that show something else than the body of a thing.
-constexpr auto kNoBody =
-    std::to_array<std::string_view>({"Annotation", "Axis", "Box", "Clearance", "CoG", "FootPrint",
-                                     "Lighting", "Profile", "Reference"});
-
 bool is_real(std::string_view number) { return number.find('.') != std::string_view::npos; }
-
-constexpr std::size_t kItems = 3;  ///< of IfcShapeRepresentation
 
 bool is_plain(std::string_view keyword) {
   return std::binary_search(kPlain.begin(), kPlain.end(), keyword);
@@ -86,8 +80,9 @@ bool is_coordinates(std::string_view keyword) {
 
 }  // namespace
 
-ShapeWriter::ShapeWriter(const StepFile& file, const FarPoints& far, RecordWriter& out)
-    : file_(file), far_(far), out_(out), faces_(file, far, out) {
+ShapeWriter::ShapeWriter(const StepFile& file, double metres_per_unit, const FarPoints& far,
+                         RecordWriter& out)
+    : file_(file), metres_per_unit_(metres_per_unit), far_(far), out_(out), faces_(file, far, out) {
   origin_ = out_.add_placement(math::Pose::Identity());
   const auto point = out_.add_point(math::Vec3::Zero(), true);
   flat_origin_ = out_.add(fmt::format("IFCAXIS2PLACEMENT2D(#{},$)", point));
@@ -96,33 +91,10 @@ ShapeWriter::ShapeWriter(const StepFile& file, const FarPoints& far, RecordWrite
 }
 
 std::uint64_t ShapeWriter::write(std::uint64_t shape) {
-  const StepRecord* record = file_.find(shape);
-  if (record == nullptr || record->keyword != "IFCPRODUCTDEFINITIONSHAPE") return 0;
-  const auto values = StepValues::read(record->arguments);
-  if (!values) return 0;
-  constexpr std::size_t kRepresentations = 2;
-  const StepItem all = (*values)[kRepresentations];
-  std::vector<std::uint64_t> chosen;
-  for (const bool body : {true, false}) {
-    for (const StepItem each : all) {
-      if (chosen.empty() && shows_body(each.reference(), body) && keep(each.reference())) {
-        chosen.push_back(each.reference());
-      }
-    }
+  for (const std::uint64_t each : body_representations(file_, shape)) {
+    if (keep(each)) return out_.add(fmt::format("IFCPRODUCTDEFINITIONSHAPE($,$,(#{}))", each));
   }
-  if (chosen.empty()) return 0;
-  return out_.add(fmt::format("IFCPRODUCTDEFINITIONSHAPE($,$,({}))", references_text(chosen)));
-}
-
-/// Whether a representation says that it is the body or, with `body` false, may be one.
-bool ShapeWriter::shows_body(std::uint64_t id, bool body) const {
-  const StepRecord* record = file_.find(id);
-  if (record == nullptr || record->keyword != "IFCSHAPEREPRESENTATION") return false;
-  const auto values = StepValues::read(record->arguments);
-  if (!values) return false;
-  const std::string_view name = (*values)[1].text();
-  if (body) return name == "Body";
-  return name != "Body" && std::find(kNoBody.begin(), kNoBody.end(), name) == kNoBody.end();
+  return 0;
 }
 
 /// Writes a record of geometry with all below it; whether that could be done. No recursion: the
@@ -153,12 +125,10 @@ bool ShapeWriter::keep(std::uint64_t root) {
 std::vector<std::uint64_t> ShapeWriter::needs(const StepRecord& record) const {
   const bool representation = record.keyword == "IFCSHAPEREPRESENTATION";
   if (!representation && !is_plain(record.keyword)) return {};
+  if (representation) return representation_items(file_, record.id);
   const auto values = StepValues::read(record.arguments);
   if (!values) return {};
-  if (!representation) return values->references();
-  std::vector<std::uint64_t> items;
-  for (const StepItem item : (*values)[kItems]) items.push_back(item.reference());
-  return items;
+  return values->references();
 }
 
 bool ShapeWriter::is_kept(std::uint64_t id) const {
@@ -175,14 +145,11 @@ bool ShapeWriter::write_record(const StepRecord& record) {
 }
 
 bool ShapeWriter::write_representation(const StepRecord& record) {
-  const auto values = StepValues::read(record.arguments);
-  if (!values) return false;
   std::vector<std::uint64_t> items;
-  for (const StepItem item : (*values)[kItems]) {
-    const std::uint64_t id = item.reference();
+  for (const std::uint64_t id : representation_items(file_, record.id)) {
     if (is_kept(id)) {
       items.push_back(id);
-    } else if (has_body(id)) {
+    } else if (may_be_body(file_, id)) {
       return false;  // a part of a thing is not the thing
     }
   }
@@ -192,18 +159,8 @@ bool ShapeWriter::write_representation(const StepRecord& record) {
   return true;
 }
 
-/// Whether an item may be a piece of a body: all but drawings beside it.
-bool ShapeWriter::has_body(std::uint64_t id) const {
-  constexpr std::array<std::string_view, 5> kDrawings = {"IFCANNOTATIONFILLAREA", "IFCBOUNDINGBOX",
-                                                         "IFCGEOMETRICCURVESET", "IFCGEOMETRICSET",
-                                                         "IFCTEXTLITERALWITHEXTENT"};
-  const StepRecord* record = file_.find(id);
-  return record == nullptr ||
-         std::find(kDrawings.begin(), kDrawings.end(), record->keyword) == kDrawings.end();
-}
-
 bool ShapeWriter::write_curve(const StepRecord& record) {
-  const std::optional<PointLine> line = indexed_curve(file_, record);
+  const std::optional<PointLine> line = indexed_curve(file_, record, metres_per_unit_);
   if (!line) return false;
   std::vector<std::uint64_t> points;
   for (const math::Vec3& p : line->points) {
@@ -215,10 +172,10 @@ bool ShapeWriter::write_curve(const StepRecord& record) {
 }
 
 bool ShapeWriter::write_profile(const StepRecord& record) {
-  const std::optional<std::vector<math::Vec3>> outline = profile_outline(file_, record);
-  if (!outline) return false;
+  const std::optional<Region> region = measured_profile(file_, record, metres_per_unit_);
+  if (!region) return false;
   std::vector<std::uint64_t> points;
-  for (const math::Vec3& p : *outline) points.push_back(out_.add_point(p, true));
+  for (const math::Vec3& p : region->outline) points.push_back(out_.add_point(p, true));
   points.push_back(points.front());
   const auto line = out_.add(fmt::format("IFCPOLYLINE(({}))", references_text(points)));
   out_.put(record.id, fmt::format("IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$,#{})", line));

@@ -20,7 +20,8 @@ namespace rubicon::ifc {
 class ShapeWriter {
  public:
   /// All must outlive this object. Writes the context that all shapes are in.
-  ShapeWriter(const StepFile& file, const FarPoints& far, RecordWriter& out);
+  ShapeWriter(const StepFile& file, double metres_per_unit, const FarPoints& far,
+              RecordWriter& out);
 
   /// The IfcGeometricRepresentationContext.
   std::uint64_t context() const { return context_; }
@@ -32,13 +33,11 @@ class ShapeWriter {
  private:
   enum class State { open, kept, dropped };
 
-  bool shows_body(std::uint64_t id, bool body) const;
   bool keep(std::uint64_t root);
   std::vector<std::uint64_t> needs(const StepRecord& record) const;
   bool is_kept(std::uint64_t id) const;
   bool write_record(const StepRecord& record);
   bool write_representation(const StepRecord& record);
-  bool has_body(std::uint64_t id) const;
   bool write_curve(const StepRecord& record);
   bool write_profile(const StepRecord& record);
   bool write_plain(const StepRecord& record);
@@ -47,6 +46,7 @@ class ShapeWriter {
   bool write_value(const StepItem& item, bool reals, std::string& out) const;
 
   const StepFile& file_;
+  double metres_per_unit_;
   const FarPoints& far_;
   RecordWriter& out_;
   FaceWriter faces_;

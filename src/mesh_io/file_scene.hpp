@@ -16,6 +16,7 @@ struct FileNode {
   std::vector<math::Vec3> vertices;  ///< world coordinates of the file behind FileScene::origin, in
                                      ///< its units
   std::vector<std::array<int, 3>> triangles;
+  std::string note = {};  ///< where the triangles differ from the file; empty: nowhere
 };
 
 /// A mesh file as the helper program hands it over.

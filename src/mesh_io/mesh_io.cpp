@@ -237,8 +237,8 @@ std::variant<std::vector<NamedMesh>, MeshFailure> nodes_of(const FileScene& scen
     MendedMesh mended = mend(vertices, node.triangles);
     if (mended.mesh.triangles.empty()) continue;
     move_to_world(mended.mesh.vertices, origin);
-    NamedMesh found{node.name,    path_of(scene, i), i, {}, below[i] != 0, std::move(mended.mesh),
-                    mended.report};
+    NamedMesh found{node.name,     path_of(scene, i), i, {}, below[i] != 0, std::move(mended.mesh),
+                    mended.report, node.note};
     if (node.parent > 0) found.above = scene.nodes[static_cast<std::size_t>(node.parent)].name;
     meshes.push_back(std::move(found));
   }

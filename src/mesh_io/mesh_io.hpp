@@ -46,6 +46,7 @@ struct NamedMesh {
   bool has_nodes_below = false;  ///< with triangles of their own: as a part it comes with them
   geometry::TriangleMesh mesh;
   MendingReport report;
+  std::string note = {};  ///< where the mesh differs from what the file says; empty: nowhere
 };
 
 /// A whole file as a list of nodes.

@@ -9,9 +9,10 @@ namespace rubicon::mesh_io {
 
 namespace {
 
-constexpr std::string_view kMagic = "rubicon-mesh 3\n";
+constexpr std::string_view kMagic = "rubicon-mesh 4\n";
 constexpr std::string_view kEnd = "end\n";
 constexpr std::size_t kLongestName = 1024;     // assimp's own limit
+constexpr std::size_t kLongestNote = 1000;     // a message for people
 constexpr std::size_t kLongestFailure = 1000;  // a message for people
 constexpr std::uint8_t kScene = 1;
 constexpr std::uint8_t kFailure = 2;
@@ -30,7 +31,9 @@ bool put_text(const ByteSink& sink, std::string_view text) {
 
 bool put_node(const ByteSink& sink, const FileNode& node) {
   const std::string_view name = std::string_view(node.name).substr(0, kLongestName);
-  if (!put_text(sink, name) || !put(sink, static_cast<std::int32_t>(node.parent)) ||
+  const std::string_view note = std::string_view(node.note).substr(0, kLongestNote);
+  if (!put_text(sink, name) || !put_text(sink, note) ||
+      !put(sink, static_cast<std::int32_t>(node.parent)) ||
       !put(sink, static_cast<std::uint64_t>(node.vertices.size())) ||
       !put(sink, static_cast<std::uint64_t>(node.triangles.size()))) {
     return false;
@@ -97,11 +100,12 @@ class Reader {
 /// Reads one node; the message says what was wrong, empty when nothing was.
 std::string get_node(Reader& in, std::size_t index, std::uint64_t triangles_left, FileNode& node) {
   std::string_view name;
+  std::string_view note;
   std::int32_t parent = 0;
   std::uint64_t vertices = 0;
   std::uint64_t triangles = 0;
-  if (!in.get_text(kLongestName, name) || !in.get(parent) || !in.get(vertices) ||
-      !in.get(triangles)) {
+  if (!in.get_text(kLongestName, name) || !in.get_text(kLongestNote, note) || !in.get(parent) ||
+      !in.get(vertices) || !in.get(triangles)) {
     return "a node is cut off";
   }
   if (parent < -1 || (parent >= 0 && static_cast<std::size_t>(parent) >= index)) {
@@ -112,6 +116,7 @@ std::string get_node(Reader& in, std::size_t index, std::uint64_t triangles_left
     return "a node is cut off";
   }
   node.name = printable(name, kLongestName);
+  node.note = printable(note, kLongestNote);
   node.parent = parent;
   node.vertices.resize(vertices);
   node.triangles.resize(triangles);
@@ -192,7 +197,7 @@ bool encode(const SceneMessage& message, const ByteSink& sink) {
 
 std::uint64_t largest_message(const SceneLimits& limits) {
   constexpr std::uint64_t kHead = 64;
-  constexpr std::uint64_t kNode = 24 + kLongestName;
+  constexpr std::uint64_t kNode = 28 + kLongestName + kLongestNote;
   constexpr std::uint64_t kTriangle = 9 * sizeof(double) + 3 * sizeof(std::int32_t);
   return kHead + limits.nodes * kNode + limits.triangles * kTriangle + kEnd.size();
 }

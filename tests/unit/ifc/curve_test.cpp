@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "src/ifc/chords.hpp"
 #include "src/ifc/ifc_curve.hpp"
 #include "src/math/angles.hpp"
 
@@ -12,7 +13,7 @@ std::optional<PointLine> curve(const std::string& points, const std::string& seg
                            ",.F.);ENDSEC;END-ISO-10303-21;";
   const auto file = StepFile::read(text);
   const auto& step = std::get<StepFile>(file);
-  return indexed_curve(step, *step.find(2));
+  return indexed_curve(step, *step.find(2), 1);
 }
 
 TEST(IndexedCurve, WithoutSegmentsAllPointsAreTaken) {
