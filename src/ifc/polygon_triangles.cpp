@@ -70,8 +70,8 @@ bool leads_inside(const Corner& before, const Corner& at, const Corner& after, c
 
 class Cutter {
  public:
-  Cutter(const std::vector<Vec3>& points, const Vec3& normal, WorkBudget& budget)
-      : points_(points), budget_(budget) {
+  Cutter(const std::vector<Vec3>& points, const Vec3& normal, WorkBudget& budget, double thin)
+      : points_(points), budget_(budget), thin_(thin) {
     normal.cwiseAbs().maxCoeff(&axis_);
     turned_ = normal[axis_] < 0;
   }
@@ -114,13 +114,13 @@ class Cutter {
     for (const Loop& loop : loops_) {
       std::vector<Corner> corners = in_steps(loop);
       const Wide area = area2(corners);
-      if (area == 0) {
+      if (area == 0 || is_thin(area, corners)) {
         close_slit(loop);
       } else {
         (area > 0 ? outlines : holes).push_back(std::move(corners));
       }
     }
-    if (outlines.empty()) return std::nullopt;
+    if (outlines.empty() && (thin_ == 0 || !holes.empty())) return std::nullopt;
     std::vector<std::vector<std::vector<Corner>>> of(outlines.size());
     for (std::vector<Corner>& hole : holes) {
       const std::size_t owner = owner_of(hole, outlines);
@@ -154,6 +154,20 @@ class Cutter {
       corners.push_back(corner);
     }
     return corners;
+  }
+
+  bool is_thin(Wide area, const std::vector<Corner>& corners) const {
+    double length = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      length += distance(corners[i], corners[(i + 1) % corners.size()]);
+    }
+    return std::fabs(static_cast<double>(area)) <= thin_ * scale_ * length;
+  }
+
+  static double distance(const Corner& a, const Corner& b) {
+    const auto x = static_cast<double>(a.x - b.x);
+    const auto y = static_cast<double>(a.y - b.y);
+    return std::sqrt(x * x + y * y);
   }
 
   /// A loop in one line has no area, but the neighbours that it runs along must stay joined.
@@ -264,13 +278,19 @@ class Cutter {
     std::size_t at = 0;
     std::size_t without_ear = 0;
     while (left > 2) {
-      if (without_ear > left) return false;
+      if (without_ear > left) {
+        // Only what is too thin to tell left from right is in the way.
+        const auto thinnest = thinnest_corner(outline, next, before, at, left);
+        if (!thinnest) return false;
+        at = *thinnest;
+      }
       const Corner& a = outline[before[at]];
       const Corner& b = outline[at];
       const Corner& c = outline[next[at]];
       // There and back: nothing between.
+      const bool forced = without_ear > left;
       const bool spike = a.same_place(c) || a.same_place(b) || b.same_place(c);
-      if (!spike && !is_ear(outline, next, at, before[at], left)) {
+      if (!forced && !spike && !is_ear(outline, next, at, before[at], left)) {
         at = next[at];
         ++without_ear;
         continue;
@@ -286,6 +306,28 @@ class Cutter {
       without_ear = 0;
     }
     return true;
+  }
+
+  /// The corner that is least far from the line between its neighbours, if that is near enough.
+  std::optional<std::size_t> thinnest_corner(const std::vector<Corner>& outline,
+                                             const std::vector<std::size_t>& next,
+                                             const std::vector<std::size_t>& before, std::size_t at,
+                                             std::size_t left) {
+    if (thin_ == 0 || !budget_.spend(left)) return std::nullopt;
+    std::optional<std::size_t> best;
+    double least = 2 * thin_ * scale_;
+    for (std::size_t n = 0; n < left; ++n, at = next[at]) {
+      const Corner& a = outline[before[at]];
+      const Corner& b = outline[at];
+      const Corner& c = outline[next[at]];
+      const double area = std::fabs(static_cast<double>(area2({a, b, c})));
+      const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+      if (area < least * longest) {
+        best = at;
+        least = area / longest;
+      }
+    }
+    return best;
   }
 
   bool is_ear(const std::vector<Corner>& outline, const std::vector<std::size_t>& next,
@@ -304,6 +346,7 @@ class Cutter {
 
   const std::vector<Vec3>& points_;
   WorkBudget& budget_;
+  double thin_;
   int axis_ = 2;
   bool turned_ = false;
   double scale_ = 1;
@@ -329,8 +372,8 @@ Vec3 loop_normal(const std::vector<Vec3>& points, const Loop& loop) {
 
 std::optional<std::vector<Triangle>> triangulate(const std::vector<Vec3>& points,
                                                  const std::vector<Loop>& loops, const Vec3& normal,
-                                                 WorkBudget& budget) {
-  Cutter cutter(points, normal, budget);
+                                                 WorkBudget& budget, double thin) {
+  Cutter cutter(points, normal, budget, thin);
   for (const Loop& loop : loops) {
     if (!cutter.add(loop)) return std::nullopt;
   }
@@ -339,7 +382,7 @@ std::optional<std::vector<Triangle>> triangulate(const std::vector<Vec3>& points
 
 bool lines_cross(const std::vector<Vec3>& points, const std::vector<Loop>& loops,
                  const Vec3& normal, WorkBudget& budget) {
-  Cutter cutter(points, normal, budget);
+  Cutter cutter(points, normal, budget, 0);
   for (const Loop& loop : loops) {
     if (!cutter.add(loop)) return true;
   }

@@ -25,7 +25,7 @@ math::Vec3 loop_normal(const std::vector<math::Vec3>& points, const Loop& loop);
 std::optional<std::vector<std::array<int, 3>>> triangulate(const std::vector<math::Vec3>& points,
                                                            const std::vector<Loop>& loops,
                                                            const math::Vec3& normal,
-                                                           WorkBudget& budget);
+                                                           WorkBudget& budget, double thin = 0);
 
 /// Whether two sides of loops cross, seen along `normal`; also where that cannot be told within the
 /// budget. Touching is not crossing.

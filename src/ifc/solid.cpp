@@ -34,6 +34,24 @@ double turn_deg(const Vec3& from, const Vec3& to, const Vec3& n) {
   return math::atan2_deg(n.dot(from.cross(to)), from.dot(to));
 }
 
+/// Takes a loop apart where it comes by a corner again.
+void put_simple(const Loop& loop, std::vector<Loop>& loops) {
+  Loop path;
+  std::map<int, std::size_t> place;
+  for (const int corner : loop) {
+    const auto seen = place.find(corner);
+    if (seen != place.end()) {
+      const auto from = static_cast<std::ptrdiff_t>(seen->second);
+      loops.emplace_back(path.begin() + from, path.end());
+      for (std::size_t i = seen->second; i < path.size(); ++i) place.erase(path[i]);
+      path.resize(static_cast<std::size_t>(from));
+    }
+    place.emplace(corner, path.size());
+    path.push_back(corner);
+  }
+  loops.push_back(std::move(path));
+}
+
 }  // namespace
 
 bool is_closed(const Solid& solid) {
@@ -106,7 +124,7 @@ std::optional<std::vector<Loop>> border_loops(const std::vector<Vec3>& points,
       if (*next == first) break;
       current = *next;
     }
-    loops.push_back(std::move(loop));
+    put_simple(loop, loops);
   }
   return loops;
 }

@@ -24,8 +24,9 @@ struct HalfSpace {
   double w = 0;
 };
 
-/// Nearer to a plane than this (metres) a corner lies on it. Twice what is welded afterwards.
-inline constexpr double kOnPlane = 2e-6;
+/// Nearer to a plane than this (metres) a corner lies on it: far below the tolerance of contact,
+/// and above what programs round coordinates to.
+inline constexpr double kOnPlane = 1e-5;
 
 /// Whether every edge is used equally often in both directions. Corners count as they are numbered.
 bool is_closed(const Solid& solid);

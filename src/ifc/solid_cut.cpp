@@ -164,7 +164,7 @@ class PartRemover {
     const auto loops = border_loops(result.points, std::move(edges), normal);
     if (!loops) return false;
     if (loops->empty()) return true;
-    const auto rest = triangulate(result.points, *loops, normal, budget);
+    const auto rest = triangulate(result.points, *loops, normal, budget, 2 * kOnPlane);
     if (!rest) return false;
     result.triangles.insert(result.triangles.end(), rest->begin(), rest->end());
     return true;

@@ -23,6 +23,6 @@ std::optional<Solid> subtract(const Solid& body, const Cell& cell, WorkBudget& b
 std::optional<Solid> intersect(const Solid& body, const Cell& cell, WorkBudget& budget);
 
 /// Metres: far below what a building is measured in, a few times what is taken for touching.
-inline constexpr double kShift = 2e-5;
+inline constexpr double kShift = 1e-4;
 
 }  // namespace rubicon::ifc

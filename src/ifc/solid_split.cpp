@@ -117,7 +117,7 @@ class Splitter {
     const auto loops = border_loops(points_, std::move(missing), normal);
     if (!loops) return false;
     if (loops->empty()) return true;
-    const auto cap = triangulate(points_, *loops, normal, budget);
+    const auto cap = triangulate(points_, *loops, normal, budget, 2 * kOnPlane);
     if (!cap) return false;
     for (const Triangle& t : *cap) put(part, t, kFromCut);
     return true;

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "src/ifc/element_bodies.hpp"
 #include "src/ifc/ifc_model.hpp"
 #include "src/ifc/plain_ifc.hpp"
 #include "src/ifc/step_file.hpp"
@@ -26,7 +28,10 @@ void read_all(const std::string& text) {
   const auto* step = std::get_if<StepFile>(&file);
   if (step == nullptr) return;
   const auto model = read_model(*step);
-  if (const auto* building = std::get_if<IfcModel>(&model)) plain_ifc(*step, *building);
+  if (const auto* building = std::get_if<IfcModel>(&model)) {
+    plain_ifc(*step, *building);
+    element_bodies(*step, *building);
+  }
 }
 
 std::vector<std::string> samples() {
@@ -179,6 +184,61 @@ TEST(HostileIfc, DeepBooleansAndHugeListsDoNotOverflow) {
       "#500001= IFCPRODUCTDEFINITIONSHAPE($,$,(#500002));\n"
       "#500002= IFCSHAPEREPRESENTATION($,'Body','Tessellation',(#1000));\n";
   EXPECT_LT(seconds_for(with(list)), kSoon);
+}
+
+/// A wall whose shape is item #1000.
+std::string wall_of(const std::string& items) {
+  return with(items +
+              "#500000= IFCWALL('x',$,$,$,$,$,#500001,$,$);\n"
+              "#500001= IFCPRODUCTDEFINITIONSHAPE($,$,(#500002));\n"
+              "#500002= IFCSHAPEREPRESENTATION($,'Body','x',(#1000));\n");
+}
+
+std::string numbered(int id, const std::string& record) {
+  return "#" + std::to_string(id) + "= " + record + ";\n";
+}
+
+TEST(HostileIfc, ShapesThatLeadInRingsOrBranchWithoutEndAreGivenUp) {
+  // A union of itself with itself, twice as often at each level.
+  std::string doubling;
+  for (int i = 0; i < 60; ++i) {
+    const std::string next = "#" + std::to_string(1001 + i);
+    doubling += numbered(1000 + i, "IFCBOOLEANRESULT(.UNION.," + next + "," + next + ")");
+  }
+  doubling += numbered(1060, "IFCBLOCK(#1061,1.,1.,1.)") +
+              numbered(1061, "IFCAXIS2PLACEMENT3D(#1062,$,$)") +
+              numbered(1062, "IFCCARTESIANPOINT((0.,0.,0.))");
+  EXPECT_LT(seconds_for(wall_of(doubling)), kSoon);
+  EXPECT_LT(seconds_for(wall_of(numbered(1000, "IFCBOOLEANRESULT(.UNION.,#1000,#1000)"))), kSoon);
+  EXPECT_LT(seconds_for(wall_of(numbered(1000, "IFCCSGSOLID(#1000)"))), kSoon);
+  EXPECT_LT(seconds_for(wall_of(numbered(1000, "IFCSWEPTDISKSOLID(#1001,1.,$,$,$)") +
+                                numbered(1001, "IFCCOMPOSITECURVE((#1002,#1002),.F.)") +
+                                numbered(1002, "IFCCOMPOSITECURVESEGMENT(.C.,.T.,#1001)"))),
+            kSoon);
+  EXPECT_LT(seconds_for(wall_of(
+                numbered(1000, "IFCEXTRUDEDAREASOLID(#1001,$,#1003,1.)") +
+                numbered(1001, "IFCCOMPOSITEPROFILEDEF(.AREA.,$,(#1001,#1001,#1001,#1001),$)") +
+                numbered(1003, "IFCDIRECTION((0.,0.,1.))"))),
+            kSoon);
+}
+
+/// An extrusion of a profile with many corners, none of which is an ear for long.
+TEST(HostileIfc, LargeProfilesAreBounded) {
+  std::string points;
+  std::string list;
+  constexpr int kCorners = 40000;
+  for (int i = 0; i < kCorners; ++i) {
+    const double r = i % 2 == 0 ? 1000 : 999;
+    const double t = 6.28318530717958 * i / kCorners;
+    points += numbered(10000 + i, "IFCCARTESIANPOINT((" + std::to_string(r * std::cos(t)) + "," +
+                                      std::to_string(r * std::sin(t)) + "))");
+    list += (i == 0 ? "#" : ",#") + std::to_string(10000 + i);
+  }
+  EXPECT_LT(seconds_for(wall_of(points + numbered(1001, "IFCPOLYLINE((" + list + "))") +
+                                numbered(1002, "IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$,#1001)") +
+                                numbered(1003, "IFCDIRECTION((0.,0.,1.))") +
+                                numbered(1000, "IFCEXTRUDEDAREASOLID(#1002,$,#1003,1.)"))),
+            kSoon);
 }
 
 }  // namespace

@@ -1,0 +1,77 @@
+#include "src/ifc/element_bodies.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <variant>
+
+#include "tests/support/ifc_sample.hpp"
+
+namespace rubicon::ifc {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::vector<std::optional<ElementBody>> bodies_of(const std::string& more) {
+  ::rubicon::testing::IfcSample sample;
+  sample.schema = "IFC4";
+  sample.unit = "m";
+  sample.blocks.clear();
+  sample.more =
+      "#500000= IFCWALL('x',$,$,$,$,$,#500001,$,$);\n"
+      "#500001= IFCPRODUCTDEFINITIONSHAPE($,$,(#500002));\n"
+      "#500002= IFCSHAPEREPRESENTATION($,'Body','x',(#1000));\n"
+      "#1001= IFCAXIS2PLACEMENT3D(#1002,$,$);\n#1002= IFCCARTESIANPOINT((0.,0.,0.));\n" +
+      more;
+  const std::string text = ::rubicon::testing::ifc_text(sample);
+  const auto file = StepFile::read(text);
+  const auto& step = std::get<StepFile>(file);
+  return element_bodies(step, std::get<IfcModel>(read_model(step)));
+}
+
+TEST(ElementBodies, ACutThatCannotBeReadIsNotedAndLeftOut) {
+  const auto bodies = bodies_of(
+      "#1000= IFCBOOLEANRESULT(.DIFFERENCE.,#1003,#1004);\n#1003= IFCBLOCK(#1001,1.,2.,3.);\n"
+      "#1004= IFCADVANCEDBREP(#1002);\n");
+  ASSERT_EQ(bodies.size(), 1U);
+  ASSERT_TRUE(bodies[0]);
+  EXPECT_NEAR(volume_of(bodies[0]->solid), 6, 1e-12);
+  EXPECT_THAT(bodies[0]->notes, ElementsAre(HasSubstr("nothing is cut off")));
+}
+
+TEST(ElementBodies, AnOpeningThatCannotBeReadIsNoted) {
+  const auto bodies = bodies_of(
+      "#1000= IFCBLOCK(#1001,1.,2.,3.);\n"
+      "#600000= IFCOPENINGELEMENT('o',$,$,$,$,$,#600001,$,$);\n"
+      "#600001= IFCPRODUCTDEFINITIONSHAPE($,$,(#600002));\n"
+      "#600002= IFCSHAPEREPRESENTATION($,'Body','x',(#1002));\n"
+      "#600003= IFCRELVOIDSELEMENT('v',$,$,$,#500000,#600000);\n");
+  ASSERT_EQ(bodies.size(), 1U);
+  ASSERT_TRUE(bodies[0]);
+  EXPECT_THAT(bodies[0]->notes, ElementsAre(HasSubstr("an opening")));
+}
+
+TEST(ElementBodies, WhatCannotBeReadWholeIsNotRead) {
+  for (const char* item :
+       {"#1000= IFCADVANCEDBREP(#1002);\n", "#1000= IFCBLOCK(#1001,0.,2.,3.);\n",
+        "#1000= IFCBLOCK(#1001,-1.,2.,3.);\n", "#1000= IFCBLOCK(#1002,1.,2.,3.);\n",
+        "#1000= IFCSPHERE(#1001,$);\n", "#1000= IFCRIGHTCIRCULARCYLINDER(#1001,1.,1.E400);\n",
+        // The lines of the profile cross.
+        "#1000= IFCEXTRUDEDAREASOLID(#1003,$,#1004,1.);\n#1004= IFCDIRECTION((0.,0.,1.));\n"
+        "#1003= IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$,#1005);\n"
+        "#1005= IFCPOLYLINE((#1006,#1007,#1008,#1009));\n#1006= IFCCARTESIANPOINT((0.,0.));\n"
+        "#1007= IFCCARTESIANPOINT((1.,1.));\n#1008= IFCCARTESIANPOINT((1.,0.));\n"
+        "#1009= IFCCARTESIANPOINT((0.,1.));\n",
+        // A disk along no way, and back on its way.
+        "#1000= IFCSWEPTDISKSOLID(#1003,1.,$,$,$);\n#1003= IFCPOLYLINE((#1002,#1002));\n",
+        "#1000= IFCSWEPTDISKSOLID(#1003,1.,$,$,$);\n#1003= IFCPOLYLINE((#1002,#1004,#1002));\n"
+        "#1004= IFCCARTESIANPOINT((1.,0.,0.));\n"}) {
+    const auto bodies = bodies_of(item);
+    ASSERT_EQ(bodies.size(), 1U) << item;
+    EXPECT_FALSE(bodies[0]) << item;
+  }
+}
+
+}  // namespace
+}  // namespace rubicon::ifc
