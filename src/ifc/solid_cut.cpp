@@ -112,33 +112,16 @@ class PartRemover {
   }
 
   void find_edge_corners() {
-    const auto old = static_cast<int>(body_.points.size());
     for (const auto& [face, parts] : of_triangle_) {
       for (const Triangle& t : parts) {
         for (const int corner : t) {
-          if (corner >= old) put_on_edges(corner, body_.triangles[at(face)]);
+          const auto edge = part_.edge_of.find(corner);
+          if (edge == part_.edge_of.end()) continue;
+          std::vector<int>& list = on_edge_[edge->second];
+          if (std::find(list.begin(), list.end(), corner) == list.end()) list.push_back(corner);
         }
       }
     }
-  }
-
-  void put_on_edges(int corner, const Triangle& face) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Edge edge = std::minmax(face[k], face[(k + 1) % 3]);
-      if (!lies_on(corner, edge)) continue;
-      std::vector<int>& list = on_edge_[edge];
-      if (std::find(list.begin(), list.end(), corner) == list.end()) list.push_back(corner);
-    }
-  }
-
-  /// Corners on edges were worked out on them, to rounding.
-  bool lies_on(int corner, const Edge& edge) const {
-    const Vec3& a = body_.points[at(edge.first)];
-    const Vec3 along = body_.points[at(edge.second)] - a;
-    const Vec3 p = part_.solid.points[at(corner)] - a;
-    const double t = p.dot(along) / along.squaredNorm();
-    constexpr double kRounding = 1e-9;
-    return t > 0 && t < 1 && (p - t * along).norm() < kRounding * (1 + a.norm());
   }
 
   bool put_rest(int face, Solid& result, WorkBudget& budget) const {

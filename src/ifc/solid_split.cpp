@@ -17,7 +17,7 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 class Splitter {
  public:
   Splitter(const SolidPart& part, const HalfSpace& plane)
-      : part_(part), plane_(plane), points_(part.solid.points) {}
+      : part_(part), plane_(plane), points_(part.solid.points), edge_of_(part.edge_of) {}
 
   std::optional<SplitSolid> split(WorkBudget& budget) {
     if (!budget.spend(points_.size() + 4 * part_.solid.triangles.size())) return std::nullopt;
@@ -29,7 +29,10 @@ class Splitter {
     if (!close(inside_, plane_.n, budget) || !close(outside_, -plane_.n, budget)) {
       return std::nullopt;
     }
-    for (auto* side : {&inside_, &outside_}) side->solid.points = points_;
+    for (auto* side : {&inside_, &outside_}) {
+      side->solid.points = points_;
+      side->edge_of = edge_of_;
+    }
     result.inside = std::move(inside_);
     result.outside = std::move(outside_);
     return result;
@@ -100,8 +103,29 @@ class Splitter {
       const Vec3 p = points_[at(low)] + t * (points_[at(high)] - points_[at(low)]);
       points_.push_back(p);
       side_.push_back(0);
+      if (const auto edge = edge_along(low, high)) edge_of_.emplace(found->second, *edge);
     }
     return found->second;
+  }
+
+  /// The edge of the body that the line between two corners may be a piece of. Decided by where
+  /// they come from, not where they are: thin triangles have three edges at one place.
+  std::optional<std::pair<int, int>> edge_along(int a, int b) const {
+    const auto of_a = edge_of_.find(a);
+    const auto of_b = edge_of_.find(b);
+    const auto ends = [](const std::pair<int, int>& edge, int corner) {
+      return edge.first == corner || edge.second == corner;
+    };
+    if (of_a != edge_of_.end()) {
+      const bool same = of_b != edge_of_.end() && of_b->second == of_a->second;
+      if (same || ends(of_a->second, b)) return of_a->second;
+      return std::nullopt;
+    }
+    if (of_b != edge_of_.end()) {
+      if (ends(of_b->second, a)) return of_b->second;
+      return std::nullopt;
+    }
+    return std::pair(std::min(a, b), std::max(a, b));
   }
 
   /// Puts in what is missing on the plane.
@@ -129,13 +153,14 @@ class Splitter {
   std::vector<double> distance_;
   std::vector<int> side_;
   std::map<std::pair<int, int>, int> crossings_;
+  std::map<int, std::pair<int, int>> edge_of_;
   SolidPart inside_, outside_;
 };
 
 }  // namespace
 
 SolidPart whole(const Solid& solid) {
-  SolidPart part{solid, {}};
+  SolidPart part{solid, {}, {}};
   for (std::size_t i = 0; i < solid.triangles.size(); ++i) {
     part.source.push_back(static_cast<int>(i));
   }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "src/ifc/solid.hpp"
@@ -10,10 +12,12 @@ namespace rubicon::ifc {
 /// Where something of a part of a body comes from.
 inline constexpr int kFromCut = -1;
 
-/// A part of a body: of each triangle the one of the body that it lies in, or kFromCut.
+/// A part of a body: where its triangles and its new corners come from.
 struct SolidPart {
   Solid solid;
-  std::vector<int> source;
+  std::vector<int> source;  ///< of each triangle the one of the body that it lies in, or kFromCut
+  /// Of new corners that lie on an edge of the body: its ends, the smaller number first.
+  std::map<int, std::pair<int, int>> edge_of;
 };
 
 /// The whole of a body as a part of it.

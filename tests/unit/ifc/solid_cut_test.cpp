@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "src/ifc/swept_solids.hpp"
@@ -39,6 +40,7 @@ TEST(SolidCut, WhatIsInsideAndWhatIsOutsideMakeTheWhole) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> at(-1.5, 1.5);
   std::uniform_real_distribution<double> size(0.2, 2);
+  int shifted = 0;
   for (int round = 0; round < 400; ++round) {
     Solid body = box({-1, -1, -1}, {1, 1, 1});
     double volume = 8;
@@ -61,7 +63,10 @@ TEST(SolidCut, WhatIsInsideAndWhatIsOutsideMakeTheWhole) {
       ASSERT_TRUE(inside && outside) << round << " " << k;
       const double taken = volume_of(*inside);
       EXPECT_GE(taken, -1e-12);
-      EXPECT_NEAR(volume_of(*outside), volume - taken, 1e-9) << round << " " << k;
+      // Now and then the planes had to be moved.
+      const double error = std::fabs(volume_of(*outside) - (volume - taken));
+      EXPECT_LT(error, 40 * kShift) << round << " " << k;
+      if (error > 1e-9) ++shifted;
       if (!inside->triangles.empty()) {
         EXPECT_TRUE(is_closed(*inside));
       }
@@ -71,6 +76,7 @@ TEST(SolidCut, WhatIsInsideAndWhatIsOutsideMakeTheWhole) {
       volume = volume_of(body);
     }
   }
+  EXPECT_LE(shifted, 4);
 }
 
 TEST(SolidCut, FacesThatNearlyFallTogetherDoNoHarm) {
