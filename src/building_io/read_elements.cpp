@@ -1,6 +1,7 @@
 #include "src/building_io/read_elements.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -9,6 +10,7 @@
 
 #include "src/building_io/element_frame.hpp"
 #include "src/building_io/names.hpp"
+#include "src/ifc/body_items.hpp"
 #include "src/ifc/ifc_model.hpp"
 #include "src/mesh_io/mesh_format.hpp"
 #include "src/project_io/identifiers.hpp"
@@ -96,9 +98,10 @@ class ElementReader {
     for (const ifc::IfcElement& each : building.elements) {
       const auto node = by_node.find(static_cast<std::size_t>(each.node));
       if (node == by_node.end()) {
-        left_out(model, each);
+        left_out(model, std::get<ifc::StepFile>(file), each);
         continue;
       }
+      note_shape(model, each, *node->second);
       Element element;
       element.storey = clean(each.storey);
       element.type = clean(each.type);
@@ -127,14 +130,29 @@ class ElementReader {
     result_.notes.push_back(std::move(note));
   }
 
-  void left_out(const ModelFile& model, const ifc::IfcElement& element) {
-    const std::string why =
-        !element.X_WE ? "its placement leads nowhere" : "its shape has nothing that can be read";
-    const std::string text =
-        fmt::format("{} '{}' ({}) of {} is left out: {}", element.type, clean(element.name),
-                    clean(element.guid), model.reference, why);
+  void left_out(const ModelFile& model, const ifc::StepFile& file, const ifc::IfcElement& element) {
+    std::string why = "its placement leads nowhere";
+    if (element.X_WE) {
+      why = "its shape has nothing that can be read";
+      const std::vector<std::string> unread = ifc::unread_classes(file, element.shape);
+      if (!unread.empty()) why += fmt::format(" ({})", fmt::join(unread, ", "));
+    }
+    warn(model, element, "is left out: " + why, "export it as triangles, or as extruded profiles");
+  }
+
+  /// A shape that is not all that the model says.
+  void note_shape(const ModelFile& model, const ifc::IfcElement& element, const NamedMesh& node) {
+    if (node.note.empty()) return;
+    warn(model, element, "is larger than in the model: " + clean(node.note),
+         "look at it in the report, or export it as triangles");
+  }
+
+  void warn(const ModelFile& model, const ifc::IfcElement& element, const std::string& what,
+            const std::string& hint) {
+    const std::string text = fmt::format("{} '{}' ({}) of {} {}", element.type, clean(element.name),
+                                         clean(element.guid), model.reference, what);
     result_.notes.push_back(text);
-    diagnostics_.warning("I14", {}, text, "export it as triangles, or as extruded profiles");
+    diagnostics_.warning("I14", {}, text, hint);
   }
 
   // ---- other formats

@@ -15,9 +15,9 @@ struct IfcQuery {
 };
 
 /// The triangles of an IFC file (2x3, 4 or 4.3), a node an element, below the storeys and buildings
-/// it belongs to. Assimp makes the triangles of each element in its own frame, from plain_ifc();
-/// where the element stands is worked out here, in double precision. Runs in the helper program
-/// alone. The failure is for people.
+/// it belongs to. They come from element_bodies(), and of what that cannot read from assimp, which
+/// gets plain_ifc(); where the element stands is worked out here, in double precision. Runs in the
+/// helper program alone. The failure is for people.
 SceneMessage read_ifc(std::string_view text, const IfcQuery& query);
 
 }  // namespace rubicon::mesh_io

@@ -77,10 +77,25 @@ TEST(ReadElements, WhatHasNoShapeThatCanBeReadIsListed) {
   const ReadModels read = read_models({{"house.ifc", ifc_text(sample)}});
   EXPECT_EQ(read.elements.all.size(), 3U);
   EXPECT_TRUE(test::says(read.said, "I14 IfcRoof 'dome'"));
-  EXPECT_TRUE(test::says(read.said, "its shape has nothing that can be read"));
+  EXPECT_TRUE(test::says(read.said, "its shape has nothing that can be read (IfcAdvancedBrep)"));
   EXPECT_TRUE(test::says(read.said, "I14 IfcDoor 'ring'"));
   EXPECT_TRUE(test::says(read.said, "its placement leads nowhere"));
   EXPECT_TRUE(test::says(read.elements.notes, "1 IfcSpace left out"));
+}
+
+TEST(ReadElements, WhatIsNotCutOffIsListed) {
+  IfcSample sample = house("IFC4");
+  sample.more =
+      "#900= IFCBOOLEANRESULT(.DIFFERENCE.,#910,#920);\n#910= IFCBLOCK(#911,100.,100.,100.);\n"
+      "#911= IFCAXIS2PLACEMENT3D(#912,$,$);\n#912= IFCCARTESIANPOINT((0.,0.,0.));\n"
+      "#920= IFCADVANCEDBREP(#912);\n"
+      "#901= IFCSHAPEREPRESENTATION($,'Body','x',(#900));\n"
+      "#902= IFCPRODUCTDEFINITIONSHAPE($,$,(#901));\n"
+      "#903= IFCROOF('roof_00000000000000000',$,'dome',$,$,$,#902,$,$);\n";
+  const ReadModels read = read_models({{"house.ifc", ifc_text(sample)}});
+  EXPECT_EQ(read.elements.all.size(), 4U);
+  EXPECT_TRUE(test::says(read.said, "I14 IfcRoof 'dome'"));
+  EXPECT_TRUE(test::says(read.said, "is larger than in the model: what is to be cut off"));
 }
 
 TEST(ReadElements, TwiceTheSameGlobalIdIsNoNameForAPart) {

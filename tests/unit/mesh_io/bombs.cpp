@@ -139,7 +139,7 @@ std::string growing_ifc(int times) {
 std::string deep_ifc(int depth) {
   std::string more;
   for (int i = 0; i < depth; ++i) {
-    more += fmt::format("#{}= IFCBOOLEANRESULT(.DIFFERENCE.,#{},#60);\n", 100 + i,
+    more += fmt::format("#{}= IFCBOOLEANRESULT(.UNION.,#{},#60);\n", 100 + i,
                         i + 1 < depth ? 101 + i : 60);
   }
   return ifc_element(kPlacement, "#100", more);
