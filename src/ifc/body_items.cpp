@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "src/ifc/ifc_class_names.hpp"
 #include "src/ifc/step_values.hpp"
 
 namespace rubicon::ifc {
@@ -18,13 +17,23 @@ constexpr auto kNoBody =
     std::to_array<std::string_view>({"Annotation", "Axis", "Box", "Clearance", "CoG", "FootPrint",
                                      "Lighting", "Profile", "Reference"});
 
-/// What a shape consists of that is not read. Sorted.
+/// What a shape consists of that is not read.
 constexpr auto kUnread = std::to_array<std::string_view>(
-    {"IFCADVANCEDBREP", "IFCADVANCEDBREPWITHVOIDS", "IFCBSPLINECURVE", "IFCBSPLINECURVEWITHKNOTS",
-     "IFCEXTRUDEDAREASOLIDTAPERED", "IFCFIXEDREFERENCESWEPTAREASOLID",
-     "IFCRATIONALBSPLINECURVEWITHKNOTS", "IFCREVOLVEDAREASOLIDTAPERED", "IFCSECTIONEDSOLID",
-     "IFCSECTIONEDSOLIDHORIZONTAL", "IFCSECTIONEDSPINE", "IFCSURFACECURVESWEPTAREASOLID"});
-static_assert(std::is_sorted(kUnread.begin(), kUnread.end()));
+    {"IfcAdvancedBrep", "IfcAdvancedBrepWithVoids", "IfcBSplineCurve", "IfcBSplineCurveWithKnots",
+     "IfcExtrudedAreaSolidTapered", "IfcFixedReferenceSweptAreaSolid",
+     "IfcRationalBSplineCurveWithKnots", "IfcRevolvedAreaSolidTapered", "IfcSectionedSolid",
+     "IfcSectionedSolidHorizontal", "IfcSectionedSpine", "IfcSurfaceCurveSweptAreaSolid"});
+
+/// The usual spelling of a class that is not read; empty: it may be.
+std::string_view unread_name(std::string_view keyword) {
+  const auto same = [&](std::string_view name) {
+    return std::equal(name.begin(), name.end(), keyword.begin(), keyword.end(), [](char a, char b) {
+      return (a >= 'a' && a <= 'z' ? static_cast<char>(a - 'a' + 'A') : a) == b;
+    });
+  };
+  const auto found = std::find_if(kUnread.begin(), kUnread.end(), same);
+  return found == kUnread.end() ? std::string_view() : *found;
+}
 
 std::string_view identifier(const StepValues& values) { return values[1].text(); }
 
@@ -87,17 +96,16 @@ std::vector<std::string> unread_classes(const StepFile& file, std::uint64_t shap
         record->keyword.find("CONTEXT") != std::string_view::npos) {
       continue;
     }
-    if (std::binary_search(kUnread.begin(), kUnread.end(), record->keyword)) {
-      found.insert(record->keyword);
+    const std::string_view unread = unread_name(record->keyword);
+    if (!unread.empty()) {
+      found.insert(unread);
       continue;
     }
     const auto values = StepValues::read(record->arguments);
     if (!values) continue;
     for (const std::uint64_t child : values->references()) pending.push_back(child);
   }
-  std::vector<std::string> names;
-  for (const std::string_view keyword : found) names.push_back(class_name(keyword));
-  return names;
+  return {found.begin(), found.end()};
 }
 
 }  // namespace rubicon::ifc
