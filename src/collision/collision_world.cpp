@@ -77,6 +77,24 @@ struct CollisionWorld::Impl {
 
   SweptResult test(const SweptQuery& query, ClearanceBudget::Impl* budget) const;
 
+  void insert(ObstacleId id, BodyPtr body, const Pose& X_WB) {
+    if (!body) throw std::invalid_argument("an obstacle needs a body");
+    require_rigid(X_WB, "the pose of an obstacle");
+    const StandingPlace standing(*body, X_WB);
+    const Bounds bounds = placed(body->bounds(), standing.X_WC);
+    int free_place = static_cast<int>(obstacles.size());
+    if (free_places.empty()) {
+      obstacles.emplace_back();
+    } else {
+      free_place = free_places.back();
+      free_places.pop_back();
+    }
+    obstacles[free_place] = {id, std::move(body), standing};
+    place_of[id] = free_place;
+    tree.insert(free_place, bounds);
+    changed();
+  }
+
   /// How far the box of an obstacle is from that of a sweep (m).
   double box_distance(const Sweep& sweep, const Obstacle& obstacle) const {
     const Bounds other = placed(obstacle.body->bounds(), obstacle.place.X_WC);
@@ -212,23 +230,15 @@ CollisionWorld::CollisionWorld(CollisionWorld&&) noexcept = default;
 CollisionWorld& CollisionWorld::operator=(CollisionWorld&&) noexcept = default;
 
 ObstacleId CollisionWorld::insert(BodyPtr body, const Pose& X_WB) {
-  if (!body) throw std::invalid_argument("an obstacle needs a body");
-  require_rigid(X_WB, "the pose of an obstacle");
-  const StandingPlace standing(*body, X_WB);
-  const Bounds bounds = placed(body->bounds(), standing.X_WC);
-  int place = static_cast<int>(impl_->obstacles.size());
-  if (impl_->free_places.empty()) {
-    impl_->obstacles.emplace_back();
-  } else {
-    place = impl_->free_places.back();
-    impl_->free_places.pop_back();
+  impl_->insert(impl_->next_id, std::move(body), X_WB);
+  return impl_->next_id++;
+}
+
+void CollisionWorld::put_back(ObstacleId id, BodyPtr body, const Pose& X_WB) {
+  if (id == 0 || id >= impl_->next_id || impl_->place_of.contains(id)) {
+    throw std::invalid_argument(fmt::format("there is no removed obstacle {}", id));
   }
-  const ObstacleId id = impl_->next_id++;
-  impl_->obstacles[place] = {id, std::move(body), standing};
-  impl_->place_of[id] = place;
-  impl_->tree.insert(place, bounds);
-  impl_->changed();
-  return id;
+  impl_->insert(id, std::move(body), X_WB);
 }
 
 void CollisionWorld::remove(ObstacleId id) {
@@ -352,7 +362,8 @@ Clearance CollisionWorld::clearance(const SweptQuery& query, double range,
     for (const int place : impl_->nearest_first(sweep, range, query.ignore)) {
       const Obstacle& obstacle = impl_->obstacles[place];
       if (impl_->box_distance(sweep, obstacle) > nearest.reach()) break;
-      look(i, *obstacle.body, geometry::stationary(obstacle.place.X_WB), {i, obstacle.id, std::nullopt});
+      look(i, *obstacle.body, geometry::stationary(obstacle.place.X_WB),
+           {i, obstacle.id, std::nullopt});
     }
   }
   for (const auto& [first, second] : query.pairs) {

@@ -115,6 +115,8 @@ class CollisionWorld {
 
   ObstacleId insert(BodyPtr body, const Pose& X_WB);
   void remove(ObstacleId id);
+  /// Inserts an obstacle that was removed again under the id, and so the rank, that it had.
+  void put_back(ObstacleId id, BodyPtr body, const Pose& X_WB);
 
   SweptResult test(const SweptQuery& query) const;
   /// The same answer, sooner where the bodies are far from everything.

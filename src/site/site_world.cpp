@@ -103,15 +103,22 @@ void SiteWorld::set_machine_state(int robot, MachineState state) {
 
 ComponentState SiteWorld::component_state(int component) const {
   const Component& one = components_[static_cast<std::size_t>(component)];
-  return {one.standing, one.X_WO};
+  return {one.standing, one.X_WO, one.id};
 }
 
 void SiteWorld::set_component_state(int component, const ComponentState& state) {
   Component& one = components_[static_cast<std::size_t>(component)];
-  const bool moved = one.X_WO.matrix() != state.X_WO.matrix();
-  if (one.standing && (moved || !state.standing)) lift(one);
-  if (state.standing && !one.standing) stand(one, state.X_WO);
+  const bool same = one.id == state.id && one.X_WO.matrix() == state.X_WO.matrix();
+  if (one.standing && !(state.standing && same)) lift(one);
   one.X_WO = state.X_WO;
+  if (!state.standing || one.standing) return;
+  one.standing = true;
+  one.id = state.id;
+  if (one.id) {
+    obstacles_.put_back(*one.id, one.body, one.X_WO);
+    names_[*one.id] = one.name;
+  }
+  ++changes_;
 }
 
 void SiteWorld::hold_zone(int task, std::string name, const std::vector<geometry::Shape>& shapes_W,

@@ -36,6 +36,7 @@ struct MachineState {
 struct ComponentState {
   bool standing = false;
   math::Pose X_WO = math::Pose::Identity();
+  std::optional<collision::ObstacleId> id;  ///< its rank among the obstacles while it stands
 };
 
 /// Another machine, or a zone, that a query meets.
@@ -84,6 +85,7 @@ class SiteWorld {
   MachineState machine_state(int robot) const;
   void set_machine_state(int robot, MachineState state);
   ComponentState component_state(int component) const;
+  /// To a state that it had: it takes its old rank among the obstacles again.
   void set_component_state(int component, const ComponentState& state);
 
   /// People work in the shapes (world) until `release_zone`: machines keep out but for
