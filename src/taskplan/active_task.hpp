@@ -62,8 +62,7 @@ struct ActiveTask {
   int crew = -1;                 ///< a crew it has, or asks for, for a work only: a resource
   Ticks crew_since = 0;          ///< when it got it
   std::vector<Ticks> over_time;  ///< motion out of shift of each robot and crew it holds
-
-  Ticks held_work = 0;  ///< work of the crews it holds from start to finish
+  std::vector<Ticks> worked;     ///< crew work of each of these
 
   // a motion
   std::optional<interpreter::Machine> machine;

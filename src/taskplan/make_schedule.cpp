@@ -70,7 +70,9 @@ Schedule Simulation::make_schedule() {
   }
   // A machine may still be on its way out of the way when the last task is done.
   Ticks end = schedule.process_time;
-  for (const TaskOutcome& task : schedule.tasks) end = std::max(end, task.start + task.duration);
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (task.result == TaskResult::done) end = std::max(end, task.start + task.duration);
+  }
   for (std::size_t i = 0; i < schedule.resources.size(); ++i) {
     schedule.resources[i].shift_time = desk_->hours(static_cast<int>(i)).work_between(0, end);
   }

@@ -18,7 +18,8 @@ Simulation::Simulation(const interpreter::PlanModel& plan, const interpreter::So
       options_(options),
       site_(site::make_site(plan)),
       excluded_(std::move(known.tasks)),
-      parking_failed_(std::move(known.parking_failed)) {
+      parking_failed_(std::move(known.parking_failed)),
+      second_chances_(std::move(known.second_chances)) {
   if (sink) {
     tape_.emplace(*sink);
     trace_.emplace(*tape_, plan, sources, options.detail);
@@ -43,6 +44,10 @@ void Simulation::prepare() {
   parking_failed_.resize(parks_.size());
   for (const interpreter::TaskSpec& task : plan_.tasks) specs_.push_back(&task);
   for (const interpreter::TaskSpec& park : parks_) specs_.push_back(&park);
+  tasks_of_.resize(parks_.size());
+  for (int task = 0; task < static_cast<int>(plan_.tasks.size()); ++task) {
+    if (spec(task).robot >= 0) tasks_of_[index(spec(task).robot)].push_back(task);
+  }
 
   std::vector<std::string> names;
   std::vector<int> calendars;
@@ -62,6 +67,7 @@ void Simulation::prepare() {
   for (int task = 0; task < static_cast<int>(specs_.size()); ++task) prepare_queue(task);
   for (const auto& [task, excluded] : excluded_) {
     desk_->exclude(task);
+    if (!excluded.ring.empty()) ring_victims_.insert(task);
     if (!tape_) continue;
     for (const std::string& line : excluded.lines) tape_->line(line);
     if (excluded.lines.empty()) trace_end(task, excluded.outcome.start, excluded.outcome);
@@ -163,6 +169,7 @@ bool Simulation::zone_is_free(const ResourceDesk::Grant& grant) {
   const std::optional<int> robot = site_.machine_in(task.zones, task.robot);
   if (!robot) return true;
   desk_->set_states(grant.before);
+  new_waits_.push_back(grant.task);
   const auto waits = std::find_if(now_.zone_waits.begin(), now_.zone_waits.end(),
                                   [&](const ZoneWait& wait) { return wait.task == grant.task; });
   if (waits == now_.zone_waits.end()) {
@@ -189,6 +196,7 @@ ActiveTask& Simulation::activate(int task) {
   active->phases = phases_of(each);
   active->hits = HitRecorder(trace_ ? &*trace_ : nullptr);
   active->over_time.resize(desk_->resources(queue_[index(task)]).size(), 0);
+  active->worked = active->over_time;
   TaskOutcome& outcome = active->outcome;
   outcome.task = each.name;
   outcome.parking = is_park(task);
@@ -260,7 +268,10 @@ void Simulation::begin_task(const ResourceDesk::Grant& grant) {
 void Simulation::finish_task(ActiveTask& active) {
   active.doing = Doing::held;
   active.since = now_.now;
-  if (to_finish_[index(active.task)] > 0) return;
+  if (to_finish_[index(active.task)] > 0) {
+    new_waits_.push_back(active.task);
+    return;
+  }
   const Ticks finish = schedule::held_finish(bounds_of(active.task, true), now_.now);
   if (finish > now_.now) {
     wake_at(active, finish);
@@ -314,6 +325,7 @@ void Simulation::complete(ActiveTask& active) {
   }
   std::erase_if(now_.active, [&](const auto& other) { return other->task == task; });
   drop_checkpoint(task);
+  if (each.robot >= 0) look_again_who_waits_for(each.robot);
   if ((known_[index(task)] & 2) == 0) publish(task, schedule::TaskEnd::finish, now_.now);
 }
 
@@ -327,7 +339,7 @@ void Simulation::hold_all(ActiveTask& active) {
     hold.held =
         desk_->hours(resource).work_between(active.outcome.start, now_.now) + active.over_time[i];
     const bool robot = resource < static_cast<int>(plan_.robots.size());
-    hold.busy = robot ? active.outcome.motion_time : active.held_work;
+    hold.busy = robot ? active.outcome.motion_time : active.worked[i];
     active.outcome.holds.push_back(hold);
     desk_->release(resource, now_.now, false);
   }

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "src/site/robot_view.hpp"
 #include "src/site/site_world.hpp"
 #include "src/taskplan/active_task.hpp"
+#include "src/taskplan/awaited.hpp"
 #include "src/taskplan/journal.hpp"
 #include "src/taskplan/resource_desk.hpp"
 #include "src/taskplan/run_plan.hpp"
@@ -29,6 +31,7 @@ struct ExcludedTask {
   TaskOutcome outcome;
   int cause = -1;  ///< the rejected task behind it: itself, or one that it depends on
   std::vector<std::string> lines;  ///< of a rejected one: its lines in the trace
+  std::vector<int> ring;           ///< of one rejected for a ring: the tasks of the ring
 };
 using Excluded = std::map<int, ExcludedTask>;
 
@@ -42,6 +45,8 @@ struct ParkingFailure {
 struct Verdicts {
   Excluded tasks;
   std::vector<ParkingFailure> parking_failed;  ///< to each robot
+  /// Tasks that were let in again, and the task of their ring that was not done either.
+  std::set<std::pair<int, int>> second_chances;
 };
 
 /// A discrete-event simulation of a full plan: tasks start when their links, robots, crews and
@@ -58,7 +63,7 @@ class Simulation {
   /// Runs to the end; nothing if the whole must begin anew with the `verdicts` so far, which
   /// happens when a task that was done turns out to be impossible without a later one.
   std::optional<Schedule> run();
-  Verdicts verdicts() const { return {excluded_, parking_failed_}; }
+  Verdicts verdicts() const { return {excluded_, parking_failed_, second_chances_}; }
 
  private:
   /// What is copied to go back to a moment; the rest is in the journal.
@@ -80,8 +85,18 @@ class Simulation {
   struct Rejection {
     int task = -1;
     std::string reason;
+    std::vector<int> ring;  ///< the tasks of the ring that it was in
   };
   enum class Status : std::uint8_t { pending, asking, active, done };
+  /// A task of a ring, and what it waits for: the next of the ring.
+  struct RingLink {
+    int task = -1;
+    Awaited awaited;
+  };
+  /// Tasks that can never go on, and what they wait for.
+  using Hopeless = std::map<int, Waits>;
+  /// So often a robot that could not park is asked again.
+  static constexpr int kMostParkings = 100;
 
   // simulation.cpp: the loop
   void prepare();
@@ -144,13 +159,30 @@ class Simulation {
   bool park_idle_machines();
   bool may_park(int robot) const;
 
-  // simulation_deadlock.cpp: when nobody can go on
+  // simulation_waits.cpp: who waits for whom
+  Waits waits_of(int task) const;
+  Awaited move_of(int robot, Awaited::Kind kind, int number) const;
+  bool may_park_some_day(int robot) const;
+  void add_resource(Waits& waits, int task, int resource) const;
+  void add_links(Waits& waits, int task, Awaited::Kind kind) const;
+  void look_again_who_waits_for(int robot);
+  void look_again_at_all();
+
+  // simulation_rings.cpp: who wait for each other
   bool find_ring();
+  Hopeless hopeless_from(std::vector<int> roots) const;
+  static bool never_comes(const Awaited& awaited, const Hopeless& hopeless);
+  static bool is_hopeless(const Waits& waits, const Hopeless& hopeless);
+  static std::vector<RingLink> ring_in(const Hopeless& hopeless);
+  void reject_one_of(const std::vector<RingLink>& ring);
+  std::string text_of_ring(const std::vector<RingLink>& ring) const;
+  std::string text_of_wait(int task, const Awaited& awaited) const;
+  int last_of(const std::vector<int>& tasks) const;
+
+  // simulation_deadlock.cpp: when nobody can go on
   bool resolve_standstill();
   std::string standstill_reason(int task);
   bool lets_one_go_on(const std::vector<int>& tasks);
-  std::vector<int> waits_on(int task) const;
-  int last_of(const std::vector<int>& tasks) const;
   bool is_over(int task) const {
     return status_[index(task)] == Status::done || excluded_.contains(task);
   }
@@ -160,6 +192,7 @@ class Simulation {
   bool apply_rejection();
   void exclude(int task, TaskOutcome outcome, int cause);
   void exclude_followers(int task);
+  void give_second_chances(int task);
   void let_go(ActiveTask& active, int before, schedule::LinkType type);
   TaskOutcome not_reached(int task, int missing) const;
   void go_back(const Checkpoint& checkpoint);
@@ -210,12 +243,16 @@ class Simulation {
   std::vector<std::uint8_t> known_;  ///< bits: 1 its start is known, 2 its finish
   std::vector<std::optional<TaskOutcome>> outcomes_;
   std::vector<TaskOutcome> parkings_;
+  std::vector<std::vector<int>> tasks_of_;               ///< to each robot: its tasks of the plan
+  std::vector<int> new_waits_;                           ///< tasks that may have closed a ring
   std::vector<std::pair<int, schedule::TaskEnd>> news_;  ///< known, and not told to followers yet
 
   // for good, whatever the run goes back to
   Excluded excluded_;
   std::vector<TaskOutcome> failed_parkings_;
   std::vector<ParkingFailure> parking_failed_;
+  std::set<int> ring_victims_;  ///< of `excluded_` those rejected for a ring
+  std::set<std::pair<int, int>> second_chances_;
   bool must_restart_ = false;
 
   Moment now_;

@@ -105,6 +105,7 @@ void Simulation::make_ready(int task) {
   journal_.assign(times_[index(task)], times);
   journal_.assign(status_[index(task)], Status::asking);
   desk_->ask(queue_[index(task)], task, spec(task).priority, times.start);
+  new_waits_.push_back(task);
   if (!is_milestone(task)) return;
   publish(task, TaskEnd::start, times.start);
   if (to_finish_[index(task)] > 0) return;

@@ -14,9 +14,6 @@ namespace {
 
 using interpreter::MotionStatus;
 
-/// So often a robot that could not park is asked again.
-constexpr int kMostParkings = 100;
-
 /// Whether a motion that ended so may succeed when another machine has moved.
 bool may_try_again(MotionStatus status) {
   return status == MotionStatus::done || status == MotionStatus::livelock ||
@@ -188,6 +185,7 @@ bool Simulation::end_motion(ActiveTask& active) {
   active.since = now_.now;
   active.blockers = std::move(blockers);
   active.may_go_on = enough;
+  new_waits_.push_back(active.task);
   note_place(active);
   return false;
 }

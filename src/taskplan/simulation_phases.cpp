@@ -135,6 +135,7 @@ bool Simulation::begin_work(ActiveTask& active) {
   active.doing = Doing::waiting_for_crew;
   active.since = now_.now;
   active.crew = crew_resource(work.crew);
+  new_waits_.push_back(active.task);
   desk_->ask(queue, active.task, spec(active.task).priority, now_.now);
   return false;
 }
@@ -177,7 +178,10 @@ bool Simulation::do_work(ActiveTask& active) {
   active.doing = Doing::working;
   active.outcome.work_time += duration;
   active.outcome.waits.shift += finish - now_.now - duration;
-  if (active.crew < 0) active.held_work += duration;
+  const std::vector<int>& held = desk_->resources(queue_[index(active.task)]);
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (spec.crew < 0 || held[i] == crew_resource(spec.crew)) active.worked[i] += duration;
+  }
   if (trace_) {
     own_trace(active);
     trace_->work(active.now().what, spec.crew < 0 ? "" : plan_.crews[index(spec.crew)].name,
@@ -244,6 +248,7 @@ bool Simulation::attach(ActiveTask& active) {
     active.since = now_.now;
     active.blockers = {{-1, zone->zone_task, site_.component_name(component), zone->name}};
     active.stubborn = active.may_go_on = false;
+    new_waits_.push_back(active.task);
     return false;
   }
   keep_component(component);

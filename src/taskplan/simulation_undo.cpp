@@ -7,6 +7,14 @@
 
 namespace rubicon::taskplan {
 
+namespace {
+
+/// So often a run begins anew because a ring may be none without a task that is not done. Each time
+/// costs a whole run; what comes later stays rejected.
+constexpr std::size_t kMostSecondChances = 50;
+
+}  // namespace
+
 void Simulation::add_checkpoint(int task, std::vector<ResourceState> resources) {
   Checkpoint checkpoint;
   checkpoint.task = task;
@@ -32,7 +40,7 @@ void Simulation::drop_checkpoint(int task) {
 }
 
 void Simulation::reject(const ActiveTask& active, std::string reason) {
-  if (!rejection_) rejection_ = Rejection{active.task, std::move(reason)};
+  if (!rejection_) rejection_ = Rejection{active.task, std::move(reason), {}};
 }
 
 /// Undoes a task that is to be rejected; false if there is none.
@@ -70,12 +78,19 @@ bool Simulation::apply_rejection() {
     trace_end(task, outcome.start, outcome);
     if (tape_) tape_->set_kept(false);
     failed_parkings_.push_back(std::move(outcome));
+    look_again_at_all();
     return true;
   }
   // Without it a robot may get to its park position.
   for (ParkingFailure& failure : parking_failed_) failure.last = -1;
   exclude(task, std::move(outcome), task);
+  if (!rejection.ring.empty()) {
+    excluded_.at(task).ring = rejection.ring;
+    ring_victims_.insert(task);
+  }
   exclude_followers(task);
+  give_second_chances(task);
+  look_again_at_all();
   return true;
 }
 
@@ -103,7 +118,7 @@ void Simulation::exclude(int task, TaskOutcome outcome, int cause) {
   if (options_.on_task) {
     options_.on_task(++done_, static_cast<int>(plan_.tasks.size()), outcome);
   }
-  ExcludedTask excluded{std::move(outcome), cause, {}};
+  ExcludedTask excluded{std::move(outcome), cause, {}, {}};
   if (tape_ && task == cause) excluded.lines = tape_->kept_of(task);
   excluded_.emplace(task, std::move(excluded));
 }
@@ -125,6 +140,29 @@ TaskOutcome Simulation::not_reached(int task, int missing) const {
         fmt::format(" because {} is {}", spec(before.cause).name, name_of(TaskResult::rejected));
   }
   return outcome;
+}
+
+/// Without one of its tasks a ring is none: if another of them is not done either, the run begins
+/// anew without that one, and with the task that was rejected for the ring.
+void Simulation::give_second_chances(int cause) {
+  std::vector<int> let_in;
+  for (const int task : ring_victims_) {
+    const auto victim = excluded_.find(task);
+    if (task == cause || victim == excluded_.end()) continue;
+    if (second_chances_.size() >= kMostSecondChances) break;
+    for (const int other : victim->second.ring) {
+      const auto gone = excluded_.find(other);
+      if (gone == excluded_.end() || gone->second.cause != cause) continue;
+      if (!second_chances_.emplace(task, other).second) continue;
+      let_in.push_back(task);
+      break;
+    }
+  }
+  if (let_in.empty()) return;
+  must_restart_ = true;
+  std::erase_if(excluded_, [&](const auto& each) {
+    return std::find(let_in.begin(), let_in.end(), each.second.cause) != let_in.end();
+  });
 }
 
 /// What depends on a task that is not done is not reached; a task that has begun and is only held

@@ -198,6 +198,31 @@ TEST(SeveralMachines, AZoneWaitsUntilNoMachineIsInIt) {
   EXPECT_EQ(stuck.tasks.at("bricks").reason, "a stands in its zone and does not move any more");
 }
 
+// The painters look on while the fitters hook and release.
+TEST(SeveralMachines, WhoLooksOnIsHeldAndNotBusy) {
+  const Ran ran = run(R"(
+    component block { shape box(-0.2, -0.2, 0, 0.2, 0.2, 0.5); at trans(5, 0, 0); grip trans(0, 0, 0.5); }
+    robot hoist "gantry.robot" { start x 5, y 0, z 5; }
+    crew fitters;
+    crew painters;
+    task lift { by hoist, fitters, painters; move block to trans(5, 9, 0); hook 40 s by fitters; release 20 s; })");
+  const std::vector<ResourceUse>& uses = ran.schedule.resources;
+  EXPECT_EQ(uses[1].busy, 60 * kSecond);
+  EXPECT_EQ(uses[2].busy, 20 * kSecond);
+  EXPECT_EQ(uses[1].held, uses[2].held);
+}
+
+TEST(SeveralMachines, ATaskThatIsNotDoneDoesNotMakeThePlanLonger) {
+  const Ran ran = run(R"(
+    component gone { shape box(0, 0, 0, 1, 1, 1); at trans(0, 50, 0); }
+    crew c;
+    task clear { by c; takes 1 min; remove gone; }
+    task again { by c; takes 1 min; remove gone; after clear + 9 min; })");
+  EXPECT_EQ(ran.tasks.at("again").result, TaskResult::rejected);
+  EXPECT_EQ(ran.schedule.resources[0].shift_time, 60 * kSecond);
+  EXPECT_EQ(ran.schedule.resources[0].utilisation(), 1);
+}
+
 TEST(SeveralMachines, ACrewServesTwoMachinesByTurns) {
   const Ran ran = run(R"(
     robot g "gantry.robot" { start x 0; }
@@ -240,6 +265,28 @@ TEST(SeveralMachines, AComponentThatIsRemovedWhileItIsHookedIsNotCarried) {
   EXPECT_EQ(ran.tasks.at("move_it").result, TaskResult::rejected);
   EXPECT_EQ(ran.tasks.at("move_it").reason, "c is not on the site any more");
   EXPECT_EQ(ran.tasks.at("remove_it").result, TaskResult::done);
+}
+
+// Of two things in the way the one is named that was there first, also after a task was undone that
+// had taken it.
+TEST(SeveralMachines, WhatAnUndoneTaskTookKeepsItsRank) {
+  const std::string items = R"(
+    component gone { shape box(0, 0, 0, 1, 1, 1); at trans(0, 50, 0); }
+    component near_one { shape box(-0.2, -0.2, 0, 0.2, 0.2, 0.5); at trans(5, -0.3, 0); grip trans(0, 0, 0.5); }
+    component next_one { shape box(-0.2, -0.2, 0, 0.2, 0.2, 0.5); at trans(5, 0.3, 0); }
+    robot hoist "gantry.robot" { start x 5, y -0.3, z 5; }
+    robot car "line.robot" { start x 0; }
+    crew c;
+    task clear { by c; takes 1 s; remove gone; }
+    task drive { by car; go x 10; after clear + 2 min; }
+  )";
+  const Ran alone = run(items);
+  const Ran beside = run(items + R"(
+    task undone { by hoist; move near_one to trans(5, -8, 0); remove gone; after clear; })");
+  EXPECT_EQ(beside.tasks.at("undone").result, TaskResult::rejected);
+  EXPECT_GT(beside.tasks.at("undone").motions.size(), 2U);
+  EXPECT_THAT(alone.tasks.at("drive").reason, HasSubstr("blocked by near_one"));
+  EXPECT_EQ(beside.tasks.at("drive").reason, alone.tasks.at("drive").reason);
 }
 
 TEST(SeveralMachines, WhatComesAfterARemovalThatFailsIsNotReached) {
