@@ -1,6 +1,8 @@
 #pragma once
 
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interpreter/events.hpp"
@@ -29,9 +31,12 @@ class HitRecorder : public interpreter::EventSink {
   /// Hits of other machines and of zones since `forget` whose command has not succeeded since: also
   /// those that the robot gave way to.
   const std::vector<RecordedHit>& given_way() const { return given_way_; }
+  /// All that was met since `forget`, overcome or not: machines by number, other things by name.
+  const std::set<std::pair<int, std::string>>& met() const { return met_; }
   void forget() {
     open_.clear();
     given_way_.clear();
+    met_.clear();
   }
 
   void goal(int k, int n) override;
@@ -47,6 +52,7 @@ class HitRecorder : public interpreter::EventSink {
   interpreter::EventSink* next_;
   std::vector<RecordedHit> open_;       ///< oldest first
   std::vector<RecordedHit> given_way_;  ///< oldest first
+  std::set<std::pair<int, std::string>> met_;
   int way_point_ = 1;
 };
 

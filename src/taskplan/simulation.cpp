@@ -67,7 +67,8 @@ void Simulation::prepare() {
   for (int task = 0; task < static_cast<int>(specs_.size()); ++task) prepare_queue(task);
   for (const auto& [task, excluded] : excluded_) {
     desk_->exclude(task);
-    if (!excluded.ring.empty()) ring_victims_.insert(task);
+    known_before_.insert(excluded.cause);
+    if (!excluded.involved.empty()) doubtful_.insert(task);
     if (!tape_) continue;
     for (const std::string& line : excluded.lines) tape_->line(line);
     if (excluded.lines.empty()) trace_end(task, excluded.outcome.start, excluded.outcome);

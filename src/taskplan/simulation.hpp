@@ -31,7 +31,7 @@ struct ExcludedTask {
   TaskOutcome outcome;
   int cause = -1;  ///< the rejected task behind it: itself, or one that it depends on
   std::vector<std::string> lines;  ///< of a rejected one: its lines in the trace
-  std::vector<int> ring;           ///< of one rejected for a ring: the tasks of the ring
+  std::vector<int> involved;       ///< of a rejected one: other tasks without which it may be done
 };
 using Excluded = std::map<int, ExcludedTask>;
 
@@ -45,7 +45,7 @@ struct ParkingFailure {
 struct Verdicts {
   Excluded tasks;
   std::vector<ParkingFailure> parking_failed;  ///< to each robot
-  /// Tasks that were let in again, and the task of their ring that was not done either.
+  /// Tasks that were let in again, and the task involved that was not done either.
   std::set<std::pair<int, int>> second_chances;
 };
 
@@ -85,7 +85,7 @@ class Simulation {
   struct Rejection {
     int task = -1;
     std::string reason;
-    std::vector<int> ring;  ///< the tasks of the ring that it was in
+    std::vector<int> involved;  ///< other tasks without which it may be done
   };
   enum class Status : std::uint8_t { pending, asking, active, done };
   /// A task of a ring, and what it waits for: the next of the ring.
@@ -188,11 +188,14 @@ class Simulation {
   }
 
   // simulation_undo.cpp: going back
-  void reject(const ActiveTask& active, std::string reason);
+  void reject(const ActiveTask& active, std::string reason, std::vector<int> involved = {});
   bool apply_rejection();
   void exclude(int task, TaskOutcome outcome, int cause);
-  void exclude_followers(int task);
-  void give_second_chances(int task);
+  void exclude_followers(int task, int cause);
+  std::vector<int> users_of(int component) const;
+  std::vector<int> in_the_way_of(const ActiveTask& active) const;
+  void give_second_chances(int cause);
+  std::set<int> followers_of(int first) const;
   void let_go(ActiveTask& active, int before, schedule::LinkType type);
   TaskOutcome not_reached(int task, int missing) const;
   void go_back(const Checkpoint& checkpoint);
@@ -251,7 +254,8 @@ class Simulation {
   Excluded excluded_;
   std::vector<TaskOutcome> failed_parkings_;
   std::vector<ParkingFailure> parking_failed_;
-  std::set<int> ring_victims_;  ///< of `excluded_` those rejected for a ring
+  std::set<int> known_before_;  ///< of `excluded_` those rejected before the run began
+  std::set<int> doubtful_;  ///< of `excluded_` those in whose rejection other tasks are involved
   std::set<std::pair<int, int>> second_chances_;
   bool must_restart_ = false;
 

@@ -48,7 +48,7 @@ bool Simulation::begin_motion(ActiveTask& active) {
   const interpreter::TaskSpec& task = spec(active.task);
   const MotionPurpose purpose = active.now().purpose;
   if (task.move && purpose == MotionPurpose::grip && !site_.stands(*task.move)) {
-    reject(active, gone(*task.move));
+    reject(active, gone(*task.move), users_of(*task.move));
     return false;
   }
   const schedule::WorkCalendar& calendar = desk_->calendar(queue_[index(active.task)]);
@@ -174,7 +174,8 @@ bool Simulation::end_motion(ActiveTask& active) {
     const interpreter::TaskSpec& task = spec(active.task);
     const std::string component = task.move ? site_.component_name(*task.move) : std::string();
     reject(active,
-           task_reason(active.outcome.motions.back(), active.hits.last(), component, sources_));
+           task_reason(active.outcome.motions.back(), active.hits.last(), component, sources_),
+           in_the_way_of(active));
     return false;
   }
   active.goals.erase(

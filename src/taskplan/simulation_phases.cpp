@@ -207,7 +207,7 @@ void Simulation::end_work(ActiveTask& active) {
 bool Simulation::still_there(ActiveTask& active) {
   const int component = active.now().component;
   if (!site_.stands(component)) {
-    reject(active, gone(component));
+    reject(active, gone(component), users_of(component));
     return false;
   }
   if (site_.X_WO(component).matrix() == active.X_WO.matrix()) return true;
@@ -276,7 +276,7 @@ void Simulation::detach(ActiveTask& active) {
 bool Simulation::remove(ActiveTask& active) {
   const int component = active.now().component;
   if (!site_.stands(component)) {
-    reject(active, gone(component));
+    reject(active, gone(component), users_of(component));
     return false;
   }
   keep_component(component);

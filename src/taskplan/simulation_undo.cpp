@@ -9,8 +9,8 @@ namespace rubicon::taskplan {
 
 namespace {
 
-/// So often a run begins anew because a ring may be none without a task that is not done. Each time
-/// costs a whole run; what comes later stays rejected.
+/// So many rejected tasks are let in again because a task that was in their way is not done either.
+/// Each time costs a whole run; what comes later stays rejected.
 constexpr std::size_t kMostSecondChances = 50;
 
 }  // namespace
@@ -39,8 +39,36 @@ void Simulation::drop_checkpoint(int task) {
   }
 }
 
-void Simulation::reject(const ActiveTask& active, std::string reason) {
-  if (!rejection_) rejection_ = Rejection{active.task, std::move(reason), {}};
+void Simulation::reject(const ActiveTask& active, std::string reason, std::vector<int> involved) {
+  if (!rejection_) rejection_ = Rejection{active.task, std::move(reason), std::move(involved)};
+}
+
+/// The tasks, done or under way, that move or remove the component.
+std::vector<int> Simulation::users_of(int component) const {
+  std::vector<int> users;
+  for (int i = 0; i < static_cast<int>(plan_.tasks.size()); ++i) {
+    const interpreter::TaskSpec& task = spec(i);
+    const bool removes =
+        std::find(task.remove.begin(), task.remove.end(), component) != task.remove.end();
+    const bool begun = status_[index(i)] == Status::active || status_[index(i)] == Status::done;
+    if (begun && (removes || task.move == component)) users.push_back(i);
+  }
+  return users;
+}
+
+/// The tasks under way whose machines or components the task met.
+std::vector<int> Simulation::in_the_way_of(const ActiveTask& active) const {
+  std::vector<int> tasks;
+  for (const auto& other : now_.active) {
+    if (other->task == active.task) continue;
+    const interpreter::TaskSpec& task = spec(other->task);
+    const auto& met = active.hits.met();
+    const bool machine = task.robot >= 0 && met.contains({task.robot, std::string()});
+    if (machine || (task.move && met.contains({-1, site_.component_name(*task.move)}))) {
+      tasks.push_back(other->task);
+    }
+  }
+  return tasks;
 }
 
 /// Undoes a task that is to be rejected; false if there is none.
@@ -84,11 +112,11 @@ bool Simulation::apply_rejection() {
   // Without it a robot may get to its park position.
   for (ParkingFailure& failure : parking_failed_) failure.last = -1;
   exclude(task, std::move(outcome), task);
-  if (!rejection.ring.empty()) {
-    excluded_.at(task).ring = rejection.ring;
-    ring_victims_.insert(task);
+  if (!rejection.involved.empty()) {
+    excluded_.at(task).involved = rejection.involved;
+    doubtful_.insert(task);
   }
-  exclude_followers(task);
+  exclude_followers(task, task);
   give_second_chances(task);
   look_again_at_all();
   return true;
@@ -142,32 +170,52 @@ TaskOutcome Simulation::not_reached(int task, int missing) const {
   return outcome;
 }
 
-/// Without one of its tasks a ring is none: if another of them is not done either, the run begins
-/// anew without that one, and with the task that was rejected for the ring.
+/// The task, and all that comes after it.
+std::set<int> Simulation::followers_of(int first) const {
+  std::set<int> found = {first};
+  std::vector<int> open = {first};
+  while (!open.empty()) {
+    const int task = open.back();
+    open.pop_back();
+    for (const auto& [follower, type] : followers_[index(task)]) {
+      if (found.insert(follower).second) open.push_back(follower);
+    }
+  }
+  return found;
+}
+
+/// Who was rejected because of a task that is not done either might be done without that one: the
+/// run begins anew without it, and finds out again about all that it has rejected on the way.
 void Simulation::give_second_chances(int cause) {
-  std::vector<int> let_in;
-  for (const int task : ring_victims_) {
-    const auto victim = excluded_.find(task);
-    if (task == cause || victim == excluded_.end()) continue;
+  if (doubtful_.empty()) return;
+  const std::set<int> without = followers_of(cause);
+  std::set<int> let_in;
+  for (const int task : doubtful_) {
+    const auto rejected = excluded_.find(task);
+    if (task == cause || rejected == excluded_.end()) continue;
     if (second_chances_.size() >= kMostSecondChances) break;
-    for (const int other : victim->second.ring) {
-      const auto gone = excluded_.find(other);
-      if (gone == excluded_.end() || gone->second.cause != cause) continue;
+    for (const int other : rejected->second.involved) {
+      if (!without.contains(other) || !excluded_.contains(other)) continue;
       if (!second_chances_.emplace(task, other).second) continue;
-      let_in.push_back(task);
+      let_in.insert(task);
       break;
     }
   }
   if (let_in.empty()) return;
   must_restart_ = true;
   std::erase_if(excluded_, [&](const auto& each) {
-    return std::find(let_in.begin(), let_in.end(), each.second.cause) != let_in.end();
+    const int its_cause = each.second.cause;
+    return its_cause != cause && (let_in.contains(its_cause) || !known_before_.contains(its_cause));
   });
+  // What was not reached for its sake may come after others that are not done.
+  std::vector<std::pair<int, int>> left;
+  for (const auto& [task, excluded] : excluded_) left.emplace_back(task, excluded.cause);
+  for (const auto& [task, its_cause] : left) exclude_followers(task, its_cause);
 }
 
 /// What depends on a task that is not done is not reached; a task that has begun and is only held
 /// to its finish goes on without it.
-void Simulation::exclude_followers(int first) {
+void Simulation::exclude_followers(int first, int cause) {
   std::vector<int> open = {first};
   while (!open.empty()) {
     const int task = open.back();
@@ -176,14 +224,14 @@ void Simulation::exclude_followers(int first) {
     for (const auto& [follower, type] : followers_[index(task)]) {
       if (excluded_.contains(follower)) continue;
       // Where the run begins anew nothing that starts after it has happened.
-      const bool undone = must_restart_ && end_after(type) == schedule::TaskEnd::start;
+      const bool undone = must_restart_ && waits_to_start(follower, type);
       if (!undone && status_[index(follower)] == Status::done) continue;
       ActiveTask* const active = find_active(follower);
       if (active && !undone) {
         let_go(*active, task, type);
         continue;
       }
-      exclude(follower, not_reached(follower, task), first);
+      exclude(follower, not_reached(follower, task), cause);
       reached.push_back(follower);
     }
     open.insert(open.end(), reached.rbegin(), reached.rend());
