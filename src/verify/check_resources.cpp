@@ -4,22 +4,15 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
-#include <utility>
+#include <vector>
+
+#include "src/verify/holds.hpp"
 
 namespace rubicon::verify {
 
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-/// A robot or crew is taken by a task.
-struct Hold {
-  Ticks from = 0;
-  Ticks to = 0;
-  int run = -1;
-  int line = 0;
-};
 
 class ResourceCheck {
  public:
@@ -28,34 +21,14 @@ class ResourceCheck {
 
   void check() {
     for (std::size_t i = 0; i < runs_.size(); ++i) {
-      if (runs_[i].happened) add_run(static_cast<int>(i));
+      for (const Hold& hold : holds_of(trace_, runs_, static_cast<int>(i))) {
+        holds_[resource_name(trace_.scene, hold.resource)].push_back(hold);
+      }
     }
     for (auto& [name, holds] : holds_) check(name, holds);
   }
 
  private:
-  void add_run(int index) {
-    const TaskRun& run = runs_[at(index)];
-    const Hold whole{run.start, run.end, index, run.start_line};
-    std::set<int> crews;
-    if (run.robot >= 0) holds_[trace_.scene.robots[at(run.robot)].name].push_back(whole);
-    if (run.task >= 0) {
-      const SceneTask& task = trace_.scene.tasks[at(run.task)];
-      crews.insert(task.crews.begin(), task.crews.end());
-      for (const SceneWork& work : task.takes) {
-        if (run.robot < 0 && work.crew >= 0) crews.insert(work.crew);
-      }
-    }
-    for (const int crew : crews) holds_[trace_.scene.crews[at(crew)].name].push_back(whole);
-    for (const int i : run.records) {
-      const Record& record = trace_.records[at(i)];
-      const auto* work = std::get_if<Work>(&record.what);
-      if (work == nullptr || work->crew < 0 || crews.contains(work->crew)) continue;
-      holds_[trace_.scene.crews[at(work->crew)].name].push_back(
-          {work->from, record.time, index, record.line});
-    }
-  }
-
   void check(const std::string& name, std::vector<Hold>& holds) {
     std::erase_if(holds, [](const Hold& hold) { return hold.to <= hold.from; });
     std::stable_sort(holds.begin(), holds.end(),

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "src/verify/check_accounts.hpp"
 #include "src/verify/task_clock.hpp"
 
 namespace rubicon::verify {
@@ -29,8 +30,15 @@ const char* name_of(TaskResult result) {
 
 class RowCheck {
  public:
-  RowCheck(const Trace& trace, const std::vector<TaskRun>& runs, ResultFile file, Faults& faults)
-      : trace_(trace), runs_(runs), file_(file), faults_(faults) {
+  RowCheck(const Trace& trace, const std::vector<TaskRun>& runs,
+           const std::vector<TaskAccount>& accounts, const WaitCheck& waits, ResultFile file,
+           Faults& faults)
+      : trace_(trace),
+        runs_(runs),
+        accounts_(accounts),
+        waits_(waits),
+        file_(file),
+        faults_(faults) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
       runs_of_[trace.runs[at(runs[i].run)]].push_back(static_cast<int>(i));
     }
@@ -43,6 +51,10 @@ class RowCheck {
         fault(row, "the trace has no such task");
       } else {
         compare(row, runs_[at(run)]);
+        // A table rounds to cents.
+        const double cent = file_ == ResultFile::schedule_csv ? 0.005 : 0;
+        check_split(trace_, runs_[at(run)], accounts_[at(run)], row, file_, cent, faults_);
+        waits_.check_start(run, accounts_[at(run)], row, file_, faults_);
       }
     }
     for (const auto& [name, left] : runs_of_) {
@@ -143,6 +155,8 @@ class RowCheck {
 
   const Trace& trace_;
   const std::vector<TaskRun>& runs_;
+  const std::vector<TaskAccount>& accounts_;
+  const WaitCheck& waits_;
   const ResultFile file_;
   Faults& faults_;
   std::map<std::string, std::vector<int>> runs_of_;
@@ -151,8 +165,9 @@ class RowCheck {
 }  // namespace
 
 void check_rows(const Trace& trace, const std::vector<TaskRun>& runs,
+                const std::vector<TaskAccount>& accounts, const WaitCheck& waits,
                 const std::vector<ScheduleRow>& rows, ResultFile file, Faults& faults) {
-  RowCheck(trace, runs, file, faults).check(rows);
+  RowCheck(trace, runs, accounts, waits, file, faults).check(rows);
 }
 
 void check_process_time(const std::vector<TaskRun>& runs, Ticks process_time, Faults& faults) {

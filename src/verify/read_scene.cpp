@@ -88,6 +88,10 @@ std::vector<std::pair<int, double>> read_values(const JsonFields& goal, const Sc
   return values;
 }
 
+double cost_per_hour(const JsonFields& fields) {
+  return fields.has("cost_per_hour") ? fields.number("cost_per_hour") : 0;
+}
+
 void read_resources(const JsonFields& header, Scene& scene) {
   for (const Json& object : list_or_empty(header, "calendars")) {
     scene.calendars.push_back(read_calendar(JsonFields(object, "a calendar")));
@@ -96,13 +100,14 @@ void read_resources(const JsonFields& header, Scene& scene) {
     const JsonFields fields(object, "a robot");
     SceneRobot robot = read_robot(fields, scene.meshes.size());
     robot.calendar = calendar_of(scene, fields);
+    robot.cost_per_hour = cost_per_hour(fields);
     if (fields.has("park")) robot.park = read_values(fields.object("park"), robot);
     add_name(scene.robot_index, robot.name);
     scene.robots.push_back(std::move(robot));
   }
   for (const Json& object : header.array("crews")) {
     const JsonFields fields(object, "a crew");
-    scene.crews.push_back({fields.text("name"), calendar_of(scene, fields)});
+    scene.crews.push_back({fields.text("name"), calendar_of(scene, fields), cost_per_hour(fields)});
     add_name(scene.crew_index, scene.crews.back().name);
   }
 }

@@ -4,22 +4,38 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
-#include "src/verify/check_schedule.hpp"
 #include "src/verify/json_fields.hpp"
+#include "src/verify/schedule_row.hpp"
 
 namespace rubicon::verify {
 
 namespace {
 
-/// The first line from `from` on that names the task; the rows stand in lines of their own.
-std::size_t find_row(const std::string& text, std::size_t from, const std::string& task) {
-  const std::string wanted =
-      "\"task\":" + Json(task).dump(-1, ' ', false, Json::error_handler_t::replace);
-  const std::size_t found = text.find(wanted, from);
-  return found == std::string::npos ? from : found;
-}
+/// The lines of a text in which objects stand in lines of their own, in order.
+class LineFinder {
+ public:
+  explicit LineFinder(const std::string& text) : text_(text) {}
+
+  /// The line of the next object with this member.
+  int next(const char* member, const std::string& value) {
+    const std::string wanted = fmt::format("\"{}\":", member) +
+                               Json(value).dump(-1, ' ', false, Json::error_handler_t::replace);
+    const std::size_t found = text_.find(wanted, place_);
+    if (found == std::string::npos) return line_;
+    line_ += static_cast<int>(std::count(text_.begin() + static_cast<std::ptrdiff_t>(place_),
+                                         text_.begin() + static_cast<std::ptrdiff_t>(found), '\n'));
+    place_ = found;
+    return line_;
+  }
+
+ private:
+  const std::string& text_;
+  std::size_t place_ = 0;
+  int line_ = 1;
+};
 
 /// Splits a CSV text (RFC 4180) into rows of fields, with the line of each row.
 class CsvReader {
@@ -87,6 +103,41 @@ Ticks ticks_of(double seconds) {
   return static_cast<Ticks>(std::floor(seconds * static_cast<double>(kSecond) + 0.5));
 }
 
+std::optional<double> number_if_any(const JsonFields& fields, const char* name) {
+  return fields.has(name) ? std::optional(fields.number(name)) : std::nullopt;
+}
+
+ScheduleRow read_row(const JsonFields& fields) {
+  ScheduleRow row;
+  row.task = fields.text("task");
+  row.robot = fields.text("robot");
+  row.crew = fields.text("crew");
+  row.start = fields.time("start");
+  row.duration = fields.time("duration");
+  const JsonFields waited = fields.object("waited");
+  row.split = {fields.time("motion"),   fields.time("work"),    waited.time("predecessor"),
+               waited.time("resource"), waited.time("machine"), waited.time("shift")};
+  row.cost = number_if_any(fields, "cost");
+  row.tried = fields.integer("tried");
+  row.accepted = fields.integer("accepted");
+  row.result = fields.text("result");
+  row.reason = fields.text("reason");
+  return row;
+}
+
+UseRow read_use(const JsonFields& fields) {
+  UseRow use;
+  use.name = fields.text("name");
+  use.tasks = fields.integer("tasks");
+  use.held = fields.time("held");
+  use.busy = fields.time("busy");
+  use.shifts = fields.time("shifts");
+  use.utilisation = fields.number("utilisation");
+  use.rate = number_if_any(fields, "cost_per_hour");
+  use.cost = number_if_any(fields, "cost");
+  return use;
+}
+
 }  // namespace
 
 ScheduleJson read_schedule_json(const std::string& text) {
@@ -94,26 +145,15 @@ ScheduleJson read_schedule_json(const std::string& text) {
   const JsonFields schedule(json, "the schedule");
   ScheduleJson read;
   read.process_time = schedule.time("process_time");
-  std::size_t place = 0;
-  int line = 1;
+  read.cost = number_if_any(schedule, "cost");
+  LineFinder lines(text);
   for (const Json& object : schedule.array("tasks")) {
-    const JsonFields fields(object, "a task of the schedule");
-    ScheduleRow row;
-    row.task = fields.text("task");
-    const std::size_t found = find_row(text, place, row.task);
-    line += static_cast<int>(std::count(text.begin() + static_cast<std::ptrdiff_t>(place),
-                                        text.begin() + static_cast<std::ptrdiff_t>(found), '\n'));
-    place = found;
-    row.line = line;
-    row.robot = fields.text("robot");
-    row.crew = fields.text("crew");
-    row.start = fields.time("start");
-    row.duration = fields.time("duration");
-    row.tried = fields.integer("tried");
-    row.accepted = fields.integer("accepted");
-    row.result = fields.text("result");
-    row.reason = fields.text("reason");
-    read.rows.push_back(std::move(row));
+    read.rows.push_back(read_row(JsonFields(object, "a task of the schedule")));
+    read.rows.back().line = lines.next("task", read.rows.back().task);
+  }
+  for (const Json& object : schedule.array("resources")) {
+    read.uses.push_back(read_use(JsonFields(object, "a robot or crew of the schedule")));
+    read.uses.back().line = lines.next("name", read.uses.back().name);
   }
   return read;
 }
@@ -132,6 +172,7 @@ std::vector<ScheduleRow> read_schedule_csv(const std::string& text) {
     }
     return fields[column->second];
   };
+  const auto ticks = [&](const char* name) { return ticks_of(number_in(field(name), line)); };
   std::vector<ScheduleRow> rows;
   while (reader.next(fields, line)) {
     ScheduleRow row;
@@ -139,8 +180,11 @@ std::vector<ScheduleRow> read_schedule_csv(const std::string& text) {
     row.task = field("task");
     row.robot = field("robot");
     row.crew = field("crew");
-    row.start = ticks_of(number_in(field("start"), line));
-    row.duration = ticks_of(number_in(field("duration"), line));
+    row.start = ticks("start");
+    row.duration = ticks("duration");
+    row.split = {ticks("motion"),          ticks("work"),           ticks("waited_predecessor"),
+                 ticks("waited_resource"), ticks("waited_machine"), ticks("waited_shift")};
+    if (!field("cost").empty()) row.cost = number_in(field("cost"), line);
     row.tried = static_cast<int>(number_in(field("tried"), line));
     row.accepted = static_cast<int>(number_in(field("accepted"), line));
     row.result = field("result");

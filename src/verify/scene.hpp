@@ -77,6 +77,7 @@ struct SceneRobot {
   std::vector<std::pair<int, int>> touching;
   std::vector<std::pair<double, double>> capacity;  ///< radius (m), mass (kg)
   int calendar = -1;
+  double cost_per_hour = 0;
   std::vector<std::pair<int, double>> park;  ///< parameter, value
 };
 
@@ -103,6 +104,7 @@ struct SceneCalendar {
 struct SceneCrew {
   std::string name;
   int calendar = -1;
+  double cost_per_hour = 0;
 };
 
 enum class LinkType { FS, SS, FF, SF };

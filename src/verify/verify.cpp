@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <tuple>
 
+#include "src/verify/check_accounts.hpp"
 #include "src/verify/check_links.hpp"
 #include "src/verify/check_resources.hpp"
 #include "src/verify/check_schedule.hpp"
 #include "src/verify/check_shifts.hpp"
+#include "src/verify/check_waits.hpp"
 #include "src/verify/contact_check.hpp"
 #include "src/verify/task_clock.hpp"
 #include "src/verify/task_phases.hpp"
@@ -49,17 +51,21 @@ auto read_file(const char* name, const Read& read) {
   }
 }
 
-void check_schedules(const Result& result, const std::vector<TaskRun>& runs, Faults& faults) {
+void check_schedules(const Result& result, const std::vector<TaskRun>& runs,
+                     const WorkingHours& hours, const WaitCheck& waits, Faults& faults) {
+  const std::vector<TaskAccount> accounts = task_accounts(result.trace, runs, hours);
   if (result.schedule_json) {
     const ScheduleJson schedule =
         read_file("schedule.json", [&] { return read_schedule_json(*result.schedule_json); });
-    check_rows(result.trace, runs, schedule.rows, ResultFile::schedule_json, faults);
+    check_rows(result.trace, runs, accounts, waits, schedule.rows, ResultFile::schedule_json,
+               faults);
+    check_uses(result.trace, runs, accounts, hours, schedule, faults);
     check_process_time(runs, schedule.process_time, faults);
   }
   if (result.schedule_csv) {
     const auto rows =
         read_file("schedule.csv", [&] { return read_schedule_csv(*result.schedule_csv); });
-    check_rows(result.trace, runs, rows, ResultFile::schedule_csv, faults);
+    check_rows(result.trace, runs, accounts, waits, rows, ResultFile::schedule_csv, faults);
   }
 }
 
@@ -70,17 +76,20 @@ Verdict verify(const Result& result) {
   Verdict verdict;
   const std::vector<TaskRun> runs = task_runs(trace, verdict.faults);
   const WorkingHours hours(trace.scene);
-  for (const TaskRun& run : runs) {
+  const WaitCheck waits(trace, runs, hours);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const TaskRun& run = runs[i];
     check_clock(trace, run, verdict.faults);
     check_phases(trace, run, verdict.faults);
     check_shifts(trace, run, hours, verdict.faults);
+    waits.check_pauses(static_cast<int>(i), verdict.faults);
     if (run.task >= 0 && run.result == TaskResult::done) ++verdict.done;
   }
   verdict.tasks = static_cast<int>(trace.scene.tasks.size());
   check_resources(trace, runs, verdict.faults);
   check_links(trace, runs, verdict.faults);
   check_motions(trace, runs, verdict);
-  check_schedules(result, runs, verdict.faults);
+  check_schedules(result, runs, hours, waits, verdict.faults);
   std::stable_sort(verdict.faults.begin(), verdict.faults.end(),
                    [](const Fault& a, const Fault& b) {
                      return std::tie(a.file, a.line, a.text) < std::tie(b.file, b.line, b.text);

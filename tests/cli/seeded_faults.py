@@ -772,6 +772,173 @@ def edit_the_table(good, rng):
     return Fault("edit the table", result, [good.table[row][0]])
 
 
+PARTS = ("motion", "work", "predecessor", "resource", "machine", "shift")
+
+
+def split_of(row):
+    """The parts of the time of a row of schedule.json: where each stands."""
+    return {part: (row if part in row else row["waited"], part) for part in PARTS}
+
+
+def lengthen_a_part(good, rng):
+    """A part of the time of a task is more or less than it was: the parts do not add up."""
+    row = rng.randrange(len(good.schedule["tasks"]))
+    result = copy.deepcopy(good)
+    edited = result.schedule["tasks"][row]
+    place, name = split_of(edited)[rng.choice(PARTS)]
+    less = place[name] > 0.1 and rng.random() < 0.5
+    place[name] = round(place[name] + (-1 if less else 1) * rng.uniform(0.001, 0.1), 9)
+    return Fault("lengthen a part", result, [edited["task"]])
+
+
+def give_a_part_to_another(good, rng):
+    """Motion or work is told as something else: the parts add up and yet are not those of the trace."""
+    rows = [index for index, row in enumerate(good.schedule["tasks"])
+            if row["result"] == "done" and row["motion"] + row["work"] > 1]
+    if not rows:
+        return None
+    result = copy.deepcopy(good)
+    edited = result.schedule["tasks"][rng.choice(rows)]
+    parts = split_of(edited)
+    source = rng.choice([part for part in ("motion", "work") if edited[part] > 0.5])
+    # A wait of a script may be motion or waiting: the trace does not tell.
+    if source == "motion" and any(r["type"] == "wait" and r["task"] == edited["task"] for r in good.records[1:]):
+        return None
+    target = rng.choice([part for part in PARTS if part != source])
+    share = rng.uniform(0.01, 0.4)
+    for part, sign in ((source, -1), (target, 1)):
+        place, name = parts[part]
+        place[name] = round(place[name] + sign * share, 9)
+    return Fault("give a part to another", result, [edited["task"]])
+
+
+def hide_a_wait(good, rng):
+    """A wait on the way, as the trace tells it, is told as one of another kind."""
+    waits = {"held": "predecessor", "crew": "resource", "machine": "machine", "shift": "shift"}
+    places = good.places("pause", where=lambda record: record["t"] - record["from"] > 0.01)
+    if not places:
+        return None
+    pause = good.records[rng.choice(places)]
+    result = copy.deepcopy(good)
+    edited = next(row for row in result.schedule["tasks"] if row["task"] == pause["task"])
+    if "parking" in edited:
+        return None
+    waited, source = edited["waited"], waits[pause["why"]]
+    target = rng.choice([name for name in waited if name != source])
+    waited[target] = round(waited[target] + waited[source], 9)
+    waited[source] = 0
+    return Fault("hide a wait", result, [pause["task"]])
+
+
+def wait_for_nothing(good, rng):
+    """A whole task comes later, and its row tells that it waited: nothing came just then."""
+    rows = [row["task"] for row in good.schedule["tasks"] if row["result"] == "done" and good.task(row["task"])]
+    if not rows:
+        return None
+    name, dt = rng.choice(rows), rng.uniform(0.01, 100)
+    result = copy.deepcopy(good)
+    for record in result.records[1:]:
+        if record["task"] == name:
+            for key in ("t", "from"):
+                if key in record:
+                    record[key] = round(record[key] + dt, 9)
+    row = next(row for row in result.schedule["tasks"] if row["task"] == name)
+    wait = rng.choice(("resource", "machine", "predecessor"))
+    # A robot's task that is held to its finish may have been ready late.
+    lags = [link["lag"] for link in good.task(name)["after"]]
+    ends = [link["type"] for link in good.task(name)["after"]]
+    if wait == "predecessor" and (any(lag < 0 for lag in lags) or "FF" in ends or "SF" in ends):
+        return None
+    if wait == "machine" and good.task(name)["zones"]:
+        return None
+    row["start"] = round(row["start"] + dt, 9)
+    row["waited"][wait] = round(row["waited"][wait] + dt, 9)
+    return Fault("wait for nothing", result, [name])
+
+
+def pause_for_nothing(good, rng):
+    """A pause for a crew or at a link is told as longer, and what comes after it comes later."""
+    places = good.places("pause", where=lambda record: record["why"] in ("crew", "shift", "held"))
+    if not places:
+        return None
+    index = rng.choice(places)
+    name, dt = good.records[index]["task"], rng.uniform(0.01, 100)
+    if good.records[index]["why"] == "held" and any(link["lag"] < 0 for link in good.task(name)["after"]):
+        return None
+    result = copy.deepcopy(good)
+    for number, record in enumerate(result.records[index:], index):
+        if record["task"] == name:
+            for key in ("t", "from"):
+                if key in record and not (number == index and key == "from"):
+                    record[key] = round(record[key] + dt, 9)
+    return Fault("pause for nothing", result, [name], index + 1)
+
+
+def edit_a_part_of_the_table(good, rng):
+    row = rng.randrange(1, len(good.table))
+    result = copy.deepcopy(good)
+    column = good.table[0].index(rng.choice(("motion", "work", "waited_predecessor", "waited_resource",
+                                             "waited_machine", "waited_shift")))
+    result.table[row][column] = repr(round(float(good.table[row][column]) + rng.uniform(0.001, 100), 9))
+    return Fault("edit a part of the table", result, [good.table[row][0]])
+
+
+def change_a_cost(good, rng):
+    """The money of a task, in one of the schedules."""
+    if "cost" not in good.schedule:
+        return None
+    result = copy.deepcopy(good)
+    more = rng.choice((-1, 1)) * rng.uniform(0.02, 50)
+    if rng.random() < 0.5:
+        edited = rng.choice(result.schedule["tasks"])
+        edited["cost"] += more
+        return Fault("change a cost", result, [edited["task"]], words="the cost is")
+    row = rng.choice(result.table[1:])
+    column = result.table[0].index("cost")
+    row[column] = f"{float(row[column]) + more:.2f}"
+    return Fault("change a cost", result, [row[0]], words="the cost is")
+
+
+def change_a_rate(good, rng):
+    """Another rate in the trace: all money that comes of it is wrong."""
+    rated = [(kind, index) for kind in ("robots", "crews") for index, each in enumerate(good.header[kind])
+             if each["cost_per_hour"] and next(use for use in good.schedule["resources"]
+                                               if use["name"] == each["name"])["held"] > 1]
+    if not rated:
+        return None
+    kind, index = rng.choice(rated)
+    result = copy.deepcopy(good)
+    result.header[kind][index]["cost_per_hour"] *= 1 + rng.choice((-1, 1)) * rng.uniform(0.001, 0.5)
+    return Fault("change a rate", result, [""], words=f"{result.header[kind][index]['name']}: the cost is")
+
+
+def edit_a_use(good, rng):
+    """What is told of a robot or crew, or of all."""
+    if not good.schedule["resources"]:
+        return None
+    result = copy.deepcopy(good)
+    use = rng.choice(result.schedule["resources"])
+    field = rng.choice(("held", "busy", "shifts", "tasks", "utilisation", "cost", "whole", "drop"))
+    words = f"{use['name']}: "
+    if field in ("held", "busy", "shifts"):
+        use[field] = round(use[field] + rng.uniform(0.001, 100), 9)
+    elif field == "tasks":
+        use[field] += 1
+    elif field == "utilisation":
+        use[field] += rng.uniform(0.001, 0.5)
+    elif field == "drop":
+        result.schedule["resources"].remove(use)
+        words = "robots and crews, in the plan"
+    elif "cost" not in good.schedule:
+        return None
+    elif field == "cost":
+        use[field] += rng.uniform(0.001, 100)
+    else:
+        result.schedule["cost"] += rng.uniform(0.001, 100)
+        words = "the whole costs"
+    return Fault("edit a use", result, [""], words=words)
+
+
 def change_the_speed(good, rng):
     """A parameter is faster than it was: its steps last too long."""
     places = steps(good, where=lambda record: isinstance(record["parameter"], str))
@@ -813,7 +980,8 @@ KINDS = (shift_a_step, shift_the_rest_of_a_task, drop_a_wait, close_a_wait_up, s
          take_a_day_off, shorten_a_shift, book_a_crew_twice, give_work_to_another, break_a_link,
          link_to_what_is_not_done, silence_a_refusal, call_it_done, call_it_not_reached, drop_a_task, cut_the_trace,
          wall_in_the_way, thing_where_a_load_is_put, grow_a_body, zone_round_a_robot, edit_the_schedule,
-         edit_the_table, change_the_speed, name_another_parameter)
+         edit_the_table, change_the_speed, name_another_parameter, lengthen_a_part, give_a_part_to_another,
+         hide_a_wait, wait_for_nothing, pause_for_nothing, edit_a_part_of_the_table, change_a_cost, change_a_rate, edit_a_use)
 
 
 def seeded(results, seed, rounds):
