@@ -75,7 +75,12 @@ Event cause_of(const Network& network, const NetworkTimes& times, ChainStep& ste
     const Link& link = network.tasks[at(step.task)].after[at(step.link)];
     step.task_before = link.task;
     const TaskTimes& before = times.tasks[at(link.task)];
-    if (end_before(link.type) == TaskEnd::start) return {link.task, Moment::start, before.start};
+    // Work that is known tells its finish when it starts.
+    const TaskTimes& own = times.tasks[at(step.task)];
+    const bool told_at_start = !step.at_finish && own.known_late && before.finish > own.ready;
+    if (end_before(link.type) == TaskEnd::start || told_at_start) {
+      return {link.task, Moment::start, before.start};
+    }
     return {link.task, Moment::finish, before.finish};
   }
   if (step.task_before < 0) return {};

@@ -54,6 +54,7 @@ struct TaskTimes {
   Ticks first_gain = 0;  ///< `wanted` has to be sooner by more than this before `start` is sooner
   Held held = Held::plan_start;
   int link = -1;                   ///< held by a link: index into `after`
+  bool known_late = false;         ///< that link allows it sooner than it was known to
   int resource = -1;               ///< held by a resource: index
   int task_before = -1;            ///< held by a resource: the task that had it
   bool given_back_midway = false;  ///< that task gave it back before its own finish

@@ -116,7 +116,7 @@ class Simulation {
   // simulation_links.cpp: when tasks may start and finish
   void prepare_links();
   void start_plan();
-  void make_ready(int task);
+  void make_ready(int task, int before);
   void publish(int task, schedule::TaskEnd end, Ticks time);
   void spread();
   void count_down(int& counter);
@@ -246,8 +246,9 @@ class Simulation {
   std::vector<std::uint8_t> known_;  ///< bits: 1 its start is known, 2 its finish
   std::vector<std::optional<TaskOutcome>> outcomes_;
   std::vector<TaskOutcome> parkings_;
-  std::vector<std::vector<int>> tasks_of_;               ///< to each robot: its tasks of the plan
-  std::vector<int> new_waits_;                           ///< tasks that may have closed a ring
+  std::vector<std::vector<int>> tasks_of_;  ///< to each robot: its tasks of the plan
+  std::vector<int> new_waits_;              ///< tasks that may have closed a ring
+  std::vector<int> asked_for_;              ///< tasks for which a robot was asked out of the way
   std::vector<std::pair<int, schedule::TaskEnd>> news_;  ///< known, and not told to followers yet
 
   // for good, whatever the run goes back to

@@ -55,7 +55,7 @@ void Simulation::start_plan() {
       publish(task, TaskEnd::start, times.start);
       publish(task, TaskEnd::finish, times.finish);
     } else if (to_start_[index(task)] == 0) {
-      make_ready(task);
+      make_ready(task, -1);
     }
   }
   spread();
@@ -84,8 +84,9 @@ schedule::LinkBounds Simulation::bounds_of(int task, bool with_finish) const {
   return bounds;
 }
 
-/// Its links are known: the task asks for its robots and crews from the moment they let it start.
-void Simulation::make_ready(int task) {
+/// Its links are known, since it is known when `before` starts or finishes (-1: since the plan
+/// began): the task asks for its robots and crews from the moment they let it start.
+void Simulation::make_ready(int task, int before) {
   if (excluded_.contains(task) || foreseen_[index(task)]) return;
   const bool known = known_work(task);
   const schedule::LinkBounds bounds = bounds_of(task, known && !tied_[index(task)]);
@@ -100,6 +101,15 @@ void Simulation::make_ready(int task) {
     times.held = schedule::Held::link;
     times.link =
         earliest.hold == schedule::StartHold::start_link ? bounds.start_link : bounds.finish_link;
+  }
+  if (before >= 0 && earliest.wanted < now_.now) {
+    const std::vector<schedule::Link>& links = network_.tasks[index(task)].after;
+    const auto told = std::find_if(links.begin(), links.end(), [&](const schedule::Link& link) {
+      return link.task == before && waits_to_start(task, link.type);
+    });
+    times.held = schedule::Held::link;
+    times.link = static_cast<int>(told - links.begin());
+    times.known_late = true;
   }
   times.start = std::max(earliest.start, now_.now);
   journal_.assign(times_[index(task)], times);
@@ -143,7 +153,7 @@ void Simulation::spread() {
       }
       if (waits_to_start(follower, type)) {
         count_down(to_start_[index(follower)]);
-        if (to_start_[index(follower)] == 0) make_ready(follower);
+        if (to_start_[index(follower)] == 0) make_ready(follower, task);
       }
     }
   }

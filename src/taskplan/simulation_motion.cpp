@@ -316,6 +316,8 @@ bool Simulation::park_idle_machines() {
     journal_.assign(times_[index(task)], times);
     journal_.assign(known_[index(task)], std::uint8_t{0});
     begin_task(grant);
+    asked_for_.push_back(asking);
+    journal_.on_undo([this] { asked_for_.pop_back(); });
     spread();
     return true;
   }

@@ -138,6 +138,11 @@ void Simulation::go_back(const Checkpoint& checkpoint) {
 }
 
 void Simulation::exclude(int task, TaskOutcome outcome, int cause) {
+  // A robot has made room for it before it began.
+  if (std::find(asked_for_.begin(), asked_for_.end(), task) != asked_for_.end() &&
+      second_chances_.size() < kMostSecondChances && second_chances_.emplace(task, task).second) {
+    must_restart_ = true;
+  }
   desk_->exclude(task);
   std::erase_if(now_.zone_waits, [&](const ZoneWait& wait) { return wait.task == task; });
   if (tape_) tape_->set_kept(true);
