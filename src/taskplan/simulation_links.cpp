@@ -36,8 +36,8 @@ void Simulation::prepare_links() {
   for (std::size_t i = 0; i < count; ++i) {
     const int task = static_cast<int>(i);
     for (const schedule::Link& link : tasks[i].after) {
-      if (excluded_.contains(link.task)) continue;
       followers_[index(link.task)].emplace_back(task, link.type);
+      if (excluded_.contains(link.task)) continue;
       if (waits_to_start(task, link.type)) ++to_start_[i];
       if (end_after(link.type) == TaskEnd::finish) ++to_finish_[i];
     }
@@ -142,6 +142,7 @@ void Simulation::spread() {
   while (!news_.empty() && !rejection_) {
     const auto [task, end] = news_.back();
     news_.pop_back();
+    if (excluded_.contains(task)) continue;
     for (const auto& [follower, type] : followers_[index(task)]) {
       if (end_before(type) != end || excluded_.contains(follower)) continue;
       if (end_after(type) == TaskEnd::finish) {
