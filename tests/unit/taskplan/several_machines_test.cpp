@@ -198,6 +198,43 @@ TEST(SeveralMachines, AZoneWaitsUntilNoMachineIsInIt) {
   EXPECT_EQ(stuck.tasks.at("bricks").reason, "a stands in its zone and does not move any more");
 }
 
+// The work tells its finish when it begins, and the moment that the lag allows is over then: to
+// make it shorter helps nobody.
+TEST(SeveralMachines, WorkWhoseFinishIsToldTooLateForALagDoesNotCount) {
+  const std::string plan = R"(
+    robot car "line.robot" { start x 0; }
+    crew c;
+    crew d;
+    task drive { by car; go x 10; }
+    task build { by c; takes %s; after drive; }
+    task paint { by d; takes 1 h; after build - 1 h; })";
+  const auto with = [&](const std::string& work) {
+    std::string text = plan;
+    return run(text.replace(text.find("%s"), 2, work));
+  };
+  const Ran ran = with("10 min");
+  ASSERT_EQ(ran.schedule.critical.size(), 3U);
+  EXPECT_TRUE(ran.schedule.critical[0].work_counts);
+  EXPECT_FALSE(ran.schedule.critical[1].work_counts);
+  EXPECT_EQ(ran.schedule.critical[1].text,
+            "build starts after drive (FS); its own work does not count");
+  EXPECT_EQ(with("5 min").schedule.process_time, ran.schedule.process_time);
+}
+
+// A machine makes room for a task that is rejected then: it has not moved.
+TEST(SeveralMachines, WhoMadeRoomForATaskThatIsNotDoneHasNotMoved) {
+  const Ran ran = run(R"(
+    component gone { shape box(0, 0, 0, 1, 1, 1); at trans(0, 50, 0); }
+    robot car "line.robot" { start x 0; park x 20; }
+    crew c;
+    task clear { by c; takes 1 s; remove gone; }
+    task paint { by c; takes 1 min; zone box(-1, -1, 0, 1, 1, 2); remove gone; after clear; }
+    task drive { by car; go x -10; after clear + 10 min; })");
+  EXPECT_EQ(ran.tasks.at("paint").result, TaskResult::rejected);
+  EXPECT_FALSE(ran.tasks.contains("park car"));
+  EXPECT_EQ(ran.tasks.at("drive").motion_time, 10 * kSecond);
+}
+
 // The painters look on while the fitters hook and release.
 TEST(SeveralMachines, WhoLooksOnIsHeldAndNotBusy) {
   const Ran ran = run(R"(
