@@ -130,6 +130,7 @@ double largest(const std::vector<double>& step) {
 GoalState damped_least_squares(const GoalProblem& problem, GoalState start, std::size_t count,
                                GoalPart part) {
   GoalState state = std::move(start);
+  if (count == 0) return state;
   double damping = kFirstDamping;
   bool fresh = true;
   PoseJacobian jacobian;

@@ -57,6 +57,7 @@ void free_step(const GoalProblem& problem, const GoalState& state, const PoseJac
       loose.push_back(v);
     }
   }
+  if (loose.empty()) return;
   const auto size = static_cast<Eigen::Index>(loose.size());
   Matrix columns(6, size);
   for (Eigen::Index i = 0; i < size; ++i) {
