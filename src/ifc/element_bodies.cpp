@@ -59,11 +59,11 @@ class BodyReader {
   /// Holes stand in the frame of what they are in.
   void cut_openings(const IfcElement& element, const std::vector<std::uint64_t>& openings,
                     Bodies& bodies) {
-    const auto X_WE = placement_of(element.id);
+    const auto X_WE = placements_.of_product(element.id);
     for (const std::uint64_t id : openings) {
       const StepRecord* record = file_.find(id);
       const auto values = record == nullptr ? std::nullopt : StepValues::read(record->arguments);
-      const auto X_WO = placement_of(id);
+      const auto X_WO = placements_.of_product(id);
       constexpr std::size_t kShape = 6;
       const std::uint64_t shape = values ? (*values)[kShape].reference() : 0;
       if (shape == 0) continue;  // an opening without a shape takes nothing away
@@ -80,17 +80,6 @@ class BodyReader {
         bodies.notes.emplace_back("an opening cannot be read and is not cut out");
       }
     }
-  }
-
-  /// Of a product, in the units of the file.
-  std::optional<math::Pose> placement_of(std::uint64_t product) {
-    constexpr std::size_t kPlacement = 5;
-    const StepRecord* record = file_.find(product);
-    const auto values = record == nullptr ? std::nullopt : StepValues::read(record->arguments);
-    if (!values) return std::nullopt;
-    const StepItem placement = (*values)[kPlacement];
-    if (!placement.is_set()) return math::Pose::Identity();
-    return placements_.world(placement.reference());
   }
 
   const StepFile& file_;

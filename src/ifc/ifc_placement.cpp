@@ -138,4 +138,14 @@ std::optional<Pose> IfcPlacements::world(std::uint64_t id) {
   return above;
 }
 
+std::optional<math::Pose> IfcPlacements::of_product(std::uint64_t product) {
+  constexpr std::size_t kPlacement = 5;
+  const StepRecord* record = file_->find(product);
+  const auto values = record == nullptr ? std::nullopt : StepValues::read(record->arguments);
+  if (!values) return std::nullopt;
+  const StepItem placement = (*values)[kPlacement];
+  if (!placement.is_set()) return math::Pose::Identity();
+  return world(placement.reference());
+}
+
 }  // namespace rubicon::ifc

@@ -38,6 +38,9 @@ class IfcPlacements {
   /// ring.
   std::optional<math::Pose> world(std::uint64_t id);
 
+  /// The pose of a product likewise; the origin where it names no placement.
+  std::optional<math::Pose> of_product(std::uint64_t product);
+
  private:
   const StepFile* file_;
   std::unordered_map<std::uint64_t, std::optional<math::Pose>> known_;

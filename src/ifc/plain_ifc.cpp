@@ -57,7 +57,6 @@ class PlainWriter {
 
  private:
   // Arguments of IfcProduct.
-  static constexpr std::size_t kPlacement = 5;
   static constexpr std::size_t kShape = 6;
 
   static std::uint64_t shape_of(const StepFile& file, std::uint64_t product) {
@@ -111,8 +110,8 @@ class PlainWriter {
     if (element == place_.end() || place_.contains(opening.id)) return;
     const std::uint64_t shape = shape_of(file_, opening.id);
     const std::uint64_t written = shapes_.write(shape);
-    const auto X_WO = placement_of(opening.id);
-    const auto X_WE = placement_of(opening.element);
+    const auto X_WO = placements_.of_product(opening.id);
+    const auto X_WE = placements_.of_product(opening.element);
     if (!X_WO || !X_WE || written == 0) return;
     place_.emplace(opening.id, element->second);
     math::Pose X_EO = X_WE->inverse(Eigen::Isometry) * *X_WO;
@@ -124,16 +123,6 @@ class PlainWriter {
                                      owner_, placement, written));
     out_.add(fmt::format("IFCRELVOIDSELEMENT('v{}',#{},$,$,#{},#{})", opening.id, owner_,
                          opening.element, opening.id));
-  }
-
-  /// Of a product, in the units of the file.
-  std::optional<math::Pose> placement_of(std::uint64_t product) {
-    const StepRecord* record = file_.find(product);
-    const auto values = record == nullptr ? std::nullopt : StepValues::read(record->arguments);
-    if (!values) return std::nullopt;
-    const StepItem placement = (*values)[kPlacement];
-    if (!placement.is_set()) return math::Pose::Identity();
-    return placements_.world(placement.reference());
   }
 
   const StepFile& file_;
