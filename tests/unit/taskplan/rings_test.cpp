@@ -11,36 +11,13 @@
 #include "src/taskplan/run_plan.hpp"
 #include "tests/support/memory_files.hpp"
 #include "tests/unit/taskplan/crane_plan.hpp"
+#include "tests/unit/taskplan/plain_robots.hpp"
 
 namespace rubicon::taskplan {
 namespace {
 
 using testing::HasSubstr;
 
-/// A car on a line, 1 m a second.
-constexpr const char* kLine = R"(robot line {
-  body car {
-    param x range(-100, 100) step(1) speed(1 m/s);
-    frame trans(x, 0, 0);
-    shape box(-0.5, -0.5, 0, 0.5, 0.5, 1);
-  }
-  tool car;
-  behaviour { chain { move_to(x, goal(x)) }; }
-}
-)";
-/// A gantry that takes things from above.
-constexpr const char* kGantry = R"(robot gantry {
-  body hoist {
-    param x range(-100, 100) step(1) speed(1 m/s);
-    param y range(-100, 100) step(1) speed(1 m/s);
-    param z range(0, 20) step(1) speed(1 m/s) start(5);
-    frame trans(x, y, z);
-    shape box(-0.2, -0.2, 0, 0.2, 0.2, 1);
-  }
-  tool hoist;
-  behaviour { chain { move_to(x, goal(x)) }; chain { move_to(y, goal(y)) }; chain { move_to(z, goal(z)) }; }
-}
-)";
 /// Somebody far away who is at work for three minutes.
 constexpr const char* kOther = R"(
   robot far "line.robot" at trans(0, 50, 0) { start x -90; }

@@ -12,6 +12,7 @@
 #include "src/taskplan/run_plan.hpp"
 #include "tests/support/memory_files.hpp"
 #include "tests/unit/taskplan/crane_plan.hpp"
+#include "tests/unit/taskplan/plain_robots.hpp"
 
 namespace rubicon::taskplan {
 namespace {
@@ -20,17 +21,6 @@ using testing::HasSubstr;
 
 constexpr Ticks kSecond = 1'000'000'000;
 
-/// A car on a line, 1 m a second.
-constexpr const char* kLine = R"(robot line {
-  body car {
-    param x range(-100, 100) step(1) speed(1 m/s);
-    frame trans(x, 0, 0);
-    shape box(-0.5, -0.5, 0, 0.5, 0.5, 1);
-  }
-  tool car;
-  behaviour { chain { move_to(x, goal(x)) }; }
-}
-)";
 /// The same, which waits by itself when something is in the way.
 constexpr const char* kWaiting = R"(robot waiting {
   body car {
@@ -51,20 +41,6 @@ constexpr const char* kPacing = R"(robot pacing {
   }
   tool car;
   behaviour { cycle { move_dir(x, 1), move_dir(x, -1) }; }
-}
-)";
-/// A gantry that takes things from above.
-constexpr const char* kGantry = R"(robot gantry {
-  body hoist {
-    param x range(-100, 100) step(1) speed(1 m/s);
-    param y range(-100, 100) step(1) speed(1 m/s);
-    param z range(0, 20) step(1) speed(1 m/s) start(5);
-    frame trans(x, y, z);
-    shape box(-0.2, -0.2, 0, 0.2, 0.2, 1);
-  }
-  tool hoist;
-  capacity (10, 4 t), (30, 2 t), (90, 1 t);
-  behaviour { chain { move_to(x, goal(x)) }; chain { move_to(y, goal(y)) }; chain { move_to(z, goal(z)) }; }
 }
 )";
 
