@@ -22,9 +22,9 @@ struct MotionTask {
   std::vector<std::string>
       situations;  ///< on during the whole motion (besides `via` and what the world switches on)
   Within within;   ///< when the goal counts as reached
-  double budget = 20000;  ///< attempts
+  double budget = 20000;   ///< attempts
   double full_budget = 0;  ///< for messages: what the budget was before earlier tries; 0: `budget`
-  int first_n = 1;        ///< number of the first attempt
+  int first_n = 1;         ///< number of the first attempt
   Ticks start = 0;
   std::vector<double> q;  ///< where the robot stands, per parameter
   robot::Mounting mounting;

@@ -164,7 +164,8 @@ void Machine::loop_failed(World& world, EventSink* events) {
   }
   Frame& top = stack_.back();
   top.index = next;
-  // Only a cycle asks how many failed in a row; elsewhere the count must not make equal states differ.
+  // Only a cycle asks how many failed in a row; elsewhere the count must not make equal states
+  // differ.
   if (loop.loop == LoopKind::cycle) ++top.failures;
   pending_ = child_at(loop, next);
 }

@@ -160,11 +160,11 @@ bool Machine::may_attempt(std::int32_t index, const World& world) {
     }
   }
   if (tries_ >= task_.budget) {
-    finish(MotionStatus::budget,
-           fmt::format("budget: {:g} attempts are used up before {}",
-                       task_.full_budget > 0 ? task_.full_budget : task_.budget,
-                       describe_next(index)),
-           node.span);
+    finish(
+        MotionStatus::budget,
+        fmt::format("budget: {:g} attempts are used up before {}",
+                    task_.full_budget > 0 ? task_.full_budget : task_.budget, describe_next(index)),
+        node.span);
     return false;
   }
   return true;

@@ -226,9 +226,7 @@ RUBICON_ACTION(PlanAction, PlanState, placed_module) {
 }
 RUBICON_ACTION(PlanAction, PlanState, placed_frame) { st.place.at = st.take_frame(); }
 RUBICON_ACTION(PlanAction, PlanState, stock_frame) { st.place.from = st.take_frame(); }
-RUBICON_ACTION(PlanAction, PlanState, placed_as) {
-  st.place.as = st.take_name();
-}
+RUBICON_ACTION(PlanAction, PlanState, placed_as) { st.place.as = st.take_name(); }
 RUBICON_ACTION(PlanAction, PlanState, place_item) {
   st.place.after = std::exchange(st.links, {});
   st.add(std::move(st.place), begin);

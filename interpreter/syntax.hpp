@@ -8,13 +8,15 @@
 
 #include "interpreter/source.hpp"
 
-/// The syntax trees of behaviour scripts (NAME.motion), robot files (NAME.robot) and plans (NAME.plan): what was written,
-/// with its place, nothing resolved. Numbers are already in base units (m, degrees, s, kg, m/s, degrees/s, 1/h as per s).
+/// The syntax trees of behaviour scripts (NAME.motion), robot files (NAME.robot) and plans
+/// (NAME.plan): what was written, with its place, nothing resolved. Numbers are already in base
+/// units (m, degrees, s, kg, m/s, degrees/s, 1/h as per s).
 namespace rubicon::syntax {
 
 using interpreter::Span;
 
-// ---- names and values ------------------------------------------------------------------------------------------
+// ---- names and values
+// ------------------------------------------------------------------------------------------
 
 struct Name {
   std::string text;  ///< Greek letters already spelt psi, phi, theta
@@ -49,28 +51,41 @@ using ExpressionPtr = std::unique_ptr<Expression>;
 
 struct Expression {
   enum class Kind {
-    number,      ///< `number`
-    parameter,   ///< `name`: a bare name, a control parameter
-    variable,    ///< var(`name`)
-    call,        ///< `name`(operands...)
-    command,     ///< move_to(...) or the like where a value is wanted (S06); `name`
-    negate,      ///< - operands[0]
-    plus,        ///< + operands[0]
-    logical_not, ///< not operands[0]
-    binary       ///< operands[0] `op` operands[1]
+    number,       ///< `number`
+    parameter,    ///< `name`: a bare name, a control parameter
+    variable,     ///< var(`name`)
+    call,         ///< `name`(operands...)
+    command,      ///< move_to(...) or the like where a value is wanted (S06); `name`
+    negate,       ///< - operands[0]
+    plus,         ///< + operands[0]
+    logical_not,  ///< not operands[0]
+    binary        ///< operands[0] `op` operands[1]
   };
-  enum class Operator { add, subtract, multiply, divide, equal, not_equal, less, less_equal, greater, greater_equal,
-                        logical_and, logical_or };
+  enum class Operator {
+    add,
+    subtract,
+    multiply,
+    divide,
+    equal,
+    not_equal,
+    less,
+    less_equal,
+    greater,
+    greater_equal,
+    logical_and,
+    logical_or
+  };
   Kind kind = Kind::number;
   Number number;
   QualifiedName name;
   Operator op = Operator::add;
   Span op_span;  ///< the operator's own token
   std::vector<ExpressionPtr> operands;
-  Span span;     ///< the whole expression (parentheses around it not included)
+  Span span;  ///< the whole expression (parentheses around it not included)
 };
 
-// ---- behaviour scripts -----------------------------------------------------------------------------------------
+// ---- behaviour scripts
+// -----------------------------------------------------------------------------------------
 
 struct Statement;
 
@@ -78,8 +93,8 @@ struct Statement;
 struct Label {
   enum class Kind { situation, otherwise, when };
   Kind kind = Kind::situation;
-  Name name;                 ///< for a situation; "default" / "when" otherwise
-  ExpressionPtr condition;   ///< for when
+  Name name;                ///< for a situation; "default" / "when" otherwise
+  ExpressionPtr condition;  ///< for when
   Span span;
 };
 
@@ -96,13 +111,13 @@ struct Statement {
     move_dir,    ///< move_dir(`name`, value)
     together,    ///< together { elements }
     wait,
-    use,         ///< `name`; runs a named behaviour
+    use,  ///< `name`; runs a named behaviour
     chain,
     cycle,
-    first,       ///< loops: { elements } [until (until)]
+    first,  ///< loops: { elements } [until (until)]
     each,
     which,
-    broken       ///< did not parse; already reported, nothing else is said of it
+    broken  ///< did not parse; already reported, nothing else is said of it
   };
   Kind kind = Kind::broken;
   Span span;     ///< the whole statement
@@ -127,12 +142,14 @@ struct Script {
   Span span;
 };
 
-// ---- frames and shapes -----------------------------------------------------------------------------------------
+// ---- frames and shapes
+// -----------------------------------------------------------------------------------------
 
 struct FrameElement {
   enum class Kind { trans, rotx, roty, rotz };
   Kind kind = Kind::trans;
-  std::vector<ExpressionPtr> arguments;  ///< three for trans, one for a rotation (the checker counts)
+  std::vector<ExpressionPtr>
+      arguments;  ///< three for trans, one for a rotation (the checker counts)
   Span span;
 };
 struct Frame {
@@ -140,21 +157,23 @@ struct Frame {
   Span span;
 };
 
-/// box(...), cylinder(...), sphere(...), capsule(...), prism(...), mesh("file", unit, scale 2, up y, part "name", hull)
+/// box(...), cylinder(...), sphere(...), capsule(...), prism(...), mesh("file", unit, scale 2, up
+/// y, part "name", hull)
 struct Shape {
-  Name kind;                     ///< as written; the checker knows the kinds
-  std::vector<Number> numbers;   ///< signed
-  String file;                   ///< mesh
-  std::optional<Name> unit;      ///< mesh
-  std::optional<Number> scale;   ///< mesh
-  std::optional<Name> up;        ///< mesh
-  std::optional<String> part;    ///< mesh
-  std::optional<Name> hull;      ///< mesh: the word
+  Name kind;                    ///< as written; the checker knows the kinds
+  std::vector<Number> numbers;  ///< signed
+  String file;                  ///< mesh
+  std::optional<Name> unit;     ///< mesh
+  std::optional<Number> scale;  ///< mesh
+  std::optional<Name> up;       ///< mesh
+  std::optional<String> part;   ///< mesh
+  std::optional<Name> hull;     ///< mesh: the word
   std::optional<Frame> at;
   Span span;
 };
 
-// ---- robot files -----------------------------------------------------------------------------------------------
+// ---- robot files
+// -----------------------------------------------------------------------------------------------
 
 /// range(a, b), cyclic, step(v), speed(v), loaded(v), start(v), prefer(v): `name` as written
 struct Attribute {
@@ -226,7 +245,8 @@ struct CapacityItem {
   Span span;
 };
 
-using RobotItem = std::variant<SettingItem, BodyItem, ToolItem, ConstItem, TouchingItem, CapacityItem, BehaviourItem>;
+using RobotItem = std::variant<SettingItem, BodyItem, ToolItem, ConstItem, TouchingItem,
+                               CapacityItem, BehaviourItem>;
 
 struct Robot {
   Name name;
@@ -235,7 +255,8 @@ struct Robot {
   Span span;
 };
 
-// ---- plans -----------------------------------------------------------------------------------------------------
+// ---- plans
+// -----------------------------------------------------------------------------------------------------
 
 /// `theta 30, x 20`
 struct NamedValue {
@@ -294,7 +315,7 @@ struct CalendarItem {
 struct ComponentItem {
   Name name;
   std::vector<Shape> shapes;
-  std::vector<Frame> at;    ///< more than one is an error of the checker; likewise grip and mass
+  std::vector<Frame> at;  ///< more than one is an error of the checker; likewise grip and mass
   std::vector<Frame> grip;
   std::vector<Number> mass;
   Span span;
@@ -381,8 +402,9 @@ struct AfterItem {
   Span span;
 };
 
-using TaskPart = std::variant<ByItem, MoveItem, GoItem, RemoveItem, WorkItem, ViaItem, GuideItem, SituationItem, WithinItem,
-                              NumberItem /* budget, priority */, ZoneItem, AfterItem>;
+using TaskPart =
+    std::variant<ByItem, MoveItem, GoItem, RemoveItem, WorkItem, ViaItem, GuideItem, SituationItem,
+                 WithinItem, NumberItem /* budget, priority */, ZoneItem, AfterItem>;
 struct TaskItem {
   Name name;
   std::vector<TaskPart> parts;
@@ -423,8 +445,9 @@ struct CarryItem {
   Span span;
 };
 
-using PlanItem = std::variant<SiteItem, NumberItem, StringItem, SituationItem, CalendarItem, ComponentItem, RobotUse, CrewItem,
-                              TaskItem, ModuleItem, PlaceItem, ImportItem, StartItem, GoalItem, ViaItem, CarryItem, WithinItem>;
+using PlanItem = std::variant<SiteItem, NumberItem, StringItem, SituationItem, CalendarItem,
+                              ComponentItem, RobotUse, CrewItem, TaskItem, ModuleItem, PlaceItem,
+                              ImportItem, StartItem, GoalItem, ViaItem, CarryItem, WithinItem>;
 
 struct Plan {
   Name name;

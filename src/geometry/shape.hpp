@@ -13,12 +13,14 @@ namespace rubicon::geometry {
 using math::Pose;
 using math::Vec3;
 
-/// A triangle mesh in metres. Vertices are finite, indices in range, at least one triangle (the loader guarantees it).
+/// A triangle mesh in metres. Vertices are finite, indices in range, at least one triangle (the
+/// loader guarantees it).
 struct TriangleMesh {
   std::vector<Vec3> vertices;
   std::vector<std::array<int, 3>> triangles;
   /// It encloses a volume: every edge is used equally often in both directions (in a simple surface
-  /// by two triangles, oppositely oriented), so winding numbers are defined; triangles face outwards.
+  /// by two triangles, oppositely oriented), so winding numbers are defined; triangles face
+  /// outwards.
   bool closed = false;
 };
 
@@ -57,7 +59,8 @@ struct Prism {
 /// A mesh read from a file; `mesh` is already in metres, z up, with unit, scale and hull applied.
 struct Mesh {
   std::string file;  ///< as written in the source
-  std::shared_ptr<const TriangleMesh> mesh;  // shared: meshes are large and immutable, instances are many
+  std::shared_ptr<const TriangleMesh>
+      mesh;  // shared: meshes are large and immutable, instances are many
 };
 
 using Solid = std::variant<Box, Cylinder, Sphere, Capsule, Prism, Mesh>;

@@ -11,8 +11,8 @@
 #include "src/golden/difference.hpp"
 #include "src/golden/observation.hpp"
 #include "src/report/diagnostic_printer.hpp"
-#include "src/taskplan/run_plan.hpp"
 #include "src/taskplan/run_mistakes.hpp"
+#include "src/taskplan/run_plan.hpp"
 #include "src/trace/json_builder.hpp"
 
 namespace rubicon::golden {

@@ -86,7 +86,10 @@ std::string without_folders(std::string reason) {
 
 Observation::Observation(std::map<Place, std::string> command_texts,
                          std::map<std::string, ordered_json> starts, bool with_tasks)
-    : command_texts_(std::move(command_texts)), with_tasks_(with_tasks), starts_(std::move(starts)), q_(starts_) {}
+    : command_texts_(std::move(command_texts)),
+      with_tasks_(with_tasks),
+      starts_(std::move(starts)),
+      q_(starts_) {}
 
 void Observation::restart() {
   events_ = ordered_json::array();

@@ -133,8 +133,8 @@ bool set(const GoalProblem& problem, std::vector<double>& q, int parameter, doub
   return true;
 }
 
-/// A vehicle or a gantry with a hook that turns: translations, then a turn; without the turn a plain
-/// gantry.
+/// A vehicle or a gantry with a hook that turns: translations, then a turn; without the turn a
+/// plain gantry.
 std::vector<std::vector<double>> vehicle_solutions(const GoalProblem& problem,
                                                    const JointChain& chain) {
   const Joint& slide = chain.joints[0];

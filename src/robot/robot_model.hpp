@@ -23,16 +23,20 @@ struct Parameter {
   double speed = 0;         ///< per second; 0 without step
   double loaded_speed = 0;  ///< per second while an object is attached
   double start = 0;
-  int prefer = 1;           ///< ties of directions: +1 or -1
-  bool derived = false;     ///< computed from others after the rules; never stepped
-  Formula derived_value;    ///< for derived
-  Formula rule;             ///< new value from old values, steps and starts (p <- p + p_s where none was written)
-  bool direct = true;       ///< rule is p <- p + p_s and p_s occurs in no other rule
-  bool free = true;         ///< some command can change it
-  double quantum = 1;       ///< its step, or the smallest step of its kind in the robot, else 1 m or 1 degree
+  int prefer = 1;         ///< ties of directions: +1 or -1
+  bool derived = false;   ///< computed from others after the rules; never stepped
+  Formula derived_value;  ///< for derived
+  Formula
+      rule;  ///< new value from old values, steps and starts (p <- p + p_s where none was written)
+  bool direct = true;  ///< rule is p <- p + p_s and p_s occurs in no other rule
+  bool free = true;    ///< some command can change it
+  double quantum =
+      1;  ///< its step, or the smallest step of its kind in the robot, else 1 m or 1 degree
 
-  bool limited() const { return !cyclic && (lower > -std::numeric_limits<double>::infinity() ||
-                                            upper < std::numeric_limits<double>::infinity()); }
+  bool limited() const {
+    return !cyclic && (lower > -std::numeric_limits<double>::infinity() ||
+                       upper < std::numeric_limits<double>::infinity());
+  }
 };
 
 /// An elementary transform of a frame: trans(a, b, c) or a rotation by `a` degrees.
@@ -45,7 +49,7 @@ using FrameFormula = std::vector<FrameElement>;
 
 struct Body {
   std::string name;
-  int parent = -1;              ///< index of the body it stands on, -1: the robot's mounting frame {M}
+  int parent = -1;  ///< index of the body it stands on, -1: the robot's mounting frame {M}
   std::vector<int> parameters;  ///< indices into RobotModel::parameters, in declaration order
   FrameFormula frame;           ///< X_PB, P the parent
   std::vector<geometry::Shape> shapes;
@@ -58,16 +62,18 @@ struct CapacityPoint {
 };
 
 /// What the checked robot file says, without its behaviour: bodies, parameters, rules, frames.
-/// Frames: {W} world, {M} the robot's mounting frame (placed by the plan, identity by default), {B} each body, {T} the tool.
+/// Frames: {W} world, {M} the robot's mounting frame (placed by the plan, identity by default), {B}
+/// each body, {T} the tool.
 struct RobotModel {
   std::string name;
-  double time_step = 1;  ///< s
-  double sensor = 0;     ///< range of free() in m
+  double time_step = 1;               ///< s
+  double sensor = 0;                  ///< range of free() in m
   std::vector<Parameter> parameters;  ///< declaration order, bodies from first to last
   std::vector<Body> bodies;           ///< parents come before children
   int tool_body = 0;
-  FrameFormula tool_frame;                     ///< X_BT, of the tool body
-  std::vector<std::pair<int, int>> touching;   ///< pairs of bodies that touch by design, besides parent and child
+  FrameFormula tool_frame;  ///< X_BT, of the tool body
+  std::vector<std::pair<int, int>>
+      touching;  ///< pairs of bodies that touch by design, besides parent and child
   std::vector<CapacityPoint> capacity;
 
   /// Index of a parameter by its display name or body.name; -1 if there is none.

@@ -14,8 +14,6 @@ inline constexpr int kFewerCases = 1;
 constexpr int cases(int count) { return count / kFewerCases; }
 
 /// How many of these have to be of some kind; chance counts more among fewer.
-constexpr int at_least(int count) {
-  return kFewerCases == 1 ? count : count / (2 * kFewerCases);
-}
+constexpr int at_least(int count) { return kFewerCases == 1 ? count : count / (2 * kFewerCases); }
 
 }  // namespace rubicon::test
