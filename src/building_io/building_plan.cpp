@@ -40,7 +40,8 @@ class PlanParts {
     for (Element& element : elements_) {
       if (!element.mesh) continue;
       element.mesh_file = fmt::format("{}/{}.obj", names.mesh_folder, element.component);
-      result.meshes.push_back({element.mesh_file, mesh_text(element)});
+      result.meshes.push_back({element.mesh_file, mesh_text(element),
+                               std::make_shared<const geometry::TriangleMesh>(*element.mesh)});
     }
     remarks = "\n";
     for (const std::string& note : elements.notes) remarks += "// " + note + "\n";
@@ -193,8 +194,7 @@ class WorkWriter {
   }
 
   std::string target_text(const Element& element) const {
-    const std::string text = frame_text(element.frame.origin - origin_, element.frame.turn_deg);
-    return text.empty() ? "trans(0, 0, 0)" : text;
+    return frame_or_identity(element.frame.origin - origin_, element.frame.turn_deg);
   }
 
   std::string mass_of(const Element& element, const MoveTerms& how) {

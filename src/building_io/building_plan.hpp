@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,8 +17,9 @@ struct BuildingPlan {
   std::string plan;      ///< text of the plan
   std::string elements;  ///< text of the table of all elements (CSV)
   struct MeshFile {
-    std::string name;  ///< relative to the plan
-    std::string text;  ///< OBJ, metres
+    std::string name;                                    ///< relative to the plan
+    std::string text;                                    ///< OBJ, metres
+    std::shared_ptr<const geometry::TriangleMesh> mesh;  ///< the same; shared as a shape wants it
   };
   std::vector<MeshFile> meshes;  ///< of elements that the plan cannot name in their model
 };

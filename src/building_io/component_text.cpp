@@ -3,14 +3,19 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <vector>
 
 #include "src/building_io/element_frame.hpp"
 #include "src/building_io/names.hpp"
 #include "src/math/pose.hpp"
+#include "src/mesh_io/mending.hpp"
 
 namespace rubicon::building_io {
 
 namespace {
+
+/// Of the numbers in mesh_text(): 0.001 mm.
+constexpr double kMeshPlacesPerMetre = 1e6;
 
 /// Where the shape lies in {O}: the model's own coordinates, taken back. Written so that `at` and
 /// this together are the identity, up to the rounding of doubles.
@@ -58,6 +63,11 @@ std::string frame_text(const Vec3& p, double turn_deg) {
   return text;
 }
 
+std::string frame_or_identity(const Vec3& p, double turn_deg) {
+  const std::string text = frame_text(p, turn_deg);
+  return text.empty() ? "trans(0, 0, 0)" : text;
+}
+
 std::string element_remark(const Element& element) {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
@@ -74,7 +84,7 @@ std::string component_text(const Element& element, const ComponentTerms& terms) 
   if (const std::string at = frame_text(terms.at, terms.turn_deg); !at.empty()) {
     text += fmt::format("at {};\n", at);
   }
-  const std::string top = frame_text({0, 0, element.frame.size.z()}, 0);
+  const std::string top = frame_or_identity({0, 0, element.frame.size.z()}, 0);
   text += fmt::format("grip {}{}{};\n", top, terms.grip.empty() ? "" : " * ", terms.grip);
   if (!terms.mass.empty()) text += fmt::format("mass {};\n", terms.mass);
   return text + "}\n";
@@ -89,6 +99,14 @@ std::string mesh_text(const Element& element) {
     text += fmt::format("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
   }
   return text;
+}
+
+bool is_nothing_when_written(const geometry::TriangleMesh& mesh) {
+  std::vector<Vec3> points;
+  for (const Vec3& p : mesh.vertices) {
+    points.push_back((p * kMeshPlacesPerMetre).array().round().matrix() / kMeshPlacesPerMetre);
+  }
+  return mesh_io::mend(points, mesh.triangles).mesh.triangles.empty();
 }
 
 }  // namespace rubicon::building_io

@@ -17,6 +17,9 @@ struct ComponentTerms {
 /// "trans(1, 2, 0.5) * rotz(90)"; empty for no transform at all.
 std::string frame_text(const Vec3& p, double turn_deg);
 
+/// The same, and "trans(0, 0, 0)" for no transform: where a plan must say one.
+std::string frame_or_identity(const Vec3& p, double turn_deg);
+
 /// A number of metres or degrees, at most 5 places behind the point.
 std::string number_text(double value);
 
@@ -28,5 +31,8 @@ std::string element_remark(const Element& element);
 
 /// The element's own mesh as OBJ text, metres, in its frame.
 std::string mesh_text(const Element& element);
+
+/// Whether the digits of that text leave no triangle of any size.
+bool is_nothing_when_written(const geometry::TriangleMesh& mesh);
 
 }  // namespace rubicon::building_io

@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "interpreter/check_number.hpp"
+#include "src/building_io/component_text.hpp"
 #include "src/building_io/element_frame.hpp"
 #include "src/building_io/names.hpp"
 #include "src/ifc/body_items.hpp"
@@ -52,6 +54,7 @@ class ElementReader {
   Elements read(const std::vector<ModelFile>& models) {
     for (const ModelFile& model : models) read_model(model);
     move_origin();
+    leave_out_what_no_plan_holds();
     make_names();
     return std::move(result_);
   }
@@ -93,8 +96,6 @@ class ElementReader {
     note_model(model, building);
     std::map<std::size_t, const NamedMesh*> by_node;
     for (const NamedMesh& node : nodes) by_node.emplace(node.node, &node);
-    std::map<std::string, int> same_guid;
-    for (const ifc::IfcNode& node : building.tree) ++same_guid[guid_in(node.name)];
     for (const ifc::IfcElement& each : building.elements) {
       const auto node = by_node.find(static_cast<std::size_t>(each.node));
       if (node == by_node.end()) {
@@ -109,8 +110,8 @@ class ElementReader {
       element.guid = clean(each.guid);
       // The plan names it by its GlobalId, if nobody else has it and nothing hangs below.
       const std::string guid = guid_in(node->second->name);
-      const bool names_it = !guid.empty() && can_be_quoted(guid) && same_guid[guid] == 1 &&
-                            !node->second->has_nodes_below;
+      const bool names_it =
+          node->second->id_is_unique && can_be_quoted(guid) && !node->second->has_nodes_below;
       put(std::move(element), model, *node->second, names_it ? std::optional(guid) : std::nullopt);
     }
     for (const auto& [type, count] : building.no_elements) {
@@ -159,8 +160,6 @@ class ElementReader {
 
   void read_nodes(const ModelFile& model, const std::vector<NamedMesh>& nodes) {
     result_.notes.push_back(model.reference + ": " + counted(nodes.size(), "element"));
-    std::map<std::string, int> count;
-    for (const NamedMesh& node : nodes) ++count[node.name];
     for (const NamedMesh& node : nodes) {
       Element element;
       element.name = is_made_up(node.name) ? stem_of(model.reference) : clean(node.name);
@@ -168,7 +167,7 @@ class ElementReader {
       std::optional<std::string> part;
       if (nodes.size() == 1) {
         part = std::string();  // the whole file
-      } else if (!is_made_up(node.name) && count[node.name] == 1 && can_be_quoted(node.name) &&
+      } else if (!is_made_up(node.name) && node.name_is_unique && can_be_quoted(node.name) &&
                  !node.has_nodes_below) {
         part = node.name;
       }
@@ -203,6 +202,33 @@ class ElementReader {
     const Vec3 first = result_.all.front().frame.origin;
     if (first.cwiseAbs().maxCoeff() <= kFarFromOrigin) return;
     result_.origin = (first / kOriginGrid).array().round().matrix() * kOriginGrid;
+  }
+
+  /// Elements whose numbers are larger than those of a plan may be, and such that are so small that
+  /// nothing of them is left in a mesh file of their own.
+  void leave_out_what_no_plan_holds() {
+    std::erase_if(result_.all, [&](const Element& element) {
+      std::string why;
+      const ElementFrame& frame = element.frame;
+      if (!(frame.origin.norm() <= interpreter::kMaxLength &&
+            (frame.origin - result_.origin).norm() <= interpreter::kMaxLength &&
+            frame.size.maxCoeff() <= interpreter::kMaxLength)) {
+        why = fmt::format("it reaches farther than {} m", interpreter::kMaxLength);
+      } else if (element.mesh && is_nothing_when_written(*element.mesh)) {
+        why = "it is smaller than 0.01 mm";
+      }
+      if (why.empty()) return false;
+      const std::string text =
+          fmt::format("{} {}{} of {} is left out: {}",
+                      element.type.empty() ? "element" : element.type, remark_name(element.name),
+                      element.guid.empty() ? "" : " (" + element.guid + ")", element.model, why);
+      result_.notes.push_back(text);
+      diagnostics_.warning("I14", {}, text, "check the unit and the scale of the model");
+      return true;
+    });
+    if (result_.all.empty() && !diagnostics_.has_errors()) {
+      fail("no element is left that a plan can hold");
+    }
   }
 
   void make_names() {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "src/cli/check_import.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/import_schedule.hpp"
 #include "src/files/disk_io.hpp"
@@ -29,18 +30,21 @@ int import_schedule(const ImportOptions& options) {
   const std::string& path = options.files.front();
   const std::optional<project_io::Project> project =
       read_schedule(path, disk, sources, diagnostics);
-  std::string plan;
+  building_io::BuildingPlan plan;
   if (project) {
     const std::string name = std::filesystem::path(path).filename().string();
-    plan = project_io::plan_text(*project, project_io::clean_text(name), diagnostics);
+    plan.plan = project_io::plan_text(*project, project_io::clean_text(name), diagnostics);
   }
   const std::string messages =
       report::print_text(diagnostics.sorted(), sources, files::wants_colour(stderr));
   std::fwrite(messages.data(), 1, messages.size(), stderr);
   if (!project) return kWrongInput;
+  if (refused({options.out.empty() ? "schedule.plan" : options.out, &plan}, disk)) {
+    return kWrongInput;
+  }
   if (options.out.empty()) {
-    std::fwrite(plan.data(), 1, plan.size(), stdout);
-  } else if (const auto failure = files::write_file(options.out, plan)) {
+    std::fwrite(plan.plan.data(), 1, plan.plan.size(), stdout);
+  } else if (const auto failure = files::write_file(options.out, plan.plan)) {
     return fail(*failure);
   }
   return kFine;

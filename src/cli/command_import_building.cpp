@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "src/building_io/match_file.hpp"
 #include "src/building_io/names.hpp"
 #include "src/building_io/read_elements.hpp"
+#include "src/cli/check_import.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/import_schedule.hpp"
 #include "src/files/disk_io.hpp"
@@ -31,6 +33,7 @@ class BuildingImport {
     const fs::path out = options.out.empty() ? fs::path("building.plan") : fs::path(options.out);
     folder_ = out.parent_path().empty() ? "." : out.parent_path().string();
     stem_ = building_io::clean(out.stem().string());
+    std::replace(stem_.begin(), stem_.end(), '"', '_');  // the plan quotes it
   }
 
   int run() {
@@ -42,6 +45,8 @@ class BuildingImport {
         report::print_text(diagnostics_.sorted(), sources_, files::wants_colour(stderr));
     std::fwrite(messages.data(), 1, messages.size(), stderr);
     if (!plan || diagnostics_.has_errors()) return kWrongInput;
+    const std::string path = options_.out.empty() ? "building.plan" : options_.out;
+    if (refused({path, &*plan}, disk_)) return kWrongInput;
     return options_.out.empty() ? print(*plan) : write(*plan);
   }
 
@@ -61,8 +66,8 @@ class BuildingImport {
     terms.folder = folder_;
     terms.unit = options_.unit;
     terms.up = options_.up.empty() ? '\0' : options_.up.front();
-    const building_io::Elements elements = building_io::read_elements(
-        models, terms, mesh_io::MeshReader::beside_command(), diagnostics_);
+    const building_io::Elements elements =
+        building_io::read_elements(models, terms, disk_.meshes(), diagnostics_);
     if (diagnostics_.has_errors()) return std::nullopt;
     building_io::PlanNames names{stem_, stem_ + "_meshes"};
     if (options_.match.empty()) return building_io::standing_building(elements, names);
@@ -104,6 +109,12 @@ class BuildingImport {
     if (model.reference.empty() || model.reference.starts_with("..")) {
       return wrong("lies outside the folder of the plan",
                    "write the plan (--out) into the folder of its models, or copy them there");
+    }
+    const auto format = mesh_io::format_of(model.reference);
+    if (!format || format->name != mesh_io::format_of(path)->name) {
+      return wrong(
+          fmt::format("is a link to '{}', whose name says another format", model.reference),
+          "name the file itself");
     }
     if (!building_io::can_be_quoted(model.reference)) {
       return wrong("has a name that a plan cannot hold", "rename it");

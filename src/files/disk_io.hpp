@@ -19,6 +19,9 @@ class DiskFiles : public interpreter::FileProvider {
   std::variant<std::shared_ptr<const geometry::TriangleMesh>, interpreter::FileFailure> read_mesh(
       const interpreter::MeshRequest& request) override;
 
+  /// The reader itself, for whole models.
+  const mesh_io::MeshReader& meshes() const { return meshes_; }
+
  private:
   mesh_io::MeshReader meshes_ = mesh_io::MeshReader::beside_command();
 };

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "src/mesh_io/bounded_cache.hpp"
@@ -56,11 +58,17 @@ std::string names_in(const FileScene& scene) {
   return "it has " + names;
 }
 
-/// Whether the name of a node ends with a GlobalId of IFC: it stays when a model is renamed.
-bool has_global_id(const std::string& name, const std::string& id) {
+/// The GlobalId of IFC that the name of a node ends with, empty: none. It stays when a model is
+/// renamed.
+std::string_view global_id(std::string_view name) {
   constexpr std::size_t kLength = 22;
-  return id.size() == kLength && name.size() > kLength && name.ends_with(id) &&
-         name[name.size() - kLength - 1] == '_';
+  if (name.size() <= kLength || name[name.size() - kLength - 1] != '_') return {};
+  return name.substr(name.size() - kLength);
+}
+
+/// Whether `part` of a request means a node of this name.
+bool means(std::string_view part, std::string_view name) {
+  return name == part || (!part.empty() && global_id(name) == part);
 }
 
 /// Which nodes belong to `part`: the node of that name and all below it. Or why that is not clear.
@@ -72,7 +80,7 @@ std::variant<std::vector<char>, std::string> select(const FileScene& scene,
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const FileNode& node = scene.nodes[i];
     const bool below = node.parent >= 0 && chosen[static_cast<std::size_t>(node.parent)] != 0;
-    const bool named = node.name == part || has_global_id(node.name, part);
+    const bool named = means(part, node.name);
     chosen[i] = below || named ? 1 : 0;
     if (named && !below) ++outermost;
   }
@@ -219,6 +227,25 @@ std::vector<char> with_triangles_below(const FileScene& scene) {
   return below;
 }
 
+/// How many nodes a `part` means.
+class PartCounts {
+ public:
+  explicit PartCounts(const FileScene& scene) {
+    for (const FileNode& node : scene.nodes) {
+      ++counts_[node.name];
+      if (const auto id = global_id(node.name); !id.empty()) ++counts_[id];
+    }
+  }
+
+  bool is_unique(std::string_view part) const {
+    const auto found = counts_.find(part);
+    return !part.empty() && found != counts_.end() && found->second == 1;
+  }
+
+ private:
+  std::unordered_map<std::string_view, int> counts_;
+};
+
 /// All nodes with triangles.
 std::variant<std::vector<NamedMesh>, MeshFailure> nodes_of(const FileScene& scene,
                                                            const std::string& path,
@@ -226,6 +253,7 @@ std::variant<std::vector<NamedMesh>, MeshFailure> nodes_of(const FileScene& scen
   const auto put = [&](const Vec3& p) -> Vec3 { return (terms.turn ? z_up(p) : p) * terms.factor; };
   const Vec3 origin = put(scene.origin);
   const std::vector<char> below = with_triangles_below(scene);
+  const PartCounts parts(scene);
   std::vector<NamedMesh> meshes;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const FileNode& node = scene.nodes[i];
@@ -237,9 +265,17 @@ std::variant<std::vector<NamedMesh>, MeshFailure> nodes_of(const FileScene& scen
     MendedMesh mended = mend(vertices, node.triangles);
     if (mended.mesh.triangles.empty()) continue;
     move_to_world(mended.mesh.vertices, origin);
-    NamedMesh found{node.name,     path_of(scene, i), i, {}, below[i] != 0, std::move(mended.mesh),
-                    mended.report, node.note};
+    NamedMesh found;
+    found.name = node.name;
+    found.path = path_of(scene, i);
+    found.node = i;
     if (node.parent > 0) found.above = scene.nodes[static_cast<std::size_t>(node.parent)].name;
+    found.has_nodes_below = below[i] != 0;
+    found.name_is_unique = parts.is_unique(node.name);
+    found.id_is_unique = parts.is_unique(global_id(node.name));
+    found.mesh = std::move(mended.mesh);
+    found.report = mended.report;
+    found.note = node.note;
     meshes.push_back(std::move(found));
   }
   if (meshes.empty()) return failure(path, kNoTriangles);

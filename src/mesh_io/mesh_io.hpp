@@ -44,6 +44,8 @@ struct NamedMesh {
   std::string above;     ///< name of the node it hangs on; empty when that is the root, or it is
                          ///< the root itself
   bool has_nodes_below = false;  ///< with triangles of their own: as a part it comes with them
+  bool name_is_unique = false;   ///< as `part` of a request, `name` means this node and no other
+  bool id_is_unique = false;     ///< so does the GlobalId of IFC at the end of `name`; false: none
   geometry::TriangleMesh mesh;
   MendingReport report;
   std::string note = {};  ///< where the mesh differs from what the file says; empty: nowhere

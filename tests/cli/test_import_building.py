@@ -197,6 +197,17 @@ class WithASchedule(InAFolder):
 
         self.assertEqual(tasks("back.xml"), tasks("direct.xml"))
 
+    def test_a_plan_that_check_would_refuse_is_not_written(self):
+        self.write("house.plan", "plan old { }\n")
+        for wrong, words in (("grip nonsense;", "house.plan:"), ("hook 3 min by nobody;", "'nobody'"),
+                             ("mass -5 kg;", "greater than 0"), ("priority x;", "expected"),
+                             ("density 1e300;", "the mass of component")):
+            done = self.put_up(MATCH + f"{wrong}\n-> task \"Roof\";\n")
+            self.assertEqual(done.returncode, 2, wrong + done.stderr)
+            self.assertIn("the plan is not written: 'rubicon check' refuses it", done.stderr)
+            self.assertIn(words, done.stderr)
+            self.assertEqual(self.text("house.plan"), "plan old { }\n")
+
     def test_mistakes_of_the_match_file_are_told_and_the_old_plan_stays(self):
         self.write("house.plan", "plan old { }\n")
         for wrong, words in (("type IfcSlab -> task \"Flor\";", "did you mean Floor?"),
@@ -206,6 +217,38 @@ class WithASchedule(InAFolder):
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertIn(words, done.stderr)
             self.assertEqual(self.text("house.plan"), "plan old { }\n")
+
+
+class WhatIsWrittenPassesTheCheck(InAFolder):
+    def imported(self, model, text, *options, out="a.plan"):
+        self.write(model, text)
+        done = rubicon("import", model, "--out", out, *options, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        check = rubicon("check", out, cwd=self.folder)
+        self.assertEqual(check.returncode, 0, check.stderr + self.text(out))
+        return self.text(out)
+
+    def test_a_flat_element(self):
+        sheet = "o sheet\nv 0 0 1\nv 2 0 1\nv 2 1 1\nf 1 2 3\n"
+        self.assertIn("grip trans(0, 0, 0);", self.imported("a.obj", sheet, "--unit", "m"))
+
+    def test_a_plan_whose_name_ends_a_text(self):
+        two = "".join(f"o a\"{z}\nv 0 0 {z}\nv 2 0 {z}\nv 2 1 {z}\nf -3 -2 -1\n" for z in (1, 2))
+        self.assertIn('mesh("b_c_meshes/', self.imported("a.obj", two, "--unit", "m", out='b"c.plan'))
+
+    def test_elements_that_no_plan_can_hold_are_left_out(self):
+        far = "".join(f"o {name}\nv {x} 0 0\nv {x} 1 0\nv {x} 1 1\nf -3 -2 -1\n"
+                      for name, x in (("near", -9.9e6), ("far", 9.9e6)))
+        plan = self.imported("a.obj", far, "--unit", "m")
+        self.assertIn("is left out: it reaches farther than", plan)
+        self.assertEqual(plan.count("\n  component "), 1)
+
+    def test_a_link_that_changes_the_format_is_refused(self):
+        self.write("a.data", "o sheet\nv 0 0 1\nv 2 0 1\nv 2 1 1\nf 1 2 3\n")
+        os.symlink("a.data", self.path("a.obj"))
+        done = rubicon("import", "a.obj", "--unit", "m", "--out", "a.plan", cwd=self.folder)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("name the file itself", done.stderr)
 
 
 class WrongCalls(InAFolder):

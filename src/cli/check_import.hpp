@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "src/building_io/building_plan.hpp"
+#include "src/files/disk_io.hpp"
+
+namespace rubicon::cli {
+
+/// A plan before it is written: what `rubicon check` will read.
+struct PlanToCheck {
+  std::string path;                           ///< where the plan will be; never read
+  const building_io::BuildingPlan* building;  ///< the plan, and the meshes that go beside it
+};
+
+/// Whether `rubicon check` would refuse this plan; says on stderr why. An import writes no such
+/// plan, whatever the files it was made of hold.
+bool refused(const PlanToCheck& plan, files::DiskFiles& disk);
+
+}  // namespace rubicon::cli
