@@ -128,7 +128,10 @@ void set_starts(Subject& subject, RobotSpec& robot,
   for (const auto& [index, value] : values) {
     const auto i = static_cast<std::size_t>(index);
     const robot::Parameter& parameter = model.parameters[i];
-    if (!parameter.derived || std::fabs(robot.start[i] - value) <= kDerivedTolerance) continue;
+    if (!parameter.derived) continue;
+    double off = robot.start[i] - value;
+    if (parameter.cyclic) off = math::normalised_deg(off);
+    if (std::fabs(off) <= kDerivedTolerance) continue;
     subject.error("P13", span,
                   fmt::format("'{}' of robot '{}' is computed from other parameters: it starts at "
                               "{}, not at {}",

@@ -52,6 +52,7 @@ std::shared_ptr<const CheckedRobot> check_robot(FileId file, SourceMap& sources,
   robot_check::check_derived(subject);
   robot_check::check_rules(subject);
   robot_check::check_geometry(subject, checked->path, files);
+  robot_check::check_turns(subject);
   robot_check::complete_parameters(subject);
   for (const syntax::BodyItem* body : subject.bodies) {
     checked->body_spans.push_back(body->name.span);

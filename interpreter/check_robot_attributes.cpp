@@ -200,7 +200,7 @@ class ParameterAttributes {
           fmt::format("start of '{}' is {}, outside its range ({}, {})", parameter_.name, value,
                       parameter_.lower, parameter_.upper));
     } else {
-      parameter_.start = parameter_.cyclic ? math::normalised_deg(value) : value;
+      parameter_.start = value;
     }
   }
 
@@ -256,7 +256,9 @@ void complete_parameters(Subject& subject) {
   }
   const std::vector<double> starts = subject.model.start_values();
   for (robot::Parameter& each : parameters) {
-    if (each.derived) each.start = each.derived_value.evaluate({starts, {}, starts});
+    if (!each.derived) continue;
+    each.start = each.derived_value.evaluate({starts, {}, starts});
+    if (each.cyclic) each.start = math::normalised_deg(each.start);
   }
 }
 

@@ -87,6 +87,11 @@ void check_rules(Subject& subject);
 /// Frames, shapes, tool, touching bodies, load chart: R03, R05, R17, R20, F02-F13.
 void check_geometry(Subject& subject, const std::string& path, FileProvider& files);
 
+/// Which angles are reduced to half a turn to either side: cyclic ones, and those derived from them
+/// by whole turns. A cyclic one on which something else depends otherwise (half of it, a screw)
+/// counts its turns instead and is no longer cyclic in the model: R22.
+void check_turns(Subject& subject);
+
 /// Display names, quanta and start values, once all else is known.
 void complete_parameters(Subject& subject);
 

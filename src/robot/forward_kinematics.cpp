@@ -48,13 +48,25 @@ void apply_rules(const RobotModel& model, const Mounting& mounting, std::span<co
     }
     first = last;
   }
-  update_derived(model, mounting, q_next);
+  const FormulaInput next = {q_next, {}, mounting.starts};
+  for (std::size_t i = 0; i < count; ++i) {
+    const Parameter& parameter = model.parameters[i];
+    if (!parameter.derived) continue;
+    q_next[i] = parameter.derived_value.evaluate(next);
+    // A cyclic one runs on from where it is, with the whole turns that q has left out.
+    if (parameter.cyclic) {
+      const double off = q[i] - parameter.derived_value.evaluate({q, {}, mounting.starts});
+      q_next[i] += 360 * std::floor(off / 360 + 0.5);
+    }
+  }
 }
 
 void update_derived(const RobotModel& model, const Mounting& mounting, std::span<double> q) {
   for (std::size_t i = 0; i < q.size(); ++i) {
     const Parameter& parameter = model.parameters[i];
-    if (parameter.derived) q[i] = parameter.derived_value.evaluate({q, {}, mounting.starts});
+    if (!parameter.derived) continue;
+    q[i] = parameter.derived_value.evaluate({q, {}, mounting.starts});
+    if (parameter.cyclic) q[i] = math::normalised_deg(q[i]);
   }
 }
 

@@ -16,7 +16,7 @@ struct Parameter {
   std::string display_name;  ///< `name` where it is unique in the robot, else body.name
   int body = 0;
   bool rotation = false;
-  bool cyclic = false;
+  bool cyclic = false;  ///< an angle in (-180, 180]; nothing else minds a whole turn of it
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   double step = 0;          ///< 0: cannot be moved by a command

@@ -30,8 +30,12 @@ std::vector<double> apply_rules(const SceneRobot& robot, std::span<const double>
   for (std::size_t i = 0; i < after.size(); ++i) {
     if (!robot.parameters[i].derived) continue;
     const FormulaValues values{after, {}, robot.starts};
-    const double value = robot.parameters[i].rule.value(values);
-    after[i] = value;
+    after[i] = robot.parameters[i].rule.value(values);
+    // A cyclic one runs on from where it is, with the whole turns that the record leaves out.
+    if (robot.parameters[i].cyclic) {
+      const double off = before[i] - robot.parameters[i].rule.value({before, {}, robot.starts});
+      after[i] += 360 * std::floor(off / 360 + 0.5);
+    }
   }
   return after;
 }
@@ -54,6 +58,7 @@ class StepSolver {
     unwrap();
     result_.reached = apply_rules(robot_, query_.before, steps_);
     check_values();
+    check_whole_turns();
     check_lengths();
     check_duration();
     return std::move(result_);
@@ -126,6 +131,8 @@ class StepSolver {
         fault(fmt::format("{} is {:g} after the step, its rule gives {:g} (it was {:g})", p.name,
                           query_.after[i], result_.reached[i], query_.before[i]));
         result_.reached[i] += std::isfinite(off) ? off : 0;
+      } else if (p.derived) {
+        check_derived(i);
       }
       const double slack = kStepShare * std::max(p.step, 1.0);
       const double value = query_.after[i];
@@ -133,6 +140,59 @@ class StepSolver {
           ((p.lower && value < *p.lower - slack) || (p.upper && value > *p.upper + slack))) {
         fault(fmt::format("{} is out of its range at {:g}", p.name, value));
       }
+    }
+  }
+
+  /// A derived value is what its formula gives of the values written beside it, not only of those
+  /// that the step reached: without whole turns they may differ.
+  void check_derived(std::size_t i) {
+    const SceneParameter& p = robot_.parameters[i];
+    const double value = p.rule.value({query_.after, {}, robot_.starts});
+    if (std::fabs(difference(p, query_.after[i], value)) <= kValueSlack) return;
+    fault(fmt::format("{} is {:g} after the step, the values beside it give {:g}", p.name,
+                      query_.after[i], value));
+  }
+
+  /// A record gives cyclic angles without whole turns. No frame and no rule may mind that: they are
+  /// at the values written what they are at those that the step reached.
+  void check_whole_turns() {
+    const std::vector<double>& reached = result_.reached;
+    const FormulaValues now{reached, {}, robot_.starts};
+    const FormulaValues written{query_.after, {}, robot_.starts};
+    const bool turned = std::any_of(reached.begin(), reached.end(), [&](const double& value) {
+      const auto i = static_cast<std::size_t>(&value - reached.data());
+      return robot_.parameters[i].cyclic && std::fabs(query_.after[i] - value) > 180;
+    });
+    if (!turned) return;
+    const auto differs = [&](const Formula& formula, bool angle) {
+      const double off = formula.value(written) - formula.value(now);
+      return !(std::fabs(angle ? math::normalised_deg(off) : off) <= kValueSlack);
+    };
+    const auto jumps = [&](const FrameElement& each) {
+      return differs(each.a, each.kind != FrameElement::Kind::trans) || differs(each.b, false) ||
+             differs(each.c, false);
+    };
+    const auto check_frame = [&](const std::vector<FrameElement>& frame, const std::string& name) {
+      if (std::none_of(frame.begin(), frame.end(), jumps)) return;
+      fault(fmt::format("a whole turn that the record leaves out moves the frame of {}", name));
+    };
+    for (const SceneBody& body : robot_.bodies) check_frame(body.frame, body.name);
+    check_frame(robot_.tool_frame, "the tool");
+    check_rules_alike(now, written);
+  }
+
+  /// The next step of any parameter does the same from the values written as from those reached.
+  void check_rules_alike(const FormulaValues& now, const FormulaValues& written) {
+    std::vector<double> steps(robot_.parameters.size(), 0.0);
+    for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = robot_.parameters[i].step;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const SceneParameter& p = robot_.parameters[i];
+      if (p.derived) continue;
+      const double from_now = p.rule.value({now.values, steps, robot_.starts}) - now.values[i];
+      const double from_written =
+          p.rule.value({written.values, steps, robot_.starts}) - written.values[i];
+      if (std::fabs(from_now - from_written) <= kValueSlack) continue;
+      fault(fmt::format("a whole turn that the record leaves out changes the rule of {}", p.name));
     }
   }
 

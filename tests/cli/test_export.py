@@ -3,6 +3,7 @@
 import base64
 import datetime
 import json
+import math
 import os
 import shutil
 import struct
@@ -123,6 +124,34 @@ class Export(unittest.TestCase):
                 for node in document["nodes"]:
                     for value in node.get("extras", {}).values():
                         self.assertIsInstance(value, (str, list))
+
+    def test_films_turn_no_faster_than_the_machine(self):
+        # Angles pass 180 degrees, and others are derived from them: nothing may jump there.
+        for case, fastest in (("40_counted_turns", 5), ("41_geared_turns", 10)):
+            folder, film = self.path(case), self.path(case + ".gltf")
+            plan = os.path.join(ROOT, "tests", "language", case, "site.plan")
+            self.assertEqual(rubicon("run", plan, "--out", folder).returncode, 0)
+            self.assertEqual(rubicon("export", folder, "--gltf", film, "--speed-up", "1").returncode, 0)
+            with open(film, encoding="utf-8") as file:
+                document = json.load(file)
+            data = base64.b64decode(document["buffers"][0]["uri"].split(",")[1])
+
+            def numbers(accessor, width):
+                accessor = document["accessors"][accessor]
+                view = document["bufferViews"][accessor["bufferView"]]
+                begin = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+                flat = struct.unpack_from(f"<{width * accessor['count']}f", data, begin)
+                return [flat[i:i + width] for i in range(0, len(flat), width)]
+
+            animation = document["animations"][0]
+            turns = [animation["samplers"][channel["sampler"]] for channel in animation["channels"]
+                     if channel["target"]["path"] == "rotation"]
+            self.assertEqual(len(turns), 2, case)
+            for sampler in turns:
+                times, values = numbers(sampler["input"], 1), numbers(sampler["output"], 4)
+                for (t0,), (t1,), a, b in zip(times, times[1:], values, values[1:]):
+                    angle = 2 * math.degrees(math.acos(min(1, abs(sum(x * y for x, y in zip(a, b))))))
+                    self.assertLessEqual(angle, fastest * (t1 - t0) + 0.1, (case, t0, a, b))
 
     def test_the_speed_of_a_film(self):
         film = self.path("film.gltf")

@@ -102,6 +102,24 @@ TEST(ApplyRules, DerivedParametersFollowTheNewValues) {
   EXPECT_EQ(next, (std::vector<double>{0, 6, 60, 24}));
 }
 
+TEST(ApplyRules, DerivedAnglesThatAreCyclicRunOn) {
+  RobotModel model;
+  add_body(model, "drum", -1);
+  add_parameter(model, "theta", -1e9, 1e9, 10);
+  add_parameter(model, "psi", -1e9, 1e9, 0);
+  model.parameters[0].cyclic = model.parameters[1].cyclic = true;
+  model.parameters[1].derived = true;
+  model.parameters[1].derived_value = number(2) * of(0);
+  std::vector<double> q = {175, 350};
+  update_derived(model, mounting_of(model), q);
+  EXPECT_EQ(q[1], -10);
+  std::vector<double> next(2);
+  apply_rules(model, mounting_of(model), q, one_step(model, 0, 10), next);
+  EXPECT_EQ(next, (std::vector<double>{185, 10})) << "20 degrees, not 380";
+  normalise(model, next);
+  EXPECT_EQ(next, (std::vector<double>{-175, 10}));
+}
+
 TEST(Model, ParametersAreFoundByTheirNames) {
   const RobotModel model = finisher();
   EXPECT_EQ(model.find_parameter("base.x"), 0);

@@ -113,6 +113,36 @@ TEST(StepRules, AnglesThatTurnFreelyPassHalfATurn) {
   EXPECT_DOUBLE_EQ(far.reached[2], 190);
 }
 
+TEST(StepRules, DerivedAnglesPassHalfATurnWithTheirs) {
+  const SceneRobot geared = robot_of(
+      {{"theta", "theta + theta_s", 10, 10, true}, {"psi", "2 * theta", 0, 0, true, true}});
+  const StepResult over = check(geared, {175, -10}, {-175, 10}, {0}, 1);
+  EXPECT_THAT(over.faults, IsEmpty());
+  EXPECT_THAT(over.reached, ElementsAre(185, 10));
+}
+
+TEST(StepRules, NothingElseJumpsByAWholeTurn) {
+  SceneRobot robot = robot_of(
+      {{"theta", "theta + theta_s", 10, 10, true}, {"psi", "theta / 2", 0, 0, false, true}});
+  // 92.5 belongs to 185: the next step would go on from -87.5.
+  EXPECT_THAT(check(robot, {175, 87.5}, {-175, 92.5}, {0}, 1).faults,
+              ElementsAre("psi is 92.5 after the step, the values beside it give -87.5"));
+  EXPECT_THAT(check(robot, {165, 82.5}, {175, 87.5}, {0}, 1).faults, IsEmpty());
+
+  robot = robot_of({{"theta", "theta + theta_s", 10, 10, true}});
+  robot.bodies.push_back({"drum", -1, parse_frame("rotz(3 * theta)", {"theta"}), {}});
+  EXPECT_THAT(check(robot, {175}, {-175}, {0}, 1).faults, IsEmpty());
+  robot.tool_frame = parse_frame("trans(0, 0, 0.01 * theta)", {"theta"});
+  EXPECT_THAT(check(robot, {175}, {-175}, {0}, 1).faults,
+              ElementsAre("a whole turn that the record leaves out moves the frame of the tool"));
+  EXPECT_THAT(check(robot, {165}, {175}, {0}, 1).faults, IsEmpty());
+
+  robot = robot_of(
+      {{"x", "x + x_s * cos(theta / 2)", 1, 1}, {"theta", "theta + theta_s", 10, 10, true}});
+  EXPECT_THAT(check(robot, {0, 175}, {0, -175}, {1}, 1).faults,
+              ElementsAre("a whole turn that the record leaves out changes the rule of x"));
+}
+
 TEST(StepRules, DerivedValuesBeginAsComputed) {
   SceneRobot robot = gantry();
   robot.starts = {1, 2, 99};
