@@ -62,6 +62,12 @@ void Animation::add_element(int node, const ElementCurve& curve) {
   add_channel(node, turns ? "rotation" : "translation", "LINEAR", keys, turns ? 4 : 3);
 }
 
+void Animation::add_length(int node, const KeyCurve& length) {
+  std::vector<FilmKey> keys;
+  for (const Key& key : length) add_key(keys, key.time, {1, 1, key.value.x(), 0});
+  add_channel(node, "scale", "LINEAR", keys, 3);
+}
+
 bool Animation::add_presence(int node, const Presence& presence, double end) {
   const Eigen::Vector4d there = Eigen::Vector4d::Ones();
   const Eigen::Vector4d gone = Eigen::Vector4d::Zero();

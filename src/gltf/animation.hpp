@@ -20,6 +20,9 @@ class Animation {
   /// A node's translation or rotation along a curve that has keys.
   void add_element(int node, const ElementCurve& curve);
 
+  /// A node that is as long along z as a curve says (its first component).
+  void add_length(int node, const KeyCurve& length);
+
   /// A node that has its size only while it is there; `end` is when the plan is over. True if it is
   /// not there at the beginning.
   bool add_presence(int node, const Presence& presence, double end);

@@ -8,9 +8,12 @@
 #include <vector>
 
 #include "src/gltf/animation.hpp"
+#include "src/gltf/envelopes.hpp"
+#include "src/gltf/looks.hpp"
 #include "src/gltf/meshes.hpp"
 #include "src/gltf/motion_curves.hpp"
 #include "src/gltf/nodes.hpp"
+#include "src/gltf/ropes.hpp"
 #include "src/verify/component_stays.hpp"
 #include "src/verify/robot_track.hpp"
 #include "src/verify/task_run.hpp"
@@ -31,18 +34,11 @@ double seconds_of(Ticks ticks) {
   return static_cast<double>(ticks) / static_cast<double>(verify::kSecond);
 }
 
-/// s, of a film whose speed nobody chose.
-constexpr double kLongestFilm = 120;
+/// s, of an animation whose speed nobody chose: the length with which the report page begins.
+constexpr double kUsualLength = 60;
 
-/// The least of 1, 2, 5, 10, 20, ... with which the film is not too long.
-double round_speed_up(double seconds) {
-  double power = 1;
-  while (seconds > kLongestFilm * 10 * power) power *= 10;
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (seconds <= kLongestFilm * factor * power) return factor * power;
-  }
-  return 10 * power;
-}
+/// As long as that, but never slower than it was.
+double usual_speed_up(double seconds) { return std::max(seconds / kUsualLength, 1.0); }
 
 /// m: a scene farther from its origin would lose more than 0.1 mm as floats.
 constexpr double kFar = 1000;
@@ -63,7 +59,8 @@ class DocumentBuilder {
       : trace_(trace),
         scene_(trace.scene),
         offset_(offset_of(trace.scene)),
-        meshes_(trace.scene.meshes, data_) {
+        meshes_(trace.scene.meshes, data_),
+        looks_(trace.scene) {
     verify::Faults faults;  // what is wrong with the trace is for `verify` to say
     runs_ = verify::task_runs(trace, faults);
     Ticks last = 0;
@@ -71,7 +68,7 @@ class DocumentBuilder {
       if (run.happened) last = std::max(last, run.end);
     }
     until_ = last + verify::kSecond;  // what stands at last stays
-    speed_up_ = options.speed_up > 0 ? options.speed_up : round_speed_up(seconds_of(last));
+    speed_up_ = options.speed_up > 0 ? options.speed_up : usual_speed_up(seconds_of(last));
     animation_.emplace(speed_up_, data_);
     seconds_ = seconds_of(last);
   }
@@ -81,7 +78,8 @@ class DocumentBuilder {
     follow();
     add_site();
     for (const Stay& stay : stays_) add_stay(stay);
-    for (std::size_t i = 0; i < scene_.robots.size(); ++i) add_robot(scene_.robots[i], tracks_[i]);
+    for (std::size_t i = 0; i < scene_.robots.size(); ++i) add_robot(i, tracks_[i]);
+    for (const verify::TaskRun& run : runs_) add_zones(run);
     return finish();
   }
 
@@ -112,7 +110,7 @@ class DocumentBuilder {
   }
 
   void add_site() {
-    const auto use = meshes_.use(scene_.site, Material::ground);
+    const auto use = meshes_.use(scene_.site, looks_.ground());
     if (!use) return;
     const int node = nodes_.add(root_, "site");
     if (!offset_.isZero(0)) nodes_.place(node, near(Pose::Identity()));
@@ -137,37 +135,64 @@ class DocumentBuilder {
 
   void add_stay(const Stay& stay) {
     const verify::SceneComponent& component = scene_.components[at(stay.component)];
-    const Material material = stay.from > 0 ? Material::placed : Material::waiting;
-    const auto use = meshes_.use(component.shapes, material);
+    const bool placed = stay.from > 0;
+    const auto use = meshes_.use(component.shapes,
+                                 placed ? looks_.placed(at(stay.component)) : looks_.waiting());
     if (stay.from >= stay.to) return;
     const int node = nodes_.add(root_, component.name);
     nodes_.place(node, near(stay.X_WO));
     nodes_.set(node, "extras",
                {{"component", component.name},
-                {"is", material == Material::placed ? "placed" : "waiting"},
+                {"is", placed ? "placed" : "waiting"},
                 {"tasks", tasks_of(stay.component)}});
     if (use) nodes_.show(node, *use);
     add_presence(node, stay.from, stay.to);
   }
 
-  void add_robot(const SceneRobot& robot, const RobotTrack& track) {
+  /// The zones of people of a task that was done, as long as it goes on.
+  void add_zones(const verify::TaskRun& run) {
+    if (!run.happened || run.task < 0 || run.start >= run.end) return;
+    const verify::SceneTask& task = scene_.tasks[at(run.task)];
+    const auto use = meshes_.use(task.zones, looks_.zone());
+    if (!use) return;
+    const int node = nodes_.add(root_, "zone of " + task.name);
+    nodes_.place(node, near(Pose::Identity()));
+    nodes_.set(node, "extras", {{"task", task.name}, {"is", "zone"}});
+    nodes_.show(node, *use);
+    add_presence(node, run.start, run.end);
+  }
+
+  void add_robot(std::size_t number, const RobotTrack& track) {
+    const SceneRobot& robot = scene_.robots[number];
     const int mounting = nodes_.add(root_, robot.name);
     nodes_.place(mounting, near(robot.X_WM));
     nodes_.set(mounting, "extras", {{"robot", robot.name}});
     const std::vector<FrameCurves> curves = motion_curves(robot, track);
     keys_ += film_keys(curves);
     if (keys_ > kMostKeys) throw verify::UnreadableInput("expected a film within bounds");
+    const std::vector<bool> envelopes = envelopes_of(robot, scene_.meshes);
     std::vector<int> body_nodes;
     for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
       const verify::SceneBody& body = robot.bodies[i];
       const int parent = body.parent < 0 ? mounting : body_nodes[at(body.parent)];
       const int node = add_frame(parent, robot.name + "." + body.name, curves[i]);
       body_nodes.push_back(node);
-      if (const auto use = meshes_.use(body.shapes, Material::machine)) nodes_.show(node, *use);
+      const Look look = envelopes[i] ? looks_.envelope(number) : looks_.body(number, i);
+      if (const auto use = meshes_.use(body.shapes, look)) nodes_.show(node, *use);
     }
+    const std::optional<Rope> rope = rope_of(robot, curves);
+    if (rope) add_rope(robot, body_nodes[at(rope->above)], *rope);
     const int tool =
         add_frame(body_nodes[at(robot.tool_body)], robot.name + " tool", curves.back());
-    add_loads(tool, track);
+    add_loads(tool, track, rope.has_value());
+  }
+
+  void add_rope(const SceneRobot& robot, int above, const Rope& rope) {
+    const auto use = meshes_.use({rope_shape()}, looks_.rope());
+    const int node = nodes_.add(above, robot.name + " rope");
+    nodes_.set(node, "scale", {1.0, 1.0, rope.start});
+    nodes_.show(node, *use);
+    if (!rope.length.empty()) animation_->add_length(node, rope.length);
   }
 
   /// A node for each element; the last carries the name of the frame, and is returned.
@@ -194,7 +219,7 @@ class DocumentBuilder {
   }
 
   /// Legs with the same load, one after the other.
-  void add_loads(int tool, const RobotTrack& track) {
+  void add_loads(int tool, const RobotTrack& track, bool hangs) {
     for (std::size_t i = 0; i < track.legs.size();) {
       const int hanging = track.legs[i].hanging;
       const Ticks from = track.legs[i].from;
@@ -202,11 +227,14 @@ class DocumentBuilder {
       for (; i < track.legs.size() && track.legs[i].hanging == hanging; ++i) {
         to = track.legs[i].to;
       }
-      if (hanging >= 0 && from < to) add_load(tool, track.loads[at(hanging)], from, to);
+      if (hanging >= 0 && from < to) {
+        add_load(tool, track.loads[at(hanging)], from, to, hangs);
+      }
     }
   }
 
-  void add_load(int tool, const verify::Hanging& load, Ticks from, Ticks to) {
+  /// `hangs`: on a rope, and so on slings.
+  void add_load(int tool, const verify::Hanging& load, Ticks from, Ticks to, bool hangs) {
     const bool nameless = load.component < 0;
     const std::string name = nameless ? "load" : scene_.components[at(load.component)].name;
     const int node = nodes_.add(tool, name);
@@ -214,7 +242,11 @@ class DocumentBuilder {
     nodes_.set(node, "extras",
                {{"component", name}, {"is", "carried"}, {"tasks", tasks_of(load.component)}});
     const auto& shapes = nameless ? scene_.carry : scene_.components[at(load.component)].shapes;
-    if (const auto use = meshes_.use(shapes, Material::carried)) nodes_.show(node, *use);
+    if (const auto use = meshes_.use(shapes, looks_.carried())) nodes_.show(node, *use);
+    if (hangs) {
+      const auto use = meshes_.use(slings(shapes, scene_.meshes, load.X_TO), looks_.rope());
+      if (use) nodes_.show(nodes_.add(node, "slings"), *use);
+    }
     add_presence(node, from, to);
   }
 
@@ -244,6 +276,7 @@ class DocumentBuilder {
   std::size_t keys_ = 0;  ///< of all robots
   BinaryData data_;
   Meshes meshes_;
+  const Looks looks_;
   std::optional<Animation> animation_;
   Nodes nodes_;
   int root_ = 0;

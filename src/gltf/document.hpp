@@ -15,7 +15,8 @@ struct Document {
 };
 
 struct FilmOptions {
-  /// Seconds of the plan for one of the film; 0: round, so that it lasts about two minutes.
+  /// Seconds of the plan for one of the animation; 0: so many that it lasts a minute, but at
+  /// least 1.
   double speed_up = 0;
 };
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 #include "src/gltf/triangles.hpp"
@@ -16,16 +15,6 @@ using verify::ShapeData;
 
 /// m: corners farther from their origin would lose more than 0.1 mm as floats.
 constexpr double kFar = 1000;
-
-struct Look {
-  const char* name;
-  std::array<double, 3> colour;  ///< linear
-};
-constexpr std::array<Look, kMaterials> kLooks = {{{"ground", {0.32, 0.34, 0.28}},
-                                                  {"machine", {0.90, 0.55, 0.02}},
-                                                  {"waiting", {0.55, 0.56, 0.58}},
-                                                  {"carried", {0.80, 0.17, 0.02}},
-                                                  {"placed", {0.72, 0.68, 0.60}}}};
 
 /// All numbers of some shapes: equal for equal shapes.
 std::string numbers_of(const std::vector<ShapeData>& shapes) {
@@ -78,27 +67,28 @@ const std::optional<Meshes::Corners>& Meshes::corners_of(const std::vector<Shape
   return place->second;
 }
 
-std::optional<MeshUse> Meshes::use(const std::vector<ShapeData>& shapes, Material material) {
+std::optional<MeshUse> Meshes::use(const std::vector<ShapeData>& shapes, const Look& look) {
   const std::optional<Corners>& corners = corners_of(shapes);
   if (!corners) return std::nullopt;
-  const auto [look, new_look] =
-      materials_.try_emplace(material, static_cast<int>(material_list_.size()));
+  const auto [material, new_look] =
+      materials_.try_emplace(look.name, static_cast<int>(material_list_.size()));
   if (new_look) {
-    const Look& wanted = kLooks[static_cast<std::size_t>(material)];
-    material_list_.push_back(
-        {{"name", wanted.name},
-         {"pbrMetallicRoughness",
-          {{"baseColorFactor", {wanted.colour[0], wanted.colour[1], wanted.colour[2], 1.0}},
-           {"metallicFactor", 0.0},
-           {"roughnessFactor", 0.9}}},
-         {"doubleSided", true}});
+    const auto& [red, green, blue] = look.colour;
+    Json entry = {{"name", look.name},
+                  {"pbrMetallicRoughness",
+                   {{"baseColorFactor", {red, green, blue, look.opacity}},
+                    {"metallicFactor", 0.0},
+                    {"roughnessFactor", 0.9}}},
+                  {"doubleSided", true}};
+    if (look.opacity < 1) entry["alphaMode"] = "BLEND";
+    material_list_.push_back(std::move(entry));
   }
-  const auto [mesh, new_mesh] =
-      meshes_.try_emplace({corners->positions, material}, static_cast<int>(mesh_list_.size()));
+  const auto [mesh, new_mesh] = meshes_.try_emplace({corners->positions, material->second},
+                                                    static_cast<int>(mesh_list_.size()));
   if (new_mesh) {
     const Json attributes = {{"POSITION", corners->positions}, {"NORMAL", corners->normals}};
-    mesh_list_.push_back(
-        {{"primitives", Json::array({{{"attributes", attributes}, {"material", look->second}}})}});
+    mesh_list_.push_back({{"primitives", Json::array({{{"attributes", attributes},
+                                                       {"material", material->second}}})}});
   }
   return MeshUse{mesh->second, corners->offset};
 }

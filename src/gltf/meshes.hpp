@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,9 +11,12 @@
 
 namespace rubicon::gltf {
 
-/// What things are made to look like.
-enum class Material { ground, machine, waiting, carried, placed };
-inline constexpr int kMaterials = 5;
+/// What things are made to look like: a material of the document.
+struct Look {
+  std::string name;                ///< equal looks have equal names
+  std::array<double, 3> colour{};  ///< linear
+  double opacity = 1;              ///< less than 1: what is inside and behind is seen
+};
 
 /// A mesh of the document, to hang under the frame of its body.
 struct MeshUse {
@@ -28,7 +32,7 @@ class Meshes {
       : source_(meshes), data_(data) {}
 
   /// Nothing for shapes without a surface.
-  std::optional<MeshUse> use(const std::vector<verify::ShapeData>& shapes, Material material);
+  std::optional<MeshUse> use(const std::vector<verify::ShapeData>& shapes, const Look& look);
 
   /// Writes `meshes` and `materials`.
   void finish(Json& document);
@@ -45,8 +49,8 @@ class Meshes {
   BinaryData& data_;
   std::size_t triangles_ = 0;                              ///< of all corners
   std::map<std::string, std::optional<Corners>> corners_;  ///< by the numbers of the shapes
-  std::map<std::pair<int, Material>, int> meshes_;         ///< by positions
-  std::map<Material, int> materials_;
+  std::map<std::pair<int, int>, int> meshes_;              ///< by positions and material
+  std::map<std::string, int> materials_;                   ///< by name
   Json mesh_list_ = Json::array();
   Json material_list_ = Json::array();
 };

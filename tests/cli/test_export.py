@@ -119,7 +119,7 @@ class Export(unittest.TestCase):
                     seconds = json.load(file)["process_time"]
                 extras = document["asset"]["extras"]
                 self.assertAlmostEqual(extras["seconds"], seconds, delta=1e-6)
-                self.assertLessEqual(seconds / extras["speed_up"], 120)
+                self.assertLessEqual(seconds / extras["speed_up"], 60.001)
                 self.assertEqual([animation["name"] for animation in document["animations"]], ["construction"])
                 for node in document["nodes"]:
                     for value in node.get("extras", {}).values():

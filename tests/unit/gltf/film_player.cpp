@@ -190,9 +190,15 @@ math::Pose FilmPlayer::pose(int node, double time) const {
   return X;
 }
 
+const nlohmann::json& FilmPlayer::material(int node) const {
+  const std::size_t mesh = json_.at("nodes").at(static_cast<std::size_t>(node)).at("mesh");
+  const std::size_t material = json_.at("meshes").at(mesh).at("primitives").at(0).at("material");
+  return json_.at("materials").at(material);
+}
+
 bool FilmPlayer::visible(int node, double time) const {
   for (; node >= 0; node = parent_[static_cast<std::size_t>(node)]) {
-    const double scale = value(node, "scale", time)[0];
+    const double scale = value(node, "scale", time)[0];  // of a rope z is its length
     EXPECT_TRUE(scale == 0 || scale == 1);
     if (scale == 0) return false;
   }

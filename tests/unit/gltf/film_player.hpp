@@ -24,6 +24,10 @@ class FilmPlayer {
   /// A node in the frame of the file's root node (z up) at a time of the film; its scale is left
   /// out.
   math::Pose pose(int node, double time) const;
+  /// Its own scale.
+  std::vector<double> scale(int node, double time) const { return value(node, "scale", time); }
+  /// The material of its mesh, or of the mesh of its one child "surface".
+  const nlohmann::json& material(int node) const;
   /// Whether it and all it hangs on have a size.
   bool visible(int node, double time) const;
 
