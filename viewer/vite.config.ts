@@ -1,5 +1,6 @@
 import { createHash } from 'node:crypto';
 import { defineConfig, type Plugin } from 'vite';
+import { paletteStyles } from './palette_css';
 
 /**
  * Puts the built script and style sheet into the page itself, which then needs no other file, and lets the page run nothing
@@ -37,7 +38,7 @@ function onePage(): Plugin {
 }
 
 export default defineConfig({
-  plugins: [onePage()],
+  plugins: [paletteStyles(), onePage()],
   build: {
     target: 'es2022',
     assetsInlineLimit: 1e8,

@@ -84,11 +84,30 @@ describe.skipIf(!hasBrowser)('the page', () => {
     expect(await page.evaluate(() => window.rubicon?.player.playing)).toBe(true);
     await page.keyboard.press(' ');
     expect(await page.evaluate(() => window.rubicon?.player.playing)).toBe(false);
-    const speed = await page.evaluate(() => window.rubicon?.player.speed ?? 0);
+    const length = () => page.evaluate(() => window.rubicon?.player.length);
+    expect(await length()).toBe(60);
     await page.keyboard.press('ArrowUp');
-    expect(await page.evaluate(() => window.rubicon?.player.speed)).toBeGreaterThan(speed);
-    await page.keyboard.press('ArrowDown');
-    expect(await page.evaluate(() => window.rubicon?.player.speed)).toBe(speed);
+    expect(await length()).toBe(30);
+    for (const next of [60, 180, 'real', 'real']) {
+      await page.keyboard.press('ArrowDown');
+      expect(await length()).toBe(next);
+    }
+    await page.getByLabel('Length of the animation').selectOption('1 min');
+    expect(await length()).toBe(60);
+  });
+
+  test('says what goes on until the end', async () => {
+    const chips = page.getByLabel('Tasks that go on');
+    const end = await page.evaluate(() => window.rubicon!.player.end);
+    // In the last night nobody works; then the plan is over, and then nobody works again.
+    const nights = await page.evaluate(() => window.rubicon!.player.busy.map(([, to]) => to));
+    for (const [time, text] of [[nights[0] + 1, 'nobody works'], [end, 'the end'], [nights[0] + 1, 'nobody works']] as const) {
+      await seek(page, time);
+      await expect.poll(() => chips.innerText()).toBe(text);
+    }
+    await page.evaluate(() => window.rubicon!.player.seek(window.rubicon!.player.end - 1));
+    await press(/^Play/);
+    await expect.poll(() => chips.innerText(), { timeout: 5000 }).toBe('the end');
   });
 
   test('steps forth and back through what was tried', async () => {
@@ -124,11 +143,36 @@ describe.skipIf(!hasBrowser)('the page', () => {
     await tab('Steps');
     await page.evaluate(() => window.rubicon?.player.select({ kind: 'run', index: 0 }));
     await seek(page, 0);
-    await press('Next refusal');
+    await press(/^Next refusal/);
     const first = readTrace(result).find((record) => record.type === 'try' && record.task === 'set_wall_1' && record.reason === 'hit');
     const [moved, met] = first?.hit as [string, string];
     await expect.poll(() => page.locator('.state').innerText()).toContain(`${moved} meets ${met}`);
     expect(await timeOf(page)).toBeCloseTo(first?.t as number, 5);
+  });
+
+  test('goes to refusals of other tasks, and says when there is no more', async () => {
+    await tab('Steps');
+    const hits = readTrace(result).filter((record) => record.type === 'try' && !record.ok && /^(hit|limit)/.test(String(record.reason)));
+    const order = [...new Set(readTrace(result).map((record) => record.task))];
+    const tasks = [...new Set(hits.map((record) => record.task))].sort((a, b) => order.indexOf(a) - order.indexOf(b));
+    expect(tasks.length).toBeGreaterThan(1);
+    await page.evaluate(() => window.rubicon?.player.select({ kind: 'run', index: 0 }));
+    await seek(page, 0);
+    const seen: string[] = [];
+    for (let i = 0; i <= hits.length; ++i) {
+      await press(/^Next refusal/);
+      await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(() => done(0))); }));
+      const { task, record } = await page.evaluate(() => {
+        const { film, record } = window.rubicon!.player;
+        return { record, task: record === null ? '' : film.runs[film.run(record)].task };
+      });
+      if (seen.at(-1) !== `${task} ${record}`) seen.push(`${task} ${record}`);
+    }
+    expect(seen).toHaveLength(hits.length);
+    expect([...new Set(seen.map((each) => each.split(' ')[0]))]).toEqual(tasks);
+    await expect.poll(() => page.locator('.steps').innerText()).toContain('No task has a later refusal');
+    await press(/^Previous refusal/);
+    await expect.poll(() => page.locator('.steps').innerText()).not.toContain('No task has a later refusal');
   });
 
   test('tells what is picked', async () => {

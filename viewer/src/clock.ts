@@ -22,15 +22,15 @@ export class Clock {
     this.epoch = parts ? Date.UTC(year, month - 1, date, hour, minute, second) / 1000 : someMonday;
   }
 
-  /** `Mon 4 May 2026 07:18:05`, or `0:18:05`. */
+  /** `Mon 4 May 2026 07:18:05`, or `0:18:05`, `12 d 04:10:03`. */
   full(t: number): string {
-    if (!this.dated) return duration(Math.floor(t + 1e-6));
+    if (!this.dated) return toTheSecond(Math.floor(t + 1e-6));
     const at = this.date(t);
     const weekday = weekdays[(at.getUTCDay() + 6) % 7];
     return `${weekday} ${at.getUTCDate()} ${months[at.getUTCMonth()]} ${at.getUTCFullYear()} ${this.clock(t)}`;
   }
 
-  /** `4 May 07:18`, or `0:18:05`. */
+  /** `4 May 07:18`, or `0:18:05`, `12 d 04:10`. */
   short(t: number): string {
     return this.dated ? `${this.dayOf(t)} ${this.clock(t).slice(0, 5)}` : duration(Math.floor(t + 1e-6));
   }
@@ -51,7 +51,7 @@ export class Clock {
   exact(t: number): string {
     const tenths = Math.floor(t * 10 + 1e-4);
     const whole = Math.floor(tenths / 10);
-    return `${this.dated ? this.clock(whole) : duration(whole)}.${tenths % 10}`;
+    return `${this.dated ? this.clock(whole) : toTheSecond(whole)}.${tenths % 10}`;
   }
 
   private date(t: number): Date {
@@ -60,12 +60,27 @@ export class Clock {
   }
 }
 
-/** `h:mm:ss` of seconds, to the nearest, as the tables of the command have it. */
+/** `4:10:07` of seconds, to the nearest; of a day and more `12 d 04:10`, to the minute. */
 export function duration(seconds: number): string {
   const whole = Math.round(Math.abs(seconds));
-  const two = (value: number) => String(value).padStart(2, '0');
   const sign = seconds < -1e-6 && whole > 0 ? '-' : '';
-  return `${sign}${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}`;
+  if (whole < day) return sign + hours(whole);
+  const minutes = Math.round(whole / 60);
+  return `${sign}${Math.floor(minutes / 1440)} d ${two(Math.floor(minutes / 60) % 24)}:${two(minutes % 60)}`;
+}
+
+/** A whole number of seconds: `4:10:07`, `12 d 04:10:07`. */
+export function toTheSecond(seconds: number): string {
+  if (seconds < day) return hours(seconds);
+  return `${Math.floor(seconds / day)} d ${hours(seconds % day).padStart(8, '0')}`;
+}
+
+function hours(seconds: number): string {
+  return `${Math.floor(seconds / 3600)}:${two(Math.floor(seconds / 60) % 60)}:${two(seconds % 60)}`;
+}
+
+function two(value: number): string {
+  return String(value).padStart(2, '0');
 }
 
 /** `24.2 days`, or `3.5 h`, whichever tells more. */

@@ -24,7 +24,8 @@ async function open(): Promise<void> {
   document.documentElement.dataset.ready = '';
   let last = performance.now();
   const frame = (now: number) => {
-    player.tick(Math.min((now - last) / 1000, 0.25));
+    // Where a picture takes long the animation keeps its length; where the page was out of sight it stood still.
+    player.tick(Math.min((now - last) / 1000, 1));
     last = now;
     requestAnimationFrame(frame);
   };

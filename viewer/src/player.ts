@@ -1,5 +1,6 @@
 import { busyTimes } from './busy';
 import type { Film } from './film';
+import { speedOf, usualLength, type Length } from './lengths';
 import type { Interval } from './shifts';
 
 /** What is picked: an element, a run of a task, a robot. */
@@ -9,11 +10,9 @@ export type Selection =
   | { kind: 'robot'; index: number };
 
 /** What a listener is told of. */
-export type Change = 'time' | 'playing' | 'speed' | 'fast' | 'record' | 'selection' | 'section';
+export type Change = 'time' | 'playing' | 'length' | 'fast' | 'record' | 'selection' | 'section';
 
-export const slowest = 0.25;
-export const fastest = 600;
-/** Real seconds that a component is looked at in fast play. */
+/** Real seconds that a component is looked at in fast play, at most. */
 const fastPlaySeconds = 0.15;
 
 /**
@@ -25,8 +24,7 @@ export class Player {
   private t = 0;
   private plays = false;
   private isFast = false;
-  private rate = 60;
-  private skips = true;
+  private chosen: Length = usualLength;
   private at: number | null = null;
   private picked: Selection | null = null;
   private cut: number | null = null;
@@ -36,6 +34,8 @@ export class Player {
   private readonly landmarks: number[];
   /** [from, to] of the times in which some task goes on, in order, apart from each other. */
   readonly busy: readonly Interval[];
+  /** Seconds in which some task goes on. */
+  readonly worked: number;
 
   constructor(readonly film: Film) {
     this.end = film.end;
@@ -46,6 +46,7 @@ export class Player {
     }
     this.landmarks = [...new Set(landmarks)].sort((a, b) => a - b);
     this.busy = busyTimes(film);
+    this.worked = this.busy.reduce((sum, [from, to]) => sum + to - from, 0);
   }
 
   on(change: Change | Change[], listener: () => void): void {
@@ -60,10 +61,12 @@ export class Player {
   get playing(): boolean { return this.plays; }
   /** Fast play: machines are hidden, components appear one after the other. */
   get fast(): boolean { return this.isFast; }
+  /** How long playing takes from beginning to end. */
+  get length(): Length { return this.chosen; }
   /** Seconds of the plan a second. */
-  get speed(): number { return this.rate; }
-  /** Whether playing passes over the times in which no task goes on (nights). */
-  get skipsIdle(): boolean { return this.skips; }
+  get speed(): number { return speedOf(this.chosen, this.worked); }
+  /** Whether playing passes over the times in which no task goes on (nights, weekends). */
+  get skipsIdle(): boolean { return this.chosen !== 'real'; }
   /** The record the debugger stands at, null if it does not. */
   get record(): number | null { return this.at; }
   /** The rejected run that is shown as if it had happened, -1 for none. */
@@ -98,14 +101,9 @@ export class Player {
     this.setTime(time);
   }
 
-  setSpeed(rate: number): void {
-    this.rate = Math.min(Math.max(rate, slowest), fastest);
-    this.tell('speed');
-  }
-
-  setSkipsIdle(skips: boolean): void {
-    this.skips = skips;
-    this.tell('speed');
+  setLength(length: Length): void {
+    this.chosen = length;
+    this.tell('length');
   }
 
   setSection(height: number | null): void {
@@ -167,11 +165,14 @@ export class Player {
     if (!this.plays) return;
     if (this.isFast) {
       this.owed += seconds;
-      if (this.owed < fastPlaySeconds) return;
-      this.owed = 0;
-      this.setTime(this.landmarks.find((t) => t > this.t) ?? this.end);
+      const each = this.fastPlayStep();
+      if (this.owed < each) return;
+      const next = this.landmarks.findIndex((t) => t > this.t);
+      const passed = Math.floor(this.owed / each);
+      this.owed -= passed * each;
+      this.setTime(next < 0 ? this.end : this.landmarks[next + passed - 1] ?? this.end);
     } else {
-      this.setTime(this.awake(this.t + seconds * this.rate));
+      this.setTime(this.skipsIdle ? this.workedOn(seconds * this.speed) : this.t + seconds);
     }
     if (this.t < this.end) return;
     this.pause();
@@ -206,11 +207,30 @@ export class Player {
     if (this.t > this.end) this.setTime(this.end);
   }
 
-  /** The moment itself, or the next at which some task goes on. */
-  private awake(time: number): number {
-    if (!this.skips) return time;
-    const next = this.busy.find(([, to]) => to >= time);
-    return next ? Math.max(time, next[0]) : this.end;
+  /** Real seconds for a component in fast play: all of them take no longer than the length that is chosen. */
+  private fastPlayStep(): number {
+    if (this.chosen === 'real' || this.landmarks.length === 0) return fastPlaySeconds;
+    return Math.min(fastPlaySeconds, this.chosen / this.landmarks.length);
+  }
+
+  /** The moment after so many seconds in which some task goes on. */
+  private workedOn(seconds: number): number {
+    let low = 0;
+    let high = this.busy.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.busy[middle][1] <= this.t) low = middle + 1;
+      else high = middle;
+    }
+    let now = this.t;
+    for (let left = seconds; low < this.busy.length; ++low) {
+      const [from, to] = this.busy[low];
+      now = Math.max(now, from);
+      if (now + left < to) return now + left;
+      left -= to - now;
+      now = to;
+    }
+    return this.end;
   }
 
   /** The first attempt or wait of a run that is not over yet, or, backwards, the last that is; -1: none. */

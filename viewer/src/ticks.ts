@@ -1,4 +1,4 @@
-import { day, duration, type Clock } from './clock';
+import { day, duration, toTheSecond, type Clock } from './clock';
 
 export interface Tick {
   t: number;
@@ -48,7 +48,7 @@ function months(clock: Clock, from: number, to: number, most: number): Tick[] {
 
 function label(clock: Clock, t: number, step: number, major: boolean): string {
   if (step < 1) return clock.exact(t);
-  if (!clock.dated) return step >= day ? `${Math.round(t / day)} d` : duration(t);
+  if (!clock.dated) return step >= day ? `${Math.round(t / day)} d` : step < 60 ? toTheSecond(Math.round(t)) : duration(t);
   if (major) return clock.dayOf(t);
   return step >= 60 ? clock.clock(t).slice(0, 5) : clock.clock(t);
 }

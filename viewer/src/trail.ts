@@ -1,4 +1,4 @@
-import { depths, isRefusal } from './behaviour';
+import { depths } from './behaviour';
 import type { Film, Place } from './film';
 
 /** The records of one run, to step through: positions count in the run, records in the film. */
@@ -38,12 +38,9 @@ export class Trail {
     return this.lines.size > 0;
   }
 
-  /** The nearest position before or after one whose record is an attempt or a wait (`try`) or a refusal; -1: none. */
-  next(position: number, by: 1 | -1, what: 'try' | 'refusal'): number {
-    return this.find(position, by, (record) => {
-      const kind = this.film.kind(record);
-      return what === 'refusal' ? isRefusal(this.film, record) : kind === 'try' || kind === 'wait';
-    });
+  /** The nearest position before or after one whose record is an attempt or a wait; -1: none. */
+  nextTry(position: number, by: 1 | -1): number {
+    return this.find(position, by, (record) => this.film.kind(record) === 'try' || this.film.kind(record) === 'wait');
   }
 
   /** The next position whose record comes from a line, from the beginning again if there is none; -1: none at all. */

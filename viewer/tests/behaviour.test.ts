@@ -116,9 +116,8 @@ describe('trail', () => {
   });
 
   it('goes to tries and to refusals', () => {
-    expect([trail.next(0, 1, 'try'), trail.next(3, 1, 'try'), trail.next(6, 1, 'try'), trail.next(7, 1, 'try')]).toEqual(
+    expect([trail.nextTry(0, 1), trail.nextTry(3, 1), trail.nextTry(6, 1), trail.nextTry(7, 1)]).toEqual(
       [3, 4, 7, -1]);
-    expect([trail.next(0, 1, 'refusal'), trail.next(4, 1, 'refusal'), trail.next(4, -1, 'refusal')]).toEqual([4, 7, -1]);
   });
 
   it('goes on to the next record of a line, and from the end to the first', () => {

@@ -18,10 +18,22 @@ describe('clock', () => {
     expect(new Clock('2026-12-31 23:59').full(60)).toBe('Fri 1 Jan 2027 00:00:00');
   });
 
-  it('counts hours where the plan has no date', () => {
+  it('says days and hours of what takes days', () => {
+    expect(duration(7256 * 3600)).toBe('302 d 08:00');
+    expect(duration(86400 * 12 + 4 * 3600 + 10 * 60 + 7)).toBe('12 d 04:10');
+    expect(duration(86399.4)).toBe('23:59:59');
+    expect(duration(86399.6)).toBe('1 d 00:00');
+    expect(duration(2 * 86400 - 20)).toBe('2 d 00:00');
+    expect(duration(-90000)).toBe('-1 d 01:00');
+    expect(ticks(new Clock(null), 86400, 1.5 * 86400, 3).map((tick) => tick.label)).toEqual(['1 d 00:00', '1 d 06:00', '1 d 12:00']);
+  });
+
+  it('counts days and hours where the plan has no date', () => {
     const clock = new Clock(null);
     expect(clock.dated).toBe(false);
-    expect(clock.full(90061)).toBe('25:01:01');
+    expect(clock.full(90061)).toBe('1 d 01:01:01');
+    expect(clock.short(90061)).toBe('1 d 01:01');
+    expect(clock.exact(90061.5)).toBe('1 d 01:01:01.5');
     expect(clock.short(5099.5)).toBe('1:24:59');
     expect(clock.exact(0.3)).toBe('0:00:00.3');
     expect(clock.dayOf(86400)).toBe('day 2');

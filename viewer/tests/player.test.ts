@@ -76,23 +76,49 @@ describe('player', () => {
     expect(player.time).toBe(0);
   });
 
-  it('passes over idle time, if it shall', () => {
+  it('passes over idle time, but not in real time', () => {
     const player = new Player(film());
-    player.setSpeed(10);
+    player.setLength(180);
     player.seek(25);
     player.play();
-    player.tick(0.2);
-    expect(player.time).toBe(27);
-    player.tick(0.4);
-    expect(player.time).toBe(60);
-    player.setSkipsIdle(false);
+    player.tick(3);
+    expect(player.time).toBe(28);
+    player.tick(4);
+    expect(player.time).toBe(62);
+    player.setLength('real');
     player.seek(25);
     player.play();
-    player.tick(1);
+    player.tick(10);
     expect(player.time).toBe(35);
     player.tick(100);
     expect(player.time).toBe(100);
     expect(player.playing).toBe(false);
+  });
+
+  it.each([[30, 30], [60, 60], [180, 70], ['real', 100]] as const)('plays in %s: 70 s of work and 30 s of none', (length, seconds) => {
+    const player = new Player(film());
+    player.setLength(length);
+    player.play();
+    let played = 0;
+    for (; player.playing && played < 1000; ++played) player.tick(1);
+    expect(Math.abs(played - seconds)).toBeLessThanOrEqual(1);
+    expect(player.time).toBe(100);
+  });
+
+  it('takes a minute for months of work, and for the components alone', () => {
+    const week = 7 * 86400;
+    const runs = Array.from({ length: 2000 }, (_, i) => ({ task: `t${i}`, robot: 0, start: i * week, end: i * week + 40_000 }));
+    const records = runs.map(({ end }, run): RecordData => ({ kind: 'detach', run, t: end, component: 0, pose }));
+    const player = new Player(makeFilm({ header: { robots: [robot('a', ['x'])] }, end: 2000 * week, runs, records }));
+    for (const fast of [false, true]) {
+      player.seek(0);
+      if (fast) player.fastPlay();
+      else player.play();
+      let ticks = 0;
+      for (; player.playing && ticks < 1e5; ++ticks) player.tick(0.04);
+      expect(ticks * 0.04).toBeGreaterThan(55);
+      expect(ticks * 0.04).toBeLessThan(61);
+    }
   });
 
   it('plays components only when it plays fast', () => {
@@ -111,16 +137,16 @@ describe('player', () => {
     expect([player.time, player.fast, player.playing]).toEqual([100, false, false]);
   });
 
-  it('tells who listens, and keeps speed and time in their bounds', () => {
+  it('tells who listens, and keeps time in its bounds', () => {
     const player = new Player(film());
     const told: string[] = [];
-    player.on(['time', 'record', 'speed'], () => told.push('told'));
+    player.on(['time', 'record', 'length'], () => told.push('told'));
     player.seek(1e9);
     expect(player.time).toBe(100);
     player.seek(-1);
     expect(player.time).toBe(0);
-    player.setSpeed(1e9);
-    expect(player.speed).toBe(600);
+    player.setLength(30);
+    expect(player.length).toBe(30);
     expect(told).toHaveLength(3);
   });
 

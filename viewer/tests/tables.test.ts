@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { mark, sliderMarks } from '../src/marks';
 import { Player } from '../src/player';
 import { Runs } from '../src/runs';
-import { fasterSpeed, fittingSpeed, speeds } from '../src/panels/speeds';
+import { lengthName, lengths, nextLength, speedOf } from '../src/lengths';
 import { filtered, sorted, tableRows } from '../src/task_table';
 import type { ScheduledTask } from '../src/header';
 import { makeFilm, robot, type RecordData } from './film_maker';
@@ -116,14 +116,15 @@ describe('marks of the slider', () => {
   });
 });
 
-describe('speeds', () => {
-  it('begin so that a plan takes a minute or more, but none is slowed down', () => {
-    expect([0, 12, 119, 120, 5386, 21543, 1e7].map(fittingSpeed)).toEqual([1, 1, 1, 2, 60, 300, 600]);
+describe('lengths', () => {
+  it('are kept by long plans, and slow no plan down', () => {
+    expect([0, 12, 60, 120, 5400, 26e6].map((worked) => speedOf(60, worked))).toEqual([1, 1, 1, 2, 90, 26e6 / 60]);
+    expect(lengths.map((length) => speedOf(length, 1800))).toEqual([60, 30, 10, 1]);
   });
 
-  it('go from 0.25 to 600 and no farther', () => {
-    expect([speeds[0], speeds.at(-1)]).toEqual([0.25, 600]);
-    expect([fasterSpeed(60, 1), fasterSpeed(60, -1), fasterSpeed(600, 1), fasterSpeed(0.25, -1),
-      fasterSpeed(70, 1)]).toEqual([120, 30, 600, 0.25, 120]);
+  it('go from 30 s to real time and no farther', () => {
+    expect(lengths.map(lengthName)).toEqual(['30 s', '1 min', '3 min', 'real time']);
+    expect([nextLength(60, 1), nextLength(60, -1), nextLength(180, -1), nextLength(30, 1), nextLength('real', -1),
+      nextLength('real', 1)]).toEqual([30, 180, 'real', 30, 'real', 180]);
   });
 });

@@ -1,7 +1,7 @@
 import { duration } from '../clock';
+import { lengthName, lengths } from '../lengths';
 import { button, cut, givesBackFocus, icon, make, named, onceAFrame, setText } from './dom';
 import type { Page } from './page';
-import { speeds } from './speeds';
 import { makeTimeline } from './timeline';
 
 const icons = {
@@ -13,10 +13,10 @@ const icons = {
   stop: 'M3 3h10v10H3z',
 };
 
-/** The control panel: the time slider above, keys, clock, speed and the tasks that go on below. */
+/** The control panel: the time slider above, keys, clock, length and the tasks that go on below. */
 export function mountControls(host: HTMLElement, page: Page): void {
   const row = make('div', { class: 'row' });
-  row.append(makeKeys(page), makeClock(page), makeSpeed(page), makeIdle(page), makeChips(page));
+  row.append(makeKeys(page), makeClock(page), makeLength(page), makeChips(page));
   host.append(makeTimeline(page), row);
 }
 
@@ -54,32 +54,26 @@ function makeClock({ player, clock }: Page): HTMLElement {
   return make('div', { class: kind, role: 'timer', 'aria-label': 'Simulated time' }, time, since);
 }
 
-function makeSpeed({ player }: Page): HTMLElement {
-  const select = make('select', { 'aria-label': 'Speed', title: 'Seconds of the plan a second (↑ ↓)' });
-  for (const speed of speeds) select.append(make('option', { value: String(speed) }, `${speed}×`));
+/** How long it takes to play, and how much faster than it was that is. */
+function makeLength({ player }: Page): HTMLElement {
+  const select = make('select', { 'aria-label': 'Length of the animation', title: 'How long it takes to play, never longer than it '
+    + 'was (↑ shorter, ↓ longer). Nights and weekends are passed over, but not in real time.' });
+  for (const length of lengths) select.append(make('option', { value: String(length) }, lengthName(length)));
   givesBackFocus(select);
-  select.addEventListener('change', () => player.setSpeed(Number(select.value)));
+  select.addEventListener('change', () => player.setLength(lengths[select.selectedIndex]));
+  const speed = make('small', { class: 'speed muted', title: 'How much faster than it was' });
   const show = () => {
-    const known = speeds.includes(player.speed);
-    if (!known && !Array.from(select.options).some((option) => Number(option.value) === player.speed)) {
-      select.append(make('option', { value: String(player.speed) }, `${player.speed}×`));
-    }
-    select.value = String(player.speed);
+    select.selectedIndex = lengths.indexOf(player.length);
+    setText(speed, speedText(player.speed));
   };
-  player.on('speed', show);
+  player.on('length', show);
   show();
-  return make('label', { class: 'field' }, 'Speed', select);
+  return make('label', { class: 'field' }, 'Play in', select, speed);
 }
 
-function makeIdle({ player }: Page): HTMLElement {
-  const box = make('input', { type: 'checkbox' });
-  box.addEventListener('change', () => player.setSkipsIdle(box.checked));
-  const show = () => { box.checked = player.skipsIdle; };
-  player.on('speed', show);
-  show();
-  const label = make('label', { class: 'field', title: 'Pass over the times in which nobody works' }, box, 'Skip idle time');
-  label.addEventListener('mousedown', (event) => event.preventDefault());
-  return label;
+/** `12×`, `9,270×`. */
+function speedText(speed: number): string {
+  return `${speed.toLocaleString('en-GB', { maximumSignificantDigits: speed < 100 ? 2 : 3 })}×`;
 }
 
 /** Tasks that go on: one line, what has no room is counted. */
@@ -91,7 +85,8 @@ function makeChips({ player, runs }: Page): HTMLElement {
     const now = runs.shown(player);
     const picked = runs.focused(player);
     const room = Math.max(Math.floor(host.clientWidth / 130), 1);
-    const key = `${now.join(' ')}/${picked}/${room}`;
+    const idle = player.time >= player.end ? 'the end' : 'nobody works';
+    const key = `${now.join(' ')}/${picked}/${room}/${now.length === 0 ? idle : ''}`;
     if (key === shown) return;
     shown = key;
     const chips: HTMLElement[] = now.slice(0, now.length > room ? room : now.length).map((run) => {
@@ -106,7 +101,7 @@ function makeChips({ player, runs }: Page): HTMLElement {
     });
     if (now.length > room) chips.push(make('span', { class: 'more' }, `+${now.length - room}`));
     if (now.length === 0 && runs.all.length > 0) {
-      chips.push(make('span', { class: 'more' }, player.time >= player.end ? 'the end' : 'nobody works'));
+      chips.push(make('span', { class: 'more' }, idle));
     }
     host.replaceChildren(...chips);
   };

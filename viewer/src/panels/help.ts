@@ -5,7 +5,7 @@ const keys: [string, string][] = [
   ['← →', 'previous, next component'],
   ['Shift ← →', 'previous, next attempt (the Steps follow)'],
   ['Home, End', 'beginning, end'],
-  ['↑ ↓ or > <', 'faster, slower'],
+  ['↑ ↓ or > <', 'faster, slower: the animation takes 30 s, 1 min, 3 min, or as long as it took'],
   ['Gantt: wheel, + −', 'zoom; 0 shows all'],
   ['Gantt: drag, arrows', 'move'],
   ['Gantt: Enter, Shift Enter', 'next, previous task'],

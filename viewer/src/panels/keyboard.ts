@@ -1,5 +1,5 @@
+import { nextLength } from '../lengths';
 import type { Player } from '../player';
-import { fasterSpeed } from './speeds';
 
 /** The keys of the page, unless what has the focus needs the key itself. */
 export function listenToKeys(player: Player): void {
@@ -22,8 +22,8 @@ function actionOf(player: Player, { key, shiftKey }: KeyboardEvent): (() => void
     case 'Escape': return () => { player.goToRecord(null); player.select(null); };
     case 'Home': return () => player.seek(0);
     case 'End': return () => player.seek(player.end);
-    case 'ArrowUp': case '>': return () => player.setSpeed(fasterSpeed(player.speed, 1));
-    case 'ArrowDown': case '<': return () => player.setSpeed(fasterSpeed(player.speed, -1));
+    case 'ArrowUp': case '>': return () => player.setLength(nextLength(player.length, 1));
+    case 'ArrowDown': case '<': return () => player.setLength(nextLength(player.length, -1));
     default: return null;
   }
 }

@@ -9,7 +9,6 @@ import { listenToKeys } from './keyboard';
 import { mountOverview } from './overview';
 import type { Page } from './page';
 import { mountSide } from './side';
-import { fittingSpeed } from './speeds';
 import { mountSteps } from './steps';
 import { mountTasks } from './tasks';
 import { restoreTheme } from './theme';
@@ -19,7 +18,6 @@ import { mountTopBar } from './top_bar';
 export function mountPanels(film: Film, motion: Motion, player: Player): void {
   restoreTheme();
   document.title = `${film.header.plan.slice(0, 80)} · RUBICON`;
-  player.setSpeed(fittingSpeed(player.busy.reduce((sum, [from, to]) => sum + to - from, 0)));
   const side = mountSide(element('side'));
   const page: Page = { film, motion, player, runs: new Runs(film), clock: new Clock(film.header.start_at), open: side.open };
   const overview = mountOverview(side.panel('Overview'), page);

@@ -1,4 +1,4 @@
-import { duration, money, number, roughly } from '../clock';
+import { day, duration, money, number, roughly } from '../clock';
 import type { ScheduleData, Waited } from '../header';
 import { button, cut, make, named } from './dom';
 import { goToRun, goToStep, type Page } from './page';
@@ -42,7 +42,7 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
     list.append(make('div', {}, make('dt', {}, name), shown));
   };
   const long = schedule?.process_time ?? film.end;
-  add('Process time', duration(long), roughly(long));
+  add('Process time', duration(long), long < day ? roughly(long) : 'from beginning to end');
   if (schedule?.cost !== undefined) add('Cost', money(schedule.cost, ''), cut(schedule.currency ?? header.currency, 12));
   const { tasks, done } = runs.tally();
   add('Tasks', `${done} of ${tasks}`, tasks === 0 ? '' : done === tasks ? 'all done' : `${tasks - done} refused`);

@@ -1,5 +1,6 @@
 import type { Place } from '../film';
 import { fileText, isRefusal } from '../behaviour';
+import { Refusals } from '../refusals';
 import { sentence } from '../sentences';
 import { Trail } from '../trail';
 import { button, cut, givesBackFocus, icon, make, onceAFrame, setText } from './dom';
@@ -34,7 +35,10 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
   const text = new VirtualList({ class: 'list script', role: 'region', 'aria-label': 'Script' }, lineHeight, scriptRow);
   const state = make('div', { class: 'state', tabindex: '0', role: 'region', 'aria-label': 'State', 'aria-live': 'off' });
   const buttons = makeButtons();
-  host.append(make('div', { class: 'bar' }, chooser), buttons.element, list.element, note, fileBar, text.element, state);
+  const refusals = new Refusals(runs);
+  /** What a search found not; empty as long as there is nothing to say. */
+  const found = make('p', { class: 'found muted', role: 'status' });
+  host.append(make('div', { class: 'bar' }, chooser), buttons.element, found, list.element, note, fileBar, text.element, state);
 
   givesBackFocus(chooser);
   chooser.addEventListener('change', () => {
@@ -51,6 +55,18 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
   shown.on(show);
   const soon = onceAFrame(show);
   player.on(['time', 'record', 'selection'], soon);
+
+  /** To the nearest refusal after or before this record, in whatever task it is. */
+  function goToRefusal(by: 1 | -1): void {
+    const record = refusals.next(Math.max(trail.run, 0), at, by);
+    if (record >= 0) {
+      goToStep(page, film.run(record), record);
+      return;
+    }
+    const none = refusals.next(0, -1, 1) < 0;
+    setText(found, none ? 'Nothing was refused, in any task.'
+      : by > 0 ? 'No task has a later refusal: this was the last.' : 'No task has an earlier refusal: this was the first.');
+  }
 
   function go(position: number): void {
     const record = trail.records[position];
@@ -83,6 +99,7 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
     const position = record < 0 ? -1 : trail.positionOf(record);
     if (!changed && position === at) return;
     at = position;
+    setText(found, '');
     list.reveal(Math.max(at, 0));
     list.element.setAttribute('aria-activedescendant', at >= 0 ? `record-${at}` : '');
     setText(count, at < 0 ? '' : `record ${at + 1} of ${trail.records.length}`);
@@ -166,12 +183,12 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
     const back = 'M12 2.5v11L4 8z';
     const on = 'M4 2.5v11L12 8z';
     const last = () => trail.records.length - 1;
-    const wanted: [string, string, string, () => number][] = [
+    const wanted: [string, string, string, 1 | -1 | (() => number)][] = [
       ['First record', 'M3 2.5h2v11H3zM13 2.5v11L6 8z', '', () => (at > 0 ? 0 : -1)],
-      ['Previous refusal', back, 'refusal', () => trail.next(at, -1, 'refusal')],
-      ['Previous try (Shift ←)', back, 'try', () => trail.next(at, -1, 'try')],
-      ['Next try (Shift →)', on, 'try', () => trail.next(at, 1, 'try')],
-      ['Next refusal', on, 'refusal', () => trail.next(at, 1, 'refusal')],
+      ['Previous refusal, in whatever task', back, 'refusal', -1],
+      ['Previous try (Shift ←)', back, 'try', () => trail.nextTry(at, -1)],
+      ['Next try (Shift →)', on, 'try', () => trail.nextTry(at, 1)],
+      ['Next refusal, in whatever task', on, 'refusal', 1],
       ['Last record', 'M11 2.5h2v11h-2zM3 2.5v11L10 8z', '', () => (at < last() ? last() : -1)],
     ];
     const element = make('div', { class: 'bar nav', role: 'group', 'aria-label': 'Step' });
@@ -179,10 +196,12 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
     const all = wanted.map(([label, path, word, to]) => {
       const face = make('span', { class: 'face' }, icon(path));
       if (word) face[path === back ? 'append' : 'prepend'](word);
-      const made = button(label, () => go(to()), word ? {} : { class: 'small' }, face);
+      const press = typeof to === 'number' ? () => goToRefusal(to) : () => go(to());
+      const made = button(label, press, word ? {} : { class: 'small' }, face);
       element.append(made);
       return { made, to };
     });
-    return { element, enable: () => { for (const { made, to } of all) made.disabled = to() < 0; } };
+    // Those for refusals say themselves when there is none.
+    return { element, enable: () => { for (const { made, to } of all) made.disabled = typeof to !== 'number' && to() < 0; } };
   }
 }

@@ -1,4 +1,4 @@
-import { duration, money, roughly, day } from '../clock';
+import { duration, money } from '../clock';
 import { button, cut, icon, make, named } from './dom';
 import { makeHelp } from './help';
 import type { Page } from './page';
@@ -28,7 +28,7 @@ export function mountTopBar(host: HTMLElement, page: Page, showRefusals: () => v
   const facts = make('dl');
   const fact = (name: string, value: string) => facts.append(make('div', {}, make('dt', {}, name), make('dd', {}, value)));
   const long = schedule?.process_time ?? film.end;
-  fact('Process time', long >= day ? `${duration(long)} (${roughly(long)})` : duration(long));
+  fact('Process time', duration(long));
   if (schedule?.cost !== undefined) fact('Cost', money(schedule.cost, cut(schedule.currency ?? header.currency, 8)));
 
   const help = makeHelp();

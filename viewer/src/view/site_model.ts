@@ -77,7 +77,7 @@ export class SiteModel {
     });
     this.carry = header.carry.length > 0 && this.robots.length > 0 ? bodies.push(header.carry) - 1 : -1;
     this.machineBounds = this.shapes.surface(bodies).bounds;
-    const roomy = this.robots.flatMap((machine) => envelopesOf(header.robots[machine.robot], machine, this.machineBounds));
+    const roomy = this.robots.flatMap((machine) => envelopesOf(header.robots[machine.robot], machine, this.shapes));
     const only = (wanted: boolean) =>
       this.shapes.surface(bodies.map((shapes, i) => (roomy.includes(i) === wanted ? shapes : [])));
     this.machines = new Batch(only(false), bodies.length, light, { pick: 1 + header.components.length });
@@ -232,21 +232,25 @@ export class SiteModel {
 }
 
 /**
- * The bodies of a robot that are no things: they may meet another body of it and have it inside at the moment shown. People write
+ * The bodies of a robot that are no things: they may meet another body of it and have it, or half of it, inside as it stands at first. People write
  * them for the room that belongs to a machine, such as the column about the rope of a crane that reaches over another.
  */
-function envelopesOf(robot: RobotData, { mechanism, first }: Machine, bounds: Box3[]): number[] {
+function envelopesOf(robot: RobotData, { mechanism, first }: Machine, shapes: Shapes): number[] {
   mechanism.place(robot.parameters.map((parameter) => robot.start[parameter.name] ?? parameter.start));
-  const box = (name: string) => {
+  const boxes = (name: string) => {
     const body = robot.bodies.findIndex((each) => each.name === name);
-    const around = new Box3();
-    if (body >= 0) expandBy(around, bounds[first + body], mechanism.bodies[body]);
-    return { element: first + body, around };
+    const pose = mechanism.bodies[body];
+    if (!pose) return { element: -1, parts: [], whole: new Box3() };
+    const parts = shapes.surface(robot.bodies[body].shapes.map((shape) => [shape])).bounds.map((box) => box.clone().applyMatrix4(pose));
+    return { element: first + body, parts, whole: parts.reduce((all, box) => all.union(box), new Box3()) };
   };
+  const within = (a: Box3, b: Box3, axis: 'x' | 'y') => a.min[axis] < b.min[axis] && a.max[axis] > b.max[axis];
+  // One shape of it must do it alone: a hook block and a length of rope above it are no column.
+  const half = (a: Box3, b: Box3) => 2 * (Math.min(a.max.z, b.max.z) - Math.max(a.min.z, b.min.z)) >= b.max.z - b.min.z;
+  const inside = (outer: Box3[], inner: Box3) => !inner.isEmpty()
+    && outer.some((part) => !part.isEmpty() && within(part, inner, 'x') && within(part, inner, 'y') && half(part, inner));
   return robot.touching.flatMap((pair) => {
-    const [a, b] = pair.map(box);
-    const within = (a: Box3, b: Box3, axis: 'x' | 'y') => a.min[axis] < b.min[axis] && a.max[axis] > b.max[axis];
-    const inside = (outer: Box3, inner: Box3) => !inner.isEmpty() && within(outer, inner, 'x') && within(outer, inner, 'y');
-    return [...(inside(a.around, b.around) ? [a.element] : []), ...(inside(b.around, a.around) ? [b.element] : [])];
+    const [a, b] = pair.map(boxes);
+    return [...(inside(a.parts, b.whole) ? [a.element] : []), ...(inside(b.parts, a.whole) ? [b.element] : [])];
   });
 }

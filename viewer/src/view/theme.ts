@@ -1,3 +1,5 @@
+import { palette, type Ground } from '../palette';
+
 /** Red, green, blue in 0..1, as the screen shows them (sRGB). */
 export type Colour = readonly [number, number, number];
 
@@ -31,25 +33,18 @@ export interface Theme {
   components: Colour[];
 }
 
-const light: Theme = {
-  dark: false,
-  skyTop: hex('#d3dfec'), skyBelow: hex('#f6f7f8'), ground: hex('#e4e2dc'), fixture: hex('#c9c5bb'), grid: hex('#a9a69d'),
-  label: hex('#6b6f76'), edge: hex('#2c333d'), waiting: hex('#bcc0c5'), carried: hex('#ff9d1c'), selected: hex('#1664d9'),
-  moved: hex('#d6243a'), met: hex('#f08a12'), zone: hex('#e8a400'), goal: hex('#2a8a4a'), rope: hex('#3b434e'),
-  machines: ['#e8b63a', '#4d8fc4', '#5aa886', '#a97bb8', '#cf7560', '#7f8ea3'].map(hex),
-  components: ['#c98f6b', '#8fae9b', '#93a7c4', '#d3ba84', '#b490a8', '#7fb0b5', '#c4a3a0', '#a5b57c', '#8c93b3', '#d0a56f',
-    '#9db8a8', '#b8a58f'].map(hex),
-};
+function themeOn(ground: Ground): Theme {
+  const { page, site } = palette[ground];
+  return {
+    dark: ground === 'dark', skyTop: hex(site.skyTop), skyBelow: hex(site.skyBelow), ground: hex(site.ground), fixture: hex(site.fixture),
+    grid: hex(site.grid), label: hex(site.label), edge: hex(site.edge), waiting: hex(site.waiting), carried: hex(site.carried),
+    selected: hex(site.selected), moved: hex(page.moved), met: hex(page.met), zone: hex(site.zone), goal: hex(site.goal),
+    rope: hex(site.rope), machines: site.machines.map(hex), components: site.components.map(hex),
+  };
+}
 
-const dark: Theme = {
-  dark: true,
-  skyTop: hex('#10161f'), skyBelow: hex('#2a323d'), ground: hex('#363d46'), fixture: hex('#4c545e'), grid: hex('#606a76'),
-  label: hex('#a3adb9'), edge: hex('#0c1015'), waiting: hex('#727a84'), carried: hex('#ffae42'), selected: hex('#5aa2ff'),
-  moved: hex('#ff4a5e'), met: hex('#ffa336'), zone: hex('#ffc93c'), goal: hex('#5fd38a'), rope: hex('#c4ccd6'),
-  machines: ['#d9a630', '#4a88bb', '#509a7a', '#9d70ac', '#bf6a57', '#74839a'].map(hex),
-  components: ['#bd8561', '#7f9f8b', '#8297b6', '#c1a973', '#a58099', '#70a1a6', '#b59491', '#95a56d', '#7d85a6', '#be9561',
-    '#8daa99', '#a8957f'].map(hex),
-};
+const light = themeOn('light');
+const dark = themeOn('dark');
 
 /** The theme that goes with the page: dark if its background is. */
 export function themeOf(element: Element): Theme {

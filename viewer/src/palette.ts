@@ -1,0 +1,5 @@
+import table from '../../src/palette/palette.json';
+
+/** The one table of colours, of which the chart, the glTF and the terminal of the command are made too. */
+export const palette = table;
+export type Ground = 'light' | 'dark';
