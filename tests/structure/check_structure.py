@@ -50,7 +50,7 @@ RULES = [
 ]
 
 # Headers that show the types of a hidden library or of the grammar: for .cpp files of their module and one another.
-PRIVATE_HEADER = re.compile(r"/\w*(?:fcl|assimp|pugixml|simdjson)\w*\.hpp$|^interpreter/parse_\w+\.hpp$")
+PRIVATE_HEADER = re.compile(r"/\w*(?:fcl|assimp|pugixml|simdjson)\w*\.hpp$|^interpreter/(?:\w+/)?parse_\w+\.hpp$")
 
 
 def read_modules(text):
@@ -132,10 +132,10 @@ def check_rules(path, text):
 
 def check_folders(root, uses):
     """Every folder of sources is a listed module with a README and lists its sources by name."""
-    for folder in sorted(path for path in (root / "src").iterdir() if path.is_dir()):
-        name = f"src/{folder.name}"
-        if name not in uses and (any(folder.rglob("*.cpp")) or any(folder.rglob("*.hpp"))):
-            yield f"{name}: is not listed in tests/structure/modules.txt"
+    sources = sorted((root / "src").rglob("*.[ch]pp"))
+    for folder in sorted({source.parent.relative_to(root).as_posix() for source in sources}):
+        if module_of(folder + "/", uses) is None:
+            yield f"{folder}: is not listed in tests/structure/modules.txt"
     for module in uses:
         folder = root / module
         if not any(folder.rglob("*.cpp")) and not any(folder.rglob("*.hpp")):
@@ -152,6 +152,34 @@ def check_folders(root, uses):
         for source in sorted(folder.rglob("*.cpp")):
             if source.name not in lists:
                 yield f"{source.relative_to(root).as_posix()}: no CMakeLists.txt of {module} names it, so nobody builds it"
+
+
+def check_rooms(root, uses):
+    """The folders inside a module do not depend on each other in a circle."""
+    for module in uses:
+        needs = {}
+        for source in sorted((root / module).rglob("*.[ch]pp")):
+            room = source.parent.relative_to(root).as_posix()
+            for target in re.findall(r'^[ \t]*#\s*include\s*"([^"]+)"', source.read_text(encoding="utf-8"), re.MULTILINE):
+                used = target.rpartition("/")[0]
+                if used != room and (used + "/").startswith(module + "/") and module_of(target, uses) == module:
+                    needs.setdefault(room, set()).add(used)
+        while True:
+            free = [room for room in needs if not needs[room] & needs.keys()]
+            if not free:
+                break
+            for room in free:
+                del needs[room]
+        # The rooms that only need what lies in a circle are not in it themselves.
+        while True:
+            wanted = set().union(*needs.values()) if needs else set()
+            outside = [room for room in needs if room not in wanted]
+            if not outside:
+                break
+            for room in outside:
+                del needs[room]
+        if needs:
+            yield f"{module}: its folders depend on each other in a circle: {', '.join(sorted(needs))}"
 
 
 def check_links(root):
@@ -182,6 +210,7 @@ def check(root):
             found += check_includes(path, text, may_use, hidden)
             found += check_rules(path, text)
     found += check_folders(root, uses)
+    found += check_rooms(root, uses)
     found += check_links(root)
     return found
 

@@ -100,6 +100,15 @@ class SeededViolations(unittest.TestCase):
         self.write("src/extra/seeded.cpp", "")
         self.expect("src/extra: is not listed")
 
+    def test_folders_of_a_module_in_a_circle(self):
+        self.write("src/shape/CMakeLists.txt", "rubicon_module(x SOURCES good.cpp)\n")
+        self.write("src/shape/a/one.hpp", '#include "src/shape/b/two.hpp"\n')
+        self.write("src/shape/c/four.hpp", '#include "src/shape/a/one.hpp"\n')
+        self.assertEqual(check_structure.check(self.root), [])
+        self.write("src/shape/b/two.hpp", '#include "src/shape/d/three.hpp"\n')
+        self.write("src/shape/d/three.hpp", '#include "src/shape/a/one.hpp"\n')
+        self.expect("src/shape: its folders depend on each other in a circle: src/shape/a, src/shape/b, src/shape/d")
+
     def test_module_without_sources(self):
         self.write("tests/structure/modules.txt", MODULES.replace("src/cli:", "src/new:\nsrc/cli:"))
         self.expect("src/new: is listed in tests/structure/modules.txt and holds no source")
