@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "bench/random.hpp"
-#include "src/math/angles.hpp"
+#include "src/motion/math/angles.hpp"
 
 namespace rubicon::bench {
 namespace {

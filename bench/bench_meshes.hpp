@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "src/geometry/shape.hpp"
+#include "src/motion/geometry/shape.hpp"
 
 namespace rubicon::bench {
 

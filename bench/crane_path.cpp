@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "bench/residential_site.hpp"
-#include "src/math/angles.hpp"
+#include "src/motion/math/angles.hpp"
 
 namespace rubicon::bench {
 namespace {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "bench/random.hpp"
-#include "src/film/film_writer.hpp"
-#include "src/film/gzip.hpp"
+#include "src/results/film/film_writer.hpp"
+#include "src/results/film/gzip.hpp"
 
 namespace rubicon::bench {
 namespace {

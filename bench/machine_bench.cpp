@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "interpreter/machine.hpp"
-#include "src/site/make_site.hpp"
-#include "src/site/robot_view.hpp"
+#include "interpreter/machine/machine.hpp"
+#include "src/simulation/site/make_site.hpp"
+#include "src/simulation/site/robot_view.hpp"
 #include "tests/support/memory_files.hpp"
 
 namespace {

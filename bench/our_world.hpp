@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bench/swept_scene.hpp"
-#include "src/collision/swept_query.hpp"
+#include "src/motion/collision/swept_query.hpp"
 
 namespace rubicon::bench {
 

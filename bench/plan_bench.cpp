@@ -9,8 +9,8 @@
 #include <memory>
 #include <string>
 
-#include "interpreter/plan_model.hpp"
-#include "src/taskplan/run_plan.hpp"
+#include "interpreter/check/plan_model.hpp"
+#include "src/simulation/taskplan/run_plan.hpp"
 #include "tests/support/memory_files.hpp"
 
 namespace rubicon::bench {

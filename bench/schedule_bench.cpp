@@ -3,9 +3,9 @@
 #include <string>
 #include <variant>
 
-#include "src/schedule/calendar_rules.hpp"
-#include "src/schedule/critical_chain.hpp"
-#include "src/schedule/network.hpp"
+#include "src/simulation/schedule/calendar_rules.hpp"
+#include "src/simulation/schedule/critical_chain.hpp"
+#include "src/simulation/schedule/network.hpp"
 
 namespace rubicon::bench {
 namespace {

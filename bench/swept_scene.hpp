@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "src/geometry/motion.hpp"
-#include "src/geometry/shape.hpp"
+#include "src/motion/geometry/motion.hpp"
+#include "src/motion/geometry/shape.hpp"
 
 namespace rubicon::bench {
 

@@ -5,7 +5,7 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
 endif()
 
-# The headers, as "src/math/pose.hpp" or "interpreter/machine.hpp"; all that a user of the installed library gets.
+# The headers, as "src/motion/math/pose.hpp" or "interpreter/machine/machine.hpp"; all that a user of the installed library gets.
 add_library(rubicon_headers INTERFACE)
 target_compile_features(rubicon_headers INTERFACE cxx_std_20)
 target_include_directories(

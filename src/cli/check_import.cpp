@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
-#include "interpreter/parse.hpp"
-#include "interpreter/plan_model.hpp"
-#include "src/report/diagnostic_printer.hpp"
+#include "interpreter/check/plan_model.hpp"
+#include "interpreter/parse/parse.hpp"
+#include "src/results/report/diagnostic_printer.hpp"
 
 namespace rubicon::cli {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "src/building_io/building_plan.hpp"
-#include "src/files/disk_io.hpp"
+#include "src/exchange/building_io/building_plan.hpp"
+#include "src/exchange/files/disk_io.hpp"
 
 namespace rubicon::cli {
 

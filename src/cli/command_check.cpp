@@ -5,13 +5,13 @@
 #include <memory>
 #include <system_error>
 
-#include "interpreter/check.hpp"
-#include "interpreter/parse.hpp"
-#include "interpreter/plan_model.hpp"
+#include "interpreter/check/check.hpp"
+#include "interpreter/check/plan_model.hpp"
+#include "interpreter/parse/parse.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/text_kind.hpp"
-#include "src/files/disk_io.hpp"
-#include "src/report/diagnostic_printer.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/results/report/diagnostic_printer.hpp"
 
 namespace rubicon::cli {
 

@@ -7,10 +7,10 @@
 
 #include "src/cli/commands.hpp"
 #include "src/cli/trace_source.hpp"
-#include "src/debug/command_words.hpp"
-#include "src/debug/recording_reader.hpp"
-#include "src/debug/session.hpp"
-#include "src/files/disk_io.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/results/debug/command_words.hpp"
+#include "src/results/debug/recording_reader.hpp"
+#include "src/results/debug/session.hpp"
 
 namespace rubicon::cli {
 

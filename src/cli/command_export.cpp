@@ -12,20 +12,20 @@
 #include <utility>
 #include <vector>
 
-#include "interpreter/plan_model.hpp"
+#include "interpreter/check/plan_model.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/input_file.hpp"
 #include "src/cli/result_files.hpp"
 #include "src/cli/result_project.hpp"
-#include "src/files/disk_io.hpp"
-#include "src/gantt/svg_chart.hpp"
-#include "src/gltf/document_file.hpp"
-#include "src/project_io/project_of.hpp"
-#include "src/project_io/write_mspdi.hpp"
-#include "src/report/diagnostic_printer.hpp"
-#include "src/report/schedule_reader.hpp"
-#include "src/report/schedule_text.hpp"
-#include "src/verify/trace_reader.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/exchange/project_io/project_of.hpp"
+#include "src/exchange/project_io/write_mspdi.hpp"
+#include "src/results/gantt/svg_chart.hpp"
+#include "src/results/gltf/document_file.hpp"
+#include "src/results/report/diagnostic_printer.hpp"
+#include "src/results/report/schedule_reader.hpp"
+#include "src/results/report/schedule_text.hpp"
+#include "src/results/verify/input/trace_reader.hpp"
 
 namespace rubicon::cli {
 

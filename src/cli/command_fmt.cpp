@@ -3,11 +3,11 @@
 #include <cstdio>
 #include <optional>
 
-#include "interpreter/parse.hpp"
+#include "interpreter/parse/parse.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/text_kind.hpp"
-#include "src/files/disk_io.hpp"
-#include "src/report/diagnostic_printer.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/results/report/diagnostic_printer.hpp"
 
 namespace rubicon::cli {
 

@@ -8,11 +8,11 @@
 #include "src/cli/check_import.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/import_schedule.hpp"
-#include "src/files/disk_io.hpp"
-#include "src/mesh_io/mesh_format.hpp"
-#include "src/project_io/decode_text.hpp"
-#include "src/project_io/plan_text.hpp"
-#include "src/report/diagnostic_printer.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/exchange/mesh_io/mesh_format.hpp"
+#include "src/exchange/project_io/decode_text.hpp"
+#include "src/exchange/project_io/plan_text.hpp"
+#include "src/results/report/diagnostic_printer.hpp"
 
 namespace rubicon::cli {
 

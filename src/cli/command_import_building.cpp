@@ -8,17 +8,17 @@
 #include <system_error>
 #include <vector>
 
-#include "src/building_io/building_plan.hpp"
-#include "src/building_io/match_file.hpp"
-#include "src/building_io/names.hpp"
-#include "src/building_io/read_elements.hpp"
 #include "src/cli/check_import.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/import_schedule.hpp"
-#include "src/files/disk_io.hpp"
-#include "src/mesh_io/mesh_format.hpp"
-#include "src/mesh_io/mesh_io.hpp"
-#include "src/report/diagnostic_printer.hpp"
+#include "src/exchange/building_io/building_plan.hpp"
+#include "src/exchange/building_io/match_file.hpp"
+#include "src/exchange/building_io/names.hpp"
+#include "src/exchange/building_io/read_elements.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/exchange/mesh_io/mesh_format.hpp"
+#include "src/exchange/mesh_io/mesh_io.hpp"
+#include "src/results/report/diagnostic_printer.hpp"
 
 namespace rubicon::cli {
 

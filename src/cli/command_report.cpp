@@ -9,10 +9,10 @@
 #include "src/cli/input_file.hpp"
 #include "src/cli/report_file.hpp"
 #include "src/cli/result_files.hpp"
-#include "src/files/disk_io.hpp"
-#include "src/film/film_writer.hpp"
-#include "src/page/report_page.hpp"
-#include "src/report/schedule_reader.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/results/film/film_writer.hpp"
+#include "src/results/page/report_page.hpp"
+#include "src/results/report/schedule_reader.hpp"
 
 namespace rubicon::cli {
 

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "interpreter/plan_model.hpp"
+#include "interpreter/check/plan_model.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/load_runnable_plan.hpp"
 #include "src/cli/report_file.hpp"
-#include "src/files/disk_io.hpp"
-#include "src/film/film_writer.hpp"
-#include "src/page/report_page.hpp"
-#include "src/report/schedule_text.hpp"
-#include "src/taskplan/run_plan.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/results/film/film_writer.hpp"
+#include "src/results/page/report_page.hpp"
+#include "src/results/report/schedule_text.hpp"
+#include "src/simulation/taskplan/run_plan.hpp"
 
 namespace rubicon::cli {
 

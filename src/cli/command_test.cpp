@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "src/cli/commands.hpp"
-#include "src/files/disk_io.hpp"
-#include "src/golden/golden_case.hpp"
-#include "src/golden/golden_io.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/results/golden/golden_case.hpp"
+#include "src/results/golden/golden_io.hpp"
 
 namespace rubicon::cli {
 

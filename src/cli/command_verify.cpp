@@ -7,8 +7,8 @@
 
 #include "src/cli/commands.hpp"
 #include "src/cli/input_file.hpp"
-#include "src/verify/trace_reader.hpp"
-#include "src/verify/verdict_text.hpp"
+#include "src/results/verify/input/trace_reader.hpp"
+#include "src/results/verify/verdict_text.hpp"
 
 namespace rubicon::cli {
 

@@ -3,11 +3,11 @@
 #include <cstdio>
 #include <string>
 
-#include "interpreter/name_suggestion.hpp"
+#include "interpreter/syntax/name_suggestion.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/trace_source.hpp"
-#include "src/why/story_reader.hpp"
-#include "src/why/story_text.hpp"
+#include "src/results/why/story_reader.hpp"
+#include "src/results/why/story_text.hpp"
 
 namespace rubicon::cli {
 

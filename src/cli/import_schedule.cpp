@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
-#include "src/project_io/decode_text.hpp"
-#include "src/project_io/read_project.hpp"
+#include "src/exchange/project_io/decode_text.hpp"
+#include "src/exchange/project_io/read_project.hpp"
 
 namespace rubicon::cli {
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "interpreter/diagnostic.hpp"
-#include "interpreter/file_provider.hpp"
-#include "src/project_io/project.hpp"
+#include "interpreter/syntax/diagnostic.hpp"
+#include "interpreter/syntax/file_provider.hpp"
+#include "src/exchange/project_io/project.hpp"
 
 namespace rubicon::cli {
 

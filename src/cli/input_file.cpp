@@ -7,7 +7,7 @@
 #include <sstream>
 #include <system_error>
 
-#include "src/verify/fault.hpp"
+#include "src/results/verify/input/fault.hpp"
 
 namespace rubicon::cli {
 

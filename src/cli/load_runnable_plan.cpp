@@ -2,9 +2,9 @@
 
 #include <cstdio>
 
-#include "src/files/disk_io.hpp"
-#include "src/report/diagnostic_printer.hpp"
-#include "src/taskplan/run_mistakes.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/results/report/diagnostic_printer.hpp"
+#include "src/simulation/taskplan/run_mistakes.hpp"
 
 namespace rubicon::cli {
 

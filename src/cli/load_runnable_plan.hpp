@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "interpreter/plan_model.hpp"
+#include "interpreter/check/plan_model.hpp"
 
 namespace rubicon::cli {
 

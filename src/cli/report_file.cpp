@@ -1,7 +1,7 @@
 #include "src/cli/report_file.hpp"
 
-#include "src/files/disk_io.hpp"
-#include "src/page/report_page.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/results/page/report_page.hpp"
 
 namespace rubicon::cli {
 

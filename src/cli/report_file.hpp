@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "src/film/film_writer.hpp"
+#include "src/results/film/film_writer.hpp"
 
 namespace rubicon::cli {
 

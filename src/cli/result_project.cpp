@@ -7,13 +7,13 @@
 #include <optional>
 #include <stdexcept>
 
-#include "interpreter/plan_model.hpp"
-#include "src/files/disk_io.hpp"
-#include "src/project_io/project_of.hpp"
-#include "src/project_io/write_mspdi.hpp"
-#include "src/report/diagnostic_printer.hpp"
-#include "src/report/header_files.hpp"
-#include "src/report/schedule_text.hpp"
+#include "interpreter/check/plan_model.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/exchange/project_io/project_of.hpp"
+#include "src/exchange/project_io/write_mspdi.hpp"
+#include "src/results/report/diagnostic_printer.hpp"
+#include "src/results/report/header_files.hpp"
+#include "src/results/report/schedule_text.hpp"
 
 namespace rubicon::cli {
 

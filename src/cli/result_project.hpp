@@ -3,7 +3,7 @@
 #include <string>
 
 #include "src/cli/result_files.hpp"
-#include "src/taskplan/schedule.hpp"
+#include "src/simulation/taskplan/schedule.hpp"
 
 namespace rubicon::cli {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "interpreter/parse.hpp"
+#include "interpreter/parse/parse.hpp"
 
 namespace rubicon::cli {
 

@@ -8,8 +8,8 @@
 
 #include "src/cli/input_file.hpp"
 #include "src/cli/load_runnable_plan.hpp"
-#include "src/files/disk_io.hpp"
-#include "src/taskplan/run_plan.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/simulation/taskplan/run_plan.hpp"
 
 namespace rubicon::cli {
 

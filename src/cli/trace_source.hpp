@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "src/trace/trace_sink.hpp"
+#include "src/simulation/trace/trace_sink.hpp"
 
 namespace rubicon::cli {
 

@@ -1,8 +1,8 @@
 #include <cstdint>
 #include <variant>
 
-#include "src/ifc/element_bodies.hpp"
-#include "src/ifc/plain_ifc.hpp"
+#include "src/exchange/ifc/element_bodies.hpp"
+#include "src/exchange/ifc/plain_ifc.hpp"
 
 /// Any bytes as an IFC file: bodies or none, no crash, no hang.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

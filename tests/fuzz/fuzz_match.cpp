@@ -1,7 +1,7 @@
 #include <cstdint>
 
-#include "src/building_io/match_file.hpp"
-#include "src/project_io/decode_text.hpp"
+#include "src/exchange/building_io/match_file.hpp"
+#include "src/exchange/project_io/decode_text.hpp"
 
 /// Any bytes as a match file: no crash, no hang.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

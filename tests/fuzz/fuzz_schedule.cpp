@@ -3,11 +3,11 @@
 #include <cstdlib>
 #include <string>
 
-#include "src/project_io/decode_text.hpp"
-#include "src/project_io/plan_text.hpp"
-#include "src/project_io/project_of.hpp"
-#include "src/project_io/read_project.hpp"
-#include "src/project_io/write_mspdi.hpp"
+#include "src/exchange/project_io/decode_text.hpp"
+#include "src/exchange/project_io/plan_text.hpp"
+#include "src/exchange/project_io/project_of.hpp"
+#include "src/exchange/project_io/read_project.hpp"
+#include "src/exchange/project_io/write_mspdi.hpp"
 #include "tests/support/memory_files.hpp"
 
 namespace {

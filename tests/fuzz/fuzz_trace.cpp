@@ -2,12 +2,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "src/debug/recording_reader.hpp"
-#include "src/film/film_writer.hpp"
-#include "src/verify/trace_reader.hpp"
-#include "src/verify/verify.hpp"
-#include "src/why/story_reader.hpp"
-#include "src/why/story_text.hpp"
+#include "src/results/debug/recording_reader.hpp"
+#include "src/results/film/film_writer.hpp"
+#include "src/results/verify/input/trace_reader.hpp"
+#include "src/results/verify/verify.hpp"
+#include "src/results/why/story_reader.hpp"
+#include "src/results/why/story_text.hpp"
 
 namespace {
 

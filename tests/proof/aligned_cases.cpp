@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "src/collision/body.hpp"
+#include "src/motion/collision/sweep/body.hpp"
 #include "tests/proof/generators.hpp"
 #include "tests/proof/grid_mesh.hpp"
 #include "tests/unit/collision/meshes.hpp"

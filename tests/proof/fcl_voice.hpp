@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "src/geometry/shape.hpp"
+#include "src/motion/geometry/shape.hpp"
 #include "tests/proof/path.hpp"
 
 namespace fcl {

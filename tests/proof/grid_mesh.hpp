@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/geometry/shape.hpp"
+#include "src/motion/geometry/shape.hpp"
 #include "tests/proof/grid_solid.hpp"
 
 namespace rubicon::collision::proof {

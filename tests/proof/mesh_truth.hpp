@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/geometry/shape.hpp"
+#include "src/motion/geometry/shape.hpp"
 #include "tests/proof/path.hpp"
 #include "tests/proof/polytope.hpp"
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "src/math/pose.hpp"
+#include "src/motion/math/pose.hpp"
 
 namespace rubicon::collision::proof {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "src/geometry/shape.hpp"
+#include "src/motion/geometry/shape.hpp"
 #include "tests/proof/fcl_voice.hpp"
 #include "tests/proof/polytope.hpp"
 

@@ -22,7 +22,7 @@
 #include <variant>
 #include <vector>
 
-#include "src/mesh_io/mesh_io.hpp"
+#include "src/exchange/mesh_io/mesh_io.hpp"
 
 namespace rubicon::scenes {
 namespace {

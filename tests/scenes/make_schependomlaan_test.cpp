@@ -7,8 +7,8 @@
 #include <set>
 #include <sstream>
 
-#include "src/math/pose.hpp"
-#include "src/mesh_io/mesh_io.hpp"
+#include "src/exchange/mesh_io/mesh_io.hpp"
+#include "src/motion/math/pose.hpp"
 
 // The program that writes the plan of a real floor, against the model itself.
 

@@ -33,13 +33,13 @@ RULES = [
     ),
     Rule(
         re.compile(rf"\bstd\s*::\s*(?:{_NUMERIC})[fl]?\b|(?<![\w.>:])(?:::\s*)?\b(?:{_NUMERIC})[fl]?\s*\("),
-        re.compile(r"^src/math/angles\.cpp$"),
-        "the C library's results differ between machines: use src/math/angles.hpp",
+        re.compile(r"^src/motion/math/angles\.cpp$"),
+        "the C library's results differ between machines: use src/motion/math/angles.hpp",
     ),
     Rule(
         re.compile(r"\b(?:AngleAxis[df]?|Rotation2D[df]?|eulerAngles|slerp|angularDistance)\b"),
-        re.compile(r"^src/math/angles\.cpp$"),
-        "Eigen calls the C library's trigonometry here: use src/math/angles.hpp",
+        re.compile(r"^src/motion/math/angles\.cpp$"),
+        "Eigen calls the C library's trigonometry here: use src/motion/math/angles.hpp",
     ),
     Rule(
         re.compile(r"#\s*include\s*<(?:chrono|ctime|time\.h|fcntl\.h|unistd\.h|sys/\w+\.h|fstream|iostream)>"
@@ -112,7 +112,7 @@ def check_includes(path, text, may_use, hidden):
         if PRIVATE_HEADER.search(target) and not (hides and used == module):
             yield f"{place}: includes {target}; only .cpp files of {used} may include this private header"
         if used is None:
-            yield f"{place}: includes \"{target}\"; name project headers from the top folder, e.g. \"src/math/pose.hpp\""
+            yield f"{place}: includes \"{target}\"; name project headers from the top folder, e.g. \"src/motion/math/pose.hpp\""
         elif used in hidden.get(module, []):
             if not hides:
                 yield f"{place}: includes {used}; only the .cpp files of {module} may"

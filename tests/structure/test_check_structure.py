@@ -11,11 +11,11 @@ import check_structure  # noqa: E402  (the folder of this file is no package)
 
 MODULES = """
 grammar:
-src/math:
-src/shape:   src/math
-src/mesh_io: src/shape
+src/motion/math:
+src/shape:   src/motion/math
+src/exchange/mesh_io: src/shape
 interpreter: src/shape
-src/cli:     interpreter src/mesh_io
+src/cli:     interpreter src/exchange/mesh_io
 hidden:
 interpreter: grammar
 """
@@ -31,16 +31,16 @@ class SeededViolations(unittest.TestCase):
         self.write("tests/structure/modules.txt", MODULES)
         self.write("README.md", "see [the architecture](docs/architecture.md)\n")
         self.write("docs/architecture.md", "see [here](../README.md#top) and [there](https://example.org/x)\n")
-        for module in ("grammar", "src/math", "src/shape", "src/mesh_io", "interpreter", "src/cli"):
+        for module in ("grammar", "src/motion/math", "src/shape", "src/exchange/mesh_io", "interpreter", "src/cli"):
             self.write(f"{module}/README.md", README)
             self.write(f"{module}/CMakeLists.txt", "rubicon_module(x SOURCES good.cpp angles.cpp seeded.cpp)\n")
             self.write(f"{module}/good.hpp", "#pragma once\n#include <vector>\n")
         self.write("grammar/script.hpp", "#include <tao/pegtl.hpp>\n")
-        self.write("src/math/angles.cpp", "double f(double x) { return std::sin(x); }\n")
-        self.write("src/shape/good.cpp", '#include "src/math/good.hpp"\n// std::sin, #include <chrono>, getenv("HOME")\n')
-        self.write("src/mesh_io/assimp_scene.hpp", "#include <assimp/scene.h>\n")
-        self.write("src/mesh_io/good.cpp", '#include <fstream>\n#include "src/mesh_io/assimp_scene.hpp"\n')
-        self.write("interpreter/good.cpp", '#include "grammar/script.hpp"\n#include "src/math/good.hpp"\n'
+        self.write("src/motion/math/angles.cpp", "double f(double x) { return std::sin(x); }\n")
+        self.write("src/shape/good.cpp", '#include "src/motion/math/good.hpp"\n// std::sin, #include <chrono>, getenv("HOME")\n')
+        self.write("src/exchange/mesh_io/assimp_scene.hpp", "#include <assimp/scene.h>\n")
+        self.write("src/exchange/mesh_io/good.cpp", '#include <fstream>\n#include "src/exchange/mesh_io/assimp_scene.hpp"\n')
+        self.write("interpreter/good.cpp", '#include "grammar/script.hpp"\n#include "src/motion/math/good.hpp"\n'
                    'auto kind = Kind::sin; auto text = "sin(x)"; double d = sin_deg(x) + node.log();\n')
         self.write("interpreter/parse_state.hpp", '#include "grammar/script.hpp"\n')
         self.write("src/cli/good.cpp", '#include <chrono>\n#include "interpreter/good.hpp"\n')
@@ -66,25 +66,25 @@ class SeededViolations(unittest.TestCase):
         self.expect()
 
     def test_order_of_modules(self):
-        self.expect_in("src/math/seeded.cpp", '\n#include "src/shape/good.hpp"\n',
-                       "src/math/seeded.cpp:2: src/math may not use src/shape (it may use no other module)")
+        self.expect_in("src/motion/math/seeded.cpp", '\n#include "src/shape/good.hpp"\n',
+                       "src/motion/math/seeded.cpp:2: src/motion/math may not use src/shape (it may use no other module)")
         self.expect_in("src/shape/seeded.hpp", '#include "interpreter/good.hpp"\n', "may not use interpreter")
         self.expect_in("interpreter/seeded.hpp", ' # include  "src/cli/good.hpp"\n', "may not use src/cli")
-        self.expect_in("src/mesh_io/seeded.cpp", '#include "grammar/script.hpp"\n', "may not use grammar")
+        self.expect_in("src/exchange/mesh_io/seeded.cpp", '#include "grammar/script.hpp"\n', "may not use grammar")
 
     def test_hidden_module_in_header(self):
         self.expect_in("interpreter/seeded.hpp", '#include "grammar/script.hpp"\n', "only the .cpp files of interpreter")
         self.expect_in("interpreter/seeded.hpp", '#include "interpreter/parse_state.hpp"\n', "private header")
 
     def test_include_without_folder(self):
-        self.expect_in("src/math/seeded.cpp", '#include "good.hpp"\n', "name project headers from the top folder")
+        self.expect_in("src/motion/math/seeded.cpp", '#include "good.hpp"\n', "name project headers from the top folder")
 
     def test_libraries(self):
         self.expect_in("interpreter/seeded.hpp", "#include <tao/pegtl.hpp>\n", "PEGTL")
         self.expect_in("src/shape/seeded.hpp", "#include <fcl/fcl.h>\n", "FCL")
-        self.expect_in("src/mesh_io/seeded.hpp", "#include <assimp/scene.h>\n", "assimp")
-        self.expect_in("src/mesh_io/seeded.hpp", '#include "src/mesh_io/assimp_scene.hpp"\n', "private header")
-        self.expect_in("src/cli/seeded.cpp", '#include "src/mesh_io/assimp_scene.hpp"\n', "private header")
+        self.expect_in("src/exchange/mesh_io/seeded.hpp", "#include <assimp/scene.h>\n", "assimp")
+        self.expect_in("src/exchange/mesh_io/seeded.hpp", '#include "src/exchange/mesh_io/assimp_scene.hpp"\n', "private header")
+        self.expect_in("src/cli/seeded.cpp", '#include "src/exchange/mesh_io/assimp_scene.hpp"\n', "private header")
 
     def test_trigonometry(self):
         for code in ("return std::cos(x);", "return sin(x);", "y = -atan2f(y, x);", "using std::pow;", "::exp(2.0);",
@@ -114,7 +114,7 @@ class SeededViolations(unittest.TestCase):
         self.expect("src/new: is listed in tests/structure/modules.txt and holds no source")
 
     def test_orphan_source(self):
-        self.expect_in("src/math/orphan.cpp", "", "src/math/orphan.cpp: no CMakeLists.txt of src/math names it")
+        self.expect_in("src/motion/math/orphan.cpp", "", "src/motion/math/orphan.cpp: no CMakeLists.txt of src/motion/math names it")
 
     def test_missing_readme(self):
         (self.root / "src/shape/README.md").unlink()
@@ -127,7 +127,7 @@ class SeededViolations(unittest.TestCase):
         self.expect("docs/guide.md:2: links to missing.md")
 
     def test_order_must_be_lowest_first(self):
-        self.write("tests/structure/modules.txt", "src/math: src/shape\nsrc/shape:\n")
+        self.write("tests/structure/modules.txt", "src/motion/math: src/shape\nsrc/shape:\n")
         with self.assertRaisesRegex(ValueError, "src/shape, which is not listed above it"):
             check_structure.check(self.root)
 

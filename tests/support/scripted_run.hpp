@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "interpreter/machine.hpp"
+#include "interpreter/machine/machine.hpp"
 #include "tests/support/memory_files.hpp"
 
 namespace rubicon::test {

@@ -1,4 +1,4 @@
-import table from '../../src/palette/palette.json';
+import table from '../../src/results/palette/palette.json';
 
 /** The one table of colours, of which the chart, the glTF and the terminal of the command are made too. */
 export const palette = table;

@@ -1,7 +1,7 @@
 #include <cstdio>
 
-#include "interpreter/parse.hpp"
-#include "src/math/angles.hpp"
+#include "interpreter/parse/parse.hpp"
+#include "src/motion/math/angles.hpp"
 
 namespace {
 

@@ -1,12 +1,12 @@
-#include "src/building_io/building_plan.hpp"
+#include "src/exchange/building_io/building_plan.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "interpreter/plan_model.hpp"
-#include "src/building_io/component_text.hpp"
-#include "src/files/disk_io.hpp"
-#include "src/project_io/project_of.hpp"
+#include "interpreter/check/plan_model.hpp"
+#include "src/exchange/building_io/component_text.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/exchange/project_io/project_of.hpp"
 #include "tests/support/ifc_sample.hpp"
 #include "tests/unit/building_io/building_support.hpp"
 #include "tests/unit/mesh_io/mesh_files_io.hpp"

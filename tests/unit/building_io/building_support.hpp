@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "interpreter/diagnostic.hpp"
-#include "src/building_io/element.hpp"
-#include "src/building_io/match_file.hpp"
-#include "src/building_io/read_elements.hpp"
-#include "src/project_io/project.hpp"
+#include "interpreter/syntax/diagnostic.hpp"
+#include "src/exchange/building_io/element.hpp"
+#include "src/exchange/building_io/match_file.hpp"
+#include "src/exchange/building_io/read_elements.hpp"
+#include "src/exchange/project_io/project.hpp"
 
 namespace rubicon::test {
 

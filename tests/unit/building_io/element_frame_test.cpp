@@ -1,8 +1,8 @@
-#include "src/building_io/element_frame.hpp"
+#include "src/exchange/building_io/element_frame.hpp"
 
 #include <gtest/gtest.h>
 
-#include "src/math/pose.hpp"
+#include "src/motion/math/pose.hpp"
 #include "tests/unit/mesh_io/mesh_files_io.hpp"
 
 namespace rubicon::building_io {

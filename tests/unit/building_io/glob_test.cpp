@@ -1,4 +1,4 @@
-#include "src/building_io/glob.hpp"
+#include "src/exchange/building_io/glob.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <random>
 
-#include "interpreter/plan_model.hpp"
-#include "src/building_io/building_plan.hpp"
-#include "src/files/disk_io.hpp"
+#include "interpreter/check/plan_model.hpp"
+#include "src/exchange/building_io/building_plan.hpp"
+#include "src/exchange/files/disk_io.hpp"
 #include "tests/support/ifc_sample.hpp"
 #include "tests/unit/building_io/building_support.hpp"
 #include "tests/unit/mesh_io/mesh_files_io.hpp"

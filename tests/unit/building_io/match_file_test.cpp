@@ -1,4 +1,4 @@
-#include "src/building_io/match_file.hpp"
+#include "src/exchange/building_io/match_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

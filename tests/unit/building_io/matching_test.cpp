@@ -1,4 +1,4 @@
-#include "src/building_io/matching.hpp"
+#include "src/exchange/building_io/matching.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

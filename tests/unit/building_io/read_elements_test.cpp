@@ -1,4 +1,4 @@
-#include "src/building_io/read_elements.hpp"
+#include "src/exchange/building_io/read_elements.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
-#include "src/building_io/stock_layout.hpp"
+#include "src/exchange/building_io/stock_layout.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "src/math/pose.hpp"
+#include "src/motion/math/pose.hpp"
 
 namespace rubicon::building_io {
 namespace {

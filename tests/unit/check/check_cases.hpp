@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "interpreter/diagnostic.hpp"
-#include "interpreter/source.hpp"
+#include "interpreter/syntax/diagnostic.hpp"
+#include "interpreter/syntax/source.hpp"
 
 namespace rubicon::test {
 

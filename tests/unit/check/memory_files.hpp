@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "interpreter/file_provider.hpp"
+#include "interpreter/syntax/file_provider.hpp"
 
 namespace rubicon::test {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "interpreter/plan_model.hpp"
-#include "src/robot/kinematics.hpp"
+#include "interpreter/check/plan_model.hpp"
+#include "src/motion/robot/kinematics.hpp"
 #include "tests/unit/check/check_cases.hpp"
 #include "tests/unit/check/memory_files.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "interpreter/plan_model.hpp"
+#include "interpreter/check/plan_model.hpp"
 #include "tests/unit/check/check_cases.hpp"
 #include "tests/unit/check/memory_files.hpp"
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "interpreter/check.hpp"
-#include "src/robot/kinematics.hpp"
+#include "interpreter/check/check.hpp"
+#include "src/motion/robot/kinematics.hpp"
 #include "tests/unit/check/check_cases.hpp"
 #include "tests/unit/check/memory_files.hpp"
 

@@ -7,8 +7,8 @@
 #include <set>
 #include <sstream>
 
-#include "interpreter/check.hpp"
-#include "interpreter/parse.hpp"
+#include "interpreter/check/check.hpp"
+#include "interpreter/parse/parse.hpp"
 #include "tests/support/growth.hpp"
 #include "tests/unit/check/script_robots.hpp"
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "src/robot/robot_model.hpp"
+#include "src/motion/robot/robot_model.hpp"
 
 namespace rubicon::test {
 

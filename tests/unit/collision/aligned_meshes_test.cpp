@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "random_scene.hpp"
-#include "src/collision/body.hpp"
-#include "src/math/angles.hpp"
+#include "src/motion/collision/sweep/body.hpp"
+#include "src/motion/math/angles.hpp"
 #include "tests/support/random_cases.hpp"
 
 // Bodies that overlap although no surface of one crosses a surface of the other: faces lie in each

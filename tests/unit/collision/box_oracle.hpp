@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "src/math/pose.hpp"
+#include "src/motion/math/pose.hpp"
 
 namespace rubicon::collision::test {
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "src/collision/swept_query.hpp"
+#include "src/motion/collision/swept_query.hpp"
 
 namespace rubicon::collision::test {
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "src/collision/body.hpp"
-#include "src/collision/containment.hpp"
-#include "src/collision/winding.hpp"
+#include "src/motion/collision/mesh/winding.hpp"
+#include "src/motion/collision/pair/containment.hpp"
+#include "src/motion/collision/sweep/body.hpp"
 #include "tests/unit/collision/box_oracle.hpp"
 #include "tests/unit/collision/meshes.hpp"
 #include "tests/unit/collision/random_scene.hpp"

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "src/collision/swept_query.hpp"
+#include "src/motion/collision/swept_query.hpp"
 
 namespace rubicon::collision::test {
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "src/collision/polygon.hpp"
+#include "src/motion/collision/base/polygon.hpp"
 #include "tests/unit/collision/random_scene.hpp"
 
 namespace rubicon::collision::test {

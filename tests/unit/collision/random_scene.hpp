@@ -3,8 +3,8 @@
 #include <cmath>
 #include <random>
 
-#include "src/collision/swept_query.hpp"
-#include "src/math/angles.hpp"
+#include "src/motion/collision/swept_query.hpp"
+#include "src/motion/math/angles.hpp"
 
 namespace rubicon::collision::test {
 

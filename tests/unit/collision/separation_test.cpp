@@ -1,11 +1,11 @@
-#include "src/collision/separation.hpp"
+#include "src/motion/collision/convex/separation.hpp"
 
 #include <gtest/gtest.h>
 
-#include "src/collision/body.hpp"
-#include "src/collision/expanding_polytope.hpp"
-#include "src/collision/gjk.hpp"
-#include "src/collision/separating_axes.hpp"
+#include "src/motion/collision/convex/expanding_polytope.hpp"
+#include "src/motion/collision/convex/gjk.hpp"
+#include "src/motion/collision/convex/separating_axes.hpp"
+#include "src/motion/collision/sweep/body.hpp"
 #include "tests/support/random_cases.hpp"
 #include "tests/unit/collision/random_scene.hpp"
 

@@ -1,10 +1,10 @@
-#include "src/collision/surface_search.hpp"
+#include "src/motion/collision/pair/surface_search.hpp"
 
 #include <gtest/gtest.h>
 
 #include "meshes.hpp"
 #include "random_scene.hpp"
-#include "src/collision/winding.hpp"
+#include "src/motion/collision/mesh/winding.hpp"
 
 namespace rubicon::collision::test {
 namespace {

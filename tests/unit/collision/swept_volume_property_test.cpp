@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/collision/swept_volume.hpp"
+#include "src/motion/collision/query/swept_volume.hpp"
 #include "tests/support/random_cases.hpp"
 #include "tests/unit/collision/bodies.hpp"
 #include "tests/unit/collision/meshes.hpp"

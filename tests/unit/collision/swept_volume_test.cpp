@@ -1,4 +1,4 @@
-#include "src/collision/swept_volume.hpp"
+#include "src/motion/collision/query/swept_volume.hpp"
 
 #include <gtest/gtest.h>
 

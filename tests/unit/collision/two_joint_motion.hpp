@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "src/geometry/motion.hpp"
-#include "src/math/angles.hpp"
+#include "src/motion/geometry/motion.hpp"
+#include "src/motion/math/angles.hpp"
 
 namespace rubicon::collision::test {
 

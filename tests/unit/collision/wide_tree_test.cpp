@@ -1,4 +1,4 @@
-#include "src/collision/wide_tree.hpp"
+#include "src/motion/collision/tree/wide_tree.hpp"
 
 #include <gtest/gtest.h>
 

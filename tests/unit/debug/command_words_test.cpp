@@ -1,6 +1,6 @@
 // How the words of a user become commands.
 
-#include "src/debug/command_words.hpp"
+#include "src/results/debug/command_words.hpp"
 
 #include <gmock/gmock.h>
 

@@ -6,8 +6,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "src/debug/clean_text.hpp"
-#include "src/debug/recording_reader.hpp"
+#include "src/results/debug/clean_text.hpp"
+#include "src/results/debug/recording_reader.hpp"
 #include "tests/support/growth.hpp"
 #include "tests/support/random_cases.hpp"
 #include "tests/unit/debug/hand_trace.hpp"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "src/debug/recording_reader.hpp"
+#include "src/results/debug/recording_reader.hpp"
 #include "tests/support/growth.hpp"
 #include "tests/support/random_cases.hpp"
 #include "tests/unit/debug/hand_trace.hpp"

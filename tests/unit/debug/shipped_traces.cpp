@@ -4,9 +4,9 @@
 
 #include <map>
 
-#include "src/debug/recording_reader.hpp"
-#include "src/files/disk_io.hpp"
-#include "src/taskplan/run_plan.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/results/debug/recording_reader.hpp"
+#include "src/simulation/taskplan/run_plan.hpp"
 
 namespace rubicon::test {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "src/debug/session.hpp"
+#include "src/results/debug/session.hpp"
 
 namespace rubicon::test {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "interpreter/plan_model.hpp"
-#include "src/files/disk_io.hpp"
-#include "src/film/film_writer.hpp"
-#include "src/taskplan/run_plan.hpp"
+#include "interpreter/check/plan_model.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/results/film/film_writer.hpp"
+#include "src/simulation/taskplan/run_plan.hpp"
 #include "tests/unit/film/film_decoder.hpp"
 
 namespace rubicon::film {

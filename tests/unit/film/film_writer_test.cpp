@@ -1,4 +1,4 @@
-#include "src/film/film_writer.hpp"
+#include "src/results/film/film_writer.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "src/film/gzip.hpp"
+#include "src/results/film/gzip.hpp"
 #include "tests/unit/film/film_decoder.hpp"
 
 namespace rubicon::film {

@@ -1,4 +1,4 @@
-#include "src/film/key_filter.hpp"
+#include "src/results/film/key_filter.hpp"
 
 #include <gtest/gtest.h>
 

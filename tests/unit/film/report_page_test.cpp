@@ -1,4 +1,4 @@
-#include "src/page/report_page.hpp"
+#include "src/results/page/report_page.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "src/encoding/base64.hpp"
+#include "src/exchange/encoding/base64.hpp"
 #include "tests/unit/film/film_decoder.hpp"
 
 namespace rubicon::page {

@@ -1,4 +1,4 @@
-#include "src/gantt/chart.hpp"
+#include "src/results/gantt/chart.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/gantt/off_times.hpp"
+#include "src/results/gantt/off_times.hpp"
 
 #include <gtest/gtest.h>
 

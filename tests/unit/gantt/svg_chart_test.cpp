@@ -1,4 +1,4 @@
-#include "src/gantt/svg_chart.hpp"
+#include "src/results/gantt/svg_chart.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

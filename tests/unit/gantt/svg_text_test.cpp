@@ -1,4 +1,4 @@
-#include "src/gantt/svg_text.hpp"
+#include "src/results/gantt/svg_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/gantt/time_axis.hpp"
+#include "src/results/gantt/time_axis.hpp"
 
 #include <gtest/gtest.h>
 

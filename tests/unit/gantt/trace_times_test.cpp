@@ -1,4 +1,4 @@
-#include "src/gantt/trace_times.hpp"
+#include "src/results/gantt/trace_times.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/gltf/animation.hpp"
+#include "src/results/gltf/animation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/gltf/document_file.hpp"
+#include "src/results/gltf/document_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/gltf/document.hpp"
+#include "src/results/gltf/document.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "src/robot/kinematics.hpp"
+#include "src/motion/robot/kinematics.hpp"
 #include "tests/unit/gltf/film_player.hpp"
 #include "tests/unit/gltf/film_run.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/math/pose.hpp"
+#include "src/motion/math/pose.hpp"
 
 namespace rubicon::test {
 

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "src/files/disk_io.hpp"
-#include "src/gltf/document_file.hpp"
-#include "src/taskplan/run_plan.hpp"
-#include "src/verify/trace_reader.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/results/gltf/document_file.hpp"
+#include "src/results/verify/input/trace_reader.hpp"
+#include "src/simulation/taskplan/run_plan.hpp"
 
 namespace rubicon::test {
 

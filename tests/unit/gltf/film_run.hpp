@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "interpreter/plan_model.hpp"
+#include "interpreter/check/plan_model.hpp"
 
 namespace rubicon::test {
 

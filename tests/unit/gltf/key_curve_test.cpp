@@ -1,4 +1,4 @@
-#include "src/gltf/key_curve.hpp"
+#include "src/results/gltf/key_curve.hpp"
 
 #include <gtest/gtest.h>
 

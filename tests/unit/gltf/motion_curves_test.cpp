@@ -1,10 +1,10 @@
-#include "src/gltf/motion_curves.hpp"
+#include "src/results/gltf/motion_curves.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "src/math/angles.hpp"
+#include "src/motion/math/angles.hpp"
 
 namespace rubicon::gltf {
 namespace {

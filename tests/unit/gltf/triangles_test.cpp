@@ -1,10 +1,10 @@
-#include "src/gltf/triangles.hpp"
+#include "src/results/gltf/triangles.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "src/math/angles.hpp"
+#include "src/motion/math/angles.hpp"
 
 namespace rubicon::gltf {
 namespace {

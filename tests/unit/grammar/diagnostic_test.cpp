@@ -1,4 +1,4 @@
-#include "interpreter/diagnostic.hpp"
+#include "interpreter/syntax/diagnostic.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "interpreter/parse.hpp"
+#include "interpreter/parse/parse.hpp"
 
 namespace rubicon::grammar_test {
 

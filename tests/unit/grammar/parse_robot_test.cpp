@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "interpreter/parse.hpp"
+#include "interpreter/parse/parse.hpp"
 
 namespace rubicon {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "interpreter/parse.hpp"
+#include "interpreter/parse/parse.hpp"
 
 namespace rubicon::grammar_test {
 

@@ -1,4 +1,4 @@
-#include "interpreter/source.hpp"
+#include "interpreter/syntax/source.hpp"
 
 #include <gtest/gtest.h>
 

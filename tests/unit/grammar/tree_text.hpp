@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "interpreter/syntax.hpp"
+#include "interpreter/syntax/syntax.hpp"
 
 /// Syntax trees as text without places: two texts mean the same if these are equal.
 namespace rubicon::grammar_test {

@@ -1,4 +1,4 @@
-#include "interpreter/utf8_character.hpp"
+#include "interpreter/syntax/utf8_character.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "src/ifc/chords.hpp"
-#include "src/ifc/ifc_curve.hpp"
-#include "src/math/angles.hpp"
+#include "src/exchange/ifc/chords.hpp"
+#include "src/exchange/ifc/ifc_curve.hpp"
+#include "src/motion/math/angles.hpp"
 
 namespace rubicon::ifc {
 namespace {

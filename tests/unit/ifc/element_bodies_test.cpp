@@ -1,4 +1,4 @@
-#include "src/ifc/element_bodies.hpp"
+#include "src/exchange/ifc/element_bodies.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

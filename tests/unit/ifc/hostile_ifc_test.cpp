@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "src/ifc/element_bodies.hpp"
-#include "src/ifc/ifc_model.hpp"
-#include "src/ifc/plain_ifc.hpp"
-#include "src/ifc/step_file.hpp"
+#include "src/exchange/ifc/element_bodies.hpp"
+#include "src/exchange/ifc/ifc_model.hpp"
+#include "src/exchange/ifc/plain_ifc.hpp"
+#include "src/exchange/ifc/step_file.hpp"
 #include "tests/support/growth.hpp"
 #include "tests/support/ifc_sample.hpp"
 

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "src/ifc/ifc_model.hpp"
+#include "src/exchange/ifc/ifc_model.hpp"
 #include "tests/support/ifc_sample.hpp"
 
 namespace rubicon::ifc {

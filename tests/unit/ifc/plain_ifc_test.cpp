@@ -1,11 +1,11 @@
-#include "src/ifc/plain_ifc.hpp"
+#include "src/exchange/ifc/plain_ifc.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "src/ifc/step_values.hpp"
+#include "src/exchange/ifc/step_values.hpp"
 #include "tests/support/ifc_sample.hpp"
 
 namespace rubicon::ifc {

@@ -1,4 +1,4 @@
-#include "src/ifc/polygon_triangles.hpp"
+#include "src/exchange/ifc/polygon_triangles.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "src/ifc/solid_cut.hpp"
+#include "src/exchange/ifc/solid_cut.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "src/ifc/swept_solids.hpp"
+#include "src/exchange/ifc/swept_solids.hpp"
 
 namespace rubicon::ifc {
 namespace {

@@ -1,9 +1,9 @@
-#include "src/ifc/step_file.hpp"
+#include "src/exchange/ifc/step_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "src/ifc/step_values.hpp"
+#include "src/exchange/ifc/step_values.hpp"
 
 namespace rubicon::ifc {
 namespace {

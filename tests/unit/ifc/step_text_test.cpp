@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "src/ifc/step_values.hpp"
+#include "src/exchange/ifc/step_values.hpp"
 
 namespace rubicon::ifc {
 namespace {

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "src/math/angles.hpp"
+#include "src/motion/math/angles.hpp"
 
 namespace rubicon::math {
 namespace {

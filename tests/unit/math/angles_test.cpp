@@ -1,4 +1,4 @@
-#include "src/math/angles.hpp"
+#include "src/motion/math/angles.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/geometry/motion.hpp"
+#include "src/motion/geometry/motion.hpp"
 
 #include <gtest/gtest.h>
 

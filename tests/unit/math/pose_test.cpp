@@ -1,10 +1,10 @@
-#include "src/math/pose.hpp"
+#include "src/motion/math/pose.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "src/math/angles.hpp"
+#include "src/motion/math/angles.hpp"
 
 namespace rubicon::math {
 namespace {

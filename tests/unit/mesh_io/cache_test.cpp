@@ -15,8 +15,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "src/mesh_io/disk_cache_io.hpp"
-#include "src/mesh_io/scene_wire.hpp"
+#include "src/exchange/mesh_io/disk_cache_io.hpp"
+#include "src/exchange/mesh_io/scene_wire.hpp"
 #include "tests/unit/mesh_io/mesh_files_io.hpp"
 #include "tests/unit/mesh_io/processes_io.hpp"
 

@@ -1,4 +1,4 @@
-#include "src/mesh_io/content_hash.hpp"
+#include "src/exchange/mesh_io/content_hash.hpp"
 
 #include <gtest/gtest.h>
 

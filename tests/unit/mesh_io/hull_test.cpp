@@ -7,8 +7,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "src/mesh_io/hull_check.hpp"
-#include "src/mesh_io/mending.hpp"
+#include "src/exchange/mesh_io/hull_check.hpp"
+#include "src/exchange/mesh_io/mending.hpp"
 #include "tests/unit/mesh_io/mesh_files_io.hpp"
 
 // The convex hull in place of a mesh: closed, outward, and around every corner.

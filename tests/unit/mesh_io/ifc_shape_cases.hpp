@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "src/geometry/shape.hpp"
+#include "src/motion/geometry/shape.hpp"
 
 namespace rubicon::mesh_io::testing {
 

@@ -1,4 +1,4 @@
-#include "src/mesh_io/mending.hpp"
+#include "src/exchange/mesh_io/mending.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "src/math/angles.hpp"
+#include "src/motion/math/angles.hpp"
 
 namespace rubicon::mesh_io::testing {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "src/mesh_io/mesh_io.hpp"
+#include "src/exchange/mesh_io/mesh_io.hpp"
 
 namespace rubicon::mesh_io::testing {
 

@@ -1,4 +1,4 @@
-#include "src/mesh_io/near_text.hpp"
+#include "src/exchange/mesh_io/near_text.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "src/mesh_io/scene_wire.hpp"
+#include "src/exchange/mesh_io/scene_wire.hpp"
 
 #include <gtest/gtest.h>
 

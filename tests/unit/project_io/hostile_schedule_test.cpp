@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "src/project_io/write_mspdi.hpp"
+#include "src/exchange/project_io/write_mspdi.hpp"
 #include "tests/support/growth.hpp"
 #include "tests/unit/project_io/project_support.hpp"
 #include "tests/unit/project_io/sample_files_io.hpp"

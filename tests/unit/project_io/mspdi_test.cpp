@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "src/project_io/value_text.hpp"
+#include "src/exchange/project_io/value_text.hpp"
 #include "tests/unit/project_io/project_support.hpp"
 #include "tests/unit/project_io/sample_files_io.hpp"
 

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "interpreter/parse.hpp"
-#include "src/project_io/identifiers.hpp"
+#include "interpreter/parse/parse.hpp"
+#include "src/exchange/project_io/identifiers.hpp"
 #include "tests/unit/project_io/project_support.hpp"
 #include "tests/unit/project_io/sample_files_io.hpp"
 

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "src/project_io/decode_text.hpp"
-#include "src/project_io/plan_text.hpp"
-#include "src/project_io/project_of.hpp"
-#include "src/project_io/read_project.hpp"
+#include "src/exchange/project_io/decode_text.hpp"
+#include "src/exchange/project_io/plan_text.hpp"
+#include "src/exchange/project_io/project_of.hpp"
+#include "src/exchange/project_io/read_project.hpp"
 #include "tests/support/memory_files.hpp"
 
 namespace rubicon::test {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/project_io/project.hpp"
+#include "src/exchange/project_io/project.hpp"
 
 namespace rubicon::test {
 

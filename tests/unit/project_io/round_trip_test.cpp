@@ -4,9 +4,9 @@
 #include <random>
 #include <sstream>
 
-#include "src/project_io/tidy_project.hpp"
-#include "src/project_io/value_text.hpp"
-#include "src/project_io/write_mspdi.hpp"
+#include "src/exchange/project_io/tidy_project.hpp"
+#include "src/exchange/project_io/value_text.hpp"
+#include "src/exchange/project_io/write_mspdi.hpp"
 #include "tests/unit/project_io/project_support.hpp"
 #include "tests/unit/project_io/sample_files_io.hpp"
 

@@ -1,4 +1,4 @@
-#include "src/project_io/simulated_run.hpp"
+#include "src/exchange/project_io/simulated_run.hpp"
 
 #include <gtest/gtest.h>
 

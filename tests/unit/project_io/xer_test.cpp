@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "src/project_io/value_text.hpp"
-#include "src/project_io/xer_calendar.hpp"
+#include "src/exchange/project_io/value_text.hpp"
+#include "src/exchange/project_io/xer_calendar.hpp"
 #include "tests/unit/project_io/project_support.hpp"
 #include "tests/unit/project_io/sample_files_io.hpp"
 

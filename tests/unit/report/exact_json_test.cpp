@@ -1,4 +1,4 @@
-#include "src/report/exact_json.hpp"
+#include "src/results/report/exact_json.hpp"
 
 #include <gtest/gtest.h>
 

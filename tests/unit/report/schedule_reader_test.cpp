@@ -1,14 +1,14 @@
-#include "src/report/schedule_reader.hpp"
+#include "src/results/report/schedule_reader.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <string>
 
-#include "interpreter/plan_model.hpp"
-#include "src/files/disk_io.hpp"
-#include "src/report/schedule_text.hpp"
-#include "src/taskplan/run_plan.hpp"
+#include "interpreter/check/plan_model.hpp"
+#include "src/exchange/files/disk_io.hpp"
+#include "src/results/report/schedule_text.hpp"
+#include "src/simulation/taskplan/run_plan.hpp"
 
 namespace rubicon::report {
 namespace {

@@ -1,11 +1,11 @@
-#include "src/robot/body_motion.hpp"
+#include "src/motion/robot/body_motion.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "src/math/angles.hpp"
+#include "src/motion/math/angles.hpp"
 #include "tests/unit/robot/robots.hpp"
 
 namespace rubicon::robot {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "src/math/angles.hpp"
+#include "src/motion/math/angles.hpp"
 #include "tests/unit/robot/robots.hpp"
 
 namespace rubicon::robot {

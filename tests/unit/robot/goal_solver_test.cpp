@@ -4,7 +4,7 @@
 #include <limits>
 #include <random>
 
-#include "src/math/angles.hpp"
+#include "src/motion/math/angles.hpp"
 #include "tests/unit/robot/robots.hpp"
 
 namespace rubicon::robot {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "src/robot/kinematics.hpp"
+#include "src/motion/robot/kinematics.hpp"
 
 namespace rubicon::robot {
 

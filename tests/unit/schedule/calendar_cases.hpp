@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
-#include "src/schedule/calendar_rules.hpp"
-#include "src/schedule/civil_time.hpp"
-#include "src/schedule/work_calendar.hpp"
+#include "src/simulation/schedule/calendar_rules.hpp"
+#include "src/simulation/schedule/civil_time.hpp"
+#include "src/simulation/schedule/work_calendar.hpp"
 
 namespace rubicon::test {
 

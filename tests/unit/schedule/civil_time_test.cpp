@@ -1,4 +1,4 @@
-#include "src/schedule/civil_time.hpp"
+#include "src/simulation/schedule/civil_time.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/schedule/components.hpp"
+#include "src/simulation/schedule/components.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/schedule/link.hpp"
+#include "src/simulation/schedule/link.hpp"
 #include "tests/unit/schedule/calendar_cases.hpp"
 
 namespace rubicon::test {

@@ -1,4 +1,4 @@
-#include "src/schedule/link.hpp"
+#include "src/simulation/schedule/link.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
-#include "src/schedule/critical_chain.hpp"
+#include "src/simulation/schedule/critical_chain.hpp"
 #include "tests/unit/schedule/calendar_cases.hpp"
 
 namespace rubicon::test {

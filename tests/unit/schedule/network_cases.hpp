@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "src/schedule/calendar_rules.hpp"
-#include "src/schedule/network.hpp"
+#include "src/simulation/schedule/calendar_rules.hpp"
+#include "src/simulation/schedule/network.hpp"
 
 namespace rubicon::test {
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "src/schedule/critical_chain.hpp"
+#include "src/simulation/schedule/critical_chain.hpp"
 #include "tests/unit/schedule/calendar_cases.hpp"
 #include "tests/unit/schedule/network_cases.hpp"
 #include "tests/unit/schedule/random_network.hpp"

@@ -1,7 +1,7 @@
 // Crews that share their time, milestones, tasks tied at both ends, and what cannot be done: worked
 // by hand.
 
-#include "src/schedule/network.hpp"
+#include "src/simulation/schedule/network.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

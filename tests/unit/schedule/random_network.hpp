@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "src/schedule/network.hpp"
+#include "src/simulation/schedule/network.hpp"
 
 namespace rubicon::test {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "src/schedule/civil_time.hpp"
-#include "src/schedule/network.hpp"
+#include "src/simulation/schedule/civil_time.hpp"
+#include "src/simulation/schedule/network.hpp"
 
 namespace rubicon::test {
 

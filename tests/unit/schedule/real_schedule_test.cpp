@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "src/schedule/critical_chain.hpp"
+#include "src/simulation/schedule/critical_chain.hpp"
 #include "tests/unit/schedule/real_schedule_io.hpp"
 
 namespace rubicon::schedule {

@@ -1,4 +1,4 @@
-#include "src/schedule/work_calendar.hpp"
+#include "src/simulation/schedule/work_calendar.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "src/site/make_site.hpp"
-#include "src/site/robot_view.hpp"
+#include "src/simulation/site/make_site.hpp"
+#include "src/simulation/site/robot_view.hpp"
 #include "tests/unit/collision/box_oracle.hpp"
 #include "tests/unit/taskplan/crane_plan.hpp"
 

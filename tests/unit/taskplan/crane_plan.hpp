@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "interpreter/plan_model.hpp"
-#include "interpreter/syntax.hpp"
-#include "src/trace/trace_sink.hpp"
+#include "interpreter/check/plan_model.hpp"
+#include "interpreter/syntax/syntax.hpp"
+#include "src/simulation/trace/trace_sink.hpp"
 
 namespace rubicon::test {
 

@@ -1,12 +1,12 @@
 // Crew work as the simulation runs it, against schedules worked by hand and against the calculation
-// of src/schedule.
+// of src/simulation/schedule.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "src/taskplan/run_plan.hpp"
+#include "src/simulation/taskplan/run_plan.hpp"
 #include "tests/unit/schedule/calendar_cases.hpp"
 #include "tests/unit/schedule/link_cases.hpp"
 #include "tests/unit/schedule/random_network.hpp"

@@ -1,12 +1,12 @@
-#include "src/trace/json_builder.hpp"
+#include "src/simulation/trace/json_builder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "src/trace/formula_text.hpp"
-#include "src/trace/sha256.hpp"
+#include "src/simulation/trace/formula_text.hpp"
+#include "src/simulation/trace/sha256.hpp"
 
 namespace rubicon::trace {
 namespace {

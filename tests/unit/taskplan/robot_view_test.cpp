@@ -1,10 +1,10 @@
-#include "src/site/robot_view.hpp"
+#include "src/simulation/site/robot_view.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "src/site/make_site.hpp"
+#include "src/simulation/site/make_site.hpp"
 #include "tests/unit/taskplan/crane_plan.hpp"
 
 namespace rubicon::site {

@@ -1,4 +1,4 @@
-#include "src/taskplan/run_mistakes.hpp"
+#include "src/simulation/taskplan/run_mistakes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

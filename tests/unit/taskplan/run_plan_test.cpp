@@ -1,4 +1,4 @@
-#include "src/taskplan/run_plan.hpp"
+#include "src/simulation/taskplan/run_plan.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

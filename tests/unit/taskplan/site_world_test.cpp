@@ -1,10 +1,10 @@
-#include "src/site/site_world.hpp"
+#include "src/simulation/site/site_world.hpp"
 
 #include <gtest/gtest.h>
 
-#include "src/site/load_chart.hpp"
-#include "src/site/make_site.hpp"
-#include "src/site/robot_view.hpp"
+#include "src/simulation/site/load_chart.hpp"
+#include "src/simulation/site/make_site.hpp"
+#include "src/simulation/site/robot_view.hpp"
 #include "tests/unit/taskplan/crane_plan.hpp"
 
 namespace rubicon::site {

@@ -1,4 +1,4 @@
-#include "src/trace/trace_writer.hpp"
+#include "src/simulation/trace/trace_writer.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "src/taskplan/run_plan.hpp"
+#include "src/simulation/taskplan/run_plan.hpp"
 #include "tests/unit/taskplan/crane_plan.hpp"
 
 namespace rubicon::taskplan {

@@ -1,11 +1,11 @@
-#include "src/verify/depth.hpp"
+#include "src/results/verify/geometry/depth.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "src/verify/inner_polytope.hpp"
+#include "src/results/verify/geometry/inner_polytope.hpp"
 #include "tests/unit/verify/random.hpp"
 
 namespace rubicon::verify {

@@ -1,10 +1,10 @@
-#include "src/verify/formula.hpp"
+#include "src/results/verify/input/formula.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "src/verify/fault.hpp"
+#include "src/results/verify/input/fault.hpp"
 #include "tests/unit/verify/random.hpp"
 
 namespace rubicon::verify {

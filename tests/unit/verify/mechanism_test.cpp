@@ -1,4 +1,4 @@
-#include "src/verify/mechanism.hpp"
+#include "src/results/verify/input/mechanism.hpp"
 
 #include <gtest/gtest.h>
 

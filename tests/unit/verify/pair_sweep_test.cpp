@@ -1,4 +1,4 @@
-#include "src/verify/pair_sweep.hpp"
+#include "src/results/verify/geometry/pair_sweep.hpp"
 
 #include <gtest/gtest.h>
 

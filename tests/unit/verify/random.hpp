@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <random>
 
-#include "src/math/angles.hpp"
-#include "src/verify/convex.hpp"
+#include "src/motion/math/angles.hpp"
+#include "src/results/verify/input/convex.hpp"
 
 namespace rubicon::verify {
 

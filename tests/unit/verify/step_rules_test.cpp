@@ -1,9 +1,9 @@
-#include "src/verify/step_rules.hpp"
+#include "src/results/verify/replay/step_rules.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "src/math/angles.hpp"
+#include "src/motion/math/angles.hpp"
 
 namespace rubicon::verify {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "src/verify/closed_surface.hpp"
-#include "src/verify/fault.hpp"
-#include "src/verify/mesh_parts.hpp"
-#include "src/verify/polygon_parts.hpp"
+#include "src/results/verify/input/closed_surface.hpp"
+#include "src/results/verify/input/fault.hpp"
+#include "src/results/verify/input/mesh_parts.hpp"
+#include "src/results/verify/input/polygon_parts.hpp"
 #include "tests/unit/verify/random.hpp"
 
 namespace rubicon::verify {

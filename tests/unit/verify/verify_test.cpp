@@ -1,12 +1,12 @@
-#include "src/verify/verify.hpp"
+#include "src/results/verify/verify.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "src/verify/trace_reader.hpp"
-#include "src/verify/verdict_text.hpp"
+#include "src/results/verify/input/trace_reader.hpp"
+#include "src/results/verify/verdict_text.hpp"
 #include "tests/unit/verify/random.hpp"
 #include "tests/unit/verify/sample_traces_io.hpp"
 

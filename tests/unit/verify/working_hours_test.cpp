@@ -1,4 +1,4 @@
-#include "src/verify/working_hours.hpp"
+#include "src/results/verify/schedule/working_hours.hpp"
 
 #include <gtest/gtest.h>
 

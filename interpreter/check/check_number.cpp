@@ -1,0 +1,40 @@
+#include "interpreter/check/check_number.hpp"
+
+#include <fmt/format.h>
+
+namespace rubicon::interpreter {
+
+using syntax::UnitKind;
+
+std::string_view unit_kind_text(UnitKind kind) {
+  switch (kind) {
+    case UnitKind::none:
+      return "a plain number";
+    case UnitKind::length:
+      return "a length";
+    case UnitKind::angle:
+      return "an angle";
+    case UnitKind::time:
+      return "a time";
+    case UnitKind::mass:
+      return "a mass";
+    case UnitKind::speed:
+      return "a speed";
+    case UnitKind::turn_rate:
+      return "a turning speed";
+    case UnitKind::per_hour:
+      return "an hourly rate";
+  }
+  return "";
+}
+
+bool check_unit(const syntax::Number& number, UnitKind wanted, std::string_view what,
+                Diagnostics& diagnostics) {
+  if (number.unit == UnitKind::none || number.unit == wanted) return true;
+  diagnostics.error("F09", number.span,
+                    fmt::format("{} needs {}, but '{}' is {}", what, unit_kind_text(wanted),
+                                number.unit_text, unit_kind_text(number.unit)));
+  return false;
+}
+
+}  // namespace rubicon::interpreter

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string_view>
+
+#include "interpreter/syntax/diagnostic.hpp"
+#include "interpreter/syntax/syntax.hpp"
+
+namespace rubicon::interpreter {
+
+/// Largest length that shapes, frames, steps and speeds may have, in m (m/s). Beyond it a double no
+/// longer resolves a tenth of the contact tolerance; angles (degrees) share the bound.
+inline constexpr double kMaxLength = 1e7;
+
+/// Smallest motion step, in m or degrees: finer ones cannot be told apart by the livelock check at
+/// kMaxLength.
+inline constexpr double kMinStep = 1e-6;
+
+/// Largest duration of one thing, in s (about three years): sums of thousands stay within 64 bits
+/// of nanoseconds.
+inline constexpr double kMaxDuration = 1e8;
+
+/// "a length", "an angle", ...: what a unit measures.
+std::string_view unit_kind_text(syntax::UnitKind kind);
+
+/// Whether `number` is bare or has a unit of the kind `wanted`; F09 at its place if not. `what`
+/// names it in the message ("step(...) of 'x'").
+bool check_unit(const syntax::Number& number, syntax::UnitKind wanted, std::string_view what,
+                Diagnostics& diagnostics);
+
+}  // namespace rubicon::interpreter

@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include "interpreter/check/calendar_text.hpp"
+#include "interpreter/check/check_plan_parts.hpp"
+
+namespace rubicon::interpreter::plan_check {
+
+namespace {
+
+std::optional<int> day_of(Subject& subject, const syntax::Name& name) {
+  const std::optional<int> day = weekday(name.text);
+  if (day) return day;
+  const std::string nearest =
+      did_you_mean(name.text, {"mon", "tue", "wed", "thu", "fri", "sat", "sun"});
+  subject.error("P11", name.span,
+                fmt::format("expected a day (mon, tue, wed, thu, fri, sat, sun), found '{}'{}",
+                            name.text, nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+  return std::nullopt;
+}
+
+std::optional<int> time_of(Subject& subject, const syntax::String& text) {
+  const std::optional<int> minutes = minutes_of_day(text.text);
+  if (!minutes) {
+    subject.error("P10", text.span,
+                  fmt::format("expected a time between 00:00 and 24:00, found '{}'", text.text));
+  }
+  return minutes;
+}
+
+void check_off_days(Subject& subject, const syntax::Shift& shift, CalendarSpec& calendar) {
+  for (const syntax::String& date : shift.off) {
+    if (is_date(date.text)) {
+      calendar.off.push_back(date.text);
+    } else {
+      subject.error("P10", date.span,
+                    fmt::format("expected a date such as 2026-12-25, found '{}'", date.text));
+    }
+  }
+}
+
+void check_shift(Subject& subject, const syntax::Shift& shift, CalendarSpec& calendar) {
+  const std::optional<int> first = day_of(subject, shift.first_day);
+  const std::optional<int> last = shift.last_day ? day_of(subject, *shift.last_day) : first;
+  if (first && last && *last < *first) {
+    subject.error("P11", shift.last_day->span,
+                  fmt::format("the days go from {} to {}; expected the order of the week from mon "
+                              "to sun",
+                              shift.first_day.text, shift.last_day->text),
+                  "write two lines");
+  }
+  CalendarSpec::Shift result;
+  result.first_day = first.value_or(0);
+  result.last_day = last.value_or(6);
+  int end = 0;
+  for (const auto& [from_text, to_text] : shift.times) {
+    const std::optional<int> from = time_of(subject, from_text);
+    const std::optional<int> to = time_of(subject, to_text);
+    if (!from || !to) continue;
+    if (*to <= *from) {
+      subject.error(
+          "P11", to_text.span,
+          fmt::format("this shift ends at {} and begins at {}", to_text.text, from_text.text),
+          "split a night shift at 24:00");
+    } else if (*from < end) {
+      subject.error("P11", from_text.span,
+                    fmt::format("the shifts of a day follow each other: this one begins at {}, "
+                                "before the one before it ends",
+                                from_text.text));
+    } else {
+      end = *to;
+      result.minutes.emplace_back(*from, *to);
+    }
+  }
+  calendar.shifts.push_back(std::move(result));
+}
+
+}  // namespace
+
+void check_calendars(Subject& subject) {
+  std::map<std::string, Span> spans;
+  for (const syntax::PlanItem& each : subject.plan.items) {
+    const auto* item = std::get_if<syntax::CalendarItem>(&each);
+    if (item == nullptr) continue;
+    subject.use("calendar", item->span);
+    const auto [place, is_new] = spans.emplace(item->name.text, item->name.span);
+    if (!is_new) {
+      subject.twice(item->name.span,
+                    fmt::format("calendar '{}' is declared twice", item->name.text), place->second);
+      continue;
+    }
+    CalendarSpec calendar;
+    calendar.name = item->name.text;
+    calendar.span = item->name.span;
+    for (const syntax::Shift& shift : item->shifts) {
+      if (shift.carry_over) {
+        calendar.carry_over = true;
+      } else if (!shift.off.empty()) {
+        check_off_days(subject, shift, calendar);
+      } else {
+        check_shift(subject, shift, calendar);
+      }
+    }
+    if (calendar.shifts.empty() && subject.judges_names()) {
+      subject.error("P11", item->name.span,
+                    fmt::format("calendar '{}' has no working hours", item->name.text),
+                    "write for example mon-fri 07:00-12:00, 12:30-16:00;");
+    }
+    subject.calendars.emplace(calendar.name, static_cast<int>(subject.model.calendars.size()));
+    subject.model.calendars.push_back(std::move(calendar));
+  }
+}
+
+}  // namespace rubicon::interpreter::plan_check

@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "interpreter/check/check_number.hpp"
+#include "interpreter/check/check_plan_parts.hpp"
+
+namespace rubicon::interpreter::plan_check {
+
+namespace {
+
+/// Largest mass, in kg: a thousand times what any crane lifts.
+constexpr double kMaxMass = 1e8;
+
+ComponentSpec resolve_component(Subject& subject, const syntax::ComponentItem& item) {
+  ComponentSpec component;
+  component.name = item.name.text;
+  component.span = item.name.span;
+  const std::string who = "component '" + component.name + "'";
+  for (const syntax::Shape& each : item.shapes) {
+    std::optional<geometry::Shape> shape = subject.shapes.resolve(each);
+    if (shape) component.shapes.push_back(*std::move(shape));
+  }
+  if (item.shapes.empty() && subject.judges_names()) {
+    subject.diagnostics.warning("P16", item.name.span,
+                                fmt::format("{} has no shape: nothing will ever touch it", who));
+  }
+  const auto frame_span = [](const syntax::Frame& frame) { return frame.span; };
+  if (const auto* at = only_one(subject, item.at, "the place of " + who, frame_span)) {
+    component.X_WO = resolve_frame_or_identity(subject, *at);
+  }
+  if (const auto* grip = only_one(subject, item.grip, "the grip of " + who, frame_span)) {
+    component.X_OG = resolve_frame_or_identity(subject, *grip);
+  }
+  const auto number_span = [](const syntax::Number& number) { return number.span; };
+  const auto* mass = only_one(subject, item.mass, "the mass of " + who, number_span);
+  if (mass == nullptr) return component;
+  const std::string what = "the mass of " + who;
+  if (!check_unit(*mass, syntax::UnitKind::mass, what, subject.diagnostics)) return component;
+  if (mass->value > 0 && mass->value <= kMaxMass) {
+    component.mass = mass->value;
+  } else {
+    subject.error("P09", mass->span,
+                  fmt::format("{} must be greater than 0 and at most {} kg, found {}", what,
+                              kMaxMass, mass->value));
+  }
+  return component;
+}
+
+}  // namespace
+
+void check_components(Subject& subject) {
+  for (const syntax::PlanItem& each : subject.plan.items) {
+    const auto* item = std::get_if<syntax::ComponentItem>(&each);
+    if (item == nullptr) continue;
+    ComponentSpec component = resolve_component(subject, *item);
+    if (subject.component_spans.at(item->name.text).begin != item->name.span.begin) continue;
+    const int index = subject.components.at(item->name.text);
+    subject.model.components[static_cast<std::size_t>(index)] = std::move(component);
+  }
+  std::vector<std::vector<ComponentSpec>> templates;
+  for (const ModuleInfo& module : subject.module_infos) {
+    templates.emplace_back();
+    for (const syntax::ComponentItem* item : module.components) {
+      templates.back().push_back(resolve_component(subject, *item));
+    }
+    if (!module.placed && subject.judges_names()) {
+      subject.diagnostics.warning(
+          "P17", module.item->name.span,
+          fmt::format("module '{}' is never placed", module.item->name.text),
+          "write place " + module.item->name.text + " at FRAME as NAME;");
+    }
+  }
+  for (const PlaceInfo& place : subject.place_infos) {
+    if (place.module < 0) continue;
+    auto index = static_cast<std::size_t>(place.first_component);
+    for (const ComponentSpec& each : templates[static_cast<std::size_t>(place.module)]) {
+      ComponentSpec& component = subject.model.components[index++];
+      component = each;
+      component.name = place.item->as.text + "." + each.name;
+      component.X_WO = place.X_WS * each.X_WO;
+    }
+  }
+}
+
+}  // namespace rubicon::interpreter::plan_check

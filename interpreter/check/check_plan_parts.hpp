@@ -1,0 +1,164 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/check/plan_model.hpp"
+#include "interpreter/check/resolve_shape.hpp"
+#include "interpreter/syntax/name_suggestion.hpp"
+#include "interpreter/syntax/syntax.hpp"
+
+/// What the parts of load_plan share; nothing here is for other files.
+namespace rubicon::interpreter::plan_check {
+
+/// Most components and most tasks of a plan, placed modules counted as often as they are placed.
+inline constexpr std::size_t kMaxElements = 200000;
+
+/// The names of a module, and its elements in file order.
+struct ModuleInfo {
+  const syntax::ModuleItem* item = nullptr;
+  std::vector<const syntax::ComponentItem*> components;
+  std::vector<const syntax::TaskItem*> tasks;
+  std::map<std::string, int> component_index;
+  std::map<std::string, int> task_index;
+  bool placed = false;
+};
+
+/// One placing of a module: where it stands and where its elements are in the model.
+struct PlaceInfo {
+  const syntax::PlaceItem* item = nullptr;
+  int module = -1;
+  math::Pose X_WP = math::Pose::Identity();  ///< where it is built
+  math::Pose X_WS = math::Pose::Identity();  ///< its stock: where its components stand at first
+  int first_component = 0;
+  int first_task = 0;
+};
+
+/// One plan on its way from syntax to model.
+struct Subject {
+  const syntax::Plan& plan;
+  PlanModel& model;
+  SourceMap& sources;
+  FileProvider& files;
+  Diagnostics& diagnostics;
+  ShapeResolver& shapes;
+  FormulaNames& names;
+  NameSuggestions suggestions = {};
+
+  std::map<std::string, Span> component_spans = {}, task_spans = {};
+  std::map<std::string, int> components = {}, tasks = {};  ///< of the plan itself: model index
+  std::map<std::string, int> robots = {}, crews = {}, calendars = {}, modules = {}, places = {};
+  std::map<std::string, Span> import_spans = {};
+  std::vector<ModuleInfo> module_infos = {};
+  std::vector<PlaceInfo> place_infos = {};
+  bool has_open_import = false;  ///< an import without a name of its own: any name may be from it
+
+  /// Names that a broken part of the file or an import may declare are not complained about.
+  bool judges_names() const { return !plan.broken && !has_open_import; }
+  void error(std::string code, Span span, std::string message, std::string hint = {}) {
+    diagnostics.error(std::move(code), span, std::move(message), std::move(hint));
+  }
+  void twice(Span second, std::string message, Span first);
+  void use(std::string what, Span span) { model.uses.push_back({std::move(what), span}); }
+
+  /// P01 with did-you-mean among the names of the given maps; `where` ends what is unknown.
+  void unknown(Span span, const std::string& what, const std::string& name,
+               std::initializer_list<const std::map<std::string, int>*> candidates,
+               const std::string& where = {});
+  /// The index of `name`; -1 after reporting that there is none.
+  int find(const std::map<std::string, int>& index, const syntax::Name& name, const char* what);
+};
+
+/// Where the names of a task are looked up: in its module first, then in the plan.
+struct Scope {
+  const ModuleInfo* module = nullptr;
+  int first_component = 0;
+  int first_task = 0;
+  math::Pose X_WP = math::Pose::Identity();
+  bool records_uses = true;
+};
+
+/// The short form or the full form; P03, P04, P15.
+void check_form(Subject& subject);
+
+/// Gives every component, task, robot, crew, calendar, module and place its index: P02, P18.
+void declare_names(Subject& subject);
+
+/// site, contact, budget, start_at, currency, situation, import: P01, P02, P09, P10.
+void check_settings(Subject& subject);
+
+/// P02, P10, P11.
+void check_calendars(Subject& subject);
+
+/// Loads the robots, each file once; robots and crews with their items: P01, P02, P09, F01.
+void check_robots(Subject& subject, const std::vector<std::string>& situations);
+void check_crews(Subject& subject);
+
+/// Components of the plan, and of modules where they are placed: P02, P09, P16, P17.
+void check_components(Subject& subject);
+
+/// Tasks of the plan and of modules: P01, P02, P05-P09, P12-P14.
+void check_tasks(Subject& subject);
+
+/// One task in its scope.
+void check_task(Subject& subject, const Scope& scope, const syntax::TaskItem& item, TaskSpec& task);
+
+/// start, via, goal, carry, within of the short form.
+void check_short_form(Subject& subject);
+
+/// Tasks that wait for each other: P08.
+void check_cycles(Subject& subject);
+
+/// Links of a task or a place. Nothing of one that is wrong (P01, P08, F09).
+std::vector<LinkSpec> resolve_links(Subject& subject, const Scope& scope,
+                                    const std::vector<syntax::Link>& links);
+
+/// The task or component that `name` means in `scope`.
+std::optional<int> find_task(Subject& subject, const Scope& scope,
+                             const syntax::QualifiedName& name);
+std::optional<int> find_component(Subject& subject, const Scope& scope,
+                                  const syntax::QualifiedName& name);
+
+enum class ValueUse { start, via, goal, park, within };
+
+/// Parameter values of a robot (null or unusable: nothing is said). P12-P14, P09, F09.
+std::vector<std::pair<int, double>> resolve_values(Subject& subject, const RobotSpec* robot,
+                                                   const syntax::Values& values, ValueUse use);
+
+/// The start values of a robot, those of the plan before its own, derived ones computed; P13 at
+/// `span` where a given derived one differs.
+void set_starts(Subject& subject, RobotSpec& robot,
+                const std::vector<std::pair<int, double>>& values, Span span);
+
+/// A goal or way point; frames are relative to `X_WP`.
+GoalSpec resolve_goal(Subject& subject, const RobotSpec* robot, const syntax::Goal& goal,
+                      ValueUse use, const math::Pose& X_WP);
+
+/// Adds one `within` item to `within`.
+void resolve_within(Subject& subject, const RobotSpec* robot, const syntax::WithinItem& item,
+                    Within& within);
+
+/// A frame of the plan; identity after reporting what is wrong.
+math::Pose resolve_frame_or_identity(Subject& subject, const syntax::Frame& frame);
+
+/// A number with a unit of that kind within bounds; nothing after reporting F09 or P09.
+std::optional<double> bounded(Subject& subject, const syntax::Number& number, syntax::UnitKind unit,
+                              const std::string& what, double lowest, double highest);
+
+/// A whole number of attempts, at least 1.
+std::optional<double> resolve_budget(Subject& subject, const syntax::Number& number);
+
+/// The first of several things of which one is expected; P02 at the second.
+template <typename T, typename SpanOf>
+const T* only_one(Subject& subject, const std::vector<T>& items, const std::string& what,
+                  const SpanOf& span_of) {
+  if (items.empty()) return nullptr;
+  if (items.size() > 1) {
+    subject.twice(span_of(items[1]), what + " is given twice", span_of(items[0]));
+  }
+  return &items[0];
+}
+
+}  // namespace rubicon::interpreter::plan_check

@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "interpreter/check/check_number.hpp"
+#include "interpreter/check/check_plan_parts.hpp"
+#include "src/motion/math/angles.hpp"
+#include "src/motion/robot/kinematics.hpp"
+
+namespace rubicon::interpreter::plan_check {
+
+namespace {
+
+using syntax::UnitKind;
+
+/// Largest cost of an hour; more is a slip of the pen.
+constexpr double kMaxCost = 1e12;
+
+/// How far a given start value of a derived parameter may be from the computed one, m or degrees:
+/// texts round to fewer digits than doubles.
+constexpr double kDerivedTolerance = 1e-6;
+
+std::optional<double> resolve_cost(Subject& subject, const std::vector<syntax::Cost>& costs,
+                                   const std::string& who) {
+  const auto span_of = [](const syntax::Cost& cost) { return cost.span; };
+  const syntax::Cost* cost = only_one(subject, costs, "the cost of " + who, span_of);
+  if (cost == nullptr) return std::nullopt;
+  subject.use("cost", cost->span);
+  syntax::Number amount = cost->amount;
+  if (amount.unit == UnitKind::per_hour) amount.value *= 3600;
+  return bounded(subject, amount, UnitKind::per_hour, "the cost of " + who, 0, kMaxCost);
+}
+
+std::string resolve_calendar(Subject& subject, const std::vector<syntax::Name>& names,
+                             const std::string& who) {
+  const auto span_of = [](const syntax::Name& name) { return name.span; };
+  const syntax::Name* name = only_one(subject, names, "the calendar of " + who, span_of);
+  if (name == nullptr) return {};
+  subject.use("calendar", name->span);
+  subject.find(subject.calendars, *name, "calendar");
+  return name->text;
+}
+
+class RobotLoader {
+ public:
+  RobotLoader(Subject& subject, const std::vector<std::string>& situations)
+      : subject_(subject), situations_(situations) {}
+
+  void load(const syntax::RobotUse& item) {
+    RobotSpec robot;
+    robot.span = item.name ? item.name->span : item.file.span;
+    robot.robot = load_file(item.file);
+    const std::string fallback = robot.robot ? robot.robot->model.name : std::string("robot");
+    robot.name = item.name ? item.name->text : fallback;
+    if (item.at) robot.X_WM = resolve_frame_or_identity(subject_, *item.at);
+    const std::string who = "robot '" + robot.name + "'";
+    const auto span_of = [](const syntax::Values& values) { return values.span; };
+    std::vector<std::pair<int, double>> starts;
+    if (const auto* values = only_one(subject_, item.start, "the start of " + who, span_of)) {
+      starts = resolve_values(subject_, &robot, *values, ValueUse::start);
+    }
+    set_starts(subject_, robot, starts, item.start.empty() ? item.span : item.start[0].span);
+    robot.cost_per_hour = resolve_cost(subject_, item.cost, who);
+    robot.calendar = resolve_calendar(subject_, item.calendar, who);
+    if (const auto* values = only_one(subject_, item.park, "park of " + who, span_of)) {
+      subject_.use("park", values->span);
+      robot.park = resolve_values(subject_, &robot, *values, ValueUse::park);
+    }
+    declare(item, std::move(robot));
+  }
+
+ private:
+  std::shared_ptr<const CheckedRobot> load_file(const syntax::String& written) {
+    const std::string path = resolve_path(subject_.model.path, written.text);
+    const auto known = loaded_.find(path);
+    if (known != loaded_.end()) return known->second;
+    std::shared_ptr<const CheckedRobot> robot;
+    std::variant<std::string, FileFailure> text = subject_.files.read_text(path);
+    if (const auto* failure = std::get_if<FileFailure>(&text)) {
+      subject_.error("F01", written.span,
+                     fmt::format("robot file '{}': {}", written.text, failure->message));
+    } else {
+      const FileId file = subject_.sources.add(path, std::get<std::string>(std::move(text)));
+      robot =
+          check_robot(file, subject_.sources, subject_.files, &situations_, subject_.diagnostics);
+    }
+    loaded_.emplace(path, robot);
+    return robot;
+  }
+
+  void declare(const syntax::RobotUse& item, RobotSpec robot) {
+    if (item.name) {
+      const auto [place, is_new] =
+          subject_.robots.emplace(robot.name, static_cast<int>(subject_.model.robots.size()));
+      if (!is_new) {
+        const auto first = static_cast<std::size_t>(place->second);
+        subject_.twice(item.name->span, fmt::format("robot '{}' is declared twice", robot.name),
+                       subject_.model.robots[first].span);
+        return;
+      }
+    }
+    subject_.model.robots.push_back(std::move(robot));
+  }
+
+  Subject& subject_;
+  const std::vector<std::string>& situations_;
+  std::map<std::string, std::shared_ptr<const CheckedRobot>> loaded_;
+};
+
+}  // namespace
+
+void set_starts(Subject& subject, RobotSpec& robot,
+                const std::vector<std::pair<int, double>>& values, Span span) {
+  if (!robot.robot || !robot.robot->usable) return;
+  const robot::RobotModel& model = robot.robot->model;
+  robot.start = model.start_values();
+  for (const auto& [index, value] : values) {
+    const auto i = static_cast<std::size_t>(index);
+    const robot::Parameter& parameter = model.parameters[i];
+    if (!parameter.derived) {
+      robot.start[i] = parameter.cyclic ? math::normalised_deg(value) : value;
+    }
+  }
+  const robot::Mounting mounting{robot.X_WM, robot.start};
+  robot::update_derived(model, mounting, robot.start);
+  for (const auto& [index, value] : values) {
+    const auto i = static_cast<std::size_t>(index);
+    const robot::Parameter& parameter = model.parameters[i];
+    if (!parameter.derived) continue;
+    double off = robot.start[i] - value;
+    if (parameter.cyclic) off = math::normalised_deg(off);
+    if (std::fabs(off) <= kDerivedTolerance) continue;
+    subject.error("P13", span,
+                  fmt::format("'{}' of robot '{}' is computed from other parameters: it starts at "
+                              "{}, not at {}",
+                              parameter.display_name, robot.name, robot.start[i], value));
+  }
+}
+
+void check_robots(Subject& subject, const std::vector<std::string>& situations) {
+  RobotLoader loader(subject, situations);
+  for (const syntax::PlanItem& each : subject.plan.items) {
+    if (const auto* item = std::get_if<syntax::RobotUse>(&each)) loader.load(*item);
+  }
+}
+
+void check_crews(Subject& subject) {
+  for (const syntax::PlanItem& each : subject.plan.items) {
+    const auto* item = std::get_if<syntax::CrewItem>(&each);
+    if (item == nullptr) continue;
+    CrewSpec crew;
+    crew.name = item->name.text;
+    crew.span = item->name.span;
+    const std::string who = "crew '" + crew.name + "'";
+    const auto span_of = [](const syntax::Number& number) { return number.span; };
+    if (const auto* size = only_one(subject, item->size, "the size of " + who, span_of)) {
+      subject.use("size", size->span);
+      const auto value = bounded(subject, *size, UnitKind::none, "the size of " + who, 1, 1000000);
+      if (value) crew.size = *value;
+    }
+    crew.cost_per_hour = resolve_cost(subject, item->cost, who);
+    crew.calendar = resolve_calendar(subject, item->calendar, who);
+    const auto robot = subject.robots.find(crew.name);
+    if (robot != subject.robots.end()) {
+      subject.twice(crew.span, fmt::format("'{}' is the name of a robot already", crew.name),
+                    subject.model.robots[static_cast<std::size_t>(robot->second)].span);
+      continue;
+    }
+    const auto [place, is_new] =
+        subject.crews.emplace(crew.name, static_cast<int>(subject.model.crews.size()));
+    if (!is_new) {
+      subject.twice(crew.span, fmt::format("crew '{}' is declared twice", crew.name),
+                    subject.model.crews[static_cast<std::size_t>(place->second)].span);
+      continue;
+    }
+    subject.model.crews.push_back(std::move(crew));
+  }
+}
+
+}  // namespace rubicon::interpreter::plan_check

@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "interpreter/check/calendar_text.hpp"
+#include "interpreter/check/check_number.hpp"
+#include "interpreter/check/check_plan_parts.hpp"
+
+namespace rubicon::interpreter::plan_check {
+
+namespace {
+
+using syntax::UnitKind;
+
+/// Largest contact tolerance, in m: more would let whole panels through each other.
+constexpr double kMaxContact = 0.1;
+
+/// Largest budget: attempts are counted in 64 bits and shown as whole numbers of a double.
+constexpr double kMaxBudget = 1e15;
+
+class Settings {
+ public:
+  explicit Settings(Subject& subject) : subject_(subject) {}
+
+  void number(const syntax::NumberItem& item) {
+    if (!first_of(item.name)) return;
+    if (item.name.text == "contact") {
+      const auto value = bounded(subject_, item.value, UnitKind::length, "contact", 0, kMaxContact);
+      if (value) subject_.model.contact = *value;
+    } else if (item.name.text == "budget") {
+      const auto value = resolve_budget(subject_, item.value);
+      if (value) subject_.model.budget = *value;
+    } else {
+      unknown(item.name);
+    }
+  }
+
+  void string(const syntax::StringItem& item) {
+    if (!first_of(item.name)) return;
+    const std::string& text = item.value.text;
+    if (item.name.text == "start_at") {
+      subject_.use("start_at", item.span);
+      if (!is_date_and_time(text)) {
+        subject_.error(
+            "P10", item.value.span,
+            fmt::format("expected a date and time such as \"2026-03-02 07:00\", found \"{}\"",
+                        text));
+        return;
+      }
+      subject_.model.start_at = text;
+    } else if (item.name.text == "currency") {
+      subject_.use("currency", item.span);
+      if (text.empty()) {
+        subject_.error("P09", item.value.span,
+                       "expected a currency such as \"EUR\", found nothing");
+      }
+      subject_.model.currency = text;
+    } else {
+      unknown(item.name);
+    }
+  }
+
+ private:
+  bool first_of(const syntax::Name& name) {
+    const auto [place, is_new] = given_.emplace(name.text, name.span);
+    if (!is_new) subject_.twice(name.span, name.text + " is given twice", place->second);
+    return is_new;
+  }
+
+  void unknown(const syntax::Name& name) {
+    static const std::map<std::string, int> kSettings = {
+        {"contact", 0}, {"budget", 0}, {"start_at", 0}, {"currency", 0}};
+    subject_.unknown(name.span, "setting", name.text, {&kSettings});
+  }
+
+  Subject& subject_;
+  std::map<std::string, Span> given_;
+};
+
+}  // namespace
+
+std::optional<double> bounded(Subject& subject, const syntax::Number& number, UnitKind unit,
+                              const std::string& what, double lowest, double highest) {
+  if (!check_unit(number, unit, what, subject.diagnostics)) return std::nullopt;
+  if (number.value >= lowest && number.value <= highest) return number.value;
+  subject.error("P09", number.span,
+                number.value < lowest && lowest == 0
+                    ? fmt::format("{} cannot be negative, found {}", what, number.value)
+                    : fmt::format("{} must be between {} and {}, found {}", what, lowest, highest,
+                                  number.value));
+  return std::nullopt;
+}
+
+std::optional<double> resolve_budget(Subject& subject, const syntax::Number& number) {
+  if (!check_unit(number, UnitKind::none, "budget", subject.diagnostics)) return std::nullopt;
+  const double value = number.value;
+  if (value >= 1 && value <= kMaxBudget && std::floor(value) == value) return value;
+  subject.error("P09", number.span,
+                fmt::format("budget is a whole number of attempts from 1 on, found {}", value));
+  return std::nullopt;
+}
+
+void check_settings(Subject& subject) {
+  Settings settings(subject);
+  for (const syntax::PlanItem& each : subject.plan.items) {
+    if (const auto* number = std::get_if<syntax::NumberItem>(&each)) {
+      settings.number(*number);
+    } else if (const auto* string = std::get_if<syntax::StringItem>(&each)) {
+      settings.string(*string);
+    } else if (const auto* situation = std::get_if<syntax::SituationItem>(&each)) {
+      for (const syntax::Name& name : situation->names) {
+        subject.model.situations.push_back(name.text);
+      }
+    } else if (const auto* site = std::get_if<syntax::SiteItem>(&each)) {
+      std::optional<geometry::Shape> shape = subject.shapes.resolve(site->shape);
+      if (shape) subject.model.site.push_back(*std::move(shape));
+    }
+  }
+}
+
+}  // namespace rubicon::interpreter::plan_check

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "interpreter/check/check.hpp"
+#include "src/motion/geometry/shape.hpp"
+
+namespace rubicon::interpreter {
+
+/// A goal as a plan gives it: parameter values (file units), or a frame for the tool in the world.
+struct GoalSpec {
+  std::vector<std::pair<int, double>> values;  ///< parameter index, value
+  std::optional<math::Pose> X_WG;
+  Span span;
+};
+
+/// How near is near enough. Negative: not given (0 + epsilon for values; 1e-6 m and rad for
+/// frames).
+struct Within {
+  double length = -1;                          ///< m
+  std::vector<std::pair<int, double>> values;  ///< per parameter (file units)
+};
+
+struct CalendarSpec {
+  std::string name;
+  struct Shift {
+    int first_day = 0;  ///< 0 Monday ... 6 Sunday
+    int last_day = 0;
+    std::vector<std::pair<int, int>> minutes;  ///< from, to, minutes of the day
+  };
+  std::vector<Shift> shifts;
+  std::vector<std::string> off;  ///< YYYY-MM-DD
+  bool carry_over = false;
+  Span span;
+};
+
+struct ComponentSpec {
+  std::string name;  ///< unique in the plan, placed modules' as PLACE.NAME
+  std::vector<geometry::Shape> shapes;
+  math::Pose X_WO = math::Pose::Identity();  ///< where it stands at first
+  math::Pose X_OG = math::Pose::Identity();  ///< grip: where the tool frame takes hold, in {O}
+  double mass = 0;                           ///< kg
+  Span span;
+};
+
+struct RobotSpec {
+  std::string name;
+  std::shared_ptr<const CheckedRobot> robot;
+  math::Pose X_WM = math::Pose::Identity();
+  std::vector<double> start;  ///< all parameters: the robot's start values overridden by the plan's
+  std::optional<double> cost_per_hour;
+  std::string calendar;
+  std::optional<std::vector<std::pair<int, double>>> park;
+  Span span;
+};
+
+struct CrewSpec {
+  std::string name;
+  double size = 1;
+  std::optional<double> cost_per_hour;
+  std::string calendar;
+  Span span;
+};
+
+enum class LinkType { FS, SS, FF, SF };
+struct LinkSpec {
+  int task = -1;  ///< index into PlanModel::tasks
+  LinkType type = LinkType::FS;
+  double lag = 0;  ///< s
+  Span span;
+};
+
+struct WorkSpec {
+  double duration = 0;  ///< s
+  int crew = -1;        ///< index into crews; -1: whoever holds the task
+  Span span;
+};
+
+struct TaskSpec {
+  std::string name;
+  int robot = -1;                                 ///< index into robots, -1 none
+  std::vector<int> crews;                         ///< from `by`, in order
+  std::optional<int> move;                        ///< component index
+  math::Pose X_WO_goal = math::Pose::Identity();  ///< where the component's frame {O} shall stand
+  std::optional<GoalSpec> go;
+  std::vector<int> remove;  ///< component indices
+  std::optional<WorkSpec> hook, adjust, release;
+  std::vector<WorkSpec> takes;
+  std::vector<GoalSpec> via;
+  std::optional<std::string> guide;
+  std::vector<std::string> situations;
+  Within within;
+  std::optional<double> budget;
+  double priority = 0;
+  std::vector<geometry::Shape> zones;
+  std::vector<LinkSpec> after;
+  Span span;                                             ///< its name token
+  Span move_span, guide_span, zone_span, priority_span;  ///< where these items stand, if they do
+};
+
+/// A plan that was read and checked, modules placed and every name resolved.
+struct PlanModel {
+  std::string name;
+  std::string path;
+  bool short_form = false;
+  double contact = 1e-3;                ///< m
+  double budget = 20000;                ///< attempts of a motion
+  std::vector<std::string> situations;  ///< switched on for the whole plan
+  std::vector<geometry::Shape> site;    ///< obstacles that are always there (world frame)
+  std::vector<ComponentSpec> components;
+  std::vector<RobotSpec> robots;
+  std::vector<CrewSpec> crews;
+  std::vector<CalendarSpec> calendars;
+  std::vector<TaskSpec> tasks;          ///< file order
+  std::optional<std::string> start_at;  ///< "YYYY-MM-DD HH:MM"
+  std::string currency;
+
+  // short form
+  std::vector<GoalSpec> via;
+  std::optional<GoalSpec> goal;
+  std::vector<geometry::Shape> carry;  ///< tool coordinates
+  Within within;
+
+  /// What the plan uses, with its place, that `run` may not execute yet: e.g. {"calendar", span}.
+  struct Use {
+    std::string what;
+    Span span;
+  };
+  std::vector<Use> uses;  ///< calendar, cost, park, zone, guide, import, priority, start_at,
+                          ///< currency, parallel links ...
+};
+
+/// Reads and checks a plan, its robots and their scripts. Null if there is an error in any of them.
+std::unique_ptr<PlanModel> load_plan(const std::string& path, SourceMap& sources,
+                                     FileProvider& files, Diagnostics& diagnostics);
+
+}  // namespace rubicon::interpreter

@@ -1,0 +1,164 @@
+#include "interpreter/format/format_tokens.hpp"
+
+#include <algorithm>
+
+#include "grammar/plan.hpp"
+
+namespace rubicon::interpreter {
+
+namespace {
+
+namespace pegtl = tao::pegtl;
+
+using Kind = Token::Kind;
+using Input = pegtl::memory_input<pegtl::tracking_mode::lazy, pegtl::eol::lf_crlf, const char*>;
+
+/// Where `Rule` ends if it matches at `at`, else null.
+template <typename Rule>
+const char* match_end(const char* at, const char* end) {
+  Input in(at, end, "");
+  return pegtl::parse<Rule>(in) ? in.current() : nullptr;
+}
+
+struct UnitBehind : pegtl::seq<pegtl::star<grammar::blank>, grammar::unit_text> {};
+
+/// Cuts a text into what is printed as one piece: numbers with units, times and dates, comments.
+class Cutter {
+ public:
+  Cutter(std::string_view text, TextKind kind)
+      : at_(text.data()), end_(at_ + text.size()), kind_(kind) {}
+
+  bool next(FormatToken& token) {
+    const Token raw = next_token(at_, end_, Comments::keep);
+    if (raw.kind == Kind::end) return false;
+    const char* stop = raw.end;
+    if (raw.kind == Kind::number) stop = number_end(raw);
+    // `x<-1` is `x < -1` but for the arrow of a rule.
+    if (raw.is("<-") && !(words_[0] == "rule")) stop = raw.begin + 1;
+    token = {};
+    token.kind = raw.kind;
+    token.text.assign(raw.begin, stop);
+    token.first_on_line = raw.first_on_line;
+    token.blank_lines = raw.blank_lines;
+    if (raw.kind == Kind::number) write_number(raw, stop, token.text);
+    if (raw.kind == Kind::comment) clean_comment(token);
+    at_ = stop;
+    if (raw.kind != Kind::comment) {
+      words_[0] = words_[1];
+      words_[1] = token.text;
+    }
+    return true;
+  }
+
+ private:
+  const char* number_end(const Token& raw) const {
+    if (kind_ == TextKind::plan) {
+      if (const char* stop = match_end<grammar::date_text>(raw.begin, end_)) return stop;
+      if (const char* stop = match_end<grammar::time_text>(raw.begin, end_)) return stop;
+    }
+    const char* stop = match_end<UnitBehind>(raw.end, end_);
+    return stop != nullptr ? stop : raw.end;
+  }
+
+  static void write_number(const Token& raw, const char* stop, std::string& text) {
+    if (stop == raw.end || match_end<UnitBehind>(raw.end, stop) != stop) return;
+    const char* unit = raw.end;
+    while (*unit == ' ' || *unit == '\t') ++unit;
+    text.assign(raw.begin, raw.end);
+    text += ' ';
+    text += *unit == 'p' ? std::string("per h") : std::string(unit, stop);
+  }
+
+  static void clean_comment(FormatToken& token) {
+    std::erase(token.text, '\r');
+    while (token.text.back() == ' ' || token.text.back() == '\t') token.text.pop_back();
+    token.multi_line = token.text.find('\n') != std::string::npos;
+  }
+
+  const char* at_;
+  const char* const end_;
+  const TextKind kind_;
+  std::string words_[2];  ///< the last two tokens
+};
+
+/// Decides the blank between two tokens from them and from where they stand.
+class Spacer {
+ public:
+  explicit Spacer(TextKind kind) : kind_(kind) {}
+
+  bool space_between(const FormatToken& before, const FormatToken& token) {
+    const bool space = decide(before, token);
+    if (token.is("(")) ++parentheses_;
+    if (token.is(")")) --parentheses_;
+    if (token.is(";") || token.is("{") || token.is("}")) first_word_.clear();
+    if (token.is("{")) calendars_.push_back(in_calendar());
+    if (token.is("}") && !calendars_.empty()) calendars_.pop_back();
+    if (token.is("{") && statement_ == "calendar") calendars_.back() = true;
+    if (first_word_.empty() && token.kind == Kind::name) first_word_ = statement_ = token.text;
+    if (token.is("after")) first_word_ = "after";
+    if (token.is("-") || token.is("+")) sign_ = is_sign(before);
+    return space;
+  }
+
+ private:
+  bool in_calendar() const { return !calendars_.empty() && calendars_.back(); }
+
+  static bool is_operand_end(const FormatToken& token) {
+    return token.kind == Kind::number || token.kind == Kind::string || token.is(")") ||
+           (token.kind == Kind::name && !token.is("and") && !token.is("or") && !token.is("not"));
+  }
+
+  /// Whether '-' or '+' behind `before` is the sign of a number rather than an operator.
+  bool is_sign(const FormatToken& before) const {
+    if (!is_operand_end(before)) return true;
+    if (parentheses_ > 0 || before.kind != Kind::name) return false;
+    if (kind_ == TextKind::plan) return first_word_ != "after";
+    return before.text == first_word_ && kind_ == TextKind::robot;
+  }
+
+  bool decide(const FormatToken& before, const FormatToken& token) const {
+    if (token.is_comment() || before.is_comment()) return true;
+    if (token.is(";") && before.is(":")) return true;
+    if (token.is(",") || token.is(";") || token.is(":") || token.is(")") || token.is("."))
+      return false;
+    if (before.is(".")) return token.kind == Kind::number;
+    if (before.is("(")) return false;
+    if (before.is("{") && token.is("}")) return false;
+    if (in_calendar() && (token.is("-") || before.is("-"))) return false;
+    if ((before.is("-") || before.is("+")) && sign_) return false;
+    if (token.is("(")) {
+      return before.kind != Kind::name || before.is("and") || before.is("or") || before.is("not") ||
+             before.is("until") || before.is("when") || before.is("capacity");
+    }
+    return true;
+  }
+
+  const TextKind kind_;
+  int parentheses_ = 0;
+  bool sign_ = false;
+  std::string first_word_;  ///< of this statement, or "after" behind it
+  std::string statement_;   ///< the first word of the statement that opens the next brace
+  std::vector<bool> calendars_;
+};
+
+}  // namespace
+
+std::vector<FormatToken> format_tokens(std::string_view text, TextKind kind) {
+  Cutter cutter(text, kind);
+  Spacer spacer(kind);
+  std::vector<FormatToken> tokens;
+  FormatToken before;
+  for (FormatToken token; cutter.next(token);) {
+    if (token.is_comment()) {
+      token.space_before = true;
+    } else {
+      token.space_before =
+          spacer.space_between(before, token) || (!tokens.empty() && tokens.back().is_comment());
+      before = token;
+    }
+    tokens.push_back(std::move(token));
+  }
+  return tokens;
+}
+
+}  // namespace rubicon::interpreter

@@ -1,0 +1,223 @@
+#include "interpreter/machine/machine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "interpreter/machine/run_time_error.hpp"
+#include "src/motion/math/angles.hpp"
+
+namespace rubicon::interpreter {
+
+namespace {
+
+/// Below it (m or degrees) a distance is rounding: a message says 0 instead.
+constexpr double kRounding = 1e-6;
+
+double readable(double distance) { return distance < kRounding ? 0 : distance; }
+
+}  // namespace
+
+const char* name_of(MotionStatus status) {
+  switch (status) {
+    case MotionStatus::done:
+      return "done";
+    case MotionStatus::livelock:
+      return "livelock";
+    case MotionStatus::circling:
+      return "circling";
+    case MotionStatus::budget:
+      return "budget";
+    case MotionStatus::start_blocked:
+      return "start_blocked";
+    case MotionStatus::goal_impossible:
+      return "goal_impossible";
+    case MotionStatus::error:
+      return "error";
+  }
+  return "";
+}
+
+Machine::Machine(const Program& program, MotionTask task)
+    : program_(&program), model_(&program.robot->model), task_(std::move(task)) {
+  q_ = task_.q;
+  time_ = task_.start;
+  variables_.resize(program.variables.size());
+  steps_.assign(q_.size(), 0.0);
+  q_next_ = q_;
+  asked_steps_ = steps_;
+  asked_q_ = q_;
+}
+
+bool Machine::advance(World& world, EventSink* events) {
+  if (end_) return false;
+  try {
+    if (!started_) {
+      started_ = true;
+      world_version_ = world.version();
+      if (auto pair = world.blocked_at(q_)) {
+        last_hit_ = pair;
+        finish(MotionStatus::start_blocked,
+               fmt::format("start in collision: {} meets {}", pair->moved, pair->met));
+        return false;
+      }
+    }
+    while (true) {
+      if (!way_point_begun_ && !begin_way_point(world, events)) return false;
+      if (run_to_attempt(world, events)) return true;
+      if (end_) return false;
+      way_point_begun_ = false;
+      if (++way_point_ == task_.goals.size()) {
+        --way_point_;
+        finish(MotionStatus::done);
+        return false;
+      }
+    }
+  } catch (const RunTimeError& error) {
+    finish(MotionStatus::error, error.message, error.span);
+    return false;
+  }
+}
+
+bool Machine::begin_way_point(World& world, EventSink* events) {
+  const GoalSpec& spec = task_.goals[way_point_];
+  goal_ = {};
+  goal_.via = way_point_ + 1 < task_.goals.size();
+  goal_.q = q_;
+  goal_.named.assign(q_.size(), 0);
+  if (spec.X_WG) {
+    const robot::GoalSolution solution =
+        robot::solve_goal(*model_, task_.mounting, q_, *spec.X_WG, frame_tolerance());
+    if (!solution.reachable) {
+      finish(MotionStatus::goal_impossible,
+             fmt::format("goal out of reach: the nearest pose is {:.3g} m and {:.3g} degrees off",
+                         readable(solution.position_error),
+                         readable(math::degrees(solution.orientation_error))),
+             spec.span);
+      return false;
+    }
+    goal_.q = solution.q;
+    goal_.X_WG = spec.X_WG;
+    for (std::size_t i = 0; i < q_.size(); ++i) {
+      goal_.named[i] =
+          parameter(static_cast<int>(i)).free && !parameter(static_cast<int>(i)).derived;
+    }
+    goal_.p_WG = spec.X_WG->translation();
+  } else {
+    for (const auto& [index, value] : spec.values) {
+      const auto i = static_cast<std::size_t>(index);
+      goal_.q[i] = robot::nearest_turn_equivalent(parameter(index), value, q_[i]);
+      goal_.named[i] = 1;
+    }
+    robot::update_derived(*model_, task_.mounting, goal_.q);
+    for (const auto& [index, value] : spec.values) {
+      if (parameter(index).derived) goal_.q[static_cast<std::size_t>(index)] = value;
+    }
+    goal_.p_WG = robot::tool_pose(*model_, task_.mounting, goal_.q).translation();
+  }
+  if (events) {
+    events->goal(static_cast<int>(way_point_) + 1, static_cast<int>(task_.goals.size()));
+  }
+  std::fill(variables_.begin(), variables_.end(), Variable{});
+  seen_.clear();
+  visited_.clear();
+  world_version_ = world.version();
+  stack_.clear();
+  actives_.clear();
+  push_sequence(program_->main);
+  way_point_begun_ = true;
+  return true;
+}
+
+robot::PoseTolerance Machine::frame_tolerance() const {
+  robot::PoseTolerance tolerance;
+  if (task_.within.length >= 0) tolerance.position = task_.within.length;
+  for (const auto& [index, value] : task_.within.values) {
+    if (parameter(index).rotation) {
+      tolerance.orientation = std::max(tolerance.orientation, math::radians(value));
+    }
+  }
+  return tolerance;
+}
+
+double Machine::tolerance_of(int index) const {
+  double tolerance = kEpsilon * parameter(index).quantum;
+  for (const auto& [within, value] : task_.within.values) {
+    if (within == index) tolerance += value;
+  }
+  return tolerance;
+}
+
+void Machine::finish(MotionStatus status, std::string message, Span span) {
+  end_.emplace();
+  end_->status = status;
+  end_->tries = tries_;
+  end_->accepted = accepted_;
+  end_->rejected = rejected_;
+  end_->q = q_;
+  end_->time = time_;
+  end_->message = std::move(message);
+  end_->span = span;
+  end_->hit = last_hit_;
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    if (variables_[i].set) {
+      end_->variables.emplace_back(program_->variables[i], variables_[i].value.number);
+    }
+  }
+  measure_residual();
+  if (status == MotionStatus::done) judge();
+}
+
+void Machine::measure_residual() {
+  for (std::size_t i = 0; i < goal_.named.size(); ++i) {
+    if (!goal_.named[i]) continue;
+    end_->residual.emplace_back(static_cast<int>(i), delta(static_cast<int>(i), goal_.q[i]));
+  }
+  if (goal_.X_WG) {
+    const math::Pose X_WT = robot::tool_pose(*model_, task_.mounting, q_);
+    end_->position_error = (goal_.X_WG->translation() - X_WT.translation()).norm();
+    end_->orientation_error =
+        math::rotation_angle_deg(X_WT.linear().transpose() * goal_.X_WG->linear());
+  }
+}
+
+void Machine::judge() {
+  if (goal_.X_WG) {
+    const robot::PoseTolerance tolerance = frame_tolerance();
+    end_->reached = *end_->position_error <= tolerance.position &&
+                    math::radians(*end_->orientation_error) <= tolerance.orientation;
+  } else {
+    const bool near = task_.within.length >= 0 && tool_distance() <= task_.within.length;
+    end_->reached = std::all_of(end_->residual.begin(), end_->residual.end(),
+                                [&](const std::pair<int, double>& off) {
+                                  return std::fabs(off.second) <= tolerance_of(off.first) ||
+                                         (near && !parameter(off.first).rotation);
+                                });
+  }
+  if (!end_->reached) end_->message = shortfall();
+}
+
+std::string Machine::shortfall() const {
+  std::string text = "short of the goal:";
+  const char* separator = " ";
+  for (const auto& [index, off] : end_->residual) {
+    if (std::fabs(off) <= tolerance_of(index)) continue;
+    text += fmt::format("{}{} is {:g} {} {} the goal", separator, parameter(index).display_name,
+                        std::fabs(off), parameter(index).rotation ? "degrees" : "m",
+                        off < 0 ? "above" : "below");
+    separator = ", ";
+  }
+  if (separator[0] == ' ' && end_->position_error) {
+    text += fmt::format(" the tool is {:g} m and {:g} degrees off", readable(*end_->position_error),
+                        readable(*end_->orientation_error));
+  }
+  return text;
+}
+
+double Machine::tool_distance() const {
+  return (goal_.p_WG - robot::tool_pose(*model_, task_.mounting, q_).translation()).norm();
+}
+
+}  // namespace rubicon::interpreter

@@ -1,0 +1,222 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/check/plan_model.hpp"
+#include "interpreter/machine/state_table.hpp"
+#include "interpreter/program/events.hpp"
+#include "interpreter/program/program.hpp"
+#include "interpreter/program/world.hpp"
+#include "src/motion/robot/kinematics.hpp"
+
+namespace rubicon::interpreter {
+
+/// One motion: from where the robot is over way points to one goal.
+struct MotionTask {
+  std::vector<GoalSpec> goals;  ///< way points, the last is the goal; at least one
+  std::vector<std::string>
+      situations;  ///< on during the whole motion (besides `via` and what the world switches on)
+  Within within;   ///< when the goal counts as reached
+  double budget = 20000;   ///< attempts
+  double full_budget = 0;  ///< for messages: what the budget was before earlier tries; 0: `budget`
+  int first_n = 1;         ///< number of the first attempt
+  Ticks start = 0;
+  std::vector<double> q;  ///< where the robot stands, per parameter
+  robot::Mounting mounting;
+};
+
+enum class MotionStatus { done, livelock, circling, budget, start_blocked, goal_impossible, error };
+const char* name_of(MotionStatus status);
+
+struct RefusalCounts {
+  int at_goal = 0;
+  int no_direction = 0;
+  int limit = 0;
+  int hit = 0;
+  int total() const { return at_goal + no_direction + limit + hit; }
+};
+
+/// How a motion ended.
+struct MotionEnd {
+  MotionStatus status = MotionStatus::done;
+  bool reached = false;       ///< only with done
+  std::optional<int> period;  ///< of a livelock, in accepted attempts
+  int tries = 0;
+  int accepted = 0;
+  RefusalCounts rejected;
+  /// goal - q of every parameter the goal names (or, for a frame, of every free one), cyclic ones
+  /// the short way.
+  std::vector<std::pair<int, double>> residual;
+  std::optional<double> position_error;     ///< m, of a goal frame
+  std::optional<double> orientation_error;  ///< degrees
+  std::vector<double> q;
+  std::vector<std::pair<std::string, double>>
+      variables;  ///< those that are set, in order of first mention
+  Ticks time = 0;
+  std::string message;         ///< in words, for all but done-and-reached
+  Span span;                   ///< the script line it speaks of, if any
+  std::optional<HitPair> hit;  ///< start_blocked: the pair; livelock and others: the last refusal's
+};
+
+/// The abstract machine of LANGUAGE section 8. Deterministic; `advance` goes on to the next
+/// proposed motion step and no further. It reads no clock and no file and sees the site only
+/// through `World`. Its whole state is a value: copy it to keep a point of a run, and go on from
+/// the copy. Program and robot model must outlive it.
+class Machine {
+ public:
+  Machine(const Program& program, MotionTask task);
+
+  /// Runs to and including the next attempt (true), or to the end of the motion (false). `events`
+  /// may be null.
+  bool advance(World& world, EventSink* events);
+
+  /// The next attempt is not made before `time`: the machine stood still meanwhile.
+  void resume_at(Ticks time) { time_ = std::max(time_, time); }
+
+  /// So many attempts more may be made: those that waited for something else to go away.
+  void extend_budget(int attempts) { task_.budget += attempts; }
+
+  bool ended() const { return end_.has_value(); }
+  const MotionEnd& end() const { return *end_; }  ///< only once ended
+  const std::vector<double>& q() const { return q_; }
+  Ticks time() const { return time_; }
+  int tries() const { return tries_; }
+
+  /// 128-bit hash of the state that decides what comes next: stack, configuration (in millionths of
+  /// a step), variables, situations, way point. Equal states have equal hashes on every machine.
+  Hash128 state_hash(const World& world) const;
+
+ private:
+  /// A number, or a direction that remembers its parameter so that a stored 0 can become the
+  /// preferred one.
+  struct Value {
+    double number = 0;
+    std::int32_t direction_of = -1;
+    bool negated = false;
+  };
+  struct Variable {
+    Value value;
+    bool set = false;
+  };
+  struct Frame {
+    enum class Kind : std::uint8_t { sequence, loop, each };
+    Kind kind = Kind::sequence;
+    bool moved = false;  ///< sequence: r of LANGUAGE 8.2; loop: m
+    std::int32_t node = -1;
+    std::int32_t index = 0;     ///< sequence: the next child; loop and each: the current element
+    std::int32_t failures = 0;  ///< cycle: f, failures in a row
+    std::int32_t successes = 0;
+    std::int32_t actives = 0;  ///< loop: where its A begins in actives_
+  };
+  /// The goal of the current way point, fixed when it begins.
+  struct WayPoint {
+    std::vector<double> q;
+    std::vector<std::uint8_t> named;  ///< per parameter: takes part in reached and residual
+    math::Vec3 p_WG = math::Vec3::Zero();
+    std::optional<math::Pose> X_WG;
+    bool via = false;
+  };
+
+  // machine.cpp: way points and the end of a motion
+  bool begin_way_point(World& world, EventSink* events);
+  void finish(MotionStatus status, std::string message = {}, Span span = {});
+  void judge();
+  void measure_residual();
+  robot::PoseTolerance frame_tolerance() const;
+  double tolerance_of(int parameter) const;
+  std::string shortfall() const;
+
+  // machine_control.cpp: the rules of LANGUAGE 8.2
+  bool run_to_attempt(World& world, EventSink* events);
+  bool run(std::int32_t node, World& world, EventSink* events);
+  void give_back(World& world, EventSink* events);
+  void enter_loop(std::int32_t node, World& world, EventSink* events);
+  void loop_succeeded(World& world, EventSink* events);
+  void loop_failed(World& world, EventSink* events);
+  void leave_loop(bool reached, bool result, EventSink* events);
+  void choose_module(std::int32_t node, const World& world, EventSink* events);
+  void push_sequence(std::int32_t node);
+  void next_of_sequence();
+  void assign(std::int32_t node, const World& world, EventSink* events);
+  std::int32_t forward(const Node& loop, std::int32_t from, const World& world, EventSink* events);
+  std::int32_t backward(const Node& loop, std::int32_t element) const;
+  bool goal_or_until_holds(const Node& loop, bool until_too, const World& world);
+  bool situation_on(std::int32_t situation, const World& world) const;
+  std::int16_t* active_of(std::int32_t each_node);
+  const Node& node_at(std::int32_t node) const {
+    return program_->nodes[static_cast<std::size_t>(node)];
+  }
+  std::int32_t child_at(const Node& node, std::int32_t i) const {
+    return program_->children[static_cast<std::size_t>(node.first + i)];
+  }
+
+  // machine_motion.cpp: commands, limits, what was seen before
+  bool attempt(std::int32_t node, World& world, EventSink* events);
+  bool may_attempt(std::int32_t node, const World& world);
+  Refusal plan_part(const Node& part, const World& world, std::vector<double>& steps,
+                    std::int32_t& limit);
+  Refusal plan_move_to(int parameter, double value, std::vector<double>& steps,
+                       std::int32_t& limit) const;
+  Refusal plan_direction(int parameter, double direction, std::vector<double>& steps,
+                         std::int32_t& limit) const;
+  double room(int parameter, bool upwards) const;
+  int first_out_of_range(std::span<const double> q) const;
+  Ticks duration_of(int parameter, double ds, bool loaded) const;
+  std::string describe_next(std::int32_t command) const;
+  bool would_accept(int parameter, double direction, const World& world);
+  void hash_stack(StateHasher& hasher, std::int32_t command) const;
+
+  // machine_evaluate.cpp: values
+  Value evaluate(const Code& code, const World& world);
+  double number(const Code& code, const World& world) { return evaluate(code, world).number; }
+  double delta(int parameter, double value) const;
+  bool at(int parameter, double value) const;
+  Value stored(const Value& value) const;
+  double nearest_axis(int parameter, double value) const;
+  double tool_distance() const;
+  const robot::Parameter& parameter(int index) const {
+    return model_->parameters[static_cast<std::size_t>(index)];
+  }
+
+  const Program* program_;
+  const robot::RobotModel* model_;
+  MotionTask task_;
+
+  // the state proper
+  std::vector<Frame> stack_;
+  std::vector<std::int16_t>
+      actives_;                ///< per loop frame the active element of every `each` of the program
+  std::int32_t pending_ = -1;  ///< node to run next; -1: give back result_
+  bool result_ = false;
+  std::vector<double> q_;
+  std::vector<Variable> variables_;
+  Ticks time_ = 0;
+  std::size_t way_point_ = 0;
+  bool way_point_begun_ = false;
+  bool started_ = false;
+  WayPoint goal_;
+
+  // counts, and what was seen
+  int tries_ = 0;
+  int accepted_ = 0;
+  RefusalCounts rejected_;
+  std::optional<HitPair> last_hit_;
+  StateTable seen_;
+  StateTable visited_;
+  std::uint64_t world_version_ = 0;
+  std::optional<MotionEnd> end_;
+
+  // scratch, no part of the state
+  std::vector<double> steps_;
+  std::vector<double> q_next_;
+  std::vector<double> asked_steps_;
+  std::vector<double> asked_q_;
+  std::vector<Value> operands_;
+};
+
+}  // namespace rubicon::interpreter

@@ -1,0 +1,277 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "interpreter/machine/machine.hpp"
+#include "interpreter/machine/run_time_error.hpp"
+
+namespace rubicon::interpreter {
+
+/// Makes one attempt of a command; false if a livelock, circling or the budget stopped it first.
+bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
+  if (!may_attempt(index, world)) return false;
+  const Node& node = node_at(index);
+  ++tries_;
+  const int n = task_.first_n + tries_ - 1;
+  pending_ = -1;
+  if (node.kind == Node::Kind::wait) {
+    time_ += ticks_from_seconds(model_->time_step);
+    ++accepted_;
+    result_ = true;
+    if (events) events->wait(n, time_, node.span);
+    return true;
+  }
+
+  std::fill(steps_.begin(), steps_.end(), 0.0);
+  Refusal refusal = Refusal::none;
+  std::int32_t limit = -1;
+  Ticks duration = 0;
+  const bool several = node.kind == Node::Kind::together;
+  const std::int32_t parts = several ? node.count : 1;
+  const bool loaded = world.loaded();
+  bool something = false;
+  for (std::int32_t i = 0; i < parts; ++i) {
+    const Node& part = several ? node_at(child_at(node, i)) : node;
+    std::int32_t part_limit = -1;
+    const Refusal part_refusal = plan_part(part, world, steps_, part_limit);
+    if (i == 0) {
+      refusal = part_refusal;
+      limit = part_limit;
+    }
+    if (part_refusal != Refusal::none) continue;
+    something = true;
+    const double ds = steps_[static_cast<std::size_t>(part.target)];
+    duration = std::max(duration, duration_of(part.target, ds, loaded));
+  }
+  std::optional<HitPair> hit;
+  if (something) {
+    refusal = Refusal::none;
+    robot::apply_rules(*model_, task_.mounting, q_, steps_, q_next_);
+    limit = first_out_of_range(q_next_);
+    if (limit >= 0) {
+      refusal = Refusal::limit;
+    } else {
+      hit = world.propose({q_, q_next_, time_, duration});
+      if (hit) refusal = Refusal::hit;
+    }
+  }
+  switch (refusal) {
+    case Refusal::none:
+      std::copy(q_next_.begin(), q_next_.end(), q_.begin());
+      robot::normalise(*model_, q_);
+      time_ += duration;
+      ++accepted_;
+      break;
+    case Refusal::at_goal:
+      ++rejected_.at_goal;
+      break;
+    case Refusal::no_direction:
+      ++rejected_.no_direction;
+      break;
+    case Refusal::limit:
+      ++rejected_.limit;
+      break;
+    case Refusal::hit:
+      ++rejected_.hit;
+      last_hit_ = hit;
+      break;
+  }
+  result_ = refusal == Refusal::none;
+  if (events) {
+    Attempt record;
+    record.n = n;
+    record.command = several                            ? "together"
+                     : node.kind == Node::Kind::move_to ? "move_to"
+                                                        : "move_dir";
+    record.parameters = program_->parameter_names[static_cast<std::size_t>(index)];
+    record.span = node.span;
+    record.accepted = result_;
+    record.refusal = refusal;
+    if (refusal == Refusal::limit) record.limit = parameter(limit).display_name;
+    record.hit = hit ? &*hit : nullptr;
+    record.time = time_;
+    record.q = q_;
+    events->attempt(record);
+  }
+  return true;
+}
+
+/// Forms the key of LANGUAGE 9.2 and 9.3 before an attempt; false ends the motion.
+bool Machine::may_attempt(std::int32_t index, const World& world) {
+  const std::uint64_t version = world.version();
+  if (version != world_version_) {
+    world_version_ = version;
+    seen_.clear();
+    visited_.clear();
+  }
+  const Node& node = node_at(index);
+  std::uint64_t situations = 0;
+  for (std::size_t i = 0; i < program_->situations.size(); ++i) {
+    situations = situations * 2 + (situation_on(static_cast<std::int32_t>(i), world) ? 1 : 0);
+    if (i % 63 == 62) situations *= 0x9e3779b97f4a7c15ull;
+  }
+  StateHasher exact;
+  StateHasher coarse;
+  hash_stack(exact, index);
+  exact.add(situations);
+  coarse.add(static_cast<std::uint64_t>(index));
+  for (const Frame& frame : stack_) {
+    if (frame.kind == Frame::Kind::loop) coarse.add(static_cast<std::uint64_t>(frame.index));
+  }
+  for (std::size_t i = 0; i < q_.size(); ++i) {
+    const double quantum = model_->parameters[i].quantum;
+    exact.add(std::floor(q_[i] / (kEpsilon * quantum) + 0.5));
+    coarse.add(std::floor(q_[i] / (0.5 * quantum) + 0.5));
+  }
+  for (const Variable& variable : variables_) {
+    const double value = variable.set ? variable.value.number : 0;
+    exact.add(static_cast<std::uint64_t>(variable.set));
+    exact.add(value);
+    coarse.add(static_cast<std::uint64_t>(variable.set));
+    coarse.add(value);
+  }
+  if (program_->uses_time) exact.add(static_cast<std::uint64_t>(time_));
+
+  bool inserted = false;
+  const std::uint32_t before =
+      seen_.find_or_insert(exact.finish(), static_cast<std::uint32_t>(accepted_), inserted);
+  if (!inserted) {
+    const int period = accepted_ - static_cast<int>(before);
+    finish(
+        MotionStatus::livelock,
+        fmt::format("livelock: after {} steps the robot is back in the state it had after {} steps "
+                    "(period {}) at {}",
+                    accepted_, before, period, describe_next(index)),
+        node.span);
+    end_->period = period;
+    return false;
+  }
+  if (node.kind != Node::Kind::wait) {
+    std::uint32_t& visits = visited_.find_or_insert(coarse.finish(), 0, inserted);
+    if (++visits > kMaxVisits) {
+      finish(MotionStatus::circling,
+             fmt::format(
+                 "circling: after {} steps the robot comes for the {}st time to the same place, "
+                 "within half a step, at {}",
+                 accepted_, visits, describe_next(index)),
+             node.span);
+      return false;
+    }
+  }
+  if (tries_ >= task_.budget) {
+    finish(
+        MotionStatus::budget,
+        fmt::format("budget: {:g} attempts are used up before {}",
+                    task_.full_budget > 0 ? task_.full_budget : task_.budget, describe_next(index)),
+        node.span);
+    return false;
+  }
+  return true;
+}
+
+/// The command about to be tried, and who was last in the way.
+std::string Machine::describe_next(std::int32_t index) const {
+  std::string text = program_->command_texts[static_cast<std::size_t>(index)];
+  if (last_hit_) text += fmt::format("; last hit: {} meets {}", last_hit_->moved, last_hit_->met);
+  return text;
+}
+
+void Machine::hash_stack(StateHasher& hasher, std::int32_t command) const {
+  hasher.add(static_cast<std::uint64_t>(command));
+  for (const Frame& frame : stack_) {
+    hasher.add(static_cast<std::uint64_t>(frame.node) << 32 |
+               static_cast<std::uint32_t>(frame.index));
+    if (frame.kind == Frame::Kind::each) continue;
+    hasher.add(static_cast<std::uint64_t>(frame.failures) << 1 | (frame.moved ? 1u : 0u));
+  }
+  for (const std::int16_t active : actives_) hasher.add(static_cast<std::uint64_t>(active));
+}
+
+Hash128 Machine::state_hash(const World& world) const {
+  StateHasher hasher;
+  hash_stack(hasher, pending_);
+  hasher.add(static_cast<std::uint64_t>(result_));
+  for (const double q : q_) hasher.add(q);
+  for (const Variable& variable : variables_) {
+    hasher.add(static_cast<std::uint64_t>(variable.set));
+    hasher.add(variable.value.number);
+    hasher.add(static_cast<std::uint64_t>(variable.value.direction_of));
+    hasher.add(static_cast<std::uint64_t>(variable.value.negated));
+  }
+  hasher.add(static_cast<std::uint64_t>(time_));
+  hasher.add(static_cast<std::uint64_t>(way_point_));
+  hasher.add(static_cast<std::uint64_t>(tries_));
+  hasher.add(world.version());
+  return hasher.finish();
+}
+
+Refusal Machine::plan_part(const Node& part, const World& world, std::vector<double>& steps,
+                           std::int32_t& limit) {
+  const double value = number(part.value, world);
+  return part.kind == Node::Kind::move_to ? plan_move_to(part.target, value, steps, limit)
+                                          : plan_direction(part.target, value, steps, limit);
+}
+
+Refusal Machine::plan_move_to(int index, double value, std::vector<double>& steps,
+                              std::int32_t& limit) const {
+  if (at(index, value)) return Refusal::at_goal;
+  const double off = delta(index, value);
+  const Refusal refusal = plan_direction(index, off, steps, limit);
+  if (refusal != Refusal::none) return refusal;
+  // The last step is shortened to land on the value.
+  double& ds = steps[static_cast<std::size_t>(index)];
+  if (std::fabs(off) < std::fabs(ds)) ds = off;
+  return Refusal::none;
+}
+
+/// Only the sign of a direction counts. Steps are shortened at the range limit.
+Refusal Machine::plan_direction(int index, double direction, std::vector<double>& steps,
+                                std::int32_t& limit) const {
+  if (direction == 0) return Refusal::no_direction;
+  const robot::Parameter& p = parameter(index);
+  const double left = room(index, direction > 0);
+  if (left <= kEpsilon * p.quantum) {
+    limit = index;
+    return Refusal::limit;
+  }
+  const double length = std::min(p.step, left);
+  steps[static_cast<std::size_t>(index)] = direction > 0 ? length : -length;
+  return Refusal::none;
+}
+
+/// How far the parameter may still go; without bound for local and cyclic ones (5.2), whose rules
+/// decide.
+double Machine::room(int index, bool upwards) const {
+  const robot::Parameter& p = parameter(index);
+  if (!p.direct || p.cyclic) return std::numeric_limits<double>::infinity();
+  const double q = q_[static_cast<std::size_t>(index)];
+  return upwards ? p.upper - q : q - p.lower;
+}
+
+int Machine::first_out_of_range(std::span<const double> q) const {
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const robot::Parameter& p = model_->parameters[i];
+    if (p.cyclic) continue;
+    const double slack = kEpsilon * p.quantum;
+    if (q[i] < p.lower - slack || q[i] > p.upper + slack) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+Ticks Machine::duration_of(int index, double ds, bool loaded) const {
+  const robot::Parameter& p = parameter(index);
+  return ticks_from_seconds(std::fabs(ds) / (loaded ? p.loaded_speed : p.speed));
+}
+
+/// Whether move_dir(p, direction) would be accepted now.
+bool Machine::would_accept(int index, double direction, const World& world) {
+  std::fill(asked_steps_.begin(), asked_steps_.end(), 0.0);
+  std::int32_t limit = -1;
+  if (plan_direction(index, direction, asked_steps_, limit) != Refusal::none) return false;
+  robot::apply_rules(*model_, task_.mounting, q_, asked_steps_, asked_q_);
+  if (first_out_of_range(asked_q_) >= 0) return false;
+  return world.would_accept({q_, asked_q_, time_, 0});
+}
+
+}  // namespace rubicon::interpreter

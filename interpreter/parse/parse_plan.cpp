@@ -1,0 +1,277 @@
+#include "interpreter/parse/parse_plan.hpp"
+
+namespace rubicon::interpreter {
+
+void PlanState::set_cost(const char* from) {
+  if (number.unit != syntax::UnitKind::per_hour) {
+    report_token("P00", begin() + number.span.begin, "expected an amount per h, such as 180 per h");
+    return;
+  }
+  const syntax::Cost cost{number, span_from(from)};
+  (in_crew ? crew.cost : robot.cost).push_back(cost);
+}
+
+namespace {
+
+template <typename Rule>
+struct PlanAction : ScriptAction<Rule> {};
+
+syntax::String token_string(const PlanState& st, const char* begin) {
+  return {std::string(begin, st.last_end), st.span_from(begin)};
+}
+
+// values, goals, links
+RUBICON_ACTION(PlanAction, PlanState, value_name) { st.value_name = st.take_qualified_name(); }
+RUBICON_ACTION(PlanAction, PlanState, value_number) {
+  st.values.values.push_back({std::move(st.value_name), st.number});
+}
+RUBICON_ACTION(PlanAction, PlanState, goal_frame) {
+  st.goal = {st.take_frame(), {}, st.span_from(begin)};
+}
+RUBICON_ACTION(PlanAction, PlanState, goal_values) {
+  st.goal = {std::nullopt, st.take_values(), st.span_from(begin)};
+}
+RUBICON_ACTION(PlanAction, PlanState, duration) {
+  st.duration = st.number;
+  st.crew_of_work.reset();
+}
+RUBICON_ACTION(PlanAction, PlanState, link_name) {
+  st.links.push_back({st.take_qualified_name(), {}, {}, st.span_from(begin)});
+}
+RUBICON_ACTION(PlanAction, PlanState, link_type) { st.links.back().type = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, later) { st.lag_is_negative = false; }
+RUBICON_ACTION(PlanAction, PlanState, earlier) { st.lag_is_negative = true; }
+RUBICON_ACTION(PlanAction, PlanState, link_lag) {
+  syntax::Number lag = st.number;
+  if (st.lag_is_negative) lag.value = -lag.value;
+  st.links.back().lag = lag;
+}
+RUBICON_ACTION(PlanAction, PlanState, link) { st.links.back().span = st.span_from(begin); }
+RUBICON_ACTION(PlanAction, PlanState, after_key) { st.links.clear(); }
+RUBICON_ACTION(PlanAction, PlanState, listed_name) { st.names.push_back(st.take_name()); }
+
+// settings
+RUBICON_ACTION(PlanAction, PlanState, site_item) {
+  st.add(syntax::SiteItem{st.take_shape(), {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, number_key) { st.key = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, task_number_key) { st.key = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, number_item) {
+  st.add(syntax::NumberItem{st.key, st.number, {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, task_number_item) {
+  st.add_to_task(syntax::NumberItem{st.key, st.number, {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, text_key) { st.key = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, text_item) {
+  st.add(syntax::StringItem{st.key, st.string, {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, situation_key) { st.names.clear(); }
+RUBICON_ACTION(PlanAction, PlanState, situation_item) {
+  st.add_to_task(syntax::SituationItem{std::move(st.names), {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, within_key) {
+  st.within = {};
+  st.values = {};
+}
+RUBICON_ACTION(PlanAction, PlanState, within_length) { st.within.length = st.number; }
+RUBICON_ACTION(PlanAction, PlanState, within_values) { st.within.values = st.take_values(); }
+RUBICON_ACTION(PlanAction, PlanState, within_item) { st.add_to_task(std::move(st.within), begin); }
+
+// calendars
+RUBICON_ACTION(PlanAction, PlanState, calendar_key) {
+  st.calendar = {};
+  st.announce("calendar");
+}
+RUBICON_ACTION(PlanAction, PlanState, calendar_name) { st.calendar.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, first_day) {
+  st.shift = {};
+  st.shift.first_day = st.take_name();
+}
+RUBICON_ACTION(PlanAction, PlanState, last_day) { st.shift.last_day = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, shift_from) { st.shift_from = token_string(st, begin); }
+RUBICON_ACTION(PlanAction, PlanState, shift_to) {
+  st.shift.times.emplace_back(st.shift_from, token_string(st, begin));
+}
+RUBICON_ACTION(PlanAction, PlanState, off_key) { st.shift = {}; }
+RUBICON_ACTION(PlanAction, PlanState, off_date) { st.shift.off.push_back(token_string(st, begin)); }
+RUBICON_ACTION(PlanAction, PlanState, off_quoted_date) { st.shift.off.push_back(st.string); }
+RUBICON_ACTION(PlanAction, PlanState, carry_over_key) {
+  st.shift = {};
+  st.shift.carry_over = true;
+}
+RUBICON_ACTION(PlanAction, PlanState, shift) {
+  st.shift.span = st.span_from(begin);
+  st.calendar.shifts.push_back(std::move(st.shift));
+}
+RUBICON_ACTION(PlanAction, PlanState, calendar_item) { st.add(std::move(st.calendar), begin); }
+
+// components, robots, crews
+RUBICON_ACTION(PlanAction, PlanState, component_key) {
+  st.component = {};
+  st.announce("component");
+}
+RUBICON_ACTION(PlanAction, PlanState, component_name) { st.component.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, component_shape) {
+  st.component.shapes.push_back(st.take_shape());
+}
+RUBICON_ACTION(PlanAction, PlanState, component_at_frame) {
+  st.component.at.push_back(st.take_frame());
+}
+RUBICON_ACTION(PlanAction, PlanState, component_grip_frame) {
+  st.component.grip.push_back(st.take_frame());
+}
+RUBICON_ACTION(PlanAction, PlanState, mass_value) { st.component.mass.push_back(st.number); }
+RUBICON_ACTION(PlanAction, PlanState, component_item) {
+  st.add_to_module(std::move(st.component), begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, start_key) { st.values = {}; }
+RUBICON_ACTION(PlanAction, PlanState, park_key) { st.values = {}; }
+RUBICON_ACTION(PlanAction, PlanState, cost_item) { st.set_cost(begin); }
+RUBICON_ACTION(PlanAction, PlanState, used_calendar) {
+  (st.in_crew ? st.crew.calendar : st.robot.calendar).push_back(st.take_name());
+}
+RUBICON_ACTION(PlanAction, PlanState, robot_use_key) {
+  st.robot = {};
+  st.in_crew = false;
+  st.announce("robot");
+}
+RUBICON_ACTION(PlanAction, PlanState, robot_use_name) { st.robot.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, robot_file_name) { st.robot.file = st.string; }
+RUBICON_ACTION(PlanAction, PlanState, robot_frame) { st.robot.at = st.take_frame(); }
+RUBICON_ACTION(PlanAction, PlanState, robot_start_values) {
+  st.robot.start.push_back(st.take_values());
+}
+RUBICON_ACTION(PlanAction, PlanState, park_values) { st.robot.park.push_back(st.take_values()); }
+RUBICON_ACTION(PlanAction, PlanState, robot_use) { st.add(std::move(st.robot), begin); }
+RUBICON_ACTION(PlanAction, PlanState, crew_key) {
+  st.crew = {};
+  st.in_crew = true;
+  st.announce("crew");
+}
+RUBICON_ACTION(PlanAction, PlanState, crew_name) { st.crew.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, size_value) { st.crew.size.push_back(st.number); }
+RUBICON_ACTION(PlanAction, PlanState, crew_item) { st.add(std::move(st.crew), begin); }
+
+// tasks
+RUBICON_ACTION(PlanAction, PlanState, task_key) {
+  st.task = {};
+  st.in_task = true;
+  st.announce("task");
+}
+RUBICON_ACTION(PlanAction, PlanState, task_name) { st.task.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, task_item) {
+  st.in_task = false;
+  st.add_to_module(std::move(st.task), begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, by_key) { st.names.clear(); }
+RUBICON_ACTION(PlanAction, PlanState, by_item) {
+  st.add_to_task(syntax::ByItem{std::move(st.names), {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, moved_component) {
+  st.component_name = st.take_qualified_name();
+}
+RUBICON_ACTION(PlanAction, PlanState, move_item) {
+  st.add_to_task(syntax::MoveItem{std::move(st.component_name), st.take_frame(), {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, go_key) { st.values = {}; }
+RUBICON_ACTION(PlanAction, PlanState, go_item) {
+  st.add_to_task(syntax::GoItem{std::move(st.goal), {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, removed_component) {
+  st.component_name = st.take_qualified_name();
+}
+RUBICON_ACTION(PlanAction, PlanState, remove_item) {
+  st.add_to_task(syntax::RemoveItem{std::move(st.component_name), {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, crew_work_key) { st.key = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, takes_key) { st.key = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, work_crew) { st.crew_of_work = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, crew_work_item) {
+  st.add_to_task(syntax::WorkItem{st.key, st.duration, st.crew_of_work, {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, takes_item) {
+  st.add_to_task(syntax::WorkItem{st.key, st.duration, {}, {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, via_key) { st.values = {}; }
+RUBICON_ACTION(PlanAction, PlanState, via_item) {
+  st.add_to_task(syntax::ViaItem{std::move(st.goal), {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, guide_name) { st.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, guide_item) {
+  st.add_to_task(syntax::GuideItem{st.name, {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, zone_item) {
+  st.add_to_task(syntax::ZoneItem{st.take_shape(), {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, after_item) {
+  st.add_to_task(syntax::AfterItem{std::move(st.links), {}}, begin);
+}
+
+// modules, imports
+RUBICON_ACTION(PlanAction, PlanState, module_key) {
+  st.module = {};
+  st.in_module = true;
+  st.announce("module");
+}
+RUBICON_ACTION(PlanAction, PlanState, module_name) { st.module.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, module_item) {
+  st.in_module = false;
+  st.add(std::move(st.module), begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, placed_module) {
+  st.links.clear();
+  st.place = {};
+  st.place.module = st.take_name();
+}
+RUBICON_ACTION(PlanAction, PlanState, placed_frame) { st.place.at = st.take_frame(); }
+RUBICON_ACTION(PlanAction, PlanState, stock_frame) { st.place.from = st.take_frame(); }
+RUBICON_ACTION(PlanAction, PlanState, placed_as) { st.place.as = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, place_item) {
+  st.place.after = std::exchange(st.links, {});
+  st.add(std::move(st.place), begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, import_key) {
+  st.import = {};
+  st.announce("import");
+}
+RUBICON_ACTION(PlanAction, PlanState, import_file) { st.import.file = st.string; }
+RUBICON_ACTION(PlanAction, PlanState, import_name) { st.import.as = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, import_item) { st.add(std::move(st.import), begin); }
+
+// the short form, the plan
+RUBICON_ACTION(PlanAction, PlanState, short_start) {
+  st.add(syntax::StartItem{st.take_values(), {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, goal_key) { st.values = {}; }
+RUBICON_ACTION(PlanAction, PlanState, short_goal) {
+  st.add(syntax::GoalItem{std::move(st.goal), {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, carry_item) {
+  st.add(syntax::CarryItem{st.take_shape(), {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, plan_file_key) { st.announce("plan"); }
+RUBICON_ACTION(PlanAction, PlanState, plan_name) { st.plan.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, broken<grammar::whole_plan_item>) {
+  st.in_task = false;
+  st.in_module = false;
+}
+RUBICON_ACTION(PlanAction, PlanState, broken<grammar::whole_module_part>) { st.in_task = false; }
+
+}  // namespace
+
+syntax::Plan parse_plan(const SourceMap& sources, FileId file, Diagnostics& diagnostics) {
+  PlanState state(
+      sources, file, diagnostics, "P00",
+      {"component", "robot",  "crew",     "task",     "module",   "place",     "import", "site",
+       "contact",   "budget", "start_at", "currency", "calendar", "situation", "start",  "goal",
+       "via",       "carry",  "within",   "shape",    "at",       "grip",      "mass",   "cost",
+       "park",      "size",   "by",       "move",     "go",       "remove",    "hook",   "adjust",
+       "release",   "takes",  "guide",    "priority", "zone",     "after",     "off"});
+  const bool finished = run_parser<grammar::plan_file, PlanAction>(state);
+  state.plan.broken = !finished || state.errors() > 0;
+  state.plan.span = state.span_from(state.begin());
+  return std::move(state.plan);
+}
+
+}  // namespace rubicon::interpreter

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "interpreter/program/world.hpp"
+#include "interpreter/syntax/source.hpp"
+
+namespace rubicon::interpreter {
+
+enum class LoopKind { chain, cycle, first };
+const char* name_of(LoopKind kind);
+
+/// Why an attempt made no step.
+enum class Refusal { none, at_goal, no_direction, limit, hit };
+
+/// One attempt of a command, accepted or refused.
+struct Attempt {
+  int n = 0;                                ///< from 1 per task
+  const char* command = "";                 ///< move_to, move_dir or together
+  std::span<const std::string> parameters;  ///< display names; one but for together
+  Span span;                                ///< the command
+  bool accepted = false;
+  Refusal refusal = Refusal::none;
+  std::string limit;  ///< display name of the parameter at its limit
+  const HitPair* hit = nullptr;
+  Ticks time = 0;             ///< after the step; unchanged when refused
+  std::span<const double> q;  ///< after the step, file units, per parameter of the robot
+};
+
+/// Receives what a machine does, as it happens.
+class EventSink {
+ public:
+  virtual ~EventSink() = default;
+  virtual void goal(int k, int n) = 0;  ///< way point k of n begins
+  virtual void set(const std::string& variable, double value, Span span) = 0;
+  virtual void enter(LoopKind kind, Span span) = 0;
+  virtual void exit(LoopKind kind, Span span, bool reached, int successes) = 0;
+  virtual void which(const std::string& label,
+                     Span span) = 0;  ///< the label that held; "when" for a condition
+  virtual void attempt(const Attempt& attempt) = 0;
+  virtual void wait(int n, Ticks time, Span span) = 0;  ///< time after the wait
+};
+
+/// The reason of a refusal as traces write it: "", "at goal", "no direction", "limit P", "hit".
+std::string reason_text(const Attempt& attempt);
+
+}  // namespace rubicon::interpreter

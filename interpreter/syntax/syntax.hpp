@@ -1,0 +1,459 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "interpreter/syntax/source.hpp"
+
+/// The syntax trees of behaviour scripts (NAME.motion), robot files (NAME.robot) and plans
+/// (NAME.plan): what was written, with its place, nothing resolved. Numbers are already in base
+/// units (m, degrees, s, kg, m/s, degrees/s, 1/h as per s).
+namespace rubicon::syntax {
+
+using interpreter::Span;
+
+// ---- names and values
+// ------------------------------------------------------------------------------------------
+
+struct Name {
+  std::string text;  ///< Greek letters already spelt psi, phi, theta
+  Span span;
+};
+
+/// NAME or NAME.NAME
+struct QualifiedName {
+  std::optional<Name> body;
+  Name name;
+  Span span;
+  std::string text() const { return body ? body->text + "." + name.text : name.text; }
+};
+
+enum class UnitKind { none, length, angle, time, mass, speed, turn_rate, per_hour };
+
+/// A literal: 30, 2.5 mm, 6 m/s. `value` is in the base unit of its kind.
+struct Number {
+  double value = 0;
+  UnitKind unit = UnitKind::none;
+  std::string unit_text;  ///< as written, empty if bare
+  Span span;
+};
+
+struct String {
+  std::string text;  ///< without quotes
+  Span span;
+};
+
+struct Expression;
+using ExpressionPtr = std::unique_ptr<Expression>;
+
+struct Expression {
+  enum class Kind {
+    number,       ///< `number`
+    parameter,    ///< `name`: a bare name, a control parameter
+    variable,     ///< var(`name`)
+    call,         ///< `name`(operands...)
+    command,      ///< move_to(...) or the like where a value is wanted (S06); `name`
+    negate,       ///< - operands[0]
+    plus,         ///< + operands[0]
+    logical_not,  ///< not operands[0]
+    binary        ///< operands[0] `op` operands[1]
+  };
+  enum class Operator {
+    add,
+    subtract,
+    multiply,
+    divide,
+    equal,
+    not_equal,
+    less,
+    less_equal,
+    greater,
+    greater_equal,
+    logical_and,
+    logical_or
+  };
+  Kind kind = Kind::number;
+  Number number;
+  QualifiedName name;
+  Operator op = Operator::add;
+  Span op_span;  ///< the operator's own token
+  std::vector<ExpressionPtr> operands;
+  Span span;  ///< the whole expression (parentheses around it not included)
+};
+
+// ---- behaviour scripts
+// -----------------------------------------------------------------------------------------
+
+struct Statement;
+
+/// `transport:`, `default:` or `when (c):`
+struct Label {
+  enum class Kind { situation, otherwise, when };
+  Kind kind = Kind::situation;
+  Name name;                ///< for a situation; "default" / "when" otherwise
+  ExpressionPtr condition;  ///< for when
+  Span span;
+};
+
+struct Module {
+  std::vector<Label> labels;
+  std::vector<Statement> statements;
+};
+
+/// A statement, or an element of a loop, or a part of `together`.
+struct Statement {
+  enum class Kind {
+    assignment,  ///< var(`name`) = value
+    move_to,     ///< move_to(`name`, value)
+    move_dir,    ///< move_dir(`name`, value)
+    together,    ///< together { elements }
+    wait,
+    use,  ///< `name`; runs a named behaviour
+    chain,
+    cycle,
+    first,  ///< loops: { elements } [until (until)]
+    each,
+    which,
+    broken  ///< did not parse; already reported, nothing else is said of it
+  };
+  Kind kind = Kind::broken;
+  Span span;     ///< the whole statement
+  Span keyword;  ///< its first token; what messages and traces point at
+  QualifiedName name;
+  ExpressionPtr value;
+  std::vector<Statement> elements;
+  ExpressionPtr until;
+  std::vector<Module> modules;
+};
+
+/// behaviour NAME { statements }
+struct BehaviourDefinition {
+  Name name;
+  std::vector<Statement> statements;
+  Span span;
+};
+
+struct Script {
+  std::vector<BehaviourDefinition> behaviours;
+  std::vector<Statement> statements;  ///< the main sequence, in file order
+  Span span;
+};
+
+// ---- frames and shapes
+// -----------------------------------------------------------------------------------------
+
+struct FrameElement {
+  enum class Kind { trans, rotx, roty, rotz };
+  Kind kind = Kind::trans;
+  std::vector<ExpressionPtr>
+      arguments;  ///< three for trans, one for a rotation (the checker counts)
+  Span span;
+};
+struct Frame {
+  std::vector<FrameElement> elements;
+  Span span;
+};
+
+/// box(...), cylinder(...), sphere(...), capsule(...), prism(...), mesh("file", unit, scale 2, up
+/// y, part "name", hull)
+struct Shape {
+  Name kind;                    ///< as written; the checker knows the kinds
+  std::vector<Number> numbers;  ///< signed
+  String file;                  ///< mesh
+  std::optional<Name> unit;     ///< mesh
+  std::optional<Number> scale;  ///< mesh
+  std::optional<Name> up;       ///< mesh
+  std::optional<String> part;   ///< mesh
+  std::optional<Name> hull;     ///< mesh: the word
+  std::optional<Frame> at;
+  Span span;
+};
+
+// ---- robot files
+// -----------------------------------------------------------------------------------------------
+
+/// range(a, b), cyclic, step(v), speed(v), loaded(v), start(v), prefer(v): `name` as written
+struct Attribute {
+  Name name;
+  std::vector<Number> numbers;  ///< signed
+  Span span;
+};
+
+/// param NAME { attr } ;   or   param NAME = expr ;
+struct ParameterItem {
+  Name name;
+  std::vector<Attribute> attributes;
+  ExpressionPtr derived;
+  Span span;
+};
+struct RuleItem {
+  Name parameter;
+  ExpressionPtr value;
+  Span span;
+};
+struct FrameItem {
+  Frame frame;
+  Span span;
+};
+struct ShapeItem {
+  Shape shape;
+  Span span;
+};
+/// behaviour "file";   or   behaviour { script }
+struct BehaviourItem {
+  std::optional<String> file;
+  Script script;
+  Span span;
+};
+
+struct BodyItem {
+  Name name;
+  std::optional<Name> on;
+  std::vector<ParameterItem> parameters;
+  std::vector<RuleItem> rules;
+  std::vector<FrameItem> frames;  ///< more than one is an error of the checker
+  std::vector<ShapeItem> shapes;
+  std::vector<BehaviourItem> behaviours;
+  Span span;
+};
+
+struct ToolItem {
+  Name body;
+  std::optional<Frame> at;
+  Span span;
+};
+struct ConstItem {
+  Name name;
+  ExpressionPtr value;
+  Span span;
+};
+struct TouchingItem {
+  Name a, b;
+  Span span;
+};
+/// time_step 1;  sensor 10;
+struct SettingItem {
+  Name name;
+  Number value;
+  Span span;
+};
+struct CapacityItem {
+  std::vector<std::pair<Number, Number>> points;  ///< radius, mass
+  Span span;
+};
+
+using RobotItem = std::variant<SettingItem, BodyItem, ToolItem, ConstItem, TouchingItem,
+                               CapacityItem, BehaviourItem>;
+
+struct Robot {
+  Name name;
+  std::vector<RobotItem> items;  ///< in file order; broken items are left out (already reported)
+  bool broken = false;           ///< something of it did not parse
+  Span span;
+};
+
+// ---- plans
+// -----------------------------------------------------------------------------------------------------
+
+/// `theta 30, x 20`
+struct NamedValue {
+  QualifiedName name;
+  Number value;
+};
+struct Values {
+  std::vector<NamedValue> values;
+  Span span;
+};
+/// `at frame` or values
+struct Goal {
+  std::optional<Frame> at;
+  Values values;
+  Span span;
+};
+
+/// site shape;
+struct SiteItem {
+  Shape shape;
+  Span span;
+};
+/// contact 1 mm;  budget 500;
+struct NumberItem {
+  Name name;
+  Number value;
+  Span span;
+};
+/// start_at "2026-03-02 07:00";  currency "EUR";
+struct StringItem {
+  Name name;
+  String value;
+  Span span;
+};
+/// situation a, b;
+struct SituationItem {
+  std::vector<Name> names;
+  Span span;
+};
+
+/// mon-fri 07:00-12:00, 12:30-16:00;   off 2026-12-25;
+struct Shift {
+  Name first_day;
+  std::optional<Name> last_day;
+  std::vector<std::pair<String, String>> times;  ///< "07:00", "12:00" as written
+  std::vector<String> off;                       ///< dates as written; then the rest is empty
+  bool carry_over = false;                       ///< the item `carry_over;`
+  Span span;
+};
+struct CalendarItem {
+  Name name;
+  std::vector<Shift> shifts;
+  Span span;
+};
+
+struct ComponentItem {
+  Name name;
+  std::vector<Shape> shapes;
+  std::vector<Frame> at;  ///< more than one is an error of the checker; likewise grip and mass
+  std::vector<Frame> grip;
+  std::vector<Number> mass;
+  Span span;
+};
+
+/// cost 180 per h;
+struct Cost {
+  Number amount;
+  Span span;
+};
+
+/// robot NAME "file" [at frame] (; | { ... })   or, short form,   robot "file" [at frame];
+struct RobotUse {
+  std::optional<Name> name;
+  String file;
+  std::optional<Frame> at;
+  std::vector<Values> start;
+  std::vector<Cost> cost;
+  std::vector<Name> calendar;
+  std::vector<Values> park;
+  Span span;
+};
+struct CrewItem {
+  Name name;
+  std::vector<Number> size;
+  std::vector<Cost> cost;
+  std::vector<Name> calendar;
+  Span span;
+};
+
+/// NAME [FS|SS|FF|SF] [+|- duration]
+struct Link {
+  QualifiedName name;
+  std::optional<Name> type;
+  std::optional<Number> lag;  ///< signed
+  Span span;
+};
+
+/// hook 4 min by riggers;   takes 2 h;
+struct WorkItem {
+  Name name;  ///< hook, adjust, release or takes
+  Number duration;
+  std::optional<Name> by;
+  Span span;
+};
+/// by crane, riggers;
+struct ByItem {
+  std::vector<Name> names;
+  Span span;
+};
+struct MoveItem {
+  QualifiedName component;
+  Frame to;
+  Span span;
+};
+struct GoItem {
+  Goal goal;
+  Span span;
+};
+struct RemoveItem {
+  QualifiedName component;
+  Span span;
+};
+struct ViaItem {
+  Goal goal;
+  Span span;
+};
+struct GuideItem {
+  Name name;
+  Span span;
+};
+/// within 0.01;   within z 30, theta 5;
+struct WithinItem {
+  std::optional<Number> length;
+  Values values;
+  Span span;
+};
+struct ZoneItem {
+  Shape shape;
+  Span span;
+};
+struct AfterItem {
+  std::vector<Link> links;
+  Span span;
+};
+
+using TaskPart =
+    std::variant<ByItem, MoveItem, GoItem, RemoveItem, WorkItem, ViaItem, GuideItem, SituationItem,
+                 WithinItem, NumberItem /* budget, priority */, ZoneItem, AfterItem>;
+struct TaskItem {
+  Name name;
+  std::vector<TaskPart> parts;
+  Span span;
+};
+struct ModuleItem {
+  Name name;
+  std::vector<std::variant<ComponentItem, TaskItem>> items;
+  Span span;
+};
+/// place NAME at frame [from frame] as NAME [after links];
+struct PlaceItem {
+  Name module;
+  Frame at;
+  std::optional<Frame> from;  ///< where its components stand at first; none: where it is built
+  Name as;
+  std::vector<Link> after;
+  Span span;
+};
+/// import "file" [as NAME] { ... }
+struct ImportItem {
+  String file;
+  std::optional<Name> as;
+  Span span;
+};
+
+// short form only
+struct StartItem {
+  Values values;
+  Span span;
+};
+struct GoalItem {
+  Goal goal;
+  Span span;
+};
+struct CarryItem {
+  Shape shape;
+  Span span;
+};
+
+using PlanItem = std::variant<SiteItem, NumberItem, StringItem, SituationItem, CalendarItem,
+                              ComponentItem, RobotUse, CrewItem, TaskItem, ModuleItem, PlaceItem,
+                              ImportItem, StartItem, GoalItem, ViaItem, CarryItem, WithinItem>;
+
+struct Plan {
+  Name name;
+  std::vector<PlanItem> items;  ///< in file order; broken items are left out (already reported)
+  bool broken = false;
+  Span span;
+};
+
+}  // namespace rubicon::syntax

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "src/exchange/project_io/carried.hpp"
+#include "src/exchange/project_io/listing.hpp"
+
+namespace rubicon::project_io {
+
+/// A calendar that the import block carries.
+struct CarriedCalendar {
+  Calendar calendar;
+  bool whole = false;  ///< with its week and exceptions; else the plan says them
+};
+
+/// A line of the schedule that the import block carries.
+struct CarriedTask {
+  Task task;
+  bool planned = false;     ///< the plan has a task of that name
+  std::vector<Link> links;  ///< those that the plan does not say, or says in other words
+};
+
+/// What the import block of a plan carries, by the names that the plan uses.
+struct CarriedProject {
+  std::optional<Project> project;  ///< its plain fields
+  std::map<std::string, CarriedCalendar> calendars;
+  std::map<std::string, Resource> resources;
+  std::map<std::string, CarriedTask> tasks;
+  std::vector<std::string> calendar_order, resource_order, task_order;
+  std::set<std::string> milestones;  ///< tasks of the plan that are no line of the schedule
+  std::set<std::string> own_crews;   ///< crews of the plan that are no resource
+  std::vector<Assignment> assignments;
+};
+
+/// Reads the statements of an import block; what is not understood is listed (I10).
+CarriedProject read_carried_project(const std::vector<CarriedRecord>& records, Listing& listing);
+
+}  // namespace rubicon::project_io

@@ -1,0 +1,82 @@
+#include "src/exchange/project_io/plan_terms.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/exchange/project_io/plan_text.hpp"
+
+namespace rubicon::project_io {
+
+namespace {
+
+/// Largest crew that a plan takes.
+constexpr double kMaxCrew = 1e6;
+/// Largest cost per hour that is written; anything more is damage.
+constexpr double kMaxCost = 1e9;
+
+}  // namespace
+
+Moment plan_start(const Project& project) {
+  std::string start = project.start.text;
+  if (start.empty()) {
+    for (const Task& task : project.tasks) {
+      if (!task.start.text.empty() && (start.empty() || task.start.text < start)) {
+        start = task.start.text;
+      }
+    }
+  }
+  return {start.substr(0, 16)};
+}
+
+std::int64_t plan_seconds(const Task& task) {
+  return std::clamp<std::int64_t>(task.duration.seconds, 0,
+                                  static_cast<std::int64_t>(kMaxPlanSeconds));
+}
+
+double crew_size(const Resource& resource) { return std::clamp(resource.max_units, 1.0, kMaxCrew); }
+
+std::optional<double> cost_per_hour(const Project& project, const Resource& resource) {
+  const double day = std::max(project.minutes_per_day, 1) / 60.0;
+  const double week = std::max(project.minutes_per_week, 1) / 60.0;
+  double hours = 0;
+  switch (resource.rate_format) {
+    case 1:
+      hours = 1.0 / 60;
+      break;
+    case 2:
+      hours = 1;
+      break;
+    case 3:
+      hours = day;
+      break;
+    case 4:
+      hours = week;
+      break;
+    case 5:
+      hours = day * std::max(project.days_per_month, 1);
+      break;
+    case 7:
+      hours = week * 52;
+      break;
+    default:
+      return std::nullopt;
+  }
+  const double cost = resource.standard_rate / hours;
+  if (!(cost > 0) || cost > kMaxCost) return std::nullopt;
+  return cost;
+}
+
+std::int64_t crew_calendar(const Project& project, const Resource& resource) {
+  return resource.calendar != kNone ? resource.calendar : project.calendar;
+}
+
+Calendar calendar_of(const PlanCalendar& plan, std::int64_t uid, const std::string& name) {
+  Calendar calendar;
+  calendar.uid = uid;
+  calendar.name = name;
+  for (std::size_t day = 0; day < 7; ++day) calendar.week[day] = plan.week[day];
+  for (const std::string& date : plan.off) calendar.exceptions.push_back({date, date, {}, ""});
+  return calendar;
+}
+
+}  // namespace rubicon::project_io

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "src/exchange/project_io/plan_calendar.hpp"
+#include "src/exchange/project_io/project.hpp"
+
+/// How values of a schedule are said in a plan: the same on the way there, and on the way back to
+/// see whether somebody has changed them in the plan.
+namespace rubicon::project_io {
+
+/// The moment at which the plan starts: of the project, else the first start of a task; empty if
+/// none has one. Whole minutes.
+Moment plan_start(const Project& project);
+
+/// Seconds of a task in the plan.
+std::int64_t plan_seconds(const Task& task);
+
+/// How many people or machines a crew has.
+double crew_size(const Resource& resource);
+
+/// Cost per hour; nothing if there is none, or it is not by time.
+std::optional<double> cost_per_hour(const Project& project, const Resource& resource);
+
+/// The calendar of a crew: the resource's own, else the project's.
+std::int64_t crew_calendar(const Project& project, const Resource& resource);
+
+/// A calendar with a week and days off each for itself: what a plan says without help.
+Calendar calendar_of(const PlanCalendar& plan, std::int64_t uid, const std::string& name);
+
+}  // namespace rubicon::project_io

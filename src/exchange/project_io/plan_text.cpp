@@ -1,0 +1,430 @@
+#include "src/exchange/project_io/plan_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <unordered_map>
+
+#include "interpreter/parse/parse.hpp"
+#include "interpreter/syntax/token.hpp"
+#include "src/exchange/project_io/carried.hpp"
+#include "src/exchange/project_io/identifiers.hpp"
+#include "src/exchange/project_io/listing.hpp"
+#include "src/exchange/project_io/plan_network.hpp"
+#include "src/exchange/project_io/plan_terms.hpp"
+
+namespace rubicon::project_io {
+
+namespace {
+
+constexpr std::array<const char*, 7> kDays = {"mon", "tue", "wed", "thu", "fri", "sat", "sun"};
+constexpr std::array<const char*, 4> kLinkNames = {"FS", "SS", "FF", "SF"};
+
+/// Longest remark, in bytes; the whole name stands in the import block.
+constexpr std::size_t kMaxRemark = 90;
+
+/// A name for a remark: one line, not too long.
+std::string remark(std::string_view name) {
+  std::string text;
+  for (const char c : name) text += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  if (text.size() <= kMaxRemark) return text;
+  std::size_t end = kMaxRemark;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) --end;
+  return text.substr(0, end) + "...";
+}
+
+/// Seconds in the largest unit that says them exactly.
+std::string time_text(std::int64_t seconds) {
+  if (seconds % 3600 == 0 && seconds != 0) return fmt::format("{} h", seconds / 3600);
+  if (seconds % 60 == 0 && seconds != 0) return fmt::format("{} min", seconds / 60);
+  return fmt::format("{} s", seconds);
+}
+
+std::string link_text(const PlanLink& link) {
+  std::string text = link.predecessor;
+  if (link.type != LinkType::FS || link.lag != 0) {
+    text += fmt::format(" {}", kLinkNames[static_cast<std::size_t>(link.type)]);
+  }
+  if (link.lag != 0) {
+    text += fmt::format(" {} {}", link.lag < 0 ? '-' : '+', time_text(std::abs(link.lag)));
+  }
+  return text;
+}
+
+std::string links_text(const std::vector<PlanLink>& links) {
+  if (links.empty()) return {};
+  std::string text = "after ";
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (i > 0) text += ", ";
+    text += link_text(links[i]);
+  }
+  return text + ";\n";
+}
+
+/// Whether a name can be guessed from its identifier, so that no remark is needed.
+bool says(const std::string& identifier, std::string_view name) {
+  return std::equal(identifier.begin(), identifier.end(), name.begin(), name.end(),
+                    [](char a, char b) {
+                      if (b >= 'A' && b <= 'Z') b = static_cast<char>(b - 'A' + 'a');
+                      return a == b || (a == '_' && b == ' ');
+                    });
+}
+
+template <typename Record>
+CarriedWriter fields_of(const Record& record) {
+  CarriedWriter writer;
+  if constexpr (std::is_same_v<Record, Project>) visit_project(record, writer);
+  if constexpr (std::is_same_v<Record, Task>) visit_task(record, writer);
+  if constexpr (std::is_same_v<Record, Resource>) visit_resource(record, writer);
+  if constexpr (std::is_same_v<Record, Assignment>) visit_assignment(record, writer);
+  return writer;
+}
+
+class PlanWriter {
+ public:
+  PlanWriter(const Project& project, const std::string& file, const PlanInsert& insert,
+             interpreter::Diagnostics& diagnostics)
+      : project_(project),
+        file_(file),
+        insert_(insert),
+        diagnostics_(diagnostics),
+        start_(plan_start(project)) {}
+
+  std::string write() {
+    network_ = plan_network(project_, start_, listing_, part_names());
+    for (const std::string& name : insert_.calendars) calendar_names_.reserve(name);
+    for (const std::string& name : insert_.workers) crew_names_.reserve(name);
+    for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
+      task_index_.emplace(project_.tasks[i].uid, i);
+    }
+    const std::string name = Identifiers().make(project_.name, "schedule");
+    out_ = fmt::format("plan {} {{\n", name);
+    if (!start_.text.empty()) out_ += fmt::format("start_at \"{}\";\n", start_.text);
+    if (!project_.currency_symbol.empty()) {
+      out_ += fmt::format("currency {};\n", quoted(project_.currency_symbol));
+    }
+    write_calendars();
+    write_crews();
+    out_ += insert_.items;
+    write_tasks();
+    write_carried(name);
+    out_ += "}\n";
+    listing_.report(diagnostics_);
+    return interpreter::format_text(out_, interpreter::TextKind::plan);
+  }
+
+ private:
+  // ---- what the plan says
+  // ------------------------------------------------------------------------
+
+  TaskParts part_names() const {
+    TaskParts names;
+    for (const auto& [uid, parts] : insert_.parts) {
+      for (const PlanInsert::Part& part : parts) names[uid].push_back({part.name, part.awaited});
+    }
+    return names;
+  }
+
+  void write_calendars() {
+    for (const Calendar& calendar : project_.calendars) {
+      const std::string name =
+          calendar_names_.make(calendar.name, fmt::format("calendar_{}", calendar.uid));
+      calendar_name_.emplace(calendar.uid, name);
+      const auto plan = plan_calendar(project_, calendar, start_.text.substr(0, 10));
+      if (!plan) {
+        listing_.add("I08", "idle calendar", {},
+                     fmt::format("calendar '{}' never works: it is carried along, and who has it "
+                                 "works at any time in the plan",
+                                 calendar.name));
+        continue;
+      }
+      planned_calendars_.emplace(calendar.uid, true);
+      list_doubts(calendar, *plan);
+      out_ += fmt::format("\n{}calendar {} {{\n", remark_line(name, calendar.name), name);
+      write_week(plan->week);
+      write_off(plan->off);
+      out_ += "}\n";
+    }
+  }
+
+  void list_doubts(const Calendar& calendar, const PlanCalendar& plan) {
+    if (plan.special_days > 0) {
+      listing_.add("I08", "special days", {},
+                   fmt::format("{} days of calendar '{}' have hours of their own: in the plan they "
+                               "have those of the week",
+                               plan.special_days, calendar.name));
+    }
+    if (plan.cut) {
+      listing_.add("I08", "cut", {},
+                   fmt::format("calendar '{}' has too many days off for a plan; the last ones are "
+                               "carried along",
+                               calendar.name));
+    }
+  }
+
+  static std::string remark_line(const std::string& identifier, const std::string& name) {
+    const std::string text = remark(name);
+    return text.empty() || says(identifier, text) ? std::string() : "// " + text + "\n";
+  }
+
+  void write_week(const std::array<DayTimes, 7>& week) {
+    for (std::size_t day = 0; day < 7;) {
+      std::size_t last = day;
+      while (last + 1 < 7 && week[last + 1] == week[day]) ++last;
+      if (!week[day].empty()) {
+        std::string times = text_of(week[day]);
+        for (std::size_t at = 0; (at = times.find(',', at)) != std::string::npos; at += 2) {
+          times.insert(at + 1, " ");
+        }
+        out_ += last == day ? fmt::format("{} {};\n", kDays[day], times)
+                            : fmt::format("{}-{} {};\n", kDays[day], kDays[last], times);
+      }
+      day = last + 1;
+    }
+  }
+
+  void write_off(const std::vector<std::string>& off) {
+    if (!off.empty()) out_ += fmt::format("off {};\n", fmt::join(off, ", "));
+  }
+
+  void write_crews() {
+    if (!project_.resources.empty()) out_ += '\n';
+    for (std::size_t i = 0; i < project_.resources.size(); ++i) {
+      const Resource& resource = project_.resources[i];
+      const std::string name =
+          crew_names_.make(resource.name, fmt::format("crew_{}", resource.uid));
+      resource_index_.emplace(resource.uid, i);
+      crew_name_.push_back(name);
+      if (resource.type != ResourceType::work) {
+        listing_.add("I08", "material", {},
+                     fmt::format("resource '{}' is a material or a cost: it is carried along, the "
+                                 "plan knows people and machines only",
+                                 resource.name));
+        continue;
+      }
+      out_ += fmt::format("{}crew {} {{\n", remark_line(name, resource.name), name);
+      const double size = crew_size(resource);
+      if (size != 1) {
+        out_ += fmt::format("size {};\n", size);
+        listing_.add("I08", "units", {},
+                     fmt::format("there are {} of '{}': in the plan it is one crew of that size, "
+                                 "which does one task at a time",
+                                 size, resource.name));
+      }
+      if (const auto cost = cost_per_hour(project_, resource)) {
+        out_ += fmt::format("cost {} per h;\n", *cost);
+      } else if (resource.standard_rate != 0) {
+        listing_.add("I08", "rate", {},
+                     fmt::format("the rate of '{}' is not a cost by time: it is carried along",
+                                 resource.name));
+      }
+      const std::int64_t calendar = crew_calendar(project_, resource);
+      if (planned_calendars_.contains(calendar)) {
+        out_ += fmt::format("calendar {};\n", calendar_name_.at(calendar));
+      }
+      out_ += "}\n";
+    }
+  }
+
+  void write_tasks() {
+    std::vector<std::vector<std::size_t>> crews(project_.tasks.size());
+    std::set<std::pair<std::size_t, std::size_t>> known;
+    for (const Assignment& each : project_.assignments) {
+      if (each.resource == kNone) continue;
+      const std::size_t resource = resource_index_.at(each.resource);
+      if (project_.resources[resource].type != ResourceType::work) continue;
+      const std::size_t task = task_index_.at(each.task);
+      if (known.emplace(task, resource).second) crews[task].push_back(resource);
+    }
+    std::size_t milestone = 0;
+    const auto write_milestones = [&](std::size_t until) {
+      for (;
+           milestone < network_.milestones.size() && network_.milestones[milestone].before <= until;
+           ++milestone) {
+        const PlanMilestone& each = network_.milestones[milestone];
+        if (each.ends) write_parts(each.before, network_.milestones[milestone - 1].name);
+        out_ += fmt::format("task {} {{\ntakes 0 s;\n{}}}\n", each.name, links_text(each.after));
+      }
+    };
+    out_ += '\n';
+    for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
+      const PlanTask& planned = network_.tasks[i];
+      if (!planned.planned) write_heading(project_.tasks[i], planned.in_parts);
+      write_milestones(i);
+      if (network_.tasks[i].planned) write_task(i, crews[i]);
+    }
+    write_milestones(SIZE_MAX);
+  }
+
+  /// What is done in place of a line's duration, behind the milestone at which that begins.
+  void write_parts(std::size_t i, const std::string& begins) {
+    for (const PlanInsert::Part& part : insert_.parts.at(project_.tasks[i].uid)) {
+      out_ += fmt::format("task {} {{\n{}after {};\n}}\n", part.name, part.items, begins);
+    }
+  }
+
+  /// A line that is no task: a heading, a remark, or a task that is done in parts.
+  void write_heading(const Task& task, bool in_parts) {
+    const std::string text = remark(task.name);
+    out_ += '\n';
+    if (in_parts) {
+      const std::size_t count = insert_.parts.at(task.uid).size();
+      out_ += fmt::format("// {} ({} part{}; {} in the schedule)\n", text, count,
+                          count == 1 ? "" : "s", time_text(plan_seconds(task)));
+      return;
+    }
+    if (text.empty()) return;
+    const auto level = static_cast<std::size_t>(std::max(task.level, 1));
+    out_ += fmt::format("// {} {}{}\n", std::string(level, '='), text,
+                        task.active ? "" : " (not active)");
+  }
+
+  void write_task(std::size_t i, const std::vector<std::size_t>& crews) {
+    const Task& task = project_.tasks[i];
+    const PlanTask& planned = network_.tasks[i];
+    std::vector<std::string> by;
+    for (const std::size_t crew : crews) by.push_back(crew_name_[crew]);
+    if (const auto calendar = own_calendar(task, !crews.empty())) {
+      const std::string name = crew_names_.make("crew_" + planned.name, "crew_" + planned.name);
+      out_ += fmt::format("crew {} {{ calendar {}; }}\n", name, *calendar);
+      own_crews_.push_back(name);
+      by.push_back(name);
+    }
+    out_ += remark_line(planned.name, task.name);
+    out_ += fmt::format("task {} {{\n", planned.name);
+    if (!by.empty()) out_ += fmt::format("by {};\n", fmt::join(by, ", "));
+    out_ += fmt::format("takes {};\n", time_text(plan_seconds(task)));
+    if (plan_seconds(task) != task.duration.seconds) {
+      listing_.add("I08", "long task", {},
+                   fmt::format("task '{}' takes longer than a plan can say", task.name));
+    }
+    out_ += links_text(planned.after);
+    if (constraint_link(task, start_)) {
+      out_ += fmt::format(
+          "// not {} {}\n",
+          constraint_link(task, start_)->type == LinkType::FS ? "before" : "finished before",
+          task.constraint_date.text);
+    }
+    out_ += "}\n";
+  }
+
+  /// The calendar for a crew that the task has to itself: where it has one of its own, or nobody
+  /// whose calendar would hold.
+  std::optional<std::string> own_calendar(const Task& task, bool has_crew) const {
+    if (plan_seconds(task) == 0 || task.format.elapsed) return std::nullopt;
+    if (task.calendar == kNone && has_crew) return std::nullopt;
+    const std::int64_t calendar = task.calendar != kNone ? task.calendar : project_.calendar;
+    if (!planned_calendars_.contains(calendar)) return std::nullopt;
+    return calendar_name_.at(calendar);
+  }
+
+  // ---- what is carried along
+  // ---------------------------------------------------------------------
+
+  void write_carried(const std::string& plan_name) {
+    out_ += fmt::format(
+        "\n// For the way back to the schedule's own program: what a plan has no word for.\n"
+        "import {} as schedule {{\n",
+        quoted(file_.empty() ? "schedule" : file_));
+    out_ += fmt::format("project {}{};\n", plan_name,
+                        fields_of(project_).changed(fields_of(Project())));
+    for (const Calendar& calendar : project_.calendars) carry_calendar(calendar);
+    const CarriedWriter usual_resource = fields_of(Resource());
+    for (std::size_t i = 0; i < project_.resources.size(); ++i) {
+      out_ += fmt::format("resource {}{};\n", crew_name_[i],
+                          fields_of(project_.resources[i]).changed(usual_resource));
+    }
+    for (const PlanMilestone& each : network_.milestones) {
+      out_ += fmt::format("milestone {};\n", each.name);
+    }
+    for (const auto& [uid, parts] : insert_.parts) {
+      for (const PlanInsert::Part& part : parts) {
+        out_ += fmt::format("milestone {};\n", part.name);
+      }
+    }
+    for (const std::string& name : own_crews_) out_ += fmt::format("own_crew {};\n", name);
+    carry_tasks();
+    const CarriedWriter usual_assignment = fields_of(Assignment());
+    for (const Assignment& each : project_.assignments) {
+      out_ += fmt::format("assignment {}{};\n", network_.tasks[task_index_.at(each.task)].name,
+                          fields_of(each).changed(usual_assignment));
+    }
+    out_ += "}\n";
+  }
+
+  void carry_calendar(const Calendar& calendar) {
+    const std::string& name = calendar_name_.at(calendar.uid);
+    out_ += fmt::format("calendar {} uid {} name {}", name, calendar.uid, quoted(calendar.name));
+    if (calendar.base != kNone) out_ += fmt::format(" base {}", calendar.base);
+    const auto plan = plan_calendar(project_, calendar, start_.text.substr(0, 10));
+    if (plan && calendar_of(*plan, calendar.uid, calendar.name) == calendar) {
+      out_ += ";\n";
+      return;
+    }
+    out_ += " whole 1;\n";
+    out_ += "week " + name;
+    for (std::size_t day = 0; day < 7; ++day) {
+      if (calendar.week[day]) {
+        out_ += fmt::format(" {} {}", kDays[day], quoted(text_of(*calendar.week[day])));
+      }
+    }
+    out_ += ";\n";
+    if (calendar.exceptions.empty()) return;
+    out_ += "exceptions " + name;
+    for (const CalendarException& each : calendar.exceptions) {
+      std::string text = each.first;
+      if (each.last != each.first) text += ".." + each.last;
+      if (!each.times.empty()) text += "=" + text_of(each.times);
+      if (!each.name.empty()) text += "|" + each.name;
+      out_ += " " + quoted(text);
+    }
+    out_ += ";\n";
+  }
+
+  void carry_tasks() {
+    const CarriedWriter usual = fields_of(Task());
+    for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
+      const PlanTask& planned = network_.tasks[i];
+      Task task = project_.tasks[i];
+      // What the plan says need not be said twice.
+      if (planned.planned && plan_seconds(task) == task.duration.seconds) task.duration = {};
+      out_ += fmt::format("{} {}{};\n", planned.planned ? "task" : "row", planned.name,
+                          fields_of(task).changed(usual));
+      for (std::size_t k = 0; k < task.after.size(); ++k) {
+        if (planned.said[k]) continue;
+        const Link& link = task.after[k];
+        out_ += fmt::format("link {} predecessor {} type \"{}\" lag \"{}\" format \"{}\";\n",
+                            planned.name, link.predecessor,
+                            kLinkNames[static_cast<std::size_t>(link.type)], link.lag,
+                            text_of(link.format));
+      }
+    }
+  }
+
+  const Project& project_;
+  const std::string& file_;
+  const PlanInsert& insert_;
+  interpreter::Diagnostics& diagnostics_;
+  const Moment start_;
+  Listing listing_;
+  PlanNetwork network_;
+  std::string out_;
+  Identifiers calendar_names_, crew_names_;
+  std::unordered_map<std::int64_t, std::string> calendar_name_;
+  std::unordered_map<std::int64_t, bool> planned_calendars_;
+  std::unordered_map<std::int64_t, std::size_t> task_index_, resource_index_;
+  std::vector<std::string> crew_name_;
+  std::vector<std::string> own_crews_;
+};
+
+}  // namespace
+
+std::string plan_text(const Project& project, const std::string& file,
+                      interpreter::Diagnostics& diagnostics, const PlanInsert& insert) {
+  return PlanWriter(project, file, insert, diagnostics).write();
+}
+
+}  // namespace rubicon::project_io

@@ -1,0 +1,398 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <unordered_map>
+
+#include "src/exchange/project_io/decode_text.hpp"
+#include "src/exchange/project_io/read_project.hpp"
+#include "src/exchange/project_io/tidy_project.hpp"
+#include "src/exchange/project_io/value_text.hpp"
+#include "src/exchange/project_io/xer_calendar.hpp"
+#include "src/exchange/project_io/xer_columns.hpp"
+#include "src/exchange/project_io/xer_table.hpp"
+
+namespace rubicon::project_io {
+
+namespace {
+
+using interpreter::Span;
+class XerReader {
+ public:
+  XerReader(const XerFile& xer, Listing& listing) : xer_(xer), listing_(listing) {}
+
+  /// Null if there is no project.
+  std::optional<Project> read() {
+    const XerRow* project = choose_project();
+    if (project == nullptr) return std::nullopt;
+    project_id_ = (*project)["proj_id"];
+    project_.name = text((*project)["proj_short_name"]);
+    cell(*project, "PROJECT", "plan_start_date", project_.start);
+    cell(*project, "PROJECT", "plan_end_date", project_.finish);
+    read_currency();
+    read_calendars();
+    reference(*project, "PROJECT", "clndr_id", project_.calendar);
+    read_resources();
+    read_tasks();
+    read_links();
+    read_assignments();
+    tidy_project(project_, places_, listing_);
+    list_unread(xer_, listing_);
+    return std::move(project_);
+  }
+
+ private:
+  const std::vector<XerRow>& rows(std::string_view table) const {
+    static const std::vector<XerRow> none;
+    const auto found = xer_.tables.find(table);
+    return found == xer_.tables.end() ? none : found->second.rows;
+  }
+
+  static std::string text(std::string_view cell) {
+    std::string result = clean_text(cell);
+    for (char& c : result) {
+      if (c == '\x7f') c = '\n';
+    }
+    return result.find_first_not_of(" \t\r\n") == std::string::npos ? std::string() : result;
+  }
+
+  template <typename T>
+  void cell(const XerRow& row, const char* table, const char* column, T& value) {
+    const std::string_view found = row[column];
+    if (found.empty() || project_io::read(found, value)) return;
+    listing_.add("I03", fmt::format("cell {}.{}", table, column), row.span(),
+                 fmt::format("expected {} in column {} of {}, found '{}'; left out",
+                             expected(value), column, table, clean_text(found)));
+  }
+
+  /// A number that names another row; none if there is none.
+  void reference(const XerRow& row, const char* table, const char* column, std::int64_t& value) {
+    cell(row, table, column, value);
+  }
+
+  /// Hours with a fraction, as whole seconds; a lag may be negative.
+  void hours(const XerRow& row, const char* table, const char* column, std::int64_t& seconds) {
+    constexpr double kMaxHours = 2.7e6;  // 300 years
+    double value = 0;
+    cell(row, table, column, value);
+    if (std::abs(value) > kMaxHours) {
+      listing_.add(
+          "I03", fmt::format("hours {}", column), row.span(),
+          fmt::format("{} hours in column {} is no sensible time; left out", value, column));
+      return;
+    }
+    seconds = std::llround(value * 3600);
+  }
+
+  const XerRow* choose_project() {
+    const XerRow* chosen = nullptr;
+    std::set<std::string_view> with_tasks;
+    for (const XerRow& row : rows("TASK")) with_tasks.insert(row["proj_id"]);
+    for (const XerRow& row : rows("PROJECT")) {
+      if (chosen == nullptr && (with_tasks.empty() || with_tasks.contains(row["proj_id"]))) {
+        chosen = &row;
+      } else {
+        listing_.add("I07", "project", row.span(),
+                     fmt::format("project '{}' is left out: one plan holds one project",
+                                 text(row["proj_short_name"])),
+                     "export it into a file of its own");
+      }
+    }
+    return chosen;
+  }
+
+  void read_currency() {
+    for (const XerRow& row : rows("CURRTYPE")) {
+      project_.currency_code = text(row["curr_short_name"]);
+      project_.currency_symbol = text(row["curr_symbol"]);
+      return;
+    }
+  }
+
+  void read_calendars() {
+    for (const XerRow& row : rows("CALENDAR")) {
+      Calendar calendar;
+      cell(row, "CALENDAR", "clndr_id", calendar.uid);
+      reference(row, "CALENDAR", "base_clndr_id", calendar.base);
+      calendar.name = text(row["clndr_name"]);
+      if (!row["clndr_data"].empty() && !read_xer_calendar(row["clndr_data"], calendar)) {
+        listing_.add("I03", "clndr_data", row.span(),
+                     fmt::format("the working times of calendar '{}' could not be read to the end",
+                                 calendar.name));
+      }
+      if (row["default_flag"] == "Y") {
+        project_.calendar = calendar.uid;
+        double day = 0, week = 0;
+        cell(row, "CALENDAR", "day_hr_cnt", day);
+        cell(row, "CALENDAR", "week_hr_cnt", week);
+        if (day > 0 && day <= 24) project_.minutes_per_day = static_cast<int>(day * 60);
+        if (week > 0 && week <= 168) project_.minutes_per_week = static_cast<int>(week * 60);
+      }
+      project_.calendars.push_back(std::move(calendar));
+      places_.calendars.push_back(row.span());
+    }
+  }
+
+  void read_resources() {
+    std::unordered_map<std::int64_t, std::size_t> index;
+    for (const XerRow& row : rows("RSRC")) {
+      Resource resource;
+      cell(row, "RSRC", "rsrc_id", resource.uid);
+      reference(row, "RSRC", "clndr_id", resource.calendar);
+      resource.name = text(row["rsrc_name"]);
+      resource.code = text(row["rsrc_short_name"]);
+      resource.email = text(row["email_addr"]);
+      resource.notes = text(row["rsrc_notes"]);
+      resource.id = static_cast<std::int64_t>(project_.resources.size()) + 1;
+      if (row["rsrc_type"] == "RT_Mat") resource.type = ResourceType::material;
+      index.emplace(resource.uid, project_.resources.size());
+      project_.resources.push_back(std::move(resource));
+      places_.resources.push_back(row.span());
+    }
+    for (const XerRow& row : rows("RSRCRATE")) {
+      std::int64_t uid = kNone;
+      cell(row, "RSRCRATE", "rsrc_id", uid);
+      const auto found = index.find(uid);
+      if (found == index.end()) continue;
+      Resource& resource = project_.resources[found->second];
+      cell(row, "RSRCRATE", "cost_per_qty", resource.standard_rate);
+      cell(row, "RSRCRATE", "max_qty_per_hr", resource.max_units);
+    }
+  }
+
+  // ---- the outline: the work breakdown and its activities --------------------------------------
+
+  struct Branch {
+    const XerRow* row = nullptr;
+    std::vector<std::size_t> below;  ///< branches
+    std::vector<const XerRow*> tasks;
+    bool has_parent = false;
+  };
+
+  void read_tasks() {
+    std::vector<Branch> branches;
+    std::unordered_map<std::string_view, std::size_t> index;
+    for (const XerRow& row : rows("PROJWBS")) {
+      if (row["proj_id"] != project_id_) continue;
+      if (!index.emplace(row["wbs_id"], branches.size()).second) {
+        listing_.add("I04", "wbs twice", row.span(),
+                     fmt::format("wbs_id {} is there twice; the second is left out",
+                                 clean_text(row["wbs_id"])));
+        continue;
+      }
+      branches.push_back({&row, {}, {}, false});
+    }
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+      const auto parent = index.find((*branches[i].row)["parent_wbs_id"]);
+      if (parent == index.end() || parent->second == i) continue;
+      branches[i].has_parent = true;
+      branches[parent->second].below.push_back(i);
+    }
+    std::vector<const XerRow*> without;
+    for (const XerRow& row : rows("TASK")) {
+      largest_uid_ = std::max(largest_uid_, uid_of(row));
+      if (row["proj_id"] != project_id_) continue;
+      const auto branch = index.find(row["wbs_id"]);
+      if (branch == index.end()) {
+        without.push_back(&row);
+      } else {
+        branches[branch->second].tasks.push_back(&row);
+      }
+    }
+    std::vector<bool> done(branches.size(), false);
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+      if (!branches[i].has_parent) add_branch(branches, i, done);
+    }
+    // Branches that are each other's parents hang on nothing.
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+      if (done[i]) continue;
+      listing_.add("I06", "wbs ring", branches[i].row->span(),
+                   fmt::format("the work breakdown of '{}' runs in a ring; it is put at the top",
+                               text((*branches[i].row)["wbs_name"])));
+      add_branch(branches, i, done);
+    }
+    for (const XerRow* row : without) add_task(*row, 1);
+  }
+
+  /// A branch with all that is below it; without recursion, and each branch once.
+  void add_branch(const std::vector<Branch>& branches, std::size_t root, std::vector<bool>& done) {
+    std::vector<std::pair<std::size_t, int>> open = {{root, 1}};
+    while (!open.empty()) {
+      const auto [at, level] = open.back();
+      open.pop_back();
+      if (done[at]) continue;
+      done[at] = true;
+      const Branch& branch = branches[at];
+      const XerRow& row = *branch.row;
+      // The node of the project itself stands for no work.
+      const bool is_project = row["proj_node_flag"] == "Y";
+      const int below = is_project ? level : level + 1;
+      if (!is_project) {
+        Task task;
+        task.uid = ++largest_uid_;
+        task.name = text(row["wbs_name"]);
+        task.code = text(row["wbs_short_name"]);
+        task.level = level;
+        task.summary = true;
+        push(std::move(task), row.span());
+      }
+      for (const XerRow* each : branch.tasks) add_task(*each, below);
+      for (auto next = branch.below.rbegin(); next != branch.below.rend(); ++next) {
+        open.emplace_back(*next, below);
+      }
+    }
+  }
+
+  static std::int64_t uid_of(const XerRow& row) {
+    std::int64_t uid = kNone;
+    return project_io::read(row["task_id"], uid) ? uid : kNone;
+  }
+
+  void add_task(const XerRow& row, int level) {
+    Task task;
+    task.level = level;
+    cell(row, "TASK", "task_id", task.uid);
+    reference(row, "TASK", "clndr_id", task.calendar);
+    task.name = text(row["task_name"]);
+    task.code = text(row["task_code"]);
+    cell(row, "TASK", "target_start_date", task.start);
+    cell(row, "TASK", "target_end_date", task.finish);
+    cell(row, "TASK", "act_start_date", task.actual_start);
+    cell(row, "TASK", "act_end_date", task.actual_finish);
+    hours(row, "TASK", "target_drtn_hr_cnt", task.duration.seconds);
+    hours(row, "TASK", "target_work_qty", task.work.seconds);
+    task.duration.seconds = std::max<std::int64_t>(task.duration.seconds, 0);
+    task.work.seconds = std::max<std::int64_t>(task.work.seconds, 0);
+    task.format.unit = TimeUnit::hours;
+    double complete = 0;
+    cell(row, "TASK", "phys_complete_pct", complete);
+    task.percent_complete = static_cast<int>(std::clamp(complete, 0.0, 100.0));
+    const std::string_view type = row["task_type"];
+    task.milestone = type == "TT_Mile" || type == "TT_FinMile";
+    if (type == "TT_LOE" || type == "TT_WBS") {
+      listing_.add(
+          "I07", "level of effort", row.span(),
+          fmt::format("activity '{}' lasts as long as others (level of effort or summary); "
+                      "it is taken with the duration it has now",
+                      task.name));
+    }
+    read_constraint(row, task);
+    push(std::move(task), row.span());
+  }
+
+  void read_constraint(const XerRow& row, Task& task) {
+    static const std::map<std::string_view, Constraint> kTypes = {
+        {"CS_ALAP", Constraint::as_late_as_possible},
+        {"CS_MSO", Constraint::must_start_on},
+        {"CS_MANDSTART", Constraint::must_start_on},
+        {"CS_MEO", Constraint::must_finish_on},
+        {"CS_MANDFIN", Constraint::must_finish_on},
+        {"CS_MSOA", Constraint::start_no_earlier_than},
+        {"CS_MSOB", Constraint::start_no_later_than},
+        {"CS_MEOA", Constraint::finish_no_earlier_than},
+        {"CS_MEOB", Constraint::finish_no_later_than}};
+    const std::string_view name = row["cstr_type"];
+    if (name.empty()) return;
+    const auto found = kTypes.find(name);
+    if (found == kTypes.end()) {
+      listing_.add("I03", "constraint", row.span(),
+                   fmt::format("unknown constraint '{}'; left out", clean_text(name)));
+      return;
+    }
+    task.constraint = found->second;
+    cell(row, "TASK", "cstr_date", task.constraint_date);
+  }
+
+  void push(Task task, Span span) {
+    task.id = static_cast<std::int64_t>(project_.tasks.size()) + 1;
+    index_.emplace(task.uid, project_.tasks.size());
+    project_.tasks.push_back(std::move(task));
+    places_.tasks.push_back(span);
+    places_.links.emplace_back();
+  }
+
+  void read_links() {
+    static const std::map<std::string_view, LinkType> kTypes = {{"PR_FS", LinkType::FS},
+                                                                {"PR_SS", LinkType::SS},
+                                                                {"PR_FF", LinkType::FF},
+                                                                {"PR_SF", LinkType::SF}};
+    for (const XerRow& row : rows("TASKPRED")) {
+      if (!row["proj_id"].empty() && row["proj_id"] != project_id_) continue;
+      std::int64_t uid = kNone;
+      Link link;
+      link.format.unit = TimeUnit::hours;
+      cell(row, "TASKPRED", "task_id", uid);
+      cell(row, "TASKPRED", "pred_task_id", link.predecessor);
+      hours(row, "TASKPRED", "lag_hr_cnt", link.lag);
+      link.lag = link.lag / 6 * 6;  // tenths of a minute, as the way out has them
+      const auto type = kTypes.find(row["pred_type"]);
+      if (type == kTypes.end()) {
+        listing_.add(
+            "I03", "pred_type", row.span(),
+            fmt::format("expected PR_FS, PR_SS, PR_FF or PR_SF, found '{}'; taken as PR_FS",
+                        clean_text(row["pred_type"])));
+      } else {
+        link.type = type->second;
+      }
+      const auto task = index_.find(uid);
+      if (task == index_.end()) {
+        listing_.add("I05", "link of nobody", row.span(),
+                     fmt::format("there is no activity {} for this link; it is left out", uid));
+        continue;
+      }
+      project_.tasks[task->second].after.push_back(link);
+      places_.links[task->second].push_back(row.span());
+    }
+  }
+
+  void read_assignments() {
+    for (const XerRow& row : rows("TASKRSRC")) {
+      if (!row["proj_id"].empty() && row["proj_id"] != project_id_) continue;
+      Assignment assignment;
+      cell(row, "TASKRSRC", "taskrsrc_id", assignment.uid);
+      cell(row, "TASKRSRC", "task_id", assignment.task);
+      cell(row, "TASKRSRC", "rsrc_id", assignment.resource);
+      hours(row, "TASKRSRC", "target_qty", assignment.work.seconds);
+      assignment.work.seconds = std::max<std::int64_t>(assignment.work.seconds, 0);
+      cell(row, "TASKRSRC", "target_qty_per_hr", assignment.units);
+      cell(row, "TASKRSRC", "target_start_date", assignment.start);
+      cell(row, "TASKRSRC", "target_end_date", assignment.finish);
+      project_.assignments.push_back(std::move(assignment));
+      places_.assignments.push_back(row.span());
+    }
+  }
+
+  const XerFile& xer_;
+  Listing& listing_;
+  Project project_;
+  ProjectPlaces places_;
+  std::string_view project_id_;
+  std::unordered_map<std::int64_t, std::size_t> index_;
+  std::int64_t largest_uid_ = 0;
+};
+
+}  // namespace
+
+std::optional<Project> read_xer(const interpreter::SourceMap& sources, interpreter::FileId file,
+                                interpreter::Diagnostics& diagnostics) {
+  Listing listing;
+  const std::string& text = sources.file(file).text;
+  const XerFile xer = read_xer_tables(text, file, listing);
+  std::optional<Project> project = XerReader(xer, listing).read();
+  if (!project) {
+    diagnostics.error("I02", {file, 0, 6}, "this XER file holds no project",
+                      "export a project from Primavera P6 with its activities");
+    return std::nullopt;
+  }
+  if (!xer.complete) {
+    const auto end = static_cast<std::uint32_t>(text.size());
+    listing.add("I01", "no end", {file, end, end},
+                "this file has no last line %E: it may be cut off");
+  }
+  listing.report(diagnostics);
+  return project;
+}
+
+}  // namespace rubicon::project_io

@@ -1,0 +1,162 @@
+#include "src/motion/collision/pair/mesh_mesh_test.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "src/motion/collision/base/tolerances.hpp"
+#include "src/motion/collision/pair/box_mesh_test.hpp"
+#include "src/motion/collision/tree/kernels.hpp"
+
+namespace rubicon::collision {
+
+struct MeshMeshTest::Seen {
+  Placement start;
+  Placement middle;
+  Placement end;
+  Vec3 axis;
+  Vec3 point;
+  double bulge = 0;
+  double uniform_growth = 0;
+};
+
+MeshMeshTest::MeshMeshTest(const Sweep& sweep, const TriangleSoup& moving,
+                           const BodyPart& fixed_part, const TriangleSoup& fixed,
+                           const Placement& X_WB, double contact_tolerance)
+    : sweep_(sweep),
+      moving_(moving),
+      fixed_part_(fixed_part),
+      fixed_(fixed),
+      X_WB_(X_WB),
+      contact_tolerance_(std::max(contact_tolerance, kRoundingDepth)) {}
+
+Verdict MeshMeshTest::verdict(SweepSlice& slice) const {
+  const Seen poses = seen(slice);
+  std::vector<Open> open;
+  ItemList own;
+  own_packs(slice, own);
+  ItemList met;
+  for (const int pack : own) {
+    packs_near(slice, pack, met);
+    if (met.size() == 0) continue;
+    const TrianglePack& triangles = moving_.packs()[static_cast<std::size_t>(pack)];
+    for (int i = triangles.first; i < triangles.first + triangles.count; ++i) {
+      const TrianglePass moving = pass(poses, i);
+      for (const int other : met) {
+        if (!meets(moving, other)) continue;
+        if (sweep_.is_translation() || deep_at_a_pose({i, other}, poses, true)) {
+          return Verdict::kHit;
+        }
+        open.push_back({i, other});
+      }
+    }
+  }
+  return open.empty() ? Verdict::kFree : in_halves(slice, open, kHalvings);
+}
+
+/// The packs of the moving mesh that come near the standing one.
+void MeshMeshTest::own_packs(SweepSlice& slice, ItemList& found) const {
+  if (slice.uniform_growth() > 0) {
+    // Seen from a moving mesh a general motion has another bound: all of its packs.
+    while (found.capacity() < static_cast<int>(moving_.packs().size())) found.grow();
+    found.set_size(static_cast<int>(moving_.packs().size()));
+    std::iota(found.begin(), found.end(), 0);
+    return;
+  }
+  const BoxMeshTest whole(sweep_, fixed_part_, moving_, true, X_WB_, 0);
+  collect_packs(whole.passage(slice), moving_, found);
+}
+
+/// The packs of the standing mesh that the box around one of the moving mesh is not proved free of.
+void MeshMeshTest::packs_near(SweepSlice& slice, int own, ItemList& found) const {
+  const Bounds& bounds = moving_.pack_bounds()[static_cast<std::size_t>(own)];
+  BodyPart box;
+  box.aligned = true;
+  box.box.centre = bounds.centre();
+  box.box.half = bounds.half();
+  const BoxPassage passage = BoxMeshTest(sweep_, box, fixed_, false, X_WB_, 0).passage(slice);
+  collect_packs(passage, fixed_, found);
+  if (found.size() == 0) return;
+  const BoxPass pass = box_pass(passage, kRoundingDepth);
+  int* last = std::remove_if(found.begin(), found.end(), [&](int pack) {
+    return kernels().meeting_triangles(pass, fixed_.packs()[static_cast<std::size_t>(pack)]) == 0;
+  });
+  found.set_size(static_cast<int>(last - found.begin()));
+}
+
+MeshMeshTest::Seen MeshMeshTest::seen(SweepSlice& slice) const {
+  const Mat3 to_fixed = X_WB_.R.transpose();
+  return {relative(slice.start(), X_WB_),
+          relative(slice.middle(), X_WB_),
+          relative(slice.end(), X_WB_),
+          to_fixed * slice.axis(),
+          to_fixed * (slice.point() - X_WB_.t),
+          slice.bulge(),
+          slice.uniform_growth()};
+}
+
+TrianglePass MeshMeshTest::pass(const Seen& poses, int triangle) const {
+  TrianglePass result;
+  double lever = 0;
+  std::array<Vec3, 3> middle;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3& corner = moving_.corner(triangle, k);
+    const Vec3 start = poses.start * corner;
+    const Vec3 end = poses.end * corner;
+    middle[k] = poses.middle * corner;
+    for (int axis = 0; axis < 3; ++axis) {
+      result.start[k][axis] = start[axis];
+      result.end[k][axis] = end[axis];
+    }
+    if (poses.bulge > 0) lever = std::max(lever, poses.axis.cross(start - poses.point).norm());
+  }
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 edge = middle[(k + 1) % 3] - middle[k];
+    for (int axis = 0; axis < 3; ++axis) result.edges[k][axis] = edge[axis];
+    result.growth_axis[k] = poses.axis[k];
+  }
+  result.axial_growth = poses.bulge * lever;
+  result.uniform_growth = poses.uniform_growth;
+  const double altitude = smallest_altitude(
+      moving_.corner(triangle, 0), moving_.corner(triangle, 1), moving_.corner(triangle, 2));
+  result.tolerance = std::min(contact_tolerance_, thickness_tolerance(altitude));
+  return result;
+}
+
+TrianglePass MeshMeshTest::still(const Placement& pose, int triangle) const {
+  Seen standing;
+  standing.start = standing.middle = standing.end = pose;
+  standing.axis = Vec3::UnitZ();
+  standing.point = Vec3::Zero();
+  return pass(standing, triangle);
+}
+
+bool MeshMeshTest::meets(const TrianglePass& pass, int pack) const {
+  return kernels().met_by_triangle(pass, fixed_.packs()[static_cast<std::size_t>(pack)]) != 0;
+}
+
+bool MeshMeshTest::deep_at_a_pose(const Open& pair, const Seen& poses, bool start_too) const {
+  const auto deep_at = [&](const Placement& pose) {
+    return meets(still(pose, pair.triangle), pair.pack);
+  };
+  return deep_at(poses.middle) || deep_at(poses.end) || (start_too && deep_at(poses.start));
+}
+
+Verdict MeshMeshTest::in_halves(SweepSlice& slice, const std::vector<Open>& open,
+                                int halvings) const {
+  if (halvings == 0) return Verdict::kUndecided;
+  for (SweepSlice* half : {&slice.first_half(), &slice.second_half()}) {
+    const Seen poses = seen(*half);
+    std::vector<Open> left;
+    for (const Open& pair : open) {
+      if (!meets(pass(poses, pair.triangle), pair.pack)) continue;
+      if (deep_at_a_pose(pair, poses, false)) return Verdict::kHit;
+      left.push_back(pair);
+    }
+    if (left.empty()) continue;
+    const Verdict found = in_halves(*half, left, halvings - 1);
+    if (found != Verdict::kFree) return found;
+  }
+  return Verdict::kFree;
+}
+
+}  // namespace rubicon::collision

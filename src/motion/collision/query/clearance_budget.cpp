@@ -1,0 +1,105 @@
+#include "src/motion/collision/query/clearance_budget.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "src/motion/math/angles.hpp"
+
+namespace rubicon::collision {
+namespace {
+
+/// Free space is measured for this many steps like the last one; more costs a longer search.
+constexpr double kStepsAhead = 32;
+/// Space for fewer steps costs more to measure than it saves.
+constexpr double kUsefulSteps = 6;
+/// Where measuring was of no use, it is tried again after 1, 2, 4, ... queries, at most this many.
+constexpr int kLongestPause = 32;
+/// Taken off every distance (m): more than the rounding of displacements.
+constexpr double kRounding = 1e-9;
+/// How far the pose moves any core point of the body from where `X` has it.
+double displacement(const Body& body, const Mat3& R, const Vec3& t, const Placement& X) {
+  const double turned = (R - X.R).squaredNorm();
+  const double shifted = (t - X.t).norm();
+  return turned == 0 ? shifted : shifted + std::sqrt(turned) * body.extent().radius;
+}
+
+/// Bit for bit; three whole columns lie side by side in a pose.
+bool same_rotation(const Pose& a, const Pose& b) {
+  return std::memcmp(a.matrix().data(), b.matrix().data(), 12 * sizeof(double)) == 0;
+}
+
+}  // namespace
+
+double greatest_displacement(const Body& body, const Motion& motion, const Placement& X) {
+  const geometry::ScrewMotion* screw = screw_of(motion);
+  if (screw == nullptr) {
+    const double stray = stray_of(motion, body.extent(), 0, 1).points;
+    const Placement start = centred(motion, body.extent(), 0);
+    const Placement end = centred(motion, body.extent(), 1);
+    return std::max(displacement(body, start.R, start.t, X), displacement(body, end.R, end.t, X)) +
+           stray;
+  }
+  const auto R = screw->X0.linear();
+  const Vec3 t = screw->X0 * body.extent().centre;
+  const double at_start = displacement(body, R, t, X);
+  if (screw->angle_deg == 0) {
+    return std::max(at_start, displacement(body, R, t + screw->slide, X));
+  }
+  const double lever = screw->axis.cross(t - screw->point).norm() + body.extent().radius;
+  return at_start + math::radians(std::fabs(screw->angle_deg)) * lever + screw->slide.norm();
+}
+
+void ClearanceBudget::Impl::look_at(const WorldState& now) {
+  if (state == now) return;
+  state = now;
+  items.clear();
+}
+
+bool ClearanceBudget::Impl::covers(std::size_t item, const Body& body, const Motion& motion) const {
+  if (item >= items.size()) return false;
+  const Known& known = items[item];
+  if (known.body.get() != &body || !(known.clear > kRounding)) return false;
+  const double allowed = known.clear - kRounding;
+  const geometry::ScrewMotion* screw = screw_of(motion);
+  if (screw != nullptr && screw->angle_deg == 0 && same_rotation(screw->X0, known.pose)) {
+    // By far the most steps: no turn at all since the space was measured.
+    const Vec3 from = screw->X0.translation() - known.pose.translation();
+    // Not by their greater one, which a number that is none would hide in.
+    const double squared = allowed * allowed;
+    return from.squaredNorm() < squared && (from + screw->slide).squaredNorm() < squared;
+  }
+  require_valid(motion);
+  return greatest_displacement(body, motion, known.X) < allowed;
+}
+
+void ClearanceBudget::Impl::measure(std::size_t item, const Body& body, const Motion& motion,
+                                    const WideTree& obstacles) {
+  if (item >= items.size()) items.resize(item + 1);
+  Known& known = items[item];
+  if (known.body.get() != &body) {
+    known = {};
+    known.body = body.weak_from_this().lock();
+    if (!known.body) return;
+  }
+  if (known.pause > 0) {
+    --known.pause;
+    return;
+  }
+  const Placement start = centred(motion, body.extent(), 0);
+  const double step = greatest_displacement(body, motion, start);
+  if (!std::isfinite(step)) return;
+  known.X = centred(motion, body.extent(), 1);
+  known.pose = motion.pose(1);
+  known.clear = obstacles.distance(placed(body.bounds(), known.X), kStepsAhead * step);
+  const bool useful = known.clear > kUsefulSteps * step;
+  known.futile = useful ? 0 : known.futile + 1;
+  known.pause = useful ? 0 : std::min(1 << std::min(known.futile, 10), kLongestPause);
+}
+
+ClearanceBudget::ClearanceBudget() : impl_(std::make_unique<Impl>()) {}
+ClearanceBudget::~ClearanceBudget() = default;
+ClearanceBudget::ClearanceBudget(ClearanceBudget&&) noexcept = default;
+ClearanceBudget& ClearanceBudget::operator=(ClearanceBudget&&) noexcept = default;
+
+}  // namespace rubicon::collision

@@ -1,0 +1,127 @@
+#include "src/motion/robot/chain_motion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "src/motion/math/angles.hpp"
+#include "src/motion/robot/enclosure.hpp"
+#include "src/motion/robot/frame_chain.hpp"
+
+namespace rubicon::robot {
+namespace {
+
+/// Turning in one piece of the step (radians) above which the step is enclosed in several pieces:
+/// intervals of large angles overestimate. The consequence of another value is only a looser or a
+/// slower bound.
+constexpr double kPieceTurn = 0.25;
+constexpr int kMostPieces = 16;
+
+/// Part by which a bound is enlarged for the rounding of its own last few operations.
+constexpr double kBoundRounding = 1 + 1e-14;
+
+using Point = std::array<Enclosure, 3>;
+
+/// p <- element * p.
+void transform(const FrameElement& element, const std::array<Enclosure, 3>& arguments, Point& p) {
+  if (element.kind == FrameElement::Kind::trans) {
+    for (std::size_t i = 0; i < 3; ++i) p[i] = p[i] + arguments[i];
+    return;
+  }
+  const auto [s, c] = sine_cosine(arguments[0]);
+  const std::size_t k = element.kind == FrameElement::Kind::rotx   ? 0
+                        : element.kind == FrameElement::Kind::roty ? 1
+                                                                   : 2;
+  const std::size_t i = (k + 1) % 3;
+  const std::size_t j = (k + 2) % 3;
+  const Enclosure turned_i = c * p[i] - s * p[j];
+  const Enclosure turned_j = s * p[i] + c * p[j];
+  p[i] = turned_i;
+  p[j] = turned_j;
+}
+
+struct PieceBound {
+  AccelerationBound acceleration;
+  double turn_rate = 0;  ///< radians for s from 0 to 1
+};
+
+PieceBound bound_piece(std::span<const FrameElement* const> elements, std::span<const double> q0,
+                       std::span<const double> q1, std::span<const double> starts, double s0,
+                       double s1) {
+  Point origin;
+  double turn_rate = 0;
+  double turn_acceleration = 0;
+  for (std::size_t n = elements.size(); n-- > 0;) {
+    const FrameElement& element = *elements[n];
+    std::array<Enclosure, 3> arguments;
+    arguments[0] = element.a.enclose(q0, q1, starts, s0, s1);
+    if (element.kind == FrameElement::Kind::trans) {
+      arguments[1] = element.b.enclose(q0, q1, starts, s0, s1);
+      arguments[2] = element.c.enclose(q0, q1, starts, s0, s1);
+    } else {
+      turn_rate += math::radians(magnitude(arguments[0].first));
+      turn_acceleration += math::radians(magnitude(arguments[0].second));
+    }
+    transform(element, arguments, origin);
+  }
+  double squared = 0;
+  for (const Enclosure& component : origin) {
+    const double most = magnitude(component.second);
+    squared += most * most;
+  }
+  return {{std::sqrt(squared) * kBoundRounding,
+           (turn_rate * turn_rate + turn_acceleration) * kBoundRounding},
+          turn_rate};
+}
+
+}  // namespace
+
+std::vector<double> StepPath::configuration(double s) const {
+  std::vector<double> q(q0.size());
+  for (std::size_t i = 0; i < q.size(); ++i)
+    q[i] = q0[i] == q1[i] ? q0[i] : (1 - s) * q0[i] + s * q1[i];
+  return q;
+}
+
+AccelerationBound acceleration_bound(std::span<const FrameElement* const> elements,
+                                     std::span<const double> q0, std::span<const double> q1,
+                                     std::span<const double> starts) {
+  const PieceBound whole = bound_piece(elements, q0, q1, starts, 0, 1);
+  if (!(whole.turn_rate > kPieceTurn)) return whole.acceleration;
+  const int pieces =
+      static_cast<int>(std::min<double>(kMostPieces, std::ceil(whole.turn_rate / kPieceTurn)));
+  AccelerationBound bound;
+  for (int i = 0; i < pieces; ++i) {
+    const PieceBound piece = bound_piece(elements, q0, q1, starts, i / static_cast<double>(pieces),
+                                         (i + 1) / static_cast<double>(pieces));
+    bound.origin = std::max(bound.origin, piece.acceleration.origin);
+    bound.turning = std::max(bound.turning, piece.acceleration.turning);
+  }
+  return bound;
+}
+
+ChainMotion::ChainMotion(std::shared_ptr<const StepPath> path, int body)
+    : path_(std::move(path)), body_(body) {
+  const auto elements =
+      body_ < 0 ? elements_to_tool(*path_->model) : elements_to_body(*path_->model, body_);
+  acceleration_ = acceleration_bound(elements, path_->q0, path_->q1, path_->mounting.starts);
+}
+
+Pose ChainMotion::pose(double s) const {
+  const std::vector<double> q = path_->configuration(s);
+  return body_ < 0 ? tool_pose(*path_->model, path_->mounting, q)
+                   : body_pose(*path_->model, path_->mounting, q, body_);
+}
+
+double ChainMotion::chord_deviation(double s0, double s1, double reach) const {
+  // A curve whose second derivative is at most A strays from its chord by at most A (s1 - s0)^2
+  // / 8.
+  const double width = s1 - s0;
+  const double deviation =
+      width * width / 8 * (acceleration_.origin + acceleration_.turning * reach) * kBoundRounding;
+  return deviation >= 0 ? deviation : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace rubicon::robot

@@ -1,0 +1,238 @@
+#include "src/motion/robot/closed_form_goal.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "src/motion/math/angles.hpp"
+#include "src/motion/robot/frame_chain.hpp"
+
+namespace rubicon::robot {
+namespace {
+
+/// File units by which a value may miss its limit, or the value now, by rounding; it is then set to
+/// it.
+constexpr double kSnap = 1e-10;
+
+/// Metres from an axis within which a point has no bearing from it.
+constexpr double kOnAxis = 1e-12;
+
+constexpr int kNone = -1;
+
+/// A moving element of the chain and the constant frame behind it.
+struct Joint {
+  bool rotation = false;                                  ///< about z; else a translation
+  std::array<int, 3> parameters = {kNone, kNone, kNone};  ///< a rotation has its parameter first
+  Pose after = Pose::Identity();
+};
+
+struct JointChain {
+  Pose before = Pose::Identity();
+  std::vector<Joint> joints;
+};
+
+/// What a formula is to the solver: constant, one free parameter and nothing else, or anything
+/// more.
+struct Argument {
+  enum class Kind { constant, parameter, other };
+  Kind kind = Kind::constant;
+  int parameter = kNone;
+};
+
+Argument argument_of(const GoalProblem& problem, const Formula& formula) {
+  Argument argument;
+  for (const FormulaOp& op : formula.code) {
+    if (op.kind != FormulaOp::Kind::parameter) continue;
+    const Parameter& parameter = problem.model().parameters[static_cast<std::size_t>(op.index)];
+    if (parameter.derived) return {Argument::Kind::other, kNone};
+    if (!parameter.free) continue;
+    if (formula.code.size() != 1) return {Argument::Kind::other, kNone};
+    argument = {Argument::Kind::parameter, op.index};
+  }
+  return argument;
+}
+
+/// The chain with its constant elements gathered, neighbouring translations joined; nothing if some
+/// element is no plain joint.
+std::optional<JointChain> joint_chain(const GoalProblem& problem) {
+  JointChain chain;
+  chain.before = problem.mounting().X_WM;
+  const FormulaInput now = {problem.q_now(), {}, problem.mounting().starts};
+  for (const FrameElement* element : problem.elements()) {
+    const bool rotation = element->kind != FrameElement::Kind::trans;
+    FrameElement constant = *element;
+    Joint joint;
+    joint.rotation = rotation;
+    bool moving = false;
+    const std::array<Formula*, 3> formulas = {&constant.a, &constant.b, &constant.c};
+    for (std::size_t i = 0; i < (rotation ? 1 : 3); ++i) {
+      const Argument argument = argument_of(problem, *formulas[i]);
+      if (argument.kind == Argument::Kind::other) return std::nullopt;
+      if (argument.kind == Argument::Kind::constant) continue;
+      joint.parameters[i] = argument.parameter;
+      formulas[i]->code.clear();
+      moving = true;
+    }
+    Pose& behind = chain.joints.empty() ? chain.before : chain.joints.back().after;
+    if (!moving) {
+      append(behind, *element, now);
+      continue;
+    }
+    if (rotation && element->kind != FrameElement::Kind::rotz) return std::nullopt;
+    Joint* previous = chain.joints.empty() ? nullptr : &chain.joints.back();
+    const bool joins = !rotation && previous != nullptr && !previous->rotation &&
+                       previous->after.linear() == math::Mat3::Identity();
+    if (!joins) {
+      append(joint.after, constant, now);
+      chain.joints.push_back(joint);
+      continue;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (joint.parameters[i] == kNone) continue;
+      if (previous->parameters[i] != kNone) return std::nullopt;
+      previous->parameters[i] = joint.parameters[i];
+    }
+    append(previous->after, constant, now);
+  }
+  // A parameter that moves two elements is no plain joint.
+  std::vector<int> used;
+  for (const Joint& joint : chain.joints) {
+    for (const int parameter : joint.parameters) {
+      if (parameter == kNone) continue;
+      if (std::find(used.begin(), used.end(), parameter) != used.end()) return std::nullopt;
+      used.push_back(parameter);
+    }
+  }
+  return chain;
+}
+
+/// Turn about z that brings R as near as possible to the identity when taken back, degrees.
+double yaw_deg(const math::Mat3& R) {
+  return math::atan2_deg(R(1, 0) - R(0, 1), R(0, 0) + R(1, 1));
+}
+
+bool keeps_z(const Pose& X) { return Vec3(X.linear().col(2)) == Vec3::UnitZ(); }
+
+/// Sets a parameter within its range, to its value now where only rounding separates them; false if
+/// out of range.
+bool set(const GoalProblem& problem, std::vector<double>& q, int parameter, double value) {
+  const auto index = static_cast<std::size_t>(parameter);
+  const Parameter& p = problem.model().parameters[index];
+  const double now = problem.q_now()[index];
+  if (p.cyclic) {
+    value = now + math::normalised_deg(value - now);
+  } else if (p.limited()) {
+    value = nearest_turn_equivalent(p, value, now);
+  } else if (p.rotation) {
+    value = now + math::normalised_deg(value - now);
+  }
+  if (std::fabs(value - now) <= kSnap) value = now;
+  if (!(value >= p.lower - kSnap && value <= p.upper + kSnap)) return false;
+  q[index] = std::clamp(value, p.lower, p.upper);
+  return true;
+}
+
+/// A vehicle or a gantry with a hook that turns: translations, then a turn; without the turn a
+/// plain gantry.
+std::vector<std::vector<double>> vehicle_solutions(const GoalProblem& problem,
+                                                   const JointChain& chain) {
+  const Joint& slide = chain.joints[0];
+  const Joint* turn = chain.joints.size() > 1 ? &chain.joints[1] : nullptr;
+  // before * trans(t) * slide.after * rotz(theta) * turn.after = goal
+  const Pose H = chain.before.inverse() * problem.goal();
+  std::vector<double> q = problem.q_now();
+  Pose rest = slide.after;
+  if (turn != nullptr) {
+    const math::Mat3 turned =
+        slide.after.linear().transpose() * H.linear() * turn->after.linear().transpose();
+    if (!set(problem, q, turn->parameters[0], yaw_deg(turned))) return {};
+    const double theta = q[static_cast<std::size_t>(turn->parameters[0])];
+    rest = rest * math::rotation_z_deg(theta) * turn->after;
+  }
+  const Vec3 t = H.translation() - rest.translation();
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (slide.parameters[i] != kNone &&
+        !set(problem, q, slide.parameters[i], t[static_cast<Eigen::Index>(i)])) {
+      return {};
+    }
+  }
+  return {q};
+}
+
+std::vector<std::vector<double>> crane_solutions(const GoalProblem& problem,
+                                                 const JointChain& chain) {
+  const Joint& boom = chain.joints[0];
+  const Joint& trolley = chain.joints[1];
+  const Joint* hook = chain.joints.size() > 2 ? &chain.joints[2] : nullptr;
+  if (!keeps_z(boom.after) || (hook != nullptr && !keeps_z(trolley.after))) return {};
+  const bool along_x = trolley.parameters[0] != kNone;
+  if (along_x == (trolley.parameters[1] != kNone)) return {};
+
+  // In the frame the mast turns in: where the hook's axis (without one: the tool) has to be.
+  const Pose H = chain.before.inverse() * problem.goal();
+  Vec3 target = H.translation();
+  double heading_deg = 0;
+  if (hook != nullptr) {
+    heading_deg = yaw_deg(H.linear() * hook->after.linear().transpose());
+    target -= math::rotation_z_deg(heading_deg) * Vec3(hook->after.translation());
+  }
+
+  // Before the mast turns, the hook's axis is at offset + radius * direction, horizontally.
+  Vec3 offset = boom.after * Vec3(trolley.after.translation());
+  const double height = target.z() - offset.z();
+  offset.z() = 0;
+  const Vec3 direction = boom.after.linear().col(along_x ? 0 : 1);
+  const double distance = std::sqrt(target.x() * target.x() + target.y() * target.y());
+  const double along = offset.dot(direction);
+  const double across_squared = std::max(0.0, offset.dot(offset) - along * along);
+  const double squared = distance * distance - across_squared;
+  if (squared < -kOnAxis) return {};
+  const double root = std::sqrt(std::max(0.0, squared));
+
+  std::vector<std::vector<double>> solutions;
+  for (const double radius : {-along + root, -along - root}) {
+    std::vector<double> q = problem.q_now();
+    const auto theta = static_cast<std::size_t>(boom.parameters[0]);
+    if (distance > kOnAxis) {
+      const Vec3 at_rest = offset + radius * direction;
+      const double bearing_deg =
+          math::atan2_deg(target.y(), target.x()) - math::atan2_deg(at_rest.y(), at_rest.x());
+      if (!set(problem, q, boom.parameters[0], bearing_deg)) continue;
+    }
+    if (!set(problem, q, trolley.parameters[along_x ? 0 : 1], radius)) continue;
+    if (trolley.parameters[2] != kNone && !set(problem, q, trolley.parameters[2], height)) continue;
+    if (hook != nullptr) {
+      const double others_deg =
+          q[theta] + yaw_deg(boom.after.linear()) + yaw_deg(trolley.after.linear());
+      if (!set(problem, q, hook->parameters[0], heading_deg - others_deg)) continue;
+    }
+    solutions.push_back(std::move(q));
+  }
+  return solutions;
+}
+
+}  // namespace
+
+std::optional<GoalState> closed_form_goal(const GoalProblem& problem) {
+  const auto chain = joint_chain(problem);
+  if (!chain) return std::nullopt;
+  const std::vector<Joint>& joints = chain->joints;
+  std::vector<std::vector<double>> solutions;
+  if (!joints.empty() && !joints[0].rotation &&
+      (joints.size() == 1 || (joints.size() == 2 && joints[1].rotation))) {
+    solutions = vehicle_solutions(problem, *chain);
+  } else if ((joints.size() == 2 || (joints.size() == 3 && joints[2].rotation)) &&
+             joints[0].rotation && !joints[1].rotation) {
+    solutions = crane_solutions(problem, *chain);
+  }
+  std::optional<GoalState> best;
+  for (std::vector<double>& q : solutions) {
+    GoalState state = problem.at(std::move(q));
+    if (state.position_error > kSolved) continue;
+    if (!best || problem.better(state, *best)) best = std::move(state);
+  }
+  return best;
+}
+
+}  // namespace rubicon::robot

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "src/motion/robot/kinematics.hpp"
+
+namespace rubicon::robot {
+
+/// X <- X * element.
+void append(Pose& X, const FrameElement& element, const FormulaInput& input);
+
+/// X <- X * frame.
+void append(Pose& X, const FrameFormula& frame, const FormulaInput& input);
+
+/// The unit axis a rotation element turns about, in its own frame.
+Vec3 rotation_axis(FrameElement::Kind kind);
+
+/// Pose X_WB of one body at configuration q.
+Pose body_pose(const RobotModel& model, const Mounting& mounting, std::span<const double> q,
+               int body);
+
+/// All elements between the mounting frame and a body, base first. Pointers into the model.
+std::vector<const FrameElement*> elements_to_body(const RobotModel& model, int body);
+
+/// All elements between the mounting frame and the tool frame, base first. Pointers into the model.
+std::vector<const FrameElement*> elements_to_tool(const RobotModel& model);
+
+/// Rates of all parameters while `parameter` changes at the rate 1 and the derived parameters
+/// follow.
+std::vector<double> rates_by(const RobotModel& model, const Mounting& mounting,
+                             std::span<const double> q, int parameter);
+
+}  // namespace rubicon::robot

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "src/motion/robot/kinematics.hpp"
+
+namespace rubicon::robot {
+
+/// Metres and radians within which a goal frame counts as met by the solver (LANGUAGE, "Settled on
+/// top"). Also the least difference of two errors or moves that counts when configurations are
+/// compared.
+inline constexpr double kSolved = 1e-9;
+
+/// Rows 0-2: metres (world); rows 3-5: radians, rotation vector (world).
+using PoseResidual = Eigen::Matrix<double, 6, 1>;
+/// Columns per metre or radian of a variable.
+using PoseJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+/// A control parameter the solver may move.
+struct GoalVariable {
+  std::size_t parameter = 0;
+  int level = 0;     ///< 0: the tool's body, 1: its parent, ...
+  double scale = 1;  ///< file units per metre or radian
+};
+
+/// A configuration with what is left to the goal.
+struct GoalState {
+  std::vector<double> q;
+  PoseResidual residual = PoseResidual::Zero();  ///< goal - tool
+  double position_error = 0;                     ///< m
+  double orientation_error = 0;                  ///< rad
+};
+
+/// The task "bring the tool frame to X_WG", as a function of the free parameters between tool and
+/// base, tip first.
+class GoalProblem {
+ public:
+  GoalProblem(const RobotModel& model, const Mounting& mounting, std::span<const double> q_now,
+              const Pose& X_WG);
+
+  const RobotModel& model() const { return model_; }
+  const Mounting& mounting() const { return mounting_; }
+  const Pose& goal() const { return X_WG_; }
+  const std::vector<double>& q_now() const { return q_now_; }
+  const std::vector<const FrameElement*>& elements() const { return elements_; }
+  /// Ordered by level.
+  const std::vector<GoalVariable>& variables() const { return variables_; }
+  const Parameter& parameter(std::size_t variable) const {
+    return model_.parameters[variables_[variable].parameter];
+  }
+
+  /// Tool pose and errors at q, after the derived parameters are brought up to date.
+  GoalState at(std::vector<double> q) const;
+
+  /// How the tool moves by each of the first `count` variables.
+  PoseJacobian jacobian(const GoalState& state, std::size_t count) const;
+
+  /// How far a variable is from its value now (m or rad, signed; a cyclic one the shorter way).
+  double moved(const GoalState& state, std::size_t variable) const;
+
+  /// Whether `a` is to be preferred to `b`: nearer in position, then in orientation, then the
+  /// parents moved less, the base before all; differences below kSolved do not count.
+  bool better(const GoalState& a, const GoalState& b) const;
+
+  bool solved(const GoalState& state) const {
+    return state.position_error <= kSolved && state.orientation_error <= kSolved;
+  }
+
+  /// Bounded work: true once the solver has used up what it may spend on one goal. Only
+  /// descriptions with hundreds of joints come near it; they get the best found so far.
+  bool exhausted() const { return work_ > kMostWork; }
+
+ private:
+  static constexpr std::size_t kMostWork =
+      30'000'000;  ///< derivatives of frame elements: about two seconds
+
+  const RobotModel& model_;
+  const Mounting& mounting_;
+  std::vector<double> q_now_;
+  Pose X_WG_;
+  std::vector<const FrameElement*> elements_;
+  std::vector<GoalVariable> variables_;
+  bool has_derived_ = false;
+  mutable std::size_t work_ = 0;
+};
+
+}  // namespace rubicon::robot

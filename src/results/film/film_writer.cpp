@@ -1,0 +1,118 @@
+#include "src/results/film/film_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <iterator>
+#include <utility>
+
+#include "src/results/film/reel_simdjson.hpp"
+#include "src/simulation/trace/json_builder.hpp"
+
+namespace rubicon::film {
+
+namespace {
+
+constexpr std::string_view kMagic = "RUBICONF";
+constexpr std::uint32_t kVersion = 1;
+
+void append_number(std::string& out, std::uint32_t number) {
+  for (int shift = 0; shift < 32; shift += 8) out += static_cast<char>((number >> shift) & 255);
+}
+
+/// The columns one after the other, and the head's `columns`, which says where each stands.
+class Body {
+ public:
+  Body() { directory_.begin_object(); }
+
+  void add(std::string_view name, const Column& column) {
+    directory_.key(name).begin_object();
+    directory_.field("offset", static_cast<std::int64_t>(bytes_.size()));
+    directory_.field("count", static_cast<std::int64_t>(column.count()));
+    directory_.field("scale", column.scale()).field("delta", column.delta()).end_object();
+    column.append_to(bytes_);
+  }
+
+  const std::string& bytes() const { return bytes_; }
+  std::string directory() { return directory_.end_object().take(); }
+
+ private:
+  std::string bytes_;
+  trace::JsonBuilder directory_;
+};
+
+/// The head's `tracks`; their keys go into columns.
+std::string add_tracks(Body& body, const std::vector<Track>& tracks) {
+  Column t(kMillionth, true);
+  Column q(kMillionth, true);
+  trace::JsonBuilder json;
+  json.begin_array();
+  for (const Track& track : tracks) {
+    json.begin_object().field("robot", track.robot).field("run", track.run);
+    json.field("first", static_cast<std::int64_t>(t.count()));
+    json.field("count", static_cast<std::int64_t>(track.keys.count()));
+    json.field("q", static_cast<std::int64_t>(q.count())).end_object();
+    t.add(track.keys.t());
+    for (const Column& parameter : track.keys.q()) q.add(parameter);
+  }
+  body.add("key.t", t);
+  body.add("key.q", q);
+  return json.end_array().take();
+}
+
+std::string strings_json(const StringTable& strings) {
+  trace::JsonBuilder json;
+  json.begin_array();
+  for (const std::string* text : strings.texts()) json.value(std::string_view(*text));
+  return json.end_array().take();
+}
+
+std::string places_json(const PlaceTable& places) {
+  trace::JsonBuilder json;
+  json.begin_array();
+  for (const Place& place : places.places()) {
+    json.begin_array().value(place.file).value(place.line).value(place.column).end_array();
+  }
+  return json.end_array().take();
+}
+
+}  // namespace
+
+Film FilmWriter::Reel::finish(std::string_view schedule) {
+  Body body;
+  for (std::size_t i = 0; i < scene_->meshes.size(); ++i) {
+    body.add(fmt::format("mesh.{}.vertices", i), scene_->meshes[i].vertices);
+    body.add(fmt::format("mesh.{}.triangles", i), scene_->meshes[i].triangles);
+  }
+  for (const auto& [name, column] : columns_.take()) body.add(name, column);
+  const std::string tracks = add_tracks(body, tracks_->take_tracks());
+
+  std::string head = "{\"header\":" + scene_->json;
+  head += ",\"schedule\":" + (schedule.empty() ? std::string("null") : tidy_json(schedule));
+  head += ",\"end\":";
+  trace::append_number(head, runs_.end());
+  head += ",\"strings\":" + strings_json(strings_);
+  head += ",\"places\":" + places_json(places_);
+  head += ",\"runs\":" + runs_json(runs_);
+  head += ",\"tracks\":" + tracks;
+  head += ",\"columns\":" + body.directory() + "}";
+
+  Film film{scene_->plan, std::string(kMagic)};
+  append_number(film.bytes, kVersion);
+  append_number(film.bytes, static_cast<std::uint32_t>(head.size()));
+  film.bytes += head;
+  film.bytes += body.bytes();
+  return film;
+}
+
+FilmWriter::FilmWriter() : reel_(std::make_unique<Reel>()) {}
+FilmWriter::FilmWriter(FilmWriter&&) noexcept = default;
+FilmWriter& FilmWriter::operator=(FilmWriter&&) noexcept = default;
+FilmWriter::~FilmWriter() = default;
+
+void FilmWriter::line(std::string_view text) { reel_->line(text); }
+void FilmWriter::restart() { reel_ = std::make_unique<Reel>(); }
+bool FilmWriter::has_header() const { return reel_->has_header(); }
+Film FilmWriter::finish(std::string_view schedule) { return reel_->finish(schedule); }
+
+}  // namespace rubicon::film

@@ -1,0 +1,213 @@
+#include "src/results/gantt/chart.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "src/results/gantt/chart_labels.hpp"
+#include "src/results/gantt/chart_rows.hpp"
+
+namespace rubicon::gantt {
+
+namespace {
+
+using taskplan::Schedule;
+using taskplan::TaskOutcome;
+using taskplan::TaskResult;
+
+/// Shades of more times out of shift than this, in all lanes, make the file too large to open.
+constexpr std::size_t kMostShades = 100'000;
+
+class ChartBuilder {
+ public:
+  ChartBuilder(const Schedule& schedule, const TraceTimes* times)
+      : schedule_(schedule), times_(times) {
+    for (const auto& task : schedule.critical) critical_.insert(task.task);
+    if (schedule.start_at) start_ = schedule::parse_civil_time(*schedule.start_at);
+  }
+
+  Chart build(const std::string& title) {
+    chart_.title = times_ != nullptr && !times_->plan.empty() ? times_->plan : title;
+    chart_.facts = fact_labels(schedule_);
+    chart_.start = start_;
+    chart_.end = schedule_.process_time;
+    for (const TaskOutcome& task : schedule_.tasks) {
+      chart_.end = std::max(chart_.end, task.start + task.duration);
+    }
+    find_off_times();
+    for (const auto& use : schedule_.resources) add_resource(use);
+    find_nobody();
+    add_tasks();
+    return std::move(chart_);
+  }
+
+ private:
+  void find_off_times() {
+    if (times_ == nullptr) return;
+    constexpr schedule::CivilTime kMonday{{2024, 1, 1}, 0};  // where a plan without a date begins
+    std::map<std::string, std::vector<Span>> by_calendar;
+    for (const auto& rules : times_->calendars) {
+      by_calendar[rules.name] = off_times(rules, start_.value_or(kMonday), chart_.end);
+    }
+    std::size_t shades = 0;
+    for (const auto& [resource, calendar] : times_->calendar_of) {
+      const auto found = by_calendar.find(calendar);
+      if (found == by_calendar.end()) {
+        throw std::invalid_argument("'" + resource + "' has a calendar that is not there");
+      }
+      shades += found->second.size();
+      if (shades > kMostShades) return off_.clear();
+      off_[resource] = found->second;
+    }
+    chart_.has_shifts = shades > 0;
+  }
+
+  void add_resource(const taskplan::ResourceUse& use) {
+    resource_[use.name] = chart_.resources.size();
+    Lane& lane = chart_.resources.emplace_back();
+    lane.name = use.name;
+    lane.note = use_label(schedule_, use);
+    lane.brief = percent_label(use);
+    const auto off = off_.find(use.name);
+    if (off != off_.end()) lane.off = off->second;
+  }
+
+  void find_nobody() {
+    chart_.nobody = {{0, chart_.end}};
+    for (const Lane& lane : chart_.resources) chart_.nobody = in_both(chart_.nobody, lane.off);
+    if (chart_.resources.empty()) chart_.nobody.clear();
+  }
+
+  void add_tasks() {
+    std::vector<Bar> bars;
+    for (const TaskOutcome& task : schedule_.tasks) {
+      if (task.result != TaskResult::done && !task.parking) {
+        chart_.not_done.push_back(
+            {task.task, std::string(name_of(task.result)) + ": " + task.reason});
+      }
+      if (task.result != TaskResult::done && task.duration == 0) continue;
+      const Bar bar = make_bar(task);
+      add_to_lanes(task, bar);
+      bars.push_back(bar);
+    }
+    chart_.rows = chart_rows(bars, chart_.rows_title);
+  }
+
+  const TaskTimes* times_of(const TaskOutcome& task) const {
+    if (times_ == nullptr) return nullptr;
+    const auto found = times_->runs.find({task.task, task.start});
+    return found == times_->runs.end() ? nullptr : &found->second;
+  }
+
+  Bar make_bar(const TaskOutcome& task) const {
+    Bar bar;
+    bar.name = task.task;
+    bar.span = {task.start, task.start + task.duration};
+    bar.critical = !task.parking && critical_.contains(task.task);
+    bar.text = task_label(schedule_, task, bar.critical);
+    const TaskTimes* times = times_of(task);
+    if (times == nullptr) {
+      bar.parts.push_back({task.robot.empty() ? Part::Kind::work : Part::Kind::motion, bar.span});
+      return bar;
+    }
+    Ticks now = bar.span.from;
+    for (const Stretch& stretch : times->stretches) {
+      if (stretch.from > now) bar.parts.push_back({Part::Kind::motion, {now, stretch.from}});
+      add_stretch(bar, task, stretch);
+      now = std::max(now, stretch.to);
+    }
+    // Crew work that waits for nothing more than a link to its finish stands still, as the machine.
+    const Part::Kind rest = task.robot.empty() ? Part::Kind::wait : Part::Kind::motion;
+    if (now < bar.span.to) bar.parts.push_back({rest, {now, bar.span.to}});
+    return bar;
+  }
+
+  /// Work but for the nights in it; or waiting.
+  void add_stretch(Bar& bar, const TaskOutcome& task, const Stretch& stretch) const {
+    const Span span = {stretch.from, stretch.to};
+    if (stretch.kind == Stretch::Kind::wait) {
+      const bool night = stretch.what == "shift";
+      bar.parts.push_back({night ? Part::Kind::off : Part::Kind::wait, span});
+      return;
+    }
+    std::vector<Span> at_work = {span};
+    std::vector<std::string> who = {stretch.crew};
+    if (stretch.crew.empty()) {
+      who = task.crews;
+      who.push_back(task.robot);
+    }
+    for (const std::string& name : who) {
+      const auto off = off_.find(name);
+      if (off == off_.end()) continue;
+      std::vector<Span> left;
+      for (const Span& each : at_work) {
+        for (const Span& piece : without(each, off->second)) left.push_back(piece);
+      }
+      at_work = std::move(left);
+    }
+    Ticks now = span.from;
+    for (const Span& each : at_work) {
+      if (each.from > now) bar.parts.push_back({Part::Kind::off, {now, each.from}});
+      bar.parts.push_back({Part::Kind::work, each});
+      now = each.to;
+    }
+    if (now < span.to) bar.parts.push_back({Part::Kind::off, {now, span.to}});
+  }
+
+  Lane* lane_of(const std::string& name) {
+    const auto found = resource_.find(name);
+    return found == resource_.end() ? nullptr : &chart_.resources[found->second];
+  }
+
+  void add_to_lanes(const TaskOutcome& task, const Bar& bar) {
+    if (Lane* lane = lane_of(task.robot)) lane->bars.push_back(bar);
+    const TaskTimes* times = times_of(task);
+    for (const std::string& crew : task.crews) {
+      Lane* lane = lane_of(crew);
+      if (lane == nullptr) continue;
+      if (times == nullptr || task.robot.empty() || holds(task, crew)) {
+        lane->bars.push_back(bar);
+      } else {
+        for (const Stretch& work : times->stretches) {
+          if (work.crew == crew) lane->bars.push_back(work_bar(task, bar, work));
+        }
+      }
+    }
+  }
+
+  /// Whether a crew is there from the start of a task to its end.
+  bool holds(const TaskOutcome& task, const std::string& crew) const {
+    const auto found = times_->held.find(task.task);
+    return found != times_->held.end() &&
+           std::find(found->second.begin(), found->second.end(), crew) != found->second.end();
+  }
+
+  /// The bar of a crew that comes for one work only.
+  Bar work_bar(const TaskOutcome& task, const Bar& whole, const Stretch& work) const {
+    Bar bar;
+    bar.name = whole.name;
+    bar.span = {work.from, work.to};
+    bar.critical = whole.critical;
+    bar.text = work.what + " of " + whole.text;
+    add_stretch(bar, task, work);
+    return bar;
+  }
+
+  const Schedule& schedule_;
+  const TraceTimes* times_;
+  Chart chart_;
+  std::optional<schedule::CivilTime> start_;
+  std::set<std::string> critical_;
+  std::map<std::string, std::vector<Span>> off_;  ///< by resource
+  std::map<std::string, std::size_t> resource_;   ///< place in chart_.resources
+};
+
+}  // namespace
+
+Chart make_chart(const Schedule& schedule, const TraceTimes* times, const std::string& title) {
+  return ChartBuilder(schedule, times).build(title);
+}
+
+}  // namespace rubicon::gantt

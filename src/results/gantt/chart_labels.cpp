@@ -1,0 +1,76 @@
+#include "src/results/gantt/chart_labels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "src/results/report/schedule_text.hpp"
+
+namespace rubicon::gantt {
+
+using interpreter::Ticks;
+using report::clock_text;
+using taskplan::Schedule;
+using taskplan::TaskOutcome;
+using taskplan::TaskResult;
+
+std::string moment_label(const Schedule& schedule, Ticks time) {
+  return schedule.start_at ? report::date_text(*schedule.start_at, time) : clock_text(time);
+}
+
+std::string money_label(double amount, const std::string& currency) {
+  std::string text = fmt::format("{:.2f}", amount);
+  const std::size_t first = text.starts_with('-') ? 1 : 0;
+  for (std::size_t place = text.size() - 3; place > first + 3;) {
+    place -= 3;
+    text.insert(place, "\u202F");  // narrow, and not broken at the end of a line
+  }
+  return currency.empty() ? text : text + "\u202F" + currency;
+}
+
+std::vector<std::string> fact_labels(const Schedule& schedule) {
+  std::vector<std::string> facts;
+  std::string time = "Process time " + clock_text(schedule.process_time) + " h";
+  if (schedule.start_at) {
+    time += fmt::format(", {} to {}", *schedule.start_at,
+                        report::date_text(*schedule.start_at, schedule.process_time));
+  }
+  facts.push_back(std::move(time));
+  if (schedule.costed) facts.push_back("Cost " + money_label(schedule.cost, schedule.currency));
+  const auto tasks = std::count_if(schedule.tasks.begin(), schedule.tasks.end(),
+                                   [](const TaskOutcome& task) { return !task.parking; });
+  const auto done = std::count_if(
+      schedule.tasks.begin(), schedule.tasks.end(),
+      [](const TaskOutcome& task) { return !task.parking && task.result == TaskResult::done; });
+  facts.push_back(fmt::format("{} of {} tasks done", done, tasks));
+  return facts;
+}
+
+std::string use_label(const Schedule& schedule, const taskplan::ResourceUse& use) {
+  std::string text = fmt::format("{} tasks, {:.0f} % used", use.tasks, 100 * use.utilisation());
+  if (use.tasks == 1) text = fmt::format("1 task, {:.0f} % used", 100 * use.utilisation());
+  if (use.rate) text += ", " + money_label(use.cost, schedule.currency);
+  return text;
+}
+
+std::string percent_label(const taskplan::ResourceUse& use) {
+  return fmt::format("{:.0f} %", 100 * use.utilisation());
+}
+
+std::string task_label(const Schedule& schedule, const TaskOutcome& task, bool critical) {
+  std::string text =
+      fmt::format("{}\n{} to {} ({} h)", task.task, moment_label(schedule, task.start),
+                  moment_label(schedule, task.start + task.duration), clock_text(task.duration));
+  if (!task.robot.empty()) text += "\nmachine: " + task.robot;
+  if (!task.crews.empty()) text += "\ncrews: " + report::crew_text(task);
+  text +=
+      fmt::format("\nmotion {}, work {}", clock_text(task.motion_time), clock_text(task.work_time));
+  if (task.waits.machine > 0) text += ", waited for machines " + clock_text(task.waits.machine);
+  if (schedule.costed) text += "\ncost " + money_label(task.cost, schedule.currency);
+  if (critical) text += "\non the critical chain";
+  if (task.result != TaskResult::done) text += fmt::format("\n{}", name_of(task.result));
+  if (!task.reason.empty()) text += ": " + task.reason;
+  return text;
+}
+
+}  // namespace rubicon::gantt

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "src/simulation/taskplan/schedule.hpp"
+
+namespace rubicon::gantt {
+
+/// A moment as a date and time, or h:mm:ss where the plan has no date.
+std::string moment_label(const taskplan::Schedule& schedule, interpreter::Ticks time);
+
+/// An amount of money with two digits, thousands apart: "66 865.05 EUR".
+std::string money_label(double amount, const std::string& currency);
+
+/// Process time, cost and how many tasks were done.
+std::vector<std::string> fact_labels(const taskplan::Schedule& schedule);
+
+/// How a robot or crew was used, in short.
+std::string use_label(const taskplan::Schedule& schedule, const taskplan::ResourceUse& use);
+
+/// The same, shorter: "16 %".
+std::string percent_label(const taskplan::ResourceUse& use);
+
+/// All about a task, in lines.
+std::string task_label(const taskplan::Schedule& schedule, const taskplan::TaskOutcome& task,
+                       bool critical);
+
+}  // namespace rubicon::gantt

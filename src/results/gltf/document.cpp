@@ -1,0 +1,294 @@
+#include "src/results/gltf/document.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "src/results/gltf/animation.hpp"
+#include "src/results/gltf/envelopes.hpp"
+#include "src/results/gltf/looks.hpp"
+#include "src/results/gltf/meshes.hpp"
+#include "src/results/gltf/motion_curves.hpp"
+#include "src/results/gltf/nodes.hpp"
+#include "src/results/gltf/ropes.hpp"
+#include "src/results/verify/replay/component_stays.hpp"
+#include "src/results/verify/replay/robot_track.hpp"
+#include "src/results/verify/replay/task_run.hpp"
+
+namespace rubicon::gltf {
+
+namespace {
+
+using verify::FrameElement;
+using verify::RobotTrack;
+using verify::SceneRobot;
+using verify::Stay;
+using verify::Ticks;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+double seconds_of(Ticks ticks) {
+  return static_cast<double>(ticks) / static_cast<double>(verify::kSecond);
+}
+
+/// s, of an animation whose speed nobody chose: the length with which the report page begins.
+constexpr double kUsualLength = 60;
+
+/// As long as that, but never slower than it was.
+double usual_speed_up(double seconds) { return std::max(seconds / kUsualLength, 1.0); }
+
+/// m: a scene farther from its origin would lose more than 0.1 mm as floats.
+constexpr double kFar = 1000;
+
+/// What the scene is moved by so that it is near its origin: whole metres.
+Vec3 offset_of(const verify::Scene& scene) {
+  Eigen::AlignedBox3d box;
+  for (const SceneRobot& robot : scene.robots) box.extend(Vec3(robot.X_WM.translation()));
+  for (const auto& component : scene.components) box.extend(Vec3(component.X_WO.translation()));
+  if (box.isEmpty() || box.max().cwiseMax(-box.min()).maxCoeff() < kFar) return Vec3::Zero();
+  const Vec3 middle = box.center();
+  return {std::floor(middle.x()), std::floor(middle.y()), 0};
+}
+
+class DocumentBuilder {
+ public:
+  DocumentBuilder(const verify::Trace& trace, const FilmOptions& options)
+      : trace_(trace),
+        scene_(trace.scene),
+        offset_(offset_of(trace.scene)),
+        meshes_(trace.scene.meshes, data_),
+        looks_(trace.scene) {
+    verify::Faults faults;  // what is wrong with the trace is for `verify` to say
+    runs_ = verify::task_runs(trace, faults);
+    Ticks last = 0;
+    for (const verify::TaskRun& run : runs_) {
+      if (run.happened) last = std::max(last, run.end);
+    }
+    until_ = last + verify::kSecond;  // what stands at last stays
+    speed_up_ = options.speed_up > 0 ? options.speed_up : usual_speed_up(seconds_of(last));
+    animation_.emplace(speed_up_, data_);
+    seconds_ = seconds_of(last);
+  }
+
+  Document build() {
+    add_root();
+    follow();
+    add_site();
+    for (const Stay& stay : stays_) add_stay(stay);
+    for (std::size_t i = 0; i < scene_.robots.size(); ++i) add_robot(i, tracks_[i]);
+    for (const verify::TaskRun& run : runs_) add_zones(run);
+    return finish();
+  }
+
+ private:
+  /// Where things are, of what happened.
+  void follow() {
+    verify::Faults faults;
+    std::vector<verify::LoadEvent> events;
+    for (std::size_t robot = 0; robot < scene_.robots.size(); ++robot) {
+      tracks_.push_back(
+          verify::follow_robot(trace_, runs_, static_cast<int>(robot), until_, events, faults));
+    }
+    stays_ = verify::component_stays(trace_, runs_, tracks_, std::move(events), until_, faults);
+    std::stable_sort(stays_.begin(), stays_.end(),
+                     [](const Stay& a, const Stay& b) { return a.component < b.component; });
+  }
+
+  /// Turns z up into y up; then x points to the right, and y away.
+  void add_root() {
+    root_ = nodes_.add(-1, scene_.plan);
+    nodes_.place(root_, math::rotation_x_deg(-90));
+  }
+
+  Pose near(const Pose& X_W) const {
+    Pose X = X_W;
+    X.translation() -= offset_;
+    return X;
+  }
+
+  void add_site() {
+    const auto use = meshes_.use(scene_.site, looks_.ground());
+    if (!use) return;
+    const int node = nodes_.add(root_, "site");
+    if (!offset_.isZero(0)) nodes_.place(node, near(Pose::Identity()));
+    nodes_.show(node, *use);
+  }
+
+  /// The tasks that move a component.
+  Json tasks_of(int component) const {
+    Json tasks = Json::array();
+    for (const verify::SceneTask& task : scene_.tasks) {
+      if (component >= 0 && task.move == component) tasks.push_back(task.name);
+    }
+    return tasks;
+  }
+
+  void add_presence(int node, Ticks from, Ticks to) {
+    const Presence presence{seconds_of(from), seconds_of(to)};
+    if (animation_->add_presence(node, presence, seconds_of(until_))) {
+      nodes_.set(node, "scale", {0.0, 0.0, 0.0});
+    }
+  }
+
+  void add_stay(const Stay& stay) {
+    const verify::SceneComponent& component = scene_.components[at(stay.component)];
+    const bool placed = stay.from > 0;
+    const auto use = meshes_.use(component.shapes,
+                                 placed ? looks_.placed(at(stay.component)) : looks_.waiting());
+    if (stay.from >= stay.to) return;
+    const int node = nodes_.add(root_, component.name);
+    nodes_.place(node, near(stay.X_WO));
+    nodes_.set(node, "extras",
+               {{"component", component.name},
+                {"is", placed ? "placed" : "waiting"},
+                {"tasks", tasks_of(stay.component)}});
+    if (use) nodes_.show(node, *use);
+    add_presence(node, stay.from, stay.to);
+  }
+
+  /// The zones of people of a task that was done, as long as it goes on.
+  void add_zones(const verify::TaskRun& run) {
+    if (!run.happened || run.task < 0 || run.start >= run.end) return;
+    const verify::SceneTask& task = scene_.tasks[at(run.task)];
+    const auto use = meshes_.use(task.zones, looks_.zone());
+    if (!use) return;
+    const int node = nodes_.add(root_, "zone of " + task.name);
+    nodes_.place(node, near(Pose::Identity()));
+    nodes_.set(node, "extras", {{"task", task.name}, {"is", "zone"}});
+    nodes_.show(node, *use);
+    add_presence(node, run.start, run.end);
+  }
+
+  void add_robot(std::size_t number, const RobotTrack& track) {
+    const SceneRobot& robot = scene_.robots[number];
+    const int mounting = nodes_.add(root_, robot.name);
+    nodes_.place(mounting, near(robot.X_WM));
+    nodes_.set(mounting, "extras", {{"robot", robot.name}});
+    const std::vector<FrameCurves> curves = motion_curves(robot, track);
+    keys_ += film_keys(curves);
+    if (keys_ > kMostKeys) throw verify::UnreadableInput("expected a film within bounds");
+    const std::vector<bool> envelopes = envelopes_of(robot, scene_.meshes);
+    std::vector<int> body_nodes;
+    for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
+      const verify::SceneBody& body = robot.bodies[i];
+      const int parent = body.parent < 0 ? mounting : body_nodes[at(body.parent)];
+      const int node = add_frame(parent, robot.name + "." + body.name, curves[i]);
+      body_nodes.push_back(node);
+      const Look look = envelopes[i] ? looks_.envelope(number) : looks_.body(number, i);
+      if (const auto use = meshes_.use(body.shapes, look)) nodes_.show(node, *use);
+    }
+    const std::optional<Rope> rope = rope_of(robot, curves);
+    if (rope) add_rope(robot, body_nodes[at(rope->above)], *rope);
+    const int tool =
+        add_frame(body_nodes[at(robot.tool_body)], robot.name + " tool", curves.back());
+    add_loads(tool, track, rope.has_value());
+  }
+
+  void add_rope(const SceneRobot& robot, int above, const Rope& rope) {
+    const auto use = meshes_.use({rope_shape()}, looks_.rope());
+    const int node = nodes_.add(above, robot.name + " rope");
+    nodes_.set(node, "scale", {1.0, 1.0, rope.start});
+    nodes_.show(node, *use);
+    if (!rope.length.empty()) animation_->add_length(node, rope.length);
+  }
+
+  /// A node for each element; the last carries the name of the frame, and is returned.
+  int add_frame(int parent, const std::string& name, const FrameCurves& elements) {
+    if (elements.empty()) return nodes_.add(parent, name);
+    int node = parent;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const bool last = i + 1 == elements.size();
+      node = nodes_.add(node, last ? name : fmt::format("{} {}", name, i + 1));
+      place_element(node, elements[i]);
+    }
+    return node;
+  }
+
+  void place_element(int node, const ElementCurve& element) {
+    const Vec3& start = element.start;
+    if (element.kind == FrameElement::Kind::trans) {
+      if (!start.isZero(0)) nodes_.set(node, "translation", {start.x(), start.y(), start.z()});
+    } else if (start.x() != 0) {
+      const Eigen::Vector4d turn = turn_of(element.kind, start.x());
+      nodes_.set(node, "rotation", {turn.x(), turn.y(), turn.z(), turn.w()});
+    }
+    if (!element.keys.empty()) animation_->add_element(node, element);
+  }
+
+  /// Legs with the same load, one after the other.
+  void add_loads(int tool, const RobotTrack& track, bool hangs) {
+    for (std::size_t i = 0; i < track.legs.size();) {
+      const int hanging = track.legs[i].hanging;
+      const Ticks from = track.legs[i].from;
+      Ticks to = from;
+      for (; i < track.legs.size() && track.legs[i].hanging == hanging; ++i) {
+        to = track.legs[i].to;
+      }
+      if (hanging >= 0 && from < to) {
+        add_load(tool, track.loads[at(hanging)], from, to, hangs);
+      }
+    }
+  }
+
+  /// `hangs`: on a rope, and so on slings.
+  void add_load(int tool, const verify::Hanging& load, Ticks from, Ticks to, bool hangs) {
+    const bool nameless = load.component < 0;
+    const std::string name = nameless ? "load" : scene_.components[at(load.component)].name;
+    const int node = nodes_.add(tool, name);
+    nodes_.place(node, load.X_TO);
+    nodes_.set(node, "extras",
+               {{"component", name}, {"is", "carried"}, {"tasks", tasks_of(load.component)}});
+    const auto& shapes = nameless ? scene_.carry : scene_.components[at(load.component)].shapes;
+    if (const auto use = meshes_.use(shapes, looks_.carried())) nodes_.show(node, *use);
+    if (hangs) {
+      const auto use = meshes_.use(slings(shapes, scene_.meshes, load.X_TO), looks_.rope());
+      if (use) nodes_.show(nodes_.add(node, "slings"), *use);
+    }
+    add_presence(node, from, to);
+  }
+
+  Document finish() {
+    Document document;
+    Json extras = {{"plan", scene_.plan}, {"seconds", seconds_}, {"speed_up", speed_up_}};
+    if (!scene_.start_at.empty()) extras["start_at"] = scene_.start_at;
+    if (!offset_.isZero(0)) extras["origin"] = {offset_.x(), offset_.y(), offset_.z()};
+    document.json["asset"] = {
+        {"version", "2.0"}, {"generator", "rubicon export"}, {"extras", std::move(extras)}};
+    document.json["scene"] = 0;
+    document.json["scenes"] =
+        Json::array({{{"name", scene_.plan}, {"nodes", Json::array({root_})}}});
+    nodes_.finish(document.json);
+    meshes_.finish(document.json);
+    animation_->finish(document.json);
+    document.binary = data_.finish(document.json);
+    return document;
+  }
+
+  const verify::Trace& trace_;
+  const verify::Scene& scene_;
+  const Vec3 offset_;
+  Ticks until_ = 0;
+  double seconds_ = 0;
+  double speed_up_ = 1;
+  std::size_t keys_ = 0;  ///< of all robots
+  BinaryData data_;
+  Meshes meshes_;
+  const Looks looks_;
+  std::optional<Animation> animation_;
+  Nodes nodes_;
+  int root_ = 0;
+  std::vector<verify::TaskRun> runs_;
+  std::vector<RobotTrack> tracks_;
+  std::vector<Stay> stays_;
+};
+
+}  // namespace
+
+Document make_document(const verify::Trace& trace, const FilmOptions& options) {
+  return DocumentBuilder(trace, options).build();
+}
+
+}  // namespace rubicon::gltf

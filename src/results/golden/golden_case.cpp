@@ -1,0 +1,232 @@
+#include "src/results/golden/golden_case.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "interpreter/check/plan_model.hpp"
+#include "interpreter/program/program.hpp"
+#include "src/results/golden/difference.hpp"
+#include "src/results/golden/observation.hpp"
+#include "src/results/report/diagnostic_printer.hpp"
+#include "src/simulation/taskplan/run_mistakes.hpp"
+#include "src/simulation/taskplan/run_plan.hpp"
+#include "src/simulation/trace/json_builder.hpp"
+
+namespace rubicon::golden {
+
+namespace {
+
+using interpreter::Diagnostic;
+using interpreter::Diagnostics;
+using interpreter::PlanModel;
+using interpreter::Severity;
+using interpreter::SourceMap;
+using nlohmann::ordered_json;
+
+std::map<Place, std::string> command_texts(const PlanModel& plan, const SourceMap& sources) {
+  std::map<Place, std::string> texts;
+  for (const auto& robot : plan.robots) {
+    const interpreter::Program program = compile(robot.robot);
+    for (std::size_t i = 0; i < program.nodes.size(); ++i) {
+      if (program.command_texts[i].empty()) continue;
+      const interpreter::Span span = program.nodes[i].span;
+      const interpreter::Position position = sources.position(span);
+      texts[{sources.file(span.file).path, position.line, position.column}] =
+          program.command_texts[i];
+    }
+  }
+  return texts;
+}
+
+std::map<std::string, ordered_json> starts(const PlanModel& plan) {
+  std::map<std::string, ordered_json> configurations;
+  for (const auto& robot : plan.robots) {
+    ordered_json& q = configurations[robot.name];
+    q = ordered_json::object();
+    for (std::size_t i = 0; i < robot.start.size(); ++i) {
+      q[robot.robot->model.parameters[i].display_name] = robot.start[i];
+    }
+  }
+  return configurations;
+}
+
+double seconds(interpreter::Ticks ticks) {
+  std::string text;
+  trace::append_seconds(text, ticks);
+  return ordered_json::parse(text).get<double>();
+}
+
+/// What a short plan's golden says beside its events: the one motion's end.
+void add_motion_end(ordered_json& document, const ordered_json& end) {
+  document["status"] = end.at("status");
+  document["period"] = end.at("period");
+  document["tries"] = end.at("tries");
+  document["accepted"] = end.at("accepted");
+  document["rejected"] = ordered_json::object();
+  for (const auto& [reason, count] : end.at("rejected").items()) {
+    if (count.get<int>() > 0) document["rejected"][reason.substr(0, reason.find(' '))] = count;
+  }
+  document["end"] = end.at("q");
+  document["vars"] = end.at("vars");
+}
+
+void add_schedule(ordered_json& document, const taskplan::Schedule& schedule) {
+  document["process_time"] = seconds(schedule.process_time);
+  document["tasks"] = ordered_json::array();
+  for (const taskplan::TaskOutcome& task : schedule.tasks) {
+    document["tasks"].push_back({{"task", task.task},
+                                 {"start", seconds(task.start)},
+                                 {"duration", seconds(task.duration)},
+                                 {"tried", task.tried},
+                                 {"accepted", task.accepted},
+                                 {"result", name_of(task.result)},
+                                 {"reason", without_folders(task.reason)}});
+  }
+}
+
+std::string summary(const ordered_json& document, const ordered_json& end) {
+  std::string text = fmt::format("status {}", document.at("status").get<std::string>());
+  text += fmt::format("; tries {}, accepted {}, rejected {} (", document.at("tries").get<int>(),
+                      document.at("accepted").get<int>(),
+                      document.at("tries").get<int>() - document.at("accepted").get<int>());
+  const char* separator = "";
+  for (const auto& [reason, count] : document.at("rejected").items()) {
+    text += fmt::format("{}{} {}", separator, reason, count.get<int>());
+    separator = ", ";
+  }
+  text += "); off goal:";
+  separator = " ";
+  for (const auto& [name, off] : end.at("residual").items()) {
+    if (std::fabs(off.get<double>()) <= kNumberTolerance) continue;
+    text += fmt::format("{}{}={}", separator, name, brief(off.get<double>()));
+    separator = ", ";
+  }
+  return separator[0] == ' ' ? text + " none" : text;
+}
+
+/// One event a line, so that version control shows what changed.
+std::string pretty(const ordered_json& document) {
+  std::string text = "{";
+  const char* separator = "\n";
+  for (const auto& [key, value] : document.items()) {
+    text += separator + ordered_json(key).dump() + ": ";
+    separator = ",\n";
+    if (value.is_array() && !value.empty() && value[0].is_object()) {
+      const char* inner = "[\n  ";
+      for (const auto& element : value) {
+        text += inner + element.dump();
+        inner = ",\n  ";
+      }
+      text += "\n]";
+    } else {
+      text += value.dump();
+    }
+  }
+  return text + "\n}\n";
+}
+
+}  // namespace
+
+CaseResult run_case(const std::string& folder, const std::string& expected,
+                    interpreter::FileProvider& files) {
+  CaseResult result;
+  result.name = folder;
+  SourceMap sources;
+  Diagnostics diagnostics;
+  const std::unique_ptr<PlanModel> plan =
+      load_plan(folder + "/site.plan", sources, files, diagnostics);
+  if (plan) {
+    for (Diagnostic& diagnostic : taskplan::run_mistakes(*plan))
+      diagnostics.add(std::move(diagnostic));
+  }
+  if (!plan || diagnostics.has_errors()) {
+    result.wrong_input = true;
+    result.report = report::print_text(diagnostics.sorted(), sources, false);
+    return result;
+  }
+  Observation observation(command_texts(*plan, sources), starts(*plan), !plan->short_form);
+  const taskplan::Schedule schedule = taskplan::run_plan(*plan, sources, &observation);
+
+  ordered_json old = ordered_json::object();
+  if (!expected.empty()) {
+    old = ordered_json::parse(expected, nullptr, false);
+    if (!old.is_object()) {
+      result.wrong_input = true;
+      result.report = "expected.json is not a JSON object; write it anew with --update\n";
+      return result;
+    }
+  }
+  // What people wrote about the case stays; what it says of the run is made anew.
+  ordered_json document = ordered_json::object();
+  document["name"] = folder.substr(folder.rfind('/') + 1);
+  document["note"] = old.value("note", std::string());
+  std::string head = fmt::format("# {}: {}\n", document.at("name").get<std::string>(),
+                                 document.at("note").get<std::string>());
+  if (plan->short_form && !observation.ends().empty()) {
+    add_motion_end(document, observation.ends().front());
+    head += "# " + summary(document, observation.ends().front()) + "\n";
+  } else {
+    add_schedule(document, schedule);
+    head += fmt::format("# {} tasks, process time {} s\n", schedule.tasks.size(),
+                        brief(seconds(schedule.process_time)));
+  }
+  document["warnings"] = ordered_json::array();
+  for (const Diagnostic& diagnostic : diagnostics.sorted()) {
+    document["warnings"].push_back(report::print_brief(diagnostic, sources));
+    head += "# check: " + report::print_brief(diagnostic, sources) + "\n";
+  }
+  document["events"] = observation.events();
+  result.expected_json = pretty(document);
+  result.expected_trace = head + observation.text();
+  result.report = expected.empty() ? "expected.json is missing; write it with --update\n"
+                                   : difference(old, document);
+  result.passed = result.report.empty();
+  return result;
+}
+
+std::string junit_xml(const std::vector<CaseResult>& results) {
+  const auto escaped = [](const std::string& text) {
+    std::string out;
+    for (const char byte : text) {
+      switch (byte) {
+        case '&':
+          out += "&amp;";
+          break;
+        case '<':
+          out += "&lt;";
+          break;
+        case '>':
+          out += "&gt;";
+          break;
+        case '"':
+          out += "&quot;";
+          break;
+        case '\n':
+          out += "&#10;";
+          break;
+        default:
+          if (static_cast<unsigned char>(byte) >= 0x20 || byte == '\t') out += byte;
+      }
+    }
+    return out;
+  };
+  int failures = 0;
+  for (const CaseResult& one : results) failures += one.passed ? 0 : 1;
+  std::string xml = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"rubicon\" tests=\"{}\" "
+      "failures=\"{}\">\n",
+      results.size(), failures);
+  for (const CaseResult& one : results) {
+    xml += fmt::format("  <testcase classname=\"rubicon\" name=\"{}\"", escaped(one.name));
+    xml += one.passed
+               ? "/>\n"
+               : fmt::format("><failure message=\"{}\">{}</failure></testcase>\n",
+                             one.wrong_input ? "wrong input" : "differs", escaped(one.report));
+  }
+  return xml + "</testsuite>\n";
+}
+
+}  // namespace rubicon::golden

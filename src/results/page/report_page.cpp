@@ -1,0 +1,67 @@
+#include "src/results/page/report_page.hpp"
+
+#include <cstddef>
+#include <stdexcept>
+
+#include "src/exchange/encoding/base64.hpp"
+#include "src/results/film/gzip.hpp"
+
+namespace rubicon::page {
+
+namespace {
+
+// The page has each of them once (viewer/index.html).
+constexpr std::string_view kTitle = "<title>RUBICON</title>";
+constexpr std::string_view kFilmBegin = R"(<script type="text/plain" id="film">)";
+constexpr std::string_view kFilmEnd = "</script>";
+
+/// Where the only `text` begins in `page`.
+std::size_t only_place(std::string_view page, std::string_view text) {
+  const std::size_t place = page.find(text);
+  if (place == std::string_view::npos || page.find(text, place + 1) != std::string_view::npos) {
+    throw std::logic_error("the page should have once: " + std::string(text));
+  }
+  return place;
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char letter : text) {
+    switch (letter) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      default:
+        result += letter;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string report_page(std::string_view viewer_page, const film::Film& film) {
+  const std::string empty_film = std::string(kFilmBegin) + std::string(kFilmEnd);
+  const std::size_t title = only_place(viewer_page, kTitle);
+  const std::size_t place = only_place(viewer_page, empty_film) + kFilmBegin.size();
+  const std::size_t after_title = title + kTitle.size();
+  if (place < after_title) throw std::logic_error("the page should have its title before the film");
+  const std::string packed = encoding::base64(film::gzip(film.bytes));
+
+  std::string page;
+  page.reserve(viewer_page.size() + packed.size() + film.plan.size());
+  page += viewer_page.substr(0, title);
+  page += "<title>" + escaped(film.plan) + " - RUBICON</title>";
+  page += viewer_page.substr(after_title, place - after_title);
+  page += packed;
+  page += viewer_page.substr(place);
+  return page;
+}
+
+}  // namespace rubicon::page

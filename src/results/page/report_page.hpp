@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "src/results/film/film_writer.hpp"
+
+namespace rubicon::page {
+
+/// The page that viewer/ was built into, without a film; empty where the build had no node or npm.
+std::string_view viewer_page();
+
+/// What to tell a user who asks for a page that this build does not have.
+inline constexpr std::string_view kNoViewerPage =
+    "this rubicon was built without the page: that takes node (18 or later) and npm";
+
+/// The page with a film in it: packed and as base64, so that no text of a plan can become markup;
+/// the plan's name is in the title. Throws std::logic_error if the page has no place for them.
+std::string report_page(std::string_view viewer_page, const film::Film& film);
+
+}  // namespace rubicon::page

@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+
+#include <string>
+
+#include "src/results/report/schedule_text.hpp"
+#include "src/simulation/trace/json_builder.hpp"
+
+namespace rubicon::report {
+
+namespace {
+
+using taskplan::CriticalTask;
+using taskplan::ResourceUse;
+using taskplan::Schedule;
+using taskplan::TaskOutcome;
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char byte : text) {
+    quoted += byte;
+    if (byte == '"') quoted += '"';
+  }
+  return quoted + "\"";
+}
+
+void write_dates(trace::JsonBuilder& json, const Schedule& schedule, const TaskOutcome& task) {
+  if (!schedule.start_at) return;
+  json.field("begins", date_text(*schedule.start_at, task.start));
+  json.field("ends", date_text(*schedule.start_at, task.start + task.duration));
+}
+
+std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
+  trace::JsonBuilder json;
+  json.begin_object();
+  json.field("task", std::string_view(task.task)).field("robot", std::string_view(task.robot));
+  json.field("crew", std::string_view(crew_text(task)));
+  json.key("start").seconds(task.start).key("duration").seconds(task.duration);
+  write_dates(json, schedule, task);
+  json.key("motion").seconds(task.motion_time).key("work").seconds(task.work_time);
+  json.key("waited").begin_object();
+  json.key("predecessor").seconds(task.waits.predecessor);
+  json.key("resource").seconds(task.waits.resource);
+  json.key("machine").seconds(task.waits.machine).key("shift").seconds(task.waits.shift);
+  json.end_object();
+  if (schedule.costed) json.field("cost", task.cost);
+  json.field("tried", task.tried).field("accepted", task.accepted);
+  json.field("result", name_of(task.result)).field("reason", std::string_view(task.reason));
+  if (task.parking) json.field("parking", true);
+  json.end_object();
+  return json.take();
+}
+
+std::string use_json(const Schedule& schedule, const ResourceUse& use) {
+  trace::JsonBuilder json;
+  json.begin_object().field("name", std::string_view(use.name));
+  json.field("kind", use.robot ? "robot" : "crew");
+  if (!use.robot) json.field("size", use.size);
+  json.field("tasks", use.tasks).key("held").seconds(use.held).key("busy").seconds(use.busy);
+  json.key("shifts").seconds(use.shift_time).field("utilisation", use.utilisation());
+  if (schedule.costed) {
+    json.key("cost_per_hour");
+    if (use.rate) {
+      json.value(*use.rate);
+    } else {
+      json.null();
+    }
+    json.field("cost", use.cost);
+  }
+  json.end_object();
+  return json.take();
+}
+
+std::string critical_json(const CriticalTask& task) {
+  trace::JsonBuilder json;
+  json.begin_object().field("task", std::string_view(task.task));
+  json.field("work_counts", task.work_counts).field("text", std::string_view(task.text));
+  json.end_object();
+  return json.take();
+}
+
+/// `"name":[` and one element a line.
+template <typename List, typename Write>
+std::string list_text(const char* name, const List& list, const Write& write) {
+  std::string text = fmt::format("\"{}\":[", name);
+  const char* separator = "\n";
+  for (const auto& each : list) {
+    text += separator + write(each);
+    separator = ",\n";
+  }
+  return text + "\n]";
+}
+
+}  // namespace
+
+std::string schedule_json(const Schedule& schedule) {
+  std::string text = "{";
+  text += list_text("tasks", schedule.tasks,
+                    [&](const TaskOutcome& task) { return task_json(schedule, task); });
+  text += fmt::format(",\"process_time\":{}", seconds_text(schedule.process_time));
+  if (schedule.start_at) {
+    trace::JsonBuilder dates;
+    dates.begin_object().field("start_at", std::string_view(*schedule.start_at));
+    dates.field("ends", date_text(*schedule.start_at, schedule.process_time)).end_object();
+    const std::string both = dates.take();
+    text += "," + both.substr(1, both.size() - 2);
+  }
+  if (schedule.costed) {
+    trace::JsonBuilder cost;
+    cost.begin_object().field("cost", schedule.cost);
+    cost.field("currency", std::string_view(schedule.currency)).end_object();
+    const std::string both = cost.take();
+    text += "," + both.substr(1, both.size() - 2);
+  }
+  text += ",\n" + list_text("resources", schedule.resources,
+                            [&](const ResourceUse& use) { return use_json(schedule, use); });
+  text += ",\n" + list_text("critical", schedule.critical, critical_json);
+  return text + "}\n";
+}
+
+std::string schedule_csv(const Schedule& schedule) {
+  std::string text =
+      "task,robot,crew,start,duration,tried,accepted,result,reason,motion,work,waited_predecessor,"
+      "waited_resource,waited_machine,waited_shift,cost,begins,ends\n";
+  for (const TaskOutcome& task : schedule.tasks) {
+    const std::string& start_at = schedule.start_at.value_or(std::string());
+    const bool dated = schedule.start_at.has_value();
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                        csv_field(task.task), csv_field(task.robot), csv_field(crew_text(task)),
+                        seconds_text(task.start), seconds_text(task.duration), task.tried,
+                        task.accepted, name_of(task.result), csv_field(task.reason),
+                        seconds_text(task.motion_time), seconds_text(task.work_time),
+                        seconds_text(task.waits.predecessor), seconds_text(task.waits.resource),
+                        seconds_text(task.waits.machine), seconds_text(task.waits.shift),
+                        schedule.costed ? fmt::format("{:.2f}", task.cost) : std::string(),
+                        dated ? date_text(start_at, task.start) : std::string(),
+                        dated ? date_text(start_at, task.start + task.duration) : std::string());
+  }
+  return text;
+}
+
+}  // namespace rubicon::report

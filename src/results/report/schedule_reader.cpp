@@ -1,0 +1,132 @@
+#include "src/results/report/schedule_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "src/results/report/exact_json.hpp"
+#include "src/simulation/schedule/civil_time.hpp"
+
+namespace rubicon::report {
+
+namespace {
+
+using taskplan::CriticalTask;
+using taskplan::ResourceUse;
+using taskplan::Schedule;
+using taskplan::TaskOutcome;
+using taskplan::TaskResult;
+
+/// More people or money than this is no building site, and sums of it would overflow.
+constexpr double kLargestAmount = 1e15;
+
+double amount(const ExactJson& value) {
+  const double number = value.number();
+  if (!(std::fabs(number) <= kLargestAmount)) {
+    throw std::invalid_argument(fmt::format("expected a smaller number than {}", number));
+  }
+  return number;
+}
+
+/// Names of crews hold no commas.
+std::vector<std::string> split_names(const std::string& text) {
+  std::vector<std::string> names;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t comma = std::min(text.find(", ", from), text.size());
+    names.push_back(text.substr(from, comma - from));
+    from = comma + 2;
+  }
+  return names;
+}
+
+TaskResult read_result(const std::string& text) {
+  for (const TaskResult result :
+       {TaskResult::done, TaskResult::rejected, TaskResult::not_reached}) {
+    if (text == name_of(result)) return result;
+  }
+  throw std::invalid_argument(
+      fmt::format("expected done, rejected or not reached as 'result', found '{}'", text));
+}
+
+TaskOutcome read_task(const ExactJson& json) {
+  TaskOutcome task;
+  task.task = json.at("task").text();
+  task.robot = json.at("robot").text();
+  task.crews = split_names(json.at("crew").text());
+  task.parking = json.has("parking") && json.at("parking").truth();
+  task.start = json.at("start").ticks();
+  task.duration = json.at("duration").ticks();
+  task.motion_time = json.at("motion").ticks();
+  task.work_time = json.at("work").ticks();
+  const ExactJson& waits = json.at("waited");
+  task.waits = {waits.at("predecessor").ticks(), waits.at("resource").ticks(),
+                waits.at("machine").ticks(), waits.at("shift").ticks()};
+  if (json.has("cost")) task.cost = amount(json.at("cost"));
+  task.tried = json.at("tried").integer();
+  task.accepted = json.at("accepted").integer();
+  task.result = read_result(json.at("result").text());
+  task.reason = json.at("reason").text();
+  if (task.start < 0 || task.duration < 0) {
+    throw std::invalid_argument(fmt::format("expected times from 0 on of task '{}'", task.task));
+  }
+  return task;
+}
+
+ResourceUse read_use(const ExactJson& json) {
+  ResourceUse use;
+  use.name = json.at("name").text();
+  const std::string& kind = json.at("kind").text();
+  if (kind != "robot" && kind != "crew") {
+    throw std::invalid_argument(fmt::format("expected robot or crew as 'kind', found '{}'", kind));
+  }
+  use.robot = kind == "robot";
+  if (!use.robot) use.size = amount(json.at("size"));
+  use.tasks = json.at("tasks").integer();
+  use.held = json.at("held").ticks();
+  use.busy = json.at("busy").ticks();
+  use.shift_time = json.at("shifts").ticks();
+  if (json.has("cost_per_hour")) use.rate = amount(json.at("cost_per_hour"));
+  if (json.has("cost")) use.cost = amount(json.at("cost"));
+  return use;
+}
+
+CriticalTask read_critical(const ExactJson& json) {
+  return {json.at("task").text(), json.at("work_counts").truth(), json.at("text").text()};
+}
+
+}  // namespace
+
+Schedule schedule_from_json(std::string_view text) {
+  const ExactJson json = ExactJson::parse(text);
+  Schedule schedule;
+  for (const ExactJson& task : json.at("tasks").elements()) {
+    schedule.tasks.push_back(read_task(task));
+    // A robot asked out of the way that could not go is no task of the plan that failed.
+    schedule.feasible &=
+        schedule.tasks.back().parking || schedule.tasks.back().result == TaskResult::done;
+  }
+  schedule.process_time = json.at("process_time").ticks();
+  if (json.has("start_at")) {
+    schedule.start_at = json.at("start_at").text();
+    if (!schedule::parse_civil_time(*schedule.start_at)) {
+      throw std::invalid_argument(
+          fmt::format("expected YYYY-MM-DD HH:MM as 'start_at', found '{}'", *schedule.start_at));
+    }
+  }
+  schedule.costed = json.has("currency");
+  if (schedule.costed) {
+    schedule.currency = json.at("currency").text();
+    schedule.cost = amount(json.at("cost"));
+  }
+  for (const ExactJson& use : json.at("resources").elements()) {
+    schedule.resources.push_back(read_use(use));
+  }
+  for (const ExactJson& task : json.at("critical").elements()) {
+    schedule.critical.push_back(read_critical(task));
+  }
+  return schedule;
+}
+
+}  // namespace rubicon::report

@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "src/results/report/schedule_text.hpp"
+#include "src/simulation/schedule/civil_time.hpp"
+#include "src/simulation/trace/json_builder.hpp"
+
+namespace rubicon::report {
+
+namespace {
+
+using interpreter::Ticks;
+using taskplan::ResourceUse;
+using taskplan::Schedule;
+using taskplan::TaskOutcome;
+using Row = std::vector<std::string>;
+
+/// Of a longer critical chain the table shows only its end.
+constexpr std::size_t kShownChain = 12;
+
+/// How many characters a terminal shows: code points.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+  }));
+}
+
+/// Columns side by side; `right` names those that are aligned to the right. The last is not padded.
+std::string columns(const std::vector<Row>& rows, const std::vector<std::size_t>& right) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const Row& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::string padding(widths[c] - width(row[c]), ' ');
+      const bool to_the_right = std::find(right.begin(), right.end(), c) != right.end();
+      const bool last = c + 1 == row.size();
+      text += to_the_right ? padding + row[c] : row[c] + (last ? "" : padding);
+      text += last ? "\n" : "  ";
+    }
+  }
+  return text;
+}
+
+Ticks waited(const TaskOutcome& task) {
+  return task.waits.resource + task.waits.machine + task.waits.shift;
+}
+
+/// Of the tries of a robot to park that failed the table shows the last.
+bool is_repeated(const Schedule& schedule, const TaskOutcome& task) {
+  if (!task.parking || task.result == taskplan::TaskResult::done) return false;
+  return std::any_of(schedule.tasks.begin(), schedule.tasks.end(), [&](const TaskOutcome& other) {
+    return &other > &task && other.task == task.task && other.result == task.result;
+  });
+}
+
+std::string task_table(const Schedule& schedule) {
+  std::vector<Row> rows = {{"task", "robot", "crew", "start", "duration", "motion", "work",
+                            "waited", "tried", "accepted", "result"}};
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (is_repeated(schedule, task)) continue;
+    std::string result = name_of(task.result);
+    if (!task.reason.empty()) result += ": " + task.reason;
+    rows.push_back(
+        {task.task, task.robot, crew_text(task),
+         schedule.start_at ? date_text(*schedule.start_at, task.start) : clock_text(task.start),
+         clock_text(task.duration), clock_text(task.motion_time), clock_text(task.work_time),
+         clock_text(waited(task)), fmt::format("{}", task.tried), fmt::format("{}", task.accepted),
+         result});
+  }
+  return columns(rows, {3, 4, 5, 6, 7, 8, 9});
+}
+
+std::string total_line(const Schedule& schedule) {
+  int tasks = 0;
+  int done = 0;
+  int rejected = 0;
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (task.parking) continue;
+    ++tasks;
+    if (task.result == taskplan::TaskResult::done) ++done;
+    if (task.result == taskplan::TaskResult::rejected) ++rejected;
+  }
+  const int not_reached = tasks - done - rejected;
+  std::string text = fmt::format("{} of {} tasks done", done, tasks);
+  if (rejected > 0) text += fmt::format(", {} rejected", rejected);
+  if (not_reached > 0) text += fmt::format(", {} not reached", not_reached);
+  text += fmt::format(", process time {} ({} s)", clock_text(schedule.process_time),
+                      seconds_text(schedule.process_time));
+  if (schedule.start_at) {
+    text += fmt::format(", from {} to {}", *schedule.start_at,
+                        date_text(*schedule.start_at, schedule.process_time));
+  }
+  return text + "\n";
+}
+
+std::string use_table(const Schedule& schedule) {
+  const std::string cost = schedule.currency.empty() ? "cost" : "cost " + schedule.currency;
+  std::vector<Row> rows = {{"used", "tasks", "held", "of it busy", "of its shifts"}};
+  if (schedule.costed) rows.front().push_back(cost);
+  for (const ResourceUse& use : schedule.resources) {
+    rows.push_back({use.name, fmt::format("{}", use.tasks), clock_text(use.held),
+                    clock_text(use.busy), fmt::format("{:.1f} %", 100 * use.utilisation())});
+    if (schedule.costed) rows.back().push_back(use.rate ? fmt::format("{:.2f}", use.cost) : "");
+  }
+  if (schedule.costed) rows.push_back({"", "", "", "", "", fmt::format("{:.2f}", schedule.cost)});
+  return columns(rows, {1, 2, 3, 4, 5});
+}
+
+std::string chain_text(const Schedule& schedule) {
+  const std::size_t count = schedule.critical.size();
+  std::string text = fmt::format("critical chain, {} tasks:\n", count);
+  std::size_t first = 0;
+  if (count > kShownChain) {
+    first = count - kShownChain;
+    text += fmt::format("  ... {} before\n", first);
+  }
+  for (std::size_t i = first; i < count; ++i) text += "  " + schedule.critical[i].text + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string crew_text(const TaskOutcome& task) {
+  return fmt::format("{}", fmt::join(task.crews, ", "));
+}
+
+std::string seconds_text(Ticks ticks) {
+  std::string text;
+  trace::append_seconds(text, ticks);
+  return text;
+}
+
+std::string clock_text(Ticks ticks) {
+  const Ticks seconds = (ticks + Ticks{500'000'000}) / Ticks{1'000'000'000};
+  return fmt::format("{}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
+}
+
+std::string date_text(const std::string& start_at, Ticks time) {
+  const auto start = schedule::parse_civil_time(start_at);
+  return start ? schedule::text_of(schedule::civil_time_at(*start, time)) : std::string();
+}
+
+std::string moment_text(const std::string& start_at, Ticks time) {
+  const Ticks seconds = schedule::floor_division(time, schedule::kSecond);
+  return fmt::format("{}:{:02}", date_text(start_at, time), seconds % 60);
+}
+
+std::string schedule_table(const Schedule& schedule) {
+  std::string text = task_table(schedule) + "\n" + total_line(schedule);
+  if (!schedule.resources.empty()) text += "\n" + use_table(schedule);
+  if (!schedule.critical.empty()) text += "\n" + chain_text(schedule);
+  return text;
+}
+
+}  // namespace rubicon::report

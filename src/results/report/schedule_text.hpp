@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "src/simulation/taskplan/schedule.hpp"
+
+namespace rubicon::report {
+
+/// For people: a table of the tasks (robot, crew, start, duration, of it motion and crew work, time
+/// waited, steps tried and accepted, result with the reason), the process time, the use and cost
+/// of robots and crews, and the critical chain.
+std::string schedule_table(const taskplan::Schedule& schedule);
+
+/// Everything of a schedule as JSON (docs/commands/run.md); times in seconds.
+std::string schedule_json(const taskplan::Schedule& schedule);
+
+/// The tasks as CSV (RFC 4180, line ends "\n"), a header line first; times in seconds.
+std::string schedule_csv(const taskplan::Schedule& schedule);
+
+/// h:mm:ss, rounded to seconds.
+std::string clock_text(interpreter::Ticks ticks);
+
+/// The names of a task's crews, with commas between.
+std::string crew_text(const taskplan::TaskOutcome& task);
+
+/// A moment of a plan that begins at `start_at`, as "YYYY-MM-DD HH:MM", rounded down to its minute.
+std::string date_text(const std::string& start_at, interpreter::Ticks time);
+
+/// The same to the second, as "YYYY-MM-DD HH:MM:SS".
+std::string moment_text(const std::string& start_at, interpreter::Ticks time);
+
+/// A time in seconds, exactly.
+std::string seconds_text(interpreter::Ticks ticks);
+
+}  // namespace rubicon::report

@@ -1,0 +1,252 @@
+#include "src/results/verify/input/read_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "src/results/verify/input/json_fields.hpp"
+#include "src/results/verify/input/read_robot.hpp"
+#include "src/results/verify/input/read_shapes.hpp"
+
+namespace rubicon::verify {
+
+namespace {
+
+const Json& list_or_empty(const JsonFields& fields, const char* name) {
+  static const Json kEmpty = Json::array();
+  return fields.has(name) ? fields.array(name) : kEmpty;
+}
+
+int index_in(const std::map<std::string, int>& index, const std::string& name, const char* what) {
+  const auto found = index.find(name);
+  if (found == index.end()) {
+    throw UnreadableInput(fmt::format("expected {} of the header, found '{}'", what, name));
+  }
+  return found->second;
+}
+
+/// Everything that is spoken of by name has one of its own.
+void add_name(std::map<std::string, int>& index, const std::string& name) {
+  const int next = static_cast<int>(index.size());
+  if (!index.emplace(name, next).second) {
+    throw UnreadableInput(fmt::format("expected different names, found '{}' twice", name));
+  }
+}
+
+int calendar_of(const Scene& scene, const JsonFields& fields) {
+  const std::string name = fields.text_or("calendar", "");
+  if (name.empty()) return -1;
+  for (std::size_t i = 0; i < scene.calendars.size(); ++i) {
+    if (scene.calendars[i].name == name) return static_cast<int>(i);
+  }
+  fields.fail("the name of a calendar");
+}
+
+SceneCalendar read_calendar(const JsonFields& fields) {
+  SceneCalendar calendar;
+  calendar.name = fields.text("name");
+  calendar.carry_over = fields.has("carry_over") && fields.truth("carry_over");
+  for (const Json& object : fields.array("shifts")) {
+    const JsonFields read(object, "a shift");
+    SceneCalendar::Shift shift;
+    const Json& days = read.array("days");
+    if (days.size() != 2) read.fail("two days");
+    shift.first_day = integer_of(days[0], "a day", 0, 6);
+    shift.last_day = integer_of(days[1], "a day", 0, 6);
+    for (const Json& pair : read.array("minutes")) {
+      if (!pair.is_array() || pair.size() != 2) read.fail("pairs of minutes");
+      shift.minutes.emplace_back(integer_of(pair[0], "a minute", 0, 1440),
+                                 integer_of(pair[1], "a minute", 0, 1440));
+    }
+    calendar.shifts.push_back(std::move(shift));
+  }
+  for (const Json& day : list_or_empty(fields, "off")) {
+    calendar.off.push_back(text_of(day, "a day off"));
+  }
+  return calendar;
+}
+
+void read_components(const JsonFields& header, Scene& scene) {
+  for (const Json& object : header.array("components")) {
+    const JsonFields fields(object, "a component");
+    SceneComponent component;
+    component.name = fields.text("name");
+    component.X_WO = fields.pose("pose");
+    component.mass = fields.number("mass");
+    component.shapes = read_shapes(fields.array("shapes"), scene.meshes.size());
+    add_name(scene.component_index, component.name);
+    scene.components.push_back(std::move(component));
+  }
+}
+
+std::vector<std::pair<int, double>> read_values(const JsonFields& goal, const SceneRobot& robot) {
+  std::vector<std::pair<int, double>> values;
+  for (std::size_t i = 0; i < robot.parameters.size(); ++i) {
+    const char* name = robot.parameters[i].name.c_str();
+    if (goal.has(name)) values.emplace_back(static_cast<int>(i), goal.number(name));
+  }
+  return values;
+}
+
+double cost_per_hour(const JsonFields& fields) {
+  return fields.has("cost_per_hour") ? fields.number("cost_per_hour") : 0;
+}
+
+void read_resources(const JsonFields& header, Scene& scene) {
+  for (const Json& object : list_or_empty(header, "calendars")) {
+    scene.calendars.push_back(read_calendar(JsonFields(object, "a calendar")));
+  }
+  for (const Json& object : header.array("robots")) {
+    const JsonFields fields(object, "a robot");
+    SceneRobot robot = read_robot(fields, scene.meshes.size());
+    robot.calendar = calendar_of(scene, fields);
+    robot.cost_per_hour = cost_per_hour(fields);
+    if (fields.has("park")) robot.park = read_values(fields.object("park"), robot);
+    add_name(scene.robot_index, robot.name);
+    scene.robots.push_back(std::move(robot));
+  }
+  for (const Json& object : header.array("crews")) {
+    const JsonFields fields(object, "a crew");
+    scene.crews.push_back({fields.text("name"), calendar_of(scene, fields), cost_per_hour(fields)});
+    add_name(scene.crew_index, scene.crews.back().name);
+  }
+}
+
+SceneWork read_work(const Json& object, const char* what, const Scene& scene) {
+  const JsonFields fields(object, "a work");
+  SceneWork work;
+  work.what = what;
+  work.time = fields.time("duration");
+  if (fields.has("crew")) work.crew = index_in(scene.crew_index, fields.text("crew"), "a crew");
+  return work;
+}
+
+SceneWithin read_within(const Json& value) {
+  SceneWithin within;
+  if (value.is_number()) {
+    within.length = number_of(value, "'within'");
+    return within;
+  }
+  const JsonFields fields(value, "'within'");
+  for (const auto& [name, number] : value.items()) {
+    const double allowed = number_of(number, "'within'");
+    if (name == "length") {
+      within.length = allowed;
+    } else {
+      within.values.emplace_back(name, allowed);
+    }
+  }
+  return within;
+}
+
+/// Values by parameter, or a pose of the tool.
+void read_go(const JsonFields& goal, const Scene& scene, SceneTask& task) {
+  task.goes = true;
+  if (goal.has("pose")) task.go_pose = goal.pose("pose");
+  if (task.robot < 0) return;
+  task.go = read_values(goal, scene.robots[static_cast<std::size_t>(task.robot)]);
+}
+
+void read_task_work(const JsonFields& fields, const Scene& scene, SceneTask& task) {
+  if (fields.has("hook")) task.hook = read_work(fields.any("hook"), "hook", scene);
+  if (fields.has("adjust")) task.adjust = read_work(fields.any("adjust"), "adjust", scene);
+  if (fields.has("release")) task.release = read_work(fields.any("release"), "release", scene);
+  for (const Json& work : list_or_empty(fields, "takes")) {
+    task.takes.push_back(read_work(work, "takes", scene));
+  }
+  for (const Json& name : list_or_empty(fields, "remove")) {
+    task.remove.push_back(
+        index_in(scene.component_index, text_of(name, "'remove'"), "a component"));
+  }
+  if (fields.has("zones")) task.zones = read_shapes(fields.any("zones"), scene.meshes.size());
+}
+
+SceneTask read_task(const JsonFields& fields, const Scene& scene) {
+  SceneTask task;
+  task.name = fields.text("name");
+  const std::string& robot = fields.text("robot");
+  if (!robot.empty()) task.robot = index_in(scene.robot_index, robot, "a robot");
+  for (const Json& name : fields.array("crews")) {
+    task.crews.push_back(index_in(scene.crew_index, text_of(name, "'crews'"), "a crew"));
+  }
+  if (fields.has("move")) {
+    task.move = index_in(scene.component_index, fields.text("move"), "a component");
+    task.X_WO_goal = fields.pose("to");
+  }
+  if (fields.has("go")) read_go(fields.object("go"), scene, task);
+  if ((task.move >= 0 || task.goes) && task.robot < 0) fields.fail("a robot for the motion");
+  if (fields.has("within")) task.within = read_within(fields.any("within"));
+  read_task_work(fields, scene, task);
+  return task;
+}
+
+LinkType link_type(const JsonFields& fields) {
+  const std::string& type = fields.text("type");
+  if (type == "FS") return LinkType::FS;
+  if (type == "SS") return LinkType::SS;
+  if (type == "FF") return LinkType::FF;
+  if (type == "SF") return LinkType::SF;
+  fields.fail("FS, SS, FF or SF");
+}
+
+void read_tasks(const JsonFields& header, Scene& scene) {
+  for (const Json& object : header.array("tasks")) {
+    const JsonFields fields(object, "a task");
+    scene.tasks.push_back(read_task(fields, scene));
+    add_name(scene.task_index, scene.tasks.back().name);
+  }
+  for (std::size_t i = 0; i < scene.tasks.size(); ++i) {
+    for (const Json& object :
+         list_or_empty(JsonFields(header.array("tasks")[i], "a task"), "after")) {
+      const JsonFields fields(object, "a link");
+      SceneLink link;
+      link.task = index_in(scene.task_index, fields.text("task"), "a task");
+      link.type = link_type(fields);
+      link.lag = fields.time("lag");
+      scene.tasks[i].after.push_back(link);
+    }
+  }
+}
+
+/// The one motion of a short plan is a task without goal here: it may end short.
+void add_short_task(Scene& scene) {
+  if (scene.robots.size() != 1) throw UnreadableInput("expected one robot in a short plan");
+  SceneTask task;
+  task.name = scene.plan;
+  task.robot = 0;
+  task.goes = true;
+  add_name(scene.task_index, task.name);
+  scene.tasks.push_back(std::move(task));
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& line) {
+  const Json json = parse_json(line);
+  const JsonFields header(json, "the header");
+  if (header.text("type") != "header" || header.text("format") != "rubicon-trace") {
+    header.fail("\"type\":\"header\" and \"format\":\"rubicon-trace\"");
+  }
+  if (header.integer("version") != 1) header.fail("version 1");
+  if (header.text("detail") != "steps") {
+    header.fail("every step (rubicon run --trace-detail steps)");
+  }
+  Scene scene;
+  scene.plan = header.text("plan");
+  scene.short_form = header.text("form") == "short";
+  scene.contact = header.number("contact");
+  scene.start_at = header.text_or("start_at", "");
+  scene.meshes = read_meshes(header.array("meshes"));
+  scene.site = read_shapes(header.array("site"), scene.meshes.size());
+  scene.carry = read_shapes(header.array("carry"), scene.meshes.size());
+  read_components(header, scene);
+  read_resources(header, scene);
+  if (scene.short_form) {
+    add_short_task(scene);
+  } else {
+    read_tasks(header, scene);
+  }
+  return scene;
+}
+
+}  // namespace rubicon::verify

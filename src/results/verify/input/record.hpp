@@ -1,0 +1,82 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "src/motion/math/pose.hpp"
+#include "src/results/verify/input/scene.hpp"
+
+namespace rubicon::verify {
+
+struct TaskStart {};
+
+/// One attempt.
+struct Try {
+  bool ok = false;
+  int n = 0;
+  std::vector<int> moved;  ///< parameters of the command
+  std::vector<double> q;   ///< every parameter after it
+};
+
+struct Wait {
+  int n = 0;
+};
+
+/// Crew work from `from` to the record's time.
+struct Work {
+  std::string what;
+  int crew = -1;  ///< -1: whoever holds the task
+  Ticks from = 0;
+  Ticks time = 0;  ///< of this, in shifts
+};
+
+/// The task stands still from `from` to the record's time.
+struct Pause {
+  std::string why;  ///< machine, crew, shift, held
+  std::string whom;
+  Ticks from = 0;
+};
+
+struct LoadChange {
+  enum class Kind { attach, detach, remove };
+  Kind kind = Kind::attach;
+  int component = -1;
+  math::Pose X = math::Pose::Identity();  ///< attach: X_TO; detach: X_WO
+};
+
+/// A motion ended.
+struct MotionEnd {
+  std::string status;
+  bool reached = false;
+  int tries = 0;
+  int accepted = 0;
+  int refused = 0;  ///< for all reasons together
+  std::vector<double> q;
+};
+
+enum class TaskResult { done, rejected, not_reached };
+struct TaskEnd {
+  TaskResult result = TaskResult::done;
+  std::string reason;
+};
+
+/// One line of a trace that has a place on the clock.
+struct Record {
+  int line = 0;
+  int run = -1;    ///< index into Trace::runs
+  int robot = -1;  ///< -1: crew work
+  Ticks time = 0;  ///< when it is over
+  std::variant<TaskStart, Try, Wait, Work, Pause, LoadChange, MotionEnd, TaskEnd> what;
+};
+
+/// A trace as it was read.
+struct Trace {
+  Scene scene;
+  std::vector<std::string>
+      runs;  ///< names of tasks, also of those that no plan has, such as `park`
+  std::vector<Record> records;
+  int lines = 0;
+};
+
+}  // namespace rubicon::verify

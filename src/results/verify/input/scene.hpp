@@ -1,0 +1,157 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "src/motion/math/pose.hpp"
+#include "src/results/verify/input/fault.hpp"
+#include "src/results/verify/input/formula.hpp"
+
+namespace rubicon::verify {
+
+using math::Pose;
+using math::Vec3;
+
+/// The triangles of a mesh shape, metres.
+struct MeshData {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<int, 3>> triangles;
+  bool closed = false;
+};
+
+/// A solid of the trace header in the frame of its body (metres).
+struct ShapeData {
+  enum class Kind { box, cylinder, sphere, capsule, prism, mesh };
+  Kind kind = Kind::box;
+  Vec3 a = Vec3::Zero();  ///< box: lower corner; sphere: centre; capsule: one end
+  Vec3 b = Vec3::Zero();  ///< box: upper corner; capsule: other end
+  double radius = 0;      ///< cylinder, sphere, capsule
+  double z0 = 0;          ///< cylinder, prism
+  double z1 = 0;
+  std::vector<Eigen::Vector2d> polygon;  ///< prism
+  int mesh = -1;                         ///< number in Scene::meshes
+  Pose X_BS = Pose::Identity();
+};
+
+/// How near to its goal a task must come; what is not given is negative.
+struct SceneWithin {
+  double length = -1;                                  ///< m
+  std::vector<std::pair<std::string, double>> values;  ///< by parameter, file units
+};
+
+struct SceneBody {
+  std::string name;
+  int parent = -1;  ///< -1: the mounting frame
+  std::vector<FrameElement> frame;
+  std::vector<ShapeData> shapes;
+};
+
+/// A control parameter; metres or degrees.
+struct SceneParameter {
+  std::string name;  ///< as it is written in q
+  int body = 0;
+  bool rotation = false;
+  bool cyclic = false;
+  std::optional<double> lower;
+  std::optional<double> upper;
+  double step = 0;
+  double speed = 0;
+  double loaded_speed = 0;
+  bool derived = false;  ///< `rule` is its value, of the others after the step
+  Formula rule;
+};
+
+struct SceneRobot {
+  std::string name;
+  Pose X_WM = Pose::Identity();
+  double time_step = 1;  ///< s
+  std::vector<SceneBody> bodies;
+  std::vector<SceneParameter> parameters;
+  std::vector<double> starts;
+  int tool_body = 0;
+  std::vector<FrameElement> tool_frame;
+  std::vector<std::pair<int, int>> touching;
+  std::vector<std::pair<double, double>> capacity;  ///< radius (m), mass (kg)
+  int calendar = -1;
+  double cost_per_hour = 0;
+  std::vector<std::pair<int, double>> park;  ///< parameter, value
+};
+
+struct SceneComponent {
+  std::string name;
+  Pose X_WO = Pose::Identity();
+  double mass = 0;
+  std::vector<ShapeData> shapes;
+};
+
+/// Hours of the week, and days off.
+struct SceneCalendar {
+  struct Shift {
+    int first_day = 0;  ///< 0 Monday ... 6 Sunday
+    int last_day = 0;
+    std::vector<std::pair<int, int>> minutes;  ///< of the day
+  };
+  std::string name;
+  std::vector<Shift> shifts;
+  std::vector<std::string> off;  ///< YYYY-MM-DD
+  bool carry_over = false;
+};
+
+struct SceneCrew {
+  std::string name;
+  int calendar = -1;
+  double cost_per_hour = 0;
+};
+
+enum class LinkType { FS, SS, FF, SF };
+struct SceneLink {
+  int task = -1;
+  LinkType type = LinkType::FS;
+  Ticks lag = 0;
+};
+
+struct SceneWork {
+  std::string what;  ///< hook, adjust, release, takes
+  Ticks time = 0;
+  int crew = -1;  ///< -1: whoever holds the task
+};
+
+struct SceneTask {
+  std::string name;
+  int robot = -1;
+  std::vector<int> crews;
+  int move = -1;  ///< component
+  Pose X_WO_goal = Pose::Identity();
+  bool goes = false;
+  std::vector<std::pair<int, double>> go;  ///< parameter, value
+  std::optional<Pose> go_pose;             ///< X_WT
+  std::optional<SceneWithin> within;
+  std::optional<SceneWork> hook, adjust, release;
+  std::vector<SceneWork> takes;
+  std::vector<int> remove;
+  std::vector<ShapeData> zones;  ///< in {W}
+  std::vector<SceneLink> after;
+};
+
+/// The header of a trace: all that stands, moves and is to be done.
+struct Scene {
+  std::string plan;
+  bool short_form = false;
+  double contact = 0;  ///< m
+  std::string start_at;
+  std::vector<MeshData> meshes;
+  std::vector<ShapeData> site;
+  std::vector<ShapeData> carry;
+  std::vector<SceneComponent> components;
+  std::vector<SceneCalendar> calendars;
+  std::vector<SceneRobot> robots;
+  std::vector<SceneCrew> crews;
+  std::vector<SceneTask> tasks;
+  std::map<std::string, int> component_index, robot_index, crew_index, task_index;
+};
+
+}  // namespace rubicon::verify

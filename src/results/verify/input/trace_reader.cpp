@@ -1,0 +1,187 @@
+#include "src/results/verify/input/trace_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "src/results/verify/input/json_fields.hpp"
+#include "src/results/verify/input/read_scene.hpp"
+
+namespace rubicon::verify {
+
+namespace {
+
+/// Records that tell how a script came to its steps; they have no place on the clock.
+constexpr std::array<std::string_view, 5> kScriptRecords = {"goal", "set", "enter", "exit",
+                                                            "which"};
+
+bool is_script_record(const std::string& type) {
+  for (const std::string_view known : kScriptRecords) {
+    if (type == known) return true;
+  }
+  return false;
+}
+
+/// Reads the members of one record that depend on its type.
+class RecordReader {
+ public:
+  RecordReader(const JsonFields& fields, const Scene& scene, Record& record)
+      : fields_(fields), scene_(scene), record_(record) {}
+
+  void read(const std::string& type) {
+    record_.time = fields_.time("t");
+    if (type == "task_start") {
+      record_.what = TaskStart{};
+    } else if (type == "try") {
+      record_.what = read_try();
+    } else if (type == "wait") {
+      record_.what = Wait{fields_.integer("n")};
+    } else if (type == "work") {
+      record_.what = read_work();
+    } else if (type == "pause") {
+      record_.what = Pause{fields_.text("why"), fields_.text_or("for", ""), fields_.time("from")};
+    } else if (type == "attach" || type == "detach" || type == "remove") {
+      record_.what = read_load_change(type);
+    } else if (type == "end") {
+      record_.what = read_end();
+    } else if (type == "task_end") {
+      record_.what = TaskEnd{read_result(), fields_.text("reason")};
+    } else {
+      fields_.fail("a type of record that is known");
+    }
+  }
+
+ private:
+  const SceneRobot& robot() const {
+    if (record_.robot < 0) fields_.fail("a robot");
+    return scene_.robots[static_cast<std::size_t>(record_.robot)];
+  }
+
+  int parameter(const Json& name) const {
+    const std::string& wanted = text_of(name, "a parameter");
+    const auto& parameters = robot().parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      if (parameters[i].name == wanted) return static_cast<int>(i);
+    }
+    fields_.fail("parameters of the robot");
+  }
+
+  std::vector<double> configuration() const {
+    const JsonFields values = fields_.object("q");
+    std::vector<double> q;
+    for (const SceneParameter& each : robot().parameters)
+      q.push_back(values.number(each.name.c_str()));
+    return q;
+  }
+
+  Try read_try() const {
+    Try attempt;
+    attempt.ok = fields_.truth("ok");
+    attempt.n = fields_.integer("n");
+    const Json& names = fields_.any("parameter");
+    if (names.is_array()) {
+      for (const Json& name : names) attempt.moved.push_back(parameter(name));
+    } else {
+      attempt.moved.push_back(parameter(names));
+    }
+    attempt.q = configuration();
+    return attempt;
+  }
+
+  Work read_work() const {
+    Work work;
+    work.what = fields_.text("what");
+    const std::string crew = fields_.text_or("crew", "");
+    if (!crew.empty()) {
+      const auto found = scene_.crew_index.find(crew);
+      if (found == scene_.crew_index.end()) fields_.fail("a crew of the header");
+      work.crew = found->second;
+    }
+    work.from = fields_.time("from");
+    work.time = fields_.time("time");
+    return work;
+  }
+
+  LoadChange read_load_change(const std::string& type) const {
+    LoadChange change;
+    change.kind = type == "attach"   ? LoadChange::Kind::attach
+                  : type == "detach" ? LoadChange::Kind::detach
+                                     : LoadChange::Kind::remove;
+    const auto found = scene_.component_index.find(fields_.text("component"));
+    if (found == scene_.component_index.end()) fields_.fail("a component of the header");
+    change.component = found->second;
+    if (change.kind != LoadChange::Kind::remove) {
+      robot();
+      change.X = fields_.pose("pose");
+    }
+    return change;
+  }
+
+  MotionEnd read_end() const {
+    MotionEnd end;
+    end.status = fields_.text("status");
+    end.reached = fields_.truth("reached");
+    end.tries = fields_.integer("tries");
+    end.accepted = fields_.integer("accepted");
+    for (const auto& [reason, count] : fields_.object("rejected").json().items()) {
+      end.refused += integer_of(count, "'rejected'", 0, 10'000'000);
+    }
+    end.q = configuration();
+    return end;
+  }
+
+  TaskResult read_result() const {
+    const std::string& result = fields_.text("result");
+    if (result == "done") return TaskResult::done;
+    if (result == "rejected") return TaskResult::rejected;
+    if (result == "not reached") return TaskResult::not_reached;
+    fields_.fail("done, rejected or not reached");
+  }
+
+  const JsonFields& fields_;
+  const Scene& scene_;
+  Record& record_;
+};
+
+}  // namespace
+
+int TraceReader::run_of(const std::string& task) {
+  const auto [place, added] = run_index_.try_emplace(task, static_cast<int>(trace_.runs.size()));
+  if (added) trace_.runs.push_back(task);
+  return place->second;
+}
+
+void TraceReader::line(const std::string& text) {
+  ++trace_.lines;
+  try {
+    if (trace_.lines == 1) {
+      trace_.scene = read_scene(text);
+      return;
+    }
+    const Json json = parse_json(text);
+    const JsonFields fields(json, "a record");
+    const std::string& type = fields.text("type");
+    if (is_script_record(type)) return;
+    Record record;
+    record.line = trace_.lines;
+    record.run = run_of(fields.text("task"));
+    const std::string& robot = fields.text("robot");
+    if (!robot.empty()) {
+      const auto found = trace_.scene.robot_index.find(robot);
+      if (found == trace_.scene.robot_index.end()) fields.fail("a robot of the header");
+      record.robot = found->second;
+    }
+    RecordReader(fields, trace_.scene, record).read(type);
+    trace_.records.push_back(std::move(record));
+  } catch (const UnreadableInput& error) {
+    throw UnreadableInput(fmt::format("{}: {}", trace_.lines, error.what()));
+  }
+}
+
+Trace TraceReader::finish() {
+  if (trace_.lines == 0) throw UnreadableInput("1: expected the header of a trace, found nothing");
+  return std::move(trace_);
+}
+
+}  // namespace rubicon::verify

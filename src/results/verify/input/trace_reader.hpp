@@ -1,0 +1,25 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "src/results/verify/input/record.hpp"
+
+namespace rubicon::verify {
+
+/// Reads a trace line by line. What is no trace throws UnreadableInput, with the line.
+class TraceReader {
+ public:
+  void line(const std::string& text);
+  /// What was read; throws if there was no header.
+  Trace finish();
+
+ private:
+  int run_of(const std::string& task);
+
+  Trace trace_;
+  std::map<std::string, int> run_index_;
+};
+
+}  // namespace rubicon::verify

@@ -1,0 +1,62 @@
+#include "src/results/verify/replay/holds.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace rubicon::verify {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Nobody works in it, nothing moves or goes: a moment that others wait for.
+bool is_milestone(const SceneTask& task) {
+  const bool works = std::any_of(task.takes.begin(), task.takes.end(),
+                                 [](const SceneWork& work) { return work.time > 0; });
+  return task.robot < 0 && !works && task.remove.empty() && task.zones.empty();
+}
+
+}  // namespace
+
+std::vector<Hold> holds_of(const Trace& trace, const std::vector<TaskRun>& runs, int index) {
+  std::vector<Hold> holds;
+  const TaskRun& run = runs[at(index)];
+  if (!run.happened) return holds;
+  const Scene& scene = trace.scene;
+  const int robots = static_cast<int>(scene.robots.size());
+  std::set<int> crews;
+  const auto hold_whole = [&](int resource) {
+    holds.push_back({resource, run.start, run.end, index, run.start_line, true});
+  };
+  if (run.robot >= 0) hold_whole(run.robot);
+  if (run.task >= 0 && !is_milestone(scene.tasks[at(run.task)])) {
+    const SceneTask& task = scene.tasks[at(run.task)];
+    crews.insert(task.crews.begin(), task.crews.end());
+    for (const SceneWork& work : task.takes) {
+      if (run.robot < 0 && work.crew >= 0) crews.insert(work.crew);
+    }
+  }
+  for (const int crew : crews) hold_whole(robots + crew);
+  for (const int i : run.records) {
+    const Record& record = trace.records[at(i)];
+    const auto* work = std::get_if<Work>(&record.what);
+    if (work == nullptr || work->crew < 0 || crews.contains(work->crew)) continue;
+    holds.push_back({robots + work->crew, work->from, record.time, index, record.line, false});
+  }
+  return holds;
+}
+
+const std::string& resource_name(const Scene& scene, int resource) {
+  const int robots = static_cast<int>(scene.robots.size());
+  return resource < robots ? scene.robots[at(resource)].name
+                           : scene.crews[at(resource - robots)].name;
+}
+
+std::vector<int> calendar_of_resource(const Scene& scene, int resource) {
+  const int robots = static_cast<int>(scene.robots.size());
+  const int calendar = resource < robots ? scene.robots[at(resource)].calendar
+                                         : scene.crews[at(resource - robots)].calendar;
+  return calendar < 0 ? std::vector<int>() : std::vector<int>{calendar};
+}
+
+}  // namespace rubicon::verify

@@ -1,0 +1,233 @@
+#include "src/results/verify/replay/robot_track.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "src/motion/math/angles.hpp"
+#include "src/results/verify/geometry/pose_miss.hpp"
+#include "src/results/verify/replay/step_rules.hpp"
+
+namespace rubicon::verify {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// m or degrees by which a value may miss its goal where the header does not tell.
+constexpr double kGoalSlack = 1e-3;
+/// Share of its step by which a value may miss its goal (LANGUAGE 4).
+constexpr double kGoalShare = 1e-6;
+/// kg: a load at the limit of its chart is within it.
+constexpr double kMassSlack = 1e-6;
+/// m: rounding of the radius of a load that keeps its distance.
+constexpr double kRadiusSlack = 1e-7;
+
+class TrackBuilder {
+ public:
+  TrackBuilder(const Trace& trace, const std::vector<TaskRun>& runs, int robot,
+               std::vector<LoadEvent>& loads, Faults& faults)
+      : trace_(trace),
+        runs_(runs),
+        index_(robot),
+        robot_(trace.scene.robots[at(robot)]),
+        mechanism_(robot_),
+        loads_(loads),
+        faults_(faults),
+        q_(start_values(robot_)) {
+    if (robot == 0 && !trace.scene.carry.empty()) {
+      track_.loads.push_back({-1, Pose::Identity()});
+      hanging_ = 0;
+    }
+  }
+
+  RobotTrack build(Ticks until) {
+    for (const int index : in_order()) follow(index);
+    stand_until(until);
+    return std::move(track_);
+  }
+
+ private:
+  std::vector<int> in_order() const {
+    std::vector<int> order;
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      if (runs_[i].robot == index_ && runs_[i].happened) order.push_back(static_cast<int>(i));
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return runs_[at(a)].start < runs_[at(b)].start; });
+    return order;
+  }
+
+  void follow(int run) {
+    stand_until(runs_[at(run)].start);
+    run_ = run;
+    now_ = runs_[at(run)].start;
+    for (const int index : runs_[at(run)].records) {
+      record_ = &trace_.records[at(index)];
+      std::visit([&](const auto& what) { follow(what); }, record_->what);
+      now_ = record_->time;
+    }
+  }
+
+  void fault(FaultKind kind, std::string text) {
+    faults_.push_back({kind, ResultFile::trace, record_->line, trace_.runs[at(runs_[at(run_)].run)],
+                       now_, fmt::format("{}: {}", robot_.name, text)});
+  }
+
+  void stand_until(Ticks time) {
+    if (time <= stands_since_) return;
+    track_.legs.push_back(
+        {stands_since_, time, q_, {}, hanging_, run_, record_ != nullptr ? record_->line : 0});
+    stands_since_ = time;
+  }
+
+  template <typename Other>
+  void follow(const Other&) {}
+
+  void follow(const Try& attempt) {
+    if (!attempt.ok) {
+      expect_values(attempt.q, "a refused attempt");
+      return;
+    }
+    stand_until(now_);
+    StepQuery query{q_, attempt.q, attempt.moved, hanging_ >= 0, record_->time - now_};
+    StepResult result = check_step(robot_, query);
+    for (std::string& text : result.faults) fault(FaultKind::motion, std::move(text));
+    check_load_chart(attempt.q);
+    track_.legs.push_back(
+        {now_, record_->time, q_, std::move(result.reached), hanging_, run_, record_->line});
+    q_ = attempt.q;
+    stands_since_ = std::max(stands_since_, record_->time);
+  }
+
+  void follow(const MotionEnd& end) { expect_values(end.q, "the end of a motion"); }
+
+  /// A task that is done left the robot where the plan wanted it.
+  void follow(const TaskEnd& end) {
+    if (end.result != TaskResult::done || trace_.scene.short_form) return;
+    const int task = runs_[at(run_)].task;
+    if (task < 0) {
+      expect_goal(robot_.park, {});
+      return;
+    }
+    const SceneTask& planned = trace_.scene.tasks[at(task)];
+    expect_goal(planned.go, planned.within);
+    if (planned.go_pose) expect_pose(*planned.go_pose, planned.within);
+  }
+
+  void expect_goal(const std::vector<std::pair<int, double>>& goal,
+                   const std::optional<SceneWithin>& within) {
+    for (const auto& [index, value] : goal) {
+      const SceneParameter& p = robot_.parameters[at(index)];
+      double slack = within ? kValueSlack + kGoalShare * std::max(p.step, 1.0) : kGoalSlack;
+      for (const auto& [name, allowed] : within.value_or(SceneWithin{}).values) {
+        if (name == p.name) slack += allowed;
+      }
+      const double off = q_[at(index)] - value;
+      if (std::fabs(p.rotation ? math::normalised_deg(off) : off) <= slack) continue;
+      fault(FaultKind::motion, fmt::format("the task is done with {} at {:g} instead of {:g}",
+                                           p.name, q_[at(index)], value));
+    }
+  }
+
+  void expect_pose(const Pose& X_WG, const std::optional<SceneWithin>& within);
+
+  void follow(const LoadChange& change) {
+    if (change.kind == LoadChange::Kind::remove) return;
+    LoadEvent event{record_->time, record_->line, run_, change, Pose::Identity(), -1, index_};
+    event.X_WT = mechanism_.pose(mechanism_.tool(), q_);
+    stand_until(record_->time);
+    if (change.kind == LoadChange::Kind::attach) {
+      if (hanging_ >= 0) fault(FaultKind::load, "it takes something and carries something already");
+      hanging_ = static_cast<int>(track_.loads.size());
+      track_.loads.push_back({change.component, change.X});
+      check_weight();
+    } else {
+      event.hung = hanging_;
+      hanging_ = -1;
+    }
+    loads_.push_back(event);
+  }
+
+  void expect_values(const std::vector<double>& q, const char* where) {
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      const double off = q[i] - q_[i];
+      const double reduced = robot_.parameters[i].cyclic ? math::normalised_deg(off) : off;
+      if (std::fabs(reduced) <= kValueSlack) continue;
+      fault(FaultKind::motion, fmt::format("{} has {} at {:g} while it stands at {:g}", where,
+                                           robot_.parameters[i].name, q[i], q_[i]));
+    }
+  }
+
+  double radius(const std::vector<double>& q) const {
+    const Vec3 p_MT = robot_.X_WM.inverse(Eigen::Isometry) *
+                      Vec3(mechanism_.pose(mechanism_.tool(), q).translation());
+    return std::sqrt(p_MT.x() * p_MT.x() + p_MT.y() * p_MT.y());
+  }
+
+  double mass() const {
+    const int component = hanging_ < 0 ? -1 : track_.loads[at(hanging_)].component;
+    return component < 0 ? 0 : trace_.scene.components[at(component)].mass;
+  }
+
+  /// What the load chart allows at a radius: straight between its points, nothing beyond.
+  double allowed(double radius) const {
+    const auto& chart = robot_.capacity;
+    if (radius <= chart.front().first) return chart.front().second;
+    for (std::size_t i = 1; i < chart.size(); ++i) {
+      if (radius > chart[i].first) continue;
+      const double share = (radius - chart[i - 1].first) / (chart[i].first - chart[i - 1].first);
+      return chart[i - 1].second + share * (chart[i].second - chart[i - 1].second);
+    }
+    return 0;
+  }
+
+  void check_weight() {
+    if (robot_.capacity.empty()) return;
+    const double r = radius(q_);
+    if (mass() <= std::max(allowed(r - kRadiusSlack), allowed(r)) + kMassSlack) return;
+    fault(FaultKind::load, fmt::format("{:g} kg are too heavy at {:g} m", mass(), r));
+  }
+
+  void check_load_chart(const std::vector<double>& after) {
+    if (robot_.capacity.empty() || !(mass() > 0)) return;
+    const double r = radius(after);
+    if (r <= radius(q_) + kRadiusSlack) return;
+    if (mass() <= std::max(allowed(r - kRadiusSlack), allowed(r)) + kMassSlack) return;
+    fault(FaultKind::load, fmt::format("{:g} kg are carried out to {:g} m", mass(), r));
+  }
+
+  const Trace& trace_;
+  const std::vector<TaskRun>& runs_;
+  const int index_;
+  const SceneRobot& robot_;
+  const Mechanism mechanism_;
+  std::vector<LoadEvent>& loads_;
+  Faults& faults_;
+  RobotTrack track_;
+  std::vector<double> q_;
+  int hanging_ = -1;
+  int run_ = -1;
+  Ticks now_ = 0;
+  Ticks stands_since_ = 0;
+  const Record* record_ = nullptr;
+};
+
+void TrackBuilder::expect_pose(const Pose& X_WG, const std::optional<SceneWithin>& within) {
+  const GoalTolerance allowed = goal_tolerance(robot_, within);
+  const PoseMiss off = pose_miss(mechanism_.pose(mechanism_.tool(), q_), X_WG);
+  if (off.within(allowed)) return;
+  fault(FaultKind::motion,
+        fmt::format("the task is done with the tool {} from its goal", text_of(off)));
+}
+
+}  // namespace
+
+RobotTrack follow_robot(const Trace& trace, const std::vector<TaskRun>& runs, int robot,
+                        Ticks until, std::vector<LoadEvent>& loads, Faults& faults) {
+  return TrackBuilder(trace, runs, robot, loads, faults).build(until);
+}
+
+}  // namespace rubicon::verify

@@ -1,0 +1,116 @@
+#include "src/results/verify/schedule/accounts.hpp"
+
+#include <utility>
+
+namespace rubicon::verify {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+class Bookkeeper {
+ public:
+  Bookkeeper(const Trace& trace, const WorkingHours& hours) : trace_(trace), hours_(hours) {}
+
+  TaskAccount account(const std::vector<TaskRun>& runs, int index) {
+    account_ = {};
+    steps_.clear();
+    works_.clear();
+    const TaskRun& run = runs[at(index)];
+    if (!run.happened) return account_;
+    now_ = run.start;
+    for (const int i : run.records) {
+      record_ = &trace_.records[at(i)];
+      std::visit([&](const auto& what) { add(what); }, record_->what);
+      now_ = record_->time;
+    }
+    for (const Hold& hold : holds_of(trace_, runs, index)) add_hold(hold);
+    return account_;
+  }
+
+ private:
+  template <typename Other>
+  void add(const Other&) {}
+
+  void add(const Try& attempt) {
+    if (!attempt.ok) return;
+    account_.steps += record_->time - now_;
+    steps_.emplace_back(now_, record_->time);
+  }
+
+  void add(const Wait&) {
+    account_.script_waits += record_->time - now_;
+    ++account_.script_wait_count;
+    steps_.emplace_back(now_, record_->time);
+  }
+
+  void add(const Work& work) {
+    account_.work += work.time;
+    account_.shift += record_->time - work.from - work.time;
+    works_.push_back({work.crew, work.from, work.time});
+  }
+
+  void add(const Pause& pause) {
+    const Ticks time = record_->time - pause.from;
+    if (pause.why == "machine") account_.machine += time;
+    if (pause.why == "crew") account_.crew += time;
+    if (pause.why == "shift") account_.shift += time;
+    if (pause.why == "held") account_.held += time;
+  }
+
+  /// Its shifts in the time it is held; who holds for the whole task stays for steps after them.
+  void add_hold(const Hold& hold) {
+    const std::vector<int> calendar = calendar_of_resource(trace_.scene, hold.resource);
+    HeldTime held{hold.resource, hours_.between(calendar, hold.from, hold.to), 0};
+    const int robots = static_cast<int>(trace_.scene.robots.size());
+    if (hold.whole && !calendar.empty()) {
+      for (const auto& [from, to] : steps_) {
+        held.held += to - from - hours_.between(calendar, from, to);
+      }
+    }
+    for (const DoneWork& work : works_) {
+      const bool own = work.crew >= 0 && robots + work.crew == hold.resource;
+      const bool counts = hold.whole ? own || work.crew < 0 : own && work.from == hold.from;
+      if (counts) held.work += work.time;
+    }
+    account_.holds.push_back(held);
+  }
+
+  struct DoneWork {
+    int crew = -1;
+    Ticks from = 0;
+    Ticks time = 0;
+  };
+
+  const Trace& trace_;
+  const WorkingHours& hours_;
+  TaskAccount account_;
+  std::vector<std::pair<Ticks, Ticks>> steps_;
+  std::vector<DoneWork> works_;
+  const Record* record_ = nullptr;
+  Ticks now_ = 0;
+};
+
+}  // namespace
+
+std::vector<TaskAccount> task_accounts(const Trace& trace, const std::vector<TaskRun>& runs,
+                                       const WorkingHours& hours) {
+  Bookkeeper bookkeeper(trace, hours);
+  std::vector<TaskAccount> accounts;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    accounts.push_back(bookkeeper.account(runs, static_cast<int>(i)));
+  }
+  return accounts;
+}
+
+double cost_of(double rate, Ticks held) {
+  return rate * static_cast<double>(held) / static_cast<double>(kSecond) / 3600;
+}
+
+double rate_of(const Scene& scene, int resource) {
+  const int robots = static_cast<int>(scene.robots.size());
+  return resource < robots ? scene.robots[at(resource)].cost_per_hour
+                           : scene.crews[at(resource - robots)].cost_per_hour;
+}
+
+}  // namespace rubicon::verify

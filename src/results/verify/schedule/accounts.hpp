@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "src/results/verify/replay/holds.hpp"
+#include "src/results/verify/schedule/working_hours.hpp"
+
+namespace rubicon::verify {
+
+/// What a robot or crew gave to a task.
+struct HeldTime {
+  int resource = -1;
+  Ticks held = 0;  ///< in its shifts, and steps after their end
+  Ticks work = 0;  ///< crews: of that they worked
+};
+
+/// Where the time of a task went after its start, and whom it had, added up from its records.
+struct TaskAccount {
+  Ticks steps = 0;         ///< of its robot
+  Ticks script_waits = 0;  ///< `wait`s of the script: motion, or waiting for a machine
+  int script_wait_count = 0;
+  Ticks work = 0;  ///< in shifts
+  Ticks held = 0;  ///< by a link, to its finish
+  Ticks crew = 0;  ///< waiting for a crew
+  Ticks machine = 0;
+  Ticks shift = 0;
+  std::vector<HeldTime> holds;
+};
+
+/// The account of each run; empty for what did not happen.
+std::vector<TaskAccount> task_accounts(const Trace& trace, const std::vector<TaskRun>& runs,
+                                       const WorkingHours& hours);
+
+/// Money for a time at a rate per hour.
+double cost_of(double rate, Ticks held);
+/// The rate of a robot or crew per hour; none is 0.
+double rate_of(const Scene& scene, int resource);
+
+}  // namespace rubicon::verify

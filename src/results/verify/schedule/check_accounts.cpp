@@ -1,0 +1,193 @@
+#include "src/results/verify/schedule/check_accounts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+#include <utility>
+
+#include "src/results/verify/schedule/task_clock.hpp"
+
+namespace rubicon::verify {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Money is compared to this, of its own size: sums of doubles in another order. Consequence: a
+/// cost that is off by less is not seen.
+constexpr double kMoneySlack = 1e-9;
+
+bool same_money(double a, double b, double cent) {
+  return std::fabs(a - b) <= cent + kMoneySlack * std::max({1.0, std::fabs(a), std::fabs(b)});
+}
+
+class SplitCheck {
+ public:
+  SplitCheck(const ScheduleRow& row, ResultFile file, Faults& faults)
+      : row_(row), file_(file), faults_(faults) {}
+
+  void fault(std::string text) {
+    faults_.push_back(
+        {FaultKind::schedule, file_, row_.line, row_.task, row_.start, std::move(text)});
+  }
+
+  void exactly(const char* what, Ticks found, Ticks expected) {
+    if (std::llabs(found - expected) <= kTimeSlack) return;
+    fault(fmt::format("{} is {}, by the trace {}", what, clock_text(found), clock_text(expected)));
+  }
+
+  void at_least(const char* what, Ticks found, Ticks least) {
+    if (found >= least - kTimeSlack) return;
+    fault(fmt::format("{} is {}, by the trace {} or more", what, clock_text(found),
+                      clock_text(least)));
+  }
+
+  /// Steps, and of the script's `wait`s those that waited for no machine: the trace does not tell
+  /// which, but each is one or the other.
+  void motion(Ticks found, const TaskAccount& account) {
+    Ticks expected = account.steps;
+    if (account.script_wait_count > 0) {
+      const double one = static_cast<double>(account.script_waits) / account.script_wait_count;
+      const double waits = std::round(static_cast<double>(found - expected) / std::max(one, 1.0));
+      const double possible = std::clamp<double>(waits, 0, account.script_wait_count);
+      expected += static_cast<Ticks>(std::llround(possible * one));
+    }
+    exactly("motion", found, expected);
+  }
+
+ private:
+  const ScheduleRow& row_;
+  const ResultFile file_;
+  Faults& faults_;
+};
+
+/// What the accounts of all tasks give for one robot or crew.
+struct Use {
+  int tasks = 0;
+  Ticks held = 0;
+  Ticks work = 0;
+};
+
+class UseCheck {
+ public:
+  UseCheck(const UseRow& row, Faults& faults) : row_(row), faults_(faults) {}
+
+  void fault(std::string text) {
+    faults_.push_back({FaultKind::schedule, ResultFile::schedule_json, row_.line, "", -1,
+                       fmt::format("{}: {}", row_.name, text)});
+  }
+
+  void time(const char* what, Ticks found, Ticks expected) {
+    // Each task adds its own rounding.
+    if (std::llabs(found - expected) <= kTimeSlack) return;
+    fault(fmt::format("{} is {}, by its tasks {}", what, clock_text(found), clock_text(expected)));
+  }
+
+  void number(const char* what, double found, double expected) {
+    if (same_money(found, expected, 0)) return;
+    fault(fmt::format("{} is {}, expected {}", what, found, expected));
+  }
+
+ private:
+  const UseRow& row_;
+  Faults& faults_;
+};
+
+/// When the last task is over, machines on their way out of the way included.
+Ticks last_end(const std::vector<TaskRun>& runs) {
+  Ticks last = 0;
+  for (const TaskRun& run : runs) {
+    if (run.happened) last = std::max(last, run.end);
+  }
+  return last;
+}
+
+}  // namespace
+
+void check_split(const Trace& trace, const TaskRun& run, const TaskAccount& account,
+                 const ScheduleRow& row, ResultFile file, double cent, Faults& faults) {
+  SplitCheck check(row, file, faults);
+  const TimeSplit& split = row.split;
+  const Ticks sum =
+      split.motion + split.work + split.predecessor + split.resource + split.machine + split.shift;
+  check.exactly("the sum of motion, work and waits", sum, run.happened ? run.end : 0);
+  check.motion(split.motion, account);
+  check.exactly("the crew work", split.work, account.work);
+  check.at_least("the wait for predecessors", split.predecessor, account.held);
+  check.at_least("the wait for robots and crews", split.resource, account.crew);
+  check.at_least("the wait for machines", split.machine, account.machine);
+  check.at_least("the time out of shift", split.shift, account.shift);
+  if (!row.cost) return;
+  double cost = 0;
+  for (const HeldTime& held : account.holds) {
+    cost += cost_of(rate_of(trace.scene, held.resource), held.held);
+  }
+  if (same_money(*row.cost, cost, cent)) return;
+  check.fault(fmt::format("the cost is {}, of its robot and crews {}", *row.cost, cost));
+}
+
+void check_uses(const Trace& trace, const std::vector<TaskRun>& runs,
+                const std::vector<TaskAccount>& accounts, const WorkingHours& hours,
+                const ScheduleJson& schedule, Faults& faults) {
+  const Scene& scene = trace.scene;
+  if (scene.short_form) return;
+  const auto whole = [&](std::string text) {
+    faults.push_back({FaultKind::schedule, ResultFile::schedule_json, 0, "", -1, std::move(text)});
+  };
+  const std::size_t robots = scene.robots.size();
+  std::vector<Use> uses(robots + scene.crews.size());
+  for (const TaskAccount& account : accounts) {
+    std::set<int> had;
+    for (const HeldTime& held : account.holds) {
+      Use& use = uses[at(held.resource)];
+      use.held += held.held;
+      use.work += held.work;
+      if (had.insert(held.resource).second) ++use.tasks;
+    }
+  }
+  if (schedule.uses.size() != uses.size()) {
+    whole(fmt::format("{} robots and crews, in the plan {}", schedule.uses.size(), uses.size()));
+    return;
+  }
+  const Ticks end = last_end(runs);
+  double total = 0;
+  bool costed = false;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const int resource = static_cast<int>(i);
+    const UseRow& row = schedule.uses[i];
+    UseCheck check(row, faults);
+    if (row.name != resource_name(scene, resource)) {
+      check.fault(fmt::format("expected {} here", resource_name(scene, resource)));
+      continue;
+    }
+    Ticks busy = i < robots ? 0 : uses[i].work;
+    if (i < robots) {
+      for (const ScheduleRow& task : schedule.rows) {
+        if (task.robot == row.name) busy += task.split.motion;
+      }
+    }
+    const Ticks shifts = hours.between(calendar_of_resource(scene, resource), 0, end);
+    check.number("the number of tasks", row.tasks, uses[i].tasks);
+    check.time("the time held", row.held, uses[i].held);
+    check.time("the time busy", row.busy, busy);
+    check.time("the time of its shifts", row.shifts, shifts);
+    check.number("the utilisation", row.utilisation,
+                 shifts > 0 ? static_cast<double>(row.held) / static_cast<double>(row.shifts) : 0);
+    const double rate = rate_of(scene, resource);
+    const double cost = cost_of(rate, uses[i].held);
+    total += cost;
+    costed = costed || row.cost.has_value();
+    if (schedule.cost || row.rate) check.number("the rate", row.rate.value_or(0), rate);
+    if (schedule.cost || row.cost) check.number("the cost", row.cost.value_or(0), cost);
+  }
+  const bool some_rate = total > 0 || costed;
+  if (some_rate && !same_money(schedule.cost.value_or(0), total, 0)) {
+    whole(fmt::format("the whole costs {}, its robots and crews {}", schedule.cost.value_or(0),
+                      total));
+  }
+}
+
+}  // namespace rubicon::verify

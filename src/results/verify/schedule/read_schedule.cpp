@@ -1,0 +1,197 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "src/results/verify/input/json_fields.hpp"
+#include "src/results/verify/schedule/schedule_row.hpp"
+
+namespace rubicon::verify {
+
+namespace {
+
+/// The lines of a text in which objects stand in lines of their own, in order.
+class LineFinder {
+ public:
+  explicit LineFinder(const std::string& text) : text_(text) {}
+
+  /// The line of the next object with this member.
+  int next(const char* member, const std::string& value) {
+    const std::string wanted = fmt::format("\"{}\":", member) +
+                               Json(value).dump(-1, ' ', false, Json::error_handler_t::replace);
+    const std::size_t found = text_.find(wanted, place_);
+    if (found == std::string::npos) return line_;
+    line_ += static_cast<int>(std::count(text_.begin() + static_cast<std::ptrdiff_t>(place_),
+                                         text_.begin() + static_cast<std::ptrdiff_t>(found), '\n'));
+    place_ = found;
+    return line_;
+  }
+
+ private:
+  const std::string& text_;
+  std::size_t place_ = 0;
+  int line_ = 1;
+};
+
+/// Splits a CSV text (RFC 4180) into rows of fields, with the line of each row.
+class CsvReader {
+ public:
+  explicit CsvReader(const std::string& text) : text_(text) {}
+
+  bool next(std::vector<std::string>& row, int& line) {
+    if (at_ >= text_.size()) return false;
+    row.clear();
+    line = line_;
+    do {
+      row.push_back(field());
+    } while (take(','));
+    take('\r');
+    if (!take('\n') && at_ < text_.size()) {
+      throw UnreadableInput(fmt::format("{}: expected the end of the line", line_));
+    }
+    ++line_;
+    return true;
+  }
+
+ private:
+  bool take(char wanted) {
+    if (at_ >= text_.size() || text_[at_] != wanted) return false;
+    ++at_;
+    return true;
+  }
+
+  std::string field() {
+    std::string value;
+    if (!take('"')) {
+      while (at_ < text_.size() && text_[at_] != ',' && text_[at_] != '\n' && text_[at_] != '\r') {
+        value += text_[at_++];
+      }
+      return value;
+    }
+    while (at_ < text_.size()) {
+      const char c = text_[at_++];
+      if (c == '\n') ++line_;
+      if (c == '"' && !take('"')) return value;
+      value += c;
+    }
+    throw UnreadableInput(fmt::format("{}: expected a closing quote", line_));
+  }
+
+  const std::string& text_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+};
+
+/// Seconds or attempts in a table; more is none.
+constexpr double kLargest = 2e9;
+
+double number_in(const std::string& field, int line) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc() || end != field.data() + field.size() ||
+      !(std::fabs(value) < kLargest)) {
+    throw UnreadableInput(fmt::format("{}: expected a number, found '{}'", line, field));
+  }
+  return value;
+}
+
+Ticks ticks_of(double seconds) {
+  return static_cast<Ticks>(std::floor(seconds * static_cast<double>(kSecond) + 0.5));
+}
+
+std::optional<double> number_if_any(const JsonFields& fields, const char* name) {
+  return fields.has(name) ? std::optional(fields.number(name)) : std::nullopt;
+}
+
+ScheduleRow read_row(const JsonFields& fields) {
+  ScheduleRow row;
+  row.task = fields.text("task");
+  row.robot = fields.text("robot");
+  row.crew = fields.text("crew");
+  row.start = fields.time("start");
+  row.duration = fields.time("duration");
+  const JsonFields waited = fields.object("waited");
+  row.split = {fields.time("motion"),   fields.time("work"),    waited.time("predecessor"),
+               waited.time("resource"), waited.time("machine"), waited.time("shift")};
+  row.cost = number_if_any(fields, "cost");
+  row.tried = fields.integer("tried");
+  row.accepted = fields.integer("accepted");
+  row.result = fields.text("result");
+  row.reason = fields.text("reason");
+  return row;
+}
+
+UseRow read_use(const JsonFields& fields) {
+  UseRow use;
+  use.name = fields.text("name");
+  use.tasks = fields.integer("tasks");
+  use.held = fields.time("held");
+  use.busy = fields.time("busy");
+  use.shifts = fields.time("shifts");
+  use.utilisation = fields.number("utilisation");
+  use.rate = number_if_any(fields, "cost_per_hour");
+  use.cost = number_if_any(fields, "cost");
+  return use;
+}
+
+}  // namespace
+
+ScheduleJson read_schedule_json(const std::string& text) {
+  const Json json = parse_json(text);
+  const JsonFields schedule(json, "the schedule");
+  ScheduleJson read;
+  read.process_time = schedule.time("process_time");
+  read.cost = number_if_any(schedule, "cost");
+  LineFinder lines(text);
+  for (const Json& object : schedule.array("tasks")) {
+    read.rows.push_back(read_row(JsonFields(object, "a task of the schedule")));
+    read.rows.back().line = lines.next("task", read.rows.back().task);
+  }
+  for (const Json& object : schedule.array("resources")) {
+    read.uses.push_back(read_use(JsonFields(object, "a robot or crew of the schedule")));
+    read.uses.back().line = lines.next("name", read.uses.back().name);
+  }
+  return read;
+}
+
+std::vector<ScheduleRow> read_schedule_csv(const std::string& text) {
+  CsvReader reader(text);
+  std::vector<std::string> fields;
+  int line = 0;
+  if (!reader.next(fields, line)) throw UnreadableInput("1: expected a line of column names");
+  std::map<std::string, std::size_t> columns;
+  for (std::size_t i = 0; i < fields.size(); ++i) columns[fields[i]] = i;
+  const auto field = [&](const char* name) {
+    const auto column = columns.find(name);
+    if (column == columns.end() || column->second >= fields.size()) {
+      throw UnreadableInput(fmt::format("{}: expected a column '{}'", line, name));
+    }
+    return fields[column->second];
+  };
+  const auto ticks = [&](const char* name) { return ticks_of(number_in(field(name), line)); };
+  std::vector<ScheduleRow> rows;
+  while (reader.next(fields, line)) {
+    ScheduleRow row;
+    row.line = line;
+    row.task = field("task");
+    row.robot = field("robot");
+    row.crew = field("crew");
+    row.start = ticks("start");
+    row.duration = ticks("duration");
+    row.split = {ticks("motion"),          ticks("work"),           ticks("waited_predecessor"),
+                 ticks("waited_resource"), ticks("waited_machine"), ticks("waited_shift")};
+    if (!field("cost").empty()) row.cost = number_in(field("cost"), line);
+    row.tried = static_cast<int>(number_in(field("tried"), line));
+    row.accepted = static_cast<int>(number_in(field("accepted"), line));
+    row.result = field("result");
+    row.reason = field("reason");
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace rubicon::verify

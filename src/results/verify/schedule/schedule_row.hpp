@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/results/verify/input/fault.hpp"
+
+namespace rubicon::verify {
+
+/// Where the time of a task went, from the beginning of the plan to its finish.
+struct TimeSplit {
+  Ticks motion = 0;
+  Ticks work = 0;
+  Ticks predecessor = 0;  ///< waiting, as the next three
+  Ticks resource = 0;
+  Ticks machine = 0;
+  Ticks shift = 0;
+};
+
+/// One row of a schedule, as a file tells it.
+struct ScheduleRow {
+  int line = 0;
+  std::string task, robot, crew, result, reason;
+  Ticks start = 0;
+  Ticks duration = 0;
+  TimeSplit split;
+  std::optional<double> cost;
+  int tried = 0;
+  int accepted = 0;
+};
+
+/// What schedule.json tells of a robot or a crew.
+struct UseRow {
+  int line = 0;
+  std::string name;
+  int tasks = 0;
+  Ticks held = 0;
+  Ticks busy = 0;
+  Ticks shifts = 0;
+  double utilisation = 0;
+  std::optional<double> rate;
+  std::optional<double> cost;
+};
+
+/// The rows of schedule.json, when the last task ends and what all costs.
+struct ScheduleJson {
+  std::vector<ScheduleRow> rows;
+  std::vector<UseRow> uses;
+  Ticks process_time = 0;
+  std::optional<double> cost;
+};
+
+/// Throws UnreadableInput.
+ScheduleJson read_schedule_json(const std::string& text);
+
+/// The rows of schedule.csv; throws UnreadableInput. Columns that are not known are left out.
+std::vector<ScheduleRow> read_schedule_csv(const std::string& text);
+
+}  // namespace rubicon::verify

@@ -1,0 +1,100 @@
+#include "src/results/verify/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "src/results/verify/replay/contact_check.hpp"
+#include "src/results/verify/schedule/check_accounts.hpp"
+#include "src/results/verify/schedule/check_links.hpp"
+#include "src/results/verify/schedule/check_resources.hpp"
+#include "src/results/verify/schedule/check_schedule.hpp"
+#include "src/results/verify/schedule/check_shifts.hpp"
+#include "src/results/verify/schedule/check_waits.hpp"
+#include "src/results/verify/schedule/task_clock.hpp"
+#include "src/results/verify/schedule/task_phases.hpp"
+
+namespace rubicon::verify {
+
+namespace {
+
+/// When everything is over, and a second more, so that what happens last lasts.
+Ticks end_of(const Trace& trace) {
+  Ticks last = 0;
+  for (const Record& record : trace.records) last = std::max(last, record.time);
+  return last + kSecond;
+}
+
+void check_motions(const Trace& trace, const std::vector<TaskRun>& runs, Verdict& verdict) {
+  const Ticks until = end_of(trace);
+  std::vector<RobotTrack> tracks;
+  std::vector<LoadEvent> events;
+  for (std::size_t robot = 0; robot < trace.scene.robots.size(); ++robot) {
+    tracks.push_back(
+        follow_robot(trace, runs, static_cast<int>(robot), until, events, verdict.faults));
+  }
+  const std::vector<Stay> stays =
+      component_stays(trace, runs, tracks, events, until, verdict.faults);
+  const SiteParts site = make_site_parts(trace, runs, stays, until);
+  const ContactCounts counts = check_contacts(trace, runs, tracks, site, verdict.faults);
+  verdict.steps = counts.steps;
+  verdict.pairs = counts.pairs;
+}
+
+template <typename Read>
+auto read_file(const char* name, const Read& read) {
+  try {
+    return read();
+  } catch (const UnreadableInput& error) {
+    throw UnreadableInput(fmt::format("{}: {}", name, error.what()));
+  }
+}
+
+void check_schedules(const Result& result, const std::vector<TaskRun>& runs,
+                     const WorkingHours& hours, const WaitCheck& waits, Faults& faults) {
+  const std::vector<TaskAccount> accounts = task_accounts(result.trace, runs, hours);
+  if (result.schedule_json) {
+    const ScheduleJson schedule =
+        read_file("schedule.json", [&] { return read_schedule_json(*result.schedule_json); });
+    check_rows(result.trace, runs, accounts, waits, schedule.rows, ResultFile::schedule_json,
+               faults);
+    check_uses(result.trace, runs, accounts, hours, schedule, faults);
+    check_process_time(runs, schedule.process_time, faults);
+  }
+  if (result.schedule_csv) {
+    const auto rows =
+        read_file("schedule.csv", [&] { return read_schedule_csv(*result.schedule_csv); });
+    check_rows(result.trace, runs, accounts, waits, rows, ResultFile::schedule_csv, faults);
+  }
+}
+
+}  // namespace
+
+Verdict verify(const Result& result) {
+  const Trace& trace = result.trace;
+  Verdict verdict;
+  const std::vector<TaskRun> runs = task_runs(trace, verdict.faults);
+  const WorkingHours hours(trace.scene);
+  const WaitCheck waits(trace, runs, hours);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const TaskRun& run = runs[i];
+    check_clock(trace, run, verdict.faults);
+    check_phases(trace, run, verdict.faults);
+    check_shifts(trace, run, hours, verdict.faults);
+    waits.check_pauses(static_cast<int>(i), verdict.faults);
+    if (run.task >= 0 && run.result == TaskResult::done) ++verdict.done;
+  }
+  verdict.tasks = static_cast<int>(trace.scene.tasks.size());
+  check_resources(trace, runs, verdict.faults);
+  check_links(trace, runs, verdict.faults);
+  check_motions(trace, runs, verdict);
+  check_schedules(result, runs, hours, waits, verdict.faults);
+  std::stable_sort(verdict.faults.begin(), verdict.faults.end(),
+                   [](const Fault& a, const Fault& b) {
+                     return std::tie(a.file, a.line, a.text) < std::tie(b.file, b.line, b.text);
+                   });
+  return verdict;
+}
+
+}  // namespace rubicon::verify

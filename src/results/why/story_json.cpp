@@ -1,0 +1,70 @@
+#include <nlohmann/json.hpp>
+
+#include "src/results/why/story_text.hpp"
+
+namespace rubicon::why {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json pose_json(const Configuration& q) {
+  ordered_json result = ordered_json::object();
+  for (const auto& [name, value] : q) result[name] = value;
+  return result;
+}
+
+ordered_json attempt_json(const Attempt& attempt) {
+  ordered_json result = {
+      {"step", attempt.n},       {"command", attempt.command}, {"parameters", attempt.parameters},
+      {"file", attempt.file},    {"line", attempt.line},       {"ok", attempt.ok},
+      {"reason", attempt.reason}};
+  if (!attempt.met.empty()) result["hit"] = {attempt.moved, attempt.met};
+  return result;
+}
+
+ordered_json motion_json(const Motion& motion) {
+  ordered_json result = {
+      {"what", motion.what},     {"from", motion.from},         {"to", motion.to},
+      {"tries", motion.tries},   {"accepted", motion.accepted}, {"reached", motion.reached},
+      {"status", motion.status}, {"message", motion.message},   {"hits", motion.hits}};
+  if (motion.first_hit) {
+    result["first_hit"] = attempt_json(*motion.first_hit);
+    result["first_hit"]["q"] = pose_json(motion.first_hit_at);
+  }
+  result["last"] = ordered_json::array();
+  for (const Attempt& attempt : motion.last) result["last"].push_back(attempt_json(attempt));
+  result["q"] = pose_json(motion.at_end);
+  return result;
+}
+
+}  // namespace
+
+std::string story_json(const TaskStory& story) {
+  ordered_json result = {{"task", story.task},         {"robot", story.robot},
+                         {"result", story.run.result}, {"reason", story.run.reason},
+                         {"start", story.run.start},   {"end", story.run.end}};
+  if (story.start_at) result["start_at"] = *story.start_at;
+  result["motions"] = ordered_json::array();
+  for (const Motion& motion : story.motions) result["motions"].push_back(motion_json(motion));
+  result["works"] = ordered_json::array();
+  for (const Span& work : story.works) {
+    result["works"].push_back({{"what", work.what},
+                               {"crew", work.whom},
+                               {"from", work.from},
+                               {"to", work.to},
+                               {"time", work.time}});
+  }
+  result["pauses"] = ordered_json::array();
+  for (const Span& pause : story.pauses) {
+    result["pauses"].push_back(
+        {{"why", pause.what}, {"for", pause.whom}, {"from", pause.from}, {"to", pause.to}});
+  }
+  result["waits"] = ordered_json::array();
+  for (const WaitStep& step : story.waits) {
+    result["waits"].push_back({{"task", step.task}, {"start", step.start}, {"text", step.text}});
+  }
+  return result.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace rubicon::why

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/results/why/task_story.hpp"
+#include "src/simulation/trace/trace_sink.hpp"
+
+namespace rubicon::why {
+
+/// Reads a trace line by line and keeps what concerns one task, and when all others were done.
+class StoryReader : public trace::TraceSink {
+ public:
+  explicit StoryReader(std::string task);
+
+  /// Throws std::invalid_argument, with a message for the user, for what is no line of a trace.
+  void line(std::string_view text) override;
+  void restart() override;
+
+  /// The names of the plan's tasks.
+  std::vector<std::string> tasks() const;
+  bool has_task() const;
+  /// Whether a header was read.
+  bool has_header() const { return has_header_; }
+
+  /// Once all lines are read.
+  TaskStory story() const;
+
+ private:
+  void read_header(const nlohmann::json& record);
+  void read_own(const std::string& type, const nlohmann::json& record);
+  void read_try(const nlohmann::json& record);
+  Motion& motion(double from);
+  std::string purpose() const;
+  void keep(Motion& in, Attempt attempt);
+
+  std::string task_;
+  TaskStory story_;
+  bool has_header_ = false;
+  std::map<std::string, TaskRun> runs_;
+  std::vector<std::string> order_;
+  std::string move_;  ///< the component it moves
+  bool carries_ = false;
+  int carried_motions_ = 0;
+  bool in_motion_ = false;
+  double time_ = 0;                   ///< of its last record
+  std::vector<std::string> blocked_;  ///< the parameters that something is in the way of
+};
+
+}  // namespace rubicon::why

@@ -1,0 +1,146 @@
+#include "src/results/why/story_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "src/results/report/schedule_text.hpp"
+
+namespace rubicon::why {
+
+namespace {
+
+/// Of a long chain of waits the last are shown.
+constexpr std::size_t kShownWaits = 15;
+
+interpreter::Ticks ticks(double seconds) { return std::llround(seconds * 1e9); }
+
+std::string span_text(double seconds) { return report::clock_text(ticks(seconds)); }
+
+std::string moment(const TaskStory& story, double time) {
+  return story.start_at ? report::moment_text(*story.start_at, ticks(time)) : span_text(time);
+}
+
+std::string pose_text(const Configuration& q) {
+  std::string text;
+  for (const auto& [name, value] : q) {
+    text += fmt::format("{}{} {:g}", text.empty() ? "" : ", ", name, value);
+  }
+  return text;
+}
+
+std::string command_text(const Attempt& attempt) {
+  std::string text = fmt::format("{}({})", attempt.command, fmt::join(attempt.parameters, ", "));
+  if (attempt.line > 0) text += fmt::format(" in {}, line {}", attempt.file, attempt.line);
+  return text;
+}
+
+std::string outcome_text(const Attempt& attempt) {
+  if (attempt.ok) return "made";
+  if (!attempt.met.empty()) return fmt::format("{} meets {}", attempt.moved, attempt.met);
+  if (attempt.reason == "at goal") return "is there already";
+  if (attempt.reason == "no direction") return "has no direction";
+  if (attempt.reason.starts_with("limit ")) return "is at the limit of " + attempt.reason.substr(6);
+  return attempt.reason;
+}
+
+/// What was tried, and how often it ended in the same way, in the order in which it came first.
+std::string tried_text(const Motion& motion) {
+  struct Tried {
+    std::string text;
+    int first = 0;
+    int count = 0;
+  };
+  std::vector<Tried> all;
+  for (const Attempt& attempt : motion.last) {
+    const std::string text = command_text(attempt) + ": " + outcome_text(attempt);
+    const auto known =
+        std::find_if(all.begin(), all.end(), [&](const Tried& each) { return each.text == text; });
+    if (known == all.end()) {
+      all.push_back({text, attempt.n, 1});
+    } else {
+      ++known->count;
+    }
+  }
+  std::string text;
+  for (const Tried& each : all) {
+    text += fmt::format("      step {}: {}{}\n", each.first, each.text,
+                        each.count > 1 ? fmt::format(", {} times", each.count) : "");
+  }
+  return text;
+}
+
+std::string motion_text(const TaskStory& story, const Motion& motion) {
+  std::string text = fmt::format("  {}, from {} to {}: {} steps tried, {} made", motion.what,
+                                 moment(story, motion.from), moment(story, motion.to), motion.tries,
+                                 motion.accepted);
+  if (motion.reached) return text + ", reached\n";
+  const bool on_purpose = story.run.result == "done" && motion.status == "done";
+  text += fmt::format("; {}{}\n", on_purpose ? "it ended short, as it may: " : "",
+                      motion.message.empty() ? motion.status : motion.message);
+  if (motion.first_hit) {
+    text += fmt::format("    first blocked at step {}: {}: {}\n      there {}\n",
+                        motion.first_hit->n, command_text(*motion.first_hit),
+                        outcome_text(*motion.first_hit), pose_text(motion.first_hit_at));
+  }
+  if (!motion.last.empty()) text += "    what it tried there:\n" + tried_text(motion);
+  if (!motion.at_end.empty()) text += fmt::format("    it ended at {}\n", pose_text(motion.at_end));
+  return text;
+}
+
+std::string pause_text(const Span& pause) {
+  if (pause.what == "machine") return pause.whom + " was in the way";
+  if (pause.what == "crew") return "waited for " + pause.whom;
+  if (pause.what == "held") return "was done, and held by its link to " + pause.whom;
+  return "out of shift";
+}
+
+std::string waits_text(const TaskStory& story) {
+  std::string text;
+  const std::size_t count = story.waits.size();
+  const std::size_t first = count > kShownWaits ? count - kShownWaits : 0;
+  if (first > 0) text += fmt::format("  ... {} before\n", first);
+  for (std::size_t i = first; i < count; ++i) {
+    text += fmt::format("  {}  {}\n", moment(story, story.waits[i].start), story.waits[i].text);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string story_text(const TaskStory& story) {
+  const TaskRun& run = story.run;
+  std::string text = fmt::format("{} is {}", story.task, run.result);
+  if (!run.reason.empty()) text += ": " + run.reason;
+  text += "\n";
+  if (run.result == "not reached") return text;
+  if (run.result == "done") {
+    double work = 0;
+    for (const Span& each : story.works) work += each.time;
+    double moved = 0;
+    for (const Motion& each : story.motions) moved += each.to - each.from;
+    text += fmt::format("  from {} to {}, {}: motion {}, crew work {}\n", moment(story, run.start),
+                        moment(story, run.end), span_text(run.end - run.start), span_text(moved),
+                        span_text(work));
+  } else {
+    text += fmt::format("  it would have begun at {}; it was undone\n", moment(story, run.start));
+  }
+  if (story.detail != "steps" && !story.robot.empty()) {
+    text +=
+        "  the trace has no single steps: run with --trace-detail steps to see what was tried\n";
+  }
+  for (const Span& pause : story.pauses) {
+    text += fmt::format("  {} from {}: {}\n", span_text(pause.to - pause.from),
+                        moment(story, pause.from), pause_text(pause));
+  }
+  for (const Motion& motion : story.motions) {
+    if (motion.tries > 0 || !motion.reached) text += motion_text(story, motion);
+  }
+  if (!story.waits.empty()) text += "why it began when it did:\n" + waits_text(story);
+  return text;
+}
+
+}  // namespace rubicon::why

@@ -1,0 +1,158 @@
+#include "src/simulation/schedule/critical_chain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <tuple>
+
+namespace rubicon::schedule {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+std::string duration_text(Ticks ticks) {
+  if (ticks % kHour == 0) return fmt::format("{} h", ticks / kHour);
+  if (ticks % kMinute == 0) return fmt::format("{} min", ticks / kMinute);
+  return fmt::format("{} s", static_cast<double>(ticks) / static_cast<double>(kSecond));
+}
+
+std::string link_text(const Link& link) {
+  std::string text = name_of(link.type);
+  if (link.lag != 0) {
+    text += link.lag > 0 ? " + " : " - ";
+    text += duration_text(link.lag > 0 ? link.lag : -within_time(link.lag));
+    if (link.clock == LagClock::working) text += " of work";
+  }
+  return text;
+}
+
+/// What is followed back: the start of a task, its finish, or a moment between at which it let
+/// something go.
+enum class Moment { start, midway, finish };
+struct Event {
+  int task = -1;
+  Moment moment = Moment::finish;
+  Ticks time = 0;
+};
+
+ChainStep step_of(const Network& network, const TaskTimes& own, const Event& event) {
+  ChainStep step;
+  step.task = event.task;
+  step.work_counts = event.moment != Moment::start && network.tasks[at(event.task)].work > 0;
+  if (event.moment == Moment::finish && own.finish_link >= 0) {
+    step.at_finish = true;
+    step.work_counts = false;
+    step.held = Held::link;
+    step.link = own.finish_link;
+    step.wanted = own.finish;
+    return step;
+  }
+  for (auto wait = own.mid_waits.rbegin(); wait != own.mid_waits.rend(); ++wait) {
+    if (event.moment == Moment::start || wait->until > event.time) continue;
+    step.midway = true;
+    step.held = wait->held;
+    step.resource = wait->resource;
+    step.task_before = wait->task_before;
+    step.wanted = wait->until;
+    return step;
+  }
+  step.held = own.held;
+  step.link = own.link;
+  step.resource = own.resource;
+  step.task_before = own.task_before;
+  step.wanted = own.wanted;
+  step.out_of_shift = own.start - own.wanted;
+  step.first_gain = own.first_gain;
+  return step;
+}
+
+/// The event that held a step; none for the first. Sets the step's task before.
+Event cause_of(const Network& network, const NetworkTimes& times, ChainStep& step) {
+  if (step.held == Held::link) {
+    const Link& link = network.tasks[at(step.task)].after[at(step.link)];
+    step.task_before = link.task;
+    const TaskTimes& before = times.tasks[at(link.task)];
+    // Work that is known tells its finish when it starts.
+    const TaskTimes& own = times.tasks[at(step.task)];
+    const bool told_at_start = !step.at_finish && own.known_late && before.finish > own.ready;
+    if (end_before(link.type) == TaskEnd::start || told_at_start) {
+      return {link.task, Moment::start, before.start};
+    }
+    return {link.task, Moment::finish, before.finish};
+  }
+  if (step.task_before < 0) return {};
+  const bool midway = step.midway || times.tasks[at(step.task)].given_back_midway;
+  return {step.task_before, midway ? Moment::midway : Moment::finish, step.wanted};
+}
+
+}  // namespace
+
+std::vector<ChainStep> critical_chain(const Network& network, const NetworkTimes& times) {
+  std::vector<ChainStep> chain;
+  const auto last =
+      std::max_element(times.tasks.begin(), times.tasks.end(),
+                       [](const TaskTimes& a, const TaskTimes& b) { return a.finish < b.finish; });
+  if (last == times.tasks.end()) return chain;
+  Event event{static_cast<int>(last - times.tasks.begin()), Moment::finish, last->finish};
+  // Every event is earlier than the one it led to, or at the same moment another one.
+  std::set<std::tuple<int, Moment, Ticks>> seen;
+  while (event.task >= 0 && seen.emplace(event.task, event.moment, event.time).second) {
+    chain.push_back(step_of(network, times.tasks[at(event.task)], event));
+    event = cause_of(network, times, chain.back());
+  }
+  std::reverse(chain.begin(), chain.end());
+  return chain;
+}
+
+ChainStep start_step(const Network& network, int task, const TaskTimes& times) {
+  ChainStep step = step_of(network, times, {task, Moment::start, times.start});
+  step.work_counts = true;
+  if (step.held == Held::link) step.task_before = network.tasks[at(task)].after[at(step.link)].task;
+  return step;
+}
+
+std::string text_of(const Network& network, const ChainStep& step) {
+  const NetworkTask& task = network.tasks[at(step.task)];
+  std::string text = task.name;
+  if (step.held == Held::plan_start) {
+    text += " starts with the plan";
+  } else if (step.held == Held::asked) {
+    text += fmt::format(" starts because {} asks for it", network.tasks[at(step.task_before)].name);
+  } else if (step.midway || step.held == Held::machine) {
+    text += step.midway ? " waits on its way for " : " starts after it waited for ";
+    const std::string before =
+        step.task_before >= 0 ? network.tasks[at(step.task_before)].name : std::string();
+    if (step.resource < 0) {
+      text += "the zone of " + before;
+    } else {
+      text += fmt::format("'{}'", network.resources[at(step.resource)].name);
+      if (!before.empty()) text += fmt::format(", which {} had", before);
+      if (step.held == Held::machine) text += ", to be out of the way";
+    }
+  } else if (step.held == Held::resource) {
+    text += fmt::format(" starts when '{}' is free, which {} had",
+                        network.resources[at(step.resource)].name,
+                        network.tasks[at(step.task_before)].name);
+  } else {
+    const Link& link = task.after[at(step.link)];
+    const std::string& before = network.tasks[at(link.task)].name;
+    if (step.at_finish) {
+      text += " finishes";
+    } else if (end_after(link.type) == TaskEnd::finish) {
+      text += " starts so that it finishes";
+    } else {
+      text += " starts";
+    }
+    text += fmt::format(" after {} ({})", before, link_text(link));
+  }
+  if (step.out_of_shift > 0) {
+    text += fmt::format(", {} later: the next shift", duration_text(step.out_of_shift));
+  }
+  if (!step.work_counts && task.work > 0) text += "; its own work does not count";
+  return text;
+}
+
+}  // namespace rubicon::schedule

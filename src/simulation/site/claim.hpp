@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "src/motion/collision/query/swept_volume.hpp"
+
+namespace rubicon::site {
+
+/// By how much the volume of a step may be larger than what is swept (m): a share of the contact
+/// tolerance, so that what only touches stays free. Consequence: false hits only where two machines
+/// come nearer than this to the tolerance.
+inline constexpr double kClaimGrowthShare = 0.25;
+/// But not less (m): below it the slices of a step become too many.
+inline constexpr double kLeastClaimGrowth = 1e-5;
+
+double claim_growth(double contact_tolerance);
+
+/// One body of a claim, over a step or standing (m, world).
+struct ClaimPart {
+  collision::BodyPtr body;
+  geometry::Motion motion;
+  int part = 0;  ///< the owner's number for it
+};
+
+/// The volume that belongs to one owner: where a machine stands, all that it sweeps while a step of
+/// it lasts, or a zone.
+class Claim {
+ public:
+  Claim(std::vector<ClaimPart> parts, double growth);
+
+  /// Which body of the query meets which part of the claim.
+  struct Hit {
+    int item = 0;
+    int part = 0;
+  };
+  /// The first such pair: by the items of the query, then by the parts.
+  std::optional<Hit> meets(collision::MovingBodies& bodies) const;
+
+ private:
+  struct Part {
+    collision::SweptVolume volume;
+    int part = 0;
+  };
+  std::vector<Part> parts_;
+  collision::Bounds bounds_;
+};
+
+}  // namespace rubicon::site

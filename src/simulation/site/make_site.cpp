@@ -1,0 +1,51 @@
+#include "src/simulation/site/make_site.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <stdexcept>
+
+namespace rubicon::site {
+
+namespace {
+
+collision::BodyPtr prepare_named(const std::vector<geometry::Shape>& shapes,
+                                 const std::string& name) {
+  if (shapes.empty()) return nullptr;
+  try {
+    return collision::prepare(shapes);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("the shape of {}: {}", name, error.what()));
+  }
+}
+
+}  // namespace
+
+SiteWorld make_site(const interpreter::PlanModel& plan) {
+  SiteWorld site(plan.contact);
+  for (std::size_t i = 0; i < plan.site.size(); ++i) {
+    const std::string name = plan.site.size() == 1 ? "site" : fmt::format("site {}", i + 1);
+    site.add_obstacle(name, prepare_named({plan.site[i]}, name), math::Pose::Identity());
+  }
+  for (const interpreter::ComponentSpec& component : plan.components) {
+    site.add_component(component.name, prepare_named(component.shapes, component.name),
+                       component.X_WO, component.mass);
+  }
+  std::map<const interpreter::CheckedRobot*, std::vector<collision::BodyPtr>> prepared;
+  for (const interpreter::RobotSpec& spec : plan.robots) {
+    const std::shared_ptr<const robot::RobotModel> model(spec.robot, &spec.robot->model);
+    const robot::Mounting mounting{spec.X_WM, spec.start};
+    std::vector<double> q = spec.start;
+    robot::update_derived(*model, mounting, q);
+    robot::normalise(*model, q);
+    SiteRobot machine = make_site_robot(spec.name, model, mounting, prepared[spec.robot.get()]);
+    prepared[spec.robot.get()] = machine.bodies;
+    site.add_robot(std::move(machine), std::move(q));
+  }
+  if (!plan.carry.empty() && !plan.robots.empty()) {
+    site.attach_carry(0, prepare_named(plan.carry, "the load"));
+  }
+  return site;
+}
+
+}  // namespace rubicon::site

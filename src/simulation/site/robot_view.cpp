@@ -1,0 +1,203 @@
+#include "src/simulation/site/robot_view.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "src/motion/math/angles.hpp"
+#include "src/simulation/site/load_chart.hpp"
+
+namespace rubicon::site {
+
+namespace {
+
+/// m: how exactly `free` is found. Far below every contact tolerance in use; each halving costs a
+/// query.
+constexpr double kFreeDistanceResolution = 1e-6;
+
+/// m: rounding of a radius along a step that keeps it. A load at the limit of its chart must still
+/// be allowed to turn.
+constexpr double kRadiusRounding = 1e-9;
+
+}  // namespace
+
+std::optional<interpreter::HitPair> RobotView::propose(const interpreter::MotionStep& step) {
+  if (auto pair = refusal(step)) return pair;
+  std::vector<double> q(step.q_to.begin(), step.q_to.end());
+  robot::normalise(*robot().model, q);
+  site_.begin_step(index_, step, std::move(q));
+  return std::nullopt;
+}
+
+bool RobotView::would_accept(const interpreter::MotionStep& step) const { return !refusal(step); }
+
+bool RobotView::situation(const std::string& name) const {
+  const auto& load = site_.load(index_);
+  return load && load->component >= 0 && name == "transport";
+}
+
+bool RobotView::nothing_to_meet() const {
+  return !site_.has_obstacles() && robot().own_pairs.empty() && !site_.load(index_) &&
+         !site_.has_others(index_);
+}
+
+std::optional<interpreter::HitPair> RobotView::refusal(const interpreter::MotionStep& step) const {
+  if (nothing_to_meet()) return std::nullopt;
+  if (auto pair = swept_hit(step)) return pair;
+  return overload(step);
+}
+
+/// The load chart: a load heavier than the chart allows may only come nearer in.
+std::optional<interpreter::HitPair> RobotView::overload(const interpreter::MotionStep& step) const {
+  const SiteRobot& machine = robot();
+  const auto& load = site_.load(index_);
+  if (!load || load->mass <= 0 || machine.model->capacity.empty()) return std::nullopt;
+  const auto radius = [&](std::span<const double> q) {
+    return chart_radius(machine.mounting.X_WM,
+                        robot::tool_pose(*machine.model, machine.mounting, q).translation());
+  };
+  const double after = radius(step.q_to);
+  if (after <= radius(step.q_from) + kRadiusRounding) return std::nullopt;
+  if (load->mass <= capacity_at(machine.model->capacity, after)) return std::nullopt;
+  return interpreter::HitPair{load->name, "the load chart of " + machine.name};
+}
+
+/// Name of a moving part: a body, or after the last body the load.
+const std::string& RobotView::part_name(int part) const {
+  const auto& names = robot().body_names;
+  return static_cast<std::size_t>(part) < names.size() ? names[static_cast<std::size_t>(part)]
+                                                       : site_.load(index_)->name;
+}
+
+std::optional<interpreter::HitPair> RobotView::swept_hit(
+    const interpreter::MotionStep& step) const {
+  const StepQuery query(robot(), site_.load(index_), step.q_from, step.q_to,
+                        site_.contact_tolerance(), site_.has_obstacles());
+  if (query.query().items.empty()) return std::nullopt;
+  if (auto pair = own_hit(query)) return pair;
+  return others_hit(query);
+}
+
+/// Obstacles and own pairs.
+std::optional<interpreter::HitPair> RobotView::own_hit(const StepQuery& step) const {
+  const collision::SweptResult result = site_.obstacles().test(step.query(), budget_);
+  if (!result.hit) return std::nullopt;
+  int moved = step.part_of(result.hit->item);
+  if (result.hit->obstacle) {
+    return interpreter::HitPair{part_name(moved), site_.obstacle_name(*result.hit->obstacle)};
+  }
+  int met = step.part_of(result.hit->other_item.value_or(0));
+  const bool first_is_load = static_cast<std::size_t>(moved) == robot().bodies.size();
+  if (!first_is_load && !step.moves(moved)) std::swap(moved, met);
+  return interpreter::HitPair{part_name(moved), part_name(met)};
+}
+
+/// Zones, then other machines.
+std::optional<interpreter::HitPair> RobotView::others_hit(const StepQuery& step) const {
+  if (!site_.has_others(index_)) return std::nullopt;
+  const collision::SweptQuery query = step.against_others();
+  collision::MovingBodies bodies(query);
+  auto met = site_.first_zone_met(index_, bodies);
+  if (!met) met = site_.first_machine_met(index_, bodies, false);
+  if (!met) return std::nullopt;
+  return interpreter::HitPair{part_name(step.part_of_mover(met->item)), met->name, met->machine,
+                              met->zone_task};
+}
+
+/// The robot's bodies and its load, standing at q.
+std::vector<ClaimPart> RobotView::parts_at(std::span<const double> q) const {
+  const SiteRobot& machine = robot();
+  std::vector<math::Pose> X_WB;
+  robot::body_poses(*machine.model, machine.mounting, q, X_WB);
+  std::vector<ClaimPart> parts;
+  for (std::size_t i = 0; i < machine.bodies.size(); ++i) {
+    if (!machine.bodies[i]) continue;
+    parts.push_back({machine.bodies[i], geometry::stationary(X_WB[i]), static_cast<int>(i)});
+  }
+  const auto& load = site_.load(index_);
+  if (load && load->body) {
+    const math::Pose X_WT = robot::tool_pose(*machine.model, machine.mounting, q);
+    parts.push_back({load->body, geometry::stationary(X_WT * load->X_TO),
+                     static_cast<int>(machine.bodies.size())});
+  }
+  return parts;
+}
+
+double RobotView::free_distance(std::span<const double> q, double heading_deg, double range) const {
+  if (!(range > 0)) return 0;
+  const bool has_others = site_.has_others(index_);
+  if (!site_.has_obstacles() && !has_others) return range;
+  const std::vector<ClaimPart> parts = parts_at(q);
+  const math::Vec3 heading(math::cos_deg(heading_deg), math::sin_deg(heading_deg), 0);
+  const auto is_free = [&](double distance) {
+    collision::SweptQuery query;
+    query.contact_tolerance = site_.contact_tolerance();
+    for (const ClaimPart& part : parts) {
+      const math::Pose X = part.motion.pose(0);
+      query.items.push_back(
+          {{part.body.get(), geometry::translating(X, heading * distance)}, true});
+    }
+    if (site_.obstacles().test(query).hit) return false;
+    if (!has_others) return true;
+    collision::MovingBodies bodies(query);
+    return !site_.first_zone_met(index_, bodies) && !site_.first_machine_met(index_, bodies, false);
+  };
+  if (is_free(range)) return range;
+  // The swept volume only grows with the distance, so halving finds where it first meets anything.
+  double accepted = 0;
+  double refused = range;
+  while (refused - accepted > kFreeDistanceResolution) {
+    const double middle = accepted + (refused - accepted) / 2;
+    if (middle <= accepted || middle >= refused) break;
+    (is_free(middle) ? accepted : refused) = middle;
+  }
+  return accepted;
+}
+
+std::optional<interpreter::HitPair> RobotView::blocked_at(std::span<const double> q) const {
+  if (nothing_to_meet()) return std::nullopt;
+  const SiteRobot& machine = robot();
+  const double tolerance = site_.contact_tolerance();
+  const std::vector<ClaimPart> parts = parts_at(q);
+  std::vector<const ClaimPart*> by_number(machine.bodies.size() + 1, nullptr);
+  for (const ClaimPart& part : parts) {
+    by_number[static_cast<std::size_t>(part.part)] = &part;
+    if (const auto id =
+            site_.obstacles().blocked_at(*part.body, part.motion.pose(0), tolerance, {})) {
+      return interpreter::HitPair{part_name(part.part), site_.obstacle_name(*id)};
+    }
+  }
+  const auto overlap = [&](int first, int second) {
+    const ClaimPart& a = *by_number[static_cast<std::size_t>(first)];
+    const ClaimPart& b = *by_number[static_cast<std::size_t>(second)];
+    return collision::overlaps(*a.body, a.motion.pose(0), *b.body, b.motion.pose(0), tolerance);
+  };
+  for (const OwnPair& pair : machine.own_pairs) {
+    if (overlap(pair.first, pair.second)) {
+      return interpreter::HitPair{part_name(pair.first), part_name(pair.second)};
+    }
+  }
+  const int load_part = static_cast<int>(machine.bodies.size());
+  if (by_number.back() != nullptr) {
+    for (const OwnPair& pair : machine.load_pairs) {
+      if (overlap(load_part, pair.first)) {
+        return interpreter::HitPair{part_name(load_part), part_name(pair.first)};
+      }
+    }
+  }
+  return standing_machine_at(parts);
+}
+
+/// Machines in a step need no test: their steps were tested against where this one stands.
+std::optional<interpreter::HitPair> RobotView::standing_machine_at(
+    const std::vector<ClaimPart>& parts) const {
+  collision::SweptQuery query;
+  query.contact_tolerance = site_.contact_tolerance();
+  for (const ClaimPart& part : parts) query.items.push_back({{part.body.get(), part.motion}, true});
+  collision::MovingBodies bodies(query);
+  const auto met = site_.first_machine_met(index_, bodies, true);
+  if (!met) return std::nullopt;
+  const ClaimPart& part = parts[static_cast<std::size_t>(met->item)];
+  return interpreter::HitPair{part_name(part.part), met->name, met->machine};
+}
+
+}  // namespace rubicon::site

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "interpreter/program/world.hpp"
+#include "src/simulation/site/site_world.hpp"
+#include "src/simulation/site/step_query.hpp"
+
+namespace rubicon::site {
+
+/// The site as one robot's machine meets it. A step sweeps all its bodies and its load; what it may
+/// not meet: everything that stands, its own bodies that are not joined, the load its bodies but
+/// the hook, the zones where people work, and what belongs to other machines. The site must outlive
+/// it.
+class RobotView : public interpreter::World {
+ public:
+  RobotView(SiteWorld& site, int robot) : site_(site), index_(robot) {}
+
+  std::optional<interpreter::HitPair> propose(const interpreter::MotionStep& step) override;
+  bool would_accept(const interpreter::MotionStep& step) const override;
+  double free_distance(std::span<const double> q, double heading_deg, double range) const override;
+  std::optional<interpreter::HitPair> blocked_at(std::span<const double> q) const override;
+  std::uint64_t version() const override { return site_.version(index_); }
+  /// `transport`, while a component is attached.
+  bool situation(const std::string& name) const override;
+  bool loaded() const override { return site_.load(index_).has_value(); }
+
+ private:
+  const SiteRobot& robot() const { return site_.robot(index_); }
+  std::optional<interpreter::HitPair> refusal(const interpreter::MotionStep& step) const;
+  std::optional<interpreter::HitPair> swept_hit(const interpreter::MotionStep& step) const;
+  std::optional<interpreter::HitPair> overload(const interpreter::MotionStep& step) const;
+  std::optional<interpreter::HitPair> own_hit(const StepQuery& step) const;
+  std::optional<interpreter::HitPair> others_hit(const StepQuery& step) const;
+  bool nothing_to_meet() const;
+  std::vector<ClaimPart> parts_at(std::span<const double> q) const;
+  std::optional<interpreter::HitPair> standing_machine_at(
+      const std::vector<ClaimPart>& parts) const;
+  const std::string& part_name(int part) const;
+
+  SiteWorld& site_;
+  int index_;
+  mutable collision::ClearanceBudget budget_;  ///< never changes an answer
+};
+
+}  // namespace rubicon::site

@@ -1,0 +1,99 @@
+#include "src/simulation/site/site_robot.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rubicon::site {
+
+namespace {
+
+/// The parameters a frame depends on, added to `parameters`.
+void add_parameters(const robot::RobotModel& model, const robot::FrameFormula& frame,
+                    std::vector<int>& parameters) {
+  for (const robot::FrameElement& element : frame) {
+    for (const robot::Formula* formula : {&element.a, &element.b, &element.c}) {
+      for (int i = 0; i < static_cast<int>(model.parameters.size()); ++i) {
+        if (formula->depends_on_parameter(i)) parameters.push_back(i);
+      }
+    }
+  }
+}
+
+std::vector<int> ancestors(const robot::RobotModel& model, int body) {
+  std::vector<int> chain;
+  for (; body >= 0; body = model.bodies[static_cast<std::size_t>(body)].parent) {
+    chain.push_back(body);
+  }
+  return chain;
+}
+
+/// The parameters of the frames between two bodies in the chain; with `tool` also those of the tool
+/// frame.
+std::vector<int> parameters_between(const robot::RobotModel& model, int a, int b, bool tool) {
+  std::vector<int> chain_a = ancestors(model, a);
+  std::vector<int> chain_b = ancestors(model, b);
+  while (!chain_a.empty() && !chain_b.empty() && chain_a.back() == chain_b.back()) {
+    chain_a.pop_back();
+    chain_b.pop_back();
+  }
+  std::vector<int> parameters;
+  for (const std::vector<int>* chain : {&chain_a, &chain_b}) {
+    for (const int body : *chain) {
+      add_parameters(model, model.bodies[static_cast<std::size_t>(body)].frame, parameters);
+    }
+  }
+  if (tool) add_parameters(model, model.tool_frame, parameters);
+  std::sort(parameters.begin(), parameters.end());
+  parameters.erase(std::unique(parameters.begin(), parameters.end()), parameters.end());
+  return parameters;
+}
+
+bool meant_to_touch(const robot::RobotModel& model, int a, int b) {
+  const auto& bodies = model.bodies;
+  if (bodies[static_cast<std::size_t>(a)].parent == b ||
+      bodies[static_cast<std::size_t>(b)].parent == a) {
+    return true;
+  }
+  return std::any_of(model.touching.begin(), model.touching.end(), [&](const auto& pair) {
+    return pair == std::pair(a, b) || pair == std::pair(b, a);
+  });
+}
+
+}  // namespace
+
+bool OwnPair::moves(std::span<const double> q0, std::span<const double> q1) const {
+  return std::any_of(parameters.begin(), parameters.end(), [&](int index) {
+    const auto i = static_cast<std::size_t>(index);
+    return q0[i] != q1[i];
+  });
+}
+
+SiteRobot make_site_robot(std::string name, std::shared_ptr<const robot::RobotModel> model,
+                          robot::Mounting mounting, std::vector<collision::BodyPtr> bodies) {
+  SiteRobot site;
+  site.name = std::move(name);
+  site.model = std::move(model);
+  site.mounting = std::move(mounting);
+  site.bodies = std::move(bodies);
+  const robot::RobotModel& m = *site.model;
+  if (site.bodies.empty()) {
+    for (const robot::Body& body : m.bodies) {
+      site.bodies.push_back(body.shapes.empty() ? nullptr : collision::prepare(body.shapes));
+    }
+  }
+  for (const robot::Body& body : m.bodies) site.body_names.push_back(site.name + "." + body.name);
+  const int count = static_cast<int>(m.bodies.size());
+  for (int a = 0; a < count; ++a) {
+    if (!site.bodies[static_cast<std::size_t>(a)]) continue;
+    for (int b = a + 1; b < count; ++b) {
+      if (!site.bodies[static_cast<std::size_t>(b)] || meant_to_touch(m, a, b)) continue;
+      site.own_pairs.push_back({a, b, parameters_between(m, a, b, false)});
+    }
+    if (a != m.tool_body) {
+      site.load_pairs.push_back({a, 0, parameters_between(m, a, m.tool_body, true)});
+    }
+  }
+  return site;
+}
+
+}  // namespace rubicon::site

@@ -1,0 +1,268 @@
+#include "src/simulation/site/site_world.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "src/simulation/site/step_query.hpp"
+
+namespace rubicon::site {
+
+void SiteWorld::add_obstacle(std::string name, collision::BodyPtr body, const math::Pose& X_WB) {
+  insert(name, body, X_WB);
+  ++changes_;
+}
+
+int SiteWorld::add_component(std::string name, collision::BodyPtr body, const math::Pose& X_WO,
+                             double mass) {
+  Component& component = components_.emplace_back();
+  component.name = std::move(name);
+  component.body = std::move(body);
+  component.mass = mass;
+  stand(component, X_WO);
+  return static_cast<int>(components_.size()) - 1;
+}
+
+int SiteWorld::add_robot(SiteRobot robot, std::vector<double> q) {
+  RobotEntry& added = robots_.emplace_back();
+  added.robot = std::move(robot);
+  added.q = std::move(q);
+  ++changes_;
+  return static_cast<int>(robots_.size()) - 1;
+}
+
+void SiteWorld::set_time(Ticks now) {
+  for (RobotEntry& robot : robots_) {
+    if (!robot.stepping || robot.step.end > now) continue;
+    robot.stepping = false;
+    changed(robot);
+  }
+}
+
+void SiteWorld::attach(int robot, int component) {
+  Component& taken = components_[static_cast<std::size_t>(component)];
+  assert(taken.standing && !entry(robot).load);
+  const math::Pose X_TW = tool_pose(robot).inverse(Eigen::Isometry);
+  entry(robot).load = Load{taken.name, taken.body, X_TW * taken.X_WO, taken.mass, component};
+  entry(robot).claim.reset();
+  lift(taken);
+}
+
+void SiteWorld::attach_carry(int robot, collision::BodyPtr body) {
+  entry(robot).load = Load{"load", std::move(body), math::Pose::Identity(), 0, -1};
+  entry(robot).claim.reset();
+  ++changes_;
+}
+
+void SiteWorld::detach(int robot) {
+  assert(entry(robot).load && entry(robot).load->component >= 0);
+  const Load load = *entry(robot).load;
+  entry(robot).load.reset();
+  entry(robot).claim.reset();
+  stand(components_[static_cast<std::size_t>(load.component)], tool_pose(robot) * load.X_TO);
+}
+
+void SiteWorld::remove(int component) { lift(components_[static_cast<std::size_t>(component)]); }
+
+void SiteWorld::begin_step(int robot, const interpreter::MotionStep& step, std::vector<double> q) {
+  RobotEntry& moving = entry(robot);
+  const bool waits = std::equal(step.q_from.begin(), step.q_from.end(), step.q_to.begin());
+  if (waits && !moving.stepping && moving.q == q) return;
+  moving.q = std::move(q);
+  moving.stepping = !waits && step.duration > 0;
+  if (moving.stepping) {
+    moving.step.q_from.assign(step.q_from.begin(), step.q_from.end());
+    moving.step.q_to.assign(step.q_to.begin(), step.q_to.end());
+    moving.step.end = step.start + step.duration;
+  }
+  changed(moving);
+}
+
+void SiteWorld::set_configuration(int robot, std::vector<double> q) {
+  entry(robot).q = std::move(q);
+  entry(robot).stepping = false;
+  changed(entry(robot));
+}
+
+MachineState SiteWorld::machine_state(int robot) const {
+  const RobotEntry& machine = entry(robot);
+  MachineState state{machine.q, machine.load, std::nullopt};
+  if (machine.stepping) state.step = machine.step;
+  return state;
+}
+
+void SiteWorld::set_machine_state(int robot, MachineState state) {
+  RobotEntry& machine = entry(robot);
+  machine.q = std::move(state.q);
+  machine.load = std::move(state.load);
+  machine.stepping = state.step.has_value();
+  if (state.step) machine.step = std::move(*state.step);
+  machine.claim.reset();
+  ++changes_;
+}
+
+ComponentState SiteWorld::component_state(int component) const {
+  const Component& one = components_[static_cast<std::size_t>(component)];
+  return {one.standing, one.X_WO, one.id};
+}
+
+void SiteWorld::set_component_state(int component, const ComponentState& state) {
+  Component& one = components_[static_cast<std::size_t>(component)];
+  const bool same = one.id == state.id && one.X_WO.matrix() == state.X_WO.matrix();
+  if (one.standing && !(state.standing && same)) lift(one);
+  one.X_WO = state.X_WO;
+  if (!state.standing || one.standing) return;
+  one.standing = true;
+  one.id = state.id;
+  if (one.id) {
+    obstacles_.put_back(*one.id, one.body, one.X_WO);
+    names_[*one.id] = one.name;
+  }
+  ++changes_;
+}
+
+void SiteWorld::hold_zone(int task, std::string name, const std::vector<geometry::Shape>& shapes_W,
+                          int exempt_robot) {
+  release_zone(task);
+  if (shapes_W.empty()) return;
+  const geometry::Motion still = geometry::stationary(math::Pose::Identity());
+  Claim claim({{collision::prepare(shapes_W), still, 0}}, claim_growth(contact_tolerance_));
+  zones_.emplace(task, Zone{std::move(name), std::move(claim), exempt_robot});
+  ++changes_;
+}
+
+void SiteWorld::release_zone(int task) {
+  if (zones_.erase(task) > 0) ++changes_;
+}
+
+std::optional<int> SiteWorld::machine_in(const std::vector<geometry::Shape>& shapes_W,
+                                         int exempt_robot) const {
+  if (shapes_W.empty()) return std::nullopt;
+  const collision::BodyPtr body = collision::prepare(shapes_W);
+  collision::SweptQuery query;
+  query.contact_tolerance = contact_tolerance_;
+  query.items.push_back({{body.get(), geometry::stationary(math::Pose::Identity())}, true});
+  collision::MovingBodies bodies(query);
+  const auto met = first_machine_met(exempt_robot, bodies, false);
+  return met ? std::optional(met->machine) : std::nullopt;
+}
+
+std::optional<OtherMet> SiteWorld::zone_around(int component, int robot) const {
+  const Component& one = components_[static_cast<std::size_t>(component)];
+  if (!one.body || zones_.empty()) return std::nullopt;
+  collision::SweptQuery query;
+  query.contact_tolerance = contact_tolerance_;
+  query.items.push_back({{one.body.get(), geometry::stationary(one.X_WO)}, true});
+  collision::MovingBodies bodies(query);
+  return first_zone_met(robot, bodies);
+}
+
+bool SiteWorld::has_others(int robot) const {
+  const auto keeps_out = [robot](const auto& zone) { return zone.second.exempt_robot != robot; };
+  return robots_.size() > 1 || std::any_of(zones_.begin(), zones_.end(), keeps_out);
+}
+
+std::optional<OtherMet> SiteWorld::first_zone_met(int robot,
+                                                  collision::MovingBodies& bodies) const {
+  for (const auto& [task, zone] : zones_) {
+    if (zone.exempt_robot == robot) continue;
+    if (const auto hit = zone.claim.meets(bodies)) {
+      return OtherMet{hit->item, zone.name, -1, task};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<OtherMet> SiteWorld::first_machine_met(int robot, collision::MovingBodies& bodies,
+                                                     bool standing_only) const {
+  for (int i = 0; i < static_cast<int>(robots_.size()); ++i) {
+    const RobotEntry& other = entry(i);
+    if (i == robot || (standing_only && other.stepping)) continue;
+    if (const auto hit = claim(other).meets(bodies)) {
+      return OtherMet{hit->item, part_name(other, hit->part), i, -1};
+    }
+  }
+  return std::nullopt;
+}
+
+bool SiteWorld::stands(int component) const {
+  return components_[static_cast<std::size_t>(component)].standing;
+}
+
+const math::Pose& SiteWorld::X_WO(int component) const {
+  return components_[static_cast<std::size_t>(component)].X_WO;
+}
+
+const std::string& SiteWorld::component_name(int component) const {
+  return components_[static_cast<std::size_t>(component)].name;
+}
+
+math::Pose SiteWorld::tool_pose(int robot) const {
+  const RobotEntry& at_work = entry(robot);
+  return robot::tool_pose(*at_work.robot.model, at_work.robot.mounting, at_work.q);
+}
+
+std::uint64_t SiteWorld::version(int robot) const {
+  std::uint64_t version = changes_;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (static_cast<int>(i) != robot) version += robots_[i].changes;
+  }
+  return version;
+}
+
+collision::ObstacleId SiteWorld::insert(const std::string& name, const collision::BodyPtr& body,
+                                        const math::Pose& X_WB) {
+  const collision::ObstacleId id = obstacles_.insert(body, X_WB);
+  names_[id] = name;
+  return id;
+}
+
+void SiteWorld::erase(collision::ObstacleId id) {
+  obstacles_.remove(id);
+  names_.erase(id);
+}
+
+void SiteWorld::stand(Component& component, const math::Pose& X_WO) {
+  component.X_WO = X_WO;
+  component.standing = true;
+  if (component.body) component.id = insert(component.name, component.body, X_WO);
+  ++changes_;
+}
+
+void SiteWorld::lift(Component& component) {
+  if (component.id) erase(*component.id);
+  component.id.reset();
+  component.standing = false;
+  ++changes_;
+}
+
+void SiteWorld::changed(RobotEntry& robot) {
+  ++robot.changes;
+  robot.claim.reset();
+}
+
+const Claim& SiteWorld::claim(const RobotEntry& robot) const {
+  if (robot.claim) return *robot.claim;
+  const SiteRobot& machine = robot.robot;
+  const std::vector<double>& from = robot.stepping ? robot.step.q_from : robot.q;
+  const std::vector<double>& to = robot.stepping ? robot.step.q_to : robot.q;
+  std::vector<geometry::Motion> motions = part_motions(machine, robot.load, from, to);
+  std::vector<ClaimPart> parts;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const bool is_body = i < machine.bodies.size();
+    collision::BodyPtr body =
+        is_body ? machine.bodies[i] : (robot.load ? robot.load->body : nullptr);
+    if (body) parts.push_back({std::move(body), std::move(motions[i]), static_cast<int>(i)});
+  }
+  robot.claim = std::make_unique<Claim>(std::move(parts), claim_growth(contact_tolerance_));
+  return *robot.claim;
+}
+
+/// Name of a part: a body, or after the last body the load.
+const std::string& SiteWorld::part_name(const RobotEntry& robot, int part) {
+  const auto& names = robot.robot.body_names;
+  const auto i = static_cast<std::size_t>(part);
+  return i < names.size() ? names[i] : robot.load->name;
+}
+
+}  // namespace rubicon::site

@@ -1,0 +1,173 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/program/world.hpp"
+#include "src/motion/collision/swept_query.hpp"
+#include "src/simulation/site/claim.hpp"
+#include "src/simulation/site/load.hpp"
+#include "src/simulation/site/site_robot.hpp"
+
+namespace rubicon::site {
+
+using interpreter::Ticks;
+
+/// A step a machine is making: its parameters run from `q_from` to `q_to` (cyclic angles unwrapped)
+/// until `end`.
+struct MachineStep {
+  std::vector<double> q_from;
+  std::vector<double> q_to;
+  Ticks end = 0;
+};
+
+/// A machine at a moment: where it stands, or will when its step in progress is over.
+struct MachineState {
+  std::vector<double> q;
+  std::optional<Load> load;
+  std::optional<MachineStep> step;
+};
+
+/// Where a component stands, or stood at last.
+struct ComponentState {
+  bool standing = false;
+  math::Pose X_WO = math::Pose::Identity();
+  std::optional<collision::ObstacleId> id;  ///< its rank among the obstacles while it stands
+};
+
+/// Another machine, or a zone, that a query meets.
+struct OtherMet {
+  int item = 0;      ///< of the query
+  std::string name;  ///< the machine's body or load, or the zone's name
+  int machine = -1;
+  int zone_task = -1;
+};
+
+/// The site as it stands at a moment: what was built and lies about (the obstacles), the machines
+/// and their loads, and the zones where people work. Poses in the world frame {W}, metres. A
+/// machine owns where it stands, and all that it sweeps while a step of it lasts; other machines
+/// keep out of that and of the zones. For one thread at a time.
+class SiteWorld {
+ public:
+  explicit SiteWorld(double contact_tolerance) : contact_tolerance_(contact_tolerance) {}
+
+  /// An obstacle for good. Obstacles are tested in the order in which they came.
+  void add_obstacle(std::string name, collision::BodyPtr body, const math::Pose& X_WB);
+  /// A component that stands at X_WO; its index. `body` null: it has no shape and is in nobody's
+  /// way.
+  int add_component(std::string name, collision::BodyPtr body, const math::Pose& X_WO, double mass);
+  /// A robot that stands at q; its index.
+  int add_robot(SiteRobot robot, std::vector<double> q);
+
+  /// Steps that end at `now` or before are over: their machines stand.
+  void set_time(Ticks now);
+
+  /// The component leaves the world and hangs on the tool from now on as it stands to it. It must
+  /// stand, and the tool must be free.
+  void attach(int robot, int component);
+  /// Puts shapes on the tool that never stood in the world; X_TO is the identity.
+  void attach_carry(int robot, collision::BodyPtr body);
+  /// The load stands in the world where it is. A component must be attached.
+  void detach(int robot);
+  /// The component leaves the site.
+  void remove(int component);
+
+  /// The robot makes a step and stands at q (cyclic angles reduced) when it is over; at once where
+  /// it takes no time or moves nothing. It takes the place of a step in progress.
+  void begin_step(int robot, const interpreter::MotionStep& step, std::vector<double> q);
+  /// The robot stands at q.
+  void set_configuration(int robot, std::vector<double> q);
+
+  MachineState machine_state(int robot) const;
+  void set_machine_state(int robot, MachineState state);
+  ComponentState component_state(int component) const;
+  /// To a state that it had: it takes its old rank among the obstacles again.
+  void set_component_state(int component, const ComponentState& state);
+
+  /// People work in the shapes (world) until `release_zone`: machines keep out but for
+  /// `exempt_robot` (-1: none is exempt). A task has one zone: the last one. Throws
+  /// std::invalid_argument for shapes without extent.
+  void hold_zone(int task, std::string name, const std::vector<geometry::Shape>& shapes_W,
+                 int exempt_robot);
+  void release_zone(int task);
+  /// The first machine but the exempt one that stands in the shapes (world) or sweeps them in a
+  /// step in progress.
+  std::optional<int> machine_in(const std::vector<geometry::Shape>& shapes_W,
+                                int exempt_robot) const;
+
+  /// The zone, by task, that the component stands in and the robot has to keep out of.
+  std::optional<OtherMet> zone_around(int component, int robot) const;
+
+  /// Whether there is anyone else to meet for the robot: machines, zones.
+  bool has_others(int robot) const;
+  /// The first zone, by task, that bodies of the robot meet.
+  std::optional<OtherMet> first_zone_met(int robot, collision::MovingBodies& bodies) const;
+  /// The first other machine, by index; with `standing_only` of those that stand.
+  std::optional<OtherMet> first_machine_met(int robot, collision::MovingBodies& bodies,
+                                            bool standing_only) const;
+
+  bool stands(int component) const;
+  const math::Pose& X_WO(int component) const;  ///< where it stands, or stood at last
+  const std::string& component_name(int component) const;
+  const SiteRobot& robot(int index) const { return entry(index).robot; }
+  const std::vector<double>& configuration(int robot) const { return entry(robot).q; }
+  const std::optional<Load>& load(int robot) const { return entry(robot).load; }
+  math::Pose tool_pose(int robot) const;
+
+  const collision::CollisionWorld& obstacles() const { return obstacles_; }
+  bool has_obstacles() const { return !names_.empty(); }
+  const std::string& obstacle_name(collision::ObstacleId id) const { return names_.at(id); }
+  double contact_tolerance() const { return contact_tolerance_; }
+
+  /// Changes whenever anything but `robot`'s own steps changed what it may do.
+  std::uint64_t version(int robot) const;
+
+ private:
+  struct Component {
+    std::string name;
+    collision::BodyPtr body;
+    math::Pose X_WO = math::Pose::Identity();
+    double mass = 0;
+    bool standing = false;
+    std::optional<collision::ObstacleId> id;
+  };
+  struct RobotEntry {
+    SiteRobot robot;
+    std::vector<double> q;
+    std::optional<Load> load;
+    bool stepping = false;
+    MachineStep step;                      ///< the one in progress, while `stepping`
+    std::uint64_t changes = 0;             ///< of what belongs to it
+    mutable std::unique_ptr<Claim> claim;  ///< of what belongs to it now; made when asked for
+  };
+  struct Zone {
+    std::string name;
+    Claim claim;
+    int exempt_robot = -1;
+  };
+
+  RobotEntry& entry(int index) { return robots_[static_cast<std::size_t>(index)]; }
+  const RobotEntry& entry(int index) const { return robots_[static_cast<std::size_t>(index)]; }
+  collision::ObstacleId insert(const std::string& name, const collision::BodyPtr& body,
+                               const math::Pose& X_WB);
+  void erase(collision::ObstacleId id);
+  void stand(Component& component, const math::Pose& X_WO);
+  void lift(Component& component);
+  static void changed(RobotEntry& robot);
+  const Claim& claim(const RobotEntry& robot) const;
+  static const std::string& part_name(const RobotEntry& robot, int part);
+
+  double contact_tolerance_;
+  collision::CollisionWorld obstacles_;
+  std::map<collision::ObstacleId, std::string> names_;
+  std::vector<Component> components_;
+  std::vector<RobotEntry> robots_;
+  std::map<int, Zone> zones_;  ///< by task
+  std::uint64_t changes_ = 0;
+};
+
+}  // namespace rubicon::site

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "src/motion/collision/swept_query.hpp"
+#include "src/simulation/site/load.hpp"
+#include "src/simulation/site/site_robot.hpp"
+
+namespace rubicon::site {
+
+/// The motions of a robot's bodies, and last of its load (of its tool where it has none), while q
+/// runs from `q_from` to `q_to`.
+std::vector<geometry::Motion> part_motions(const SiteRobot& robot, const std::optional<Load>& load,
+                                           std::span<const double> q_from,
+                                           std::span<const double> q_to);
+
+/// One step of a robot as a question to the collision world. Its parts are the robot's bodies and,
+/// after the last of them, the load. Robot and load must outlive it.
+class StepQuery {
+ public:
+  /// With `against_world` what moves is tested against the obstacles; own pairs always are.
+  StepQuery(const SiteRobot& robot, const std::optional<Load>& load, std::span<const double> q_from,
+            std::span<const double> q_to, double contact_tolerance, bool against_world);
+
+  const collision::SweptQuery& query() const { return query_; }
+  /// Only what moves, without own pairs: for the claims of others.
+  collision::SweptQuery against_others() const;
+  /// The part behind an item of `query`.
+  int part_of(int item) const { return part_of_[static_cast<std::size_t>(item)]; }
+  /// The same of `against_others`.
+  int part_of_mover(int item) const;
+  bool moves(int part) const { return moves_[static_cast<std::size_t>(part)]; }
+
+ private:
+  int item(int part);
+  const collision::Body* body(int part) const;
+  void add_pairs(const std::vector<OwnPair>& pairs, bool of_load, std::span<const double> q_from,
+                 std::span<const double> q_to);
+
+  const SiteRobot& robot_;
+  const std::optional<Load>& load_;
+  int load_part_;
+  bool against_world_;
+  std::vector<geometry::Motion> motions_;
+  std::vector<bool> moves_;
+  std::vector<int> item_of_;  ///< per part: its item in the query, or -1
+  std::vector<int> part_of_;
+  collision::SweptQuery query_;
+};
+
+}  // namespace rubicon::site

@@ -1,0 +1,51 @@
+#include "src/simulation/taskplan/goal_holds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "src/motion/math/angles.hpp"
+
+namespace rubicon::taskplan {
+
+namespace {
+
+/// Fraction of a step within which a value counts as met (LANGUAGE section 4).
+constexpr double kStepFraction = 1e-6;
+
+bool frame_holds(const robot::RobotModel& model, const robot::Mounting& mounting,
+                 std::span<const double> q, const math::Pose& X_WG,
+                 const interpreter::Within& within) {
+  robot::PoseTolerance tolerance;
+  if (within.length >= 0) tolerance.position = within.length;
+  for (const auto& [index, value] : within.values) {
+    if (!model.parameters[static_cast<std::size_t>(index)].rotation) continue;
+    tolerance.orientation = std::max(tolerance.orientation, math::radians(value));
+  }
+  const math::Pose X_WT = robot::tool_pose(model, mounting, q);
+  const double off = (X_WT.translation() - X_WG.translation()).norm();
+  const double turned = math::rotation_angle_deg(X_WT.linear().transpose() * X_WG.linear());
+  return off <= tolerance.position && math::radians(turned) <= tolerance.orientation;
+}
+
+}  // namespace
+
+bool goal_holds(const robot::RobotModel& model, const robot::Mounting& mounting,
+                std::span<const double> q, const interpreter::GoalSpec& goal,
+                const interpreter::Within& within) {
+  if (goal.X_WG) return frame_holds(model, mounting, q, *goal.X_WG, within);
+  return std::all_of(goal.values.begin(), goal.values.end(), [&](const auto& named) {
+    const auto& [index, value] = named;
+    const robot::Parameter& parameter = model.parameters[static_cast<std::size_t>(index)];
+    const double now = q[static_cast<std::size_t>(index)];
+    double off = robot::nearest_turn_equivalent(parameter, value, now) - now;
+    if (parameter.cyclic) off = math::normalised_deg(off);
+    double tolerance = kStepFraction * parameter.quantum;
+    for (const auto& [within_index, allowed] : within.values) {
+      if (within_index == index) tolerance += allowed;
+    }
+    return std::fabs(off) <= tolerance;
+  });
+}
+
+}  // namespace rubicon::taskplan

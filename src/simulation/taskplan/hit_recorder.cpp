@@ -1,0 +1,56 @@
+#include "src/simulation/taskplan/hit_recorder.hpp"
+
+#include <algorithm>
+
+namespace rubicon::taskplan {
+
+void HitRecorder::goal(int k, int n) {
+  way_point_ = k;
+  if (next_) next_->goal(k, n);
+}
+
+void HitRecorder::set(const std::string& variable, double value, interpreter::Span span) {
+  if (next_) next_->set(variable, value, span);
+}
+
+void HitRecorder::enter(interpreter::LoopKind kind, interpreter::Span span) {
+  if (next_) next_->enter(kind, span);
+}
+
+void HitRecorder::exit(interpreter::LoopKind kind, interpreter::Span span, bool reached,
+                       int successes) {
+  if (next_) next_->exit(kind, span, reached, successes);
+}
+
+void HitRecorder::which(const std::string& label, interpreter::Span span) {
+  if (next_) next_->which(label, span);
+}
+
+void HitRecorder::attempt(const interpreter::Attempt& attempt) {
+  if (attempt.hit != nullptr || attempt.accepted) {
+    std::erase_if(open_, [&](const RecordedHit& hit) {
+      return std::equal(hit.parameters.begin(), hit.parameters.end(), attempt.parameters.begin(),
+                        attempt.parameters.end());
+    });
+    std::erase_if(given_way_, [&](const RecordedHit& hit) {
+      return hit.span.file == attempt.span.file && hit.span.begin == attempt.span.begin;
+    });
+  }
+  if (attempt.hit != nullptr) {
+    const RecordedHit hit{attempt.n,
+                          {attempt.parameters.begin(), attempt.parameters.end()},
+                          attempt.span,
+                          *attempt.hit,
+                          way_point_};
+    if (hit.pair.machine >= 0 || hit.pair.zone_task >= 0) given_way_.push_back(hit);
+    met_.emplace(hit.pair.machine, hit.pair.machine >= 0 ? std::string() : hit.pair.met);
+    open_.push_back(hit);
+  }
+  if (next_) next_->attempt(attempt);
+}
+
+void HitRecorder::wait(int n, interpreter::Ticks time, interpreter::Span span) {
+  if (next_) next_->wait(n, time, span);
+}
+
+}  // namespace rubicon::taskplan

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "src/simulation/schedule/critical_chain.hpp"
+#include "src/simulation/taskplan/simulation.hpp"
+
+namespace rubicon::taskplan {
+
+namespace {
+
+double hours(Ticks ticks) { return interpreter::seconds_from_ticks(ticks) / 3600; }
+
+/// Adds up who was used for how long, and what tasks and the whole cost.
+void count_uses(Schedule& schedule) {
+  for (TaskOutcome& task : schedule.tasks) {
+    std::set<int> had;
+    for (const ResourceHold& hold : task.holds) {
+      ResourceUse& use = schedule.resources[static_cast<std::size_t>(hold.resource)];
+      use.held += hold.held;
+      use.busy += hold.busy;
+      if (had.insert(hold.resource).second) ++use.tasks;
+      task.cost += use.rate.value_or(0) * hours(hold.held);
+    }
+  }
+  for (ResourceUse& use : schedule.resources) {
+    use.cost = use.rate.value_or(0) * hours(use.held);
+    schedule.cost += use.cost;
+    schedule.costed = schedule.costed || use.rate.has_value();
+  }
+}
+
+}  // namespace
+
+Schedule Simulation::make_schedule() {
+  Schedule schedule;
+  schedule.start_at = plan_.start_at;
+  schedule.currency = plan_.currency;
+  std::vector<std::pair<Ticks, int>> order;
+  std::vector<TaskOutcome> all;
+  const auto add = [&](TaskOutcome outcome) {
+    order.emplace_back(outcome.start, static_cast<int>(all.size()));
+    all.push_back(std::move(outcome));
+  };
+  for (int task = 0; task < static_cast<int>(plan_.tasks.size()); ++task) {
+    if (auto& outcome = outcomes_[index(task)]) {
+      schedule.process_time = std::max(schedule.process_time, outcome->start + outcome->duration);
+      add(std::move(*outcome));
+    } else {
+      schedule.feasible = false;
+      add(std::move(excluded_.at(task).outcome));
+    }
+  }
+  for (TaskOutcome& parking : parkings_) add(std::move(parking));
+  for (TaskOutcome& parking : failed_parkings_) add(std::move(parking));
+  std::sort(order.begin(), order.end());
+  for (const auto& [start, place] : order) schedule.tasks.push_back(std::move(all[index(place)]));
+
+  for (const interpreter::RobotSpec& robot : plan_.robots) {
+    ResourceUse& use = schedule.resources.emplace_back();
+    use.name = robot.name;
+    use.robot = true;
+    use.rate = robot.cost_per_hour;
+  }
+  for (const interpreter::CrewSpec& crew : plan_.crews) {
+    ResourceUse& use = schedule.resources.emplace_back();
+    use.name = crew.name;
+    use.size = crew.size;
+    use.rate = crew.cost_per_hour;
+  }
+  // A machine may still be on its way out of the way when the last task is done.
+  Ticks end = schedule.process_time;
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (task.result == TaskResult::done) end = std::max(end, task.start + task.duration);
+  }
+  for (std::size_t i = 0; i < schedule.resources.size(); ++i) {
+    schedule.resources[i].shift_time = desk_->hours(static_cast<int>(i)).work_between(0, end);
+  }
+  count_uses(schedule);
+  add_critical_chain(schedule);
+  return schedule;
+}
+
+void Simulation::add_critical_chain(Schedule& schedule) const {
+  if (schedule.process_time == 0) return;
+  schedule::NetworkTimes times;
+  times.tasks = times_;
+  for (std::size_t task = 0; task < times.tasks.size(); ++task) {
+    if (excluded_.contains(static_cast<int>(task))) times.tasks[task] = {};
+    // The plan is over with its own tasks.
+    if (is_park(static_cast<int>(task))) times.tasks[task].finish = 0;
+  }
+  for (const schedule::ChainStep& step : critical_chain(network_, times)) {
+    schedule.critical.push_back(
+        {network_.tasks[index(step.task)].name, step.work_counts, text_of(network_, step)});
+  }
+}
+
+}  // namespace rubicon::taskplan

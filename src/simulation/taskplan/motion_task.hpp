@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "interpreter/check/plan_model.hpp"
+#include "interpreter/machine/machine.hpp"
+#include "src/simulation/site/site_world.hpp"
+#include "src/simulation/taskplan/schedule.hpp"
+
+namespace rubicon::taskplan {
+
+/// Where a motion of a task goes: its way points, if it has any, and its goal, as the component
+/// stands or hangs now (LANGUAGE section 12).
+std::vector<interpreter::GoalSpec> goals_of(const interpreter::PlanModel& plan,
+                                            const interpreter::TaskSpec& task,
+                                            MotionPurpose purpose, const site::SiteWorld& site);
+
+/// The situations that are on during a motion of a task, besides those of the world.
+std::vector<std::string> situations_of(const interpreter::PlanModel& plan,
+                                       const interpreter::TaskSpec& task, MotionPurpose purpose);
+
+/// How near is near enough for a motion of a task: for a grip only the angles of `within` count, it
+/// is taken where it is, at whatever angle the task allows.
+interpreter::Within within_of(const interpreter::PlanModel& plan, const interpreter::TaskSpec& task,
+                              MotionPurpose purpose);
+
+/// Whether a motion did what its task needs: carrying may end short on purpose, all others must
+/// reach.
+bool is_enough(MotionPurpose purpose, const interpreter::MotionEnd& end);
+
+}  // namespace rubicon::taskplan

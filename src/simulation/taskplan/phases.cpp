@@ -1,0 +1,34 @@
+#include "src/simulation/taskplan/phases.hpp"
+
+namespace rubicon::taskplan {
+
+std::vector<Phase> phases_of(const interpreter::TaskSpec& task) {
+  using Kind = Phase::Kind;
+  std::vector<Phase> phases;
+  const auto work = [&](const interpreter::WorkSpec& spec, const char* what) {
+    phases.push_back({Kind::work, MotionPurpose::go, &spec, what, -1});
+  };
+  const auto handle = [&](Kind kind, int component) {
+    phases.push_back({kind, MotionPurpose::go, nullptr, "", component});
+  };
+  const auto motion = [&](MotionPurpose purpose) {
+    phases.push_back({Kind::motion, purpose, nullptr, "", task.move.value_or(-1)});
+  };
+  if (task.move) {
+    motion(MotionPurpose::grip);
+    handle(Kind::weigh, *task.move);
+    if (task.hook) work(*task.hook, "hook");
+    handle(Kind::attach, *task.move);
+    motion(MotionPurpose::carry);
+    if (task.adjust) work(*task.adjust, "adjust");
+    motion(MotionPurpose::place);
+    if (task.release) work(*task.release, "release");
+    handle(Kind::detach, *task.move);
+  }
+  if (task.go) motion(MotionPurpose::go);
+  for (const interpreter::WorkSpec& extra : task.takes) work(extra, "takes");
+  for (const int component : task.remove) handle(Kind::remove, component);
+  return phases;
+}
+
+}  // namespace rubicon::taskplan

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "interpreter/check/plan_model.hpp"
+#include "src/simulation/taskplan/schedule.hpp"
+
+namespace rubicon::taskplan {
+
+/// What a task does, one after the other (LANGUAGE section 12).
+struct Phase {
+  enum class Kind { motion, weigh, work, attach, detach, remove };
+  Kind kind = Kind::work;
+  MotionPurpose purpose = MotionPurpose::go;  ///< of a motion
+  const interpreter::WorkSpec* work = nullptr;
+  const char* what = "";  ///< of a work: hook, adjust, release, takes
+  int component = -1;     ///< of all that handle one
+};
+
+/// The phases of a task; they point into it.
+std::vector<Phase> phases_of(const interpreter::TaskSpec& task);
+
+}  // namespace rubicon::taskplan

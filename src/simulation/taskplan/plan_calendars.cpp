@@ -1,0 +1,59 @@
+#include "src/simulation/taskplan/plan_calendars.hpp"
+
+#include <algorithm>
+
+#include "src/simulation/schedule/calendar_rules.hpp"
+
+namespace rubicon::taskplan {
+
+schedule::CalendarRules rules_of(const interpreter::CalendarSpec& spec) {
+  schedule::CalendarRules rules;
+  rules.name = spec.name;
+  rules.carry_over = spec.carry_over;
+  for (const interpreter::CalendarSpec::Shift& shift : spec.shifts) {
+    rules.shifts.push_back({shift.first_day, shift.last_day, shift.minutes});
+  }
+  for (const std::string& day : spec.off) {
+    if (const auto date = schedule::parse_date(day)) rules.off.push_back(*date);
+  }
+  return rules;
+}
+
+schedule::CivilTime start_of(const interpreter::PlanModel& plan) {
+  constexpr schedule::CivilTime kMonday{{2024, 1, 1}, 0};
+  return plan.start_at ? schedule::parse_civil_time(*plan.start_at).value_or(kMonday) : kMonday;
+}
+
+std::vector<schedule::WorkCalendar> calendars_of(const interpreter::PlanModel& plan) {
+  std::vector<schedule::WorkCalendar> calendars;
+  for (const interpreter::CalendarSpec& spec : plan.calendars) {
+    calendars.push_back(
+        std::get<schedule::WorkCalendar>(schedule::calendar_of(rules_of(spec), start_of(plan))));
+  }
+  return calendars;
+}
+
+int calendar_index(const interpreter::PlanModel& plan, const std::string& name) {
+  const auto found =
+      std::find_if(plan.calendars.begin(), plan.calendars.end(),
+                   [&](const interpreter::CalendarSpec& each) { return each.name == name; });
+  return found == plan.calendars.end() ? -1 : static_cast<int>(found - plan.calendars.begin());
+}
+
+std::vector<int> held_resources(const interpreter::PlanModel& plan,
+                                const interpreter::TaskSpec& task) {
+  std::vector<int> resources;
+  const int robots = static_cast<int>(plan.robots.size());
+  if (task.robot >= 0) resources.push_back(task.robot);
+  for (const int crew : task.crews) resources.push_back(robots + crew);
+  if (task.robot < 0) {
+    for (const interpreter::WorkSpec& work : task.takes) {
+      if (work.crew >= 0) resources.push_back(robots + work.crew);
+    }
+  }
+  std::sort(resources.begin(), resources.end());
+  resources.erase(std::unique(resources.begin(), resources.end()), resources.end());
+  return resources;
+}
+
+}  // namespace rubicon::taskplan

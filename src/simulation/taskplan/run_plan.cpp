@@ -1,0 +1,22 @@
+#include "src/simulation/taskplan/run_plan.hpp"
+
+#include <utility>
+
+#include "src/simulation/taskplan/short_run.hpp"
+#include "src/simulation/taskplan/simulation.hpp"
+
+namespace rubicon::taskplan {
+
+Schedule run_plan(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
+                  trace::TraceSink* sink, const RunOptions& options) {
+  if (plan.short_form) return run_short(plan, sources, sink, options.detail);
+  Verdicts known;
+  while (true) {
+    Simulation simulation(plan, sources, sink, options, std::move(known));
+    if (auto schedule = simulation.run()) return *std::move(schedule);
+    known = simulation.verdicts();
+    if (sink) sink->restart();
+  }
+}
+
+}  // namespace rubicon::taskplan

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+
+#include "interpreter/check/plan_model.hpp"
+#include "interpreter/syntax/source.hpp"
+#include "src/simulation/taskplan/schedule.hpp"
+#include "src/simulation/trace/trace_sink.hpp"
+
+namespace rubicon::taskplan {
+
+struct RunOptions {
+  trace::TraceDetail detail = trace::TraceDetail::steps;
+  /// Called after every task with how many of how many are behind us.
+  std::function<void(int done, int total, const TaskOutcome& last)> on_task;
+};
+
+/// Simulates a plan from its beginning (docs/simulation.md) and writes the trace to `sink` unless
+/// it is null. A rejected task is undone and what depends on it is not reached; the rest goes on.
+/// The plan must have passed `run_mistakes` without an error. Throws std::invalid_argument for
+/// shapes without extent.
+Schedule run_plan(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
+                  trace::TraceSink* sink, const RunOptions& options = {});
+
+}  // namespace rubicon::taskplan

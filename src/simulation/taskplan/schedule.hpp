@@ -1,0 +1,109 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/check/plan_model.hpp"
+#include "interpreter/machine/machine.hpp"
+#include "interpreter/program/world.hpp"
+
+namespace rubicon::taskplan {
+
+using interpreter::Ticks;
+
+enum class TaskResult { done, rejected, not_reached };
+/// As tables and traces write it: done, rejected, "not reached".
+const char* name_of(TaskResult result);
+
+/// What a motion of a task is for.
+enum class MotionPurpose { grip, carry, place, go };
+
+/// One motion of a task and how it ended. One whose goal held already has no tries. A motion that
+/// waited for another machine and went on is several of these.
+struct MotionOutcome {
+  MotionPurpose purpose = MotionPurpose::go;
+  Ticks start = 0;
+  interpreter::MotionEnd end;
+};
+
+/// Time in which a task stood still, from the beginning of the plan to its finish.
+struct WaitTimes {
+  Ticks predecessor = 0;  ///< before its links let it start, and held by a link to its finish
+  Ticks resource = 0;     ///< for its robot and crews, before its start and on the way
+  Ticks machine = 0;      ///< for another machine or people in the way
+  Ticks shift = 0;        ///< out of shift
+};
+
+/// A robot or a crew that a task had.
+struct ResourceHold {
+  int resource = -1;  ///< robots first, then crews
+  Ticks held = 0;     ///< in its shifts, and motions after their end
+  Ticks busy = 0;     ///< of that it moved or worked
+};
+
+/// One task as it went. A rejected task leaves no mark: it takes no time.
+struct TaskOutcome {
+  std::string task;
+  std::string robot;  ///< "" for crew work
+  std::vector<std::string>
+      crews;             ///< of `by`, then those that hook, adjust, release, in this order
+  bool parking = false;  ///< not a task of the plan: a robot asked out of the way
+  Ticks start = 0;
+  Ticks duration = 0;     ///< to its finish; nights included
+  Ticks motion_time = 0;  ///< of the duration, what motions took
+  Ticks work_time = 0;    ///< of the duration, what crews took
+  WaitTimes waits;        ///< with motion_time and work_time this adds up to start + duration
+  double cost = 0;        ///< of its robot and crews, for the time it had them
+  int tried = 0;          ///< attempts of all its motions, accepted or not
+  int accepted = 0;
+  TaskResult result = TaskResult::done;
+  std::string reason;  ///< why not done; of a short plan also how it is short of its goal
+  std::vector<MotionOutcome> motions;
+  std::vector<ResourceHold> holds;
+};
+
+/// The names of all crews that work on a task, each once: those of `by`, then of its works.
+std::vector<std::string> crew_names(const interpreter::PlanModel& plan,
+                                    const interpreter::TaskSpec& task);
+
+/// How much a robot or a crew was used.
+struct ResourceUse {
+  std::string name;
+  bool robot = false;
+  double size = 1;             ///< people of a crew
+  int tasks = 0;               ///< that had it
+  Ticks held = 0;              ///< tasks had it, in its shifts, and motions after their end
+  Ticks busy = 0;              ///< of that it moved or worked
+  Ticks shift_time = 0;        ///< its shifts from the beginning of the plan to its end
+  std::optional<double> rate;  ///< per hour
+  double cost = 0;             ///< rate for the time held
+
+  /// Share of its shifts in which tasks had it; 0 without shifts.
+  double utilisation() const {
+    return shift_time > 0 ? static_cast<double>(held) / static_cast<double>(shift_time) : 0;
+  }
+};
+
+/// A task that makes the whole as long as it is, and what it waited for.
+struct CriticalTask {
+  std::string task;
+  bool work_counts = false;  ///< shortening the task itself may shorten the whole
+  std::string text;          ///< a sentence: what it waited for
+};
+
+/// A plan as it went: tasks in the order in which they started, of several at a moment as in the
+/// file.
+struct Schedule {
+  std::vector<TaskOutcome> tasks;
+  std::vector<ResourceUse> resources;  ///< robots, then crews, as in the file
+  std::vector<CriticalTask> critical;  ///< the critical chain, first to last
+  Ticks process_time = 0;
+  bool feasible = true;  ///< every task is done
+  std::optional<std::string> start_at;
+  std::string currency;
+  bool costed = false;  ///< somebody has a rate
+  double cost = 0;
+};
+
+}  // namespace rubicon::taskplan

@@ -1,0 +1,62 @@
+#include "src/simulation/taskplan/short_run.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "interpreter/machine/machine.hpp"
+#include "src/simulation/site/make_site.hpp"
+#include "src/simulation/site/robot_view.hpp"
+#include "src/simulation/taskplan/hit_recorder.hpp"
+#include "src/simulation/taskplan/reason.hpp"
+#include "src/simulation/trace/trace_writer.hpp"
+
+namespace rubicon::taskplan {
+
+Schedule run_short(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
+                   trace::TraceSink* sink, trace::TraceDetail detail) {
+  std::optional<trace::TraceWriter> trace;
+  if (sink) {
+    trace.emplace(*sink, plan, sources, detail);
+    trace->header();
+    trace->set_task(plan.name, 0);
+    trace->task_start(0);
+  }
+  site::SiteWorld site = site::make_site(plan);
+  site::RobotView view(site, 0);
+  HitRecorder hits(trace ? &*trace : nullptr);
+  const interpreter::Program program = interpreter::compile(plan.robots[0].robot);
+  interpreter::MotionTask motion;
+  motion.goals = plan.via;
+  motion.goals.push_back(*plan.goal);
+  motion.situations = plan.situations;
+  motion.within = plan.within;
+  motion.budget = plan.budget;
+  motion.q = site.configuration(0);
+  motion.mounting = site.robot(0).mounting;
+  interpreter::Machine machine(program, std::move(motion));
+  do {
+    site.set_time(machine.time());
+  } while (machine.advance(view, &hits));
+  const interpreter::MotionEnd& end = machine.end();
+
+  TaskOutcome outcome;
+  outcome.task = plan.name;
+  outcome.robot = plan.robots[0].name;
+  outcome.duration = outcome.motion_time = end.time;
+  outcome.tried = end.tries;
+  outcome.accepted = end.accepted;
+  if (!end.reached) outcome.reason = reason_of(end, hits.last(), sources);
+  if (end.status != interpreter::MotionStatus::done) outcome.result = TaskResult::rejected;
+  outcome.motions.push_back({MotionPurpose::go, 0, end});
+  if (trace) {
+    trace->motion_end(end);
+    trace->task_end(end.time, name_of(outcome.result), outcome.reason);
+  }
+  Schedule schedule;
+  schedule.process_time = end.time;
+  schedule.feasible = outcome.result == TaskResult::done;
+  schedule.tasks.push_back(std::move(outcome));
+  return schedule;
+}
+
+}  // namespace rubicon::taskplan

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "interpreter/check/plan_model.hpp"
+#include "interpreter/syntax/source.hpp"
+#include "src/simulation/taskplan/schedule.hpp"
+#include "src/simulation/trace/trace_sink.hpp"
+
+namespace rubicon::taskplan {
+
+/// The one motion of a short plan. Done when its script ended, reached or short. `sink` may be
+/// null.
+Schedule run_short(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
+                   trace::TraceSink* sink, trace::TraceDetail detail);
+
+}  // namespace rubicon::taskplan

@@ -1,0 +1,267 @@
+#include "src/simulation/trace/trace_header.hpp"
+
+#include <algorithm>
+
+#include "src/simulation/trace/json_builder.hpp"
+#include "src/simulation/trace/scene_json.hpp"
+#include "src/simulation/trace/sha256.hpp"
+
+namespace rubicon::trace {
+
+namespace {
+
+using interpreter::PlanModel;
+
+constexpr int kFormatVersion = 1;
+
+const char* name_of(TraceDetail detail) {
+  switch (detail) {
+    case TraceDetail::steps:
+      return "steps";
+    case TraceDetail::tasks:
+      return "tasks";
+    case TraceDetail::none:
+      return "none";
+  }
+  return "";
+}
+
+const char* name_of(interpreter::LinkType type) {
+  switch (type) {
+    case interpreter::LinkType::FS:
+      return "FS";
+    case interpreter::LinkType::SS:
+      return "SS";
+    case interpreter::LinkType::FF:
+      return "FF";
+    case interpreter::LinkType::SF:
+      return "SF";
+  }
+  return "";
+}
+
+void write_files(JsonBuilder& json, const interpreter::SourceMap& sources) {
+  json.key("files").begin_array();
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const interpreter::SourceFile& file = sources.file(static_cast<interpreter::FileId>(i));
+    json.begin_object().field("path", file.path).field("sha256", sha256_hex(file.text));
+    json.field("text", file.text).end_object();
+  }
+  json.end_array();
+}
+
+void write_components(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
+  json.key("components").begin_array();
+  for (const interpreter::ComponentSpec& component : plan.components) {
+    json.begin_object().field("name", component.name);
+    json.key("pose").pose(component.X_WO).key("grip").pose(component.X_OG);
+    json.field("mass", component.mass).key("shapes");
+    write_shapes(json, component.shapes, meshes);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void write_rate(JsonBuilder& json, const std::optional<double>& cost_per_hour,
+                const std::string& calendar) {
+  json.key("cost_per_hour");
+  if (cost_per_hour) {
+    json.value(*cost_per_hour);
+  } else {
+    json.null();
+  }
+  json.field("calendar", calendar);
+}
+
+void write_values(JsonBuilder& json, const robot::RobotModel& model,
+                  const std::vector<std::pair<int, double>>& values) {
+  json.begin_object();
+  for (const auto& [index, value] : values) {
+    json.field(model.parameters[static_cast<std::size_t>(index)].display_name, value);
+  }
+  json.end_object();
+}
+
+void write_calendars(JsonBuilder& json, const PlanModel& plan) {
+  json.key("start_at");
+  if (plan.start_at) {
+    json.value(std::string_view(*plan.start_at));
+  } else {
+    json.null();
+  }
+  json.field("currency", plan.currency).key("calendars").begin_array();
+  for (const interpreter::CalendarSpec& calendar : plan.calendars) {
+    json.begin_object().field("name", calendar.name).key("shifts").begin_array();
+    for (const interpreter::CalendarSpec::Shift& shift : calendar.shifts) {
+      json.begin_object().key("days").begin_array();
+      json.value(shift.first_day).value(shift.last_day).end_array().key("minutes").begin_array();
+      for (const auto& [from, to] : shift.minutes) {
+        json.begin_array().value(from).value(to).end_array();
+      }
+      json.end_array().end_object();
+    }
+    json.end_array().key("off").strings(calendar.off);
+    json.field("carry_over", calendar.carry_over).end_object();
+  }
+  json.end_array();
+}
+
+void write_robots(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
+  json.key("robots").begin_array();
+  for (const interpreter::RobotSpec& spec : plan.robots) {
+    const robot::RobotModel& model = spec.robot->model;
+    json.begin_object().field("name", spec.name).field("type", model.name);
+    json.field("path", spec.robot->path).key("pose").pose(spec.X_WM);
+    json.key("start").begin_object();
+    for (std::size_t i = 0; i < spec.start.size(); ++i) {
+      json.field(model.parameters[i].display_name, spec.start[i]);
+    }
+    json.end_object();
+    write_rate(json, spec.cost_per_hour, spec.calendar);
+    json.key("park");
+    if (spec.park) {
+      write_values(json, model, *spec.park);
+    } else {
+      json.null();
+    }
+    write_robot_model(json, model, meshes);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+/// A goal's values by parameter name, or its frame.
+void write_goal(JsonBuilder& json, const PlanModel& plan, int robot,
+                const interpreter::GoalSpec& goal) {
+  json.begin_object();
+  if (goal.X_WG) json.key("pose").pose(*goal.X_WG);
+  if (robot >= 0) {
+    const auto& parameters = plan.robots[static_cast<std::size_t>(robot)].robot->model.parameters;
+    for (const auto& [index, value] : goal.values) {
+      json.field(parameters[static_cast<std::size_t>(index)].display_name, value);
+    }
+  }
+  json.end_object();
+}
+
+void write_work(JsonBuilder& json, const PlanModel& plan, const interpreter::WorkSpec& work) {
+  json.begin_object().field("duration", work.duration).key("crew");
+  if (work.crew < 0) {
+    json.null();
+  } else {
+    json.value(std::string_view(plan.crews[static_cast<std::size_t>(work.crew)].name));
+  }
+  json.end_object();
+}
+
+/// What the plan gives: `length` for the tool's position, values by parameter.
+void write_within(JsonBuilder& json, const PlanModel& plan, const interpreter::TaskSpec& task) {
+  json.key("within").begin_object();
+  if (task.within.length >= 0) json.field("length", task.within.length);
+  const auto& parameters =
+      plan.robots[static_cast<std::size_t>(task.robot)].robot->model.parameters;
+  for (const auto& [index, value] : task.within.values) {
+    json.field(parameters[static_cast<std::size_t>(index)].display_name, value);
+  }
+  json.end_object();
+}
+
+void write_task_motions(JsonBuilder& json, const PlanModel& plan,
+                        const interpreter::TaskSpec& task) {
+  if (task.move) {
+    json.field("move", plan.components[static_cast<std::size_t>(*task.move)].name);
+    json.key("to").pose(task.X_WO_goal);
+  }
+  if (task.go) write_goal(json.key("go"), plan, task.robot, *task.go);
+  if (!task.via.empty()) {
+    json.key("via").begin_array();
+    for (const interpreter::GoalSpec& goal : task.via) write_goal(json, plan, task.robot, goal);
+    json.end_array();
+  }
+  if (task.robot >= 0) write_within(json, plan, task);
+  if (!task.situations.empty()) json.key("situations").strings(task.situations);
+}
+
+void write_task_work(JsonBuilder& json, const PlanModel& plan, const interpreter::TaskSpec& task) {
+  if (task.hook) write_work(json.key("hook"), plan, *task.hook);
+  if (task.adjust) write_work(json.key("adjust"), plan, *task.adjust);
+  if (task.release) write_work(json.key("release"), plan, *task.release);
+  if (!task.takes.empty()) {
+    json.key("takes").begin_array();
+    for (const interpreter::WorkSpec& work : task.takes) write_work(json, plan, work);
+    json.end_array();
+  }
+  if (!task.remove.empty()) {
+    json.key("remove").begin_array();
+    for (const int component : task.remove) {
+      json.value(std::string_view(plan.components[static_cast<std::size_t>(component)].name));
+    }
+    json.end_array();
+  }
+}
+
+void write_tasks(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
+  json.key("tasks").begin_array();
+  for (const interpreter::TaskSpec& task : plan.tasks) {
+    json.begin_object().field("name", task.name).key("robot");
+    json.value(std::string_view(
+        task.robot < 0 ? std::string() : plan.robots[static_cast<std::size_t>(task.robot)].name));
+    json.key("crews").begin_array();
+    for (const int crew : task.crews) {
+      json.value(std::string_view(plan.crews[static_cast<std::size_t>(crew)].name));
+    }
+    json.end_array();
+    write_task_motions(json, plan, task);
+    write_task_work(json, plan, task);
+    json.field("priority", task.priority).key("zones");
+    write_shapes(json, task.zones, meshes);
+    json.key("after").begin_array();
+    for (const interpreter::LinkSpec& link : task.after) {
+      json.begin_object();
+      json.field("task", plan.tasks[static_cast<std::size_t>(link.task)].name);
+      json.field("type", name_of(link.type)).field("lag", link.lag).end_object();
+    }
+    json.end_array().end_object();
+  }
+  json.end_array();
+}
+
+}  // namespace
+
+std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sources,
+                        TraceDetail detail) {
+  JsonBuilder json;
+  MeshTable meshes;
+  json.begin_object().field("type", "header").field("format", "rubicon-trace");
+  json.field("version", kFormatVersion).field("plan", plan.name).field("path", plan.path);
+  json.field("form", plan.short_form ? "short" : "full").field("detail", name_of(detail));
+  json.field("contact", plan.contact).field("budget", plan.budget);
+  json.key("situations").strings(plan.situations);
+  write_calendars(json, plan);
+  write_files(json, sources);
+  json.key("site");
+  write_shapes(json, plan.site, meshes);
+  write_components(json, plan, meshes);
+  write_robots(json, plan, meshes);
+  json.key("carry");
+  write_shapes(json, plan.carry, meshes);
+  json.key("crews").begin_array();
+  for (const interpreter::CrewSpec& crew : plan.crews) {
+    json.begin_object().field("name", crew.name).field("size", crew.size);
+    write_rate(json, crew.cost_per_hour, crew.calendar);
+    json.end_object();
+  }
+  json.end_array();
+  if (plan.short_form) {
+    json.key("via").begin_array();
+    for (const interpreter::GoalSpec& goal : plan.via) write_goal(json, plan, 0, goal);
+    json.end_array();
+    if (plan.goal) write_goal(json.key("goal"), plan, 0, *plan.goal);
+  }
+  write_tasks(json, plan, meshes);
+  meshes.write(json.key("meshes"));
+  json.end_object();
+  return json.take();
+}
+
+}  // namespace rubicon::trace

@@ -1,0 +1,331 @@
+#include "src/simulation/trace/trace_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "src/simulation/trace/json_builder.hpp"
+#include "src/simulation/trace/trace_header.hpp"
+
+namespace rubicon::trace {
+
+namespace {
+
+void append_truth(std::string& out, bool truth) { out += truth ? "true" : "false"; }
+
+void append_integer(std::string& out, int number) {
+  fmt::format_to(std::back_inserter(out), "{}", number);
+}
+
+}  // namespace
+
+TraceWriter::TraceWriter(TraceSink& sink, const interpreter::PlanModel& plan,
+                         const interpreter::SourceMap& sources, TraceDetail detail)
+    : sink_(sink), plan_(plan), sources_(sources), detail_(detail) {
+  set_task(plan.name, -1);
+}
+
+void TraceWriter::header() { sink_.line(header_line(plan_, sources_, detail_)); }
+
+void TraceWriter::set_task(std::string_view task, int robot) {
+  whose_ = ",\"task\":";
+  append_string(whose_, task);
+  whose_ += ",\"robot\":";
+  keys_.clear();
+  if (robot < 0) {
+    whose_ += "\"\"";
+    return;
+  }
+  const interpreter::RobotSpec& spec = plan_.robots[static_cast<std::size_t>(robot)];
+  append_string(whose_, spec.name);
+  for (const robot::Parameter& parameter : spec.robot->model.parameters) {
+    append_string(keys_.emplace_back(), parameter.display_name);
+    keys_.back() += ':';
+  }
+}
+
+void TraceWriter::begin(const char* type) {
+  line_ = "{\"type\":\"";
+  line_ += type;
+  line_ += '"';
+  line_ += whose_;
+}
+
+void TraceWriter::finish() {
+  line_ += '}';
+  sink_.line(line_);
+}
+
+void TraceWriter::place(interpreter::Span span) {
+  if (span.file == interpreter::kNoFile) return;
+  const auto [slot, inserted] = places_.try_emplace({span.file, span.begin});
+  std::string& text = slot->second;
+  if (inserted) {
+    const interpreter::Position position = sources_.position(span);
+    text = ",\"file\":";
+    append_string(text, sources_.file(span.file).path);
+    fmt::format_to(std::back_inserter(text), ",\"line\":{},\"column\":{}", position.line,
+                   position.column);
+  }
+  line_ += text;
+}
+
+void TraceWriter::configuration_key(int parameter) {
+  line_ += keys_[static_cast<std::size_t>(parameter)];
+}
+
+void TraceWriter::configuration(std::span<const double> q) {
+  line_ += ",\"q\":{";
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    if (i > 0) line_ += ',';
+    line_ += keys_[i];
+    append_number(line_, q[i]);
+  }
+  line_ += '}';
+}
+
+void TraceWriter::task_start(interpreter::Ticks time, std::string_view because,
+                             std::string_view after) {
+  if (detail_ == TraceDetail::none) return;
+  begin("task_start");
+  line_ += ",\"t\":";
+  append_seconds(line_, time);
+  if (!because.empty()) {
+    line_ += ",\"because\":";
+    append_string(line_, because);
+    line_ += ",\"after\":";
+    append_string(line_, after);
+  }
+  finish();
+}
+
+void TraceWriter::task_end(interpreter::Ticks time, std::string_view result,
+                           std::string_view reason) {
+  if (detail_ == TraceDetail::none) return;
+  begin("task_end");
+  line_ += ",\"t\":";
+  append_seconds(line_, time);
+  line_ += ",\"result\":";
+  append_string(line_, result);
+  line_ += ",\"reason\":";
+  append_string(line_, reason);
+  finish();
+}
+
+void TraceWriter::load(const char* type, std::string_view component, const math::Pose& X,
+                       interpreter::Ticks time) {
+  if (detail_ == TraceDetail::none) return;
+  begin(type);
+  line_ += ",\"component\":";
+  append_string(line_, component);
+  line_ += ",\"pose\":";
+  line_ += JsonBuilder().pose(X).text();
+  line_ += ",\"t\":";
+  append_seconds(line_, time);
+  finish();
+}
+
+void TraceWriter::attach(std::string_view component, const math::Pose& X_TO,
+                         interpreter::Ticks time) {
+  load("attach", component, X_TO, time);
+}
+
+void TraceWriter::detach(std::string_view component, const math::Pose& X_WO,
+                         interpreter::Ticks time) {
+  load("detach", component, X_WO, time);
+}
+
+void TraceWriter::span_of_time(interpreter::Ticks from, interpreter::Ticks to) {
+  line_ += ",\"from\":";
+  append_seconds(line_, from);
+  line_ += ",\"t\":";
+  append_seconds(line_, to);
+}
+
+void TraceWriter::remove(std::string_view component, interpreter::Ticks time) {
+  if (detail_ == TraceDetail::none) return;
+  begin("remove");
+  line_ += ",\"component\":";
+  append_string(line_, component);
+  line_ += ",\"t\":";
+  append_seconds(line_, time);
+  finish();
+}
+
+void TraceWriter::work(std::string_view what, std::string_view crew, interpreter::Ticks from,
+                       interpreter::Ticks to, interpreter::Ticks time) {
+  if (detail_ == TraceDetail::none) return;
+  begin("work");
+  line_ += ",\"what\":";
+  append_string(line_, what);
+  line_ += ",\"crew\":";
+  append_string(line_, crew);
+  span_of_time(from, to);
+  line_ += ",\"time\":";
+  append_seconds(line_, time);
+  finish();
+}
+
+void TraceWriter::pause(std::string_view why, std::string_view whom, interpreter::Ticks from,
+                        interpreter::Ticks to) {
+  if (detail_ == TraceDetail::none) return;
+  begin("pause");
+  line_ += ",\"why\":";
+  append_string(line_, why);
+  line_ += ",\"for\":";
+  append_string(line_, whom);
+  span_of_time(from, to);
+  finish();
+}
+
+void TraceWriter::motion_end(const interpreter::MotionEnd& end) {
+  if (detail_ == TraceDetail::none) return;
+  begin("end");
+  line_ += ",\"status\":";
+  append_string(line_, name_of(end.status));
+  line_ += ",\"reached\":";
+  append_truth(line_, end.reached);
+  line_ += ",\"period\":";
+  if (end.period) {
+    append_integer(line_, *end.period);
+  } else {
+    line_ += "null";
+  }
+  fmt::format_to(std::back_inserter(line_),
+                 ",\"tries\":{},\"accepted\":{},\"rejected\":{{\"at goal\":{},\"no "
+                 "direction\":{},\"limit\":{},\"hit\":{}}}",
+                 end.tries, end.accepted, end.rejected.at_goal, end.rejected.no_direction,
+                 end.rejected.limit, end.rejected.hit);
+  line_ += ",\"residual\":{";
+  const char* comma = "";
+  for (const auto& [parameter, off] : end.residual) {
+    line_ += comma;
+    configuration_key(parameter);
+    append_number(line_, off);
+    comma = ",";
+  }
+  line_ += '}';
+  if (end.position_error) {
+    line_ += ",\"position_error\":";
+    append_number(line_, *end.position_error);
+  }
+  if (end.orientation_error) {
+    line_ += ",\"orientation_error\":";
+    append_number(line_, *end.orientation_error);
+  }
+  configuration(end.q);
+  line_ += ",\"vars\":{";
+  comma = "";
+  for (const auto& [name, value] : end.variables) {
+    line_ += comma;
+    append_string(line_, name);
+    line_ += ':';
+    append_number(line_, value);
+    comma = ",";
+  }
+  line_ += "},\"t\":";
+  append_seconds(line_, end.time);
+  if (!end.reached) {
+    place(end.span);
+    line_ += ",\"message\":";
+    append_string(line_, end.message);
+  }
+  finish();
+}
+
+void TraceWriter::goal(int k, int n) {
+  if (!steps()) return;
+  begin("goal");
+  fmt::format_to(std::back_inserter(line_), ",\"k\":{},\"n\":{}", k, n);
+  finish();
+}
+
+void TraceWriter::set(const std::string& variable, double value, interpreter::Span) {
+  if (!steps()) return;
+  begin("set");
+  line_ += ",\"var\":";
+  append_string(line_, variable);
+  line_ += ",\"value\":";
+  append_number(line_, value);
+  finish();
+}
+
+void TraceWriter::enter(interpreter::LoopKind kind, interpreter::Span span) {
+  if (!steps()) return;
+  begin("enter");
+  line_ += ",\"kind\":";
+  append_string(line_, name_of(kind));
+  place(span);
+  finish();
+}
+
+void TraceWriter::exit(interpreter::LoopKind kind, interpreter::Span span, bool reached,
+                       int successes) {
+  if (!steps()) return;
+  begin("exit");
+  line_ += ",\"kind\":";
+  append_string(line_, name_of(kind));
+  place(span);
+  line_ += ",\"reached\":";
+  append_truth(line_, reached);
+  line_ += ",\"successes\":";
+  append_integer(line_, successes);
+  finish();
+}
+
+void TraceWriter::which(const std::string& label, interpreter::Span span) {
+  if (!steps()) return;
+  begin("which");
+  line_ += ",\"label\":";
+  append_string(line_, label);
+  place(span);
+  finish();
+}
+
+void TraceWriter::attempt(const interpreter::Attempt& attempt) {
+  if (!steps()) return;
+  begin("try");
+  line_ += ",\"n\":";
+  append_integer(line_, attempt.n);
+  line_ += ",\"command\":\"";
+  line_ += attempt.command;
+  line_ += "\",\"parameter\":";
+  if (std::string_view(attempt.command) == "together") {
+    line_ += '[';
+    for (std::size_t i = 0; i < attempt.parameters.size(); ++i) {
+      if (i > 0) line_ += ',';
+      append_string(line_, attempt.parameters[i]);
+    }
+    line_ += ']';
+  } else {
+    append_string(line_, attempt.parameters.empty() ? "" : attempt.parameters.front());
+  }
+  place(attempt.span);
+  line_ += ",\"ok\":";
+  append_truth(line_, attempt.accepted);
+  line_ += ",\"reason\":";
+  append_string(line_, reason_text(attempt));
+  if (attempt.hit != nullptr) {
+    line_ += ",\"hit\":[";
+    append_string(line_, attempt.hit->moved);
+    line_ += ',';
+    append_string(line_, attempt.hit->met);
+    line_ += ']';
+  }
+  line_ += ",\"t\":";
+  append_seconds(line_, attempt.time);
+  configuration(attempt.q);
+  finish();
+}
+
+void TraceWriter::wait(int n, interpreter::Ticks time, interpreter::Span) {
+  if (!steps()) return;
+  begin("wait");
+  line_ += ",\"n\":";
+  append_integer(line_, n);
+  line_ += ",\"t\":";
+  append_seconds(line_, time);
+  finish();
+}
+
+}  // namespace rubicon::trace

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "interpreter/check/plan_model.hpp"
+#include "interpreter/machine/machine.hpp"
+#include "interpreter/program/events.hpp"
+#include "interpreter/syntax/source.hpp"
+#include "src/simulation/trace/trace_sink.hpp"
+
+namespace rubicon::trace {
+
+/// Writes a run as JSON lines (docs/trace.md), record by record as it happens. One line is kept at
+/// a time. Plan, sources and sink must outlive it.
+class TraceWriter : public interpreter::EventSink {
+ public:
+  TraceWriter(TraceSink& sink, const interpreter::PlanModel& plan,
+              const interpreter::SourceMap& sources, TraceDetail detail);
+
+  /// The first line; once, before anything else.
+  void header();
+
+  /// Names the task and the robot (index into the plan's, -1 none) that all later records belong
+  /// to.
+  void set_task(std::string_view task, int robot);
+
+  /// `because`: a sentence why it starts now; `after`: the task it waited for, "" for none.
+  void task_start(interpreter::Ticks time, std::string_view because = {},
+                  std::string_view after = {});
+  /// `result` is done, rejected or "not reached"; `time` the clock from which the plan goes on.
+  void task_end(interpreter::Ticks time, std::string_view result, std::string_view reason);
+  /// The component joins the tool; X_TO is where its frame {O} is in the tool frame.
+  void attach(std::string_view component, const math::Pose& X_TO, interpreter::Ticks time);
+  /// The component stands on its own again, at X_WO.
+  void detach(std::string_view component, const math::Pose& X_WO, interpreter::Ticks time);
+  /// The component leaves the site.
+  void remove(std::string_view component, interpreter::Ticks time);
+  /// Crew work from `from` to `to`, of which `time` is in shifts; `what` is hook, adjust, release
+  /// or takes.
+  void work(std::string_view what, std::string_view crew, interpreter::Ticks from,
+            interpreter::Ticks to, interpreter::Ticks time);
+  /// The task stood still; `why` is machine, crew, shift or held.
+  void pause(std::string_view why, std::string_view whom, interpreter::Ticks from,
+             interpreter::Ticks to);
+  void motion_end(const interpreter::MotionEnd& end);
+
+  void goal(int k, int n) override;
+  void set(const std::string& variable, double value, interpreter::Span span) override;
+  void enter(interpreter::LoopKind kind, interpreter::Span span) override;
+  void exit(interpreter::LoopKind kind, interpreter::Span span, bool reached,
+            int successes) override;
+  void which(const std::string& label, interpreter::Span span) override;
+  void attempt(const interpreter::Attempt& attempt) override;
+  void wait(int n, interpreter::Ticks time, interpreter::Span span) override;
+
+ private:
+  void begin(const char* type);
+  void finish();
+  void place(interpreter::Span span);
+  void span_of_time(interpreter::Ticks from, interpreter::Ticks to);
+  void load(const char* type, std::string_view component, const math::Pose& X,
+            interpreter::Ticks time);
+  void configuration(std::span<const double> q);
+  void configuration_key(int parameter);
+  bool steps() const { return detail_ == TraceDetail::steps; }
+
+  TraceSink& sink_;
+  const interpreter::PlanModel& plan_;
+  const interpreter::SourceMap& sources_;
+  TraceDetail detail_;
+  std::string whose_;              ///< the task and robot members of every record
+  std::vector<std::string> keys_;  ///< "name": per parameter of the robot
+  std::map<std::pair<interpreter::FileId, std::uint32_t>, std::string>
+      places_;  ///< file, line and column members, by start of span
+  std::string line_;
+};
+
+}  // namespace rubicon::trace
