@@ -6,6 +6,7 @@ namespace rubicon::interpreter {
 
 std::uint32_t& StateTable::find_or_insert(const Hash128& key, std::uint32_t initial,
                                           bool& inserted) {
+  if (size_ >= kMostStates) return restart_with(key, initial, inserted);
   if ((size_ + 1) * 2 > slots_.size()) grow();
   const std::size_t mask = slots_.size() - 1;
   for (std::size_t i = key.low & mask;; i = (i + 1) & mask) {
@@ -21,6 +22,19 @@ std::uint32_t& StateTable::find_or_insert(const Hash128& key, std::uint32_t init
       return slot.count;
     }
   }
+}
+
+/// A key that is known is found also when the table is full.
+std::uint32_t& StateTable::restart_with(const Hash128& key, std::uint32_t initial, bool& inserted) {
+  const std::size_t mask = slots_.size() - 1;
+  for (std::size_t i = key.low & mask; slots_[i].used; i = (i + 1) & mask) {
+    if (slots_[i].key == key) {
+      inserted = false;
+      return slots_[i].count;
+    }
+  }
+  clear();
+  return find_or_insert(key, initial, inserted);
 }
 
 void StateTable::clear() {

@@ -36,9 +36,14 @@ class StateHasher {
   std::uint64_t b_ = 0x13198a2e03707344ull;
 };
 
-/// Counts by 128-bit key: open addressing, grows by doubling, copies with its owner.
+/// Counts by 128-bit key: open addressing, grows by doubling, copies with its owner. Its memory is
+/// bounded: before it would hold more than `kMostStates` keys it forgets them all.
 class StateTable {
  public:
+  /// A motion that comes back to a state within so many attempts is found out for certain. Reason:
+  /// far more than the default budget (20000), and 12 MB.
+  static constexpr std::size_t kMostStates = std::size_t{1} << 18;
+
   /// The count stored under `key`, created as `initial` if it is new; `inserted` tells which.
   std::uint32_t& find_or_insert(const Hash128& key, std::uint32_t initial, bool& inserted);
   void clear();
@@ -51,6 +56,7 @@ class StateTable {
     bool used = false;
   };
   void grow();
+  std::uint32_t& restart_with(const Hash128& key, std::uint32_t initial, bool& inserted);
   std::vector<Slot> slots_;
   std::size_t size_ = 0;
 };

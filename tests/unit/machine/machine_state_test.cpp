@@ -77,5 +77,24 @@ TEST(StateTable, FindsWhatWasPutInAndNothingElse) {
   EXPECT_TRUE(inserted);
 }
 
+// However long a motion lasts, its memory stays bounded, and what is in the table is found.
+TEST(StateTable, ForgetsAllBeforeItGrowsWithoutEnd) {
+  StateTable table;
+  bool inserted = false;
+  for (std::uint64_t i = 0; i < StateTable::kMostStates; ++i) {
+    table.find_or_insert({i, i}, static_cast<std::uint32_t>(i), inserted);
+  }
+  EXPECT_EQ(table.find_or_insert({7, 7}, 0, inserted), 7u);
+  EXPECT_FALSE(inserted);
+  EXPECT_EQ(table.size(), StateTable::kMostStates);
+  table.find_or_insert({0, 1}, 3, inserted);
+  EXPECT_TRUE(inserted);
+  EXPECT_EQ(table.size(), 1u);
+  EXPECT_EQ(table.find_or_insert({0, 1}, 0, inserted), 3u);
+  EXPECT_FALSE(inserted);
+  table.find_or_insert({7, 7}, 0, inserted);
+  EXPECT_TRUE(inserted);
+}
+
 }  // namespace
 }  // namespace rubicon::test
