@@ -86,6 +86,8 @@ class Machine {
   const std::vector<double>& q() const { return q_; }
   Ticks time() const { return time_; }
   int tries() const { return tries_; }
+  /// Way points behind it.
+  std::size_t way_point() const { return way_point_; }
 
   /// 128-bit hash of the state that decides what comes next: stack, configuration (in millionths of
   /// a step), variables, situations, way point. Equal states have equal hashes on every machine.

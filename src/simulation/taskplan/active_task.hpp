@@ -70,9 +70,13 @@ struct ActiveTask {
   std::vector<interpreter::GoalSpec> goals;  ///< those that are left
   double budget = 0;                         ///< attempts left
   Ticks machine_start = 0;
-  int tries_before = 0;                      ///< of the machine, up to its last step
-  int free_tries = 0;                        ///< of these, what waiting for other machines took
-  bool waits_in_script = false;              ///< its step is a `wait`
+  int tries_before = 0;             ///< of the machine, up to its last step
+  int free_tries = 0;               ///< of these, what waiting for other machines took
+  int waits = 0;                    ///< `wait`s since the last progress of anybody: they count
+  std::uint64_t progress_seen = 0;  ///< the progress of the site up to which they were counted
+  std::size_t way_points = 0;       ///< of this phase, behind it for good
+  std::size_t goals_dropped = 0;    ///< of this phase, from the front of `goals`
+  bool waits_in_script = false;     ///< its step is a `wait`
   math::Pose X_WO = math::Pose::Identity();  ///< where the component stood that it set out to take
   std::vector<Blocker> blockers;
   std::vector<WaitPlace> places;  ///< where it began to wait in this phase

@@ -70,6 +70,8 @@ class Simulation {
   struct Moment {
     Ticks now = 0;
     std::uint64_t sequence = 0;
+    std::uint64_t progress = 0;  ///< of all tasks: loads taken or set down, work done, way points
+    Ticks progress_at = 0;       ///< when it grew last
     std::vector<std::shared_ptr<ActiveTask>> active;  ///< to be changed through `find_active` only
     std::vector<ZoneWait> zone_waits;
   };
@@ -150,6 +152,11 @@ class Simulation {
   bool start_machine(ActiveTask& active);
   bool move_on(ActiveTask& active);
   void count_step(ActiveTask& active, Ticks to, bool waited);
+  void charge_wait(ActiveTask& active, int looks);
+  void refund_waits(ActiveTask& active);
+  void note_progress();
+  void note_way_point(ActiveTask& active);
+  std::string text_of_waits(const ActiveTask& active) const;
   bool end_motion(ActiveTask& active);
   bool retry(ActiveTask& active);
   std::uint64_t progress_of(const std::vector<Blocker>& blockers) const;
@@ -177,6 +184,8 @@ class Simulation {
   void reject_one_of(const std::vector<RingLink>& ring);
   std::string text_of_ring(const std::vector<RingLink>& ring) const;
   std::string text_of_wait(int task, const Awaited& awaited) const;
+  std::string who_is(int task) const;
+  std::string text_of_way(int task, const Blocker& blocker) const;
   int last_of(const std::vector<int>& tasks) const;
 
   // simulation_deadlock.cpp: when nobody can go on

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "src/simulation/taskplan/goal_holds.hpp"
@@ -19,6 +20,10 @@ bool may_try_again(MotionStatus status) {
   return status == MotionStatus::done || status == MotionStatus::livelock ||
          status == MotionStatus::circling;
 }
+
+/// So many attempts before a `wait` are free: a script looks round before it waits. More count, so
+/// that no script is busy for ever between two waits.
+constexpr int kFreeTries = 100;
 
 /// The machines and zones among hits, each once.
 std::vector<Blocker> blockers_of(const std::vector<RecordedHit>& hits) {
@@ -59,6 +64,8 @@ bool Simulation::begin_motion(ActiveTask& active) {
   active.goals = goals_of(plan_, task, purpose, site_);
   if (purpose == MotionPurpose::grip) active.X_WO = site_.X_WO(*task.move);
   active.budget = task.budget.value_or(plan_.budget);
+  active.waits = 0;
+  active.way_points = active.goals_dropped = 0;
   // What stopped the carrying motion still keeps the placing one from its goal.
   if (purpose != MotionPurpose::place) active.hits.forget();
   const std::vector<double>& q = site_.configuration(task.robot);
@@ -112,12 +119,14 @@ bool Simulation::move_on(ActiveTask& active) {
   own_trace(active);
   interpreter::Machine& machine = *active.machine;
   active.waits_in_script = false;
+  refund_waits(active);
   while (machine.time() == now_.now) {
     const std::vector<double> before = machine.q();
     if (!machine.advance(views_[index(robot)], &active.hits)) break;
     if (machine.time() == now_.now) continue;
     count_step(active, machine.time(), machine.q() == before);
   }
+  note_way_point(active);
   if (machine.time() > now_.now) {
     wake_at(active, machine.time());
     return false;
@@ -129,16 +138,12 @@ bool Simulation::move_on(ActiveTask& active) {
 void Simulation::count_step(ActiveTask& active, Ticks to, bool waited) {
   const Ticks duration = to - now_.now;
   active.waits_in_script = waited;
-  // What a script tries while it waits for others does not use up its budget: they bound it.
   const int tries = active.machine->tries();
   const bool others = std::any_of(now_.active.begin(), now_.active.end(), [&](const auto& other) {
     return other->task != active.task &&
            (spec(other->task).robot >= 0 || !spec(other->task).zones.empty());
   });
-  if (waited && others) {
-    active.free_tries += tries - active.tries_before;
-    active.machine->extend_budget(tries - active.tries_before);
-  }
+  if (waited) charge_wait(active, others ? tries - active.tries_before - 1 : 0);
   active.tries_before = tries;
   if (waited && !active.hits.given_way().empty()) {
     active.outcome.waits.machine += duration;
@@ -149,6 +154,57 @@ void Simulation::count_step(ActiveTask& active, Ticks to, bool waited) {
   for (std::size_t i = 0; i < resources.size(); ++i) {
     active.over_time[i] += desk_->hours(resources[i]).idle_between(now_.now, to);
   }
+}
+
+/// A `wait` counts until anybody makes progress; `looks`, what the script tried before it while
+/// others are at work, not at all.
+void Simulation::charge_wait(ActiveTask& active, int looks) {
+  const int free = std::min(looks, kFreeTries);
+  active.free_tries += free;
+  active.machine->extend_budget(free);
+  ++active.waits;
+}
+
+/// Somebody has made progress since the script waited: what it waited does not count any more.
+void Simulation::refund_waits(ActiveTask& active) {
+  if (active.progress_seen == now_.progress) return;
+  active.progress_seen = now_.progress;
+  active.free_tries += active.waits;
+  active.machine->extend_budget(active.waits);
+  active.waits = 0;
+}
+
+/// Something is done that is not done twice: a load taken or set down, work, a way point reached.
+void Simulation::note_progress() {
+  ++now_.progress;
+  now_.progress_at = now_.now;
+}
+
+/// A motion that was stopped may reach its way points again: only the first time is progress.
+void Simulation::note_way_point(ActiveTask& active) {
+  const std::size_t behind = active.goals_dropped + active.machine->way_point();
+  if (behind <= active.way_points) return;
+  active.way_points = behind;
+  note_progress();
+}
+
+/// How often a script waited since anybody made progress, and who waits for whom.
+std::string Simulation::text_of_waits(const ActiveTask& active) const {
+  std::vector<std::string> texts;
+  std::set<int> seen;
+  const ActiveTask* each = &active;
+  while (each && seen.insert(each->task).second) {
+    const std::vector<Blocker> met = each->doing == Doing::waiting_for_machine
+                                         ? each->blockers
+                                         : blockers_of(each->hits.given_way());
+    if (met.empty()) break;
+    texts.push_back(text_of_way(each->task, met.front()));
+    const int robot = met.front().robot;
+    each = look_at_active(robot >= 0 ? desk_->state(robot).holder : met.front().zone_task);
+  }
+  return fmt::format("{} of them waits since {:g} s, when anybody last made progress{}{}",
+                     active.waits, interpreter::seconds_from_ticks(now_.progress_at),
+                     texts.empty() ? "" : ": ", fmt::join(texts, ", "));
 }
 
 bool Simulation::end_motion(ActiveTask& active) {
@@ -173,15 +229,17 @@ bool Simulation::end_motion(ActiveTask& active) {
     if (enough) return true;
     const interpreter::TaskSpec& task = spec(active.task);
     const std::string component = task.move ? site_.component_name(*task.move) : std::string();
-    reject(active,
-           task_reason(active.outcome.motions.back(), active.hits.last(), component, sources_),
-           in_the_way_of(active));
+    std::string reason =
+        task_reason(active.outcome.motions.back(), active.hits.last(), component, sources_);
+    const bool spent = active.outcome.motions.back().end.status == MotionStatus::budget;
+    if (spent && active.waits > 0) reason += "; " + text_of_waits(active);
+    reject(active, std::move(reason), in_the_way_of(active));
     return false;
   }
-  active.goals.erase(
-      active.goals.begin(),
-      active.goals.begin() + static_cast<std::ptrdiff_t>(
-                                 std::min(first_way_point(active.hits), active.goals.size() - 1)));
+  const std::size_t behind = std::min(first_way_point(active.hits), active.goals.size() - 1);
+  active.goals.erase(active.goals.begin(),
+                     active.goals.begin() + static_cast<std::ptrdiff_t>(behind));
+  active.goals_dropped += behind;
   active.doing = Doing::waiting_for_machine;
   active.since = now_.now;
   active.blockers = std::move(blockers);

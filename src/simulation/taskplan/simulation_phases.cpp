@@ -27,6 +27,7 @@ void Simulation::run_phases(ActiveTask& active) {
     active.places.clear();
     came_further(active);
     if (!begin_phase(active)) return;
+    note_progress();
     ++active.phase;
   }
   finish_task(active);
@@ -90,6 +91,7 @@ void Simulation::go_on(ActiveTask& active) {
 }
 
 void Simulation::run_phases_after(ActiveTask& active) {
+  note_progress();
   ++active.phase;
   run_phases(active);
 }

@@ -125,12 +125,25 @@ std::string Simulation::text_of_ring(const std::vector<RingLink>& ring) const {
                      fmt::join(texts, machines ? ", " : "; "));
 }
 
+std::string Simulation::who_is(int task) const {
+  const int robot = spec(task).robot;
+  return robot >= 0 ? fmt::format("{} ({})", robot_spec(robot).name, spec(task).name)
+                    : spec(task).name;
+}
+
+/// For whom a task waits that stands in its way, and where they meet.
+std::string Simulation::text_of_way(int task, const Blocker& blocker) const {
+  if (blocker.robot < 0) {
+    return fmt::format("{} waits for the people of {}: {}", who_is(task),
+                       spec(blocker.zone_task).name, meeting(blocker));
+  }
+  return fmt::format("{} waits for {}: {}", who_is(task), robot_spec(blocker.robot).name,
+                     meeting(blocker));
+}
+
 /// Who waits for whom, and where.
 std::string Simulation::text_of_wait(int task, const Awaited& awaited) const {
-  const int robot = spec(task).robot;
-  const std::string who = robot >= 0
-                              ? fmt::format("{} ({})", robot_spec(robot).name, spec(task).name)
-                              : spec(task).name;
+  const std::string who = who_is(task);
   const std::string& other = spec(awaited.by.front()).name;
   const auto idle = [&](int which) {
     std::string text = fmt::format(", and {} moves only in {}", robot_spec(which).name, other);
@@ -140,11 +153,7 @@ std::string Simulation::text_of_wait(int task, const Awaited& awaited) const {
   switch (awaited.kind) {
     case Awaited::Kind::way: {
       const Blocker& blocker = look_at_active(task)->blockers[index(awaited.number)];
-      if (blocker.robot < 0) {
-        return fmt::format("{} waits for the people of {}: {}", who, other, meeting(blocker));
-      }
-      return fmt::format("{} waits for {}: {}{}", who, robot_spec(blocker.robot).name,
-                         meeting(blocker), idle(blocker.robot));
+      return text_of_way(task, blocker) + (blocker.robot >= 0 ? idle(blocker.robot) : "");
     }
     case Awaited::Kind::zone:
       return fmt::format("{} waits until {} has left its zone{}", who,
