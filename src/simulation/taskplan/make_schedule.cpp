@@ -74,7 +74,7 @@ Schedule Simulation::make_schedule() {
     if (task.result == TaskResult::done) end = std::max(end, task.start + task.duration);
   }
   for (std::size_t i = 0; i < schedule.resources.size(); ++i) {
-    schedule.resources[i].shift_time = desk_->hours(static_cast<int>(i)).work_between(0, end);
+    schedule.resources[i].shift_time = allocator_->hours(static_cast<int>(i)).work_between(0, end);
   }
   count_uses(schedule);
   add_critical_chain(schedule);
@@ -84,15 +84,15 @@ Schedule Simulation::make_schedule() {
 void Simulation::add_critical_chain(Schedule& schedule) const {
   if (schedule.process_time == 0) return;
   schedule::NetworkTimes times;
-  times.tasks = times_;
+  times.tasks = links_->all_times();
   for (std::size_t task = 0; task < times.tasks.size(); ++task) {
     if (excluded_.contains(static_cast<int>(task))) times.tasks[task] = {};
     // The plan is over with its own tasks.
     if (is_park(static_cast<int>(task))) times.tasks[task].finish = 0;
   }
-  for (const schedule::ChainStep& step : critical_chain(network_, times)) {
+  for (const schedule::ChainStep& step : critical_chain(links_->network(), times)) {
     schedule.critical.push_back(
-        {network_.tasks[index(step.task)].name, step.work_counts, text_of(network_, step)});
+        {spec(step.task).name, step.work_counts, schedule::text_of(links_->network(), step)});
   }
 }
 

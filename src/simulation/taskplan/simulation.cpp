@@ -21,13 +21,13 @@ Simulation::Simulation(const interpreter::PlanModel& plan, const interpreter::So
       parking_failed_(std::move(known.parking_failed)),
       second_chances_(std::move(known.second_chances)) {
   if (sink) {
-    tape_.emplace(*sink);
-    trace_.emplace(*tape_, plan, sources, options.detail);
-    tape_->set_kept(true);
+    buffer_.emplace(*sink);
+    trace_.emplace(*buffer_, plan, sources, options.detail);
+    buffer_->set_kept(true);
     trace_->header();
   }
   prepare();
-  if (tape_) tape_->set_kept(false);
+  if (buffer_) buffer_->set_kept(false);
 }
 
 void Simulation::prepare() {
@@ -59,52 +59,52 @@ void Simulation::prepare() {
     names.push_back(crew.name);
     calendars.push_back(calendar_index(plan_, crew.calendar));
   }
-  for (const std::string& name : names) network_.resources.push_back({name, -1});
-  desk_.emplace(std::move(names), std::move(calendars), calendars_of(plan_), journal_);
+  schedule::Network network;
+  for (const std::string& name : names) network.resources.push_back({name, -1});
+  allocator_.emplace(std::move(names), std::move(calendars), calendars_of(plan_), journal_);
   queue_.resize(specs_.size());
-  work_.resize(specs_.size());
   outcomes_.resize(specs_.size());
-  for (int task = 0; task < static_cast<int>(specs_.size()); ++task) prepare_queue(task);
+  std::vector<Ticks> work;
+  for (int task = 0; task < static_cast<int>(specs_.size()); ++task) {
+    work.push_back(prepare_queue(task));
+  }
+  prepare_links(std::move(network), std::move(work));
   for (const auto& [task, excluded] : excluded_) {
-    desk_->exclude(task);
+    allocator_->exclude(task);
     known_before_.insert(excluded.cause);
     if (!excluded.involved.empty()) doubtful_.insert(task);
-    if (!tape_) continue;
-    for (const std::string& line : excluded.lines) tape_->line(line);
+    if (!buffer_) continue;
+    for (const std::string& line : excluded.lines) buffer_->line(line);
     if (excluded.lines.empty()) trace_end(task, excluded.outcome.start, excluded.outcome);
   }
-  prepare_links();
 }
 
 /// What the task holds from start to finish: its robot and the crews of `by`; one without a robot
-/// also the crews of its works.
-void Simulation::prepare_queue(int task) {
+/// also the crews of its works. The crew work that is known before it starts; -1: not known.
+Ticks Simulation::prepare_queue(int task) {
   const interpreter::TaskSpec& each = spec(task);
   std::vector<int> resources = held_resources(plan_, each);
-  const auto queue = desk_->queue_for(resources, resources);
+  const auto queue = allocator_->queue_for(resources, resources);
   queue_[index(task)] = std::get<int>(queue);
   // What may fail or has to wait for a machine is known only when it is done.
-  if (each.robot >= 0 || !each.remove.empty()) {
-    work_[index(task)] = -1;
-    return;
-  }
-  work_[index(task)] =
-      std::accumulate(each.takes.begin(), each.takes.end(), Ticks{0},
-                      [](Ticks sum, const interpreter::WorkSpec& work) {
-                        return sum + interpreter::ticks_from_seconds(work.duration);
-                      });
-  if (work_[index(task)] == 0 && !each.zones.empty()) work_[index(task)] = -1;
+  if (each.robot >= 0 || !each.remove.empty()) return -1;
+  const Ticks work = std::accumulate(each.takes.begin(), each.takes.end(), Ticks{0},
+                                     [](Ticks sum, const interpreter::WorkSpec& one) {
+                                       return sum + interpreter::ticks_from_seconds(one.duration);
+                                     });
+  if (work == 0 && !each.zones.empty()) return -1;
   // A milestone waits for nobody.
-  if (work_[index(task)] == 0) queue_[index(task)] = std::get<int>(desk_->queue_for({}, {}));
+  if (work == 0) queue_[index(task)] = std::get<int>(allocator_->queue_for({}, {}));
+  return work;
 }
 
 std::optional<Schedule> Simulation::run() {
   start_plan();
   while (!must_restart_) {
     if (apply_rejection()) continue;
-    if (process_events() || hand_out() || park_idle_machines() || find_ring()) continue;
+    if (process_events() || hand_out() || park_idle_machines() || find_deadlock()) continue;
     const std::optional<Ticks> next = next_event();
-    const Ticks chance = desk_->next_chance(now_.now);
+    const Ticks chance = allocator_->next_chance(now_.now);
     if (next || chance < schedule::kEndOfTime) {
       now_.now = std::min(next.value_or(schedule::kEndOfTime), chance);
       site_.set_time(now_.now);
@@ -114,7 +114,7 @@ std::optional<Schedule> Simulation::run() {
     }
   }
   if (must_restart_) return std::nullopt;
-  if (tape_) tape_->release_before(tape_->mark());
+  if (buffer_) buffer_->release_before(buffer_->mark());
   return make_schedule();
 }
 
@@ -140,7 +140,7 @@ bool Simulation::process_events() {
   ActiveTask& active = *find_active(first->task);
   active.wake.reset();
   go_on(active);
-  spread();
+  propagate();
   return true;
 }
 
@@ -151,25 +151,25 @@ void Simulation::wake_at(ActiveTask& active, Ticks time) {
 
 /// Gives the next task what it asks for; false if nobody can be given anything.
 bool Simulation::hand_out() {
-  const auto grant = desk_->take(now_.now);
+  const auto grant = allocator_->take(now_.now);
   if (!grant) return false;
   if (ActiveTask* const active = find_active(grant->task)) {
     crew_came(*active, *grant);
   } else if (zone_is_free(*grant)) {
     begin_task(*grant);
   }
-  spread();
+  propagate();
   return true;
 }
 
 /// Whether no machine stands where the people of the task will work. If one does, the task gives
 /// back what it got and asks again when something has happened.
-bool Simulation::zone_is_free(const ResourceDesk::Grant& grant) {
+bool Simulation::zone_is_free(const ResourceAllocator::Grant& grant) {
   const interpreter::TaskSpec& task = spec(grant.task);
   if (task.zones.empty()) return true;
   const std::optional<int> robot = site_.machine_in(task.zones, task.robot);
   if (!robot) return true;
-  desk_->set_states(grant.before);
+  allocator_->set_states(grant.before);
   new_waits_.push_back(grant.task);
   const auto waits = std::find_if(now_.zone_waits.begin(), now_.zone_waits.end(),
                                   [&](const ZoneWait& wait) { return wait.task == grant.task; });
@@ -186,7 +186,7 @@ void Simulation::ask_again_for_zones() {
   for (ZoneWait& wait : now_.zone_waits) {
     if (wait.asks) continue;
     wait.asks = true;
-    desk_->ask(queue_[index(wait.task)], wait.task, spec(wait.task).priority, now_.now);
+    allocator_->ask(queue_[index(wait.task)], wait.task, spec(wait.task).priority, now_.now);
   }
 }
 
@@ -196,7 +196,7 @@ ActiveTask& Simulation::activate(int task) {
   active->task = task;
   active->phases = phases_of(each);
   active->hits = HitRecorder(trace_ ? &*trace_ : nullptr);
-  active->over_time.resize(desk_->resources(queue_[index(task)]).size(), 0);
+  active->over_time.resize(allocator_->resources(queue_[index(task)]).size(), 0);
   active->worked = active->over_time;
   TaskOutcome& outcome = active->outcome;
   outcome.task = each.name;
@@ -208,13 +208,13 @@ ActiveTask& Simulation::activate(int task) {
   return *find_active(task);
 }
 
-void Simulation::begin_task(const ResourceDesk::Grant& grant) {
+void Simulation::begin_task(const ResourceAllocator::Grant& grant) {
   const int task = grant.task;
   add_checkpoint(task, grant.before);
-  schedule::TaskTimes times = times_[index(task)];
-  if (foreseen_[index(task)]) {
-    for (const int resource : desk_->resources(queue_[index(task)])) {
-      desk_->take_directly(resource, task);
+  schedule::TaskTimes times = links_->times(task);
+  if (links_->is_precomputed(task)) {
+    for (const int resource : allocator_->resources(queue_[index(task)])) {
+      allocator_->take_directly(resource, task);
     }
   } else if (grant.resource >= 0 && grant.free > times.ready) {
     times.wanted = grant.free;
@@ -225,8 +225,8 @@ void Simulation::begin_task(const ResourceDesk::Grant& grant) {
     times.given_back_midway = grant.midway;
   }
   times.start = now_.now;
-  const schedule::WorkCalendar& calendar = desk_->calendar(queue_[index(task)]);
-  if (!is_milestone(task)) {
+  const schedule::WorkCalendar& calendar = allocator_->calendar(queue_[index(task)]);
+  if (!links_->is_milestone(task)) {
     times.first_gain = times.wanted - calendar.last_working(times.wanted);
   }
   ActiveTask& active = activate(task);
@@ -242,12 +242,12 @@ void Simulation::begin_task(const ResourceDesk::Grant& grant) {
     waits.shift -= waited;
     times.held = schedule::Held::machine;
     times.resource = zone->robot;
-    times.task_before = desk_->state(zone->robot).last;
+    times.task_before = allocator_->state(zone->robot).last;
     times.given_back_midway = true;
     times.wanted = now_.now;
     now_.zone_waits.erase(zone);
   }
-  journal_.assign(times_[index(task)], times);
+  links_->set_times(task, times);
   journal_.assign(status_[index(task)], Status::active);
   own_trace(active);
   if (trace_) trace_start(task, times);
@@ -256,11 +256,12 @@ void Simulation::begin_task(const ResourceDesk::Grant& grant) {
     site_.hold_zone(task, "the zone of " + each.name, each.zones, each.robot);
     journal_.on_undo([this, task] { site_.release_zone(task); });
   }
-  const bool told = foreseen_[index(task)] || is_milestone(task);
-  if (!told) publish(task, schedule::TaskEnd::start, now_.now);
-  if (!told && known_work(task) && to_finish_[index(task)] == 0) {
-    const Ticks done = calendar.finish(now_.now, work_[index(task)]);
-    publish(task, schedule::TaskEnd::finish, schedule::held_finish(bounds_of(task, true), done));
+  const bool known = links_->is_precomputed(task) || links_->is_milestone(task);
+  if (!known) links_->publish(task, schedule::TaskEnd::start, now_.now);
+  if (!known && links_->known_work(task) && links_->may_finish(task)) {
+    const Ticks done = calendar.finish(now_.now, links_->work(task));
+    links_->publish(task, schedule::TaskEnd::finish,
+                    schedule::held_finish(links_->bounds_of(task, true), done));
   }
   run_phases(active);
 }
@@ -269,11 +270,11 @@ void Simulation::begin_task(const ResourceDesk::Grant& grant) {
 void Simulation::finish_task(ActiveTask& active) {
   active.doing = Doing::held;
   active.since = now_.now;
-  if (to_finish_[index(active.task)] > 0) {
+  if (!links_->may_finish(active.task)) {
     new_waits_.push_back(active.task);
     return;
   }
-  const Ticks finish = schedule::held_finish(bounds_of(active.task, true), now_.now);
+  const Ticks finish = schedule::held_finish(links_->bounds_of(active.task, true), now_.now);
   if (finish > now_.now) {
     wake_at(active, finish);
   } else {
@@ -283,23 +284,18 @@ void Simulation::finish_task(ActiveTask& active) {
 
 void Simulation::complete(ActiveTask& active) {
   const int task = active.task;
-  const schedule::LinkBounds bounds = bounds_of(task, true);
-  schedule::TaskTimes times = times_[index(task)];
+  const schedule::LinkBounds bounds = links_->bounds_of(task, true);
+  schedule::TaskTimes times = links_->times(task);
   const bool held = active.since < now_.now;
-  const bool started_for_finish =
-      times.held == schedule::Held::link &&
-      end_after(network_.tasks[index(task)].after[index(times.link)].type) ==
-          schedule::TaskEnd::finish;
   if (held) {
-    const int before = bounds.finish_link < 0
-                           ? -1
-                           : network_.tasks[index(task)].after[index(bounds.finish_link)].task;
+    const int before =
+        bounds.finish_link < 0 ? -1 : links_->links_of(task)[index(bounds.finish_link)].task;
     active.outcome.waits.predecessor += now_.now - active.since;
     pause(active, "held", before < 0 ? std::string() : spec(before).name);
   }
-  if (held || started_for_finish) times.finish_link = bounds.finish_link;
+  if (held || links_->started_for_finish(times, task)) times.finish_link = bounds.finish_link;
   times.finish = now_.now;
-  journal_.assign(times_[index(task)], times);
+  links_->set_times(task, times);
   journal_.assign(status_[index(task)], Status::done);
   hold_all(active);
   active.outcome.duration = now_.now - active.outcome.start;
@@ -327,22 +323,24 @@ void Simulation::complete(ActiveTask& active) {
   std::erase_if(now_.active, [&](const auto& other) { return other->task == task; });
   drop_checkpoint(task);
   if (each.robot >= 0) look_again_who_waits_for(each.robot);
-  if ((known_[index(task)] & 2) == 0) publish(task, schedule::TaskEnd::finish, now_.now);
+  if (!links_->is_known(task, schedule::TaskEnd::finish)) {
+    links_->publish(task, schedule::TaskEnd::finish, now_.now);
+  }
 }
 
 /// Gives back what the task held, and counts for how long it did.
 void Simulation::hold_all(ActiveTask& active) {
-  const std::vector<int>& resources = desk_->resources(queue_[index(active.task)]);
+  const std::vector<int>& resources = allocator_->resources(queue_[index(active.task)]);
   for (std::size_t i = 0; i < resources.size(); ++i) {
     const int resource = resources[i];
     ResourceHold hold;
     hold.resource = resource;
-    hold.held =
-        desk_->hours(resource).work_between(active.outcome.start, now_.now) + active.over_time[i];
+    hold.held = allocator_->hours(resource).work_between(active.outcome.start, now_.now) +
+                active.over_time[i];
     const bool robot = resource < static_cast<int>(plan_.robots.size());
     hold.busy = robot ? active.outcome.motion_time : active.worked[i];
     active.outcome.holds.push_back(hold);
-    desk_->release(resource, now_.now, false);
+    allocator_->release(resource, now_.now, false);
   }
 }
 
@@ -372,19 +370,19 @@ const interpreter::Program& Simulation::program_of(int robot) {
 
 void Simulation::own_trace(const ActiveTask& active) {
   if (!trace_) return;
-  tape_->set_owner(active.task);
+  buffer_->set_owner(active.task);
   trace_->set_task(spec(active.task).name, spec(active.task).robot);
 }
 
 void Simulation::trace_start(int task, const schedule::TaskTimes& times) {
-  const schedule::ChainStep step = start_step(network_, task, times);
-  trace_->task_start(now_.now, text_of(network_, step),
-                     step.task_before < 0 ? "" : network_.tasks[index(step.task_before)].name);
+  const schedule::ChainStep step = start_step(links_->network(), task, times);
+  trace_->task_start(now_.now, schedule::text_of(links_->network(), step),
+                     step.task_before < 0 ? "" : spec(step.task_before).name);
 }
 
 void Simulation::trace_end(int task, Ticks time, const TaskOutcome& outcome) {
   if (!trace_) return;
-  tape_->set_owner(task);
+  buffer_->set_owner(task);
   trace_->set_task(spec(task).name, spec(task).robot);
   trace_->task_end(time, name_of(outcome.result), outcome.reason);
 }

@@ -17,11 +17,12 @@
 #include "src/simulation/site/robot_view.hpp"
 #include "src/simulation/site/site_world.hpp"
 #include "src/simulation/taskplan/active_task.hpp"
-#include "src/simulation/taskplan/awaited.hpp"
 #include "src/simulation/taskplan/journal.hpp"
-#include "src/simulation/taskplan/resource_desk.hpp"
+#include "src/simulation/taskplan/link_state.hpp"
+#include "src/simulation/taskplan/resource_allocator.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
-#include "src/simulation/taskplan/trace_tape.hpp"
+#include "src/simulation/taskplan/trace_buffer.hpp"
+#include "src/simulation/taskplan/wait_graph.hpp"
 #include "src/simulation/trace/trace_writer.hpp"
 
 namespace rubicon::taskplan {
@@ -53,7 +54,7 @@ struct Verdicts {
 /// shifts allow, several machines move in one timeline, and events happen in the order of (time,
 /// sequence). A task that cannot be done is rejected: the run goes back to the moment when it
 /// started and goes on without it, so that it leaves no mark on the others.
-class Simulation {
+class Simulation : private LinkState::Listener {
  public:
   /// `sink` may be null. All arguments must outlive it. The plan must be without `run_mistakes`.
   /// Tasks of `known` are left out from the beginning.
@@ -79,7 +80,8 @@ class Simulation {
   struct Checkpoint {
     int task = -1;
     Journal::Mark mark = 0;
-    TraceTape::Mark trace = 0;
+    Journal::Mark links = 0;
+    TraceBuffer::Mark trace = 0;
     Moment moment;
     std::vector<ResourceState> resources;
     std::vector<site::MachineState> machines;
@@ -90,23 +92,16 @@ class Simulation {
     std::vector<int> involved;  ///< other tasks without which it may be done
   };
   enum class Status : std::uint8_t { pending, asking, active, done };
-  /// A task of a ring, and what it waits for: the next of the ring.
-  struct RingLink {
-    int task = -1;
-    Awaited awaited;
-  };
-  /// Tasks that can never go on, and what they wait for.
-  using Hopeless = std::map<int, Waits>;
   /// So often a robot that could not park is asked again.
   static constexpr int kMostParkings = 100;
 
   // simulation.cpp: the loop
   void prepare();
-  void prepare_queue(int task);
+  Ticks prepare_queue(int task);
   bool process_events();
   bool hand_out();
-  void begin_task(const ResourceDesk::Grant& grant);
-  bool zone_is_free(const ResourceDesk::Grant& grant);
+  void begin_task(const ResourceAllocator::Grant& grant);
+  bool zone_is_free(const ResourceAllocator::Grant& grant);
   void ask_again_for_zones();
   ActiveTask& activate(int task);
   void finish_task(ActiveTask& active);
@@ -116,16 +111,11 @@ class Simulation {
   std::optional<Ticks> next_event() const;
 
   // simulation_links.cpp: when tasks may start and finish
-  void prepare_links();
+  void prepare_links(schedule::Network network, std::vector<Ticks> work);
   void start_plan();
-  void make_ready(int task, int before);
-  void publish(int task, schedule::TaskEnd end, Ticks time);
-  void spread();
-  void count_down(int& counter);
-  schedule::LinkBounds bounds_of(int task, bool with_finish) const;
-  bool waits_to_start(int task, schedule::LinkType type) const;
-  bool known_work(int task) const { return work_[index(task)] >= 0; }
-  bool is_milestone(int task) const { return work_[index(task)] == 0; }
+  void may_start(int task, int before) override;
+  void may_finish(int task) override;
+  void propagate();
 
   // simulation_phases.cpp: what a task does
   void run_phases(ActiveTask& active);
@@ -135,7 +125,7 @@ class Simulation {
   bool begin_work(ActiveTask& active);
   bool do_work(ActiveTask& active);
   void end_work(ActiveTask& active);
-  void crew_came(ActiveTask& active, const ResourceDesk::Grant& grant);
+  void crew_came(ActiveTask& active, const ResourceAllocator::Grant& grant);
   int work_queue(const ActiveTask& active);
   void wait_for_shift(ActiveTask& active, const schedule::WorkCalendar& calendar, Doing then);
   void pause(ActiveTask& active, const char* why, const std::string& whom);
@@ -167,28 +157,21 @@ class Simulation {
   bool may_park(int robot) const;
 
   // simulation_waits.cpp: who waits for whom
-  Waits waits_of(int task) const;
-  Awaited move_of(int robot, Awaited::Kind kind, int number) const;
+  std::optional<WaitSet> waits_of(int task) const;
+  WaitTarget move_of(int robot, WaitTarget::Kind kind, int number) const;
   bool may_park_some_day(int robot) const;
-  void add_resource(Waits& waits, int task, int resource) const;
-  void add_links(Waits& waits, int task, Awaited::Kind kind) const;
+  void add_resource(WaitSet& waits, int task, int resource) const;
+  void add_links(WaitSet& waits, int task, WaitTarget::Kind kind) const;
   void look_again_who_waits_for(int robot);
   void look_again_at_all();
 
-  // simulation_rings.cpp: who wait for each other
-  bool find_ring();
-  Hopeless hopeless_from(std::vector<int> roots) const;
-  static bool never_comes(const Awaited& awaited, const Hopeless& hopeless);
-  static bool is_hopeless(const Waits& waits, const Hopeless& hopeless);
-  static std::vector<RingLink> ring_in(const Hopeless& hopeless);
-  void reject_one_of(const std::vector<RingLink>& ring);
-  std::string text_of_ring(const std::vector<RingLink>& ring) const;
-  std::string text_of_wait(int task, const Awaited& awaited) const;
+  // simulation_deadlock.cpp: who wait for each other, and when nobody can go on
+  bool find_deadlock();
+  void reject_one_of(const WaitCycle& cycle);
+  std::string text_of_wait(const WaitLink& link) const;
   std::string who_is(int task) const;
   std::string text_of_way(int task, const Blocker& blocker) const;
   int last_of(const std::vector<int>& tasks) const;
-
-  // simulation_deadlock.cpp: when nobody can go on
   bool resolve_standstill();
   std::string standstill_reason(int task);
   bool lets_one_go_on(const std::vector<int>& tasks);
@@ -221,7 +204,6 @@ class Simulation {
   const interpreter::Program& program_of(int robot);
   void own_trace(const ActiveTask& active);
   void trace_start(int task, const schedule::TaskTimes& times);
-  void add_mid_wait(int task, schedule::MidWait wait);
   void trace_end(int task, Ticks time, const TaskOutcome& outcome);
 
   // make_schedule.cpp
@@ -232,33 +214,24 @@ class Simulation {
   const interpreter::SourceMap& sources_;
   const RunOptions& options_;
   Journal journal_;
-  std::optional<TraceTape> tape_;
+  std::optional<TraceBuffer> buffer_;
   std::optional<trace::TraceWriter> trace_;
   site::SiteWorld site_;
   std::deque<site::RobotView> views_;  ///< one a robot
   std::map<const interpreter::CheckedRobot*, interpreter::Program> programs_;
-  std::optional<ResourceDesk> desk_;
+  std::optional<ResourceAllocator> allocator_;
+  std::optional<LinkState> links_;
 
   // to each task: those of the plan, and then one a robot for parking it
   std::vector<interpreter::TaskSpec> parks_;
   std::vector<const interpreter::TaskSpec*> specs_;
-  std::vector<int> queue_;      ///< where it asks for what it holds from start to finish
-  std::vector<Ticks> work_;     ///< known before it starts: crew work; -1: not known
-  std::vector<bool> foreseen_;  ///< its times were known before the plan began
-  std::vector<bool> tied_;      ///< schedule::LinkOrder::tied_both_ways
-  schedule::Network network_;   ///< names, work and links, for texts and the critical chain
-  std::vector<std::vector<std::pair<int, schedule::LinkType>>> followers_;
+  std::vector<int> queue_;  ///< where it asks for what it holds from start to finish
   std::vector<Status> status_;
-  std::vector<int> to_start_;   ///< events not known yet, without which it cannot start
-  std::vector<int> to_finish_;  ///< and without which it cannot finish
-  std::vector<schedule::TaskTimes> times_;
-  std::vector<std::uint8_t> known_;  ///< bits: 1 its start is known, 2 its finish
   std::vector<std::optional<TaskOutcome>> outcomes_;
   std::vector<TaskOutcome> parkings_;
   std::vector<std::vector<int>> tasks_of_;  ///< to each robot: its tasks of the plan
-  std::vector<int> new_waits_;              ///< tasks that may have closed a ring
+  std::vector<int> new_waits_;              ///< tasks that may have closed a cycle of waiting
   std::vector<int> asked_for_;              ///< tasks for which a robot was asked out of the way
-  std::vector<std::pair<int, schedule::TaskEnd>> news_;  ///< known, and not told to followers yet
 
   // for good, whatever the run goes back to
   Excluded excluded_;

@@ -56,7 +56,7 @@ bool Simulation::begin_motion(ActiveTask& active) {
     reject(active, gone(*task.move), users_of(*task.move));
     return false;
   }
-  const schedule::WorkCalendar& calendar = desk_->calendar(queue_[index(active.task)]);
+  const schedule::WorkCalendar& calendar = allocator_->calendar(queue_[index(active.task)]);
   if (!calendar.works_at(now_.now)) {
     wait_for_shift(active, calendar, Doing::moving);
     return false;
@@ -111,7 +111,7 @@ bool Simulation::start_machine(ActiveTask& active) {
 /// Attempts until one takes time; whether the motion is over and did what the task needs.
 bool Simulation::move_on(ActiveTask& active) {
   const int robot = spec(active.task).robot;
-  const schedule::WorkCalendar& calendar = desk_->calendar(queue_[index(active.task)]);
+  const schedule::WorkCalendar& calendar = allocator_->calendar(queue_[index(active.task)]);
   if (calendar.carries_over() && !calendar.works_at(now_.now)) {
     wait_for_shift(active, calendar, Doing::moving);
     return false;
@@ -150,9 +150,9 @@ void Simulation::count_step(ActiveTask& active, Ticks to, bool waited) {
   } else {
     active.outcome.motion_time += duration;
   }
-  const std::vector<int>& resources = desk_->resources(queue_[index(active.task)]);
+  const std::vector<int>& resources = allocator_->resources(queue_[index(active.task)]);
   for (std::size_t i = 0; i < resources.size(); ++i) {
-    active.over_time[i] += desk_->hours(resources[i]).idle_between(now_.now, to);
+    active.over_time[i] += allocator_->hours(resources[i]).idle_between(now_.now, to);
   }
 }
 
@@ -200,7 +200,7 @@ std::string Simulation::text_of_waits(const ActiveTask& active) const {
     if (met.empty()) break;
     texts.push_back(text_of_way(each->task, met.front()));
     const int robot = met.front().robot;
-    each = look_at_active(robot >= 0 ? desk_->state(robot).holder : met.front().zone_task);
+    each = look_at_active(robot >= 0 ? allocator_->state(robot).holder : met.front().zone_task);
   }
   return fmt::format("{} of them waits since {:g} s, when anybody last made progress{}{}",
                      active.waits, interpreter::seconds_from_ticks(now_.progress_at),
@@ -253,7 +253,8 @@ bool Simulation::end_motion(ActiveTask& active) {
 std::uint64_t Simulation::progress_of(const std::vector<Blocker>& blockers) const {
   std::uint64_t sum = 0;
   for (const Blocker& blocker : blockers) {
-    const int task = blocker.robot >= 0 ? desk_->state(blocker.robot).holder : blocker.zone_task;
+    const int task =
+        blocker.robot >= 0 ? allocator_->state(blocker.robot).holder : blocker.zone_task;
     const ActiveTask* const other = look_at_active(task);
     sum = sum * 1'000'003 + static_cast<std::uint64_t>(task + 2) * 65'537 +
           (other ? other->progress + 1 : 0);
@@ -286,14 +287,14 @@ void Simulation::came_further(ActiveTask& active) {
 /// What was in the way has moved: the script is tried again. Where it still makes no step, the try
 /// leaves no trace and the task goes on waiting.
 bool Simulation::retry(ActiveTask& active) {
-  const schedule::WorkCalendar& calendar = desk_->calendar(queue_[index(active.task)]);
+  const schedule::WorkCalendar& calendar = allocator_->calendar(queue_[index(active.task)]);
   const bool hangs = site_.load(spec(active.task).robot).has_value();
   if (!hangs && !calendar.works_at(now_.now)) {
     wake_at(active, calendar.next_working(now_.now));
     return false;
   }
   const ActiveTask before = active;
-  const TraceTape::Mark mark = tape_ ? tape_->mark() : 0;
+  const TraceBuffer::Mark mark = buffer_ ? buffer_->mark() : 0;
   active.outcome.waits.machine += now_.now - active.since;
   const Blocker first = active.blockers.front();
   pause(active, "machine",
@@ -306,9 +307,9 @@ bool Simulation::retry(ActiveTask& active) {
   const bool fruitless = active.doing == Doing::waiting_for_machine && !rejection_ &&
                          active.outcome.accepted == before.outcome.accepted;
   if (!fruitless) {
-    const int holder = first.robot >= 0 ? desk_->state(first.robot).last : first.zone_task;
+    const int holder = first.robot >= 0 ? allocator_->state(first.robot).last : first.zone_task;
     if (now_.now > before.since) {
-      add_mid_wait(active.task, {now_.now, schedule::Held::machine, first.robot, holder});
+      links_->add_mid_wait(active.task, {now_.now, schedule::Held::machine, first.robot, holder});
     }
     return over;
   }
@@ -318,7 +319,7 @@ bool Simulation::retry(ActiveTask& active) {
   active.blockers = std::move(blockers);
   active.hits = std::move(hits);
   active.wake.reset();
-  if (tape_) tape_->forget_since(mark);
+  if (buffer_) buffer_->forget_since(mark);
   return false;
 }
 
@@ -342,7 +343,7 @@ bool Simulation::may_park(int robot) const {
   // Where it could not go it is asked again later, but not for ever.
   const ParkingFailure& failure = parking_failed_[index(robot)];
   if (failure.count >= kMostParkings || now_.now <= failure.last) return false;
-  if (desk_->state(robot).holder >= 0 || site_.load(robot)) return false;
+  if (allocator_->state(robot).holder >= 0 || site_.load(robot)) return false;
   const interpreter::TaskSpec& park = parks_[index(robot)];
   return !goal_holds(robot_spec(robot).robot->model, site_.robot(robot).mounting,
                      site_.configuration(robot), *park.go, {});
@@ -361,22 +362,22 @@ bool Simulation::park_idle_machines() {
   for (const auto& [robot, asking] : in_the_way) {
     if (robot < 0 || !may_park(robot)) continue;
     const int task = static_cast<int>(plan_.tasks.size()) + robot;
-    ResourceDesk::Grant grant;
+    ResourceAllocator::Grant grant;
     grant.task = task;
     grant.queue = queue_[index(task)];
-    grant.before = desk_->states();
-    desk_->take_directly(robot, task);
+    grant.before = allocator_->states();
+    allocator_->take_directly(robot, task);
     schedule::TaskTimes times;
     times.ready = times.wanted = now_.now;
     times.held = schedule::Held::asked;
     times.task_before = asking;
     times.given_back_midway = true;
-    journal_.assign(times_[index(task)], times);
-    journal_.assign(known_[index(task)], std::uint8_t{0});
+    links_->set_times(task, times);
+    links_->forget_known(task);
     begin_task(grant);
     asked_for_.push_back(asking);
     journal_.on_undo([this] { asked_for_.pop_back(); });
-    spread();
+    propagate();
     return true;
   }
   return false;

@@ -13,7 +13,7 @@ std::string Simulation::gone(int component) const {
   for (int robot = 0; robot < static_cast<int>(plan_.robots.size()); ++robot) {
     const auto& load = site_.load(robot);
     if (!load || load->component != component) continue;
-    const int holder = desk_->state(robot).holder;
+    const int holder = allocator_->state(robot).holder;
     return fmt::format("{} hangs on {} just then{}", site_.component_name(component),
                        robot_spec(robot).name,
                        holder >= 0 ? ": put this after " + spec(holder).name : std::string());
@@ -122,11 +122,11 @@ int Simulation::work_queue(const ActiveTask& active) {
   const int held = queue_[index(active.task)];
   const int crew = active.now().work->crew;
   if (crew < 0) return held;
-  std::vector<int> hours = desk_->resources(held);
+  std::vector<int> hours = allocator_->resources(held);
   const int resource = crew_resource(crew);
   if (std::find(hours.begin(), hours.end(), resource) != hours.end()) return held;
   hours.push_back(resource);
-  return std::get<int>(desk_->queue_for({resource}, std::move(hours)));
+  return std::get<int>(allocator_->queue_for({resource}, std::move(hours)));
 }
 
 bool Simulation::begin_work(ActiveTask& active) {
@@ -138,26 +138,22 @@ bool Simulation::begin_work(ActiveTask& active) {
   active.since = now_.now;
   active.crew = crew_resource(work.crew);
   new_waits_.push_back(active.task);
-  desk_->ask(queue, active.task, spec(active.task).priority, now_.now);
+  allocator_->ask(queue, active.task, spec(active.task).priority, now_.now);
   return false;
 }
 
-void Simulation::add_mid_wait(int task, schedule::MidWait wait) {
-  times_[index(task)].mid_waits.push_back(wait);
-  journal_.on_undo([this, task] { times_[index(task)].mid_waits.pop_back(); });
-}
-
-void Simulation::crew_came(ActiveTask& active, const ResourceDesk::Grant& grant) {
+void Simulation::crew_came(ActiveTask& active, const ResourceAllocator::Grant& grant) {
   const Ticks free = std::clamp(grant.free, active.since, now_.now);
   active.outcome.waits.resource += free - active.since;
   active.outcome.waits.shift += now_.now - free;
   if (trace_) own_trace(active);
   if (trace_ && free > active.since) {
-    trace_->pause("crew", desk_->name(active.crew), active.since, free);
+    trace_->pause("crew", allocator_->name(active.crew), active.since, free);
   }
   if (trace_ && now_.now > free) trace_->pause("shift", "", free, now_.now);
   if (free > active.since) {
-    add_mid_wait(active.task, {free, schedule::Held::resource, active.crew, grant.task_before});
+    links_->add_mid_wait(active.task,
+                         {free, schedule::Held::resource, active.crew, grant.task_before});
   }
   active.crew_since = now_.now;
   do_work(active);
@@ -166,8 +162,8 @@ void Simulation::crew_came(ActiveTask& active, const ResourceDesk::Grant& grant)
 /// Always takes time: false.
 bool Simulation::do_work(ActiveTask& active) {
   const interpreter::WorkSpec& spec = *active.now().work;
-  const schedule::WorkCalendar& calendar = desk_->calendar(work_queue(active));
-  if (!calendar.works_at(now_.now) && work_[index(active.task)] != 0) {
+  const schedule::WorkCalendar& calendar = allocator_->calendar(work_queue(active));
+  if (!calendar.works_at(now_.now) && !links_->is_milestone(active.task)) {
     wait_for_shift(active, calendar, Doing::working);
     return false;
   }
@@ -180,7 +176,7 @@ bool Simulation::do_work(ActiveTask& active) {
   active.doing = Doing::working;
   active.outcome.work_time += duration;
   active.outcome.waits.shift += finish - now_.now - duration;
-  const std::vector<int>& held = desk_->resources(queue_[index(active.task)]);
+  const std::vector<int>& held = allocator_->resources(queue_[index(active.task)]);
   for (std::size_t i = 0; i < held.size(); ++i) {
     if (spec.crew < 0 || held[i] == crew_resource(spec.crew)) active.worked[i] += duration;
   }
@@ -197,10 +193,10 @@ void Simulation::end_work(ActiveTask& active) {
   if (active.crew < 0) return;
   ResourceHold hold;
   hold.resource = active.crew;
-  hold.held = desk_->hours(active.crew).work_between(active.crew_since, now_.now);
+  hold.held = allocator_->hours(active.crew).work_between(active.crew_since, now_.now);
   hold.busy = interpreter::ticks_from_seconds(active.now().work->duration);
   active.outcome.holds.push_back(hold);
-  desk_->release(active.crew, now_.now, true);
+  allocator_->release(active.crew, now_.now, true);
   active.crew = -1;
 }
 

@@ -19,7 +19,8 @@ void Simulation::add_checkpoint(int task, std::vector<ResourceState> resources) 
   Checkpoint checkpoint;
   checkpoint.task = task;
   checkpoint.mark = journal_.mark();
-  checkpoint.trace = tape_ ? tape_->mark() : 0;
+  checkpoint.links = links_->mark();
+  checkpoint.trace = buffer_ ? buffer_->mark() : 0;
   checkpoint.moment = now_;
   checkpoint.resources = std::move(resources);
   std::erase_if(checkpoint.moment.zone_waits,
@@ -34,8 +35,9 @@ void Simulation::drop_checkpoint(int task) {
   std::erase_if(checkpoints_,
                 [&](const Checkpoint& checkpoint) { return checkpoint.task == task; });
   journal_.forget_before(checkpoints_.empty() ? journal_.mark() : checkpoints_.front().mark);
-  if (tape_) {
-    tape_->release_before(checkpoints_.empty() ? tape_->mark() : checkpoints_.front().trace);
+  links_->forget_before(checkpoints_.empty() ? links_->mark() : checkpoints_.front().links);
+  if (buffer_) {
+    buffer_->release_before(checkpoints_.empty() ? buffer_->mark() : checkpoints_.front().trace);
   }
 }
 
@@ -75,7 +77,7 @@ std::vector<int> Simulation::in_the_way_of(const ActiveTask& active) const {
 bool Simulation::apply_rejection() {
   if (!rejection_) return false;
   const Rejection rejection = *std::exchange(rejection_, std::nullopt);
-  news_.clear();
+  links_->drop_pending();
   const int task = rejection.task;
   const auto checkpoint = std::find_if(checkpoints_.begin(), checkpoints_.end(),
                                        [&](const Checkpoint& each) { return each.task == task; });
@@ -102,9 +104,9 @@ bool Simulation::apply_rejection() {
     ParkingFailure& failure = parking_failed_[index(task) - plan_.tasks.size()];
     failure.last = std::max(failure.last, now_.now);
     ++failure.count;
-    if (tape_) tape_->set_kept(true);
+    if (buffer_) buffer_->set_kept(true);
     trace_end(task, outcome.start, outcome);
-    if (tape_) tape_->set_kept(false);
+    if (buffer_) buffer_->set_kept(false);
     failed_parkings_.push_back(std::move(outcome));
     look_again_at_all();
     return true;
@@ -125,9 +127,10 @@ bool Simulation::apply_rejection() {
 void Simulation::go_back(const Checkpoint& checkpoint) {
   const Checkpoint back = checkpoint;  // it is one of those that are dropped
   journal_.undo_to(back.mark);
-  if (tape_) tape_->keep_only(back.trace, back.task);
+  links_->undo_to(back.links);
+  if (buffer_) buffer_->keep_only(back.trace, back.task);
   now_ = back.moment;
-  desk_->set_states(back.resources);
+  allocator_->set_states(back.resources);
   site_.set_time(now_.now);
   for (int robot = 0; robot < static_cast<int>(plan_.robots.size()); ++robot) {
     site_.set_machine_state(robot, back.machines[index(robot)]);
@@ -143,17 +146,18 @@ void Simulation::exclude(int task, TaskOutcome outcome, int cause) {
       second_chances_.size() < kMostSecondChances && second_chances_.emplace(task, task).second) {
     must_restart_ = true;
   }
-  desk_->exclude(task);
+  allocator_->exclude(task);
   std::erase_if(now_.zone_waits, [&](const ZoneWait& wait) { return wait.task == task; });
-  if (tape_) tape_->set_kept(true);
+  if (buffer_) buffer_->set_kept(true);
   trace_end(task, outcome.start, outcome);
-  if (tape_) tape_->set_kept(false);
+  if (buffer_) buffer_->set_kept(false);
   if (options_.on_task) {
     options_.on_task(++done_, static_cast<int>(plan_.tasks.size()), outcome);
   }
   ExcludedTask excluded{std::move(outcome), cause, {}, {}};
-  if (tape_ && task == cause) excluded.lines = tape_->kept_of(task);
+  if (buffer_ && task == cause) excluded.lines = buffer_->kept_of(task);
   excluded_.emplace(task, std::move(excluded));
+  links_->leave_out(task);
 }
 
 /// A task that could not begin: what it waits for is not done.
@@ -182,7 +186,7 @@ std::set<int> Simulation::followers_of(int first) const {
   while (!open.empty()) {
     const int task = open.back();
     open.pop_back();
-    for (const auto& [follower, type] : followers_[index(task)]) {
+    for (const auto& [follower, type] : links_->followers_of(task)) {
       if (found.insert(follower).second) open.push_back(follower);
     }
   }
@@ -226,10 +230,10 @@ void Simulation::exclude_followers(int first, int cause) {
     const int task = open.back();
     open.pop_back();
     std::vector<int> reached;
-    for (const auto& [follower, type] : followers_[index(task)]) {
+    for (const auto& [follower, type] : links_->followers_of(task)) {
       if (excluded_.contains(follower)) continue;
       // Where the run begins anew nothing that starts after it has happened.
-      const bool undone = must_restart_ && waits_to_start(follower, type);
+      const bool undone = must_restart_ && links_->waits_to_start(follower, type);
       if (!undone && status_[index(follower)] == Status::done) continue;
       ActiveTask* const active = find_active(follower);
       if (active && !undone) {
@@ -245,11 +249,8 @@ void Simulation::exclude_followers(int first, int cause) {
 
 /// A task that has begun is not held to its finish any more by a link from a task that is not done.
 void Simulation::let_go(ActiveTask& active, int before, schedule::LinkType type) {
-  const int event = end_before(type) == schedule::TaskEnd::start ? 1 : 2;
-  const bool told = (known_[index(before)] & event) != 0;
-  if (end_after(type) != schedule::TaskEnd::finish || told) return;
-  if (--to_finish_[index(active.task)] > 0 || active.doing != Doing::held) return;
-  const Ticks finish = bounds_of(active.task, true).finish;
+  if (!links_->let_go(active.task, before, type) || active.doing != Doing::held) return;
+  const Ticks finish = links_->bounds_of(active.task, true).finish;
   if (finish < now_.now && active.since < now_.now) {
     // It has been held for nothing, and others may have waited for it.
     must_restart_ = true;

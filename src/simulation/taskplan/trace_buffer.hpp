@@ -11,12 +11,12 @@
 namespace rubicon::taskplan {
 
 /// Holds back the lines of a trace as long as the run may go back to before them.
-class TraceTape : public trace::TraceSink {
+class TraceBuffer : public trace::TraceSink {
  public:
   using Mark = std::uint64_t;
 
   /// `out` must outlive it.
-  explicit TraceTape(trace::TraceSink& out) : out_(out) {}
+  explicit TraceBuffer(trace::TraceSink& out) : out_(out) {}
 
   /// The task that all later lines belong to.
   void set_owner(int task) { owner_ = task; }

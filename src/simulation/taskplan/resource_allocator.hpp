@@ -27,11 +27,11 @@ struct ResourceState {
 /// Gives robots and crews to the tasks that wait for them: all a task asks for at once or nothing;
 /// of several tasks that can have what they ask for at a moment the one of the higher priority,
 /// then the one that stands first in the file. Resources are numbered robots first, then crews.
-class ResourceDesk {
+class ResourceAllocator {
  public:
   /// `calendar_of` each resource: index into `calendars`, -1: day and night.
-  ResourceDesk(std::vector<std::string> names, std::vector<int> calendar_of,
-               std::vector<schedule::WorkCalendar> calendars, Journal& journal);
+  ResourceAllocator(std::vector<std::string> names, std::vector<int> calendar_of,
+                    std::vector<schedule::WorkCalendar> calendars, Journal& journal);
 
   /// The queue of those who ask for all of `resources` and need the working hours of all of
   /// `hours_of` (resources too). A message for the user if these have no common hours.

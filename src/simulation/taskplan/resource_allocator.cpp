@@ -1,4 +1,4 @@
-#include "src/simulation/taskplan/resource_desk.hpp"
+#include "src/simulation/taskplan/resource_allocator.hpp"
 
 #include <algorithm>
 
@@ -15,8 +15,9 @@ void sort_unique(std::vector<int>& list) {
 
 }  // namespace
 
-ResourceDesk::ResourceDesk(std::vector<std::string> names, std::vector<int> calendar_of,
-                           std::vector<schedule::WorkCalendar> calendars, Journal& journal)
+ResourceAllocator::ResourceAllocator(std::vector<std::string> names, std::vector<int> calendar_of,
+                                     std::vector<schedule::WorkCalendar> calendars,
+                                     Journal& journal)
     : names_(std::move(names)),
       calendar_of_(std::move(calendar_of)),
       calendars_(std::move(calendars)),
@@ -27,7 +28,8 @@ ResourceDesk::ResourceDesk(std::vector<std::string> names, std::vector<int> cale
   calendars_.emplace_back();
 }
 
-std::variant<int, std::string> ResourceDesk::common_calendar(const std::vector<int>& hours_of) {
+std::variant<int, std::string> ResourceAllocator::common_calendar(
+    const std::vector<int>& hours_of) {
   std::vector<int> set;
   for (const int resource : hours_of) {
     if (calendar_of_[at(resource)] >= 0) set.push_back(calendar_of_[at(resource)]);
@@ -47,8 +49,8 @@ std::variant<int, std::string> ResourceDesk::common_calendar(const std::vector<i
   return index;
 }
 
-std::variant<int, std::string> ResourceDesk::queue_for(std::vector<int> resources,
-                                                       std::vector<int> hours_of) {
+std::variant<int, std::string> ResourceAllocator::queue_for(std::vector<int> resources,
+                                                            std::vector<int> hours_of) {
   sort_unique(resources);
   sort_unique(hours_of);
   const auto key = std::make_pair(resources, hours_of);
@@ -65,28 +67,28 @@ std::variant<int, std::string> ResourceDesk::queue_for(std::vector<int> resource
   return index;
 }
 
-const schedule::WorkCalendar& ResourceDesk::calendar(int queue) const {
+const schedule::WorkCalendar& ResourceAllocator::calendar(int queue) const {
   return calendars_[at(queues_[at(queue)].calendar)];
 }
 
-const schedule::WorkCalendar& ResourceDesk::hours(int resource) const {
+const schedule::WorkCalendar& ResourceAllocator::hours(int resource) const {
   const int calendar = calendar_of_[at(resource)];
   return calendars_[at(calendar >= 0 ? calendar : common_.at({}))];
 }
 
-void ResourceDesk::ask(int queue, int task, double priority, Ticks from) {
+void ResourceAllocator::ask(int queue, int task, double priority, Ticks from) {
   const auto place = std::make_tuple(from, -priority, task);
   queues_[at(queue)].later.insert(place);
   journal_.on_undo([this, queue, place] { queues_[at(queue)].later.erase(place); });
 }
 
-bool ResourceDesk::all_free(const Queue& queue) const {
+bool ResourceAllocator::all_free(const Queue& queue) const {
   return std::all_of(queue.resources.begin(), queue.resources.end(),
                      [&](int resource) { return states_[at(resource)].holder < 0; });
 }
 
 /// Those who asked for a later moment that has come.
-void ResourceDesk::move_up(int index, Ticks now) {
+void ResourceAllocator::move_up(int index, Ticks now) {
   Queue& queue = queues_[at(index)];
   while (!queue.later.empty() && std::get<Ticks>(*queue.later.begin()) <= now) {
     const auto place = *queue.later.begin();
@@ -100,7 +102,7 @@ void ResourceDesk::move_up(int index, Ticks now) {
   }
 }
 
-void ResourceDesk::drop_excluded(Queue& queue) {
+void ResourceAllocator::drop_excluded(Queue& queue) {
   if (excluded_.empty()) return;
   while (!queue.waiting.empty() && excluded_.contains(queue.waiting.begin()->second)) {
     queue.waiting.erase(queue.waiting.begin());
@@ -110,7 +112,7 @@ void ResourceDesk::drop_excluded(Queue& queue) {
   }
 }
 
-std::optional<ResourceDesk::Grant> ResourceDesk::take(Ticks now) {
+std::optional<ResourceAllocator::Grant> ResourceAllocator::take(Ticks now) {
   int best = -1;
   for (int i = 0; i < static_cast<int>(queues_.size()); ++i) {
     Queue& queue = queues_[at(i)];
@@ -142,18 +144,18 @@ std::optional<ResourceDesk::Grant> ResourceDesk::take(Ticks now) {
   return grant;
 }
 
-void ResourceDesk::take_directly(int resource, int task) {
+void ResourceAllocator::take_directly(int resource, int task) {
   states_[at(resource)].holder = task;
   states_[at(resource)].last = task;
 }
 
-void ResourceDesk::release(int resource, Ticks now, bool midway) {
+void ResourceAllocator::release(int resource, Ticks now, bool midway) {
   states_[at(resource)].holder = -1;
   states_[at(resource)].free_since = now;
   states_[at(resource)].midway = midway;
 }
 
-Ticks ResourceDesk::next_chance(Ticks now) {
+Ticks ResourceAllocator::next_chance(Ticks now) {
   Ticks next = schedule::kEndOfTime;
   for (Queue& queue : queues_) {
     drop_excluded(queue);

@@ -1,13 +1,13 @@
-#include "src/simulation/taskplan/trace_tape.hpp"
+#include "src/simulation/taskplan/trace_buffer.hpp"
 
 #include <utility>
 #include <vector>
 
 namespace rubicon::taskplan {
 
-void TraceTape::forget_since(Mark mark) { keep_only(mark, -1); }
+void TraceBuffer::forget_since(Mark mark) { keep_only(mark, -1); }
 
-void TraceTape::keep_only(Mark mark, int owner) {
+void TraceBuffer::keep_only(Mark mark, int owner) {
   std::vector<Line> kept;
   std::vector<Line> owned;
   while (this->mark() > mark) {
@@ -26,7 +26,7 @@ void TraceTape::keep_only(Mark mark, int owner) {
   }
 }
 
-std::vector<std::string> TraceTape::kept_of(int owner) const {
+std::vector<std::string> TraceBuffer::kept_of(int owner) const {
   std::vector<std::string> lines;
   for (const Line& line : lines_) {
     if (line.kept && line.owner == owner) lines.push_back(line.text);
@@ -34,7 +34,7 @@ std::vector<std::string> TraceTape::kept_of(int owner) const {
   return lines;
 }
 
-void TraceTape::release_before(Mark mark) {
+void TraceBuffer::release_before(Mark mark) {
   while (written_ < mark && !lines_.empty()) {
     out_.line(lines_.front().text);
     lines_.pop_front();
