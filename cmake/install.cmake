@@ -17,6 +17,8 @@ install(EXPORT rubicon_targets NAMESPACE rubicon:: DESTINATION ${RUBICON_INSTALL
 install(DIRECTORY interpreter src DESTINATION ${RUBICON_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
         PATTERN "cli" EXCLUDE PATTERN "*assimp*" EXCLUDE PATTERN "*pugixml*" EXCLUDE PATTERN "*simdjson*" EXCLUDE PATTERN "parse_*.hpp" EXCLUDE)
 
+install(FILES ${PROJECT_SOURCE_DIR}/THIRD_PARTY_NOTICES.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
 configure_package_config_file(cmake/rubicon-config.cmake.in rubicon-config.cmake
                               INSTALL_DESTINATION ${RUBICON_INSTALL_CMAKEDIR})
 # Before 1.0 a new minor version may break its users.

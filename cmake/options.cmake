@@ -22,6 +22,12 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   # g++ 12 sees overlaps in the joining of std::strings that are not there (its bug 105651, mended in 13).
   target_compile_options(rubicon_options INTERFACE -Wno-restrict)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Else ccache cannot keep what was compiled with precompiled headers; without these it changes nothing.
+  target_compile_options(rubicon_options INTERFACE -fpch-preprocess)
+endif()
+# Part of the precompiled headers, so every unit has the same definitions.
+target_link_libraries(rubicon_options INTERFACE Eigen3::Eigen fmt::fmt)
 if(RUBICON_WERROR)
   target_compile_options(rubicon_options INTERFACE -Werror)
 endif()

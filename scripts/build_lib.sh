@@ -2,8 +2,10 @@
 
 root=$(unset CDPATH && cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 
-# Two checkouts of the project share what the compiler cache holds.
+# Two checkouts of the project share what the compiler cache holds, units with precompiled headers included: the headers'
+# contents count, not when they were written.
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
 
 # build_preset PRESET [TARGET...]: configures once, then builds; says nothing when all is up to date.
 # Everything it prints goes to stderr, so that a command's own output stays clean.

@@ -1,6 +1,12 @@
 import { createHash } from 'node:crypto';
+import { readFileSync } from 'node:fs';
 import { defineConfig, type Plugin } from 'vite';
 import { paletteStyles } from './palette_css';
+
+/** What the page owes to those whose code it carries: each report is handed on alone. */
+const NOTICE = `This page contains three.js (https://threejs.org).\n\n${
+    readFileSync(new URL('node_modules/three/LICENSE', import.meta.url), 'utf8').trim()}`;
+if (NOTICE.includes('--')) throw new Error('the licence of three.js cannot stand in a comment');
 
 /**
  * Puts the built script and style sheet into the page itself, which then needs no other file, and lets the page run nothing
@@ -30,7 +36,7 @@ function onePage(): Plugin {
         .replace(/\s*<script type="module"[^>]*><\/script>/, '')
         .replace(/\s*<link rel="stylesheet"[^>]*>/, '')
         .replace('<meta charset="utf-8">',
-                 () => `<meta charset="utf-8">\n<meta http-equiv="Content-Security-Policy" content="${policy}">`)
+                 () => `<meta charset="utf-8">\n<!--\n${NOTICE}\n-->\n<meta http-equiv="Content-Security-Policy" content="${policy}">`)
         .replace('</head>', () => `<style>${style}</style>\n</head>`)
         .replace('</body>', () => `<script type="module">${script}</script>\n</body>`);
     },

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "src/exchange/mesh_io/mesh_io.hpp"
+#include "tests/support/places.hpp"
 
 namespace rubicon::scenes {
 namespace {
@@ -105,7 +106,7 @@ std::vector<Element> read_elements(const std::string& ifc) {
   mesh_io::SceneRequest request;
   request.path = ifc;
   request.folder = std::filesystem::path(ifc).parent_path().string();
-  const auto scene = mesh_io::MeshReader(RUBICON_MESH_HELPER).read_scene(request);
+  const auto scene = mesh_io::MeshReader(test::mesh_helper()).read_scene(request);
   if (const auto* failure = std::get_if<mesh_io::MeshFailure>(&scene)) {
     throw std::runtime_error(failure->message);
   }

@@ -9,6 +9,7 @@
 
 #include "src/exchange/mesh_io/mesh_io.hpp"
 #include "src/motion/math/pose.hpp"
+#include "tests/support/places.hpp"
 
 // The program that writes the plan of a real floor, against the model itself.
 
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 using geometry::Vec3;
 
 fs::path model() {
-  return fs::path(RUBICON_SOURCE_DIR) / "../shared/data/schependomlaan/IFC-kanaalplaatvloer.ifc";
+  return fs::path(test::source_dir()) / "../shared/data/schependomlaan/IFC-kanaalplaatvloer.ifc";
 }
 
 std::string text_of(const fs::path& file) {
@@ -72,8 +73,8 @@ class MakeSchependomlaan : public ::testing::Test {
   }
 
   void make(const std::string& order) const {
-    const std::string command = std::string(RUBICON_MAKE_SCHEPENDOMLAAN) + " '" + model().string() +
-                                "' '" + folder_.string() + "' --order " + order;
+    const std::string command = test::build_dir() + "/tests/scenes/make_schependomlaan" + " '" +
+                                model().string() + "' '" + folder_.string() + "' --order " + order;
     ASSERT_EQ(std::system(command.c_str()), 0);
   }
 
@@ -82,7 +83,7 @@ class MakeSchependomlaan : public ::testing::Test {
 
 TEST_F(MakeSchependomlaan, EveryElementAtItsTargetIsTheOneOfTheModel) {
   make("good");
-  const mesh_io::MeshReader reader(RUBICON_MESH_HELPER);
+  const mesh_io::MeshReader reader(test::mesh_helper());
   const auto scene = reader.read_scene({model().string(), model().parent_path().string()});
   ASSERT_TRUE(std::holds_alternative<std::vector<mesh_io::NamedMesh>>(scene));
   const std::map<std::string, Row> rows = rows_of(folder_);

@@ -5,12 +5,14 @@
 
 #include <fstream>
 
+#include "tests/support/places.hpp"
+
 namespace rubicon::test {
 
 using interpreter::Severity;
 
 std::vector<CheckCase> read_check_cases(const std::string& file_name) {
-  std::ifstream file(std::string(RUBICON_SOURCE_DIR) + "/tests/unit/check/" + file_name);
+  std::ifstream file(test::source_dir() + "/tests/unit/check/" + file_name);
   std::vector<CheckCase> cases;
   for (std::string line; std::getline(file, line);) {
     if (line.rfind("--- ", 0) == 0) {

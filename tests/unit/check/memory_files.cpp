@@ -5,6 +5,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/support/places.hpp"
+
 namespace rubicon::test {
 
 using interpreter::FileFailure;
@@ -33,7 +35,7 @@ std::variant<std::shared_ptr<const geometry::TriangleMesh>, FileFailure> MemoryF
 MemoryFiles case_files() {
   MemoryFiles files;
   const std::filesystem::path folder =
-      std::filesystem::path(RUBICON_SOURCE_DIR) / "tests/unit/check/site";
+      std::filesystem::path(test::source_dir()) / "tests/unit/check/site";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string extension = entry.path().extension().string();
     const std::string path = "site/" + entry.path().filename().string();

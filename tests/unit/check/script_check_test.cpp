@@ -10,6 +10,7 @@
 #include "interpreter/check/check.hpp"
 #include "interpreter/parse/parse.hpp"
 #include "tests/support/growth.hpp"
+#include "tests/support/places.hpp"
 #include "tests/unit/check/script_robots.hpp"
 
 namespace rubicon::test {
@@ -95,7 +96,7 @@ std::vector<std::string> texts(const Case& given, bool with_code) {
   return result;
 }
 
-const std::string kCases = std::string(RUBICON_SOURCE_DIR) + "/tests/unit/check/script_cases.txt";
+const std::string kCases = test::source_dir() + "/tests/unit/check/script_cases.txt";
 
 std::string listed(const std::vector<std::string>& lines) {
   std::string text;
@@ -123,7 +124,7 @@ TEST(ScriptCheck, EveryCodeIsProvokedByACase) {
 }
 
 TEST(ScriptCheck, AgreesWithTheSpecificationsOwnCases) {
-  const std::string path = std::string(RUBICON_SOURCE_DIR) + "/../shared/golden/static_checks.txt";
+  const std::string path = test::source_dir() + "/../shared/golden/static_checks.txt";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
   const std::vector<Case> cases = read_cases(path);
   ASSERT_GT(cases.size(), 20u);

@@ -7,6 +7,7 @@
 #include "src/exchange/files/disk_io.hpp"
 #include "src/results/debug/recording_reader.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
+#include "tests/support/places.hpp"
 
 namespace rubicon::test {
 
@@ -23,7 +24,7 @@ std::vector<std::string> run(const std::string& path) {
   files::DiskFiles disk;
   interpreter::SourceMap sources;
   interpreter::Diagnostics diagnostics;
-  const auto plan = load_plan(RUBICON_SOURCE_DIR "/" + path, sources, disk, diagnostics);
+  const auto plan = load_plan(test::source_dir() + "/" + path, sources, disk, diagnostics);
   EXPECT_FALSE(diagnostics.has_errors()) << path;
   Lines lines;
   if (plan) taskplan::run_plan(*plan, sources, &lines, {});

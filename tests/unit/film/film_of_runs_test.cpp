@@ -12,6 +12,7 @@
 #include "src/exchange/files/disk_io.hpp"
 #include "src/results/film/film_writer.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
+#include "tests/support/places.hpp"
 #include "tests/unit/film/film_decoder.hpp"
 
 namespace rubicon::film {
@@ -32,8 +33,8 @@ class Ran : public trace::TraceSink {
     files::DiskFiles disk;
     interpreter::SourceMap sources;
     interpreter::Diagnostics diagnostics;
-    const auto model = interpreter::load_plan(std::string(RUBICON_SOURCE_DIR) + "/" + plan, sources,
-                                              disk, diagnostics);
+    const auto model =
+        interpreter::load_plan(test::source_dir() + "/" + plan, sources, disk, diagnostics);
     if (!model) throw std::runtime_error("cannot read " + plan);
     taskplan::RunOptions options;
     options.detail = detail;

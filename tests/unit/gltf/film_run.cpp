@@ -6,6 +6,7 @@
 #include "src/results/gltf/document_file.hpp"
 #include "src/results/verify/input/trace_reader.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
+#include "tests/support/places.hpp"
 
 namespace rubicon::test {
 
@@ -27,7 +28,7 @@ FilmRun run_for_film(const std::string& path) {
   FilmRun result;
   files::DiskFiles disk;
   interpreter::Diagnostics diagnostics;
-  result.plan = load_plan(RUBICON_SOURCE_DIR "/" + path, result.sources, disk, diagnostics);
+  result.plan = load_plan(test::source_dir() + "/" + path, result.sources, disk, diagnostics);
   EXPECT_TRUE(result.plan) << path;
   if (!result.plan) return result;
   Lines sink(result.lines);

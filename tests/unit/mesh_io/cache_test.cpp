@@ -17,6 +17,7 @@
 
 #include "src/exchange/mesh_io/disk_cache_io.hpp"
 #include "src/exchange/mesh_io/scene_wire.hpp"
+#include "tests/support/places.hpp"
 #include "tests/unit/mesh_io/mesh_files_io.hpp"
 #include "tests/unit/mesh_io/processes_io.hpp"
 
@@ -235,7 +236,7 @@ TEST(DiskCache, WritersAndReadersAtOnceSeeWholeEntries) {
 class Remembered : public ::testing::Test {
  protected:
   MeshReader reader_with_cache() const {
-    return MeshReader(RUBICON_MESH_HELPER, (folder_.path() / "cache").string());
+    return MeshReader(test::mesh_helper(), (folder_.path() / "cache").string());
   }
   MeshRequest request(const std::string& name, const std::string& bytes) const {
     MeshRequest result;

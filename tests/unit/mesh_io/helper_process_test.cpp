@@ -12,6 +12,7 @@
 #include <future>
 #include <thread>
 
+#include "tests/support/places.hpp"
 #include "tests/unit/mesh_io/mesh_files_io.hpp"
 #include "tests/unit/mesh_io/processes_io.hpp"
 
@@ -266,7 +267,7 @@ TEST(BesideCommand, TheHelperIsFoundBesideTheRunningProgram) {
   };
   EXPECT_NE(std::system(command.c_str()), 0);
   EXPECT_TRUE(has(said(), "it belongs beside the command")) << said();
-  std::filesystem::copy_file(RUBICON_MESH_HELPER, folder.path() / "rubicon-mesh");
+  std::filesystem::copy_file(test::mesh_helper(), folder.path() / "rubicon-mesh");
   EXPECT_EQ(std::system(command.c_str()), 0) << said();
 }
 

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "src/motion/math/angles.hpp"
+#include "tests/support/places.hpp"
 
 namespace rubicon::mesh_io::testing {
 
@@ -64,7 +65,7 @@ std::string TemporaryFolder::write(const std::string& name, const std::string& b
   return file.string();
 }
 
-MeshReader reader() { return MeshReader(RUBICON_MESH_HELPER); }
+MeshReader reader() { return MeshReader(test::mesh_helper()); }
 
 std::variant<ReadMesh, MeshFailure> read_in_own_folder(const std::string& path,
                                                        MeshRequest request) {

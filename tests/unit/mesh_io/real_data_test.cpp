@@ -4,13 +4,14 @@
 #include <map>
 #include <set>
 
+#include "tests/support/places.hpp"
 #include "tests/unit/mesh_io/mesh_files_io.hpp"
 
 namespace rubicon::mesh_io::testing {
 namespace {
 
 std::filesystem::path data_folder() {
-  return std::filesystem::path(RUBICON_SOURCE_DIR) / "../shared/data";
+  return std::filesystem::path(test::source_dir()) / "../shared/data";
 }
 
 bool data_is_here() { return std::filesystem::is_directory(data_folder()); }

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/support/places.hpp"
+
 namespace rubicon::test {
 
 namespace {
@@ -20,13 +22,13 @@ std::optional<std::string> bytes_of(const std::string& path) {
 }  // namespace
 
 std::string sample(const std::string& name) {
-  const auto text = bytes_of(RUBICON_SOURCE_DIR "/tests/unit/project_io/" + name);
+  const auto text = bytes_of(test::source_dir() + "/tests/unit/project_io/" + name);
   EXPECT_TRUE(text) << name;
   return text.value_or("");
 }
 
 std::optional<std::string> shared_data(const std::string& path) {
-  return bytes_of(RUBICON_SOURCE_DIR "/../shared/data/" + path);
+  return bytes_of(test::source_dir() + "/../shared/data/" + path);
 }
 
 }  // namespace rubicon::test

@@ -9,6 +9,7 @@
 #include "src/exchange/files/disk_io.hpp"
 #include "src/results/report/schedule_text.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
+#include "tests/support/places.hpp"
 
 namespace rubicon::report {
 namespace {
@@ -20,7 +21,7 @@ Schedule run(const std::string& path) {
   interpreter::SourceMap sources;
   files::DiskFiles disk;
   interpreter::Diagnostics diagnostics;
-  const auto plan = load_plan(RUBICON_SOURCE_DIR "/" + path, sources, disk, diagnostics);
+  const auto plan = load_plan(test::source_dir() + "/" + path, sources, disk, diagnostics);
   EXPECT_TRUE(plan) << path;
   taskplan::RunOptions options;
   options.detail = trace::TraceDetail::none;

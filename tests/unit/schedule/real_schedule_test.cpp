@@ -5,13 +5,14 @@
 #include <gtest/gtest.h>
 
 #include "src/simulation/schedule/critical_chain.hpp"
+#include "tests/support/places.hpp"
 #include "tests/unit/schedule/real_schedule_io.hpp"
 
 namespace rubicon::schedule {
 namespace {
 
-const std::string kPath = std::string(RUBICON_SOURCE_DIR) +
-                          "/../shared/data/schependomlaan/planning-2015-02-18.mspdi.xml";
+const std::string kPath =
+    test::source_dir() + "/../shared/data/schependomlaan/planning-2015-02-18.mspdi.xml";
 
 /// The file's numbers of the tasks whose start or finish is not the planner's.
 std::vector<int> other_dates(const test::RealSchedule& real) {

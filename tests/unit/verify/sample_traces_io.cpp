@@ -4,10 +4,12 @@
 
 #include <fstream>
 
+#include "tests/support/places.hpp"
+
 namespace rubicon::test {
 
 std::vector<std::string> sample_trace(const std::string& name) {
-  std::ifstream file(RUBICON_SOURCE_DIR "/tests/unit/verify/" + name);
+  std::ifstream file(test::source_dir() + "/tests/unit/verify/" + name);
   EXPECT_TRUE(file) << name;
   std::vector<std::string> lines;
   for (std::string line; std::getline(file, line);) lines.push_back(line);
