@@ -3,8 +3,10 @@
 usage: check_structure.py [ROOT]    prints one line a violation (file:line: what, and why); exit code 1 if there is any
 """
 
+import json
 import pathlib
 import re
+import subprocess
 import sys
 from dataclasses import dataclass
 
@@ -48,6 +50,14 @@ RULES = [
         "only src/cli and files named *_io touch disk, stdout, the clock or the environment",
     ),
 ]
+
+# The documents for those who join, and all that may lie in the top folder.
+TOP_DOCUMENTS = {"CHANGELOG.md", "CONTRIBUTING.md", "THIRD_PARTY_NOTICES.md"}
+TOP = TOP_DOCUMENTS | {
+    ".ci", ".clang-format", ".clang-tidy", ".editorconfig", ".git-blame-ignore-revs", ".gitattributes", ".gitignore",
+    "CMakeLists.txt", "CMakePresets.json", "README.md", "bench", "cmake", "docs", "examples", "grammar", "interpreter",
+    "robots", "scripts", "src", "taskplans", "tests", "viewer",
+}
 
 # Headers that show the types of a hidden library or of the grammar: for .cpp files of their module and one another.
 PRIVATE_HEADER = re.compile(r"/\w*(?:fcl|assimp|pugixml|simdjson)\w*\.hpp$|^interpreter/(?:\w+/)?parse_\w+\.hpp$")
@@ -182,9 +192,34 @@ def check_rooms(root, uses):
             yield f"{module}: its folders depend on each other in a circle: {', '.join(sorted(needs))}"
 
 
+def check_top(root):
+    """The top folder holds what newcomers expect there, and nothing else."""
+    for name in sorted(TOP_DOCUMENTS):
+        if not (root / name).is_file():
+            yield f"{name}: is missing"
+    try:
+        listed = subprocess.run(["git", "-C", str(root), "ls-files", "--cached", "--others", "--exclude-standard"],
+                                capture_output=True, text=True, check=True).stdout.split("\n")
+    except (OSError, subprocess.CalledProcessError):
+        return  # an unpacked archive
+    for name in sorted({path.split("/")[0] for path in listed if path} - TOP):
+        yield f"{name}: is not one of the known files and folders at the top (check_structure.py lists them)"
+
+
+def check_notices(root):
+    """The third-party notices name each version of a library that the report page is built with."""
+    package, notices = root / "viewer/package.json", root / "THIRD_PARTY_NOTICES.md"
+    if not package.is_file() or not notices.is_file():
+        return
+    version = json.loads(package.read_text(encoding="utf-8"))["devDependencies"]["three"]
+    if version not in notices.read_text(encoding="utf-8"):
+        yield f"THIRD_PARTY_NOTICES.md: does not name three.js {version}, which viewer/package.json asks for"
+
+
 def check_links(root):
     """Links in our documents lead somewhere."""
-    documents = [root / "README.md", *sorted((root / "docs").rglob("*.md"))]
+    documents = [root / "README.md", *(root / name for name in sorted(TOP_DOCUMENTS) if (root / name).is_file()),
+                 *sorted((root / "docs").rglob("*.md"))]
     for document in documents:
         if not document.is_file():
             yield f"{document.relative_to(root).as_posix()}: is missing"
@@ -211,6 +246,8 @@ def check(root):
             found += check_rules(path, text)
     found += check_folders(root, uses)
     found += check_rooms(root, uses)
+    found += check_top(root)
+    found += check_notices(root)
     found += check_links(root)
     return found
 

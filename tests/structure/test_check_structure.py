@@ -1,6 +1,7 @@
 """Seeds every kind of violation into a small project and expects check_structure to name it, and nothing else."""
 
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -29,6 +30,8 @@ class SeededViolations(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
         self.write("tests/structure/modules.txt", MODULES)
+        for name in check_structure.TOP_DOCUMENTS:
+            self.write(name, "nothing yet\n")
         self.write("README.md", "see [the architecture](docs/architecture.md)\n")
         self.write("docs/architecture.md", "see [here](../README.md#top) and [there](https://example.org/x)\n")
         for module in ("grammar", "src/motion/math", "src/shape", "src/exchange/mesh_io", "interpreter", "src/cli"):
@@ -125,6 +128,21 @@ class SeededViolations(unittest.TestCase):
     def test_dead_link(self):
         self.write("docs/guide.md", "\n[gone](missing.md)\n```\n[code](no link)\n```\n")
         self.expect("docs/guide.md:2: links to missing.md")
+
+    def test_top_folder(self):
+        (self.root / "CHANGELOG.md").unlink()
+        self.expect("CHANGELOG.md: is missing")
+        self.write("CHANGELOG.md", "nothing yet\n")
+        subprocess.run(["git", "-C", str(self.root), "init", "--quiet"], check=True)
+        self.expect()
+        self.write("notes/todo.txt", "")
+        self.expect("notes: is not one of the known files and folders")
+
+    def test_notices(self):
+        self.write("viewer/package.json", '{"devDependencies": {"three": "1.2.3"}}')
+        self.expect("THIRD_PARTY_NOTICES.md: does not name three.js 1.2.3")
+        self.write("THIRD_PARTY_NOTICES.md", "three.js 1.2.3\n")
+        self.expect()
 
     def test_order_must_be_lowest_first(self):
         self.write("tests/structure/modules.txt", "src/motion/math: src/shape\nsrc/shape:\n")
