@@ -1,15 +1,21 @@
 #include <fmt/format.h>
 
-#include "interpreter/check/calendar_text.hpp"
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "interpreter/check/check_plan_parts.hpp"
 
 namespace rubicon::interpreter::plan_check {
 
 namespace {
 
+/// 0 for mon ... 6 for sun.
 std::optional<int> day_of(Subject& subject, const syntax::Name& name) {
-  const std::optional<int> day = weekday(name.text);
-  if (day) return day;
+  constexpr std::array<std::string_view, 7> kDays = {"mon", "tue", "wed", "thu",
+                                                     "fri", "sat", "sun"};
+  const auto day = std::find(kDays.begin(), kDays.end(), name.text);
+  if (day != kDays.end()) return static_cast<int>(day - kDays.begin());
   const std::string nearest =
       did_you_mean(name.text, {"mon", "tue", "wed", "thu", "fri", "sat", "sun"});
   subject.error("P11", name.span,
@@ -19,7 +25,7 @@ std::optional<int> day_of(Subject& subject, const syntax::Name& name) {
 }
 
 std::optional<int> time_of(Subject& subject, const syntax::String& text) {
-  const std::optional<int> minutes = minutes_of_day(text.text);
+  const std::optional<int> minutes = schedule::parse_minute_of_day(text.text);
   if (!minutes) {
     subject.error("P10", text.span,
                   fmt::format("expected a time between 00:00 and 24:00, found '{}'", text.text));
@@ -29,8 +35,8 @@ std::optional<int> time_of(Subject& subject, const syntax::String& text) {
 
 void check_off_days(Subject& subject, const syntax::Shift& shift, CalendarSpec& calendar) {
   for (const syntax::String& date : shift.off) {
-    if (is_date(date.text)) {
-      calendar.off.push_back(date.text);
+    if (const auto day = schedule::parse_date(date.text)) {
+      calendar.off.push_back(*day);
     } else {
       subject.error("P10", date.span,
                     fmt::format("expected a date such as 2026-12-25, found '{}'", date.text));

@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
 
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
@@ -12,12 +10,8 @@ namespace rubicon::interpreter::plan_check {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kTypes = {"FS", "SS", "FF", "SF"};
-
 std::optional<LinkType> type_of(Subject& subject, const syntax::Name& name) {
-  for (std::size_t i = 0; i < kTypes.size(); ++i) {
-    if (name.text == kTypes[i]) return static_cast<LinkType>(i);
-  }
+  if (const auto type = schedule::parse_link_type(name.text)) return type;
   subject.error(
       "P08", name.span,
       fmt::format("expected FS, SS, FF or SF (finish to start, start to start, ...), found '{}'",
@@ -53,9 +47,9 @@ class EventGraph {
     const TaskSpec& task = tasks_[event / 2];
     if (i == task.after.size()) return event - 1;
     const LinkSpec& link = task.after[i];
-    const bool holds_start = link.type == LinkType::FS || link.type == LinkType::SS;
+    const bool holds_start = schedule::end_after(link.type) == schedule::TaskEnd::start;
     if (holds_start != (event % 2 == 0)) return std::nullopt;
-    const bool from_finish = link.type == LinkType::FS || link.type == LinkType::FF;
+    const bool from_finish = schedule::end_before(link.type) == schedule::TaskEnd::finish;
     return 2 * static_cast<std::size_t>(link.task) + (from_finish ? 1 : 0);
   }
 
@@ -134,7 +128,7 @@ std::vector<LinkSpec> resolve_links(Subject& subject, const Scope& scope,
     if (link.lag) {
       const auto lag = bounded(subject, *link.lag, syntax::UnitKind::time, "the lag of a link",
                                -kMaxDuration, kMaxDuration);
-      if (lag) spec.lag = *lag;
+      if (lag) spec.lag = schedule::ticks_from_seconds(*lag);
     }
     if (scope.records_uses && type && *type != LinkType::FS) {
       subject.use(link.type->text, link.span);

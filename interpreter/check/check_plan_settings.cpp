@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "interpreter/check/calendar_text.hpp"
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
 
@@ -40,14 +39,15 @@ class Settings {
     const std::string& text = item.value.text;
     if (item.name.text == "start_at") {
       subject_.use("start_at", item.span);
-      if (!is_date_and_time(text)) {
+      const auto moment = schedule::parse_civil_time(text);
+      if (!moment) {
         subject_.error(
             "P10", item.value.span,
             fmt::format("expected a date and time such as \"2026-03-02 07:00\", found \"{}\"",
                         text));
         return;
       }
-      subject_.model.start_at = text;
+      subject_.model.start_at = *moment;
     } else if (item.name.text == "currency") {
       subject_.use("currency", item.span);
       if (text.empty()) {

@@ -9,6 +9,9 @@
 
 #include "interpreter/check/check.hpp"
 #include "src/motion/geometry/shape.hpp"
+#include "src/simulation/schedule/calendar_rules.hpp"
+#include "src/simulation/schedule/civil_time.hpp"
+#include "src/simulation/schedule/link.hpp"
 
 namespace rubicon::interpreter {
 
@@ -26,16 +29,8 @@ struct Within {
   std::vector<std::pair<int, double>> values;  ///< per parameter (file units)
 };
 
-struct CalendarSpec {
-  std::string name;
-  struct Shift {
-    int first_day = 0;  ///< 0 Monday ... 6 Sunday
-    int last_day = 0;
-    std::vector<std::pair<int, int>> minutes;  ///< from, to, minutes of the day
-  };
-  std::vector<Shift> shifts;
-  std::vector<std::string> off;  ///< YYYY-MM-DD
-  bool carry_over = false;
+/// A calendar and where its name stands.
+struct CalendarSpec : schedule::CalendarRules {
   Span span;
 };
 
@@ -67,11 +62,12 @@ struct CrewSpec {
   Span span;
 };
 
-enum class LinkType { FS, SS, FF, SF };
+using schedule::LinkType;
+
 struct LinkSpec {
   int task = -1;  ///< index into PlanModel::tasks
   LinkType type = LinkType::FS;
-  double lag = 0;  ///< s
+  schedule::Ticks lag = 0;
   Span span;
 };
 
@@ -116,8 +112,8 @@ struct PlanModel {
   std::vector<RobotSpec> robots;
   std::vector<CrewSpec> crews;
   std::vector<CalendarSpec> calendars;
-  std::vector<TaskSpec> tasks;          ///< file order
-  std::optional<std::string> start_at;  ///< "YYYY-MM-DD HH:MM"
+  std::vector<TaskSpec> tasks;  ///< file order
+  std::optional<schedule::CivilTime> start_at;
   std::string currency;
 
   // short form

@@ -5,15 +5,15 @@
 #include <span>
 #include <string>
 
+#include "src/simulation/schedule/ticks.hpp"
+
 namespace rubicon::interpreter {
 
 /// Simulated time in integer ticks of 1 ns; every duration is rounded once.
-using Ticks = std::int64_t;
-inline constexpr double kTicksPerSecond = 1e9;
-Ticks ticks_from_seconds(double seconds);
-inline double seconds_from_ticks(Ticks ticks) {
-  return static_cast<double>(ticks) / kTicksPerSecond;
-}
+using schedule::kTicksPerSecond;
+using schedule::seconds_from_ticks;
+using schedule::Ticks;
+using schedule::ticks_from_seconds;
 
 /// One proposed motion step of one robot: every changed parameter runs linearly from q_from to q_to
 /// (file units; cyclic angles unwrapped, so |q_to - q_from| is what the step turns), all at once.

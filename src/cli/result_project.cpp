@@ -14,6 +14,7 @@
 #include "src/results/report/diagnostic_printer.hpp"
 #include "src/results/report/header_files.hpp"
 #include "src/results/report/schedule_text.hpp"
+#include "src/simulation/schedule/civil_time.hpp"
 
 namespace rubicon::cli {
 
@@ -22,9 +23,6 @@ namespace {
 using report::clock_text;
 using taskplan::TaskOutcome;
 using taskplan::TaskResult;
-
-/// A plan without a date begins on a Monday.
-constexpr const char* kUndated = "2024-01-01 00:00";
 
 std::string note_of(const taskplan::Schedule& schedule, const TaskOutcome& task) {
   if (task.result != TaskResult::done) {
@@ -38,9 +36,9 @@ std::string note_of(const taskplan::Schedule& schedule, const TaskOutcome& task)
 }
 
 project_io::SimulatedRun run_of(const taskplan::Schedule& schedule) {
-  const std::string start_at = schedule.start_at.value_or(kUndated);
+  const schedule::CivilTime start = schedule.start_at.value_or(schedule::kUndatedStart);
   const auto moment = [&](interpreter::Ticks time) {
-    return project_io::Moment{report::moment_text(start_at, time)};
+    return project_io::Moment{report::moment_text(start, time)};
   };
   const auto seconds = [](interpreter::Ticks time) { return time / 1'000'000'000; };
   project_io::SimulatedRun run;
@@ -86,7 +84,7 @@ std::string result_mspdi(const ResultFiles& result, const taskplan::Schedule& sc
   }
   if (!schedule.start_at) {
     fmt::print(stderr, "rubicon: warning: the plan has no start_at; its schedule begins at {}\n",
-               kUndated);
+               schedule::text_of(schedule::kUndatedStart));
   }
   return text;
 }

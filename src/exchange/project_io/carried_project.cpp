@@ -12,7 +12,6 @@ namespace rubicon::project_io {
 namespace {
 
 constexpr std::array<const char*, 7> kDays = {"mon", "tue", "wed", "thu", "fri", "sat", "sun"};
-constexpr std::array<const char*, 4> kLinkNames = {"FS", "SS", "FF", "SF"};
 
 class BlockReader {
  public:
@@ -119,9 +118,9 @@ class BlockReader {
     reader("type", "", type);
     reader("lag", "", link.lag);
     reader("format", "", link.format);
-    const auto found = std::find(kLinkNames.begin(), kLinkNames.end(), type);
-    if (found == kLinkNames.end()) return not_understood(record);
-    link.type = static_cast<LinkType>(found - kLinkNames.begin());
+    const auto parsed = schedule::parse_link_type(type);
+    if (!parsed) return not_understood(record);
+    link.type = *parsed;
     result_.tasks[record.name].links.push_back(link);
   }
 

@@ -22,8 +22,8 @@ class EventGraph {
       for (const Link& link : project.tasks[t].after) {
         const auto found = index.find(link.predecessor);
         if (found == index.end()) continue;
-        const bool from_finish = link.type == LinkType::FS || link.type == LinkType::FF;
-        const bool to_finish = link.type == LinkType::FF || link.type == LinkType::SF;
+        const bool from_finish = schedule::end_before(link.type) == schedule::TaskEnd::finish;
+        const bool to_finish = schedule::end_after(link.type) == schedule::TaskEnd::finish;
         add(2 * found->second + (from_finish ? 1 : 0), 2 * t + (to_finish ? 1 : 0));
       }
     }
@@ -38,8 +38,8 @@ class EventGraph {
       for (std::size_t i = 0; i < links.size(); ++i) {
         const auto found = index_.find(links[i].predecessor);
         if (found == index_.end()) continue;
-        const bool from_finish = links[i].type == LinkType::FS || links[i].type == LinkType::FF;
-        const bool to_finish = links[i].type == LinkType::FF || links[i].type == LinkType::SF;
+        const bool from_finish = schedule::end_before(links[i].type) == schedule::TaskEnd::finish;
+        const bool to_finish = schedule::end_after(links[i].type) == schedule::TaskEnd::finish;
         const std::size_t from = 2 * found->second + (from_finish ? 1 : 0);
         const std::size_t to = 2 * t + (to_finish ? 1 : 0);
         if (set_[from] == set_[to] && place_[from] >= place_[to]) result.push_back({t, i});

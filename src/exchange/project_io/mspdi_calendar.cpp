@@ -1,8 +1,8 @@
 #include <optional>
 
-#include "interpreter/check/calendar_text.hpp"
 #include "src/exchange/project_io/dates.hpp"
 #include "src/exchange/project_io/mspdi_calendar_pugixml.hpp"
+#include "src/simulation/schedule/civil_time.hpp"
 
 namespace rubicon::project_io {
 
@@ -118,7 +118,7 @@ class CalendarReader {
   std::optional<int> minutes(const pugi::xml_node& node) {
     const std::string text = text_in(node);
     if (text.empty()) return std::nullopt;
-    const std::optional<int> result = interpreter::minutes_of_day(text.substr(0, 5));
+    const std::optional<int> result = schedule::parse_minute_of_day(text.substr(0, 5));
     if (!result) {
       wrong(node, "expected a time of day such as 08:00:00");
     } else if (text.size() >= 8 && text.substr(5, 3) != ":00") {

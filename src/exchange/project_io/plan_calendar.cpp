@@ -77,7 +77,7 @@ PlanCalendar plan_calendar(const interpreter::CalendarSpec& spec) {
       times = tidy(std::move(times));
     }
   }
-  result.off = spec.off;
+  for (const schedule::Date& day : spec.off) result.off.push_back(schedule::text_of(day));
   std::sort(result.off.begin(), result.off.end());
   result.off.erase(std::unique(result.off.begin(), result.off.end()), result.off.end());
   return result;

@@ -20,7 +20,6 @@ namespace rubicon::project_io {
 namespace {
 
 constexpr std::array<const char*, 7> kDays = {"mon", "tue", "wed", "thu", "fri", "sat", "sun"};
-constexpr std::array<const char*, 4> kLinkNames = {"FS", "SS", "FF", "SF"};
 
 /// Longest remark, in bytes; the whole name stands in the import block.
 constexpr std::size_t kMaxRemark = 90;
@@ -46,7 +45,7 @@ std::string time_text(std::int64_t seconds) {
 std::string link_text(const PlanLink& link) {
   std::string text = link.predecessor;
   if (link.type != LinkType::FS || link.lag != 0) {
-    text += fmt::format(" {}", kLinkNames[static_cast<std::size_t>(link.type)]);
+    text += fmt::format(" {}", schedule::name_of(link.type));
   }
   if (link.lag != 0) {
     text += fmt::format(" {} {}", link.lag < 0 ? '-' : '+', time_text(std::abs(link.lag)));
@@ -397,8 +396,7 @@ class PlanWriter {
         if (planned.said[k]) continue;
         const Link& link = task.after[k];
         out_ += fmt::format("link {} predecessor {} type \"{}\" lag \"{}\" format \"{}\";\n",
-                            planned.name, link.predecessor,
-                            kLinkNames[static_cast<std::size_t>(link.type)], link.lag,
+                            planned.name, link.predecessor, schedule::name_of(link.type), link.lag,
                             text_of(link.format));
       }
     }

@@ -10,7 +10,7 @@
 
 namespace rubicon::project_io {
 
-using interpreter::LinkType;
+using schedule::LinkType;
 
 /// No element has this number: "none" for a calendar, a base calendar or a resource.
 inline constexpr std::int64_t kNone = -1;

@@ -50,7 +50,7 @@ class ProjectBuilder {
   void build_settings() {
     project_ = carried_.project.value_or(Project{});
     if (!carried_.project) project_.name = plan_.name;
-    start_ = plan_.start_at ? Moment{*plan_.start_at} : Moment{};
+    start_ = plan_.start_at ? Moment{schedule::text_of(*plan_.start_at)} : Moment{};
     Project with_tasks;
     with_tasks.start = project_.start;
     for (const auto& [name, carried] : carried_.tasks) with_tasks.tasks.push_back(carried.task);
@@ -310,7 +310,7 @@ class ProjectBuilder {
         }
         const auto uid = task_uid_.find(name);
         if (uid == task_uid_.end()) continue;
-        const std::int64_t lag = std::llround(link.lag);
+        const std::int64_t lag = std::llround(schedule::seconds_from_ticks(link.lag));
         Link made{uid->second, link.type, lag / 6 * 6, plan_lag_format(lag)};
         const auto before = known.find({made.predecessor, made.type});
         if (before != known.end() &&
@@ -343,7 +343,7 @@ class ProjectBuilder {
 
   void take_constraint(const interpreter::LinkSpec& link, Task& task) {
     const auto usual = constraint_link(task, start_);
-    const std::int64_t lag = std::llround(link.lag);
+    const std::int64_t lag = std::llround(schedule::seconds_from_ticks(link.lag));
     if (usual && usual->type == link.type && usual->lag == lag) return;
     const auto begin = minute_number(start_.text);
     if (!begin || (link.type != LinkType::FS && link.type != LinkType::FF)) return;

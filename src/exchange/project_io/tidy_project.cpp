@@ -23,8 +23,6 @@ constexpr std::size_t kMaxCalendars = 10000;
 /// Longest chain of base calendars; Project itself allows one.
 constexpr int kMaxBases = 16;
 
-constexpr std::array<const char*, 4> kLinkNames = {"FS", "SS", "FF", "SF"};
-
 interpreter::Span place(const std::vector<interpreter::Span>& places, std::size_t i) {
   return i < places.size() ? places[i] : interpreter::Span{};
 }
@@ -236,8 +234,7 @@ class Tidier {
                    fmt::format("tasks wait for each other in a ring; the link '{}' {} '{}' is left "
                                "out",
                                project_.tasks[tasks_.at(link->predecessor)].name,
-                               kLinkNames[static_cast<std::size_t>(link->type)],
-                               project_.tasks[at->task].name));
+                               schedule::name_of(link->type), project_.tasks[at->task].name));
       links.erase(link);
     }
   }

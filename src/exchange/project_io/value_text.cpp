@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "interpreter/check/calendar_text.hpp"
+#include "src/simulation/schedule/civil_time.hpp"
 
 namespace rubicon::project_io {
 
@@ -106,7 +106,7 @@ bool read(std::string_view text, Moment& value) {
   if (text.size() < 16 || (text[10] != 'T' && text[10] != ' ')) return false;
   std::string moment(text.substr(0, 16));
   moment[10] = ' ';
-  if (!interpreter::is_date_and_time(moment)) return false;
+  if (!schedule::parse_civil_time(moment)) return false;
   if (text.size() >= 19) {
     const std::string_view seconds = text.substr(17, 2);
     const bool digits = seconds[0] >= '0' && seconds[0] <= '5' && seconds[1] >= '0' &&
@@ -204,8 +204,8 @@ bool read(std::string_view text, DayTimes& value) {
     while (true) {
       const std::string_view one = text.substr(0, text.find(','));
       if (one.size() != 11 || one[5] != '-') return false;
-      const auto from = interpreter::minutes_of_day(one.substr(0, 5));
-      const auto to = interpreter::minutes_of_day(one.substr(6));
+      const auto from = schedule::parse_minute_of_day(one.substr(0, 5));
+      const auto to = schedule::parse_minute_of_day(one.substr(6));
       if (!from || !to || *to <= *from) return false;
       times.push_back({*from, *to});
       if (one.size() == text.size()) break;

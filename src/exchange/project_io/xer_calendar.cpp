@@ -3,9 +3,9 @@
 #include <charconv>
 #include <string>
 
-#include "interpreter/check/calendar_text.hpp"
 #include "src/exchange/project_io/dates.hpp"
 #include "src/exchange/project_io/value_text.hpp"
+#include "src/simulation/schedule/civil_time.hpp"
 
 namespace rubicon::project_io {
 
@@ -87,8 +87,8 @@ std::string_view value_of(std::string_view values, std::string_view key) {
 }
 
 std::optional<int> minutes(std::string_view text) {
-  return text.size() == 4 ? interpreter::minutes_of_day("0" + std::string(text))
-                          : interpreter::minutes_of_day(text);
+  return text.size() == 4 ? schedule::parse_minute_of_day("0" + std::string(text))
+                          : schedule::parse_minute_of_day(text);
 }
 
 bool read_times(const Node& day, DayTimes& times) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/results/debug/task_run.hpp"
+#include "src/simulation/schedule/civil_time.hpp"
 
 namespace rubicon::debug {
 
@@ -49,7 +50,7 @@ struct PlannedTask {
 struct Recording {
   std::string plan;
   std::string detail;  ///< steps, tasks, none
-  std::optional<std::string> start_at;
+  std::optional<schedule::CivilTime> start_at;
   std::vector<ScriptFile> files;
   std::vector<PlannedTask> tasks;  ///< those of the plan first, in its order
   std::map<std::string, std::vector<std::string>> robots;  ///< the bodies of each robot

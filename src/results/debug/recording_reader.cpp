@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "src/results/debug/clean_text.hpp"
+#include "src/results/report/schedule_text.hpp"
 
 namespace rubicon::debug {
 
@@ -56,7 +57,8 @@ void RecordingReader::read_header(std::string_view text) {
   recording_.plan = clean_text(header.at("plan").get<std::string>());
   recording_.detail = header.at("detail");
   if (!header.at("start_at").is_null()) {
-    recording_.start_at = clean_text(header.at("start_at").get<std::string>());
+    recording_.start_at =
+        report::start_from_text(clean_text(header.at("start_at").get<std::string>()));
   }
   for (const json& file : header.at("files")) {
     add_file(file.at("path"), file.at("text"));

@@ -25,13 +25,12 @@ class ChartBuilder {
   ChartBuilder(const Schedule& schedule, const TraceTimes* times)
       : schedule_(schedule), times_(times) {
     for (const auto& task : schedule.critical) critical_.insert(task.task);
-    if (schedule.start_at) start_ = schedule::parse_civil_time(*schedule.start_at);
   }
 
   Chart build(const std::string& title) {
     chart_.title = times_ != nullptr && !times_->plan.empty() ? times_->plan : title;
     chart_.facts = fact_labels(schedule_);
-    chart_.start = start_;
+    chart_.start = schedule_.start_at;
     chart_.end = schedule_.process_time;
     for (const TaskOutcome& task : schedule_.tasks) {
       chart_.end = std::max(chart_.end, task.start + task.duration);
@@ -46,10 +45,10 @@ class ChartBuilder {
  private:
   void find_off_times() {
     if (times_ == nullptr) return;
-    constexpr schedule::CivilTime kMonday{{2024, 1, 1}, 0};  // where a plan without a date begins
     std::map<std::string, std::vector<Span>> by_calendar;
     for (const auto& rules : times_->calendars) {
-      by_calendar[rules.name] = off_times(rules, start_.value_or(kMonday), chart_.end);
+      by_calendar[rules.name] =
+          off_times(rules, schedule_.start_at.value_or(schedule::kUndatedStart), chart_.end);
     }
     std::size_t shades = 0;
     for (const auto& [resource, calendar] : times_->calendar_of) {
@@ -198,7 +197,6 @@ class ChartBuilder {
   const Schedule& schedule_;
   const TraceTimes* times_;
   Chart chart_;
-  std::optional<schedule::CivilTime> start_;
   std::set<std::string> critical_;
   std::map<std::string, std::vector<Span>> off_;  ///< by resource
   std::map<std::string, std::size_t> resource_;   ///< place in chart_.resources

@@ -32,7 +32,7 @@ std::vector<std::string> fact_labels(const Schedule& schedule) {
   std::vector<std::string> facts;
   std::string time = "Process time " + clock_text(schedule.process_time) + " h";
   if (schedule.start_at) {
-    time += fmt::format(", {} to {}", *schedule.start_at,
+    time += fmt::format(", {} to {}", schedule::text_of(*schedule.start_at),
                         report::date_text(*schedule.start_at, schedule.process_time));
   }
   facts.push_back(std::move(time));

@@ -100,7 +100,7 @@ std::string schedule_json(const Schedule& schedule) {
   text += fmt::format(",\"process_time\":{}", seconds_text(schedule.process_time));
   if (schedule.start_at) {
     trace::JsonBuilder dates;
-    dates.begin_object().field("start_at", std::string_view(*schedule.start_at));
+    dates.begin_object().field("start_at", schedule::text_of(*schedule.start_at));
     dates.field("ends", date_text(*schedule.start_at, schedule.process_time)).end_object();
     const std::string both = dates.take();
     text += "," + both.substr(1, both.size() - 2);
@@ -123,8 +123,9 @@ std::string schedule_csv(const Schedule& schedule) {
       "task,robot,crew,start,duration,tried,accepted,result,reason,motion,work,waited_predecessor,"
       "waited_resource,waited_machine,waited_shift,cost,begins,ends\n";
   for (const TaskOutcome& task : schedule.tasks) {
-    const std::string& start_at = schedule.start_at.value_or(std::string());
-    const bool dated = schedule.start_at.has_value();
+    const auto date_field = [&](interpreter::Ticks time) {
+      return schedule.start_at ? date_text(*schedule.start_at, time) : std::string();
+    };
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                         csv_field(task.task), csv_field(task.robot), csv_field(crew_text(task)),
                         seconds_text(task.start), seconds_text(task.duration), task.tried,
@@ -133,8 +134,7 @@ std::string schedule_csv(const Schedule& schedule) {
                         seconds_text(task.waits.predecessor), seconds_text(task.waits.resource),
                         seconds_text(task.waits.machine), seconds_text(task.waits.shift),
                         schedule.costed ? fmt::format("{:.2f}", task.cost) : std::string(),
-                        dated ? date_text(start_at, task.start) : std::string(),
-                        dated ? date_text(start_at, task.start + task.duration) : std::string());
+                        date_field(task.start), date_field(task.start + task.duration));
   }
   return text;
 }

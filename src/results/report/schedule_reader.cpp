@@ -7,7 +7,7 @@
 #include <string>
 
 #include "src/results/report/exact_json.hpp"
-#include "src/simulation/schedule/civil_time.hpp"
+#include "src/results/report/schedule_text.hpp"
 
 namespace rubicon::report {
 
@@ -109,11 +109,7 @@ Schedule schedule_from_json(std::string_view text) {
   }
   schedule.process_time = json.at("process_time").ticks();
   if (json.has("start_at")) {
-    schedule.start_at = json.at("start_at").text();
-    if (!schedule::parse_civil_time(*schedule.start_at)) {
-      throw std::invalid_argument(
-          fmt::format("expected YYYY-MM-DD HH:MM as 'start_at', found '{}'", *schedule.start_at));
-    }
+    schedule.start_at = start_from_text(json.at("start_at").text());
   }
   schedule.costed = json.has("currency");
   if (schedule.costed) {

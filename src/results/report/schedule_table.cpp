@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -93,7 +94,7 @@ std::string total_line(const Schedule& schedule) {
   text += fmt::format(", process time {} ({} s)", clock_text(schedule.process_time),
                       seconds_text(schedule.process_time));
   if (schedule.start_at) {
-    text += fmt::format(", from {} to {}", *schedule.start_at,
+    text += fmt::format(", from {} to {}", schedule::text_of(*schedule.start_at),
                         date_text(*schedule.start_at, schedule.process_time));
   }
   return text + "\n";
@@ -141,12 +142,20 @@ std::string clock_text(Ticks ticks) {
   return fmt::format("{}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
 }
 
-std::string date_text(const std::string& start_at, Ticks time) {
-  const auto start = schedule::parse_civil_time(start_at);
-  return start ? schedule::text_of(schedule::civil_time_at(*start, time)) : std::string();
+std::string date_text(const schedule::CivilTime& start_at, Ticks time) {
+  return schedule::text_of(schedule::civil_time_at(start_at, time));
 }
 
-std::string moment_text(const std::string& start_at, Ticks time) {
+schedule::CivilTime start_from_text(std::string_view text) {
+  const auto start = schedule::parse_civil_time(text);
+  if (!start) {
+    throw std::invalid_argument(
+        fmt::format("expected YYYY-MM-DD HH:MM as 'start_at', found '{}'", text));
+  }
+  return *start;
+}
+
+std::string moment_text(const schedule::CivilTime& start_at, Ticks time) {
   const Ticks seconds = schedule::floor_division(time, schedule::kSecond);
   return fmt::format("{}:{:02}", date_text(start_at, time), seconds % 60);
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
+#include "src/simulation/schedule/civil_time.hpp"
 #include "src/simulation/taskplan/schedule.hpp"
 
 namespace rubicon::report {
@@ -24,10 +26,14 @@ std::string clock_text(interpreter::Ticks ticks);
 std::string crew_text(const taskplan::TaskOutcome& task);
 
 /// A moment of a plan that begins at `start_at`, as "YYYY-MM-DD HH:MM", rounded down to its minute.
-std::string date_text(const std::string& start_at, interpreter::Ticks time);
+std::string date_text(const schedule::CivilTime& start_at, interpreter::Ticks time);
 
 /// The same to the second, as "YYYY-MM-DD HH:MM:SS".
-std::string moment_text(const std::string& start_at, interpreter::Ticks time);
+std::string moment_text(const schedule::CivilTime& start_at, interpreter::Ticks time);
+
+/// The `start_at` of a trace or of a schedule in JSON; throws std::invalid_argument if it is no
+/// date with a time.
+schedule::CivilTime start_from_text(std::string_view text);
 
 /// A time in seconds, exactly.
 std::string seconds_text(interpreter::Ticks ticks);

@@ -44,7 +44,7 @@ std::string story_json(const TaskStory& story) {
   ordered_json result = {{"task", story.task},         {"robot", story.robot},
                          {"result", story.run.result}, {"reason", story.run.reason},
                          {"start", story.run.start},   {"end", story.run.end}};
-  if (story.start_at) result["start_at"] = *story.start_at;
+  if (story.start_at) result["start_at"] = schedule::text_of(*story.start_at);
   result["motions"] = ordered_json::array();
   for (const Motion& motion : story.motions) result["motions"].push_back(motion_json(motion));
   result["works"] = ordered_json::array();

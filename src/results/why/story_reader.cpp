@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "src/results/report/schedule_text.hpp"
 #include "src/results/why/wait_chain.hpp"
 
 namespace rubicon::why {
@@ -69,7 +70,9 @@ void StoryReader::read_header(const json& record) {
   }
   has_header_ = true;
   story_.detail = record.at("detail");
-  if (!record.at("start_at").is_null()) story_.start_at = record.at("start_at");
+  if (!record.at("start_at").is_null()) {
+    story_.start_at = report::start_from_text(record.at("start_at").get<std::string>());
+  }
   if (record.at("form") == "short") order_.push_back(record.at("plan"));
   for (const json& task : record.at("tasks")) {
     order_.push_back(task.at("name"));

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "src/simulation/schedule/civil_time.hpp"
+
 namespace rubicon::why {
 
 /// One attempt of a command. Times in seconds from the beginning of the plan.
@@ -77,7 +79,7 @@ struct TaskStory {
   std::vector<Span> works;
   std::vector<Span> pauses;
   std::vector<WaitStep> waits;  ///< first to last; the last is the task itself
-  std::optional<std::string> start_at;
+  std::optional<schedule::CivilTime> start_at;
   std::string detail;  ///< of the trace
 };
 

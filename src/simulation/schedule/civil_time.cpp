@@ -83,13 +83,21 @@ std::optional<Date> parse_date(std::string_view text) {
   return date;
 }
 
+std::optional<int> parse_minute_of_day(std::string_view text) {
+  if (text.size() != 5 || text[2] != ':') return std::nullopt;
+  const auto hours = digits(text.substr(0, 2)), minutes = digits(text.substr(3, 2));
+  if (!hours || !minutes || *minutes > 59) return std::nullopt;
+  const int total = *hours * 60 + *minutes;
+  if (total > kMinutesPerDay) return std::nullopt;
+  return total;
+}
+
 std::optional<CivilTime> parse_civil_time(std::string_view text) {
-  if (text.size() != 16 || text[10] != ' ' || text[13] != ':') return std::nullopt;
+  if (text.size() != 16 || text[10] != ' ') return std::nullopt;
   const auto date = parse_date(text.substr(0, 10));
-  const auto hours = digits(text.substr(11, 2));
-  const auto minutes = digits(text.substr(14, 2));
-  if (!date || !hours || !minutes || *hours > 23 || *minutes > 59) return std::nullopt;
-  return CivilTime{*date, *hours * 60 + *minutes};
+  const auto minutes = parse_minute_of_day(text.substr(11));
+  if (!date || !minutes || *minutes == kMinutesPerDay) return std::nullopt;
+  return CivilTime{*date, *minutes};
 }
 
 std::string text_of(const Date& date) {

@@ -27,6 +27,9 @@ struct CivilTime {
   bool operator==(const CivilTime&) const = default;
 };
 
+/// When a plan begins that does not say when: a Monday.
+inline constexpr CivilTime kUndatedStart{{2024, 1, 1}, 0};
+
 /// Whether the month has this day.
 bool is_valid(const Date& date);
 
@@ -43,6 +46,9 @@ int weekday_of(const Date& date);
 
 /// Reads "YYYY-MM-DD", years 0001 to 9999; nothing for any other text or a day that is not there.
 std::optional<Date> parse_date(std::string_view text);
+
+/// Reads "HH:MM", 00:00 to 24:00, as minutes since midnight; nothing for any other text.
+std::optional<int> parse_minute_of_day(std::string_view text);
 
 /// Reads "YYYY-MM-DD HH:MM", 00:00 to 23:59; nothing for any other text.
 std::optional<CivilTime> parse_civil_time(std::string_view text);

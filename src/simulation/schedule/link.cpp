@@ -18,6 +18,13 @@ const char* name_of(LinkType type) {
   return "";
 }
 
+std::optional<LinkType> parse_link_type(std::string_view text) {
+  for (const LinkType type : {LinkType::FS, LinkType::SS, LinkType::FF, LinkType::SF}) {
+    if (text == name_of(type)) return type;
+  }
+  return std::nullopt;
+}
+
 TaskEnd end_before(LinkType type) {
   return type == LinkType::FS || type == LinkType::FF ? TaskEnd::finish : TaskEnd::start;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string_view>
 
 #include "src/simulation/schedule/ticks.hpp"
 #include "src/simulation/schedule/work_calendar.hpp"
@@ -12,6 +14,9 @@ enum class LinkType { FS, SS, FF, SF };
 
 /// "FS", "SS", "FF", "SF".
 const char* name_of(LinkType type);
+
+/// The type of that name; nothing for any other text.
+std::optional<LinkType> parse_link_type(std::string_view text);
 
 /// What a lag is counted in: every hour of the day, or working hours of the task after.
 enum class LagClock { elapsed, working };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace rubicon::schedule {
@@ -13,6 +14,22 @@ inline constexpr Ticks kMinute = 60 * kSecond;
 inline constexpr Ticks kHour = 60 * kMinute;
 inline constexpr Ticks kDay = 24 * kHour;
 inline constexpr Ticks kWeek = 7 * kDay;
+
+inline constexpr double kTicksPerSecond = 1e9;
+
+/// A duration in ticks, rounded once, half away from zero and without the rounding mode; saturates
+/// far beyond any construction site (292 years).
+inline Ticks ticks_from_seconds(double seconds) {
+  constexpr double kLargest = 9.2e18;
+  const double ticks = seconds * kTicksPerSecond;
+  if (!(ticks < kLargest)) return static_cast<Ticks>(kLargest);
+  if (ticks < -kLargest) return -static_cast<Ticks>(kLargest);
+  return static_cast<Ticks>(ticks < 0 ? -std::floor(-ticks + 0.5) : std::floor(ticks + 0.5));
+}
+
+inline double seconds_from_ticks(Ticks ticks) {
+  return static_cast<double>(ticks) / kTicksPerSecond;
+}
 
 /// Moments lie between -kEndOfTime and kEndOfTime (126 years), so that the sum of any two fits in
 /// 64 bits. What would be later is kEndOfTime, which means "not at any time that a plan can reach".

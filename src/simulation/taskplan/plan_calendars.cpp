@@ -6,29 +6,15 @@
 
 namespace rubicon::taskplan {
 
-schedule::CalendarRules rules_of(const interpreter::CalendarSpec& spec) {
-  schedule::CalendarRules rules;
-  rules.name = spec.name;
-  rules.carry_over = spec.carry_over;
-  for (const interpreter::CalendarSpec::Shift& shift : spec.shifts) {
-    rules.shifts.push_back({shift.first_day, shift.last_day, shift.minutes});
-  }
-  for (const std::string& day : spec.off) {
-    if (const auto date = schedule::parse_date(day)) rules.off.push_back(*date);
-  }
-  return rules;
-}
-
 schedule::CivilTime start_of(const interpreter::PlanModel& plan) {
-  constexpr schedule::CivilTime kMonday{{2024, 1, 1}, 0};
-  return plan.start_at ? schedule::parse_civil_time(*plan.start_at).value_or(kMonday) : kMonday;
+  return plan.start_at.value_or(schedule::kUndatedStart);
 }
 
 std::vector<schedule::WorkCalendar> calendars_of(const interpreter::PlanModel& plan) {
   std::vector<schedule::WorkCalendar> calendars;
-  for (const interpreter::CalendarSpec& spec : plan.calendars) {
+  for (const interpreter::CalendarSpec& rules : plan.calendars) {
     calendars.push_back(
-        std::get<schedule::WorkCalendar>(schedule::calendar_of(rules_of(spec), start_of(plan))));
+        std::get<schedule::WorkCalendar>(schedule::calendar_of(rules, start_of(plan))));
   }
   return calendars;
 }

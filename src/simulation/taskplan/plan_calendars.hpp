@@ -4,17 +4,13 @@
 #include <vector>
 
 #include "interpreter/check/plan_model.hpp"
-#include "src/simulation/schedule/calendar_rules.hpp"
 #include "src/simulation/schedule/civil_time.hpp"
 #include "src/simulation/schedule/work_calendar.hpp"
 
 namespace rubicon::taskplan {
 
-/// When a plan begins: its `start_at`, else Monday, 2024-01-01 00:00.
+/// When a plan begins: its `start_at`, else `schedule::kUndatedStart`.
 schedule::CivilTime start_of(const interpreter::PlanModel& plan);
-
-/// A calendar of a plan as the schedule module takes it.
-schedule::CalendarRules rules_of(const interpreter::CalendarSpec& spec);
 
 /// The plan's calendars, as in the file. They must be without mistakes.
 std::vector<schedule::WorkCalendar> calendars_of(const interpreter::PlanModel& plan);

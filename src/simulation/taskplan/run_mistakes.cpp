@@ -54,7 +54,7 @@ bool add_calendar_mistakes(const interpreter::PlanModel& plan, std::vector<Diagn
                             "add for example start_at \"2026-03-02 07:00\";"));
       continue;
     }
-    const auto made = schedule::calendar_of(rules_of(calendar), start_of(plan));
+    const auto made = schedule::calendar_of(calendar, start_of(plan));
     if (const auto* wrong = std::get_if<schedule::CalendarMistake>(&made)) {
       fine = false;
       all.push_back(mistake("X03", calendar.span, wrong->message));

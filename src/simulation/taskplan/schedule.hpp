@@ -7,6 +7,7 @@
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/machine/machine.hpp"
 #include "interpreter/program/world.hpp"
+#include "src/simulation/schedule/civil_time.hpp"
 
 namespace rubicon::taskplan {
 
@@ -100,7 +101,7 @@ struct Schedule {
   std::vector<CriticalTask> critical;  ///< the critical chain, first to last
   Ticks process_time = 0;
   bool feasible = true;  ///< every task is done
-  std::optional<std::string> start_at;
+  std::optional<schedule::CivilTime> start_at;
   std::string currency;
   bool costed = false;  ///< somebody has a rate
   double cost = 0;

@@ -26,20 +26,6 @@ const char* name_of(TraceDetail detail) {
   return "";
 }
 
-const char* name_of(interpreter::LinkType type) {
-  switch (type) {
-    case interpreter::LinkType::FS:
-      return "FS";
-    case interpreter::LinkType::SS:
-      return "SS";
-    case interpreter::LinkType::FF:
-      return "FF";
-    case interpreter::LinkType::SF:
-      return "SF";
-  }
-  return "";
-}
-
 void write_files(JsonBuilder& json, const interpreter::SourceMap& sources) {
   json.key("files").begin_array();
   for (std::size_t i = 0; i < sources.size(); ++i) {
@@ -85,14 +71,14 @@ void write_values(JsonBuilder& json, const robot::RobotModel& model,
 void write_calendars(JsonBuilder& json, const PlanModel& plan) {
   json.key("start_at");
   if (plan.start_at) {
-    json.value(std::string_view(*plan.start_at));
+    json.value(schedule::text_of(*plan.start_at));
   } else {
     json.null();
   }
   json.field("currency", plan.currency).key("calendars").begin_array();
   for (const interpreter::CalendarSpec& calendar : plan.calendars) {
     json.begin_object().field("name", calendar.name).key("shifts").begin_array();
-    for (const interpreter::CalendarSpec::Shift& shift : calendar.shifts) {
+    for (const schedule::CalendarRules::Shift& shift : calendar.shifts) {
       json.begin_object().key("days").begin_array();
       json.value(shift.first_day).value(shift.last_day).end_array().key("minutes").begin_array();
       for (const auto& [from, to] : shift.minutes) {
@@ -100,8 +86,9 @@ void write_calendars(JsonBuilder& json, const PlanModel& plan) {
       }
       json.end_array().end_object();
     }
-    json.end_array().key("off").strings(calendar.off);
-    json.field("carry_over", calendar.carry_over).end_object();
+    json.end_array().key("off").begin_array();
+    for (const schedule::Date& day : calendar.off) json.value(schedule::text_of(day));
+    json.end_array().field("carry_over", calendar.carry_over).end_object();
   }
   json.end_array();
 }
@@ -219,7 +206,8 @@ void write_tasks(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
     for (const interpreter::LinkSpec& link : task.after) {
       json.begin_object();
       json.field("task", plan.tasks[static_cast<std::size_t>(link.task)].name);
-      json.field("type", name_of(link.type)).field("lag", link.lag).end_object();
+      json.field("type", schedule::name_of(link.type));
+      json.field("lag", schedule::seconds_from_ticks(link.lag)).end_object();
     }
     json.end_array().end_object();
   }

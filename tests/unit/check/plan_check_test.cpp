@@ -111,13 +111,13 @@ TEST(PlanCheck, ReadsTheFullForm) {
   ASSERT_EQ(full.said(), "");
   const PlanModel& plan = *full.plan;
   EXPECT_FALSE(plan.short_form);
-  EXPECT_EQ(plan.start_at, "2026-03-02 07:00");
+  EXPECT_EQ(plan.start_at, (schedule::CivilTime{{2026, 3, 2}, 7 * 60}));
   EXPECT_EQ(plan.currency, "EUR");
   ASSERT_EQ(plan.calendars.size(), 1u);
   EXPECT_EQ(plan.calendars[0].shifts[0].last_day, 4);
   EXPECT_EQ(plan.calendars[0].shifts[0].minutes,
             (std::vector<std::pair<int, int>>{{420, 720}, {750, 960}}));
-  EXPECT_EQ(plan.calendars[0].off, (std::vector<std::string>{"2026-12-25"}));
+  EXPECT_EQ(plan.calendars[0].off, (std::vector<schedule::Date>{{2026, 12, 25}}));
   EXPECT_TRUE(plan.calendars[0].carry_over);
   ASSERT_EQ(plan.components.size(), 2u);
   EXPECT_EQ(plan.components[1].mass, 4100);
@@ -144,8 +144,8 @@ TEST(PlanCheck, ReadsTheFullForm) {
   EXPECT_EQ(home.after[0].task, 0);
   EXPECT_EQ(home.after[1].task, 2);
   EXPECT_EQ(home.after[1].type, LinkType::SS);
-  EXPECT_EQ(home.after[1].lag, 7200);
-  EXPECT_EQ(plan.tasks[2].after[0].lag, -600);
+  EXPECT_EQ(home.after[1].lag, 2 * schedule::kHour);
+  EXPECT_EQ(plan.tasks[2].after[0].lag, -10 * schedule::kMinute);
   EXPECT_EQ(plan.tasks[2].takes.size(), 2u);
   EXPECT_EQ(plan.tasks[2].remove, (std::vector<int>{0}));
 }

@@ -27,7 +27,7 @@ TaskOutcome task(const std::string& name, Ticks start, Ticks duration) {
 /// A crane sets a panel from 11:30 to 13:30; riggers hook it from 11:40 over lunch to 12:50.
 Schedule lifted() {
   Schedule schedule;
-  schedule.start_at = "2026-03-02 11:30";
+  schedule.start_at = {{2026, 3, 2}, 11 * 60 + 30};
   schedule.process_time = 2 * kHour;
   schedule.tasks.push_back(task("set", 0, 2 * kHour));
   schedule.tasks.push_back(task("bad", 0, 0));

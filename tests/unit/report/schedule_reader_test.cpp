@@ -31,7 +31,7 @@ Schedule run(const std::string& path) {
 /// Everything that can stand in a schedule, with names that need quotes.
 Schedule full_schedule() {
   Schedule schedule;
-  schedule.start_at = "2026-03-02 07:00";
+  schedule.start_at = {{2026, 3, 2}, 7 * 60};
   schedule.currency = "\"<€>\"";
   schedule.costed = true;
   schedule.cost = 0.1 + 0.2;

@@ -20,13 +20,8 @@ using schedule::kSecond;
 
 interpreter::CalendarSpec calendar_spec(const std::string& name,
                                         const schedule::CalendarRules& rules) {
-  interpreter::CalendarSpec spec;
+  interpreter::CalendarSpec spec{rules, {}};
   spec.name = name;
-  spec.carry_over = rules.carry_over;
-  for (const auto& shift : rules.shifts) {
-    spec.shifts.push_back({shift.first_day, shift.last_day, shift.minutes});
-  }
-  for (const schedule::Date& day : rules.off) spec.off.push_back(schedule::text_of(day));
   return spec;
 }
 
@@ -54,7 +49,7 @@ TEST(CrewSchedule, LinksAreAsWorkedByHand) {
       if (given.clock == schedule::LagClock::working) continue;  // plan files have none
       interpreter::PlanModel plan;
       plan.name = "links";
-      plan.start_at = group.start;
+      plan.start_at = schedule::parse_civil_time(group.start);
       if (group.rules) plan.calendars.push_back(calendar_spec("site", *group.rules));
       for (const char* name : {"first", "second", "third"}) {
         plan.crews.push_back({name, 1, {}, group.rules ? "site" : "", {}});
@@ -62,8 +57,7 @@ TEST(CrewSchedule, LinksAreAsWorkedByHand) {
       plan.tasks = {crew_task("lead", 10 * kHour, {0}), crew_task("a", 6 * kHour, {1}),
                     crew_task("b", 4 * kHour, {2})};
       plan.tasks[1].after = {{0, interpreter::LinkType::FS, 0, {}}};
-      plan.tasks[2].after = {
-          {1, static_cast<interpreter::LinkType>(given.type), seconds(given.lag), {}}};
+      plan.tasks[2].after = {{1, given.type, given.lag, {}}};
       const TaskOutcome b = outcomes(plan).at("b");
       EXPECT_EQ(fmt::format("{} .. {}", test::moment_text(group.start, b.start),
                             test::moment_text(group.start, b.start + b.duration)),
@@ -81,7 +75,7 @@ TEST(CrewSchedule, LinksAreAsWorkedByHand) {
 interpreter::PlanModel plan_of(const schedule::Network& network, bool far) {
   interpreter::PlanModel plan;
   plan.name = "random";
-  plan.start_at = test::kRandomStart;
+  plan.start_at = schedule::parse_civil_time(test::kRandomStart);
   plan.calendars = {calendar_spec("daily", test::daily_shift()),
                     calendar_spec("weekday", test::weekday_shift())};
   for (const schedule::NetworkResource& resource : network.resources) {
@@ -95,8 +89,7 @@ interpreter::PlanModel plan_of(const schedule::Network& network, bool far) {
         plan.tasks.emplace_back(crew_task(each.name, each.work, each.resources));
     task.priority = each.priority;
     for (const schedule::Link& link : each.after) {
-      task.after.push_back(
-          {link.task, static_cast<interpreter::LinkType>(link.type), seconds(link.lag), {}});
+      task.after.push_back({link.task, link.type, link.lag, {}});
     }
     if (far && each.work > 0) {
       task.zones.push_back({geometry::Box{{0, 0, 0}, {1, 1, 1}}, math::translation(900, 0, 0)});

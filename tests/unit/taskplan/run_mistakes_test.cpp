@@ -21,7 +21,7 @@ interpreter::CalendarSpec calendar(const std::string& name, int day, int from, i
 TEST(RunMistakes, SaysNothingOfAPlainPlan) {
   interpreter::PlanModel plan = test::crane_plan();
   plan.tasks.resize(2);
-  plan.tasks[1].after.push_back({0, interpreter::LinkType::SF, -60, {}});
+  plan.tasks[1].after.push_back({0, interpreter::LinkType::SF, -schedule::kMinute, {}});
   plan.tasks[1].priority = 3;
   for (const char* what : {"calendar", "cost", "currency", "start_at", "park", "zone", "priority",
                            "SS", "FF", "SF", "lag", "size"}) {
@@ -50,10 +50,10 @@ TEST(RunMistakes, RefusesGuidesAndImportsAtTheirPlaceOnce) {
 TEST(RunMistakes, DaysOffNeedADate) {
   interpreter::PlanModel plan = test::crane_plan();
   plan.calendars.push_back(calendar("site", 0, 420, 960));
-  plan.calendars[0].off = {"2026-12-25"};
+  plan.calendars[0].off = {{2026, 12, 25}};
   ASSERT_EQ(run_mistakes(plan).size(), 1u);
   EXPECT_EQ(run_mistakes(plan)[0].code, "X02");
-  plan.start_at = "2026-03-02 07:00";
+  plan.start_at = {{2026, 3, 2}, 7 * 60};
   EXPECT_TRUE(run_mistakes(plan).empty());
 }
 

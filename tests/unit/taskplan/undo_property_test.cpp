@@ -91,7 +91,7 @@ class RandomSite {
     for (int links = i == 0 ? 0 : below(3); links > 0; --links) {
       task.after.push_back({below(i),
                             below(3) == 0 ? interpreter::LinkType::SS : interpreter::LinkType::FS,
-                            30.0 * below(5),
+                            30 * below(5) * schedule::kSecond,
                             {}});
     }
     plan_.tasks.push_back(std::move(task));
