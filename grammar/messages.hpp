@@ -137,7 +137,10 @@ RUBICON_EXPECT(calendar_name, "a name after calendar");
 RUBICON_EXPECT(component_at_frame, kFrame, Explain::expected, kFrameWords);
 RUBICON_EXPECT(component_grip_frame, kFrame, Explain::expected, kFrameWords);
 RUBICON_EXPECT(mass_value, "a number");
-RUBICON_EXPECT(component_part, "component", Explain::item, "shape at grip mass");
+RUBICON_EXPECT(attribute_text, "a text in quotes");
+RUBICON_EXPECT(free_attribute_name, "a name after attribute");
+RUBICON_EXPECT(component_part, "component", Explain::item,
+               "shape at grip mass name storey type guid attribute");
 RUBICON_EXPECT(component_name, "a name after component");
 RUBICON_EXPECT(cost_amount, "an amount per h");
 RUBICON_EXPECT(used_calendar, "the name of a calendar");
@@ -159,7 +162,7 @@ RUBICON_EXPECT(work_crew, "the name of a crew");
 RUBICON_EXPECT(guide_name, "the name of a guide");
 RUBICON_EXPECT(task_part, "task", Explain::item,
                "by move go remove hook adjust release takes via guide situation within budget "
-               "priority zone after");
+               "priority zone after name attribute");
 RUBICON_EXPECT(task_name, "a name after task");
 RUBICON_EXPECT(module_part, "module", Explain::item, "component task");
 RUBICON_EXPECT(module_name, "a name after module");

@@ -81,6 +81,19 @@ struct calendar_key : token<word<TAO_PEGTL_STRING("calendar")>> {};
 struct calendar_name : name {};
 struct calendar_item : if_must<calendar_key, calendar_name, block_open, shifts, block_close> {};
 
+// What a component or a task is to the client.
+struct attribute_text : string_literal {};
+struct component_attribute_key
+    : token<sor<word<TAO_PEGTL_STRING("name")>, word<TAO_PEGTL_STRING("storey")>,
+                word<TAO_PEGTL_STRING("type")>, word<TAO_PEGTL_STRING("guid")>>> {};
+struct task_attribute_key : token<word<TAO_PEGTL_STRING("name")>> {};
+struct free_attribute_key : token<word<TAO_PEGTL_STRING("attribute")>> {};
+struct free_attribute_name : name {};
+struct component_attribute : if_must<component_attribute_key, attribute_text, plan_semicolon> {};
+struct task_attribute : if_must<task_attribute_key, attribute_text, plan_semicolon> {};
+struct free_attribute
+    : if_must<free_attribute_key, free_attribute_name, attribute_text, plan_semicolon> {};
+
 // Components, robots, crews.
 struct component_shape_key : token<word<TAO_PEGTL_STRING("shape")>> {};
 struct component_shape : if_must<component_shape_key, shape, plan_semicolon> {};
@@ -92,7 +105,8 @@ struct component_grip : if_must<grip_key, component_grip_frame, plan_semicolon> 
 struct mass_key : token<word<TAO_PEGTL_STRING("mass")>> {};
 struct mass_value : signed_number {};
 struct component_mass : if_must<mass_key, mass_value, plan_semicolon> {};
-struct component_part : sor<component_shape, component_at, component_grip, component_mass> {};
+struct component_part : sor<component_shape, component_at, component_grip, component_mass,
+                            component_attribute, free_attribute> {};
 struct whole_component_part : must<component_part> {};
 struct component_parts : nested<star<not_at<block_end>, recover<whole_component_part, item_end>>> {
 };
@@ -172,9 +186,9 @@ struct task_number_item : if_must<task_number_key, number_value, plan_semicolon>
 struct zone_key : token<word<TAO_PEGTL_STRING("zone")>> {};
 struct zone_item : if_must<zone_key, shape, plan_semicolon> {};
 struct after_item : if_must<after_key, links, plan_semicolon> {};
-struct task_part
-    : sor<by_item, move_item, go_item, remove_item, crew_work_item, takes_item, via_item,
-          guide_item, situation_item, within_item, task_number_item, zone_item, after_item> {};
+struct task_part : sor<by_item, move_item, go_item, remove_item, crew_work_item, takes_item,
+                       via_item, guide_item, situation_item, within_item, task_number_item,
+                       zone_item, after_item, task_attribute, free_attribute> {};
 struct whole_task_part : must<task_part> {};
 struct task_parts : nested<star<not_at<block_end>, recover<whole_task_part, item_end>>> {};
 struct task_key : token<word<TAO_PEGTL_STRING("task")>> {};

@@ -25,6 +25,10 @@ ComponentSpec resolve_component(Subject& subject, const syntax::ComponentItem& i
     subject.diagnostics.warning("P16", item.name.span,
                                 fmt::format("{} has no shape: nothing will ever touch it", who));
   }
+  std::map<std::string, Span> keys;
+  for (const syntax::AttributeItem& each : item.attributes) {
+    add_attribute(subject, each, who, keys, component.attributes);
+  }
   const auto frame_span = [](const syntax::Frame& frame) { return frame.span; };
   if (const auto* at = only_one(subject, item.at, "the place of " + who, frame_span)) {
     component.X_WO = resolve_frame_or_identity(subject, *at);

@@ -96,10 +96,10 @@ void check_calendars(Subject& subject);
 void check_robots(Subject& subject, const std::vector<std::string>& situations);
 void check_crews(Subject& subject);
 
-/// Components of the plan, and of modules where they are placed: P02, P09, P16, P17.
+/// Components of the plan, and of modules where they are placed: P02, P09, P16, P17, P19.
 void check_components(Subject& subject);
 
-/// Tasks of the plan and of modules: P01, P02, P05-P09, P12-P14.
+/// Tasks of the plan and of modules: P01, P02, P05-P09, P12-P14, P19.
 void check_tasks(Subject& subject);
 
 /// One task in its scope.
@@ -107,6 +107,11 @@ void check_task(Subject& subject, const Scope& scope, const syntax::TaskItem& it
 
 /// start, via, goal, carry, within of the short form.
 void check_short_form(Subject& subject);
+
+/// Adds one attribute of `who` ("task 't'") to `attributes`; `spans` has the keys seen so far. P02,
+/// P19.
+void add_attribute(Subject& subject, const syntax::AttributeItem& item, const std::string& who,
+                   std::map<std::string, Span>& spans, Attributes& attributes);
 
 /// Tasks that wait for each other: P08.
 void check_cycles(Subject& subject);

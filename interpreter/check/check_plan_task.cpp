@@ -214,6 +214,11 @@ class TaskChecker {
     task_.after.insert(task_.after.end(), links.begin(), links.end());
   }
 
+  void check_part(const syntax::AttributeItem& item) {
+    add_attribute(subject_, item, "task '" + item_.name.text + "'", attribute_spans_,
+                  task_.attributes);
+  }
+
   void needs_motion(Span span, const char* what) {
     if (moves()) return;
     subject_.error("P06", span,
@@ -241,6 +246,7 @@ class TaskChecker {
   Span robot_span_;
   std::map<std::string, Span> by_spans_;
   std::map<std::string, Span> given_;
+  std::map<std::string, Span> attribute_spans_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -34,6 +35,19 @@ struct CalendarSpec : schedule::CalendarRules {
   Span span;
 };
 
+/// What a plan says of a thing only to hand it on: `storey "0"` has the key storey,
+/// `attribute fire "60 min"` the key fire. No two of a thing have the same key.
+struct Attribute {
+  std::string key;
+  std::string text;  ///< UTF-8 on one line, not empty, without control characters
+  bool operator==(const Attribute&) const = default;
+};
+/// In the order of the file.
+using Attributes = std::vector<Attribute>;
+
+/// The text of the attribute `key`; null if there is none.
+const std::string* find_attribute(const Attributes& attributes, std::string_view key);
+
 struct ComponentSpec {
   std::string name;  ///< unique in the plan, placed modules' as PLACE.NAME
   std::vector<geometry::Shape> shapes;
@@ -41,6 +55,7 @@ struct ComponentSpec {
   math::Pose X_OG = math::Pose::Identity();  ///< grip: where the tool frame takes hold, in {O}
   double mass = 0;                           ///< kg
   Span span;
+  Attributes attributes = {};
 };
 
 struct RobotSpec {
@@ -97,6 +112,7 @@ struct TaskSpec {
   std::vector<LinkSpec> after;
   Span span;                                             ///< its name token
   Span move_span, guide_span, zone_span, priority_span;  ///< where these items stand, if they do
+  Attributes attributes = {};
 };
 
 /// A plan that was read and checked, modules placed and every name resolved.

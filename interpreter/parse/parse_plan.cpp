@@ -11,6 +11,15 @@ void PlanState::set_cost(const char* from) {
   (in_crew ? crew.cost : robot.cost).push_back(cost);
 }
 
+void PlanState::add_attribute(const char* from) {
+  syntax::AttributeItem item{std::move(key), std::move(string), span_from(from)};
+  if (in_task) {
+    task.parts.emplace_back(std::move(item));
+  } else {
+    component.attributes.push_back(std::move(item));
+  }
+}
+
 namespace {
 
 template <typename Rule>
@@ -105,6 +114,14 @@ RUBICON_ACTION(PlanAction, PlanState, shift) {
   st.calendar.shifts.push_back(std::move(st.shift));
 }
 RUBICON_ACTION(PlanAction, PlanState, calendar_item) { st.add(std::move(st.calendar), begin); }
+
+// attributes
+RUBICON_ACTION(PlanAction, PlanState, component_attribute_key) { st.key = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, task_attribute_key) { st.key = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, free_attribute_name) { st.key = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, component_attribute) { st.add_attribute(begin); }
+RUBICON_ACTION(PlanAction, PlanState, task_attribute) { st.add_attribute(begin); }
+RUBICON_ACTION(PlanAction, PlanState, free_attribute) { st.add_attribute(begin); }
 
 // components, robots, crews
 RUBICON_ACTION(PlanAction, PlanState, component_key) {
@@ -267,7 +284,8 @@ syntax::Plan parse_plan(const SourceMap& sources, FileId file, Diagnostics& diag
        "contact",   "budget", "start_at", "currency", "calendar", "situation", "start",  "goal",
        "via",       "carry",  "within",   "shape",    "at",       "grip",      "mass",   "cost",
        "park",      "size",   "by",       "move",     "go",       "remove",    "hook",   "adjust",
-       "release",   "takes",  "guide",    "priority", "zone",     "after",     "off"});
+       "release",   "takes",  "guide",    "priority", "zone",     "after",     "off",    "name",
+       "storey",    "type",   "guid",     "attribute"});
   const bool finished = run_parser<grammar::plan_file, PlanAction>(state);
   state.plan.broken = !finished || state.errors() > 0;
   state.plan.span = state.span_from(state.begin());

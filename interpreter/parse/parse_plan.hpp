@@ -47,6 +47,8 @@ class PlanState : public ScriptState {
     return result;
   }
   void set_cost(const char* from);
+  /// Of the task or the component that is being read.
+  void add_attribute(const char* from);
 
   syntax::Plan plan;
   syntax::ModuleItem module;

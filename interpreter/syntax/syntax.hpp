@@ -312,12 +312,20 @@ struct CalendarItem {
   Span span;
 };
 
+/// storey "0";   attribute fire "60 min";
+struct AttributeItem {
+  Name key;  ///< storey; fire
+  String text;
+  Span span;
+};
+
 struct ComponentItem {
   Name name;
   std::vector<Shape> shapes;
   std::vector<Frame> at;  ///< more than one is an error of the checker; likewise grip and mass
   std::vector<Frame> grip;
   std::vector<Number> mass;
+  std::vector<AttributeItem> attributes;
   Span span;
 };
 
@@ -404,7 +412,7 @@ struct AfterItem {
 
 using TaskPart =
     std::variant<ByItem, MoveItem, GoItem, RemoveItem, WorkItem, ViaItem, GuideItem, SituationItem,
-                 WithinItem, NumberItem /* budget, priority */, ZoneItem, AfterItem>;
+                 WithinItem, NumberItem /* budget, priority */, ZoneItem, AfterItem, AttributeItem>;
 struct TaskItem {
   Name name;
   std::vector<TaskPart> parts;

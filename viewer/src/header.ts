@@ -54,6 +54,8 @@ export interface ComponentData {
   grip: PoseRows;
   mass: number;
   shapes: ShapeData[];
+  /** What the client says of it, by name: `storey`, `fire`; `name` is the client's own. */
+  attributes?: Record<string, string>;
 }
 
 export interface CalendarData {
@@ -71,6 +73,7 @@ export interface TaskData {
   to?: PoseRows;
   zones: ShapeData[];
   after: { task: string; type: string; lag: number }[];
+  attributes?: Record<string, string>;
 }
 
 export interface Header {

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 #include <vector>
 
+#include "interpreter/syntax/attribute_text.hpp"
 #include "src/exchange/building_io/element_frame.hpp"
 #include "src/exchange/building_io/names.hpp"
 #include "src/exchange/mesh_io/mending.hpp"
@@ -79,8 +81,15 @@ std::string element_remark(const Element& element) {
 }
 
 std::string component_text(const Element& element, const ComponentTerms& terms) {
-  std::string text = fmt::format("// {}\ncomponent {} {{\nshape {};\n", element_remark(element),
-                                 element.component, shape_text(element));
+  std::string text = fmt::format("component {} {{\n", element.component);
+  for (const auto& [key, value] : {std::pair("name", &element.name),
+                                   {"storey", &element.storey},
+                                   {"type", &element.type},
+                                   {"guid", &element.guid}}) {
+    const std::string written = interpreter::written_attribute(*value);
+    if (!written.empty()) text += fmt::format("{} \"{}\";\n", key, written);
+  }
+  text += fmt::format("shape {};\n", shape_text(element));
   if (const std::string at = frame_text(terms.at, terms.turn_deg); !at.empty()) {
     text += fmt::format("at {};\n", at);
   }

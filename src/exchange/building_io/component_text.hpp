@@ -23,7 +23,7 @@ std::string frame_or_identity(const Vec3& p, double turn_deg);
 /// A number of metres or degrees, at most 5 places behind the point.
 std::string number_text(double value);
 
-/// An element as a component of a plan, with a remark that says what it is in the model.
+/// An element as a component of a plan, with what it is in the model as attributes.
 std::string component_text(const Element& element, const ComponentTerms& terms);
 
 /// What an element is in its model, in one line: storey, type, name, GlobalId.

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "interpreter/parse/parse.hpp"
+#include "interpreter/syntax/attribute_text.hpp"
 #include "interpreter/syntax/token.hpp"
 #include "src/exchange/project_io/carried.hpp"
 #include "src/exchange/project_io/identifiers.hpp"
@@ -63,7 +64,7 @@ std::string links_text(const std::vector<PlanLink>& links) {
   return text + ";\n";
 }
 
-/// Whether a name can be guessed from its identifier, so that no remark is needed.
+/// Whether a name can be guessed from its identifier, so that it need not be said.
 bool says(const std::string& identifier, std::string_view name) {
   return std::equal(identifier.begin(), identifier.end(), name.begin(), name.end(),
                     [](char a, char b) {
@@ -292,8 +293,11 @@ class PlanWriter {
       own_crews_.push_back(name);
       by.push_back(name);
     }
-    out_ += remark_line(planned.name, task.name);
     out_ += fmt::format("task {} {{\n", planned.name);
+    const std::string client_name = interpreter::written_attribute(task.name);
+    if (!client_name.empty() && !says(planned.name, client_name)) {
+      out_ += fmt::format("name \"{}\";\n", client_name);
+    }
     if (!by.empty()) out_ += fmt::format("by {};\n", fmt::join(by, ", "));
     out_ += fmt::format("takes {};\n", time_text(plan_seconds(task)));
     if (plan_seconds(task) != task.duration.seconds) {

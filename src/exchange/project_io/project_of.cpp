@@ -8,6 +8,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "interpreter/syntax/attribute_text.hpp"
 #include "src/exchange/project_io/carried_project.hpp"
 #include "src/exchange/project_io/dates.hpp"
 #include "src/exchange/project_io/plan_network.hpp"
@@ -225,7 +226,10 @@ class ProjectBuilder {
       const auto found = index.find(name);
       if (carried.planned && found == index.end()) continue;  // somebody took it out of the plan
       if (!task_uid_.emplace(name, carried.task.uid).second) continue;
-      if (carried.planned) take_duration(plan_.tasks[found->second], carried.task);
+      if (carried.planned) {
+        take_name(plan_.tasks[found->second], carried.task);
+        take_duration(plan_.tasks[found->second], carried.task);
+      }
       level = carried.task.level;
       push_task(carried.task, carried.planned ? &plan_.tasks[found->second] : nullptr, name);
       const auto more = new_behind.find(name);
@@ -246,11 +250,20 @@ class ProjectBuilder {
     Task task;
     task.uid = next_uid(project_.tasks, carried_.tasks);
     task.name = spec.name;
+    take_name(spec, task);
     task.level = level;
     take_duration(spec, task);
     task.milestone = task.duration.seconds == 0 && !spec.move && !spec.go;
     task_uid_[spec.name] = task.uid;
     push_task(task, &spec, spec.name);
+  }
+
+  /// The client's own name, where the plan says another than it would say of `task`.
+  static void take_name(const TaskSpec& spec, Task& task) {
+    const std::string* name = interpreter::find_attribute(spec.attributes, "name");
+    const std::string usual =
+        interpreter::plain_attribute(interpreter::written_attribute(task.name));
+    if (name != nullptr && *name != usual) task.name = *name;
   }
 
   static std::int64_t work_seconds(const TaskSpec& spec) {

@@ -36,6 +36,14 @@ void write_files(JsonBuilder& json, const interpreter::SourceMap& sources) {
   json.end_array();
 }
 
+/// Nothing where there are none, so that traces without attributes stay as they were.
+void write_attributes(JsonBuilder& json, const interpreter::Attributes& attributes) {
+  if (attributes.empty()) return;
+  json.key("attributes").begin_object();
+  for (const auto& [key, text] : attributes) json.field(key, std::string_view(text));
+  json.end_object();
+}
+
 void write_components(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
   json.key("components").begin_array();
   for (const interpreter::ComponentSpec& component : plan.components) {
@@ -43,6 +51,7 @@ void write_components(JsonBuilder& json, const PlanModel& plan, MeshTable& meshe
     json.key("pose").pose(component.X_WO).key("grip").pose(component.X_OG);
     json.field("mass", component.mass).key("shapes");
     write_shapes(json, component.shapes, meshes);
+    write_attributes(json, component.attributes);
     json.end_object();
   }
   json.end_array();
@@ -209,7 +218,9 @@ void write_tasks(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
       json.field("type", schedule::name_of(link.type));
       json.field("lag", schedule::seconds_from_ticks(link.lag)).end_object();
     }
-    json.end_array().end_object();
+    json.end_array();
+    write_attributes(json, task.attributes);
+    json.end_object();
   }
   json.end_array();
 }

@@ -66,8 +66,11 @@ TEST(BuildingPlan, AStandingBuildingHasEveryElementWhereTheModelHasIt) {
   const BuildingPlan plan = standing_building(elements, {"My house 2", "m"});
   EXPECT_THAT(plan.plan, HasSubstr("plan my_house_2 {\n  // a.ifc: IFC4, 3 elements\n"));
   EXPECT_THAT(plan.plan, HasSubstr("// The point 5, 0, 0 of the model is the origin of this plan"));
-  EXPECT_THAT(plan.plan, HasSubstr("  // 'Ground', IfcWall 'wall', 0block$_00000000000000\n"
-                                   "  component wall {\n"
+  EXPECT_THAT(plan.plan, HasSubstr("  component wall {\n"
+                                   "    name \"wall\";\n"
+                                   "    storey \"Ground\";\n"
+                                   "    type \"IfcWall\";\n"
+                                   "    guid \"0block$_00000000000000\";\n"
                                    "    shape mesh(\"a.ifc\", part \"0block$_00000000000000\") at "
                                    "rotz(-90) * trans(-5, -1, -0.3);\n"
                                    "    at trans(0, 1, 0.3) * rotz(90);\n"

@@ -1,8 +1,10 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "interpreter/check/plan_model.hpp"
+#include "interpreter/syntax/attribute_text.hpp"
 #include "tests/unit/check/check_cases.hpp"
 #include "tests/unit/check/memory_files.hpp"
 
@@ -148,6 +150,58 @@ TEST(PlanCheck, ReadsTheFullForm) {
   EXPECT_EQ(plan.tasks[2].after[0].lag, -10 * schedule::kMinute);
   EXPECT_EQ(plan.tasks[2].takes.size(), 2u);
   EXPECT_EQ(plan.tasks[2].remove, (std::vector<int>{0}));
+}
+
+TEST(PlanCheck, HandsAttributesOn) {
+  const Loaded loaded(R"(plan p {
+    component c { shape sphere(0, 0, 0, 1); attribute fire "60 min"; name "3/4&quot; & more &amp;quot;";
+                  storey "0"; }
+    module m { component d { shape sphere(0, 0, 0, 1); type "IfcSlab"; } task t { takes 1; name "T"; } }
+    place m at trans(0, 0, 3) as one;
+  })");
+  ASSERT_EQ(loaded.said(), "");
+  const PlanModel& plan = *loaded.plan;
+  EXPECT_EQ(plan.components[0].attributes,
+            (interpreter::Attributes{
+                {"fire", "60 min"}, {"name", "3/4\" & more &quot;"}, {"storey", "0"}}));
+  EXPECT_EQ(plan.components[1].attributes, (interpreter::Attributes{{"type", "IfcSlab"}}));
+  EXPECT_EQ(plan.tasks[0].attributes, (interpreter::Attributes{{"name", "T"}}));
+  EXPECT_EQ(*interpreter::find_attribute(plan.components[0].attributes, "fire"), "60 min");
+  EXPECT_EQ(interpreter::find_attribute(plan.components[0].attributes, "type"), nullptr);
+}
+
+TEST(PlanCheck, BoundsAttributes) {
+  const auto said = [](const std::string& items) {
+    return Loaded("plan p { component c { shape sphere(0, 0, 0, 1); " + items +
+                  " } task t { takes 1; } }")
+        .said();
+  };
+  EXPECT_EQ(said("name \"" + std::string(1000, 'x') + "\";"), "");
+  EXPECT_THAT(
+      said("name \"" + std::string(1001, 'x') + "\";"),
+      testing::HasSubstr("the name of component 'c' has 1001 characters; expected at most"));
+  std::string many;
+  for (int i = 0; i < 64; ++i) many += "attribute a" + std::to_string(i) + " \"x\"; ";
+  EXPECT_EQ(said(many), "");
+  const std::string more = said(many + "attribute b \"x\"; attribute c \"x\";");
+  EXPECT_THAT(more, testing::HasSubstr("component 'c' has more than 64 attributes"));
+  EXPECT_EQ(more.find("P19"), more.rfind("P19"));  // once
+}
+
+/// What is written of a text says that text again, whatever it is.
+TEST(PlanCheck, WritesAttributesThatReadAsTheyWere) {
+  for (const char* text :
+       {"a", "\"", "&", "&quot;", "&amp;quot;", "&\"amp;", "3/4\" \xC3\xA4 & {b}"}) {
+    const std::string written = interpreter::written_attribute(text);
+    EXPECT_EQ(written.find('"'), std::string::npos) << text;
+    EXPECT_EQ(interpreter::plain_attribute(written), text);
+    EXPECT_EQ(interpreter::attribute_mistake(interpreter::plain_attribute(written)), "") << text;
+  }
+  EXPECT_EQ(interpreter::written_attribute(" \t\n"), "");
+  EXPECT_EQ(interpreter::written_attribute("a\tb\xE2\x80\xA8"
+                                           "c\xC2\x85\xFF"),
+            "a b c  ");
+  EXPECT_EQ(interpreter::written_attribute(std::string(2000, 'x')), std::string(1000, 'x'));
 }
 
 TEST(PlanCheck, RecordsWhatItUses) {

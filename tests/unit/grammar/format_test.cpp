@@ -118,6 +118,23 @@ TEST(Format, Meshes) {
       "robot r { body b { shape mesh(\"a.stl\", mm, hull, part \"x\"); } }\n");
 }
 
+TEST(Format, Attributes) {
+  EXPECT_EQ(
+      formatted(
+          "plan p{component c{name   \"St\xC3\xBCtze  1\";storey \"0\"\n;attribute fire\n\"60 "
+          "min\";shape sphere(0,0,0,1);}task t{name \"a\";attribute b \"\";}}",
+          TextKind::plan),
+      "plan p {\n"
+      "  component c {\n"
+      "    name \"St\xC3\xBCtze  1\";\n"
+      "    storey \"0\";\n"
+      "    attribute fire \"60 min\";\n"
+      "    shape sphere(0, 0, 0, 1);\n"
+      "  }\n"
+      "  task t { name \"a\"; attribute b \"\"; }\n"
+      "}\n");
+}
+
 TEST(Format, Plans) {
   EXPECT_EQ(
       formatted("plan p{start theta  - 10,x 3;\ncalendar c{mon - fri 07:00 - 12:00,13:00-17:00;}"
@@ -146,7 +163,9 @@ TEST(Format, KeepsTheMeaningWhereverCommentsStand) {
        "behaviour { chain { wait } } } capacity (3 m, 4 t), (5, 6); tool b at rotz(3); }",
        TextKind::robot},
       {"plan p { calendar c { mon-fri 07:00-12:00; off 2026-12-25; } task t { by a, b;\n"
-       "hook 4 min by a; after u SS + 2 h; } robot a \"r\" { cost 180 per h; start x -3, y 2; } }",
+       "hook 4 min by a; after u SS + 2 h; } component d { name \"D 1\"; attribute fire \"60 "
+       "min\"; } "
+       "robot a \"r\" { cost 180 per h; start x -3, y 2; } }",
        TextKind::plan}};
   const char* const pieces[] = {"# c\n",  "/* b */", "/* b\n  c */", " ", "\n",
                                 "\n\n\n", "\r\n",    "//\n",         "\t"};

@@ -50,6 +50,24 @@ TEST(ParsePlan, ShortForm) {
   EXPECT_EQ(std::get<syntax::WithinItem>(items[9]).values.values.size(), 1u);
 }
 
+TEST(ParsePlan, WordsOfAttributesStayNames) {
+  const ParsedPlan parsed(
+      "plan name {\n"
+      "  robot type \"c.robot\"; crew storey;\n"
+      "  component name { name \"a\"; shape sphere(0,0,0,1); attribute attribute \"b\"; }\n"
+      "  component guid { shape sphere(0,0,0,1); storey \"0\"; guid \"g\"; }\n"
+      "  task attribute { by type, storey; move name to trans(0,0,0); after guid; name \"c\"; }\n"
+      "  task guid { takes 1; attribute cost_centre \"7\"; }\n"
+      "}\n");
+  ASSERT_TRUE(parsed.diagnostics.all().empty()) << parsed.diagnostics.all()[0].message;
+  const auto& component = std::get<syntax::ComponentItem>(parsed.plan.items[2]);
+  EXPECT_EQ(component.name.text, "name");
+  ASSERT_EQ(component.attributes.size(), 2u);
+  EXPECT_EQ(component.attributes[1].key.text, "attribute");
+  const auto& task = std::get<syntax::TaskItem>(parsed.plan.items[4]);
+  EXPECT_EQ(std::get<syntax::AttributeItem>(task.parts[3]).text.text, "c");
+}
+
 TEST(ParsePlan, FullForm) {
   const ParsedPlan parsed(
       "plan unit_2 {\n"
@@ -58,14 +76,15 @@ TEST(ParsePlan, FullForm) {
       "carry_over; }\n"
       "  component move { shape sphere(0,0,0,1); shape box(0,0,0,1,1,1) at rotx(3); at "
       "trans(0,0,0);\n"
-      "                   grip trans(0,0,2); mass 4.1 t; }\n"
+      "                   grip trans(0,0,2); mass 4.1 t; name \"Wall 1\"; type \"IfcWall\";\n"
+      "                   attribute name_of_maker \"Hinz & Kunz\"; }\n"
       "  robot crane \"c.robot\" at trans(0,0,0) { start x 20; cost 180 per h; calendar site; park "
       "x 3; }\n"
       "  crew riggers { size 3; cost 165 per h; calendar site; }\n"
       "  crew others;\n"
       "  task set { by crane, riggers; move u.move to trans(22, 14, 3) * rotz(90);\n"
       "    hook 4 min by riggers; adjust 6; release 2 min; takes 1 h; within 5 mm; guide g;\n"
-      "    budget 3; priority 2; zone sphere(0,0,0,1); situation night; via x 3;\n"
+      "    budget 3; priority 2; zone sphere(0,0,0,1); situation night; via x 3; name \"Set\";\n"
       "    after a, u.b SS + 2 h, c FF - 30 min; }\n"
       "  module unit { component c { shape sphere(0,0,0,1); } task t { by crane; go x 3; remove c; "
       "} }\n"
@@ -92,6 +111,11 @@ TEST(ParsePlan, FullForm) {
   EXPECT_EQ(component.name.text, "move");
   EXPECT_EQ(component.shapes.size(), 2u);
   EXPECT_EQ(component.mass[0].value, 4100);
+  ASSERT_EQ(component.attributes.size(), 3u);
+  EXPECT_EQ(component.attributes[0].key.text, "name");
+  EXPECT_EQ(component.attributes[0].text.text, "Wall 1");
+  EXPECT_EQ(component.attributes[2].key.text, "name_of_maker");
+  EXPECT_EQ(component.attributes[2].text.text, "Hinz & Kunz");
   const auto& robot = std::get<syntax::RobotUse>(items[5]);
   EXPECT_EQ(robot.name->text, "crane");
   EXPECT_DOUBLE_EQ(robot.cost[0].amount.value, 0.05);
@@ -100,14 +124,14 @@ TEST(ParsePlan, FullForm) {
   EXPECT_EQ(std::get<syntax::CrewItem>(items[6]).size[0].value, 3);
 
   const auto& task = std::get<syntax::TaskItem>(items[8]);
-  ASSERT_EQ(task.parts.size(), 14u);
+  ASSERT_EQ(task.parts.size(), 15u);
   EXPECT_EQ(std::get<syntax::MoveItem>(task.parts[1]).component.text(), "u.move");
   EXPECT_EQ(std::get<syntax::WorkItem>(task.parts[2]).duration.value, 240);
   EXPECT_EQ(std::get<syntax::WorkItem>(task.parts[2]).by->text, "riggers");
   EXPECT_FALSE(std::get<syntax::WorkItem>(task.parts[3]).by);
   EXPECT_EQ(std::get<syntax::WorkItem>(task.parts[5]).name.text, "takes");
   EXPECT_EQ(std::get<syntax::WithinItem>(task.parts[6]).length->value, 0.005);
-  const auto& after = std::get<syntax::AfterItem>(task.parts[13]);
+  const auto& after = std::get<syntax::AfterItem>(task.parts[14]);
   ASSERT_EQ(after.links.size(), 3u);
   EXPECT_FALSE(after.links[0].type);
   EXPECT_EQ(after.links[1].name.text(), "u.b");

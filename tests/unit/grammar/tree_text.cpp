@@ -171,7 +171,9 @@ class Writer {
     word("grip");
     for (const syntax::Frame& entry : value.grip) frame(entry);
     for (const syntax::Number& entry : value.mass) number(entry);
+    for (const syntax::AttributeItem& entry : value.attributes) item(entry);
   }
+  void item(const syntax::AttributeItem& value) { name(value.key), string(value.text); }
   void item(const syntax::RobotUse& value) {
     if (value.name) name(*value.name);
     string(value.file);

@@ -85,8 +85,8 @@ TEST_F(PlanText, dates_become_lags_behind_the_beginning) {
 TEST_F(PlanText, names_are_unique_and_readable) {
   // Of two walls the second is told apart by its heading; a name without a letter by its number.
   EXPECT_THAT(planned_.text, HasSubstr("task wande {"));
-  EXPECT_THAT(planned_.text, HasSubstr("// Wände\n  task ausbau_wande {"));
-  EXPECT_THAT(planned_.text, HasSubstr("// 日本\n  task row_10 {"));
+  EXPECT_THAT(planned_.text, HasSubstr("  task ausbau_wande {\n    name \"Wände\";\n"));
+  EXPECT_THAT(planned_.text, HasSubstr("  task row_10 {\n    name \"日本\";\n"));
 }
 
 TEST_F(PlanText, lists_where_the_plan_goes_by_less) {

@@ -1,8 +1,8 @@
 import type { Activity } from '../activity';
+import { attributeRows } from '../attributes';
 import { Clock } from '../clock';
 import type { Film } from '../film';
 import type { Player } from '../player';
-import { originOf, readRemarks, remarkOf } from '../remarks';
 import { make } from './elements';
 import { icon } from './icons';
 import { quantity } from './quantity';
@@ -11,22 +11,19 @@ import type { SiteModel } from './site_model';
 type Row = [name: string, value: string];
 
 const stateWords = { waiting: 'waits where it was at first', placed: 'placed', removed: 'has left the site' };
-/** Letters of a remark or a name that are shown; all of it is in the tooltip. */
+/** Letters of a name or an attribute that are shown; all of it is in the tooltip. */
 const longest = 300;
 
 /** What is picked, in words: at the lower left of the view. */
 export class Card {
   readonly element = make('section', 'view-card');
   private readonly title = make('h2');
-  private readonly remark = make('p');
   private readonly list = make('dl');
-  private readonly remarks: Map<string, string>;
   private readonly clock: Clock;
   private shown = '';
 
   constructor(private readonly film: Film, private readonly player: Player, private readonly model: SiteModel,
               private readonly activity: Activity) {
-    this.remarks = readRemarks(film.header);
     this.clock = new Clock(film.header.start_at);
     this.element.setAttribute('aria-label', 'What is picked');
     this.element.hidden = true;
@@ -36,7 +33,7 @@ export class Card {
     close.setAttribute('aria-label', 'Pick nothing');
     close.append(icon('close'));
     close.addEventListener('click', () => player.select(null));
-    this.element.append(close, this.title, this.remark, this.list);
+    this.element.append(close, this.title, this.list);
   }
 
   show(): void {
@@ -46,14 +43,12 @@ export class Card {
       this.shown = '';
       return;
     }
-    const [title, remark, rows] = selection.kind === 'component' ? this.component(selection.index)
+    const [title, rows] = selection.kind === 'component' ? this.component(selection.index)
       : selection.kind === 'robot' ? this.robot(selection.index) : this.run(selection.index);
-    const all = JSON.stringify([title, remark, rows]);
+    const all = JSON.stringify([title, rows]);
     if (all === this.shown) return;
     this.shown = all;
     put(this.title, title);
-    put(this.remark, remark);
-    this.remark.hidden = remark === '';
     this.list.replaceChildren(...rows.flatMap(([name, value]) => {
       const text = make('dd');
       put(text, value);
@@ -61,9 +56,9 @@ export class Card {
     }));
   }
 
-  private component(index: number): [string, string, Row[]] {
+  private component(index: number): [string, Row[]] {
     const { header } = this.film;
-    const { name, mass } = header.components[index];
+    const { name, mass, attributes } = header.components[index];
     const rows: Row[] = [];
     const item = this.model.stock.items[index];
     const carrier = header.robots[item.robot]?.name ?? 'a machine';
@@ -71,14 +66,10 @@ export class Card {
     rows.push(['Now', now]);
     if (mass > 0) rows.push(['Mass', mass >= 1000 ? `${quantity(mass / 1000, 2)} t` : `${quantity(mass, 0)} kg`]);
     for (const task of header.tasks) if (task.move === name) rows.push(['Task', task.name], ...this.times(task.name));
-    const remark = remarkOf(this.remarks, name);
-    const origin = originOf(remark);
-    if (!origin) return [name, remark, rows];
-    const storey: Row[] = origin.storey ? [['Storey', origin.storey]] : [];
-    return [name, '', [...storey, ['Element', origin.what], ['GUID', origin.guid], ...rows]];
+    return [name, [...attributeRows(attributes), ...rows]];
   }
 
-  private robot(index: number): [string, string, Row[]] {
+  private robot(index: number): [string, Row[]] {
     const robot = this.film.header.robots[index];
     const { time, triedRun } = this.player;
     const run = this.activity.running(time, triedRun).find((each) => this.film.runs[each].robot === index);
@@ -91,10 +82,10 @@ export class Card {
       if (parameter.derived !== undefined) return;
       rows.push([parameter.name, parameter.kind === 'rotation' ? `${quantity(q[i], 1)}°` : `${quantity(q[i], 2)} m`]);
     });
-    return [robot.name, robot.type.replaceAll('_', ' '), rows];
+    return [robot.name, [['Type', robot.type.replaceAll('_', ' ')], ...rows]];
   }
 
-  private run(index: number): [string, string, Row[]] {
+  private run(index: number): [string, Row[]] {
     const { film, player: { time } } = this;
     const run = film.runs[index];
     const task = film.header.tasks.find((each) => each.name === run.task);
@@ -104,7 +95,7 @@ export class Card {
     if (task && task.crews.length > 0) rows.push(['Crews', task.crews.join(', ')]);
     const on = time >= run.start && time < (run.end ?? film.end);
     if (run.happened && on) rows.push(['Now', this.activity.words(index, time)]);
-    return [run.task, '', [...rows, ...this.times(run.task)]];
+    return [run.task, [...attributeRows(task?.attributes), ...rows, ...this.times(run.task)]];
   }
 
   /** When a task went on, or why it did not. */
