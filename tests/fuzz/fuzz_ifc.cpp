@@ -12,7 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!std::holds_alternative<StepFile>(file)) return 0;
   const auto model = read_model(std::get<StepFile>(file));
   if (!std::holds_alternative<IfcModel>(model)) return 0;
-  element_bodies(std::get<StepFile>(file), std::get<IfcModel>(model));
+  WorkBudget budget = shape_budget(std::get<StepFile>(file));
+  element_bodies(std::get<StepFile>(file), std::get<IfcModel>(model), budget);
   plain_ifc(std::get<StepFile>(file), std::get<IfcModel>(model), {});
   return 0;
 }

@@ -13,17 +13,12 @@ namespace rubicon::ifc {
 
 namespace {
 
-/// Steps of WorkBudget: a second of a slow machine takes more of them ...
-constexpr std::uint64_t kSteps = 200'000'000;
-/// ... and so does reading this many records.
-constexpr std::uint64_t kStepsPerRecord = 2'000;
-
 class BodyReader {
  public:
-  BodyReader(const StepFile& file, const IfcModel& model)
+  BodyReader(const StepFile& file, const IfcModel& model, WorkBudget& budget)
       : file_(file),
         model_(model),
-        budget_(kSteps + kStepsPerRecord * file.records().size()),
+        budget_(budget),
         terms_{file, model.metres_per_unit, radians_per_unit(file), budget_},
         shapes_(terms_),
         placements_(file) {
@@ -84,7 +79,7 @@ class BodyReader {
 
   const StepFile& file_;
   const IfcModel& model_;
-  WorkBudget budget_;
+  WorkBudget& budget_;
   ShapeTerms terms_;
   ShapeReader shapes_;
   IfcPlacements placements_;
@@ -93,11 +88,18 @@ class BodyReader {
 
 }  // namespace
 
-std::vector<std::optional<ElementBody>> element_bodies(const StepFile& file,
-                                                       const IfcModel& model) {
-  BodyReader reader(file, model);
+WorkBudget shape_budget(const StepFile& file) {
+  return WorkBudget(kShapeSteps + kShapeStepsPerRecord * file.records().size());
+}
+
+std::vector<std::optional<ElementBody>> element_bodies(const StepFile& file, const IfcModel& model,
+                                                       WorkBudget& budget) {
+  BodyReader reader(file, model, budget);
   std::vector<std::optional<ElementBody>> bodies;
-  for (const IfcElement& element : model.elements) bodies.push_back(reader.read(element));
+  for (const IfcElement& element : model.elements) {
+    bodies.push_back(reader.read(element));
+    if (budget.is_spent()) break;
+  }
   return bodies;
 }
 

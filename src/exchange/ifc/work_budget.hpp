@@ -5,23 +5,33 @@
 namespace rubicon::ifc {
 
 /// How much may still be done for a file: what it says is not trusted, and some shapes take time
-/// that grows with the square of their size.
+/// that grows with the square of their size. A step is a corner, a side, a plane or a record looked
+/// at once. Steps are counted, not time: the same file is read, or not, on every machine and under
+/// any load.
 class WorkBudget {
  public:
-  explicit WorkBudget(std::uint64_t steps) : left_(steps) {}
+  explicit WorkBudget(std::uint64_t steps) : steps_(steps), left_(steps) {}
 
   /// Takes `steps` away; false when that many are not left: give up then.
   bool spend(std::uint64_t steps) {
     if (steps > left_) {
       left_ = 0;
+      is_spent_ = true;
       return false;
     }
     left_ -= steps;
     return true;
   }
 
+  /// Whether something had to be given up.
+  bool is_spent() const { return is_spent_; }
+  std::uint64_t steps() const { return steps_; }
+  std::uint64_t used() const { return steps_ - left_; }
+
  private:
+  std::uint64_t steps_;
   std::uint64_t left_;
+  bool is_spent_ = false;
 };
 
 }  // namespace rubicon::ifc

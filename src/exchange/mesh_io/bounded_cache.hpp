@@ -25,6 +25,14 @@ class BoundedCache {
     return found->second.value;
   }
 
+  void drop(const std::string& key) {
+    const std::scoped_lock lock(mutex_);
+    const auto found = entries_.find(key);
+    if (found == entries_.end()) return;
+    bytes_ -= found->second.bytes;
+    entries_.erase(found);
+  }
+
   /// Keeps `value` under `key` unless it is too large by itself or something is there already.
   void put(const std::string& key, Value value, std::size_t bytes) {
     const std::scoped_lock lock(mutex_);

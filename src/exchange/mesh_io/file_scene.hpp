@@ -27,8 +27,9 @@ struct FileScene {
   bool in_metres = false;
   /// Whether the vertices have Y up by the declaration of the format or the file.
   bool y_up = false;
-  /// Whether files beside the mesh were asked for: its own content does not say all then.
-  bool from_several_files = false;
+  /// Files beside the mesh that were asked for, there or not: its own content does not say all
+  /// then. As the file names them; not trusted.
+  std::vector<std::string> files_beside;
   /// Vertices count from here: far from the origin of the file the difference keeps its digits.
   math::Vec3 origin = math::Vec3::Zero();
   std::vector<FileNode> nodes;

@@ -52,17 +52,17 @@ class ReadOnlyStream : public Assimp::IOStream {
 }  // namespace
 
 GuardedAssimpFiles::GuardedAssimpFiles(GuardedFile mesh, std::string name, std::string folder,
-                                       bool others, bool& others_opened)
+                                       bool others, std::vector<std::string>& asked_for)
     : mesh_(std::move(mesh)),
       name_(std::move(name)),
       folder_(std::move(folder)),
       others_(others),
-      others_opened_(others_opened) {}
+      asked_for_(asked_for) {}
 
 bool GuardedAssimpFiles::Exists(const char* file) const {
   if (name_ == file) return true;
   if (!others_) return false;
-  others_opened_ = true;
+  asked_for_.emplace_back(file);
   return std::holds_alternative<GuardedFile>(open_inside(folder_, file));
 }
 
@@ -72,7 +72,7 @@ Assimp::IOStream* GuardedAssimpFiles::Open(const char* file, const char* mode) {
     return new ReadOnlyStream(mesh_.descriptor.get(), mesh_.size, FileDescriptor());
   }
   if (!others_) return nullptr;
-  others_opened_ = true;
+  asked_for_.emplace_back(file);
   std::variant<GuardedFile, GuardedFailure> opened = open_inside(folder_, file);
   auto* other = std::get_if<GuardedFile>(&opened);
   if (other == nullptr) return nullptr;

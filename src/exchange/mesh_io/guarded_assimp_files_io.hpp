@@ -3,6 +3,7 @@
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 #include <string>
+#include <vector>
 
 #include "src/exchange/mesh_io/guarded_file_io.hpp"
 
@@ -14,9 +15,9 @@ namespace rubicon::mesh_io {
 class GuardedAssimpFiles : public Assimp::IOSystem {
  public:
   /// `mesh` is open; `name` is what assimp calls it. With `others`, files inside `folder` may be
-  /// opened too; `others_opened` outlives this object and becomes true when one was asked for.
+  /// opened too; `asked_for` outlives this object and gets the name of each that was asked for.
   GuardedAssimpFiles(GuardedFile mesh, std::string name, std::string folder, bool others,
-                     bool& others_opened);
+                     std::vector<std::string>& asked_for);
 
   bool Exists(const char* file) const override;
   char getOsSeparator() const override { return '/'; }
@@ -28,7 +29,7 @@ class GuardedAssimpFiles : public Assimp::IOSystem {
   std::string name_;
   std::string folder_;
   bool others_;
-  bool& others_opened_;
+  std::vector<std::string>& asked_for_;
 };
 
 }  // namespace rubicon::mesh_io

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <exception>
 #include <memory>
@@ -17,6 +18,7 @@
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "src/exchange/mesh_io/assimp_scene.hpp"
 #include "src/exchange/mesh_io/assimp_text_file.hpp"
@@ -26,6 +28,7 @@
 #include "src/exchange/mesh_io/ifc_scene.hpp"
 #include "src/exchange/mesh_io/mesh_format.hpp"
 #include "src/exchange/mesh_io/near_text.hpp"
+#include "src/exchange/mesh_io/ply_head.hpp"
 #include "src/exchange/mesh_io/scene_wire.hpp"
 #include "src/exchange/mesh_io/system_call_filter_io.hpp"
 
@@ -33,10 +36,13 @@ namespace rubicon::mesh_io {
 
 namespace {
 
-bool limit(int resource, rlim_t value) {
-  const rlimit both{value, value};
+/// With `kill` above `value` a signal that can be told from others comes first.
+bool limit(int resource, rlim_t value, rlim_t kill) {
+  const rlimit both{value, kill};
   return ::setrlimit(static_cast<__rlimit_resource>(resource), &both) == 0;
 }
+
+bool limit(int resource, rlim_t value) { return limit(resource, value, value); }
 
 bool set_limits(const HelperJob& job) {
   constexpr rlim_t kOpenFiles = 16;
@@ -44,7 +50,7 @@ bool set_limits(const HelperJob& job) {
   constexpr rlim_t kCoreBytes = 1;
   return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && limit(RLIMIT_CORE, kCoreBytes) &&
          limit(RLIMIT_FSIZE, 0) && limit(RLIMIT_NOFILE, kOpenFiles) &&
-         limit(RLIMIT_CPU, job.seconds) && limit(RLIMIT_AS, job.bytes);
+         limit(RLIMIT_CPU, job.seconds, job.seconds + 1) && limit(RLIMIT_AS, job.bytes);
 }
 
 /// Signals as a program has them at its start.
@@ -96,6 +102,11 @@ SceneMessage read_mesh(const HelperJob& job, const MeshFormat& format, int input
       job.path.substr(0, job.path.rfind('/')) + "/rubicon-mesh." + std::string(format.extension);
   query.format = format;
   query.ignore_declared_up = job.ignore_declared_up;
+  if (job.extension == "ply") {
+    std::string head(std::min(size_of(input), kPlyHead), '\0');
+    head.resize(read_at(input, 0, head.data(), head.size()));
+    if (std::string fault = ply_fault(head, size_of(input)); !fault.empty()) return fault;
+  }
   // A file of holes is large and costs nothing: it is not even looked into.
   if (announced_triangles(job, input) > query.limits.triangles)
     return too_many_triangles(query.limits);
@@ -106,11 +117,11 @@ SceneMessage read_mesh(const HelperJob& job, const MeshFormat& format, int input
     return message;
   }
   GuardedFile mesh{FileDescriptor(input), job.path, size_of(input)};
-  bool others_opened = false;
+  std::vector<std::string> asked_for;
   auto files = std::make_unique<GuardedAssimpFiles>(std::move(mesh), query.name, job.folder,
-                                                    format.has_parts_beside, others_opened);
+                                                    format.has_parts_beside, asked_for);
   SceneMessage message = read_with_assimp(query, std::move(files));
-  if (auto* scene = std::get_if<FileScene>(&message)) scene->from_several_files = others_opened;
+  if (auto* scene = std::get_if<FileScene>(&message)) scene->files_beside = std::move(asked_for);
   return message;
 }
 

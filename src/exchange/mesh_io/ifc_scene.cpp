@@ -1,5 +1,7 @@
 #include "src/exchange/mesh_io/ifc_scene.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -128,6 +130,14 @@ class SceneBuilder {
   std::uint64_t triangles_ = 0;
 };
 
+std::string too_much_work(const ifc::IfcElement& element, const ifc::WorkBudget& budget) {
+  return fmt::format(
+      "the shapes up to {} '{}' ({}) take more than {} million steps of work (a corner, a side or "
+      "a "
+      "plane looked at once); simplify them, or split the file",
+      element.type, element.name, element.guid, budget.steps() / 1'000'000);
+}
+
 }  // namespace
 
 SceneMessage read_ifc(std::string_view text, const IfcQuery& query) {
@@ -139,7 +149,9 @@ SceneMessage read_ifc(std::string_view text, const IfcQuery& query) {
   if (const auto* failure = std::get_if<ifc::IfcFailure>(&model)) return failure->message;
   const auto& building = std::get<ifc::IfcModel>(model);
   if (building.tree.size() > query.limits.nodes) return too_many_nodes(query.limits);
-  const auto bodies = ifc::element_bodies(std::get<ifc::StepFile>(file), building);
+  ifc::WorkBudget budget = ifc::shape_budget(std::get<ifc::StepFile>(file));
+  const auto bodies = ifc::element_bodies(std::get<ifc::StepFile>(file), building, budget);
+  if (budget.is_spent()) return too_much_work(building.elements[bodies.size() - 1], budget);
   std::vector<char> done;
   for (const auto& body : bodies) done.push_back(body ? 1 : 0);
   const ifc::PlainIfc plain = ifc::plain_ifc(std::get<ifc::StepFile>(file), building, done);

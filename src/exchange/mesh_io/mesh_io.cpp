@@ -8,9 +8,9 @@
 #include <climits>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 
 #include "src/exchange/mesh_io/bounded_cache.hpp"
@@ -58,38 +58,24 @@ std::string names_in(const FileScene& scene) {
   return "it has " + names;
 }
 
-/// The GlobalId of IFC that the name of a node ends with, empty: none. It stays when a model is
-/// renamed.
-std::string_view global_id(std::string_view name) {
-  constexpr std::size_t kLength = 22;
-  if (name.size() <= kLength || name[name.size() - kLength - 1] != '_') return {};
-  return name.substr(name.size() - kLength);
-}
-
-/// Whether `part` of a request means a node of this name.
-bool means(std::string_view part, std::string_view name) {
-  return name == part || (!part.empty() && global_id(name) == part);
-}
-
-/// Which nodes belong to `part`: the node of that name and all below it. Or why that is not clear.
-std::variant<std::vector<char>, std::string> select(const FileScene& scene,
-                                                    const std::string& part) {
-  std::vector<char> chosen(scene.nodes.size(), part.empty() ? 1 : 0);
-  if (part.empty()) return chosen;
-  int outermost = 0;
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    const FileNode& node = scene.nodes[i];
-    const bool below = node.parent >= 0 && chosen[static_cast<std::size_t>(node.parent)] != 0;
-    const bool named = means(part, node.name);
-    chosen[i] = below || named ? 1 : 0;
-    if (named && !below) ++outermost;
+/// The nodes that belong to `part`, in the order of the file: the node of that name and all below
+/// it. Or why that is not clear.
+std::variant<std::vector<std::size_t>, std::string> select(const FileContent& content,
+                                                           const std::string& part) {
+  if (part.empty()) {
+    std::vector<std::size_t> all(content.scene->nodes.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
   }
-  if (outermost == 0) return fmt::format("it has no part {}; {}", quoted(part), names_in(scene));
-  if (outermost > 1) {
-    return fmt::format("{} of its parts are called {}; give each its own name", outermost,
+  const std::vector<std::size_t> meant = content.parts->outermost(content.parts->meant_by(part));
+  if (meant.empty()) {
+    return fmt::format("it has no part {}; {}", quoted(part), names_in(*content.scene));
+  }
+  if (meant.size() > 1) {
+    return fmt::format("{} of its parts are called {}; give each its own name", meant.size(),
                        quoted(part));
   }
-  return chosen;
+  return content.parts->with_all_below(meant.front());
 }
 
 /// Y up to Z up.
@@ -159,18 +145,19 @@ void move_to_world(std::vector<Vec3>& vertices, const Vec3& origin) {
 }
 
 /// The mesh that is asked for, or what is wrong.
-std::variant<LocalMesh, std::string> mesh_of(const FileScene& scene, const MeshRequest& request) {
+std::variant<LocalMesh, std::string> mesh_of(const FileContent& content,
+                                             const MeshRequest& request) {
+  const FileScene& scene = *content.scene;
   const std::variant<double, std::string> factor = factor_for(scene, request);
   if (const auto* wrong = std::get_if<std::string>(&factor)) return *wrong;
-  const std::variant<std::vector<char>, std::string> chosen = select(scene, request.part);
+  const std::variant<std::vector<std::size_t>, std::string> chosen = select(content, request.part);
   if (const auto* wrong = std::get_if<std::string>(&chosen)) return *wrong;
 
   const bool turn = request.up == 'y' || (request.up == 0 && scene.y_up);
   const Vec3 origin = (turn ? z_up(scene.origin) : scene.origin) * std::get<double>(factor);
   std::vector<Vec3> vertices;
   std::vector<std::array<int, 3>> triangles;
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    if (std::get<std::vector<char>>(chosen)[i] == 0) continue;
+  for (const std::size_t i : std::get<std::vector<std::size_t>>(chosen)) {
     const auto base = static_cast<int>(vertices.size());
     for (const Vec3& p : scene.nodes[i].vertices) {
       vertices.push_back((turn ? z_up(p) : p) * std::get<double>(factor));
@@ -227,33 +214,17 @@ std::vector<char> with_triangles_below(const FileScene& scene) {
   return below;
 }
 
-/// How many nodes a `part` means.
-class PartCounts {
- public:
-  explicit PartCounts(const FileScene& scene) {
-    for (const FileNode& node : scene.nodes) {
-      ++counts_[node.name];
-      if (const auto id = global_id(node.name); !id.empty()) ++counts_[id];
-    }
-  }
-
-  bool is_unique(std::string_view part) const {
-    const auto found = counts_.find(part);
-    return !part.empty() && found != counts_.end() && found->second == 1;
-  }
-
- private:
-  std::unordered_map<std::string_view, int> counts_;
-};
-
 /// All nodes with triangles.
-std::variant<std::vector<NamedMesh>, MeshFailure> nodes_of(const FileScene& scene,
+std::variant<std::vector<NamedMesh>, MeshFailure> nodes_of(const FileContent& content,
                                                            const std::string& path,
                                                            const NodeTerms& terms) {
+  const FileScene& scene = *content.scene;
   const auto put = [&](const Vec3& p) -> Vec3 { return (terms.turn ? z_up(p) : p) * terms.factor; };
   const Vec3 origin = put(scene.origin);
   const std::vector<char> below = with_triangles_below(scene);
-  const PartCounts parts(scene);
+  const auto is_unique = [&](std::string_view part) {
+    return !part.empty() && content.parts->meant_by(part).size() == 1;
+  };
   std::vector<NamedMesh> meshes;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const FileNode& node = scene.nodes[i];
@@ -271,8 +242,8 @@ std::variant<std::vector<NamedMesh>, MeshFailure> nodes_of(const FileScene& scen
     found.node = i;
     if (node.parent > 0) found.above = scene.nodes[static_cast<std::size_t>(node.parent)].name;
     found.has_nodes_below = below[i] != 0;
-    found.name_is_unique = parts.is_unique(node.name);
-    found.id_is_unique = parts.is_unique(global_id(node.name));
+    found.name_is_unique = is_unique(node.name);
+    found.id_is_unique = is_unique(global_id(node.name));
     found.mesh = std::move(mended.mesh);
     found.report = mended.report;
     found.note = node.note;
@@ -337,7 +308,7 @@ std::variant<ReadMesh, MeshFailure> MeshReader::read(const MeshRequest& request)
   if (!key.empty()) {
     if (std::optional<ReadMesh> kept = state_->meshes.find(key)) return std::move(*kept);
   }
-  std::variant<LocalMesh, std::string> made = mesh_of(*content.scene, request);
+  std::variant<LocalMesh, std::string> made = mesh_of(content, request);
   if (request.hull && std::holds_alternative<LocalMesh>(made)) {
     made = hull_of(state_->source, std::get<LocalMesh>(made));
   }
@@ -355,7 +326,7 @@ std::variant<std::vector<NamedMesh>, MeshFailure> MeshReader::read_scene(
   std::variant<FileContent, SceneFailure> file =
       state_->source.read({request.path, request.folder, false});
   if (const auto* wrong = std::get_if<SceneFailure>(&file)) return failure(request.path, *wrong);
-  return nodes_of(*std::get<FileContent>(file).scene, request.path, {});
+  return nodes_of(std::get<FileContent>(file), request.path, {});
 }
 
 std::variant<std::vector<NamedMesh>, MeshFailure> MeshReader::read_nodes(
@@ -369,7 +340,7 @@ std::variant<std::vector<NamedMesh>, MeshFailure> MeshReader::read_nodes(
   NodeTerms terms;
   terms.factor = std::get<double>(factor);
   terms.turn = request.up == 'y' || (request.up == 0 && scene.y_up);
-  return nodes_of(scene, request.path, terms);
+  return nodes_of(std::get<FileContent>(file), request.path, terms);
 }
 
 }  // namespace rubicon::mesh_io

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <signal.h>
 #include <sys/stat.h>
+#include <time.h>
 
 #include <algorithm>
 #include <array>
@@ -22,16 +23,10 @@ namespace rubicon::mesh_io {
 namespace {
 
 /// To be raised when the same file would give another scene than before.
-constexpr std::string_view kReaderVersion = "rubicon mesh reader 2";
+constexpr std::string_view kReaderVersion = "rubicon mesh reader 3";
 
 /// A larger file is refused unread: parsed it would not fit the memory limit either.
 constexpr std::uint64_t kLargestFile = 256'000'000;
-
-/// Processor time a file may take: enough to find out that a small one is hostile within seconds,
-/// and in proportion for honest large ones (measured: 25 MB/s for IFC, 80 to 300 for STL, OBJ and
-/// PLY).
-constexpr std::uint64_t kBaseSeconds = 1;
-constexpr std::uint64_t kBytesPerSecond = 8'000'000;
 
 /// Address space the helper may take: its libraries (80 MB), then in proportion to the file
 /// (measured: 2 to 6 bytes for a byte of STL, OBJ and PLY), never more than a site computer can
@@ -40,8 +35,13 @@ constexpr std::uint64_t kBaseMemory = 320'000'000;
 constexpr std::uint64_t kMemoryPerByte = 16;
 constexpr std::uint64_t kMostMemory = 2'000'000'000;
 
-/// Scenes kept for further parts of the same file.
-constexpr std::size_t kSceneBytes = 64'000'000;
+/// Scenes kept for further parts of the same file: three of the largest that SceneLimits let
+/// through. A model of 61 MB was parsed again for each of its parts when it did not fit.
+constexpr std::size_t kSceneBytes = 512'000'000;
+
+/// A file that was changed so short a time ago (ns) may be changed again without another stamp: the
+/// clock of file systems ticks every 1 to 10 ms, network drives may lag behind.
+constexpr std::int64_t kSettled = 100'000'000;
 
 constexpr std::size_t kLongestNameShown = 80;
 
@@ -55,11 +55,9 @@ std::size_t bytes_of(const FileScene& scene) {
 }
 
 /// Why a helper that ended this way gave no mesh; empty when it ended well.
-std::string reason_of(const HelperResult& child, const std::string& helper, const HelperJob& job) {
+std::string reason_of(const HelperResult& child, const std::string& helper,
+                      const HelperQuery& query) {
   const std::string name = fmt::format("'{}'", printable(helper, kLongestNameShown));
-  const std::string too_long =
-      fmt::format("reading it takes more than {} s; it is damaged, or far too complex for its size",
-                  job.seconds);
   switch (child.end) {
     case HelperResult::End::kNotStarted:
       return fmt::format(
@@ -70,11 +68,24 @@ std::string reason_of(const HelperResult& child, const std::string& helper, cons
           "the program {} that reads meshes failed ({}); it does not belong to this version", name,
           child.code < 0 ? "it was ended" : fmt::format("exit {}", child.code));
     case HelperResult::End::kTimedOut:
-      return too_long;
+      return fmt::format(
+          "the program that reads it gave no answer for {} s and was ended: it hangs, or this "
+          "machine "
+          "does; try again",
+          std::chrono::duration_cast<std::chrono::seconds>(query.time_limit).count());
     case HelperResult::End::kTooMuchOutput:
       return "it grows without end while it is read; it is damaged";
     case HelperResult::End::kSignalled:
-      if (child.code == SIGXCPU || child.code == SIGKILL) return too_long;
+      if (child.code == SIGXCPU) {
+        return fmt::format(
+            "the program that reads it hung: it was ended after {} s of processor time, many times "
+            "what a file of this size takes; the file is damaged, export it again",
+            query.job.seconds);
+      }
+      if (child.code == SIGKILL) {
+        return "the program that reads it was killed from outside; where memory is short, close "
+               "other programs and try again";
+      }
       return "it is so damaged that its reader broke down; export it again";
     case HelperResult::End::kExited:
       if (child.code == 0) return {};
@@ -97,16 +108,40 @@ bool add_file(ContentHash& hash, int fd, std::uint64_t size) {
   return true;
 }
 
-/// What changes when a file is written to: size and time.
-std::array<std::int64_t, 3> stamp_of(int fd) {
+FileStamp stamp_of(int fd) {
   struct stat status {};
   if (::fstat(fd, &status) != 0) return {};
-  return {status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+  return {static_cast<std::int64_t>(status.st_dev),
+          static_cast<std::int64_t>(status.st_ino),
+          status.st_size,
+          status.st_mtim.tv_sec,
+          status.st_mtim.tv_nsec,
+          status.st_ctim.tv_sec,
+          status.st_ctim.tv_nsec};
+}
+
+/// Of a file in the folder; all zero when there is none that may be read.
+FileStamp stamp_inside(const std::string& folder, const std::string& path) {
+  const std::variant<GuardedFile, GuardedFailure> file = open_inside(folder, path);
+  const auto* open = std::get_if<GuardedFile>(&file);
+  return open == nullptr ? FileStamp{} : stamp_of(open->descriptor.get());
+}
+
+/// Now, by the clock of file systems, ns.
+std::int64_t wall_clock() {
+  timespec now{};
+  ::clock_gettime(CLOCK_REALTIME, &now);
+  return now.tv_sec * 1'000'000'000 + now.tv_nsec;
+}
+
+/// Whether a change of the file at `time` (ns) or later would have given another stamp.
+bool is_settled(const FileStamp& stamp, std::int64_t time) {
+  return stamp[5] * 1'000'000'000 + stamp[6] + kSettled < time;
 }
 
 /// Whether a scene may come from the disk cache: it is all there, and every number is one.
 bool may_be_kept(const FileScene& scene) {
-  if (scene.from_several_files || !std::isfinite(scene.declared_metres_per_unit) ||
+  if (!scene.files_beside.empty() || !std::isfinite(scene.declared_metres_per_unit) ||
       !scene.origin.allFinite()) {
     return false;
   }
@@ -118,8 +153,11 @@ bool may_be_kept(const FileScene& scene) {
 
 }  // namespace
 
-SceneSource::SceneSource(std::string helper, std::string cache_folder)
-    : helper_(std::move(helper)), disk_(std::move(cache_folder)), scenes_(kSceneBytes) {}
+SceneSource::SceneSource(std::string helper, std::string cache_folder, const Watchdog& watchdog)
+    : watchdog_(watchdog),
+      helper_(std::move(helper)),
+      disk_(std::move(cache_folder)),
+      scenes_(kSceneBytes) {}
 
 std::variant<FileContent, SceneFailure> SceneSource::read(const FileQuery& query) {
   const std::optional<MeshFormat> format = format_of(query.path);
@@ -143,21 +181,76 @@ std::variant<FileContent, SceneFailure> SceneSource::read(const FileQuery& query
   job.folder = std::get<std::string>(folder);
   job.path = file.path;
   const int input = file.descriptor.get();
+  const std::int64_t begun = wall_clock();
   // Taken before the content is hashed: a file written to meanwhile is not remembered.
-  const auto stamp = stamp_of(input);
-  std::optional<Digest> key = key_of(job, input, file.size);
+  const FileStamp stamp = stamp_of(input);
+  const std::optional<Digest> key = known_key(job, {input, file.size, stamp});
   if (key) {
-    if (std::optional<FileContent> kept = scenes_.find(hex(*key))) return std::move(*kept);
+    if (auto kept = remembered(hex(*key), job.folder)) return std::move(*kept);
   }
   std::variant<FileScene, SceneFailure> scene = ask(job, {input, file.size, stamp}, key);
-  if (auto* reason = std::get_if<SceneFailure>(&scene)) return std::move(*reason);
+  const bool is_same = key && stamp == stamp_of(input);
+  if (auto* reason = std::get_if<SceneFailure>(&scene)) {
+    if (is_same && helper_works_) remember(hex(*key), job.folder, {*reason, {}, begun});
+    return std::move(*reason);
+  }
   FileContent content;
   content.scene = std::make_shared<const FileScene>(std::move(std::get<FileScene>(scene)));
-  if (key && !content.scene->from_several_files && stamp == stamp_of(input)) {
-    content.key = hex(*key);
-    scenes_.put(content.key, content, bytes_of(*content.scene));
-  }
+  content.parts = std::make_shared<const SceneParts>(*content.scene);
+  if (!is_same) return content;
+  Remembered what;
+  what.begun = begun;
+  for (const std::string& beside : content.scene->files_beside) what.beside[beside] = {};
+  if (what.beside.empty()) content.key = hex(*key);
+  what.content = content;
+  remember(hex(*key), job.folder, std::move(what));
   return content;
+}
+
+/// The digest of a file, read only if it is not the file it was when it was hashed.
+std::optional<Digest> SceneSource::known_key(const HelperJob& job, const Input& input) {
+  const std::string name = fmt::format("{} {} {} {}", input.stamp[0], input.stamp[1], job.extension,
+                                       job.ignore_declared_up);
+  {
+    const std::scoped_lock lock(mutex_);
+    const auto found = hashes_.find(name);
+    if (found != hashes_.end() && found->second.stamp == input.stamp) return found->second.key;
+  }
+  const bool settled = is_settled(input.stamp, wall_clock());
+  const std::optional<Digest> key = key_of(job, input.file, input.size);
+  if (key && settled && input.stamp == stamp_of(input.file)) {
+    const std::scoped_lock lock(mutex_);
+    hashes_[name] = {input.stamp, *key};
+  }
+  return key;
+}
+
+/// What a file of this digest held, if the files beside it are what they were.
+std::optional<std::variant<FileContent, SceneFailure>> SceneSource::remembered(
+    const std::string& key, const std::string& folder) {
+  std::optional<Remembered> kept = scenes_.find(key);
+  if (!kept) return std::nullopt;
+  for (const auto& [path, stamp] : kept->beside) {
+    if (stamp_inside(folder, path) != stamp) {
+      scenes_.drop(key);
+      return std::nullopt;
+    }
+  }
+  return std::move(kept->content);
+}
+
+/// Remembers it if the files beside it have been as they are since before they were read.
+void SceneSource::remember(const std::string& key, const std::string& folder, Remembered what) {
+  std::size_t bytes = sizeof what;
+  if (const auto* content = std::get_if<FileContent>(&what.content)) {
+    bytes += bytes_of(*content->scene);
+  }
+  for (auto& [path, stamp] : what.beside) {
+    if (path.empty()) return;  // not all of them are known
+    stamp = stamp_inside(folder, path);
+    if (!is_settled(stamp, what.begun)) return;
+  }
+  scenes_.put(key, std::move(what), bytes);
 }
 
 std::variant<FileScene, SceneFailure> SceneSource::hull(const std::vector<math::Vec3>& points) {
@@ -179,20 +272,26 @@ std::variant<FileScene, SceneFailure> SceneSource::ask(HelperJob job, const Inpu
       std::variant<SceneMessage, WireError> decoded = decode(*kept, limits);
       if (auto* message = std::get_if<SceneMessage>(&decoded)) {
         auto* scene = std::get_if<FileScene>(message);
-        if (scene != nullptr && may_be_kept(*scene)) return std::move(*scene);
+        if (scene != nullptr && may_be_kept(*scene)) {
+          ++decoded_;
+          return std::move(*scene);
+        }
       }
     }
   }
-  job.seconds = kBaseSeconds + input.size / kBytesPerSecond;
+  job.seconds = watchdog_.processor_seconds + input.size / watchdog_.bytes_per_second;
   job.bytes = std::min(kBaseMemory + kMemoryPerByte * input.size, kMostMemory);
   HelperQuery query;
   query.job = job;
   query.input = input.file;
-  // The limit of processor time comes first; this one is for a child that sleeps.
-  query.time_limit = std::chrono::seconds(2 * job.seconds + 1);
+  query.time_limit =
+      std::chrono::seconds(watchdog_.wall_per_processor * job.seconds + watchdog_.wall_seconds);
   query.output_limit = largest_message(limits);
+  ++parsed_;
   const HelperResult child = helper_.run(query);
-  if (std::string reason = reason_of(child, helper_.program(), job); !reason.empty()) {
+  helper_works_ =
+      child.end != HelperResult::End::kNotStarted && child.end != HelperResult::End::kNoAnswer;
+  if (std::string reason = reason_of(child, helper_.program(), query); !reason.empty()) {
     return reason;
   }
   std::variant<SceneMessage, WireError> decoded = decode(child.output, limits);
@@ -202,6 +301,7 @@ std::variant<FileScene, SceneFailure> SceneSource::ask(HelperJob job, const Inpu
   SceneMessage& message = std::get<SceneMessage>(decoded);
   if (auto* reason = std::get_if<std::string>(&message)) return std::move(*reason);
   FileScene& scene = std::get<FileScene>(message);
+  ++decoded_;
   if (key && helper_digest() && may_be_kept(scene) && input.stamp == stamp_of(input.file)) {
     disk_.put(*key, child.output);
   }
@@ -220,6 +320,7 @@ std::optional<Digest> SceneSource::key_of(const HelperJob& job, int input, std::
   hash.add(kReaderVersion);
   if (const std::optional<Digest>& helper = helper_digest()) hash.add(hex(*helper));
   hash.add(encode_job(named));
+  ++hashed_;
   if (!add_file(hash, input, size)) return std::nullopt;
   return hash.finish();
 }

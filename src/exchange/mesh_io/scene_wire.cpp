@@ -1,19 +1,23 @@
 #include "src/exchange/mesh_io/scene_wire.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace rubicon::mesh_io {
 
 namespace {
 
-constexpr std::string_view kMagic = "rubicon-mesh 4\n";
+constexpr std::string_view kMagic = "rubicon-mesh 5\n";
 constexpr std::string_view kEnd = "end\n";
 constexpr std::size_t kLongestName = 1024;     // assimp's own limit
 constexpr std::size_t kLongestNote = 1000;     // a message for people
 constexpr std::size_t kLongestFailure = 1000;  // a message for people
+constexpr std::size_t kLongestPath = 4096;     // of a file beside the mesh
+constexpr std::size_t kMostFilesBeside = 1000;
 constexpr std::uint8_t kScene = 1;
 constexpr std::uint8_t kFailure = 2;
 
@@ -49,13 +53,26 @@ bool put_node(const ByteSink& sink, const FileNode& node) {
   return true;
 }
 
+/// Names of files beside the mesh; too many, or too long ones, become one that is no name: a scene
+/// of which not all files are known is not remembered.
+bool put_files_beside(const ByteSink& sink, const std::vector<std::string>& files) {
+  const bool fits = files.size() <= kMostFilesBeside &&
+                    std::all_of(files.begin(), files.end(), [](const std::string& file) {
+                      return file.size() <= kLongestPath;
+                    });
+  if (!fits) return put(sink, std::uint32_t{1}) && put_text(sink, "");
+  if (!put(sink, static_cast<std::uint32_t>(files.size()))) return false;
+  return std::all_of(files.begin(), files.end(),
+                     [&](const std::string& file) { return put_text(sink, file); });
+}
+
 bool put_scene(const ByteSink& sink, const FileScene& scene) {
   if (!put(sink, scene.declared_metres_per_unit) ||
       !put(sink, static_cast<std::uint8_t>(scene.in_metres ? 1 : 0)) ||
       !put(sink, static_cast<std::uint8_t>(scene.y_up ? 1 : 0)) ||
-      !put(sink, static_cast<std::uint8_t>(scene.from_several_files ? 1 : 0)) ||
-      !put(sink, scene.origin.x()) || !put(sink, scene.origin.y()) ||
-      !put(sink, scene.origin.z()) || !put(sink, static_cast<std::uint64_t>(scene.nodes.size()))) {
+      !put_files_beside(sink, scene.files_beside) || !put(sink, scene.origin.x()) ||
+      !put(sink, scene.origin.y()) || !put(sink, scene.origin.z()) ||
+      !put(sink, static_cast<std::uint64_t>(scene.nodes.size()))) {
     return false;
   }
   for (const FileNode& node : scene.nodes) {
@@ -136,21 +153,30 @@ std::string get_node(Reader& in, std::size_t index, std::uint64_t triangles_left
   return {};
 }
 
+bool get_files_beside(Reader& in, std::vector<std::string>& files) {
+  std::uint32_t count = 0;
+  if (!in.get(count) || count > kMostFilesBeside) return false;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    std::string_view file;
+    if (!in.get_text(kLongestPath, file)) return false;
+    files.emplace_back(file);
+  }
+  return true;
+}
+
 std::variant<SceneMessage, WireError> get_scene(Reader& in, const SceneLimits& limits) {
   FileScene scene;
   std::uint8_t in_metres = 0;
   std::uint8_t y_up = 0;
-  std::uint8_t from_several_files = 0;
   std::uint64_t count = 0;
   if (!in.get(scene.declared_metres_per_unit) || !in.get(in_metres) || !in.get(y_up) ||
-      !in.get(from_several_files) || !in.get(scene.origin.x()) || !in.get(scene.origin.y()) ||
-      !in.get(scene.origin.z()) || !in.get(count)) {
+      !get_files_beside(in, scene.files_beside) || !in.get(scene.origin.x()) ||
+      !in.get(scene.origin.y()) || !in.get(scene.origin.z()) || !in.get(count)) {
     return WireError{"the head of the scene is cut off"};
   }
   if (count > limits.nodes) return WireError{"more nodes than were allowed"};
   scene.in_metres = in_metres != 0;
   scene.y_up = y_up != 0;
-  scene.from_several_files = from_several_files != 0;
   std::uint64_t triangles_left = limits.triangles;
   for (std::size_t i = 0; i < count; ++i) {
     FileNode node;
@@ -196,7 +222,7 @@ bool encode(const SceneMessage& message, const ByteSink& sink) {
 }
 
 std::uint64_t largest_message(const SceneLimits& limits) {
-  constexpr std::uint64_t kHead = 64;
+  constexpr std::uint64_t kHead = 64 + kMostFilesBeside * (sizeof(std::uint32_t) + kLongestPath);
   constexpr std::uint64_t kNode = 28 + kLongestName + kLongestNote;
   constexpr std::uint64_t kTriangle = 9 * sizeof(double) + 3 * sizeof(std::int32_t);
   return kHead + limits.nodes * kNode + limits.triangles * kTriangle + kEnd.size();

@@ -27,7 +27,8 @@ std::vector<std::optional<ElementBody>> bodies_of(const std::string& more) {
   const std::string text = ::rubicon::testing::ifc_text(sample);
   const auto file = StepFile::read(text);
   const auto& step = std::get<StepFile>(file);
-  return element_bodies(step, std::get<IfcModel>(read_model(step)));
+  WorkBudget budget = shape_budget(step);
+  return element_bodies(step, std::get<IfcModel>(read_model(step)), budget);
 }
 
 TEST(ElementBodies, ACutThatCannotBeReadIsNotedAndLeftOut) {

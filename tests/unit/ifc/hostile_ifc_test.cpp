@@ -30,7 +30,8 @@ void read_all(const std::string& text) {
   const auto model = read_model(*step);
   if (const auto* building = std::get_if<IfcModel>(&model)) {
     plain_ifc(*step, *building);
-    element_bodies(*step, *building);
+    WorkBudget budget = shape_budget(*step);
+    element_bodies(*step, *building, budget);
   }
 }
 

@@ -27,7 +27,7 @@ constexpr double kSeconds = 2;
 constexpr double kMegabytes = 512;
 
 /// Waiting is not counted against a busy machine; a reader that hangs is still found.
-constexpr double kWallSeconds = 15;
+constexpr double kWallSeconds = 120;
 
 /// What reading a bomb took.
 struct Cost {

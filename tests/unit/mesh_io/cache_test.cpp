@@ -12,10 +12,12 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
 #include "src/exchange/mesh_io/disk_cache_io.hpp"
+#include "src/exchange/mesh_io/scene_source_io.hpp"
 #include "src/exchange/mesh_io/scene_wire.hpp"
 #include "tests/support/places.hpp"
 #include "tests/unit/mesh_io/mesh_files_io.hpp"
@@ -299,6 +301,74 @@ TEST_F(Remembered, PartsOfAFileAreReadFromOneParse) {
   ::kill(children_of(::getpid()).at(0), SIGSTOP);  // it could not answer again
   part.part = "part_c";
   EXPECT_EQ(extent(*mesh_in(meshes.read(part)).mesh).upper, geometry::Vec3(2, 4, 106));
+}
+
+/// Long enough that the next change of a file gives it another stamp.
+void let_files_settle() { std::this_thread::sleep_for(std::chrono::milliseconds(150)); }
+
+FileQuery query(const MeshRequest& request) { return {request.path, request.folder, false}; }
+
+TEST_F(Remembered, AFileIsHashedAndParsedOnceHoweverManyOfItsPartsAreAskedFor) {
+  const MeshRequest model = request("a.dae", as_dae(soup_, "Z_UP", "1"));
+  let_files_settle();
+  for (const bool again : {false, true}) {
+    SceneSource source(test::mesh_helper(), (folder_.path() / "cache").string());
+    for (int i = 0; i < 50; ++i) {
+      EXPECT_TRUE(std::holds_alternative<FileContent>(source.read(query(model))));
+    }
+    EXPECT_EQ(source.work().hashed, 1U);
+    EXPECT_EQ(source.work().parsed, again ? 0U : 1U);
+    EXPECT_EQ(source.work().decoded, 1U);
+  }
+}
+
+TEST_F(Remembered, AChangedFileIsReadAgain) {
+  SceneSource source(test::mesh_helper(), "");
+  const auto upper_x = [&](const MeshRequest& request) {
+    const auto read = source.read(query(request));
+    double x = 0;
+    for (const FileNode& node : std::get<FileContent>(read).scene->nodes) {
+      for (const auto& p : node.vertices) x = std::max(x, p.x());
+    }
+    return x;
+  };
+  // Of the same size each, one behind the other as fast as can be: stamps may be equal.
+  for (int i = 1; i <= 9; ++i) {
+    EXPECT_EQ(upper_x(request("a.stl", as_stl_binary(box_soup({0, 0, 0}, {1.0 * i, 1, 1})))), i);
+  }
+  let_files_settle();
+  upper_x(request("a.stl", as_stl_binary(soup_)));
+  EXPECT_EQ(source.work().hashed, 10U);
+}
+
+TEST_F(Remembered, WhatCannotBeReadIsTriedOnce) {
+  const MeshRequest damaged = request("a.stl", "solid\nfacet");
+  let_files_settle();
+  SceneSource source(test::mesh_helper(), "");
+  std::set<std::string> said;
+  for (int i = 0; i < 20; ++i) said.insert(std::get<SceneFailure>(source.read(query(damaged))));
+  EXPECT_EQ(said.size(), 1U);
+  EXPECT_EQ(source.work().hashed, 1U);
+  EXPECT_EQ(source.work().parsed, 1U);
+}
+
+TEST_F(Remembered, AFileWithOthersBesideItIsParsedOnceUntilOneOfThemChanges) {
+  folder_.write("meshes/own.bin", gltf_buffer(soup_));
+  const MeshRequest gltf = request("a.gltf", as_gltf(soup_, "own.bin"));
+  let_files_settle();
+  SceneSource source(test::mesh_helper(), "");
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_TRUE(std::holds_alternative<FileContent>(source.read(query(gltf))));
+  }
+  EXPECT_EQ(source.work().hashed, 1U);
+  EXPECT_EQ(source.work().parsed, 1U);
+  folder_.write("meshes/own.bin", gltf_buffer(box_soup({1, 2, 3}, {2, 4, 60})));
+  const auto read = source.read(query(gltf));
+  double farthest = 0;
+  for (const FileNode& node : std::get<FileContent>(read).scene->nodes) {
+    for (const auto& p : node.vertices) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+  }
+  EXPECT_EQ(farthest, 60);
 }
 
 TEST_F(Remembered, TheNextRunNeedsNoHelperAndGivesTheSame) {

@@ -25,7 +25,7 @@ std::string refused(const std::string& path, const MeshRequest& request = {}) {
   const auto begin = std::chrono::steady_clock::now();
   const auto result = read_in_own_folder(path, request);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  // The limit of processor time is 1 s, that of waiting 3 s; the rest is for a busy machine.
+  // None of them comes to the watchdog; the rest is for a busy machine.
   EXPECT_LT(seconds.count(), 30) << path;
   const auto* failure = std::get_if<MeshFailure>(&result);
   if (failure == nullptr) {
@@ -163,7 +163,9 @@ TEST(Damage, TextGarbageUnderEveryName) {
 
 TEST(Damage, APlyThatClaimsAHundredMillionVertices) {
   const TemporaryFolder folder;
-  refused(folder.write("a.ply", ply_head("100000000", "1") + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"));
+  expect_part(
+      refused(folder.write("a.ply", ply_head("100000000", "1") + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")),
+      "it announces 100000000 elements");
   refused(folder.write("b.ply", ply_head("3", "4000000000") + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"));
   std::string binary = ply_head("4000000000", "4000000000");
   binary.replace(binary.find("ascii"), 5, "binary_little_endian");
@@ -172,7 +174,8 @@ TEST(Damage, APlyThatClaimsAHundredMillionVertices) {
 
 TEST(Damage, APlyWithoutAnEnd) {
   const TemporaryFolder folder;
-  refused(folder.write("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n"));
+  expect_part(refused(folder.write("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n")),
+              "its header has no end");
   refused(folder.write("b.ply", "ply\nformat ascii 1.0\ncomment " + std::string(100'000, 'x')));
   refused(folder.write("c.ply",
                        "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int "
@@ -244,7 +247,8 @@ TEST(Damage, NodesThatDoubleFortyTimes) {
 
 TEST(Damage, APolygonOfTwentyThousandCorners) {
   const TemporaryFolder folder;
-  expect_part(refused(folder.write("a.obj", spiral_obj(10'000))), "takes more than 1 s");
+  expect_part(refused(folder.write("a.obj", spiral_obj(10'000))),
+              "its polygons have too many corners");
 }
 
 TEST(Damage, CoordinatesThatAreNotNumbers) {
