@@ -3,6 +3,10 @@
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace rubicon::cli {
 
 /// Exit codes of the command.
@@ -91,5 +95,13 @@ struct ExportOptions {
   std::string csv;
 };
 int run_export(const ExportOptions& options);
+
+struct HelpOptions {
+  std::string command;  ///< "": all
+  bool manual = false;
+  std::string shell;  ///< whose completion; "": none
+};
+/// `app` has all commands, for completion.
+int run_help(const HelpOptions& options, const CLI::App& app);
 
 }  // namespace rubicon::cli

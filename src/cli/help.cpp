@@ -1,311 +1,92 @@
 #include "src/cli/help.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <string_view>
+
+#include "src/cli/command_table.hpp"
+#include "src/cli/help_pages.hpp"
 
 namespace rubicon::cli {
 
 namespace {
 
-constexpr std::string_view kOverview =
-    R"(rubicon - can these machines build this, how long does it take, where does it fail?
-
-usage: rubicon COMMAND ...
-
-  check [--robot FILE] FILE...   find every mistake in robots, behaviours and plans
-  run PLAN                       simulate a plan: process time, cost, refused tasks with the reason, trace
-  why PLAN|RESULT TASK           tell why a task failed, took long or came late
-  report RESULT                  make the page that shows a result: the film, the Gantt, the tables
-  debug PLAN|RESULT [TASK]       step through the behaviour of machines, forward and back
-  test DIR...                    run golden cases and compare them with what is expected
-  verify RESULT                  replay a result by other means and look for contact, gaps and broken links
-  import FILE... [--out PLAN]    make a plan of a schedule, of a building model, or of both
-  export RESULT|PLAN ...         write a film, a Gantt chart, a schedule or a table
-  fmt FILE...                    write files in the one canonical form
-  help [COMMAND]                 this page, or the page of a command
-
-  --version                      print the version
-
-Files: NAME.robot describes a machine, NAME.motion its behaviour, NAME.plan what is to be built.
-Exit codes: 0 fine; 1 the plan cannot be done as a whole, a test failed or a result has faults; 2 the input or the call
-is wrong; 3 an internal fault.
-
-try: rubicon run taskplans/unit.plan
-)";
-
-constexpr std::string_view kCheck =
-    R"(rubicon check - find every mistake in robots, behaviours and plans
-
-usage: rubicon check [--robot FILE] [--format text|json] FILE...
-
-Reads each FILE (.robot, .motion or .plan) and reports all its mistakes in one run: where, what was expected, what was
-found, what to do. A plan checks its robots, a robot its behaviours. A behaviour on its own gets only the checks that
-need no robot; name one with --robot and it gets them all.
-
-  --robot FILE     the robot that the .motion files are for
-  --format text    file:line:column: level: message, with the line and a caret, on standard error (the default)
-  --format json    an array for editors, on standard output: one object a file, its diagnostics in the shape of the
-                   Language Server Protocol
-
-Exit code: 0 no errors (warnings and notes may be printed), 2 errors.
-
-examples:
-  rubicon check taskplans/unit.plan
-  rubicon check --robot robots/tower_crane/tower_crane.robot lift.motion
-  rubicon check --format json robots/*/*.robot
-)";
-
-constexpr std::string_view kRun =
-    R"(rubicon run - simulate a plan
-
-usage: rubicon run PLAN [--format table|json|csv] [--trace FILE] [--trace-detail steps|tasks|none] [--out DIR]
-
-Checks the plan, then simulates it: tasks start when their links, robots, crews and shifts allow, several machines move in
-one timeline, and every motion step is tested over the whole volume it sweeps, with the load, also against what other
-machines sweep at the time. Prints a table of the tasks (robot, crew, start, duration, of it motion and crew work, time
-waited, steps tried and accepted, result), the process time, the use and cost of robots and crews, and the critical
-chain. A task that cannot be done is rejected with the reason and undone; what depends on it is reported as not
-reached; the rest goes on.
-
-  --format FORMAT        table (the default), json or csv, on standard output; times in seconds
-  --trace FILE           write what happened, one JSON object a line (docs/trace.md); - is standard output
-  --trace-detail DETAIL  steps (the default: everything), tasks (no single attempts), none (header and results only)
-  --out DIR              write schedule.csv, schedule.json, trace.jsonl and report.html, the page that shows it all, into DIR
-
-A file is written beside its target and renamed, so a stop at any moment leaves the old file or the complete new one.
-What the command does not execute is refused at its place before anything runs.
-
-Exit code: 0 every task was done (a short plan: its motion ended done), 1 otherwise, 2 the input is wrong.
-
-examples:
-  rubicon run taskplans/unit.plan
-  rubicon run taskplans/unit.plan --format csv > unit.csv
-  rubicon run site.plan --trace trace.jsonl
-)";
-
-constexpr std::string_view kWhy =
-    R"(rubicon why - tell why a task failed, took long or came late
-
-usage: rubicon why PLAN|RESULT|TRACE TASK [--format text|json]
-
-For a rejected task: what blocked it first, at which step and by which line of the script, where the robot stood, and
-what the script tried instead and how each try ended. For any task: what it waited for on its way, and the chain of
-waits back to the beginning of the plan that made it begin when it did. RESULT is the folder of rubicon run --out:
-nothing is simulated again. A PLAN is run first.
-
-  --format FORMAT  text (the default) or json, on standard output; times in seconds
-
-Exit code: 0 the story is told, 2 there is no such task or the input is wrong.
-
-examples:
-  rubicon why taskplans/unit.plan set_west_1
-  rubicon run site.plan --out result; rubicon why result set_7
-  rubicon why result set_7 --format json
-)";
-
-constexpr std::string_view kReport =
-    R"(rubicon report - make the page that shows a result
-
-usage: rubicon report RESULT [--out FILE]
-
-RESULT is the folder that rubicon run --out wrote, or a trace. Makes one HTML file that a browser opens without network:
-the site in three dimensions with everything that moved, step by step if the trace has the steps, the Gantt chart, the
-tables, and why something failed. Nothing is simulated again. rubicon run --out makes the same page.
-
-  --out FILE   the page to write (default: report.html in the folder); - is standard output; a trace alone needs it
-
-Prints the path of the page. Exit code: 0 it is written, 2 the result cannot be read, or this build has no page.
-
-examples:
-  rubicon run taskplans/unit.plan --out unit; rubicon report unit
-  rubicon run site.plan --trace trace.jsonl; rubicon report trace.jsonl --out site.html
-)";
-
-constexpr std::string_view kDebug =
-    R"(rubicon debug - step through the behaviour of machines, forward and back
-
-usage: rubicon debug PLAN|RESULT|TRACE [TASK] [-x COMMANDS]... [--batch]
-
-Shows a behaviour at work: the line of the script, what it tried and how that ended (accepted, or refused by what), its
-loops, variables and configuration, the motion, the load and the time; one step after the other, forward and back, with
-breakpoints at lines, at refusals and at what meets what. RESULT is the folder of rubicon run --out: nothing is simulated
-again. A PLAN is run first. Without TASK all tasks follow one another in the order in which they begin.
-
-Commands are read from standard input; 'help' tells them all, docs/debug.md shows them at work. Where the input is no
-terminal each command is shown before its answer.
-
-  -x, --command COMMANDS  do these first; ';' separates them
-  --batch                 end after them
-
-Exit code: 0 fine, 2 there is no such task, the trace has no steps or the input is wrong.
-
-examples:
-  rubicon debug taskplans/two_cranes.plan set_wall_4
-  rubicon run site.plan --out result; rubicon debug result set_7
-  rubicon debug result set_7 --command "break hit; continue; where; print" --batch
-)";
-
-constexpr std::string_view kTest =
-    R"(rubicon test - run golden cases and compare them with what is expected
-
-usage: rubicon test DIR... [--filter TEXT] [--update] [--jobs N] [--junit FILE]
-
-A case is a folder with site.plan and expected.json; DIR is a case or a folder of cases (at any depth). Each plan is run
-and what happened is compared with expected.json: every attempt (accepted or not, and the configuration to 1e-6), loops,
-assignments, choices, the end and its counts. A difference is shown with the lines round it.
-
-  --filter TEXT    only cases whose path contains TEXT
-  --update         write expected.json and expected.trace (for people) from what happened, instead of comparing
-  --jobs N         how many cases run at once (default: as many as there are processors); the output is the same
-  --junit FILE     write the results as JUnit XML
-
-Exit code: 0 all cases agree, 1 a case differs, 2 there is no case or a file is wrong.
-
-examples:
-  rubicon test tests/language
-  rubicon test examples --filter crane
-  rubicon test my_cases/new_case --update
-)";
-
-constexpr std::string_view kVerify =
-    R"(rubicon verify - replay a result by other means and look for contact, gaps and broken links
-
-usage: rubicon verify RESULT [--format text|json]
-
-RESULT is the folder that rubicon run --out wrote, or a trace of a run with all its steps. The result is replayed by a
-second, simpler and slower method, which shares nothing with the one that made it: whether the clock has gaps, whether
-each step is one that the robot's rules allow, whether anything meets anything at any moment, where loads are taken and put
-down, whether a robot or crew is in two places at once, shifts, links, and whether the schedules tell the same. What is
-checked, how and how exactly: docs/verify.md.
-
-  --format text    one line if all is well, else one line a fault, at most 50: file:line: task, time: what (the default)
-  --format json    one object with all faults
-
-Exit code: 0 no fault, 1 faults, 2 the result cannot be read.
-
-examples:
-  rubicon run taskplans/unit.plan --out unit && rubicon verify unit
-  rubicon run site.plan --trace trace.jsonl && rubicon verify trace.jsonl --format json
-)";
-
-constexpr std::string_view kFmt = R"(rubicon fmt - write files in the one canonical form
-
-usage: rubicon fmt [--check] FILE...
-       rubicon fmt [--kind motion|robot|plan] -
-
-Rewrites .robot, .motion and .plan files in place: indentation, spaces, line breaks. Comments stay. A file with errors
-is left alone and its errors are printed. Writing it twice changes nothing.
-
-  --check        change nothing; name the files that would change and exit with 1
-  -              read standard input, write standard output
-  --kind KIND    what standard input is (default: motion)
-
-Exit code: 0 fine, 1 --check found a file that would change, 2 a file has errors.
-
-examples:
-  rubicon fmt robots/tower_crane/*.robot
-  rubicon fmt --check taskplans/*.plan
-  rubicon fmt - < lift.motion
-)";
-
-constexpr std::string_view kImport =
-    R"(rubicon import - make a plan of a schedule, of a building model, or of both
-
-usage: rubicon import SCHEDULE [--out PLAN]
-       rubicon import MODEL... [--schedule SCHEDULE --match FILE] [--unit mm|cm|m] [--up y|z] [--out PLAN]
-
-SCHEDULE is Microsoft Project XML (in Project: save as XML) or a Primavera XER file; its content tells which. Tasks become
-crew work (takes), milestones take no time, resources become crews, links keep their type and lag, calendars their week
-and days off; headings become remarks. What a plan has no word for is carried along in its import block, for the way back
-with rubicon export. What was not understood, and where the plan goes by less than the schedule says, is listed as
-warnings: docs/commands/import.md tells what each means.
-
-MODEL is an IFC file (2x3, 4 or 4.3), glTF, Collada, OBJ, STL or PLY, in the folder of the plan or below. Every element
-becomes a component that stands where the model has it. With a schedule and a match file, which says what belongs to
-which task and who lifts it, the elements wait in a stock area and the tasks put them into place; elements and tasks
-without partner are listed. Beside PLAN a table PLAN_elements.csv tells what became of each element:
-docs/import_building.md.
-
-  --out PLAN           write the plan there instead of standard output
-  --schedule SCHEDULE  the schedule whose tasks put the model up
-  --match FILE         what of the model belongs to which task
-  --unit UNIT          mm, cm or m: what the numbers of OBJ, STL and PLY files are
-  --up AXIS            y or z: which axis of the model points up, where it does not say so rightly
-
-Exit code: 0 there is a plan (warnings may be printed), 2 a file cannot be read, or the match file is wrong.
-
-examples:
-  rubicon import planning.xml --out building.plan
-  rubicon import planning.xer --out building.plan && rubicon check building.plan
-  rubicon import walls.ifc floors.ifc --out building.plan
-  rubicon import walls.ifc floors.ifc --schedule planning.xml --match building.match --out building.plan
-)";
-
-constexpr std::string_view kExport =
-    R"(rubicon export - write a plan or a result for other programs
-
-usage: rubicon export RESULT [--gltf FILE [--speed-up N]] [--svg FILE] [--mspdi FILE] [--csv FILE]
-       rubicon export PLAN --mspdi FILE
-
-RESULT is the folder that rubicon run --out wrote. PLAN is checked and written as it is planned: its tasks, links, crews,
-robots and calendars; a plan that came from rubicon import gives back all that was read, also what a plan has no word
-for, and what was changed in the plan since then holds. Of a result the schedule has the dates of the run. What a
-schedule has no word for (motions, zones, priorities) is listed as warnings.
-
-  --gltf FILE    the site, machines and components with all that happened as one animation, in glTF 2.0: binary if the
-                 name ends in .glb, else one text; needs a trace with all steps
-  --speed-up N   the animation shows N seconds of the plan in one of its own; without it so many that it lasts a minute,
-                 as on the report page, but never fewer than 1: a plan of 20 s takes 20 s
-  --svg FILE     a Gantt chart: what each machine and crew did, tasks, the critical chain, shifts, what was not done
-  --mspdi FILE   the schedule as Microsoft Project XML
-  --csv FILE     the table of tasks, as rubicon run --format csv gives it
-
-Several files can be written at once; - is standard output, for one of them.
-
-Exit code: 0 the files are written (warnings may be printed), 2 the plan or the result is wrong or a file cannot be
-written.
-
-examples:
-  rubicon run site.plan --out site && rubicon export site --gltf site.glb --svg site.svg
-  rubicon export building.plan --mspdi building.xml
-  rubicon import planning.xer --out p.plan && rubicon export p.plan --mspdi planning.xml
-)";
-
-constexpr std::string_view kHelp = R"(rubicon help - print a page of help
-
-usage: rubicon help [COMMAND]
-
-examples:
-  rubicon help
-  rubicon help run
-)";
+/// Columns of a command with its arguments in the overview.
+constexpr std::size_t kUsageWidth = 31;
+
+/// Lines as they stand, for roff.
+std::string verbatim(std::string_view text) {
+  std::string out = ".nf\n";
+  bool line_begins = true;
+  for (const char c : text) {
+    if (line_begins && (c == '.' || c == '\'')) out += "\\&";
+    if (c == '-' || c == '\\') out += '\\';
+    out += c == '\\' ? 'e' : c;
+    line_begins = c == '\n';
+  }
+  return out + ".fi\n";
+}
+
+/// The text behind the first line and the blank line under it.
+std::string_view body_of(std::string_view page) { return page.substr(page.find("\n\n") + 2); }
 
 }  // namespace
 
-const std::vector<HelpPage>& help_pages() {
-  static const std::vector<HelpPage> pages = {
-      {"check", "find every mistake in robots, behaviours and plans", kCheck},
-      {"run", "simulate a plan", kRun},
-      {"why", "tell why a task failed, took long or came late", kWhy},
-      {"report", "make the page that shows a result", kReport},
-      {"debug", "step through the behaviour of machines, forward and back", kDebug},
-      {"test", "run golden cases and compare them with what is expected", kTest},
-      {"verify", "replay a result by other means and look for contact, gaps and broken links",
-       kVerify},
-      {"import", "make a plan of a schedule, of a building model, or of both", kImport},
-      {"export", "write a plan or a result for other programs", kExport},
-      {"fmt", "write files in the one canonical form", kFmt},
-      {"help", "print a page of help", kHelp},
-  };
-  return pages;
+std::string overview() {
+  std::string text(pages::kOverviewBegin);
+  for (const Command& command : command_table()) {
+    text += fmt::format("  {:<{}}{}\n", fmt::format("{} {}", command.name, command.arguments),
+                        kUsageWidth, command.summary);
+  }
+  return text += pages::kOverviewEnd;
 }
 
-const HelpPage* find_help(std::string_view name) {
-  const auto& pages = help_pages();
-  const auto found = std::find_if(pages.begin(), pages.end(),
-                                  [&](const HelpPage& page) { return page.name == name; });
-  return found == pages.end() ? nullptr : &*found;
+std::string manual_page() {
+  std::string text = ".TH RUBICON 1 \"\" \"RUBICON " RUBICON_VERSION
+                     "\" \"User Commands\"\n"
+                     ".SH NAME\nrubicon \\- simulate construction machines and task plans\n"
+                     ".SH SYNOPSIS\n.B rubicon\n.I COMMAND\n.RI [ OPTIONS ]\n.SH DESCRIPTION\n";
+  text += verbatim(body_of(overview()));
+  text += ".SH COMMANDS\n";
+  for (const Command& command : command_table()) {
+    text += fmt::format(".SS {}\n", command.name) + verbatim(body_of(command.page));
+  }
+  return text;
 }
 
-std::string_view overview() { return kOverview; }
+std::string bash_completion(const CLI::App& app) {
+  std::string commands, cases;
+  for (const Command& command : command_table()) {
+    commands += fmt::format("{}{}", commands.empty() ? "" : " ", command.name);
+    std::string options;
+    for (const CLI::Option* option : app.get_subcommand(std::string(command.name))->get_options()) {
+      for (const std::string& name : option->get_lnames()) options += " --" + name;
+    }
+    cases += fmt::format("    {}) words=\"{}\" ;;\n", command.name, options.substr(1));
+  }
+  return "_rubicon() {\n"
+         "  local word=${COMP_WORDS[COMP_CWORD]} words=\n"
+         "  if ((COMP_CWORD == 1)); then\n"
+         "    COMPREPLY=($(compgen -W \"" +
+         commands +
+         "\" -- \"$word\"))\n"
+         "    return\n"
+         "  fi\n"
+         "  case ${COMP_WORDS[1]} in\n" +
+         cases +
+         "  esac\n"
+         "  if [[ $word == -* ]]; then\n"
+         "    COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
+         "  elif [[ ${COMP_WORDS[1]} == help ]]; then\n"
+         "    COMPREPLY=($(compgen -W \"" +
+         commands +
+         "\" -- \"$word\"))\n"
+         "  else\n"
+         "    COMPREPLY=($(compgen -f -- \"$word\"))\n"
+         "  fi\n"
+         "}\n"
+         "complete -o filenames -F _rubicon rubicon\n";
+}
 
 }  // namespace rubicon::cli

@@ -1,21 +1,21 @@
 #pragma once
 
-#include <string_view>
-#include <vector>
+#include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace rubicon::cli {
 
-/// The help of one command: what `rubicon help CMD` and `rubicon CMD --help` print.
-/// docs/commands/CMD.md carries the same text; a test compares them.
-struct HelpPage {
-  std::string_view name;
-  std::string_view summary;
-  std::string_view text;
-};
+/// What `rubicon` and `rubicon help` print: the commands and what they are for.
+std::string overview();
 
-const std::vector<HelpPage>& help_pages();
-const HelpPage* find_help(std::string_view name);
-/// What `rubicon` and `rubicon help` print.
-std::string_view overview();
+/// The manual page, in roff: the overview's texts and the page of every command.
+/// docs/man/rubicon.1 carries the same text; a test compares them.
+std::string manual_page();
+
+/// A script for bash that completes commands, options and names of files. `app` has the commands.
+std::string bash_completion(const CLI::App& app);
 
 }  // namespace rubicon::cli

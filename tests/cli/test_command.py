@@ -73,13 +73,27 @@ class Help(Case):
             with open(os.path.join(ROOT, "docs", "commands", command + ".md"), encoding="utf-8") as file:
                 self.assertIn(rubicon("help", command).stdout, file.read())
 
-    def test_the_manual_page_names_every_command_and_option(self):
+    def test_the_manual_page_is_what_the_command_prints(self):
         with open(os.path.join(ROOT, "docs", "man", "rubicon.1"), encoding="utf-8") as file:
-            manual = file.read().replace("\\-", "-")
+            manual = file.read()
+        self.assertEqual(rubicon("help", "--man").stdout, manual)
         for command in COMMANDS:
-            self.assertIn(f"\n.SS {command}", manual)
-            for option in re.findall(r"^  (--[\w-]+)", rubicon("help", command).stdout, re.M):
-                self.assertIn(option, manual, command)
+            self.assertIn(f"\n.SS {command}\n", manual)
+
+    def test_pages_and_completion_know_the_same_options(self):
+        script = rubicon("help", "--completion", "bash").stdout
+        for command in COMMANDS:
+            told = set(re.findall(r"^  (?:-\w, )?(--[\w-]+)", rubicon("help", command).stdout, re.M))
+            known = set(re.search(rf'^    {command}\) words="(.*)" ;;$', script, re.M).group(1).split())
+            self.assertEqual(told | {"--help"}, known, command)
+
+    def test_the_shell_completes(self):
+        script = rubicon("help", "--completion", "bash").stdout
+        for words, expected in ((["rubicon", "ver"], "verify"), (["rubicon", "run", "--trace-d"], "--trace-detail"),
+                                (["rubicon", "help", "ex"], "export")):
+            call = f'COMP_WORDS=({" ".join(words)}); COMP_CWORD={len(words) - 1}; _rubicon; echo "${{COMPREPLY[*]}}"'
+            result = subprocess.run(["bash", "-c", script + call], capture_output=True, text=True, check=True)
+            self.assertEqual(result.stdout, expected + "\n")
 
     def test_wrong_calls_exit_with_2_and_a_hint(self):
         for arguments in (["nonsense"], ["run"], ["check"], ["run", "a.plan", "--format", "xml"], ["help", "me"],

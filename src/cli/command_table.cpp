@@ -1,0 +1,151 @@
+#include "src/cli/command_table.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "src/cli/commands.hpp"
+#include "src/cli/help_pages.hpp"
+
+namespace rubicon::cli {
+
+namespace {
+
+using CLI::IsMember;
+
+Action declare_check(CLI::App& app) {
+  const auto options = std::make_shared<CheckOptions>();
+  app.add_option("--robot", options->robot);
+  app.add_option("--format", options->format)->check(IsMember({"text", "json"}));
+  app.add_option("FILE", options->files)->required();
+  return [options] { return run_check(*options); };
+}
+
+Action declare_run(CLI::App& app) {
+  const auto options = std::make_shared<RunOptions>();
+  app.add_option("PLAN", options->plan)->required();
+  app.add_option("--format", options->format)->check(IsMember({"table", "json", "csv"}));
+  app.add_option("--trace", options->trace);
+  app.add_option("--trace-detail", options->trace_detail)
+      ->check(IsMember({"steps", "tasks", "none"}));
+  app.add_option("--out", options->out);
+  return [options] { return run_plan_command(*options); };
+}
+
+Action declare_why(CLI::App& app) {
+  const auto options = std::make_shared<WhyOptions>();
+  app.add_option("SOURCE", options->source)->required();
+  app.add_option("TASK", options->task)->required();
+  app.add_option("--format", options->format)->check(IsMember({"text", "json"}));
+  return [options] { return run_why(*options); };
+}
+
+Action declare_report(CLI::App& app) {
+  const auto options = std::make_shared<ReportOptions>();
+  app.add_option("RESULT", options->result)->required();
+  app.add_option("--out", options->out);
+  return [options] { return run_report(*options); };
+}
+
+Action declare_debug(CLI::App& app) {
+  const auto options = std::make_shared<DebugOptions>();
+  app.add_option("SOURCE", options->source)->required();
+  app.add_option("TASK", options->task);
+  app.add_option("-x,--command", options->commands)->expected(1)->take_all();
+  app.add_flag("--batch", options->batch);
+  return [options] { return run_debug(*options); };
+}
+
+Action declare_test(CLI::App& app) {
+  const auto options = std::make_shared<TestOptions>();
+  app.add_option("DIR", options->folders)->required();
+  app.add_option("--filter", options->filter);
+  app.add_flag("--update", options->update);
+  app.add_option("--jobs", options->jobs)->check(CLI::Range(1, 256));
+  app.add_option("--junit", options->junit);
+  return [options] { return run_test(*options); };
+}
+
+Action declare_verify(CLI::App& app) {
+  const auto options = std::make_shared<VerifyOptions>();
+  app.add_option("RESULT", options->result)->required();
+  app.add_option("--format", options->format)->check(IsMember({"text", "json"}));
+  return [options] { return run_verify(*options); };
+}
+
+Action declare_import(CLI::App& app) {
+  const auto options = std::make_shared<ImportOptions>();
+  app.add_option("FILE", options->files)->required();
+  app.add_option("--schedule", options->schedule);
+  app.add_option("--match", options->match);
+  app.add_option("--unit", options->unit)->check(IsMember({"mm", "cm", "m"}));
+  app.add_option("--up", options->up)->check(IsMember({"y", "z"}));
+  app.add_option("--out", options->out);
+  return [options] { return run_import(*options); };
+}
+
+Action declare_export(CLI::App& app) {
+  const auto options = std::make_shared<ExportOptions>();
+  app.add_option("SOURCE", options->source)->required();
+  app.add_option("--gltf", options->gltf);
+  app.add_option("--speed-up", options->speed_up)->check(CLI::Range(0.01, 1e7));
+  app.add_option("--svg", options->svg);
+  app.add_option("--mspdi", options->mspdi);
+  app.add_option("--csv", options->csv);
+  return [options] { return run_export(*options); };
+}
+
+Action declare_fmt(CLI::App& app) {
+  const auto options = std::make_shared<FormatOptions>();
+  app.add_flag("--check", options->check);
+  app.add_option("--kind", options->kind)->check(IsMember({"motion", "robot", "plan"}));
+  app.add_option("FILE", options->files)->required();
+  return [options] { return run_format(*options); };
+}
+
+Action declare_help(CLI::App& app) {
+  const auto options = std::make_shared<HelpOptions>();
+  app.add_option("COMMAND", options->command);
+  app.add_flag("--man", options->manual);
+  app.add_option("--completion", options->shell)->check(IsMember({"bash"}));
+  return [options, root = app.get_parent()] { return run_help(*options, *root); };
+}
+
+}  // namespace
+
+const std::vector<Command>& command_table() {
+  static const std::vector<Command> table = {
+      {"check", "[--robot FILE] FILE...", "find every mistake in robots, behaviours and plans",
+       pages::kCheck, declare_check},
+      {"run", "PLAN", "simulate a plan: process time, cost, refused tasks with the reason, trace",
+       pages::kRun, declare_run},
+      {"why", "PLAN|RESULT TASK", "tell why a task failed, took long or came late", pages::kWhy,
+       declare_why},
+      {"report", "RESULT", "make the page that shows a result: the film, the Gantt, the tables",
+       pages::kReport, declare_report},
+      {"debug", "PLAN|RESULT [TASK]", "step through the behaviour of machines, forward and back",
+       pages::kDebug, declare_debug},
+      {"test", "DIR...", "run golden cases and compare them with what is expected", pages::kTest,
+       declare_test},
+      {"verify", "RESULT",
+       "replay a result by other means and look for contact, gaps and broken links", pages::kVerify,
+       declare_verify},
+      {"import", "FILE... [--out PLAN]",
+       "make a plan of a schedule, of a building model, or of both", pages::kImport,
+       declare_import},
+      {"export", "RESULT|PLAN ...", "write a film, a Gantt chart, a schedule or a table",
+       pages::kExport, declare_export},
+      {"fmt", "FILE...", "write files in the one canonical form", pages::kFmt, declare_fmt},
+      {"help", "[COMMAND]", "this page, or the page of a command", pages::kHelp, declare_help},
+  };
+  return table;
+}
+
+const Command* find_command(std::string_view name) {
+  const auto& table = command_table();
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&](const Command& each) { return each.name == name; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+}  // namespace rubicon::cli
