@@ -17,6 +17,7 @@
 #include "src/cli/input_file.hpp"
 #include "src/cli/result_files.hpp"
 #include "src/cli/result_project.hpp"
+#include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/exchange/project_io/project_of.hpp"
 #include "src/exchange/project_io/write_mspdi.hpp"
@@ -108,9 +109,9 @@ taskplan::Schedule read_schedule(const ResultFiles& result) {
   }
 }
 
-/// The name of a folder, without what it stands in.
+/// The name of a folder, without what it stands in, however its path was typed.
 std::string folder_name(const std::string& path) {
-  return std::filesystem::path(path + "/").lexically_normal().parent_path().filename().string();
+  return std::filesystem::canonical(path).filename().string();
 }
 
 /// A chart needs no trace, but is better with it.

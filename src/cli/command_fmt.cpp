@@ -6,6 +6,7 @@
 #include "interpreter/parse/parse.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/text_kind.hpp"
+#include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/results/report/diagnostic_printer.hpp"
 

@@ -8,6 +8,7 @@
 #include "src/cli/check_import.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/import_schedule.hpp"
+#include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/exchange/mesh_io/mesh_format.hpp"
 #include "src/exchange/project_io/decode_text.hpp"

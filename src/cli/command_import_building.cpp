@@ -15,7 +15,9 @@
 #include "src/exchange/building_io/match_file.hpp"
 #include "src/exchange/building_io/names.hpp"
 #include "src/exchange/building_io/read_elements.hpp"
+#include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/disk_io.hpp"
+#include "src/exchange/files/temporaries_io.hpp"
 #include "src/exchange/mesh_io/mesh_format.hpp"
 #include "src/exchange/mesh_io/mesh_io.hpp"
 #include "src/results/report/diagnostic_printer.hpp"
@@ -144,6 +146,7 @@ class BuildingImport {
 
   /// The plan last: when it is there, all it needs is.
   int write(const building_io::BuildingPlan& plan) const {
+    const files::SignalHold hold;  // all of them or none
     const std::string base = folder_ + "/";
     if (!plan.meshes.empty()) {
       if (const auto failure = files::make_folder(base + stem_ + "_meshes")) return fail(*failure);

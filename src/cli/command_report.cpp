@@ -9,8 +9,8 @@
 #include "src/cli/input_file.hpp"
 #include "src/cli/report_file.hpp"
 #include "src/cli/result_files.hpp"
+#include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/disk_io.hpp"
-#include "src/results/film/film_writer.hpp"
 #include "src/results/page/report_page.hpp"
 #include "src/results/report/schedule_reader.hpp"
 
@@ -38,10 +38,10 @@ std::optional<std::string> make_page(const ReportOptions& options, bool folder,
   const ResultFiles result(options.result);
   const std::string trace = folder ? result.trace_path() : options.result;
   if (auto mistake = overwriting({trace, result.schedule_path()}, {out})) return mistake;
-  film::FilmWriter writer;
+  ReportWriter writer;
   each_trace_line(trace, [&](const std::string& line) { writer.line(line); });
   try {
-    return write_report(out, writer, folder ? read_schedule(result) : std::string());
+    return files::write_file(out, writer.page(folder ? read_schedule(result) : std::string()));
   } catch (const std::invalid_argument& error) {
     throw WrongInput(fmt::format("{}: {}", result.schedule_path(), error.what()));
   }

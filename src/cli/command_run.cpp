@@ -6,14 +6,16 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "interpreter/check/plan_model.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/load_runnable_plan.hpp"
 #include "src/cli/report_file.hpp"
-#include "src/exchange/files/disk_io.hpp"
-#include "src/results/film/film_writer.hpp"
+#include "src/exchange/files/atomic_file_io.hpp"
+#include "src/exchange/files/result_folder_io.hpp"
 #include "src/results/page/report_page.hpp"
 #include "src/results/report/schedule_text.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
@@ -40,12 +42,12 @@ class TraceFiles : public trace::TraceSink {
   }
   void restart() override {
     for (files::AtomicFile& file : files_) file.restart();
-    if (film_) film_->restart();
+    if (report_) report_.emplace();
     film_failure_.clear();
   }
 
-  std::optional<std::string> open(const std::string& path) {
-    auto file = files::AtomicFile::open(path);
+  /// Takes a file that was opened; its message where it could not be.
+  std::optional<std::string> add(std::variant<files::AtomicFile, std::string> file) {
     if (auto* message = std::get_if<std::string>(&file)) return *message;
     files_.push_back(std::get<files::AtomicFile>(std::move(file)));
     return std::nullopt;
@@ -62,26 +64,27 @@ class TraceFiles : public trace::TraceSink {
 
   bool wanted() const { return !files_.empty(); }
 
-  void make_film() { film_.emplace(); }
+  void make_film() { report_.emplace(); }
 
   /// Writes the page of the report; a message if that fails, also if the film has no room for
   /// something in the trace.
-  std::optional<std::string> write_page(const std::string& path, const std::string& schedule) {
+  std::optional<std::string> write_page(const files::ResultFolder& folder,
+                                        const std::string& schedule) {
     if (!film_failure_.empty()) return film_failure_;
-    return write_report(path, *film_, schedule);
+    return folder.write("report.html", report_->page(schedule));
   }
 
  private:
   void film_line(std::string_view text) {
-    if (!film_ || !film_failure_.empty()) return;
+    if (!report_ || !film_failure_.empty()) return;
     try {
-      film_->line(text);
+      report_->line(text);
     } catch (const std::invalid_argument& error) {
       film_failure_ = error.what();
     }
   }
 
-  std::optional<film::FilmWriter> film_;
+  std::optional<ReportWriter> report_;
   std::string film_failure_;
   std::vector<files::AtomicFile> files_;
 };
@@ -113,22 +116,19 @@ int fail(const std::string& message) {
   return kWrongInput;
 }
 
-/// What --out asks for, beside the trace; the page comes last. A message on failure.
-std::optional<std::string> write_result(const std::string& folder,
+/// What --out asks for, beside the trace, and all of it to its place. A message on failure.
+std::optional<std::string> write_result(files::ResultFolder& folder,
                                         const taskplan::Schedule& schedule,
                                         TraceFiles& trace_files) {
   const std::string json = report::schedule_json(schedule);
-  if (auto failure = files::write_file(folder + "/schedule.json", json)) return failure;
-  const std::string csv = report::schedule_csv(schedule);
-  if (auto failure = files::write_file(folder + "/schedule.csv", csv)) return failure;
+  if (auto failure = folder.write("schedule.json", json)) return failure;
+  if (auto failure = folder.write("schedule.csv", report::schedule_csv(schedule))) return failure;
   if (page::viewer_page().empty()) {
     fmt::print(stderr, "rubicon: note: there is no report.html: {}\n", page::kNoViewerPage);
-    return std::nullopt;
-  }
-  if (auto failure = trace_files.write_page(folder + "/report.html", json)) {
+  } else if (auto failure = trace_files.write_page(folder, json)) {
     return "report.html: " + *failure;
   }
-  return std::nullopt;
+  return folder.commit();
 }
 
 trace::TraceDetail detail_of(const std::string& word) {
@@ -145,11 +145,16 @@ int run_plan_command(const RunOptions& options) {
 
   TraceFiles trace_files;
   if (!options.trace.empty()) {
-    if (const auto failure = trace_files.open(options.trace)) return fail(*failure);
+    if (const auto failure = trace_files.add(files::AtomicFile::open(options.trace))) {
+      return fail(*failure);
+    }
   }
+  std::optional<files::ResultFolder> folder;
   if (!options.out.empty()) {
-    if (const auto failure = files::make_folder(options.out)) return fail(*failure);
-    if (const auto failure = trace_files.open(options.out + "/trace.jsonl")) return fail(*failure);
+    auto opened = files::ResultFolder::open(options.out);
+    if (auto* message = std::get_if<std::string>(&opened)) return fail(*message);
+    folder.emplace(std::get<files::ResultFolder>(std::move(opened)));
+    if (const auto failure = trace_files.add(folder->create("trace.jsonl"))) return fail(*failure);
     if (!page::viewer_page().empty()) trace_files.make_film();
   }
 
@@ -164,10 +169,8 @@ int run_plan_command(const RunOptions& options) {
     schedule = run_plan(*plan, sources, trace_files.wanted() ? &trace_files : nullptr, run);
   }
   if (const auto failure = trace_files.commit()) return fail(*failure);
-  if (!options.out.empty()) {
-    if (const auto failure = write_result(options.out, schedule, trace_files)) {
-      return fail(*failure);
-    }
+  if (folder) {
+    if (const auto failure = write_result(*folder, schedule, trace_files)) return fail(*failure);
   }
   const std::string text = options.format == "json"  ? report::schedule_json(schedule)
                            : options.format == "csv" ? report::schedule_csv(schedule)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "src/cli/commands.hpp"
+#include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/results/golden/golden_case.hpp"
 #include "src/results/golden/golden_io.hpp"

@@ -7,7 +7,10 @@
 
 #include "src/cli/commands.hpp"
 #include "src/cli/input_file.hpp"
+#include "src/exchange/encoding/sha256.hpp"
+#include "src/exchange/files/result_folder_io.hpp"
 #include "src/results/verify/input/trace_reader.hpp"
+#include "src/results/verify/schedule/check_report.hpp"
 #include "src/results/verify/verdict_text.hpp"
 
 namespace rubicon::cli {
@@ -21,11 +24,18 @@ int fail(const std::string& message) {
   return kWrongInput;
 }
 
-verify::Trace read_trace(const std::string& path) {
+/// Reads the trace of `result`, and what identifies it.
+void read_trace(const std::string& path, verify::Result& result) {
   verify::TraceReader reader;
-  each_trace_line(path, [&](const std::string& line) { reader.line(line); });
+  encoding::Sha256 digest;
+  each_trace_line(path, [&](const std::string& line) {
+    digest.add(line);
+    digest.add("\n");
+    reader.line(line);
+  });
+  result.trace_digest = encoding::hex(digest.finish());
   try {
-    return reader.finish();
+    result.trace = reader.finish();
   } catch (const UnreadableInput& error) {
     throw UnreadableInput(fmt::format("{}:{}", path, error.what()));
   }
@@ -36,13 +46,23 @@ verify::Result read_result(const std::string& path, verify::ResultNames& names) 
   verify::Result result;
   if (!std::filesystem::is_directory(path, error)) {
     names.trace = path;
-    result.trace = read_trace(path);
+    read_trace(path, result);
     return result;
   }
-  names = {path + "/trace.jsonl", path + "/schedule.json", path + "/schedule.csv"};
-  result.trace = read_trace(names.trace);
+  const auto name = [&](const char* file) { return files::result_path(path, file); };
+  names = {name("trace.jsonl"), name("schedule.json"), name("schedule.csv"), name("report.html")};
+  read_trace(names.trace, result);
   result.schedule_json = read_input(names.schedule_json);
   result.schedule_csv = read_input(names.schedule_csv);
+  if (std::filesystem::exists(names.report, error)) {
+    result.report = read_input(names.report);
+    if (!verify::says_its_origin(*result.report)) {
+      fmt::print(stderr,
+                 "rubicon: note: {} does not say which trace it was made of, and is not checked; "
+                 "'rubicon report {}' makes it again\n",
+                 names.report, path);
+    }
+  }
   return result;
 }
 

@@ -58,7 +58,8 @@ reached; the rest goes on.
   --trace-detail DETAIL  steps (the default: everything), tasks (no single attempts), none (header and results only)
   --out DIR              write schedule.csv, schedule.json, trace.jsonl and report.html, the page that shows it all, into DIR
 
-A file is written beside its target and renamed, so a stop at any moment leaves the old file or the complete new one.
+Files appear whole or not at all, and the files of --out all at once: a stop at any moment leaves the old result or the
+new one. Other files in DIR stay. Paths in what is written are relative to the folder of the plan.
 What the command does not execute is refused at its place before anything runs.
 
 Exit code: 0 every task was done (a short plan: its motion ended done), 1 otherwise, 2 the input is wrong.
@@ -161,8 +162,8 @@ usage: rubicon verify RESULT [--format text|json]
 RESULT is the folder that rubicon run --out wrote, or a trace of a run with all its steps. The result is replayed by a
 second, simpler and slower method, which shares nothing with the one that made it: whether the clock has gaps, whether
 each step is one that the robot's rules allow, whether anything meets anything at any moment, where loads are taken and put
-down, whether a robot or crew is in two places at once, shifts, links, and whether the schedules tell the same. What is
-checked, how and how exactly: docs/verify.md.
+down, whether a robot or crew is in two places at once, shifts, links, whether the schedules tell the same, and whether
+report.html was made of them. What is checked, how and how exactly: docs/verify.md.
 
   --format text    one line if all is well, else one line a fault, at most 50: file:line: task, time: what (the default)
   --format json    one object with all faults

@@ -1,8 +1,10 @@
 #include "src/cli/load_runnable_plan.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdio>
 
-#include "src/exchange/files/disk_io.hpp"
+#include "src/exchange/files/plan_files_io.hpp"
 #include "src/results/report/diagnostic_printer.hpp"
 #include "src/simulation/taskplan/run_mistakes.hpp"
 
@@ -10,15 +12,24 @@ namespace rubicon::cli {
 
 std::unique_ptr<interpreter::PlanModel> load_runnable_plan(const std::string& path,
                                                            interpreter::SourceMap& sources) {
-  files::DiskFiles disk;
+  files::PlanFiles disk(path);
   interpreter::Diagnostics diagnostics;
-  std::unique_ptr<interpreter::PlanModel> plan = load_plan(path, sources, disk, diagnostics);
+  std::unique_ptr<interpreter::PlanModel> plan;
+  const auto text = disk.read_text(disk.plan());
+  if (const auto* failure = std::get_if<interpreter::FileFailure>(&text)) {
+    diagnostics.error("F01", {}, fmt::format("'{}': {}", path, failure->message));
+  } else {
+    plan = load_plan(disk.plan(), sources, disk, diagnostics);
+  }
   if (plan) {
     for (auto& mistake : taskplan::run_mistakes(*plan)) diagnostics.add(std::move(mistake));
   }
-  const std::string messages =
-      report::print_text(diagnostics.sorted(), sources, files::wants_colour(stderr));
-  std::fwrite(messages.data(), 1, messages.size(), stderr);
+  const auto found = diagnostics.sorted();
+  if (!found.empty()) {
+    const std::string messages =
+        report::print_text(found, disk.typed(sources), files::wants_colour(stderr));
+    std::fwrite(messages.data(), 1, messages.size(), stderr);
+  }
   if (diagnostics.has_errors()) plan.reset();
   return plan;
 }

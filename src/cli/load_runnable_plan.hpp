@@ -8,7 +8,7 @@
 namespace rubicon::cli {
 
 /// Reads and checks a plan that is to be run and prints what is wrong with it; null if it cannot be
-/// run.
+/// run. Paths in the plan and in `sources` are relative to the folder of the plan.
 std::unique_ptr<interpreter::PlanModel> load_runnable_plan(const std::string& path,
                                                            interpreter::SourceMap& sources);
 

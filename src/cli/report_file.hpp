@@ -1,15 +1,24 @@
 #pragma once
 
-#include <optional>
 #include <string>
+#include <string_view>
 
+#include "src/exchange/encoding/sha256.hpp"
 #include "src/results/film/film_writer.hpp"
 
 namespace rubicon::cli {
 
-/// Writes the page that plays what `writer` has read to `path`; a message if that fails. `schedule`
-/// is the text of schedule.json, or "". Needs a build that has the page.
-std::optional<std::string> write_report(const std::string& path, film::FilmWriter& writer,
-                                        const std::string& schedule);
+/// Reads a trace for the page that plays it.
+class ReportWriter {
+ public:
+  /// Throws std::invalid_argument as film::FilmWriter::line.
+  void line(std::string_view text);
+  /// The page. `schedule` is the text of schedule.json, or "". Needs a build that has the page.
+  std::string page(const std::string& schedule);
+
+ private:
+  film::FilmWriter film_;
+  encoding::Sha256 trace_;
+};
 
 }  // namespace rubicon::cli

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "src/cli/input_file.hpp"
+#include "src/exchange/files/result_folder_io.hpp"
 
 namespace rubicon::cli {
 
@@ -15,8 +16,8 @@ class ResultFiles {
  public:
   explicit ResultFiles(std::string folder) : folder_(std::move(folder)) {}
 
-  std::string schedule_path() const { return folder_ + "/schedule.json"; }
-  std::string trace_path() const { return folder_ + "/trace.jsonl"; }
+  std::string schedule_path() const { return files::result_path(folder_, "schedule.json"); }
+  std::string trace_path() const { return files::result_path(folder_, "trace.jsonl"); }
 
   bool has_schedule() const { return is_there(schedule_path()); }
   bool has_trace() const { return is_there(trace_path()); }

@@ -9,6 +9,7 @@
 #include "src/cli/input_file.hpp"
 #include "src/cli/load_runnable_plan.hpp"
 #include "src/exchange/files/disk_io.hpp"
+#include "src/exchange/files/result_folder_io.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
 
 namespace rubicon::cli {
@@ -25,7 +26,7 @@ bool begins_with_brace(const std::string& path) {
 }  // namespace
 
 std::string trace_named(const std::string& source) {
-  if (files::is_folder(source)) return source + "/trace.jsonl";
+  if (files::is_folder(source)) return files::result_path(source, "trace.jsonl");
   return source.ends_with(".jsonl") || begins_with_brace(source) ? source : std::string();
 }
 

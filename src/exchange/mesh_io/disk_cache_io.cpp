@@ -32,7 +32,7 @@ constexpr std::chrono::hours kAbandoned{1};
 
 /// What stands before the payload: magic, key, digest of the payload.
 std::string head(const Digest& key, std::string_view payload) {
-  ContentHash hash;
+  encoding::Sha256 hash;
   hash.add(payload);
   const Digest check = hash.finish();
   std::string text(kMagic);
@@ -72,7 +72,7 @@ DiskCache::DiskCache(std::string folder, std::uint64_t most_bytes)
     : folder_(std::move(folder)), most_bytes_(most_bytes) {}
 
 std::string DiskCache::path_of(const Digest& key) const {
-  return folder_ + "/" + hex(key) + std::string(kSuffix);
+  return folder_ + "/" + encoding::hex(key) + std::string(kSuffix);
 }
 
 std::optional<std::string> DiskCache::find(const Digest& key) {

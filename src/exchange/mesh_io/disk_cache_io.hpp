@@ -6,9 +6,11 @@
 #include <string>
 #include <string_view>
 
-#include "src/exchange/mesh_io/content_hash.hpp"
+#include "src/exchange/encoding/sha256.hpp"
 
 namespace rubicon::mesh_io {
+
+using encoding::Digest;
 
 /// Where the user's cache of meshes belongs: $XDG_CACHE_HOME/rubicon/meshes, else
 /// ~/.cache/rubicon/meshes; empty when neither is known or RUBICON_CACHE is "off".

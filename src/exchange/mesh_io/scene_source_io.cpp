@@ -97,7 +97,7 @@ std::string reason_of(const HelperResult& child, const std::string& helper,
 }
 
 /// Digest of what an open file holds; nothing if it is shorter than `size`.
-bool add_file(ContentHash& hash, int fd, std::uint64_t size) {
+bool add_file(encoding::Sha256& hash, int fd, std::uint64_t size) {
   std::vector<char> piece(std::min<std::uint64_t>(size, std::uint64_t{1} << 18));
   for (std::uint64_t place = 0; place < size;) {
     const std::size_t wanted = std::min<std::uint64_t>(piece.size(), size - place);
@@ -186,12 +186,12 @@ std::variant<FileContent, SceneFailure> SceneSource::read(const FileQuery& query
   const FileStamp stamp = stamp_of(input);
   const std::optional<Digest> key = known_key(job, {input, file.size, stamp});
   if (key) {
-    if (auto kept = remembered(hex(*key), job.folder)) return std::move(*kept);
+    if (auto kept = remembered(encoding::hex(*key), job.folder)) return std::move(*kept);
   }
   std::variant<FileScene, SceneFailure> scene = ask(job, {input, file.size, stamp}, key);
   const bool is_same = key && stamp == stamp_of(input);
   if (auto* reason = std::get_if<SceneFailure>(&scene)) {
-    if (is_same && helper_works_) remember(hex(*key), job.folder, {*reason, {}, begun});
+    if (is_same && helper_works_) remember(encoding::hex(*key), job.folder, {*reason, {}, begun});
     return std::move(*reason);
   }
   FileContent content;
@@ -201,9 +201,9 @@ std::variant<FileContent, SceneFailure> SceneSource::read(const FileQuery& query
   Remembered what;
   what.begun = begun;
   for (const std::string& beside : content.scene->files_beside) what.beside[beside] = {};
-  if (what.beside.empty()) content.key = hex(*key);
+  if (what.beside.empty()) content.key = encoding::hex(*key);
   what.content = content;
-  remember(hex(*key), job.folder, std::move(what));
+  remember(encoding::hex(*key), job.folder, std::move(what));
   return content;
 }
 
@@ -316,9 +316,9 @@ std::optional<Digest> SceneSource::key_of(const HelperJob& job, int input, std::
   named.ignore_declared_up = job.ignore_declared_up;
   named.seconds = 1;  // the limits follow from the size
   named.bytes = 1;
-  ContentHash hash;
+  encoding::Sha256 hash;
   hash.add(kReaderVersion);
-  if (const std::optional<Digest>& helper = helper_digest()) hash.add(hex(*helper));
+  if (const std::optional<Digest>& helper = helper_digest()) hash.add(encoding::hex(*helper));
   hash.add(encode_job(named));
   ++hashed_;
   if (!add_file(hash, input, size)) return std::nullopt;
@@ -334,7 +334,7 @@ const std::optional<Digest>& SceneSource::helper_digest() {
     if (program.get() < 0 || ::fstat(program.get(), &status) != 0 || !S_ISREG(status.st_mode)) {
       return;
     }
-    ContentHash hash;
+    encoding::Sha256 hash;
     if (add_file(hash, program.get(), static_cast<std::uint64_t>(status.st_size))) {
       helper_digest_ = hash.finish();
     }

@@ -44,9 +44,18 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
+/// A line of the head that says what the page was made of; nothing where it is not known.
+std::string mark(std::string_view name, std::string_view digest) {
+  if (digest.empty()) return {};
+  std::string line = "\n<meta name=\"";
+  line.append(name).append("\" content=\"").append(digest).append("\">");
+  return line;
+}
+
 }  // namespace
 
-std::string report_page(std::string_view viewer_page, const film::Film& film) {
+std::string report_page(std::string_view viewer_page, const film::Film& film,
+                        const PageOrigin& origin) {
   const std::string empty_film = std::string(kFilmBegin) + std::string(kFilmEnd);
   const std::size_t title = only_place(viewer_page, kTitle);
   const std::size_t place = only_place(viewer_page, empty_film) + kFilmBegin.size();
@@ -58,6 +67,7 @@ std::string report_page(std::string_view viewer_page, const film::Film& film) {
   page.reserve(viewer_page.size() + packed.size() + film.plan.size());
   page += viewer_page.substr(0, title);
   page += "<title>" + escaped(film.plan) + " - RUBICON</title>";
+  page += mark("rubicon-trace", origin.trace) + mark("rubicon-schedule", origin.schedule);
   page += viewer_page.substr(after_title, place - after_title);
   page += packed;
   page += viewer_page.substr(place);

@@ -14,8 +14,16 @@ std::string_view viewer_page();
 inline constexpr std::string_view kNoViewerPage =
     "this rubicon was built without the page: that takes node (18 or later) and npm";
 
+/// What a page was made of, as SHA-256 in hexadecimal digits; "" where there was none.
+struct PageOrigin {
+  std::string trace;     ///< of the lines of the trace, each with a line feed
+  std::string schedule;  ///< of the bytes of schedule.json
+};
+
 /// The page with a film in it: packed and as base64, so that no text of a plan can become markup;
-/// the plan's name is in the title. Throws std::logic_error if the page has no place for them.
-std::string report_page(std::string_view viewer_page, const film::Film& film);
+/// the plan's name is in the title, and its head says what it was made of, for `rubicon verify`.
+/// Throws std::logic_error if the page has no place for them.
+std::string report_page(std::string_view viewer_page, const film::Film& film,
+                        const PageOrigin& origin);
 
 }  // namespace rubicon::page

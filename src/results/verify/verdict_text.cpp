@@ -17,6 +17,8 @@ const std::string& file_of(const Fault& fault, const ResultNames& names) {
       return names.schedule_json;
     case ResultFile::schedule_csv:
       return names.schedule_csv;
+    case ResultFile::report:
+      return names.report;
     default:
       return names.trace;
   }
@@ -29,7 +31,8 @@ std::string line_of(const Fault& fault, const ResultNames& names) {
   if (!fault.task.empty()) text += fmt::format("task {} ", fault.task);
   if (fault.time >= 0) text += fmt::format("at {}", clock_text(fault.time));
   if (text.back() == ' ') text.pop_back();
-  return text + fmt::format(": {}\n", fault.text);
+  if (text.back() != ':') text += ':';
+  return text + fmt::format(" {}\n", fault.text);
 }
 
 }  // namespace

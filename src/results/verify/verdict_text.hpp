@@ -11,6 +11,7 @@ struct ResultNames {
   std::string trace = "trace.jsonl";
   std::string schedule_json = "schedule.json";
   std::string schedule_csv = "schedule.csv";
+  std::string report = "report.html";
 };
 
 /// One line if all is well; else one line a fault, at most 50, then how many there are.

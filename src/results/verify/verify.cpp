@@ -8,6 +8,7 @@
 #include "src/results/verify/replay/contact_check.hpp"
 #include "src/results/verify/schedule/check_accounts.hpp"
 #include "src/results/verify/schedule/check_links.hpp"
+#include "src/results/verify/schedule/check_report.hpp"
 #include "src/results/verify/schedule/check_resources.hpp"
 #include "src/results/verify/schedule/check_schedule.hpp"
 #include "src/results/verify/schedule/check_shifts.hpp"
@@ -90,6 +91,9 @@ Verdict verify(const Result& result) {
   check_links(trace, runs, verdict.faults);
   check_motions(trace, runs, verdict);
   check_schedules(result, runs, hours, waits, verdict.faults);
+  if (result.report) {
+    check_report(*result.report, result.trace_digest, result.schedule_json, verdict.faults);
+  }
   std::stable_sort(verdict.faults.begin(), verdict.faults.end(),
                    [](const Fault& a, const Fault& b) {
                      return std::tie(a.file, a.line, a.text) < std::tie(b.file, b.line, b.text);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "src/exchange/encoding/sha256.hpp"
 #include "src/simulation/trace/json_builder.hpp"
 #include "src/simulation/trace/scene_json.hpp"
-#include "src/simulation/trace/sha256.hpp"
 
 namespace rubicon::trace {
 
@@ -30,7 +30,7 @@ void write_files(JsonBuilder& json, const interpreter::SourceMap& sources) {
   json.key("files").begin_array();
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const interpreter::SourceFile& file = sources.file(static_cast<interpreter::FileId>(i));
-    json.begin_object().field("path", file.path).field("sha256", sha256_hex(file.text));
+    json.begin_object().field("path", file.path).field("sha256", encoding::sha256_hex(file.text));
     json.field("text", file.text).end_object();
   }
   json.end_array();

@@ -40,8 +40,10 @@ std::string decoded(std::string_view text) {
 TEST(ReportPage, HoldsTheFilm) {
   std::string bytes = "RUBICONF";
   for (int i = 0; i < 1000; ++i) bytes += static_cast<char>(i * 7);
-  const std::string page = report_page(kPage, {"a plan", bytes});
+  const std::string page = report_page(kPage, {"a plan", bytes}, {"0a1b", ""});
   EXPECT_THAT(page, HasSubstr("<title>a plan - RUBICON</title>"));
+  EXPECT_THAT(page, HasSubstr("<meta name=\"rubicon-trace\" content=\"0a1b\">"));
+  EXPECT_THAT(page, Not(HasSubstr("rubicon-schedule")));
   const std::string begin = R"(<script type="text/plain" id="film">)";
   const std::size_t from = page.find(begin) + begin.size();
   const std::string packed = page.substr(from, page.find("</script>", from) - from);
@@ -51,7 +53,7 @@ TEST(ReportPage, HoldsTheFilm) {
 
 TEST(ReportPage, NoTextOfAPlanIsMarkup) {
   const std::string evil = "</script><!-- ]]> <script>alert(1)</script> <b>\"&'";
-  const std::string page = report_page(kPage, {"</title>" + evil, "RUBICONF" + evil});
+  const std::string page = report_page(kPage, {"</title>" + evil, "RUBICONF" + evil}, {});
   EXPECT_THAT(page, HasSubstr("<title>&lt;/title&gt;&lt;/script&gt;&lt;!-- ]]&gt; &lt;script&gt;"
                               "alert(1)&lt;/script&gt; &lt;b&gt;\"&amp;' - RUBICON</title>"));
   EXPECT_THAT(page, Not(HasSubstr("alert(1)</script>")));
@@ -65,13 +67,14 @@ TEST(ReportPage, NoTextOfAPlanIsMarkup) {
 }
 
 TEST(ReportPage, APageWithoutAPlaceIsAFault) {
-  EXPECT_THROW(report_page("<html></html>", {"p", ""}), std::logic_error);
-  EXPECT_THROW(report_page(std::string(kPage) + std::string(kPage), {"p", ""}), std::logic_error);
+  EXPECT_THROW(report_page("<html></html>", {"p", ""}, {}), std::logic_error);
+  EXPECT_THROW(report_page(std::string(kPage) + std::string(kPage), {"p", ""}, {}),
+               std::logic_error);
 }
 
 TEST(ReportPage, TheBuiltPageHasItsPlaces) {
   if (viewer_page().empty()) GTEST_SKIP() << "this build has no page";
-  EXPECT_THAT(report_page(viewer_page(), {"p", "RUBICONF"}),
+  EXPECT_THAT(report_page(viewer_page(), {"p", "RUBICONF"}, {}),
               HasSubstr("<title>p - RUBICON</title>"));
 }
 

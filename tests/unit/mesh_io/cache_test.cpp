@@ -31,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Digest key_of(int number) {
-  ContentHash hash;
+  encoding::Sha256 hash;
   hash.add(std::to_string(number));
   return hash.finish();
 }
@@ -188,7 +188,7 @@ TEST(DiskCache, TheOldestGoesWhenItIsFull) {
     for (int i = 0; i < 15; ++i) cache.put(key_of(i), payload);
     int age = 0;
     for (int i = 0; i < 15; ++i) {
-      const fs::path file = folder.path() / (hex(key_of(i)) + ".mesh");
+      const fs::path file = folder.path() / (encoding::hex(key_of(i)) + ".mesh");
       fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(100 - ++age));
     }
     EXPECT_EQ(cache.find(key_of(0)), payload);  // used: no longer the oldest

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "src/simulation/trace/formula_text.hpp"
-#include "src/simulation/trace/sha256.hpp"
 
 namespace rubicon::trace {
 namespace {
@@ -65,15 +64,6 @@ TEST(JsonBuilder, PutsCommasWhereTheyBelong) {
   json.begin_object().key("a").begin_array().value(1).value(2.5).null().end_array();
   json.field("b", "x").key("c").begin_object().end_object().field("d", true).end_object();
   EXPECT_EQ(json.text(), R"({"a":[1,2.5,null],"b":"x","c":{},"d":true})");
-}
-
-TEST(Sha256, KnownAnswers) {
-  EXPECT_EQ(sha256_hex(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  EXPECT_EQ(sha256_hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  EXPECT_EQ(sha256_hex("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
-            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
-  EXPECT_EQ(sha256_hex(std::string(1'000'000, 'a')),
-            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
 TEST(FormulaText, WritesTheLanguagesNotation) {

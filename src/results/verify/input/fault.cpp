@@ -22,6 +22,8 @@ const char* name_of(FaultKind kind) {
       return "link";
     case FaultKind::schedule:
       return "schedule";
+    case FaultKind::report:
+      return "report";
   }
   return "";
 }
@@ -34,6 +36,8 @@ const char* name_of(ResultFile file) {
       return "schedule.json";
     case ResultFile::schedule_csv:
       return "schedule.csv";
+    case ResultFile::report:
+      return "report.html";
   }
   return "";
 }

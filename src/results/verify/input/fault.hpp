@@ -22,8 +22,19 @@ class UnreadableInput : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-enum class FaultKind { order, clock, motion, contact, load, resource, shift, link, schedule };
-enum class ResultFile { trace, schedule_json, schedule_csv };
+enum class FaultKind {
+  order,
+  clock,
+  motion,
+  contact,
+  load,
+  resource,
+  shift,
+  link,
+  schedule,
+  report
+};
+enum class ResultFile { trace, schedule_json, schedule_csv, report };
 
 /// One thing that is wrong with a result, and where.
 struct Fault {
@@ -39,7 +50,7 @@ using Faults = std::vector<Fault>;
 
 /// The one word of a kind that machines read.
 const char* name_of(FaultKind kind);
-/// trace.jsonl, schedule.json, schedule.csv.
+/// trace.jsonl, schedule.json, schedule.csv, report.html.
 const char* name_of(ResultFile file);
 
 }  // namespace rubicon::verify

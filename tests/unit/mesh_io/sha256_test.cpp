@@ -1,12 +1,12 @@
-#include "src/exchange/mesh_io/content_hash.hpp"
+#include "src/exchange/encoding/sha256.hpp"
 
 #include <gtest/gtest.h>
 
-namespace rubicon::mesh_io {
+namespace rubicon::encoding {
 namespace {
 
 std::string digest_of(const std::string& text, std::size_t piece) {
-  ContentHash hash;
+  Sha256 hash;
   for (std::size_t i = 0; i < text.size(); i += piece) {
     hash.add(std::string_view(text).substr(i, piece));
   }
@@ -14,7 +14,7 @@ std::string digest_of(const std::string& text, std::size_t piece) {
 }
 
 // The examples of FIPS 180-4 (NIST, SHA256.pdf and the long message).
-TEST(ContentHash, IsSha256) {
+TEST(Sha256, IsSha256) {
   EXPECT_EQ(digest_of("", 1), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   EXPECT_EQ(digest_of("abc", 3),
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
@@ -25,4 +25,4 @@ TEST(ContentHash, IsSha256) {
 }
 
 }  // namespace
-}  // namespace rubicon::mesh_io
+}  // namespace rubicon::encoding

@@ -6,17 +6,18 @@
 #include <string>
 #include <string_view>
 
-namespace rubicon::mesh_io {
+namespace rubicon::encoding {
 
 using Digest = std::array<std::uint8_t, 32>;
 
 /// SHA-256 (FIPS 180-4) of bytes that come piece by piece: equal digests stand for equal content,
 /// also where somebody tries to make them differ.
-class ContentHash {
+class Sha256 {
  public:
-  ContentHash();
-  ContentHash(ContentHash&&) noexcept;
-  ~ContentHash();
+  Sha256();
+  Sha256(Sha256&&) noexcept;
+  Sha256& operator=(Sha256&&) noexcept;
+  ~Sha256();
 
   void add(std::string_view bytes);
   /// The digest of all that was added. Call it once.
@@ -29,5 +30,7 @@ class ContentHash {
 
 /// 64 lower case hexadecimal digits.
 std::string hex(const Digest& digest);
+/// Those of the digest of these bytes.
+std::string sha256_hex(std::string_view bytes);
 
-}  // namespace rubicon::mesh_io
+}  // namespace rubicon::encoding

@@ -1,0 +1,209 @@
+#include "src/exchange/files/result_folder_io.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "src/exchange/files/folder_steps_io.hpp"
+
+namespace rubicon::files {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string reason(int error) { return std::strerror(error); }
+
+/// How often another name is tried where somebody takes the folder for one that was left over.
+constexpr int kMostNames = 100;
+
+/// Makes the folders on the way to `path`; those that were not there, deepest first.
+std::error_code make_parents(const fs::path& path, std::vector<std::string>& made) {
+  std::error_code error;
+  std::vector<fs::path> missing;
+  for (fs::path at = path; !at.empty() && !fs::exists(at, error); at = at.parent_path()) {
+    missing.push_back(at);
+  }
+  for (auto at = missing.rbegin(); at != missing.rend(); ++at) {
+    if (fs::create_directory(*at, error)) made.insert(made.begin(), at->string());
+    if (error) return error;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string result_path(const std::string& folder, std::string_view name) {
+  const std::string staged = fmt::format("{}/{}/{}", folder, kStagedName, name);
+  std::error_code error;
+  return fs::exists(staged, error) ? staged : fmt::format("{}/{}", folder, name);
+}
+
+std::variant<ResultFolder, std::string> ResultFolder::open(const std::string& path) {
+  const auto fail = [&](const std::string& why) {
+    return fmt::format("cannot make the folder '{}': {}", path, why);
+  };
+  // Until the temporary folder is known to Temporaries.
+  const SignalHold hold;
+  ResultFolder result;
+  result.shown_ = path;
+  while (result.shown_.size() > 1 && result.shown_.ends_with('/')) result.shown_.pop_back();
+  std::error_code error;
+  const fs::path wanted = fs::absolute(result.shown_, error);
+  const bool is_there = fs::exists(wanted, error);
+  if (!is_there && fs::is_symlink(wanted, error)) return fail("it is a link that leads nowhere");
+  if (is_there && !fs::is_directory(wanted, error)) return fail(reason(ENOTDIR));
+  fs::path real = fs::weakly_canonical(wanted, error);
+  if (error) return fail(error.message());
+  if (!real.has_filename() && real.has_relative_path()) real = real.parent_path();
+  result.target_ = real.string();
+  if (!is_there) {
+    if (const auto failure = make_parents(real.parent_path(), result.made_)) {
+      return fail(failure.message());
+    }
+  }
+  if (is_there) {
+    if (::faccessat(AT_FDCWD, real.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
+      return fmt::format("cannot write '{}': {}", path, reason(errno));
+    }
+    for (const std::string_view name : kResultNames) {
+      if (fs::is_directory(real / name, error)) {
+        return fmt::format("cannot write '{}/{}': it is a folder", result.shown_, name);
+      }
+    }
+  }
+  clear_left_over(result.target_);
+  result.beside_ = !is_there || may_be_exchanged(result.target_);
+  const std::string pattern =
+      result.beside_
+          ? fmt::format("{}/.{}.rubicon-XXXXXX", folder_of(result.target_), name_of(result.target_))
+          : fmt::format("{}/{}XXXXXX", result.target_, kInsideStem);
+  if (const int failure = result.make_temporary(pattern)) return fail(reason(failure));
+  return result;
+}
+
+ResultFolder::ResultFolder(ResultFolder&& other) noexcept
+    : shown_(std::move(other.shown_)),
+      target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      made_(std::exchange(other.made_, {})),
+      lock_(std::exchange(other.lock_, -1)),
+      beside_(other.beside_),
+      guard_(std::move(other.guard_)) {}
+
+ResultFolder::~ResultFolder() {
+  if (!temporary_.empty()) discard(temporary_, target_);
+  guard_.release();
+  for (const std::string& folder : made_) ::rmdir(folder.c_str());
+  if (lock_ >= 0) ::close(lock_);
+}
+
+/// An error number, 0 for none.
+int ResultFolder::make_temporary(const std::string& pattern) {
+  for (int attempt = 0; attempt < kMostNames; ++attempt) {
+    std::string name = pattern;
+    if (::mkdtemp(name.data()) == nullptr) return errno;
+    const int descriptor = ::open(name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0) continue;  // taken for one that was left over, and removed
+    struct stat opened {};
+    struct stat named {};
+    const bool locked = ::flock(descriptor, LOCK_EX) == 0 || errno != EINTR;
+    if (locked && ::fstat(descriptor, &opened) == 0 && ::stat(name.c_str(), &named) == 0 &&
+        opened.st_ino == named.st_ino) {
+      lock_ = descriptor;
+      temporary_ = name;
+      protect();
+      return 0;
+    }
+    ::close(descriptor);
+  }
+  return EBUSY;
+}
+
+/// From now on a signal removes the temporary folder.
+void ResultFolder::protect() {
+  std::vector<std::string> files;
+  for (const std::string_view name : kResultNames) {
+    files.push_back(fmt::format("{}/{}", temporary_, name));
+  }
+  std::vector<std::string> folders = {temporary_};
+  folders.insert(folders.end(), made_.begin(), made_.end());
+  guard_ = Temporaries(std::move(files), std::move(folders));
+}
+
+std::variant<AtomicFile, std::string> ResultFolder::create(std::string_view name) const {
+  return AtomicFile::create(fmt::format("{}/{}", temporary_, name),
+                            fmt::format("{}/{}", shown_, name));
+}
+
+std::optional<std::string> ResultFolder::write(std::string_view name,
+                                               std::string_view bytes) const {
+  auto created = create(name);
+  if (auto* message = std::get_if<std::string>(&created)) return *message;
+  auto& file = std::get<AtomicFile>(created);
+  file.write(bytes);
+  return file.commit();
+}
+
+/// The old folder for the new one in one step; an error number where that cannot be.
+int ResultFolder::exchange() {
+  int error = take_over(target_, temporary_);
+  if (error == 0) {
+    sync_folder(temporary_);
+    if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) !=
+        0) {
+      error = errno;
+    }
+  }
+  if (error != 0) {
+    drop_links(temporary_);
+    return error;
+  }
+  sync_folder(folder_of(target_));
+  discard(temporary_, target_);
+  return 0;
+}
+
+int ResultFolder::replace() {
+  // mkdtemp makes it private; a result is an ordinary folder.
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  if (::fchmod(lock_, 0777 & ~mask) != 0) return errno;
+  sync_folder(temporary_);
+  struct stat status {};
+  if (beside_ && ::lstat(target_.c_str(), &status) != 0 && errno == ENOENT) {
+    // Should another program make it at this moment, it is replaced only if nothing is in it.
+    if (::rename(temporary_.c_str(), target_.c_str()) == 0) {
+      sync_folder(folder_of(target_));
+      return 0;
+    }
+    if (errno != EEXIST && errno != ENOTEMPTY) return errno;
+  }
+  const FolderLock lock(target_);
+  if (beside_ && may_be_exchanged(target_) && exchange() == 0) return 0;
+  return move_in(temporary_, target_);
+}
+
+std::optional<std::string> ResultFolder::commit() {
+  const SignalHold hold;
+  if (const int error = replace()) {
+    return fmt::format("cannot write '{}': {}", shown_, reason(error));
+  }
+  guard_.release();
+  temporary_.clear();
+  made_.clear();
+  ::close(std::exchange(lock_, -1));
+  return std::nullopt;
+}
+
+}  // namespace rubicon::files

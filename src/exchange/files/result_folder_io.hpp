@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "src/exchange/files/atomic_file_io.hpp"
+#include "src/exchange/files/temporaries_io.hpp"
+
+namespace rubicon::files {
+
+/// What a result folder may hold of ours. A new result takes the place of all of them; everything
+/// else in the folder is somebody's, and stays.
+inline constexpr std::array<std::string_view, 5> kResultNames = {
+    "trace.jsonl", "trace.jsonl.gz", "schedule.json", "schedule.csv", "report.html"};
+
+/// Where a file of a result stands: in the folder; or, if a program was ended while it put a new
+/// result there file by file, still in that result.
+std::string result_path(const std::string& folder, std::string_view name);
+
+/// A result on its way to its folder. It is written to a temporary folder and, when it is whole,
+/// takes the place of the old one by a single rename, so that whoever looks finds one or the other
+/// (docs/commands/run.md tells when this cannot be, and what is done then). While it is alive its
+/// temporary folder is locked; one that is not locked was left over, and is removed by the next.
+class ResultFolder {
+ public:
+  /// Makes the temporary folder, and folders on the way to `path`; a message if that fails.
+  static std::variant<ResultFolder, std::string> open(const std::string& path);
+  ResultFolder(ResultFolder&& other) noexcept;
+  ResultFolder& operator=(ResultFolder&&) = delete;
+  /// What was not committed goes.
+  ~ResultFolder();
+
+  /// A new file of the result, one of kResultNames.
+  std::variant<AtomicFile, std::string> create(std::string_view name) const;
+  std::optional<std::string> write(std::string_view name, std::string_view bytes) const;
+  /// Puts the result in its place; a message if it is not there then. Its files are committed
+  /// before.
+  std::optional<std::string> commit();
+
+ private:
+  ResultFolder() = default;
+  int make_temporary(const std::string& pattern);
+  std::vector<std::string> own_files() const;
+  void protect();
+  int replace();
+  int exchange();
+
+  std::string shown_;              ///< as the user named it
+  std::string target_;             ///< without links
+  std::string temporary_;          ///< "" once it has its place
+  std::vector<std::string> made_;  ///< folders on the way that were not there, deepest first
+  int lock_ = -1;
+  bool beside_ = true;  ///< the temporary folder stands beside the target, else in it
+  Temporaries guard_;
+};
+
+}  // namespace rubicon::files
