@@ -122,7 +122,7 @@ TEST(MatchFile, AfterAMistakeTheRestIsRead) {
   EXPECT_EQ(read.match.rules[0].terms.by, "crane");
 }
 
-TEST(MatchFile, AnyTextComesToAnEnd) {
+TEST(MatchFile, SmokeOfAnyText) {
   std::mt19937 random(11);
   const std::string whole = kWhole;
   for (int round = 0; round < 3000; ++round) {

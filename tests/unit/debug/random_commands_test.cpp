@@ -126,7 +126,7 @@ TEST(RandomCommands, DoNoHarm) {
   EXPECT_GT(places.size(), static_cast<std::size_t>(cases(1000)));
 }
 
-TEST(RandomCommands, OfRandomBytesDoNoHarm) {
+TEST(RandomCommands, SmokeOfRandomBytes) {
   debug::Session session = session_of(trace_of("examples/03_round_the_block/site.plan"));
   std::mt19937 random(6);
   for (int i = 0; i < cases(10'000) && !session.ended(); ++i) {

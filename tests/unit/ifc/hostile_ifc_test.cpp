@@ -47,7 +47,7 @@ std::vector<std::string> samples() {
   return texts;
 }
 
-TEST(HostileIfc, DamagedBytesDoNoHarm) {
+TEST(HostileIfc, SmokeOfDamagedBytes) {
   std::mt19937 random(7);
   for (const std::string& whole : samples()) {
     for (int round = 0; round < 2000; ++round) {
@@ -75,7 +75,7 @@ TEST(HostileIfc, DamagedBytesDoNoHarm) {
   }
 }
 
-TEST(HostileIfc, ReferencesLedAstrayDoNoHarm) {
+TEST(HostileIfc, SmokeOfReferencesLedAstray) {
   std::mt19937 random(8);
   for (const std::string& whole : samples()) {
     for (int round = 0; round < 2000; ++round) {
