@@ -34,7 +34,9 @@ int import_schedule(const ImportOptions& options) {
   building_io::BuildingPlan plan;
   if (project) {
     const std::string name = std::filesystem::path(path).filename().string();
-    plan.plan = project_io::plan_text(*project, project_io::clean_text(name), diagnostics);
+    plan.plan = project_io::plan_text(
+        *project, project_io::clean_text(name), diagnostics, {},
+        options.level ? project_io::Levelling::resources : project_io::Levelling::none);
   }
   const std::string messages =
       report::print_text(diagnostics.sorted(), sources, files::wants_colour(stderr));
@@ -43,6 +45,7 @@ int import_schedule(const ImportOptions& options) {
   if (refused({options.out.empty() ? "schedule.plan" : options.out, &plan}, disk)) {
     return kWrongInput;
   }
+  if (options.level) tell_levelling(*project);
   if (options.out.empty()) {
     std::fwrite(plan.plan.data(), 1, plan.plan.size(), stdout);
   } else if (const auto failure = files::write_file(options.out, plan.plan)) {
@@ -56,7 +59,12 @@ int import_schedule(const ImportOptions& options) {
 int run_import(const ImportOptions& options) {
   std::size_t models = 0;
   for (const std::string& file : options.files) models += mesh_io::format_of(file) ? 1U : 0U;
-  if (models == options.files.size()) return import_building(options);
+  if (models == options.files.size()) {
+    if (options.level && options.schedule.empty()) {
+      return fail("--level goes with a schedule: it lets tasks wait for their resources");
+    }
+    return import_building(options);
+  }
   if (models > 0)
     return fail("models and schedules cannot be mixed; a schedule goes with models by --schedule");
   if (options.files.size() > 1) return fail("one schedule at a time");

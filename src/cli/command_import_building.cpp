@@ -91,6 +91,10 @@ class BuildingImport {
     tasks.project = &*project;
     tasks.schedule = building_io::clean(fs::path(options_.schedule).filename().string());
     tasks.match = &match;
+    if (options_.level) {
+      tasks.levelling = project_io::Levelling::resources;
+      tell_levelling(*project);
+    }
     return building_io::building_under_work(elements, tasks, names, diagnostics_);
   }
 

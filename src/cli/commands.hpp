@@ -81,6 +81,7 @@ struct ImportOptions {
   std::string unit;
   std::string up;
   std::string out;
+  bool level = false;  ///< tasks of the schedule wait for their resources
 };
 int run_import(const ImportOptions& options);
 /// Of models: run_import's other half.

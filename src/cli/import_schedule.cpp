@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <utility>
 #include <variant>
 
+#include "src/cli/levelling_delay.hpp"
 #include "src/exchange/project_io/decode_text.hpp"
 #include "src/exchange/project_io/read_project.hpp"
 
@@ -26,6 +28,12 @@ std::optional<project_io::Project> read_schedule(const std::string& path,
                         "check names with accents");
   }
   return project_io::read_project(sources, file, diagnostics);
+}
+
+void tell_levelling(const project_io::Project& project) {
+  if (const auto delay = levelling_delay(project)) {
+    fmt::print(stderr, "rubicon: note: {}\n", delay_text(*delay));
+  }
 }
 
 }  // namespace rubicon::cli

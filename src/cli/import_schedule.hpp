@@ -16,4 +16,7 @@ std::optional<project_io::Project> read_schedule(const std::string& path,
                                                  interpreter::SourceMap& sources,
                                                  interpreter::Diagnostics& diagnostics);
 
+/// Says on stderr how many tasks wait for resources, and how long at most.
+void tell_levelling(const project_io::Project& project);
+
 }  // namespace rubicon::cli

@@ -1,10 +1,12 @@
 """rubicon import and rubicon export: schedules to plans and back, as users call them."""
 
+import csv
 import os
 import subprocess
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
+from random import Random
 
 RUBICON = os.environ["RUBICON"]
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -108,6 +110,108 @@ class Import(unittest.TestCase):
         plan = self.path("a.plan")
         rubicon("import", schedule, "--out", plan)
         self.assertEqual(rubicon("export", plan, "--mspdi", "/dev/full").returncode, 2)
+
+
+DAY = 86400
+
+
+def schedule_xml(tasks, assignments=(), resources=()):
+    """tasks: (hours, [(predecessor, type, lag in hours)]); assignments: (task, resource); numbers from 1."""
+    text = ('<?xml version="1.0" encoding="UTF-8"?><Project xmlns="http://schemas.microsoft.com/project">'
+            "<Name>site</Name><StartDate>2026-03-02T08:00:00</StartDate><CalendarUID>1</CalendarUID><Calendars><Calendar>"
+            "<UID>1</UID><Name>Site</Name><IsBaseCalendar>1</IsBaseCalendar><BaseCalendarUID>-1</BaseCalendarUID><WeekDays>")
+    for day in range(1, 8):
+        times = ("<WorkingTimes><WorkingTime><FromTime>08:00:00</FromTime><ToTime>16:00:00</ToTime></WorkingTime>"
+                 "</WorkingTimes>" if 1 < day < 7 else "")
+        text += f"<WeekDay><DayType>{day}</DayType><DayWorking>{1 if times else 0}</DayWorking>{times}</WeekDay>"
+    text += "</WeekDays></Calendar></Calendars><Tasks>"
+    for uid, (hours, links) in enumerate(tasks, 1):
+        text += (f"<Task><UID>{uid}</UID><ID>{uid}</ID><Name>t{uid}</Name><OutlineLevel>1</OutlineLevel>"
+                 f"<Duration>PT{hours}H0M0S</Duration><DurationFormat>5</DurationFormat>")
+        for predecessor, kind, lag in links:
+            text += (f"<PredecessorLink><PredecessorUID>{predecessor}</PredecessorUID><Type>{kind}</Type>"
+                     f"<LinkLag>{lag * 600}</LinkLag><LagFormat>6</LagFormat></PredecessorLink>")
+        text += "</Task>"
+    text += "</Tasks><Resources>" + "".join(
+        f"<Resource><UID>{uid}</UID><ID>{uid}</ID><Name>{name}</Name><Type>1</Type></Resource>"
+        for uid, name in enumerate(resources, 1)) + "</Resources><Assignments>"
+    for uid, (task, resource) in enumerate(assignments, 1):
+        text += (f"<Assignment><UID>{uid}</UID><TaskUID>{task}</TaskUID><ResourceUID>{resource}</ResourceUID>"
+                 "<Units>1</Units></Assignment>")
+    return (text + "</Assignments></Project>").encode()
+
+
+class Levelling(unittest.TestCase):
+    """By default links and calendars alone decide, as in the schedule's own program."""
+
+    setUp, path, write, round_trip = Import.setUp, Import.path, Import.write, Import.round_trip
+
+    def starts(self, xml, *options):
+        """When each task of the schedule starts, s; and what the import said."""
+        schedule, plan = self.write("s.xml", xml), self.path("s.plan")
+        done = rubicon("import", schedule, "--out", plan, *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        run = rubicon("run", plan, "--format", "csv")
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        rows = csv.DictReader(run.stdout.splitlines())
+        return {row["task"]: float(row["start"]) for row in rows if row["task"].startswith("t")}, done.stderr
+
+    # Three tasks of one crew that may all begin at once, and one behind the first of them.
+    TASKS = [(8, []), (8, []), (8, []), (8, [(1, 1, 0)])]
+    WORK = [(1, 1), (2, 1), (3, 1), (4, 1)]
+
+    def test_tasks_do_not_wait_for_a_resource(self):
+        starts, said = self.starts(schedule_xml(self.TASKS, self.WORK, ["Masons"]))
+        self.assertEqual(starts, {"t1": 0, "t2": 0, "t3": 0, "t4": DAY})
+        self.assertEqual(said, "")
+        with open(self.path("s.plan"), encoding="utf-8") as file:
+            plan = file.read()
+        # The fourth never meets the first: they share a crew.
+        self.assertIn("// 3 crews: the links let so many of its tasks meet, and none waits\n  crew masons {", plan)
+        self.assertEqual([line for line in plan.splitlines() if "    by " in line],
+                         ["    by masons;", "    by masons_2;", "    by masons_3;", "    by masons;"])
+
+    def test_with_level_they_do_and_it_is_said(self):
+        starts, said = self.starts(schedule_xml(self.TASKS, self.WORK, ["Masons"]), "--level")
+        self.assertEqual(starts, {"t1": 0, "t2": DAY, "t3": 2 * DAY, "t4": 3 * DAY})
+        self.assertIn("levelled: 3 of 4 tasks start later than their links and calendars let them, ", said)
+        self.assertIn("2 d 0 h 0 min", said)
+        free, said = self.starts(schedule_xml(self.TASKS, self.WORK[:1], ["Masons"]), "--level")
+        self.assertIn("levelled: none of 4 tasks waits", said)
+        self.assertEqual(free["t4"], DAY)
+
+    def test_the_resource_comes_back_as_one(self):
+        xml = schedule_xml(self.TASKS, self.WORK, ["Masons", "Masons 2"])
+        _, plan = self.round_trip(self.write("s.xml", xml))
+        self.assertIn("crew_of masons_3", plan)
+        root = ElementTree.parse(self.path("b.xml")).getroot()
+        space = "{http://schemas.microsoft.com/project}"
+        self.assertEqual([each.findtext(space + "Name") for each in root.find(space + "Resources")], ["Masons", "Masons 2"])
+        self.assertEqual([(each.findtext(space + "TaskUID"), each.findtext(space + "ResourceUID"))
+                          for each in root.find(space + "Assignments")], [(str(task), str(who)) for task, who in self.WORK])
+
+    def test_dates_are_those_without_resources_whatever_the_links(self):
+        random = Random(11)
+        shared = 0
+        for _ in range(12):
+            tasks = []
+            for i in range(1, 31):
+                links = {random.randrange(1, i) for _ in range(random.randrange(3))} if i > 1 else set()
+                tasks.append((random.choice((0, 4, 8, 20)), [
+                    (link, random.choice((0, 1, 1, 1, 3)), random.choice((0, 0, 0, 8))) for link in sorted(links)]))
+            work = [(task, resource) for task in range(1, 31) for resource in (1, 2) if random.random() < 0.6]
+            free, _ = self.starts(schedule_xml(tasks))
+            loaded, _ = self.starts(schedule_xml(tasks, work, ["Crane", "Masons"]))
+            self.assertEqual(free, loaded)
+            with open(self.path("s.plan"), encoding="utf-8") as file:
+                shared += len(work) - file.read().count("  crew ")
+        self.assertGreater(shared, 0)  # crews are shared where links keep tasks apart
+
+    def test_it_goes_with_schedules_only(self):
+        model = self.write("a.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        done = rubicon("import", model, "--unit", "m", "--level")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--level goes with a schedule", done.stderr)
 
 
 if __name__ == "__main__":

@@ -86,8 +86,8 @@ class WorkWriter {
     list_elements(matching_.left_out, "left out", "a rule leaves out");
     write_standing();
     write_moved();
-    parts_.result.plan =
-        project_io::plan_text(*tasks_.project, tasks_.schedule, diagnostics_, insert_);
+    parts_.result.plan = project_io::plan_text(*tasks_.project, tasks_.schedule, diagnostics_,
+                                               insert_, tasks_.levelling);
     parts_.result.elements = elements_table(rows_, origin_);
     return std::move(parts_.result);
   }

@@ -8,6 +8,7 @@
 #include "interpreter/syntax/diagnostic.hpp"
 #include "src/exchange/building_io/match_file.hpp"
 #include "src/exchange/building_io/read_elements.hpp"
+#include "src/exchange/project_io/plan_crews.hpp"
 #include "src/exchange/project_io/project.hpp"
 
 namespace rubicon::building_io {
@@ -29,6 +30,7 @@ struct BuildingTasks {
   const project_io::Project* project = nullptr;
   std::string schedule;  ///< name of its file
   const MatchFile* match = nullptr;
+  project_io::Levelling levelling = project_io::Levelling::none;
 };
 
 /// How the plan is called, and its files.

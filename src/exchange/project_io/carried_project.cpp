@@ -76,6 +76,9 @@ class BlockReader {
       result_.milestones.insert(record.name);
     } else if (keyword == "own_crew") {
       result_.own_crews.insert(record.name);
+    } else if (keyword == "crew_of") {
+      CarriedReader reader(record);
+      reader("resource", "", result_.crews_of[record.name]);
     } else if (keyword == "task" || keyword == "row") {
       CarriedTask& carried = result_.tasks[record.name];
       carried.task = read_fields<Task>(

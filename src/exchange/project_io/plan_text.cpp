@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <unordered_map>
 
 #include "interpreter/parse/parse.hpp"
@@ -13,6 +12,7 @@
 #include "src/exchange/project_io/carried.hpp"
 #include "src/exchange/project_io/identifiers.hpp"
 #include "src/exchange/project_io/listing.hpp"
+#include "src/exchange/project_io/plan_crews.hpp"
 #include "src/exchange/project_io/plan_network.hpp"
 #include "src/exchange/project_io/plan_terms.hpp"
 
@@ -86,10 +86,11 @@ CarriedWriter fields_of(const Record& record) {
 class PlanWriter {
  public:
   PlanWriter(const Project& project, const std::string& file, const PlanInsert& insert,
-             interpreter::Diagnostics& diagnostics)
+             Levelling levelling, interpreter::Diagnostics& diagnostics)
       : project_(project),
         file_(file),
         insert_(insert),
+        levelling_(levelling),
         diagnostics_(diagnostics),
         start_(plan_start(project)) {}
 
@@ -107,6 +108,7 @@ class PlanWriter {
       out_ += fmt::format("currency {};\n", quoted(project_.currency_symbol));
     }
     write_calendars();
+    crews_ = plan_crews(project_, network_, levelling_, crew_names_);
     write_crews();
     out_ += insert_.items;
     write_tasks();
@@ -194,10 +196,7 @@ class PlanWriter {
     if (!project_.resources.empty()) out_ += '\n';
     for (std::size_t i = 0; i < project_.resources.size(); ++i) {
       const Resource& resource = project_.resources[i];
-      const std::string name =
-          crew_names_.make(resource.name, fmt::format("crew_{}", resource.uid));
-      resource_index_.emplace(resource.uid, i);
-      crew_name_.push_back(name);
+      const std::vector<std::string>& names = crews_.names[i];
       if (resource.type != ResourceType::work) {
         listing_.add("I08", "material", {},
                      fmt::format("resource '{}' is a material or a cost: it is carried along, the "
@@ -205,17 +204,22 @@ class PlanWriter {
                                  resource.name));
         continue;
       }
-      out_ += fmt::format("{}crew {} {{\n", remark_line(name, resource.name), name);
+      out_ += remark_line(names.front(), resource.name);
+      if (names.size() > 1) {
+        out_ += fmt::format(
+            "// {} crews: the links let so many of its tasks meet, and none waits\n", names.size());
+      }
       const double size = crew_size(resource);
-      if (size != 1) {
-        out_ += fmt::format("size {};\n", size);
+      std::string terms;
+      if (size != 1) terms += fmt::format("size {};\n", size);
+      if (size != 1 && levelling_ == Levelling::resources) {
         listing_.add("I08", "units", {},
                      fmt::format("there are {} of '{}': in the plan it is one crew of that size, "
                                  "which does one task at a time",
                                  size, resource.name));
       }
       if (const auto cost = cost_per_hour(project_, resource)) {
-        out_ += fmt::format("cost {} per h;\n", *cost);
+        terms += fmt::format("cost {} per h;\n", *cost);
       } else if (resource.standard_rate != 0) {
         listing_.add("I08", "rate", {},
                      fmt::format("the rate of '{}' is not a cost by time: it is carried along",
@@ -223,22 +227,13 @@ class PlanWriter {
       }
       const std::int64_t calendar = crew_calendar(project_, resource);
       if (planned_calendars_.contains(calendar)) {
-        out_ += fmt::format("calendar {};\n", calendar_name_.at(calendar));
+        terms += fmt::format("calendar {};\n", calendar_name_.at(calendar));
       }
-      out_ += "}\n";
+      for (const std::string& name : names) out_ += fmt::format("crew {} {{\n{}}}\n", name, terms);
     }
   }
 
   void write_tasks() {
-    std::vector<std::vector<std::size_t>> crews(project_.tasks.size());
-    std::set<std::pair<std::size_t, std::size_t>> known;
-    for (const Assignment& each : project_.assignments) {
-      if (each.resource == kNone) continue;
-      const std::size_t resource = resource_index_.at(each.resource);
-      if (project_.resources[resource].type != ResourceType::work) continue;
-      const std::size_t task = task_index_.at(each.task);
-      if (known.emplace(task, resource).second) crews[task].push_back(resource);
-    }
     std::size_t milestone = 0;
     const auto write_milestones = [&](std::size_t until) {
       for (;
@@ -254,7 +249,7 @@ class PlanWriter {
       const PlanTask& planned = network_.tasks[i];
       if (!planned.planned) write_heading(project_.tasks[i], planned.in_parts);
       write_milestones(i);
-      if (network_.tasks[i].planned) write_task(i, crews[i]);
+      if (network_.tasks[i].planned) write_task(i);
     }
     write_milestones(SIZE_MAX);
   }
@@ -282,12 +277,11 @@ class PlanWriter {
                         task.active ? "" : " (not active)");
   }
 
-  void write_task(std::size_t i, const std::vector<std::size_t>& crews) {
+  void write_task(std::size_t i) {
     const Task& task = project_.tasks[i];
     const PlanTask& planned = network_.tasks[i];
-    std::vector<std::string> by;
-    for (const std::size_t crew : crews) by.push_back(crew_name_[crew]);
-    if (const auto calendar = own_calendar(task, !crews.empty())) {
+    std::vector<std::string> by = crews_.of_task[i];
+    if (const auto calendar = own_calendar(task, !by.empty())) {
       const std::string name = crew_names_.make("crew_" + planned.name, "crew_" + planned.name);
       out_ += fmt::format("crew {} {{ calendar {}; }}\n", name, *calendar);
       own_crews_.push_back(name);
@@ -337,8 +331,12 @@ class PlanWriter {
     for (const Calendar& calendar : project_.calendars) carry_calendar(calendar);
     const CarriedWriter usual_resource = fields_of(Resource());
     for (std::size_t i = 0; i < project_.resources.size(); ++i) {
-      out_ += fmt::format("resource {}{};\n", crew_name_[i],
+      const std::vector<std::string>& names = crews_.names[i];
+      out_ += fmt::format("resource {}{};\n", names.front(),
                           fields_of(project_.resources[i]).changed(usual_resource));
+      for (std::size_t k = 1; k < names.size(); ++k) {
+        out_ += fmt::format("crew_of {} resource {};\n", names[k], quoted(names.front()));
+      }
     }
     for (const PlanMilestone& each : network_.milestones) {
       out_ += fmt::format("milestone {};\n", each.name);
@@ -409,6 +407,7 @@ class PlanWriter {
   const Project& project_;
   const std::string& file_;
   const PlanInsert& insert_;
+  const Levelling levelling_;
   interpreter::Diagnostics& diagnostics_;
   const Moment start_;
   Listing listing_;
@@ -417,16 +416,17 @@ class PlanWriter {
   Identifiers calendar_names_, crew_names_;
   std::unordered_map<std::int64_t, std::string> calendar_name_;
   std::unordered_map<std::int64_t, bool> planned_calendars_;
-  std::unordered_map<std::int64_t, std::size_t> task_index_, resource_index_;
-  std::vector<std::string> crew_name_;
+  std::unordered_map<std::int64_t, std::size_t> task_index_;
+  PlanCrews crews_;
   std::vector<std::string> own_crews_;
 };
 
 }  // namespace
 
 std::string plan_text(const Project& project, const std::string& file,
-                      interpreter::Diagnostics& diagnostics, const PlanInsert& insert) {
-  return PlanWriter(project, file, insert, diagnostics).write();
+                      interpreter::Diagnostics& diagnostics, const PlanInsert& insert,
+                      Levelling levelling) {
+  return PlanWriter(project, file, insert, levelling, diagnostics).write();
 }
 
 }  // namespace rubicon::project_io

@@ -8,6 +8,7 @@
 
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/syntax/diagnostic.hpp"
+#include "src/exchange/project_io/plan_crews.hpp"
 #include "src/exchange/project_io/project.hpp"
 
 namespace rubicon::project_io {
@@ -34,11 +35,13 @@ struct PlanInsert {
 
 /// The project as a plan that a person can read and `rubicon check` takes, in canonical form.
 /// Headings are comments, tasks have their name there as attribute, take their duration and wait
-/// for what they are linked to, resources are crews, and a task without one gets a crew of its own
-/// where a calendar holds. What a plan has no word for is carried along in an import block, so that
-/// `project_of` gives an equal project; where the plan then goes by less than the schedule says, a
-/// warning tells (I08). `file` is the name of the schedule's file.
+/// for what they are linked to, resources are crews (several, where it is not levelled and their
+/// tasks may meet), and a task without one gets a crew of its own where a calendar holds. What a
+/// plan has no word for is carried along in an import block, so that `project_of` gives an equal
+/// project; where the plan then goes by less than the schedule says, a warning tells (I08). `file`
+/// is the name of the schedule's file.
 std::string plan_text(const Project& project, const std::string& file,
-                      interpreter::Diagnostics& diagnostics, const PlanInsert& insert = {});
+                      interpreter::Diagnostics& diagnostics, const PlanInsert& insert = {},
+                      Levelling levelling = Levelling::none);
 
 }  // namespace rubicon::project_io

@@ -132,6 +132,11 @@ class ProjectBuilder {
     std::map<std::string, std::size_t> crews, robots;
     for (std::size_t i = 0; i < plan_.crews.size(); ++i) crews.emplace(plan_.crews[i].name, i);
     for (std::size_t i = 0; i < plan_.robots.size(); ++i) robots.emplace(plan_.robots[i].name, i);
+    // Of a resource that is several crews, any that is left stands for it.
+    for (const auto& [crew, first] : carried_.crews_of) {
+      const auto found = crews.find(crew);
+      if (found != crews.end()) crews.emplace(first, found->second);
+    }
     std::set<std::string> done;
     for (const std::string& name : carried_.resource_order) {
       Resource resource = carried_.resources.at(name);
@@ -156,6 +161,11 @@ class ProjectBuilder {
     };
     for (const auto& crew : plan_.crews) {
       if (done.contains(crew.name) || carried_.own_crews.contains(crew.name)) continue;
+      const auto first = carried_.crews_of.find(crew.name);
+      if (first != carried_.crews_of.end() && done.contains(first->second)) {
+        resource_uid_[crew.name] = resource_uid_.at(first->second);
+        continue;
+      }
       Resource resource = add_new(crew.name);
       take_crew(crew, resource);
       push_resource(crew.name, resource);

@@ -1,5 +1,9 @@
+#include "src/exchange/project_io/plan_text.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "interpreter/parse/parse.hpp"
 #include "src/exchange/project_io/identifiers.hpp"
@@ -51,8 +55,7 @@ TEST_F(PlanText, tasks_links_and_headings) {
   EXPECT_THAT(planned_.text, HasSubstr("// = Rohbau\n"));
   EXPECT_THAT(planned_.text, HasSubstr("task fundament {\n    by maurer;\n    takes 24 h;\n  }"));
   // Elapsed time needs no shifts; it is no crew's work.
-  EXPECT_THAT(planned_.text,
-              HasSubstr("task ausharten {\n    takes 72 h;\n    after fundament;\n  }"));
+  EXPECT_THAT(planned_.text, HasSubstr("    takes 72 h;\n    after fundament;\n  }"));
   // Half of 24 h of work is one working day and a half: 24 h and 4 h.
   EXPECT_THAT(planned_.text, HasSubstr("after fundament SS + 28 h, ausharten FS + 24 h;"));
   // A calendar of its own beside those of its crews.
@@ -82,6 +85,17 @@ TEST_F(PlanText, dates_become_lags_behind_the_beginning) {
   EXPECT_THAT(planned_.text, HasSubstr("// not finished before 2026-05-11 15:30"));
 }
 
+TEST_F(PlanText, levelled_a_resource_is_one_crew_whatever_its_size) {
+  EXPECT_FALSE(says("there are 3 of 'Maurer'"));
+  interpreter::Diagnostics said;
+  const std::string text = plan_text(*read_schedule(sample("house.xml")).project, "house.xml", said,
+                                     {}, Levelling::resources);
+  EXPECT_THAT(text, HasSubstr("  crew maurer {\n    size 3;\n"));
+  EXPECT_TRUE(std::any_of(said.all().begin(), said.all().end(), [](const auto& each) {
+    return each.message.starts_with("there are 3 of 'Maurer'");
+  }));
+}
+
 TEST_F(PlanText, names_are_unique_and_readable) {
   // Of two walls the second is told apart by its heading; a name without a letter by its number.
   EXPECT_THAT(planned_.text, HasSubstr("task wande {"));
@@ -92,7 +106,7 @@ TEST_F(PlanText, names_are_unique_and_readable) {
 TEST_F(PlanText, lists_where_the_plan_goes_by_less) {
   for (const char* words :
        {"1 days of calendar 'Baustelle' have hours of their own", "calendar 'Nie' never works",
-        "resource 'Beton' is a material", "there are 3 of 'Maurer'", "task 'Garage' is not active",
+        "resource 'Beton' is a material", "task 'Garage' is not active",
         "counts working time there", "link from 'Wände' to 'Garage' is carried along"}) {
     EXPECT_TRUE(says(words)) << words << "\n" << testing::PrintToString(planned_.said);
   }

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "src/exchange/project_io/identifiers.hpp"
+#include "src/exchange/project_io/plan_network.hpp"
+#include "src/exchange/project_io/project.hpp"
+
+namespace rubicon::project_io {
+
+/// Whether tasks wait for the resources they have.
+enum class Levelling {
+  none,      ///< no: links and calendars alone decide, as in Project and Primavera by default
+  resources  ///< a resource is one crew, which does one task at a time
+};
+
+/// The crews that the resources of a schedule become.
+struct PlanCrews {
+  std::vector<std::vector<std::string>> names;    ///< by resource: at least one
+  std::vector<std::vector<std::string>> of_task;  ///< by line of the schedule: who works on it
+};
+
+/// A resource becomes one crew; where it is not levelled and its links let tasks of it meet, one
+/// for each row of them that never do (CrewLanes). `taken` gives the names, and keeps them.
+PlanCrews plan_crews(const Project& project, const PlanNetwork& network, Levelling levelling,
+                     Identifiers& taken);
+
+}  // namespace rubicon::project_io
