@@ -208,8 +208,14 @@ class Export(unittest.TestCase):
                 self.assertFalse(written)
                 back = self.path("back.plan")
                 self.assertEqual(rubicon("import", out, "--out", back).returncode, 0)
-                if not short:
-                    self.assertEqual(rubicon("check", back).returncode, 0)
+                if short:
+                    continue
+                self.assertEqual(rubicon("check", back).returncode, 0)
+                if all(task["result"] == "done" for task in schedule["tasks"]):
+                    again = rubicon("run", back, "--format", "json")
+                    self.assertEqual(again.returncode, 0, again.stderr)
+                    # Whole seconds: elapsed durations do not become shifts.
+                    self.assertAlmostEqual(json.loads(again.stdout)["process_time"], schedule["process_time"], delta=1)
 
     def test_a_schedule_of_an_imported_plan_keeps_what_came_with_it(self):
         plan, folder, out = self.path("house.plan"), self.path("house"), self.path("house.xml")

@@ -24,6 +24,13 @@ std::optional<long long> minute_number(std::string_view moment) {
   return schedule::days_from_date(time->date) * kMinutesPerDay + time->minute_of_day;
 }
 
+std::optional<long long> second_number(std::string_view moment) {
+  const auto minutes = minute_number(moment);
+  if (!minutes) return std::nullopt;
+  const bool has_seconds = moment.size() == 19 && moment[16] == ':';
+  return *minutes * 60 + (has_seconds ? number(moment.substr(17, 2)) : 0);
+}
+
 std::string moment_text(long long minute) {
   const std::int64_t day = schedule::floor_division(minute, kMinutesPerDay);
   return schedule::text_of(schedule::CivilTime{schedule::date_from_days(day),

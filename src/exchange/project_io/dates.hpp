@@ -17,6 +17,9 @@ std::string date_text(int day);
 /// any other text.
 std::optional<long long> minute_number(std::string_view moment);
 
+/// The same in seconds.
+std::optional<long long> second_number(std::string_view moment);
+
 /// The moment "YYYY-MM-DD HH:MM" with this number.
 std::string moment_text(long long minute);
 

@@ -304,9 +304,9 @@ TimeFormat plan_lag_format(std::int64_t lag) {
 }
 
 std::optional<PlanLink> constraint_link(const Task& task, const Moment& start) {
-  const auto begin = minute_number(start.text), date = minute_number(task.constraint_date.text);
+  const auto begin = second_number(start.text), date = second_number(task.constraint_date.text);
   if (!begin || !date || *date <= *begin) return std::nullopt;
-  PlanLink link{kPlanBegins, LinkType::FS, (*date - *begin) * 60};
+  PlanLink link{kPlanBegins, LinkType::FS, *date - *begin};
   if (static_cast<double>(link.lag) > kMaxPlanSeconds) return std::nullopt;
   switch (task.constraint) {
     case Constraint::start_no_earlier_than:

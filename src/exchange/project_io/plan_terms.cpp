@@ -33,6 +33,10 @@ std::int64_t plan_seconds(const Task& task) {
                                   static_cast<std::int64_t>(kMaxPlanSeconds));
 }
 
+bool runs_day_and_night(const Task& task) {
+  return task.format.elapsed && task.duration.seconds > 0;
+}
+
 double crew_size(const Resource& resource) { return std::clamp(resource.max_units, 1.0, kMaxCrew); }
 
 std::optional<double> cost_per_hour(const Project& project, const Resource& resource) {

@@ -18,6 +18,10 @@ Moment plan_start(const Project& project);
 /// Seconds of a task in the plan.
 std::int64_t plan_seconds(const Task& task);
 
+/// Whether a task has an elapsed duration: it goes on in nights and on days off too, whatever the
+/// calendars of those who are assigned to it, as in Microsoft Project.
+bool runs_day_and_night(const Task& task);
+
 /// How many people or machines a crew has.
 double crew_size(const Resource& resource);
 

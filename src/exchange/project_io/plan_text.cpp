@@ -281,6 +281,13 @@ class PlanWriter {
     const Task& task = project_.tasks[i];
     const PlanTask& planned = network_.tasks[i];
     std::vector<std::string> by = crews_.of_task[i];
+    if (runs_day_and_night(task) && !by.empty()) {
+      listing_.add("I08", "elapsed", {},
+                   fmt::format("task '{}' runs day and night, whatever the shifts of those on it: "
+                               "in the plan nobody is; who it is is carried along",
+                               task.name));
+      by.clear();
+    }
     if (const auto calendar = own_calendar(task, !by.empty())) {
       const std::string name = crew_names_.make("crew_" + planned.name, "crew_" + planned.name);
       out_ += fmt::format("crew {} {{ calendar {}; }}\n", name, *calendar);
@@ -311,7 +318,7 @@ class PlanWriter {
   /// The calendar for a crew that the task has to itself: where it has one of its own, or nobody
   /// whose calendar would hold.
   std::optional<std::string> own_calendar(const Task& task, bool has_crew) const {
-    if (plan_seconds(task) == 0 || task.format.elapsed) return std::nullopt;
+    if (plan_seconds(task) == 0 || runs_day_and_night(task)) return std::nullopt;
     if (task.calendar == kNone && has_crew) return std::nullopt;
     const std::int64_t calendar = task.calendar != kNone ? task.calendar : project_.calendar;
     if (!planned_calendars_.contains(calendar)) return std::nullopt;

@@ -388,7 +388,9 @@ class ProjectBuilder {
     for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
       if (specs_[i] == nullptr) continue;
       const std::int64_t task = project_.tasks[i].uid;
-      planned.insert(task);
+      // What runs day and night has nobody in the plan, and keeps those it had.
+      const bool nobody = specs_[i]->crews.empty() && specs_[i]->robot < 0;
+      if (!nobody || !runs_day_and_night(project_.tasks[i])) planned.insert(task);
       for (const int crew : specs_[i]->crews) {
         say(task, plan_.crews[static_cast<std::size_t>(crew)].name);
       }

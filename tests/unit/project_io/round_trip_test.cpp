@@ -59,6 +59,37 @@ TEST(RoundTrip, a_project_with_every_construct_comes_back) {
   expect_round_trip(*reading.project);
 }
 
+/// Microsoft Project lets elapsed durations run on in nights and on days off, whatever the
+/// calendars of those who are assigned.
+TEST(RoundTrip, an_elapsed_duration_runs_day_and_night_whoever_is_on_it) {
+  const std::string week =
+      "<WeekDays><WeekDay><DayType>2</DayType><DayWorking>1</DayWorking><WorkingTimes><WorkingTime>"
+      "<FromTime>07:00:00</FromTime><ToTime>15:00:00</ToTime></WorkingTime></WorkingTimes></"
+      "WeekDay>"
+      "</WeekDays>";
+  const auto schedule = [&](int format) {
+    return mspdi(
+        "<StartDate>2026-03-02T07:00:00</StartDate><Calendars><Calendar><UID>1</UID>"
+        "<Name>site</Name><IsBaseCalendar>1</IsBaseCalendar>" +
+        week + "</Calendar></Calendars><Tasks>" +
+        mspdi_task(1, "cure",
+                   fmt::format("<Duration>PT30H0M0S</Duration><DurationFormat>{}"
+                               "</DurationFormat>",
+                               format)) +
+        "</Tasks><Resources><Resource><UID>1</UID><Name>masons</Name><Type>1</Type>"
+        "<CalendarUID>1</CalendarUID></Resource></Resources><Assignments><Assignment>"
+        "<UID>1</UID><TaskUID>1</TaskUID><ResourceUID>1</ResourceUID></Assignment>"
+        "</Assignments>");
+  };
+  constexpr int kHours = 5, kElapsedHours = 6;
+  const Project shifts = *read_schedule(schedule(kHours)).project;
+  EXPECT_NE(plan_of(shifts).text.find("by masons;"), std::string::npos);
+  const Project elapsed = *read_schedule(schedule(kElapsedHours)).project;
+  EXPECT_TRUE(elapsed.tasks[0].format.elapsed);
+  EXPECT_EQ(plan_of(elapsed).text.find("by "), std::string::npos) << plan_of(elapsed).text;
+  expect_round_trip(elapsed);
+}
+
 TEST(RoundTrip, a_primavera_project_comes_back) {
   const Reading reading = read_schedule(sample("hall.xer"));
   ASSERT_TRUE(reading.project);
