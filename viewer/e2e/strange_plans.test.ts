@@ -96,7 +96,7 @@ describe.skipIf(!hasBrowser)('strange plans', () => {
       'gantry.motion': 'chain { move_to(x, goal(x)) };\nchain { move_to(y, goal(y)) };\nchain { move_to(z, goal(z)) };\n',
     });
     const { page, complaints, close } = await openReport(browser, result.report);
-    const badge = page.getByRole('button', { name: '2 of 2 tasks refused' });
+    const badge = page.getByRole('button', { name: '1 rejected, 1 not reached of 2 tasks' });
     await badge.click();
     const side = await page.locator('#side').innerText();
     expect(side).toContain('too_far');

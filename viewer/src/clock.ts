@@ -35,6 +35,11 @@ export class Clock {
     return this.dated ? `${this.dayOf(t)} ${this.clock(t).slice(0, 5)}` : duration(Math.floor(t + 1e-6));
   }
 
+  /** `Mon 4 May 2026`. */
+  dayName(t: number): string {
+    return this.full(t).slice(0, -9);
+  }
+
   /** The day alone: `4 May`; `day 1` where there is no date. */
   dayOf(t: number): string {
     const at = this.date(t);

@@ -15,6 +15,24 @@ export interface Span {
   crew: string;
 }
 
+/** What became of the tasks of a plan, and of the components that they move. */
+export interface Tally {
+  tasks: number;
+  done: number;
+  rejected: number;
+  notReached: number;
+  /** Components that some task moves, and those of them for which every such task was done. */
+  elements: number;
+  placed: number;
+}
+
+/** `4 rejected, 2 not reached`; `all done`. */
+export function tallyText({ tasks, rejected, notReached }: Tally): string {
+  if (tasks === 0) return '';
+  const parts = [...(rejected > 0 ? [`${rejected} rejected`] : []), ...(notReached > 0 ? [`${notReached} not reached`] : [])];
+  return parts.join(', ') || 'all done';
+}
+
 const pauses: Record<string, string> = { machine: 'waits for', crew: 'waits for', shift: 'waits for the next shift',
   held: 'is done, held by' };
 
@@ -52,11 +70,19 @@ export class Runs {
 
   task(run: number): TaskData | null { return this.tasks.get(this.all[run].task) ?? null; }
 
-  /** How many tasks the plan has, and how many of them were done: machines that only go out of the way (`park`) are none. */
-  tally(): { tasks: number; done: number } {
+  /** Whether a run is one of a task of the plan: a machine that only goes out of the way (`park`) is none. */
+  isTask(name: string): boolean { return this.tasks.size === 0 || this.tasks.has(name); }
+
+  /** How many tasks the plan has, and what became of them: as the command counts them. */
+  tally(): Tally {
     const outcomes = this.film.schedule?.tasks ?? this.all.map(({ task, result }) => ({ task, result: result || 'done' }));
-    const own = outcomes.filter(({ task }) => this.tasks.size === 0 || this.tasks.has(task));
-    return { tasks: own.length, done: own.filter(({ result }) => result === 'done').length };
+    const results = outcomes.filter(({ task }) => this.isTask(task)).map(({ result }) => result);
+    const count = (wanted: string) => results.filter((result) => result === wanted).length;
+    const moved = new Set([...this.tasks.values()].flatMap(({ move }) => (move === undefined ? [] : [move])));
+    const doneTasks = new Set(outcomes.filter(({ result }) => result === 'done').map(({ task }) => task));
+    const open = new Set([...this.tasks.values()].flatMap(({ name, move }) => (move !== undefined && !doneTasks.has(name) ? [move] : [])));
+    return { tasks: results.length, done: count('done'), rejected: count('rejected'), notReached: count('not reached'),
+      elements: moved.size, placed: [...moved].filter((name) => !open.has(name)).length };
   }
 
   isCritical(run: number): boolean { return this.all[run].happened && this.chain.has(this.all[run].task); }

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { mark, sliderMarks } from '../src/marks';
 import { Player } from '../src/player';
-import { Runs } from '../src/runs';
+import { Runs, tallyText } from '../src/runs';
 import { lengthName, lengths, nextLength, speedOf } from '../src/lengths';
 import { filtered, sorted, tableRows } from '../src/task_table';
 import type { ScheduledTask } from '../src/header';
@@ -42,7 +42,11 @@ describe('runs', () => {
   });
 
   it('are counted as the command counts: machines that only go out of the way are no tasks', () => {
-    expect(new Runs(film()).tally()).toEqual({ tasks: 1, done: 1 });
+    const tally = new Runs(film()).tally();
+    expect(tally).toEqual({ tasks: 1, done: 1, rejected: 0, notReached: 0, elements: 1, placed: 1 });
+    expect(tallyText(tally)).toBe('all done');
+    expect(tallyText({ ...tally, tasks: 9, rejected: 4, notReached: 2 })).toBe('4 rejected, 2 not reached');
+    expect(tallyText({ ...tally, tasks: 0, done: 0 })).toBe('');
   });
 
   it('know what goes on, and the last record at a moment', () => {

@@ -112,11 +112,28 @@ function paintLane(painter: Painter, scene: Scene, lane: readonly Bar[], y: numb
       const top = y + stripTop + (off ? stripHeight / 2 - 1.5 : 0);
       painter.rect(x, top, Math.max(end - x, 0.5), off ? 3 : stripHeight, fill[piece.kind]);
     }
-    if (bar.critical && wide < narrow) painter.rect(left, y + stripTop + stripHeight, wide, 2, colours.critical);
-    else if (bar.critical) painter.frame(left, y + stripTop - 1, wide, stripHeight + 2, colours.critical);
+    if (bar.critical) paintCritical(painter, scene, bar, y);
     const from = Math.max(left, labelWidth);
     const room = Math.floor((left + wide - from - 3) / letterWidth);
     if (room >= 5) painter.text(from + 1, y + 7, clipped(scene.nameOf(bar.run), room), colours.text, isPicked);
+  }
+}
+
+/** Round what goes on in a bar; not round nights and weekends in it, in which there is nothing. */
+function paintCritical(painter: Painter, { view, colours, layout: { labelWidth, laneHeight } }: Scene, bar: Bar, y: number): void {
+  const stripHeight = laneHeight - aroundStrip;
+  const pieces: [number, number][] = [];
+  for (const { kind, from, to } of bar.pieces) {
+    if (kind === 'off' || to < view.from || from > view.to) continue;
+    const [left, right] = [labelWidth + xOf(view, from), labelWidth + xOf(view, to)];
+    const last = pieces.at(-1);
+    if (last && left <= last[1] + 1) last[1] = Math.max(last[1], right);
+    else pieces.push([left, right]);
+  }
+  for (const [left, right] of pieces) {
+    const wide = Math.max(right - left, 1);
+    if (wide < narrow) painter.rect(left, y + stripTop + stripHeight, wide, 2, colours.critical);
+    else painter.frame(left, y + stripTop - 1, wide, stripHeight + 2, colours.critical);
   }
 }
 

@@ -1,5 +1,6 @@
 import { day, duration, money, number, roughly } from '../clock';
 import type { ScheduleData, Waited } from '../header';
+import { tallyText } from '../runs';
 import { button, cut, make, named } from './dom';
 import { goToRun, goToStep, type Page } from './page';
 
@@ -42,12 +43,12 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
     list.append(make('div', {}, make('dt', {}, name), shown));
   };
   const long = schedule?.process_time ?? film.end;
+  if (clock.dated) add('Finishes', clock.short(long), `${clock.dayName(long)}, begins ${clock.short(0)}`);
   add('Process time', duration(long), long < day ? roughly(long) : 'from beginning to end');
   if (schedule?.cost !== undefined) add('Cost', money(schedule.cost, ''), cut(schedule.currency ?? header.currency, 12));
-  const { tasks, done } = runs.tally();
-  add('Tasks', `${done} of ${tasks}`, tasks === 0 ? '' : done === tasks ? 'all done' : `${tasks - done} refused`);
-  if (clock.dated) add('Begins', clock.short(0));
-  if (clock.dated) add('Ends', clock.short(long));
+  const tally = runs.tally();
+  add('Tasks done', `${tally.done} of ${tally.tasks}`, tallyText(tally));
+  if (tally.elements > 0) add('Elements in place', `${tally.placed} of ${tally.elements}`);
   let tried = 0;
   let accepted = 0;
   for (const task of schedule?.tasks ?? []) [tried, accepted] = [tried + task.tried, accepted + task.accepted];
@@ -57,7 +58,7 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
 
 function refusalsOf(page: Page): HTMLElement | null {
   const { runs } = page;
-  const refused = runs.all.map((_, i) => i).filter((i) => runs.isRefused(i));
+  const refused = runs.all.map((_, i) => i).filter((i) => runs.isRefused(i) && runs.isTask(runs.all[i].task));
   if (refused.length === 0) return null;
   const list = make('ul', { class: 'refusals' });
   for (const i of refused.slice(0, mostListed)) {
@@ -66,7 +67,7 @@ function refusalsOf(page: Page): HTMLElement | null {
     const why = make('div', { class: 'reason' }, named(reason, 600));
     list.append(make('li', { class: result === 'rejected' ? '' : 'later' }, name, ` ${result} `, why));
   }
-  const section = make('section', {}, make('h2', { class: 'bad' }, `Refused: ${refused.length}`), list);
+  const section = make('section', {}, make('h2', { class: 'bad' }, `Not done: ${tallyText(runs.tally())}`), list);
   const more = refused.length - mostListed;
   if (more > 0) section.append(make('p', { class: 'muted' }, `and ${more} more: see Tasks`));
   return section;

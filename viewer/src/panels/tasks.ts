@@ -29,6 +29,8 @@ export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
   const search = make('input', { type: 'search', class: 'grow', placeholder: 'Find a task, machine, crew or result',
     'aria-label': 'Find tasks' });
   const count = make('span', { class: 'muted' });
+  const own = rows.filter((row) => runs.isTask(row.name)).length;
+  const whole = own === rows.length ? `${own} tasks` : `${own} tasks, ${rows.length - own} × out of the way`;
   const headRow = make('tr');
   const heads = columns.map(({ key, title, width }) => {
     const cell = make('th', { scope: 'col', class: key === 'who' ? 'start' : '' }, button(title, () => sortBy(key)));
@@ -86,7 +88,7 @@ export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
       if (label) setText(label, columns[i].title + (is ? down ? ' ▾' : ' ▴' : ''));
     });
     table.setAttribute('aria-rowcount', String(order.length + 1));
-    setText(count, order.length === rows.length ? `${rows.length}` : `${order.length} of ${rows.length}`);
+    setText(count, order.length === rows.length ? whole : `${order.length} of ${rows.length}`);
     empty.classList.toggle('hidden', order.length > 0);
     fill();
   };

@@ -1,4 +1,5 @@
 import { duration, money } from '../clock';
+import { tallyText } from '../runs';
 import { button, cut, icon, make, named } from './dom';
 import { makeHelp } from './help';
 import type { Page } from './page';
@@ -10,24 +11,25 @@ const moon = 'M6.2 1.2a7 7 0 1 0 8.6 8.6A6 6 0 0 1 6.2 1.2z';
 
 /** Name, whether the plan can be done, process time and cost, theme, help. */
 export function mountTopBar(host: HTMLElement, page: Page, showRefusals: () => void): void {
-  const { film, runs } = page;
+  const { clock, film, runs } = page;
   const { schedule, header } = film;
   const title = make('h1', {}, named(header.plan || 'a plan without a name', 300));
 
-  const { tasks, done } = runs.tally();
-  const refused = tasks - done;
+  const tally = runs.tally();
+  const { tasks } = tally;
   let badge: HTMLElement;
-  if (refused > 0) {
-    badge = button(`${refused} of ${tasks} ${tasks === 1 ? 'task' : 'tasks'} refused`, showRefusals, { class: 'badge bad' });
+  if (tally.done < tasks) {
+    badge = button(`${tallyText(tally)} of ${tasks} ${tasks === 1 ? 'task' : 'tasks'}`, showRefusals, { class: 'badge bad' });
   } else if (tasks === 0) {
     badge = make('span', { class: 'badge muted' }, header.tasks.length === 0 ? 'nothing to do' : 'no results in the trace');
   } else {
-    badge = make('span', { class: 'badge good' }, 'feasible');
+    badge = make('span', { class: 'badge good' }, `feasible: ${tasks === 1 ? 'the task' : `all ${tasks} tasks`} done`);
   }
 
   const facts = make('dl');
   const fact = (name: string, value: string) => facts.append(make('div', {}, make('dt', {}, name), make('dd', {}, value)));
   const long = schedule?.process_time ?? film.end;
+  if (clock.dated) fact('Finishes', `${clock.dayName(long)} ${clock.clock(long).slice(0, 5)}`);
   fact('Process time', duration(long));
   if (schedule?.cost !== undefined) fact('Cost', money(schedule.cost, cut(schedule.currency ?? header.currency, 8)));
 
