@@ -28,7 +28,7 @@ std::optional<long long> second_number(std::string_view moment) {
   const auto minutes = minute_number(moment);
   if (!minutes) return std::nullopt;
   const bool has_seconds = moment.size() == 19 && moment[16] == ':';
-  return *minutes * 60 + (has_seconds ? number(moment.substr(17, 2)) : 0);
+  return *minutes * 60 + (has_seconds ? (moment[17] - '0') * 10 + (moment[18] - '0') : 0);
 }
 
 std::string moment_text(long long minute) {
