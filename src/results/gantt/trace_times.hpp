@@ -2,10 +2,12 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "src/simulation/schedule/calendar_rules.hpp"
+#include "src/simulation/trace/trace_reader.hpp"
 
 namespace rubicon::gantt {
 
@@ -42,18 +44,21 @@ struct TraceTimes {
 class TraceTimesReader {
  public:
   /// Throws std::invalid_argument, with a message for the user, for what is no line of a trace.
-  void line(const std::string& text);
+  void line(std::string_view text);
 
   /// Once all lines are read.
   TraceTimes take() { return std::move(times_); }
 
  private:
-  void read_header(const std::string& text);
-  void read_record(const std::string& type, const std::string& text);
+  void read_header(const trace::TraceHeader& header);
+  void begin(const trace::Record& record, Ticks start);
+  void end(const trace::Record& record, const trace::TaskEnd& end);
+  void add(const trace::Record& record, Stretch stretch);
 
+  trace::TraceReader reader_{{trace::RecordKind::task_start, trace::RecordKind::task_end,
+                              trace::RecordKind::work, trace::RecordKind::pause}};
   TraceTimes times_;
-  std::map<std::string, TaskTimes> open_;  ///< by task
-  bool has_header_ = false;
+  std::map<std::string, TaskTimes, std::less<>> open_;  ///< by task
   bool short_form_ = false;
 };
 

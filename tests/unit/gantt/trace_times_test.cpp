@@ -4,12 +4,22 @@
 
 #include <stdexcept>
 
+#include "tests/support/header_json.hpp"
+
 namespace rubicon::gantt {
 namespace {
 
 const std::string kHeader =
-    R"({"type":"header","plan":"yard","form":"full","calendars":[{"name":"site","shifts":[{"days":[0,4],"minutes":[[420,720]]}],"off":["2026-12-25"],"carry_over":false}],)"
-    R"("robots":[{"name":"crane","calendar":"site"}],"crews":[{"name":"riggers","calendar":""}],"tasks":[{"name":"set","crews":["riggers"]}]})";
+    test::whole_header({{"plan", "yard"},
+                        {"calendars",
+                         {{{"name", "site"},
+                           {"shifts", {{{"days", {0, 4}}, {"minutes", {{420, 720}, {780, 960}}}}}},
+                           {"off", {"2026-12-25"}},
+                           {"carry_over", false}}}},
+                        {"robots", {{{"name", "crane"}, {"calendar", "site"}}}},
+                        {"crews", {{{"name", "riggers"}}}},
+                        {"tasks", {{{"name", "set"}, {"crews", {"riggers"}}}}}})
+        .dump();
 
 TraceTimes read(const std::vector<std::string>& lines) {
   TraceTimesReader reader;
@@ -41,9 +51,9 @@ TEST(TraceTimes, KeepWorkAndWaitingOfTasksThatWereDone) {
 }
 
 TEST(TraceTimes, ReadLinesThatAnotherProgramWroteAnew) {
-  const TraceTimes times =
-      read({kHeader, R"({ "task": "set", "t": 1, "robot": "crane", "type": "task_start" })",
-            R"({ "task": "set", "t": 7, "result": "done", "type": "task_end" })"});
+  const TraceTimes times = read(
+      {kHeader, R"({ "task": "set", "t": 1, "robot": "crane", "type": "task_start" })",
+       R"({ "task": "set", "robot": "crane", "t": 7, "reason": "", "result": "done", "type": "task_end" })"});
   EXPECT_EQ(times.runs.at({"set", schedule::kSecond}).end, 7 * schedule::kSecond);
 }
 
@@ -54,9 +64,11 @@ TEST(TraceTimes, RefuseWhatIsNoTrace) {
   EXPECT_THROW(read({R"({"type":"header"})"}), std::invalid_argument);
   EXPECT_THROW(read({kHeader.substr(0, kHeader.size() / 2)}), std::invalid_argument);
   EXPECT_THROW(read({kHeader, "garbage"}), std::invalid_argument);
-  EXPECT_THROW(read({kHeader, R"({"type":"task_start","task":"set","robot":"","t":1})",
-                     R"({"type":"work","task":"set","what":"hook","crew":"","from":4,"t":3})"}),
-               std::invalid_argument);
+  EXPECT_THROW(
+      read(
+          {kHeader, R"({"type":"task_start","task":"set","robot":"","t":1})",
+           R"({"type":"work","task":"set","robot":"","what":"hook","crew":"","from":4,"t":3,"time":0})"}),
+      std::invalid_argument);
   EXPECT_THROW(read({kHeader, R"({"type":"work","task":"set","from":"x"})"}),
                std::invalid_argument);
 }

@@ -1,0 +1,195 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <variant>
+
+#include "interpreter/program/world.hpp"
+#include "src/motion/math/pose.hpp"
+#include "src/simulation/trace/record_kind.hpp"
+
+namespace rubicon::trace {
+
+using interpreter::Ticks;
+
+/// The value of a control parameter (m or degrees) by its name.
+struct ParameterValue {
+  std::string_view name;
+  double value = 0;
+};
+using Configuration = std::span<const ParameterValue>;
+
+/// A value by the name of its parameter or variable; nothing where it is not finite.
+struct NamedValue {
+  std::string_view name;
+  std::optional<double> value;
+};
+using NamedValues = std::span<const NamedValue>;
+
+/// One name, or a list of them.
+using Names = std::span<const std::string_view>;
+
+/// Where a record's loop, choice or command stands in a text; line and column count from 1.
+/// Without a file it has no place.
+struct InText {
+  std::string_view file;
+  int line = 0;
+  int column = 0;
+};
+
+/// What moved and what it met.
+struct Hit {
+  std::string_view moved;
+  std::string_view met;
+};
+
+/// Refused attempts by reason.
+struct RefusalCounts {
+  int at_goal = 0;
+  int no_direction = 0;
+  int limit = 0;
+  int hit = 0;
+};
+
+// One struct for each kind of record (docs/trace.md says what its members mean); record_fields.hpp
+// says how the members are called in the text. All times are ticks of 1 ns since the plan began.
+
+struct TaskStart {
+  Ticks t = 0;
+  std::string_view because;
+  std::string_view after;
+};
+
+struct GoalStart {
+  int k = 0;
+  int n = 0;
+};
+
+struct Assignment {
+  std::string_view variable;
+  std::optional<double> value;  ///< nothing: it is not finite
+};
+
+struct LoopStart : InText {
+  std::string_view kind;
+};
+
+struct LoopEnd : InText {
+  std::string_view kind;
+  bool reached = false;
+  int successes = 0;
+};
+
+struct Choice : InText {
+  std::string_view label;
+};
+
+struct Attempt : InText {
+  int n = 0;
+  std::string_view command;
+  Names parameters;
+  bool ok = false;
+  std::string_view reason;
+  std::optional<Hit> hit;
+  Ticks t = 0;
+  Configuration q;
+};
+
+struct Wait {
+  int n = 0;
+  Ticks t = 0;
+};
+
+struct Work {
+  std::string_view what;
+  std::string_view crew;
+  Ticks from = 0;
+  Ticks t = 0;
+  Ticks time = 0;
+};
+
+struct Pause {
+  std::string_view why;
+  std::string_view whom;
+  Ticks from = 0;
+  Ticks t = 0;
+};
+
+struct Attach {
+  std::string_view component;
+  math::Pose X_TO = math::Pose::Identity();
+  Ticks t = 0;
+};
+
+struct Detach {
+  std::string_view component;
+  math::Pose X_WO = math::Pose::Identity();
+  Ticks t = 0;
+};
+
+struct Removal {
+  std::string_view component;
+  Ticks t = 0;
+};
+
+struct MotionEnd : InText {
+  std::string_view status;
+  bool reached = false;
+  std::optional<int> period;
+  int tries = 0;
+  int accepted = 0;
+  RefusalCounts rejected;
+  NamedValues residual;
+  std::optional<double> position_error;
+  std::optional<double> orientation_error;
+  Configuration q;
+  NamedValues variables;
+  Ticks t = 0;
+  std::string_view message;
+};
+
+struct TaskEnd {
+  Ticks t = 0;
+  std::string_view result;
+  std::string_view reason;
+};
+
+/// One record of a trace. Its texts and lists belong to the reader that gave it.
+struct Record {
+  /// In the order of RecordKind.
+  using What = std::variant<TaskStart, GoalStart, Assignment, LoopStart, LoopEnd, Choice, Attempt,
+                            Wait, Work, Pause, Attach, Detach, Removal, MotionEnd, TaskEnd>;
+
+  std::string_view task;
+  std::string_view robot;  ///< "": crew work
+  What what;
+
+  RecordKind kind() const { return static_cast<RecordKind>(what.index()); }
+  /// When it is over; nothing for what a script does between its steps.
+  std::optional<Ticks> time() const {
+    return std::visit(
+        [](const auto& record) -> std::optional<Ticks> {
+          if constexpr (requires { record.t; }) return record.t;
+          return std::nullopt;
+        },
+        what);
+  }
+  /// Where it stands in a text; null if it has no place.
+  const InText* place() const {
+    return std::visit(
+        [](const auto& record) -> const InText* {
+          if constexpr (requires { record.column; }) {
+            return record.file.empty() ? nullptr : &record;
+          }
+          return nullptr;
+        },
+        what);
+  }
+};
+
+/// The double nearest to a time in seconds.
+double seconds(Ticks time);
+
+}  // namespace rubicon::trace

@@ -1,0 +1,190 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <tuple>
+
+#include "src/simulation/trace/record.hpp"
+
+namespace rubicon::trace {
+
+/// A member of a record in the text, and the member of the struct that it is read into.
+template <auto Member>
+struct Field {
+  std::string_view name;
+  bool required = true;
+};
+
+template <auto Member>
+constexpr Field<Member> required(std::string_view name) {
+  return {name, true};
+}
+template <auto Member>
+constexpr Field<Member> optional(std::string_view name) {
+  return {name, false};
+}
+
+/// The table of records: the members of each kind besides `type`, `task` and `robot`, in the order
+/// in which they are written. The reader decodes by it; a test holds the writer and
+/// docs/trace.schema.json to it.
+template <typename R>
+struct RecordFields;
+
+template <>
+struct RecordFields<TaskStart> {
+  static constexpr RecordKind kKind = RecordKind::task_start;
+  static constexpr auto kFields =
+      std::tuple(required<&TaskStart::t>("t"), optional<&TaskStart::because>("because"),
+                 optional<&TaskStart::after>("after"));
+};
+
+template <>
+struct RecordFields<GoalStart> {
+  static constexpr RecordKind kKind = RecordKind::goal;
+  static constexpr auto kFields =
+      std::tuple(required<&GoalStart::k>("k"), required<&GoalStart::n>("n"));
+};
+
+template <>
+struct RecordFields<Assignment> {
+  static constexpr RecordKind kKind = RecordKind::set;
+  static constexpr auto kFields =
+      std::tuple(required<&Assignment::variable>("var"), required<&Assignment::value>("value"));
+};
+
+template <>
+struct RecordFields<LoopStart> {
+  static constexpr RecordKind kKind = RecordKind::enter;
+  static constexpr auto kFields =
+      std::tuple(required<&LoopStart::kind>("kind"), required<&LoopStart::file>("file"),
+                 required<&LoopStart::line>("line"), required<&LoopStart::column>("column"));
+};
+
+template <>
+struct RecordFields<LoopEnd> {
+  static constexpr RecordKind kKind = RecordKind::exit;
+  static constexpr auto kFields = std::tuple(
+      required<&LoopEnd::kind>("kind"), required<&LoopEnd::file>("file"),
+      required<&LoopEnd::line>("line"), required<&LoopEnd::column>("column"),
+      required<&LoopEnd::reached>("reached"), required<&LoopEnd::successes>("successes"));
+};
+
+template <>
+struct RecordFields<Choice> {
+  static constexpr RecordKind kKind = RecordKind::which;
+  static constexpr auto kFields =
+      std::tuple(required<&Choice::label>("label"), required<&Choice::file>("file"),
+                 required<&Choice::line>("line"), required<&Choice::column>("column"));
+};
+
+template <>
+struct RecordFields<Attempt> {
+  static constexpr RecordKind kKind = RecordKind::attempt;
+  static constexpr auto kFields = std::tuple(
+      required<&Attempt::n>("n"), required<&Attempt::command>("command"),
+      required<&Attempt::parameters>("parameter"), required<&Attempt::file>("file"),
+      required<&Attempt::line>("line"), required<&Attempt::column>("column"),
+      required<&Attempt::ok>("ok"), required<&Attempt::reason>("reason"),
+      optional<&Attempt::hit>("hit"), required<&Attempt::t>("t"), required<&Attempt::q>("q"));
+};
+
+template <>
+struct RecordFields<Wait> {
+  static constexpr RecordKind kKind = RecordKind::wait;
+  static constexpr auto kFields = std::tuple(required<&Wait::n>("n"), required<&Wait::t>("t"));
+};
+
+template <>
+struct RecordFields<Work> {
+  static constexpr RecordKind kKind = RecordKind::work;
+  static constexpr auto kFields = std::tuple(
+      required<&Work::what>("what"), required<&Work::crew>("crew"), required<&Work::from>("from"),
+      required<&Work::t>("t"), required<&Work::time>("time"));
+};
+
+template <>
+struct RecordFields<Pause> {
+  static constexpr RecordKind kKind = RecordKind::pause;
+  static constexpr auto kFields =
+      std::tuple(required<&Pause::why>("why"), required<&Pause::whom>("for"),
+                 required<&Pause::from>("from"), required<&Pause::t>("t"));
+};
+
+template <>
+struct RecordFields<Attach> {
+  static constexpr RecordKind kKind = RecordKind::attach;
+  static constexpr auto kFields =
+      std::tuple(required<&Attach::component>("component"), required<&Attach::X_TO>("pose"),
+                 required<&Attach::t>("t"));
+};
+
+template <>
+struct RecordFields<Detach> {
+  static constexpr RecordKind kKind = RecordKind::detach;
+  static constexpr auto kFields =
+      std::tuple(required<&Detach::component>("component"), required<&Detach::X_WO>("pose"),
+                 required<&Detach::t>("t"));
+};
+
+template <>
+struct RecordFields<Removal> {
+  static constexpr RecordKind kKind = RecordKind::remove;
+  static constexpr auto kFields =
+      std::tuple(required<&Removal::component>("component"), required<&Removal::t>("t"));
+};
+
+template <>
+struct RecordFields<MotionEnd> {
+  static constexpr RecordKind kKind = RecordKind::end;
+  static constexpr auto kFields = std::tuple(
+      required<&MotionEnd::status>("status"), required<&MotionEnd::reached>("reached"),
+      required<&MotionEnd::period>("period"), required<&MotionEnd::tries>("tries"),
+      required<&MotionEnd::accepted>("accepted"), required<&MotionEnd::rejected>("rejected"),
+      required<&MotionEnd::residual>("residual"),
+      optional<&MotionEnd::position_error>("position_error"),
+      optional<&MotionEnd::orientation_error>("orientation_error"), required<&MotionEnd::q>("q"),
+      required<&MotionEnd::variables>("vars"), required<&MotionEnd::t>("t"),
+      optional<&MotionEnd::file>("file"), optional<&MotionEnd::line>("line"),
+      optional<&MotionEnd::column>("column"), optional<&MotionEnd::message>("message"));
+};
+
+template <>
+struct RecordFields<TaskEnd> {
+  static constexpr RecordKind kKind = RecordKind::task_end;
+  static constexpr auto kFields =
+      std::tuple(required<&TaskEnd::t>("t"), required<&TaskEnd::result>("result"),
+                 required<&TaskEnd::reason>("reason"));
+};
+
+/// What a member is in the text.
+enum class FieldType {
+  text,
+  whole,  ///< from 0
+  whole_or_null,
+  number,
+  number_or_null,
+  truth,
+  time,           ///< seconds
+  names,          ///< a text or a list of texts
+  pair,           ///< two texts
+  configuration,  ///< an object of numbers
+  values,         ///< an object of numbers or null
+  counts,         ///< an object of whole numbers
+  pose            ///< twelve numbers
+};
+
+/// The same table to look through.
+struct FieldSpec {
+  std::string_view name;
+  bool required = true;
+  FieldType type = FieldType::text;
+};
+struct RecordSpec {
+  RecordKind kind = RecordKind::task_start;
+  std::string_view type;
+  std::span<const FieldSpec> fields;
+};
+std::span<const RecordSpec> record_table();
+
+}  // namespace rubicon::trace
