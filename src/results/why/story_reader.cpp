@@ -1,11 +1,8 @@
 #include "src/results/why/story_reader.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "src/results/report/schedule_text.hpp"
 #include "src/results/why/wait_chain.hpp"
@@ -14,70 +11,63 @@ namespace rubicon::why {
 
 namespace {
 
-using nlohmann::json;
-
 /// Of the attempts at one place so many are kept, and up to twice as many.
 constexpr std::size_t kKeptAttempts = 200;
 
-Configuration configuration(const json& q) {
+/// By the names of the parameters.
+Configuration configuration(trace::Configuration q) {
   Configuration result;
-  for (const auto& [name, value] : q.items()) result.emplace_back(name, value.get<double>());
+  for (const trace::ParameterValue& each : q) result.emplace_back(each.name, each.value);
+  std::sort(result.begin(), result.end());
   return result;
 }
 
-std::vector<std::string> names(const json& one_or_more) {
-  if (one_or_more.is_string()) return {one_or_more.get<std::string>()};
-  return one_or_more.get<std::vector<std::string>>();
-}
+/// The records that tell what becomes of a task. What its script does between its steps does not.
+const trace::RecordKinds kWanted = {trace::RecordKind::task_start, trace::RecordKind::attempt,
+                                    trace::RecordKind::wait,       trace::RecordKind::work,
+                                    trace::RecordKind::pause,      trace::RecordKind::attach,
+                                    trace::RecordKind::detach,     trace::RecordKind::remove,
+                                    trace::RecordKind::end,        trace::RecordKind::task_end};
 
 }  // namespace
 
-StoryReader::StoryReader(std::string task) : task_(std::move(task)) { story_.task = task_; }
+StoryReader::StoryReader(std::string task) : task_(std::move(task)), reader_(kWanted) {
+  story_.task = task_;
+}
 
 void StoryReader::restart() { *this = StoryReader(task_); }
 
 void StoryReader::line(std::string_view text) {
-  try {
-    const json record = json::parse(text);
-    const std::string type = record.at("type");
-    if (type == "header") {
-      read_header(record);
-      return;
-    }
-    const std::string task = record.at("task");
-    if (type == "task_start") {
-      TaskRun& run = runs_[task];
-      run.started = true;
-      run.start = record.at("t");
-      run.because = record.value("because", "");
-      run.after = record.value("after", "");
-    } else if (type == "task_end") {
-      TaskRun& run = runs_[task];
-      run.end = record.at("t");
-      run.result = record.at("result");
-      run.reason = record.at("reason");
-      if (!run.started) run.start = run.end;
-    }
-    if (task == task_) read_own(type, record);
-  } catch (const json::exception& error) {
-    throw std::invalid_argument(fmt::format("this is no line of a trace: {}", error.what()));
+  reader_.read(
+      text, [&](const trace::TraceHeader& header) { read_header(header); },
+      [&](const trace::Record& record) { read_record(record); });
+}
+
+void StoryReader::read_header(const trace::TraceHeader& header) {
+  story_.detail = header.detail;
+  if (header.start_at) story_.start_at = report::start_from_text(*header.start_at);
+  if (header.short_form) order_.push_back(header.plan);
+  for (const trace::HeaderTask& task : header.tasks) {
+    order_.push_back(task.name);
+    if (task.name == task_) move_ = task.move.value_or("");
   }
 }
 
-void StoryReader::read_header(const json& record) {
-  if (record.value("format", "") != "rubicon-trace") {
-    throw std::invalid_argument("this is no trace: its first line does not say so");
+void StoryReader::read_record(const trace::Record& record) {
+  if (const auto* start = std::get_if<trace::TaskStart>(&record.what)) {
+    TaskRun& run = runs_[std::string(record.task)];
+    run.started = true;
+    run.start = trace::seconds(start->t);
+    run.because = start->because;
+    run.after = start->after;
+  } else if (const auto* end = std::get_if<trace::TaskEnd>(&record.what)) {
+    TaskRun& run = runs_[std::string(record.task)];
+    run.end = trace::seconds(end->t);
+    run.result = end->result;
+    run.reason = end->reason;
+    if (!run.started) run.start = run.end;
   }
-  has_header_ = true;
-  story_.detail = record.at("detail");
-  if (!record.at("start_at").is_null()) {
-    story_.start_at = report::start_from_text(record.at("start_at").get<std::string>());
-  }
-  if (record.at("form") == "short") order_.push_back(record.at("plan"));
-  for (const json& task : record.at("tasks")) {
-    order_.push_back(task.at("name"));
-    if (order_.back() == task_ && task.contains("move")) move_ = task.at("move");
-  }
+  if (record.task == task_) read_own(record);
 }
 
 /// What the motion that begins now is for.
@@ -98,69 +88,75 @@ Motion& StoryReader::motion(double from) {
   return story_.motions.back();
 }
 
-void StoryReader::read_own(const std::string& type, const json& record) {
-  story_.robot = record.at("robot");
-  if (type == "task_start") {
-    // A robot may be parked several times: the last is told.
-    TaskStory fresh;
-    fresh.task = story_.task;
-    fresh.robot = story_.robot;
-    fresh.start_at = story_.start_at;
-    fresh.detail = story_.detail;
-    story_ = std::move(fresh);
-    carries_ = in_motion_ = false;
-    carried_motions_ = 0;
-  } else if (type == "try") {
-    read_try(record);
-  } else if (type == "wait") {
-    motion(time_);
-  } else if (type == "end") {
-    Motion& ended = motion(time_);
-    ended.to = record.at("t");
-    ended.tries = record.at("tries");
-    ended.accepted = record.at("accepted");
-    ended.reached = record.at("reached");
-    ended.status = record.at("status");
-    ended.message = record.value("message", "");
-    ended.at_end = configuration(record.at("q"));
-    in_motion_ = false;
-    if (carries_) ++carried_motions_;
-  } else if (type == "attach") {
-    carries_ = true;
-  } else if (type == "detach") {
-    carries_ = false;
-  } else if (type == "work") {
-    story_.works.push_back({record.at("what"), record.at("crew"), record.at("from"), record.at("t"),
-                            record.at("time")});
-  } else if (type == "pause") {
-    const Span span{record.at("why"), record.at("for"), record.at("from"), record.at("t"), 0};
-    story_.pauses.push_back(span);
-    // A motion that is tried again after a pause is still the same one.
-    if (span.what == "machine" && carries_ && carried_motions_ > 0) --carried_motions_;
-  }
-  if (record.contains("t")) time_ = record.at("t");
+void StoryReader::read_own(const trace::Record& record) {
+  story_.robot = record.robot;
+  std::visit([&](const auto& what) { follow(what); }, record.what);
+  if (const auto t = record.time()) time_ = trace::seconds(*t);
 }
 
-void StoryReader::read_try(const json& record) {
+void StoryReader::follow(const trace::TaskStart&) {
+  // A robot may be parked several times: the last is told.
+  TaskStory fresh;
+  fresh.task = story_.task;
+  fresh.robot = story_.robot;
+  fresh.start_at = story_.start_at;
+  fresh.detail = story_.detail;
+  story_ = std::move(fresh);
+  carries_ = in_motion_ = false;
+  carried_motions_ = 0;
+}
+
+void StoryReader::follow(const trace::Wait&) { motion(time_); }
+
+void StoryReader::follow(const trace::MotionEnd& end) {
+  Motion& ended = motion(time_);
+  ended.to = trace::seconds(end.t);
+  ended.tries = end.tries;
+  ended.accepted = end.accepted;
+  ended.reached = end.reached;
+  ended.status = end.status;
+  ended.message = end.message;
+  ended.at_end = configuration(end.q);
+  in_motion_ = false;
+  if (carries_) ++carried_motions_;
+}
+
+void StoryReader::follow(const trace::Attach&) { carries_ = true; }
+
+void StoryReader::follow(const trace::Detach&) { carries_ = false; }
+
+void StoryReader::follow(const trace::Work& work) {
+  story_.works.push_back({std::string(work.what), std::string(work.crew), trace::seconds(work.from),
+                          trace::seconds(work.t), trace::seconds(work.time)});
+}
+
+void StoryReader::follow(const trace::Pause& pause) {
+  story_.pauses.push_back({std::string(pause.why), std::string(pause.whom),
+                           trace::seconds(pause.from), trace::seconds(pause.t), 0});
+  // A motion that is tried again after a pause is still the same one.
+  if (pause.why == "machine" && carries_ && carried_motions_ > 0) --carried_motions_;
+}
+
+void StoryReader::follow(const trace::Attempt& record) {
   Attempt attempt;
-  attempt.n = record.at("n");
-  attempt.command = record.at("command");
-  attempt.parameters = names(record.at("parameter"));
-  attempt.file = record.value("file", "");
-  attempt.line = record.value("line", 0);
-  attempt.ok = record.at("ok");
-  attempt.reason = record.at("reason");
-  attempt.t = record.at("t");
-  if (record.contains("hit")) {
-    attempt.moved = record.at("hit").at(0);
-    attempt.met = record.at("hit").at(1);
+  attempt.n = record.n;
+  attempt.command = record.command;
+  attempt.parameters.assign(record.parameters.begin(), record.parameters.end());
+  attempt.file = record.file;
+  attempt.line = record.line;
+  attempt.ok = record.ok;
+  attempt.reason = record.reason;
+  attempt.t = trace::seconds(record.t);
+  if (record.hit) {
+    attempt.moved = record.hit->moved;
+    attempt.met = record.hit->met;
   }
   Motion& in = motion(time_);
   if (!attempt.met.empty()) {
     ++in.hits;
     if (!in.first_hit) {
       in.first_hit = attempt;
-      in.first_hit_at = configuration(record.at("q"));
+      in.first_hit_at = configuration(record.q);
     }
   }
   keep(in, std::move(attempt));

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <map>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "src/results/why/task_story.hpp"
+#include "src/simulation/trace/trace_reader.hpp"
 #include "src/simulation/trace/trace_sink.hpp"
 
 namespace rubicon::why {
@@ -23,23 +23,32 @@ class StoryReader : public trace::TraceSink {
   /// The names of the plan's tasks.
   std::vector<std::string> tasks() const;
   bool has_task() const;
-  /// Whether a header was read.
-  bool has_header() const { return has_header_; }
 
   /// Once all lines are read.
   TaskStory story() const;
 
  private:
-  void read_header(const nlohmann::json& record);
-  void read_own(const std::string& type, const nlohmann::json& record);
-  void read_try(const nlohmann::json& record);
+  void read_header(const trace::TraceHeader& header);
+  void read_record(const trace::Record& record);
+  void read_own(const trace::Record& record);
+  // What becomes of the task, record by record; all else is of no concern.
+  template <typename Other>
+  void follow(const Other&) {}
+  void follow(const trace::TaskStart& start);
+  void follow(const trace::Attempt& attempt);
+  void follow(const trace::Wait& wait);
+  void follow(const trace::MotionEnd& end);
+  void follow(const trace::Attach& attach);
+  void follow(const trace::Detach& detach);
+  void follow(const trace::Work& work);
+  void follow(const trace::Pause& pause);
   Motion& motion(double from);
   std::string purpose() const;
   void keep(Motion& in, Attempt attempt);
 
   std::string task_;
+  trace::TraceReader reader_;
   TaskStory story_;
-  bool has_header_ = false;
   std::map<std::string, TaskRun> runs_;
   std::vector<std::string> order_;
   std::string move_;  ///< the component it moves
