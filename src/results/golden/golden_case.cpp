@@ -13,7 +13,7 @@
 #include "src/results/report/diagnostic_printer.hpp"
 #include "src/simulation/taskplan/run_mistakes.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
-#include "src/simulation/trace/json_builder.hpp"
+#include "src/simulation/trace/record.hpp"
 
 namespace rubicon::golden {
 
@@ -41,11 +41,10 @@ std::map<Place, std::string> command_texts(const PlanModel& plan, const SourceMa
   return texts;
 }
 
-std::map<std::string, ordered_json> starts(const PlanModel& plan) {
-  std::map<std::string, ordered_json> configurations;
+std::map<std::string, Values> starts(const PlanModel& plan) {
+  std::map<std::string, Values> configurations;
   for (const auto& robot : plan.robots) {
-    ordered_json& q = configurations[robot.name];
-    q = ordered_json::object();
+    Values& q = configurations[robot.name];
     for (std::size_t i = 0; i < robot.start.size(); ++i) {
       q[robot.robot->model.parameters[i].display_name] = robot.start[i];
     }
@@ -53,33 +52,31 @@ std::map<std::string, ordered_json> starts(const PlanModel& plan) {
   return configurations;
 }
 
-double seconds(interpreter::Ticks ticks) {
-  std::string text;
-  trace::append_seconds(text, ticks);
-  return ordered_json::parse(text).get<double>();
-}
-
 /// What a short plan's golden says beside its events: the one motion's end.
-void add_motion_end(ordered_json& document, const ordered_json& end) {
-  document["status"] = end.at("status");
-  document["period"] = end.at("period");
-  document["tries"] = end.at("tries");
-  document["accepted"] = end.at("accepted");
-  document["rejected"] = ordered_json::object();
-  for (const auto& [reason, count] : end.at("rejected").items()) {
-    if (count.get<int>() > 0) document["rejected"][reason.substr(0, reason.find(' '))] = count;
-  }
-  document["end"] = end.at("q");
-  document["vars"] = end.at("vars");
+void add_motion_end(ordered_json& document, const ObservedEnd& end) {
+  document["status"] = end.status;
+  document["period"] = end.period ? ordered_json(*end.period) : ordered_json(nullptr);
+  document["tries"] = end.tries;
+  document["accepted"] = end.accepted;
+  ordered_json& rejected = document["rejected"] = ordered_json::object();
+  const auto add = [&](const char* reason, int count) {
+    if (count > 0) rejected[reason] = count;
+  };
+  add("at", end.rejected.at_goal);
+  add("no", end.rejected.no_direction);
+  add("limit", end.rejected.limit);
+  add("hit", end.rejected.hit);
+  document["end"] = end.q;
+  document["vars"] = end.variables;
 }
 
 void add_schedule(ordered_json& document, const taskplan::Schedule& schedule) {
-  document["process_time"] = seconds(schedule.process_time);
+  document["process_time"] = trace::seconds(schedule.process_time);
   document["tasks"] = ordered_json::array();
   for (const taskplan::TaskOutcome& task : schedule.tasks) {
     document["tasks"].push_back({{"task", task.task},
-                                 {"start", seconds(task.start)},
-                                 {"duration", seconds(task.duration)},
+                                 {"start", trace::seconds(task.start)},
+                                 {"duration", trace::seconds(task.duration)},
                                  {"tried", task.tried},
                                  {"accepted", task.accepted},
                                  {"result", name_of(task.result)},
@@ -87,7 +84,7 @@ void add_schedule(ordered_json& document, const taskplan::Schedule& schedule) {
   }
 }
 
-std::string summary(const ordered_json& document, const ordered_json& end) {
+std::string summary(const ordered_json& document, const ObservedEnd& end) {
   std::string text = fmt::format("status {}", document.at("status").get<std::string>());
   text += fmt::format("; tries {}, accepted {}, rejected {} (", document.at("tries").get<int>(),
                       document.at("accepted").get<int>(),
@@ -99,9 +96,9 @@ std::string summary(const ordered_json& document, const ordered_json& end) {
   }
   text += "); off goal:";
   separator = " ";
-  for (const auto& [name, off] : end.at("residual").items()) {
-    if (std::fabs(off.get<double>()) <= kNumberTolerance) continue;
-    text += fmt::format("{}{}={}", separator, name, brief(off.get<double>()));
+  for (const auto& [name, off] : end.residual) {
+    if (std::fabs(off) <= kNumberTolerance) continue;
+    text += fmt::format("{}{}={}", separator, name, brief(off));
     separator = ", ";
   }
   return separator[0] == ' ' ? text + " none" : text;
@@ -171,7 +168,7 @@ CaseResult run_case(const std::string& folder, const std::string& expected,
   } else {
     add_schedule(document, schedule);
     head += fmt::format("# {} tasks, process time {} s\n", schedule.tasks.size(),
-                        brief(seconds(schedule.process_time)));
+                        brief(trace::seconds(schedule.process_time)));
   }
   document["warnings"] = ordered_json::array();
   for (const Diagnostic& diagnostic : diagnostics.sorted()) {

@@ -4,13 +4,19 @@
 
 #include <cctype>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <utility>
+#include <variant>
+
+#include "src/simulation/trace/json_builder.hpp"
 
 namespace rubicon::golden {
 
 namespace {
 
 using nlohmann::ordered_json;
+using trace::RecordKind;
 
 /// Width of the command column in `expected.trace`.
 constexpr int kCommandWidth = 34;
@@ -18,53 +24,120 @@ constexpr int kCommandWidth = 34;
 /// Changes smaller than this are not shown to people (m or degrees).
 constexpr double kShownChange = 1e-9;
 
-/// Record fields of a trace and the shorter names that goldens use for them.
-ordered_json golden_event(const ordered_json& record) {
-  const std::string type = record.at("type");
-  ordered_json event = {{"t", type}};
-  const auto keep = [&](const char* field, const char* as) {
-    if (record.contains(field)) event[as] = record.at(field);
-  };
-  if (type == "goal") {
-    keep("k", "k");
-    keep("n", "n");
-  } else if (type == "set") {
-    keep("var", "var");
-    keep("value", "value");
-  } else if (type == "enter" || type == "exit") {
-    keep("kind", "kind");
-    keep("line", "line");
-    keep("column", "col");
-    keep("reached", "reached");
-    keep("successes", "successes");
-  } else if (type == "which") {
-    keep("label", "label");
-    keep("line", "line");
-  } else if (type == "try") {
-    keep("n", "n");
-    keep("command", "cmd");
-    keep("parameter", "p");
-    keep("line", "line");
-    keep("column", "col");
-    keep("ok", "ok");
-    // Only the first word of the reason: names may depend on the order of tests.
-    const std::string reason = record.at("reason");
-    event["why"] = reason.substr(0, reason.find(' '));
-    keep("q", "q");
-  } else if (type == "wait") {
-    keep("n", "n");
-  } else if (type == "attach" || type == "detach") {
-    keep("component", "component");
-  } else if (type == "task_start" || type == "task_end") {
-    keep("t", "time");
-    keep("result", "result");
-    if (record.contains("reason")) event["reason"] = without_folders(record.at("reason"));
-  } else if (type == "end") {
-    keep("status", "status");
-    keep("reached", "reached");
-  }
-  return event;
+/// A number as a trace writes it: a whole one without a point.
+ordered_json number_json(double value) {
+  std::string text;
+  trace::append_number(text, value);
+  if (text == "null") return nullptr;
+  const bool whole =
+      text.find_first_not_of("0123456789", text[0] == '-' ? 1 : 0) == std::string::npos;
+  if (!whole) return value;
+  if (value < 0) return static_cast<std::int64_t>(value);
+  return static_cast<std::uint64_t>(value);
 }
+
+/// A time in seconds, in the same way.
+ordered_json time_json(trace::Ticks time) { return number_json(trace::seconds(time)); }
+
+ordered_json configuration_json(trace::Configuration q) {
+  ordered_json object = ordered_json::object();
+  for (const auto& [name, value] : q) object[std::string(name)] = number_json(value);
+  return object;
+}
+
+/// Only the first word of the reason: names may depend on the order of tests.
+std::string first_word(std::string_view reason) {
+  return std::string(reason.substr(0, reason.find(' ')));
+}
+
+/// The members of a record that goldens keep, with the shorter names that they use.
+struct GoldenMembers {
+  ordered_json& event;
+
+  void operator()(const trace::TaskStart& start) const { event["time"] = time_json(start.t); }
+  void operator()(const trace::GoalStart& goal) const {
+    event["k"] = goal.k;
+    event["n"] = goal.n;
+  }
+  void operator()(const trace::Assignment& assignment) const {
+    event["var"] = assignment.variable;
+    event["value"] = assignment.value ? number_json(*assignment.value) : ordered_json(nullptr);
+  }
+  void operator()(const trace::LoopStart& loop) const {
+    event["kind"] = loop.kind;
+    event["line"] = loop.line;
+    event["col"] = loop.column;
+  }
+  void operator()(const trace::LoopEnd& loop) const {
+    event["kind"] = loop.kind;
+    event["line"] = loop.line;
+    event["col"] = loop.column;
+    event["reached"] = loop.reached;
+    event["successes"] = loop.successes;
+  }
+  void operator()(const trace::Choice& choice) const {
+    event["label"] = choice.label;
+    event["line"] = choice.line;
+  }
+  void operator()(const trace::Attempt& attempt) const {
+    event["n"] = attempt.n;
+    event["cmd"] = attempt.command;
+    if (attempt.command == "together") {
+      event["p"] = attempt.parameters;
+    } else {
+      event["p"] = attempt.parameters.front();
+    }
+    event["line"] = attempt.line;
+    event["col"] = attempt.column;
+    event["ok"] = attempt.ok;
+    event["why"] = first_word(attempt.reason);
+    event["q"] = configuration_json(attempt.q);
+  }
+  void operator()(const trace::Wait& wait) const { event["n"] = wait.n; }
+  void operator()(const trace::Attach& attach) const { event["component"] = attach.component; }
+  void operator()(const trace::Detach& detach) const { event["component"] = detach.component; }
+  void operator()(const trace::MotionEnd& end) const {
+    event["status"] = end.status;
+    event["reached"] = end.reached;
+  }
+  void operator()(const trace::TaskEnd& end) const {
+    event["time"] = time_json(end.t);
+    event["result"] = end.result;
+    event["reason"] = without_folders(std::string(end.reason));
+  }
+  // Crew work, pauses and removals are in the schedule.
+  void operator()(const trace::Work&) const {}
+  void operator()(const trace::Pause&) const {}
+  void operator()(const trace::Removal&) const {}
+};
+
+std::string_view type_of(const trace::Record& record) {
+  return trace::kRecordTypes[static_cast<std::size_t>(record.kind())];
+}
+
+ObservedEnd observed(const trace::MotionEnd& end) {
+  ObservedEnd kept{std::string(end.status),
+                   end.period,
+                   end.tries,
+                   end.accepted,
+                   end.rejected,
+                   {},
+                   configuration_json(end.q),
+                   ordered_json::object()};
+  for (const auto& [name, off] : end.residual) {
+    kept.residual.emplace_back(name, off.value_or(std::numeric_limits<double>::infinity()));
+  }
+  for (const auto& [name, value] : end.variables) {
+    kept.variables[std::string(name)] = value ? number_json(*value) : ordered_json(nullptr);
+  }
+  return kept;
+}
+
+const trace::RecordKinds kWanted = {
+    trace::RecordKind::task_start, trace::RecordKind::goal, trace::RecordKind::set,
+    trace::RecordKind::enter,      trace::RecordKind::exit, trace::RecordKind::which,
+    trace::RecordKind::attempt,    trace::RecordKind::wait, trace::RecordKind::attach,
+    trace::RecordKind::detach,     trace::RecordKind::end,  trace::RecordKind::task_end};
 
 }  // namespace
 
@@ -85,13 +158,15 @@ std::string without_folders(std::string reason) {
 }
 
 Observation::Observation(std::map<Place, std::string> command_texts,
-                         std::map<std::string, ordered_json> starts, bool with_tasks)
-    : command_texts_(std::move(command_texts)),
+                         std::map<std::string, Values> starts, bool with_tasks)
+    : reader_(kWanted),
+      command_texts_(std::move(command_texts)),
       with_tasks_(with_tasks),
       starts_(std::move(starts)),
       q_(starts_) {}
 
 void Observation::restart() {
+  reader_ = trace::TraceReader(kWanted);
   events_ = ordered_json::array();
   ends_.clear();
   text_.clear();
@@ -99,104 +174,117 @@ void Observation::restart() {
   q_ = starts_;
 }
 
-void Observation::line(std::string_view record_text) {
-  const auto record = ordered_json::parse(record_text);
-  const std::string type = record.at("type");
-  const bool about_tasks = type == "task_start" || type == "task_end";
-  if (type == "work" || type == "pause" || type == "remove") return;
-  if (type == "header" || (about_tasks && !with_tasks_)) return;
-  if (type == "end") ends_.push_back(record);
-  if (type != "end" || with_tasks_) {
-    ordered_json event = golden_event(record);
-    if (with_tasks_) event["task"] = record.at("task");
+void Observation::line(std::string_view text) {
+  reader_.read(
+      text, [](const trace::TraceHeader&) {}, [&](const trace::Record& record) { add(record); });
+}
+
+void Observation::add(const trace::Record& record) {
+  const bool about_tasks =
+      record.kind() == RecordKind::task_start || record.kind() == RecordKind::task_end;
+  if (about_tasks && !with_tasks_) return;
+  const auto* end = std::get_if<trace::MotionEnd>(&record.what);
+  if (end != nullptr) ends_.push_back(observed(*end));
+  if (end == nullptr || with_tasks_) {
+    ordered_json event = {{"t", type_of(record)}};
+    std::visit(GoldenMembers{event}, record.what);
+    if (with_tasks_) event["task"] = record.task;
     events_.push_back(std::move(event));
   }
-  add_text(record);
+  std::visit([&](const auto& what) { tell(record, what); }, record.what);
 }
 
-void Observation::add_text(const ordered_json& record) {
-  const std::string type = record.at("type");
-  const auto write = [&](const std::string& text) {
-    text_ += std::string(static_cast<std::size_t>(6 + 2 * depth_), ' ') + text + "\n";
-  };
-  if (type == "goal") {
-    depth_ = 0;
-    write(fmt::format("goal {} of {}", record.at("k").get<int>(), record.at("n").get<int>()));
-  } else if (type == "set") {
-    write(fmt::format("= var({}) = {}", record.at("var").get<std::string>(),
-                      brief(record.at("value").get<double>())));
-  } else if (type == "enter") {
-    write(fmt::format("{}@{} {{", record.at("kind").get<std::string>(),
-                      record.at("line").get<int>()));
-    ++depth_;
-  } else if (type == "exit") {
-    depth_ = depth_ > 0 ? depth_ - 1 : 0;
-    write(fmt::format("}} {}@{} {}, {} successes", record.at("kind").get<std::string>(),
-                      record.at("line").get<int>(),
-                      record.at("reached").get<bool>() ? "reached" : "exhausted",
-                      record.at("successes").get<int>()));
-  } else if (type == "which") {
-    write(fmt::format("which@{} -> {}", record.at("line").get<int>(),
-                      record.at("label").get<std::string>()));
-  } else if (type == "try") {
-    write_try(record, record.at("n").get<int>());
-  } else if (type == "wait") {
-    text_ += fmt::format("{:>5} {}+ wait\n", record.at("n").get<int>(),
-                         std::string(static_cast<std::size_t>(2 * depth_), ' '));
-  } else if (type == "attach" || type == "detach") {
-    depth_ = 0;
-    write(fmt::format("{} {}", type, record.at("component").get<std::string>()));
-  } else if (type == "task_start") {
-    depth_ = 0;
-    text_ += fmt::format("task {}\n", record.at("task").get<std::string>());
-  } else if (type == "task_end") {
-    depth_ = 0;
-    const std::string reason = without_folders(record.value("reason", std::string()));
-    text_ +=
-        fmt::format("task {} {}{}{}\n", record.at("task").get<std::string>(),
-                    record.at("result").get<std::string>(), reason.empty() ? "" : ": ", reason);
-  } else if (type == "end") {
-    depth_ = 0;
-    std::string end = "end";
-    const char* separator = " ";
-    for (const auto& [name, value] : record.at("q").items()) {
-      end += fmt::format("{}{} {}", separator, name, brief(value.get<double>()));
-      separator = ", ";
-    }
-    const std::string status = record.at("status");
-    write(record.at("period").is_null()
-              ? "status " + status
-              : fmt::format("status {} period {}", status, record.at("period").get<int>()));
-    write(end);
+void Observation::write(const std::string& text) {
+  text_ += std::string(static_cast<std::size_t>(6 + 2 * depth_), ' ') + text + "\n";
+}
+
+void Observation::tell(const trace::Record&, const trace::GoalStart& goal) {
+  depth_ = 0;
+  write(fmt::format("goal {} of {}", goal.k, goal.n));
+}
+
+void Observation::tell(const trace::Record&, const trace::Assignment& assignment) {
+  write(fmt::format("= var({}) = {}", assignment.variable,
+                    assignment.value ? brief(*assignment.value) : "null"));
+}
+
+void Observation::tell(const trace::Record&, const trace::LoopStart& loop) {
+  write(fmt::format("{}@{} {{", loop.kind, loop.line));
+  ++depth_;
+}
+
+void Observation::tell(const trace::Record&, const trace::LoopEnd& loop) {
+  depth_ = depth_ > 0 ? depth_ - 1 : 0;
+  write(fmt::format("}} {}@{} {}, {} successes", loop.kind, loop.line,
+                    loop.reached ? "reached" : "exhausted", loop.successes));
+}
+
+void Observation::tell(const trace::Record&, const trace::Choice& choice) {
+  write(fmt::format("which@{} -> {}", choice.line, choice.label));
+}
+
+void Observation::tell(const trace::Record&, const trace::Wait& wait) {
+  text_ += fmt::format("{:>5} {}+ wait\n", wait.n,
+                       std::string(static_cast<std::size_t>(2 * depth_), ' '));
+}
+
+void Observation::tell(const trace::Record&, const trace::Attach& attach) {
+  depth_ = 0;
+  write(fmt::format("attach {}", attach.component));
+}
+
+void Observation::tell(const trace::Record&, const trace::Detach& detach) {
+  depth_ = 0;
+  write(fmt::format("detach {}", detach.component));
+}
+
+void Observation::tell(const trace::Record& record, const trace::TaskStart&) {
+  depth_ = 0;
+  text_ += fmt::format("task {}\n", record.task);
+}
+
+void Observation::tell(const trace::Record& record, const trace::TaskEnd& end) {
+  depth_ = 0;
+  const std::string reason = without_folders(std::string(end.reason));
+  text_ +=
+      fmt::format("task {} {}{}{}\n", record.task, end.result, reason.empty() ? "" : ": ", reason);
+}
+
+void Observation::tell(const trace::Record&, const trace::MotionEnd& end) {
+  depth_ = 0;
+  write(end.period ? fmt::format("status {} period {}", end.status, *end.period)
+                   : fmt::format("status {}", end.status));
+  std::string text = "end";
+  const char* separator = " ";
+  for (const auto& [name, value] : end.q) {
+    text += fmt::format("{}{} {}", separator, name, brief(value));
+    separator = ", ";
   }
+  write(text);
 }
 
-void Observation::write_try(const ordered_json& record, int n) {
-  const auto found =
-      command_texts_.find({record.at("file").get<std::string>(), record.at("line").get<int>(),
-                           record.at("column").get<int>()});
+void Observation::tell(const trace::Record& record, const trace::Attempt& attempt) {
+  const auto found = command_texts_.find({std::string(attempt.file), attempt.line, attempt.column});
   const std::string command =
-      found != command_texts_.end() ? found->second : record.at("command").get<std::string>();
-  ordered_json& q = q_[record.at("robot").get<std::string>()];
+      found != command_texts_.end() ? found->second : std::string(attempt.command);
+  Values& q = q_[std::string(record.robot)];
   std::string change;
-  if (record.at("ok").get<bool>()) {
+  if (attempt.ok) {
     const char* separator = "";
-    for (const auto& [name, value] : record.at("q").items()) {
-      const double after = value.get<double>();
-      if (!q.contains(name)) continue;
-      const double before = q.at(name).get<double>();
-      if (std::fabs(after - before) <= kShownChange) continue;
-      change += fmt::format("{}{}: {} -> {}", separator, name, brief(before), brief(after));
+    for (const auto& [name, after] : attempt.q) {
+      const auto before = q.find(name);
+      if (before == q.end() || std::fabs(after - before->second) <= kShownChange) continue;
+      change += fmt::format("{}{}: {} -> {}", separator, name, brief(before->second), brief(after));
       separator = ", ";
     }
   } else {
-    change = record.at("reason").get<std::string>();
-    if (record.contains("hit")) change += " " + record.at("hit").at(1).get<std::string>();
+    change = attempt.reason;
+    if (attempt.hit) change += fmt::format(" {}", attempt.hit->met);
   }
-  text_ += fmt::format("{:>5} {}{} {:<{}} {}\n", n,
+  text_ += fmt::format("{:>5} {}{} {:<{}} {}\n", attempt.n,
                        std::string(static_cast<std::size_t>(2 * depth_), ' '),
-                       record.at("ok").get<bool>() ? '+' : '-', command, kCommandWidth, change);
-  q = record.at("q");
+                       attempt.ok ? '+' : '-', command, kCommandWidth, change);
+  for (const auto& [name, value] : attempt.q) q.insert_or_assign(std::string(name), value);
 }
 
 std::string describe(const ordered_json& event) {

@@ -1,12 +1,16 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
+#include "src/simulation/trace/trace_reader.hpp"
 #include "src/simulation/trace/trace_sink.hpp"
 
 namespace rubicon::golden {
@@ -14,36 +18,66 @@ namespace rubicon::golden {
 /// Where a command stands: file, line, column.
 using Place = std::tuple<std::string, int, int>;
 
+/// Values of parameters by name (m or degrees).
+using Values = std::map<std::string, double, std::less<>>;
+
+/// The end of a motion: the values by name and, as they were, the refused attempts by reason.
+struct ObservedEnd {
+  std::string status;
+  std::optional<int> period;
+  int tries = 0;
+  int accepted = 0;
+  trace::RefusalCounts rejected;
+  std::vector<std::pair<std::string, double>> residual;
+  nlohmann::ordered_json q;
+  nlohmann::ordered_json variables;
+};
+
 /// Listens to a trace and keeps it in the form of `expected.json` and of `expected.trace`.
 class Observation : public trace::TraceSink {
  public:
   /// `command_texts`: the canonical text of every command, for people; `starts`: each robot's
   /// configuration at first. `with_tasks`: the plan has tasks; every event then says whose it is.
-  Observation(std::map<Place, std::string> command_texts,
-              std::map<std::string, nlohmann::ordered_json> starts, bool with_tasks);
+  Observation(std::map<Place, std::string> command_texts, std::map<std::string, Values> starts,
+              bool with_tasks);
 
   void line(std::string_view record) override;
   void restart() override;
 
   const nlohmann::ordered_json& events() const { return events_; }
-  /// The `end` record of every motion, in order.
-  const std::vector<nlohmann::ordered_json>& ends() const { return ends_; }
+  /// The end of every motion, in order.
+  const std::vector<ObservedEnd>& ends() const { return ends_; }
   /// The events as people read them, one line each.
   const std::string& text() const { return text_; }
 
  private:
-  void add_text(const nlohmann::ordered_json& record);
-  void write_try(const nlohmann::ordered_json& record, int n);
+  void add(const trace::Record& record);
+  void write(const std::string& text);
+  // The lines of text of a record; some records have none.
+  template <typename Other>
+  void tell(const trace::Record&, const Other&) {}
+  void tell(const trace::Record& record, const trace::TaskStart& start);
+  void tell(const trace::Record& record, const trace::GoalStart& goal);
+  void tell(const trace::Record& record, const trace::Assignment& assignment);
+  void tell(const trace::Record& record, const trace::LoopStart& loop);
+  void tell(const trace::Record& record, const trace::LoopEnd& loop);
+  void tell(const trace::Record& record, const trace::Choice& choice);
+  void tell(const trace::Record& record, const trace::Attempt& attempt);
+  void tell(const trace::Record& record, const trace::Wait& wait);
+  void tell(const trace::Record& record, const trace::Attach& attach);
+  void tell(const trace::Record& record, const trace::Detach& detach);
+  void tell(const trace::Record& record, const trace::MotionEnd& end);
+  void tell(const trace::Record& record, const trace::TaskEnd& end);
 
+  trace::TraceReader reader_;
   std::map<Place, std::string> command_texts_;
   bool with_tasks_;
   nlohmann::ordered_json events_ = nlohmann::ordered_json::array();
-  std::vector<nlohmann::ordered_json> ends_;
+  std::vector<ObservedEnd> ends_;
   std::string text_;
   int depth_ = 0;
-  std::map<std::string, nlohmann::ordered_json> starts_;
-  std::map<std::string, nlohmann::ordered_json>
-      q_;  ///< per robot: the configuration before its next try
+  std::map<std::string, Values> starts_;
+  std::map<std::string, Values> q_;  ///< per robot: the configuration before its next try
 };
 
 /// One event in one line, for differences.
