@@ -1,13 +1,15 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
-#include "src/results/debug/record_line.hpp"
 #include "src/results/debug/recording.hpp"
+#include "src/simulation/trace/trace_reader.hpp"
 #include "src/simulation/trace/trace_sink.hpp"
 
 namespace rubicon::debug {
@@ -19,38 +21,51 @@ class RecordingReader : public trace::TraceSink {
   void line(std::string_view text) override;
   void restart() override;
 
-  /// Whether a header was read.
-  bool has_header() const { return has_header_; }
   /// Once all lines are read.
   Recording take();
 
  private:
-  using Configuration = std::map<std::string, double>;
+  using Stand = std::map<std::string, double, std::less<>>;
 
-  void read_header(std::string_view text);
-  void read_record(const std::string& type, const RecordLine& record);
-  Event event_of(EventKind kind, const RecordLine& record);
-  bool read_script(const RecordLine& record, Event& event);
-  void read_work(const RecordLine& record, Event& event);
-  TaskRun& run_of(EventKind kind, const RecordLine& record);
-  void end_task(TaskRun& run, const RecordLine& record);
-  std::size_t add_file(const std::string& path, const std::string& text);
-  PlannedTask& planned(const std::string& name);
-  std::uint32_t place_of(const RecordLine& record);
-  std::uint32_t command_of(const RecordLine& record);
-  std::uint32_t refusal_of(const RecordLine& record);
+  void read_header(const trace::TraceHeader& header);
+  void read_record(const trace::Record& record);
+  Event event_of(const trace::Record& record);
+  // The members of an event by the kind of its record.
+  void fill(Event& event, const trace::TaskStart& start);
+  void fill(Event& event, const trace::GoalStart& goal);
+  void fill(Event& event, const trace::Assignment& assignment);
+  void fill(Event& event, const trace::LoopStart& loop);
+  void fill(Event& event, const trace::LoopEnd& loop);
+  void fill(Event& event, const trace::Choice& choice);
+  void fill(Event& event, const trace::Attempt& attempt);
+  void fill(Event& event, const trace::Wait& wait);
+  void fill(Event& event, const trace::Work& work);
+  void fill(Event& event, const trace::Pause& pause);
+  void fill(Event& event, const trace::Attach& attach);
+  void fill(Event& event, const trace::Detach& detach);
+  void fill(Event& event, const trace::Removal& removal);
+  void fill(Event& event, const trace::MotionEnd& end);
+  void fill(Event& event, const trace::TaskEnd& end);
+  TaskRun& run_of(const trace::Record& record);
+  void end_task(TaskRun& run, const trace::Record& record, const trace::TaskEnd& end);
+  std::size_t add_file(std::string_view path, const std::string& text);
+  PlannedTask& planned(std::string_view name);
+  std::uint32_t place_of(const trace::InText& place);
+  std::uint32_t command_of(const trace::Attempt& attempt);
+  std::uint32_t refusal_of(const trace::Attempt& attempt);
 
+  trace::TraceReader reader_;
   Recording recording_;
-  bool has_header_ = false;
-  std::map<std::string, std::size_t> open_;     ///< the run of each task that goes on
-  std::map<std::string, std::size_t> planned_;  ///< in Recording::tasks
-  std::map<std::string, std::size_t> files_;
+  std::map<std::string, std::size_t, std::less<>> open_;     ///< the run of each task that goes on
+  std::map<std::string, std::size_t, std::less<>> planned_;  ///< in Recording::tasks
+  std::map<std::string, std::size_t, std::less<>> files_;
   std::set<std::string> file_names_;
-  std::map<std::tuple<std::string, int, int>, std::uint32_t> places_;
-  std::map<std::string, std::uint32_t> commands_;
-  std::map<std::tuple<std::string, std::string, std::string>, std::uint32_t> refusals_;
-  std::map<std::string, Configuration>
-      stands_;  ///< where each robot stands when a task of it begins
+  std::map<std::tuple<std::string, int, int>, std::uint32_t, std::less<>> places_;
+  std::map<std::string, std::uint32_t, std::less<>> commands_;  ///< by command and parameters
+  std::string command_key_;
+  std::map<std::tuple<std::string, std::string, std::string>, std::uint32_t, std::less<>> refusals_;
+  /// Where each robot stands when a task of it begins.
+  std::map<std::string, Stand, std::less<>> stands_;
 };
 
 }  // namespace rubicon::debug

@@ -16,19 +16,19 @@ constexpr std::size_t kBetweenCheckpoints = 1024;
 
 }  // namespace
 
-std::uint32_t TaskRun::add_row(const std::vector<std::pair<std::string, double>>& q) {
+std::uint32_t TaskRun::add_row(trace::Configuration q) {
   if (q.size() > kMostParameters) {
     throw std::invalid_argument("this is no line of a trace: too many parameters");
   }
   if (parameters_.empty()) {
     for (const auto& [name, value] : q) {
-      keys_.push_back(name);
+      keys_.emplace_back(name);
       parameters_.push_back(clean_text(name));
     }
   }
   const std::size_t width = parameters_.size();
   bool same = q.size() == width;
-  for (std::size_t i = 0; same && i < width; ++i) same = q[i].first == keys_[i];
+  for (std::size_t i = 0; same && i < width; ++i) same = q[i].name == keys_[i];
   if (!same) {
     throw std::invalid_argument(
         "this is no line of a trace: its 'q' is of another robot than before");
@@ -36,14 +36,14 @@ std::uint32_t TaskRun::add_row(const std::vector<std::pair<std::string, double>>
   const bool stays =
       rows_.size() >= width &&
       std::equal(q.begin(), q.end(), rows_.end() - static_cast<std::ptrdiff_t>(width),
-                 [](const auto& one, double value) { return one.second == value; });
+                 [](const auto& one, double value) { return one.value == value; });
   if (!stays) {
     for (const auto& [name, value] : q) rows_.push_back(value);
   }
   return static_cast<std::uint32_t>(rows_.size() / width - 1);
 }
 
-void TaskRun::add(Event event, const std::vector<std::pair<std::string, double>>& q) {
+void TaskRun::add(Event event, trace::Configuration q) {
   // In what begins a loop `row` is where it ends.
   const bool tells = event.kind == EventKind::attempt || event.kind == EventKind::end;
   if (tells && !q.empty()) event.row = add_row(q);
@@ -85,8 +85,8 @@ std::vector<double> TaskRun::configuration(std::uint32_t row) const {
   return values;
 }
 
-std::map<std::string, double> TaskRun::ended_at() const {
-  std::map<std::string, double> q;
+std::map<std::string, double, std::less<>> TaskRun::ended_at() const {
+  std::map<std::string, double, std::less<>> q;
   const std::vector<double> values = configuration(last_.row);
   for (std::size_t i = 0; i < values.size(); ++i) q[keys_[i]] = values[i];
   return q;

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "src/results/debug/task_state.hpp"
+#include "src/simulation/trace/record.hpp"
 
 namespace rubicon::debug {
 
@@ -19,9 +21,9 @@ class TaskRun {
   /// after it, empty where the record has none. Throws std::invalid_argument if it ends a loop that
   /// is not the innermost one, if `q` is of another robot than before, or if there are too many of
   /// something (task_state.hpp).
-  void add(Event event, const std::vector<std::pair<std::string, double>>& q);
+  void add(Event event, trace::Configuration q);
   /// What the robot stood at before this run, by parameter, as far as it is known.
-  void set_before(std::map<std::string, double> q) { before_ = std::move(q); }
+  void set_before(std::map<std::string, double, std::less<>> q) { before_ = std::move(q); }
 
   TextId name() const { return name_; }
   TextId robot() const { return robot_; }
@@ -39,7 +41,7 @@ class TaskRun {
   /// The parameters of the robot; empty if no record tells them.
   const std::vector<std::string>& parameters() const { return parameters_; }
   /// Where it ended, by parameter; empty if no record tells it.
-  std::map<std::string, double> ended_at() const;
+  std::map<std::string, double, std::less<>> ended_at() const;
   /// A configuration by its number; kNone is the one at the beginning. Values by parameter; NaN
   /// what is not known.
   std::vector<double> configuration(std::uint32_t row) const;
@@ -48,7 +50,7 @@ class TaskRun {
   void close();
 
  private:
-  std::uint32_t add_row(const std::vector<std::pair<std::string, double>>& q);
+  std::uint32_t add_row(trace::Configuration q);
 
   TextId name_ = kNone;
   TextId robot_ = kNone;
@@ -57,7 +59,7 @@ class TaskRun {
   std::vector<std::string> keys_;        ///< the parameters as the trace has them
   std::vector<std::string> parameters_;  ///< the same, fit to be shown
   std::vector<double> rows_;             ///< one configuration after the other
-  std::map<std::string, double> before_;
+  std::map<std::string, double, std::less<>> before_;
   TaskState last_;
   std::vector<TaskState> checkpoints_;  ///< after 0, kBetweenCheckpoints, ... events
 };

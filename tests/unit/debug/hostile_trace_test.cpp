@@ -50,21 +50,25 @@ TEST(HostileTrace, WhatIsNoTraceIsRefused) {
 TEST(HostileTrace, ARecordThatMakesNoSenseIsRefused) {
   EXPECT_EQ(refusal({hand_header(), hand_header()}), "this is no line of a trace: a second header");
   EXPECT_EQ(refusal({hand_header(), hand_record("dance", "")}),
-            "this is no line of a trace: its type is 'dance'");
-  EXPECT_EQ(refusal({hand_header(), hand_record("goal", "\"k\":-1,\"n\":1")}),
-            "this is no line of a trace: its 'k' is no count");
+            "this is no line of a trace: there is no type 'dance'; a later rubicon may know it");
+  EXPECT_EQ(
+      refusal({hand_header(), hand_record("goal", "\"k\":-1,\"n\":1")}),
+      "this is no line of a trace: 'k' should be a whole number from 0 to 2147483647, found -1");
   EXPECT_EQ(refusal({hand_header(), hand_record("goal", "\"k\":\"a\",\"n\":1")}),
-            "this is no line of a trace: it has no 'k', or not of its kind");
+            "this is no line of a trace: 'k' should be a whole number, found \"a\"");
   EXPECT_EQ(refusal({hand_header(), hand_loop("exit", ",\"reached\":true,\"successes\":0")}),
             "this is no line of a trace: no such loop runs");
-  EXPECT_EQ(refusal({hand_header(), hand_try(1, "x", 1, true, 1, 1, 1),
-                     hand_record("try", R"("n":2,"command":"move_to","parameter":"z","ok":true,)"
-                                        R"("reason":"","t":2,"q":{"z":1})")}),
-            "this is no line of a trace: its 'q' is of another robot than before");
+  EXPECT_EQ(
+      refusal({hand_header(), hand_try(1, "x", 1, true, 1, 1, 1),
+               hand_record("try", R"("n":2,"command":"move_to","parameter":"z","file":"s.motion",)"
+                                  R"("line":1,"column":1,"ok":true,)"
+                                  R"("reason":"","t":2,"q":{"z":1})")}),
+      "this is no line of a trace: its 'q' is of another robot than before");
   EXPECT_FALSE(refusal({hand_header(), hand_record("wait", "\"n\":1e999,\"t\":0")}).empty());
   EXPECT_FALSE(
       refusal({hand_header(), hand_record("try", R"("n":1,"command":"move_to",)"
-                                                 R"("parameter":"x","ok":false,"reason":"hit",)"
+                                                 R"("parameter":"x","file":"s.motion","line":1,)"
+                                                 R"("column":1,"ok":false,"reason":"hit",)"
                                                  R"("hit":["a"],"t":2,"q":{"x":1})")})
           .empty());
 }
@@ -117,10 +121,8 @@ TEST(HostileTrace, ControlCharactersAreNeverPrinted) {
           "try",
           R"("n":1,"command":"move\n_to","parameter":"x\u001b","file":"s.motion","line":2,)"
           R"("column":3,"ok":false,"reason":"hit","hit":["\u202ea","b\r"],"t":1,"q":{"x\u001b":1})"),
-      hand_record(
-          "end",
-          R"("status":"\u001b","reached":false,"message":"\u001b[2J","tries":1,"accepted":0,)"
-          R"("q":{"x\u001b":1},"t":1)")};
+      hand_end(R"("status":"\u001b","reached":false,"message":"\u001b[2J","tries":1,"accepted":0,)"
+               R"("q":{"x\u001b":1},"t":1)")};
   debug::Session session = session_of(lines);
   for (const char* command :
        {"break hit", "record", "record", "record", "record", "where", "config", "print",

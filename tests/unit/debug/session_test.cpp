@@ -25,9 +25,8 @@ std::vector<std::string> short_trace() {
       hand_record("wait", R"("n":4,"t":3)"),
       hand_try(5, "x", 2, false, 3, 2, 1, "at goal"),
       hand_loop("exit", R"(,"reached":true,"successes":2)"),
-      hand_record("end",
-                  R"("status":"done","reached":true,"tries":5,"accepted":2,"q":{"x":2,"y":1},)"
-                  R"("t":3)")};
+      hand_end(R"("status":"done","reached":true,"tries":5,"accepted":2,"q":{"x":2,"y":1},)"
+               R"("t":3)")};
 }
 
 TEST(Session, TellsEachStep) {
