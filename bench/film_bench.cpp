@@ -18,12 +18,27 @@
 namespace rubicon::bench {
 namespace {
 
-constexpr const char* kHeader =
-    R"({"type":"header","format":"rubicon-trace","version":1,"plan":"long","form":"full",)"
-    R"("robots":[{"name":"tower_crane","start":{"jib.theta":0,"x":20,"z":30,"hook.theta":0},)"
-    R"("parameters":[{"name":"jib.theta","cyclic":true},{"name":"x","cyclic":false},)"
-    R"({"name":"z","cyclic":false},{"name":"hook.theta","cyclic":true}]}],)"
-    R"("components":[],"meshes":[]})";
+constexpr const char *
+    kHeader =
+       R"({"type":"header","format":"rubicon-trace","version":1,"plan":"long","path":"long.plan",")"
+       R"(form":"full","detail":"steps","contact":0.001,"budget":20000,"situations":[],"start_at":)"
+       R"(null,"currency":"","calendars":[],"files":[],"site":[],"components":[],"robots":[{"name")"
+       R"(:"tower_crane","type":"tower_crane","path":"tower_crane.robot","pose":[1,0,0,0,0,1,0,0,0)"
+       R"(,0,1,0],"start":{"jib.theta":0,"x":20,"z":30,"hook.theta":0},"cost_per_hour":null,"calen)"
+       R"(dar":"","park":null,"time_step":1,"sensor":0,"bodies":[{"name":"mast","parent":null,"fra)"
+       R"(me":"trans(0, 0, 0)",
+   "shapes" : []
+}],"parameters":[{"name":"jib.theta","body":"mast","kind)"
+    R"(":"rotation","cyclic":true,"lower":null,"upper":null,"step":1,"speed":1,"loaded_speed":1)"
+    R"(,"start":0,"prefer":1,"rule":"0"},{"name":"x","body":"mast","kind":"translation","cyclic)"
+    R"(":false,"lower":null,"upper":null,"step":1,"speed":1,"loaded_speed":1,"start":0,"prefer")"
+    R"(:1,"rule":"0"},{"name":"z","body":"mast","kind":"translation","cyclic":false,"lower":nul)"
+    R"(l,"upper":null,"step":1,"speed":1,"loaded_speed":1,"start":0,"prefer":1,"rule":"0"},{"na)"
+    R"(me":"hook.theta","body":"mast","kind":"rotation","cyclic":true,"lower":null,"upper":null)"
+    R"(,"step":1,"speed":1,"loaded_speed":1,"start":0,"prefer":1,"rule":"0"}],"tool":{"body":"m)"
+    R"(ast","frame":"trans(0, 0, 0)"},"touching":[],"capacity":[]
+}],"carry":[],"crews":[],"task)"
+    R"(s":[],"meshes":[]})";
 constexpr int kTriesOfATask = 400;
 
 /// A crane that goes to and fro by steps of 2 degrees and 0.5 m, one parameter after another as a

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "src/results/film/reel_simdjson.hpp"
+#include "src/results/film/film_builder.hpp"
 #include "src/simulation/trace/json_builder.hpp"
 
 namespace rubicon::film {
@@ -78,16 +78,16 @@ std::string places_json(const PlaceTable& places) {
 
 }  // namespace
 
-Film FilmWriter::Reel::finish(std::string_view schedule) {
+Film FilmBuilder::finish(std::string_view schedule) {
   Body body;
-  for (std::size_t i = 0; i < scene_->meshes.size(); ++i) {
-    body.add(fmt::format("mesh.{}.vertices", i), scene_->meshes[i].vertices);
-    body.add(fmt::format("mesh.{}.triangles", i), scene_->meshes[i].triangles);
+  for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
+    body.add(fmt::format("mesh.{}.vertices", i), scene_.meshes[i].vertices);
+    body.add(fmt::format("mesh.{}.triangles", i), scene_.meshes[i].triangles);
   }
   for (const auto& [name, column] : columns_.take()) body.add(name, column);
   const std::string tracks = add_tracks(body, tracks_->take_tracks());
 
-  std::string head = "{\"header\":" + scene_->json;
+  std::string head = "{\"header\":" + scene_.json;
   head += ",\"schedule\":" + (schedule.empty() ? std::string("null") : tidy_json(schedule));
   head += ",\"end\":";
   trace::append_number(head, runs_.end());
@@ -97,7 +97,7 @@ Film FilmWriter::Reel::finish(std::string_view schedule) {
   head += ",\"tracks\":" + tracks;
   head += ",\"columns\":" + body.directory() + "}";
 
-  Film film{scene_->plan, std::string(kMagic)};
+  Film film{scene_.plan, std::string(kMagic)};
   append_number(film.bytes, kVersion);
   append_number(film.bytes, static_cast<std::uint32_t>(head.size()));
   film.bytes += head;
@@ -105,14 +105,14 @@ Film FilmWriter::Reel::finish(std::string_view schedule) {
   return film;
 }
 
-FilmWriter::FilmWriter() : reel_(std::make_unique<Reel>()) {}
+FilmWriter::FilmWriter() : builder_(std::make_unique<FilmBuilder>()) {}
 FilmWriter::FilmWriter(FilmWriter&&) noexcept = default;
 FilmWriter& FilmWriter::operator=(FilmWriter&&) noexcept = default;
 FilmWriter::~FilmWriter() = default;
 
-void FilmWriter::line(std::string_view text) { reel_->line(text); }
-void FilmWriter::restart() { reel_ = std::make_unique<Reel>(); }
-bool FilmWriter::has_header() const { return reel_->has_header(); }
-Film FilmWriter::finish(std::string_view schedule) { return reel_->finish(schedule); }
+void FilmWriter::line(std::string_view text) { builder_->line(text); }
+void FilmWriter::restart() { builder_ = std::make_unique<FilmBuilder>(); }
+bool FilmWriter::has_header() const { return builder_->has_header(); }
+Film FilmWriter::finish(std::string_view schedule) { return builder_->finish(schedule); }
 
 }  // namespace rubicon::film

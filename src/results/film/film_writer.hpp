@@ -14,6 +14,8 @@ struct Film {
   std::string bytes;  ///< not compressed
 };
 
+class FilmBuilder;
+
 /// Takes the lines of a trace and keeps what a film shows of them, in columns of a few bytes a
 /// record.
 class FilmWriter : public trace::TraceSink {
@@ -37,8 +39,7 @@ class FilmWriter : public trace::TraceSink {
   Film finish(std::string_view schedule);
 
  private:
-  class Reel;
-  std::unique_ptr<Reel> reel_;
+  std::unique_ptr<FilmBuilder> builder_;
 };
 
 }  // namespace rubicon::film

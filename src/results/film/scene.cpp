@@ -1,20 +1,15 @@
 #include "src/results/film/scene.hpp"
 
 #include <fmt/format.h>
+#include <simdjson.h>
 
-#include <set>
 #include <stdexcept>
-#include <utility>
 
-#include "src/results/film/record_simdjson.hpp"
 #include "src/simulation/trace/json_builder.hpp"
 
 namespace rubicon::film {
 
 namespace {
-
-constexpr std::int64_t kTraceVersion = 1;
-constexpr std::size_t kCorners = 3;
 
 simdjson::dom::element parse(simdjson::dom::parser& parser, std::string_view text) {
   simdjson::dom::element root;
@@ -25,103 +20,70 @@ simdjson::dom::element parse(simdjson::dom::parser& parser, std::string_view tex
   return root;
 }
 
-SceneRobot read_robot(const Record& record) {
+SceneRobot read_robot(const trace::HeaderRobot& header) {
   SceneRobot robot;
-  robot.name = record.text("name");
-  const Record start = record.object("start");
-  for (const auto each : record.array("parameters")) {
-    const Record parameter(each);
-    SceneParameter& read = robot.parameters.emplace_back();
-    read.name = parameter.text("name");
-    read.cyclic = parameter.truth("cyclic");
-    read.start = start.number(read.name);
-    millionths(read.start, "a start");
+  robot.name = header.name;
+  for (std::size_t i = 0; i < header.parameters.size(); ++i) {
+    robot.parameters.push_back(
+        {header.parameters[i].name, header.parameters[i].cyclic, header.start[i]});
+    millionths(header.start[i], "a start");
   }
   return robot;
 }
 
-SceneMesh read_mesh(const Record& record) {
+SceneMesh read_mesh(const geometry::TriangleMesh& header) {
   SceneMesh mesh;
-  for (const auto each : record.array("vertices")) {
-    mesh.vertices.add(millionths(as_number(each), "a corner of a mesh"));
+  for (const math::Vec3& vertex : header.vertices) {
+    for (const double value : vertex) mesh.vertices.add(millionths(value, "a corner of a mesh"));
   }
-  if (mesh.vertices.count() % kCorners != 0) {
-    throw std::invalid_argument("the corners of a mesh have three numbers each");
-  }
-  const auto corners = static_cast<std::int64_t>(mesh.vertices.count() / kCorners);
-  for (const auto each : record.array("triangles")) {
-    const std::int64_t corner = as_whole(each);
-    if (corner < 0 || corner >= corners) {
-      throw std::invalid_argument(
-          fmt::format("a mesh has {} corners and a triangle at number {}", corners, corner));
-    }
-    mesh.triangles.add(corner);
-  }
-  if (mesh.triangles.count() % kCorners != 0) {
-    throw std::invalid_argument("the triangles of a mesh have three corners each");
+  for (const auto& triangle : header.triangles) {
+    for (const int corner : triangle) mesh.triangles.add(corner);
   }
   return mesh;
 }
 
 /// The member `meshes` as the head has it: where their numbers stand.
-void append_meshes(std::string& out, Scene& scene, const Record& header) {
-  out += '[';
-  for (const auto each : header.array("meshes")) {
-    const Record record(each);
-    if (!scene.meshes.empty()) out += ',';
-    out += fmt::format(
+std::string meshes_json(const trace::TraceHeader& header) {
+  std::string json = "[";
+  for (std::size_t i = 0; i < header.meshes.size(); ++i) {
+    if (i > 0) json += ',';
+    json += fmt::format(
         R"({{"closed":{},"vertices":"mesh.{}.vertices","triangles":"mesh.{}.triangles"}})",
-        record.truth("closed"), scene.meshes.size(), scene.meshes.size());
-    scene.meshes.push_back(read_mesh(record));
+        header.meshes[i]->closed, i, i);
   }
-  out += ']';
+  return json + ']';
 }
 
-std::string header_json(Scene& scene, const Record& header) {
+/// The members of the header as they are written, but for the numbers of meshes.
+std::string header_json(const trace::TraceHeader& header, std::string_view line) {
+  simdjson::dom::parser parser;
+  const simdjson::dom::object members = parse(parser, line);
   std::string json = "{";
-  std::set<std::string_view> names;
-  for (const auto member : header.members()) {
-    // Some readers of JSON take the first of two, others the last.
-    if (!names.insert(member.key).second) {
-      throw std::invalid_argument(fmt::format("the header of the trace has two '{}'", member.key));
-    }
+  for (const auto member : members) {
     if (json.size() > 1) json += ',';
     trace::append_string(json, member.key);
     json += ':';
-    if (member.key == "meshes") {
-      append_meshes(json, scene, header);
-    } else {
-      json += simdjson::minify(member.value);
-    }
+    json += member.key == "meshes" ? meshes_json(header) : simdjson::minify(member.value);
   }
   return json + '}';
 }
 
 }  // namespace
 
-Scene read_scene(std::string_view line) {
-  simdjson::dom::parser parser;
-  const Record header(parse(parser, line));
-  if (header.text_or_empty("format") != "rubicon-trace") {
-    throw std::invalid_argument("this is no trace: its first line does not say so");
-  }
-  if (header.whole("version") != kTraceVersion) {
-    throw std::invalid_argument(fmt::format("the trace has version {}; this rubicon reads {}",
-                                            header.whole("version"), kTraceVersion));
-  }
+Scene read_scene(const trace::TraceHeader& header, std::string_view line) {
   Scene scene;
-  scene.plan = header.text("plan");
-  scene.short_form = header.text("form") == "short";
-  for (const auto each : header.array("robots")) {
-    scene.robots.push_back(read_robot(Record(each)));
-    scene.robot_numbers.emplace(scene.robots.back().name,
-                                static_cast<int>(scene.robots.size()) - 1);
+  scene.plan = header.plan;
+  scene.short_form = header.short_form;
+  for (const trace::HeaderRobot& robot : header.robots) {
+    scene.robots.push_back(read_robot(robot));
+    scene.robot_numbers.emplace(robot.name, static_cast<int>(scene.robots.size()) - 1);
   }
   int components = 0;
-  for (const auto each : header.array("components")) {
-    scene.component_numbers.emplace(Record(each).text("name"), components++);
+  for (const trace::HeaderComponent& component : header.components) {
+    scene.component_numbers.emplace(component.name, components++);
   }
-  scene.json = header_json(scene, header);
+  for (const auto& mesh : header.meshes) scene.meshes.push_back(read_mesh(*mesh));
+  scene.json = header_json(header, line);
   return scene;
 }
 

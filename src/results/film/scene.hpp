@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "src/results/film/column.hpp"
+#include "src/simulation/trace/header.hpp"
 
 namespace rubicon::film {
 
@@ -38,9 +39,9 @@ struct Scene {
   std::vector<SceneMesh> meshes;
 };
 
-/// Reads the header line of a trace; throws std::invalid_argument, with a message for the user, for
-/// what is none.
-Scene read_scene(std::string_view line);
+/// Of the header of a trace; `line` is its text. Throws std::invalid_argument, with a message for
+/// the user, for what a film has no room for.
+Scene read_scene(const trace::TraceHeader& header, std::string_view line);
 
 /// JSON without white space; throws std::invalid_argument for what is no JSON.
 std::string tidy_json(std::string_view text);

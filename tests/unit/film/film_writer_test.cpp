@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "src/results/film/gzip.hpp"
+#include "tests/support/header_json.hpp"
 #include "tests/unit/film/film_decoder.hpp"
 
 namespace rubicon::film {
@@ -20,12 +21,13 @@ using testing::HasSubstr;
 
 /// One robot with x and a cyclic theta, one component, one mesh.
 ordered_json header(const std::string& plan = "site") {
-  return ordered_json::parse(R"({"type":"header","format":"rubicon-trace","version":1,"plan":")" +
-                             plan + R"(","form":"full","start_at":null,
+  return test::whole_header(
+      ordered_json::parse(R"({"type":"header","format":"rubicon-trace","version":1,"plan":")" +
+                          plan + R"(","form":"full","start_at":null,
     "robots":[{"name":"crane","start":{"x":1.5,"theta":170},"parameters":[
         {"name":"x","cyclic":false,"start":0},{"name":"theta","cyclic":true,"start":0}]}],
     "components":[{"name":"panel"}],
-    "meshes":[{"closed":true,"vertices":[0,0,0,1.25,0,0,0,1,-2],"triangles":[0,1,2]}]})");
+    "meshes":[{"closed":true,"vertices":[0,0,0,1.25,0,0,0,1,-2],"triangles":[0,1,2]}]})"));
 }
 
 std::string step(double t, double x, double theta, bool ok = true) {
@@ -201,19 +203,19 @@ TEST(FilmWriter, DamagedLinesAreErrors) {
       {R"({"type":"task_start","task":"b","robot":"digger","t":1})", "no robot 'digger'"},
       {R"({"type":"remove","task":"a","robot":"crane","component":"roof","t":3})",
        "no component 'roof'"},
-      {R"({"type":"wait","task":"a","robot":"crane","n":1,"t":1e300})", "a film holds at most"},
+      {R"({"type":"wait","task":"a","robot":"crane","n":1,"t":1e300})", "'t' should be a time"},
       {R"({"type":"wait","task":"a","robot":"crane","n":1,"t":1e999})", "no line of a trace"},
       {step(1, 1, 1), "runs backwards"},
       {R"({"type":"wait","task":"a","robot":"crane","n":1,"t":1})", "runs backwards"},
       {R"({"type":"task_end","task":"a","robot":"crane","t":1,"result":"done","reason":""})",
        "runs backwards"},
       {step(3, 2e9, 1), "a film holds at most"},
-      {R"({"type":"try","task":"a","robot":"crane","command":"m","parameter":"x","ok":true,"reason":"","t":3,"q":{"x":1}})",
+      {R"({"type":"try","task":"a","robot":"crane","n":1,"command":"m","parameter":"x","file":"f","line":1,"column":1,"ok":true,"reason":"","t":3,"q":{"x":1}})",
        "it has no 'theta'"},
       {R"({"type":"attach","task":"a","robot":"crane","component":"panel","pose":[1,2],"t":3})",
-       "'pose' is no pose"},
+       "'pose' should be a pose"},
       {R"({"type":"attach","task":"a","robot":"crane","component":"panel","pose":[0,0,0,0,0,0,0,0,0,0,0,0],"t":3})",
-       "'pose' is no pose"},
+       "'pose' should be a pose"},
       {"{\"type\":\"goal\",\"task\":\"\xff\",\"robot\":\"crane\"}", "no line of a trace"},
       {std::string(100'000, '['), "no line of a trace"},
   };
@@ -237,7 +239,7 @@ TEST(FilmWriter, DamagedHeadersAreErrors) {
       {changed([](auto& head) { head["meshes"][0]["triangles"].push_back(0); }), "three corners"},
       {changed([](auto& head) { head["meshes"][0]["vertices"].push_back(0); }), "three numbers"},
       {kStart, "this is no trace"},
-      {"", "this is no JSON"},
+      {"", "this is no trace"},
       {changed([](auto& head) { head["version"] = 2; }), "version 2"},
       {changed([](auto& head) { head.erase("robots"); }), "it has no 'robots'"},
       {changed([](auto& head) { head["robots"][0]["start"].erase("x"); }), "it has no 'x'"},

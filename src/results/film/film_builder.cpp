@@ -1,0 +1,241 @@
+#include "src/results/film/film_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "src/simulation/trace/json_builder.hpp"
+
+namespace rubicon::film {
+
+namespace {
+
+/// Adds the seven numbers of a pose: position (m) and quaternion x, y, z, w.
+void add_pose(PoseColumn& column, const math::Pose& X) {
+  const Eigen::Quaterniond turn(Eigen::Matrix3d(X.linear()));
+  const auto p = X.translation();
+  for (const double value : {p.x(), p.y(), p.z(), turn.x(), turn.y(), turn.z(), turn.w()}) {
+    millionths(value, "a pose");
+    column.values.push_back(value);
+  }
+}
+
+}  // namespace
+
+void FilmBuilder::line(std::string_view text) {
+  reader_.read(
+      text,
+      [&](const trace::TraceHeader& header) {
+        scene_ = read_scene(header, text);
+        tracks_.emplace(scene_.robots);
+      },
+      [&](const trace::Record& each) { record(each); });
+}
+
+/// When a record is over.
+double FilmBuilder::time_of(const trace::Record& record, const FilmRun& run) const {
+  const auto time = record.time();
+  const double t = time ? trace::seconds(*time) : run.last;
+  // The end of a rejected task tells its start again.
+  const auto* end = std::get_if<trace::TaskEnd>(&record.what);
+  const bool undone = end != nullptr && end->result != "done";
+  if (t < run.last && !undone) {
+    throw std::invalid_argument("the task's time runs backwards here");
+  }
+  return t;
+}
+
+void FilmBuilder::record(const trace::Record& record) {
+  const int run = run_of(record);
+  const double t = time_of(record, runs_[run]);
+  columns_.kind.add(static_cast<int>(record.kind()));
+  columns_.run.add(run);
+  columns_.t.add(millionths(t, "a time"));
+  runs_[run].last = t;
+  std::visit([&](const auto& what) { write(what, run); }, record.what);
+}
+
+/// The run that a record belongs to; begins it where this is its first.
+int FilmBuilder::run_of(const trace::Record& record) {
+  const int open = runs_.open_run(record.task);
+  const bool starts = record.kind() == RecordKind::task_start;
+  if (open >= 0) {
+    if (starts) throw std::invalid_argument(fmt::format("task '{}' begins twice", record.task));
+    return open;
+  }
+  if (!starts && record.kind() != RecordKind::task_end && !scene_.short_form) {
+    throw std::invalid_argument(fmt::format("task '{}' has not begun", record.task));
+  }
+  return begin(record);
+}
+
+int FilmBuilder::begin(const trace::Record& record) {
+  FilmRun run;
+  run.task = record.task;
+  if (!record.robot.empty()) {
+    const auto found = scene_.robot_numbers.find(record.robot);
+    if (found == scene_.robot_numbers.end()) {
+      throw std::invalid_argument(
+          fmt::format("the trace's header has no robot '{}'", record.robot));
+    }
+    run.robot = found->second;
+  }
+  // The one task of a short plan begins with it.
+  const auto time = record.time();
+  run.start = scene_.short_form || !time ? 0 : trace::seconds(*time);
+  run.last = run.start;
+  if (const auto* start = std::get_if<trace::TaskStart>(&record.what)) {
+    run.because = start->because;
+    run.after = start->after;
+  }
+  const int number = runs_.begin(std::move(run));
+  if (record.kind() != RecordKind::task_end) {
+    tracks_->begin(number, runs_[number].robot, runs_[number].start);
+  }
+  return number;
+}
+
+std::int64_t FilmBuilder::place(const trace::InText& place) {
+  return places_.number({string(place.file), place.line, place.column});
+}
+
+std::int64_t FilmBuilder::component(std::string_view name) const {
+  const auto found = scene_.component_numbers.find(name);
+  if (found == scene_.component_numbers.end()) {
+    throw std::invalid_argument(fmt::format("the trace's header has no component '{}'", name));
+  }
+  return found->second;
+}
+
+/// To where a record says that the robot is.
+void FilmBuilder::move(trace::Configuration q, int run) {
+  const int robot = runs_[run].robot;
+  if (robot < 0) return;
+  const auto& parameters = scene_.robots[static_cast<std::size_t>(robot)].parameters;
+  q_.clear();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    // As they are written; any other order is as good.
+    std::size_t at = i;
+    if (at >= q.size() || q[at].name != parameters[i].name) {
+      for (at = 0; at < q.size() && q[at].name != parameters[i].name;) ++at;
+    }
+    if (at == q.size()) {
+      throw std::invalid_argument(
+          fmt::format("this is no line of a trace: it has no '{}' in 'q'", parameters[i].name));
+    }
+    q_.push_back(q[at].value);
+  }
+  tracks_->move(run, runs_[run].last, q_);
+}
+
+void FilmBuilder::write(const trace::TaskStart&, int) {}
+
+void FilmBuilder::write(const trace::GoalStart& goal, int) {
+  columns_.goal_k.add(goal.k);
+  columns_.goal_n.add(goal.n);
+}
+
+void FilmBuilder::write(const trace::Assignment& assignment, int) {
+  columns_.set_var.add(string(assignment.variable));
+  std::string text;
+  if (assignment.value) {
+    trace::append_number(text, *assignment.value);
+  } else {
+    text = "null";
+  }
+  columns_.set_value.add(string(text));
+}
+
+void FilmBuilder::write(const trace::LoopStart& loop, int) {
+  columns_.enter_kind.add(string(loop.kind));
+  columns_.enter_place.add(place(loop));
+}
+
+void FilmBuilder::write(const trace::LoopEnd& loop, int) {
+  columns_.exit_kind.add(string(loop.kind));
+  columns_.exit_place.add(place(loop));
+  columns_.exit_reached.add(loop.reached ? 1 : 0);
+  columns_.exit_successes.add(loop.successes);
+}
+
+void FilmBuilder::write(const trace::Choice& choice, int) {
+  columns_.which_label.add(string(choice.label));
+  columns_.which_place.add(place(choice));
+}
+
+void FilmBuilder::write(const trace::Attempt& attempt, int run) {
+  columns_.try_command.add(string(attempt.command));
+  if (attempt.parameters.size() == 1) {
+    columns_.try_parameter.add(string(attempt.parameters.front()));
+  } else {
+    columns_.try_parameter.add(string(fmt::format("{}", fmt::join(attempt.parameters, ", "))));
+  }
+  columns_.try_place.add(place(attempt));
+  columns_.try_ok.add(attempt.ok ? 1 : 0);
+  columns_.try_reason.add(string(attempt.reason));
+  const trace::Hit hit = attempt.hit.value_or(trace::Hit{});
+  columns_.try_moved.add(string(hit.moved));
+  columns_.try_met.add(string(hit.met));
+  if (attempt.ok) move(attempt.q, run);
+}
+
+void FilmBuilder::write(const trace::Wait&, int run) { tracks_->stand(run, runs_[run].last); }
+
+void FilmBuilder::write(const trace::Work& work, int run) {
+  columns_.work_what.add(string(work.what));
+  columns_.work_crew.add(string(work.crew));
+  columns_.work_from.add(millionths(trace::seconds(work.from), "a time"));
+  columns_.work_time.add(millionths(trace::seconds(work.time), "a time"));
+  tracks_->stand(run, runs_[run].last);
+}
+
+void FilmBuilder::write(const trace::Pause& pause, int run) {
+  columns_.pause_why.add(string(pause.why));
+  columns_.pause_for.add(string(pause.whom));
+  columns_.pause_from.add(millionths(trace::seconds(pause.from), "a time"));
+  tracks_->stand(run, runs_[run].last);
+}
+
+void FilmBuilder::write(const trace::Attach& attach, int) {
+  columns_.attach_component.add(component(attach.component));
+  add_pose(columns_.attach_pose, attach.X_TO);
+}
+
+void FilmBuilder::write(const trace::Detach& detach, int) {
+  columns_.detach_component.add(component(detach.component));
+  add_pose(columns_.detach_pose, detach.X_WO);
+}
+
+void FilmBuilder::write(const trace::Removal& removal, int) {
+  columns_.remove_component.add(component(removal.component));
+}
+
+void FilmBuilder::write(const trace::MotionEnd& end, int run) {
+  columns_.end_status.add(string(end.status));
+  columns_.end_message.add(string(end.message));
+  columns_.end_reached.add(end.reached ? 1 : 0);
+  columns_.end_tries.add(end.tries);
+  columns_.end_accepted.add(end.accepted);
+  // Where single steps are not written, this is where they led.
+  move(end.q, run);
+}
+
+void FilmBuilder::write(const trace::TaskEnd& end, int run) {
+  FilmRun& ended = runs_[run];
+  ended.result = end.result;
+  ended.reason = end.reason;
+  ended.happened = ended.result == "done";
+  ended.end = ended.happened ? ended.last : tracks_->reached(run).value_or(ended.start);
+  if (ended.happened) {
+    tracks_->accept(run);
+  } else {
+    tracks_->reject(run);
+  }
+  runs_.close(run);
+}
+
+}  // namespace rubicon::film

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/results/film/film_runs.hpp"
+#include "src/results/film/film_writer.hpp"
+#include "src/results/film/record_columns.hpp"
+#include "src/results/film/robot_tracks.hpp"
+#include "src/results/film/scene.hpp"
+#include "src/results/film/string_table.hpp"
+#include "src/simulation/trace/trace_reader.hpp"
+
+namespace rubicon::film {
+
+/// All that a film writer has read so far.
+class FilmBuilder {
+ public:
+  void line(std::string_view text);
+  bool has_header() const { return reader_.has_header(); }
+  Film finish(std::string_view schedule);
+
+ private:
+  void record(const trace::Record& record);
+  int run_of(const trace::Record& record);
+  int begin(const trace::Record& record);
+  double time_of(const trace::Record& record, const FilmRun& run) const;
+
+  // What the columns of each kind keep of a record of a run.
+  void write(const trace::TaskStart& start, int run);
+  void write(const trace::GoalStart& goal, int run);
+  void write(const trace::Assignment& assignment, int run);
+  void write(const trace::LoopStart& loop, int run);
+  void write(const trace::LoopEnd& loop, int run);
+  void write(const trace::Choice& choice, int run);
+  void write(const trace::Attempt& attempt, int run);
+  void write(const trace::Wait& wait, int run);
+  void write(const trace::Work& work, int run);
+  void write(const trace::Pause& pause, int run);
+  void write(const trace::Attach& attach, int run);
+  void write(const trace::Detach& detach, int run);
+  void write(const trace::Removal& removal, int run);
+  void write(const trace::MotionEnd& end, int run);
+  void write(const trace::TaskEnd& end, int run);
+
+  std::int64_t string(std::string_view text) { return strings_.number(text); }
+  std::int64_t place(const trace::InText& place);
+  std::int64_t component(std::string_view name) const;
+  void move(trace::Configuration q, int run);
+
+  trace::TraceReader reader_;
+  Scene scene_;
+  std::optional<RobotTracks> tracks_;
+  FilmRuns runs_;
+  StringTable strings_;
+  PlaceTable places_;
+  RecordColumns columns_;
+  std::vector<double> q_;
+};
+
+}  // namespace rubicon::film
