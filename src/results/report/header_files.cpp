@@ -1,25 +1,20 @@
 #include "src/results/report/header_files.hpp"
 
-#include <fmt/format.h>
-
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
+#include <utility>
+
+#include "src/simulation/trace/header.hpp"
+#include "src/simulation/trace/trace_reader.hpp"
 
 namespace rubicon::report {
 
 using interpreter::FileFailure;
 
 HeaderFiles::HeaderFiles(const std::string& header) {
-  try {
-    const nlohmann::json json = nlohmann::json::parse(header);
-    if (json.at("type") != "header") throw std::invalid_argument("this is no header of a trace");
-    plan_path_ = json.at("path").get<std::string>();
-    for (const nlohmann::json& file : json.at("files")) {
-      texts_.emplace(file.at("path").get<std::string>(), file.at("text").get<std::string>());
-    }
-  } catch (const nlohmann::json::exception& error) {
-    throw std::invalid_argument(fmt::format("this is no header of a trace: {}", error.what()));
+  trace::TraceHeader read = trace::read_header(header);
+  plan_path_ = std::move(read.path);
+  for (trace::HeaderFile& file : read.files) {
+    texts_.emplace(std::move(file.path), std::move(file.text));
   }
 }
 
