@@ -18,27 +18,25 @@
 namespace rubicon::bench {
 namespace {
 
-constexpr const char *
-    kHeader =
-       R"({"type":"header","format":"rubicon-trace","version":1,"plan":"long","path":"long.plan",")"
-       R"(form":"full","detail":"steps","contact":0.001,"budget":20000,"situations":[],"start_at":)"
-       R"(null,"currency":"","calendars":[],"files":[],"site":[],"components":[],"robots":[{"name")"
-       R"(:"tower_crane","type":"tower_crane","path":"tower_crane.robot","pose":[1,0,0,0,0,1,0,0,0)"
-       R"(,0,1,0],"start":{"jib.theta":0,"x":20,"z":30,"hook.theta":0},"cost_per_hour":null,"calen)"
-       R"(dar":"","park":null,"time_step":1,"sensor":0,"bodies":[{"name":"mast","parent":null,"fra)"
-       R"(me":"trans(0, 0, 0)",
-   "shapes" : []
-}],"parameters":[{"name":"jib.theta","body":"mast","kind)"
-    R"(":"rotation","cyclic":true,"lower":null,"upper":null,"step":1,"speed":1,"loaded_speed":1)"
-    R"(,"start":0,"prefer":1,"rule":"0"},{"name":"x","body":"mast","kind":"translation","cyclic)"
-    R"(":false,"lower":null,"upper":null,"step":1,"speed":1,"loaded_speed":1,"start":0,"prefer")"
-    R"(:1,"rule":"0"},{"name":"z","body":"mast","kind":"translation","cyclic":false,"lower":nul)"
-    R"(l,"upper":null,"step":1,"speed":1,"loaded_speed":1,"start":0,"prefer":1,"rule":"0"},{"na)"
-    R"(me":"hook.theta","body":"mast","kind":"rotation","cyclic":true,"lower":null,"upper":null)"
-    R"(,"step":1,"speed":1,"loaded_speed":1,"start":0,"prefer":1,"rule":"0"}],"tool":{"body":"m)"
-    R"(ast","frame":"trans(0, 0, 0)"},"touching":[],"capacity":[]
-}],"carry":[],"crews":[],"task)"
-    R"(s":[],"meshes":[]})";
+constexpr const char* kHeader =
+    R"({"type":"header","format":"rubicon-trace","version":1,"plan":"long","path":"long.plan",)"
+    R"("form":"full","detail":"steps","contact":0.001,"budget":20000,"situations":[],)"
+    R"("start_at":null,"currency":"","calendars":[],"files":[],"site":[],"components":[],)"
+    R"("carry":[],"crews":[],"tasks":[],"meshes":[],"robots":[{"name":"tower_crane",)"
+    R"("type":"tower_crane","path":"tower_crane.robot","pose":[1,0,0,0,0,1,0,0,0,0,1,0],)"
+    R"("start":{"jib.theta":0,"x":20,"z":30,"hook.theta":0},"cost_per_hour":null,)"
+    R"("calendar":"","park":null,"time_step":1,"sensor":0,"touching":[],"capacity":[],)"
+    R"("bodies":[{"name":"mast","parent":null,"frame":"","shapes":[]}],)"
+    R"("tool":{"body":"mast","frame":""},"parameters":[)"
+    R"({"name":"jib.theta","body":"mast","kind":"rotation","cyclic":true,"lower":null,)"
+    R"("upper":null,"step":1,"speed":1,"loaded_speed":1,"start":0,"prefer":1,"rule":"0"},)"
+    R"({"name":"x","body":"mast","kind":"translation","cyclic":false,"lower":null,)"
+    R"("upper":null,"step":1,"speed":1,"loaded_speed":1,"start":0,"prefer":1,"rule":"0"},)"
+    R"({"name":"z","body":"mast","kind":"translation","cyclic":false,"lower":null,)"
+    R"("upper":null,"step":1,"speed":1,"loaded_speed":1,"start":0,"prefer":1,"rule":"0"},)"
+    R"({"name":"hook.theta","body":"mast","kind":"rotation","cyclic":true,"lower":null,)"
+    R"("upper":null,"step":1,"speed":1,"loaded_speed":1,"start":0,"prefer":1,"rule":"0"})"
+    R"(]}]})";
 constexpr int kTriesOfATask = 400;
 
 /// A crane that goes to and fro by steps of 2 degrees and 0.5 m, one parameter after another as a

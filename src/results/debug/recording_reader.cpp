@@ -9,6 +9,8 @@
 
 #include "src/results/debug/clean_text.hpp"
 #include "src/results/report/schedule_text.hpp"
+#include "src/simulation/trace/header.hpp"
+#include "src/simulation/trace/record.hpp"
 
 namespace rubicon::debug {
 

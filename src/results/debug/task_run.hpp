@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "src/results/debug/task_state.hpp"
-#include "src/simulation/trace/record.hpp"
+#include "src/simulation/trace/parameter_value.hpp"
 
 namespace rubicon::debug {
 

@@ -8,7 +8,10 @@
 #include <utility>
 #include <variant>
 
+#include "src/motion/math/pose.hpp"
+#include "src/simulation/trace/header.hpp"
 #include "src/simulation/trace/json_builder.hpp"
+#include "src/simulation/trace/record.hpp"
 
 namespace rubicon::film {
 

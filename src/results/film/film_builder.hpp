@@ -11,6 +11,7 @@
 #include "src/results/film/robot_tracks.hpp"
 #include "src/results/film/scene.hpp"
 #include "src/results/film/string_table.hpp"
+#include "src/simulation/trace/parameter_value.hpp"
 #include "src/simulation/trace/trace_reader.hpp"
 
 namespace rubicon::film {

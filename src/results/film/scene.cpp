@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "src/simulation/trace/header.hpp"
 #include "src/simulation/trace/json_builder.hpp"
 
 namespace rubicon::film {

@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "src/results/film/column.hpp"
-#include "src/simulation/trace/header.hpp"
+
+namespace rubicon::trace {
+struct TraceHeader;
+}
 
 namespace rubicon::film {
 

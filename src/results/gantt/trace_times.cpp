@@ -3,6 +3,9 @@
 #include <stdexcept>
 #include <variant>
 
+#include "src/simulation/trace/header.hpp"
+#include "src/simulation/trace/record.hpp"
+
 namespace rubicon::gantt {
 
 namespace {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "src/simulation/trace/header.hpp"
 #include "src/simulation/trace/json_builder.hpp"
 
 namespace rubicon::golden {

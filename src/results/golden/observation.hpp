@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/simulation/trace/record.hpp"
 #include "src/simulation/trace/trace_reader.hpp"
 #include "src/simulation/trace/trace_sink.hpp"
 

@@ -6,6 +6,8 @@
 
 #include "src/results/report/schedule_text.hpp"
 #include "src/results/why/wait_chain.hpp"
+#include "src/simulation/trace/header.hpp"
+#include "src/simulation/trace/record.hpp"
 
 namespace rubicon::why {
 

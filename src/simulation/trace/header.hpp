@@ -43,12 +43,16 @@ struct HeaderGoal {
   HeaderValues values;
 };
 
+/// Texts by name, as the plan gives them.
+using HeaderAttributes = std::vector<std::pair<std::string, std::string>>;
+
 struct HeaderComponent {
   std::string name;
   math::Pose X_WO = math::Pose::Identity();  ///< at first
   math::Pose X_OG = math::Pose::Identity();
   double mass = 0;                      ///< kg
   std::vector<geometry::Shape> shapes;  ///< in {O}
+  HeaderAttributes attributes;
 };
 
 struct HeaderBody {
@@ -128,6 +132,7 @@ struct HeaderTask {
   double priority = 0;
   std::vector<geometry::Shape> zones;  ///< in {W}
   std::vector<HeaderLink> after;
+  HeaderAttributes attributes;
 };
 
 /// The first line of a trace (docs/trace.md): the whole scene. Names that it refers to are there
@@ -154,10 +159,5 @@ struct TraceHeader {
   std::vector<HeaderTask> tasks;
   std::vector<std::shared_ptr<const geometry::TriangleMesh>> meshes;
 };
-
-/// Reads the first line of a trace. Throws std::invalid_argument, with a message for the user, for
-/// what is none: another format, another version, a member that is missing, there twice or of the
-/// wrong kind.
-TraceHeader read_header(std::string_view line);
 
 }  // namespace rubicon::trace

@@ -6,6 +6,7 @@
 
 #include "src/simulation/trace/header.hpp"
 #include "src/simulation/trace/shape_reader_simdjson.hpp"
+#include "src/simulation/trace/trace_reader.hpp"
 
 namespace rubicon::trace {
 
@@ -35,6 +36,16 @@ HeaderValues read_values(const JsonObject& object) {
     values.emplace_back(member.key, object.number(member.key));
   }
   return values;
+}
+
+HeaderAttributes read_attributes(const JsonObject& object) {
+  HeaderAttributes attributes;
+  if (!object.has("attributes")) return attributes;
+  const JsonObject texts = object.object("attributes");
+  for (const auto member : texts.members()) {
+    attributes.emplace_back(member.key, texts.text(member.key));
+  }
+  return attributes;
 }
 
 HeaderGoal read_goal(const JsonObject& object) {
@@ -192,6 +203,7 @@ HeaderTask read_task(const JsonObject& object, const HeaderMeshes& meshes) {
   object.each_object("after", [&](const JsonObject& link) {
     task.after.push_back({link.text("task"), link.text("type"), link.number("lag")});
   });
+  task.attributes = read_attributes(object);
   return task;
 }
 
@@ -246,7 +258,8 @@ TraceHeader read_scene(const JsonObject& header) {
   read.site = read_shapes(header, "site", read.meshes);
   header.each_object("components", [&](const JsonObject& object) {
     read.components.push_back({object.text("name"), object.pose("pose"), object.pose("grip"),
-                               object.number("mass"), read_shapes(object, "shapes", read.meshes)});
+                               object.number("mass"), read_shapes(object, "shapes", read.meshes),
+                               read_attributes(object)});
   });
   header.each_object("robots", [&](const JsonObject& object) {
     read.robots.push_back(read_robot(object, read.meshes));

@@ -8,18 +8,12 @@
 
 #include "interpreter/program/world.hpp"
 #include "src/motion/math/pose.hpp"
+#include "src/simulation/trace/parameter_value.hpp"
 #include "src/simulation/trace/record_kind.hpp"
 
 namespace rubicon::trace {
 
 using interpreter::Ticks;
-
-/// The value of a control parameter (m or degrees) by its name.
-struct ParameterValue {
-  std::string_view name;
-  double value = 0;
-};
-using Configuration = std::span<const ParameterValue>;
 
 /// A value by the name of its parameter or variable; nothing where it is not finite.
 struct NamedValue {

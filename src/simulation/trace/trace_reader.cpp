@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "src/simulation/trace/header.hpp"
 #include "src/simulation/trace/json_object_simdjson.hpp"
 #include "src/simulation/trace/record_fields.hpp"
 #include "src/simulation/trace/record_values_simdjson.hpp"

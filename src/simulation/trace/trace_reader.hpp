@@ -5,10 +5,34 @@
 #include <memory>
 #include <string_view>
 
-#include "src/simulation/trace/header.hpp"
-#include "src/simulation/trace/record.hpp"
+#include "src/simulation/trace/record_kind.hpp"
 
 namespace rubicon::trace {
+
+// Who looks into a header or a record includes header.hpp or record.hpp.
+struct TraceHeader;
+struct Record;
+struct InText;
+struct TaskStart;
+struct GoalStart;
+struct Assignment;
+struct LoopStart;
+struct LoopEnd;
+struct Choice;
+struct Attempt;
+struct Wait;
+struct Work;
+struct Pause;
+struct Attach;
+struct Detach;
+struct Removal;
+struct MotionEnd;
+struct TaskEnd;
+
+/// Reads the first line of a trace. Throws std::invalid_argument, with a message for the user, for
+/// what is none: another format, another version, a member that is missing, there twice or of the
+/// wrong kind.
+TraceHeader read_header(std::string_view line);
 
 /// Some kinds of records.
 class RecordKinds {

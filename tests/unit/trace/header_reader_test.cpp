@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "src/simulation/trace/header.hpp"
+#include "src/simulation/trace/trace_reader.hpp"
 #include "tests/support/header_json.hpp"
 #include "tests/unit/trace/written_records.hpp"
 
@@ -28,7 +29,7 @@ TEST(HeaderReader, ReadsWhatIsWritten) {
   const TraceHeader header = read_header(test::written_header(plan));
   EXPECT_EQ(header.plan, plan.name);
   EXPECT_EQ(header.detail, "steps");
-  EXPECT_EQ(header.start_at, plan.start_at);
+  EXPECT_EQ(header.start_at, "2026-11-23 07:00");
   EXPECT_EQ(header.files.at(0).path, "crane.motion");
   EXPECT_EQ(header.files.at(0).sha256.size(), 64u);
   EXPECT_EQ(header.calendars.at(0).shifts.at(0).minutes.at(1), (std::pair{780, 960}));
@@ -46,6 +47,8 @@ TEST(HeaderReader, ReadsWhatIsWritten) {
   EXPECT_EQ(std::get<geometry::Mesh>(slab.shapes[1].solid).mesh->vertices.size(), 3u);
   EXPECT_EQ(std::get<geometry::Capsule>(slab.shapes[4].solid).b, math::Vec3(4, 5, 6));
   EXPECT_EQ(std::get<geometry::Prism>(slab.shapes[5].solid).polygon.at(2).y(), 1);
+  EXPECT_EQ(slab.attributes.at(0), (std::pair<std::string, std::string>{"storey", "2"}));
+  EXPECT_EQ(header.tasks.back().attributes.at(0).second, "60 min");
   const HeaderRobot& robot = header.robots.at(0);
   EXPECT_EQ(robot.start, plan.robots[0].start);
   EXPECT_EQ(robot.parameters.at(1).formula, "x + x_s");
@@ -84,7 +87,7 @@ TEST(HeaderReader, WantsEveryMemberOnceAndOfItsKind) {
   // What need not be there: of tasks, and of a short plan.
   const std::set<std::string> optional = {"go",    "via",    "within", "situations",
                                           "hook",  "adjust", "goal",   "release",
-                                          "takes", "remove", "move"};
+                                          "takes", "remove", "move",   "attributes"};
   for (const auto& [name, value] : whole.items()) {
     ordered_json header = whole;
     header.erase(name);

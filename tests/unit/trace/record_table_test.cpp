@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "src/simulation/trace/header.hpp"
 #include "src/simulation/trace/record_fields.hpp"
 #include "src/simulation/trace/trace_reader.hpp"
 #include "tests/unit/trace/written_records.hpp"

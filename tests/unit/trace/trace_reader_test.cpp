@@ -8,7 +8,9 @@
 #include <optional>
 #include <stdexcept>
 
+#include "src/simulation/trace/header.hpp"
 #include "src/simulation/trace/json_builder.hpp"
+#include "src/simulation/trace/record.hpp"
 #include "tests/support/header_json.hpp"
 #include "tests/unit/trace/written_records.hpp"
 

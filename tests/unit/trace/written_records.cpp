@@ -80,8 +80,11 @@ interpreter::PlanModel rich_plan() {
   task.zones = {shapes.front()};
   task.situations = {"safety"};
   task.via = {{{{0, 5.0}}, {}, {}}};
-  plan.start_at = "2026-11-23 07:00";
-  plan.calendars.push_back({"site", {{0, 4, {{420, 720}, {780, 960}}}}, {"2026-12-25"}, true, {}});
+  plan.start_at = schedule::CivilTime{{2026, 11, 23}, 7 * 60};
+  plan.calendars.push_back(
+      {{"site", {{0, 4, {{420, 720}, {780, 960}}}}, {{2026, 12, 25}}, true}, {}});
+  plan.components.back().attributes = {{"storey", "2"}};
+  task.attributes = {{"fire", "60 min"}};
   plan.site = {shapes.front()};
   return plan;
 }
