@@ -245,7 +245,7 @@ TEST(FilmWriter, DamagedHeadersAreErrors) {
       {changed([](auto& head) { head["robots"][0]["start"].erase("x"); }), "it has no 'x'"},
       {changed([](auto& head) { head["robots"][0]["start"]["x"] = 1e10; }), "holds at most"},
       {changed([](auto& head) { head["meshes"][0]["triangles"][0] = 3; }), "triangle at number 3"},
-      {changed([](auto& head) { head["meshes"][0]["vertices"][0] = "1"; }), "should be a number"},
+      {changed([](auto& head) { head["meshes"][0]["vertices"][0] = "1"; }), "expected a number"},
   };
   for (const auto& [line, message] : cases) {
     FilmWriter writer;

@@ -103,9 +103,9 @@ TEST(HeaderReader, WantsEveryMemberOnceAndOfItsKind) {
     for (const auto& [name, value] : whole.at(list).back().items()) {
       ordered_json header = whole;
       header[list].back().erase(name);
-      if (!optional.contains(name)) EXPECT_NE(answer(header.dump()), "") << list << " " << name;
+      EXPECT_TRUE(optional.contains(name) || !answer(header.dump()).empty()) << list << " " << name;
       header[list].back()[name] = true;
-      if (!value.is_boolean()) EXPECT_NE(answer(header.dump()), "") << list << " " << name;
+      EXPECT_TRUE(value.is_boolean() || !answer(header.dump()).empty()) << list << " " << name;
     }
   }
 }
