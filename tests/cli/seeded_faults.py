@@ -974,6 +974,172 @@ def name_another_parameter(good, rng):
     return Fault("name another parameter", result, [record["task"]], index + 1)
 
 
+def goals_with_attempts(good):
+    """Way points that are followed by an attempt of their task."""
+    return [index for index in good.places("goal")
+            if next((r["type"] for r in good.records[index + 1:] if r["task"] == good.records[index]["task"]
+                     and r["type"] in ("try", "wait", "goal", "end")), "") in ("try", "wait")]
+
+
+def drop_a_goal(good, rng):
+    places = goals_with_attempts(good)
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    del result.records[index]
+    # Of several way points the next one shows it, or the end of the motion.
+    return Fault("drop a goal", result, [good.records[index]["task"]], words="way point")
+
+
+def double_a_goal(good, rng):
+    places = goals_with_attempts(good)
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    result.records.insert(index, copy.deepcopy(result.records[index]))
+    return Fault("double a goal", result, [good.records[index]["task"]], index + 2, words="way point")
+
+
+def shift_a_date(good, rng):
+    """A date that people read is off by a minute, or by more."""
+    if not good.header["start_at"]:
+        return None
+    result = copy.deepcopy(good)
+
+    def off(text):
+        moment = datetime.datetime.strptime(text, "%Y-%m-%d %H:%M")
+        return (moment + datetime.timedelta(minutes=rng.choice((-1, 1, 60, 1440)))).strftime("%Y-%m-%d %H:%M")
+
+    field = rng.choice(("row", "table", "start_at", "ends", "header"))
+    if field == "row":
+        row, name = rng.choice(result.schedule["tasks"]), rng.choice(("begins", "ends"))
+        row[name] = off(row[name])
+        return Fault("shift a date", result, [row["task"]], words=f"'{name}' is")
+    if field == "table":
+        row, name = rng.choice(result.table[1:]), rng.choice(("begins", "ends"))
+        column = result.table[0].index(name)
+        row[column] = off(row[column])
+        return Fault("shift a date", result, [row[0]], words=f"'{name}' is")
+    place = result.header if field == "header" else result.schedule
+    key = "ends" if field == "ends" else "start_at"
+    place[key] = off(place[key])
+    return Fault("shift a date", result, [""], words="'ends' is" if field == "ends" else "the plan begins at")
+
+
+def end_in_a_livelock(good, rng):
+    """A motion on the way of a task that is done ended in a livelock, and nothing was tried again."""
+    places = []
+    for index in good.places("end", where=lambda record: record["reached"] or record["status"] == "done"):
+        after = [r for r in good.records[index + 1:] if r["task"] == good.records[index]["task"]]
+        again = next((r["type"] for r in after if r["type"] != "pause"), "")
+        if good.records[index]["tries"] > 0 and not (again == "goal" and not good.records[index]["reached"]):
+            places.append(index)
+    if not places or good.header["form"] == "short":
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    result.records[index].update({"status": "livelock", "reached": False, "period": 2, "message": "livelock"})
+    return Fault("end in a livelock", result, [good.records[index]["task"]], None, words="ended with 'livelock'")
+
+
+def change_a_checksum(good, rng):
+    result = copy.deepcopy(good)
+    file = rng.choice(result.header["files"])
+    if rng.random() < 0.5:
+        file["text"] += "\n"
+    else:
+        file["sha256"] = file["sha256"][::-1]
+    return Fault("change a checksum", result, [""], words="is not the one of its checksum")
+
+
+def change_a_residual(good, rng):
+    places = good.places("end", where=lambda record: record["residual"])
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    record = result.records[index]
+    task = good.task(record["task"])
+    within = task["within"] if task else {}
+    if rng.random() < 0.5 and "position_error" in record:
+        record["position_error"] += within.get("length", 0) + rng.uniform(0.001, 5)
+    else:
+        parameter = rng.choice(sorted(record["residual"]))
+        record["residual"][parameter] += sum(within.values()) + rng.uniform(0.01, 5)
+    return Fault("change a residual", result, [record["task"]], index + 1)
+
+
+def rename_a_hit(good, rng):
+    places = good.places("try", where=lambda record: "hit" in record)
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    record = result.records[index]
+    side = rng.randrange(2)
+    if rng.random() < 0.5:
+        record["hit"][side] += "x"
+    else:
+        record["hit"] = record["hit"][::-1]
+        if record["hit"][0].startswith(record["robot"] + "."):
+            return None  # two parts of one machine
+    return Fault("rename a hit", result, [record["task"]], index + 1, words="'")
+
+
+def give_another_reason(good, rng):
+    places = good.places("try", where=lambda record: not record["ok"])
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    reasons = {"at goal", "no direction", "hit", "limit nothing", ""} - {result.records[index]["reason"]}
+    result.records[index]["reason"] = rng.choice(sorted(reasons))
+    return Fault("give another reason", result, [good.records[index]["task"]])
+
+
+def edit_the_critical_path(good, rng):
+    path = good.schedule["critical"]
+    if len(path) < 2:
+        return None
+    result = copy.deepcopy(good)
+    edited = result.schedule["critical"]
+    place = rng.randrange(len(path))
+    field = rng.choice(("drop", "swap", "all", "task", "text", "lag"))
+    names = [task["task"] for task in path]
+    if field == "drop":
+        del edited[place]
+        if place == 0 and "park" in names[0]:
+            return None
+    elif field == "swap":
+        other = (place + 1) % len(path)
+        if names[place] == names[other]:
+            return None
+        edited[place], edited[other] = edited[other], edited[place]
+    elif field == "all":
+        edited.clear()
+    elif field == "task":
+        edited[place]["task"] = rng.choice([name for name in good.results() if name != names[place]])
+    elif field == "text":
+        edited[place]["text"] += "!"
+    else:
+        numbers = re.sub(r"(\d+(\.\d+)?) (h|min|s)\b", lambda m: f"{float(m[1]) + 1:g} {m[3]}", path[place]["text"])
+        if numbers == path[place]["text"]:
+            return None
+        edited[place]["text"] = numbers
+    return Fault("edit the critical path", result, [*good.results(), "", *names], words="critical path"
+                 if field in ("drop", "swap", "all") else "")
+
+
+def change_the_currency(good, rng):
+    if "currency" not in good.schedule:
+        return None
+    result = copy.deepcopy(good)
+    rng.choice((result.header, result.schedule))["currency"] = rng.choice(("USD", "", "eur"))
+    return Fault("change the currency", result, [""], words="the cost is in")
+
+
 KINDS = (shift_a_step, shift_the_rest_of_a_task, drop_a_wait, close_a_wait_up, swap_times, start_too_early,
          move_a_component, change_a_value, drop_a_step, drop_a_step_neatly, repeat_a_step, move_the_grip,
          move_what_is_put_down, turn_what_is_put_down, move_the_goal, drop_a_load_change, overload, lengthen_work,
@@ -981,7 +1147,9 @@ KINDS = (shift_a_step, shift_the_rest_of_a_task, drop_a_wait, close_a_wait_up, s
          link_to_what_is_not_done, silence_a_refusal, call_it_done, call_it_not_reached, drop_a_task, cut_the_trace,
          wall_in_the_way, thing_where_a_load_is_put, grow_a_body, zone_round_a_robot, edit_the_schedule,
          edit_the_table, change_the_speed, name_another_parameter, lengthen_a_part, give_a_part_to_another,
-         hide_a_wait, wait_for_nothing, pause_for_nothing, edit_a_part_of_the_table, change_a_cost, change_a_rate, edit_a_use)
+         hide_a_wait, wait_for_nothing, pause_for_nothing, edit_a_part_of_the_table, change_a_cost, change_a_rate, edit_a_use,
+         drop_a_goal, double_a_goal, shift_a_date, end_in_a_livelock, change_a_checksum, change_a_residual,
+         rename_a_hit, give_another_reason, edit_the_critical_path, change_the_currency)
 
 
 def seeded(results, seed, rounds):

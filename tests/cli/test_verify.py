@@ -57,6 +57,31 @@ class Verify(unittest.TestCase):
                 self.assertRegex(result.stdout, r"^verified: \d+ tasks \(\d+ done\), \d+ steps, .*no fault\n$")
                 trace = rubicon("verify", os.path.join(folder, "trace.jsonl"))
                 self.assertEqual(trace.returncode, 0, trace.stdout)
+                self.expect_rejected_tasks_together(os.path.join(folder, "trace.jsonl"))
+
+    def expect_rejected_tasks_together(self, path):
+        """docs/trace.md: their records stand together, before all that begins after their start."""
+        with open(path, encoding="utf-8") as file:
+            records = [json.loads(line) for line in file][1:]
+        for end, record in enumerate(records):
+            if record["type"] != "task_end" or record["result"] != "rejected":
+                continue
+            begin = end
+            while begin > 0 and records[begin - 1]["task"] == record["task"]:
+                begin -= 1
+                if records[begin]["type"] == "task_start":
+                    break
+            if records[begin]["type"] != "task_start":
+                continue
+            self.assertEqual(records[begin]["t"], record["t"])
+            late = [other["task"] for other in records[:begin]
+                    if other["type"] == "task_start" and other["t"] > record["t"]
+                    and {"task": other["task"], "result": "done"}.items() <= self.end_of(records, other).items()]
+            self.assertEqual(late, [], record["task"])
+
+    @staticmethod
+    def end_of(records, start):
+        return next(r for r in records[records.index(start):] if r["type"] == "task_end" and r["task"] == start["task"])
 
     def test_results_of_random_plans_have_no_fault(self):
         """Nothing ever meets anything, whatever machines do: two methods that share nothing agree."""

@@ -5,8 +5,13 @@
 #include <algorithm>
 #include <tuple>
 
+#include "src/results/verify/input/check_files.hpp"
+#include "src/results/verify/replay/check_goals.hpp"
+#include "src/results/verify/replay/check_hits.hpp"
 #include "src/results/verify/replay/contact_check.hpp"
 #include "src/results/verify/schedule/check_accounts.hpp"
+#include "src/results/verify/schedule/check_critical.hpp"
+#include "src/results/verify/schedule/check_dates.hpp"
 #include "src/results/verify/schedule/check_links.hpp"
 #include "src/results/verify/schedule/check_report.hpp"
 #include "src/results/verify/schedule/check_resources.hpp"
@@ -62,11 +67,15 @@ void check_schedules(const Result& result, const std::vector<TaskRun>& runs,
                faults);
     check_uses(result.trace, runs, accounts, hours, schedule, faults);
     check_process_time(runs, schedule.process_time, faults);
+    check_dates(result.trace.scene, schedule.rows, ResultFile::schedule_json, faults);
+    check_whole(result.trace.scene, schedule, faults);
+    check_critical(result.trace, runs, schedule, faults);
   }
   if (result.schedule_csv) {
     const auto rows =
         read_file("schedule.csv", [&] { return read_schedule_csv(*result.schedule_csv); });
     check_rows(result.trace, runs, accounts, waits, rows, ResultFile::schedule_csv, faults);
+    check_dates(result.trace.scene, rows, ResultFile::schedule_csv, faults);
   }
 }
 
@@ -81,12 +90,17 @@ Verdict verify(const Result& result) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const TaskRun& run = runs[i];
     check_clock(trace, run, verdict.faults);
+    const std::size_t before = verdict.faults.size();
     check_phases(trace, run, verdict.faults);
+    // Where the phases of a task are wrong, its motions belong to none.
+    if (verdict.faults.size() == before) check_goals(trace, run, verdict.faults);
+    check_hits(trace, run, verdict.faults);
     check_shifts(trace, run, hours, verdict.faults);
     waits.check_pauses(static_cast<int>(i), verdict.faults);
     if (run.task >= 0 && run.result == TaskResult::done) ++verdict.done;
   }
   verdict.tasks = static_cast<int>(trace.scene.tasks.size());
+  check_files(trace, verdict.faults);
   check_resources(trace, runs, verdict.faults);
   check_links(trace, runs, verdict.faults);
   check_motions(trace, runs, verdict);

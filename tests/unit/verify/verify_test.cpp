@@ -61,46 +61,46 @@ TEST(Verify, FindsNothingWrongInGoodTraces) {
 }
 
 TEST(Verify, FindsGapsAndOverlaps) {
-  EXPECT_THAT(faults_of(edited(good_trace(), 5, "\"from\":1,", "\"from\":1.5,")),
-              testing::Contains(HasSubstr("5 clock: 0.5 s are not accounted for")));
+  EXPECT_THAT(faults_of(edited(good_trace(), 6, "\"from\":1,", "\"from\":1.5,")),
+              testing::Contains(HasSubstr("6 clock: 0.5 s are not accounted for")));
   EXPECT_THAT(
-      faults_of(edited(good_trace(), 5, "\"from\":1,", "\"from\":0.5,")),
-      testing::Contains(HasSubstr("5 clock: it begins 0.5 s before what comes before it is over")));
-  EXPECT_THAT(faults_of(edited(good_trace(), 15, "\"t\":80", "\"t\":79")),
-              testing::Contains(HasSubstr("15 clock: it begins 1 s before")));
-  EXPECT_THAT(faults_of(edited(good_trace(), 7, "\"t\":13", "\"t\":10")),
-              testing::Contains(HasSubstr("7 clock: the clock runs backwards")));
-  EXPECT_THAT(faults_of(without(good_trace(), 7)),
-              testing::Contains(HasSubstr("7 clock: attempt 3 follows attempt 1")));
+      faults_of(edited(good_trace(), 6, "\"from\":1,", "\"from\":0.5,")),
+      testing::Contains(HasSubstr("6 clock: it begins 0.5 s before what comes before it is over")));
+  EXPECT_THAT(faults_of(edited(good_trace(), 17, "\"t\":80", "\"t\":79")),
+              testing::Contains(HasSubstr("17 clock: it begins 1 s before")));
+  EXPECT_THAT(faults_of(edited(good_trace(), 9, "\"t\":13", "\"t\":10")),
+              testing::Contains(HasSubstr("9 clock: the clock runs backwards")));
+  EXPECT_THAT(faults_of(without(good_trace(), 9)),
+              testing::Contains(HasSubstr("9 clock: attempt 3 follows attempt 1")));
 }
 
 TEST(Verify, FindsStepsThatCannotBe) {
-  EXPECT_THAT(faults_of(edited(good_trace(), 3, "\"x\":3", "\"x\":2.9")),
-              testing::Contains(HasSubstr("3 motion: g: the step lasts 1 s instead of 0.9 s")));
-  EXPECT_THAT(faults_of(edited(good_trace(), 7, "\"t\":13", "\"t\":12")),
-              testing::Contains(HasSubstr("7 motion: g: the step lasts 1 s instead of 2 s")));
+  EXPECT_THAT(faults_of(edited(good_trace(), 4, "\"x\":3", "\"x\":2.9")),
+              testing::Contains(HasSubstr("4 motion: g: the step lasts 1 s instead of 0.9 s")));
+  EXPECT_THAT(faults_of(edited(good_trace(), 9, "\"t\":13", "\"t\":12")),
+              testing::Contains(HasSubstr("9 motion: g: the step lasts 1 s instead of 2 s")));
   EXPECT_THAT(
-      faults_of(edited(good_trace(), 4, "\"q\":{\"x\":3", "\"q\":{\"x\":4")),
-      ElementsAre(HasSubstr("4 motion: g: the end of a motion has x at 4 while it stands at 3")));
+      faults_of(edited(good_trace(), 5, "\"q\":{\"x\":3", "\"q\":{\"x\":4")),
+      ElementsAre(HasSubstr("5 motion: g: the end of a motion has x at 4 while it stands at 3")));
 }
 
 TEST(Verify, FindsLoadsInTheWrongPlace) {
   EXPECT_THAT(
       faults_of(
           edited(good_trace(), 1, "[1,0,0,3,0,1,0,0,0,0,1,1]", "[1,0,0,3,0,1,0,0.01,0,0,1,1]")),
-      ElementsAre(HasSubstr("6 load: block hangs 10.0 mm and 0.000 degrees from where it stood")));
+      ElementsAre(HasSubstr("7 load: block hangs 10.0 mm and 0.000 degrees from where it stood")));
   EXPECT_THAT(
-      faults_of(edited(good_trace(), 11, "[1,0,0,5,", "[1,0,0,5.002,")),
-      ElementsAre(HasSubstr("11 load: block hangs 2.0 mm"), HasSubstr("11 load: block is 2.0 mm")));
+      faults_of(edited(good_trace(), 13, "[1,0,0,5,", "[1,0,0,5.002,")),
+      ElementsAre(HasSubstr("13 load: block hangs 2.0 mm"), HasSubstr("13 load: block is 2.0 mm")));
   EXPECT_THAT(faults_of(edited(good_trace(), 1, "\"within\":{}", "\"within\":{\"length\":0.01}")),
               IsEmpty());
   EXPECT_THAT(faults_of(edited(edited(good_trace(), 1, "\"to\":[1,0,0,5,", "\"to\":[1,0,0,5.002,"),
                                1, "\"within\":{}", "\"within\":{\"length\":0.01}")),
               IsEmpty());
   EXPECT_THAT(faults_of(edited(good_trace(), 1, "\"to\":[1,0,0,5,", "\"to\":[1,0,0,5.00001,")),
-              ElementsAre(HasSubstr("11 load: block is 0.0 mm and 0.000 degrees from its goal")));
+              ElementsAre(HasSubstr("13 load: block is 0.0 mm and 0.000 degrees from its goal")));
   EXPECT_THAT(
-      faults_of(without(good_trace(), 11)),
+      faults_of(without(good_trace(), 13)),
       testing::Contains(HasSubstr("expected putting down block, found the end of the task")));
 }
 
@@ -126,7 +126,7 @@ TEST(Verify, FindsWhatIsInTheWay) {
 
 TEST(Verify, FindsMachinesThatMeet) {
   // The second stops on its way, the first comes on.
-  EXPECT_THAT(faults_of(without(without(two_machines(), 7), 5)),
+  EXPECT_THAT(faults_of(without(without(two_machines(), 9), 7)),
               testing::Contains(HasSubstr("contact: a.trolley meets b.trolley (at least")));
   // The rail of the first is moved so far that they touch, and a little farther.
   const std::string rail = "\"path\":\"g.robot\",\"pose\":[1,0,0,";
@@ -136,28 +136,28 @@ TEST(Verify, FindsMachinesThatMeet) {
 }
 
 TEST(Verify, FindsResourcesInTwoPlaces) {
-  std::vector<std::string> lines = edited(good_trace(), 13, "\"t\":20", "\"t\":2");
-  lines = edited(lines, 14, "\"from\":20", "\"from\":2");
-  lines = edited(edited(lines, 14, "\"t\":80", "\"t\":62"), 15, "\"t\":80", "\"t\":62");
+  std::vector<std::string> lines = edited(good_trace(), 15, "\"t\":20", "\"t\":2");
+  lines = edited(lines, 16, "\"from\":20", "\"from\":2");
+  lines = edited(edited(lines, 16, "\"t\":80", "\"t\":62"), 17, "\"t\":80", "\"t\":62");
   EXPECT_THAT(faults_of(lines),
-              ElementsAre(HasSubstr("13 resource: c is still in set"),
-                          HasSubstr("13 link: it starts 18 s too early after set (FS)")));
+              ElementsAre(HasSubstr("15 resource: c is still in set"),
+                          HasSubstr("15 link: it starts 18 s too early after set (FS)")));
 }
 
 TEST(Verify, FindsTasksOutOfOrder) {
-  EXPECT_THAT(faults_of(without(good_trace(), 15)),
+  EXPECT_THAT(faults_of(without(good_trace(), 17)),
               ElementsAre(HasSubstr("order: the task never ends")));
   EXPECT_THAT(
-      faults_of(edited(good_trace(), 15, "done\",\"reason\":\"", "rejected\",\"reason\":\"")),
-      testing::Contains(HasSubstr("15 order: no reason is given")));
+      faults_of(edited(good_trace(), 17, "done\",\"reason\":\"", "rejected\",\"reason\":\"")),
+      testing::Contains(HasSubstr("17 order: no reason is given")));
   EXPECT_THAT(
-      faults_of(edited(good_trace(), 15, "done\",\"reason\":\"", "not reached\",\"reason\":\"x")),
-      testing::Contains(HasSubstr("15 order: it ran and is told as not reached")));
+      faults_of(edited(good_trace(), 17, "done\",\"reason\":\"", "not reached\",\"reason\":\"x")),
+      testing::Contains(HasSubstr("17 order: it ran and is told as not reached")));
   EXPECT_THAT(faults_of(edited(good_trace(), 1, "\"tasks\":[",
                                R"("tasks":[{"name":"more","robot":"","crews":[],"after":[]},)")),
               ElementsAre(HasSubstr("order: the task is not in the trace")));
-  EXPECT_THAT(faults_of(edited(good_trace(), 4, "\"reached\":true", "\"reached\":false")),
-              ElementsAre(HasSubstr("5 order: the task goes on and its motion ended short")));
+  EXPECT_THAT(faults_of(edited(good_trace(), 5, "\"reached\":true", "\"reached\":false")),
+              ElementsAre(HasSubstr("6 order: the task goes on and its motion ended short")));
 }
 
 /// Whatever happens to the text of a trace: it is read or refused, never worse.

@@ -139,6 +139,18 @@ SceneWithin read_within(const Json& value) {
   return within;
 }
 
+void read_via(const Json& list, const Scene& scene, SceneTask& task) {
+  for (const Json& object : list) {
+    const JsonFields fields(object, "a way point");
+    SceneGoal goal;
+    if (fields.has("pose")) goal.pose = fields.pose("pose");
+    if (task.robot >= 0) {
+      goal.values = read_values(fields, scene.robots[static_cast<std::size_t>(task.robot)]);
+    }
+    task.via.push_back(std::move(goal));
+  }
+}
+
 /// Values by parameter, or a pose of the tool.
 void read_go(const JsonFields& goal, const Scene& scene, SceneTask& task) {
   task.goes = true;
@@ -174,6 +186,7 @@ SceneTask read_task(const JsonFields& fields, const Scene& scene) {
     task.X_WO_goal = fields.pose("to");
   }
   if (fields.has("go")) read_go(fields.object("go"), scene, task);
+  read_via(list_or_empty(fields, "via"), scene, task);
   if ((task.move >= 0 || task.goes) && task.robot < 0) fields.fail("a robot for the motion");
   if (fields.has("within")) task.within = read_within(fields.any("within"));
   read_task_work(fields, scene, task);
@@ -209,12 +222,14 @@ void read_tasks(const JsonFields& header, Scene& scene) {
 }
 
 /// The one motion of a short plan is a task without goal here: it may end short.
-void add_short_task(Scene& scene) {
+void add_short_task(const JsonFields& header, Scene& scene) {
   if (scene.robots.size() != 1) throw UnreadableInput("expected one robot in a short plan");
   SceneTask task;
   task.name = scene.plan;
   task.robot = 0;
   task.goes = true;
+  read_via(list_or_empty(header, "via"), scene, task);
+  if (header.has("goal")) read_go(header.object("goal"), scene, task);
   add_name(scene.task_index, task.name);
   scene.tasks.push_back(std::move(task));
 }
@@ -236,13 +251,18 @@ Scene read_scene(const std::string& line) {
   scene.short_form = header.text("form") == "short";
   scene.contact = header.number("contact");
   scene.start_at = header.text_or("start_at", "");
+  scene.currency = header.text_or("currency", "");
+  for (const Json& object : list_or_empty(header, "files")) {
+    const JsonFields file(object, "a file");
+    scene.files.push_back({file.text("path"), file.text("text"), file.text("sha256")});
+  }
   scene.meshes = read_meshes(header.array("meshes"));
   scene.site = read_shapes(header.array("site"), scene.meshes.size());
   scene.carry = read_shapes(header.array("carry"), scene.meshes.size());
   read_components(header, scene);
   read_resources(header, scene);
   if (scene.short_form) {
-    add_short_task(scene);
+    add_short_task(header, scene);
   } else {
     read_tasks(header, scene);
   }

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,12 +14,20 @@ namespace rubicon::verify {
 
 struct TaskStart {};
 
+/// The script begins for way point k of the n that are left of a motion.
+struct Goal {
+  int k = 0;
+  int n = 0;
+};
+
 /// One attempt.
 struct Try {
   bool ok = false;
   int n = 0;
-  std::vector<int> moved;  ///< parameters of the command
-  std::vector<double> q;   ///< every parameter after it
+  std::vector<int> moved;                                  ///< parameters of the command
+  std::vector<double> q;                                   ///< every parameter after it
+  std::string reason;                                      ///< why it was refused
+  std::optional<std::pair<std::string, std::string>> hit;  ///< what moved, what it met
 };
 
 struct Wait {
@@ -52,7 +63,11 @@ struct MotionEnd {
   int tries = 0;
   int accepted = 0;
   int refused = 0;  ///< for all reasons together
+  std::map<std::string, int> refused_for;
   std::vector<double> q;
+  std::vector<std::pair<int, double>> residual;  ///< parameter, goal - q
+  std::optional<double> position_error;          ///< m
+  std::optional<double> orientation_error;       ///< degrees
 };
 
 enum class TaskResult { done, rejected, not_reached };
@@ -67,7 +82,7 @@ struct Record {
   int run = -1;    ///< index into Trace::runs
   int robot = -1;  ///< -1: crew work
   Ticks time = 0;  ///< when it is over
-  std::variant<TaskStart, Try, Wait, Work, Pause, LoadChange, MotionEnd, TaskEnd> what;
+  std::variant<TaskStart, Goal, Try, Wait, Work, Pause, LoadChange, MotionEnd, TaskEnd> what;
 };
 
 /// A trace as it was read.

@@ -120,6 +120,19 @@ struct SceneWork {
   int crew = -1;  ///< -1: whoever holds the task
 };
 
+/// What a motion is to reach: values by parameter, or a pose X_WT.
+struct SceneGoal {
+  std::vector<std::pair<int, double>> values;
+  std::optional<Pose> pose;
+};
+
+/// A text that the run read.
+struct SceneFile {
+  std::string path;
+  std::string text;
+  std::string sha256;
+};
+
 struct SceneTask {
   std::string name;
   int robot = -1;
@@ -129,6 +142,7 @@ struct SceneTask {
   bool goes = false;
   std::vector<std::pair<int, double>> go;  ///< parameter, value
   std::optional<Pose> go_pose;             ///< X_WT
+  std::vector<SceneGoal> via;              ///< before the goal of `go`, or of the carrying motion
   std::optional<SceneWithin> within;
   std::optional<SceneWork> hook, adjust, release;
   std::vector<SceneWork> takes;
@@ -141,8 +155,10 @@ struct SceneTask {
 struct Scene {
   std::string plan;
   bool short_form = false;
-  double contact = 0;  ///< m
-  std::string start_at;
+  double contact = 0;    ///< m
+  std::string start_at;  ///< "": none
+  std::string currency;
+  std::vector<SceneFile> files;
   std::vector<MeshData> meshes;
   std::vector<ShapeData> site;
   std::vector<ShapeData> carry;

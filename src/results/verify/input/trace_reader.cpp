@@ -13,8 +13,7 @@ namespace rubicon::verify {
 namespace {
 
 /// Records that tell how a script came to its steps; they have no place on the clock.
-constexpr std::array<std::string_view, 5> kScriptRecords = {"goal", "set", "enter", "exit",
-                                                            "which"};
+constexpr std::array<std::string_view, 4> kScriptRecords = {"set", "enter", "exit", "which"};
 
 bool is_script_record(const std::string& type) {
   for (const std::string_view known : kScriptRecords) {
@@ -30,6 +29,10 @@ class RecordReader {
       : fields_(fields), scene_(scene), record_(record) {}
 
   void read(const std::string& type) {
+    if (type == "goal") {
+      record_.what = Goal{fields_.integer("k"), fields_.integer("n")};
+      return;
+    }
     record_.time = fields_.time("t");
     if (type == "task_start") {
       record_.what = TaskStart{};
@@ -86,6 +89,12 @@ class RecordReader {
       attempt.moved.push_back(parameter(names));
     }
     attempt.q = configuration();
+    attempt.reason = fields_.text_or("reason", "");
+    if (fields_.has("hit")) {
+      const Json& pair = fields_.array("hit");
+      if (pair.size() != 2) fields_.fail("two names as 'hit'");
+      attempt.hit.emplace(text_of(pair[0], "what moved"), text_of(pair[1], "what it met"));
+    }
     return attempt;
   }
 
@@ -125,9 +134,18 @@ class RecordReader {
     end.tries = fields_.integer("tries");
     end.accepted = fields_.integer("accepted");
     for (const auto& [reason, count] : fields_.object("rejected").json().items()) {
-      end.refused += integer_of(count, "'rejected'", 0, 10'000'000);
+      end.refused_for[reason] = integer_of(count, "'rejected'", 0, 10'000'000);
+      end.refused += end.refused_for[reason];
     }
     end.q = configuration();
+    const JsonFields residual = fields_.object("residual");
+    for (const auto& [name, off] : residual.json().items()) {
+      end.residual.emplace_back(parameter(Json(name)), residual.number(name.c_str()));
+    }
+    if (fields_.has("position_error")) end.position_error = fields_.number("position_error");
+    if (fields_.has("orientation_error")) {
+      end.orientation_error = fields_.number("orientation_error");
+    }
     return end;
   }
 
@@ -172,7 +190,11 @@ void TraceReader::line(const std::string& text) {
       if (found == trace_.scene.robot_index.end()) fields.fail("a robot of the header");
       record.robot = found->second;
     }
+    // A way point has no moment of its own: it begins when what comes before it is over.
+    Ticks& last = last_time_[record.run];
+    record.time = last;
     RecordReader(fields, trace_.scene, record).read(type);
+    last = record.time;
     trace_.records.push_back(std::move(record));
   } catch (const UnreadableInput& error) {
     throw UnreadableInput(fmt::format("{}: {}", trace_.lines, error.what()));

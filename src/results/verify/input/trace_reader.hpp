@@ -20,6 +20,7 @@ class TraceReader {
 
   Trace trace_;
   std::map<std::string, int> run_index_;
+  std::map<int, Ticks> last_time_;  ///< by run: when its last record is over
 };
 
 }  // namespace rubicon::verify

@@ -60,6 +60,7 @@ class ShiftCheck {
   void follow(const Other&) {
     begun_ = false;
   }
+  void follow(const Goal&) {}
   void follow(const Pause&) {}
   void follow(const MotionEnd&) {}
   void follow(const Try&) { attempt(); }

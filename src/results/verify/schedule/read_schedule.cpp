@@ -118,6 +118,8 @@ ScheduleRow read_row(const JsonFields& fields) {
   row.split = {fields.time("motion"),   fields.time("work"),    waited.time("predecessor"),
                waited.time("resource"), waited.time("machine"), waited.time("shift")};
   row.cost = number_if_any(fields, "cost");
+  row.begins = fields.text_or("begins", "");
+  row.ends = fields.text_or("ends", "");
   row.tried = fields.integer("tried");
   row.accepted = fields.integer("accepted");
   row.result = fields.text("result");
@@ -146,6 +148,9 @@ ScheduleJson read_schedule_json(const std::string& text) {
   ScheduleJson read;
   read.process_time = schedule.time("process_time");
   read.cost = number_if_any(schedule, "cost");
+  read.start_at = schedule.text_or("start_at", "");
+  read.ends = schedule.text_or("ends", "");
+  read.currency = schedule.text_or("currency", "");
   LineFinder lines(text);
   for (const Json& object : schedule.array("tasks")) {
     read.rows.push_back(read_row(JsonFields(object, "a task of the schedule")));
@@ -154,6 +159,12 @@ ScheduleJson read_schedule_json(const std::string& text) {
   for (const Json& object : schedule.array("resources")) {
     read.uses.push_back(read_use(JsonFields(object, "a robot or crew of the schedule")));
     read.uses.back().line = lines.next("name", read.uses.back().name);
+  }
+  for (const Json& object : schedule.array("critical")) {
+    const JsonFields fields(object, "a task of the critical path");
+    read.critical.push_back(
+        {0, fields.text("task"), fields.truth("work_counts"), fields.text("text")});
+    read.critical.back().line = lines.next("task", read.critical.back().task);
   }
   return read;
 }
@@ -185,6 +196,8 @@ std::vector<ScheduleRow> read_schedule_csv(const std::string& text) {
     row.split = {ticks("motion"),          ticks("work"),           ticks("waited_predecessor"),
                  ticks("waited_resource"), ticks("waited_machine"), ticks("waited_shift")};
     if (!field("cost").empty()) row.cost = number_in(field("cost"), line);
+    row.begins = field("begins");
+    row.ends = field("ends");
     row.tried = static_cast<int>(number_in(field("tried"), line));
     row.accepted = static_cast<int>(number_in(field("accepted"), line));
     row.result = field("result");

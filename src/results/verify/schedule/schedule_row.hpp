@@ -26,6 +26,7 @@ struct ScheduleRow {
   Ticks duration = 0;
   TimeSplit split;
   std::optional<double> cost;
+  std::string begins, ends;  ///< YYYY-MM-DD HH:MM; "": not given
   int tried = 0;
   int accepted = 0;
 };
@@ -43,11 +44,22 @@ struct UseRow {
   std::optional<double> cost;
 };
 
+/// One task of the critical path, and the sentence why it came so late.
+struct CriticalRow {
+  int line = 0;
+  std::string task;
+  bool work_counts = false;
+  std::string text;
+};
+
 /// The rows of schedule.json, when the last task ends and what all costs.
 struct ScheduleJson {
   std::vector<ScheduleRow> rows;
   std::vector<UseRow> uses;
+  std::vector<CriticalRow> critical;  ///< from the first to the last
   Ticks process_time = 0;
+  std::string start_at, ends;  ///< YYYY-MM-DD HH:MM; "": not given
+  std::string currency;
   std::optional<double> cost;
 };
 

@@ -61,6 +61,8 @@ class ClockCheck {
 
   void follow(const TaskStart&) { now_ = record_->time; }
 
+  void follow(const Goal&) {}
+
   void follow(const Try& attempt) {
     number(attempt.n);
     if (attempt.ok) {

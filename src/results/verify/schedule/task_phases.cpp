@@ -98,6 +98,8 @@ class PhaseCheck {
   }
 
   bool follow(const TaskStart&) { return true; }
+
+  bool follow(const Goal&) { return true; }
   bool follow(const Pause&) { return true; }
   bool follow(const Try&) { return in_motion("an attempt"); }
   bool follow(const Wait&) { return in_motion("an attempt"); }

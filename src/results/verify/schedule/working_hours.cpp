@@ -1,45 +1,16 @@
 #include "src/results/verify/schedule/working_hours.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <charconv>
-#include <string_view>
+
+#include "src/results/verify/schedule/civil_date.hpp"
 
 namespace rubicon::verify {
 
 namespace {
 
 constexpr Ticks kMinute = 60 * kSecond;
-constexpr Ticks kDay = 24 * 60 * kMinute;
-
-/// Digits of a date; throws if they are none or the number is out of range.
-int digits(std::string_view text, std::size_t begin, std::size_t count, int least, int most) {
-  int value = -1;
-  if (text.size() >= begin + count) {
-    const std::string_view part = text.substr(begin, count);
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    if (error != std::errc() || end != part.data() + part.size()) value = -1;
-  }
-  if (value < least || value > most) {
-    throw UnreadableInput(fmt::format("expected a date, found '{}'", text));
-  }
-  return value;
-}
-
-/// Days since 1970-01-01 of YYYY-MM-DD, counted year by year and month by month.
-std::int64_t day_number(std::string_view text) {
-  const int year = digits(text, 0, 4, 1, 9999);
-  const int month = digits(text, 5, 2, 1, 12);
-  const int day = digits(text, 8, 2, 1, 31);
-  const auto leap = [](int y) { return (y % 4 == 0 && y % 100 != 0) || y % 400 == 0; };
-  std::int64_t days = 0;
-  for (int y = 1970; y < year; ++y) days += leap(y) ? 366 : 365;
-  for (int y = year; y < 1970; ++y) days -= leap(y) ? 366 : 365;
-  constexpr int kLengths[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-  for (int m = 1; m < month; ++m) days += kLengths[m - 1] + (m == 2 && leap(year) ? 1 : 0);
-  return days + day - 1;
-}
+constexpr std::int64_t kMinutesOfDay = 24 * 60;
+constexpr Ticks kDay = kMinutesOfDay * kMinute;
 
 /// 0 Monday; 1970-01-01 was a Thursday.
 std::size_t weekday(std::int64_t day) { return static_cast<std::size_t>(((day + 3) % 7 + 7) % 7); }
@@ -66,8 +37,7 @@ WorkingHours::WorkingHours(const Scene& scene) {
   first_day_ = day_number("2024-01-01");
   if (!scene.start_at.empty()) {
     first_day_ = day_number(scene.start_at);
-    start_ = digits(scene.start_at, 11, 2, 0, 23) * 60 * kMinute +
-             digits(scene.start_at, 14, 2, 0, 59) * kMinute;
+    start_ = (minute_number(scene.start_at) - first_day_ * kMinutesOfDay) * kMinute;
   }
   for (const SceneCalendar& rules : scene.calendars) {
     Calendar calendar;

@@ -1,0 +1,251 @@
+#include "src/results/verify/schedule/check_critical.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "src/results/verify/replay/holds.hpp"
+
+namespace rubicon::verify {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+constexpr std::string_view kUncounted = "; its own work does not count";
+constexpr std::string_view kNextShift = " later: the next shift";
+constexpr Ticks kMinute = 60 * kSecond;
+constexpr Ticks kHour = 60 * kMinute;
+
+std::string duration_text(Ticks time) {
+  if (time % kHour == 0) return fmt::format("{} h", time / kHour);
+  if (time % kMinute == 0) return fmt::format("{} min", time / kMinute);
+  return fmt::format("{} s", static_cast<double>(time) / static_cast<double>(kSecond));
+}
+
+std::string link_text(const SceneLink& link) {
+  constexpr const char* kNames[] = {"FS", "SS", "FF", "SF"};
+  std::string text = kNames[static_cast<int>(link.type)];
+  if (link.lag > 0) text += " + " + duration_text(link.lag);
+  if (link.lag < 0) text += " - " + duration_text(-link.lag);
+  return text;
+}
+
+/// The seconds of "15 h", "3 min" or "2.5 s"; nothing if it is none of these.
+std::optional<Ticks> duration_of(std::string_view text) {
+  for (const auto& [unit, size] : {std::pair(" h", kHour), {" min", kMinute}, {" s", kSecond}}) {
+    if (!text.ends_with(unit)) continue;
+    const std::string number(text.substr(0, text.size() - std::string_view(unit).size()));
+    char* end = nullptr;
+    const double value = std::strtod(number.c_str(), &end);
+    if (number.empty() || end != number.c_str() + number.size() || !(value < 1e9)) return {};
+    return static_cast<Ticks>(std::llround(value * static_cast<double>(size)));
+  }
+  return {};
+}
+
+class CriticalCheck {
+ public:
+  CriticalCheck(const Trace& trace, const std::vector<TaskRun>& runs, const ScheduleJson& schedule,
+                Faults& faults)
+      : trace_(trace), runs_(runs), rows_(schedule.critical), faults_(faults) {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      holds_.push_back(holds_of(trace, runs, static_cast<int>(i)));
+      runs_of_[trace.runs[at(runs[i].run)]].push_back(i);
+    }
+  }
+
+  void check() {
+    Ticks last = 0;
+    for (const TaskRun& run : runs_) {
+      if (run.happened && run.task >= 0) last = std::max(last, run.end);
+    }
+    if (rows_.empty()) {
+      if (last > kTimeSlack) fault(0, "", "there is no critical path");
+      return;
+    }
+    const auto ends_last = [&](const TaskRun& run) {
+      return run.task >= 0 && last - run.end <= kTimeSlack;
+    };
+    if (last > 0 && !any_run(rows_.back().task, ends_last)) {
+      fault(rows_.back().line, rows_.back().task,
+            "the critical path ends here, and the task is not the last to finish");
+    }
+    for (std::size_t i = 0; i < rows_.size(); ++i) check(i);
+  }
+
+ private:
+  void fault(int line, const std::string& task, std::string text) {
+    faults_.push_back(
+        {FaultKind::schedule, ResultFile::schedule_json, line, task, -1, std::move(text)});
+  }
+
+  /// Whether something holds for a run of this name that happened. A machine may be asked out of
+  /// the way several times.
+  template <typename Holds>
+  bool any_run(const std::string& name, const Holds& holds) const {
+    const auto found = runs_of_.find(name);
+    if (found == runs_of_.end()) return false;
+    return std::any_of(found->second.begin(), found->second.end(),
+                       [&](std::size_t i) { return runs_[i].happened && holds(runs_[i]); });
+  }
+
+  void check(std::size_t i) {
+    const CriticalRow& row = rows_[i];
+    const auto happened = [](const TaskRun&) { return true; };
+    if (!any_run(row.task, happened)) {
+      fault(row.line, row.task, "the critical path leads through a task that is not done");
+      return;
+    }
+    std::string_view text = row.text;
+    const bool uncounted = text.ends_with(kUncounted);
+    if (uncounted) text.remove_suffix(kUncounted.size());
+    if (uncounted && row.work_counts) {
+      fault(row.line, row.task, "its work counts, and its sentence says that it does not");
+    }
+    Ticks later = 0;
+    if (text.ends_with(kNextShift)) {
+      const std::size_t comma = text.rfind(", ");
+      const std::size_t begin = comma == std::string_view::npos ? text.size() : comma + 2;
+      const auto time = duration_of(text.substr(begin, text.size() - kNextShift.size() - begin));
+      if (time) {
+        later = *time;
+        text = text.substr(0, comma);
+      }
+    }
+    if (!text.starts_with(row.task)) {
+      fault(row.line, row.task, "its sentence is about another task");
+      return;
+    }
+    text.remove_prefix(row.task.size());
+    if (is_reason(i, text, later)) return;
+    fault(row.line, row.task,
+          fmt::format("'{}' does not lead from the task before it in the critical path{}", row.text,
+                      i > 0 ? ", " + rows_[i - 1].task : ""));
+  }
+
+  bool is_reason(std::size_t i, std::string_view text, Ticks later) const {
+    const std::string& name = rows_[i].task;
+    if (i > 0) return leads(rows_[i - 1].task, name, text, later);
+    if (text == " starts with the plan") {
+      return any_run(name, [&](const TaskRun& run) {
+        return std::llabs(run.start - later) <= kTimeSlack || run.task < 0 || later == 0;
+      });
+    }
+    return waits_for_nobody(name, text);
+  }
+
+  /// A machine was in the way that no task had.
+  bool waits_for_nobody(const std::string& name, std::string_view text) const {
+    return any_resource([&](int resource) {
+      const std::string quoted = fmt::format("'{}'", resource_name(trace_.scene, resource));
+      return (text == " waits on its way for " + quoted + ", to be out of the way" ||
+              text == " starts after it waited for " + quoted + ", to be out of the way") &&
+             any_run(name, [](const TaskRun&) { return true; });
+    });
+  }
+
+  template <typename Holds>
+  bool any_resource(const Holds& holds) const {
+    const int count = static_cast<int>(trace_.scene.robots.size() + trace_.scene.crews.size());
+    for (int resource = 0; resource < count; ++resource) {
+      if (holds(resource)) return true;
+    }
+    return false;
+  }
+
+  /// Whether the sentence says that the task waited for `before`, and it could be so.
+  bool leads(const std::string& before, const std::string& name, std::string_view text,
+             Ticks later) const {
+    if (text == " starts because " + before + " asks for it") return true;
+    if (text == " waits on its way for the zone of " + before ||
+        text == " starts after it waited for the zone of " + before) {
+      return true;
+    }
+    return by_resource(before, name, text, later) || by_link(before, name, text, later);
+  }
+
+  bool by_resource(const std::string& before, const std::string& name, std::string_view text,
+                   Ticks later) const {
+    return any_resource([&](int resource) {
+      const std::string quoted = fmt::format("'{}'", resource_name(trace_.scene, resource));
+      const std::string had = fmt::format(", which {} had", before);
+      if (text == " starts when " + quoted + " is free" + had) {
+        return given_over(before, name, resource, later);
+      }
+      if (!any_hold(before, resource, [](const Hold&) { return true; })) return false;
+      for (const char* way : {"", ", to be out of the way"}) {
+        if (text == " waits on its way for " + quoted + had + way) return true;
+        if (text == " starts after it waited for " + quoted + had + way) return true;
+      }
+      return false;
+    });
+  }
+
+  template <typename Holds>
+  bool any_hold(const std::string& name, int resource, const Holds& holds) const {
+    const auto found = runs_of_.find(name);
+    if (found == runs_of_.end()) return false;
+    for (const std::size_t i : found->second) {
+      for (const Hold& hold : holds_[i]) {
+        if (hold.resource == resource && holds(hold)) return true;
+      }
+    }
+    return false;
+  }
+
+  /// The one gives back what the other has from then, or from the next shift.
+  bool given_over(const std::string& before, const std::string& name, int resource,
+                  Ticks later) const {
+    return any_hold(name, resource, [&](const Hold& taken) {
+      return any_hold(before, resource, [&](const Hold& given) {
+        return std::llabs(taken.from - later - given.to) <= kTimeSlack;
+      });
+    });
+  }
+
+  bool by_link(const std::string& before, const std::string& name, std::string_view text,
+               Ticks later) const {
+    const auto known = trace_.scene.task_index.find(name);
+    if (known == trace_.scene.task_index.end()) return false;
+    const std::vector<SceneLink>& links = trace_.scene.tasks[at(known->second)].after;
+    return std::any_of(links.begin(), links.end(), [&](const SceneLink& link) {
+      if (trace_.scene.tasks[at(link.task)].name != before) return false;
+      const std::string tail = fmt::format(" after {} ({})", before, link_text(link));
+      const bool starts = text == " starts" + tail;
+      const bool finishes = text == " finishes" + tail;
+      if (!starts && !finishes) return text == " starts so that it finishes" + tail;
+      // What is allowed sooner than it was known comes when it was known.
+      if (link.lag < 0) return true;
+      const bool from_start = link.type == LinkType::SS || link.type == LinkType::SF;
+      return any_run(before, [&](const TaskRun& first) {
+        const Ticks wanted = (from_start ? first.start : first.end) + link.lag + later;
+        return any_run(name, [&](const TaskRun& run) {
+          return std::llabs((starts ? run.start : run.end) - wanted) <= kTimeSlack;
+        });
+      });
+    });
+  }
+
+  const Trace& trace_;
+  const std::vector<TaskRun>& runs_;
+  const std::vector<CriticalRow>& rows_;
+  Faults& faults_;
+  std::vector<std::vector<Hold>> holds_;  ///< by run
+  std::map<std::string, std::vector<std::size_t>> runs_of_;
+};
+
+}  // namespace
+
+void check_critical(const Trace& trace, const std::vector<TaskRun>& runs,
+                    const ScheduleJson& schedule, Faults& faults) {
+  if (!trace.scene.short_form) CriticalCheck(trace, runs, schedule, faults).check();
+}
+
+}  // namespace rubicon::verify
