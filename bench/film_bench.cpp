@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "bench/random.hpp"
+#include "src/exchange/encoding/gzip.hpp"
 #include "src/results/film/film_writer.hpp"
-#include "src/results/film/gzip.hpp"
 
 namespace rubicon::bench {
 namespace {
@@ -117,7 +117,7 @@ void film_of_a_long_run(benchmark::State& state) {
     }
     const auto begin = std::chrono::steady_clock::now();
     const film::Film film = writer.finish("");
-    const std::string packed = film::gzip(film.bytes);
+    const std::string packed = encoding::gzip(film.bytes);
     time += std::chrono::steady_clock::now() - begin;
     film_bytes = static_cast<double>(film.bytes.size());
     packed_bytes = static_cast<double>(packed.size());

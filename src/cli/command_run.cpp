@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/load_runnable_plan.hpp"
 #include "src/cli/report_file.hpp"
+#include "src/exchange/encoding/gzip.hpp"
 #include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/result_folder_io.hpp"
 #include "src/results/page/report_page.hpp"
@@ -30,32 +32,68 @@ using interpreter::SourceMap;
 constexpr std::chrono::milliseconds kQuiet{1000};
 constexpr std::chrono::milliseconds kBetweenProgress{100};
 
+/// A file that a trace goes to, packed if it is to be.
+class TraceFile {
+ public:
+  TraceFile(files::AtomicFile file, bool packed)
+      : file_(std::make_unique<files::AtomicFile>(std::move(file))), packed_(packed) {
+    begin();
+  }
+
+  void line(std::string_view text) {
+    write(text);
+    write("\n");
+  }
+  void restart() {
+    file_->restart();
+    begin();
+  }
+  std::optional<std::string> commit() {
+    if (pack_) pack_->finish();
+    return file_->commit();
+  }
+
+ private:
+  void begin() {
+    if (packed_)
+      pack_.emplace([file = file_.get()](std::string_view bytes) { file->write(bytes); });
+  }
+  void write(std::string_view bytes) {
+    if (pack_) {
+      pack_->write(bytes);
+    } else {
+      file_->write(bytes);
+    }
+  }
+
+  std::unique_ptr<files::AtomicFile> file_;  ///< its place is known to the packer
+  bool packed_;
+  std::optional<encoding::GzipWriter> pack_;
+};
+
 /// Hands each line of a trace to all files that want it, and to the film of the report.
 class TraceFiles : public trace::TraceSink {
  public:
   void line(std::string_view text) override {
     film_line(text);
-    for (files::AtomicFile& file : files_) {
-      file.write(text);
-      file.write("\n");
-    }
+    for (TraceFile& file : files_) file.line(text);
   }
   void restart() override {
-    for (files::AtomicFile& file : files_) file.restart();
+    for (TraceFile& file : files_) file.restart();
     if (report_) report_.emplace();
     film_failure_.clear();
   }
 
   /// Takes a file that was opened; its message where it could not be.
-  std::optional<std::string> add(std::variant<files::AtomicFile, std::string> file) {
+  std::optional<std::string> add(std::variant<files::AtomicFile, std::string> file, bool packed) {
     if (auto* message = std::get_if<std::string>(&file)) return *message;
-    files_.push_back(std::get<files::AtomicFile>(std::move(file)));
+    files_.emplace_back(std::get<files::AtomicFile>(std::move(file)), packed);
     return std::nullopt;
   }
 
   std::optional<std::string> commit() {
     std::optional<std::string> failure;
-    for (files::AtomicFile& file : files_) {
+    for (TraceFile& file : files_) {
       auto message = file.commit();
       if (message && !failure) failure = message;
     }
@@ -86,7 +124,7 @@ class TraceFiles : public trace::TraceSink {
 
   std::optional<ReportWriter> report_;
   std::string film_failure_;
-  std::vector<files::AtomicFile> files_;
+  std::vector<TraceFile> files_;
 };
 
 /// "12/36 set_floor_12" on one line of a terminal, once the work is long.
@@ -139,13 +177,17 @@ trace::TraceDetail detail_of(const std::string& word) {
 }  // namespace
 
 int run_plan_command(const RunOptions& options) {
+  if (options.compress && options.out.empty()) {
+    return fail("--compress goes with --out; a --trace is packed if its name ends in .gz");
+  }
   SourceMap sources;
   const auto plan = load_runnable_plan(options.plan, sources);
   if (!plan) return kWrongInput;
 
   TraceFiles trace_files;
   if (!options.trace.empty()) {
-    if (const auto failure = trace_files.add(files::AtomicFile::open(options.trace))) {
+    if (const auto failure = trace_files.add(files::AtomicFile::open(options.trace),
+                                             options.trace.ends_with(".gz"))) {
       return fail(*failure);
     }
   }
@@ -154,7 +196,11 @@ int run_plan_command(const RunOptions& options) {
     auto opened = files::ResultFolder::open(options.out);
     if (auto* message = std::get_if<std::string>(&opened)) return fail(*message);
     folder.emplace(std::get<files::ResultFolder>(std::move(opened)));
-    if (const auto failure = trace_files.add(folder->create("trace.jsonl"))) return fail(*failure);
+    if (const auto failure =
+            trace_files.add(folder->create(options.compress ? "trace.jsonl.gz" : "trace.jsonl"),
+                            options.compress)) {
+      return fail(*failure);
+    }
     if (!page::viewer_page().empty()) trace_files.make_film();
   }
 

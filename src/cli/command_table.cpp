@@ -29,6 +29,7 @@ Action declare_run(CLI::App& app) {
   app.add_option("--trace-detail", options->trace_detail)
       ->check(IsMember({"steps", "tasks", "none"}));
   app.add_option("--out", options->out);
+  app.add_flag("--compress", options->compress);
   return [options] { return run_plan_command(*options); };
 }
 

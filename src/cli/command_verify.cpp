@@ -50,7 +50,8 @@ verify::Result read_result(const std::string& path, verify::ResultNames& names) 
     return result;
   }
   const auto name = [&](const char* file) { return files::result_path(path, file); };
-  names = {name("trace.jsonl"), name("schedule.json"), name("schedule.csv"), name("report.html")};
+  names = {files::result_trace(path), name("schedule.json"), name("schedule.csv"),
+           name("report.html")};
   read_trace(names.trace, result);
   result.schedule_json = read_input(names.schedule_json);
   result.schedule_csv = read_input(names.schedule_csv);

@@ -35,6 +35,7 @@ struct RunOptions {
   std::string trace;
   std::string trace_detail = "steps";
   std::string out;
+  bool compress = false;
 };
 int run_plan_command(const RunOptions& options);
 

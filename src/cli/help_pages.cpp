@@ -44,7 +44,8 @@ examples:
 const std::string_view kRun =
     R"(rubicon run - simulate a plan
 
-usage: rubicon run PLAN [--format table|json|csv] [--trace FILE] [--trace-detail steps|tasks|none] [--out DIR]
+usage: rubicon run PLAN [--format table|json|csv] [--trace FILE] [--trace-detail steps|tasks|none]
+                        [--out DIR [--compress]]
 
 Checks the plan, then simulates it: tasks start when their links, robots, crews and shifts allow, several machines move in
 one timeline, and every motion step is tested over the whole volume it sweeps, with the load, also against what other
@@ -54,9 +55,11 @@ chain. A task that cannot be done is rejected with the reason and undone; what d
 reached; the rest goes on.
 
   --format FORMAT        table (the default), json or csv, on standard output; times in seconds
-  --trace FILE           write what happened, one JSON object a line (docs/trace.md); - is standard output
+  --trace FILE           write what happened, one JSON object a line (docs/trace.md); - is standard output; packed if the name
+                         ends in .gz
   --trace-detail DETAIL  steps (the default: everything), tasks (no single attempts), none (header and results only)
   --out DIR              write schedule.csv, schedule.json, trace.jsonl and report.html, the page that shows it all, into DIR
+  --compress             write trace.jsonl.gz there, packed to a tenth or less; every command reads it as it is
 
 Files appear whole or not at all, and the files of --out all at once: a stop at any moment leaves the old result or the
 new one. Other files in DIR stay. Paths in what is written are relative to the folder of the plan.

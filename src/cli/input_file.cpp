@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
+#include "src/exchange/encoding/gzip.hpp"
 #include "src/results/verify/input/fault.hpp"
 
 namespace rubicon::cli {
@@ -32,6 +34,67 @@ std::ifstream open_input(const std::string& path) {
 /// `bad` is also set where the memory does not suffice.
 void expect_whole(const std::string& path, const std::ios& stream) {
   if (stream.bad()) throw WrongInput(fmt::format("{}: the file cannot be read to its end", path));
+}
+
+/// No trace has a longer line (bytes); a small packed file can have one.
+constexpr std::size_t kLongestLine = std::size_t{1} << 30;
+
+/// Gives the lines of what comes in pieces to `take`, until it returns false.
+class LineSplitter {
+ public:
+  explicit LineSplitter(const std::function<bool(const std::string&)>& take) : take_(take) {}
+
+  bool wants_more() const { return wants_more_; }
+  void add(std::string_view piece) {
+    while (wants_more_) {
+      const std::size_t end = piece.find('\n');
+      line_ += piece.substr(0, end);
+      if (line_.size() > kLongestLine) throw std::invalid_argument("a line is longer than 1 GB");
+      if (end == std::string_view::npos) return;
+      wants_more_ = take_(line_);
+      line_.clear();
+      piece.remove_prefix(end + 1);
+    }
+  }
+  /// The last line need not end as the others do.
+  void finish() {
+    if (wants_more_ && !line_.empty()) take_(line_);
+  }
+
+ private:
+  const std::function<bool(const std::string&)>& take_;
+  std::string line_;
+  bool wants_more_ = true;
+};
+
+/// Gives the lines of a file, packed or not, to `take`, until it returns false.
+void each_line(const std::string& path, const std::function<bool(const std::string&)>& take) {
+  std::ifstream file = open_input(path);
+  LineSplitter lines(take);
+  std::optional<encoding::GzipReader> unpack;
+  std::vector<char> buffer(1 << 16);
+  const auto next = [&] {
+    file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    return std::string_view(buffer.data(), static_cast<std::size_t>(file.gcount()));
+  };
+  try {
+    std::string_view piece = next();
+    if (encoding::is_gzip(piece)) {
+      unpack.emplace([&](std::string_view unpacked) { lines.add(unpacked); });
+    }
+    for (; !piece.empty() && lines.wants_more(); piece = next()) {
+      if (unpack) {
+        unpack->read(piece);
+      } else {
+        lines.add(piece);
+      }
+    }
+    expect_whole(path, file);
+    if (unpack && lines.wants_more()) unpack->finish();
+    lines.finish();
+  } catch (const std::invalid_argument& error) {
+    throw WrongInput(fmt::format("{}: {}", path, error.what()));
+  }
 }
 
 [[noreturn]] void fail_empty(const std::string& path) {
@@ -63,9 +126,8 @@ std::string read_input(const std::string& path) {
 }
 
 void each_trace_line(const std::string& path, const std::function<void(const std::string&)>& take) {
-  std::ifstream file = open_input(path);
   int number = 0;
-  for (std::string line; std::getline(file, line);) {
+  each_line(path, [&](const std::string& line) {
     ++number;
     try {
       take(line);
@@ -74,18 +136,19 @@ void each_trace_line(const std::string& path, const std::function<void(const std
     } catch (const verify::UnreadableInput& error) {  // it names the line itself
       throw WrongInput(fmt::format("{}:{}", path, error.what()));
     }
-  }
-  expect_whole(path, file);
+    return true;
+  });
   if (number == 0) fail_empty(path);
 }
 
 std::string read_trace_header(const std::string& path) {
-  std::ifstream file = open_input(path);
-  std::string line;
-  std::getline(file, line);
-  expect_whole(path, file);
-  if (line.empty()) fail_empty(path);
-  return line;
+  std::string header;
+  each_line(path, [&](const std::string& line) {
+    header = line;
+    return false;
+  });
+  if (header.empty()) fail_empty(path);
+  return header;
 }
 
 std::optional<std::string> overwriting(const std::vector<std::string>& inputs,

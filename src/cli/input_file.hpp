@@ -18,8 +18,9 @@ class WrongInput : public std::runtime_error {
 /// to must not hang) or cannot be read to its end.
 std::string read_input(const std::string& path);
 
-/// Gives each line of a trace to `take`. Throws WrongInput as above and for an empty file; what
-/// `take` throws as std::invalid_argument or verify::UnreadableInput becomes one with the line.
+/// Gives each line of a trace, packed (gzip) or not, to `take`. Throws WrongInput as above and for
+/// an empty file; what `take` throws as std::invalid_argument or verify::UnreadableInput becomes
+/// one with the line.
 void each_trace_line(const std::string& path, const std::function<void(const std::string&)>& take);
 
 /// The same for the first line of a trace, its header.

@@ -17,7 +17,7 @@ class ResultFiles {
   explicit ResultFiles(std::string folder) : folder_(std::move(folder)) {}
 
   std::string schedule_path() const { return files::result_path(folder_, "schedule.json"); }
-  std::string trace_path() const { return files::result_path(folder_, "trace.jsonl"); }
+  std::string trace_path() const { return files::result_trace(folder_); }
 
   bool has_schedule() const { return is_there(schedule_path()); }
   bool has_trace() const { return is_there(trace_path()); }

@@ -8,6 +8,7 @@
 
 #include "src/cli/input_file.hpp"
 #include "src/cli/load_runnable_plan.hpp"
+#include "src/exchange/encoding/gzip.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/exchange/files/result_folder_io.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
@@ -16,18 +17,20 @@ namespace rubicon::cli {
 
 namespace {
 
-/// A plan begins with a word or a comment, a trace with the brace of its header.
-bool begins_with_brace(const std::string& path) {
+/// A plan begins with a word or a comment, a trace with the brace of its header, or packed.
+bool begins_as_trace(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;
-  return std::ifstream(path, std::ios::binary).get() == '{';
+  std::string begin(2, ' ');
+  std::ifstream(path, std::ios::binary).read(begin.data(), 2);
+  return begin.front() == '{' || encoding::is_gzip(begin);
 }
 
 }  // namespace
 
 std::string trace_named(const std::string& source) {
-  if (files::is_folder(source)) return files::result_path(source, "trace.jsonl");
-  return source.ends_with(".jsonl") || begins_with_brace(source) ? source : std::string();
+  if (files::is_folder(source)) return files::result_trace(source);
+  return source.ends_with(".jsonl") || begins_as_trace(source) ? source : std::string();
 }
 
 std::optional<std::string> read_trace(const std::string& path, trace::TraceSink& sink) {

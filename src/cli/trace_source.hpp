@@ -7,8 +7,8 @@
 
 namespace rubicon::cli {
 
-/// The trace that a user names: of a result folder its trace.jsonl, a .jsonl file or one that
-/// begins as a trace itself; empty for all else, which is a plan.
+/// The trace that a user names: of a result folder its trace.jsonl or trace.jsonl.gz, a .jsonl file
+/// or one that begins as a trace itself; empty for all else, which is a plan.
 std::string trace_named(const std::string& source);
 
 /// Hands the lines of a trace to `sink`; a message if the file cannot be read, is empty or the sink

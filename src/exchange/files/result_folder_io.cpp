@@ -49,6 +49,14 @@ std::string result_path(const std::string& folder, std::string_view name) {
   return fs::exists(staged, error) ? staged : fmt::format("{}/{}", folder, name);
 }
 
+std::string result_trace(const std::string& folder) {
+  std::error_code error;
+  std::string plain = result_path(folder, "trace.jsonl");
+  if (fs::exists(plain, error)) return plain;
+  std::string packed = result_path(folder, "trace.jsonl.gz");
+  return fs::exists(packed, error) ? packed : plain;
+}
+
 std::variant<ResultFolder, std::string> ResultFolder::open(const std::string& path) {
   const auto fail = [&](const std::string& why) {
     return fmt::format("cannot make the folder '{}': {}", path, why);

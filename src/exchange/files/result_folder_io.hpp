@@ -20,6 +20,8 @@ inline constexpr std::array<std::string_view, 5> kResultNames = {
 /// Where a file of a result stands: in the folder; or, if a program was ended while it put a new
 /// result there file by file, still in that result.
 std::string result_path(const std::string& folder, std::string_view name);
+/// The trace of a result: trace.jsonl, or, where only that is there, trace.jsonl.gz.
+std::string result_trace(const std::string& folder);
 
 /// A result on its way to its folder. It is written to a temporary folder and, when it is whole,
 /// takes the place of the old one by a single rename, so that whoever looks finds one or the other

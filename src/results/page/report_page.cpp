@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "src/exchange/encoding/base64.hpp"
-#include "src/results/film/gzip.hpp"
+#include "src/exchange/encoding/gzip.hpp"
 
 namespace rubicon::page {
 
@@ -61,7 +61,7 @@ std::string report_page(std::string_view viewer_page, const film::Film& film,
   const std::size_t place = only_place(viewer_page, empty_film) + kFilmBegin.size();
   const std::size_t after_title = title + kTitle.size();
   if (place < after_title) throw std::logic_error("the page should have its title before the film");
-  const std::string packed = encoding::base64(film::gzip(film.bytes));
+  const std::string packed = encoding::base64(encoding::gzip(film.bytes));
 
   std::string page;
   page.reserve(viewer_page.size() + packed.size() + film.plan.size());

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "src/results/film/gzip.hpp"
+#include "src/exchange/encoding/gzip.hpp"
 #include "tests/support/header_json.hpp"
 #include "tests/unit/film/film_decoder.hpp"
 
@@ -257,10 +257,10 @@ TEST(FilmWriter, DamagedHeadersAreErrors) {
 TEST(Gzip, UnpacksToTheSame) {
   std::string bytes;
   for (int i = 0; i < 300'000; ++i) bytes += static_cast<char>(std::int64_t{i} * i % 251);
-  EXPECT_EQ(test::unpacked(gzip(bytes)), bytes);
-  EXPECT_EQ(test::unpacked(gzip("")), "");
+  EXPECT_EQ(test::unpacked(encoding::gzip(bytes)), bytes);
+  EXPECT_EQ(test::unpacked(encoding::gzip("")), "");
   // No time, and no name of a system.
-  EXPECT_EQ(gzip("x").substr(0, 10), std::string("\x1f\x8b\x08\0\0\0\0\0\0\xff", 10));
+  EXPECT_EQ(encoding::gzip("x").substr(0, 10), std::string("\x1f\x8b\x08\0\0\0\0\0\0\xff", 10));
 }
 
 }  // namespace
