@@ -49,7 +49,7 @@ class LinkState {
   /// A task that is not done holds nobody who began without it, for good: whatever the run goes
   /// back to.
   void leave_out(int task) { left_out_[at(task)] = true; }
-  /// Counts anew what each task waits for: once, after the first `leave_out`s.
+  /// Counts again what each task waits for: once, after the first `leave_out`s.
   void count_links();
 
   /// Whether a link of that type keeps the task from starting. Work that is known starts so late

@@ -43,7 +43,7 @@ Schedule Simulation::make_schedule() {
     all.push_back(std::move(outcome));
   };
   for (int task = 0; task < static_cast<int>(plan_.tasks.size()); ++task) {
-    if (auto& outcome = outcomes_[index(task)]) {
+    if (auto& outcome = records_.outcome(task)) {
       schedule.process_time = std::max(schedule.process_time, outcome->start + outcome->duration);
       add(std::move(*outcome));
     } else {
@@ -51,7 +51,7 @@ Schedule Simulation::make_schedule() {
       add(std::move(excluded_.at(task).outcome));
     }
   }
-  for (TaskOutcome& parking : parkings_) add(std::move(parking));
+  for (TaskOutcome& parking : records_.parkings()) add(std::move(parking));
   for (TaskOutcome& parking : failed_parkings_) add(std::move(parking));
   std::sort(order.begin(), order.end());
   for (const auto& [start, place] : order) schedule.tasks.push_back(std::move(all[index(place)]));
@@ -74,7 +74,8 @@ Schedule Simulation::make_schedule() {
     if (task.result == TaskResult::done) end = std::max(end, task.start + task.duration);
   }
   for (std::size_t i = 0; i < schedule.resources.size(); ++i) {
-    schedule.resources[i].shift_time = allocator_->hours(static_cast<int>(i)).work_between(0, end);
+    schedule.resources[i].shift_time =
+        stage_.allocator->hours(static_cast<int>(i)).work_between(0, end);
   }
   count_uses(schedule);
   add_critical_chain(schedule);
@@ -84,15 +85,15 @@ Schedule Simulation::make_schedule() {
 void Simulation::add_critical_chain(Schedule& schedule) const {
   if (schedule.process_time == 0) return;
   schedule::NetworkTimes times;
-  times.tasks = links_->all_times();
+  times.tasks = stage_.links->all_times();
   for (std::size_t task = 0; task < times.tasks.size(); ++task) {
     if (excluded_.contains(static_cast<int>(task))) times.tasks[task] = {};
     // The plan is over with its own tasks.
-    if (is_park(static_cast<int>(task))) times.tasks[task].finish = 0;
+    if (stage_.is_park(static_cast<int>(task))) times.tasks[task].finish = 0;
   }
-  for (const schedule::ChainStep& step : critical_chain(links_->network(), times)) {
-    schedule.critical.push_back(
-        {spec(step.task).name, step.work_counts, schedule::text_of(links_->network(), step)});
+  for (const schedule::ChainStep& step : critical_chain(stage_.links->network(), times)) {
+    schedule.critical.push_back({stage_.spec(step.task).name, step.work_counts,
+                                 schedule::text_of(stage_.links->network(), step)});
   }
 }
 

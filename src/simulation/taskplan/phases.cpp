@@ -1,5 +1,9 @@
 #include "src/simulation/taskplan/phases.hpp"
 
+#include "src/simulation/taskplan/handling_activity.hpp"
+#include "src/simulation/taskplan/motion_activity.hpp"
+#include "src/simulation/taskplan/work_activity.hpp"
+
 namespace rubicon::taskplan {
 
 std::vector<Phase> phases_of(const interpreter::TaskSpec& task) {
@@ -29,6 +33,21 @@ std::vector<Phase> phases_of(const interpreter::TaskSpec& task) {
   for (const interpreter::WorkSpec& extra : task.takes) work(extra, "takes");
   for (const int component : task.remove) handle(Kind::remove, component);
   return phases;
+}
+
+std::unique_ptr<Activity> activity_of(const Phase& phase) {
+  switch (phase.kind) {
+    case Phase::Kind::motion:
+      return std::make_unique<MotionActivity>();
+    case Phase::Kind::work:
+      return std::make_unique<WorkActivity>();
+    case Phase::Kind::weigh:
+    case Phase::Kind::attach:
+    case Phase::Kind::detach:
+    case Phase::Kind::remove:
+      break;
+  }
+  return std::make_unique<HandlingActivity>();
 }
 
 }  // namespace rubicon::taskplan

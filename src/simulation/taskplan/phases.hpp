@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "interpreter/check/plan_model.hpp"
+#include "src/simulation/taskplan/activity.hpp"
 #include "src/simulation/taskplan/schedule.hpp"
 
 namespace rubicon::taskplan {
@@ -19,5 +21,8 @@ struct Phase {
 
 /// The phases of a task; they point into it.
 std::vector<Phase> phases_of(const interpreter::TaskSpec& task);
+
+/// What is done in a phase.
+std::unique_ptr<Activity> activity_of(const Phase& phase);
 
 }  // namespace rubicon::taskplan

@@ -16,13 +16,11 @@ void sort_unique(std::vector<int>& list) {
 }  // namespace
 
 ResourceAllocator::ResourceAllocator(std::vector<std::string> names, std::vector<int> calendar_of,
-                                     std::vector<schedule::WorkCalendar> calendars,
-                                     Journal& journal)
+                                     std::vector<schedule::WorkCalendar> calendars)
     : names_(std::move(names)),
       calendar_of_(std::move(calendar_of)),
       calendars_(std::move(calendars)),
-      states_(names_.size()),
-      journal_(journal) {
+      states_(names_.size()) {
   for (int i = 0; i < static_cast<int>(calendars_.size()); ++i) common_[{i}] = i;
   common_[{}] = static_cast<int>(calendars_.size());
   calendars_.emplace_back();

@@ -31,7 +31,7 @@ class ResourceAllocator {
  public:
   /// `calendar_of` each resource: index into `calendars`, -1: day and night.
   ResourceAllocator(std::vector<std::string> names, std::vector<int> calendar_of,
-                    std::vector<schedule::WorkCalendar> calendars, Journal& journal);
+                    std::vector<schedule::WorkCalendar> calendars);
 
   /// The queue of those who ask for all of `resources` and need the working hours of all of
   /// `hours_of` (resources too). A message for the user if these have no common hours.
@@ -73,7 +73,10 @@ class ResourceAllocator {
   const ResourceState& state(int resource) const {
     return states_[static_cast<std::size_t>(resource)];
   }
-  /// All states, to go back to.
+  // to go back: requests are journaled, states copied
+  Journal::Mark mark() const { return journal_.mark(); }
+  void undo_to(Journal::Mark mark) { journal_.undo_to(mark); }
+  void forget_before(Journal::Mark mark) { journal_.forget_before(mark); }
   const std::vector<ResourceState>& states() const { return states_; }
   void set_states(std::vector<ResourceState> states) { states_ = std::move(states); }
   /// Takes a free resource without asking.
@@ -101,7 +104,7 @@ class ResourceAllocator {
   std::vector<Queue> queues_;
   std::vector<ResourceState> states_;
   std::set<int> excluded_;
-  Journal& journal_;
+  Journal journal_;
 };
 
 }  // namespace rubicon::taskplan

@@ -1,160 +1,98 @@
 #include "src/simulation/taskplan/simulation.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "src/simulation/schedule/critical_chain.hpp"
-#include "src/simulation/site/make_site.hpp"
-#include "src/simulation/taskplan/plan_calendars.hpp"
-#include "src/simulation/taskplan/plan_network.hpp"
 
 namespace rubicon::taskplan {
+
+using schedule::TaskEnd;
 
 Simulation::Simulation(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
                        trace::TraceSink* sink, const RunOptions& options, Verdicts known)
     : plan_(plan),
-      sources_(sources),
       options_(options),
-      site_(site::make_site(plan)),
+      stage_(plan, sources, sink, options.detail),
+      records_(stage_.tasks()),
+      checkpoints_(stage_, records_, zone_waits_),
       excluded_(std::move(known.tasks)),
       parking_failed_(std::move(known.parking_failed)),
       second_chances_(std::move(known.second_chances)) {
-  if (sink) {
-    buffer_.emplace(*sink);
-    trace_.emplace(*buffer_, plan, sources, options.detail);
-    buffer_->set_kept(true);
-    trace_->header();
-  }
-  prepare();
-  if (buffer_) buffer_->set_kept(false);
-}
-
-void Simulation::prepare() {
-  const int robots = static_cast<int>(plan_.robots.size());
-  for (int robot = 0; robot < robots; ++robot) {
-    views_.emplace_back(site_, robot);
-    interpreter::TaskSpec& park = parks_.emplace_back();
-    park.name = "park " + robot_spec(robot).name;
-    park.robot = robot;
-    if (!robot_spec(robot).park) continue;
-    park.go.emplace();
-    park.go->values = *robot_spec(robot).park;
-  }
-  parking_failed_.resize(parks_.size());
-  for (const interpreter::TaskSpec& task : plan_.tasks) specs_.push_back(&task);
-  for (const interpreter::TaskSpec& park : parks_) specs_.push_back(&park);
-  tasks_of_.resize(parks_.size());
-  for (int task = 0; task < static_cast<int>(plan_.tasks.size()); ++task) {
-    if (spec(task).robot >= 0) tasks_of_[index(spec(task).robot)].push_back(task);
-  }
-
-  std::vector<std::string> names;
-  std::vector<int> calendars;
-  for (const interpreter::RobotSpec& robot : plan_.robots) {
-    names.push_back(robot.name);
-    calendars.push_back(calendar_index(plan_, robot.calendar));
-  }
-  for (const interpreter::CrewSpec& crew : plan_.crews) {
-    names.push_back(crew.name);
-    calendars.push_back(calendar_index(plan_, crew.calendar));
-  }
-  schedule::Network network;
-  for (const std::string& name : names) network.resources.push_back({name, -1});
-  allocator_.emplace(std::move(names), std::move(calendars), calendars_of(plan_), journal_);
-  queue_.resize(specs_.size());
-  outcomes_.resize(specs_.size());
-  std::vector<Ticks> work;
-  for (int task = 0; task < static_cast<int>(specs_.size()); ++task) {
-    work.push_back(prepare_queue(task));
-  }
-  prepare_links(std::move(network), std::move(work));
+  parking_failed_.resize(plan.robots.size());
+  stage_.may_park_some_day = [this](int robot) { return may_park(robot, false); };
+  stage_.is_over = [this](int task) { return is_over(task); };
+  stage_.has_begun = [this](int task) { return records_.has_begun(task); };
   for (const auto& [task, excluded] : excluded_) {
-    allocator_->exclude(task);
+    stage_.allocator->exclude(task);
+    stage_.links->leave_out(task);
     known_before_.insert(excluded.cause);
     if (!excluded.involved.empty()) doubtful_.insert(task);
-    if (!buffer_) continue;
-    for (const std::string& line : excluded.lines) buffer_->line(line);
+    stage_.trace.repeat(excluded.lines);
     if (excluded.lines.empty()) trace_end(task, excluded.outcome.start, excluded.outcome);
   }
-}
-
-/// What the task holds from start to finish: its robot and the crews of `by`; one without a robot
-/// also the crews of its works. The crew work that is known before it starts; -1: not known.
-Ticks Simulation::prepare_queue(int task) {
-  const interpreter::TaskSpec& each = spec(task);
-  std::vector<int> resources = held_resources(plan_, each);
-  const auto queue = allocator_->queue_for(resources, resources);
-  queue_[index(task)] = std::get<int>(queue);
-  // What may fail or has to wait for a machine is known only when it is done.
-  if (each.robot >= 0 || !each.remove.empty()) return -1;
-  const Ticks work = std::accumulate(each.takes.begin(), each.takes.end(), Ticks{0},
-                                     [](Ticks sum, const interpreter::WorkSpec& one) {
-                                       return sum + interpreter::ticks_from_seconds(one.duration);
-                                     });
-  if (work == 0 && !each.zones.empty()) return -1;
-  // A milestone waits for nobody.
-  if (work == 0) queue_[index(task)] = std::get<int>(allocator_->queue_for({}, {}));
-  return work;
+  stage_.links->count_links();
 }
 
 std::optional<Schedule> Simulation::run() {
   start_plan();
   while (!must_restart_) {
     if (apply_rejection()) continue;
-    if (process_events() || hand_out() || park_idle_machines() || find_deadlock()) continue;
-    const std::optional<Ticks> next = next_event();
-    const Ticks chance = allocator_->next_chance(now_.now);
+    if (process_event() || hand_out() || park_idle_machines() || find_deadlock()) continue;
+    const std::optional<Ticks> next = stage_.events.next();
+    const Ticks chance = stage_.allocator->next_chance(stage_.now());
     if (next || chance < schedule::kEndOfTime) {
-      now_.now = std::min(next.value_or(schedule::kEndOfTime), chance);
-      site_.set_time(now_.now);
+      stage_.events.advance_to(std::min(next.value_or(schedule::kEndOfTime), chance));
+      stage_.site.set_time(stage_.now());
       ask_again_for_zones();
     } else if (!resolve_standstill()) {
       break;
     }
   }
   if (must_restart_) return std::nullopt;
-  if (buffer_) buffer_->release_before(buffer_->mark());
+  stage_.trace.release_before(stage_.trace.mark());
   return make_schedule();
 }
 
-std::optional<Ticks> Simulation::next_event() const {
-  std::optional<Ticks> next;
-  for (const auto& active : now_.active) {
-    if (active->wake && (!next || *active->wake < *next)) next = active->wake;
+/// Tasks without links ask from now on; of those that are precomputed all is known already.
+void Simulation::start_plan() {
+  ResourceAllocator& allocator = *stage_.allocator;
+  LinkState& links = *stage_.links;
+  const int always = std::get<int>(allocator.queue_for({}, {}));
+  for (int task = 0; task < stage_.plan_tasks(); ++task) {
+    if (links.is_precomputed(task)) {
+      const schedule::TaskTimes times = links.times(task);
+      records_.set_status(task, Status::asking);
+      allocator.ask(always, task, stage_.spec(task).priority, times.start);
+      links.publish(task, TaskEnd::start, times.start);
+      links.publish(task, TaskEnd::finish, times.finish);
+    } else if (links.may_start(task)) {
+      may_start(task, -1);
+    }
   }
-  return next;
+  propagate();
 }
 
 /// Lets the first task whose event has come go on; false if there is none.
-bool Simulation::process_events() {
-  const ActiveTask* first = nullptr;
-  for (const auto& active : now_.active) {
-    if (!active->wake || *active->wake > now_.now) continue;
-    if (!first ||
-        std::pair(*active->wake, active->sequence) < std::pair(*first->wake, first->sequence)) {
-      first = active.get();
-    }
+bool Simulation::process_event() {
+  const std::optional<int> task = stage_.events.take_due();
+  if (!task) return false;
+  ActiveTask& active = *stage_.active.find(*task);
+  if (active.is_held()) {
+    complete(active);
+  } else {
+    go_on(active, active.activity->resume(active, stage_));
   }
-  if (!first) return false;
-  ActiveTask& active = *find_active(first->task);
-  active.wake.reset();
-  go_on(active);
   propagate();
   return true;
 }
 
-void Simulation::wake_at(ActiveTask& active, Ticks time) {
-  active.wake = time;
-  active.sequence = ++now_.sequence;
-}
-
 /// Gives the next task what it asks for; false if nobody can be given anything.
 bool Simulation::hand_out() {
-  const auto grant = allocator_->take(now_.now);
+  const auto grant = stage_.allocator->take(stage_.now());
   if (!grant) return false;
-  if (ActiveTask* const active = find_active(grant->task)) {
-    crew_came(*active, *grant);
+  if (ActiveTask* const active = stage_.active.find(grant->task)) {
+    go_on(*active, active->activity->granted(*active, stage_, *grant));
   } else if (zone_is_free(*grant)) {
     begin_task(*grant);
   }
@@ -165,56 +103,79 @@ bool Simulation::hand_out() {
 /// Whether no machine stands where the people of the task will work. If one does, the task gives
 /// back what it got and asks again when something has happened.
 bool Simulation::zone_is_free(const ResourceAllocator::Grant& grant) {
-  const interpreter::TaskSpec& task = spec(grant.task);
+  const interpreter::TaskSpec& task = stage_.spec(grant.task);
   if (task.zones.empty()) return true;
-  const std::optional<int> robot = site_.machine_in(task.zones, task.robot);
+  const std::optional<int> robot = stage_.site.machine_in(task.zones, task.robot);
   if (!robot) return true;
-  allocator_->set_states(grant.before);
-  new_waits_.push_back(grant.task);
-  const auto waits = std::find_if(now_.zone_waits.begin(), now_.zone_waits.end(),
-                                  [&](const ZoneWait& wait) { return wait.task == grant.task; });
-  if (waits == now_.zone_waits.end()) {
-    now_.zone_waits.push_back({grant.task, now_.now, *robot, false});
-  } else {
-    waits->robot = *robot;
-    waits->asks = false;
-  }
+  stage_.allocator->set_states(grant.before);
+  stage_.begins_to_wait(grant.task);
+  zone_waits_.add(grant.task, stage_.now(), *robot);
   return false;
 }
 
 void Simulation::ask_again_for_zones() {
-  for (ZoneWait& wait : now_.zone_waits) {
+  for (ZoneWait& wait : zone_waits_.all()) {
     if (wait.asks) continue;
     wait.asks = true;
-    allocator_->ask(queue_[index(wait.task)], wait.task, spec(wait.task).priority, now_.now);
+    stage_.allocator->ask(stage_.queue_of(wait.task), wait.task, stage_.spec(wait.task).priority,
+                          stage_.now());
   }
 }
 
+/// The task asks for its robots and crews from the moment its links let it start.
+void Simulation::may_start(int task, int before) {
+  LinkState& links = *stage_.links;
+  if (excluded_.contains(task) || links.is_precomputed(task)) return;
+  const schedule::TaskTimes times = links.ready_times(task, before, stage_.now());
+  links.set_times(task, times);
+  records_.set_status(task, Status::asking);
+  stage_.allocator->ask(stage_.queue_of(task), task, stage_.spec(task).priority, times.start);
+  stage_.begins_to_wait(task);
+  if (!links.is_milestone(task)) return;
+  links.publish(task, TaskEnd::start, times.start);
+  if (!links.may_finish(task)) return;
+  links.publish(task, TaskEnd::finish,
+                schedule::held_finish(links.bounds_of(task, true), times.start));
+}
+
+/// A task that is held to its finish goes on.
+void Simulation::may_finish(int task) {
+  const ActiveTask* const active = stage_.active.look_at(task);
+  if (!active || !active->is_held()) return;
+  stage_.events.set(task, std::max(stage_.now(), stage_.links->bounds_of(task, true).finish));
+}
+
+void Simulation::propagate() {
+  if (!stage_.rejection) stage_.links->propagate(*this);
+}
+
 ActiveTask& Simulation::activate(int task) {
-  const interpreter::TaskSpec& each = spec(task);
-  auto active = std::make_shared<ActiveTask>();
-  active->task = task;
-  active->phases = phases_of(each);
-  active->hits = HitRecorder(trace_ ? &*trace_ : nullptr);
-  active->over_time.resize(allocator_->resources(queue_[index(task)]).size(), 0);
-  active->worked = active->over_time;
-  TaskOutcome& outcome = active->outcome;
+  const interpreter::TaskSpec& each = stage_.spec(task);
+  ActiveTask active;
+  active.task = task;
+  active.phases = phases_of(each);
+  active.hits = HitRecorder(stage_.trace.events());
+  active.account.over_time.resize(stage_.held_by(task).size(), 0);
+  active.account.worked = active.account.over_time;
+  TaskOutcome& outcome = active.account.outcome;
   outcome.task = each.name;
-  outcome.parking = is_park(task);
-  if (each.robot >= 0) outcome.robot = robot_spec(each.robot).name;
+  outcome.parking = stage_.is_park(task);
+  if (each.robot >= 0) outcome.robot = stage_.robot_spec(each.robot).name;
   outcome.crews = crew_names(plan_, each);
-  outcome.start = now_.now;
-  now_.active.push_back(std::move(active));
-  return *find_active(task);
+  outcome.start = stage_.now();
+  stage_.active.add(std::move(active));
+  return *stage_.active.find(task);
 }
 
 void Simulation::begin_task(const ResourceAllocator::Grant& grant) {
   const int task = grant.task;
-  add_checkpoint(task, grant.before);
-  schedule::TaskTimes times = links_->times(task);
-  if (links_->is_precomputed(task)) {
-    for (const int resource : allocator_->resources(queue_[index(task)])) {
-      allocator_->take_directly(resource, task);
+  checkpoints_.add(task, grant.before);
+  LinkState& links = *stage_.links;
+  const Ticks now = stage_.now();
+  schedule::TaskTimes times = links.times(task);
+  if (links.is_precomputed(task)) {
+    for (const int resource : stage_.held_by(task)) {
+      stage_.allocator->take_directly(resource, task);
     }
   } else if (grant.resource >= 0 && grant.free > times.ready) {
     times.wanted = grant.free;
@@ -224,59 +185,84 @@ void Simulation::begin_task(const ResourceAllocator::Grant& grant) {
     times.task_before = grant.task_before;
     times.given_back_midway = grant.midway;
   }
-  times.start = now_.now;
-  const schedule::WorkCalendar& calendar = allocator_->calendar(queue_[index(task)]);
-  if (!links_->is_milestone(task)) {
+  times.start = now;
+  const schedule::WorkCalendar& calendar = stage_.calendar(task);
+  if (!links.is_milestone(task)) {
     times.first_gain = times.wanted - calendar.last_working(times.wanted);
   }
   ActiveTask& active = activate(task);
-  WaitTimes& waits = active.outcome.waits;
+  WaitTimes& waits = active.account.outcome.waits;
   waits.predecessor = times.ready;
   waits.resource = times.wanted - times.ready;
-  waits.shift = now_.now - times.wanted;
-  const auto zone = std::find_if(now_.zone_waits.begin(), now_.zone_waits.end(),
-                                 [&](const ZoneWait& wait) { return wait.task == task; });
-  if (zone != now_.zone_waits.end()) {
-    const Ticks waited = now_.now - std::max(zone->since, times.wanted);
+  waits.shift = now - times.wanted;
+  if (const ZoneWait* const zone = zone_waits_.find(task)) {
+    const Ticks waited = now - std::max(zone->since, times.wanted);
     waits.machine = waited;
     waits.shift -= waited;
     times.held = schedule::Held::machine;
     times.resource = zone->robot;
-    times.task_before = allocator_->state(zone->robot).last;
+    times.task_before = stage_.allocator->state(zone->robot).last;
     times.given_back_midway = true;
-    times.wanted = now_.now;
-    now_.zone_waits.erase(zone);
+    times.wanted = now;
+    zone_waits_.erase(task);
   }
-  links_->set_times(task, times);
-  journal_.assign(status_[index(task)], Status::active);
-  own_trace(active);
-  if (trace_) trace_start(task, times);
-  const interpreter::TaskSpec& each = spec(task);
+  links.set_times(task, times);
+  records_.set_status(task, Status::active);
+  const interpreter::TaskSpec& each = stage_.spec(task);
+  if (auto* const trace = stage_.trace_of(task)) {
+    const schedule::ChainStep step = start_step(links.network(), task, times);
+    trace->task_start(now, schedule::text_of(links.network(), step),
+                      step.task_before < 0 ? "" : stage_.spec(step.task_before).name);
+  }
   if (!each.zones.empty()) {
-    site_.hold_zone(task, "the zone of " + each.name, each.zones, each.robot);
-    journal_.on_undo([this, task] { site_.release_zone(task); });
+    stage_.site_changes.hold_zone(task, "the zone of " + each.name, each.zones, each.robot);
   }
-  const bool known = links_->is_precomputed(task) || links_->is_milestone(task);
-  if (!known) links_->publish(task, schedule::TaskEnd::start, now_.now);
-  if (!known && links_->known_work(task) && links_->may_finish(task)) {
-    const Ticks done = calendar.finish(now_.now, links_->work(task));
-    links_->publish(task, schedule::TaskEnd::finish,
-                    schedule::held_finish(links_->bounds_of(task, true), done));
+  const bool known = links.is_precomputed(task) || links.is_milestone(task);
+  if (!known) links.publish(task, TaskEnd::start, now);
+  if (!known && links.known_work(task) && links.may_finish(task)) {
+    const Ticks done = calendar.finish(now, links.work(task));
+    links.publish(task, TaskEnd::finish, schedule::held_finish(links.bounds_of(task, true), done));
   }
-  run_phases(active);
+  if (active.phases.empty()) {
+    finish_task(active);
+    return;
+  }
+  active.activity = Snapshot(activity_of(active.now()));
+  stage_.came_further(active);
+  go_on(active, active.activity->begin(active, stage_));
+}
+
+/// Goes on with the phases until one takes time, the task is over or cannot be done.
+void Simulation::go_on(ActiveTask& active, Step step) {
+  while (step != Step::pending) {
+    if (step == Step::over) {
+      stage_.made_progress();
+      ++active.phase;
+    } else {
+      active.phase = 0;
+    }
+    active.activity = {};
+    if (active.phase == active.phases.size()) {
+      finish_task(active);
+      return;
+    }
+    active.activity = Snapshot(activity_of(active.now()));
+    if (step == Step::over) stage_.came_further(active);
+    step = active.activity->begin(active, stage_);
+  }
 }
 
 /// All phases are over: the task finishes as soon as its links let it.
 void Simulation::finish_task(ActiveTask& active) {
-  active.doing = Doing::held;
-  active.since = now_.now;
-  if (!links_->may_finish(active.task)) {
-    new_waits_.push_back(active.task);
+  active.held_since = stage_.now();
+  if (!stage_.links->may_finish(active.task)) {
+    stage_.begins_to_wait(active.task);
     return;
   }
-  const Ticks finish = schedule::held_finish(links_->bounds_of(active.task, true), now_.now);
-  if (finish > now_.now) {
-    wake_at(active, finish);
+  const Ticks finish =
+      schedule::held_finish(stage_.links->bounds_of(active.task, true), stage_.now());
+  if (finish > stage_.now()) {
+    stage_.events.set(active.task, finish);
   } else {
     complete(active);
   }
@@ -284,107 +270,65 @@ void Simulation::finish_task(ActiveTask& active) {
 
 void Simulation::complete(ActiveTask& active) {
   const int task = active.task;
-  const schedule::LinkBounds bounds = links_->bounds_of(task, true);
-  schedule::TaskTimes times = links_->times(task);
-  const bool held = active.since < now_.now;
+  const Ticks now = stage_.now();
+  LinkState& links = *stage_.links;
+  const schedule::LinkBounds bounds = links.bounds_of(task, true);
+  schedule::TaskTimes times = links.times(task);
+  TaskOutcome& outcome = active.account.outcome;
+  const bool held = active.held_since < now;
   if (held) {
     const int before =
-        bounds.finish_link < 0 ? -1 : links_->links_of(task)[index(bounds.finish_link)].task;
-    active.outcome.waits.predecessor += now_.now - active.since;
-    pause(active, "held", before < 0 ? std::string() : spec(before).name);
+        bounds.finish_link < 0 ? -1 : links.links_of(task)[index(bounds.finish_link)].task;
+    outcome.waits.predecessor += now - active.held_since;
+    stage_.pause(task, "held", before < 0 ? std::string() : stage_.spec(before).name,
+                 active.held_since);
   }
-  if (held || links_->started_for_finish(times, task)) times.finish_link = bounds.finish_link;
-  times.finish = now_.now;
-  links_->set_times(task, times);
-  journal_.assign(status_[index(task)], Status::done);
+  if (held || links.started_for_finish(times, task)) times.finish_link = bounds.finish_link;
+  times.finish = now;
+  links.set_times(task, times);
   hold_all(active);
-  active.outcome.duration = now_.now - active.outcome.start;
-  trace_end(task, now_.now, active.outcome);
-  const interpreter::TaskSpec& each = spec(task);
+  outcome.duration = now - outcome.start;
+  trace_end(task, now, outcome);
+  const interpreter::TaskSpec& each = stage_.spec(task);
   if (!each.zones.empty()) {
-    site_.release_zone(task);
-    journal_.on_undo([this, task] {
-      site_.hold_zone(task, "the zone of " + spec(task).name, spec(task).zones, spec(task).robot);
-    });
-    wake_those_who_wait_for(-1, task);
+    stage_.site_changes.release_zone(task, "the zone of " + each.name, each.zones, each.robot);
+    stage_.announce({-1, task});
   }
-  if (is_park(task)) {
-    parkings_.push_back(std::move(active.outcome));
-    journal_.on_undo([this] { parkings_.pop_back(); });
-    journal_.assign(status_[index(task)], Status::pending);
+  if (stage_.is_park(task)) {
+    records_.finish_parking(task, std::move(outcome));
   } else {
-    if (options_.on_task) {
-      options_.on_task(++done_, static_cast<int>(plan_.tasks.size()), active.outcome);
-      journal_.on_undo([this] { --done_; });
-    }
-    outcomes_[index(task)] = std::move(active.outcome);
-    journal_.on_undo([this, task] { outcomes_[index(task)].reset(); });
+    if (options_.on_task) options_.on_task(records_.count_one(), stage_.plan_tasks(), outcome);
+    records_.finish(task, std::move(outcome));
   }
-  std::erase_if(now_.active, [&](const auto& other) { return other->task == task; });
-  drop_checkpoint(task);
+  stage_.events.cancel(task);
+  stage_.active.erase(task);
+  checkpoints_.drop(task);
   if (each.robot >= 0) look_again_who_waits_for(each.robot);
-  if (!links_->is_known(task, schedule::TaskEnd::finish)) {
-    links_->publish(task, schedule::TaskEnd::finish, now_.now);
-  }
+  if (!links.is_known(task, TaskEnd::finish)) links.publish(task, TaskEnd::finish, now);
 }
 
 /// Gives back what the task held, and counts for how long it did.
 void Simulation::hold_all(ActiveTask& active) {
-  const std::vector<int>& resources = allocator_->resources(queue_[index(active.task)]);
+  const ActiveTask::Account& account = active.account;
+  const std::vector<int>& resources = stage_.held_by(active.task);
   for (std::size_t i = 0; i < resources.size(); ++i) {
     const int resource = resources[i];
     ResourceHold hold;
     hold.resource = resource;
-    hold.held = allocator_->hours(resource).work_between(active.outcome.start, now_.now) +
-                active.over_time[i];
-    const bool robot = resource < static_cast<int>(plan_.robots.size());
-    hold.busy = robot ? active.outcome.motion_time : active.worked[i];
-    active.outcome.holds.push_back(hold);
-    allocator_->release(resource, now_.now, false);
+    hold.held =
+        stage_.allocator->hours(resource).work_between(account.outcome.start, stage_.now()) +
+        account.over_time[i];
+    const bool robot = resource < stage_.robots();
+    hold.busy = robot ? account.outcome.motion_time : account.worked[i];
+    active.account.outcome.holds.push_back(hold);
+    stage_.allocator->release(resource, stage_.now(), false);
   }
-}
-
-ActiveTask* Simulation::find_active(int task) {
-  for (auto& active : now_.active) {
-    if (active->task != task) continue;
-    // Others may keep this state to go back to it: what changes is a copy.
-    if (active.use_count() > 1) active = std::make_shared<ActiveTask>(*active);
-    return active.get();
-  }
-  return nullptr;
-}
-
-const ActiveTask* Simulation::look_at_active(int task) const {
-  for (const auto& active : now_.active) {
-    if (active->task == task) return active.get();
-  }
-  return nullptr;
-}
-
-const interpreter::Program& Simulation::program_of(int robot) {
-  const auto& checked = robot_spec(robot).robot;
-  const auto found = programs_.find(checked.get());
-  if (found != programs_.end()) return found->second;
-  return programs_.emplace(checked.get(), interpreter::compile(checked)).first->second;
-}
-
-void Simulation::own_trace(const ActiveTask& active) {
-  if (!trace_) return;
-  buffer_->set_owner(active.task);
-  trace_->set_task(spec(active.task).name, spec(active.task).robot);
-}
-
-void Simulation::trace_start(int task, const schedule::TaskTimes& times) {
-  const schedule::ChainStep step = start_step(links_->network(), task, times);
-  trace_->task_start(now_.now, schedule::text_of(links_->network(), step),
-                     step.task_before < 0 ? "" : spec(step.task_before).name);
 }
 
 void Simulation::trace_end(int task, Ticks time, const TaskOutcome& outcome) {
-  if (!trace_) return;
-  buffer_->set_owner(task);
-  trace_->set_task(spec(task).name, spec(task).robot);
-  trace_->task_end(time, name_of(outcome.result), outcome.reason);
+  if (auto* const trace = stage_.trace_of(task)) {
+    trace->task_end(time, name_of(outcome.result), outcome.reason);
+  }
 }
 
 }  // namespace rubicon::taskplan

@@ -1,103 +1,227 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "src/simulation/taskplan/goal_holds.hpp"
 #include "src/simulation/taskplan/simulation.hpp"
 
 namespace rubicon::taskplan {
 
-/// Who may move a robot out of the way: who has it, else the tasks that will have it some day.
-WaitTarget Simulation::move_of(int robot, WaitTarget::Kind kind, int number) const {
-  WaitTarget target{kind, number, {}, false, false};
-  const int holder = allocator_->state(robot).holder;
-  if (holder >= 0) {
-    target.by.push_back(holder);
-    target.machine = kind == WaitTarget::Kind::activity;
-    return target;
+/// What a task waits for that only other tasks can bring about; nothing for one that is over.
+std::optional<WaitSet> Simulation::waits_of(int task) const {
+  if (is_over(task)) return std::nullopt;
+  WaitSet waits;
+  const ActiveTask* const active = stage_.active.look_at(task);
+  if (!active && records_.status(task) == Status::asking) {
+    if (zone_waits_.find(task)) {
+      const interpreter::TaskSpec& spec = stage_.spec(task);
+      const auto robot = stage_.site.machine_in(spec.zones, spec.robot);
+      if (robot) waits.targets.push_back(stage_.move_of(*robot, WaitTarget::Kind::zone, *robot));
+    }
+    for (const int resource : stage_.held_by(task)) stage_.add_resource(waits, task, resource);
+  } else if (!active) {
+    add_links(waits, task, WaitTarget::Kind::start);
+  } else if (stage_.events.is_set(task)) {
+    return waits;
+  } else if (active->activity) {
+    return active->activity->waits(*active, stage_);
+  } else if (active->is_held()) {
+    add_links(waits, task, WaitTarget::Kind::finish);
   }
-  target.idle = true;
-  if (may_park_some_day(robot)) return target;
-  for (const int task : tasks_of_[index(robot)]) {
-    if (!is_over(task)) target.by.push_back(task);
-  }
-  return target;
-}
-
-/// Whether an idle robot may still be asked to its park position.
-bool Simulation::may_park_some_day(int robot) const {
-  if (!robot_spec(robot).park || parking_failed_[index(robot)].count >= kMostParkings) return false;
-  return !goal_holds(robot_spec(robot).robot->model, site_.robot(robot).mounting,
-                     site_.configuration(robot), *parks_[index(robot)].go, {});
-}
-
-void Simulation::add_resource(WaitSet& waits, int task, int resource) const {
-  const int holder = allocator_->state(resource).holder;
-  if (holder < 0 || holder == task) return;
-  waits.targets.push_back({WaitTarget::Kind::resource, resource, {holder}, false, false});
+  return waits;
 }
 
 /// The links of a task whose event is not known yet.
 void Simulation::add_links(WaitSet& waits, int task, WaitTarget::Kind kind) const {
   const auto end =
       kind == WaitTarget::Kind::start ? schedule::TaskEnd::start : schedule::TaskEnd::finish;
-  for (const int link : links_->open_links(task, end)) {
-    const int before = links_->links_of(task)[index(link)].task;
+  for (const int link : stage_.links->open_links(task, end)) {
+    const int before = stage_.links->links_of(task)[index(link)].task;
     if (!is_over(before)) waits.targets.push_back({kind, link, {before}, false, false});
   }
 }
 
-/// What a task waits for that only other tasks can bring about.
-std::optional<WaitSet> Simulation::waits_of(int task) const {
-  if (is_over(task)) return std::nullopt;
-  WaitSet waits;
-  const ActiveTask* const active = look_at_active(task);
-  if (!active && status_[index(task)] == Status::asking) {
-    for (const ZoneWait& wait : now_.zone_waits) {
-      if (wait.task != task) continue;
-      const auto robot = site_.machine_in(spec(task).zones, spec(task).robot);
-      if (robot) waits.targets.push_back(move_of(*robot, WaitTarget::Kind::zone, *robot));
-    }
-    for (const int resource : allocator_->resources(queue_[index(task)])) {
-      add_resource(waits, task, resource);
-    }
-  } else if (!active) {
-    add_links(waits, task, WaitTarget::Kind::start);
-  } else if (active->wake) {
-    return waits;
-  } else if (active->doing == Doing::waiting_for_machine) {
-    waits.any = true;
-    for (std::size_t i = 0; i < active->blockers.size(); ++i) {
-      const Blocker& blocker = active->blockers[i];
-      const int number = static_cast<int>(i);
-      constexpr auto kKind = WaitTarget::Kind::activity;
-      waits.targets.push_back(blocker.robot >= 0
-                                  ? move_of(blocker.robot, kKind, number)
-                                  : WaitTarget{kKind, number, {blocker.zone_task}, false, false});
-    }
-  } else if (active->doing == Doing::waiting_for_crew) {
-    add_resource(waits, task, active->crew);
-  } else if (active->doing == Doing::held) {
-    add_links(waits, task, WaitTarget::Kind::finish);
-  }
-  return waits;
-}
-
 /// Those who wait for a robot that is given back now wait for whoever will have it next.
 void Simulation::look_again_who_waits_for(int robot) {
-  for (const auto& active : now_.active) {
-    if (active->doing != Doing::waiting_for_machine) continue;
-    const bool waits = std::any_of(active->blockers.begin(), active->blockers.end(),
-                                   [&](const Blocker& blocker) { return blocker.robot == robot; });
-    if (waits) new_waits_.push_back(active->task);
+  for (std::size_t i = 0; i < stage_.active.size(); ++i) {
+    const ActiveTask& active = stage_.active[i];
+    if (!active.activity) continue;
+    const std::vector<int> robots = active.activity->robots_in_the_way();
+    if (std::find(robots.begin(), robots.end(), robot) != robots.end()) {
+      stage_.begins_to_wait(active.task);
+    }
   }
-  for (const ZoneWait& wait : now_.zone_waits) {
-    if (wait.robot == robot) new_waits_.push_back(wait.task);
+  for (const ZoneWait& wait : zone_waits_.all()) {
+    if (wait.robot == robot) stage_.begins_to_wait(wait.task);
   }
 }
 
 /// Some tasks are gone, and with them what others waited for.
 void Simulation::look_again_at_all() {
-  for (const auto& active : now_.active) new_waits_.push_back(active->task);
-  for (const ZoneWait& wait : now_.zone_waits) new_waits_.push_back(wait.task);
+  for (std::size_t i = 0; i < stage_.active.size(); ++i) {
+    stage_.begins_to_wait(stage_.active[i].task);
+  }
+  for (const ZoneWait& wait : zone_waits_.all()) stage_.begins_to_wait(wait.task);
+}
+
+/// Tasks that wait for each other, so that none can ever go on: one of them is rejected. Seen as
+/// soon as the last of them begins to wait.
+bool Simulation::find_deadlock() {
+  if (stage_.new_waits.empty()) return false;
+  const Deadlocked deadlocked = deadlocked_from(std::exchange(stage_.new_waits, {}),
+                                                [this](int task) { return waits_of(task); });
+  if (deadlocked.empty()) return false;
+  std::vector<int> tasks;
+  for (const auto& [task, waits] : deadlocked) tasks.push_back(task);
+  if (!lets_one_go_on(tasks)) reject_one_of(cycle_in(deadlocked));
+  return true;
+}
+
+/// Rejects a task of a cycle, one without which the task before it could go on: parking first, then
+/// the least priority, of equals the last in the file.
+void Simulation::reject_one_of(const WaitCycle& cycle) {
+  const auto key = [&](int task) {
+    return std::tuple(stage_.is_park(task), -stage_.spec(task).priority, task);
+  };
+  const std::vector<int> helpful = helpful_in(cycle);
+  const int task = *std::max_element(helpful.begin(), helpful.end(),
+                                     [&](int a, int b) { return key(a) < key(b); });
+  const std::string text =
+      text_of(cycle, [this](const WaitLink& link) { return text_of_wait(link); });
+  stage_.rejection = Rejection{task, text, tasks_of(cycle)};
+}
+
+/// Who waits for whom, and where.
+std::string Simulation::text_of_wait(const WaitLink& wait) const {
+  const int task = wait.task;
+  const WaitTarget& target = wait.target;
+  const std::string who = stage_.who_is(task);
+  const std::string& other = stage_.spec(target.by.front()).name;
+  const auto idle = [&](int robot) {
+    if (!target.idle) return std::string();
+    const interpreter::RobotSpec& machine = stage_.robot_spec(robot);
+    std::string text = fmt::format(", and {} moves only in {}", machine.name, other);
+    if (!machine.park) text += ": give it a park position";
+    return text;
+  };
+  switch (target.kind) {
+    case WaitTarget::Kind::activity: {
+      const ActiveTask& active = *stage_.active.look_at(task);
+      std::string text = active.activity->text_of(active, stage_, target);
+      if (target.idle) {
+        text += idle(active.activity->robots_in_the_way()[index(target.number)]);
+      }
+      return text;
+    }
+    case WaitTarget::Kind::zone:
+      return fmt::format("{} waits until {} has left its zone{}", who,
+                         stage_.robot_spec(target.number).name, idle(target.number));
+    case WaitTarget::Kind::resource:
+      return fmt::format("{} waits for {}, which {} holds", who,
+                         stage_.allocator->name(target.number), other);
+    case WaitTarget::Kind::start:
+    case WaitTarget::Kind::finish:
+      break;
+  }
+  const schedule::Link& link = stage_.links->links_of(task)[index(target.number)];
+  const bool starts = end_before(link.type) == schedule::TaskEnd::start;
+  return fmt::format("{} does not {} until {} has {}", who,
+                     target.kind == WaitTarget::Kind::start ? "start" : "finish", other,
+                     starts ? "started" : "finished");
+}
+
+/// Of tasks that wait for ever, one that has reached enough goes on as it is; false if there is
+/// none.
+bool Simulation::lets_one_go_on(const std::vector<int>& tasks) {
+  for (const int task : tasks) {
+    ActiveTask* const active = stage_.active.find(task);
+    if (!active || !active->activity || !active->activity->settle(*active, stage_)) continue;
+    go_on(*active, Step::over);
+    propagate();
+    return true;
+  }
+  return false;
+}
+
+/// Nothing will happen any more, but some tasks have not finished: the one that the others wait for
+/// is rejected. False if all have finished.
+bool Simulation::resolve_standstill() {
+  int task = -1;
+  if (!stage_.active.empty()) task = stage_.active[0].task;
+  for (int i = 0; task < 0 && i < stage_.plan_tasks(); ++i) {
+    if (!is_over(i)) task = i;
+  }
+  if (task < 0) return false;
+  const WaitWalk walk = walk_from(task, [this](int each) { return waits_of(each); });
+  if (lets_one_go_on(walk.tasks)) return true;
+  if (!walk.cycle.empty()) {
+    reject_one_of(walk.cycle);
+  } else {
+    const int last = walk.tasks.back();
+    stage_.rejection = Rejection{last, standstill_reason(last), {}};
+  }
+  return true;
+}
+
+std::string Simulation::standstill_reason(int task) const {
+  if (const ZoneWait* const zone = zone_waits_.find(task)) {
+    return fmt::format("{} stands in its zone and does not move any more",
+                       stage_.robot_spec(zone->robot).name);
+  }
+  const ActiveTask* const active = stage_.active.look_at(task);
+  if (!active) return "no shift of all that it needs ever begins";
+  std::string reason;
+  if (active->activity) reason = active->activity->standstill_reason(*active, stage_);
+  return reason.empty() ? "its links never let it finish" : reason;
+}
+
+/// Whether an idle robot may be asked to its park position: now, or some day.
+bool Simulation::may_park(int robot, bool now) const {
+  const interpreter::RobotSpec& machine = stage_.robot_spec(robot);
+  const ParkingFailure& failure = parking_failed_[index(robot)];
+  // Where it could not go it is asked again later, but not for ever.
+  if (!machine.park || failure.count >= kMostParkings) return false;
+  if (now && stage_.now() <= failure.last) return false;
+  if (now && (stage_.allocator->state(robot).holder >= 0 || stage_.site.load(robot))) return false;
+  return !goal_holds(machine.robot->model, stage_.site.robot(robot).mounting,
+                     stage_.site.configuration(robot), *stage_.spec(stage_.park_task(robot)).go,
+                     {});
+}
+
+/// Asks idle machines that are in somebody's way to their park position; whether one was asked.
+bool Simulation::park_idle_machines() {
+  std::vector<std::pair<int, int>> in_the_way;  // the robot, the task that waits for it
+  for (std::size_t i = 0; i < stage_.active.size(); ++i) {
+    const ActiveTask& active = stage_.active[i];
+    if (!active.activity) continue;
+    for (const int robot : active.activity->robots_in_the_way()) {
+      in_the_way.emplace_back(robot, active.task);
+    }
+  }
+  for (const ZoneWait& wait : zone_waits_.all()) in_the_way.emplace_back(wait.robot, wait.task);
+  for (const auto& [robot, asking] : in_the_way) {
+    if (robot < 0 || !may_park(robot, true)) continue;
+    const int task = stage_.park_task(robot);
+    ResourceAllocator::Grant grant;
+    grant.task = task;
+    grant.queue = stage_.queue_of(task);
+    grant.before = stage_.allocator->states();
+    stage_.allocator->take_directly(robot, task);
+    schedule::TaskTimes times;
+    times.ready = times.wanted = stage_.now();
+    times.held = schedule::Held::asked;
+    times.task_before = asking;
+    times.given_back_midway = true;
+    stage_.links->set_times(task, times);
+    stage_.links->forget_known(task);
+    begin_task(grant);
+    records_.made_room_for(asking);
+    propagate();
+    return true;
+  }
+  return false;
 }
 
 }  // namespace rubicon::taskplan

@@ -24,7 +24,7 @@ class TraceBuffer : public trace::TraceSink {
     lines_.push_back({owner_, kept_, std::string(text)});
   }
 
-  /// Only the sink behind it begins anew.
+  /// Only the sink behind it begins again.
   void restart() override {}
 
   Mark mark() const { return written_ + lines_.size(); }

@@ -1,0 +1,54 @@
+#include "src/simulation/taskplan/checkpoint.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rubicon::taskplan {
+
+void Checkpoints::add(int task, std::vector<ResourceState> resources) {
+  Checkpoint& point = checkpoints_.emplace_back();
+  point.task = task;
+  point.records = records_.mark();
+  point.links = stage_.links->mark();
+  point.requests = stage_.allocator->mark();
+  point.trace = stage_.trace.mark();
+  point.site = stage_.site_changes.moment(stage_.robots());
+  point.resources = std::move(resources);
+  point.events = stage_.events;
+  point.active = stage_.active;
+  point.progress = stage_.progress;
+  point.zone_waits = zone_waits_;
+  point.zone_waits.erase(task);
+}
+
+void Checkpoints::drop(int task) {
+  std::erase_if(checkpoints_, [&](const Checkpoint& point) { return point.task == task; });
+  const bool none = checkpoints_.empty();
+  const auto oldest = checkpoints_.begin();
+  records_.forget_before(none ? records_.mark() : oldest->records);
+  stage_.links->forget_before(none ? stage_.links->mark() : oldest->links);
+  stage_.allocator->forget_before(none ? stage_.allocator->mark() : oldest->requests);
+  stage_.trace.release_before(none ? stage_.trace.mark() : oldest->trace);
+  stage_.site_changes.forget_before(none ? stage_.site_changes.mark() : oldest->site.mark);
+}
+
+bool Checkpoints::go_back(int task) {
+  const auto place = std::find_if(checkpoints_.begin(), checkpoints_.end(),
+                                  [&](const Checkpoint& point) { return point.task == task; });
+  if (place == checkpoints_.end()) return false;
+  Checkpoint point = std::move(*place);
+  checkpoints_.erase(place, checkpoints_.end());
+  records_.undo_to(point.records);
+  stage_.links->undo_to(point.links);
+  stage_.allocator->undo_to(point.requests);
+  stage_.allocator->set_states(std::move(point.resources));
+  stage_.trace.keep_only(point.trace, task);
+  stage_.events = std::move(point.events);
+  stage_.active = std::move(point.active);
+  stage_.progress = point.progress;
+  zone_waits_ = std::move(point.zone_waits);
+  stage_.site_changes.go_back(point.site, stage_.now());
+  return true;
+}
+
+}  // namespace rubicon::taskplan

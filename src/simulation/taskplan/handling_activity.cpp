@@ -1,0 +1,149 @@
+#include "src/simulation/taskplan/handling_activity.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "src/simulation/site/load_chart.hpp"
+
+namespace rubicon::taskplan {
+
+namespace {
+
+/// Nothing if the component is where the tool took hold of it. If somebody moved it meanwhile, the
+/// task begins again with its motion there.
+std::optional<Step> not_there(const ActiveTask& task, Stage& stage) {
+  const int component = task.now().component;
+  if (!stage.site.stands(component)) {
+    stage.reject(task.task, stage.gone(component), stage.users_of(component));
+    return Step::pending;
+  }
+  if (stage.site.X_WO(component).matrix() == task.X_WO.matrix()) return std::nullopt;
+  return Step::restart;
+}
+
+}  // namespace
+
+Step HandlingActivity::begin(ActiveTask& task, Stage& stage) {
+  switch (task.now().kind) {
+    case Phase::Kind::weigh:
+      return weigh(task, stage);
+    case Phase::Kind::attach:
+      return attach(task, stage);
+    case Phase::Kind::detach:
+      return detach(task, stage);
+    default:
+      return remove(task, stage);
+  }
+}
+
+/// Those who were in the way have left: tried again, as a motion is.
+Step HandlingActivity::resume(ActiveTask& task, Stage& stage) {
+  const schedule::WorkCalendar& calendar = stage.calendar(task.task);
+  if (!calendar.works_at(stage.now())) {
+    stage.events.set(task.task, calendar.next_working(stage.now()));
+    return Step::pending;
+  }
+  const MachineWait before = wait_;
+  const ActiveTask::Account account = task.account;
+  const TraceOutput::Mark mark = stage.trace.mark();
+  task.account.outcome.waits.machine += stage.now() - wait_.since;
+  stage.pause(task.task, "machine", wait_.first_name(stage), wait_.since);
+  task.hits.forget();
+  wait_.blockers.clear();
+  const Step step = attach(task, stage);
+  if (wait_.blockers.empty() || stage.rejection) {
+    const Blocker& first = before.blockers.front();
+    if (stage.now() > before.since) {
+      stage.links->add_mid_wait(
+          task.task, {stage.now(), schedule::Held::machine, first.robot, first.zone_task});
+    }
+    return step;
+  }
+  wait_.since = before.since;
+  task.account = account;
+  stage.trace.forget_since(mark);
+  return Step::pending;
+}
+
+Step HandlingActivity::weigh(ActiveTask& task, Stage& stage) {
+  if (const auto step = not_there(task, stage)) return *step;
+  const int robot = stage.spec(task.task).robot;
+  const int component = task.now().component;
+  const interpreter::RobotSpec& machine = stage.robot_spec(robot);
+  const double mass = stage.plan.components[static_cast<std::size_t>(component)].mass;
+  const double radius = site::chart_radius(machine.X_WM, stage.site.tool_pose(robot).translation());
+  const double allowed = site::capacity_at(machine.robot->model.capacity, radius);
+  if (mass <= allowed) return Step::over;
+  stage.reject(
+      task.task,
+      fmt::format("too heavy: {} has {:g} kg, the load chart of {} allows {:g} kg at {:g} m",
+                  stage.site.component_name(component), mass, machine.name, allowed, radius));
+  return Step::pending;
+}
+
+Step HandlingActivity::attach(ActiveTask& task, Stage& stage) {
+  if (const auto step = not_there(task, stage)) return *step;
+  const int robot = stage.spec(task.task).robot;
+  const int component = task.now().component;
+  // Hanging on a machine it would be part of that, where people keep machines out.
+  if (const auto zone = stage.site.zone_around(component, robot)) {
+    wait_ = {{{-1, zone->zone_task, stage.site.component_name(component), zone->name}},
+             stage.now(),
+             0,
+             false,
+             false};
+    stage.begins_to_wait(task.task);
+    return Step::pending;
+  }
+  stage.site_changes.attach(robot, component);
+  if (auto* const trace = stage.trace_of(task.task)) {
+    trace->attach(stage.site.component_name(component), stage.site.load(robot)->X_TO, stage.now());
+  }
+  stage.announce({robot, -1});
+  return Step::over;
+}
+
+Step HandlingActivity::detach(ActiveTask& task, Stage& stage) {
+  const int robot = stage.spec(task.task).robot;
+  const int component = task.now().component;
+  stage.site_changes.detach(robot);
+  if (auto* const trace = stage.trace_of(task.task)) {
+    trace->detach(stage.site.component_name(component), stage.site.X_WO(component), stage.now());
+  }
+  stage.announce({robot, -1});
+  return Step::over;
+}
+
+Step HandlingActivity::remove(ActiveTask& task, Stage& stage) {
+  const int component = task.now().component;
+  if (!stage.site.stands(component)) {
+    stage.reject(task.task, stage.gone(component), stage.users_of(component));
+    return Step::pending;
+  }
+  stage.site_changes.remove(component);
+  if (auto* const trace = stage.trace_of(task.task)) {
+    trace->remove(stage.site.component_name(component), stage.now());
+  }
+  return Step::over;
+}
+
+WaitSet HandlingActivity::waits(const ActiveTask&, const Stage& stage) const {
+  return wait_.blockers.empty() ? WaitSet() : wait_.waits(stage);
+}
+
+std::string HandlingActivity::text_of(const ActiveTask& task, const Stage& stage,
+                                      const WaitTarget& target) const {
+  return text_of_way(stage, task.task, wait_.blockers[static_cast<std::size_t>(target.number)]);
+}
+
+std::string HandlingActivity::standstill_reason(const ActiveTask&, const Stage& stage) const {
+  return wait_.blockers.empty() ? std::string() : wait_.standstill_reason(stage);
+}
+
+bool HandlingActivity::wakes_at(const ActiveTask&, const Stage& stage,
+                                const SiteEvent& event) const {
+  return !wait_.blockers.empty() && wait_.wakes_at(stage, event);
+}
+
+}  // namespace rubicon::taskplan

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "src/simulation/taskplan/activity.hpp"
+#include "src/simulation/taskplan/machine_wait.hpp"
+
+namespace rubicon::taskplan {
+
+/// What takes no time: weighs, takes up, sets down or removes a component. Only people in whose
+/// zone it stands keep it from being taken up.
+class HandlingActivity : public Activity {
+ public:
+  Step begin(ActiveTask& task, Stage& stage) override;
+  Step resume(ActiveTask& task, Stage& stage) override;
+  WaitSet waits(const ActiveTask& task, const Stage& stage) const override;
+  std::string text_of(const ActiveTask& task, const Stage& stage,
+                      const WaitTarget& target) const override;
+  std::string standstill_reason(const ActiveTask& task, const Stage& stage) const override;
+  bool wakes_at(const ActiveTask& task, const Stage& stage, const SiteEvent& event) const override;
+  std::unique_ptr<Activity> snapshot() const override {
+    return std::make_unique<HandlingActivity>(*this);
+  }
+
+ private:
+  static Step weigh(ActiveTask& task, Stage& stage);
+  Step attach(ActiveTask& task, Stage& stage);
+  static Step detach(ActiveTask& task, Stage& stage);
+  static Step remove(ActiveTask& task, Stage& stage);
+
+  MachineWait wait_;  ///< of `attach`, once it waits
+};
+
+}  // namespace rubicon::taskplan

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "src/simulation/taskplan/active_task.hpp"
+#include "src/simulation/taskplan/hit_recorder.hpp"
+#include "src/simulation/taskplan/stage.hpp"
+
+namespace rubicon::taskplan {
+
+/// Who is in the way: a machine, or a task with a zone of people.
+struct Blocker {
+  int robot = -1;
+  int zone_task = -1;
+  std::string moved;  ///< the part that met it
+  std::string met;    ///< what it met
+
+  bool same_as(const Blocker& other) const {
+    return robot == other.robot && zone_task == other.zone_task;
+  }
+};
+
+/// The machines and zones among hits, each once.
+std::vector<Blocker> blockers_of(const std::vector<RecordedHit>& hits);
+
+/// "left (go_right) waits for right: left.car meets right.car".
+std::string text_of_way(const Stage& stage, int task, const Blocker& blocker);
+
+/// Waiting until any of those in the way moves or leaves.
+struct MachineWait {
+  std::vector<Blocker> blockers;
+  Ticks since = 0;
+  std::uint64_t others = 0;  ///< how far those in the way had come when it began
+  /// It waits where it waited before, and who is in the way came no further: until one does.
+  bool stubborn = false;
+  bool is_enough = false;  ///< what it has reached is enough for the task
+
+  WaitSet waits(const Stage& stage) const;
+  bool wakes_at(const Stage& stage, const SiteEvent& event) const;
+  std::vector<int> robots() const;
+  std::string standstill_reason(const Stage& stage) const;
+  /// Whom the trace names.
+  std::string first_name(const Stage& stage) const;
+};
+
+/// How far those in the way have come, as a number that changes when one gets any further.
+std::uint64_t progress_of(const Stage& stage, const std::vector<Blocker>& blockers);
+
+}  // namespace rubicon::taskplan

@@ -1,0 +1,339 @@
+#include "src/simulation/taskplan/motion_activity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "src/simulation/taskplan/goal_holds.hpp"
+#include "src/simulation/taskplan/motion_task.hpp"
+#include "src/simulation/taskplan/reason.hpp"
+
+namespace rubicon::taskplan {
+
+namespace {
+
+using interpreter::MotionStatus;
+
+/// So many attempts before a `wait` are free: a script looks round before it waits. More count, so
+/// that no script is busy for ever between two waits.
+constexpr int kFreeTries = 100;
+
+/// Whether a motion that ended so may succeed when another machine has moved.
+bool may_try_again(MotionStatus status) {
+  return status == MotionStatus::done || status == MotionStatus::livelock ||
+         status == MotionStatus::circling;
+}
+
+/// The way point at which a machine was met first.
+std::size_t first_way_point(const HitRecorder& hits) {
+  int first = 0;
+  for (const RecordedHit& hit : hits.given_way()) {
+    if (first == 0 || hit.way_point < first) first = hit.way_point;
+  }
+  return static_cast<std::size_t>(std::max(first - 1, 0));
+}
+
+/// Whether other machines or people are at work beside the task.
+bool has_others(const Stage& stage, int task) {
+  for (std::size_t i = 0; i < stage.active.size(); ++i) {
+    const int other = stage.active[i].task;
+    if (other == task) continue;
+    if (stage.spec(other).robot >= 0 || !stage.spec(other).zones.empty()) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Step MotionActivity::begin(ActiveTask& task, Stage& stage) {
+  const interpreter::TaskSpec& spec = stage.spec(task.task);
+  const MotionPurpose purpose = task.now().purpose;
+  if (spec.move && purpose == MotionPurpose::grip && !stage.site.stands(*spec.move)) {
+    stage.reject(task.task, stage.gone(*spec.move), stage.users_of(*spec.move));
+    return Step::pending;
+  }
+  if (!stage.calendar(task.task).works_at(stage.now())) {
+    wait_for_shift(task, stage);
+    return Step::pending;
+  }
+  goals_ = goals_of(stage.plan, spec, purpose, stage.site);
+  if (purpose == MotionPurpose::grip) task.X_WO = stage.site.X_WO(*spec.move);
+  budget_ = spec.budget.value_or(stage.plan.budget);
+  waits_ = 0;
+  way_points_ = goals_dropped_ = 0;
+  // What stopped the carrying motion still keeps the placing one from its goal.
+  if (purpose != MotionPurpose::place) task.hits.forget();
+  const std::vector<double>& q = stage.site.configuration(spec.robot);
+  const robot::RobotModel& model = stage.robot_spec(spec.robot).robot->model;
+  const robot::Mounting& mounting = stage.site.robot(spec.robot).mounting;
+  if (goals_.size() == 1 &&
+      goal_holds(model, mounting, q, goals_.front(), within_of(stage.plan, spec, purpose))) {
+    MotionOutcome held;
+    held.purpose = purpose;
+    held.start = stage.now();
+    held.end.reached = true;
+    held.end.q = q;
+    held.end.time = stage.now();
+    if (auto* const trace = stage.trace_of(task.task)) trace->motion_end(held.end);
+    task.account.outcome.motions.push_back(std::move(held));
+    return Step::over;
+  }
+  return start_machine(task, stage);
+}
+
+Step MotionActivity::resume(ActiveTask& task, Stage& stage) {
+  switch (doing_) {
+    case Doing::moving:
+      if (!waits_in_script_) stage.announce({stage.spec(task.task).robot, -1});
+      return move_on(task, stage);
+    case Doing::waiting_for_shift:
+      task.account.outcome.waits.shift += stage.now() - since_;
+      stage.pause(task.task, "shift", "", since_);
+      if (!machine_) return begin(task, stage);
+      machine_->resume_at(stage.now());
+      doing_ = Doing::moving;
+      return move_on(task, stage);
+    case Doing::waiting_for_machine:
+      return retry(task, stage);
+  }
+  return Step::pending;
+}
+
+Step MotionActivity::start_machine(ActiveTask& task, Stage& stage) {
+  const interpreter::TaskSpec& spec = stage.spec(task.task);
+  const MotionPurpose purpose = task.now().purpose;
+  interpreter::MotionTask motion;
+  motion.goals = goals_;
+  motion.situations = situations_of(stage.plan, spec, purpose);
+  motion.within = within_of(stage.plan, spec, purpose);
+  motion.budget = budget_;
+  motion.full_budget = spec.budget.value_or(stage.plan.budget);
+  motion.first_n = task.account.outcome.tried + 1;
+  motion.start = stage.now();
+  motion.q = stage.site.configuration(spec.robot);
+  motion.mounting = stage.site.robot(spec.robot).mounting;
+  doing_ = Doing::moving;
+  machine_start_ = stage.now();
+  tries_before_ = free_tries_ = 0;
+  machine_.emplace(stage.program_of(spec.robot), std::move(motion));
+  return move_on(task, stage);
+}
+
+/// Attempts until one takes time.
+Step MotionActivity::move_on(ActiveTask& task, Stage& stage) {
+  const schedule::WorkCalendar& calendar = stage.calendar(task.task);
+  if (calendar.carries_over() && !calendar.works_at(stage.now())) {
+    wait_for_shift(task, stage);
+    return Step::pending;
+  }
+  stage.trace_of(task.task);
+  interpreter::Machine& machine = *machine_;
+  waits_in_script_ = false;
+  refund_waits(stage);
+  while (machine.time() == stage.now()) {
+    const std::vector<double> before = machine.q();
+    if (!machine.advance(stage.view(stage.spec(task.task).robot), &task.hits)) break;
+    if (machine.time() == stage.now()) continue;
+    count_step(task, stage, machine.time(), machine.q() == before);
+  }
+  // A motion that was stopped may reach its way points again: only the first time is progress.
+  const std::size_t behind = goals_dropped_ + machine.way_point();
+  if (behind > way_points_) {
+    way_points_ = behind;
+    stage.made_progress();
+  }
+  if (machine.time() > stage.now()) {
+    stage.events.set(task.task, machine.time());
+    return Step::pending;
+  }
+  return end_motion(task, stage);
+}
+
+/// A step from now to `to`, or a `wait` of the script, which waits for what was in the way last.
+void MotionActivity::count_step(ActiveTask& task, Stage& stage, Ticks to, bool waited) {
+  const Ticks duration = to - stage.now();
+  waits_in_script_ = waited;
+  const int tries = machine_->tries();
+  if (waited) charge_wait(has_others(stage, task.task) ? tries - tries_before_ - 1 : 0);
+  tries_before_ = tries;
+  if (waited && !task.hits.given_way().empty()) {
+    task.account.outcome.waits.machine += duration;
+  } else {
+    task.account.outcome.motion_time += duration;
+  }
+  const std::vector<int>& resources = stage.held_by(task.task);
+  for (std::size_t i = 0; i < resources.size(); ++i) {
+    task.account.over_time[i] += stage.allocator->hours(resources[i]).idle_between(stage.now(), to);
+  }
+}
+
+/// A `wait` counts until anybody makes progress; `looks`, what the script tried before it while
+/// others are at work, not at all.
+void MotionActivity::charge_wait(int looks) {
+  const int free = std::min(looks, kFreeTries);
+  free_tries_ += free;
+  machine_->extend_budget(free);
+  ++waits_;
+}
+
+/// Somebody has made progress since the script waited: what it waited does not count any more.
+void MotionActivity::refund_waits(const Stage& stage) {
+  if (progress_seen_ == stage.progress.count) return;
+  progress_seen_ = stage.progress.count;
+  free_tries_ += waits_;
+  machine_->extend_budget(waits_);
+  waits_ = 0;
+}
+
+/// How often a script waited since anybody made progress, and who waits for whom.
+std::string MotionActivity::text_of_waits(const ActiveTask& task, const Stage& stage) const {
+  std::vector<std::string> texts;
+  std::set<int> seen;
+  const ActiveTask* each = &task;
+  while (each && seen.insert(each->task).second) {
+    std::vector<Blocker> met = blockers_of(each->hits.given_way());
+    if (met.empty()) break;
+    texts.push_back(text_of_way(stage, each->task, met.front()));
+    const int robot = met.front().robot;
+    each = stage.active.look_at(robot >= 0 ? stage.allocator->state(robot).holder
+                                           : met.front().zone_task);
+  }
+  return fmt::format("{} of them waits since {:g} s, when anybody last made progress{}{}", waits_,
+                     interpreter::seconds_from_ticks(stage.progress.last),
+                     texts.empty() ? "" : ": ", fmt::join(texts, ", "));
+}
+
+Step MotionActivity::end_motion(ActiveTask& task, Stage& stage) {
+  MotionOutcome made;
+  made.purpose = task.now().purpose;
+  made.start = machine_start_;
+  made.end = machine_->end();
+  machine_.reset();
+  TaskOutcome& outcome = task.account.outcome;
+  outcome.tried += made.end.tries;
+  outcome.accepted += made.end.accepted;
+  budget_ -= made.end.tries - free_tries_;
+  if (auto* const trace = stage.trace_of(task.task)) trace->motion_end(made.end);
+  const bool enough = is_enough(made.purpose, made.end);
+  std::vector<Blocker> blockers;
+  if (!made.end.reached && may_try_again(made.end.status)) {
+    blockers = blockers_of(enough ? task.hits.open() : task.hits.given_way());
+  }
+  outcome.motions.push_back(std::move(made));
+  if (blockers.empty()) {
+    if (enough) return Step::over;
+    const interpreter::TaskSpec& spec = stage.spec(task.task);
+    const std::string component = spec.move ? stage.site.component_name(*spec.move) : std::string();
+    std::string reason =
+        task_reason(outcome.motions.back(), task.hits.last(), component, stage.sources);
+    const bool spent = outcome.motions.back().end.status == MotionStatus::budget;
+    if (spent && waits_ > 0) reason += "; " + text_of_waits(task, stage);
+    stage.reject(task.task, std::move(reason), stage.in_the_way_of(task));
+    return Step::pending;
+  }
+  const std::size_t behind = std::min(first_way_point(task.hits), goals_.size() - 1);
+  goals_.erase(goals_.begin(), goals_.begin() + static_cast<std::ptrdiff_t>(behind));
+  goals_dropped_ += behind;
+  wait_for_machine(task, stage, std::move(blockers), enough);
+  return Step::pending;
+}
+
+/// A script that evades and comes back to where it waited before, while nobody in its way came any
+/// further, would go on for ever: it now waits until one does.
+void MotionActivity::wait_for_machine(ActiveTask& task, Stage& stage, std::vector<Blocker> blockers,
+                                      bool enough) {
+  doing_ = Doing::waiting_for_machine;
+  wait_ = {std::move(blockers), stage.now(), 0, false, enough};
+  wait_.others = progress_of(stage, wait_.blockers);
+  stage.begins_to_wait(task.task);
+  const std::vector<double>& q = stage.site.configuration(stage.spec(task.task).robot);
+  for (WaitPlace& place : places_) {
+    if (place.q != q) continue;
+    wait_.stubborn = place.others == wait_.others;
+    place.others = wait_.others;
+    return;
+  }
+  places_.push_back({q, wait_.others});
+  stage.came_further(task);
+}
+
+void MotionActivity::wait_for_shift(ActiveTask& task, Stage& stage) {
+  doing_ = Doing::waiting_for_shift;
+  since_ = stage.now();
+  const Ticks next = stage.calendar(task.task).next_working(stage.now());
+  if (next >= schedule::kEndOfTime) {
+    stage.reject(task.task, "there is no shift any more for all that it needs");
+  } else {
+    stage.events.set(task.task, next);
+  }
+}
+
+/// What was in the way has moved: the script is tried again. Where it still makes no step, the try
+/// leaves no trace and the task goes on waiting.
+Step MotionActivity::retry(ActiveTask& task, Stage& stage) {
+  const schedule::WorkCalendar& calendar = stage.calendar(task.task);
+  const bool hangs = stage.site.load(stage.spec(task.task).robot).has_value();
+  if (!hangs && !calendar.works_at(stage.now())) {
+    stage.events.set(task.task, calendar.next_working(stage.now()));
+    return Step::pending;
+  }
+  const MotionActivity before = *this;
+  const ActiveTask::Account account = task.account;
+  const TraceOutput::Mark mark = stage.trace.mark();
+  task.account.outcome.waits.machine += stage.now() - wait_.since;
+  const Blocker first = wait_.blockers.front();
+  stage.pause(task.task, "machine", wait_.first_name(stage), wait_.since);
+  task.hits.forget();
+  const Step step = start_machine(task, stage);
+  const bool fruitless = doing_ == Doing::waiting_for_machine && !stage.rejection &&
+                         task.account.outcome.accepted == account.outcome.accepted;
+  if (!fruitless) {
+    const int holder =
+        first.robot >= 0 ? stage.allocator->state(first.robot).last : first.zone_task;
+    if (stage.now() > before.wait_.since) {
+      stage.links->add_mid_wait(task.task,
+                                {stage.now(), schedule::Held::machine, first.robot, holder});
+    }
+    return step;
+  }
+  std::vector<Blocker> blockers = std::move(wait_.blockers);
+  *this = before;
+  wait_.blockers = std::move(blockers);
+  task.account = account;
+  stage.events.cancel(task.task);
+  stage.trace.forget_since(mark);
+  return Step::pending;
+}
+
+WaitSet MotionActivity::waits(const ActiveTask&, const Stage& stage) const {
+  return doing_ == Doing::waiting_for_machine ? wait_.waits(stage) : WaitSet();
+}
+
+std::string MotionActivity::text_of(const ActiveTask& task, const Stage& stage,
+                                    const WaitTarget& target) const {
+  return text_of_way(stage, task.task, wait_.blockers[static_cast<std::size_t>(target.number)]);
+}
+
+std::string MotionActivity::standstill_reason(const ActiveTask&, const Stage& stage) const {
+  return doing_ == Doing::waiting_for_machine ? wait_.standstill_reason(stage) : std::string();
+}
+
+bool MotionActivity::wakes_at(const ActiveTask&, const Stage& stage, const SiteEvent& event) const {
+  return doing_ == Doing::waiting_for_machine && wait_.wakes_at(stage, event);
+}
+
+std::vector<int> MotionActivity::robots_in_the_way() const {
+  return doing_ == Doing::waiting_for_machine ? wait_.robots() : std::vector<int>();
+}
+
+/// Near enough to the goal: it goes on as it is (carrying may end short).
+bool MotionActivity::settle(ActiveTask& task, Stage& stage) {
+  if (doing_ != Doing::waiting_for_machine || !wait_.is_enough) return false;
+  task.account.outcome.waits.machine += stage.now() - wait_.since;
+  stage.pause(task.task, "machine", wait_.blockers.front().met, wait_.since);
+  return true;
+}
+
+}  // namespace rubicon::taskplan

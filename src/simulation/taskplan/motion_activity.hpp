@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/machine/machine.hpp"
+#include "src/simulation/taskplan/activity.hpp"
+#include "src/simulation/taskplan/machine_wait.hpp"
+
+namespace rubicon::taskplan {
+
+/// A motion of a task's robot: its script runs until it is at the goal, waits for machines in its
+/// way, and is tried again when they have moved.
+class MotionActivity : public Activity {
+ public:
+  Step begin(ActiveTask& task, Stage& stage) override;
+  Step resume(ActiveTask& task, Stage& stage) override;
+  WaitSet waits(const ActiveTask& task, const Stage& stage) const override;
+  std::string text_of(const ActiveTask& task, const Stage& stage,
+                      const WaitTarget& target) const override;
+  std::string standstill_reason(const ActiveTask& task, const Stage& stage) const override;
+  bool wakes_at(const ActiveTask& task, const Stage& stage, const SiteEvent& event) const override;
+  std::vector<int> robots_in_the_way() const override;
+  bool settle(ActiveTask& task, Stage& stage) override;
+  std::unique_ptr<Activity> snapshot() const override {
+    return std::make_unique<MotionActivity>(*this);
+  }
+
+ private:
+  enum class Doing : std::uint8_t { moving, waiting_for_shift, waiting_for_machine };
+  /// Where the robot stood when it began to wait for others, and how far these had come.
+  struct WaitPlace {
+    std::vector<double> q;
+    std::uint64_t others = 0;
+  };
+
+  Step start_machine(ActiveTask& task, Stage& stage);
+  Step move_on(ActiveTask& task, Stage& stage);
+  Step end_motion(ActiveTask& task, Stage& stage);
+  Step retry(ActiveTask& task, Stage& stage);
+  void wait_for_shift(ActiveTask& task, Stage& stage);
+  void wait_for_machine(ActiveTask& task, Stage& stage, std::vector<Blocker> blockers, bool enough);
+  void count_step(ActiveTask& task, Stage& stage, Ticks to, bool waited);
+  void charge_wait(int looks);
+  void refund_waits(const Stage& stage);
+  std::string text_of_waits(const ActiveTask& task, const Stage& stage) const;
+
+  Doing doing_ = Doing::moving;
+  Ticks since_ = 0;  ///< it waits for its shift
+  MachineWait wait_;
+  std::vector<WaitPlace> places_;  ///< where it began to wait
+  std::optional<interpreter::Machine> machine_;
+  std::vector<interpreter::GoalSpec> goals_;  ///< those that are left
+  double budget_ = 0;                         ///< attempts left
+  Ticks machine_start_ = 0;
+  int tries_before_ = 0;             ///< of the machine, up to its last step
+  int free_tries_ = 0;               ///< of these, what waiting for other machines took
+  int waits_ = 0;                    ///< `wait`s since the last progress of anybody: they count
+  std::uint64_t progress_seen_ = 0;  ///< the progress of the site up to which they were counted
+  std::size_t way_points_ = 0;       ///< behind it for good
+  std::size_t goals_dropped_ = 0;    ///< from the front of `goals_`
+  bool waits_in_script_ = false;     ///< its step is a `wait`
+};
+
+}  // namespace rubicon::taskplan

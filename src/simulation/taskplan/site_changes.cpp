@@ -1,0 +1,60 @@
+#include "src/simulation/taskplan/site_changes.hpp"
+
+#include <utility>
+
+namespace rubicon::taskplan {
+
+/// Remembers where the component is, to go back to.
+void SiteChanges::keep(int component) {
+  journal_.on_undo([&site = site_, component, before = site_.component_state(component)] {
+    site.set_component_state(component, before);
+  });
+}
+
+void SiteChanges::attach(int robot, int component) {
+  keep(component);
+  site_.attach(robot, component);
+}
+
+void SiteChanges::detach(int robot) {
+  keep(site_.load(robot)->component);
+  site_.detach(robot);
+}
+
+void SiteChanges::remove(int component) {
+  keep(component);
+  site_.remove(component);
+}
+
+void SiteChanges::hold_zone(int task, const std::string& name,
+                            const std::vector<geometry::Shape>& shapes_W, int exempt_robot) {
+  site_.hold_zone(task, name, shapes_W, exempt_robot);
+  journal_.on_undo([&site = site_, task] { site.release_zone(task); });
+}
+
+void SiteChanges::release_zone(int task, const std::string& name,
+                               const std::vector<geometry::Shape>& shapes_W, int exempt_robot) {
+  site_.release_zone(task);
+  journal_.on_undo([&site = site_, task, name, &shapes_W, exempt_robot] {
+    site.hold_zone(task, name, shapes_W, exempt_robot);
+  });
+}
+
+SiteChanges::Moment SiteChanges::moment(int robots) const {
+  Moment moment;
+  moment.mark = journal_.mark();
+  for (int robot = 0; robot < robots; ++robot) {
+    moment.machines.push_back(site_.machine_state(robot));
+  }
+  return moment;
+}
+
+void SiteChanges::go_back(const Moment& moment, Ticks now) {
+  journal_.undo_to(moment.mark);
+  site_.set_time(now);
+  for (std::size_t robot = 0; robot < moment.machines.size(); ++robot) {
+    site_.set_machine_state(static_cast<int>(robot), moment.machines[robot]);
+  }
+}
+
+}  // namespace rubicon::taskplan

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "src/simulation/schedule/ticks.hpp"
+#include "src/simulation/site/site_world.hpp"
+#include "src/simulation/taskplan/journal.hpp"
+
+namespace rubicon::taskplan {
+
+using schedule::Ticks;
+
+/// Changes the site so that a run can go back to an earlier moment.
+class SiteChanges {
+ public:
+  /// `site` must outlive it.
+  explicit SiteChanges(site::SiteWorld& site) : site_(site) {}
+
+  void attach(int robot, int component);
+  /// Puts down what hangs on the robot.
+  void detach(int robot);
+  void remove(int component);
+  /// People of `task` work in the shapes from now on.
+  void hold_zone(int task, const std::string& name, const std::vector<geometry::Shape>& shapes_W,
+                 int exempt_robot);
+  void release_zone(int task, const std::string& name, const std::vector<geometry::Shape>& shapes_W,
+                    int exempt_robot);
+
+  /// What is copied to go back to: where the machines are, and how many changes there were.
+  struct Moment {
+    Journal::Mark mark = 0;
+    std::vector<site::MachineState> machines;
+  };
+  Moment moment(int robots) const;
+  void go_back(const Moment& moment, Ticks now);
+  Journal::Mark mark() const { return journal_.mark(); }
+  void forget_before(Journal::Mark mark) { journal_.forget_before(mark); }
+
+ private:
+  void keep(int component);
+
+  site::SiteWorld& site_;
+  Journal journal_;
+};
+
+}  // namespace rubicon::taskplan

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/check/plan_model.hpp"
+#include "interpreter/machine/machine.hpp"
+#include "interpreter/syntax/source.hpp"
+#include "src/simulation/site/robot_view.hpp"
+#include "src/simulation/site/site_world.hpp"
+#include "src/simulation/taskplan/active_tasks.hpp"
+#include "src/simulation/taskplan/event_queue.hpp"
+#include "src/simulation/taskplan/link_state.hpp"
+#include "src/simulation/taskplan/resource_allocator.hpp"
+#include "src/simulation/taskplan/run_plan.hpp"
+#include "src/simulation/taskplan/site_changes.hpp"
+#include "src/simulation/taskplan/trace_output.hpp"
+
+namespace rubicon::taskplan {
+
+/// A task that is to be rejected: the run goes back to when it began.
+struct Rejection {
+  int task = -1;
+  std::string reason;
+  std::vector<int> involved;  ///< other tasks without which it may be done
+};
+
+/// What all tasks have done that is not done twice: loads taken and set down, work, way points
+/// reached for the first time. A script's own waits count since the last of it.
+struct SiteProgress {
+  std::uint64_t count = 0;
+  Ticks last = 0;
+};
+
+/// What tasks share: the site, its robots and crews, time, links and the trace, each a part with
+/// its own state; and what activities ask of the run. Tasks are those of the plan, then one for
+/// each robot that parks it; resources are the robots, then the crews.
+class Stage {
+ public:
+  Stage(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
+        trace::TraceSink* sink, trace::TraceDetail detail);
+
+  const interpreter::PlanModel& plan;
+  const interpreter::SourceMap& sources;
+  TraceOutput trace;
+  site::SiteWorld site;  ///< components are changed through `site_changes`
+  SiteChanges site_changes;
+  EventQueue events;
+  ActiveTasks active;
+  SiteProgress progress;
+  std::optional<ResourceAllocator> allocator;
+  std::optional<LinkState> links;
+  std::optional<Rejection> rejection;
+  std::vector<int> new_waits;  ///< tasks that may have closed a cycle of waiting
+
+  int tasks() const { return static_cast<int>(specs_.size()); }
+  int plan_tasks() const { return static_cast<int>(plan.tasks.size()); }
+  int robots() const { return static_cast<int>(plan.robots.size()); }
+  const interpreter::TaskSpec& spec(int task) const { return *specs_[at(task)]; }
+  const interpreter::RobotSpec& robot_spec(int robot) const { return plan.robots[at(robot)]; }
+  int crew_resource(int crew) const { return robots() + crew; }
+  int park_task(int robot) const { return plan_tasks() + robot; }
+  bool is_park(int task) const { return task >= plan_tasks(); }
+  /// "left (go_right)", or the name of a task without a robot.
+  std::string who_is(int task) const;
+
+  Ticks now() const { return events.now(); }
+  /// Where the task asks for what it holds from start to finish.
+  int queue_of(int task) const { return queue_[at(task)]; }
+  /// The hours in which all works that the task holds.
+  const schedule::WorkCalendar& calendar(int task) const {
+    return allocator->calendar(queue_of(task));
+  }
+  const std::vector<int>& held_by(int task) const { return allocator->resources(queue_of(task)); }
+  site::RobotView& view(int robot) { return views_[at(robot)]; }
+  const interpreter::Program& program_of(int robot);
+
+  void reject(int task, std::string reason, std::vector<int> involved = {});
+  void made_progress();
+  /// The task waits for others from now on.
+  void begins_to_wait(int task) { new_waits.push_back(task); }
+  /// Those who wait for this go on.
+  void announce(const SiteEvent& event);
+  /// The task came further: who evaded it may try again.
+  void came_further(ActiveTask& task);
+
+  trace::TraceWriter* trace_of(int task) { return trace.of(task, spec(task)); }
+  /// The task stood still from `since` until now.
+  void pause(int task, const char* why, const std::string& whom, Ticks since);
+
+  /// Who may move a robot out of the way: who has it, else the tasks that will have it some day.
+  WaitTarget move_of(int robot, WaitTarget::Kind kind, int number) const;
+  /// For a robot or crew that another task holds.
+  void add_resource(WaitSet& waits, int task, int resource) const;
+  /// Whether an idle robot may still be asked to its park position; the tasks of a robot that are
+  /// not over: what the run knows, given by it.
+  std::function<bool(int robot)> may_park_some_day;
+  std::function<bool(int task)> is_over;
+  std::function<bool(int task)> has_begun;
+
+  /// Why the component cannot be taken.
+  std::string gone(int component) const;
+  /// The tasks, done or under way, that move or remove the component.
+  std::vector<int> users_of(int component) const;
+  /// The tasks under way whose machines or components the task met.
+  std::vector<int> in_the_way_of(const ActiveTask& task) const;
+
+ private:
+  static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+  Ticks prepare_queue(int task);
+
+  std::vector<interpreter::TaskSpec> parks_;
+  std::vector<const interpreter::TaskSpec*> specs_;
+  std::vector<int> queue_;
+  std::vector<std::vector<int>> tasks_of_;  ///< to each robot: its tasks of the plan
+  std::deque<site::RobotView> views_;
+  std::map<const interpreter::CheckedRobot*, interpreter::Program> programs_;
+};
+
+}  // namespace rubicon::taskplan

@@ -1,0 +1,128 @@
+#include "src/simulation/taskplan/work_activity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace rubicon::taskplan {
+
+Step WorkActivity::begin(ActiveTask& task, Stage& stage) {
+  const interpreter::WorkSpec& spec = *task.now().work;
+  if (interpreter::ticks_from_seconds(spec.duration) == 0) return Step::over;
+  const int queue = work_queue(task, stage);
+  if (queue == stage.queue_of(task.task)) return work(task, stage);
+  doing_ = Doing::waiting_for_crew;
+  since_ = stage.now();
+  crew_ = stage.crew_resource(spec.crew);
+  stage.begins_to_wait(task.task);
+  stage.allocator->ask(queue, task.task, stage.spec(task.task).priority, stage.now());
+  return Step::pending;
+}
+
+Step WorkActivity::resume(ActiveTask& task, Stage& stage) {
+  if (doing_ == Doing::waiting_for_shift) {
+    task.account.outcome.waits.shift += stage.now() - since_;
+    stage.pause(task.task, "shift", "", since_);
+    return work(task, stage);
+  }
+  give_back(task, stage);
+  return Step::over;
+}
+
+/// The queue with the hours of the work: those of all that the task holds and of the crew that does
+/// the work.
+int WorkActivity::work_queue(const ActiveTask& task, Stage& stage) {
+  const int held = stage.queue_of(task.task);
+  const int crew = task.now().work->crew;
+  if (crew < 0) return held;
+  std::vector<int> hours = stage.allocator->resources(held);
+  const int resource = stage.crew_resource(crew);
+  if (std::find(hours.begin(), hours.end(), resource) != hours.end()) return held;
+  hours.push_back(resource);
+  return std::get<int>(stage.allocator->queue_for({resource}, std::move(hours)));
+}
+
+Step WorkActivity::granted(ActiveTask& task, Stage& stage, const ResourceAllocator::Grant& grant) {
+  const Ticks free = std::clamp(grant.free, since_, stage.now());
+  task.account.outcome.waits.resource += free - since_;
+  task.account.outcome.waits.shift += stage.now() - free;
+  if (auto* const trace = stage.trace_of(task.task)) {
+    if (free > since_) trace->pause("crew", stage.allocator->name(crew_), since_, free);
+    if (stage.now() > free) trace->pause("shift", "", free, stage.now());
+  }
+  if (free > since_) {
+    stage.links->add_mid_wait(task.task,
+                              {free, schedule::Held::resource, crew_, grant.task_before});
+  }
+  crew_since_ = stage.now();
+  return work(task, stage);
+}
+
+/// Always takes time.
+Step WorkActivity::work(ActiveTask& task, Stage& stage) {
+  const interpreter::WorkSpec& spec = *task.now().work;
+  const schedule::WorkCalendar& calendar = stage.allocator->calendar(work_queue(task, stage));
+  if (!calendar.works_at(stage.now()) && !stage.links->is_milestone(task.task)) {
+    doing_ = Doing::waiting_for_shift;
+    since_ = stage.now();
+    const Ticks next = calendar.next_working(stage.now());
+    if (next >= schedule::kEndOfTime) {
+      stage.reject(task.task, "there is no shift any more for all that it needs");
+    } else {
+      stage.events.set(task.task, next);
+    }
+    return Step::pending;
+  }
+  const Ticks duration = interpreter::ticks_from_seconds(spec.duration);
+  const Ticks finish = calendar.finish(stage.now(), duration);
+  if (finish >= schedule::kEndOfTime) {
+    stage.reject(task.task,
+                 fmt::format("its work ({}) is not done within 126 years", task.now().what));
+    return Step::pending;
+  }
+  doing_ = Doing::working;
+  task.account.outcome.work_time += duration;
+  task.account.outcome.waits.shift += finish - stage.now() - duration;
+  const std::vector<int>& held = stage.held_by(task.task);
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (spec.crew < 0 || held[i] == stage.crew_resource(spec.crew)) {
+      task.account.worked[i] += duration;
+    }
+  }
+  if (auto* const trace = stage.trace_of(task.task)) {
+    trace->work(task.now().what,
+                spec.crew < 0 ? "" : stage.plan.crews[static_cast<std::size_t>(spec.crew)].name,
+                stage.now(), finish, duration);
+  }
+  stage.events.set(task.task, finish);
+  return Step::pending;
+}
+
+void WorkActivity::give_back(ActiveTask& task, Stage& stage) {
+  if (crew_ < 0) return;
+  ResourceHold hold;
+  hold.resource = crew_;
+  hold.held = stage.allocator->hours(crew_).work_between(crew_since_, stage.now());
+  hold.busy = interpreter::ticks_from_seconds(task.now().work->duration);
+  task.account.outcome.holds.push_back(hold);
+  stage.allocator->release(crew_, stage.now(), true);
+  crew_ = -1;
+}
+
+WaitSet WorkActivity::waits(const ActiveTask& task, const Stage& stage) const {
+  WaitSet waits;
+  if (doing_ == Doing::waiting_for_crew) stage.add_resource(waits, task.task, crew_);
+  return waits;
+}
+
+std::string WorkActivity::standstill_reason(const ActiveTask&, const Stage& stage) const {
+  if (doing_ != Doing::waiting_for_crew) return {};
+  const int holder = stage.allocator->state(crew_).holder;
+  return fmt::format("it never gets {}, which {} holds", stage.allocator->name(crew_),
+                     holder >= 0 ? stage.spec(holder).name : std::string("nobody"));
+}
+
+}  // namespace rubicon::taskplan

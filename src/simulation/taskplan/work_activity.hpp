@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "src/simulation/taskplan/activity.hpp"
+#include "src/simulation/taskplan/stage.hpp"
+
+namespace rubicon::taskplan {
+
+/// Work of a crew: in the shifts of all that it needs, by a crew that the task holds or by one that
+/// it asks for here and gives back at the end.
+class WorkActivity : public Activity {
+ public:
+  Step begin(ActiveTask& task, Stage& stage) override;
+  Step resume(ActiveTask& task, Stage& stage) override;
+  Step granted(ActiveTask& task, Stage& stage, const ResourceAllocator::Grant& grant) override;
+  WaitSet waits(const ActiveTask& task, const Stage& stage) const override;
+  std::string standstill_reason(const ActiveTask& task, const Stage& stage) const override;
+  std::unique_ptr<Activity> snapshot() const override {
+    return std::make_unique<WorkActivity>(*this);
+  }
+
+ private:
+  enum class Doing : std::uint8_t { working, waiting_for_shift, waiting_for_crew };
+
+  static int work_queue(const ActiveTask& task, Stage& stage);
+  Step work(ActiveTask& task, Stage& stage);
+  void give_back(ActiveTask& task, Stage& stage);
+
+  Doing doing_ = Doing::working;
+  Ticks since_ = 0;       ///< it waits for a shift or a crew
+  int crew_ = -1;         ///< a crew it has, or asks for, for this work only: a resource
+  Ticks crew_since_ = 0;  ///< when it got it
+};
+
+}  // namespace rubicon::taskplan
