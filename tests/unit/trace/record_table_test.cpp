@@ -12,6 +12,7 @@
 #include "src/simulation/trace/header.hpp"
 #include "src/simulation/trace/record_fields.hpp"
 #include "src/simulation/trace/trace_reader.hpp"
+#include "tests/support/places.hpp"
 #include "tests/unit/trace/written_records.hpp"
 
 namespace rubicon::trace {
@@ -77,7 +78,7 @@ TEST(RecordTable, TheWriterWritesIt) {
 }
 
 TEST(RecordTable, TheSchemaSaysIt) {
-  std::ifstream file(RUBICON_SOURCE_DIR "/docs/trace.schema.json");
+  std::ifstream file(test::source_dir() + "/docs/trace.schema.json");
   const auto schema = ordered_json::parse(file);
   std::map<std::string, const ordered_json*> records;
   for (const auto& choice : schema.at("oneOf")) {
