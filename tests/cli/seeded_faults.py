@@ -1109,9 +1109,8 @@ def edit_the_critical_path(good, rng):
     field = rng.choice(("drop", "swap", "all", "task", "text", "lag"))
     names = [task["task"] for task in path]
     if field == "drop":
-        del edited[place]
-        if place == 0 and "park" in names[0]:
-            return None
+        # Where the first is left out, the next may lead back to a task further down.
+        del edited[max(place, 1)]
     elif field == "swap":
         other = (place + 1) % len(path)
         if names[place] == names[other]:
@@ -1136,7 +1135,8 @@ def change_the_currency(good, rng):
     if "currency" not in good.schedule:
         return None
     result = copy.deepcopy(good)
-    rng.choice((result.header, result.schedule))["currency"] = rng.choice(("USD", "", "eur"))
+    others = {"USD", "", "eur"} - {good.schedule["currency"]}
+    rng.choice((result.header, result.schedule))["currency"] = rng.choice(sorted(others))
     return Fault("change the currency", result, [""], words="the cost is in")
 
 

@@ -138,7 +138,11 @@ class CriticalCheck {
         return std::llabs(run.start - later) <= kTimeSlack || run.task < 0 || later == 0;
       });
     }
-    return waits_for_nobody(name, text);
+    if (waits_for_nobody(name, text)) return true;
+    // The path may lead back to one of its own tasks: a machine that parks several times.
+    return std::any_of(rows_.begin(), rows_.end(), [&](const CriticalRow& other) {
+      return leads(other.task, name, text, later);
+    });
   }
 
   /// A machine was in the way that no task had.
