@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "src/results/report/schedule_text.hpp"
+#include "src/simulation/schedule/ticks.hpp"
 
 namespace rubicon::gantt {
 
@@ -15,7 +14,13 @@ using taskplan::TaskOutcome;
 using taskplan::TaskResult;
 
 std::string moment_label(const Schedule& schedule, Ticks time) {
-  return schedule.start_at ? report::date_text(*schedule.start_at, time) : clock_text(time);
+  return schedule.start_at ? report::date_text(*schedule.start_at, time) : duration_label(time);
+}
+
+std::string duration_label(Ticks time) {
+  if (time + schedule::kSecond / 2 < schedule::kDay) return clock_text(time);
+  const Ticks minutes = (time + schedule::kMinute / 2) / schedule::kMinute;
+  return fmt::format("{} d {:02}:{:02}", minutes / 1440, minutes / 60 % 24, minutes % 60);
 }
 
 std::string money_label(double amount, const std::string& currency) {
@@ -30,19 +35,14 @@ std::string money_label(double amount, const std::string& currency) {
 
 std::vector<std::string> fact_labels(const Schedule& schedule) {
   std::vector<std::string> facts;
-  std::string time = "Process time " + clock_text(schedule.process_time) + " h";
+  std::string time = "Process time " + duration_label(schedule.process_time);
   if (schedule.start_at) {
     time += fmt::format(", {} to {}", schedule::text_of(*schedule.start_at),
                         report::date_text(*schedule.start_at, schedule.process_time));
   }
   facts.push_back(std::move(time));
   if (schedule.costed) facts.push_back("Cost " + money_label(schedule.cost, schedule.currency));
-  const auto tasks = std::count_if(schedule.tasks.begin(), schedule.tasks.end(),
-                                   [](const TaskOutcome& task) { return !task.parking; });
-  const auto done = std::count_if(
-      schedule.tasks.begin(), schedule.tasks.end(),
-      [](const TaskOutcome& task) { return !task.parking && task.result == TaskResult::done; });
-  facts.push_back(fmt::format("{} of {} tasks done", done, tasks));
+  facts.push_back(report::count_text(report::count_tasks(schedule)));
   return facts;
 }
 
@@ -58,14 +58,14 @@ std::string percent_label(const taskplan::ResourceUse& use) {
 }
 
 std::string task_label(const Schedule& schedule, const TaskOutcome& task, bool critical) {
-  std::string text =
-      fmt::format("{}\n{} to {} ({} h)", task.task, moment_label(schedule, task.start),
-                  moment_label(schedule, task.start + task.duration), clock_text(task.duration));
+  std::string text = fmt::format("{}\n{} to {} ({})", task.task, moment_label(schedule, task.start),
+                                 moment_label(schedule, task.start + task.duration),
+                                 duration_label(task.duration));
   if (!task.robot.empty()) text += "\nmachine: " + task.robot;
   if (!task.crews.empty()) text += "\ncrews: " + report::crew_text(task);
-  text +=
-      fmt::format("\nmotion {}, work {}", clock_text(task.motion_time), clock_text(task.work_time));
-  if (task.waits.machine > 0) text += ", waited for machines " + clock_text(task.waits.machine);
+  text += fmt::format("\nmotion {}, work {}", duration_label(task.motion_time),
+                      duration_label(task.work_time));
+  if (task.waits.machine > 0) text += ", waited for machines " + duration_label(task.waits.machine);
   if (schedule.costed) text += "\ncost " + money_label(task.cost, schedule.currency);
   if (critical) text += "\non the critical chain";
   if (task.result != TaskResult::done) text += fmt::format("\n{}", name_of(task.result));

@@ -7,13 +7,16 @@
 
 namespace rubicon::gantt {
 
-/// A moment as a date and time, or h:mm:ss where the plan has no date.
+/// A moment as a date and time, or as a duration where the plan has no date.
 std::string moment_label(const taskplan::Schedule& schedule, interpreter::Ticks time);
+
+/// "4:10:07"; of a day and more "12 d 04:10", as on the report page.
+std::string duration_label(interpreter::Ticks time);
 
 /// An amount of money with two digits, thousands apart: "66 865.05 EUR".
 std::string money_label(double amount, const std::string& currency);
 
-/// Process time, cost and how many tasks were done.
+/// Process time, cost and what became of the tasks.
 std::vector<std::string> fact_labels(const taskplan::Schedule& schedule);
 
 /// How a robot or crew was used, in short.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "src/results/report/schedule_text.hpp"
+#include "src/results/gantt/chart_labels.hpp"
 
 namespace rubicon::gantt {
 
@@ -37,8 +37,7 @@ std::vector<Lane> chart_rows(const std::vector<Bar>& tasks, std::string& title) 
   title = "Tasks";
   if (tasks.size() <= kMostRows) {
     for (const Bar& task : tasks) {
-      rows.push_back(
-          {task.name, {}, report::clock_text(task.span.to - task.span.from), {task}, {}});
+      rows.push_back({task.name, {}, duration_label(task.span.to - task.span.from), {task}, {}});
     }
     return rows;
   }

@@ -77,11 +77,11 @@ std::string SvgBars::boxes(const std::vector<Span>& spans, double top, double he
 
 std::string SvgBars::bars(const std::vector<Bar>& bars, double top, double height) const {
   using Kind = Part::Kind;
-  return filled(widened(active_spans(bars, true)), kMotion, top, height) +
-         filled(widened(active_spans(bars, false)), kWork, top, height) +
-         filled(spans_of(bars, Kind::work), kWork, top, height) +
-         filled(spans_of(bars, Kind::wait), kWait, top + height / 5, height * 3 / 5) +
-         filled(spans_of(bars, Kind::off), kWait, top + height * 2 / 5, height / 5) +
+  return filled(widened(active_spans(bars, true)), kColours.machine, top, height) +
+         filled(widened(active_spans(bars, false)), kColours.crew, top, height) +
+         filled(spans_of(bars, Kind::work), kColours.crew, top, height) +
+         filled(spans_of(bars, Kind::wait), kColours.wait, top + height / 5, height * 3 / 5) +
+         filled(spans_of(bars, Kind::off), kColours.line, top + height * 2 / 5, height / 5) +
          edges(bars, top, height) + critical(bars, top, height) + titles(bars, top, height);
 }
 
@@ -92,7 +92,7 @@ std::vector<Span> SvgBars::widened(std::vector<Span> spans) const {
   return spans;
 }
 
-std::string SvgBars::filled(const std::vector<Span>& spans, const char* colour, double top,
+std::string SvgBars::filled(const std::vector<Span>& spans, std::string_view colour, double top,
                             double height) const {
   if (spans.empty()) return {};
   return fmt::format("<path d=\"{}\" fill=\"{}\" shape-rendering=\"crispEdges\"/>\n",
@@ -108,7 +108,7 @@ std::string SvgBars::edges(const std::vector<Bar>& bars, double top, double heig
     path += fmt::format("M{} {}v{}", length_text(x), length_text(top), length_text(height));
   }
   if (path.empty()) return {};
-  return fmt::format("<path d=\"{}\" stroke=\"#ffffff\" stroke-width=\"0.8\"/>\n", path);
+  return fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"0.8\"/>\n", path, kColours.panel);
 }
 
 /// Outlines round what goes on in critical bars.
@@ -122,7 +122,7 @@ std::string SvgBars::critical(const std::vector<Bar>& bars, double top, double h
   }
   if (path.empty()) return {};
   return fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"/>\n", path,
-                     kCritical);
+                     kColours.critical);
 }
 
 /// A box, or where there is no room for one, lines above and below.
@@ -186,8 +186,8 @@ std::string SvgBars::labels(const std::vector<Bar>& bars, double y) const {
                          length_text(y), title, xml_text(shown));
   }
   if (texts.empty()) return {};
-  return fmt::format("<g font-size=\"{}\" fill=\"{}\">\n{}</g>\n", length_text(kSmallSize), kInk,
-                     texts);
+  return fmt::format("<g font-size=\"{}\" fill=\"{}\">\n{}</g>\n", length_text(kSmallSize),
+                     kColours.text, texts);
 }
 
 }  // namespace rubicon::gantt

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "src/results/gantt/chart.hpp"
@@ -31,7 +32,7 @@ class SvgBars {
   };
 
   std::string box(const Span& span, double top, double height) const;
-  std::string filled(const std::vector<Span>& spans, const char* colour, double top,
+  std::string filled(const std::vector<Span>& spans, std::string_view colour, double top,
                      double height) const;
   std::vector<Span> widened(std::vector<Span> spans) const;
   std::string edges(const std::vector<Bar>& bars, double top, double height) const;

@@ -48,7 +48,7 @@ class SvgWriter {
       write_lanes(chart_.rows_title, chart_.rows, kRowHeight, kRowBar);
     }
     if (chart_.resources.empty() && chart_.rows.empty()) {
-      text(kLeft, y_ + 20, kTextSize, kFaint, "Nothing was planned.");
+      text(kLeft, y_ + 20, kTextSize, kColours.muted, "Nothing was planned.");
       y_ += 40;
     }
     write_axis(top);
@@ -65,11 +65,12 @@ class SvgWriter {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
         "viewBox=\"0 0 {0} {1}\" font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" "
         "role=\"img\">\n<title>{2}</title>\n<desc>{3}</desc>\n"
-        "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-        length_text(kWidth), length_text(y_), xml_text(chart_.title), xml_text(all));
+        "<rect width=\"{0}\" height=\"{1}\" fill=\"{4}\"/>\n",
+        length_text(kWidth), length_text(y_), xml_text(chart_.title), xml_text(all),
+        kColours.panel);
   }
 
-  void text(double x, double y, double size, const char* colour, std::string_view words,
+  void text(double x, double y, double size, std::string_view colour, std::string_view words,
             std::string_view more = "") {
     body_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\"{}>{}</text>\n",
                          length_text(x), length_text(y), length_text(size), colour, more,
@@ -83,8 +84,8 @@ class SvgWriter {
     const std::string title =
         shown == words ? std::string() : "<title>" + xml_text(words) + "</title>";
     body_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\"{}>{}{}</text>\n",
-                         length_text(x), length_text(y), length_text(size), kInk, more, title,
-                         xml_text(shown.empty() ? "\u2026" : shown));
+                         length_text(x), length_text(y), length_text(size), kColours.text, more,
+                         title, xml_text(shown.empty() ? "\u2026" : shown));
   }
 
   void write_head() {
@@ -104,16 +105,16 @@ class SvgWriter {
     const auto entry = [&](std::string_view box, std::string_view words) {
       body_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"18\" height=\"11\" {}/>\n",
                            length_text(x), length_text(y_ - 10), box);
-      text(x + 24, y_, kTextSize, kInk, words);
+      text(x + 24, y_, kTextSize, kColours.text, words);
       x += 24 + text_width(words, kTextSize) + 20;
     };
-    entry(fmt::format("fill=\"{}\"", kMotion), "machine moves");
-    entry(fmt::format("fill=\"{}\"", kWork), "crew works");
-    entry(fmt::format("fill=\"{}\"", kWait), "waiting");
-    entry(fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"2\"", kCritical),
+    entry(fmt::format("fill=\"{}\"", kColours.machine), "machine moves");
+    entry(fmt::format("fill=\"{}\"", kColours.crew), "crew works");
+    entry(fmt::format("fill=\"{}\"", kColours.wait), "waiting");
+    entry(fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"2\"", kColours.critical),
           "critical chain");
     if (chart_.has_shifts) {
-      entry(fmt::format("fill=\"{}\" stroke=\"{}\"", kOff, kLine), "out of shift");
+      entry(fmt::format("fill=\"{}\" stroke=\"{}\"", kColours.off, kColours.line), "out of shift");
     }
   }
 
@@ -122,7 +123,7 @@ class SvgWriter {
   void write_lanes(const std::string& title, const std::vector<Lane>& lanes, double height,
                    double bar) {
     if (lanes.empty()) return;
-    text(kMargin, y_ + 16, 13, kInk, title, " font-weight=\"bold\"");
+    text(kMargin, y_ + 16, 13, kColours.text, title, " font-weight=\"bold\"");
     y_ += 24;
     for (const Lane& lane : lanes) {
       write_off(lane.off, y_, height);
@@ -131,9 +132,9 @@ class SvgWriter {
       body_ += bars_.bars(lane.bars, top, bar);
       if (lane_is_tall(height)) body_ += bars_.labels(lane.bars, top + bar + 12);
       y_ += height;
-      grid_ +=
-          fmt::format("<path d=\"M{} {}H{}\" stroke=\"{}\" stroke-width=\"0.5\"/>\n",
-                      length_text(kMargin), length_text(y_), length_text(kWidth - kMargin), kLine);
+      grid_ += fmt::format("<path d=\"M{} {}H{}\" stroke=\"{}\" stroke-width=\"0.5\"/>\n",
+                           length_text(kMargin), length_text(y_), length_text(kWidth - kMargin),
+                           kColours.line);
     }
     y_ += 10;
   }
@@ -150,13 +151,13 @@ class SvgWriter {
     const double note = lane.brief.empty() ? 0 : text_width(lane.brief, kSmallSize) + 8;
     clipped_text(kMargin, y_ + 12.5, kRoom - note, 11, lane.name);
     if (!lane.brief.empty()) {
-      text(kLeft - 12, y_ + 12.5, kSmallSize, kFaint, lane.brief, " text-anchor=\"end\"");
+      text(kLeft - 12, y_ + 12.5, kSmallSize, kColours.muted, lane.brief, " text-anchor=\"end\"");
     }
   }
 
   void write_off(const std::vector<Span>& off, double top, double height) {
     const std::string path = bars_.boxes(off, top, height);
-    if (!path.empty()) grid_ += fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", path, kOff);
+    if (!path.empty()) grid_ += fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", path, kColours.off);
   }
   // ---- the axis and what was not done
 
@@ -165,24 +166,26 @@ class SvgWriter {
     for (const AxisMark& mark : axis_.marks) {
       const double x = bars_.x_of(mark.time);
       lines += fmt::format("M{} {}V{}", length_text(x), length_text(top), length_text(y_ - 10));
-      text(x, top - 6, kSmallSize, kInk, mark.label, " text-anchor=\"middle\"");
+      text(x, top - 6, kSmallSize, kColours.text, mark.label, " text-anchor=\"middle\"");
     }
-    grid_ += fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"0.7\"/>\n", lines, kLine);
+    grid_ +=
+        fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"0.7\"/>\n", lines, kColours.line);
     for (std::size_t i = 0; i < axis_.heads.size(); ++i) {
       const double from = bars_.x_of(axis_.heads[i].time);
       const double to =
           i + 1 < axis_.heads.size() ? bars_.x_of(axis_.heads[i + 1].time) : kWidth - kMargin;
       const std::string shown = clipped(axis_.heads[i].label, to - from - 6, kTextSize);
       if (shown.empty()) continue;
-      text(from + 4, top - 20, kTextSize, kInk, shown, " font-weight=\"bold\"");
+      text(from + 4, top - 20, kTextSize, kColours.text, shown, " font-weight=\"bold\"");
     }
     body_ += fmt::format("<path d=\"M{} {}H{}\" stroke=\"{}\" stroke-width=\"1\"/>\n",
-                         length_text(kLeft), length_text(top), length_text(kWidth - kMargin), kInk);
+                         length_text(kLeft), length_text(top), length_text(kWidth - kMargin),
+                         kColours.text);
   }
 
   void write_not_done() {
     if (chart_.not_done.empty()) return;
-    text(kMargin, y_ + 16, 13, kCritical, fmt::format("Not done: {}", chart_.not_done.size()),
+    text(kMargin, y_ + 16, 13, kColours.bad, fmt::format("Not done: {}", chart_.not_done.size()),
          " font-weight=\"bold\"");
     y_ += 24;
     constexpr double kNameRoom = kLeft - kMargin - 12;
@@ -191,13 +194,13 @@ class SvgWriter {
       const NotDone& task = chart_.not_done[i];
       clipped_text(kMargin, y_ + 12, kNameRoom, 11, task.task);
       for (const std::string& line : wrapped(task.why, kPlot, 11, kMostLines)) {
-        text(kLeft, y_ + 12, 11, kInk, line);
+        text(kLeft, y_ + 12, 11, kColours.text, line);
         y_ += 15;
       }
       y_ += 3;
     }
     if (chart_.not_done.size() > kMostNotDone) {
-      text(kMargin, y_ + 12, 11, kFaint,
+      text(kMargin, y_ + 12, 11, kColours.muted,
            fmt::format("and {} more", chart_.not_done.size() - kMostNotDone));
       y_ += 15;
     }

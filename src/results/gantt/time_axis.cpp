@@ -87,6 +87,9 @@ class DatedAxis {
 std::string elapsed_label(Ticks time, Ticks step) {
   const Ticks seconds = time / kSecond;
   if (step >= kDay) return fmt::format("day {}", time / kDay + 1);
+  if (time >= kDay && step >= kMinute) {
+    return fmt::format("{} d {:02}:{:02}", time / kDay, seconds / 3600 % 24, seconds / 60 % 60);
+  }
   if (step >= kMinute) return fmt::format("{}:{:02} h", seconds / 3600, seconds / 60 % 60);
   return fmt::format("{}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
 }

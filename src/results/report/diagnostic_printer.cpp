@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "src/results/palette/palette.hpp"
+
 namespace rubicon::report {
 
 namespace {
@@ -31,16 +33,12 @@ const char* level(Severity severity) {
   return "";
 }
 
-const char* colour_of(Severity severity) {
-  switch (severity) {
-    case Severity::error:
-      return "\x1b[1;31m";
-    case Severity::warning:
-      return "\x1b[1;35m";
-    case Severity::note:
-      return "\x1b[1;36m";
-  }
-  return "";
+std::string colour_of(Severity severity) {
+  const palette::Terminal& colours = palette::kTerminal;
+  const std::string_view code = severity == Severity::error     ? colours.bad
+                                : severity == Severity::warning ? colours.warn
+                                                                : colours.note;
+  return fmt::format("\x1b[{}m", code);
 }
 
 /// Longest message, in bytes; a name of ten megabytes is cut in the middle.
@@ -175,12 +173,12 @@ std::string print_text(const std::vector<Diagnostic>& diagnostics, const SourceM
   for (const Diagnostic& diagnostic : diagnostics) {
     errors += diagnostic.severity == Severity::error;
     warnings += diagnostic.severity == Severity::warning;
-    const char* tint = colour ? colour_of(diagnostic.severity) : "";
+    const std::string tint = colour ? colour_of(diagnostic.severity) : "";
     text +=
         fmt::format("{}{}{}{}{}: {}{}{}{}\n", bold, place(sources, diagnostic.span), reset, tint,
                     level(diagnostic.severity), reset, bold, shortened(diagnostic.message), reset);
     if (diagnostic.span.file != interpreter::kNoFile) {
-      text += excerpt(sources, diagnostic.span, tint, reset);
+      text += excerpt(sources, diagnostic.span, tint.c_str(), reset);
     }
     for (const auto& related : diagnostic.notes) {
       text += fmt::format("  see {}{}\n", place(sources, related.span), shortened(related.message));

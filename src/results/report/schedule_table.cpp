@@ -78,19 +78,7 @@ std::string task_table(const Schedule& schedule) {
 }
 
 std::string total_line(const Schedule& schedule) {
-  int tasks = 0;
-  int done = 0;
-  int rejected = 0;
-  for (const TaskOutcome& task : schedule.tasks) {
-    if (task.parking) continue;
-    ++tasks;
-    if (task.result == taskplan::TaskResult::done) ++done;
-    if (task.result == taskplan::TaskResult::rejected) ++rejected;
-  }
-  const int not_reached = tasks - done - rejected;
-  std::string text = fmt::format("{} of {} tasks done", done, tasks);
-  if (rejected > 0) text += fmt::format(", {} rejected", rejected);
-  if (not_reached > 0) text += fmt::format(", {} not reached", not_reached);
+  std::string text = count_text(count_tasks(schedule));
   text += fmt::format(", process time {} ({} s)", clock_text(schedule.process_time),
                       seconds_text(schedule.process_time));
   if (schedule.start_at) {
@@ -126,6 +114,25 @@ std::string chain_text(const Schedule& schedule) {
 }
 
 }  // namespace
+
+TaskCounts count_tasks(const Schedule& schedule) {
+  TaskCounts counts;
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (task.parking) continue;
+    ++counts.tasks;
+    if (task.result == taskplan::TaskResult::done) ++counts.done;
+    if (task.result == taskplan::TaskResult::rejected) ++counts.rejected;
+    if (task.result == taskplan::TaskResult::not_reached) ++counts.not_reached;
+  }
+  return counts;
+}
+
+std::string count_text(const TaskCounts& counts) {
+  std::string text = fmt::format("{} of {} tasks done", counts.done, counts.tasks);
+  if (counts.rejected > 0) text += fmt::format(", {} rejected", counts.rejected);
+  if (counts.not_reached > 0) text += fmt::format(", {} not reached", counts.not_reached);
+  return text;
+}
 
 std::string crew_text(const TaskOutcome& task) {
   return fmt::format("{}", fmt::join(task.crews, ", "));

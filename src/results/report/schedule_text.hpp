@@ -19,6 +19,19 @@ std::string schedule_json(const taskplan::Schedule& schedule);
 /// The tasks as CSV (RFC 4180, line ends "\n"), a header line first; times in seconds.
 std::string schedule_csv(const taskplan::Schedule& schedule);
 
+/// The tasks of the plan, by what became of them. A machine that goes out of the way of another is
+/// none.
+struct TaskCounts {
+  int tasks = 0;
+  int done = 0;
+  int rejected = 0;
+  int not_reached = 0;
+};
+TaskCounts count_tasks(const taskplan::Schedule& schedule);
+
+/// "845 of 851 tasks done, 4 rejected, 2 not reached".
+std::string count_text(const TaskCounts& counts);
+
 /// h:mm:ss, rounded to seconds.
 std::string clock_text(interpreter::Ticks ticks);
 

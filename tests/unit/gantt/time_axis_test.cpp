@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "src/results/gantt/chart_labels.hpp"
+
 namespace rubicon::gantt {
 namespace {
 
@@ -54,6 +56,20 @@ TEST(TimeAxis, NeverHasTooManyMarks) {
       EXPECT_LE(make_axis(start, end, most).heads.size(), 200U);
     }
   }
+}
+
+TEST(TimeAxis, SaysDaysWhereThereAreNoDates) {
+  const auto marks = labels(make_axis(std::nullopt, 2 * kDay, 9).marks);
+  EXPECT_EQ(marks[1], "6:00 h");
+  EXPECT_EQ(marks[5], "1 d 06:00");
+}
+
+TEST(DurationLabel, SaysDaysAndHours) {
+  EXPECT_EQ(duration_label(7256 * kHour), "302 d 08:00");
+  EXPECT_EQ(duration_label(12 * kDay + 4 * kHour + 10 * kMinute + 7 * kSecond), "12 d 04:10");
+  EXPECT_EQ(duration_label(kDay - kSecond), "23:59:59");
+  EXPECT_EQ(duration_label(kDay - 1), "1 d 00:00");
+  EXPECT_EQ(duration_label(2 * kDay - 20 * kSecond), "2 d 00:00");
 }
 
 }  // namespace
