@@ -226,7 +226,7 @@ class CriticalCheck {
       const bool finishes = text == " finishes" + tail;
       if (!starts && !finishes) return text == " starts so that it finishes" + tail;
       // What is allowed sooner than it was known comes when it was known.
-      if (link.lag < 0) return true;
+      if (finishes || link.lag < 0) return true;
       const bool from_start = link.type == LinkType::SS || link.type == LinkType::SF;
       return any_run(before, [&](const TaskRun& first) {
         const Ticks wanted = (from_start ? first.start : first.end) + link.lag + later;
