@@ -8,6 +8,7 @@
 
 #include "src/results/palette/colour.hpp"
 #include "src/results/palette/palette.hpp"
+#include "tests/support/places.hpp"
 
 namespace rubicon::gltf {
 namespace {
@@ -16,7 +17,7 @@ using palette::kDrawing;
 
 /// What the page reads, and what C++ was built with, are one table.
 TEST(Palette, IsThatOfThePage) {
-  std::ifstream file(RUBICON_SOURCE_DIR "/src/results/palette/palette.json");
+  std::ifstream file(test::source_dir() + "/src/results/palette/palette.json");
   const auto table = nlohmann::json::parse(file);
   const auto& page = table.at("light").at("page");
   const auto& site = table.at("light").at("site");
