@@ -62,7 +62,9 @@ class Verify(unittest.TestCase):
     def expect_rejected_tasks_together(self, path):
         """docs/trace.md: their records stand together, before all that begins after their start."""
         with open(path, encoding="utf-8") as file:
-            records = [json.loads(line) for line in file][1:]
+            header, *records = [json.loads(line) for line in file]
+        if header["form"] == "short":  # one task, and nothing to go back to
+            return
         for end, record in enumerate(records):
             if record["type"] != "task_end" or record["result"] != "rejected":
                 continue

@@ -189,8 +189,10 @@ TEST_F(Helper, ACallerThatIgnoresItsChildrenIsServedToo) {
   ::sigfillset(&all);
   ::sigprocmask(SIG_SETMASK, &all, &mask);
   EXPECT_EQ(message(reader(), box()), "");
-  SceneSource meshes = impatient();
-  EXPECT_TRUE(has(message(meshes, slow()), "hung: it was ended after 1 s of processor time"));
+  {
+    SceneSource meshes = impatient();
+    EXPECT_TRUE(has(message(meshes, slow()), "hung: it was ended after 1 s of processor time"));
+  }
   ::sigprocmask(SIG_SETMASK, &mask, nullptr);
   ::signal(SIGCHLD, before);
   EXPECT_TRUE(comes_true([] { return children_of(::getpid()).empty(); }));
