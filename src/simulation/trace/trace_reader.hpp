@@ -64,10 +64,12 @@ class TraceReader {
   /// const Record&, valid during the call). Throws std::invalid_argument, with a message for the
   /// user, for what is no line of a trace: damaged text, an unknown type, a member that is missing,
   /// there twice or of the wrong kind, a header in the wrong place.
-  template <typename OnHeader, typename OnRecord>
+  template <typename OnHeader, typename OnRecord, typename Header = TraceHeader>
   void read(std::string_view line, OnHeader&& on_header, OnRecord&& on_record) {
     if (!has_header_) {
-      on_header(read_header(line));
+      // Through the parameter Header, so that TraceHeader may be incomplete until this is used.
+      Header (*const as_header)(std::string_view) = read_header;
+      on_header(as_header(line));
       has_header_ = true;
     } else if (const Record* record = read_record(line)) {
       on_record(*record);
