@@ -21,29 +21,29 @@ TEST(Palette, IsThatOfThePage) {
   const auto table = nlohmann::json::parse(file);
   const auto& page = table.at("light").at("page");
   const auto& site = table.at("light").at("site");
-  EXPECT_EQ(kDrawing.text, page.at("text"));
-  EXPECT_EQ(kDrawing.muted, page.at("muted"));
-  EXPECT_EQ(kDrawing.line, page.at("line"));
-  EXPECT_EQ(kDrawing.panel, page.at("panel"));
-  EXPECT_EQ(kDrawing.machine, page.at("machine"));
-  EXPECT_EQ(kDrawing.crew, page.at("crew"));
-  EXPECT_EQ(kDrawing.wait, page.at("wait"));
-  EXPECT_EQ(kDrawing.critical, page.at("critical"));
-  EXPECT_EQ(kDrawing.off, page.at("off"));
-  EXPECT_EQ(kDrawing.bad, page.at("bad"));
-  EXPECT_EQ(kDrawing.waiting, site.at("waiting"));
-  EXPECT_EQ(kDrawing.carried, site.at("carried"));
-  EXPECT_EQ(kDrawing.zone, site.at("zone"));
-  EXPECT_EQ(kDrawing.rope, site.at("rope"));
-  EXPECT_EQ(kDrawing.ground, site.at("ground"));
-  EXPECT_EQ(kDrawing.fixture, site.at("fixture"));
+  EXPECT_EQ(kDrawing.text, page.at("text").get<std::string>());
+  EXPECT_EQ(kDrawing.muted, page.at("muted").get<std::string>());
+  EXPECT_EQ(kDrawing.line, page.at("line").get<std::string>());
+  EXPECT_EQ(kDrawing.panel, page.at("panel").get<std::string>());
+  EXPECT_EQ(kDrawing.machine, page.at("machine").get<std::string>());
+  EXPECT_EQ(kDrawing.crew, page.at("crew").get<std::string>());
+  EXPECT_EQ(kDrawing.wait, page.at("wait").get<std::string>());
+  EXPECT_EQ(kDrawing.critical, page.at("critical").get<std::string>());
+  EXPECT_EQ(kDrawing.off, page.at("off").get<std::string>());
+  EXPECT_EQ(kDrawing.bad, page.at("bad").get<std::string>());
+  EXPECT_EQ(kDrawing.waiting, site.at("waiting").get<std::string>());
+  EXPECT_EQ(kDrawing.carried, site.at("carried").get<std::string>());
+  EXPECT_EQ(kDrawing.zone, site.at("zone").get<std::string>());
+  EXPECT_EQ(kDrawing.rope, site.at("rope").get<std::string>());
+  EXPECT_EQ(kDrawing.ground, site.at("ground").get<std::string>());
+  EXPECT_EQ(kDrawing.fixture, site.at("fixture").get<std::string>());
   ASSERT_EQ(kDrawing.machines.size(), site.at("machines").size());
   ASSERT_EQ(kDrawing.components.size(), site.at("components").size());
   for (std::size_t i = 0; i < kDrawing.machines.size(); ++i) {
-    EXPECT_EQ(kDrawing.machines[i], site.at("machines").at(i));
+    EXPECT_EQ(kDrawing.machines[i], site.at("machines").at(i).get<std::string>());
   }
   for (std::size_t i = 0; i < kDrawing.components.size(); ++i) {
-    EXPECT_EQ(kDrawing.components[i], site.at("components").at(i));
+    EXPECT_EQ(kDrawing.components[i], site.at("components").at(i).get<std::string>());
   }
 }
 
