@@ -23,10 +23,10 @@
 #include "src/exchange/project_io/write_mspdi.hpp"
 #include "src/results/gantt/svg_chart.hpp"
 #include "src/results/gltf/document_file.hpp"
+#include "src/results/replay/replay.hpp"
 #include "src/results/report/diagnostic_printer.hpp"
 #include "src/results/report/schedule_reader.hpp"
 #include "src/results/report/schedule_text.hpp"
-#include "src/results/verify/input/trace_reader.hpp"
 
 namespace rubicon::cli {
 
@@ -132,12 +132,12 @@ std::string gantt_chart(const ExportOptions& options, const ResultFiles& result)
 
 /// Binary if its name ends so, else text.
 std::string film(const ExportOptions& options, const ResultFiles& result) {
-  verify::TraceReader reader;
+  replay::ReplayReader reader;
   result.each_trace_line([&](const std::string& line) { reader.line(line); });
   try {
     const gltf::Document document = gltf::make_document(reader.finish(), {options.speed_up});
     return options.gltf.ends_with(".glb") ? gltf::glb_bytes(document) : gltf::gltf_text(document);
-  } catch (const verify::UnreadableInput& error) {
+  } catch (const std::invalid_argument& error) {
     throw WrongInput(fmt::format("{}: {}", result.trace_path(), error.what()));
   }
 }

@@ -7,7 +7,7 @@
 
 namespace rubicon::gltf {
 
-using verify::FrameElement;
+using robot::FrameElement;
 
 Eigen::Vector4d turn_of(FrameElement::Kind kind, double degrees) {
   const auto [sine, cosine] = math::sine_cosine_deg(degrees / 2);

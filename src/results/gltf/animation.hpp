@@ -47,6 +47,6 @@ class Animation {
 };
 
 /// A turn by `degrees` about the axis of an element, as x, y, z, w.
-Eigen::Vector4d turn_of(verify::FrameElement::Kind kind, double degrees);
+Eigen::Vector4d turn_of(robot::FrameElement::Kind kind, double degrees);
 
 }  // namespace rubicon::gltf

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -14,25 +15,18 @@
 #include "src/results/gltf/motion_curves.hpp"
 #include "src/results/gltf/nodes.hpp"
 #include "src/results/gltf/ropes.hpp"
-#include "src/results/verify/replay/component_stays.hpp"
-#include "src/results/verify/replay/robot_track.hpp"
-#include "src/results/verify/replay/task_run.hpp"
 
 namespace rubicon::gltf {
 
 namespace {
 
-using verify::FrameElement;
-using verify::RobotTrack;
-using verify::SceneRobot;
-using verify::Stay;
-using verify::Ticks;
+using replay::Machine;
+using replay::RobotTrack;
+using replay::Stay;
+using replay::Ticks;
+using robot::FrameElement;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-double seconds_of(Ticks ticks) {
-  return static_cast<double>(ticks) / static_cast<double>(verify::kSecond);
-}
 
 /// s, of an animation whose speed nobody chose: the length with which the report page begins.
 constexpr double kUsualLength = 60;
@@ -44,9 +38,9 @@ double usual_speed_up(double seconds) { return std::max(seconds / kUsualLength, 
 constexpr double kFar = 1000;
 
 /// What the scene is moved by so that it is near its origin: whole metres.
-Vec3 offset_of(const verify::Scene& scene) {
+Vec3 offset_of(const trace::TraceHeader& scene) {
   Eigen::AlignedBox3d box;
-  for (const SceneRobot& robot : scene.robots) box.extend(Vec3(robot.X_WM.translation()));
+  for (const auto& robot : scene.robots) box.extend(Vec3(robot.X_WM.translation()));
   for (const auto& component : scene.components) box.extend(Vec3(component.X_WO.translation()));
   if (box.isEmpty() || box.max().cwiseMax(-box.min()).maxCoeff() < kFar) return Vec3::Zero();
   const Vec3 middle = box.center();
@@ -55,48 +49,26 @@ Vec3 offset_of(const verify::Scene& scene) {
 
 class DocumentBuilder {
  public:
-  DocumentBuilder(const verify::Trace& trace, const FilmOptions& options)
-      : trace_(trace),
-        scene_(trace.scene),
-        offset_(offset_of(trace.scene)),
-        meshes_(trace.scene.meshes, data_),
-        looks_(trace.scene) {
-    verify::Faults faults;  // what is wrong with the trace is for `verify` to say
-    runs_ = verify::task_runs(trace, faults);
-    Ticks last = 0;
-    for (const verify::TaskRun& run : runs_) {
-      if (run.happened) last = std::max(last, run.end);
-    }
-    until_ = last + verify::kSecond;  // what stands at last stays
-    speed_up_ = options.speed_up > 0 ? options.speed_up : usual_speed_up(seconds_of(last));
-    animation_.emplace(speed_up_, data_);
-    seconds_ = seconds_of(last);
-  }
+  DocumentBuilder(const replay::Replay& replay, const FilmOptions& options)
+      : replay_(replay),
+        scene_(replay.header),
+        offset_(offset_of(replay.header)),
+        seconds_(trace::seconds(replay.last)),
+        speed_up_(options.speed_up > 0 ? options.speed_up : usual_speed_up(seconds_)),
+        meshes_(data_),
+        looks_(replay.header.components),
+        animation_(speed_up_, data_) {}
 
   Document build() {
     add_root();
-    follow();
     add_site();
-    for (const Stay& stay : stays_) add_stay(stay);
-    for (std::size_t i = 0; i < scene_.robots.size(); ++i) add_robot(i, tracks_[i]);
-    for (const verify::TaskRun& run : runs_) add_zones(run);
+    for (const Stay& stay : replay_.stays) add_stay(stay);
+    for (std::size_t i = 0; i < replay_.machines.size(); ++i) add_robot(i);
+    for (const replay::TaskRun& run : replay_.runs) add_zones(run);
     return finish();
   }
 
  private:
-  /// Where things are, of what happened.
-  void follow() {
-    verify::Faults faults;
-    std::vector<verify::LoadEvent> events;
-    for (std::size_t robot = 0; robot < scene_.robots.size(); ++robot) {
-      tracks_.push_back(
-          verify::follow_robot(trace_, runs_, static_cast<int>(robot), until_, events, faults));
-    }
-    stays_ = verify::component_stays(trace_, runs_, tracks_, std::move(events), until_, faults);
-    std::stable_sort(stays_.begin(), stays_.end(),
-                     [](const Stay& a, const Stay& b) { return a.component < b.component; });
-  }
-
   /// Turns z up into y up; then x points to the right, and y away.
   void add_root() {
     root_ = nodes_.add(-1, scene_.plan);
@@ -120,21 +92,22 @@ class DocumentBuilder {
   /// The tasks that move a component.
   Json tasks_of(int component) const {
     Json tasks = Json::array();
-    for (const verify::SceneTask& task : scene_.tasks) {
-      if (component >= 0 && task.move == component) tasks.push_back(task.name);
+    if (component < 0) return tasks;
+    for (const trace::HeaderTask& task : scene_.tasks) {
+      if (task.move == scene_.components[at(component)].name) tasks.push_back(task.name);
     }
     return tasks;
   }
 
   void add_presence(int node, Ticks from, Ticks to) {
-    const Presence presence{seconds_of(from), seconds_of(to)};
-    if (animation_->add_presence(node, presence, seconds_of(until_))) {
+    const Presence presence{trace::seconds(from), trace::seconds(to)};
+    if (animation_.add_presence(node, presence, trace::seconds(replay_.until))) {
       nodes_.set(node, "scale", {0.0, 0.0, 0.0});
     }
   }
 
   void add_stay(const Stay& stay) {
-    const verify::SceneComponent& component = scene_.components[at(stay.component)];
+    const trace::HeaderComponent& component = scene_.components[at(stay.component)];
     const bool placed = stay.from > 0;
     const auto use = meshes_.use(component.shapes,
                                  placed ? looks_.placed(at(stay.component)) : looks_.waiting());
@@ -150,9 +123,9 @@ class DocumentBuilder {
   }
 
   /// The zones of people of a task that was done, as long as it goes on.
-  void add_zones(const verify::TaskRun& run) {
+  void add_zones(const replay::TaskRun& run) {
     if (!run.happened || run.task < 0 || run.start >= run.end) return;
-    const verify::SceneTask& task = scene_.tasks[at(run.task)];
+    const trace::HeaderTask& task = scene_.tasks[at(run.task)];
     const auto use = meshes_.use(task.zones, looks_.zone());
     if (!use) return;
     const int node = nodes_.add(root_, "zone of " + task.name);
@@ -162,18 +135,20 @@ class DocumentBuilder {
     add_presence(node, run.start, run.end);
   }
 
-  void add_robot(std::size_t number, const RobotTrack& track) {
-    const SceneRobot& robot = scene_.robots[number];
+  void add_robot(std::size_t number) {
+    const Machine& robot = replay_.machines[number];
+    const robot::RobotModel& model = robot.model;
+    const RobotTrack& track = replay_.tracks[number];
     const int mounting = nodes_.add(root_, robot.name);
-    nodes_.place(mounting, near(robot.X_WM));
+    nodes_.place(mounting, near(robot.mounting.X_WM));
     nodes_.set(mounting, "extras", {{"robot", robot.name}});
     const std::vector<FrameCurves> curves = motion_curves(robot, track);
     keys_ += film_keys(curves);
-    if (keys_ > kMostKeys) throw verify::UnreadableInput("expected a film within bounds");
-    const std::vector<bool> envelopes = envelopes_of(robot, scene_.meshes);
+    if (keys_ > kMostKeys) throw std::invalid_argument("expected a film within bounds");
+    const std::vector<bool> envelopes = envelopes_of(robot);
     std::vector<int> body_nodes;
-    for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
-      const verify::SceneBody& body = robot.bodies[i];
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+      const robot::Body& body = model.bodies[i];
       const int parent = body.parent < 0 ? mounting : body_nodes[at(body.parent)];
       const int node = add_frame(parent, robot.name + "." + body.name, curves[i]);
       body_nodes.push_back(node);
@@ -183,16 +158,16 @@ class DocumentBuilder {
     const std::optional<Rope> rope = rope_of(robot, curves);
     if (rope) add_rope(robot, body_nodes[at(rope->above)], *rope);
     const int tool =
-        add_frame(body_nodes[at(robot.tool_body)], robot.name + " tool", curves.back());
+        add_frame(body_nodes[at(model.tool_body)], robot.name + " tool", curves.back());
     add_loads(tool, track, rope.has_value());
   }
 
-  void add_rope(const SceneRobot& robot, int above, const Rope& rope) {
+  void add_rope(const Machine& robot, int above, const Rope& rope) {
     const auto use = meshes_.use({rope_shape()}, looks_.rope());
     const int node = nodes_.add(above, robot.name + " rope");
     nodes_.set(node, "scale", {1.0, 1.0, rope.start});
     nodes_.show(node, *use);
-    if (!rope.length.empty()) animation_->add_length(node, rope.length);
+    if (!rope.length.empty()) animation_.add_length(node, rope.length);
   }
 
   /// A node for each element; the last carries the name of the frame, and is returned.
@@ -215,7 +190,7 @@ class DocumentBuilder {
       const Eigen::Vector4d turn = turn_of(element.kind, start.x());
       nodes_.set(node, "rotation", {turn.x(), turn.y(), turn.z(), turn.w()});
     }
-    if (!element.keys.empty()) animation_->add_element(node, element);
+    if (!element.keys.empty()) animation_.add_element(node, element);
   }
 
   /// Legs with the same load, one after the other.
@@ -234,7 +209,7 @@ class DocumentBuilder {
   }
 
   /// `hangs`: on a rope, and so on slings.
-  void add_load(int tool, const verify::Hanging& load, Ticks from, Ticks to, bool hangs) {
+  void add_load(int tool, const replay::Hanging& load, Ticks from, Ticks to, bool hangs) {
     const bool nameless = load.component < 0;
     const std::string name = nameless ? "load" : scene_.components[at(load.component)].name;
     const int node = nodes_.add(tool, name);
@@ -244,7 +219,7 @@ class DocumentBuilder {
     const auto& shapes = nameless ? scene_.carry : scene_.components[at(load.component)].shapes;
     if (const auto use = meshes_.use(shapes, looks_.carried())) nodes_.show(node, *use);
     if (hangs) {
-      const auto use = meshes_.use(slings(shapes, scene_.meshes, load.X_TO), looks_.rope());
+      const auto use = meshes_.use(slings(shapes, load.X_TO), looks_.rope());
       if (use) nodes_.show(nodes_.add(node, "slings"), *use);
     }
     add_presence(node, from, to);
@@ -253,7 +228,7 @@ class DocumentBuilder {
   Document finish() {
     Document document;
     Json extras = {{"plan", scene_.plan}, {"seconds", seconds_}, {"speed_up", speed_up_}};
-    if (!scene_.start_at.empty()) extras["start_at"] = scene_.start_at;
+    if (scene_.start_at) extras["start_at"] = *scene_.start_at;
     if (!offset_.isZero(0)) extras["origin"] = {offset_.x(), offset_.y(), offset_.z()};
     document.json["asset"] = {
         {"version", "2.0"}, {"generator", "rubicon export"}, {"extras", std::move(extras)}};
@@ -262,33 +237,29 @@ class DocumentBuilder {
         Json::array({{{"name", scene_.plan}, {"nodes", Json::array({root_})}}});
     nodes_.finish(document.json);
     meshes_.finish(document.json);
-    animation_->finish(document.json);
+    animation_.finish(document.json);
     document.binary = data_.finish(document.json);
     return document;
   }
 
-  const verify::Trace& trace_;
-  const verify::Scene& scene_;
+  const replay::Replay& replay_;
+  const trace::TraceHeader& scene_;
   const Vec3 offset_;
-  Ticks until_ = 0;
-  double seconds_ = 0;
-  double speed_up_ = 1;
+  const double seconds_;
+  const double speed_up_;
   std::size_t keys_ = 0;  ///< of all robots
   BinaryData data_;
   Meshes meshes_;
   const Looks looks_;
-  std::optional<Animation> animation_;
+  Animation animation_;
   Nodes nodes_;
   int root_ = 0;
-  std::vector<verify::TaskRun> runs_;
-  std::vector<RobotTrack> tracks_;
-  std::vector<Stay> stays_;
 };
 
 }  // namespace
 
-Document make_document(const verify::Trace& trace, const FilmOptions& options) {
-  return DocumentBuilder(trace, options).build();
+Document make_document(const replay::Replay& replay, const FilmOptions& options) {
+  return DocumentBuilder(replay, options).build();
 }
 
 }  // namespace rubicon::gltf

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "src/results/gltf/binary_data.hpp"
-#include "src/results/verify/input/record.hpp"
+#include "src/results/replay/replay.hpp"
 
 namespace rubicon::gltf {
 
@@ -23,7 +23,8 @@ struct FilmOptions {
 /// The scene of a trace and one animation, "construction", of all that happened. Below one root
 /// node, which turns z up into y up, stand the site, the components and the robots; an element of a
 /// frame of a body is a node. A component is a node at each of its places and at the tool that
-/// carries it, and only one of them has a size at a time. Throws verify::UnreadableInput.
-Document make_document(const verify::Trace& trace, const FilmOptions& options);
+/// carries it, and only one of them has a size at a time. Throws std::invalid_argument, with a
+/// message for the user, for what makes no film.
+Document make_document(const replay::Replay& replay, const FilmOptions& options);
 
 }  // namespace rubicon::gltf

@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "src/results/gltf/triangles.hpp"
-#include "src/results/verify/input/mechanism.hpp"
-#include "src/results/verify/replay/step_rules.hpp"
 
 namespace rubicon::gltf {
 
@@ -12,10 +10,9 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-Box bounds_of(const std::vector<verify::ShapeData>& shapes,
-              const std::vector<verify::MeshData>& meshes, const Pose& X_WB) {
+Box bounds_of(const std::vector<geometry::Shape>& shapes, const Pose& X_WB) {
   Box box;
-  for (const Triangle& triangle : triangles_of(shapes, meshes)) {
+  for (const Triangle& triangle : triangles_of(shapes)) {
     for (const Vec3& corner : triangle) box.extend(Vec3(X_WB * corner));
   }
   return box;
@@ -34,26 +31,24 @@ bool holds(const Box& outer, const Box& inner) {
 
 }  // namespace
 
-std::vector<bool> envelopes_of(const verify::SceneRobot& robot,
-                               const std::vector<verify::MeshData>& meshes) {
-  std::vector<bool> envelopes(robot.bodies.size(), false);
-  if (robot.touching.empty()) return envelopes;
-  const verify::Mechanism mechanism(robot);
-  const std::vector<double> q = verify::start_values(robot);
+std::vector<bool> envelopes_of(const replay::Machine& machine) {
+  const robot::RobotModel& model = machine.model;
+  std::vector<bool> envelopes(model.bodies.size(), false);
+  if (model.touching.empty()) return envelopes;
   std::vector<Pose> X_WB;
+  robot::body_poses(model, machine.mounting, replay::start_values(machine), X_WB);
   std::vector<Box> bounds;
-  for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
-    X_WB.push_back(mechanism.pose(static_cast<int>(i), q));
-    bounds.push_back(bounds_of(robot.bodies[i].shapes, meshes, X_WB[i]));
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    bounds.push_back(bounds_of(model.bodies[i].shapes, X_WB[i]));
   }
   // One shape of it must do it alone: a block and a length of rope above it are no column.
   const auto is_round = [&](std::size_t outer, std::size_t inner) {
-    const auto& shapes = robot.bodies[outer].shapes;
-    return std::any_of(shapes.begin(), shapes.end(), [&](const verify::ShapeData& shape) {
-      return holds(bounds_of({shape}, meshes, X_WB[outer]), bounds[inner]);
+    const auto& shapes = model.bodies[outer].shapes;
+    return std::any_of(shapes.begin(), shapes.end(), [&](const geometry::Shape& shape) {
+      return holds(bounds_of({shape}, X_WB[outer]), bounds[inner]);
     });
   };
-  for (const auto& [first, second] : robot.touching) {
+  for (const auto& [first, second] : model.touching) {
     const auto a = static_cast<std::size_t>(first);
     const auto b = static_cast<std::size_t>(second);
     if (is_round(a, b)) envelopes[a] = true;

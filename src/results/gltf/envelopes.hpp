@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "src/results/verify/input/scene.hpp"
+#include "src/results/replay/machine.hpp"
 
 namespace rubicon::gltf {
 
@@ -10,7 +10,6 @@ namespace rubicon::gltf {
 /// as the column about the rope of a crane that reaches over another: it may touch another of its
 /// bodies, and has it, or half of it, inside, as the machine stands at first. The page decides in
 /// the same way (viewer/src/view/site_model.ts).
-std::vector<bool> envelopes_of(const verify::SceneRobot& robot,
-                               const std::vector<verify::MeshData>& meshes);
+std::vector<bool> envelopes_of(const replay::Machine& machine);
 
 }  // namespace rubicon::gltf

@@ -33,9 +33,9 @@ std::string kind_of(const std::string& name) {
   return end == std::string::npos ? name : last.substr(0, end + 1);
 }
 
-Looks::Looks(const verify::Scene& scene) {
+Looks::Looks(const std::vector<trace::HeaderComponent>& components) {
   std::map<std::string, std::size_t> numbers;
-  for (const verify::SceneComponent& component : scene.components) {
+  for (const trace::HeaderComponent& component : components) {
     kinds_.push_back(numbers.try_emplace(kind_of(component.name), numbers.size()).first->second);
   }
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "src/results/gltf/meshes.hpp"
-#include "src/results/verify/input/scene.hpp"
+#include "src/simulation/trace/header.hpp"
 
 namespace rubicon::gltf {
 
@@ -12,7 +12,7 @@ namespace rubicon::gltf {
 /// components by their kind.
 class Looks {
  public:
-  explicit Looks(const verify::Scene& scene);
+  explicit Looks(const std::vector<trace::HeaderComponent>& components);
 
   Look ground() const;
   /// Bodies of one machine differ a little.

@@ -3,27 +3,62 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "src/results/gltf/triangles.hpp"
-#include "src/results/verify/input/fault.hpp"
 
 namespace rubicon::gltf {
 
 namespace {
 
-using verify::ShapeData;
+using geometry::Shape;
 
 /// m: corners farther from their origin would lose more than 0.1 mm as floats.
 constexpr double kFar = 1000;
 
+/// Writes the numbers of a solid; a mesh of the header is known by its place in memory.
+class NumberWriter {
+ public:
+  explicit NumberWriter(std::string& text) : text_(text) {}
+
+  void operator()(const geometry::Box& box) { add("box", box.lower, box.upper); }
+  void operator()(const geometry::Cylinder& cylinder) {
+    add("cylinder", cylinder.radius, cylinder.z0, cylinder.z1);
+  }
+  void operator()(const geometry::Sphere& sphere) { add("sphere", sphere.centre, sphere.radius); }
+  void operator()(const geometry::Capsule& capsule) {
+    add("capsule", capsule.a, capsule.b, capsule.radius);
+  }
+  void operator()(const geometry::Prism& prism) {
+    add("prism", prism.z0, prism.z1, prism.polygon.size());
+    for (const Eigen::Vector2d& corner : prism.polygon) add("", corner.x(), corner.y());
+  }
+  void operator()(const geometry::Mesh& mesh) {
+    add("mesh", static_cast<const void*>(mesh.mesh.get()));
+  }
+
+ private:
+  template <typename... Values>
+  void add(const char* kind, const Values&... values) {
+    text_ += kind;
+    (add_value(values), ...);
+  }
+  void add_value(const Vec3& value) {
+    for (const double each : value) add_value(each);
+  }
+  template <typename Number>
+  void add_value(Number value) {
+    text_ += fmt::format("{} ", value);
+  }
+
+  std::string& text_;
+};
+
 /// All numbers of some shapes: equal for equal shapes.
-std::string numbers_of(const std::vector<ShapeData>& shapes) {
+std::string numbers_of(const std::vector<Shape>& shapes) {
   std::string text;
-  for (const ShapeData& shape : shapes) {
-    text += fmt::format("{} {} {} {} {} {} ", static_cast<int>(shape.kind), shape.radius, shape.z0,
-                        shape.z1, shape.mesh, shape.polygon.size());
-    for (int i = 0; i < 3; ++i) text += fmt::format("{} {} ", shape.a[i], shape.b[i]);
-    for (const auto& corner : shape.polygon) text += fmt::format("{} {} ", corner.x(), corner.y());
+  for (const Shape& shape : shapes) {
+    std::visit(NumberWriter(text), shape.solid);
     for (int i = 0; i < 12; ++i) text += fmt::format("{} ", shape.X_BS.matrix()(i / 4, i % 4));
   }
   return text;
@@ -42,14 +77,14 @@ Vec3 offset_of(const std::vector<Triangle>& triangles) {
 
 }  // namespace
 
-const std::optional<Meshes::Corners>& Meshes::corners_of(const std::vector<ShapeData>& shapes) {
+const std::optional<Meshes::Corners>& Meshes::corners_of(const std::vector<Shape>& shapes) {
   const auto [place, added] = corners_.try_emplace(numbers_of(shapes));
   if (!added) return place->second;
-  const std::vector<Triangle> triangles = triangles_of(shapes, source_);
+  const std::vector<Triangle> triangles = triangles_of(shapes);
   if (triangles.empty()) return place->second;
   triangles_ += triangles.size();
   if (triangles_ > kMostTriangles) {
-    throw verify::UnreadableInput("expected fewer shapes: their triangles fill no film");
+    throw std::invalid_argument("expected fewer shapes: their triangles fill no film");
   }
   Corners corners;
   corners.offset = offset_of(triangles);
@@ -67,7 +102,7 @@ const std::optional<Meshes::Corners>& Meshes::corners_of(const std::vector<Shape
   return place->second;
 }
 
-std::optional<MeshUse> Meshes::use(const std::vector<ShapeData>& shapes, const Look& look) {
+std::optional<MeshUse> Meshes::use(const std::vector<Shape>& shapes, const Look& look) {
   const std::optional<Corners>& corners = corners_of(shapes);
   if (!corners) return std::nullopt;
   const auto [material, new_look] =

@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "src/motion/geometry/shape.hpp"
 #include "src/results/gltf/binary_data.hpp"
-#include "src/results/verify/input/scene.hpp"
 
 namespace rubicon::gltf {
 
@@ -28,11 +28,10 @@ struct MeshUse {
 /// alike.
 class Meshes {
  public:
-  Meshes(const std::vector<verify::MeshData>& meshes, BinaryData& data)
-      : source_(meshes), data_(data) {}
+  explicit Meshes(BinaryData& data) : data_(data) {}
 
   /// Nothing for shapes without a surface.
-  std::optional<MeshUse> use(const std::vector<verify::ShapeData>& shapes, const Look& look);
+  std::optional<MeshUse> use(const std::vector<geometry::Shape>& shapes, const Look& look);
 
   /// Writes `meshes` and `materials`.
   void finish(Json& document);
@@ -43,9 +42,8 @@ class Meshes {
     int normals = -1;
     Vec3 offset = Vec3::Zero();
   };
-  const std::optional<Corners>& corners_of(const std::vector<verify::ShapeData>& shapes);
+  const std::optional<Corners>& corners_of(const std::vector<geometry::Shape>& shapes);
 
-  const std::vector<verify::MeshData>& source_;
   BinaryData& data_;
   std::size_t triangles_ = 0;                              ///< of all corners
   std::map<std::string, std::optional<Corners>> corners_;  ///< by the numbers of the shapes

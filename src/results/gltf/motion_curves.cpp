@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <stdexcept>
 
-#include "src/results/verify/replay/step_rules.hpp"
+#include "src/simulation/trace/json_builder.hpp"
+#include "src/simulation/trace/record.hpp"
 
 namespace rubicon::gltf {
 
@@ -13,16 +15,14 @@ namespace {
 /// m or degrees: no machine goes so far, and turns are cut into quarters.
 constexpr double kLargestValue = 1e8;
 
-using verify::FrameElement;
-using verify::Leg;
-using verify::Ticks;
+using replay::Leg;
+using replay::Machine;
+using robot::FrameElement;
 
-double seconds_of(Ticks ticks) {
-  return static_cast<double>(ticks) / static_cast<double>(verify::kSecond);
-}
-
-[[noreturn]] void refuse(const verify::SceneRobot& robot) {
-  throw verify::UnreadableInput("expected frames within bounds in robot '" + robot.name + "'");
+[[noreturn]] void refuse(const Machine& machine) {
+  std::string name;
+  trace::append_string(name, machine.name);
+  throw std::invalid_argument("expected frames within bounds in robot " + name);
 }
 
 std::size_t film_keys_of(const ElementCurve& curve) {
@@ -33,16 +33,16 @@ std::size_t film_keys_of(const ElementCurve& curve) {
 /// Follows one element through a track. Half of the slack goes to the samples, half to leaving out.
 class ElementSampler {
  public:
-  ElementSampler(const verify::SceneRobot& robot, const FrameElement& element)
-      : robot_(robot),
+  ElementSampler(const Machine& machine, const FrameElement& element)
+      : machine_(machine),
         element_(element),
         turns_(element.kind != FrameElement::Kind::trans),
         slack_((turns_ ? kTurnSlack : kCurveSlack) / 2) {
     curve_.kind = element.kind;
-    curve_.start = value(verify::start_values(robot));
+    curve_.start = value(replay::start_values(machine));
   }
 
-  ElementCurve follow(const verify::RobotTrack& track) {
+  ElementCurve follow(const replay::RobotTrack& track) {
     expect_bounds();
     for (const Leg& leg : track.legs) {
       if (leg.moves() && moves_in(leg)) add(leg);
@@ -65,19 +65,21 @@ class ElementSampler {
     for (; checked_ < curve_.keys.size(); ++checked_) {
       wrong = wrong || too_large(curve_.keys[checked_].value);
     }
-    if (wrong) refuse(robot_);
+    if (wrong) refuse(machine_);
   }
 
   Vec3 value(std::span<const double> q) const {
-    const verify::FormulaValues at{q, {}, robot_.starts};
-    if (turns_) return {element_.a.value(at), 0, 0};
-    return {element_.a.value(at), element_.b.value(at), element_.c.value(at)};
+    const robot::FormulaInput at{q, {}, machine_.mounting.starts};
+    if (turns_) return {element_.a.evaluate(at), 0, 0};
+    return {element_.a.evaluate(at), element_.b.evaluate(at), element_.c.evaluate(at)};
   }
 
   bool moves_in(const Leg& leg) const {
     for (std::size_t i = 0; i < leg.q0.size(); ++i) {
-      if (leg.q0[i] != leg.q1[i] &&
-          (element_.a.uses(i) || element_.b.uses(i) || element_.c.uses(i))) {
+      const auto uses = [&](const robot::Formula& formula) {
+        return formula.depends_on_parameter(static_cast<int>(i));
+      };
+      if (leg.q0[i] != leg.q1[i] && (uses(element_.a) || uses(element_.b) || uses(element_.c))) {
         return true;
       }
     }
@@ -93,7 +95,7 @@ class ElementSampler {
   }
 
   void add(const Leg& leg) {
-    const double from = seconds_of(leg.from);
+    const double from = trace::seconds(leg.from);
     const Vec3 last = curve_.keys.empty() ? curve_.start : curve_.keys.back().value;
     whole_turns_ = Vec3::Zero();
     if (turns_) {
@@ -117,8 +119,8 @@ class ElementSampler {
       add_pieces(leg, half, b, depth - 1);
       return;
     }
-    const double from = seconds_of(leg.from);
-    curve_.keys.push_back({from + b.time * (seconds_of(leg.to) - from), b.value});
+    const double from = trace::seconds(leg.from);
+    curve_.keys.push_back({from + b.time * (trace::seconds(leg.to) - from), b.value});
   }
 
   bool is_straight(const Leg& leg, const Key& a, const Key& b) const {
@@ -131,7 +133,7 @@ class ElementSampler {
     return true;
   }
 
-  const verify::SceneRobot& robot_;
+  const Machine& machine_;
   const FrameElement& element_;
   const bool turns_;
   const double slack_;
@@ -142,20 +144,19 @@ class ElementSampler {
 
 }  // namespace
 
-std::vector<FrameCurves> motion_curves(const verify::SceneRobot& robot,
-                                       const verify::RobotTrack& track) {
+std::vector<FrameCurves> motion_curves(const Machine& machine, const replay::RobotTrack& track) {
   std::vector<FrameCurves> frames;
   std::size_t keys = 0;
-  const auto add = [&](const std::vector<FrameElement>& frame) {
+  const auto add = [&](const robot::FrameFormula& frame) {
     FrameCurves& curves = frames.emplace_back();
     for (const FrameElement& element : frame) {
-      curves.push_back(ElementSampler(robot, element).follow(track));
+      curves.push_back(ElementSampler(machine, element).follow(track));
       keys += film_keys_of(curves.back());
-      if (keys > kMostKeys) refuse(robot);
+      if (keys > kMostKeys) refuse(machine);
     }
   };
-  for (const verify::SceneBody& body : robot.bodies) add(body.frame);
-  add(robot.tool_frame);
+  for (const robot::Body& body : machine.model.bodies) add(body.frame);
+  add(machine.model.tool_frame);
   return frames;
 }
 

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "src/results/gltf/key_curve.hpp"
-#include "src/results/verify/replay/robot_track.hpp"
+#include "src/results/replay/robot_track.hpp"
 
 namespace rubicon::gltf {
 
 /// How one element of a frame moves: `start` is its value at the beginning; metres, or degrees in
 /// the first component. Without keys it stands still. Times are seconds of the plan.
 struct ElementCurve {
-  verify::FrameElement::Kind kind = verify::FrameElement::Kind::trans;
+  robot::FrameElement::Kind kind = robot::FrameElement::Kind::trans;
   Vec3 start = Vec3::Zero();
   KeyCurve keys;
 };
@@ -21,10 +21,10 @@ using FrameCurves = std::vector<ElementCurve>;
 
 /// How all frames of a robot move along its track. Elements whose formulas are no straight lines
 /// are sampled; keys on a line are left out. No value is off by more than kCurveSlack (m) or
-/// kTurnSlack (degrees). Throws verify::UnreadableInput for frames that go beyond all bounds, or
+/// kTurnSlack (degrees). Throws std::invalid_argument for frames that go beyond all bounds, or
 /// take more than kMostKeys.
-std::vector<FrameCurves> motion_curves(const verify::SceneRobot& robot,
-                                       const verify::RobotTrack& track);
+std::vector<FrameCurves> motion_curves(const replay::Machine& machine,
+                                       const replay::RobotTrack& track);
 
 /// How many keys of the film they take.
 std::size_t film_keys(const std::vector<FrameCurves>& frames);

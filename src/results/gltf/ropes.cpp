@@ -9,7 +9,7 @@ namespace rubicon::gltf {
 
 namespace {
 
-using verify::FrameElement;
+using robot::FrameElement;
 
 /// m: a shorter rope is not drawn.
 constexpr double kShortest = 1;
@@ -56,12 +56,11 @@ const ElementCurve* hoist_of(const FrameCurves& frame) {
 }
 
 /// A bar of the thickness of a rope from one point to another.
-verify::ShapeData strut(const Vec3& from, const Vec3& to) {
+geometry::Shape strut(const Vec3& from, const Vec3& to) {
   const Vec3 z = (to - from).normalized();
   const Vec3 x = z.unitOrthogonal();
-  verify::ShapeData bar;
-  bar.a = {-kRopeHalf, -kRopeHalf, 0};
-  bar.b = {kRopeHalf, kRopeHalf, (to - from).norm()};
+  geometry::Shape bar{
+      geometry::Box{{-kRopeHalf, -kRopeHalf, 0}, {kRopeHalf, kRopeHalf, (to - from).norm()}}};
   bar.X_BS.linear().col(0) = x;
   bar.X_BS.linear().col(1) = z.cross(x);
   bar.X_BS.linear().col(2) = z;
@@ -71,13 +70,14 @@ verify::ShapeData strut(const Vec3& from, const Vec3& to) {
 
 }  // namespace
 
-std::optional<Rope> rope_of(const verify::SceneRobot& robot,
+std::optional<Rope> rope_of(const replay::Machine& machine,
                             const std::vector<FrameCurves>& frames) {
-  const auto hook = static_cast<std::size_t>(robot.tool_body);
-  const int above = robot.bodies[hook].parent;
-  if (above < 0 || robot.X_WM.linear()(2, 2) < 1 - kPlumb) return std::nullopt;
-  for (int body = robot.tool_body; body >= 0;
-       body = robot.bodies[static_cast<std::size_t>(body)].parent) {
+  const robot::RobotModel& model = machine.model;
+  const auto hook = static_cast<std::size_t>(model.tool_body);
+  const int above = model.bodies[hook].parent;
+  if (above < 0 || machine.mounting.X_WM.linear()(2, 2) < 1 - kPlumb) return std::nullopt;
+  for (int body = model.tool_body; body >= 0;
+       body = model.bodies[static_cast<std::size_t>(body)].parent) {
     if (!upright(frames[static_cast<std::size_t>(body)])) return std::nullopt;
   }
   if (!plumb(frames[hook])) return std::nullopt;
@@ -92,21 +92,16 @@ std::optional<Rope> rope_of(const verify::SceneRobot& robot,
   return longest < kShortest ? std::nullopt : std::optional(std::move(rope));
 }
 
-verify::ShapeData rope_shape() {
-  verify::ShapeData shape;
-  shape.a = {-kRopeHalf, -kRopeHalf, -1};
-  shape.b = {kRopeHalf, kRopeHalf, 0};
-  return shape;
+geometry::Shape rope_shape() {
+  return {geometry::Box{{-kRopeHalf, -kRopeHalf, -1}, {kRopeHalf, kRopeHalf, 0}}};
 }
 
-std::vector<verify::ShapeData> slings(const std::vector<verify::ShapeData>& load,
-                                      const std::vector<verify::MeshData>& meshes,
-                                      const Pose& X_TO) {
+std::vector<geometry::Shape> slings(const std::vector<geometry::Shape>& load, const Pose& X_TO) {
   Eigen::AlignedBox3d box;
-  for (const Triangle& triangle : triangles_of(load, meshes)) {
+  for (const Triangle& triangle : triangles_of(load)) {
     for (const Vec3& corner : triangle) box.extend(corner);
   }
-  std::vector<verify::ShapeData> bars;
+  std::vector<geometry::Shape> bars;
   if (box.isEmpty()) return bars;
   const Vec3 tool = X_TO.inverse().translation();
   for (int i = 0; i < 4; ++i) {

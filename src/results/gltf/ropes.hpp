@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "src/results/gltf/motion_curves.hpp"
-#include "src/results/verify/input/scene.hpp"
 
 namespace rubicon::gltf {
 
@@ -23,16 +22,13 @@ struct Rope {
 
 /// Nothing for a machine whose tool does not hang below a body, at least 1 m at some time and
 /// always upright. The page decides in the same way (viewer/src/view/ropes.ts), moment by moment.
-std::optional<Rope> rope_of(const verify::SceneRobot& robot,
-                            const std::vector<FrameCurves>& frames);
+std::optional<Rope> rope_of(const replay::Machine& machine, const std::vector<FrameCurves>& frames);
 
 /// A rope of 1 m, from the origin down.
-verify::ShapeData rope_shape();
+geometry::Shape rope_shape();
 
 /// Slings from the tool to the upper corners of a load, in the frame of the load; none where it
 /// does not hang below the tool.
-std::vector<verify::ShapeData> slings(const std::vector<verify::ShapeData>& load,
-                                      const std::vector<verify::MeshData>& meshes,
-                                      const Pose& X_TO);
+std::vector<geometry::Shape> slings(const std::vector<geometry::Shape>& load, const Pose& X_TO);
 
 }  // namespace rubicon::gltf

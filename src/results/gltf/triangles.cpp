@@ -1,19 +1,18 @@
 #include "src/results/gltf/triangles.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "src/motion/math/angles.hpp"
-#include "src/results/verify/input/fault.hpp"
-#include "src/results/verify/input/polygon_parts.hpp"
+#include "src/results/gltf/polygon_parts.hpp"
 
 namespace rubicon::gltf {
 
 namespace {
-
-using verify::Polygon;
-using verify::ShapeData;
 
 /// Facets round a circle: a pipe of 1 m radius is off by 5 mm at most.
 constexpr int kFacets = 32;
@@ -23,40 +22,59 @@ constexpr int kBands = 8;
 /// m2: what is smaller has no normal.
 constexpr double kLeastArea = 1e-12;
 
+void expect_extent(bool there, const char* kind) {
+  if (!there) throw std::invalid_argument(fmt::format("expected a {} with an extent", kind));
+}
+
 class TriangleCollector {
  public:
-  TriangleCollector(const std::vector<verify::MeshData>& meshes) : meshes_(meshes) {}
-
-  void add(const ShapeData& shape) {
+  void add(const geometry::Shape& shape) {
     X_ = shape.X_BS;
-    switch (shape.kind) {
-      case ShapeData::Kind::box:
-        add_prism({{shape.a.x(), shape.a.y()},
-                   {shape.b.x(), shape.a.y()},
-                   {shape.b.x(), shape.b.y()},
-                   {shape.a.x(), shape.b.y()}},
-                  shape.a.z(), shape.b.z());
-        break;
-      case ShapeData::Kind::cylinder:
-        add_prism(circle(shape.radius), shape.z0, shape.z1);
-        break;
-      case ShapeData::Kind::prism:
-        add_prism(shape.polygon, shape.z0, shape.z1);
-        break;
-      case ShapeData::Kind::sphere:
-      case ShapeData::Kind::capsule:
-        add_capsule(shape.a, shape.b, shape.radius);
-        break;
-      case ShapeData::Kind::mesh:
-        add_mesh(meshes_[static_cast<std::size_t>(shape.mesh)]);
-        break;
-    }
+    std::visit([&](const auto& solid) { add(solid); }, shape.solid);
   }
 
   std::size_t count() const { return triangles_.size(); }
   std::vector<Triangle> take() { return std::move(triangles_); }
 
  private:
+  void add(const geometry::Box& box) {
+    expect_extent(((box.upper - box.lower).array() > 0).all(), "box");
+    add_prism({{box.lower.x(), box.lower.y()},
+               {box.upper.x(), box.lower.y()},
+               {box.upper.x(), box.upper.y()},
+               {box.lower.x(), box.upper.y()}},
+              box.lower.z(), box.upper.z());
+  }
+
+  void add(const geometry::Cylinder& cylinder) {
+    expect_extent(cylinder.radius > 0 && cylinder.z1 > cylinder.z0, "cylinder");
+    add_prism(circle(cylinder.radius), cylinder.z0, cylinder.z1);
+  }
+
+  void add(const geometry::Sphere& sphere) {
+    expect_extent(sphere.radius > 0, "sphere");
+    add_capsule(sphere.centre, sphere.centre, sphere.radius);
+  }
+
+  void add(const geometry::Capsule& capsule) {
+    expect_extent(capsule.radius > 0, "capsule");
+    add_capsule(capsule.a, capsule.b, capsule.radius);
+  }
+
+  void add(const geometry::Prism& prism) {
+    expect_extent(prism.z1 > prism.z0, "prism");
+    add_prism(prism.polygon, prism.z0, prism.z1);
+  }
+
+  void add(const geometry::Mesh& use) {
+    const geometry::TriangleMesh& mesh = *use.mesh;
+    for (const auto& triangle : mesh.triangles) {
+      add_triangle(mesh.vertices[static_cast<std::size_t>(triangle[0])],
+                   mesh.vertices[static_cast<std::size_t>(triangle[1])],
+                   mesh.vertices[static_cast<std::size_t>(triangle[2])]);
+    }
+  }
+
   void add_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
     if ((b - a).cross(c - a).norm() < 2 * kLeastArea) return;
     triangles_.push_back({X_ * a, X_ * b, X_ * c});
@@ -95,7 +113,7 @@ class TriangleCollector {
       const Eigen::Vector2d& b = polygon[(i + 1) % polygon.size()];
       add_convex({{a.x(), a.y(), z0}, {b.x(), b.y(), z0}, {b.x(), b.y(), z1}, {a.x(), a.y(), z1}});
     }
-    for (Polygon part : verify::convex_parts(polygon)) {
+    for (Polygon part : convex_parts(polygon)) {
       if (signed_area(part) < 0) std::reverse(part.begin(), part.end());
       std::vector<Vec3> top, bottom;
       for (const Eigen::Vector2d& corner : part) top.emplace_back(corner.x(), corner.y(), z1);
@@ -133,28 +151,18 @@ class TriangleCollector {
     }
   }
 
-  void add_mesh(const verify::MeshData& mesh) {
-    for (const auto& triangle : mesh.triangles) {
-      add_triangle(mesh.vertices[static_cast<std::size_t>(triangle[0])],
-                   mesh.vertices[static_cast<std::size_t>(triangle[1])],
-                   mesh.vertices[static_cast<std::size_t>(triangle[2])]);
-    }
-  }
-
-  const std::vector<verify::MeshData>& meshes_;
   Pose X_ = Pose::Identity();
   std::vector<Triangle> triangles_;
 };
 
 }  // namespace
 
-std::vector<Triangle> triangles_of(const std::vector<ShapeData>& shapes,
-                                   const std::vector<verify::MeshData>& meshes, std::size_t most) {
-  TriangleCollector collector(meshes);
-  for (const ShapeData& shape : shapes) {
+std::vector<Triangle> triangles_of(const std::vector<geometry::Shape>& shapes, std::size_t most) {
+  TriangleCollector collector;
+  for (const geometry::Shape& shape : shapes) {
     collector.add(shape);
     if (collector.count() > most) {
-      throw verify::UnreadableInput("expected fewer shapes: their triangles fill no film");
+      throw std::invalid_argument("expected fewer shapes: their triangles fill no film");
     }
   }
   return collector.take();

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "src/results/verify/input/scene.hpp"
+#include "src/motion/geometry/shape.hpp"
 
 namespace rubicon::gltf {
 
@@ -20,9 +20,9 @@ using Triangle = std::array<Vec3, 3>;
 
 /// The surfaces of shapes as triangles in the frame of their body. Round ones are cut into facets
 /// whose corners lie on the surface. Triangles without area are left out. Throws
-/// verify::UnreadableInput for a polygon that crosses itself, or for more than `most`.
-std::vector<Triangle> triangles_of(const std::vector<verify::ShapeData>& shapes,
-                                   const std::vector<verify::MeshData>& meshes,
+/// std::invalid_argument for a solid without extent, a polygon that crosses itself, or more than
+/// `most`.
+std::vector<Triangle> triangles_of(const std::vector<geometry::Shape>& shapes,
                                    std::size_t most = kMostTriangles);
 
 }  // namespace rubicon::gltf

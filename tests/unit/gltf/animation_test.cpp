@@ -76,12 +76,12 @@ TEST(Animation, IsNotThereWhereNothingMoves) {
 
 TEST(Animation, TurnsByUnitQuaternions) {
   for (double degrees = -720; degrees <= 720; degrees += 7.5) {
-    for (const auto kind : {verify::FrameElement::Kind::rotx, verify::FrameElement::Kind::roty,
-                            verify::FrameElement::Kind::rotz}) {
+    for (const auto kind : {robot::FrameElement::Kind::rotx, robot::FrameElement::Kind::roty,
+                            robot::FrameElement::Kind::rotz}) {
       EXPECT_NEAR(turn_of(kind, degrees).norm(), 1, 1e-15);
     }
   }
-  EXPECT_EQ(turn_of(verify::FrameElement::Kind::rotz, 180), Eigen::Vector4d(0, 0, 1, 0));
+  EXPECT_EQ(turn_of(robot::FrameElement::Kind::rotz, 180), Eigen::Vector4d(0, 0, 1, 0));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include "src/exchange/files/disk_io.hpp"
 #include "src/results/gltf/document_file.hpp"
-#include "src/results/verify/input/trace_reader.hpp"
+#include "src/results/replay/replay.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
 #include "tests/support/places.hpp"
 
@@ -40,7 +40,7 @@ FilmRun run_for_film(const std::string& path) {
 }
 
 std::string film_of(const FilmRun& run, double speed_up) {
-  verify::TraceReader reader;
+  replay::ReplayReader reader;
   for (const std::string& line : run.lines) reader.line(line);
   return gltf::glb_bytes(gltf::make_document(reader.finish(), {speed_up}));
 }

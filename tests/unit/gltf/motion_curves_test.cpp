@@ -3,39 +3,43 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "src/motion/math/angles.hpp"
+#include "src/simulation/trace/formula_reader.hpp"
 
 namespace rubicon::gltf {
 namespace {
 
-using verify::Leg;
-using verify::SceneRobot;
+using replay::Leg;
+using replay::Machine;
+
+constexpr replay::Ticks kSecond = 1'000'000'000;
 
 /// One cyclic angle; the frame has its sine, a product, and the angle itself.
-SceneRobot turner() {
-  SceneRobot robot;
+Machine turner() {
+  Machine robot;
   const std::vector<std::string> names = {"theta", "x"};
   for (const std::string& name : names) {
-    verify::SceneParameter& parameter = robot.parameters.emplace_back();
-    parameter.name = name;
+    robot::Parameter& parameter = robot.model.parameters.emplace_back();
+    parameter.name = parameter.display_name = name;
     parameter.rotation = parameter.cyclic = name == "theta";
-    robot.starts.push_back(0);
+    robot.mounting.starts.push_back(0);
   }
-  robot.bodies.resize(1);
-  robot.bodies[0].frame =
-      verify::parse_frame("trans(5 * sin(theta), x * x, 1) * rotz(2 * theta)", names);
+  robot.model.bodies.resize(1);
+  robot.model.bodies[0].frame =
+      trace::read_frame("trans(5 * sin(theta), x * x, 1) * rotz(2 * theta)", names);
   return robot;
 }
 
-verify::RobotTrack track(
+replay::RobotTrack track(
     const std::vector<std::pair<std::vector<double>, std::vector<double>>>& steps) {
-  verify::RobotTrack track;
-  verify::Ticks now = 0;
+  replay::RobotTrack track;
+  replay::Ticks now = 0;
   for (const auto& [from, to] : steps) {
     Leg& leg = track.legs.emplace_back();
     leg.from = now;
-    now += 2 * verify::kSecond;
+    now += 2 * kSecond;
     leg.to = now;
     leg.q0 = from;
     leg.q1 = to;
@@ -74,35 +78,35 @@ TEST(MotionCurves, HaveNoKeysWhereNothingMoves) {
   EXPECT_TRUE(frames[0][0].keys.empty());
   EXPECT_TRUE(frames[0][1].keys.empty());
   EXPECT_EQ(frames[0][0].start, Vec3(0, 0, 1));
-  verify::RobotTrack standing;
-  standing.legs.push_back({0, verify::kSecond, {0, 0}, {}, -1, -1, 0});
+  replay::RobotTrack standing;
+  standing.legs.push_back({0, kSecond, {0, 0}, {}, -1});
   EXPECT_TRUE(motion_curves(turner(), standing)[0][0].keys.empty());
 }
 
 TEST(MotionCurves, RefuseFramesBeyondAllBounds) {
   const std::vector<std::string> names = {"theta", "x"};
-  SceneRobot robot = turner();
+  Machine robot = turner();
   for (const char* frame : {"trans(1 / x, 0, 0)", "rotz(1000000000000 * x)",
                             "trans(1000000000000 * x, 0, 0) * rotx(x / 0)"}) {
-    robot.bodies[0].frame = verify::parse_frame(frame, names);
-    EXPECT_THROW(motion_curves(robot, track({{{0, 0}, {0, 1}}})), verify::UnreadableInput) << frame;
+    robot.model.bodies[0].frame = trace::read_frame(frame, names);
+    EXPECT_THROW(motion_curves(robot, track({{{0, 0}, {0, 1}}})), std::invalid_argument) << frame;
   }
 }
 
 TEST(MotionCurves, RefuseTurnsThatMakeMoreKeysThanAFilmHas) {
-  SceneRobot robot = turner();
-  robot.bodies[0].frame = verify::parse_frame("rotz(10000000 * x)", {"theta", "x"});
+  Machine robot = turner();
+  robot.model.bodies[0].frame = trace::read_frame("rotz(10000000 * x)", {"theta", "x"});
   std::vector<std::pair<std::vector<double>, std::vector<double>>> steps = {{{0, 0}, {0, 9}}};
   const std::size_t few = film_keys(motion_curves(robot, track(steps)));
   EXPECT_EQ(few, 1'000'001U);  // quarters
   for (int i = 0; i < 4; ++i) steps.push_back({steps.back().second, steps.back().first});
-  EXPECT_THROW(motion_curves(robot, track(steps)), verify::UnreadableInput);
+  EXPECT_THROW(motion_curves(robot, track(steps)), std::invalid_argument);
 }
 
 TEST(MotionCurves, StandStillBetweenSteps) {
   auto steps = track({{{0, 0}, {0, 1}}, {{0, 1}, {0, 2}}});
-  steps.legs[1].from += 100 * verify::kSecond;
-  steps.legs[1].to += 100 * verify::kSecond;
+  steps.legs[1].from += 100 * kSecond;
+  steps.legs[1].to += 100 * kSecond;
   const KeyCurve keys = motion_curves(turner(), steps)[0][0].keys;
   EXPECT_NEAR(at(keys, 2.5).y(), 1, kCurveSlack);
   EXPECT_NEAR(at(keys, 101.9).y(), 1, kCurveSlack);

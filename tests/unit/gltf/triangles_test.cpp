@@ -3,13 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
+#include <stdexcept>
 
 #include "src/motion/math/angles.hpp"
 
 namespace rubicon::gltf {
 namespace {
 
-using verify::ShapeData;
+using geometry::Shape;
 
 /// What closed triangles that face outwards enclose (m3).
 double volume(const std::vector<Triangle>& triangles) {
@@ -25,68 +27,60 @@ Vec3 net_area(const std::vector<Triangle>& triangles) {
   return sum;
 }
 
-double closed_volume(const ShapeData& shape) {
-  const auto triangles = triangles_of({shape}, {});
+double closed_volume(const Shape& shape) {
+  const auto triangles = triangles_of({shape});
   EXPECT_LT(net_area(triangles).norm(), 1e-9);
   return volume(triangles);
 }
 
 TEST(Triangles, EncloseABox) {
-  ShapeData box;
-  box.a = {-1, -2, 3};
-  box.b = {1, 1, 4};
-  EXPECT_EQ(triangles_of({box}, {}).size(), 12U);
+  Shape box{geometry::Box{{-1, -2, 3}, {1, 1, 4}}};
+  EXPECT_EQ(triangles_of({box}).size(), 12U);
   EXPECT_NEAR(closed_volume(box), 6, 1e-12);
   box.X_BS = math::translation(10, 0, 0) * math::rotation_x_deg(30);
   EXPECT_NEAR(closed_volume(box), 6, 1e-9);
 }
 
 TEST(Triangles, EncloseRoundShapes) {
-  ShapeData cylinder;
-  cylinder.kind = ShapeData::Kind::cylinder;
-  cylinder.radius = 2;
-  cylinder.z1 = 3;
+  const Shape cylinder{geometry::Cylinder{2, 0, 3}};
   EXPECT_NEAR(closed_volume(cylinder) / (math::kPi * 12), 1, 0.01);
-  ShapeData sphere;
-  sphere.kind = ShapeData::Kind::sphere;
-  sphere.a = sphere.b = {5, 5, 5};
-  sphere.radius = 2;
+  const Shape sphere{geometry::Sphere{{5, 5, 5}, 2}};
   EXPECT_NEAR(closed_volume(sphere) / (math::kPi * 32 / 3), 1, 0.02);
-  ShapeData capsule = sphere;
-  capsule.kind = ShapeData::Kind::capsule;
-  capsule.b = {5, 1, 5};
+  const Shape capsule{geometry::Capsule{{5, 5, 5}, {5, 1, 5}, 2}};
   EXPECT_NEAR(closed_volume(capsule) / (math::kPi * (32.0 / 3 + 16)), 1, 0.02);
 }
 
 TEST(Triangles, EncloseAPrismOfEitherOrientation) {
-  ShapeData prism;
-  prism.kind = ShapeData::Kind::prism;
-  prism.z0 = -1;
-  prism.z1 = 1;
-  prism.polygon = {{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}};  // an L
-  EXPECT_NEAR(closed_volume(prism), 14, 1e-12);
+  geometry::Prism prism{-1, 1, {{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}};  // an L
+  EXPECT_NEAR(closed_volume({prism}), 14, 1e-12);
   std::reverse(prism.polygon.begin(), prism.polygon.end());
-  EXPECT_NEAR(closed_volume(prism), 14, 1e-12);
+  EXPECT_NEAR(closed_volume({prism}), 14, 1e-12);
 }
 
 TEST(Triangles, RefuseMoreThanAnyFilmHas) {
-  ShapeData sphere;
-  sphere.kind = ShapeData::Kind::sphere;
-  sphere.radius = 1;
-  const std::size_t each = triangles_of({sphere}, {}).size();
-  const std::vector<ShapeData> many(3, sphere);
-  EXPECT_EQ(triangles_of(many, {}, 3 * each).size(), 3 * each);
-  EXPECT_THROW(triangles_of(many, {}, 3 * each - 1), verify::UnreadableInput);
+  const Shape sphere{geometry::Sphere{{0, 0, 0}, 1}};
+  const std::size_t each = triangles_of({sphere}).size();
+  const std::vector<Shape> many(3, sphere);
+  EXPECT_EQ(triangles_of(many, 3 * each).size(), 3 * each);
+  EXPECT_THROW(triangles_of(many, 3 * each - 1), std::invalid_argument);
 }
 
 TEST(Triangles, LeaveOutWhatHasNoArea) {
-  verify::MeshData mesh;
+  geometry::TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 1, 1}, {0, 1, 3}};
-  ShapeData shape;
-  shape.kind = ShapeData::Kind::mesh;
-  shape.mesh = 0;
-  EXPECT_EQ(triangles_of({shape}, {mesh}).size(), 1U);
+  const Shape shape{geometry::Mesh{"", std::make_shared<geometry::TriangleMesh>(mesh)}};
+  EXPECT_EQ(triangles_of({shape}).size(), 1U);
+}
+
+TEST(Triangles, RefuseSolidsWithoutExtent) {
+  for (const geometry::Solid& solid :
+       {geometry::Solid(geometry::Box{{0, 0, 0}, {1, 0, 1}}), geometry::Solid(geometry::Sphere{}),
+        geometry::Solid(geometry::Cylinder{1, 2, 1}),
+        geometry::Solid(geometry::Capsule{{0, 0, 0}, {0, 0, 1}, -1}),
+        geometry::Solid(geometry::Prism{1, 1, {{0, 0}, {1, 0}, {0, 1}}})}) {
+    EXPECT_THROW(triangles_of({{solid}}), std::invalid_argument);
+  }
 }
 
 }  // namespace

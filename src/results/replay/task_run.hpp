@@ -1,0 +1,49 @@
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "interpreter/program/world.hpp"
+#include "src/motion/math/pose.hpp"
+
+namespace rubicon::replay {
+
+using interpreter::Ticks;
+
+/// An accepted attempt.
+struct Step {
+  std::vector<int> moved;  ///< parameters of the command
+  std::vector<double> q;   ///< every parameter after it, m or degrees
+};
+
+/// A component is picked up, set down or removed.
+struct LoadChange {
+  enum class Kind { attach, detach, remove };
+  Kind kind = Kind::attach;
+  int component = -1;
+  math::Pose X = math::Pose::Identity();  ///< attach: X_TO; detach: X_WO
+};
+
+/// What a record says of where things are.
+struct Event {
+  Ticks time = 0;  ///< when it is over
+  int line = 0;    ///< of the trace
+  /// Nothing: time passes and all stand still.
+  std::variant<std::monostate, Step, LoadChange> what;
+};
+
+/// One task as the trace tells it, with the events of its records.
+struct TaskRun {
+  int task = -1;   ///< index into the header's tasks; -1: it has none of this name (`park`)
+  int robot = -1;  ///< -1: crew work
+  bool started = false;
+  bool ended = false;
+  /// What it did stays: it is done. A refused task is undone, but for the one motion of a short
+  /// plan.
+  bool happened = false;
+  Ticks start = 0;
+  Ticks end = 0;
+  std::vector<Event> events;
+};
+
+}  // namespace rubicon::replay
