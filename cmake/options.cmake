@@ -19,7 +19,7 @@ target_link_libraries(rubicon_options INTERFACE rubicon_headers)
 target_compile_options(rubicon_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
                                                  -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  # g++ 12 sees overlaps in the joining of std::strings that are not there (its bug 105651, mended in 13).
+  # g++ 12 sees overlaps in the joining of std::strings that are not there (its bug 105651, fixed in 13).
   target_compile_options(rubicon_options INTERFACE -Wno-restrict)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
