@@ -17,12 +17,14 @@ struct NetworkTask {
   double priority = 0;         ///< the higher goes first
   std::vector<int> resources;  ///< all are held from its start to its finish
   std::vector<Link> after;
+  std::vector<int> units = {};  ///< of each of `resources`; empty: all of each
 };
 
-/// A crew or a machine; it does one task at a time.
+/// A crew or a machine; it does one task at a time, or as many as share its units.
 struct NetworkResource {
   std::string name;
   int calendar = -1;  ///< index into the calendars; -1: day and night
+  int size = 1;       ///< units: people of a crew
 };
 
 /// Tasks in file order, who does them and when these work.

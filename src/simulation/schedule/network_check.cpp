@@ -43,6 +43,18 @@ std::vector<std::string> network_mistakes(const Network& network) {
       messages.push_back(fmt::format("task '{}' needs resource number {}, which is not there",
                                      task.name, resource));
     }
+    if (!task.units.empty() && task.units.size() != task.resources.size()) {
+      messages.push_back(
+          fmt::format("task '{}' does not say of all its resources how much it needs", task.name));
+    }
+    for (std::size_t i = 0; i < std::min(task.units.size(), task.resources.size()); ++i) {
+      if (!is_index(task.resources[i], network.resources.size())) continue;
+      const NetworkResource& resource =
+          network.resources[static_cast<std::size_t>(task.resources[i])];
+      if (task.units[i] >= 1 && task.units[i] <= resource.size) continue;
+      messages.push_back(fmt::format("task '{}' needs {} of '{}', which has {}", task.name,
+                                     task.units[i], resource.name, resource.size));
+    }
     for (const Link& link : task.after) {
       if (is_index(link.task, network.tasks.size())) continue;
       messages.push_back(fmt::format("task '{}' comes after task number {}, which is not there",

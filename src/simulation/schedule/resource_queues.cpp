@@ -1,9 +1,6 @@
 #include "src/simulation/schedule/resource_queues.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <map>
 
 namespace rubicon::schedule {
 
@@ -11,59 +8,51 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
+std::vector<int> calendars_of(const Network& network) {
+  std::vector<int> calendars;
+  for (const NetworkResource& each : network.resources) calendars.push_back(each.calendar);
+  return calendars;
+}
+
+std::vector<int> sizes_of(const Network& network) {
+  std::vector<int> sizes;
+  for (const NetworkResource& each : network.resources) sizes.push_back(each.size);
+  return sizes;
+}
+
 }  // namespace
 
 ResourceQueues::ResourceQueues(const Network& network, std::vector<std::string>& mistakes)
-    : network_(network), resources_(network.resources.size()) {
-  std::map<std::vector<int>, int> known;
+    : network_(network),
+      sets_(calendars_of(network), network.calendars),
+      states_(sizes_of(network)),
+      queues_of_(network.resources.size()) {
   queue_of_.reserve(network.tasks.size());
   for (const NetworkTask& task : network.tasks) {
-    std::vector<int> resources = task.resources;
-    std::sort(resources.begin(), resources.end());
-    const auto [place, is_new] = known.emplace(std::move(resources), 0);
-    if (is_new) place->second = add_queue(place->first, mistakes);
-    queue_of_.push_back(place->second);
-  }
-}
-
-int ResourceQueues::add_queue(const std::vector<int>& resources,
-                              std::vector<std::string>& mistakes) {
-  const int index = static_cast<int>(queues_.size());
-  queues_.push_back({resources, common_calendar(resources, mistakes), {}, {}, {}});
-  for (const int resource : resources) resources_[at(resource)].queues.push_back(index);
-  return index;
-}
-
-int ResourceQueues::common_calendar(const std::vector<int>& resources,
-                                    std::vector<std::string>& mistakes) {
-  std::vector<int> set;
-  for (const int resource : resources) {
-    const int calendar = network_.resources[at(resource)].calendar;
-    if (calendar >= 0) set.push_back(calendar);
-  }
-  std::sort(set.begin(), set.end());
-  set.erase(std::unique(set.begin(), set.end()), set.end());
-  const auto place = std::lower_bound(
-      calendar_sets_.begin(), calendar_sets_.end(), set,
-      [](const auto& known, const std::vector<int>& wanted) { return known.first < wanted; });
-  if (place != calendar_sets_.end() && place->first == set) return place->second;
-  WorkCalendar common;
-  for (const int calendar : set) {
-    auto both = intersection(common, network_.calendars[at(calendar)]);
-    if (const auto* mistake = std::get_if<CalendarMistake>(&both)) {
-      mistakes.push_back(mistake->message);
-      break;
+    std::vector<Share> shares;
+    for (std::size_t i = 0; i < task.resources.size(); ++i) {
+      const int resource = task.resources[i];
+      shares.push_back({resource, task.units.empty() ? states_.size_of(resource) : task.units[i]});
     }
-    common = std::get<WorkCalendar>(std::move(both));
+    auto set = sets_.set_of(shares, task.resources);
+    if (const auto* message = std::get_if<std::string>(&set)) {
+      mistakes.push_back(*message);
+      set = sets_.set_of(shares, {});
+    }
+    queue_of_.push_back(std::get<int>(set));
+    while (queues_.size() < static_cast<std::size_t>(sets_.size())) {
+      add_queue(static_cast<int>(queues_.size()));
+    }
   }
-  const int index = static_cast<int>(calendars_.size());
-  calendars_.push_back(std::move(common));
-  calendar_sets_.insert(place, {std::move(set), index});
-  return index;
+}
+
+void ResourceQueues::add_queue(int index) {
+  queues_.emplace_back();
+  for (const int resource : sets_.resources(index)) queues_of_[at(resource)].push_back(index);
 }
 
 const WorkCalendar& ResourceQueues::calendar(int task) const {
-  return calendars_[at(queues_[at(queue_of_[at(task)])].calendar)];
+  return sets_.calendar(queue_of_[at(task)]);
 }
 
 void ResourceQueues::add(int task, Ticks start) {
@@ -79,37 +68,30 @@ std::optional<ResourceQueues::Next> ResourceQueues::take() {
   Next next;
   next.start = std::get<Ticks>(place);
   next.task = std::get<int>(place);
-  next.resource = last_free(queue);
-  if (next.resource >= 0) {
-    next.free = resources_[at(next.resource)].free;
-    next.task_before = resources_[at(next.resource)].last;
-  }
+  next.last = states_.last_free(sets_.shares(index));
   (queue.waiting.empty() ? queue.later : queue.waiting).pop();
-  for (const int resource : queue.resources) {
-    resources_[at(resource)].held = true;
-    resources_[at(resource)].last = next.task;
-  }
+  for (const Share& share : sets_.shares(index)) states_.take(share, next.task);
   refresh(index);  // one without resources is in none of their lists
   refresh_all(next.task);
   return next;
 }
 
 void ResourceQueues::release(int task, Ticks finish) {
-  for (const int resource : queues_[at(queue_of_[at(task)])].resources) {
-    resources_[at(resource)].held = false;
-    resources_[at(resource)].free = finish;
+  for (const int resource : sets_.resources(queue_of_[at(task)])) {
+    states_.release(resource, task, finish, false);
   }
   refresh_all(task);
 }
 
 std::vector<std::tuple<int, int, int>> ResourceQueues::stuck() const {
   std::vector<std::tuple<int, int, int>> result;
-  for (const Queue& queue : queues_) {
-    const Heap& heap = queue.waiting.empty() ? queue.later : queue.waiting;
+  for (std::size_t i = 0; i < queues_.size(); ++i) {
+    const Heap& heap = queues_[i].waiting.empty() ? queues_[i].later : queues_[i].waiting;
     if (heap.empty()) continue;
-    for (const int resource : queue.resources) {
-      if (!resources_[at(resource)].held) continue;
-      result.emplace_back(std::get<int>(heap.top()), resource, resources_[at(resource)].last);
+    for (const Share& share : sets_.shares(static_cast<int>(i))) {
+      if (states_.are_free({share})) continue;
+      result.emplace_back(std::get<int>(heap.top()), share.resource,
+                          states_.of(share.resource).holder());
       break;
     }
   }
@@ -121,12 +103,11 @@ void ResourceQueues::refresh(int index) {
   Queue& queue = queues_[at(index)];
   if (queue.first) order_.erase({*queue.first, index});
   queue.first.reset();
-  for (const int resource : queue.resources) {
-    if (resources_[at(resource)].held) return;
-  }
-  const int last = last_free(queue);
+  const std::vector<Share>& shares = sets_.shares(index);
+  if (!states_.are_free(shares)) return;
+  const ResourceStates::Last last = states_.last_free(shares);
   Ticks free = -kEndOfTime;
-  if (last >= 0) free = calendars_[at(queue.calendar)].next_working(resources_[at(last)].free);
+  if (last.resource >= 0) free = sets_.calendar(index).next_working(last.since);
   while (!queue.later.empty() && std::get<Ticks>(queue.later.top()) <= free) {
     Place place = queue.later.top();
     queue.later.pop();
@@ -143,19 +124,9 @@ void ResourceQueues::refresh(int index) {
 }
 
 void ResourceQueues::refresh_all(int task) {
-  for (const int resource : queues_[at(queue_of_[at(task)])].resources) {
-    for (const int queue : resources_[at(resource)].queues) refresh(queue);
+  for (const int resource : sets_.resources(queue_of_[at(task)])) {
+    for (const int queue : queues_of_[at(resource)]) refresh(queue);
   }
-}
-
-int ResourceQueues::last_free(const Queue& queue) const {
-  int last = -1;
-  for (const int resource : queue.resources) {
-    const Resource& each = resources_[at(resource)];
-    if (each.last < 0) continue;
-    if (last < 0 || each.free > resources_[at(last)].free) last = resource;
-  }
-  return last;
 }
 
 }  // namespace rubicon::schedule

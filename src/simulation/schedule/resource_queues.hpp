@@ -9,12 +9,15 @@
 #include <vector>
 
 #include "src/simulation/schedule/network.hpp"
+#include "src/simulation/schedule/resource_sets.hpp"
+#include "src/simulation/schedule/resource_states.hpp"
 
 namespace rubicon::schedule {
 
 /// Who goes next: tasks wait here for what they need, and are taken in the order in which they can
-/// start, then by priority, then by file order. Tasks that need the same resources wait in one
-/// queue, so that only its first needs to be looked at.
+/// start, then by priority, then by file order. Here, unlike where a plan is simulated
+/// (taskplan/resource_allocator.hpp), it is known at the start when something is given back: it may
+/// be given again for a later moment, and time may go back.
 class ResourceQueues {
  public:
   /// The network must be without `network_mistakes` and outlive this. Resources whose calendars
@@ -28,13 +31,11 @@ class ResourceQueues {
   /// The task waits from now on; `start` (in shift) is the first moment its links allow.
   void add(int task, Ticks start);
 
-  /// The next task, and since when all it needs is free.
+  /// The next task, when it starts and since when all it needs is free.
   struct Next {
     int task = -1;
     Ticks start = 0;
-    Ticks free = 0;        ///< 0 if nobody had what it needs
-    int resource = -1;     ///< what was free last; -1: nobody had anything it needs
-    int task_before = -1;  ///< who had it
+    ResourceStates::Last last;  ///< what of it came free last
   };
   /// Takes the next task out; it holds what it needs until it is released. Nothing if none can
   /// start.
@@ -48,37 +49,26 @@ class ResourceQueues {
   std::vector<std::tuple<int, int, int>> stuck() const;
 
  private:
-  struct Resource {
-    Ticks free = 0;
-    int last = -1;      // the task that has or had it
-    bool held = false;  // and when it gives it back is not known
-    std::vector<int> queues;
-  };
   /// (time, -priority, task): the least goes first.
   using Place = std::tuple<Ticks, double, int>;
   using Heap = std::priority_queue<Place, std::vector<Place>, std::greater<>>;
   struct Queue {
-    std::vector<int> resources;
-    int calendar = 0;
     Heap later;    // by the start that links allow
     Heap waiting;  // these could start as soon as the resources are free; times are all 0
     std::optional<Place> first;  // as it stands in order_
   };
 
-  int add_queue(const std::vector<int>& resources, std::vector<std::string>& mistakes);
-  int common_calendar(const std::vector<int>& resources, std::vector<std::string>& mistakes);
+  void add_queue(int index);
   void refresh(int index);
   void refresh_all(int task);
-  /// The resource of the queue that is free last, -1 if all were always free.
-  int last_free(const Queue& queue) const;
 
   const Network& network_;
-  std::vector<WorkCalendar> calendars_;
-  std::vector<std::pair<std::vector<int>, int>> calendar_sets_;  // sorted; sets of calendars
-  std::vector<Resource> resources_;
-  std::vector<Queue> queues_;
-  std::vector<int> queue_of_;              // to each task
-  std::set<std::pair<Place, int>> order_;  // the first of each queue that can go on, queue
+  ResourceSets sets_;
+  ResourceStates states_;
+  std::vector<std::vector<int>> queues_of_;  // to each resource
+  std::vector<Queue> queues_;                // to each set
+  std::vector<int> queue_of_;                // to each task
+  std::set<std::pair<Place, int>> order_;    // the first of each queue that can go on, queue
 };
 
 }  // namespace rubicon::schedule

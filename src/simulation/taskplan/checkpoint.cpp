@@ -5,15 +5,14 @@
 
 namespace rubicon::taskplan {
 
-void Checkpoints::add(int task, std::vector<ResourceState> resources) {
+void Checkpoints::add(int task, Journal::Mark resources) {
   Checkpoint& point = checkpoints_.emplace_back();
   point.task = task;
   point.records = records_.mark();
   point.links = stage_.links->mark();
-  point.requests = stage_.allocator->mark();
+  point.resources = resources;
   point.trace = stage_.trace.mark();
   point.site = stage_.site_changes.moment(stage_.robots());
-  point.resources = std::move(resources);
   point.events = stage_.events;
   point.active = stage_.active;
   point.progress = stage_.progress;
@@ -27,7 +26,7 @@ void Checkpoints::drop(int task) {
   const auto oldest = checkpoints_.begin();
   records_.forget_before(none ? records_.mark() : oldest->records);
   stage_.links->forget_before(none ? stage_.links->mark() : oldest->links);
-  stage_.allocator->forget_before(none ? stage_.allocator->mark() : oldest->requests);
+  stage_.allocator->forget_before(none ? stage_.allocator->mark() : oldest->resources);
   stage_.trace.release_before(none ? stage_.trace.mark() : oldest->trace);
   stage_.site_changes.forget_before(none ? stage_.site_changes.mark() : oldest->site.mark);
 }
@@ -40,8 +39,7 @@ bool Checkpoints::go_back(int task) {
   checkpoints_.erase(place, checkpoints_.end());
   records_.undo_to(point.records);
   stage_.links->undo_to(point.links);
-  stage_.allocator->undo_to(point.requests);
-  stage_.allocator->set_states(std::move(point.resources));
+  stage_.allocator->undo_to(point.resources);
   stage_.trace.keep_only(point.trace, task);
   stage_.events = std::move(point.events);
   stage_.active = std::move(point.active);

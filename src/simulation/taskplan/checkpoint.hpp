@@ -15,8 +15,8 @@ class Checkpoints {
   Checkpoints(Stage& stage, TaskRecords& records, ZoneWaits& zone_waits)
       : stage_(stage), records_(records), zone_waits_(zone_waits) {}
 
-  /// `resources`: who had what before the task was given what it asked for.
-  void add(int task, std::vector<ResourceState> resources);
+  /// `resources`: the moment before the task was given what it asked for.
+  void add(int task, Journal::Mark resources);
   /// Nobody goes back to before the task started any more.
   void drop(int task);
   /// To the moment before the task started, which with all later ones is dropped; its trace lines
@@ -28,10 +28,9 @@ class Checkpoints {
     int task = -1;
     Journal::Mark records = 0;
     Journal::Mark links = 0;
-    Journal::Mark requests = 0;
+    Journal::Mark resources = 0;
     TraceOutput::Mark trace = 0;
     SiteChanges::Moment site;
-    std::vector<ResourceState> resources;
     EventQueue events;
     ActiveTasks active;
     SiteProgress progress;

@@ -83,7 +83,7 @@ std::uint64_t progress_of(const Stage& stage, const std::vector<Blocker>& blocke
   std::uint64_t sum = 0;
   for (const Blocker& blocker : blockers) {
     const int task =
-        blocker.robot >= 0 ? stage.allocator->state(blocker.robot).holder : blocker.zone_task;
+        blocker.robot >= 0 ? stage.allocator->state(blocker.robot).holder() : blocker.zone_task;
     const ActiveTask* const other = stage.active.look_at(task);
     sum = sum * 1'000'003 + static_cast<std::uint64_t>(task + 2) * 65'537 +
           (other ? other->account.progress + 1 : 0);

@@ -197,7 +197,7 @@ std::string MotionActivity::text_of_waits(const ActiveTask& task, const Stage& s
     if (met.empty()) break;
     texts.push_back(text_of_way(stage, each->task, met.front()));
     const int robot = met.front().robot;
-    each = stage.active.look_at(robot >= 0 ? stage.allocator->state(robot).holder
+    each = stage.active.look_at(robot >= 0 ? stage.allocator->state(robot).holder()
                                            : met.front().zone_task);
   }
   return fmt::format("{} of them waits since {:g} s, when anybody last made progress{}{}", waits_,

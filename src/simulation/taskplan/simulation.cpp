@@ -107,7 +107,7 @@ bool Simulation::zone_is_free(const ResourceAllocator::Grant& grant) {
   if (task.zones.empty()) return true;
   const std::optional<int> robot = stage_.site.machine_in(task.zones, task.robot);
   if (!robot) return true;
-  stage_.allocator->set_states(grant.before);
+  stage_.allocator->undo_to(grant.before);
   stage_.begins_to_wait(grant.task);
   zone_waits_.add(grant.task, stage_.now(), *robot);
   return false;
@@ -174,16 +174,16 @@ void Simulation::begin_task(const ResourceAllocator::Grant& grant) {
   const Ticks now = stage_.now();
   schedule::TaskTimes times = links.times(task);
   if (links.is_precomputed(task)) {
-    for (const int resource : stage_.held_by(task)) {
-      stage_.allocator->take_directly(resource, task);
+    for (const Share& share : stage_.allocator->shares(stage_.queue_of(task))) {
+      stage_.allocator->take_directly(share, task);
     }
-  } else if (grant.resource >= 0 && grant.free > times.ready) {
-    times.wanted = grant.free;
+  } else if (grant.last.resource >= 0 && grant.last.since > times.ready) {
+    times.wanted = grant.last.since;
     times.held = schedule::Held::resource;
     times.link = -1;
-    times.resource = grant.resource;
-    times.task_before = grant.task_before;
-    times.given_back_midway = grant.midway;
+    times.resource = grant.last.resource;
+    times.task_before = grant.last.task_before;
+    times.given_back_midway = grant.last.midway;
   }
   times.start = now;
   const schedule::WorkCalendar& calendar = stage_.calendar(task);
@@ -321,7 +321,7 @@ void Simulation::hold_all(ActiveTask& active) {
     const bool robot = resource < stage_.robots();
     hold.busy = robot ? account.outcome.motion_time : account.worked[i];
     active.account.outcome.holds.push_back(hold);
-    stage_.allocator->release(resource, stage_.now(), false);
+    stage_.allocator->release(resource, active.task, stage_.now(), false);
   }
 }
 

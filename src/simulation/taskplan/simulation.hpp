@@ -10,9 +10,9 @@
 
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/syntax/source.hpp"
+#include "src/simulation/schedule/link_state.hpp"
 #include "src/simulation/taskplan/active_tasks.hpp"
 #include "src/simulation/taskplan/checkpoint.hpp"
-#include "src/simulation/taskplan/link_state.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
 #include "src/simulation/taskplan/stage.hpp"
 #include "src/simulation/taskplan/task_records.hpp"

@@ -184,7 +184,8 @@ bool Simulation::may_park(int robot, bool now) const {
   // Where it could not go it is asked again later, but not for ever.
   if (!machine.park || failure.count >= kMostParkings) return false;
   if (now && stage_.now() <= failure.last) return false;
-  if (now && (stage_.allocator->state(robot).holder >= 0 || stage_.site.load(robot))) return false;
+  if (now && (stage_.allocator->state(robot).holder() >= 0 || stage_.site.load(robot)))
+    return false;
   return !goal_holds(machine.robot->model, stage_.site.robot(robot).mounting,
                      stage_.site.configuration(robot), *stage_.spec(stage_.park_task(robot)).go,
                      {});
@@ -207,8 +208,8 @@ bool Simulation::park_idle_machines() {
     ResourceAllocator::Grant grant;
     grant.task = task;
     grant.queue = stage_.queue_of(task);
-    grant.before = stage_.allocator->states();
-    stage_.allocator->take_directly(robot, task);
+    grant.before = stage_.allocator->mark();
+    stage_.allocator->take_directly({robot, 1}, task);
     schedule::TaskTimes times;
     times.ready = times.wanted = stage_.now();
     times.held = schedule::Held::asked;

@@ -3,12 +3,13 @@
 #include <string>
 #include <vector>
 
+#include "src/simulation/schedule/journal.hpp"
 #include "src/simulation/schedule/ticks.hpp"
 #include "src/simulation/site/site_world.hpp"
-#include "src/simulation/taskplan/journal.hpp"
 
 namespace rubicon::taskplan {
 
+using schedule::Journal;
 using schedule::Ticks;
 
 /// Changes the site so that a run can go back to an earlier moment.

@@ -37,18 +37,21 @@ Stage::Stage(const interpreter::PlanModel& the_plan, const interpreter::SourceMa
   }
 
   std::vector<std::string> names;
+  std::vector<int> sizes;
   std::vector<int> calendars;
   for (const interpreter::RobotSpec& robot : plan.robots) {
     names.push_back(robot.name);
+    sizes.push_back(1);
     calendars.push_back(calendar_index(plan, robot.calendar));
   }
   for (const interpreter::CrewSpec& crew : plan.crews) {
     names.push_back(crew.name);
+    sizes.push_back(1);
     calendars.push_back(calendar_index(plan, crew.calendar));
   }
   schedule::Network network;
   for (const std::string& name : names) network.resources.push_back({name, -1});
-  allocator.emplace(std::move(names), std::move(calendars), calendars_of(plan));
+  allocator.emplace(std::move(names), sizes, std::move(calendars), calendars_of(plan));
   queue_.resize(specs_.size());
   std::vector<Ticks> work;
   for (int task = 0; task < tasks(); ++task) work.push_back(prepare_queue(task));
@@ -68,8 +71,10 @@ Stage::Stage(const interpreter::PlanModel& the_plan, const interpreter::SourceMa
 /// also the crews of its works. The crew work that is known before it starts; -1: not known.
 Ticks Stage::prepare_queue(int task) {
   const interpreter::TaskSpec& each = spec(task);
-  std::vector<int> resources = held_resources(plan, each);
-  const auto queue = allocator->queue_for(resources, resources);
+  const std::vector<int> resources = held_resources(plan, each);
+  std::vector<Share> shares;
+  for (const int resource : resources) shares.push_back(share_of(task, resource));
+  const auto queue = allocator->queue_for(std::move(shares), resources);
   queue_[at(task)] = std::get<int>(queue);
   // What may fail or has to wait for a machine is known only when it is done.
   if (each.robot >= 0 || !each.remove.empty()) return -1;
@@ -81,6 +86,10 @@ Ticks Stage::prepare_queue(int task) {
   // A milestone waits for nobody.
   if (work == 0) queue_[at(task)] = std::get<int>(allocator->queue_for({}, {}));
   return work;
+}
+
+Share Stage::share_of(int /*task*/, int resource) const {
+  return {resource, allocator->size_of(resource)};
 }
 
 const interpreter::Program& Stage::program_of(int robot) {
@@ -125,7 +134,7 @@ void Stage::pause(int task, const char* why, const std::string& whom, Ticks sinc
 
 WaitTarget Stage::move_of(int robot, WaitTarget::Kind kind, int number) const {
   WaitTarget target{kind, number, {}, false, false};
-  const int holder = allocator->state(robot).holder;
+  const int holder = allocator->state(robot).holder();
   if (holder >= 0) {
     target.by.push_back(holder);
     target.machine = kind == WaitTarget::Kind::activity;
@@ -140,7 +149,7 @@ WaitTarget Stage::move_of(int robot, WaitTarget::Kind kind, int number) const {
 }
 
 void Stage::add_resource(WaitSet& waits, int task, int resource) const {
-  const int holder = allocator->state(resource).holder;
+  const int holder = allocator->state(resource).holder();
   if (holder < 0 || holder == task) return;
   waits.targets.push_back({WaitTarget::Kind::resource, resource, {holder}, false, false});
 }
@@ -149,7 +158,7 @@ std::string Stage::gone(int component) const {
   for (int robot = 0; robot < robots(); ++robot) {
     const auto& load = site.load(robot);
     if (!load || load->component != component) continue;
-    const int holder = allocator->state(robot).holder;
+    const int holder = allocator->state(robot).holder();
     return fmt::format("{} hangs on {} just then{}", site.component_name(component),
                        robot_spec(robot).name,
                        holder >= 0 ? ": put this after " + spec(holder).name : std::string());

@@ -11,17 +11,19 @@
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/machine/machine.hpp"
 #include "interpreter/syntax/source.hpp"
+#include "src/simulation/schedule/link_state.hpp"
 #include "src/simulation/site/robot_view.hpp"
 #include "src/simulation/site/site_world.hpp"
 #include "src/simulation/taskplan/active_tasks.hpp"
 #include "src/simulation/taskplan/event_queue.hpp"
-#include "src/simulation/taskplan/link_state.hpp"
 #include "src/simulation/taskplan/resource_allocator.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
 #include "src/simulation/taskplan/site_changes.hpp"
 #include "src/simulation/taskplan/trace_output.hpp"
 
 namespace rubicon::taskplan {
+
+using schedule::LinkState;
 
 /// A task that is to be rejected: the run goes back to when it began.
 struct Rejection {
@@ -77,6 +79,8 @@ class Stage {
     return allocator->calendar(queue_of(task));
   }
   const std::vector<int>& held_by(int task) const { return allocator->resources(queue_of(task)); }
+  /// What the task needs of a robot or crew when it needs it.
+  Share share_of(int task, int resource) const;
   site::RobotView& view(int robot) { return views_[at(robot)]; }
   const interpreter::Program& program_of(int robot);
 

@@ -5,10 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "src/simulation/taskplan/journal.hpp"
+#include "src/simulation/schedule/journal.hpp"
 #include "src/simulation/taskplan/schedule.hpp"
 
 namespace rubicon::taskplan {
+
+using schedule::Journal;
 
 /// How far each task is, and what the finished ones came to.
 class TaskRecords {

@@ -42,11 +42,12 @@ int WorkActivity::work_queue(const ActiveTask& task, Stage& stage) {
   const int resource = stage.crew_resource(crew);
   if (std::find(hours.begin(), hours.end(), resource) != hours.end()) return held;
   hours.push_back(resource);
-  return std::get<int>(stage.allocator->queue_for({resource}, std::move(hours)));
+  return std::get<int>(
+      stage.allocator->queue_for({stage.share_of(task.task, resource)}, std::move(hours)));
 }
 
 Step WorkActivity::granted(ActiveTask& task, Stage& stage, const ResourceAllocator::Grant& grant) {
-  const Ticks free = std::clamp(grant.free, since_, stage.now());
+  const Ticks free = std::clamp(grant.last.since, since_, stage.now());
   task.account.outcome.waits.resource += free - since_;
   task.account.outcome.waits.shift += stage.now() - free;
   if (auto* const trace = stage.trace_of(task.task)) {
@@ -55,7 +56,7 @@ Step WorkActivity::granted(ActiveTask& task, Stage& stage, const ResourceAllocat
   }
   if (free > since_) {
     stage.links->add_mid_wait(task.task,
-                              {free, schedule::Held::resource, crew_, grant.task_before});
+                              {free, schedule::Held::resource, crew_, grant.last.task_before});
   }
   crew_since_ = stage.now();
   return work(task, stage);
@@ -108,7 +109,7 @@ void WorkActivity::give_back(ActiveTask& task, Stage& stage) {
   hold.held = stage.allocator->hours(crew_).work_between(crew_since_, stage.now());
   hold.busy = interpreter::ticks_from_seconds(task.now().work->duration);
   task.account.outcome.holds.push_back(hold);
-  stage.allocator->release(crew_, stage.now(), true);
+  stage.allocator->release(crew_, task.task, stage.now(), true);
   crew_ = -1;
 }
 
@@ -120,7 +121,7 @@ WaitSet WorkActivity::waits(const ActiveTask& task, const Stage& stage) const {
 
 std::string WorkActivity::standstill_reason(const ActiveTask&, const Stage& stage) const {
   if (doing_ != Doing::waiting_for_crew) return {};
-  const int holder = stage.allocator->state(crew_).holder;
+  const int holder = stage.allocator->state(crew_).holder();
   return fmt::format("it never gets {}, which {} holds", stage.allocator->name(crew_),
                      holder >= 0 ? stage.spec(holder).name : std::string("nobody"));
 }

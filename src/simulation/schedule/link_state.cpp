@@ -1,20 +1,18 @@
-#include "src/simulation/taskplan/link_state.hpp"
+#include "src/simulation/schedule/link_state.hpp"
 
 #include <algorithm>
 
 #include "src/simulation/schedule/link_order.hpp"
 
-namespace rubicon::taskplan {
+namespace rubicon::schedule {
 
-using schedule::TaskEnd;
-
-LinkState::LinkState(schedule::Network network, std::vector<Ticks> work,
-                     const std::vector<std::optional<schedule::TaskTimes>>& precomputed,
+LinkState::LinkState(Network network, std::vector<Ticks> work,
+                     const std::vector<std::optional<TaskTimes>>& precomputed,
                      CalendarOf calendar_of)
     : network_(std::move(network)),
       work_(std::move(work)),
       calendar_of_(std::move(calendar_of)),
-      mutually_constrained_(schedule::link_order(network_.tasks).tied_both_ways),
+      mutually_constrained_(link_order(network_.tasks).tied_both_ways),
       precomputed_(network_.tasks.size(), false),
       left_out_(network_.tasks.size(), false),
       followers_(network_.tasks.size()),
@@ -26,7 +24,7 @@ LinkState::LinkState(schedule::Network network, std::vector<Ticks> work,
     times_[i] = *precomputed[i];
   }
   for (int task = 0; task < size(); ++task) {
-    for (const schedule::Link& link : links_of(task)) {
+    for (const Link& link : links_of(task)) {
       followers_[at(link.task)].push_back({task, link.type});
     }
   }
@@ -37,7 +35,7 @@ void LinkState::count_links() {
   to_start_.assign(times_.size(), 0);
   to_finish_.assign(times_.size(), 0);
   for (int task = 0; task < size(); ++task) {
-    for (const schedule::Link& link : links_of(task)) {
+    for (const Link& link : links_of(task)) {
       if (left_out_[at(link.task)]) continue;
       if (waits_to_start(task, link.type)) ++to_start_[at(task)];
       if (end_after(link.type) == TaskEnd::finish) ++to_finish_[at(task)];
@@ -45,18 +43,18 @@ void LinkState::count_links() {
   }
 }
 
-bool LinkState::waits_to_start(int task, schedule::LinkType type) const {
+bool LinkState::waits_to_start(int task, LinkType type) const {
   return end_after(type) == TaskEnd::start ||
          (known_work(task) && !mutually_constrained_[at(task)]);
 }
 
-schedule::LinkBounds LinkState::bounds_of(int task, bool with_finish) const {
-  schedule::LinkBounds bounds;
-  const std::vector<schedule::Link>& links = links_of(task);
+LinkBounds LinkState::bounds_of(int task, bool with_finish) const {
+  LinkBounds bounds;
+  const std::vector<Link>& links = links_of(task);
   for (std::size_t i = 0; i < links.size(); ++i) {
     const TaskEnd end = end_after(links[i].type);
     if ((end == TaskEnd::finish && !with_finish) || left_out_[at(links[i].task)]) continue;
-    const schedule::TaskTimes& before = times(links[i].task);
+    const TaskTimes& before = times(links[i].task);
     const bool from_start = end_before(links[i].type) == TaskEnd::start;
     bounds.hold(end,
                 bound_of(links[i], from_start ? before.start : before.finish, calendar_of_(task)),
@@ -67,7 +65,7 @@ schedule::LinkBounds LinkState::bounds_of(int task, bool with_finish) const {
 
 std::vector<int> LinkState::open_links(int task, TaskEnd end) const {
   std::vector<int> open;
-  const std::vector<schedule::Link>& links = links_of(task);
+  const std::vector<Link>& links = links_of(task);
   for (std::size_t i = 0; i < links.size(); ++i) {
     const bool holds = end == TaskEnd::start ? waits_to_start(task, links[i].type)
                                              : end_after(links[i].type) == TaskEnd::finish;
@@ -78,26 +76,25 @@ std::vector<int> LinkState::open_links(int task, TaskEnd end) const {
   return open;
 }
 
-schedule::TaskTimes LinkState::ready_times(int task, int before, Ticks now) const {
+TaskTimes LinkState::ready_times(int task, int before, Ticks now) const {
   const bool known = known_work(task);
-  const schedule::LinkBounds bounds = bounds_of(task, known && !mutually_constrained_[at(task)]);
-  const schedule::WorkCalendar& calendar = calendar_of_(task);
-  const schedule::EarliestStart earliest = known ? earliest_start(bounds, 0, work(task), calendar)
-                                                 : earliest_start_of_unknown(bounds, 0, calendar);
-  schedule::TaskTimes times;
+  const LinkBounds bounds = bounds_of(task, known && !mutually_constrained_[at(task)]);
+  const WorkCalendar& calendar = calendar_of_(task);
+  const EarliestStart earliest = known ? earliest_start(bounds, 0, work(task), calendar)
+                                       : earliest_start_of_unknown(bounds, 0, calendar);
+  TaskTimes times;
   // What a negative lag allows may be over when it becomes known.
   times.ready = times.wanted = std::max(earliest.wanted, now);
-  if (earliest.hold != schedule::StartHold::not_before) {
-    times.held = schedule::Held::link;
-    times.link =
-        earliest.hold == schedule::StartHold::start_link ? bounds.start_link : bounds.finish_link;
+  if (earliest.hold != StartHold::not_before) {
+    times.held = Held::link;
+    times.link = earliest.hold == StartHold::start_link ? bounds.start_link : bounds.finish_link;
   }
   if (before >= 0 && earliest.wanted < now) {
-    const std::vector<schedule::Link>& links = links_of(task);
-    const auto last = std::find_if(links.begin(), links.end(), [&](const schedule::Link& link) {
+    const std::vector<Link>& links = links_of(task);
+    const auto last = std::find_if(links.begin(), links.end(), [&](const Link& link) {
       return link.task == before && waits_to_start(task, link.type);
     });
-    times.held = schedule::Held::link;
+    times.held = Held::link;
     times.link = static_cast<int>(last - links.begin());
     times.known_late = true;
   }
@@ -105,17 +102,17 @@ schedule::TaskTimes LinkState::ready_times(int task, int before, Ticks now) cons
   return times;
 }
 
-bool LinkState::started_for_finish(const schedule::TaskTimes& times, int task) const {
-  return times.held == schedule::Held::link &&
+bool LinkState::started_for_finish(const TaskTimes& times, int task) const {
+  return times.held == Held::link &&
          end_after(links_of(task)[at(times.link)].type) == TaskEnd::finish;
 }
 
-void LinkState::set_times(int task, schedule::TaskTimes times) {
+void LinkState::set_times(int task, TaskTimes times) {
   journal_.assign(times_[at(task)], std::move(times));
 }
 
-void LinkState::add_mid_wait(int task, schedule::MidWait wait) {
-  std::vector<schedule::MidWait>& waits = times_[at(task)].mid_waits;
+void LinkState::add_mid_wait(int task, MidWait wait) {
+  std::vector<MidWait>& waits = times_[at(task)].mid_waits;
   waits.push_back(wait);
   journal_.on_undo([&waits] { waits.pop_back(); });
 }
@@ -123,7 +120,7 @@ void LinkState::add_mid_wait(int task, schedule::MidWait wait) {
 void LinkState::forget_known(int task) { journal_.assign(known_[at(task)], std::uint8_t{0}); }
 
 void LinkState::publish(int task, TaskEnd end, Ticks time) {
-  schedule::TaskTimes times = times_[at(task)];
+  TaskTimes times = times_[at(task)];
   (end == TaskEnd::start ? times.start : times.finish) = time;
   set_times(task, std::move(times));
   journal_.assign(known_[at(task)], static_cast<std::uint8_t>(known_[at(task)] | bit(end)));
@@ -154,9 +151,9 @@ void LinkState::propagate(Listener& listener) {
   }
 }
 
-bool LinkState::let_go(int task, int before, schedule::LinkType type) {
+bool LinkState::let_go(int task, int before, LinkType type) {
   if (end_after(type) != TaskEnd::finish || is_known(before, end_before(type))) return false;
   return --to_finish_[at(task)] == 0;
 }
 
-}  // namespace rubicon::taskplan
+}  // namespace rubicon::schedule

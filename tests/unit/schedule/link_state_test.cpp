@@ -1,7 +1,7 @@
 // What is known of starts and finishes, and what links make of it: without machines, crews or a
 // queue of events.
 
-#include "src/simulation/taskplan/link_state.hpp"
+#include "src/simulation/schedule/link_state.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,12 +10,9 @@
 #include <utility>
 #include <vector>
 
-namespace rubicon::taskplan {
+namespace rubicon::schedule {
 namespace {
 
-using schedule::Link;
-using schedule::LinkType;
-using schedule::TaskEnd;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -29,8 +26,8 @@ struct Heard : LinkState::Listener {
 
 /// Tasks of a second of work each, but for those in `unknown`.
 LinkState state(const std::vector<std::vector<Link>> &links, const std::vector<int> &unknown = {}) {
-  static const schedule::WorkCalendar day_and_night;
-  schedule::Network network;
+  static const WorkCalendar day_and_night;
+  Network network;
   std::vector<Ticks> work;
   for (const auto &after : links) {
     network.tasks.emplace_back().after = after;
@@ -38,7 +35,7 @@ LinkState state(const std::vector<std::vector<Link>> &links, const std::vector<i
     work.push_back(1);
   }
   for (const int task : unknown) work[static_cast<std::size_t>(task)] = -1;
-  return {std::move(network), std::move(work), {}, [](int) -> const schedule::WorkCalendar & {
+  return {std::move(network), std::move(work), {}, [](int) -> const WorkCalendar & {
             return day_and_night;
           }};
 }
@@ -78,14 +75,14 @@ TEST(LinkState, KnownWorkWaitsToStartForWhatHoldsItsFinish) {
   EXPECT_THAT(propagate(links), ElementsAre("finish 1", "start 1 by 0"));
   EXPECT_EQ(links.ready_times(1, 0, 100).start, 109);
   EXPECT_EQ(links.bounds_of(1, true).finish, 110);
-  EXPECT_EQ(links.bounds_of(1, false).finish, -schedule::kEndOfTime);
+  EXPECT_EQ(links.bounds_of(1, false).finish, -kEndOfTime);
 }
 
 TEST(LinkState, WhatANegativeLagAllowsMayBeOverWhenItIsKnown) {
   LinkState links = state({{}, {{0, LinkType::FS, -30}}});
   links.publish(0, TaskEnd::finish, 20);
   propagate(links);
-  const schedule::TaskTimes times = links.ready_times(1, 0, 20);
+  const TaskTimes times = links.ready_times(1, 0, 20);
   EXPECT_EQ(times.start, 20);
   EXPECT_TRUE(times.known_late);
   EXPECT_EQ(times.link, 0);
@@ -124,4 +121,4 @@ TEST(LinkState, WhoIsLeftOutHoldsNobody) {
 }
 
 }  // namespace
-}  // namespace rubicon::taskplan
+}  // namespace rubicon::schedule

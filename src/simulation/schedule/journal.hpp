@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-namespace rubicon::taskplan {
+namespace rubicon::schedule {
 
 /// What was done to large tables, so that a run can go back to an earlier moment without a copy of
 /// them. What it changes must stay where it is while the change can be undone.
@@ -46,4 +46,4 @@ class Journal {
   Mark forgotten_ = 0;
 };
 
-}  // namespace rubicon::taskplan
+}  // namespace rubicon::schedule
