@@ -2,7 +2,7 @@
 
 #include "src/motion/collision/base/tolerances.hpp"
 #include "src/motion/collision/pair/containment.hpp"
-#include "src/motion/collision/pair/pair_test.hpp"
+#include "src/motion/collision/pair/convex_narrow_phase.hpp"
 #include "src/motion/collision/pair/part_pairs.hpp"
 
 namespace rubicon::collision {

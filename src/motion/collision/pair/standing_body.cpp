@@ -2,7 +2,7 @@
 
 #include "src/motion/collision/pair/body_pair.hpp"
 #include "src/motion/collision/pair/containment.hpp"
-#include "src/motion/collision/pair/quick_test.hpp"
+#include "src/motion/collision/pair/fast_path.hpp"
 
 namespace rubicon::collision {
 namespace {
@@ -26,7 +26,7 @@ StandingPlace::StandingPlace(const Body& body, const Pose& pose)
 
 bool blocked_by_standing(Sweep& sweep, const Body& standing, const StandingPlace& place,
                          double contact_tolerance) {
-  const Verdict found = quick_verdict(sweep, standing, place.X_WC, contact_tolerance);
+  const Verdict found = fast_path_verdict(sweep, standing, place.X_WC, contact_tolerance);
   if (found == Verdict::kHit) return true;
   if (found == Verdict::kUndecided) {
     return bodies_blocked(sweep.body(), sweep.motion(), standing, geometry::stationary(place.X_WB),

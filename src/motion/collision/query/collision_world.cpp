@@ -14,7 +14,7 @@
 #include "src/motion/collision/pair/body_clearance.hpp"
 #include "src/motion/collision/pair/body_contact.hpp"
 #include "src/motion/collision/pair/body_pair.hpp"
-#include "src/motion/collision/pair/quick_test.hpp"
+#include "src/motion/collision/pair/fast_path.hpp"
 #include "src/motion/collision/pair/standing_body.hpp"
 #include "src/motion/collision/query/clearance_budget.hpp"
 #include "src/motion/collision/swept_query.hpp"
@@ -156,7 +156,7 @@ void require_valid(const SweptQuery& query) {
   }
 }
 
-/// The contact of two bodies that block each other. The quick tests and the search for contact
+/// The contact of two bodies that block each other. The fast path and the search for contact
 /// round differently: a pair that is just as deep as the tolerance may seem free to the search,
 /// which then asks for a little less.
 Contact contact_of(const MovingBody& a, const MovingBody& b, double tolerance) {
@@ -216,7 +216,7 @@ bool items_blocked(Sweep& a, Sweep& b, double tolerance) {
   const bool has_inside = a.body().has_closed_soup() || b.body().has_closed_soup();
   if (!standing.moves() && !has_inside) {
     const Verdict found =
-        quick_verdict(moving, standing.body(), standing.slice(0).start(), tolerance);
+        fast_path_verdict(moving, standing.body(), standing.slice(0).start(), tolerance);
     if (found != Verdict::kUndecided) return found == Verdict::kHit;
   }
   return bodies_blocked(a.body(), a.motion(), b.body(), b.motion(), tolerance);

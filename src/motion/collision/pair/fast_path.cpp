@@ -1,8 +1,8 @@
-#include "src/motion/collision/pair/quick_test.hpp"
+#include "src/motion/collision/pair/fast_path.hpp"
 
 #include "src/motion/collision/base/tolerances.hpp"
-#include "src/motion/collision/pair/box_mesh_test.hpp"
-#include "src/motion/collision/pair/mesh_mesh_test.hpp"
+#include "src/motion/collision/pair/box_mesh_narrow_phase.hpp"
+#include "src/motion/collision/pair/mesh_mesh_narrow_phase.hpp"
 
 namespace rubicon::collision {
 namespace {
@@ -15,11 +15,11 @@ double part_tolerance(const BodyPart& a, const BodyPart& b, double contact_toler
 }
 
 /// One moving part against one that stands.
-class PartTest {
+class PartBoxes {
  public:
   /// `fixed_box` is that of the standing part, world.
-  PartTest(const Sweep& sweep, const BodyPart& moving, const BodyPart& fixed,
-           const OrientedBox& fixed_box, double tolerance)
+  PartBoxes(const Sweep& sweep, const BodyPart& moving, const BodyPart& fixed,
+            const OrientedBox& fixed_box, double tolerance)
       : sweep_(sweep),
         moving_(moving),
         fixed_(fixed_box),
@@ -33,10 +33,10 @@ class PartTest {
           placed(moving_.box, slice.start()), slice.end().t - slice.start().t, fixed_, tolerance_));
     }
     const TurnedBox box = turned(slice);
-    const TurnedBoxTest test(box, fixed_, tolerance_);
-    if (test.free_along_fixed_normals()) return Verdict::kFree;
+    const TurnedBoxTest axes(box, fixed_, tolerance_);
+    if (axes.free_along_fixed_normals()) return Verdict::kFree;
     if (both_boxes_ && deep_at(slice.start())) return Verdict::kHit;
-    return on_slice(slice, test, kHalvings);
+    return on_slice(slice, axes, kHalvings);
   }
 
  private:
@@ -64,19 +64,19 @@ class PartTest {
 
   /// For a slice that is not free along the normals of the standing box. A pose that is deep is
   /// looked for before the many products of edges are tried.
-  Verdict on_slice(SweepSlice& slice, const TurnedBoxTest& test, int halvings) const {
+  Verdict on_slice(SweepSlice& slice, const TurnedBoxTest& axes, int halvings) const {
     const Mat3 R_middle = part_rotation(slice.middle());
-    if (test.free_along_moving_normals(R_middle)) return Verdict::kFree;
+    if (axes.free_along_moving_normals(R_middle)) return Verdict::kFree;
     if (both_boxes_ && (deep_at(slice.middle()) || deep_at(slice.end()))) return Verdict::kHit;
     // For the box around a mesh the many other axes are not worth it: its triangles are asked next.
     if (around_mesh_) return Verdict::kUndecided;
-    if (test.free_along_edges(R_middle)) return Verdict::kFree;
+    if (axes.free_along_edges(R_middle)) return Verdict::kFree;
     if (!both_boxes_ || halvings == 0) return Verdict::kUndecided;
     for (SweepSlice* half : {&slice.first_half(), &slice.second_half()}) {
       const TurnedBox box = turned(*half);
-      const TurnedBoxTest half_test(box, fixed_, tolerance_);
-      if (half_test.free_along_fixed_normals()) continue;
-      const Verdict found = on_slice(*half, half_test, halvings - 1);
+      const TurnedBoxTest half_axes(box, fixed_, tolerance_);
+      if (half_axes.free_along_fixed_normals()) continue;
+      const Verdict found = on_slice(*half, half_axes, halvings - 1);
       if (found != Verdict::kFree) return found;
     }
     return Verdict::kFree;
@@ -103,29 +103,31 @@ class PartTest {
 Verdict part_verdict(Sweep& sweep, SweepSlice& slice, const BodyPart& moving, const Body& standing,
                      const BodyPart& fixed, const OrientedBox& fixed_box, const Placement& X_WB,
                      double contact_tolerance) {
-  const PartTest boxes(sweep, moving, fixed, fixed_box,
-                       part_tolerance(moving, fixed, contact_tolerance));
+  const PartBoxes boxes(sweep, moving, fixed, fixed_box,
+                        part_tolerance(moving, fixed, contact_tolerance));
   const Verdict found = boxes.verdict(slice);
   if (found != Verdict::kUndecided) return found;
   const TriangleSoup* moving_soup = moving.soup < 0 ? nullptr : &sweep.body().soups()[moving.soup];
   const TriangleSoup* fixed_soup = fixed.soup < 0 ? nullptr : &standing.soups()[fixed.soup];
   if (moving_soup != nullptr && fixed_soup != nullptr) {
-    return MeshMeshTest(sweep, *moving_soup, fixed, *fixed_soup, X_WB, contact_tolerance)
+    return MeshMeshNarrowPhase(sweep, *moving_soup, fixed, *fixed_soup, X_WB, contact_tolerance)
         .verdict(slice);
   }
   if (moving_soup != nullptr) {
-    return BoxMeshTest(sweep, fixed, *moving_soup, true, X_WB, contact_tolerance).verdict(slice);
+    return BoxMeshNarrowPhase(sweep, fixed, *moving_soup, true, X_WB, contact_tolerance)
+        .verdict(slice);
   }
   if (fixed_soup != nullptr) {
-    return BoxMeshTest(sweep, moving, *fixed_soup, false, X_WB, contact_tolerance).verdict(slice);
+    return BoxMeshNarrowPhase(sweep, moving, *fixed_soup, false, X_WB, contact_tolerance)
+        .verdict(slice);
   }
   return found;
 }
 
 }  // namespace
 
-Verdict quick_verdict(Sweep& sweep, const Body& standing, const Placement& X_WB,
-                      double contact_tolerance) {
+Verdict fast_path_verdict(Sweep& sweep, const Body& standing, const Placement& X_WB,
+                          double contact_tolerance) {
   Verdict result = Verdict::kFree;
   const auto look_at = [&](const BodyPart& fixed) {
     const OrientedBox fixed_box = placed(fixed.box, X_WB);

@@ -9,11 +9,11 @@
 namespace rubicon::collision {
 
 /// A moving mesh against one that stands, triangle against four triangles.
-class MeshMeshTest {
+class MeshMeshNarrowPhase {
  public:
   /// `fixed_part` is the part of `fixed`, `X_WB` places its body.
-  MeshMeshTest(const Sweep& sweep, const TriangleSoup& moving, const BodyPart& fixed_part,
-               const TriangleSoup& fixed, const Placement& X_WB, double contact_tolerance);
+  MeshMeshNarrowPhase(const Sweep& sweep, const TriangleSoup& moving, const BodyPart& fixed_part,
+                      const TriangleSoup& fixed, const Placement& X_WB, double contact_tolerance);
 
   Verdict verdict(SweepSlice& slice) const;
 

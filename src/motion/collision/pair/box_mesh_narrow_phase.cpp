@@ -1,4 +1,4 @@
-#include "src/motion/collision/pair/box_mesh_test.hpp"
+#include "src/motion/collision/pair/box_mesh_narrow_phase.hpp"
 
 #include <optional>
 
@@ -7,8 +7,9 @@
 
 namespace rubicon::collision {
 
-BoxMeshTest::BoxMeshTest(const Sweep& sweep, const BodyPart& box, const TriangleSoup& soup,
-                         bool mesh_moves, const Placement& X_WB, double contact_tolerance)
+BoxMeshNarrowPhase::BoxMeshNarrowPhase(const Sweep& sweep, const BodyPart& box,
+                                       const TriangleSoup& soup, bool mesh_moves,
+                                       const Placement& X_WB, double contact_tolerance)
     : sweep_(sweep),
       box_(box),
       soup_(soup),
@@ -16,7 +17,7 @@ BoxMeshTest::BoxMeshTest(const Sweep& sweep, const BodyPart& box, const Triangle
       X_WB_(X_WB),
       tolerance_(pair_tolerance(box.width, box.width, contact_tolerance)) {}
 
-Verdict BoxMeshTest::verdict(SweepSlice& slice) const {
+Verdict BoxMeshNarrowPhase::verdict(SweepSlice& slice) const {
   // Seen from a moving mesh a general motion has another bound.
   if (mesh_moves_ && slice.uniform_growth() > 0) return Verdict::kUndecided;
   const BoxPassage whole = passage(slice);
@@ -27,7 +28,7 @@ Verdict BoxMeshTest::verdict(SweepSlice& slice) const {
 }
 
 /// The box at a pose of the moving body, in the frame of the mesh.
-OrientedBox BoxMeshTest::box_at(const Placement& pose) const {
+OrientedBox BoxMeshNarrowPhase::box_at(const Placement& pose) const {
   const Placement& mesh = mesh_moves_ ? pose : X_WB_;
   const Placement& other = mesh_moves_ ? X_WB_ : pose;
   const Mat3 to_mesh = mesh.R.transpose();
@@ -36,7 +37,7 @@ OrientedBox BoxMeshTest::box_at(const Placement& pose) const {
           to_mesh * (other.t - mesh.t) + R * box_.box.centre, box_.box.half};
 }
 
-BoxPassage BoxMeshTest::passage(SweepSlice& slice) const {
+BoxPassage BoxMeshNarrowPhase::passage(SweepSlice& slice) const {
   BoxPassage result;
   const OrientedBox start = box_at(slice.start());
   const OrientedBox end = box_at(slice.end());
@@ -66,7 +67,7 @@ BoxPassage BoxMeshTest::passage(SweepSlice& slice) const {
   return result;
 }
 
-BoxPass BoxMeshTest::still_at(const Placement& pose) const {
+BoxPass BoxMeshNarrowPhase::still_at(const Placement& pose) const {
   const OrientedBox box = box_at(pose);
   BoxPassage still;
   still.box.R_start = still.box.R_end = still.R_middle = box.R;
@@ -76,12 +77,12 @@ BoxPass BoxMeshTest::still_at(const Placement& pose) const {
   return box_pass(still, tolerance_);
 }
 
-bool BoxMeshTest::meets(const BoxPass& pass, int pack) const {
+bool BoxMeshNarrowPhase::meets(const BoxPass& pass, int pack) const {
   return kernels().meeting_triangles(pass, soup_.packs()[static_cast<std::size_t>(pack)]) != 0;
 }
 
-Verdict BoxMeshTest::on_slice(SweepSlice& slice, const BoxPassage& whole, const int* first,
-                              const int* last, int halvings) const {
+Verdict BoxMeshNarrowPhase::on_slice(SweepSlice& slice, const BoxPassage& whole, const int* first,
+                                     const int* last, int halvings) const {
   const BoxPass sweep = box_pass(whole, tolerance_);
   std::optional<BoxPass> middle;
   std::optional<BoxPass> end;

@@ -1,4 +1,4 @@
-#include "src/motion/collision/pair/pair_test.hpp"
+#include "src/motion/collision/pair/convex_narrow_phase.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,10 @@
 namespace rubicon::collision {
 namespace {
 
-class PairTest {
+class ConvexNarrowPhase {
  public:
-  PairTest(const Convex& a, const Convex& b, const RelativeMotion& motion, double tolerance)
+  ConvexNarrowPhase(const Convex& a, const Convex& b, const RelativeMotion& motion,
+                    double tolerance)
       : kind_(motion.kind()),
         axis_in_a_(motion.axis_in_a().axis),
         axis_in_b_(motion.axis_in_b().axis) {
@@ -147,15 +148,15 @@ class PairTest {
 
 bool pair_blocked(const Convex& a, const Convex& b, MotionTree& tree, double tolerance,
                   int& intervals) {
-  PairTest test(a, b, tree.motion(), tolerance);
-  const bool blocked = test.blocked(tree);
-  intervals += 1 + test.intervals();
+  ConvexNarrowPhase pair(a, b, tree.motion(), tolerance);
+  const bool blocked = pair.blocked(tree);
+  intervals += 1 + pair.intervals();
   return blocked || intervals > kMaxIntervalsOfBodies;
 }
 
 std::optional<double> first_contact(const Convex& a, const Convex& b, MotionTree& tree,
                                     double tolerance, double before) {
-  return PairTest(a, b, tree.motion(), tolerance).first_contact(tree, before);
+  return ConvexNarrowPhase(a, b, tree.motion(), tolerance).first_contact(tree, before);
 }
 
 }  // namespace rubicon::collision

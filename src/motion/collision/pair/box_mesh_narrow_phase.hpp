@@ -10,13 +10,13 @@ namespace rubicon::collision {
 
 /// A moving box against a mesh that stands, or a moving mesh against a box that stands; in the
 /// frame of the mesh it is always the box that moves.
-class BoxMeshTest {
+class BoxMeshNarrowPhase {
  public:
   /// `mesh_moves`: the soup belongs to the moving body, the box to the standing one, which `X_WB`
   /// places; otherwise the other way round. The box need not be exact (`BodyPart::is_box`); what is
   /// then met is undecided.
-  BoxMeshTest(const Sweep& sweep, const BodyPart& box, const TriangleSoup& soup, bool mesh_moves,
-              const Placement& X_WB, double contact_tolerance);
+  BoxMeshNarrowPhase(const Sweep& sweep, const BodyPart& box, const TriangleSoup& soup,
+                     bool mesh_moves, const Placement& X_WB, double contact_tolerance);
 
   Verdict verdict(SweepSlice& slice) const;
   /// The box over a slice, in the frame of the mesh. Not for a mesh in general motion.

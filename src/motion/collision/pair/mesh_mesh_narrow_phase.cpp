@@ -1,15 +1,15 @@
-#include "src/motion/collision/pair/mesh_mesh_test.hpp"
+#include "src/motion/collision/pair/mesh_mesh_narrow_phase.hpp"
 
 #include <algorithm>
 #include <numeric>
 
 #include "src/motion/collision/base/tolerances.hpp"
-#include "src/motion/collision/pair/box_mesh_test.hpp"
+#include "src/motion/collision/pair/box_mesh_narrow_phase.hpp"
 #include "src/motion/collision/tree/kernels.hpp"
 
 namespace rubicon::collision {
 
-struct MeshMeshTest::Seen {
+struct MeshMeshNarrowPhase::Seen {
   Placement start;
   Placement middle;
   Placement end;
@@ -19,9 +19,9 @@ struct MeshMeshTest::Seen {
   double uniform_growth = 0;
 };
 
-MeshMeshTest::MeshMeshTest(const Sweep& sweep, const TriangleSoup& moving,
-                           const BodyPart& fixed_part, const TriangleSoup& fixed,
-                           const Placement& X_WB, double contact_tolerance)
+MeshMeshNarrowPhase::MeshMeshNarrowPhase(const Sweep& sweep, const TriangleSoup& moving,
+                                         const BodyPart& fixed_part, const TriangleSoup& fixed,
+                                         const Placement& X_WB, double contact_tolerance)
     : sweep_(sweep),
       moving_(moving),
       fixed_part_(fixed_part),
@@ -29,7 +29,7 @@ MeshMeshTest::MeshMeshTest(const Sweep& sweep, const TriangleSoup& moving,
       X_WB_(X_WB),
       contact_tolerance_(std::max(contact_tolerance, kRoundingDepth)) {}
 
-Verdict MeshMeshTest::verdict(SweepSlice& slice) const {
+Verdict MeshMeshNarrowPhase::verdict(SweepSlice& slice) const {
   const Seen poses = seen(slice);
   std::vector<Open> open;
   ItemList own;
@@ -54,7 +54,7 @@ Verdict MeshMeshTest::verdict(SweepSlice& slice) const {
 }
 
 /// The packs of the moving mesh that come near the standing one.
-void MeshMeshTest::own_packs(SweepSlice& slice, ItemList& found) const {
+void MeshMeshNarrowPhase::own_packs(SweepSlice& slice, ItemList& found) const {
   if (slice.uniform_growth() > 0) {
     // Seen from a moving mesh a general motion has another bound: all of its packs.
     while (found.capacity() < static_cast<int>(moving_.packs().size())) found.grow();
@@ -62,18 +62,19 @@ void MeshMeshTest::own_packs(SweepSlice& slice, ItemList& found) const {
     std::iota(found.begin(), found.end(), 0);
     return;
   }
-  const BoxMeshTest whole(sweep_, fixed_part_, moving_, true, X_WB_, 0);
+  const BoxMeshNarrowPhase whole(sweep_, fixed_part_, moving_, true, X_WB_, 0);
   collect_packs(whole.passage(slice), moving_, found);
 }
 
 /// The packs of the standing mesh that the box around one of the moving mesh is not proved free of.
-void MeshMeshTest::packs_near(SweepSlice& slice, int own, ItemList& found) const {
+void MeshMeshNarrowPhase::packs_near(SweepSlice& slice, int own, ItemList& found) const {
   const Bounds& bounds = moving_.pack_bounds()[static_cast<std::size_t>(own)];
   BodyPart box;
   box.aligned = true;
   box.box.centre = bounds.centre();
   box.box.half = bounds.half();
-  const BoxPassage passage = BoxMeshTest(sweep_, box, fixed_, false, X_WB_, 0).passage(slice);
+  const BoxPassage passage =
+      BoxMeshNarrowPhase(sweep_, box, fixed_, false, X_WB_, 0).passage(slice);
   collect_packs(passage, fixed_, found);
   if (found.size() == 0) return;
   const BoxPass pass = box_pass(passage, kRoundingDepth);
@@ -83,7 +84,7 @@ void MeshMeshTest::packs_near(SweepSlice& slice, int own, ItemList& found) const
   found.set_size(static_cast<int>(last - found.begin()));
 }
 
-MeshMeshTest::Seen MeshMeshTest::seen(SweepSlice& slice) const {
+MeshMeshNarrowPhase::Seen MeshMeshNarrowPhase::seen(SweepSlice& slice) const {
   const Mat3 to_fixed = X_WB_.R.transpose();
   return {relative(slice.start(), X_WB_),
           relative(slice.middle(), X_WB_),
@@ -94,7 +95,7 @@ MeshMeshTest::Seen MeshMeshTest::seen(SweepSlice& slice) const {
           slice.uniform_growth()};
 }
 
-TrianglePass MeshMeshTest::pass(const Seen& poses, int triangle) const {
+TrianglePass MeshMeshNarrowPhase::pass(const Seen& poses, int triangle) const {
   TrianglePass result;
   double lever = 0;
   std::array<Vec3, 3> middle;
@@ -122,7 +123,7 @@ TrianglePass MeshMeshTest::pass(const Seen& poses, int triangle) const {
   return result;
 }
 
-TrianglePass MeshMeshTest::still(const Placement& pose, int triangle) const {
+TrianglePass MeshMeshNarrowPhase::still(const Placement& pose, int triangle) const {
   Seen standing;
   standing.start = standing.middle = standing.end = pose;
   standing.axis = Vec3::UnitZ();
@@ -130,19 +131,20 @@ TrianglePass MeshMeshTest::still(const Placement& pose, int triangle) const {
   return pass(standing, triangle);
 }
 
-bool MeshMeshTest::meets(const TrianglePass& pass, int pack) const {
+bool MeshMeshNarrowPhase::meets(const TrianglePass& pass, int pack) const {
   return kernels().met_by_triangle(pass, fixed_.packs()[static_cast<std::size_t>(pack)]) != 0;
 }
 
-bool MeshMeshTest::deep_at_a_pose(const Open& pair, const Seen& poses, bool start_too) const {
+bool MeshMeshNarrowPhase::deep_at_a_pose(const Open& pair, const Seen& poses,
+                                         bool start_too) const {
   const auto deep_at = [&](const Placement& pose) {
     return meets(still(pose, pair.triangle), pair.pack);
   };
   return deep_at(poses.middle) || deep_at(poses.end) || (start_too && deep_at(poses.start));
 }
 
-Verdict MeshMeshTest::in_halves(SweepSlice& slice, const std::vector<Open>& open,
-                                int halvings) const {
+Verdict MeshMeshNarrowPhase::in_halves(SweepSlice& slice, const std::vector<Open>& open,
+                                       int halvings) const {
   if (halvings == 0) return Verdict::kUndecided;
   for (SweepSlice* half : {&slice.first_half(), &slice.second_half()}) {
     const Seen poses = seen(*half);
