@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/find_parameter.hpp"
+
 namespace rubicon::test {
 
 using namespace interpreter;
@@ -63,13 +65,13 @@ MotionTask Scenario::task(const std::vector<std::pair<std::string, double>>& sta
   MotionTask task;
   task.q = robot->model.start_values();
   for (const auto& [name, value] : start) {
-    task.q.at(static_cast<std::size_t>(robot->model.find_parameter(name))) = value;
+    task.q.at(static_cast<std::size_t>(find_parameter(robot->model, name))) = value;
   }
   task.mounting.starts = task.q;
   robot::update_derived(robot->model, task.mounting, task.q);
   GoalSpec spec;
   for (const auto& [name, value] : goal) {
-    spec.values.emplace_back(robot->model.find_parameter(name), value);
+    spec.values.emplace_back(find_parameter(robot->model, name), value);
   }
   task.goals.push_back(spec);
   return task;

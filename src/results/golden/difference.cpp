@@ -17,7 +17,7 @@ using nlohmann::ordered_json;
 /// Events shown before and after the first one that differs.
 constexpr std::size_t kContext = 3;
 
-/// What a document says beside its events; the rest of it (name, note, world) is for people.
+/// What a document says beside its events; the rest of it (name, note) is for people.
 constexpr const char* kCompared[] = {"status", "period", "tries",    "accepted",     "rejected",
                                      "end",    "vars",   "warnings", "process_time", "tasks"};
 

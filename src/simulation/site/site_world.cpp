@@ -78,12 +78,6 @@ void SiteWorld::begin_step(int robot, const interpreter::MotionStep& step, std::
   changed(moving);
 }
 
-void SiteWorld::set_configuration(int robot, std::vector<double> q) {
-  entry(robot).q = std::move(q);
-  entry(robot).stepping = false;
-  changed(entry(robot));
-}
-
 MachineState SiteWorld::machine_state(int robot) const {
   const RobotEntry& machine = entry(robot);
   MachineState state{machine.q, machine.load, std::nullopt};

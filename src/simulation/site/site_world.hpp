@@ -79,8 +79,6 @@ class SiteWorld {
   /// The robot makes a step and stands at q (cyclic angles reduced) when it is over; at once where
   /// it takes no time or moves nothing. It takes the place of a step in progress.
   void begin_step(int robot, const interpreter::MotionStep& step, std::vector<double> q);
-  /// The robot stands at q.
-  void set_configuration(int robot, std::vector<double> q);
 
   MachineState machine_state(int robot) const;
   void set_machine_state(int robot, MachineState state);

@@ -2,6 +2,7 @@
 
 #include "interpreter/check/check.hpp"
 #include "src/motion/robot/kinematics.hpp"
+#include "tests/support/find_parameter.hpp"
 #include "tests/unit/check/check_cases.hpp"
 #include "tests/unit/check/memory_files.hpp"
 
@@ -23,7 +24,7 @@ struct Checked {
   }
   std::string said() const { return listed(diagnostics, sources, kPath); }
   const robot::Parameter& parameter(const std::string& name) const {
-    return robot->model.parameters.at(static_cast<std::size_t>(robot->model.find_parameter(name)));
+    return robot->model.parameters.at(static_cast<std::size_t>(find_parameter(robot->model, name)));
   }
 
   SourceMap sources;

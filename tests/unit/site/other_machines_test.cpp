@@ -5,6 +5,7 @@
 
 #include "src/simulation/site/make_site.hpp"
 #include "src/simulation/site/robot_view.hpp"
+#include "tests/support/stand_at.hpp"
 #include "tests/unit/taskplan/crane_plan.hpp"
 
 namespace rubicon::site {
@@ -76,7 +77,7 @@ TEST_F(OtherMachines, WhoWasFirstIsTheOneThatIsMet) {
 }
 
 TEST_F(OtherMachines, AStandingMachineOwnsWhereItStands) {
-  site_.set_configuration(1, {-90, 10, 20, 0});
+  test::stand_at(site_, 1, {-90, 10, 20, 0});
   EXPECT_EQ(names(lift()), "crane.hook meets other.jib");
   EXPECT_EQ(names(crane_.blocked_at(Q{0, 20, 35, 0})), "crane.hook meets other.jib");
   EXPECT_EQ(crane_.blocked_at(Q{0, 20, 35, 0})->machine, 1);
@@ -129,13 +130,13 @@ TEST_F(OtherMachines, ZonesKeepMachinesOutButTheExemptOne) {
   EXPECT_EQ(names(crane_.blocked_at(Q{0, 20, 27, 0})), "free");
   // The exempt one may come in: its hook at (20, 0, 27).
   EXPECT_EQ(names(other_.propose({Q{-90, 20, 34, 0}, Q{-90, 20, 38, 0}, 0, 0})), "free");
-  site_.set_configuration(1, kAfter);
+  test::stand_at(site_, 1, kAfter);
   site_.release_zone(7);
   EXPECT_EQ(names(lift()), "free");
 }
 
 TEST_F(OtherMachines, ZonesComeBeforeMachinesAndByTask) {
-  site_.set_configuration(1, {-90, 10, 20, 0});
+  test::stand_at(site_, 1, {-90, 10, 20, 0});
   const geometry::Shape zone{geometry::Box{{19, -1, 25}, {21, 1, 30}}, math::Pose::Identity()};
   site_.hold_zone(7, "the zone of dig", {zone}, -1);
   site_.hold_zone(3, "the zone of pour", {zone}, -1);
@@ -156,7 +157,7 @@ TEST_F(OtherMachines, SaysWhichMachineIsInAZone) {
   EXPECT_FALSE(site_.machine_in(zone, 1));
   site_.set_time(100);
   EXPECT_FALSE(site_.machine_in(zone, -1));
-  site_.set_configuration(0, {0, 20, 35, 0});
+  test::stand_at(site_, 0, {0, 20, 35, 0});
   EXPECT_EQ(site_.machine_in(zone, -1), 0);
 }
 

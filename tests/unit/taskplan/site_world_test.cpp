@@ -5,6 +5,7 @@
 #include "src/simulation/site/load_chart.hpp"
 #include "src/simulation/site/make_site.hpp"
 #include "src/simulation/site/robot_view.hpp"
+#include "tests/support/stand_at.hpp"
 #include "tests/unit/taskplan/crane_plan.hpp"
 
 namespace rubicon::site {
@@ -26,7 +27,7 @@ TEST(SiteWorld, AnAttachedComponentHangsAsItWasTaken) {
   EXPECT_FALSE(site.stands(0));
   ASSERT_TRUE(site.load(0));
   EXPECT_TRUE(site.load(0)->X_TO.isApprox(translation(0, 0, -4), 1e-12));
-  site.set_configuration(0, {90, 12, 30, 0});
+  test::stand_at(site, 0, {90, 12, 30, 0});
   site.detach(0);
   EXPECT_TRUE(site.stands(0));
   EXPECT_TRUE(site.X_WO(0).isApprox(translation(0, 12, 26) * math::rotation_z_deg(90), 1e-12));
@@ -40,7 +41,7 @@ TEST(SiteWorld, RestoreUndoesATask) {
   const ComponentState component = site.component_state(0);
   const std::uint64_t version = site.version(0);
   site.attach(0, 0);
-  site.set_configuration(0, {90, 12, 30, 0});
+  test::stand_at(site, 0, {90, 12, 30, 0});
   site.set_machine_state(0, machine);
   site.set_component_state(0, component);
   EXPECT_TRUE(site.stands(0));
@@ -77,7 +78,7 @@ TEST(SiteWorld, RobotsAtRestAreInTheWayOfTheOneAtWork) {
     const std::vector<double> from = {0, 10, 20, 0};
     const std::vector<double> to = {-5, 10, 20, 0};
     EXPECT_FALSE(second.propose({from, to, 0, 0}));
-    site.set_configuration(1, {90, 10, 20, 0});
+    test::stand_at(site, 1, {90, 10, 20, 0});
   }
   EXPECT_NE(site.version(0), version);
   RobotView again(site, 0);
