@@ -6,8 +6,8 @@
 
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
-#include "src/motion/math/angles.hpp"
 #include "src/motion/robot/kinematics.hpp"
+#include "src/motion/robot/turns.hpp"
 
 namespace rubicon::interpreter::plan_check {
 
@@ -120,7 +120,7 @@ void set_starts(Subject& subject, RobotSpec& robot,
     const auto i = static_cast<std::size_t>(index);
     const robot::Parameter& parameter = model.parameters[i];
     if (!parameter.derived) {
-      robot.start[i] = parameter.cyclic ? math::normalised_deg(value) : value;
+      robot.start[i] = robot::reduced(parameter, value);
     }
   }
   const robot::Mounting mounting{robot.X_WM, robot.start};
@@ -129,8 +129,7 @@ void set_starts(Subject& subject, RobotSpec& robot,
     const auto i = static_cast<std::size_t>(index);
     const robot::Parameter& parameter = model.parameters[i];
     if (!parameter.derived) continue;
-    double off = robot.start[i] - value;
-    if (parameter.cyclic) off = math::normalised_deg(off);
+    const double off = robot::reduced(parameter, robot.start[i] - value);
     if (std::fabs(off) <= kDerivedTolerance) continue;
     subject.error("P13", span,
                   fmt::format("'{}' of robot '{}' is computed from other parameters: it starts at "

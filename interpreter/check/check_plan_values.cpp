@@ -5,7 +5,7 @@
 
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
-#include "src/motion/math/angles.hpp"
+#include "src/motion/robot/turns.hpp"
 
 namespace rubicon::interpreter::plan_check {
 
@@ -98,8 +98,7 @@ class ValueChecker {
     if (parameter.cyclic || parameter.derived) return true;
     if (v >= parameter.lower && v <= parameter.upper) return true;
     // Of a limited rotation a goal may be any turn-equivalent inside the range.
-    if (use_ != ValueUse::start && parameter.rotation &&
-        std::floor((parameter.upper - v) / 360) >= std::ceil((parameter.lower - v) / 360)) {
+    if (use_ != ValueUse::start && parameter.rotation && robot::has_turn_equivalent(parameter, v)) {
       return true;
     }
     subject_.error(
@@ -114,8 +113,7 @@ class ValueChecker {
     if (use_ == ValueUse::start || parameter.free || parameter.derived) return true;
     if (robot_.start.size() <= static_cast<std::size_t>(index)) return true;
     const double start = robot_.start[static_cast<std::size_t>(index)];
-    double off = value.value.value - start;
-    if (parameter.cyclic) off = math::normalised_deg(off);
+    const double off = robot::reduced(parameter, value.value.value - start);
     if (std::fabs(off) <= kUnmovedTolerance) return true;
     subject_.error(
         "P14", value.name.span,

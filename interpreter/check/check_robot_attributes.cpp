@@ -7,7 +7,7 @@
 
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/check/check_robot_parts.hpp"
-#include "src/motion/math/angles.hpp"
+#include "src/motion/robot/turns.hpp"
 
 namespace rubicon::interpreter::robot_check {
 
@@ -257,8 +257,7 @@ void complete_parameters(Subject& subject) {
   const std::vector<double> starts = subject.model.start_values();
   for (robot::Parameter& each : parameters) {
     if (!each.derived) continue;
-    each.start = each.derived_value.evaluate({starts, {}, starts});
-    if (each.cyclic) each.start = math::normalised_deg(each.start);
+    each.start = robot::reduced(each, each.derived_value.evaluate({starts, {}, starts}));
   }
 }
 

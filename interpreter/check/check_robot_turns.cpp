@@ -5,7 +5,8 @@
 #include <optional>
 
 #include "interpreter/check/check_robot_parts.hpp"
-#include "src/motion/math/angles.hpp"
+#include "src/motion/math/turns.hpp"
+#include "src/motion/robot/turns.hpp"
 
 namespace rubicon::interpreter::robot_check {
 
@@ -40,7 +41,7 @@ std::optional<double> zero_if(bool holds) {
 }
 
 bool is_whole_turns(const std::optional<double>& jump) {
-  return jump && std::fmod(*jump, 360) == 0;
+  return jump && math::is_whole_turns_deg(*jump);
 }
 
 Growth added(const Growth& a, const Growth& b, double sign) {
@@ -93,7 +94,7 @@ Growth growth_of(const robot::Formula& formula, int parameter) {
         stack.push_back({op.value, 0, 0});
         break;
       case Kind::parameter:
-        stack.push_back(op.index == parameter ? Growth{std::nullopt, 360, 1}
+        stack.push_back(op.index == parameter ? Growth{std::nullopt, math::kTurn_deg, 1}
                                               : Growth{std::nullopt, 0, 0});
         break;
       case Kind::step:
@@ -140,7 +141,7 @@ class TurnCheck {
     while (take_out()) {
     }
     for (robot::Parameter& each : model_.parameters) {
-      if (each.cyclic && !each.derived) each.start = math::normalised_deg(each.start);
+      if (!each.derived) each.start = robot::reduced(each, each.start);
     }
   }
 
@@ -168,7 +169,7 @@ class TurnCheck {
       if (!growth.slope || (*growth.slope != 0 && other.free && !other.direct)) return false;
       largest += std::fabs(*growth.slope) * other.step;
     }
-    return follows && largest <= 180;
+    return follows && largest <= math::kHalfTurn_deg;
   }
 
   /// Takes one angle out that cannot stay; false if all can.
@@ -192,7 +193,7 @@ class TurnCheck {
       if (!formula.depends_on_parameter(p)) continue;
       const std::optional<double> jump = growth_of(formula, p).jump;
       const bool stays = other.derived && other.cyclic ? is_whole_turns(jump)
-                         : i == p                      ? jump == 360.0
+                         : i == p                      ? jump == math::kTurn_deg
                                                        : is_zero(jump);
       if (stays) continue;
       if (other.derived && other.rotation && is_whole_turns(jump)) {

@@ -8,6 +8,7 @@
 
 #include "interpreter/machine/run_time_error.hpp"
 #include "src/motion/math/angles.hpp"
+#include "src/motion/robot/turns.hpp"
 
 namespace rubicon::interpreter {
 

@@ -5,6 +5,7 @@
 #include "interpreter/machine/machine.hpp"
 #include "interpreter/machine/run_time_error.hpp"
 #include "src/motion/math/angles.hpp"
+#include "src/motion/robot/turns.hpp"
 
 namespace rubicon::interpreter {
 
@@ -13,10 +14,6 @@ namespace {
 using OpKind = ExpressionOp::Kind;
 
 double truth(bool holds) { return holds ? 1.0 : 0.0; }
-
-/// How near to a quarter turn counts as exactly a quarter turn, in degrees: rounding of bearings,
-/// far below any step.
-constexpr double kQuarterTurnTolerance = 1e-9;
 
 }  // namespace
 
@@ -180,14 +177,9 @@ Machine::Value Machine::evaluate(const Code& code, const World& world) {
   return value;
 }
 
-/// value - q(p), the short way round for a cyclic parameter; exactly 180 is turned as the parameter
-/// prefers.
+/// value - q(p), the short way round for a cyclic parameter.
 double Machine::delta(int index, double value) const {
-  const robot::Parameter& p = parameter(index);
-  const double off = value - q_[static_cast<std::size_t>(index)];
-  if (!p.cyclic) return off;
-  const double turned = math::normalised_deg(off);
-  return turned == 180 && p.prefer < 0 ? -180 : turned;
+  return robot::way_between(parameter(index), q_[static_cast<std::size_t>(index)], value);
 }
 
 bool Machine::at(int index, double value) const {
@@ -202,14 +194,8 @@ Machine::Value Machine::stored(const Value& value) const {
   return kept;
 }
 
-/// value + 180 k within (-90, 90] of q(p); exactly a quarter turn apart: the preferred direction.
 double Machine::nearest_axis(int index, double value) const {
-  const double q = q_[static_cast<std::size_t>(index)];
-  double off = math::normalised_deg(value - q);
-  if (off > 90) off -= 180;
-  if (off <= -90) off += 180;
-  if (std::fabs(std::fabs(off) - 90) <= kQuarterTurnTolerance) off = 90.0 * parameter(index).prefer;
-  return q + off;
+  return robot::nearest_axis(parameter(index), value, q_[static_cast<std::size_t>(index)]);
 }
 
 }  // namespace rubicon::interpreter

@@ -5,6 +5,7 @@
 
 #include "interpreter/machine/machine.hpp"
 #include "interpreter/machine/run_time_error.hpp"
+#include "src/motion/robot/turns.hpp"
 
 namespace rubicon::interpreter {
 

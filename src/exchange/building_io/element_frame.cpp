@@ -7,6 +7,7 @@
 
 #include "src/motion/math/angles.hpp"
 #include "src/motion/math/pose.hpp"
+#include "src/motion/math/turns.hpp"
 
 namespace rubicon::building_io {
 
@@ -98,12 +99,10 @@ double direction_of(const std::vector<Point>& hull) {
 /// An angle as the plan says it, (-90, 90].
 double readable(double degrees) {
   const double whole = std::round(degrees);
-  double angle = std::abs(degrees - whole) <= kNearWholeDegrees
-                     ? whole
-                     : std::round(degrees / kAngleGrid) * kAngleGrid;
-  while (angle > 90) angle -= 180;
-  while (angle <= -90) angle += 180;
-  return angle + 0.0;
+  const double angle = std::abs(degrees - whole) <= kNearWholeDegrees
+                           ? whole
+                           : std::round(degrees / kAngleGrid) * kAngleGrid;
+  return math::normalised_axis_deg(angle) + 0.0;
 }
 
 double volume_of(const geometry::TriangleMesh& mesh) {

@@ -8,6 +8,7 @@
 #include "src/exchange/ifc/ifc_placement.hpp"
 #include "src/exchange/ifc/step_values.hpp"
 #include "src/motion/math/angles.hpp"
+#include "src/motion/math/turns.hpp"
 
 namespace rubicon::ifc {
 
@@ -108,10 +109,9 @@ class CurveReader {
     const auto to = shape ? angle_of(*shape, values[2]) : std::nullopt;
     if (!from || !to) return std::nullopt;
     const bool forward = !values[3].is_enumeration("F");
-    double turn = math::normalised_deg(forward ? *to - *from : *from - *to);
     // A whole circle may come out as nearly none.
     constexpr double kNone = 1e-9;
-    if (turn <= kNone) turn += 360;
+    const double turn = math::turn_above_deg(forward ? *to - *from : *from - *to, kNone);
     return along(*shape, *from, forward ? turn : -turn);
   }
 

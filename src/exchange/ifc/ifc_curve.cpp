@@ -5,6 +5,7 @@
 #include "src/exchange/ifc/chords.hpp"
 #include "src/exchange/ifc/step_values.hpp"
 #include "src/motion/math/angles.hpp"
+#include "src/motion/math/turns.hpp"
 
 namespace rubicon::ifc {
 
@@ -54,8 +55,8 @@ void add_arc(const Vec3& a, const Vec3& b, const Vec3& c, double metres_per_unit
   const Vec3 x = (a - centre).normalized();
   const Vec3 y = n.normalized().cross(x);
   const double radius = (a - centre).norm();
-  double turn = math::atan2_deg((c - centre).dot(y), (c - centre).dot(x));
-  if (turn <= 0) turn += 360;
+  const double turn =
+      math::turn_above_deg(math::atan2_deg((c - centre).dot(y), (c - centre).dot(x)), 0);
   add_chords({centre, radius * x, radius * y, 0, turn}, metres_per_unit, out);
   out.back() = c;
 }

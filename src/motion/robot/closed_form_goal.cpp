@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "src/motion/math/angles.hpp"
+#include "src/motion/math/turns.hpp"
 #include "src/motion/robot/frame_chain.hpp"
+#include "src/motion/robot/turns.hpp"
 
 namespace rubicon::robot {
 namespace {
@@ -120,12 +122,10 @@ bool set(const GoalProblem& problem, std::vector<double>& q, int parameter, doub
   const auto index = static_cast<std::size_t>(parameter);
   const Parameter& p = problem.model().parameters[index];
   const double now = problem.q_now()[index];
-  if (p.cyclic) {
-    value = now + math::normalised_deg(value - now);
-  } else if (p.limited()) {
+  if (p.limited()) {
     value = nearest_turn_equivalent(p, value, now);
   } else if (p.rotation) {
-    value = now + math::normalised_deg(value - now);
+    value = math::nearest_equivalent_deg(value, now);
   }
   if (std::fabs(value - now) <= kSnap) value = now;
   if (!(value >= p.lower - kSnap && value <= p.upper + kSnap)) return false;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "src/motion/math/angles.hpp"
+#include "src/motion/math/turns.hpp"
 
 namespace rubicon::robot {
 namespace {
@@ -25,21 +26,22 @@ double bound_product(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; 
 constexpr Interval kWholeLine = {-std::numeric_limits<double>::infinity(),
                                  std::numeric_limits<double>::infinity()};
 
-/// Whether peak + 360 k lies inside the interval for a whole k.
+/// Whether an angle that points as `peak` does lies inside the interval.
 bool contains_peak(Interval degrees, double peak) {
-  return peak + 360 * std::ceil((degrees.lower - peak) / 360) <= degrees.upper;
+  return math::first_equivalent_deg(peak, degrees.lower) <= degrees.upper;
 }
 
 /// A sine or cosine over an interval of degrees, from its values at the two ends and the place of a
 /// peak.
 Interval wave(Interval degrees, double a, double b, double peak) {
-  if (!(degrees.upper - degrees.lower < 360)) return {-1, 1};
+  if (!(degrees.upper - degrees.lower < math::kTurn_deg)) return {-1, 1};
   if (degrees.lower == degrees.upper && (a == 0 || a == 1 || a == -1)) return {a, a};
   // The rounded bounds of the interval may sit just beside a peak; there the error added below
   // covers the rest.
   const double upper = contains_peak(degrees, peak) ? 1 : std::max(a, b) + kTrigonometricError;
-  const double lower =
-      contains_peak(degrees, peak + 180) ? -1 : std::min(a, b) - kTrigonometricError;
+  const double lower = contains_peak(degrees, peak + math::kHalfTurn_deg)
+                           ? -1
+                           : std::min(a, b) - kTrigonometricError;
   return {std::max(lower, -1.0), std::min(upper, 1.0)};
 }
 

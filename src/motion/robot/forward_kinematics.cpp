@@ -1,9 +1,7 @@
-#include <algorithm>
-#include <cmath>
-
-#include "src/motion/math/angles.hpp"
+#include "src/motion/math/turns.hpp"
 #include "src/motion/robot/frame_chain.hpp"
 #include "src/motion/robot/kinematics.hpp"
+#include "src/motion/robot/turns.hpp"
 
 namespace rubicon::robot {
 
@@ -56,7 +54,7 @@ void apply_rules(const RobotModel& model, const Mounting& mounting, std::span<co
     // A cyclic one runs on from where it is, with the whole turns that q has left out.
     if (parameter.cyclic) {
       const double off = q[i] - parameter.derived_value.evaluate({q, {}, mounting.starts});
-      q_next[i] += 360 * std::floor(off / 360 + 0.5);
+      q_next[i] += math::whole_turns_deg(off);
     }
   }
 }
@@ -65,29 +63,8 @@ void update_derived(const RobotModel& model, const Mounting& mounting, std::span
   for (std::size_t i = 0; i < q.size(); ++i) {
     const Parameter& parameter = model.parameters[i];
     if (!parameter.derived) continue;
-    q[i] = parameter.derived_value.evaluate({q, {}, mounting.starts});
-    if (parameter.cyclic) q[i] = math::normalised_deg(q[i]);
+    q[i] = reduced(parameter, parameter.derived_value.evaluate({q, {}, mounting.starts}));
   }
-}
-
-void normalise(const RobotModel& model, std::span<double> q) {
-  for (std::size_t i = 0; i < q.size(); ++i) {
-    if (model.parameters[i].cyclic) q[i] = math::normalised_deg(q[i]);
-  }
-}
-
-double nearest_turn_equivalent(const Parameter& parameter, double value, double current) {
-  if (!parameter.rotation || !parameter.limited() || !std::isfinite(value)) return value;
-  // A value that misses a limit by rounding stands on it: 1e-9 degrees are far below every step.
-  constexpr double kRounding_deg = 1e-9;
-  const double fewest = std::ceil((parameter.lower - kRounding_deg - value) / 360);
-  const double most = std::floor((parameter.upper + kRounding_deg - value) / 360);
-  if (!(fewest <= most)) return value;
-  const double turns = (current - value) / 360;
-  // Half a turn away both ways is a tie of directions.
-  const double nearest = parameter.prefer < 0 ? std::ceil(turns - 0.5) : std::floor(turns + 0.5);
-  const double equivalent = value + 360 * std::clamp(nearest, fewest, most);
-  return std::clamp(equivalent, parameter.lower, parameter.upper);
 }
 
 }  // namespace rubicon::robot

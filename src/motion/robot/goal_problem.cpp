@@ -4,6 +4,7 @@
 
 #include "src/motion/math/angles.hpp"
 #include "src/motion/robot/frame_chain.hpp"
+#include "src/motion/robot/turns.hpp"
 
 namespace rubicon::robot {
 namespace {
@@ -105,8 +106,7 @@ PoseJacobian GoalProblem::jacobian(const GoalState& state, std::size_t count) co
 double GoalProblem::moved(const GoalState& state, std::size_t variable) const {
   const std::size_t i = variables_[variable].parameter;
   const double change = state.q[i] - q_now_[i];
-  return (parameter(variable).cyclic ? math::normalised_deg(change) : change) /
-         variables_[variable].scale;
+  return reduced(parameter(variable), change) / variables_[variable].scale;
 }
 
 bool GoalProblem::better(const GoalState& a, const GoalState& b) const {

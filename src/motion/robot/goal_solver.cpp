@@ -3,12 +3,13 @@
 #include <limits>
 #include <utility>
 
-#include "src/motion/math/angles.hpp"
+#include "src/motion/math/turns.hpp"
 #include "src/motion/robot/closed_form_goal.hpp"
 #include "src/motion/robot/damped_least_squares.hpp"
 #include "src/motion/robot/goal_problem.hpp"
 #include "src/motion/robot/kinematics.hpp"
 #include "src/motion/robot/tip_first_step.hpp"
+#include "src/motion/robot/turns.hpp"
 
 namespace rubicon::robot {
 namespace {
@@ -132,7 +133,7 @@ class GoalSearch {
       const double now = problem_.q_now()[i];
       std::vector<double> q = state.q;
       q[i] = p.limited() ? nearest_turn_equivalent(p, q[i], now)
-                         : now + math::normalised_deg(q[i] - now);
+                         : math::nearest_equivalent_deg(q[i], now);
       if (q[i] == state.q[i]) continue;
       GoalState turned = problem_.at(std::move(q));
       const bool same = turned.position_error <= state.position_error + kSolved &&

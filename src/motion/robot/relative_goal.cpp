@@ -4,6 +4,7 @@
 #include "src/motion/robot/frame_chain.hpp"
 #include "src/motion/robot/inline_buffer.hpp"
 #include "src/motion/robot/kinematics.hpp"
+#include "src/motion/robot/turns.hpp"
 
 namespace rubicon::robot {
 namespace {
@@ -69,8 +70,7 @@ double relative_goal(const RobotModel& model, const Mounting& mounting, std::spa
   const Parameter& chosen = model.parameters[index];
   if (!chosen.rotation) return translation_goal(model, mounting, q, index, p_WG);
   const double value = rotation_goal(model, mounting, q, index, p_WG);
-  return chosen.cyclic ? math::normalised_deg(value)
-                       : nearest_turn_equivalent(chosen, value, q[index]);
+  return reduced(chosen, nearest_turn_equivalent(chosen, value, q[index]));
 }
 
 }  // namespace rubicon::robot

@@ -4,16 +4,17 @@
 #include <stdexcept>
 #include <utility>
 
+#include "src/motion/math/turns.hpp"
+
 namespace rubicon::film {
 
 namespace {
 
-constexpr double kTurn = 360;
-
 /// The value that means the same angle and is at most half a turn away from the one before.
 double unrolled(double value, double before) {
-  if (std::abs(value - before) <= kTurn / 2) return value;
-  return value + kTurn * std::round((before - value) / kTurn);
+  const double off = before - value;
+  if (std::abs(off) <= math::kHalfTurn_deg) return value;
+  return value + std::copysign(math::whole_turns_deg(std::abs(off)), off);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include "src/results/gltf/motion_curves.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <stdexcept>
 
+#include "src/motion/math/turns.hpp"
 #include "src/simulation/trace/json_builder.hpp"
 #include "src/simulation/trace/record.hpp"
 
@@ -100,7 +100,7 @@ class ElementSampler {
     whole_turns_ = Vec3::Zero();
     if (turns_) {
       // Values of cyclic parameters jump by a whole turn; the curve runs on.
-      whole_turns_.x() = 360 * std::floor((last.x() - value(leg.q0).x()) / 360 + 0.5);
+      whole_turns_.x() = math::whole_turns_deg(last.x() - value(leg.q0).x());
     }
     const Vec3 begin = value_at(leg, 0);
     if (curve_.keys.empty() || curve_.keys.back().time < from || begin != last) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "src/motion/robot/turns.hpp"
 #include "src/simulation/trace/formula_reader.hpp"
 #include "src/simulation/trace/json_builder.hpp"
 

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "src/motion/math/angles.hpp"
+#include "src/motion/math/turns.hpp"
+#include "src/motion/robot/turns.hpp"
 
 namespace rubicon::replay {
 
@@ -47,8 +48,7 @@ class StepSolver {
 
   /// What is missing to the recorded value; of an angle that turns freely without whole turns.
   double difference(std::size_t i, double reached) const {
-    const double off = step_.after[i] - reached;
-    return machine_.model.parameters[i].cyclic ? math::normalised_deg(off) : off;
+    return robot::reduced(machine_.model.parameters[i], step_.after[i] - reached);
   }
 
   /// One round of Newton's method; false when there is nothing left to improve.
@@ -87,9 +87,9 @@ class StepSolver {
   void unwrap() {
     for (const int moved : step_.moved) {
       const robot::Parameter& p = parameter(moved);
-      if (!p.cyclic || !(p.step > 180) || !(speed(moved) > 0)) continue;
+      if (!p.cyclic || !(p.step > math::kHalfTurn_deg) || !(speed(moved) > 0)) continue;
       const double step = steps_[at(moved)];
-      const double other = step > 0 ? step - 360 : step + 360;
+      const double other = math::other_way_round_deg(step);
       const auto off = [&](double ds) {
         const double duration = std::fabs(ds) / speed(moved) * interpreter::kTicksPerSecond;
         return std::fabs(std::floor(duration + 0.5) - static_cast<double>(step_.duration));

@@ -5,6 +5,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "src/motion/robot/turns.hpp"
+
 namespace rubicon::site {
 
 namespace {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "src/motion/math/angles.hpp"
+#include "src/motion/robot/turns.hpp"
 #include "src/simulation/site/load_chart.hpp"
 
 namespace rubicon::site {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/motion/math/angles.hpp"
+#include "src/motion/robot/turns.hpp"
 
 namespace rubicon::taskplan {
 
@@ -38,8 +39,8 @@ bool goal_holds(const robot::RobotModel& model, const robot::Mounting& mounting,
     const auto& [index, value] = named;
     const robot::Parameter& parameter = model.parameters[static_cast<std::size_t>(index)];
     const double now = q[static_cast<std::size_t>(index)];
-    double off = robot::nearest_turn_equivalent(parameter, value, now) - now;
-    if (parameter.cyclic) off = math::normalised_deg(off);
+    const double off =
+        robot::reduced(parameter, robot::nearest_turn_equivalent(parameter, value, now) - now);
     double tolerance = kStepFraction * parameter.quantum;
     for (const auto& [within_index, allowed] : within.values) {
       if (within_index == index) tolerance += allowed;

@@ -4,6 +4,8 @@
 #include <random>
 
 #include "src/motion/math/angles.hpp"
+#include "src/motion/math/turns.hpp"
+#include "src/motion/robot/turns.hpp"
 #include "tests/unit/robot/robots.hpp"
 
 namespace rubicon::robot {
@@ -120,43 +122,9 @@ TEST(ApplyRules, DerivedAnglesThatAreCyclicRunOn) {
   EXPECT_EQ(next, (std::vector<double>{-175, 10}));
 }
 
-TEST(Model, ParametersAreFoundByTheirNames) {
-  const RobotModel model = finisher();
-  EXPECT_EQ(model.find_parameter("base.x"), 0);
-  EXPECT_EQ(model.find_parameter("z"), 1);
-  EXPECT_EQ(model.find_parameter("carriage.z"), 1);
-  EXPECT_EQ(model.find_parameter("effector.x"), 2);
-  EXPECT_EQ(model.find_parameter("x"), -1);
-  EXPECT_EQ(model.find_parameter("nobody.x"), -1);
-  EXPECT_EQ(model.find_parameter(".x"), -1);
-  EXPECT_EQ(model.smallest_translation_step(), 0.25);
+TEST(Model, TheSmallestStepOfATranslationIsAMetreWhereThereIsNone) {
+  EXPECT_EQ(finisher().smallest_translation_step(), 0.25);
   EXPECT_EQ(RobotModel().smallest_translation_step(), 1);
-}
-
-TEST(TurnEquivalent, TheNearestInsideTheRange) {
-  Parameter p;
-  p.rotation = true;
-  p.lower = -400;
-  p.upper = 400;
-  EXPECT_EQ(nearest_turn_equivalent(p, 10, 0), 10);
-  EXPECT_EQ(nearest_turn_equivalent(p, 10, 300), 370);
-  EXPECT_EQ(nearest_turn_equivalent(p, 730, -200), -350);
-  EXPECT_EQ(nearest_turn_equivalent(p, 50, 500), 50) << "410 is out of range";
-  EXPECT_EQ(nearest_turn_equivalent(p, 180, 0), 180) << "a tie goes the preferred way";
-  p.prefer = -1;
-  EXPECT_EQ(nearest_turn_equivalent(p, 180, 0), -180);
-}
-
-TEST(TurnEquivalent, WithoutOneInRangeTheValueStays) {
-  Parameter p;
-  p.rotation = true;
-  p.lower = -30;
-  p.upper = 30;
-  EXPECT_EQ(nearest_turn_equivalent(p, 200, 0), 200);
-  EXPECT_EQ(nearest_turn_equivalent(p, 385, 0), 25);
-  EXPECT_EQ(nearest_turn_equivalent(p, 30 + 1e-12, 0), 30) << "rounding does not leave the range";
-  p.rotation = false;
-  EXPECT_EQ(nearest_turn_equivalent(p, 385, 0), 385);
 }
 
 TEST(RelativeGoal, AgentDrivesToTheFootOfThePerpendicularAndFacesTheGoal) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "src/motion/math/angles.hpp"
+#include "src/motion/math/turns.hpp"
 #include "src/results/verify/geometry/pose_miss.hpp"
 #include "src/results/verify/replay/step_rules.hpp"
 

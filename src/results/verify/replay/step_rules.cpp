@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/motion/math/angles.hpp"
+#include "src/motion/math/turns.hpp"
 
 namespace rubicon::verify {
 
