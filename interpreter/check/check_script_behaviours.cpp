@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "interpreter/check/check_script_functions.hpp"
 #include "interpreter/check/check_script_parts.hpp"
+#include "interpreter/functions/function_table.hpp"
 
 namespace rubicon::interpreter::script_check {
 

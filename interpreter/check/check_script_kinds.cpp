@@ -1,16 +1,16 @@
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
 #include <limits>
 #include <set>
 #include <utility>
 
 #include "interpreter/check/check_script_expression.hpp"
-#include "interpreter/check/check_script_functions.hpp"
 #include "interpreter/check/check_script_needs.hpp"
 #include "interpreter/check/check_script_parameters.hpp"
 #include "interpreter/check/check_script_parts.hpp"
 #include "interpreter/check/check_script_values.hpp"
+#include "interpreter/functions/function_table.hpp"
 #include "interpreter/syntax/unparse.hpp"
 
 namespace rubicon::interpreter::script_check {
@@ -22,14 +22,42 @@ using syntax::Statement;
 using Operator = Expression::Operator;
 using VariableKinds = std::map<std::string, ValueKind>;
 
-std::string counts_text(const std::vector<std::size_t>& counts) {
+/// The numbers of arguments that functions of this name take, in words.
+std::string counts_text(const std::string& name) {
   std::string text;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (i > 0) text += " or ";
-    text += std::to_string(counts[i]);
+  std::size_t last = 0;
+  for (const Function& function : functions()) {
+    if (function.name != name) continue;
+    last = function.argument_count();
+    text += (text.empty() ? "" : " or ") + std::to_string(last);
   }
-  if (counts.size() == 1 && counts[0] == 0) return "no arguments";
-  return text + (counts.back() == 1 ? " argument" : " arguments");
+  return text == "0" ? "no arguments" : text + (last == 1 ? " argument" : " arguments");
+}
+
+/// The kind of value that an argument needs where the function names no parameter.
+ValueKind wanted_kind(Argument argument) {
+  return argument == Argument::angle ? ValueKind::angle : ValueKind::unknown;
+}
+
+/// `like`: the kind of the parameter, or of the argument.
+ValueKind result_kind(Result result, ValueKind like) {
+  switch (result) {
+    case Result::of_parameter:
+      return like;
+    case Result::of_argument:
+      return like == ValueKind::direction ? ValueKind::number : like;
+    case Result::direction:
+      return ValueKind::direction;
+    case Result::condition:
+      return ValueKind::condition;
+    case Result::number:
+      return ValueKind::number;
+    case Result::length:
+      return ValueKind::length;
+    case Result::time:
+      return ValueKind::time;
+  }
+  return ValueKind::unknown;
 }
 
 /// Gives every expression its kind, text order, and says what does not fit.
@@ -311,25 +339,21 @@ class KindChecker {
 
   ValueKind kind_of_call(const Expression& call) {
     const std::string name = call.name.text();
-    const Function* function = find_function(name);
-    if (function == nullptr) {
-      std::vector<std::string> names;
-      for (const Function& known : functions()) names.emplace_back(known.name);
-      const std::string near = did_you_mean(name, names);
+    if (find_function(name) == nullptr) {
+      const std::string near = did_you_mean(name, function_names());
       diagnostics_.error("S05", call.span,
                          fmt::format("unknown function '{}'", name) +
                              (near.empty() ? "" : fmt::format("; did you mean {}?", near)));
       return ignore_arguments(call, 0);
     }
-    const auto& counts = function->argument_counts;
     const std::size_t found = call.operands.size();
-    if (std::find(counts.begin(), counts.end(), found) == counts.end()) {
+    const Function* function = find_function(name, found);
+    if (function == nullptr) {
       diagnostics_.error("S11", call.span,
-                         fmt::format("{} takes {}, found {}", name, counts_text(counts), found));
+                         fmt::format("{} takes {}, found {}", name, counts_text(name), found));
       return ignore_arguments(call, 0);
     }
-    if (!function->takes_parameter) return kind_of_value_call(call, *function);
-    if (found == 0) return ValueKind::length;  // dist()
+    if (!function->takes_parameter()) return kind_of_value_call(call, *function);
     if (call.operands[0]->kind != Expression::Kind::parameter) {
       diagnostics_.error("S11", call.span,
                          fmt::format("the first argument of {} must be a control parameter", name));
@@ -346,50 +370,63 @@ class KindChecker {
   }
 
   ValueKind kind_of_value_call(const Expression& call, const Function& function) {
-    if (function.id == FunctionId::time) return ValueKind::time;
-    const Expression& argument = *call.operands[0];
-    const ValueKind kind = kind_of(argument);
     const std::string who = fmt::format("{}(...)", function.name);
-    if (function.id == FunctionId::abs) {
-      if (!needs_.value(ValueKind::unknown, argument, kind, who, call.span))
-        return ValueKind::unknown;
-      return kind == ValueKind::direction ? ValueKind::number : kind;
+    ValueKind first = ValueKind::unknown;
+    for (std::size_t i = 0; i < call.operands.size(); ++i) {
+      const Expression& argument = *call.operands[i];
+      const ValueKind kind = kind_of(argument);
+      const ValueKind wanted = wanted_kind(function.arguments[i]);
+      const bool fits = needs_.value(wanted, argument, kind, who, call.span);
+      if (i == 0 && fits) first = kind;
     }
-    needs_.value(ValueKind::angle, argument, kind, who, call.span);
-    if (function.id != FunctionId::free) return ValueKind::number;
+    if (function.reads == Reads::sensor) check_sensor(call, function);
+    return result_kind(function.result, first);
+  }
+
+  void check_sensor(const Expression& call, const Function& function) {
     const robot::RobotModel* robot = subject_.context.robot;
-    if (robot != nullptr && robot->sensor <= 0) {
-      diagnostics_.warning("W09", call.span,
-                           fmt::format("free is always 0: robot '{}' has no sensor; give it a "
-                                       "range such as 'sensor 10;' in the robot file",
-                                       robot->name));
-    }
-    return ValueKind::length;
+    if (robot == nullptr || robot->sensor > 0) return;
+    diagnostics_.warning("W09", call.span,
+                         fmt::format("{} is always 0: robot '{}' has no sensor; give it a range "
+                                     "such as 'sensor 10;' in the robot file",
+                                     function.name, robot->name));
   }
 
   ValueKind kind_of_parameter_call(const Expression& call, const Function& function,
                                    const Parameter& parameter) {
     const std::string name = call.operands[0]->name.text();
-    const Expression* second = call.operands.size() == 2 ? call.operands[1].get() : nullptr;
-    const ValueKind kind = second != nullptr ? kind_of(*second) : ValueKind::unknown;
-    if (function.id == FunctionId::clear) {
-      if (parameter.kind != ValueKind::unknown && names_.check_movable(parameter, call.span)) {
-        needs_.direction(*second, kind, "clear", name, call.span, "this is never clear");
-      }
-      return ValueKind::condition;
-    }
-    const ValueKind result = function.id == FunctionId::dir ? ValueKind::direction : parameter.kind;
+    std::array<ValueKind, kMostArguments> kinds{};
+    for (std::size_t i = 1; i < call.operands.size(); ++i) kinds[i] = kind_of(*call.operands[i]);
+    if (function.reads == Reads::sensor) check_sensor(call, function);
+    const ValueKind result = result_kind(function.result, parameter.kind);
     if (parameter.kind == ValueKind::unknown) return result;
-    if (function.id == FunctionId::axis && parameter.kind != ValueKind::angle) {
-      diagnostics_.error("S11", call.span,
-                         fmt::format("axis needs a rotation (psi, phi, theta), not '{}'", name));
-      return ValueKind::unknown;
+    switch (function.arguments[0]) {
+      case Argument::movable_parameter:
+        if (!names_.check_movable(parameter, call.span)) return result;
+        break;
+      case Argument::rotation:
+        if (parameter.kind == ValueKind::angle) break;
+        diagnostics_.error(
+            "S11", call.span,
+            fmt::format("{} needs a rotation (psi, phi, theta), not '{}'", function.name, name));
+        return ValueKind::unknown;
+      case Argument::lower_limited:
+      case Argument::upper_limited:
+        check_limit(call, function, parameter, name);
+        break;
+      default:
+        break;
     }
-    if (second != nullptr) {
-      needs_.value(parameter.kind, *second, kind, fmt::format("{}({}, ...)", function.name, name),
-                   call.span);
-    } else if (function.id == FunctionId::min || function.id == FunctionId::max) {
-      check_limit(call, function, parameter, name);
+    for (std::size_t i = 1; i < call.operands.size(); ++i) {
+      const Argument argument = function.arguments[i];
+      if (argument == Argument::direction_of_parameter) {
+        needs_.direction(*call.operands[i], kinds[i], std::string(function.name), name, call.span,
+                         fmt::format("this is never {}", function.name));
+      } else {
+        const bool alike = argument == Argument::value_of_parameter;
+        needs_.value(alike ? parameter.kind : wanted_kind(argument), *call.operands[i], kinds[i],
+                     fmt::format("{}({}, ...)", function.name, name), call.span);
+      }
     }
     return result;
   }
@@ -397,7 +434,7 @@ class KindChecker {
   void check_limit(const Expression& call, const Function& function, const Parameter& parameter,
                    const std::string& name) {
     if (parameter.model == nullptr) return;
-    const bool maximum = function.id == FunctionId::max;
+    const bool maximum = function.arguments[0] == Argument::upper_limited;
     const double limit = maximum ? parameter.model->upper : parameter.model->lower;
     const bool limited = !parameter.model->cyclic &&
                          limit != (maximum ? 1 : -1) * std::numeric_limits<double>::infinity();

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "interpreter/check/check_script_expression.hpp"
-#include "interpreter/check/check_script_functions.hpp"
 #include "interpreter/check/check_script_parts.hpp"
+#include "interpreter/functions/function_table.hpp"
 
 namespace rubicon::interpreter::script_check {
 
@@ -216,30 +216,15 @@ class StructureChecker {
         depends = depends || assigned.count(part.name.text()) > 0;
       }
       if (part.kind != Expression::Kind::call) return;
-      const Function* function = find_function(part.name.text());
+      const Function* function = find_function(part.name.text(), part.operands.size());
       if (function == nullptr) {
         depends = true;
         return;
       }
-      if (function->takes_parameter && !part.operands.empty()) --plain_parameters;
-      depends = depends || reads_configuration(function->id, part.operands.size());
+      if (function->takes_parameter()) --plain_parameters;
+      depends = depends || function->reads != Reads::fixed;
     });
     return depends || plain_parameters > 0;
-  }
-
-  static bool reads_configuration(FunctionId function, std::size_t arguments) {
-    switch (function) {
-      case FunctionId::goal:
-      case FunctionId::abs:
-      case FunctionId::sin:
-      case FunctionId::cos:
-        return false;
-      case FunctionId::min:
-      case FunctionId::max:
-        return arguments == 2;
-      default:
-        return true;
-    }
   }
 
   // ---- together ----

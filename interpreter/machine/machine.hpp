@@ -176,10 +176,12 @@ class Machine {
   // machine_evaluate.cpp: values
   Value evaluate(const Code& code, const World& world);
   double number(const Code& code, const World& world) { return evaluate(code, world).number; }
+  class Scope;
+  void call(const ExpressionOp& op, const World& world);
+  /// value - q(parameter), the short way round for a cyclic one.
   double delta(int parameter, double value) const;
   bool at(int parameter, double value) const;
   Value stored(const Value& value) const;
-  double nearest_axis(int parameter, double value) const;
   double tool_distance() const;
   const robot::Parameter& parameter(int index) const {
     return model_->parameters[static_cast<std::size_t>(index)];

@@ -1,10 +1,11 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
+#include "interpreter/functions/function_table.hpp"
 #include "interpreter/machine/machine.hpp"
 #include "interpreter/machine/run_time_error.hpp"
-#include "src/motion/math/angles.hpp"
 #include "src/motion/robot/turns.hpp"
 
 namespace rubicon::interpreter {
@@ -17,9 +18,34 @@ double truth(bool holds) { return holds ? 1.0 : 0.0; }
 
 }  // namespace
 
+/// The motion as its functions see it.
+class Machine::Scope final : public FunctionScope {
+ public:
+  Scope(Machine& machine, const World& world) : machine_(machine), world_(world) {}
+
+  const robot::RobotModel& model() const override { return *machine_.model_; }
+  const robot::Mounting& mounting() const override { return machine_.task_.mounting; }
+  std::span<const double> q() const override { return machine_.q_; }
+  std::span<const double> goal() const override { return machine_.goal_.q; }
+  const math::Vec3& p_WG() const override { return machine_.goal_.p_WG; }
+  double seconds() const override {
+    return seconds_from_ticks(machine_.time_ - machine_.task_.start);
+  }
+  double distance_to_goal() const override { return machine_.tool_distance(); }
+  bool would_accept(int parameter, double direction) override {
+    return machine_.would_accept(parameter, direction, world_);
+  }
+  double free_distance(double heading_deg) const override {
+    return world_.free_distance(machine_.q_, heading_deg, machine_.model_->sensor);
+  }
+
+ private:
+  Machine& machine_;
+  const World& world_;
+};
+
 Machine::Value Machine::evaluate(const Code& code, const World& world) {
-  // The operands of one expression; `clear` may come back here, so they stand on top of what is
-  // there already.
+  // The operands of one expression; they stand on top of what is there already.
   const std::size_t base = operands_.size();
   const auto pop = [&] {
     const double value = operands_.back().number;
@@ -46,59 +72,8 @@ Machine::Value Machine::evaluate(const Code& code, const World& world) {
         }
         operands_.push_back(variables_[slot].value);
         break;
-      case OpKind::goal:
-        push(goal_.q[slot]);
-        break;
-      case OpKind::relative_goal:
-        push(robot::relative_goal(*model_, task_.mounting, q_, op.index, goal_.p_WG));
-        break;
-      case OpKind::direction: {
-        const double off = delta(op.index, pop());
-        // A whole step must get nearer: a dead band of half a step, else robots turn to and fro for
-        // ever.
-        const double sign =
-            std::fabs(off) <= parameter(op.index).quantum / 2 ? 0.0 : (off > 0 ? 1.0 : -1.0);
-        operands_.push_back({sign, op.index, false});
-        break;
-      }
-      case OpKind::axis:
-        push(nearest_axis(op.index, pop()));
-        break;
-      case OpKind::lower_limit:
-        push(parameter(op.index).lower);
-        break;
-      case OpKind::upper_limit:
-        push(parameter(op.index).upper);
-        break;
-      case OpKind::smaller_of:
-        push(std::min(q_[slot], pop()));
-        break;
-      case OpKind::larger_of:
-        push(std::max(q_[slot], pop()));
-        break;
-      case OpKind::distance:
-        push(tool_distance());
-        break;
-      case OpKind::parameter_distance:
-        push(std::fabs(delta(op.index, pop())));
-        break;
-      case OpKind::clear:
-        push(truth(would_accept(op.index, pop(), world)));
-        break;
-      case OpKind::free:
-        push(world.free_distance(q_, pop(), model_->sensor));
-        break;
-      case OpKind::time:
-        push(seconds_from_ticks(time_ - task_.start));
-        break;
-      case OpKind::absolute:
-        push(std::fabs(pop()));
-        break;
-      case OpKind::sine:
-        push(math::sin_deg(pop()));
-        break;
-      case OpKind::cosine:
-        push(math::cos_deg(pop()));
+      case OpKind::call:
+        call(op, world);
         break;
       case OpKind::negate:
         operands_.back().number = -operands_.back().number;
@@ -177,7 +152,20 @@ Machine::Value Machine::evaluate(const Code& code, const World& world) {
   return value;
 }
 
-/// value - q(p), the short way round for a cyclic parameter.
+void Machine::call(const ExpressionOp& op, const World& world) {
+  const Function& function = functions()[op.function];
+  std::array<double, kMostArguments> values{};
+  const std::size_t count = function.argument_count() - (function.takes_parameter() ? 1 : 0);
+  for (std::size_t i = count; i > 0; --i) {
+    values[i - 1] = operands_.back().number;
+    operands_.pop_back();
+  }
+  Scope scope(*this, world);
+  const double number = function.evaluate(scope, op.index, {values.data(), count});
+  const bool is_direction = function.result == Result::direction;
+  operands_.push_back({number, is_direction ? op.index : -1, false});
+}
+
 double Machine::delta(int index, double value) const {
   return robot::way_between(parameter(index), q_[static_cast<std::size_t>(index)], value);
 }
@@ -192,10 +180,6 @@ Machine::Value Machine::stored(const Value& value) const {
   Value kept = value;
   kept.number = parameter(value.direction_of).prefer * (value.negated ? -1.0 : 1.0);
   return kept;
-}
-
-double Machine::nearest_axis(int index, double value) const {
-  return robot::nearest_axis(parameter(index), value, q_[static_cast<std::size_t>(index)]);
 }
 
 }  // namespace rubicon::interpreter

@@ -1,8 +1,8 @@
 #include <cassert>
 #include <map>
-#include <string_view>
 #include <utility>
 
+#include "interpreter/functions/function_table.hpp"
 #include "interpreter/program/program.hpp"
 #include "interpreter/syntax/unparse.hpp"
 
@@ -13,24 +13,6 @@ namespace {
 using syntax::Expression;
 using syntax::Statement;
 using OpKind = ExpressionOp::Kind;
-
-/// Functions whose first argument is a parameter, and those that take values only.
-struct FunctionForm {
-  std::string_view name;
-  std::size_t arguments;
-  OpKind kind;
-  bool parameter_first;
-};
-constexpr FunctionForm kFunctions[] = {
-    {"goal", 1, OpKind::goal, true},       {"r_goal", 1, OpKind::relative_goal, true},
-    {"dir", 2, OpKind::direction, true},   {"axis", 2, OpKind::axis, true},
-    {"min", 1, OpKind::lower_limit, true}, {"max", 1, OpKind::upper_limit, true},
-    {"min", 2, OpKind::smaller_of, true},  {"max", 2, OpKind::larger_of, true},
-    {"dist", 0, OpKind::distance, false},  {"dist", 2, OpKind::parameter_distance, true},
-    {"clear", 2, OpKind::clear, true},     {"free", 1, OpKind::free, false},
-    {"time", 0, OpKind::time, false},      {"abs", 1, OpKind::absolute, false},
-    {"sin", 1, OpKind::sine, false},       {"cos", 1, OpKind::cosine, false},
-};
 
 OpKind operation(Expression::Operator op) {
   using Operator = Expression::Operator;
@@ -330,21 +312,16 @@ class Compiler {
   }
 
   void emit_call(const Expression& call) {
-    const std::string name = call.name.text();
-    for (const FunctionForm& form : kFunctions) {
-      if (form.name != name || form.arguments != call.operands.size()) continue;
-      std::size_t first = 0;
-      std::int32_t index = 0;
-      if (form.parameter_first) {
-        index = parameter(call.operands[0]->name);
-        first = 1;
-      }
-      for (std::size_t i = first; i < call.operands.size(); ++i) emit(*call.operands[i]);
-      add_op(form.kind, index, call.span);
-      if (form.kind == OpKind::time) program_.uses_time = true;
-      return;
+    const Function* function = find_function(call.name.text(), call.operands.size());
+    assert(function != nullptr && "only scripts without errors are compiled");
+    const bool takes_parameter = function->takes_parameter();
+    const std::int32_t index = takes_parameter ? parameter(call.operands[0]->name) : 0;
+    for (std::size_t i = takes_parameter ? 1 : 0; i < call.operands.size(); ++i) {
+      emit(*call.operands[i]);
     }
-    assert(false && "only scripts without errors are compiled");
+    add_op(OpKind::call, index, call.span).function =
+        static_cast<std::uint8_t>(function - functions().data());
+    if (function->reads == Reads::clock) program_.uses_time = true;
   }
 
   ExpressionOp& add_op(OpKind kind, std::int32_t index, Span span) {

@@ -17,22 +17,7 @@ struct ExpressionOp {
     constant,
     parameter,
     variable,
-    goal,
-    relative_goal,
-    direction,
-    axis,
-    lower_limit,
-    upper_limit,
-    smaller_of,
-    larger_of,
-    distance,
-    parameter_distance,
-    clear,
-    free,
-    time,
-    absolute,
-    sine,
-    cosine,
+    call,  ///< of functions()[function]; `index` is the parameter it names, if any
     negate,
     plus,
     logical_not,
@@ -50,6 +35,7 @@ struct ExpressionOp {
     skip_if_true    ///< or
   };
   Kind kind = Kind::constant;
+  std::uint8_t function = 0;
   std::int32_t index = 0;
   double value = 0;
   Span span;  ///< where a run-time error points

@@ -25,6 +25,8 @@ int run_help(const HelpOptions& options, const CLI::App& app) {
     print(stdout, bash_completion(app));
   } else if (options.command.empty()) {
     print(stdout, overview());
+  } else if (options.command == "functions") {
+    print(stdout, function_list());
   } else if (const Command* command = find_command(options.command)) {
     print(stdout, command->page);
   } else {

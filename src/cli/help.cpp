@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <string_view>
 
+#include "interpreter/functions/function_table.hpp"
 #include "src/cli/command_table.hpp"
 #include "src/cli/help_pages.hpp"
 
@@ -14,6 +15,9 @@ namespace {
 
 /// Columns of a command with its arguments in the overview.
 constexpr std::size_t kUsageWidth = 31;
+
+/// Columns of a function with its arguments.
+constexpr std::size_t kSignatureWidth = 13;
 
 /// Lines as they stand, for roff.
 std::string verbatim(std::string_view text) {
@@ -40,6 +44,17 @@ std::string overview() {
                         kUsageWidth, command.summary);
   }
   return text += pages::kOverviewEnd;
+}
+
+std::string function_list() {
+  std::string text = "rubicon help functions - the functions of behaviours (.motion)\n\n";
+  for (const interpreter::Function& function : interpreter::functions()) {
+    text += fmt::format("  {:<{}}{}\n", signature(function), kSignatureWidth, function.text);
+  }
+  return text +
+         "\np is a control parameter such as theta, v a value, d a direction (1, -1 or 0), a an "
+         "angle "
+         "in degrees.\ndocs/language.md says more of each.\n";
 }
 
 std::string manual_page() {
@@ -81,7 +96,7 @@ std::string bash_completion(const CLI::App& app) {
          "  elif [[ ${COMP_WORDS[1]} == help ]]; then\n"
          "    COMPREPLY=($(compgen -W \"" +
          commands +
-         "\" -- \"$word\"))\n"
+         " functions\" -- \"$word\"))\n"
          "  else\n"
          "    COMPREPLY=($(compgen -f -- \"$word\"))\n"
          "  fi\n"

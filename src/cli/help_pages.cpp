@@ -266,14 +266,17 @@ examples:
 const std::string_view kHelp = R"(rubicon help - print a page of help
 
 usage: rubicon help [COMMAND]
+       rubicon help functions
        rubicon help --man | --completion bash
 
+  functions            the functions of behaviours, one a line
   --man                the manual page, in roff
   --completion SHELL   a script that lets the shell (bash) complete commands, options and files
 
 examples:
   rubicon help
   rubicon help run
+  rubicon help functions
   source <(rubicon help --completion bash)
 )";
 

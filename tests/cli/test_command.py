@@ -90,10 +90,18 @@ class Help(Case):
     def test_the_shell_completes(self):
         script = rubicon("help", "--completion", "bash").stdout
         for words, expected in ((["rubicon", "ver"], "verify"), (["rubicon", "run", "--trace-d"], "--trace-detail"),
-                                (["rubicon", "help", "ex"], "export")):
+                                (["rubicon", "help", "ex"], "export"),
+                                (["rubicon", "help", "fu"], "functions")):
             call = f'COMP_WORDS=({" ".join(words)}); COMP_CWORD={len(words) - 1}; _rubicon; echo "${{COMPREPLY[*]}}"'
             result = subprocess.run(["bash", "-c", script + call], capture_output=True, text=True, check=True)
             self.assertEqual(result.stdout, expected + "\n")
+
+    def test_help_lists_the_functions_of_the_language(self):
+        page = rubicon("help", "functions")
+        self.assertEqual(page.returncode, 0)
+        self.assertRegex(page.stdout, r"(?m)^  min\(p, v\) +the smaller of v and the value of p now$")
+        self.assertRegex(page.stdout, r"(?m)^  time\(\) +seconds since the motion began$")
+        self.assertTrue(all(len(line) <= 120 for line in page.stdout.splitlines()))
 
     def test_wrong_calls_exit_with_2_and_a_hint(self):
         for arguments in (["nonsense"], ["run"], ["check"], ["run", "a.plan", "--format", "xml"], ["help", "me"],
