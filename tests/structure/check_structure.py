@@ -242,6 +242,8 @@ def check(root):
         for source in sorted((root / module).rglob("*.[ch]pp")):
             path = source.relative_to(root).as_posix()
             text = source.read_text(encoding="utf-8")
+            if source.stem.endswith("_test") and not path.startswith("src/cli/command_"):
+                found.append(f"{path}: product files are not named as tests are")
             found += check_includes(path, text, may_use, hidden)
             found += check_rules(path, text)
     found += check_folders(root, uses)

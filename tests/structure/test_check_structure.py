@@ -116,6 +116,10 @@ class SeededViolations(unittest.TestCase):
         self.write("tests/structure/modules.txt", MODULES.replace("src/cli:", "src/new:\nsrc/cli:"))
         self.expect("src/new: is listed in tests/structure/modules.txt and holds no source")
 
+    def test_product_file_named_as_a_test(self):
+        self.write("src/shape/box_test.hpp", "#pragma once\n")
+        self.expect("src/shape/box_test.hpp: product files are not named as tests are")
+
     def test_orphan_source(self):
         self.expect_in("src/motion/math/orphan.cpp", "", "src/motion/math/orphan.cpp: no CMakeLists.txt of src/motion/math names it")
 
