@@ -123,7 +123,7 @@ class Export(unittest.TestCase):
                 self.assertEqual([animation["name"] for animation in document["animations"]], ["construction"])
                 for node in document["nodes"]:
                     for value in node.get("extras", {}).values():
-                        self.assertIsInstance(value, (str, list))
+                        self.assertIsInstance(value, (str, list, dict))
 
     def test_films_turn_no_faster_than_the_machine(self):
         # Angles pass 180 degrees, and others are derived from them: nothing may jump there.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interpreter/check/plan_model.hpp"
@@ -26,6 +27,9 @@ struct Duration {
   std::int64_t seconds = 0;
   bool operator==(const Duration&) const = default;
 };
+
+/// A schedule has so many columns for texts of one's own.
+inline constexpr std::size_t kMostTextFields = 30;
 
 enum class TimeUnit { minutes, hours, days, weeks, months, percent };
 
@@ -114,7 +118,8 @@ struct Task {
   Moment constraint_date, deadline;
   bool hide_bar = false;
   std::string notes;
-  std::vector<Link> after;  ///< in the order of the predecessors
+  std::vector<Link> after;                         ///< in the order of the predecessors
+  std::vector<std::pair<int, std::string>> texts;  ///< by the index of Project::text_fields
   bool operator==(const Task&) const = default;
 };
 
@@ -164,6 +169,7 @@ struct Project {
   std::vector<Task> tasks;  ///< in the order of the outline
   std::vector<Resource> resources;
   std::vector<Assignment> assignments;
+  std::vector<std::string> text_fields;  ///< columns of their own, at most kMostTextFields
   bool operator==(const Project&) const = default;
 
   /// Whether the task at `index` has deeper ones below it, or stands for the whole project.

@@ -38,6 +38,7 @@ class ProjectBuilder {
     build_tasks();
     build_links();
     build_assignments();
+    build_texts();
     if (run_ != nullptr) take_run(*run_, planned_lines(), project_);
     tidy_project(project_, {}, listing_);
     listing_.report(diagnostics_);
@@ -427,6 +428,40 @@ class ProjectBuilder {
       assignment.task = pair.first;
       assignment.resource = pair.second;
       project_.assignments.push_back(assignment);
+    }
+  }
+
+  /// The attributes of each task and of what it moves, but for names, in columns of their own.
+  void build_texts() {
+    for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
+      if (specs_[i] == nullptr) continue;
+      const TaskSpec& spec = *specs_[i];
+      take_texts(spec.attributes, spec, project_.tasks[i]);
+      if (!spec.move) continue;
+      take_texts(plan_.components[static_cast<std::size_t>(*spec.move)].attributes, spec,
+                 project_.tasks[i]);
+    }
+  }
+
+  void take_texts(const interpreter::Attributes& attributes, const TaskSpec& spec, Task& task) {
+    std::vector<std::string>& fields = project_.text_fields;
+    for (const auto& [key, text] : attributes) {
+      if (key == "name") continue;
+      const auto known = std::find(fields.begin(), fields.end(), key);
+      const int field = static_cast<int>(known - fields.begin());
+      if (known == fields.end()) {
+        if (fields.size() == kMostTextFields) {
+          listing_.add("I09", "attribute", spec.span,
+                       fmt::format("the attribute '{}' of task '{}' is left out: a schedule has {} "
+                                   "columns for texts",
+                                   key, spec.name, kMostTextFields));
+          continue;
+        }
+        fields.push_back(key);
+      }
+      const bool said = std::any_of(task.texts.begin(), task.texts.end(),
+                                    [&](const auto& each) { return each.first == field; });
+      if (!said) task.texts.emplace_back(field, text);
     }
   }
 

@@ -104,6 +104,27 @@ void write_link(pugi::xml_node node, const Link& link) {
   add(node, "LagFormat", text_of(mspdi_code(link.format)));
 }
 
+/// Project's numbers of the columns Text1 to Text30 of a task (constants pjCustomTaskText1 ... of
+/// its object model).
+std::string text_field_id(std::size_t index) {
+  constexpr std::array<int, 10> kFirstTen = {188743731, 188743734, 188743737, 188743740, 188743743,
+                                             188743746, 188743747, 188743748, 188743749, 188743750};
+  constexpr int kEleventh = 188743997;
+  return text_of(index < kFirstTen.size() ? kFirstTen[index]
+                                          : kEleventh + static_cast<int>(index - kFirstTen.size()));
+}
+
+void write_text_fields(pugi::xml_node root, const std::vector<std::string>& names) {
+  if (names.empty()) return;
+  pugi::xml_node list = root.append_child("ExtendedAttributes");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    pugi::xml_node field = list.append_child("ExtendedAttribute");
+    add(field, "FieldID", text_field_id(i));
+    add(field, "FieldName", fmt::format("Text{}", i + 1));
+    add(field, "Alias", names[i]);
+  }
+}
+
 /// Numbers the lines of an outline: 1, 1.1, 1.2, 2.
 class OutlineNumbers {
  public:
@@ -129,6 +150,11 @@ void write_tasks(pugi::xml_node list, const Project& project) {
     pugi::xml_node number = node.insert_child_before("OutlineNumber", node.child("OutlineLevel"));
     number.append_child(pugi::node_pcdata).set_value(numbers.next(task.level).c_str());
     for (const Link& link : task.after) write_link(node.append_child("PredecessorLink"), link);
+    for (const auto& [field, text] : task.texts) {
+      pugi::xml_node value = node.append_child("ExtendedAttribute");
+      add(value, "FieldID", text_field_id(static_cast<std::size_t>(field)));
+      add(value, "Value", text);
+    }
   }
 }
 
@@ -164,6 +190,7 @@ std::string write_mspdi(const Project& project) {
   add(root, "SaveVersion", "14");
   FieldWriter fields(root);
   visit_project(project, fields);
+  write_text_fields(root, project.text_fields);
   pugi::xml_node calendars = root.append_child("Calendars");
   for (const Calendar& calendar : project.calendars) {
     write_calendar(calendars.append_child("Calendar"), calendar);

@@ -99,6 +99,14 @@ class DocumentBuilder {
     return tasks;
   }
 
+  void set_extras(int node, Json extras, const trace::HeaderAttributes& attributes) {
+    if (!attributes.empty()) {
+      Json& texts = extras["attributes"] = Json::object();
+      for (const auto& [key, text] : attributes) texts[key] = text;
+    }
+    nodes_.set(node, "extras", std::move(extras));
+  }
+
   void add_presence(int node, Ticks from, Ticks to) {
     const Presence presence{trace::seconds(from), trace::seconds(to)};
     if (animation_.add_presence(node, presence, trace::seconds(replay_.until))) {
@@ -114,10 +122,11 @@ class DocumentBuilder {
     if (stay.from >= stay.to) return;
     const int node = nodes_.add(root_, component.name);
     nodes_.place(node, near(stay.X_WO));
-    nodes_.set(node, "extras",
+    set_extras(node,
                {{"component", component.name},
                 {"is", placed ? "placed" : "waiting"},
-                {"tasks", tasks_of(stay.component)}});
+                {"tasks", tasks_of(stay.component)}},
+               component.attributes);
     if (use) nodes_.show(node, *use);
     add_presence(node, stay.from, stay.to);
   }
@@ -130,7 +139,7 @@ class DocumentBuilder {
     if (!use) return;
     const int node = nodes_.add(root_, "zone of " + task.name);
     nodes_.place(node, near(Pose::Identity()));
-    nodes_.set(node, "extras", {{"task", task.name}, {"is", "zone"}});
+    set_extras(node, {{"task", task.name}, {"is", "zone"}}, task.attributes);
     nodes_.show(node, *use);
     add_presence(node, run.start, run.end);
   }
@@ -214,8 +223,9 @@ class DocumentBuilder {
     const std::string name = nameless ? "load" : scene_.components[at(load.component)].name;
     const int node = nodes_.add(tool, name);
     nodes_.place(node, load.X_TO);
-    nodes_.set(node, "extras",
-               {{"component", name}, {"is", "carried"}, {"tasks", tasks_of(load.component)}});
+    set_extras(
+        node, {{"component", name}, {"is", "carried"}, {"tasks", tasks_of(load.component)}},
+        nameless ? trace::HeaderAttributes{} : scene_.components[at(load.component)].attributes);
     const auto& shapes = nameless ? scene_.carry : scene_.components[at(load.component)].shapes;
     if (const auto use = meshes_.use(shapes, looks_.carried())) nodes_.show(node, *use);
     if (hangs) {

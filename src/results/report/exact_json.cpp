@@ -139,6 +139,16 @@ const std::vector<ExactJson>& ExactJson::elements() const {
   return elements_;
 }
 
+const std::vector<std::string>& ExactJson::names() const {
+  if (kind_ != Kind::object) fail("an object");
+  return names_;
+}
+
+const ExactJson& ExactJson::member(std::size_t index) const {
+  if (kind_ != Kind::object) fail("an object");
+  return elements_.at(index);
+}
+
 const std::string& ExactJson::text() const {
   if (kind_ != Kind::text) fail("a text");
   return text_;

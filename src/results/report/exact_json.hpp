@@ -20,6 +20,8 @@ class ExactJson {
   bool has(std::string_view name) const;             ///< there, and not null
   const ExactJson& at(std::string_view name) const;  ///< a member
   const std::vector<ExactJson>& elements() const;    ///< of a list
+  const std::vector<std::string>& names() const;     ///< of an object: of its members
+  const ExactJson& member(std::size_t index) const;  ///< by its place among them
   const std::string& text() const;
   bool truth() const;
   double number() const;

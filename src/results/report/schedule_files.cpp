@@ -1,6 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <map>
 #include <string>
+#include <string_view>
 
 #include "src/results/report/schedule_text.hpp"
 #include "src/simulation/trace/json_builder.hpp"
@@ -9,6 +13,8 @@ namespace rubicon::report {
 
 namespace {
 
+using interpreter::Attributes;
+using taskplan::ComponentAttributes;
 using taskplan::CriticalTask;
 using taskplan::ResourceUse;
 using taskplan::Schedule;
@@ -22,6 +28,14 @@ std::string csv_field(const std::string& text) {
     if (byte == '"') quoted += '"';
   }
   return quoted + "\"";
+}
+
+/// Nothing where there are none, so that results without attributes stay as they were.
+void write_attributes(trace::JsonBuilder& json, const Attributes& attributes) {
+  if (attributes.empty()) return;
+  json.key("attributes").begin_object();
+  for (const auto& [key, text] : attributes) json.field(key, std::string_view(text));
+  json.end_object();
 }
 
 void write_dates(trace::JsonBuilder& json, const Schedule& schedule, const TaskOutcome& task) {
@@ -47,6 +61,8 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   json.field("tried", task.tried).field("accepted", task.accepted);
   json.field("result", name_of(task.result)).field("reason", std::string_view(task.reason));
   if (task.parking) json.field("parking", true);
+  if (!task.component.empty()) json.field("component", std::string_view(task.component));
+  write_attributes(json, task.attributes);
   json.end_object();
   return json.take();
 }
@@ -78,6 +94,60 @@ std::string critical_json(const CriticalTask& task) {
   json.end_object();
   return json.take();
 }
+
+std::string component_json(const ComponentAttributes& component) {
+  trace::JsonBuilder json;
+  json.begin_object().field("component", std::string_view(component.component));
+  write_attributes(json, component.attributes);
+  json.end_object();
+  return json.take();
+}
+
+/// The attributes that have a column of their own.
+constexpr std::array<std::string_view, 4> kOwnColumns = {"name", "storey", "type", "guid"};
+
+/// All others, as `key=text; key=text`.
+std::string free_attributes(const Attributes& of_task, const Attributes& of_component) {
+  std::string text;
+  for (const Attributes* attributes : {&of_task, &of_component}) {
+    for (const auto& [key, value] : *attributes) {
+      if (std::find(kOwnColumns.begin(), kOwnColumns.end(), key) != kOwnColumns.end()) continue;
+      text += fmt::format("{}{}={}", text.empty() ? "" : "; ", key, value);
+    }
+  }
+  return text;
+}
+
+/// The last columns: what the plan says of the task and of the component it moves. Where the task
+/// says nothing of a storey, a type or a guid those of the component stand.
+class AttributeColumns {
+ public:
+  static constexpr const char* kNames = "name,component,component_name,storey,type,guid,attributes";
+
+  explicit AttributeColumns(const Schedule& schedule) {
+    for (const ComponentAttributes& each : schedule.components) {
+      components_.emplace(each.component, &each.attributes);
+    }
+  }
+
+  std::string of(const TaskOutcome& task) const {
+    static const Attributes kNone;
+    const auto found = components_.find(task.component);
+    const Attributes& component = found == components_.end() ? kNone : *found->second;
+    const auto either = [&](std::string_view key) {
+      const std::string* own = interpreter::find_attribute(task.attributes, key);
+      if (own == nullptr) own = interpreter::find_attribute(component, key);
+      return own == nullptr ? std::string() : csv_field(*own);
+    };
+    return fmt::format("{},{},{},{},{},{},{}", csv_field(taskplan::client_name(task.attributes)),
+                       csv_field(task.component), csv_field(taskplan::client_name(component)),
+                       either("storey"), either("type"), either("guid"),
+                       csv_field(free_attributes(task.attributes, component)));
+  }
+
+ private:
+  std::map<std::string_view, const Attributes*> components_;
+};
 
 /// `"name":[` and one element a line.
 template <typename List, typename Write>
@@ -115,26 +185,31 @@ std::string schedule_json(const Schedule& schedule) {
   text += ",\n" + list_text("resources", schedule.resources,
                             [&](const ResourceUse& use) { return use_json(schedule, use); });
   text += ",\n" + list_text("critical", schedule.critical, critical_json);
+  if (!schedule.components.empty()) {
+    text += ",\n" + list_text("components", schedule.components, component_json);
+  }
   return text + "}\n";
 }
 
 std::string schedule_csv(const Schedule& schedule) {
-  std::string text =
+  const AttributeColumns attributes(schedule);
+  std::string text = fmt::format(
       "task,robot,crew,start,duration,tried,accepted,result,reason,motion,work,waited_predecessor,"
-      "waited_resource,waited_machine,waited_shift,cost,begins,ends\n";
+      "waited_resource,waited_machine,waited_shift,cost,begins,ends,{}\n",
+      AttributeColumns::kNames);
   for (const TaskOutcome& task : schedule.tasks) {
     const auto date_field = [&](interpreter::Ticks time) {
       return schedule.start_at ? date_text(*schedule.start_at, time) : std::string();
     };
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                        csv_field(task.task), csv_field(task.robot), csv_field(crew_text(task)),
-                        seconds_text(task.start), seconds_text(task.duration), task.tried,
-                        task.accepted, name_of(task.result), csv_field(task.reason),
-                        seconds_text(task.motion_time), seconds_text(task.work_time),
-                        seconds_text(task.waits.predecessor), seconds_text(task.waits.resource),
-                        seconds_text(task.waits.machine), seconds_text(task.waits.shift),
-                        schedule.costed ? fmt::format("{:.2f}", task.cost) : std::string(),
-                        date_field(task.start), date_field(task.start + task.duration));
+    text += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(task.task),
+        csv_field(task.robot), csv_field(crew_text(task)), seconds_text(task.start),
+        seconds_text(task.duration), task.tried, task.accepted, name_of(task.result),
+        csv_field(task.reason), seconds_text(task.motion_time), seconds_text(task.work_time),
+        seconds_text(task.waits.predecessor), seconds_text(task.waits.resource),
+        seconds_text(task.waits.machine), seconds_text(task.waits.shift),
+        schedule.costed ? fmt::format("{:.2f}", task.cost) : std::string(), date_field(task.start),
+        date_field(task.start + task.duration), attributes.of(task));
   }
   return text;
 }

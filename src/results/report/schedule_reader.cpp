@@ -50,6 +50,16 @@ TaskResult read_result(const std::string& text) {
       fmt::format("expected done, rejected or not reached as 'result', found '{}'", text));
 }
 
+interpreter::Attributes read_attributes(const ExactJson& json) {
+  interpreter::Attributes attributes;
+  if (!json.has("attributes")) return attributes;
+  const ExactJson& texts = json.at("attributes");
+  for (std::size_t i = 0; i < texts.names().size(); ++i) {
+    attributes.push_back({texts.names()[i], texts.member(i).text()});
+  }
+  return attributes;
+}
+
 TaskOutcome read_task(const ExactJson& json) {
   TaskOutcome task;
   task.task = json.at("task").text();
@@ -68,6 +78,8 @@ TaskOutcome read_task(const ExactJson& json) {
   task.accepted = json.at("accepted").integer();
   task.result = read_result(json.at("result").text());
   task.reason = json.at("reason").text();
+  if (json.has("component")) task.component = json.at("component").text();
+  task.attributes = read_attributes(json);
   if (task.start < 0 || task.duration < 0) {
     throw std::invalid_argument(fmt::format("expected times from 0 on of task '{}'", task.task));
   }
@@ -121,6 +133,11 @@ Schedule schedule_from_json(std::string_view text) {
   }
   for (const ExactJson& task : json.at("critical").elements()) {
     schedule.critical.push_back(read_critical(task));
+  }
+  if (json.has("components")) {
+    for (const ExactJson& component : json.at("components").elements()) {
+      schedule.components.push_back({component.at("component").text(), read_attributes(component)});
+    }
   }
   return schedule;
 }

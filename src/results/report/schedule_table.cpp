@@ -60,11 +60,43 @@ bool is_repeated(const Schedule& schedule, const TaskOutcome& task) {
   });
 }
 
+/// Characters of a client's name in the table; JSON and CSV have all of it.
+constexpr std::size_t kNameWidth = 28;
+
+std::string shortened(const std::string& text) {
+  if (width(text) <= kNameWidth) return text;
+  std::string kept;
+  std::size_t characters = 0;
+  for (const char byte : text) {
+    const bool begins = (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+    if (begins && ++characters == kNameWidth) break;
+    kept += byte;
+  }
+  return kept + "…";
+}
+
+/// What the client calls the tasks, in a column behind their own names. False, and none, if no task
+/// is called anything.
+bool add_client_names(const std::vector<const TaskOutcome*>& tasks, std::vector<Row>& rows) {
+  const auto name = [](const TaskOutcome* task) { return taskplan::client_name(task->attributes); };
+  if (std::all_of(tasks.begin(), tasks.end(),
+                  [&](const TaskOutcome* task) { return name(task).empty(); })) {
+    return false;
+  }
+  rows.front().insert(rows.front().begin() + 1, "name");
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    rows[i + 1].insert(rows[i + 1].begin() + 1, shortened(name(tasks[i])));
+  }
+  return true;
+}
+
 std::string task_table(const Schedule& schedule) {
   std::vector<Row> rows = {{"task", "robot", "crew", "start", "duration", "motion", "work",
                             "waited", "tried", "accepted", "result"}};
+  std::vector<const TaskOutcome*> shown;
   for (const TaskOutcome& task : schedule.tasks) {
     if (is_repeated(schedule, task)) continue;
+    shown.push_back(&task);
     std::string result = name_of(task.result);
     if (!task.reason.empty()) result += ": " + task.reason;
     rows.push_back(
@@ -74,7 +106,11 @@ std::string task_table(const Schedule& schedule) {
          clock_text(waited(task)), fmt::format("{}", task.tried), fmt::format("{}", task.accepted),
          result});
   }
-  return columns(rows, {3, 4, 5, 6, 7, 8, 9});
+  std::vector<std::size_t> right = {3, 4, 5, 6, 7, 8, 9};
+  if (add_client_names(shown, rows)) {
+    for (std::size_t& column : right) ++column;
+  }
+  return columns(rows, right);
 }
 
 std::string total_line(const Schedule& schedule) {

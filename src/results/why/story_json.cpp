@@ -14,6 +14,12 @@ ordered_json pose_json(const Configuration& q) {
   return result;
 }
 
+ordered_json attributes_json(const Attributes& attributes) {
+  ordered_json result = ordered_json::object();
+  for (const auto& [name, text] : attributes) result[name] = text;
+  return result;
+}
+
 ordered_json attempt_json(const Attempt& attempt) {
   ordered_json result = {
       {"step", attempt.n},       {"command", attempt.command}, {"parameters", attempt.parameters},
@@ -45,6 +51,13 @@ std::string story_json(const TaskStory& story) {
                          {"result", story.run.result}, {"reason", story.run.reason},
                          {"start", story.run.start},   {"end", story.run.end}};
   if (story.start_at) result["start_at"] = schedule::text_of(*story.start_at);
+  if (!story.attributes.empty()) result["attributes"] = attributes_json(story.attributes);
+  if (!story.component.empty()) {
+    result["component"] = {{"name", story.component}};
+    if (!story.component_attributes.empty()) {
+      result["component"]["attributes"] = attributes_json(story.component_attributes);
+    }
+  }
   result["motions"] = ordered_json::array();
   for (const Motion& motion : story.motions) result["motions"].push_back(motion_json(motion));
   result["works"] = ordered_json::array();

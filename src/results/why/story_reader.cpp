@@ -51,7 +51,12 @@ void StoryReader::read_header(const trace::TraceHeader& header) {
   if (header.short_form) order_.push_back(header.plan);
   for (const trace::HeaderTask& task : header.tasks) {
     order_.push_back(task.name);
-    if (task.name == task_) move_ = task.move.value_or("");
+    if (task.name != task_) continue;
+    story_.attributes = task.attributes;
+    story_.component = task.move.value_or("");
+  }
+  for (const trace::HeaderComponent& component : header.components) {
+    if (component.name == story_.component) story_.component_attributes = component.attributes;
   }
 }
 
@@ -74,9 +79,9 @@ void StoryReader::read_record(const trace::Record& record) {
 
 /// What the motion that begins now is for.
 std::string StoryReader::purpose() const {
-  if (move_.empty()) return "going";
-  if (!carries_) return "on the way to " + move_;
-  return (carried_motions_ == 0 ? "carrying " : "placing ") + move_;
+  if (story_.component.empty()) return "going";
+  if (!carries_) return "on the way to " + story_.component;
+  return (carried_motions_ == 0 ? "carrying " : "placing ") + story_.component;
 }
 
 Motion& StoryReader::motion(double from) {
@@ -98,12 +103,9 @@ void StoryReader::read_own(const trace::Record& record) {
 
 void StoryReader::follow(const trace::TaskStart&) {
   // A robot may be parked several times: the last is told.
-  TaskStory fresh;
-  fresh.task = story_.task;
-  fresh.robot = story_.robot;
-  fresh.start_at = story_.start_at;
-  fresh.detail = story_.detail;
-  story_ = std::move(fresh);
+  story_.motions.clear();
+  story_.works.clear();
+  story_.pauses.clear();
   carries_ = in_motion_ = false;
   carried_motions_ = 0;
 }

@@ -51,7 +51,6 @@ class StoryReader : public trace::TraceSink {
   TaskStory story_;
   std::map<std::string, TaskRun> runs_;
   std::vector<std::string> order_;
-  std::string move_;  ///< the component it moves
   bool carries_ = false;
   int carried_motions_ = 0;
   bool in_motion_ = false;

@@ -73,6 +73,16 @@ std::string tried_text(const Motion& motion) {
   return text;
 }
 
+/// `column_1: storey "0", type "IfcColumn"`; nothing without attributes.
+std::string attributes_text(const std::string& whose, const Attributes& attributes) {
+  if (attributes.empty()) return {};
+  std::string text;
+  for (const auto& [name, value] : attributes) {
+    text += fmt::format("{}{} \"{}\"", text.empty() ? "" : ", ", name, value);
+  }
+  return fmt::format("  {}: {}\n", whose, text);
+}
+
 std::string motion_text(const TaskStory& story, const Motion& motion) {
   std::string text = fmt::format("  {}, from {} to {}: {} steps tried, {} made", motion.what,
                                  moment(story, motion.from), moment(story, motion.to), motion.tries,
@@ -116,6 +126,8 @@ std::string story_text(const TaskStory& story) {
   std::string text = fmt::format("{} is {}", story.task, run.result);
   if (!run.reason.empty()) text += ": " + run.reason;
   text += "\n";
+  text += attributes_text(story.task, story.attributes);
+  text += attributes_text(story.component, story.component_attributes);
   if (run.result == "not reached") return text;
   if (run.result == "done") {
     double work = 0;

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/simulation/schedule/civil_time.hpp"
@@ -70,6 +71,9 @@ struct WaitStep {
   std::string text;  ///< a sentence
 };
 
+/// What the plan says of the task or of the component it moves only to hand it on: texts by name.
+using Attributes = std::vector<std::pair<std::string, std::string>>;
+
 /// All that a trace tells of a task.
 struct TaskStory {
   std::string task;
@@ -81,6 +85,9 @@ struct TaskStory {
   std::vector<WaitStep> waits;  ///< first to last; the last is the task itself
   std::optional<schedule::CivilTime> start_at;
   std::string detail;  ///< of the trace
+  Attributes attributes;
+  std::string component;  ///< that it moves; "": none
+  Attributes component_attributes;
 };
 
 }  // namespace rubicon::why

@@ -13,7 +13,10 @@ Schedule run_plan(const interpreter::PlanModel& plan, const interpreter::SourceM
   Verdicts known;
   while (true) {
     Simulation simulation(plan, sources, sink, options, std::move(known));
-    if (auto schedule = simulation.run()) return *std::move(schedule);
+    if (auto schedule = simulation.run()) {
+      add_attributes(plan, *schedule);
+      return *std::move(schedule);
+    }
     known = simulation.verdicts();
     if (sink) sink->restart();
   }

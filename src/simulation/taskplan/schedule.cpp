@@ -1,6 +1,7 @@
 #include "src/simulation/taskplan/schedule.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace rubicon::taskplan {
 
@@ -30,6 +31,27 @@ std::vector<std::string> crew_names(const interpreter::PlanModel& plan,
   }
   for (const interpreter::WorkSpec& work : task.takes) add(work.crew);
   return names;
+}
+
+std::string client_name(const interpreter::Attributes& attributes) {
+  const std::string* name = interpreter::find_attribute(attributes, "name");
+  return name == nullptr ? std::string() : *name;
+}
+
+void add_attributes(const interpreter::PlanModel& plan, Schedule& schedule) {
+  std::unordered_map<std::string, const interpreter::TaskSpec*> specs;
+  for (const interpreter::TaskSpec& spec : plan.tasks) specs.emplace(spec.name, &spec);
+  for (TaskOutcome& task : schedule.tasks) {
+    const auto found = specs.find(task.task);
+    if (task.parking || found == specs.end()) continue;
+    const interpreter::TaskSpec& spec = *found->second;
+    task.attributes = spec.attributes;
+    if (spec.move) task.component = plan.components[static_cast<std::size_t>(*spec.move)].name;
+  }
+  for (const interpreter::ComponentSpec& component : plan.components) {
+    if (component.attributes.empty()) continue;
+    schedule.components.push_back({component.name, component.attributes});
+  }
 }
 
 }  // namespace rubicon::taskplan

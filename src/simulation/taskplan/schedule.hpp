@@ -59,10 +59,15 @@ struct TaskOutcome {
   int tried = 0;          ///< attempts of all its motions, accepted or not
   int accepted = 0;
   TaskResult result = TaskResult::done;
-  std::string reason;  ///< why not done; of a short plan also how it is short of its goal
+  std::string reason;     ///< why not done; of a short plan also how it is short of its goal
+  std::string component;  ///< that it moves; "": none
+  interpreter::Attributes attributes;  ///< as the plan gives them
   std::vector<MotionOutcome> motions;
   std::vector<ResourceHold> holds;
 };
+
+/// What a task is called by the client; "" if the plan does not say.
+std::string client_name(const interpreter::Attributes& attributes);
 
 /// The names of all crews that work on a task, each once: those of `by`, then of its works.
 std::vector<std::string> crew_names(const interpreter::PlanModel& plan,
@@ -93,6 +98,12 @@ struct CriticalTask {
   std::string text;          ///< a sentence: what it waited for
 };
 
+/// What the plan says of a component only to hand it on.
+struct ComponentAttributes {
+  std::string component;
+  interpreter::Attributes attributes;
+};
+
 /// A plan as it went: tasks in the order in which they started, of several at a moment as in the
 /// file.
 struct Schedule {
@@ -105,6 +116,10 @@ struct Schedule {
   std::string currency;
   bool costed = false;  ///< somebody has a rate
   double cost = 0;
+  std::vector<ComponentAttributes> components;  ///< those that have attributes, as in the file
 };
+
+/// Adds what the plan says of tasks and components: what moves, attributes.
+void add_attributes(const interpreter::PlanModel& plan, Schedule& schedule);
 
 }  // namespace rubicon::taskplan

@@ -48,7 +48,11 @@ Schedule full_schedule() {
   task.cost = 1e-7;
   task.tried = 9;
   task.accepted = 8;
+  task.component = "panel \"1\"";
+  task.attributes = {{"name", "Wand \"Nord\", links"}, {"fire", "60 min"}};
   schedule.tasks.push_back(task);
+  task.attributes.clear();
+  task.component.clear();
   task.parking = true;
   task.result = TaskResult::rejected;
   task.reason = "blocked";
@@ -56,6 +60,7 @@ Schedule full_schedule() {
   schedule.resources.push_back({"crane", true, 1, 2, 30, 20, 40, 12.5, 3});
   schedule.resources.push_back({"riggers", false, 2.5, 2, 30, 20, 0, std::nullopt, 0});
   schedule.critical.push_back({"a", true, "a starts with the plan"});
+  schedule.components.push_back({"panel \"1\"", {{"storey", "0"}, {"fire", "90 min"}}});
   return schedule;
 }
 
