@@ -217,6 +217,7 @@ class Machine {
 
   // scratch, no part of the state
   std::vector<double> steps_;
+  std::vector<double> refused_steps_;  ///< those of the command's own parameters
   std::vector<double> q_next_;
   std::vector<double> asked_steps_;
   std::vector<double> asked_q_;

@@ -91,6 +91,14 @@ bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
     record.refusal = refusal;
     if (refusal == Refusal::limit) record.limit = parameter(limit).display_name;
     record.hit = hit ? &*hit : nullptr;
+    if (hit) {
+      refused_steps_.clear();
+      for (std::int32_t i = 0; i < parts; ++i) {
+        const Node& part = several ? node_at(child_at(node, i)) : node;
+        refused_steps_.push_back(steps_[static_cast<std::size_t>(part.target)]);
+      }
+      record.steps = refused_steps_;
+    }
     record.time = time_;
     record.q = q_;
     events->attempt(record);

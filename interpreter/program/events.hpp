@@ -25,8 +25,9 @@ struct Attempt {
   Refusal refusal = Refusal::none;
   std::string limit;  ///< display name of the parameter at its limit
   const HitPair* hit = nullptr;
-  Ticks time = 0;             ///< after the step; unchanged when refused
-  std::span<const double> q;  ///< after the step, file units, per parameter of the robot
+  std::span<const double> steps;  ///< of a hit: how far each of `parameters` was to go, file units
+  Ticks time = 0;                 ///< after the step; unchanged when refused
+  std::span<const double> q;      ///< after the step, file units, per parameter of the robot
 };
 
 /// Receives what a machine does, as it happens.

@@ -33,6 +33,9 @@ struct InText {
   int column = 0;
 };
 
+/// A list of numbers.
+using Numbers = std::span<const double>;
+
 /// What moved and what it met.
 struct Hit {
   std::string_view moved;
@@ -87,6 +90,7 @@ struct Attempt : InText {
   bool ok = false;
   std::string_view reason;
   std::optional<Hit> hit;
+  Numbers step;  ///< of a hit: how far each of the parameters was to go, m or degrees
   Ticks t = 0;
   Configuration q;
 };

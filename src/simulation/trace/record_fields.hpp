@@ -81,12 +81,13 @@ struct RecordFields<Choice> {
 template <>
 struct RecordFields<Attempt> {
   static constexpr RecordKind kKind = RecordKind::attempt;
-  static constexpr auto kFields = std::tuple(
-      required<&Attempt::n>("n"), required<&Attempt::command>("command"),
-      required<&Attempt::parameters>("parameter"), required<&Attempt::file>("file"),
-      required<&Attempt::line>("line"), required<&Attempt::column>("column"),
-      required<&Attempt::ok>("ok"), required<&Attempt::reason>("reason"),
-      optional<&Attempt::hit>("hit"), required<&Attempt::t>("t"), required<&Attempt::q>("q"));
+  static constexpr auto kFields =
+      std::tuple(required<&Attempt::n>("n"), required<&Attempt::command>("command"),
+                 required<&Attempt::parameters>("parameter"), required<&Attempt::file>("file"),
+                 required<&Attempt::line>("line"), required<&Attempt::column>("column"),
+                 required<&Attempt::ok>("ok"), required<&Attempt::reason>("reason"),
+                 optional<&Attempt::hit>("hit"), optional<&Attempt::step>("step"),
+                 required<&Attempt::t>("t"), required<&Attempt::q>("q"));
 };
 
 template <>
@@ -167,6 +168,7 @@ enum class FieldType {
   truth,
   time,           ///< seconds
   names,          ///< a text or a list of texts
+  numbers,        ///< a list of numbers
   pair,           ///< two texts
   configuration,  ///< an object of numbers
   values,         ///< an object of numbers or null

@@ -19,6 +19,7 @@ constexpr FieldType type_of() {
   if constexpr (std::is_same_v<T, bool>) return FieldType::truth;
   if constexpr (std::is_same_v<T, Ticks>) return FieldType::time;
   if constexpr (std::is_same_v<T, Names>) return FieldType::names;
+  if constexpr (std::is_same_v<T, Numbers>) return FieldType::numbers;
   if constexpr (std::is_same_v<T, std::optional<Hit>>) return FieldType::pair;
   if constexpr (std::is_same_v<T, Configuration>) return FieldType::configuration;
   if constexpr (std::is_same_v<T, NamedValues>) return FieldType::values;

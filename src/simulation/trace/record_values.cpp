@@ -143,6 +143,14 @@ void RecordValues::read(Value& from, Names& into) {
   into = parameters_;
 }
 
+void RecordValues::read(Value& from, Numbers& into) {
+  numbers_.clear();
+  each_element(from, "a list of numbers", [&](Value& element) {
+    numbers_.push_back(get<double>(element, "a list of numbers"));
+  });
+  into = numbers_;
+}
+
 void RecordValues::read(Value& from, Configuration& into) {
   q_.clear();
   each_member(from, [&](std::string_view name, Value& element) {

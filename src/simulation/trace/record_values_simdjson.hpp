@@ -32,6 +32,7 @@ class RecordValues {
   void read(Value& from, Ticks& into);
   void read(Value& from, std::optional<Hit>& into);
   void read(Value& from, Names& into);
+  void read(Value& from, Numbers& into);
   void read(Value& from, Configuration& into);
   void read(Value& from, NamedValues& into);
   void read(Value& from, RefusalCounts& into);
@@ -51,6 +52,7 @@ class RecordValues {
   static bool is_null(Value& from);
 
   std::vector<std::string_view> parameters_;
+  std::vector<double> numbers_;
   std::vector<ParameterValue> q_;
   std::array<std::vector<NamedValue>, 2> lists_;  ///< `residual` and `vars`
   std::size_t used_lists_ = 0;

@@ -310,6 +310,11 @@ void TraceWriter::attempt(const interpreter::Attempt& attempt) {
     append_string(line_, attempt.hit->moved);
     line_ += ',';
     append_string(line_, attempt.hit->met);
+    line_ += "],\"step\":[";
+    for (std::size_t i = 0; i < attempt.steps.size(); ++i) {
+      if (i > 0) line_ += ',';
+      append_number(line_, attempt.steps[i]);
+    }
     line_ += ']';
   }
   line_ += ",\"t\":";

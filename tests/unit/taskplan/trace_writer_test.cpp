@@ -67,9 +67,13 @@ TEST_F(TraceWriterTest, WritesAttempts) {
   attempt.accepted = false;
   attempt.refusal = interpreter::Refusal::hit;
   attempt.hit = &pair;
+  const std::vector<double> steps = {-0.5};
+  attempt.steps = steps;
   writer_.attempt(attempt);
   EXPECT_THAT(last(),
-              testing::HasSubstr(R"("ok":false,"reason":"hit","hit":["crane.hook","wall"],"t")"));
+              testing::HasSubstr(
+                  R"("ok":false,"reason":"hit","hit":["crane.hook","wall"],"step":[-0.5],"t")"));
+  attempt.steps = {};
   const std::vector<std::string> both = {"x", "z"};
   attempt.command = "together";
   attempt.parameters = both;

@@ -53,6 +53,7 @@ TEST(TraceReader, ReadsAnAttempt) {
     EXPECT_FALSE(attempt.ok);
     EXPECT_EQ(attempt.reason, "hit");
     EXPECT_EQ(attempt.hit.value().met, "wall");
+    EXPECT_THAT(attempt.step, testing::ElementsAre(5, -0.5));
     EXPECT_EQ(record.time(), 333'333'333);
     ASSERT_EQ(attempt.q.size(), 4u);
     EXPECT_EQ(attempt.q[2].name, "z");

@@ -22,6 +22,8 @@ void write_attempts(trace::TraceWriter& writer) {
   attempt.span = kLine3;
   attempt.refusal = interpreter::Refusal::hit;
   attempt.hit = &pair;
+  const std::vector<double> steps = {5, -0.5};
+  attempt.steps = steps;
   attempt.time = 333'333'333;
   attempt.q = q;
   writer.attempt(attempt);
@@ -30,6 +32,7 @@ void write_attempts(trace::TraceWriter& writer) {
   attempt.accepted = true;
   attempt.refusal = interpreter::Refusal::none;
   attempt.hit = nullptr;
+  attempt.steps = {};
   writer.attempt(attempt);
 }
 

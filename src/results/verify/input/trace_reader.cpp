@@ -95,6 +95,9 @@ class RecordReader {
       if (pair.size() != 2) fields_.fail("two names as 'hit'");
       attempt.hit.emplace(text_of(pair[0], "what moved"), text_of(pair[1], "what it met"));
     }
+    if (fields_.has("step") && fields_.array("step").size() != attempt.moved.size()) {
+      fields_.fail("a number for each parameter as 'step'");
+    }
     return attempt;
   }
 
