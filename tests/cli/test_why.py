@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -40,6 +41,19 @@ PLAN = """plan yard {
 """
 
 
+# A wall is set, then somebody wants to go through it and a pillar behind it; the hoist reaches over the wall only.
+ROW = """plan row {
+  start_at "2026-03-02 07:00";
+  robot g "g.robot";
+  component wall { shape box(-0.2, -2, 0, 0.2, 2, 8); at trans(-10, 0, 0); grip trans(0, 0, 8); }
+  component pillar { shape box(-0.5, -0.5, 0, 0.5, 0.5, 30); at trans(11, 0, 0); grip trans(0, 0, 12); }
+  task set_wall { by g; move wall to trans(8, 0, 0); }
+  task low { by g; go x 0, z 2; after set_wall; }
+  task east { by g; go x 20; after low; }
+}
+"""
+
+
 def rubicon(*arguments):
     return subprocess.run([RUBICON, *arguments], capture_output=True, text=True, timeout=60)
 
@@ -48,7 +62,7 @@ class Why(unittest.TestCase):
     def setUp(self):
         self.temporary = tempfile.TemporaryDirectory()
         self.folder = self.temporary.name
-        for name, text in (("g.robot", ROBOT), ("g.motion", SCRIPT), ("yard.plan", PLAN)):
+        for name, text in (("g.robot", ROBOT), ("g.motion", SCRIPT), ("yard.plan", PLAN), ("row.plan", ROW)):
             with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
                 file.write(text)
         self.plan = os.path.join(self.folder, "yard.plan")
@@ -76,6 +90,60 @@ class Why(unittest.TestCase):
         self.assertEqual(first["line"], 2)
         tried = [(each["command"], each["reason"]) for each in story["motions"][0]["last"]]
         self.assertIn(("move_dir", "limit z"), tried)
+
+    def test_a_refused_step_says_where_and_how_deep(self):
+        told = rubicon("why", self.out, "east").stdout
+        # From x = 4 to x = 5 the hoist, 0.5 m to each side, comes to the wall at x = 5 half way.
+        self.assertRegex(told, r"free for 50\.\d % of the step; then they meet at \(5\.0\d\d, ")
+        self.assertIn("at its end g.hoist would be 0.500 m deep in site (contact tolerance 1 mm)", told)
+        self.assertIn("site is part of the site", told)
+        story = json.loads(rubicon("why", self.out, "east", "--format", "json").stdout)
+        self.assertEqual(story["contact_tolerance"], 0.001)
+        contact = story["motions"][0]["first_hit"]["contact"]
+        self.assertAlmostEqual(contact["free_to"], 0.501, delta=2e-4)
+        self.assertAlmostEqual(contact["depth_at_end"], 0.5, delta=2e-6)
+        self.assertAlmostEqual(contact["point"][0], 5, delta=2e-3)
+        self.assertTrue(all("contact" in each for each in story["motions"][0]["last"] if "hit" in each))
+
+    def test_an_obstacle_names_the_task_that_put_it_there_and_what_stands_behind_it(self):
+        row = os.path.join(self.folder, "row.plan")
+        story = json.loads(rubicon("why", row, "east", "--format", "json").stdout)
+        first = story["motions"][0]["first_hit"]
+        self.assertEqual(first["hit"], ["g.hoist", "wall"])
+        self.assertEqual(first["obstacle"]["kind"], "component")
+        self.assertEqual(first["obstacle"]["task"], "set_wall")
+        way = story["motions"][0]["first_hit"] and story["motions"][0]["way_to_goal"]
+        self.assertEqual([each["hit"][1] for each in way], ["wall", "pillar"])
+        self.assertLess(way[0]["from"], way[1]["from"])
+        self.assertEqual(way[1]["obstacle"], {"kind": "component"})
+        told = rubicon("why", row, "east").stdout
+        self.assertRegex(told, r"wall stands there since set_wall set it down at 2026-03-02 07:00:\d\d\n")
+        self.assertIn("on the way to the goal it would meet:", told)
+        self.assertIn("g.hoist meets pillar; pillar stands there from the beginning", told)
+
+    def test_a_task_that_was_done_tells_its_nearest_miss(self):
+        row = os.path.join(self.folder, "row.plan")
+        nearest = json.loads(rubicon("why", row, "set_wall", "--format", "json").stdout)["nearest_miss"]
+        self.assertEqual(nearest["pair"], ["g.hoist", "pillar"])
+        self.assertAlmostEqual(nearest["at_most"], 2, delta=2e-3)
+        self.assertLessEqual(nearest["at_least"], 2 + 1e-9)
+        self.assertGreaterEqual(nearest["at_least"], 2 - 2e-3)
+        self.assertEqual(nearest["touched"], ["wall"])
+        told = rubicon("why", row, "low").stdout
+        self.assertRegex(told, r"nearest miss: g\.hoist passed pillar at 2\.00\d m in step 1, at 2026-03-02 .*; proved: nothing came "
+                               r"nearer than (2\.000|1\.99\d) m \(what it touched .*: wall\)")
+        self.assertIn("nearest miss: proved: nothing came nearer than 5 m", rubicon("why", self.out, "west").stdout)
+
+    def test_a_trace_of_an_older_version_tells_what_it_can(self):
+        with open(os.path.join(self.out, "trace.jsonl"), encoding="utf-8") as file:
+            text = file.read()
+        old = os.path.join(self.folder, "old.jsonl")
+        with open(old, "w", encoding="utf-8") as file:
+            file.write(re.sub(r',"step":\[[^]]*\]', "", text))
+        told = rubicon("why", old, "east")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertIn("first blocked at step 15", told.stdout)
+        self.assertNotIn("deep in site", told.stdout)
 
     def test_what_depends_on_it_names_it(self):
         told = rubicon("why", self.out, "after_east").stdout

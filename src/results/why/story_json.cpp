@@ -20,12 +20,71 @@ ordered_json attributes_json(const Attributes& attributes) {
   return result;
 }
 
+ordered_json point_json(const math::Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
+const char* name_of(Origin::Kind kind) {
+  switch (kind) {
+    case Origin::Kind::site:
+      return "site";
+    case Origin::Kind::component:
+      return "component";
+    case Origin::Kind::zone:
+      return "zone";
+    case Origin::Kind::machine:
+      return "machine";
+    case Origin::Kind::own:
+      return "own";
+  }
+  return "";
+}
+
+/// Without `task` it was there from the beginning.
+ordered_json origin_json(const Origin& origin) {
+  ordered_json result = {{"kind", name_of(origin.kind)}};
+  if (origin.task.empty()) return result;
+  result["task"] = origin.task;
+  result["since"] = origin.since;
+  if (origin.kind == Origin::Kind::machine) result["at_work"] = origin.at_work;
+  return result;
+}
+
+ordered_json contact_json(const ContactAnswer& contact) {
+  return {{"free_to", contact.free_to},
+          {"point", point_json(contact.point_W)},
+          {"depth_at_end", contact.depth_at_end}};
+}
+
+ordered_json way_json(const std::vector<InTheWay>& way) {
+  ordered_json result = ordered_json::array();
+  for (const InTheWay& each : way) {
+    result.push_back({{"hit", {each.moved, each.met}}, {"from", each.from}});
+    if (each.origin) result.back()["obstacle"] = origin_json(*each.origin);
+  }
+  return result;
+}
+
+ordered_json miss_json(const NearestMiss& nearest) {
+  ordered_json result = {{"range", nearest.range}, {"at_least", nearest.at_least}};
+  if (nearest.found) {
+    result["at_most"] = nearest.at_most;
+    result["step"] = nearest.step;
+    result["t"] = nearest.time;
+    result["share"] = nearest.share;
+    result["pair"] = {nearest.moved, nearest.met};
+    result["points"] = {point_json(nearest.moved_point_W), point_json(nearest.met_point_W)};
+  }
+  result["touched"] = nearest.touched;
+  return result;
+}
+
 ordered_json attempt_json(const Attempt& attempt) {
   ordered_json result = {
       {"step", attempt.n},       {"command", attempt.command}, {"parameters", attempt.parameters},
       {"file", attempt.file},    {"line", attempt.line},       {"ok", attempt.ok},
       {"reason", attempt.reason}};
   if (!attempt.met.empty()) result["hit"] = {attempt.moved, attempt.met};
+  if (attempt.contact) result["contact"] = contact_json(*attempt.contact);
+  if (attempt.origin) result["obstacle"] = origin_json(*attempt.origin);
   return result;
 }
 
@@ -36,7 +95,8 @@ ordered_json motion_json(const Motion& motion) {
       {"status", motion.status}, {"message", motion.message},   {"hits", motion.hits}};
   if (motion.first_hit) {
     result["first_hit"] = attempt_json(*motion.first_hit);
-    result["first_hit"]["q"] = pose_json(motion.first_hit_at);
+    result["first_hit"]["q"] = pose_json(motion.first_hit->q);
+    if (!motion.way.empty()) result["way_to_goal"] = way_json(motion.way);
   }
   result["last"] = ordered_json::array();
   for (const Attempt& attempt : motion.last) result["last"].push_back(attempt_json(attempt));
@@ -73,6 +133,8 @@ std::string story_json(const TaskStory& story) {
     result["pauses"].push_back(
         {{"why", pause.what}, {"for", pause.whom}, {"from", pause.from}, {"to", pause.to}});
   }
+  if (story.contact_tolerance > 0) result["contact_tolerance"] = story.contact_tolerance;
+  if (story.nearest) result["nearest_miss"] = miss_json(*story.nearest);
   result["waits"] = ordered_json::array();
   for (const WaitStep& step : story.waits) {
     result["waits"].push_back({{"task", step.task}, {"start", step.start}, {"text", step.text}});

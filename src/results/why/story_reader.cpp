@@ -40,6 +40,7 @@ StoryReader::StoryReader(std::string task) : task_(std::move(task)), reader_(kWa
 void StoryReader::restart() { *this = StoryReader(task_); }
 
 void StoryReader::line(std::string_view text) {
+  ++lines_;
   reader_.read(
       text, [&](const trace::TraceHeader& header) { read_header(header); },
       [&](const trace::Record& record) { read_record(record); });
@@ -106,6 +107,7 @@ void StoryReader::follow(const trace::TaskStart&) {
   story_.motions.clear();
   story_.works.clear();
   story_.pauses.clear();
+  story_.made.clear();
   carries_ = in_motion_ = false;
   carried_motions_ = 0;
 }
@@ -121,6 +123,9 @@ void StoryReader::follow(const trace::MotionEnd& end) {
   ended.status = end.status;
   ended.message = end.message;
   ended.at_end = configuration(end.q);
+  for (const trace::NamedValue& off : end.residual) {
+    if (off.value) ended.residual.emplace_back(off.name, *off.value);
+  }
   in_motion_ = false;
   if (carries_) ++carried_motions_;
 }
@@ -154,14 +159,15 @@ void StoryReader::follow(const trace::Attempt& record) {
   if (record.hit) {
     attempt.moved = record.hit->moved;
     attempt.met = record.hit->met;
+    attempt.trace_line = lines_;
+    attempt.q = configuration(record.q);
+    attempt.steps.assign(record.step.begin(), record.step.end());
   }
+  if (record.ok) story_.made.push_back(record.n);
   Motion& in = motion(time_);
   if (!attempt.met.empty()) {
     ++in.hits;
-    if (!in.first_hit) {
-      in.first_hit = attempt;
-      in.first_hit_at = configuration(record.q);
-    }
+    if (!in.first_hit) in.first_hit = attempt;
   }
   keep(in, std::move(attempt));
 }

@@ -48,6 +48,7 @@ class StoryReader : public trace::TraceSink {
 
   std::string task_;
   trace::TraceReader reader_;
+  int lines_ = 0;
   TaskStory story_;
   std::map<std::string, TaskRun> runs_;
   std::vector<std::string> order_;

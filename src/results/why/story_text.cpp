@@ -39,12 +39,88 @@ std::string command_text(const Attempt& attempt) {
 }
 
 std::string outcome_text(const Attempt& attempt) {
-  if (attempt.ok) return "made";
+  if (attempt.ok) return "accepted";
   if (!attempt.met.empty()) return fmt::format("{} meets {}", attempt.moved, attempt.met);
   if (attempt.reason == "at goal") return "is there already";
   if (attempt.reason == "no direction") return "has no direction";
   if (attempt.reason.starts_with("limit ")) return "is at the limit of " + attempt.reason.substr(6);
   return attempt.reason;
+}
+
+std::string point_text(const math::Vec3& p) {
+  return fmt::format("({:.3f}, {:.3f}, {:.3f})", p.x(), p.y(), p.z());
+}
+
+/// Who put it there, and when.
+std::string origin_text(const TaskStory& story, const std::string& name, const Origin& origin) {
+  const std::string when = origin.task.empty() ? "" : moment(story, origin.since);
+  switch (origin.kind) {
+    case Origin::Kind::site:
+      return name + " is part of the site";
+    case Origin::Kind::zone:
+      return fmt::format("{}: people work there since {}", name, when);
+    case Origin::Kind::own:
+      return name + " belongs to the machine itself";
+    case Origin::Kind::component:
+      if (origin.task.empty()) break;
+      return fmt::format("{} stands there since {} set it down at {}", name, origin.task, when);
+    case Origin::Kind::machine:
+      if (origin.task.empty()) break;
+      return fmt::format("{} stands there since task {} {} {}", name, origin.task,
+                         origin.at_work ? "began at" : "ended at", when);
+  }
+  return name + " stands there from the beginning";
+}
+
+std::string contact_text(const TaskStory& story, const Attempt& attempt) {
+  const ContactAnswer& contact = *attempt.contact;
+  std::string text = fmt::format("      free for {:.1f} % of the step; then they meet at {}",
+                                 100 * contact.free_to, point_text(contact.point_W));
+  if (contact.depth_at_end > story.contact_tolerance) {
+    text += fmt::format(", at its end {} would be {:.3f} m deep in {}", attempt.moved,
+                        contact.depth_at_end, attempt.met);
+  } else if (contact.free_to < 1) {
+    text += ", and part again before its end or lie inside each other";
+  }
+  return text + fmt::format(" (contact tolerance {:g} mm)\n", 1000 * story.contact_tolerance);
+}
+
+/// What the first hit meets, who put it there, what comes behind it.
+std::string obstacle_text(const TaskStory& story, const Motion& motion) {
+  const Attempt& hit = *motion.first_hit;
+  std::string text;
+  if (hit.contact) text += contact_text(story, hit);
+  if (hit.origin) text += fmt::format("      {}\n", origin_text(story, hit.met, *hit.origin));
+  if (motion.way.size() < 2) return text;
+  text += "      on the way to the goal it would meet:\n";
+  for (const InTheWay& each : motion.way) {
+    text += fmt::format("        {:5.1f} %  {} meets {}", 100 * each.from, each.moved, each.met);
+    if (each.origin && each.met != hit.met && each.origin->kind != Origin::Kind::site) {
+      text += "; " + origin_text(story, each.met, *each.origin);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+/// How near it came to what it did not touch.
+std::string miss_text(const TaskStory& story) {
+  const NearestMiss& nearest = *story.nearest;
+  std::string text = "  nearest miss: ";
+  if (nearest.found) {
+    text += fmt::format(
+        "{} passed {} at {:.3f} m in step {}, at {}, between {} and {}; proved: "
+        "nothing came nearer than {:.3f} m",
+        nearest.moved, nearest.met, nearest.at_most, nearest.step, moment(story, nearest.time),
+        point_text(nearest.moved_point_W), point_text(nearest.met_point_W), nearest.at_least);
+  } else {
+    text += fmt::format("proved: nothing came nearer than {:g} m", nearest.range);
+  }
+  if (!nearest.touched.empty()) {
+    text += fmt::format(" (what it touched where a way began or ended left out: {})",
+                        fmt::join(nearest.touched, ", "));
+  }
+  return text + "\n";
 }
 
 /// What was tried, and how often it ended in the same way, in the order in which it came first.
@@ -84,7 +160,7 @@ std::string attributes_text(const std::string& whose, const Attributes& attribut
 }
 
 std::string motion_text(const TaskStory& story, const Motion& motion) {
-  std::string text = fmt::format("  {}, from {} to {}: {} steps tried, {} made", motion.what,
+  std::string text = fmt::format("  {}, from {} to {}: {} steps tried, {} accepted", motion.what,
                                  moment(story, motion.from), moment(story, motion.to), motion.tries,
                                  motion.accepted);
   if (motion.reached) return text + ", reached\n";
@@ -94,7 +170,8 @@ std::string motion_text(const TaskStory& story, const Motion& motion) {
   if (motion.first_hit) {
     text += fmt::format("    first blocked at step {}: {}: {}\n      there {}\n",
                         motion.first_hit->n, command_text(*motion.first_hit),
-                        outcome_text(*motion.first_hit), pose_text(motion.first_hit_at));
+                        outcome_text(*motion.first_hit), pose_text(motion.first_hit->q));
+    text += obstacle_text(story, motion);
   }
   if (!motion.last.empty()) text += "    what it tried there:\n" + tried_text(motion);
   if (!motion.at_end.empty()) text += fmt::format("    it ended at {}\n", pose_text(motion.at_end));
@@ -150,6 +227,10 @@ std::string story_text(const TaskStory& story) {
   }
   for (const Motion& motion : story.motions) {
     if (motion.tries > 0 || !motion.reached) text += motion_text(story, motion);
+  }
+  if (story.nearest) text += miss_text(story);
+  if (!story.no_scene.empty()) {
+    text += fmt::format("  the collision engine could not be asked again: {}\n", story.no_scene);
   }
   if (!story.waits.empty()) text += "why it began when it did:\n" + waits_text(story);
   return text;

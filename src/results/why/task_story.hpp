@@ -6,9 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "src/results/why/engine_answer.hpp"
 #include "src/simulation/schedule/civil_time.hpp"
 
 namespace rubicon::why {
+
+/// Values by the names of parameters, m or degrees.
+using Configuration = std::vector<std::pair<std::string, double>>;
 
 /// One attempt of a command. Times in seconds from the beginning of the plan.
 struct Attempt {
@@ -22,9 +26,13 @@ struct Attempt {
   std::string moved;   ///< of a hit: what moved
   std::string met;     ///< and what it met
   double t = 0;
+  // Of a hit:
+  int trace_line = 0;
+  Configuration q;
+  std::vector<double> steps;             ///< how far each of the parameters was to go
+  std::optional<ContactAnswer> contact;  ///< of the collision engine
+  std::optional<Origin> origin;          ///< of what it met
 };
-
-using Configuration = std::vector<std::pair<std::string, double>>;
 
 /// One motion of the task. Of the attempts those are kept that tell why it ended: all since what
 /// was blocked last has not moved any more, steps of other parameters among them.
@@ -38,10 +46,11 @@ struct Motion {
   std::string status;
   std::string message;
   std::optional<Attempt> first_hit;
-  Configuration first_hit_at;  ///< where the robot stood then
+  std::vector<InTheWay> way;  ///< all that the command of the first hit meets up to the goal
   int hits = 0;
   std::vector<Attempt> last;  ///< in order; of very many the latest
   Configuration at_end;
+  Configuration residual;  ///< goal - q of the parameters of the goal
 };
 
 /// A time in which the task stood still, or its crews worked.
@@ -88,6 +97,10 @@ struct TaskStory {
   Attributes attributes;
   std::string component;  ///< that it moves; "": none
   Attributes component_attributes;
+  std::vector<int> made;         ///< the numbers of the attempts that were accepted
+  double contact_tolerance = 0;  ///< m, of the engine's answers
+  std::optional<NearestMiss> nearest;
+  std::string no_scene;  ///< why the engine could not be asked; "": it was, or need not be
 };
 
 }  // namespace rubicon::why

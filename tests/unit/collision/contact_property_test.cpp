@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "src/motion/collision/pair/body_depth.hpp"
 #include "tests/support/random_cases.hpp"
 #include "tests/unit/collision/bodies.hpp"
 #include "tests/unit/collision/box_oracle.hpp"
@@ -101,6 +102,29 @@ TEST(ContactProperty, TheFractionOfBoxesIsWhereTheExactSweptDepthPassesTheTolera
     EXPECT_GE(contact.fraction, free - 1.1e-4) << "case " << i;
   }
   EXPECT_GT(hits, rubicon::test::at_least(200));
+}
+
+TEST(ContactProperty, TheDepthOfBoxesIsTheLeastOverlapOfTheirAxes) {
+  Random random(505);
+  int deep = 0;
+  for (int i = 0; i < rubicon::test::cases(2000); ++i) {
+    const OracleBox a{random.pose(0.5), Vec3(0.2, 0.4, 0.1) + random.vector(0.08)};
+    const OracleBox b{random.pose(0.5), Vec3(0.3, 0.2, 0.5) + random.vector(0.15)};
+    const Vec3 d = random.vector(0.3);
+    const BodyPtr moving = box(a.half);
+    const BodyPtr standing = box(b.half);
+    for (const double share : {0.0, 0.3, 1.0}) {
+      OracleBox there = a;
+      there.X_WC.translation() += share * d;
+      const double depth = body_depth({moving.get(), geometry::translating(a.X_WC, d)},
+                                      {standing.get(), geometry::stationary(b.X_WC)}, share);
+      const double exact = std::max(box_depth(there, b), 0.0);
+      EXPECT_LE(depth, exact + 1e-9) << "case " << i;
+      EXPECT_GE(depth, exact - 2e-6) << "case " << i;
+      deep += exact > 0.05 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(deep, rubicon::test::at_least(500));
 }
 
 TEST(ContactProperty, GeneralMotionsToo) {
