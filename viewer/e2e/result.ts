@@ -11,6 +11,8 @@ export const rubicon = process.env.RUBICON ?? join(root, 'build/release/bin/rubi
 export interface Result {
   folder: string;
   report: string;
+  /** What the command printed. */
+  table: string;
   remove(): void;
 }
 
@@ -25,7 +27,7 @@ export function runPlan(plan: string | Record<string, string>, ...options: strin
   const run = spawnSync(rubicon, ['run', path, '--out', folder, ...options], { encoding: 'utf8', maxBuffer: 1 << 28 });
   // 1: a task was rejected, which some of these plans want.
   if (run.status !== 0 && run.status !== 1) throw new Error(`rubicon run ${path}: exit code ${run.status}\n${run.stderr}`);
-  return { folder, report: join(folder, 'report.html'), remove: () => rmSync(folder, { recursive: true }) };
+  return { folder, report: join(folder, 'report.html'), table: run.stdout, remove: () => rmSync(folder, { recursive: true }) };
 }
 
 /** The records of a result's trace, the header first. */

@@ -77,7 +77,7 @@ describe.skipIf(!hasBrowser)('strange plans', () => {
     result.remove();
   });
 
-  test('a plan of which everything is refused', async () => {
+  test('a plan of which nothing is done', async () => {
     const result = runPlan({
       'plan.plan': `plan refused {
   robot gantry "gantry.robot";
@@ -104,6 +104,43 @@ describe.skipIf(!hasBrowser)('strange plans', () => {
     await page.getByRole('tab', { name: 'Gantt', exact: true }).click();
     await page.getByRole('tab', { name: 'Steps', exact: true }).click();
     expect(complaints).toEqual([]);
+    await close();
+    result.remove();
+  });
+
+  test('terminal, files and page count alike and in the same words', async () => {
+    const result = runPlan('examples/08_what_cannot_be_done/site.plan');
+    const schedule = JSON.parse(readFileSync(`${result.folder}/schedule.json`, 'utf8'));
+    const tasks: { task: string; result: string; tried: number; accepted: number; parking?: boolean }[] = schedule.tasks;
+    const planned = tasks.filter(({ parking }) => !parking);
+    const count = (wanted: string) => planned.filter((each) => each.result === wanted).length;
+    const [rejected, missed] = [count('rejected'), count('not reached')];
+    expect(rejected).toBeGreaterThan(0);
+    const words = [...(rejected ? [`${rejected} rejected`] : []), ...(missed ? [`${missed} not reached`] : [])].join(', ');
+    expect(result.table).toContain(`${count('done')} of ${planned.length} tasks done, ${words}, process time`);
+    const { page, complaints, close } = await openReport(browser, result.report);
+    await page.getByRole('button', { name: `${words} of ${planned.length} tasks` }).click();
+    const side = await page.locator('#side').innerText();
+    expect(side).toContain(`${count('done')} of ${planned.length}`);
+    expect(side).toContain(`Not done: ${words}`);
+    const [tried, accepted] = [tasks.reduce((sum, each) => sum + each.tried, 0), tasks.reduce((sum, each) => sum + each.accepted, 0)];
+    expect(side.replace(/\s+/g, ' ').toLowerCase()).toContain(
+      `steps tried ${tried.toLocaleString('en-GB')} ${accepted.toLocaleString('en-GB')} accepted`);
+    expect(complaints).toEqual([]);
+    await close();
+    result.remove();
+  });
+
+  test('the sum of waits says that it is one', async () => {
+    const result = runPlan('taskplans/two_cranes.plan');
+    const schedule = JSON.parse(readFileSync(`${result.folder}/schedule.json`, 'utf8'));
+    for (const { waited } of schedule.tasks) {
+      expect(waited.resource + waited.machine + waited.shift).toBeLessThanOrEqual(schedule.process_time);
+    }
+    const { page, close } = await openReport(browser, result.report);
+    const side = (await page.locator('#side').innerText()).toLowerCase();
+    expect(side).toContain('sum over tasks');
+    expect(side).toContain('the sum over all of them may be longer than the plan');
     await close();
     result.remove();
   });

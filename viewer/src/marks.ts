@@ -7,7 +7,7 @@ export const mark = { busy: 1, start: 2, blocked: 4, refused: 8 } as const;
 
 /**
  * The marks of a slider so many pixels wide: where some task goes on, where tasks start, where attempts were refused by what was
- * in the way, and where tasks were refused: at most one of each a pixel.
+ * in the way, and where tasks were rejected or not reached: at most one of each a pixel.
  */
 export function sliderMarks(film: Film, busy: readonly Interval[], width: number): Uint8Array {
   const marks = new Uint8Array(Math.max(width, 0));

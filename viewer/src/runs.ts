@@ -145,7 +145,7 @@ export class Runs {
     return movers.findLast((run) => this.all[run].start <= player.time) ?? movers[0] ?? -1;
   }
 
-  /** Where to look for the reason why a run was refused: the attempt that its reason names, else the motion that ended short. */
+  /** Where to look for the reason why a run was not done: the attempt that its reason names, else the motion that ended short. */
   refusedAt(run: number): number {
     const { film } = this;
     const records = film.recordsOf(run);

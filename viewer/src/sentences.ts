@@ -46,7 +46,7 @@ export function sentence(film: Film, record: number): string {
     case 'end': {
       const message = text('end.message');
       const status = text('end.status') + (number('end.reached') ? ', reached' : '');
-      const tries = `${number('end.accepted')} of ${number('end.tries')} tries made`;
+      const tries = `${number('end.tries')} steps tried, ${number('end.accepted')} accepted`;
       return `motion ended: ${status}, ${tries}${message && ` (${message})`}`;
     }
     case 'task_end': return `${run.result || 'over'}${run.reason && `: ${run.reason}`}`;

@@ -25,7 +25,7 @@ export interface Bar {
   critical: boolean;
 }
 
-/** What has no length: a task that was refused, stands where it would have begun; a milestone. */
+/** What has no length: a task that was not done stands where it would have begun; a milestone. */
 export interface Point {
   run: number;
   t: number;

@@ -206,7 +206,7 @@ export function mountGantt(host: HTMLElement, page: Page, shown: Shown): void {
 
 function legend(): HTMLElement {
   const names = [['machine', 'motion'], ['crew', 'crew work'], ['wait', 'waiting'], ['off', 'no shift'], ['critical', 'critical'],
-    ['refused', 'refused']];
+    ['refused', 'not done']];
   const entries = names.map(([key, text]) => make('span', { class: key }, text));
   return make('div', { class: 'legend', 'aria-hidden': 'true' }, ...entries);
 }

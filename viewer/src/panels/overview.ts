@@ -52,7 +52,7 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
   let tried = 0;
   let accepted = 0;
   for (const task of schedule?.tasks ?? []) [tried, accepted] = [tried + task.tried, accepted + task.accepted];
-  if (tried > 0) add('Steps tried', tried.toLocaleString('en-GB'), `${(tried - accepted).toLocaleString('en-GB')} refused`);
+  if (tried > 0) add('Steps tried', tried.toLocaleString('en-GB'), `${accepted.toLocaleString('en-GB')} accepted`);
   return list;
 }
 
@@ -109,7 +109,7 @@ const waitNames: [Exclude<keyof Waited, 'predecessor'>, string][] = [
   ['shift', 'for the next shift'],
 ];
 
-/** What tasks waited for once those before them were done. */
+/** What tasks waited for once those before them were done: `waited` of the schedule. */
 function waitsOf(schedule: ScheduleData): HTMLElement[] {
   const body = make('tbody');
   for (const [kind, name] of waitNames) {
@@ -121,7 +121,9 @@ function waitsOf(schedule: ScheduleData): HTMLElement[] {
     body.append(make('tr', {}, make('th', { scope: 'row' }, name), ...cells));
   }
   if (body.rows.length === 0) return [];
-  return [make('h2', {}, 'Waits'), make('table', {}, head('Waited', 'Tasks', 'Longest', 'In all'), body)];
+  return [make('h2', {}, 'Waits'),
+    make('p', { class: 'muted' }, 'Tasks wait side by side: the sum over all of them may be longer than the plan.'),
+    make('table', {}, head('Waited', 'Tasks', 'Longest', 'Sum over tasks'), body)];
 }
 
 function chainOf(page: Page, schedule: ScheduleData): HTMLElement[] {
