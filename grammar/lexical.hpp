@@ -98,6 +98,7 @@ struct number_text
 /// Longest first; `m/s` is one unit, without space inside.
 struct unit_text
     : sor<word<TAO_PEGTL_STRING("mm/s")>, word<TAO_PEGTL_STRING("deg/s")>,
+          word<TAO_PEGTL_STRING("rad/s")>, word<TAO_PEGTL_STRING("km/h")>,
           word<TAO_PEGTL_STRING("m/s")>, word<TAO_PEGTL_STRING("mm")>, word<TAO_PEGTL_STRING("cm")>,
           word<TAO_PEGTL_STRING("min")>, word<TAO_PEGTL_STRING("deg")>,
           word<TAO_PEGTL_STRING("rad")>, word<TAO_PEGTL_STRING("rpm")>,

@@ -64,6 +64,7 @@ std::unique_ptr<PlanModel> load_plan(const std::string& path, SourceMap& sources
   plan_check::check_crews(subject);
   plan_check::check_components(subject);
   plan_check::check_tasks(subject);
+  plan_check::check_scale(subject);
   plan_check::check_short_form(subject);
   if (diagnostics.errors() == errors_before) plan_check::check_cycles(subject);
   if (diagnostics.errors() != errors_before || plan.broken) return nullptr;

@@ -36,6 +36,7 @@ ComponentSpec resolve_component(Subject& subject, const syntax::ComponentItem& i
   if (const auto* grip = only_one(subject, item.grip, "the grip of " + who, frame_span)) {
     component.X_OG = resolve_frame_or_identity(subject, *grip);
   }
+  if (item.grip.empty()) subject.without_grip.insert(item.name.span.begin);
   const auto number_span = [](const syntax::Number& number) { return number.span; };
   const auto* mass = only_one(subject, item.mass, "the mass of " + who, number_span);
   if (mass == nullptr) return component;

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,7 @@ struct Subject {
   std::map<std::string, int> components = {}, tasks = {};  ///< of the plan itself: model index
   std::map<std::string, int> robots = {}, crews = {}, calendars = {}, modules = {}, places = {};
   std::map<std::string, Span> import_spans = {};
+  std::set<std::uint32_t> without_grip = {};  ///< components, by where their names stand
   std::vector<ModuleInfo> module_infos = {};
   std::vector<PlaceInfo> place_infos = {};
   bool has_open_import = false;  ///< an import without a name of its own: any name may be from it
@@ -98,6 +100,9 @@ void check_crews(Subject& subject);
 
 /// Components of the plan, and of modules where they are placed: P02, P09, P16, P17, P19.
 void check_components(Subject& subject);
+
+/// Robots and components that stand too far apart for metres: P21.
+void check_scale(Subject& subject);
 
 /// Tasks of the plan and of modules: P01, P02, P05-P09, P12-P14, P19.
 void check_tasks(Subject& subject);

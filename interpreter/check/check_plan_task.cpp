@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
+#include "interpreter/check/solid_box.hpp"
 
 namespace rubicon::interpreter::plan_check {
 
@@ -87,8 +89,36 @@ class TaskChecker {
     move_ = &item;
     task_.move_span = item.span;
     task_.move = find_component(subject_, scope_, item.component);
+    if (task_.move) check_grip(item);
     task_.X_WO_goal = scope_.X_WP * resolve_frame_or_identity(subject_, item.to);
     if (go_ != nullptr) refuse_both(item.span);
+  }
+
+  /// Without a grip the tool goes to the origin of the component: fine where that is its top.
+  void check_grip(const syntax::MoveItem& item) {
+    const ComponentSpec& component =
+        subject_.model.components[static_cast<std::size_t>(*task_.move)];
+    if (!subject_.without_grip.contains(component.span.begin) || !subject_.judges_names()) return;
+    double top = 0;
+    for (const geometry::Shape& shape : component.shapes) {
+      const Eigen::AlignedBox3d box = box_around(shape.solid);
+      for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner) {
+        const auto which = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
+        top = std::max(top, (shape.X_BS * box.corner(which)).z());
+      }
+    }
+    if (top <= subject_.model.contact) return;
+    Diagnostic diagnostic;
+    diagnostic.severity = Severity::warning;
+    diagnostic.code = "P20";
+    diagnostic.span = item.component.span;
+    diagnostic.message = fmt::format(
+        "component '{}' is moved but has no grip: the tool goes to its origin, {:g} m below its "
+        "top",
+        item.component.text(), top);
+    diagnostic.notes.push_back({component.span, "the component"});
+    diagnostic.hint = fmt::format("write for example grip trans(0, 0, {:g});", top);
+    subject_.diagnostics.add(std::move(diagnostic));
   }
 
   void note_go(const syntax::GoItem& item) {
@@ -133,6 +163,12 @@ class TaskChecker {
     const auto duration =
         bounded(subject_, item.duration, UnitKind::time, item.name.text, 0, kMaxDuration);
     if (duration) work.duration = *duration;
+    if (duration && *duration > 0 && item.duration.unit == UnitKind::none) {
+      subject_.diagnostics.warning(
+          "P22", item.duration.span,
+          fmt::format("{0} {1:g} has no unit and is taken as {1:g} s", item.name.text, *duration),
+          fmt::format("write {0:g} s, {0:g} min or {0:g} h", *duration));
+    }
     if (item.by) work.crew = crew(*item.by, item.name.text);
     if (item.name.text == "takes") {
       task_.takes.push_back(work);

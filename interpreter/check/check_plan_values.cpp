@@ -5,6 +5,8 @@
 
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
+#include "interpreter/check/meant_parameters.hpp"
+#include "src/motion/math/angles.hpp"
 #include "src/motion/robot/turns.hpp"
 
 namespace rubicon::interpreter::plan_check {
@@ -68,12 +70,9 @@ class ValueChecker {
     const int index = resolve_parameter(model_, -1, name);
     if (index >= 0) return index;
     if (index == -2) {
-      std::vector<std::string> owners;
-      for (const robot::Parameter& each : model_.parameters) {
-        if (each.name == name.name.text) owners.push_back(each.display_name);
-      }
       subject_.error("P12", name.span,
-                     fmt::format("'{}' is ambiguous: {}", name.text(), fmt::join(owners, ", ")));
+                     fmt::format("'{}' is ambiguous: {}", name.text(),
+                                 fmt::join(meant_parameters(model_, name.name.text), ", ")));
       return std::nullopt;
     }
     const std::vector<std::string> names = display_names(model_);

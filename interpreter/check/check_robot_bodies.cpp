@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "interpreter/check/check_robot_parts.hpp"
 
 namespace rubicon::interpreter::robot_check {
@@ -47,6 +49,19 @@ int find_parent(Subject& subject, const syntax::BodyItem& item) {
   return -1;
 }
 
+/// Of a parameter with a wrong name: whether what stands behind it speaks of angles.
+bool looks_like_a_rotation(const syntax::ParameterItem& item) {
+  return std::any_of(item.attributes.begin(), item.attributes.end(),
+                     [](const syntax::Attribute& attribute) {
+                       return attribute.name.text == "cyclic" ||
+                              std::any_of(attribute.numbers.begin(), attribute.numbers.end(),
+                                          [](const syntax::Number& number) {
+                                            return number.unit == syntax::UnitKind::angle ||
+                                                   number.unit == syntax::UnitKind::turn_rate;
+                                          });
+                     });
+}
+
 void declare_parameters(Subject& subject, int body, const syntax::BodyItem& item) {
   auto& index = subject.body_parameters[static_cast<std::size_t>(body)];
   for (const syntax::ParameterItem& each : item.parameters) {
@@ -58,7 +73,7 @@ void declare_parameters(Subject& subject, int body, const syntax::BodyItem& item
           "R02", each.name.span,
           fmt::format("a control parameter is x, y, z, psi, phi or theta, found '{}'{}", name,
                       nearest.empty() ? "" : "; did you mean " + nearest + "?"));
-      continue;
+      // It is declared all the same: whoever uses the name makes no second mistake.
     }
     const auto [place, is_new] = index.emplace(name, static_cast<int>(subject.parameters.size()));
     if (!is_new) {
@@ -72,7 +87,8 @@ void declare_parameters(Subject& subject, int body, const syntax::BodyItem& item
     robot::Parameter parameter;
     parameter.name = name;
     parameter.body = body;
-    parameter.rotation = *kind == script_check::ValueKind::angle;
+    parameter.rotation =
+        kind ? *kind == script_check::ValueKind::angle : looks_like_a_rotation(each);
     parameter.derived = each.derived != nullptr;
     subject.model.bodies[static_cast<std::size_t>(body)].parameters.push_back(place->second);
     subject.model.parameters.push_back(std::move(parameter));

@@ -1,7 +1,17 @@
 #include "interpreter/check/check.hpp"
 #include "interpreter/check/check_script_parts.hpp"
+#include "interpreter/check/meant_parameters.hpp"
 
 namespace rubicon::interpreter {
+
+namespace {
+
+/// Whether a script can name it: a command moves it.
+bool has_step(const robot::Parameter& parameter) {
+  return !parameter.derived && parameter.step > 0;
+}
+
+}  // namespace
 
 int resolve_parameter(const robot::RobotModel& robot, int body, const syntax::QualifiedName& name) {
   int found = -1;
@@ -14,10 +24,25 @@ int resolve_parameter(const robot::RobotModel& robot, int body, const syntax::Qu
       continue;
     }
     if (parameter.body == body) return static_cast<int>(i);
-    ambiguous = found >= 0;
+    // What no command moves is not meant where something of that name can be moved.
+    if (found >= 0 && has_step(robot.parameters[found]) != has_step(parameter)) {
+      if (!has_step(parameter)) continue;
+      ambiguous = false;
+    } else {
+      ambiguous = found >= 0;
+    }
     found = static_cast<int>(i);
   }
   return ambiguous ? -2 : found;
+}
+
+std::vector<std::string> meant_parameters(const robot::RobotModel& robot, const std::string& name) {
+  std::vector<std::string> movable, others;
+  for (const robot::Parameter& parameter : robot.parameters) {
+    if (parameter.name != name) continue;
+    (has_step(parameter) ? movable : others).push_back(parameter.display_name);
+  }
+  return movable.empty() ? others : movable;
 }
 
 namespace script_check {

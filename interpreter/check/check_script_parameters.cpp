@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/check/meant_parameters.hpp"
+
 namespace rubicon::interpreter::script_check {
 
 namespace {
@@ -57,9 +59,12 @@ std::string ParameterNames::wrong_name_text(const syntax::QualifiedName& name,
   }
   const robot::RobotModel& robot = *context_.robot;
   if (resolve_parameter(robot, context_.body, name) == -2) {
-    return fmt::format("'{}' is ambiguous: {}", text, list_of(robot, [&](const auto& parameter) {
-                         return parameter.name == name.name.text;
-                       }));
+    std::vector<std::string> owners = meant_parameters(robot, name.name.text);
+    if (owners.size() > kMaxListedParameters) {
+      owners.resize(kMaxListedParameters);
+      owners.emplace_back("...");
+    }
+    return fmt::format("'{}' is ambiguous: {}", text, fmt::join(owners, ", "));
   }
   if (name.body) return wrong_body_text(name);
   const std::string all = list_of(robot, [](const auto&) { return true; });

@@ -8,11 +8,19 @@
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/check/resolve_frame.hpp"
 #include "interpreter/check/simple_polygon.hpp"
+#include "interpreter/check/solid_box.hpp"
 
 namespace rubicon::interpreter {
 
 using geometry::Solid;
 using math::Vec3;
+
+namespace {
+
+/// m: a larger thing on a site is more likely drawn in millimetres.
+constexpr double kLargestBelieved = 1000;
+
+}  // namespace
 
 ShapeResolver::ShapeResolver(std::string naming_file, FileProvider& files, FormulaNames& names,
                              Diagnostics& diagnostics)
@@ -30,6 +38,15 @@ std::optional<geometry::Shape> ShapeResolver::resolve(const syntax::Shape& shape
     result.X_BS = *X_BS;
   }
   if (!solid) return std::nullopt;
+  const Eigen::AlignedBox3d box = box_around(*solid);
+  const double size = box.isEmpty() ? 0 : box.sizes().maxCoeff();
+  if (size > kLargestBelieved) {
+    diagnostics_.warning(
+        "F14", shape.span,
+        fmt::format("this {} measures {:g} m: are millimetres meant?", shape.kind.text, size),
+        shape.kind.text == "mesh" ? "give the mesh its unit: mesh(\"file\", mm)"
+                                  : "lengths are metres; millimetres have a unit: 250 mm");
+  }
   result.solid = *std::move(solid);
   return result;
 }

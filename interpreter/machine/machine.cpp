@@ -19,6 +19,24 @@ constexpr double kRounding = 1e-6;
 
 double readable(double distance) { return distance < kRounding ? 0 : distance; }
 
+/// Where only a turn is missing that no parameter of the robot makes: which.
+std::string missing_turn(const robot::RobotModel& model, const robot::Mounting& mounting,
+                         const robot::GoalSolution& solution, const math::Pose& X_WG,
+                         const robot::PoseTolerance& tolerance) {
+  if (solution.position_error > tolerance.position) return {};
+  if (solution.q.size() != model.parameters.size()) return {};
+  const math::Pose X_WT = robot::tool_pose(model, mounting, solution.q);
+  const Eigen::AngleAxisd off(math::Mat3(X_WT.linear().transpose() * X_WG.linear()));
+  const math::Vec3 axis_W = X_WT.linear() * off.axis();
+  constexpr double kAlong = 1 - 1e-6;  // cosine
+  for (int i = 0; i < 3; ++i) {
+    if (std::fabs(axis_W[i]) < kAlong) continue;
+    return i == 2 ? "; no swivel: the turn about z is not free; use within or add one"
+                  : fmt::format("; the turn about {} is not free; use within", "xyz"[i]);
+  }
+  return {};
+}
+
 }  // namespace
 
 const char* name_of(MotionStatus status) {
@@ -93,9 +111,11 @@ bool Machine::begin_way_point(World& world, EventSink* events) {
         robot::solve_goal(*model_, task_.mounting, q_, *spec.X_WG, frame_tolerance());
     if (!solution.reachable) {
       finish(MotionStatus::goal_impossible,
-             fmt::format("goal out of reach: the nearest pose is {:.3g} m and {:.3g} degrees off",
-                         readable(solution.position_error),
-                         readable(math::degrees(solution.orientation_error))),
+             fmt::format(
+                 "goal out of reach: the nearest pose is {:.3g} m and {:.3g} degrees off{}",
+                 readable(solution.position_error),
+                 readable(math::degrees(solution.orientation_error)),
+                 missing_turn(*model_, task_.mounting, solution, *spec.X_WG, frame_tolerance())),
              spec.span);
       return false;
     }

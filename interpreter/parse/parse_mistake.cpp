@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 #include "interpreter/parse/parse_state.hpp"
+#include "interpreter/syntax/utf8_character.hpp"
 
 /// What is said about a mistake: the part of ParseState that looks at the wrong text once more.
 namespace rubicon::interpreter {
@@ -31,6 +33,19 @@ const std::vector<std::string>& commands() {
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Whether a character is, as far as people who write plans are concerned, a letter of another
+/// alphabet: Latin with marks, Greek, Cyrillic, Kana, Han, Hangul.
+bool is_other_letter(char32_t code) {
+  struct Range {
+    char32_t from, to;
+  };
+  constexpr Range kLetters[] = {{0xC0, 0xD6},     {0xD8, 0xF6},     {0xF8, 0x24F},
+                                {0x370, 0x52F},   {0x1E00, 0x1FFF}, {0x3040, 0x30FF},
+                                {0x3400, 0x9FFF}, {0xAC00, 0xD7A3}};
+  return std::any_of(std::begin(kLetters), std::end(kLetters),
+                     [&](const Range& each) { return each.from <= code && code <= each.to; });
 }
 
 /// What to write here for a word that other languages have.
@@ -87,6 +102,12 @@ void ParseState::fail(const char* at, const grammar::Expectation& expectation) {
         report(code_, bad.begin, bad.end,
                byte == 0 ? "unexpected character U+0000: this is not a text file"
                          : fmt::format("unexpected character U+{:04X}", byte));
+      } else if (is_other_letter(utf8_character(bad.text()).code)) {
+        report(
+            code_, bad.begin, bad.end,
+            fmt::format("'{}' cannot stand in a name: names have the letters a to z, digits and _",
+                        bad.text()),
+            "what a client calls it goes into name \"...\"; of a component or task");
       } else {
         report(code_, bad.begin, bad.end, fmt::format("unexpected character '{}'", bad.text()),
                hint);

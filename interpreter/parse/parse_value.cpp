@@ -32,7 +32,9 @@ constexpr Unit kUnits[] = {
     {"kg", syntax::UnitKind::mass, 1, 1},
     {"m/s", syntax::UnitKind::speed, 1, 1},
     {"mm/s", syntax::UnitKind::speed, 1, 1000},
+    {"km/h", syntax::UnitKind::speed, 1, 3.6},
     {"deg/s", syntax::UnitKind::turn_rate, 1, 1},
+    {"rad/s", syntax::UnitKind::turn_rate, kDegreesPerRadian, 1},
     {"rpm", syntax::UnitKind::turn_rate, 6, 1},  // 360 degrees in 60 seconds
 };
 
@@ -110,7 +112,8 @@ void ParseState::unknown_unit(const char* from, const char* to) {
   report(code_, from, to,
          near.empty() ? fmt::format("unknown unit {}", found(from))
                       : fmt::format("unknown unit {}; did you mean {}?", found(from), near),
-         "units are mm, cm, m, deg, rad, s, min, h, t, kg, m/s, mm/s, deg/s, rpm and per h");
+         "units are mm, cm, m, deg, rad, s, min, h, t, kg, m/s, mm/s, km/h, deg/s, rad/s, rpm and "
+         "per h");
 }
 
 }  // namespace rubicon::interpreter

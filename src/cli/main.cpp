@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -8,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "interpreter/syntax/diagnostic.hpp"
 #include "src/cli/command_table.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/help.hpp"
@@ -25,6 +27,37 @@ std::string help_of(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
   const Command* command = chosen.empty() ? nullptr : find_command(chosen.front()->get_name());
   return command != nullptr ? std::string(command->page) : overview();
+}
+
+/// The word of a command line that nothing expects, with what may have been meant; "" if there is
+/// none.
+std::string unknown_word(const CLI::App& app, int argc, char** argv) {
+  using rubicon::interpreter::did_you_mean;
+  const auto meant = [](const std::string& near) {
+    return near.empty() ? std::string() : "; did you mean " + near + "?";
+  };
+  if (app.get_subcommands().empty()) {
+    const std::string word = argc > 1 ? argv[1] : "";
+    if (word.empty() || word.starts_with('-')) return {};
+    std::vector<std::string> commands;
+    for (const Command& command : command_table()) commands.emplace_back(command.name);
+    return fmt::format("unknown command '{}'{}", word, meant(did_you_mean(word, commands)));
+  }
+  const CLI::App& chosen = *app.get_subcommands().front();
+  std::vector<std::string> options = {"--help"};
+  for (const CLI::Option* option : chosen.get_options()) {
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  }
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--") break;
+    if (!word.starts_with("--")) continue;
+    const std::string name = word.substr(0, word.find('='));
+    if (std::find(options.begin(), options.end(), name) != options.end()) continue;
+    return fmt::format("unknown option '{}' of {}{}", name, chosen.get_name(),
+                       meant(did_you_mean(name, options)));
+  }
+  return {};
 }
 
 int dispatch(int argc, char** argv) {
@@ -48,8 +81,10 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const auto chosen = app.get_subcommands();
     const std::string topic = chosen.empty() ? std::string() : " " + chosen.front()->get_name();
-    print(stderr,
-          fmt::format("rubicon: error: {}\n  hint: see 'rubicon help{}'\n", error.what(), topic));
+    const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+    const std::string unknown = unexpected ? unknown_word(app, argc, argv) : std::string();
+    print(stderr, fmt::format("rubicon: error: {}\n  hint: see 'rubicon help{}'\n",
+                              unknown.empty() ? error.what() : unknown, topic));
     return kWrongInput;
   }
   for (const auto& [declared, action] : actions) {

@@ -111,6 +111,28 @@ class Help(Case):
             self.assertIn("rubicon help", result.stderr, arguments)
             self.assertEqual(result.stdout, "")
 
+    def test_unknown_commands_and_options_come_with_a_suggestion(self):
+        for arguments, expected in ((["rnu", "x.plan"], "unknown command 'rnu'; did you mean run?"),
+                                    (["paint"], "unknown command 'paint'\n"),
+                                    (["run", "x.plan", "--ouput", "d"], "unknown option '--ouput' of run; did you mean --out?"),
+                                    (["run", "x.plan", "--fromat=csv"], "unknown option '--fromat' of run; did you mean --format?"),
+                                    (["why", "x.plan", "t", "--colour"], "unknown option '--colour' of why\n")):
+            result = rubicon(*arguments)
+            self.assertEqual(result.returncode, 2, arguments)
+            self.assertIn(f"rubicon: error: {expected}", result.stderr, arguments)
+            self.assertIn("rubicon help", result.stderr, arguments)
+
+    def test_a_file_that_is_not_there_comes_with_a_suggestion(self):
+        result = rubicon("run", self.plan.replace(".plan", "s.plan"))
+        self.assertEqual(result.returncode, 2)
+        self.assertIn(f'there is no such file; did you mean "{os.path.basename(self.plan)}"?', result.stderr)
+        luffer = self.write("luffer.robot", "robot l { body b { param x step(1); } behaviour { chain {move_to(x, goal(x))}; } }\n")
+        self.assertTrue(luffer)
+        wrong = self.write("wrong.plan", 'plan p { robot r "lufer.robot"; task t { by r; go x 1; } }\n')
+        self.assertIn('there is no such file; did you mean "luffer.robot"?', rubicon("check", wrong).stderr)
+        far = self.write("far.plan", 'plan p { robot r "nothing_like_it.robot"; task t { by r; go x 1; } }\n')
+        self.assertRegex(rubicon("check", far).stderr, "there is no such file\n")
+
     def test_version(self):
         self.assertRegex(rubicon("--version").stdout, r"^rubicon \d+\.\d+\.\d+\n$")
 

@@ -5,13 +5,16 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <vector>
 
 #include "interpreter/parse/parse.hpp"
+#include "interpreter/syntax/diagnostic.hpp"
 
 namespace rubicon::files {
 
@@ -33,14 +36,44 @@ std::variant<std::string, interpreter::FileFailure> read_all(std::FILE* file) {
   return text;
 }
 
+/// Of a folder with more files than this no name is suggested.
+constexpr int kMostSuggested = 1000;
+
+/// The file beside it whose name is nearest, those of the same kind first; "" if none is near.
+std::string nearest_file(const std::filesystem::path& path) {
+  std::vector<std::string> same, others;
+  std::error_code error;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  int count = 0;
+  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+       at.increment(error)) {
+    if (++count > kMostSuggested) return {};
+    const std::filesystem::path& each = at->path();
+    (each.extension() == path.extension() ? same : others).push_back(each.filename().string());
+  }
+  for (std::vector<std::string>* names : {&same, &others}) {
+    std::sort(names->begin(), names->end());  // folders have no order
+    std::string near = interpreter::did_you_mean(path.filename().string(), *names);
+    if (!near.empty()) return near;
+  }
+  return {};
+}
+
+std::string no_such_file(const std::string& path) {
+  const std::string near = nearest_file(path);
+  return near.empty() ? "there is no such file"
+                      : fmt::format("there is no such file; did you mean \"{}\"?", near);
+}
+
 }  // namespace
 
 std::variant<std::string, interpreter::FileFailure> DiskFiles::read_text(const std::string& path) {
   // O_NONBLOCK: opening a pipe that nobody writes to must not hang.
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) {
-    return interpreter::FileFailure{errno == ENOENT ? "there is no such file"
-                                                    : "cannot be opened: " + reason(errno)};
+    const int error = errno;
+    return interpreter::FileFailure{error == ENOENT ? no_such_file(path)
+                                                    : "cannot be opened: " + reason(error)};
   }
   struct stat status {};
   if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {

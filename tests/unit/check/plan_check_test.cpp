@@ -156,7 +156,7 @@ TEST(PlanCheck, HandsAttributesOn) {
   const Loaded loaded(R"(plan p {
     component c { shape sphere(0, 0, 0, 1); attribute fire "60 min"; name "3/4&quot; & more &amp;quot;";
                   storey "0"; }
-    module m { component d { shape sphere(0, 0, 0, 1); type "IfcSlab"; } task t { takes 1; name "T"; } }
+    module m { component d { shape sphere(0, 0, 0, 1); type "IfcSlab"; } task t { takes 0; name "T"; } }
     place m at trans(0, 0, 3) as one;
   })");
   ASSERT_EQ(loaded.said(), "");
@@ -173,7 +173,7 @@ TEST(PlanCheck, HandsAttributesOn) {
 TEST(PlanCheck, BoundsAttributes) {
   const auto said = [](const std::string& items) {
     return Loaded("plan p { component c { shape sphere(0, 0, 0, 1); " + items +
-                  " } task t { takes 1; } }")
+                  " } task t { takes 0; } }")
         .said();
   };
   EXPECT_EQ(said("name \"" + std::string(1000, 'x') + "\";"), "");
@@ -310,22 +310,22 @@ TEST(PlanCheck, StartsOfDerivedParametersAreComputed) {
 
 TEST(PlanCheck, FinishesHugePlansQuickly) {
   std::string text = "plan p { module m {";
-  for (int i = 0; i < 2000; ++i) text += " task t" + std::to_string(i) + " { takes 1; }";
+  for (int i = 0; i < 2000; ++i) text += " task t" + std::to_string(i) + " { takes 0; }";
   text += " }";
   for (int i = 0; i < 600; ++i) text += " place m at rotz(0) as u" + std::to_string(i) + ";";
   const Loaded many(text + " }");
   EXPECT_NE(many.said().find("P18 error"), std::string::npos);
 
-  std::string chain = "plan p { task t0 { takes 1; after t99999; }";
+  std::string chain = "plan p { task t0 { takes 0; after t99999; }";
   for (int i = 1; i < 100000; ++i) {
-    chain += " task t" + std::to_string(i) + " { takes 1; after t" + std::to_string(i - 1) + "; }";
+    chain += " task t" + std::to_string(i) + " { takes 0; after t" + std::to_string(i - 1) + "; }";
   }
   const Loaded cycle(chain + " }");
   EXPECT_NE(cycle.said().find("P08 error: these tasks wait for each other"), std::string::npos);
 
   std::string wrong = "plan p {";
   for (int i = 0; i < 20000; ++i) {
-    wrong += " task task_number_" + std::to_string(i) + " { takes 1; after task_nubmer_" +
+    wrong += " task task_number_" + std::to_string(i) + " { takes 0; after task_nubmer_" +
              std::to_string(i) + "; }";
   }
   const Loaded unknown(wrong + " }");

@@ -49,6 +49,8 @@ TEST(Number, UnitsAreConvertedToBaseUnits) {
                {"500 mm/s", 0.5, UnitKind::speed},
                {"3 deg/s", 3, UnitKind::turn_rate},
                {"2 rpm", 12, UnitKind::turn_rate},
+               {"36 km/h", 10, UnitKind::speed},
+               {"1 rad/s", 57.29577951308232, UnitKind::turn_rate},
                {"180 per h", 0.05, UnitKind::per_hour}};
   for (const auto& expected : cases) {
     const Number number = literal(expected.text);

@@ -200,7 +200,9 @@ TEST(Recovery, LabelMissing) {
 
 TEST(Recovery, UnexpectedCharacter) {
   EXPECT_THAT(in_script("var(a) = 3 @ 4;"), ElementsAre("1:12: error: unexpected character '@'"));
-  EXPECT_THAT(in_script("var(ä) = 3;"), ElementsAre("1:5: error: unexpected character 'ä'"));
+  EXPECT_THAT(in_script("var(ä) = 3;"),
+              ElementsAre("1:5: error: 'ä' cannot stand in a name: names have the letters a to z, "
+                          "digits and _"));
 }
 
 TEST(Recovery, EveryMistakeOfAFileInOneRun) {

@@ -115,6 +115,12 @@ TEST(End, StartBlockedAndGoalImpossibleAreFoundBeforeMoving) {
   end = run(setup, task, world);
   EXPECT_EQ(end.status, MotionStatus::goal_impossible);
   EXPECT_THAT(end.message, HasSubstr("the nearest pose is 5 m"));
+  // Only a turn is missing that this robot cannot make.
+  task.goals[0].X_WG = math::translation(3, 0, 0) * math::rotation_z_deg(90);
+  end = run(setup, task, world);
+  EXPECT_EQ(end.status, MotionStatus::goal_impossible);
+  EXPECT_THAT(end.message, HasSubstr("90 degrees off; no swivel: the turn about z is not free; use "
+                                     "within or add one"));
   // What is only rounding is not shown to people.
   task.goals[0].X_WG = math::translation(3, 4, 5) * math::rotation_z_deg(1e-9);
   end = run(setup, task, world);
