@@ -12,7 +12,8 @@ enum class Query {
   take_lost_brace,      ///< the same, and the loop ends now
   separator_is_waived,  ///< a mistake was passed over: no separator is due
   semicolon_ends_loop,  ///< the ';' here ends a loop whose '}' is lost; else it stands for a ','
-  on_new_line           ///< the next token is the first of its line
+  on_new_line,          ///< the next token is the first of its line
+  computes_numbers      ///< an expression may stand where a number does
 };
 
 /// How a mistake is explained.

@@ -7,6 +7,16 @@ namespace rubicon::grammar {
 
 struct expression;
 struct unary;
+struct quantity;
+
+// Names with indices, in plans: column[i], unit[0, 2].slab.
+struct index_open : symbol<'['> {};
+struct index_value : nested<quantity> {};
+struct index_close : symbol<']'> {};
+struct indices : if_must<index_open, index_value, star<if_must<comma, index_value>>, index_close> {
+};
+struct indexed_name : seq<name, opt<indices>> {};
+struct qualified_indexed_name : seq<indexed_name, opt<if_must<dot, member_name, opt<indices>>>> {};
 
 // Operands.
 struct call_open : open_parenthesis {};
@@ -16,7 +26,8 @@ struct next_argument : argument {};
 struct arguments : opt<argument, star<if_must<comma, next_argument>>> {};
 struct call : if_must<call_open, arguments, call_close> {};
 
-struct operand_name : qualified_name {};
+struct plan_operand_name : seq<ask<Query::computes_numbers>, qualified_indexed_name> {};
+struct operand_name : sor<plan_operand_name, qualified_name> {};
 struct name_operand : seq<operand_name, opt<call>> {};
 
 /// A command where a value is wanted: parsed, for the check to speak of it.
@@ -85,5 +96,8 @@ struct or_operator : token<or_word> {};
 struct disjunct : conjunction {};
 struct or_tail : if_must<or_operator, disjunct> {};
 struct expression : seq<conjunction, star<or_tail>> {};
+
+/// A number where no condition can stand; in plans it may be computed.
+struct quantity : sum {};
 
 }  // namespace rubicon::grammar

@@ -23,10 +23,13 @@ struct shape_at : if_must<at_key, shape_frame> {};
 struct shape_open : open_parenthesis {};
 struct shape_close : close_parenthesis {};
 
+/// In robots a number with a sign, in plans what is computed.
+struct computed_number : seq<ask<Query::computes_numbers>, quantity> {};
+
 struct mesh_name : token<word<TAO_PEGTL_STRING("mesh")>> {};
 struct mesh_file : string_literal {};
 struct scale_key : token<word<TAO_PEGTL_STRING("scale")>> {};
-struct mesh_scale : signed_number {};
+struct mesh_scale : sor<computed_number, signed_number> {};
 struct up_key : token<word<TAO_PEGTL_STRING("up")>> {};
 struct mesh_up : name {};
 struct part_key : token<word<TAO_PEGTL_STRING("part")>> {};
@@ -39,7 +42,7 @@ struct mesh
     : if_must<mesh_name, shape_open, mesh_file, star<if_must<comma, mesh_option>>, shape_close> {};
 
 struct solid_name : name {};
-struct shape_number : signed_number {};
+struct shape_number : sor<computed_number, signed_number> {};
 struct shape_numbers : opt<shape_number, star<if_must<comma, shape_number>>> {};
 struct solid : if_must<solid_name, shape_open, shape_numbers, shape_close> {};
 

@@ -96,14 +96,17 @@ struct number_text
     : seq<sor<seq<digits, opt<one<'.'>, digits>>, seq<one<'.'>, digits>>, opt<exponent>> {};
 
 /// Longest first; `m/s` is one unit, without space inside.
-struct unit_text
+struct simple_unit
     : sor<word<TAO_PEGTL_STRING("mm/s")>, word<TAO_PEGTL_STRING("deg/s")>,
           word<TAO_PEGTL_STRING("rad/s")>, word<TAO_PEGTL_STRING("km/h")>,
           word<TAO_PEGTL_STRING("m/s")>, word<TAO_PEGTL_STRING("mm")>, word<TAO_PEGTL_STRING("cm")>,
           word<TAO_PEGTL_STRING("min")>, word<TAO_PEGTL_STRING("deg")>,
           word<TAO_PEGTL_STRING("rad")>, word<TAO_PEGTL_STRING("rpm")>,
-          word<TAO_PEGTL_STRING("kg")>, word<one<'m'>>, word<one<'s'>>, word<one<'h'>>,
-          word<one<'t'>>, seq<word<TAO_PEGTL_STRING("per")>, plus<blank>, word<one<'h'>>>> {};
+          word<TAO_PEGTL_STRING("kg")>, word<TAO_PEGTL_STRING("m2")>, word<TAO_PEGTL_STRING("m3")>,
+          word<one<'m'>>, word<one<'s'>>, word<one<'h'>>, word<one<'t'>>> {};
+struct per_unit : seq<word<TAO_PEGTL_STRING("per")>, plus<blank>, simple_unit> {};
+/// m, t per m3, per h.
+struct unit_text : sor<seq<simple_unit, opt<seq<plus<blank>, per_unit>>>, per_unit> {};
 
 /// Words that may follow a number without being its unit: what follows it in a plan or a condition,
 /// and parameters (a comma was forgotten) or calls (an operator was).
@@ -133,7 +136,7 @@ struct string_literal : token<string_open, string_content, sor<one<'"'>, untermi
 struct long_symbol : sor<string<'=', '='>, string<'!', '='>, string<'<', '='>, string<'>', '='>,
                          string<'<', '-'>, utf8::one<0x2190>> {};
 struct short_symbol
-    : one<'{', '}', '(', ')', ',', ';', ':', '=', '.', '+', '-', '*', '/', '<', '>'> {};
+    : one<'{', '}', '(', ')', '[', ']', ',', ';', ':', '=', '.', '+', '-', '*', '/', '<', '>'> {};
 struct any_symbol : sor<long_symbol, short_symbol> {};
 struct any_name : identifier_text {};
 struct any_number : number_text {};

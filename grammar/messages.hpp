@@ -114,6 +114,19 @@ RUBICON_EXPECT(text_finished, "the end of the file after the '}' of the robot");
 
 // plans
 RUBICON_EXPECT(plan_semicolon, "';'");
+RUBICON_EXPECT(index_value, "a number in the brackets of a name");
+RUBICON_EXPECT(index_close, "',' or ']'");
+RUBICON_EXPECT(for_variable, "a name after for");
+RUBICON_EXPECT(for_from, "'from' and a number");
+RUBICON_EXPECT(for_first, "a number");
+RUBICON_EXPECT(for_to, "'to' and a number");
+RUBICON_EXPECT(for_last, "a number");
+RUBICON_EXPECT(given_open, "'(' after when");
+RUBICON_EXPECT(given_condition, "a condition");
+RUBICON_EXPECT(given_close, "')'", Explain::expected, "==");
+RUBICON_EXPECT(parameter_name, "a name after parameter");
+RUBICON_EXPECT(parameter_equals, "'=' and a value");
+RUBICON_EXPECT(parameter_content, "a value or a text in quotes");
 RUBICON_EXPECT(value_number, "a number");
 RUBICON_EXPECT(named_value, "a parameter and its value");
 RUBICON_EXPECT(goal_frame, kFrame, Explain::expected, kFrameWords);
@@ -138,6 +151,7 @@ RUBICON_EXPECT(component_at_frame, kFrame, Explain::expected, kFrameWords);
 RUBICON_EXPECT(component_grip_frame, kFrame, Explain::expected, kFrameWords);
 RUBICON_EXPECT(mass_value, "a number");
 RUBICON_EXPECT(attribute_text, "a text in quotes");
+RUBICON_EXPECT(group_heading, "a heading in quotes");
 RUBICON_EXPECT(free_attribute_name, "a name after attribute");
 RUBICON_EXPECT(component_part, "component", Explain::item,
                "shape at grip mass name storey type guid attribute");
@@ -162,9 +176,9 @@ RUBICON_EXPECT(work_crew, "the name of a crew");
 RUBICON_EXPECT(guide_name, "the name of a guide");
 RUBICON_EXPECT(task_part, "task", Explain::item,
                "by move go remove hook adjust release takes via guide situation within budget "
-               "priority zone after name attribute");
+               "priority zone after name group attribute for when");
 RUBICON_EXPECT(task_name, "a name after task");
-RUBICON_EXPECT(module_part, "module", Explain::item, "component task");
+RUBICON_EXPECT(module_part, "module", Explain::item, "component task for when");
 RUBICON_EXPECT(module_name, "a name after module");
 RUBICON_EXPECT(placed_module, "the name of a module");
 RUBICON_EXPECT(placed_at, "'at' and a frame");
@@ -175,10 +189,11 @@ RUBICON_EXPECT(placed_as, "a name after as");
 RUBICON_EXPECT(import_file, "the name of a file in quotes");
 RUBICON_EXPECT(import_name, "a name after as");
 RUBICON_EXPECT(import_block, "'{' after import");
+RUBICON_EXPECT(import_end, "';' or '{' after import");
 RUBICON_EXPECT(short_start_values, "a parameter and its value");
 RUBICON_EXPECT(plan_item, "plan", Explain::item,
                "component robot crew task module place import site contact budget start_at "
-               "currency calendar situation start goal via carry within");
+               "currency calendar situation start goal via carry within parameter for when");
 RUBICON_EXPECT(plan_file_key, "'plan' at the start of a plan");
 RUBICON_EXPECT(plan_name, "a name after plan");
 RUBICON_EXPECT(plan_finished, "the end of the file after the '}' of the plan");

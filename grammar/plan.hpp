@@ -10,7 +10,7 @@ struct plan_semicolon : semicolon {};
 
 // Values, goals, links.
 struct value_name : qualified_name {};
-struct value_number : signed_number {};
+struct value_number : quantity {};
 struct named_value : if_must<value_name, value_number> {};
 struct values : seq<named_value, star<if_must<comma, named_value>>> {};
 
@@ -18,18 +18,34 @@ struct goal_frame : frame {};
 struct goal_values : values {};
 struct goal : sor<if_must<at_key, goal_frame>, goal_values> {};
 
-struct duration : signed_number {};
-struct link_name : qualified_name {};
+struct duration : quantity {};
+struct link_name : qualified_indexed_name {};
 struct link_type : name {};
 struct later : plus_sign {};
 struct earlier : minus_sign {};
-struct link_lag : signed_number {};
+/// The sign before a lag is that of its first term.
+struct lag_term : product {};
+struct link_lag : seq<lag_term, star<sum_tail>> {};
 struct link : seq<link_name, opt<link_type>, opt<if_must<sor<later, earlier>, link_lag>>> {};
 struct links : seq<link, star<if_must<comma, link>>> {};
 struct after_key : token<word<TAO_PEGTL_STRING("after")>> {};
 
-struct listed_name : name {};
+struct listed_name : qualified_indexed_name {};
 struct listed_names : seq<listed_name, star<if_must<comma, listed_name>>> {};
+
+// What is repeated, and what is there on a condition.
+struct for_key : token<word<TAO_PEGTL_STRING("for")>> {};
+struct for_variable : name {};
+struct for_from : token<word<TAO_PEGTL_STRING("from")>> {};
+struct for_first : quantity {};
+struct for_to : token<word<TAO_PEGTL_STRING("to")>> {};
+struct for_last : quantity {};
+struct for_head : if_must<for_key, for_variable, for_from, for_first, for_to, for_last> {};
+struct given_key : token<when_word> {};
+struct given_open : open_parenthesis {};
+struct given_condition : expression {};
+struct given_close : close_parenthesis {};
+struct given_head : if_must<given_key, given_open, given_condition, given_close> {};
 
 // Settings.
 struct site_key : token<word<TAO_PEGTL_STRING("site")>> {};
@@ -37,7 +53,7 @@ struct site_item : if_must<site_key, shape, plan_semicolon> {};
 
 struct number_key
     : token<sor<word<TAO_PEGTL_STRING("contact")>, word<TAO_PEGTL_STRING("budget")>>> {};
-struct number_value : signed_number {};
+struct number_value : quantity {};
 struct number_item : if_must<number_key, number_value, plan_semicolon> {};
 
 struct text_key
@@ -49,7 +65,8 @@ struct situation_key : token<word<TAO_PEGTL_STRING("situation")>> {};
 struct situation_item : if_must<situation_key, listed_names, plan_semicolon> {};
 
 struct within_key : token<word<TAO_PEGTL_STRING("within")>> {};
-struct within_length : signed_number {};
+/// Names in a length are put in parentheses; else they are those of parameters of the robot.
+struct within_length : seq<at<sor<digit, one<'.', '(', '+', '-'>>>, quantity> {};
 struct within_values : values {};
 struct within_limit : sor<within_length, within_values> {};
 struct within_item : if_must<within_key, within_limit, plan_semicolon> {};
@@ -78,7 +95,7 @@ struct shift : sor<off_shift, carry_over, day_shift> {};
 struct whole_shift : must<shift> {};
 struct shifts : nested<star<not_at<block_end>, recover<whole_shift, item_end>>> {};
 struct calendar_key : token<word<TAO_PEGTL_STRING("calendar")>> {};
-struct calendar_name : name {};
+struct calendar_name : indexed_name {};
 struct calendar_item : if_must<calendar_key, calendar_name, block_open, shifts, block_close> {};
 
 // What a component or a task is to the client.
@@ -94,6 +111,12 @@ struct task_attribute : if_must<task_attribute_key, attribute_text, plan_semicol
 struct free_attribute
     : if_must<free_attribute_key, free_attribute_name, attribute_text, plan_semicolon> {};
 
+// Headings of a task, from the widest to the nearest.
+struct group_key : token<word<TAO_PEGTL_STRING("group")>> {};
+struct group_heading : string_literal {};
+struct group_item
+    : if_must<group_key, group_heading, star<if_must<comma, group_heading>>, plan_semicolon> {};
+
 // Components, robots, crews.
 struct component_shape_key : token<word<TAO_PEGTL_STRING("shape")>> {};
 struct component_shape : if_must<component_shape_key, shape, plan_semicolon> {};
@@ -103,7 +126,7 @@ struct grip_key : token<word<TAO_PEGTL_STRING("grip")>> {};
 struct component_grip_frame : frame {};
 struct component_grip : if_must<grip_key, component_grip_frame, plan_semicolon> {};
 struct mass_key : token<word<TAO_PEGTL_STRING("mass")>> {};
-struct mass_value : signed_number {};
+struct mass_value : quantity {};
 struct component_mass : if_must<mass_key, mass_value, plan_semicolon> {};
 struct component_part : sor<component_shape, component_at, component_grip, component_mass,
                             component_attribute, free_attribute> {};
@@ -111,16 +134,16 @@ struct whole_component_part : must<component_part> {};
 struct component_parts : nested<star<not_at<block_end>, recover<whole_component_part, item_end>>> {
 };
 struct component_key : token<word<TAO_PEGTL_STRING("component")>> {};
-struct component_name : name {};
+struct component_name : indexed_name {};
 struct component_item
     : if_must<component_key, component_name, block_open, component_parts, block_close> {};
 
 struct start_key : token<word<TAO_PEGTL_STRING("start")>> {};
 struct cost_key : token<word<TAO_PEGTL_STRING("cost")>> {};
-struct cost_amount : signed_number {};
+struct cost_amount : quantity {};
 struct cost_item : if_must<cost_key, cost_amount, plan_semicolon> {};
 struct uses_calendar_key : token<word<TAO_PEGTL_STRING("calendar")>> {};
-struct used_calendar : name {};
+struct used_calendar : qualified_indexed_name {};
 struct uses_calendar : if_must<uses_calendar_key, used_calendar, plan_semicolon> {};
 
 struct robot_start_values : values {};
@@ -134,7 +157,7 @@ struct robot_use_parts : nested<star<not_at<block_end>, recover<whole_robot_use_
 };
 struct robot_use_key : token<word<TAO_PEGTL_STRING("robot")>> {};
 struct robot_file_name : string_literal {};
-struct robot_use_name : name {};
+struct robot_use_name : indexed_name {};
 struct robot_frame : frame {};
 struct robot_at : opt<if_must<at_key, robot_frame>> {};
 struct robot_use_block : if_must<block_open, robot_use_parts, block_close> {};
@@ -145,7 +168,7 @@ struct robot_use_form : sor<short_robot, named_robot> {};
 struct robot_use : if_must<robot_use_key, robot_use_form> {};
 
 struct size_key : token<word<TAO_PEGTL_STRING("size")>> {};
-struct size_value : signed_number {};
+struct size_value : quantity {};
 struct crew_size : if_must<size_key, size_value, plan_semicolon> {};
 struct crew_part : sor<crew_size, cost_item, uses_calendar> {};
 struct whole_crew_part : must<crew_part> {};
@@ -153,24 +176,24 @@ struct crew_parts : nested<star<not_at<block_end>, recover<whole_crew_part, item
 struct crew_block : if_must<block_open, crew_parts, block_close> {};
 struct crew_end : sor<semicolon, crew_block> {};
 struct crew_key : token<word<TAO_PEGTL_STRING("crew")>> {};
-struct crew_name : name {};
+struct crew_name : indexed_name {};
 struct crew_item : if_must<crew_key, crew_name, crew_end> {};
 
 // Tasks.
 struct by_key : token<word<TAO_PEGTL_STRING("by")>> {};
 struct by_item : if_must<by_key, listed_names, plan_semicolon> {};
 struct move_key : token<word<TAO_PEGTL_STRING("move")>> {};
-struct moved_component : qualified_name {};
+struct moved_component : qualified_indexed_name {};
 struct to_key : token<word<TAO_PEGTL_STRING("to")>> {};
 struct move_item : if_must<move_key, moved_component, to_key, frame, plan_semicolon> {};
 struct go_key : token<word<TAO_PEGTL_STRING("go")>> {};
 struct go_item : if_must<go_key, goal, plan_semicolon> {};
 struct remove_key : token<word<TAO_PEGTL_STRING("remove")>> {};
-struct removed_component : qualified_name {};
+struct removed_component : qualified_indexed_name {};
 struct remove_item : if_must<remove_key, removed_component, plan_semicolon> {};
 struct crew_work_key : token<sor<word<TAO_PEGTL_STRING("hook")>, word<TAO_PEGTL_STRING("adjust")>,
                                  word<TAO_PEGTL_STRING("release")>>> {};
-struct work_crew : name {};
+struct work_crew : qualified_indexed_name {};
 struct crew_work_item
     : if_must<crew_work_key, duration, opt<if_must<by_key, work_crew>>, plan_semicolon> {};
 struct takes_key : token<word<TAO_PEGTL_STRING("takes")>> {};
@@ -178,7 +201,7 @@ struct takes_item : if_must<takes_key, duration, plan_semicolon> {};
 struct via_key : token<word<TAO_PEGTL_STRING("via")>> {};
 struct via_item : if_must<via_key, goal, plan_semicolon> {};
 struct guide_key : token<word<TAO_PEGTL_STRING("guide")>> {};
-struct guide_name : name {};
+struct guide_name : indexed_name {};
 struct guide_item : if_must<guide_key, guide_name, plan_semicolon> {};
 struct task_number_key
     : token<sor<word<TAO_PEGTL_STRING("budget")>, word<TAO_PEGTL_STRING("priority")>>> {};
@@ -186,32 +209,41 @@ struct task_number_item : if_must<task_number_key, number_value, plan_semicolon>
 struct zone_key : token<word<TAO_PEGTL_STRING("zone")>> {};
 struct zone_item : if_must<zone_key, shape, plan_semicolon> {};
 struct after_item : if_must<after_key, links, plan_semicolon> {};
-struct task_part : sor<by_item, move_item, go_item, remove_item, crew_work_item, takes_item,
-                       via_item, guide_item, situation_item, within_item, task_number_item,
-                       zone_item, after_item, task_attribute, free_attribute> {};
+struct task_parts;
+struct task_repetition : if_must<for_head, block_open, task_parts, block_close> {};
+struct task_choice : if_must<given_head, block_open, task_parts, block_close> {};
+struct task_block : sor<task_repetition, task_choice> {};
+struct task_part
+    : sor<task_block, by_item, move_item, go_item, remove_item, crew_work_item, takes_item,
+          via_item, guide_item, situation_item, within_item, task_number_item, zone_item,
+          after_item, task_attribute, group_item, free_attribute> {};
 struct whole_task_part : must<task_part> {};
 struct task_parts : nested<star<not_at<block_end>, recover<whole_task_part, item_end>>> {};
 struct task_key : token<word<TAO_PEGTL_STRING("task")>> {};
-struct task_name : name {};
+struct task_name : indexed_name {};
 struct task_item : if_must<task_key, task_name, block_open, task_parts, block_close> {};
 
 // Modules, imports.
-struct module_part : sor<component_item, task_item> {};
+struct module_parts;
+struct module_repetition : if_must<for_head, block_open, module_parts, block_close> {};
+struct module_choice : if_must<given_head, block_open, module_parts, block_close> {};
+struct module_block : sor<module_repetition, module_choice> {};
+struct module_part : sor<module_block, component_item, task_item> {};
 struct whole_module_part : must<module_part> {};
 struct module_parts : nested<star<not_at<block_end>, recover<whole_module_part, item_end>>> {};
 struct module_key : token<word<TAO_PEGTL_STRING("module")>> {};
-struct module_name : name {};
+struct module_name : indexed_name {};
 struct module_item : if_must<module_key, module_name, block_open, module_parts, block_close> {};
 
 struct place_key : token<word<TAO_PEGTL_STRING("place")>> {};
-struct placed_module : name {};
+struct placed_module : qualified_indexed_name {};
 struct placed_at : at_key {};
 struct placed_frame : frame {};
 struct from_key : token<word<TAO_PEGTL_STRING("from")>> {};
 struct stock_frame : frame {};
 struct placed_from : opt<if_must<from_key, stock_frame>> {};
 struct as_key : token<word<TAO_PEGTL_STRING("as")>> {};
-struct placed_as : name {};
+struct placed_as : indexed_name {};
 struct place_item : if_must<place_key, placed_module, placed_at, placed_frame, placed_from, as_key,
                             placed_as, opt<if_must<after_key, links>>, plan_semicolon> {};
 
@@ -222,8 +254,9 @@ struct import_block : if_must<block_open, import_content, block_close> {};
 struct import_key : token<word<TAO_PEGTL_STRING("import")>> {};
 struct import_file : string_literal {};
 struct import_name : name {};
+struct import_end : sor<semicolon, import_block> {};
 struct import_item
-    : if_must<import_key, import_file, opt<if_must<as_key, import_name>>, import_block> {};
+    : if_must<import_key, import_file, opt<if_must<as_key, import_name>>, import_end> {};
 
 // The short form, the plan.
 struct short_start_values : values {};
@@ -233,10 +266,24 @@ struct short_goal : if_must<goal_key, goal, plan_semicolon> {};
 struct carry_key : token<word<TAO_PEGTL_STRING("carry")>> {};
 struct carry_item : if_must<carry_key, shape, plan_semicolon> {};
 
-struct plan_item : sor<component_item, robot_use, crew_item, task_item, module_item, place_item,
-                       import_item, site_item, number_item, text_item, calendar_item,
-                       situation_item, short_start, short_goal, via_item, carry_item, within_item> {
+struct parameter_key : token<word<TAO_PEGTL_STRING("parameter")>> {};
+struct parameter_name : indexed_name {};
+struct parameter_equals : equals {};
+struct parameter_text : string_literal {};
+struct parameter_value : expression {};
+struct parameter_content : sor<parameter_text, parameter_value> {};
+struct parameter_item
+    : if_must<parameter_key, parameter_name, parameter_equals, parameter_content, plan_semicolon> {
 };
+
+struct plan_items;
+struct plan_repetition : if_must<for_head, block_open, plan_items, block_close> {};
+struct plan_choice : if_must<given_head, block_open, plan_items, block_close> {};
+struct plan_block : sor<plan_repetition, plan_choice> {};
+struct plan_item
+    : sor<plan_block, parameter_item, component_item, robot_use, crew_item, task_item, module_item,
+          place_item, import_item, site_item, number_item, text_item, calendar_item, situation_item,
+          short_start, short_goal, via_item, carry_item, within_item> {};
 struct whole_plan_item : must<plan_item> {};
 struct plan_items : nested<star<not_at<block_end>, recover<whole_plan_item, item_end>>> {};
 struct plan_file_key : token<word<TAO_PEGTL_STRING("plan")>> {};

@@ -24,6 +24,8 @@ std::string_view unit_kind_text(UnitKind kind) {
       return "a turning speed";
     case UnitKind::per_hour:
       return "an hourly rate";
+    case UnitKind::compound:
+      return "a value of another kind";
   }
   return "";
 }
@@ -31,9 +33,13 @@ std::string_view unit_kind_text(UnitKind kind) {
 bool check_unit(const syntax::Number& number, UnitKind wanted, std::string_view what,
                 Diagnostics& diagnostics) {
   if (number.unit == UnitKind::none || number.unit == wanted) return true;
-  diagnostics.error("F09", number.span,
-                    fmt::format("{} needs {}, but '{}' is {}", what, unit_kind_text(wanted),
-                                number.unit_text, unit_kind_text(number.unit)));
+  diagnostics.error(
+      "F09", number.span,
+      number.unit_text.empty()  // computed
+          ? fmt::format("{} needs {}, but the value is {}", what, unit_kind_text(wanted),
+                        syntax::dimension_text(number.dimension))
+          : fmt::format("{} needs {}, but '{}' is {}", what, unit_kind_text(wanted),
+                        number.unit_text, syntax::dimension_text(number.dimension)));
   return false;
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "interpreter/check/check_plan_parts.hpp"
+#include "interpreter/expand/imports.hpp"
 #include "interpreter/parse/parse.hpp"
 
 namespace rubicon::interpreter {
@@ -40,7 +41,9 @@ std::vector<std::string> all_situations(const syntax::Plan& plan) {
 }  // namespace
 
 std::unique_ptr<PlanModel> load_plan(const std::string& path, SourceMap& sources,
-                                     FileProvider& files, Diagnostics& diagnostics) {
+                                     FileProvider& files, Diagnostics& diagnostics,
+                                     const ParameterTexts& set) {
+  const std::size_t said_before = diagnostics.all().size();
   const int errors_before = diagnostics.errors();
   std::variant<std::string, FileFailure> text = files.read_text(path);
   if (const auto* failure = std::get_if<FileFailure>(&text)) {
@@ -48,11 +51,14 @@ std::unique_ptr<PlanModel> load_plan(const std::string& path, SourceMap& sources
     return nullptr;
   }
   const FileId file = sources.add(path, std::get<std::string>(std::move(text)));
-  const syntax::Plan plan = parse_plan(sources, file, diagnostics);
+  syntax::Plan plan = parse_plan(sources, file, diagnostics);
+  ImportFiles imports{files, {path}};
+  expand_plan(plan, set, sources, diagnostics, imports);
 
   auto model = std::make_unique<PlanModel>();
   model->name = plan.name.text;
   model->path = path;
+  model->set = set;
   NoFormulaNames names;
   ShapeResolver shapes(path, files, names, diagnostics);
   plan_check::Subject subject{plan, *model, sources, files, diagnostics, shapes, names};
@@ -67,6 +73,7 @@ std::unique_ptr<PlanModel> load_plan(const std::string& path, SourceMap& sources
   plan_check::check_scale(subject);
   plan_check::check_short_form(subject);
   if (diagnostics.errors() == errors_before) plan_check::check_cycles(subject);
+  diagnostics.name_copies(said_before, sources);
   if (diagnostics.errors() != errors_before || plan.broken) return nullptr;
   return model;
 }

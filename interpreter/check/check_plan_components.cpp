@@ -59,7 +59,7 @@ void check_components(Subject& subject) {
     const auto* item = std::get_if<syntax::ComponentItem>(&each);
     if (item == nullptr) continue;
     ComponentSpec component = resolve_component(subject, *item);
-    if (subject.component_spans.at(item->name.text).begin != item->name.span.begin) continue;
+    if (subject.component_spans.at(item->name.text) != item->name.span) continue;
     const int index = subject.components.at(item->name.text);
     subject.model.components[static_cast<std::size_t>(index)] = std::move(component);
   }

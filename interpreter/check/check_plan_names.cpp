@@ -138,9 +138,17 @@ std::optional<int> find_element(Subject& subject, const Scope& scope,
                                 NameIndex Subject::*own, NameIndex ModuleInfo::*of_module,
                                 int PlaceInfo::*first_of_place, int first_of_scope) {
   if (name.body) {
+    const auto imported = (subject.*own).find(name.text());
+    if (imported != (subject.*own).end()) return imported->second;
     const std::string& place_name = name.body->text;
     if (subject.import_spans.count(place_name) != 0) return std::nullopt;
     const auto place = subject.places.find(place_name);
+    const auto like = (subject.*own).lower_bound(place_name + ".");
+    if (place == subject.places.end() && like != (subject.*own).end() &&
+        like->first.starts_with(place_name + ".")) {
+      subject.unknown(name.span, what, name.text(), {&(subject.*own)});
+      return std::nullopt;
+    }
     if (place == subject.places.end()) {
       subject.unknown(name.body->span, "place", place_name, {&subject.places});
       return std::nullopt;
@@ -177,6 +185,10 @@ void Subject::twice(Span second, std::string message, Span first) {
   diagnostic.span = second;
   diagnostic.message = std::move(message);
   diagnostic.notes.push_back({first, "first given here"});
+  if (first.begin == second.begin && first.copy != second.copy) {
+    diagnostic.hint =
+        fmt::format("each copy needs a name of its own, such as {}[i]", sources.text(second));
+  }
   diagnostics.add(std::move(diagnostic));
 }
 

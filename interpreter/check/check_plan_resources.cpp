@@ -29,7 +29,14 @@ std::optional<double> resolve_cost(Subject& subject, const std::vector<syntax::C
   if (cost == nullptr) return std::nullopt;
   subject.use("cost", cost->span);
   syntax::Number amount = cost->amount;
-  if (amount.unit == UnitKind::per_hour) amount.value *= 3600;
+  if (amount.unit != UnitKind::per_hour) {
+    subject.error("F09", amount.span,
+                  fmt::format("the cost of {} needs an amount per h, but the value is {}", who,
+                              syntax::dimension_text(amount.dimension)),
+                  "write for example 2 * 90 per h");
+    return std::nullopt;
+  }
+  amount.value *= 3600;
   return bounded(subject, amount, UnitKind::per_hour, "the cost of " + who, 0, kMaxCost);
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "interpreter/check/check_number.hpp"
@@ -151,6 +152,7 @@ class TaskChecker {
   void check_part(const syntax::ByItem&) {}
   void check_part(const syntax::MoveItem&) {}
   void check_part(const syntax::GoItem&) {}
+  void check_part(const std::shared_ptr<const syntax::TaskBlock>&) {}  // expand leaves none
 
   void check_part(const syntax::RemoveItem& item) {
     const std::optional<int> component = find_component(subject_, scope_, item.component);

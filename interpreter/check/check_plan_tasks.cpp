@@ -29,7 +29,7 @@ void check_tasks_of_plan(Subject& subject) {
     if (item == nullptr) continue;
     TaskSpec task;
     check_task(subject, Scope{}, *item, task);
-    if (subject.task_spans.at(item->name.text).begin != item->name.span.begin) continue;
+    if (subject.task_spans.at(item->name.text) != item->name.span) continue;
     const int index = subject.tasks.at(item->name.text);
     subject.model.tasks[static_cast<std::size_t>(index)] = std::move(task);
   }

@@ -52,6 +52,8 @@ ValueKind kind_of_unit(syntax::UnitKind unit) {
       return ValueKind::turn_rate;
     case syntax::UnitKind::per_hour:
       return ValueKind::rate;
+    case syntax::UnitKind::compound:
+      break;
   }
   return ValueKind::unknown;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "interpreter/check/check.hpp"
+#include "interpreter/expand/expand.hpp"
 #include "src/motion/geometry/shape.hpp"
 #include "src/simulation/schedule/calendar_rules.hpp"
 #include "src/simulation/schedule/civil_time.hpp"
@@ -131,6 +132,7 @@ struct PlanModel {
   std::vector<TaskSpec> tasks;  ///< file order
   std::optional<schedule::CivilTime> start_at;
   std::string currency;
+  ParameterTexts set;  ///< parameters that were given from outside, with which all this was made
 
   // short form
   std::vector<GoalSpec> via;
@@ -147,8 +149,10 @@ struct PlanModel {
                           ///< currency, parallel links ...
 };
 
-/// Reads and checks a plan, its robots and their scripts. Null if there is an error in any of them.
+/// Reads and checks a plan, its robots and their scripts. `set` gives parameters of the plan other
+/// values than the file does. Null if there is an error in any of them.
 std::unique_ptr<PlanModel> load_plan(const std::string& path, SourceMap& sources,
-                                     FileProvider& files, Diagnostics& diagnostics);
+                                     FileProvider& files, Diagnostics& diagnostics,
+                                     const ParameterTexts& set = {});
 
 }  // namespace rubicon::interpreter

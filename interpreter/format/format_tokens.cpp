@@ -66,7 +66,11 @@ class Cutter {
     while (*unit == ' ' || *unit == '\t') ++unit;
     text.assign(raw.begin, raw.end);
     text += ' ';
-    text += *unit == 'p' ? std::string("per h") : std::string(unit, stop);
+    for (const char* at = unit; at != stop; ++at) {
+      const bool blank = *at == ' ' || *at == '\t';
+      if (!blank) text += *at;
+      if (blank && text.back() != ' ') text += ' ';
+    }
   }
 
   static void clean_comment(FormatToken& token) {
@@ -88,8 +92,9 @@ class Spacer {
 
   bool space_between(const FormatToken& before, const FormatToken& token) {
     const bool space = decide(before, token);
-    if (token.is("(")) ++parentheses_;
-    if (token.is(")")) --parentheses_;
+    if (token.is("(") || token.is("[")) ++parentheses_;
+    if (token.is(")") || token.is("]")) --parentheses_;
+    note_value_name(before, token);
     if (token.is(";") || token.is("{") || token.is("}")) first_word_.clear();
     if (token.is("{")) calendars_.push_back(in_calendar());
     if (token.is("}") && !calendars_.empty()) calendars_.pop_back();
@@ -105,14 +110,34 @@ class Spacer {
 
   static bool is_operand_end(const FormatToken& token) {
     return token.kind == Kind::number || token.kind == Kind::string || token.is(")") ||
+           token.is("]") ||
            (token.kind == Kind::name && !token.is("and") && !token.is("or") && !token.is("not"));
+  }
+
+  /// Whether `token` names a parameter of a robot whose value comes next: `goal x 3, y -2`.
+  void note_value_name(const FormatToken& before, const FormatToken& token) {
+    if (token.is(".") || (before.is(".") && token.kind == Kind::name)) return;
+    bool has_values = false;
+    for (const char* word : {"start", "goal", "via", "park", "go", "within"}) {
+      has_values = has_values || first_word_ == word;
+    }
+    names_value_ = has_values && token.kind == Kind::name && parentheses_ == 0 &&
+                   (before.is(",") || before.is(first_word_));
+  }
+
+  /// Whether a number comes next behind the name `before` of a plan: mass -3, goal x -3, from -1.
+  bool begins_number(const FormatToken& before) const {
+    if (kind_ != TextKind::plan || parentheses_ > 0 || before.kind != Kind::name) return false;
+    if (first_word_ == "after") return false;
+    if (first_word_ == "for" && (before.is("from") || before.is("to"))) return true;
+    return names_value_ || before.is(first_word_);
   }
 
   /// Whether '-' or '+' behind `before` is the sign of a number rather than an operator.
   bool is_sign(const FormatToken& before) const {
     if (!is_operand_end(before)) return true;
     if (parentheses_ > 0 || before.kind != Kind::name) return false;
-    if (kind_ == TextKind::plan) return first_word_ != "after";
+    if (kind_ == TextKind::plan) return begins_number(before);
     return before.text == first_word_ && kind_ == TextKind::robot;
   }
 
@@ -122,10 +147,11 @@ class Spacer {
     if (token.is(",") || token.is(";") || token.is(":") || token.is(")") || token.is("."))
       return false;
     if (before.is(".")) return token.kind == Kind::number;
-    if (before.is("(")) return false;
+    if (before.is("(") || before.is("[") || token.is("[") || token.is("]")) return false;
     if (before.is("{") && token.is("}")) return false;
     if (in_calendar() && (token.is("-") || before.is("-"))) return false;
     if ((before.is("-") || before.is("+")) && sign_) return false;
+    if (token.is("(") && begins_number(before)) return true;
     if (token.is("(")) {
       return before.kind != Kind::name || before.is("and") || before.is("or") || before.is("not") ||
              before.is("until") || before.is("when") || before.is("capacity");
@@ -136,8 +162,9 @@ class Spacer {
   const TextKind kind_;
   int parentheses_ = 0;
   bool sign_ = false;
-  std::string first_word_;  ///< of this statement, or "after" behind it
-  std::string statement_;   ///< the first word of the statement that opens the next brace
+  bool names_value_ = false;  ///< the last token is a parameter of a robot whose value comes next
+  std::string first_word_;    ///< of this statement, or "after" behind it
+  std::string statement_;     ///< the first word of the statement that opens the next brace
   std::vector<bool> calendars_;
 };
 

@@ -99,8 +99,38 @@ void ExpressionState::apply_operator() {
 
 syntax::ExpressionPtr ExpressionState::take_expression() {
   operator_count_ = 0;
+  return take_operand();
+}
+
+syntax::ExpressionPtr ExpressionState::take_operand() {
   syntax::ExpressionPtr result = std::move(operands_.back().expression);
   operands_.pop_back();
+  return result;
+}
+
+// Operators in the brackets of an operand count with those around, so that trees stay shallow.
+void ExpressionState::close_name() {
+  close_indices();
+  if (!has_open_indices() && operands_.empty()) operator_count_ = 0;
+}
+
+syntax::Number ExpressionState::take_quantity() {
+  syntax::ExpressionPtr whole = take_expression();
+  const Expression* literal = whole.get();
+  const bool signed_once =
+      literal->kind == Expression::Kind::negate || literal->kind == Expression::Kind::plus;
+  if (signed_once) literal = literal->operands[0].get();
+  if (literal->kind != Expression::Kind::number) {
+    syntax::Number computed;
+    computed.span = whole->span;
+    computed.expression = std::move(whole);
+    return computed;
+  }
+  syntax::Number result = literal->number;
+  if (whole->kind == Expression::Kind::negate) {
+    result.value = -result.value;
+    result.span.begin = whole->span.begin;
+  }
   return result;
 }
 

@@ -38,6 +38,12 @@ class ExpressionState : public ParseState {
   void apply_operator();
   /// The finished expression.
   syntax::ExpressionPtr take_expression();
+  /// The same inside of another expression, or of a name.
+  syntax::ExpressionPtr take_operand();
+  /// The indices of a name end.
+  void close_name();
+  /// A finished expression as a number: a literal with its sign, or what is to be computed.
+  syntax::Number take_quantity();
 
  private:
   struct Operand {
@@ -89,6 +95,11 @@ RUBICON_ACTION(ExpressionAction, ParseState, unterminated_string) {
 RUBICON_ACTION(ExpressionAction, ParseState, unterminated_comment) {
   st.report("S04", begin, begin + 2, "this comment is never closed: '*/' is missing");
 }
+
+// indices of names
+RUBICON_ACTION(ExpressionAction, ParseState, index_open) { st.open_indices(); }
+RUBICON_ACTION(ExpressionAction, ExpressionState, index_value) { st.add_index(st.take_operand()); }
+RUBICON_ACTION(ExpressionAction, ExpressionState, index_close) { st.close_name(); }
 
 // operands
 RUBICON_ACTION(ExpressionAction, ExpressionState, number_operand) { st.push_number(begin); }

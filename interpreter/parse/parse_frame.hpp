@@ -77,7 +77,10 @@ RUBICON_ACTION(FrameAction, FrameState, mesh_name) {
   st.begin_shape({"mesh", st.span_from(begin)});
 }
 RUBICON_ACTION(FrameAction, FrameState, solid_name) { st.begin_shape(st.take_name()); }
-RUBICON_ACTION(FrameAction, FrameState, shape_number) { st.shape.numbers.push_back(st.number); }
+RUBICON_ACTION(FrameAction, FrameState, computed_number) { st.number = st.take_quantity(); }
+RUBICON_ACTION(FrameAction, FrameState, shape_number) {
+  st.shape.numbers.push_back(std::move(st.number));
+}
 RUBICON_ACTION(FrameAction, FrameState, shape_frame) { st.shape.at = st.take_frame(); }
 RUBICON_ACTION(FrameAction, FrameState, mesh_file) { st.shape.file = st.string; }
 RUBICON_ACTION(FrameAction, FrameState, mesh_scale) { st.shape.scale = st.number; }

@@ -3,18 +3,88 @@
 namespace rubicon::interpreter {
 
 void PlanState::set_cost(const char* from) {
-  if (number.unit != syntax::UnitKind::per_hour) {
-    report_token("P00", begin() + number.span.begin, "expected an amount per h, such as 180 per h");
+  if (!quantity.expression && quantity.unit != syntax::UnitKind::per_hour) {
+    report_token("P00", begin() + quantity.span.begin,
+                 "expected an amount per h, such as 180 per h");
     return;
   }
-  const syntax::Cost cost{number, span_from(from)};
-  (in_crew ? crew.cost : robot.cost).push_back(cost);
+  syntax::Cost cost{std::move(quantity), span_from(from)};
+  (in_crew ? crew.cost : robot.cost).push_back(std::move(cost));
+}
+
+syntax::Name PlanState::take_dotted_name() {
+  syntax::QualifiedName written = take_qualified_name();
+  if (!written.body) return std::move(written.name);
+  if (!written.body->indices.empty()) {
+    report_token("P00", begin() + written.span.begin,
+                 "the name of an import takes no brackets: NAME.x[i]");
+  }
+  written.name.text = written.body->text + "." + written.name.text;
+  written.name.span = written.span;
+  return std::move(written.name);
+}
+
+void PlanState::add_import(const char* from) {
+  if (!import.as && *(last_end - 1) == ';') {
+    report_token("P00", from, "a plan is imported under a name: import \"FILE\" as NAME;");
+  }
+  add(std::move(import), from);
+}
+
+void PlanState::add_heading() {
+  if (headings.text.empty()) {
+    headings = string;
+  } else {
+    headings.text += " / " + string.text;
+    headings.span.end = string.span.end;
+  }
+}
+
+void PlanState::open_block(std::string_view word) {
+  if (in_task) {
+    task_blocks.push_back({std::move(head), {}, {}});
+  } else if (in_module) {
+    module_blocks.push_back({std::move(head), {}, {}});
+  } else {
+    plan_blocks.push_back({std::move(head), {}, {}});
+  }
+  announce(word);
+}
+
+void PlanState::close_task_block(const char* from) {
+  auto block = std::make_shared<syntax::TaskBlock>(std::move(task_blocks.back()));
+  task_blocks.pop_back();
+  block->span = span_from(from);
+  task_parts().emplace_back(std::move(block));
+}
+
+void PlanState::close_module_block(const char* from) {
+  auto block = std::make_shared<syntax::ModuleBlock>(std::move(module_blocks.back()));
+  module_blocks.pop_back();
+  block->span = span_from(from);
+  module_items().emplace_back(std::move(block));
+}
+
+void PlanState::close_plan_block(const char* from) {
+  auto block = std::make_shared<syntax::PlanBlock>(std::move(plan_blocks.back()));
+  plan_blocks.pop_back();
+  block->span = span_from(from);
+  plan_items().emplace_back(std::move(block));
+}
+
+void PlanState::roll_back(const Checkpoint& checkpoint) {
+  ScriptState::roll_back(checkpoint);
+  in_task = checkpoint.in_task;
+  in_module = checkpoint.in_module;
+  task_blocks.resize(checkpoint.task_blocks);
+  module_blocks.resize(checkpoint.module_blocks);
+  plan_blocks.resize(checkpoint.plan_blocks);
 }
 
 void PlanState::add_attribute(const char* from) {
   syntax::AttributeItem item{std::move(key), std::move(string), span_from(from)};
   if (in_task) {
-    task.parts.emplace_back(std::move(item));
+    task_parts().emplace_back(std::move(item));
   } else {
     component.attributes.push_back(std::move(item));
   }
@@ -32,7 +102,7 @@ syntax::String token_string(const PlanState& st, const char* begin) {
 // values, goals, links
 RUBICON_ACTION(PlanAction, PlanState, value_name) { st.value_name = st.take_qualified_name(); }
 RUBICON_ACTION(PlanAction, PlanState, value_number) {
-  st.values.values.push_back({std::move(st.value_name), st.number});
+  st.values.values.push_back({std::move(st.value_name), st.take_quantity()});
 }
 RUBICON_ACTION(PlanAction, PlanState, goal_frame) {
   st.goal = {st.take_frame(), {}, st.span_from(begin)};
@@ -41,7 +111,7 @@ RUBICON_ACTION(PlanAction, PlanState, goal_values) {
   st.goal = {std::nullopt, st.take_values(), st.span_from(begin)};
 }
 RUBICON_ACTION(PlanAction, PlanState, duration) {
-  st.duration = st.number;
+  st.duration = st.take_quantity();
   st.crew_of_work.reset();
 }
 RUBICON_ACTION(PlanAction, PlanState, link_name) {
@@ -50,14 +120,43 @@ RUBICON_ACTION(PlanAction, PlanState, link_name) {
 RUBICON_ACTION(PlanAction, PlanState, link_type) { st.links.back().type = st.take_name(); }
 RUBICON_ACTION(PlanAction, PlanState, later) { st.lag_is_negative = false; }
 RUBICON_ACTION(PlanAction, PlanState, earlier) { st.lag_is_negative = true; }
-RUBICON_ACTION(PlanAction, PlanState, link_lag) {
-  syntax::Number lag = st.number;
-  if (st.lag_is_negative) lag.value = -lag.value;
-  st.links.back().lag = lag;
+RUBICON_ACTION(PlanAction, PlanState, lag_term) {
+  if (st.lag_is_negative) st.apply_sign(syntax::Expression::Kind::negate, begin, 0);
 }
+RUBICON_ACTION(PlanAction, PlanState, link_lag) { st.links.back().lag = st.take_quantity(); }
 RUBICON_ACTION(PlanAction, PlanState, link) { st.links.back().span = st.span_from(begin); }
 RUBICON_ACTION(PlanAction, PlanState, after_key) { st.links.clear(); }
-RUBICON_ACTION(PlanAction, PlanState, listed_name) { st.names.push_back(st.take_name()); }
+RUBICON_ACTION(PlanAction, PlanState, listed_name) { st.names.push_back(st.take_dotted_name()); }
+
+// what is repeated, and what is there on a condition
+RUBICON_ACTION(PlanAction, PlanState, for_key) {
+  st.head = {};
+  st.head.keyword = st.span_from(begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, for_variable) { st.head.variable = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, for_first) { st.head.first = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, for_last) { st.head.last = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, for_head) { st.open_block("for"); }
+RUBICON_ACTION(PlanAction, PlanState, given_key) {
+  st.head = {};
+  st.head.keyword = st.span_from(begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, given_condition) { st.head.condition = st.take_expression(); }
+RUBICON_ACTION(PlanAction, PlanState, given_head) { st.open_block("when"); }
+RUBICON_ACTION(PlanAction, PlanState, task_block) { st.close_task_block(begin); }
+RUBICON_ACTION(PlanAction, PlanState, module_block) { st.close_module_block(begin); }
+RUBICON_ACTION(PlanAction, PlanState, plan_block) { st.close_plan_block(begin); }
+
+// parameters
+RUBICON_ACTION(PlanAction, PlanState, parameter_name) {
+  st.parameter = {};
+  st.parameter.name = st.take_name();
+}
+RUBICON_ACTION(PlanAction, PlanState, parameter_text) { st.parameter.text = st.string; }
+RUBICON_ACTION(PlanAction, PlanState, parameter_value) {
+  st.parameter.value = st.take_expression();
+}
+RUBICON_ACTION(PlanAction, PlanState, parameter_item) { st.add(std::move(st.parameter), begin); }
 
 // settings
 RUBICON_ACTION(PlanAction, PlanState, site_item) {
@@ -65,11 +164,12 @@ RUBICON_ACTION(PlanAction, PlanState, site_item) {
 }
 RUBICON_ACTION(PlanAction, PlanState, number_key) { st.key = st.word(begin); }
 RUBICON_ACTION(PlanAction, PlanState, task_number_key) { st.key = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, number_value) { st.quantity = st.take_quantity(); }
 RUBICON_ACTION(PlanAction, PlanState, number_item) {
-  st.add(syntax::NumberItem{st.key, st.number, {}}, begin);
+  st.add(syntax::NumberItem{st.key, st.quantity, {}}, begin);
 }
 RUBICON_ACTION(PlanAction, PlanState, task_number_item) {
-  st.add_to_task(syntax::NumberItem{st.key, st.number, {}}, begin);
+  st.add_to_task(syntax::NumberItem{st.key, st.quantity, {}}, begin);
 }
 RUBICON_ACTION(PlanAction, PlanState, text_key) { st.key = st.word(begin); }
 RUBICON_ACTION(PlanAction, PlanState, text_item) {
@@ -83,7 +183,7 @@ RUBICON_ACTION(PlanAction, PlanState, within_key) {
   st.within = {};
   st.values = {};
 }
-RUBICON_ACTION(PlanAction, PlanState, within_length) { st.within.length = st.number; }
+RUBICON_ACTION(PlanAction, PlanState, within_length) { st.within.length = st.take_quantity(); }
 RUBICON_ACTION(PlanAction, PlanState, within_values) { st.within.values = st.take_values(); }
 RUBICON_ACTION(PlanAction, PlanState, within_item) { st.add_to_task(std::move(st.within), begin); }
 
@@ -123,6 +223,13 @@ RUBICON_ACTION(PlanAction, PlanState, component_attribute) { st.add_attribute(be
 RUBICON_ACTION(PlanAction, PlanState, task_attribute) { st.add_attribute(begin); }
 RUBICON_ACTION(PlanAction, PlanState, free_attribute) { st.add_attribute(begin); }
 
+RUBICON_ACTION(PlanAction, PlanState, group_key) { st.key = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, group_heading) { st.add_heading(); }
+RUBICON_ACTION(PlanAction, PlanState, group_item) {
+  st.string = std::exchange(st.headings, {});
+  st.add_attribute(begin);
+}
+
 // components, robots, crews
 RUBICON_ACTION(PlanAction, PlanState, component_key) {
   st.component = {};
@@ -138,7 +245,9 @@ RUBICON_ACTION(PlanAction, PlanState, component_at_frame) {
 RUBICON_ACTION(PlanAction, PlanState, component_grip_frame) {
   st.component.grip.push_back(st.take_frame());
 }
-RUBICON_ACTION(PlanAction, PlanState, mass_value) { st.component.mass.push_back(st.number); }
+RUBICON_ACTION(PlanAction, PlanState, mass_value) {
+  st.component.mass.push_back(st.take_quantity());
+}
 RUBICON_ACTION(PlanAction, PlanState, component_item) {
   st.add_to_module(std::move(st.component), begin);
 }
@@ -146,7 +255,7 @@ RUBICON_ACTION(PlanAction, PlanState, start_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, park_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, cost_item) { st.set_cost(begin); }
 RUBICON_ACTION(PlanAction, PlanState, used_calendar) {
-  (st.in_crew ? st.crew.calendar : st.robot.calendar).push_back(st.take_name());
+  (st.in_crew ? st.crew.calendar : st.robot.calendar).push_back(st.take_dotted_name());
 }
 RUBICON_ACTION(PlanAction, PlanState, robot_use_key) {
   st.robot = {};
@@ -167,7 +276,8 @@ RUBICON_ACTION(PlanAction, PlanState, crew_key) {
   st.announce("crew");
 }
 RUBICON_ACTION(PlanAction, PlanState, crew_name) { st.crew.name = st.take_name(); }
-RUBICON_ACTION(PlanAction, PlanState, size_value) { st.crew.size.push_back(st.number); }
+RUBICON_ACTION(PlanAction, PlanState, size_value) { st.crew.size.push_back(st.take_quantity()); }
+RUBICON_ACTION(PlanAction, PlanState, cost_amount) { st.quantity = st.take_quantity(); }
 RUBICON_ACTION(PlanAction, PlanState, crew_item) { st.add(std::move(st.crew), begin); }
 
 // tasks
@@ -203,7 +313,7 @@ RUBICON_ACTION(PlanAction, PlanState, remove_item) {
 }
 RUBICON_ACTION(PlanAction, PlanState, crew_work_key) { st.key = st.word(begin); }
 RUBICON_ACTION(PlanAction, PlanState, takes_key) { st.key = st.word(begin); }
-RUBICON_ACTION(PlanAction, PlanState, work_crew) { st.crew_of_work = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, work_crew) { st.crew_of_work = st.take_dotted_name(); }
 RUBICON_ACTION(PlanAction, PlanState, crew_work_item) {
   st.add_to_task(syntax::WorkItem{st.key, st.duration, st.crew_of_work, {}}, begin);
 }
@@ -239,7 +349,7 @@ RUBICON_ACTION(PlanAction, PlanState, module_item) {
 RUBICON_ACTION(PlanAction, PlanState, placed_module) {
   st.links.clear();
   st.place = {};
-  st.place.module = st.take_name();
+  st.place.module = st.take_dotted_name();
 }
 RUBICON_ACTION(PlanAction, PlanState, placed_frame) { st.place.at = st.take_frame(); }
 RUBICON_ACTION(PlanAction, PlanState, stock_frame) { st.place.from = st.take_frame(); }
@@ -254,7 +364,7 @@ RUBICON_ACTION(PlanAction, PlanState, import_key) {
 }
 RUBICON_ACTION(PlanAction, PlanState, import_file) { st.import.file = st.string; }
 RUBICON_ACTION(PlanAction, PlanState, import_name) { st.import.as = st.take_name(); }
-RUBICON_ACTION(PlanAction, PlanState, import_item) { st.add(std::move(st.import), begin); }
+RUBICON_ACTION(PlanAction, PlanState, import_item) { st.add_import(begin); }
 
 // the short form, the plan
 RUBICON_ACTION(PlanAction, PlanState, short_start) {
@@ -269,23 +379,19 @@ RUBICON_ACTION(PlanAction, PlanState, carry_item) {
 }
 RUBICON_ACTION(PlanAction, PlanState, plan_file_key) { st.announce("plan"); }
 RUBICON_ACTION(PlanAction, PlanState, plan_name) { st.plan.name = st.take_name(); }
-RUBICON_ACTION(PlanAction, PlanState, broken<grammar::whole_plan_item>) {
-  st.in_task = false;
-  st.in_module = false;
-}
-RUBICON_ACTION(PlanAction, PlanState, broken<grammar::whole_module_part>) { st.in_task = false; }
 
 }  // namespace
 
 syntax::Plan parse_plan(const SourceMap& sources, FileId file, Diagnostics& diagnostics) {
   PlanState state(
       sources, file, diagnostics, "P00",
-      {"component", "robot",  "crew",     "task",     "module",   "place",     "import", "site",
-       "contact",   "budget", "start_at", "currency", "calendar", "situation", "start",  "goal",
-       "via",       "carry",  "within",   "shape",    "at",       "grip",      "mass",   "cost",
-       "park",      "size",   "by",       "move",     "go",       "remove",    "hook",   "adjust",
-       "release",   "takes",  "guide",    "priority", "zone",     "after",     "off",    "name",
-       "storey",    "type",   "guid",     "attribute"});
+      {"component", "robot",     "crew",      "task",     "module",   "place",    "import",
+       "site",      "contact",   "budget",    "start_at", "currency", "calendar", "situation",
+       "start",     "goal",      "via",       "carry",    "within",   "shape",    "at",
+       "grip",      "mass",      "cost",      "park",     "size",     "by",       "move",
+       "go",        "remove",    "hook",      "adjust",   "release",  "takes",    "guide",
+       "priority",  "zone",      "after",     "off",      "name",     "storey",   "type",
+       "guid",      "attribute", "parameter", "for",      "when",     "group"});
   const bool finished = run_parser<grammar::plan_file, PlanAction>(state);
   state.plan.broken = !finished || state.errors() > 0;
   state.plan.span = state.span_from(state.begin());

@@ -9,20 +9,53 @@ namespace rubicon::interpreter {
 /// The items of a plan under construction. Tasks and components go to the module they stand in.
 class PlanState : public ScriptState {
  public:
-  using ScriptState::ScriptState;
+  PlanState(const SourceMap& sources, FileId file, Diagnostics& diagnostics, const char* code,
+            std::vector<std::string_view> item_words)
+      : ScriptState(sources, file, diagnostics, code, std::move(item_words)) {
+    computes_numbers_ = true;
+  }
+
+  struct Checkpoint : ScriptState::Checkpoint {
+    bool in_task = false;
+    bool in_module = false;
+    std::size_t task_blocks = 0;
+    std::size_t module_blocks = 0;
+    std::size_t plan_blocks = 0;
+  };
+  Checkpoint checkpoint() const {
+    return {ScriptState::checkpoint(), in_task,           in_module, task_blocks.size(),
+            module_blocks.size(),      plan_blocks.size()};
+  }
+  void roll_back(const Checkpoint& checkpoint);
+
+  /// Where items go: into the innermost block, or what it stands in.
+  std::vector<syntax::PlanItem>& plan_items() {
+    return plan_blocks.empty() ? plan.items : plan_blocks.back().items;
+  }
+  std::vector<syntax::ModulePart>& module_items() {
+    return module_blocks.empty() ? module.items : module_blocks.back().items;
+  }
+  std::vector<syntax::TaskPart>& task_parts() {
+    return task_blocks.empty() ? task.parts : task_blocks.back().items;
+  }
+  /// The '{' of a `for` or `when` comes next; `head` is its head.
+  void open_block(std::string_view word);
+  void close_task_block(const char* from);
+  void close_module_block(const char* from);
+  void close_plan_block(const char* from);
 
   template <typename Item>
   void add(Item item, const char* from) {
     item.span = span_from(from);
-    plan.items.emplace_back(std::move(item));
+    plan_items().emplace_back(std::move(item));
   }
   template <typename Item>
   void add_to_module(Item item, const char* from) {
     item.span = span_from(from);
     if (in_module) {
-      module.items.emplace_back(std::move(item));
+      module_items().emplace_back(std::move(item));
     } else {
-      plan.items.emplace_back(std::move(item));
+      plan_items().emplace_back(std::move(item));
     }
   }
   /// An item that may stand in a task or in the plan itself.
@@ -30,9 +63,9 @@ class PlanState : public ScriptState {
   void add_to_task(Item item, const char* from) {
     item.span = span_from(from);
     if (in_task) {
-      task.parts.emplace_back(std::move(item));
+      task_parts().emplace_back(std::move(item));
     } else if constexpr (std::is_constructible_v<syntax::PlanItem, Item>) {
-      plan.items.emplace_back(std::move(item));
+      plan_items().emplace_back(std::move(item));
     }
   }
   syntax::Name word(const char* from) const {
@@ -49,12 +82,22 @@ class PlanState : public ScriptState {
   void set_cost(const char* from);
   /// Of the task or the component that is being read.
   void add_attribute(const char* from);
+  /// The last name, `NAME.x` as one text.
+  syntax::Name take_dotted_name();
+  void add_import(const char* from);
+  /// One more text of a `group`.
+  void add_heading();
 
   syntax::Plan plan;
   syntax::ModuleItem module;
   bool in_module = false;
   syntax::TaskItem task;
   bool in_task = false;
+  syntax::BlockHead head;
+  std::vector<syntax::TaskBlock> task_blocks;  ///< open ones, the innermost last
+  std::vector<syntax::ModuleBlock> module_blocks;
+  std::vector<syntax::PlanBlock> plan_blocks;
+  syntax::PlanParameter parameter;
 
   syntax::Values values;
   syntax::QualifiedName value_name;
@@ -67,6 +110,8 @@ class PlanState : public ScriptState {
   syntax::QualifiedName component_name;
   std::optional<syntax::Name> crew_of_work;
   syntax::Number duration;
+  syntax::Number quantity;
+  syntax::String headings;  ///< of a group, joined
   syntax::WithinItem within;
   syntax::Shift shift;
   syntax::String shift_from;

@@ -93,6 +93,7 @@ void ParseState::roll_back(const Checkpoint& checkpoint) {
   nesting_ = checkpoint.nesting;
   item_begin_ = checkpoint.item_begin;
   lost_braces_ = 0;
+  indexed_.clear();
   dot_ = false;
 }
 
@@ -196,6 +197,8 @@ bool ParseState::ask(grammar::Query query, const char* at) {
       return semicolon_ends_loop(at);
     case Query::on_new_line:
       return is_first_on_line(at);
+    case Query::computes_numbers:
+      return computes_numbers_;
   }
   return false;
 }

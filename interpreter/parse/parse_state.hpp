@@ -86,6 +86,13 @@ class ParseState {
   void set_dot() { dot_ = true; }
   syntax::Name take_name();
   syntax::QualifiedName take_qualified_name();
+  /// The '[' behind the last name, what stands behind it, the ']'.
+  void open_indices();
+  void add_index(syntax::ExpressionPtr index) {
+    indexed_.back().indices.push_back(std::move(index));
+  }
+  void close_indices();
+  bool has_open_indices() const { return !indexed_.empty(); }
 
   syntax::Number number;  ///< the last one
   syntax::String string;  ///< the last one
@@ -93,6 +100,9 @@ class ParseState {
   void set_number(const char* from, const char* to);
   void set_unit(const char* from, const char* to);
   void unknown_unit(const char* from, const char* to);
+
+ protected:
+  bool computes_numbers_ = false;  ///< expressions stand where numbers do, names have indices
 
  private:
   struct OpenBrace {
@@ -147,6 +157,11 @@ class ParseState {
   bool separator_waived_ = false;
   bool skipped_remark_ = false;
   syntax::QualifiedName name_;
+  struct IndexedName {
+    syntax::QualifiedName name;
+    std::vector<syntax::ExpressionPtr> indices;
+  };
+  std::vector<IndexedName> indexed_;  ///< whose brackets are open
   bool dot_ = false;
 };
 

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <numbers>
+#include <vector>
 
 #include "interpreter/parse/parse_state.hpp"
 
@@ -12,7 +14,7 @@ namespace {
 
 struct Unit {
   std::string_view text;
-  syntax::UnitKind kind;
+  syntax::Dimension dimension;
   double factor;   ///< base units per unit
   double divisor;  ///< used instead where the factor is no exact double
 };
@@ -20,23 +22,34 @@ struct Unit {
 constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 constexpr Unit kUnits[] = {
-    {"mm", syntax::UnitKind::length, 1, 1000},
-    {"cm", syntax::UnitKind::length, 1, 100},
-    {"m", syntax::UnitKind::length, 1, 1},
-    {"deg", syntax::UnitKind::angle, 1, 1},
-    {"rad", syntax::UnitKind::angle, kDegreesPerRadian, 1},
-    {"s", syntax::UnitKind::time, 1, 1},
-    {"min", syntax::UnitKind::time, 60, 1},
-    {"h", syntax::UnitKind::time, 3600, 1},
-    {"t", syntax::UnitKind::mass, 1000, 1},
-    {"kg", syntax::UnitKind::mass, 1, 1},
-    {"m/s", syntax::UnitKind::speed, 1, 1},
-    {"mm/s", syntax::UnitKind::speed, 1, 1000},
-    {"km/h", syntax::UnitKind::speed, 1, 3.6},
-    {"deg/s", syntax::UnitKind::turn_rate, 1, 1},
-    {"rad/s", syntax::UnitKind::turn_rate, kDegreesPerRadian, 1},
-    {"rpm", syntax::UnitKind::turn_rate, 6, 1},  // 360 degrees in 60 seconds
+    {"mm", {1, 0, 0, 0}, 1, 1000},
+    {"cm", {1, 0, 0, 0}, 1, 100},
+    {"m", {1, 0, 0, 0}, 1, 1},
+    {"m2", {2, 0, 0, 0}, 1, 1},
+    {"m3", {3, 0, 0, 0}, 1, 1},
+    {"deg", {0, 1, 0, 0}, 1, 1},
+    {"rad", {0, 1, 0, 0}, kDegreesPerRadian, 1},
+    {"s", {0, 0, 1, 0}, 1, 1},
+    {"min", {0, 0, 1, 0}, 60, 1},
+    {"h", {0, 0, 1, 0}, 3600, 1},
+    {"t", {0, 0, 0, 1}, 1000, 1},
+    {"kg", {0, 0, 0, 1}, 1, 1},
+    {"m/s", {1, 0, -1, 0}, 1, 1},
+    {"mm/s", {1, 0, -1, 0}, 1, 1000},
+    {"km/h", {1, 0, -1, 0}, 1, 3.6},
+    {"deg/s", {0, 1, -1, 0}, 1, 1},
+    {"rad/s", {0, 1, -1, 0}, kDegreesPerRadian, 1},
+    {"rpm", {0, 1, -1, 0}, 6, 1},  // 360 degrees in 60 seconds
 };
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+const Unit* find_unit(std::string_view text) {
+  for (const Unit& unit : kUnits) {
+    if (unit.text == text) return &unit;
+  }
+  return nullptr;
+}
 
 /// ψ φ ϕ θ ϑ, either case, spelt as in code.
 void append_spelt(std::string& text, const char* from, const char* to) {
@@ -75,6 +88,15 @@ void ParseState::set_name(const char* from, const char* to) {
   name_.name = std::move(part);
 }
 
+void ParseState::open_indices() { indexed_.push_back({std::move(name_), {}}); }
+
+void ParseState::close_indices() {
+  name_ = std::move(indexed_.back().name);
+  name_.name.indices = std::move(indexed_.back().indices);
+  name_.name.span.end = name_.span.end = span_from(last_end).begin;
+  indexed_.pop_back();
+}
+
 syntax::Name ParseState::take_name() { return std::move(name_.name); }
 syntax::QualifiedName ParseState::take_qualified_name() { return std::move(name_); }
 
@@ -89,31 +111,47 @@ void ParseState::set_number(const char* from, const char* to) {
 }
 
 void ParseState::set_unit(const char* from, const char* to) {
-  number.unit_text.assign(from, to);
   number.span.end = static_cast<std::uint32_t>(to - begin_);
-  if (*from == 'p') {  // per h
-    number.unit = syntax::UnitKind::per_hour;
-    number.unit_text = "per h";
-    number.value /= 3600;
-    return;
+  std::vector<std::string_view> words;
+  for (const char* at = from; at != to;) {
+    const char* end = at;
+    while (end != to && !is_blank(*end)) ++end;
+    words.emplace_back(at, static_cast<std::size_t>(end - at));
+    for (at = end; at != to && is_blank(*at);) ++at;
   }
-  for (const Unit& unit : kUnits) {
-    if (unit.text != number.unit_text) continue;
-    number.unit = unit.kind;
-    number.value = unit.divisor > 1 ? number.value / unit.divisor : number.value * unit.factor;
-    return;
+  number.unit_text = fmt::format("{}", fmt::join(words, " "));
+  const Unit* const above = words.front() == "per" ? nullptr : find_unit(words.front());
+  const Unit* const below = words.size() > 1 ? find_unit(words.back()) : nullptr;
+  if (above != nullptr) {
+    number.value =
+        above->divisor > 1 ? number.value / above->divisor : number.value * above->factor;
+    number.dimension = above->dimension;
   }
+  if (below != nullptr) {
+    number.value =
+        below->divisor > 1 ? number.value * below->divisor : number.value / below->factor;
+    number.dimension = combined(number.dimension, below->dimension, -1);
+  }
+  number.unit = unit_kind(number.dimension);
+  if (computes_numbers_ || number.unit != syntax::UnitKind::compound) return;
+  report(code_, from, to, fmt::format("the unit '{}' belongs into plans", number.unit_text));
 }
 
 void ParseState::unknown_unit(const char* from, const char* to) {
   std::vector<std::string> names;
-  for (const Unit& unit : kUnits) names.emplace_back(unit.text);
+  for (const Unit& unit : kUnits) {
+    if (computes_numbers_ || unit_kind(unit.dimension) != syntax::UnitKind::compound) {
+      names.emplace_back(unit.text);
+    }
+  }
   const std::string near = did_you_mean(std::string(from, to), names);
   report(code_, from, to,
          near.empty() ? fmt::format("unknown unit {}", found(from))
                       : fmt::format("unknown unit {}; did you mean {}?", found(from), near),
-         "units are mm, cm, m, deg, rad, s, min, h, t, kg, m/s, mm/s, km/h, deg/s, rad/s, rpm and "
-         "per h");
+         computes_numbers_ ? "units are mm, cm, m, m2, m3, deg, rad, s, min, h, t, kg, m/s, mm/s, "
+                             "km/h, deg/s, rad/s, rpm, and such as per h or t per m3"
+                           : "units are mm, cm, m, deg, rad, s, min, h, t, kg, m/s, mm/s, km/h, "
+                             "deg/s, rad/s, rpm and per h");
 }
 
 }  // namespace rubicon::interpreter

@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kMaxCharacters = 1000;
 
 /// Of XML, as in import blocks.
-constexpr std::array<std::pair<std::string_view, char>, 2> kWords = {
-    {{"&quot;", '"'}, {"&amp;", '&'}}};
+constexpr std::array<std::pair<std::string_view, char>, 3> kWords = {
+    {{"&quot;", '"'}, {"&amp;", '&'}, {"&lbrace;", '{'}}};
 
 const std::pair<std::string_view, char>* word_at(std::string_view text) {
   for (const auto& word : kWords) {
@@ -57,6 +57,8 @@ std::string written_attribute(std::string_view text) {
       written += ' ';
     } else if (text.front() == '"') {
       written += "&quot;";
+    } else if (text.front() == '{') {
+      written += "&lbrace;";
     } else if (word_at(text) != nullptr) {
       written += "&amp;";
     } else {

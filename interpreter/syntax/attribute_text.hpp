@@ -6,8 +6,9 @@
 /// The text of an attribute (`storey "0"`) as it stands in a plan, and what it says.
 namespace rubicon::interpreter {
 
-/// What a text between the quotation marks of a plan says: `&quot;` and `&amp;` are `"` and `&`,
-/// everything else is itself.
+/// What a text between the quotation marks of a plan says: `&quot;`, `&amp;` and `&lbrace;` are
+/// `"`,
+/// `&` and `{`, everything else is itself.
 std::string plain_attribute(std::string_view written);
 
 /// The same the other way: `plain_attribute` of it is `text`, but for what no attribute takes:

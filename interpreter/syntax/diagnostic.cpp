@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace rubicon::interpreter {
 
@@ -73,6 +75,40 @@ std::vector<Diagnostic> Diagnostics::sorted() const {
     return std::tie(a.span.file, a.span.begin) < std::tie(b.span.file, b.span.begin);
   });
   return result;
+}
+
+void Diagnostics::name_copies(std::size_t from, const SourceMap& sources) {
+  struct First {
+    std::size_t index;
+    std::size_t others = 0;
+  };
+  std::map<std::tuple<FileId, std::uint32_t, std::string>, First> firsts;
+  std::size_t kept = from;
+  for (std::size_t i = from; i < all_.size(); ++i) {
+    Diagnostic& diagnostic = all_[i];
+    if (diagnostic.span.copy != 0) {
+      const auto [place, is_new] = firsts.emplace(
+          std::tuple(diagnostic.span.file, diagnostic.span.begin, diagnostic.code), First{kept});
+      if (!is_new) {
+        ++place->second.others;
+        if (diagnostic.severity == Severity::error) --errors_;
+        continue;
+      }
+      const std::string suggestion = "; did you mean ";
+      const std::size_t at =
+          std::min(diagnostic.message.rfind(suggestion), diagnostic.message.size());
+      diagnostic.message.insert(at, " (" + sources.copy_text(diagnostic.span) + ")");
+    }
+    if (kept != i) all_[kept] = std::move(diagnostic);
+    ++kept;
+  }
+  all_.resize(kept);
+  for (const auto& [place, first] : firsts) {
+    if (first.others == 0) continue;
+    all_[first.index].notes.push_back(
+        {all_[first.index].span,
+         "the same in " + std::to_string(first.others) + " more of its copies"});
+  }
 }
 
 std::string did_you_mean(const std::string& name, const std::vector<std::string>& candidates) {

@@ -39,6 +39,11 @@ class Diagnostics {
   /// equal; exact duplicates (same place, same message) dropped.
   std::vector<Diagnostic> sorted() const;
 
+  /// What is said of copies that a `for` made, from the diagnostic `from` on: each message says
+  /// which copy ("(line 6, i = 3)"), and the same mistake of more copies is said once, of the
+  /// first.
+  void name_copies(std::size_t from, const SourceMap& sources);
+
  private:
   std::vector<Diagnostic> all_;
   int errors_ = 0;

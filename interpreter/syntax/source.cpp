@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace rubicon::interpreter {
 
@@ -77,6 +78,21 @@ std::string_view SourceMap::text(const Span& span) const {
   const std::size_t begin = std::min<std::size_t>(span.begin, text.size());
   const std::size_t end = std::clamp<std::size_t>(span.end, begin, text.size());
   return std::string_view(text).substr(begin, end - begin);
+}
+
+std::uint32_t SourceMap::add_copy(std::uint32_t outer, std::string variable, std::int64_t value) {
+  copies_.push_back({outer, std::move(variable), value});
+  return static_cast<std::uint32_t>(copies_.size());
+}
+
+std::string SourceMap::copy_text(const Span& span) const {
+  if (span.copy == 0) return {};
+  std::string text;
+  for (std::uint32_t at = span.copy; at != 0; at = copies_[at - 1].outer) {
+    const Copy& copy = copies_[at - 1];
+    text.insert(0, ", " + copy.variable + " = " + std::to_string(copy.value));
+  }
+  return "line " + std::to_string(position(span).line) + text;
 }
 
 }  // namespace rubicon::interpreter

@@ -24,6 +24,8 @@ struct Span {
   FileId file = kNoFile;
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
+  std::uint32_t copy = 0;  ///< of a `for` in a plan: SourceMap::copy_text; 0 is none
+  bool operator==(const Span&) const = default;
 };
 
 /// Line and column from 1; columns count code points (a tab is one, a byte order mark none).
@@ -45,8 +47,19 @@ class SourceMap {
   std::string_view line(FileId file, int line) const;
   std::string_view text(const Span& span) const;
 
+  /// One more pass of a `for`, inside the pass `outer` of another (0: of none): its Span::copy.
+  std::uint32_t add_copy(std::uint32_t outer, std::string variable, std::int64_t value);
+  /// "line 6, i = 3" of a span in a copy; empty of any other.
+  std::string copy_text(const Span& span) const;
+
  private:
+  struct Copy {
+    std::uint32_t outer = 0;
+    std::string variable;
+    std::int64_t value = 0;
+  };
   std::deque<SourceFile> files_;
+  std::vector<Copy> copies_;
 };
 
 }  // namespace rubicon::interpreter

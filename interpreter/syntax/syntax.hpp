@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "interpreter/syntax/dimension.hpp"
 #include "interpreter/syntax/source.hpp"
 
 /// The syntax trees of behaviour scripts (NAME.motion), robot files (NAME.robot) and plans
@@ -18,9 +19,15 @@ using interpreter::Span;
 // ---- names and values
 // ------------------------------------------------------------------------------------------
 
+struct Expression;
+/// Shared, since the copies that a `for` makes share what is the same in all; nothing changes a
+/// tree once it is built.
+using ExpressionPtr = std::shared_ptr<Expression>;
+
 struct Name {
   std::string text;  ///< Greek letters already spelt psi, phi, theta
   Span span;
+  std::vector<ExpressionPtr> indices = {};  ///< of NAME[e, f], in plans until they are expanded
 };
 
 /// NAME or NAME.NAME
@@ -31,23 +38,20 @@ struct QualifiedName {
   std::string text() const { return body ? body->text + "." + name.text : name.text; }
 };
 
-enum class UnitKind { none, length, angle, time, mass, speed, turn_rate, per_hour };
-
 /// A literal: 30, 2.5 mm, 6 m/s. `value` is in the base unit of its kind.
 struct Number {
   double value = 0;
   UnitKind unit = UnitKind::none;
   std::string unit_text;  ///< as written, empty if bare
   Span span;
+  Dimension dimension = {};       ///< what `unit` says, and more of UnitKind::compound
+  ExpressionPtr expression = {};  ///< in plans until they are expanded: what is to be computed
 };
 
 struct String {
   std::string text;  ///< without quotes
   Span span;
 };
-
-struct Expression;
-using ExpressionPtr = std::unique_ptr<Expression>;
 
 struct Expression {
   enum class Kind {
@@ -410,17 +414,39 @@ struct AfterItem {
   Span span;
 };
 
-using TaskPart =
-    std::variant<ByItem, MoveItem, GoItem, RemoveItem, WorkItem, ViaItem, GuideItem, SituationItem,
-                 WithinItem, NumberItem /* budget, priority */, ZoneItem, AfterItem, AttributeItem>;
+/// The head of `for NAME from A to B { ... }` or `when (CONDITION) { ... }`.
+struct BlockHead {
+  std::optional<Name> variable;  ///< for
+  Number first, last;            ///< for
+  ExpressionPtr condition;       ///< when
+  Span keyword;
+};
+struct TaskBlock;
+struct ModuleBlock;
+struct PlanBlock;
+
+using TaskPart = std::variant<ByItem, MoveItem, GoItem, RemoveItem, WorkItem, ViaItem, GuideItem,
+                              SituationItem, WithinItem, NumberItem /* budget, priority */,
+                              ZoneItem, AfterItem, AttributeItem, std::shared_ptr<const TaskBlock>>;
+struct TaskBlock {
+  BlockHead head;
+  std::vector<TaskPart> items;
+  Span span;
+};
 struct TaskItem {
   Name name;
   std::vector<TaskPart> parts;
   Span span;
 };
+using ModulePart = std::variant<ComponentItem, TaskItem, std::shared_ptr<const ModuleBlock>>;
+struct ModuleBlock {
+  BlockHead head;
+  std::vector<ModulePart> items;
+  Span span;
+};
 struct ModuleItem {
   Name name;
-  std::vector<std::variant<ComponentItem, TaskItem>> items;
+  std::vector<ModulePart> items;
   Span span;
 };
 /// place NAME at frame [from frame] as NAME [after links];
@@ -453,10 +479,25 @@ struct CarryItem {
   Span span;
 };
 
+/// parameter NAME = expression;   or   parameter NAME = "text";   of the plan
+struct PlanParameter {
+  Name name;
+  ExpressionPtr value;  ///< null: a text
+  String text;
+  Span span;
+};
+
 using PlanItem = std::variant<SiteItem, NumberItem, StringItem, SituationItem, CalendarItem,
                               ComponentItem, RobotUse, CrewItem, TaskItem, ModuleItem, PlaceItem,
-                              ImportItem, StartItem, GoalItem, ViaItem, CarryItem, WithinItem>;
+                              ImportItem, StartItem, GoalItem, ViaItem, CarryItem, WithinItem,
+                              PlanParameter, std::shared_ptr<const PlanBlock>>;
+struct PlanBlock {
+  BlockHead head;
+  std::vector<PlanItem> items;
+  Span span;
+};
 
+/// As it is written, or as `expand` makes it plain: without parameters, blocks and expressions.
 struct Plan {
   Name name;
   std::vector<PlanItem> items;  ///< in file order; broken items are left out (already reported)

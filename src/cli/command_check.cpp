@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -9,6 +10,7 @@
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/parse/parse.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/set_option.hpp"
 #include "src/cli/text_kind.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/results/report/diagnostic_printer.hpp"
@@ -79,10 +81,16 @@ int run_check(const CheckOptions& options) {
     } else if (*kind == interpreter::TextKind::robot) {
       load_robot(path, run.sources, run.disk, nullptr, run.diagnostics);
     } else if (*kind == interpreter::TextKind::plan) {
-      load_plan(path, run.sources, run.disk, run.diagnostics);
+      load_plan(path, run.sources, run.disk, run.diagnostics, parameter_texts(options.set));
     } else if (options.robot.empty() || robot) {
       check_motion(run, path, robot.get());
     }
+  }
+  const auto is_plan = [](const std::string& path) {
+    return kind_of(path) == interpreter::TextKind::plan;
+  };
+  if (!options.set.empty() && std::none_of(options.files.begin(), options.files.end(), is_plan)) {
+    run.diagnostics.error("P24", {}, "--set goes with a plan");
   }
   const auto sorted = run.diagnostics.sorted();
   if (options.format == "json") {

@@ -17,6 +17,7 @@
 #include "src/cli/input_file.hpp"
 #include "src/cli/result_files.hpp"
 #include "src/cli/result_project.hpp"
+#include "src/cli/set_option.hpp"
 #include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/exchange/project_io/project_of.hpp"
@@ -69,6 +70,9 @@ std::optional<std::string> call_mistake(const ExportOptions& options) {
       overwriting(inputs_of(options), {options.gltf, options.svg, options.mspdi, options.csv});
   if (std::isnan(options.speed_up)) return "expected a number after --speed-up";
   if (options.speed_up > 0 && options.gltf.empty()) return "--speed-up goes with --gltf";
+  if (!options.set.empty() && files::is_folder(options.source)) {
+    return "--set goes with a plan; a result keeps what its run was given";
+  }
   if (files::is_folder(options.source)) return overwritten;
   for (const auto& [name, path] : files) {
     if (path != &options.mspdi && !path->empty()) {
@@ -88,7 +92,7 @@ std::optional<Output> plan_output(const ExportOptions& options) {
   files::DiskFiles disk;
   interpreter::Diagnostics diagnostics;
   const std::unique_ptr<interpreter::PlanModel> plan =
-      load_plan(options.source, sources, disk, diagnostics);
+      load_plan(options.source, sources, disk, diagnostics, parameter_texts(options.set));
   std::optional<Output> output;
   if (plan) {
     const project_io::Project project = project_io::project_of(*plan, sources, diagnostics);

@@ -15,6 +15,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/load_runnable_plan.hpp"
 #include "src/cli/report_file.hpp"
+#include "src/cli/set_option.hpp"
 #include "src/exchange/encoding/gzip.hpp"
 #include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/result_folder_io.hpp"
@@ -181,7 +182,7 @@ int run_plan_command(const RunOptions& options) {
     return fail("--compress goes with --out; a --trace is packed if its name ends in .gz");
   }
   SourceMap sources;
-  const auto plan = load_runnable_plan(options.plan, sources);
+  const auto plan = load_runnable_plan(options.plan, sources, parameter_texts(options.set));
   if (!plan) return kWrongInput;
 
   TraceFiles trace_files;

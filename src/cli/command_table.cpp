@@ -6,6 +6,7 @@
 
 #include "src/cli/commands.hpp"
 #include "src/cli/help_pages.hpp"
+#include "src/cli/set_option.hpp"
 
 namespace rubicon::cli {
 
@@ -17,6 +18,7 @@ Action declare_check(CLI::App& app) {
   const auto options = std::make_shared<CheckOptions>();
   app.add_option("--robot", options->robot);
   app.add_option("--format", options->format)->check(IsMember({"text", "json"}));
+  declare_set(app, options->set);
   app.add_option("FILE", options->files)->required();
   return [options] { return run_check(*options); };
 }
@@ -30,6 +32,7 @@ Action declare_run(CLI::App& app) {
       ->check(IsMember({"steps", "tasks", "none"}));
   app.add_option("--out", options->out);
   app.add_flag("--compress", options->compress);
+  declare_set(app, options->set);
   return [options] { return run_plan_command(*options); };
 }
 
@@ -38,6 +41,7 @@ Action declare_why(CLI::App& app) {
   app.add_option("SOURCE", options->source)->required();
   app.add_option("TASK", options->task)->required();
   app.add_option("--format", options->format)->check(IsMember({"text", "json"}));
+  declare_set(app, options->set);
   return [options] { return run_why(*options); };
 }
 
@@ -54,6 +58,7 @@ Action declare_debug(CLI::App& app) {
   app.add_option("TASK", options->task);
   app.add_option("-x,--command", options->commands)->expected(1)->take_all();
   app.add_flag("--batch", options->batch);
+  declare_set(app, options->set);
   return [options] { return run_debug(*options); };
 }
 
@@ -94,6 +99,7 @@ Action declare_export(CLI::App& app) {
   app.add_option("--svg", options->svg);
   app.add_option("--mspdi", options->mspdi);
   app.add_option("--csv", options->csv);
+  declare_set(app, options->set);
   return [options] { return run_export(*options); };
 }
 
@@ -117,8 +123,8 @@ Action declare_help(CLI::App& app) {
 
 const std::vector<Command>& command_table() {
   static const std::vector<Command> table = {
-      {"check", "[--robot FILE] FILE...", "find every mistake in robots, behaviours and plans",
-       pages::kCheck, declare_check},
+      {"check", "[--robot FILE] [--set NAME=VALUE] FILE...",
+       "find every mistake in robots, behaviours and plans", pages::kCheck, declare_check},
       {"run", "PLAN", "simulate a plan: process time, cost, refused tasks with the reason, trace",
        pages::kRun, declare_run},
       {"why", "PLAN|RESULT TASK", "tell why a task failed, took long or came late", pages::kWhy,

@@ -19,6 +19,7 @@ struct CheckOptions {
   std::string robot;
   std::string format = "text";
   std::vector<std::string> files;
+  std::vector<std::string> set;  ///< NAME=VALUE: parameters of the plan; likewise below
 };
 int run_check(const CheckOptions& options);
 
@@ -36,6 +37,7 @@ struct RunOptions {
   std::string trace_detail = "steps";
   std::string out;
   bool compress = false;
+  std::vector<std::string> set;
 };
 int run_plan_command(const RunOptions& options);
 
@@ -52,6 +54,7 @@ struct WhyOptions {
   std::string source;  ///< a plan, a result folder or a trace
   std::string task;
   std::string format = "text";
+  std::vector<std::string> set;
 };
 int run_why(const WhyOptions& options);
 
@@ -66,6 +69,7 @@ struct DebugOptions {
   std::string task;    ///< "" for all
   std::vector<std::string> commands;
   bool batch = false;
+  std::vector<std::string> set;
 };
 int run_debug(const DebugOptions& options);
 
@@ -95,6 +99,7 @@ struct ExportOptions {
   std::string svg;
   std::string mspdi;
   std::string csv;
+  std::vector<std::string> set;
 };
 int run_export(const ExportOptions& options);
 

@@ -22,13 +22,14 @@ try: rubicon run taskplans/unit.plan
 const std::string_view kCheck =
     R"(rubicon check - find every mistake in robots, behaviours and plans
 
-usage: rubicon check [--robot FILE] [--format text|json] FILE...
+usage: rubicon check [--robot FILE] [--set NAME=VALUE]... [--format text|json] FILE...
 
 Reads each FILE (.robot, .motion or .plan) and reports all its mistakes in one run: where, what was expected, what was
 found, what to do. A plan checks its robots, a robot its behaviours. A behaviour on its own gets only the checks that
 need no robot; name one with --robot and it gets them all.
 
   --robot FILE     the robot that the .motion files are for
+  --set NAME=VALUE another value for a parameter of the plan: --set bays=6 --set "pitch=4.2 m"
   --format text    file:line:column: level: message, with the line and a caret, on standard error (the default)
   --format json    an array for editors, on standard output: one object a file, its diagnostics in the shape of the
                    Language Server Protocol
@@ -45,7 +46,7 @@ const std::string_view kRun =
     R"(rubicon run - simulate a plan
 
 usage: rubicon run PLAN [--format table|json|csv] [--trace FILE] [--trace-detail steps|tasks|none]
-                        [--out DIR [--compress]]
+                        [--out DIR [--compress]] [--set NAME=VALUE]...
 
 Checks the plan, then simulates it: tasks start when their links, robots, crews and shifts allow, several machines move in
 one timeline, and every motion step is tested over the whole volume it sweeps, with the load, also against what other
@@ -60,6 +61,7 @@ reached; the rest goes on.
   --trace-detail DETAIL  steps (the default: everything), tasks (no single attempts), none (header and results only)
   --out DIR              write schedule.csv, schedule.json, trace.jsonl and report.html, the page that shows it all, into DIR
   --compress             write trace.jsonl.gz there, packed to a tenth or less; every command reads it as it is
+  --set NAME=VALUE       another value for a parameter of the plan: --set bays=6 --set "pitch=4.2 m"; the trace keeps it
 
 Files appear whole or not at all, and the files of --out all at once: a stop at any moment leaves the old result or the
 new one. Other files in DIR stay. Paths in what is written are relative to the folder of the plan.
@@ -76,7 +78,7 @@ examples:
 const std::string_view kWhy =
     R"(rubicon why - tell why a task failed, took long or came late
 
-usage: rubicon why PLAN|RESULT|TRACE TASK [--format text|json]
+usage: rubicon why PLAN|RESULT|TRACE TASK [--format text|json] [--set NAME=VALUE]...
 
 For a rejected task: what blocked it first, at which step and by which line of the script, where the robot stood, and
 what the script tried instead and how each try ended. For any task: what it waited for on its way, and the chain of
@@ -84,6 +86,7 @@ waits back to the beginning of the plan that made it begin when it did. RESULT i
 nothing is simulated again. A PLAN is run first.
 
   --format FORMAT  text (the default) or json, on standard output; times in seconds
+  --set NAME=VALUE another value for a parameter of the PLAN
 
 Exit code: 0 the story is told, 2 there is no such task or the input is wrong.
 
@@ -114,7 +117,7 @@ examples:
 const std::string_view kDebug =
     R"(rubicon debug - step through the behaviour of machines, forward and back
 
-usage: rubicon debug PLAN|RESULT|TRACE [TASK] [-x COMMANDS]... [--batch]
+usage: rubicon debug PLAN|RESULT|TRACE [TASK] [-x COMMANDS]... [--batch] [--set NAME=VALUE]...
 
 Shows a behaviour at work: the line of the script, what it tried and how that ended (accepted, or refused by what), its
 loops, variables and configuration, the motion, the load and the time; one step after the other, forward and back, with
@@ -126,6 +129,7 @@ terminal each command is shown before its answer.
 
   -x, --command COMMANDS  do these first; ';' separates them
   --batch                 end after them
+  --set NAME=VALUE        another value for a parameter of the PLAN
 
 Exit code: 0 fine, 2 there is no such task, the trace has no steps or the input is wrong.
 
@@ -237,7 +241,7 @@ const std::string_view kExport =
     R"(rubicon export - write a plan or a result for other programs
 
 usage: rubicon export RESULT [--gltf FILE [--speed-up N]] [--svg FILE] [--mspdi FILE] [--csv FILE]
-       rubicon export PLAN --mspdi FILE
+       rubicon export PLAN --mspdi FILE [--set NAME=VALUE]...
 
 RESULT is the folder that rubicon run --out wrote. PLAN is checked and written as it is planned: its tasks, links, crews,
 robots and calendars; a plan that came from rubicon import gives back all that was read, also what a plan has no word
@@ -251,6 +255,7 @@ schedule has no word for (motions, zones, priorities) is listed as warnings.
   --svg FILE     a Gantt chart: what each machine and crew did, tasks, the critical chain, shifts, what was not done
   --mspdi FILE   the schedule as Microsoft Project XML
   --csv FILE     the table of tasks, as rubicon run --format csv gives it
+  --set NAME=VALUE  another value for a parameter of the PLAN
 
 Several files can be written at once; - is standard output, for one of them.
 

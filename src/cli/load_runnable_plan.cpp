@@ -11,7 +11,8 @@
 namespace rubicon::cli {
 
 std::unique_ptr<interpreter::PlanModel> load_runnable_plan(const std::string& path,
-                                                           interpreter::SourceMap& sources) {
+                                                           interpreter::SourceMap& sources,
+                                                           const interpreter::ParameterTexts& set) {
   files::PlanFiles disk(path);
   interpreter::Diagnostics diagnostics;
   std::unique_ptr<interpreter::PlanModel> plan;
@@ -19,7 +20,7 @@ std::unique_ptr<interpreter::PlanModel> load_runnable_plan(const std::string& pa
   if (const auto* failure = std::get_if<interpreter::FileFailure>(&text)) {
     diagnostics.error("F01", {}, fmt::format("'{}': {}", path, failure->message));
   } else {
-    plan = load_plan(disk.plan(), sources, disk, diagnostics);
+    plan = load_plan(disk.plan(), sources, disk, diagnostics, set);
   }
   if (plan) {
     for (auto& mistake : taskplan::run_mistakes(*plan)) diagnostics.add(std::move(mistake));

@@ -69,7 +69,7 @@ std::string result_mspdi(const ResultFiles& result, const taskplan::Schedule& sc
   interpreter::SourceMap sources;
   interpreter::Diagnostics diagnostics;
   const std::unique_ptr<interpreter::PlanModel> plan =
-      load_plan(files->plan_path(), sources, *files, diagnostics);
+      load_plan(files->plan_path(), sources, *files, diagnostics, files->set());
   std::string text;
   if (plan) {
     const project_io::SimulatedRun run = run_of(schedule);

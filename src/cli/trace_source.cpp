@@ -8,6 +8,7 @@
 
 #include "src/cli/input_file.hpp"
 #include "src/cli/load_runnable_plan.hpp"
+#include "src/cli/set_option.hpp"
 #include "src/exchange/encoding/gzip.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/exchange/files/result_folder_io.hpp"
@@ -42,13 +43,20 @@ std::optional<std::string> read_trace(const std::string& path, trace::TraceSink&
   return std::nullopt;
 }
 
-bool tell(const std::string& source, trace::TraceSink& sink) {
+bool tell(const std::string& source, const std::vector<std::string>& set, trace::TraceSink& sink) {
   const std::string trace = trace_named(source);
   if (trace.empty()) {
     interpreter::SourceMap sources;
-    const auto plan = load_runnable_plan(source, sources);
+    const auto plan = load_runnable_plan(source, sources, parameter_texts(set));
     if (plan) taskplan::run_plan(*plan, sources, &sink, {});
     return plan != nullptr;
+  }
+  if (!set.empty()) {
+    fmt::print(stderr,
+               "rubicon: error: --set goes with a plan; {} is what a run left, and keeps what that "
+               "was given\n",
+               source);
+    return false;
   }
   const auto failure = read_trace(trace, sink);
   if (failure) fmt::print(stderr, "rubicon: error: {}\n", *failure);

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "src/simulation/trace/trace_sink.hpp"
 
@@ -17,6 +18,7 @@ std::optional<std::string> read_trace(const std::string& path, trace::TraceSink&
 
 /// Hands `sink` the trace of what a user names: of a result or a trace its lines, of a plan those
 /// of its run. False when there is none; what is wrong is on the screen then.
-bool tell(const std::string& source, trace::TraceSink& sink);
+/// `set`: NAME=VALUE for parameters of the plan.
+bool tell(const std::string& source, const std::vector<std::string>& set, trace::TraceSink& sink);
 
 }  // namespace rubicon::cli

@@ -13,6 +13,7 @@ using interpreter::FileFailure;
 HeaderFiles::HeaderFiles(const std::string& header) {
   trace::TraceHeader read = trace::read_header(header);
   plan_path_ = std::move(read.path);
+  set_ = std::move(read.set);
   for (trace::HeaderFile& file : read.files) {
     texts_.emplace(std::move(file.path), std::move(file.text));
   }

@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 
+#include "interpreter/expand/expand.hpp"
 #include "interpreter/syntax/file_provider.hpp"
 
 namespace rubicon::report {
@@ -16,6 +17,8 @@ class HeaderFiles : public interpreter::FileProvider {
   explicit HeaderFiles(const std::string& header);
 
   const std::string& plan_path() const { return plan_path_; }
+  /// What parameters of the plan were given from outside.
+  const interpreter::ParameterTexts& set() const { return set_; }
 
   std::variant<std::string, interpreter::FileFailure> read_text(const std::string& path) override;
   std::variant<std::shared_ptr<const geometry::TriangleMesh>, interpreter::FileFailure> read_mesh(
@@ -23,6 +26,7 @@ class HeaderFiles : public interpreter::FileProvider {
 
  private:
   std::string plan_path_;
+  interpreter::ParameterTexts set_;
   std::map<std::string, std::string> texts_;  ///< by path
 };
 

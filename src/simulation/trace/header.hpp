@@ -149,7 +149,8 @@ struct TraceHeader {
   std::string currency;
   std::vector<HeaderCalendar> calendars;
   std::vector<HeaderFile> files;
-  std::vector<geometry::Shape> site;  ///< in {W}
+  std::vector<std::pair<std::string, std::string>> set;  ///< parameters of the plan, if given
+  std::vector<geometry::Shape> site;                     ///< in {W}
   std::vector<HeaderComponent> components;
   std::vector<HeaderRobot> robots;
   std::vector<geometry::Shape> carry;  ///< in {T}

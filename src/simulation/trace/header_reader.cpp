@@ -38,14 +38,19 @@ HeaderValues read_values(const JsonObject& object) {
   return values;
 }
 
-HeaderAttributes read_attributes(const JsonObject& object) {
-  HeaderAttributes attributes;
-  if (!object.has("attributes")) return attributes;
-  const JsonObject texts = object.object("attributes");
+/// Texts by name; none where there is no such member.
+HeaderAttributes read_texts(const JsonObject& object, const char* name) {
+  HeaderAttributes result;
+  if (!object.has(name)) return result;
+  const JsonObject texts = object.object(name);
   for (const auto member : texts.members()) {
-    attributes.emplace_back(member.key, texts.text(member.key));
+    result.emplace_back(member.key, texts.text(member.key));
   }
-  return attributes;
+  return result;
+}
+
+HeaderAttributes read_attributes(const JsonObject& object) {
+  return read_texts(object, "attributes");
 }
 
 HeaderGoal read_goal(const JsonObject& object) {
@@ -249,6 +254,7 @@ void read_plan(const JsonObject& header, TraceHeader& read) {
   header.each_object("files", [&](const JsonObject& file) {
     read.files.push_back({file.text("path"), file.text("sha256"), file.text("text")});
   });
+  read.set = read_texts(header, "set");
 }
 
 TraceHeader read_scene(const JsonObject& header) {

@@ -44,6 +44,14 @@ void write_attributes(JsonBuilder& json, const interpreter::Attributes& attribut
   json.end_object();
 }
 
+/// Nothing where nothing was given.
+void write_set(JsonBuilder& json, const PlanModel& plan) {
+  if (plan.set.empty()) return;
+  json.key("set").begin_object();
+  for (const auto& [name, text] : plan.set) json.field(name, std::string_view(text));
+  json.end_object();
+}
+
 void write_components(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
   json.key("components").begin_array();
   for (const interpreter::ComponentSpec& component : plan.components) {
@@ -238,6 +246,7 @@ std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sou
   json.key("situations").strings(plan.situations);
   write_calendars(json, plan);
   write_files(json, sources);
+  write_set(json, plan);
   json.key("site");
   write_shapes(json, plan.site, meshes);
   write_components(json, plan, meshes);

@@ -21,9 +21,12 @@ const std::string kPath = "site/site.plan";
 
 /// A plan text, checked, with all that was said.
 struct Loaded {
-  explicit Loaded(const std::string& text) : files(case_files()) {
+  explicit Loaded(const std::string& text, const std::map<std::string, std::string>& others = {},
+                  const interpreter::ParameterTexts& set = {})
+      : files(case_files()) {
     files.texts[kPath] = text;
-    plan = interpreter::load_plan(kPath, sources, files, diagnostics);
+    for (const auto& [path, other] : others) files.texts[path] = other;
+    plan = interpreter::load_plan(kPath, sources, files, diagnostics, set);
   }
   std::string said() const { return listed(diagnostics, sources, kPath); }
 
@@ -46,11 +49,67 @@ TEST(PlanCheck, SaysExactlyWhatEachCaseDeserves) {
 TEST(PlanCheck, EveryCodeIsProvokedByACase) {
   std::string all;
   for (const CheckCase& given : read_check_cases("plan_cases.txt")) all += listed(given.expected);
-  for (const char* code :
-       {"P01", "P02", "P03", "P04", "P05", "P06", "P07", "P08", "P09", "P10", "P11", "P12",
-        "P13", "P14", "P15", "P16", "P17", "F01", "F02", "F03", "F07", "F09", "F12", "W08"}) {
+  for (const char* code : {"P01", "P02", "P03", "P04", "P05", "P06", "P07", "P08", "P09",
+                           "P10", "P11", "P12", "P13", "P14", "P15", "P16", "P17", "P20",
+                           "P21", "P22", "P23", "F01", "F02", "F03", "F07", "F09", "W08"}) {
     EXPECT_NE(all.find(std::string(": ") + code + " "), std::string::npos) << code;
   }
+}
+
+TEST(PlanCheck, ImportsOtherPlans) {
+  const std::string yard = R"(plan yard {
+    parameter pallets = 1;
+    parameter pitch = 2 m;
+    robot truck "../crane.robot";
+    crew loaders { calendar week; }
+    calendar week { mon-fri 07:00-16:00; }
+    for i from 1 to pallets {
+      component pallet[i] { shape box(0, 0, 0, 1, 1, 1); at trans(i * pitch, 0, 0); }
+      task bring[i] { by truck; move pallet[i] to trans(5, 5, 0); hook 1 by loaders; after u.t, begin; }
+    }
+    module unit { component part { shape sphere(0, 0, 0, 1); } task t { by loaders; takes 1; } task v { remove part; takes 1; after t; } }
+    place unit at trans(9, 9, 9) as u;
+  })";
+  const std::string text = R"(plan p {
+    import "parts/yard.plan" as yard;
+    task begin { takes 1; }
+    task end { by yard.loaders; takes yard.pitch / 1 m/s; after yard.bring[2], yard.bring_1; }
+    place yard.unit at trans(20, 0, 0) as v;
+  })";
+  const Loaded loaded(text, {{"site/parts/yard.plan", yard}}, {{"yard.pallets", "2"}});
+  ASSERT_EQ(loaded.said(), "");
+  std::string names;
+  for (const auto& each : loaded.plan->components) names += each.name + " ";
+  for (const auto& each : loaded.plan->tasks) names += each.name + " ";
+  EXPECT_EQ(names,
+            "yard.pallet_1 yard.pallet_2 yard.u.part v.part yard.bring_1 yard.bring_2 yard.u.t "
+            "yard.u.v begin end v.t v.v ");
+  ASSERT_EQ(loaded.plan->tasks.size(), 8u);
+  EXPECT_EQ(loaded.plan->tasks[0].after[0].task, 2);  // yard.u.t
+  EXPECT_EQ(loaded.plan->tasks[0].after[1].task, 4);  // begin, of the plan that imports
+  EXPECT_EQ(loaded.plan->tasks[5].takes[0].duration, 2);
+  EXPECT_EQ(loaded.plan->tasks[5].after[0].task, 1);
+}
+
+TEST(PlanCheck, SaysWhatIsWrongWithAnImport) {
+  const auto said = [](const std::string& text, const std::string& other) {
+    return Loaded("plan p { task t { takes 1; } " + text + " }", {{"site/o.plan", other}}).said();
+  };
+  EXPECT_EQ(said("import \"n.plan\" as n;", ""),
+            "  => 1:37: F01 error: plan 'n.plan': there is no such file\n");
+  EXPECT_EQ(said("import \"o.plan\" as o;", "plan o { import \"o.plan\" as p; }"),
+            "  => site/o.plan:1:17: P25 error: 'o.plan' imports itself\n");
+  EXPECT_EQ(
+      said("import \"o.plan\" as o;", "plan o { contact 1 mm; }"),
+      "  => site/o.plan:1:10: P25 error: contact belongs into the plan that imports this one\n");
+  EXPECT_EQ(said("when (1 < 2) { import \"o.plan\" as o; }", "plan o { }"),
+            "  => 1:45: P25 error: an import stands in the plan itself, not in a for or when\n");
+  EXPECT_EQ(said("import \"o.plan\";", "plan o { }"),
+            "  => 1:30: P00 error: a plan is imported under a name: import \"FILE\" as NAME;\n");
+  EXPECT_EQ(said("import \"o.plan\" as o; task u { takes 1; after o.b; }",
+                 "plan o { task a { takes 1; } task c { takes 1; after t, d; } }"),
+            "  => 1:76: P01 error: unknown task 'o.b'; did you mean o.a?\n"
+            "  => site/o.plan:1:57: P01 error: unknown task 'd'\n");
 }
 
 TEST(PlanCheck, ReadsTheShortForm) {

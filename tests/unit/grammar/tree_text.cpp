@@ -11,11 +11,18 @@ class Writer {
  public:
   std::string take() { return std::move(text_); }
 
-  void name(const syntax::Name& value) { word(value.text); }
-  void name(const syntax::QualifiedName& value) { word(value.text()); }
+  void name(const syntax::Name& value) {
+    word(value.text);
+    for (const syntax::ExpressionPtr& index : value.indices) expression(index);
+  }
+  void name(const syntax::QualifiedName& value) {
+    if (value.body) name(*value.body);
+    name(value.name);
+  }
   void string(const syntax::String& value) { word('"' + value.text + '"'); }
   void number(const syntax::Number& value) {
     word(fmt::format("{}:{}:{}", value.value, static_cast<int>(value.unit), value.unit_text));
+    expression(value.expression);
   }
 
   void expression(const syntax::Expression& value) {
@@ -224,6 +231,17 @@ class Writer {
   void item(const syntax::StartItem& value) { values(value.values); }
   void item(const syntax::GoalItem& value) { goal(value.goal); }
   void item(const syntax::CarryItem& value) { shape(value.shape); }
+
+  void item(const syntax::PlanParameter& value) {
+    name(value.name), expression(value.value), string(value.text);
+  }
+  template <typename Block>
+  void item(const std::shared_ptr<const Block>& value) {
+    const syntax::BlockHead& head = value->head;
+    if (head.variable) name(*head.variable), number(head.first), number(head.last);
+    expression(head.condition);
+    variants(value->items);
+  }
 
   template <typename Items>
   void variants(const Items& items) {

@@ -1,0 +1,147 @@
+#include "interpreter/expand/parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <utility>
+
+#include "interpreter/expand/evaluate.hpp"
+#include "interpreter/parse/parse.hpp"
+
+namespace rubicon::interpreter::expansion {
+
+namespace {
+
+class Evaluator {
+ public:
+  Evaluator(Scope& scope, Diagnostics& diagnostics, const OnImport& on_import)
+      : scope_(scope), diagnostics_(diagnostics), on_import_(on_import) {}
+
+  void take(const ParameterTexts& set) {
+    for (const auto& [name, text] : set) {
+      if (!set_.emplace(name, text).second) {
+        diagnostics_.error("P27", {}, fmt::format("--set {} is given twice", name));
+      }
+    }
+  }
+
+  void run(const syntax::Plan& plan) {
+    for (const syntax::PlanItem& each : plan.items) {
+      const auto* item = std::get_if<syntax::PlanParameter>(&each);
+      if (item != nullptr) scope_.later.emplace(item->name.text, item->name.span);
+    }
+    for (const syntax::PlanItem& each : plan.items) {
+      if (const auto* item = std::get_if<syntax::PlanParameter>(&each)) declare(*item);
+      if (const auto* item = std::get_if<syntax::ImportItem>(&each))
+        on_import_(*item, set_of(*item));
+    }
+    scope_.later.clear();
+    for (const auto& [name, text] : set_) {
+      if (scope_.parameters.count(name) != 0 || plan.broken) continue;
+      diagnostics_.error("P27", {},
+                         fmt::format("--set {}={}: the plan has no parameter '{}'{}", name, text,
+                                     name, near_name(scope_, name)));
+    }
+  }
+
+ private:
+  /// What is set of an imported plan: `yard.bays` is its `bays`.
+  ParameterTexts set_of(const syntax::ImportItem& item) const {
+    ParameterTexts result;
+    if (!item.as) return result;
+    const std::string prefix = item.as->text + ".";
+    for (const auto& [name, text] : set_) {
+      if (name.starts_with(prefix)) result.emplace_back(name.substr(prefix.size()), text);
+    }
+    return result;
+  }
+
+  void declare(const syntax::PlanParameter& item) {
+    const std::optional<std::string> plain = plain_name(item.name, scope_, diagnostics_);
+    if (!plain) return;
+    const std::string& name = *plain;
+    const auto known = scope_.parameters.find(name);
+    if (known != scope_.parameters.end()) {
+      Diagnostic diagnostic;
+      diagnostic.code = "P02";
+      diagnostic.span = item.name.span;
+      diagnostic.message = fmt::format("parameter '{}' is declared twice", name);
+      diagnostic.notes.push_back({known->second.span, "first given here"});
+      diagnostics_.add(std::move(diagnostic));
+      return;
+    }
+    std::optional<Value> value;
+    if (item.value) {
+      value = evaluate_number(*item.value, scope_, diagnostics_);
+    } else {
+      value.emplace();
+      value->kind = Value::Kind::text;
+      value->text = item.text.text;
+    }
+    const auto given = set_.find(name);
+    if (value && given != set_.end()) value = changed(name, *value, given->second);
+    scope_.parameters.emplace(name, Parameter{std::move(value), item.name.span});
+    scope_.later.erase(name);
+  }
+
+  /// What --set makes of a value.
+  std::optional<Value> changed(const std::string& name, const Value& value,
+                               const std::string& text) {
+    if (value.kind == Value::Kind::text) {
+      Value result = value;
+      result.text = text;
+      return result;
+    }
+    const std::optional<Value> given = number_of(text);
+    const std::string asked = fmt::format("--set {}={}: ", name, text);
+    if (!given) {
+      diagnostics_.error("P27", {}, asked + "expected a number, such as 6 or \"3.5 m\"");
+      return std::nullopt;
+    }
+    if (given->dimension == value.dimension) return given;
+    if (given->dimension.is_bare() && dimension_has_base(value.dimension)) {
+      Value result = value;
+      result.number = given->number;
+      return result;
+    }
+    diagnostics_.error(
+        "P27", {},
+        fmt::format("{}the parameter is {}, found {}", asked, kind_text(value), kind_text(*given)));
+    return std::nullopt;
+  }
+
+  static bool dimension_has_base(syntax::Dimension dimension) {
+    return unit_kind(dimension) != syntax::UnitKind::per_hour &&
+           unit_kind(dimension) != syntax::UnitKind::compound;
+  }
+
+  /// A number in a text, by the rules of the language.
+  static std::optional<Value> number_of(const std::string& text) {
+    if (text.find_first_of(";{}\"#\n\r") != std::string::npos) return std::nullopt;
+    SourceMap sources;
+    Diagnostics mistakes;
+    const FileId file = sources.add("--set", "plan p { parameter x = " + text + "; }");
+    const syntax::Plan plan = parse_plan(sources, file, mistakes);
+    if (mistakes.has_errors() || plan.items.size() != 1) return std::nullopt;
+    const auto* item = std::get_if<syntax::PlanParameter>(&plan.items.front());
+    if (item == nullptr || !item->value) return std::nullopt;
+    Scope nothing;
+    return evaluate_number(*item->value, nothing, mistakes);
+  }
+
+  Scope& scope_;
+  Diagnostics& diagnostics_;
+  const OnImport& on_import_;
+  std::map<std::string, std::string> set_;
+};
+
+}  // namespace
+
+void evaluate_parameters(const syntax::Plan& plan, const ParameterTexts& set, Scope& scope,
+                         Diagnostics& diagnostics, const OnImport& on_import) {
+  Evaluator evaluator(scope, diagnostics, on_import);
+  evaluator.take(set);
+  evaluator.run(plan);
+}
+
+}  // namespace rubicon::interpreter::expansion

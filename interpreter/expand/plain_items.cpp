@@ -1,0 +1,241 @@
+#include "interpreter/expand/plain_items.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+#include "interpreter/expand/evaluate.hpp"
+
+namespace rubicon::interpreter::expansion {
+
+namespace {
+
+using syntax::Dimension;
+using syntax::Expression;
+using syntax::UnitKind;
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// A number as it stands there, its sign before it: nothing to compute.
+bool is_literal(const Expression& expression) {
+  const bool is_signed =
+      expression.kind == Expression::Kind::negate || expression.kind == Expression::Kind::plus;
+  const Expression& number = is_signed ? *expression.operands[0] : expression;
+  return number.kind == Expression::Kind::number && number.number.unit != UnitKind::compound;
+}
+
+}  // namespace
+
+// ---- items
+// ------------------------------------------------------------------------------------------
+
+void PlainItems::item(syntax::CalendarItem& value) {
+  name(value.name);
+  for (syntax::Shift& shift : value.shifts) {
+    mark(shift.span);
+    mark(shift.first_day.span);
+    if (shift.last_day) mark(shift.last_day->span);
+    for (auto& [from, to] : shift.times) mark(from.span), mark(to.span);
+    for (syntax::String& day : shift.off) text(day);
+  }
+}
+
+void PlainItems::item(syntax::ComponentItem& value) {
+  name(value.name);
+  each(value.shapes);
+  each(value.at);
+  each(value.grip);
+  each(value.mass);
+  each(value.attributes);
+}
+
+void PlainItems::item(syntax::RobotUse& value) {
+  each(value.name);
+  text(value.file);
+  each(value.at);
+  each(value.start);
+  each(value.cost);
+  each(value.calendar);
+  each(value.park);
+}
+
+void PlainItems::item(syntax::CrewItem& value) {
+  name(value.name);
+  each(value.size);
+  each(value.cost);
+  each(value.calendar);
+}
+
+void PlainItems::item(syntax::PlaceItem& value) {
+  name(value.module);
+  part(value.at);
+  each(value.from);
+  name(value.as);
+  links(value.after);
+}
+
+void PlainItems::item(syntax::ImportItem& value) {
+  text(value.file);
+  each(value.as);
+}
+
+void PlainItems::item(syntax::WithinItem& value) {
+  each(value.length);
+  part(value.values);
+}
+
+void PlainItems::item(syntax::WorkItem& value) {
+  mark(value.name.span);
+  number(value.duration);
+  each(value.by);
+}
+
+void PlainItems::item(syntax::AttributeItem& value) {
+  mark(value.key.span);
+  text(value.text);
+}
+
+// ---- what they are made of ----------------------------------------------------------------------
+
+void PlainItems::part(syntax::Values& value) {
+  mark(value.span);
+  for (syntax::NamedValue& each : value.values) name(each.name), number(each.value);
+}
+
+void PlainItems::part(syntax::Frame& value) {
+  mark(value.span);
+  for (syntax::FrameElement& element : value.elements) {
+    mark(element.span);
+    for (syntax::ExpressionPtr& each : element.arguments) argument(each, element);
+  }
+}
+
+void PlainItems::goal(syntax::Goal& value) {
+  mark(value.span);
+  each(value.at);
+  part(value.values);
+}
+
+void PlainItems::links(std::vector<syntax::Link>& value) {
+  for (syntax::Link& link : value) {
+    mark(link.span);
+    name(link.name);
+    if (link.type) mark(link.type->span);
+    each(link.lag);
+  }
+}
+
+void PlainItems::shape(syntax::Shape& value) {
+  mark(value.span);
+  mark(value.kind.span);
+  each(value.numbers);
+  text(value.file);
+  if (value.unit) mark(value.unit->span);
+  each(value.scale);
+  if (value.up) mark(value.up->span);
+  if (value.part) text(*value.part);
+  each(value.at);
+}
+
+void PlainItems::name(syntax::Name& value) {
+  mark(value.span);
+  if (value.indices.empty()) return;
+  const std::optional<std::string> text = plain_name(value, scope_, diagnostics_);
+  value.indices.clear();
+  if (text) {
+    value.text = *text;
+  } else {
+    failed_ = true;
+  }
+}
+
+void PlainItems::name(syntax::QualifiedName& value) {
+  mark(value.span);
+  each(value.body);
+  name(value.name);
+}
+
+void PlainItems::number(syntax::Number& value) {
+  mark(value.span);
+  if (!value.expression) return;
+  const syntax::ExpressionPtr expression = std::exchange(value.expression, nullptr);
+  const std::optional<Value> result = evaluate_number(*expression, scope_, diagnostics_);
+  if (!result) {
+    failed_ = true;
+    return;
+  }
+  value.value = result->number;
+  value.dimension = result->dimension;
+  value.unit = unit_kind(result->dimension);
+}
+
+void PlainItems::argument(syntax::ExpressionPtr& value, const syntax::FrameElement& element) {
+  if (is_literal(*value)) return;  // the copies share it
+  const std::optional<Value> result = evaluate_number(*value, scope_, diagnostics_);
+  if (!result) {
+    failed_ = true;
+    return;
+  }
+  auto literal = std::make_shared<Expression>();
+  literal->span = value->span;
+  mark(literal->span);
+  const bool moves = element.kind == syntax::FrameElement::Kind::trans;
+  const Dimension wanted = dimension_of(moves ? UnitKind::length : UnitKind::angle);
+  if (!result->dimension.is_bare() && !(result->dimension == wanted)) {
+    failed_ = true;
+    diagnostics_.error(
+        "F09", literal->span,
+        fmt::format("{} needs {}, but the value is {}", moves ? "trans" : "a rotation",
+                    dimension_text(wanted), kind_text(*result)));
+    return;
+  }
+  literal->number.value = result->number;
+  literal->number.span = literal->span;
+  value = std::move(literal);
+}
+
+// ---- texts --------------------------------------------------------------------------------------
+
+void PlainItems::text(syntax::String& value) {
+  mark(value.span);
+  std::size_t at = value.text.find('{');
+  if (at == std::string::npos) return;
+  std::string out = value.text.substr(0, at);
+  while (at < value.text.size()) {
+    const std::size_t end = value.text[at] == '{' ? insert(value, at, out) : 0;
+    if (end == 0) {
+      out += value.text[at++];
+    } else {
+      at = end;
+    }
+  }
+  value.text = std::move(out);
+}
+
+std::size_t PlainItems::insert(const syntax::String& value, std::size_t at, std::string& out) {
+  const std::string& written = value.text;
+  std::size_t end = at + 1;
+  while (end < written.size() && (is_letter(written[end]) || is_digit(written[end]))) ++end;
+  const std::string name = written.substr(at + 1, end - at - 1);
+  if (name.empty() || is_digit(name.front()) || end == written.size() || written[end] != '}') {
+    return 0;
+  }
+  bool known = false;
+  const std::optional<Value> found = find_value(scope_, name, known);
+  if (!found) {
+    failed_ = true;
+    if (known) return end + 1;
+    diagnostics_.error(
+        "P23", value.span,
+        fmt::format("there is no parameter '{}' for this text{}", name, near_name(scope_, name)),
+        "a '{' that is meant to stay is written &lbrace;");
+    return end + 1;
+  }
+  out += found->kind == Value::Kind::text ? found->text : number_text(found->number);
+  return end + 1;
+}
+
+}  // namespace rubicon::interpreter::expansion

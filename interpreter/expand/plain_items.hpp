@@ -1,0 +1,95 @@
+#pragma once
+
+#include "interpreter/expand/scope.hpp"
+#include "interpreter/syntax/diagnostic.hpp"
+
+namespace rubicon::interpreter::expansion {
+
+/// Makes items plain in place: numbers are computed, names and texts spelt out, spans know their
+/// copy. What holds other items (tasks, modules) is left to whoever unrolls them.
+class PlainItems {
+ public:
+  PlainItems(Scope& scope, Diagnostics& diagnostics) : scope_(scope), diagnostics_(diagnostics) {}
+
+  /// False after saying what is wrong with it.
+  template <typename Item>
+  bool make_plain(Item& value) {
+    failed_ = false;
+    mark(value.span);
+    item(value);
+    return !failed_;
+  }
+
+  /// A name that is declared or used.
+  bool make_plain(syntax::Name& value) {
+    failed_ = false;
+    name(value);
+    return !failed_;
+  }
+
+ private:
+  void item(syntax::SiteItem& value) { shape(value.shape); }
+  void item(syntax::NumberItem& value) { name(value.name), number(value.value); }
+  void item(syntax::StringItem& value) { name(value.name), text(value.value); }
+  void item(syntax::SituationItem& value) { each(value.names); }
+  void item(syntax::CalendarItem& value);
+  void item(syntax::ComponentItem& value);
+  void item(syntax::RobotUse& value);
+  void item(syntax::CrewItem& value);
+  void item(syntax::TaskItem& value) { name(value.name); }
+  void item(syntax::ModuleItem& value) { name(value.name); }
+  void item(syntax::PlaceItem& value);
+  void item(syntax::ImportItem& value);
+  void item(syntax::StartItem& value) { part(value.values); }
+  void item(syntax::GoalItem& value) { goal(value.goal); }
+  void item(syntax::ViaItem& value) { goal(value.goal); }
+  void item(syntax::CarryItem& value) { shape(value.shape); }
+  void item(syntax::WithinItem& value);
+  void item(syntax::ByItem& value) { each(value.names); }
+  void item(syntax::MoveItem& value) { name(value.component), part(value.to); }
+  void item(syntax::GoItem& value) { goal(value.goal); }
+  void item(syntax::RemoveItem& value) { name(value.component); }
+  void item(syntax::WorkItem& value);
+  void item(syntax::GuideItem& value) { name(value.name); }
+  void item(syntax::ZoneItem& value) { shape(value.shape); }
+  void item(syntax::AfterItem& value) { links(value.links); }
+  void item(syntax::AttributeItem& value);
+
+  // What items are made of; overloads of `part` are called for each of a list.
+  void part(syntax::Name& value) { name(value); }
+  void part(syntax::Number& value) { number(value); }
+  void part(syntax::Shape& value) { shape(value); }
+  void part(syntax::Frame& value);
+  void part(syntax::Values& value);
+  void part(syntax::Cost& value) { mark(value.span), number(value.amount); }
+  void part(syntax::AttributeItem& value) { mark(value.span), item(value); }
+  template <typename Part>
+  void each(std::vector<Part>& values) {
+    for (Part& value : values) part(value);
+  }
+  template <typename Part>
+  void each(std::optional<Part>& value) {
+    if (value) part(*value);
+  }
+  void name(syntax::Name& value);
+  void name(syntax::QualifiedName& value);
+  void number(syntax::Number& value);
+  void text(syntax::String& value);
+  void shape(syntax::Shape& value);
+  void goal(syntax::Goal& value);
+  void links(std::vector<syntax::Link>& value);
+  void argument(syntax::ExpressionPtr& value, const syntax::FrameElement& element);
+  /// What stands at text[at] == '{': the end of "{name}" and its value; 0 where it is a plain
+  /// brace.
+  std::size_t insert(const syntax::String& value, std::size_t at, std::string& out);
+
+  void mark(Span& span) const {
+    if (span.file != kNoFile) span.copy = scope_.copy;
+  }
+
+  Scope& scope_;
+  Diagnostics& diagnostics_;
+  bool failed_ = false;
+};
+
+}  // namespace rubicon::interpreter::expansion
