@@ -92,7 +92,7 @@ TEST(Evaluate, NeverOverflowsOrDividesByZero) {
 }
 
 TEST(Evaluate, RefusesWhatHasNoValue) {
-  EXPECT_EQ(value_of("y"), "P20 there is no parameter 'y'\n?");
+  EXPECT_EQ(value_of("y"), "P23 there is no parameter 'y'\n?");
   EXPECT_EQ(value_of("goal(x)"),
             "F10 function 'goal' cannot stand here; abs, min, max, floor, mod, sin and cos can\n?");
   EXPECT_EQ(value_of("min(1)"), "F06 min takes 2 arguments, found 1\n?");
@@ -108,9 +108,9 @@ TEST(Parameters, KnowThoseAboveThem) {
   EXPECT_EQ(plan.value("crane"), "tower a text");
   Parameters wrong("parameter a = b; parameter b = 1; parameter b = 2; parameter c = a + pitsch;");
   EXPECT_EQ(wrong.said(),
-            "P20 parameter 'b' is declared further down; a parameter knows those above it\n"
+            "P23 parameter 'b' is declared further down; a parameter knows those above it\n"
             "P02 parameter 'b' is declared twice\n"
-            "P20 there is no parameter 'pitsch'\n");
+            "P23 there is no parameter 'pitsch'\n");
 }
 
 TEST(Parameters, AreSetFromOutside) {
@@ -127,17 +127,17 @@ TEST(Parameters, AreSetFromOutside) {
     return Parameters(text, {{name, value}}).said();
   };
   EXPECT_EQ(said("bay", "6"),
-            "P24 --set bay=6: the plan has no parameter 'bay'; did you mean bays?\n");
-  EXPECT_EQ(said("bays", "six"), "P24 --set bays=six: expected a number, such as 6 or \"3.5 m\"\n");
+            "P27 --set bay=6: the plan has no parameter 'bay'; did you mean bays?\n");
+  EXPECT_EQ(said("bays", "six"), "P27 --set bays=six: expected a number, such as 6 or \"3.5 m\"\n");
   EXPECT_EQ(said("bays", "6; crew c"),
-            "P24 --set bays=6; crew c: expected a number, such as 6 or \"3.5 m\"\n");
+            "P27 --set bays=6; crew c: expected a number, such as 6 or \"3.5 m\"\n");
   EXPECT_EQ(said("bays", "6 m"),
-            "P24 --set bays=6 m: the parameter is a plain number, found a length\n");
-  EXPECT_EQ(said("pitch", "6 s"), "P24 --set pitch=6 s: the parameter is a length, found a time\n");
+            "P27 --set bays=6 m: the parameter is a plain number, found a length\n");
+  EXPECT_EQ(said("pitch", "6 s"), "P27 --set pitch=6 s: the parameter is a length, found a time\n");
   EXPECT_EQ(said("rate", "6"),
-            "P24 --set rate=6: the parameter is an hourly rate, found a plain number\n");
+            "P27 --set rate=6: the parameter is an hourly rate, found a plain number\n");
   EXPECT_EQ(Parameters(text, {{"bays", "5"}, {"bays", "6"}}).said(),
-            "P24 --set bays is given twice\n");
+            "P27 --set bays is given twice\n");
 }
 
 }  // namespace

@@ -114,24 +114,24 @@ TEST(Expand, TakesParametersFromOutside) {
 TEST(Expand, SaysWhichCopyIsWrong) {
   const Plain plan("for i from 0 to 2 {\n  crew c[i - 1];\n}");
   EXPECT_EQ(plan.said(),
-            "P21 the brackets of a name take numbers from 0 on, found -1 (line 3, i = 0)\n");
+            "P24 the brackets of a name take numbers from 0 on, found -1 (line 3, i = 0)\n");
   EXPECT_EQ(plan.items(), "crew c_0; crew c_1; ");
   EXPECT_TRUE(plan.plan.broken);
   const Plain nested("for i from 1 to 2 { for j from 3 to 4 { crew c[i / 4]; } }");
   EXPECT_EQ(nested.said(),
-            "P21 a number in the brackets of a name needs a whole number of at most 1000000000, "
+            "P24 a number in the brackets of a name needs a whole number of at most 1000000000, "
             "found 0.25 (line "
             "2, i = 1, j = 3)\n  note: the same in 3 more of its copies\n");
 }
 
 TEST(Expand, RefusesNamesThatAreTaken) {
   EXPECT_EQ(Plain("parameter i = 1; for i from 1 to 2 { crew c[i]; }").said(),
-            "P23 'i' is a name already; this for needs another\n  note: first given here\n");
+            "P26 'i' is a name already; this for needs another\n  note: first given here\n");
   EXPECT_EQ(Plain("for i from 1 to 2 { for i from 1 to 2 { crew c[i]; } }").said(),
-            "P23 'i' is a name already; this for needs another (line 2, i = 1)\n"
+            "P26 'i' is a name already; this for needs another (line 2, i = 1)\n"
             "  note: first given here\n  note: the same in 1 more of its copies\n");
   EXPECT_EQ(Plain("when (1 < 2) { parameter a = 1; }").said(),
-            "P23 parameter 'a' stands in a for or when; parameters stand in the plan itself\n");
+            "P26 parameter 'a' stands in a for or when; parameters stand in the plan itself\n");
   EXPECT_EQ(Plain("when (1) { crew a; }").said(),
             "F09 expected a condition, found a plain number\n");
   EXPECT_EQ(Plain("for i from 1 m to 2 { crew a; }").said(),
@@ -144,7 +144,7 @@ TEST(Expand, CountsCopiesBeforeItMakesThem) {
       Plain("for i from 1 to 400 { for j from 1 to 250 { crew c[i, j]; } }").plan.items.size(),
       100000u);
   const auto refused = [](const std::string& text) {
-    return Plain(text).said().substr(0, 4) == "P22 ";
+    return Plain(text).said().substr(0, 4) == "P25 ";
   };
   EXPECT_TRUE(refused("for i from 1 to 100001 { crew c[i]; }"));
   EXPECT_TRUE(refused("for i from -1000000000 to 1000000000 { }"));
@@ -155,7 +155,7 @@ TEST(Expand, CountsCopiesBeforeItMakesThem) {
               "c; } } }"));
   EXPECT_TRUE(refused("for i from 1 to 100000 { crew c[i] { " + std::string(5000, ' ') + " } }"));
   EXPECT_EQ(Plain("for i from 1 to 1e10 { crew c; }").said(),
-            "P21 the last number of a for needs a whole number of at most 1000000000, found "
+            "P24 the last number of a for needs a whole number of at most 1000000000, found "
             "10000000000\n");
 }
 
