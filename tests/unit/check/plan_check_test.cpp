@@ -49,9 +49,9 @@ TEST(PlanCheck, SaysExactlyWhatEachCaseDeserves) {
 TEST(PlanCheck, EveryCodeIsProvokedByACase) {
   std::string all;
   for (const CheckCase& given : read_check_cases("plan_cases.txt")) all += listed(given.expected);
-  for (const char* code : {"P01", "P02", "P03", "P04", "P05", "P06", "P07", "P08", "P09",
-                           "P10", "P11", "P12", "P13", "P14", "P15", "P16", "P17", "P20",
-                           "P21", "P22", "P23", "F01", "F02", "F03", "F07", "F09", "W08"}) {
+  for (const char* code : {"P01", "P02", "P03", "P04", "P05", "P06", "P07", "P08", "P09", "P10",
+                           "P11", "P12", "P13", "P14", "P15", "P16", "P17", "P20", "P21", "P22",
+                           "P23", "P24", "P25", "P26", "F01", "F02", "F03", "F07", "F09", "W08"}) {
     EXPECT_NE(all.find(std::string(": ") + code + " "), std::string::npos) << code;
   }
 }
@@ -98,12 +98,12 @@ TEST(PlanCheck, SaysWhatIsWrongWithAnImport) {
   EXPECT_EQ(said("import \"n.plan\" as n;", ""),
             "  => 1:37: F01 error: plan 'n.plan': there is no such file\n");
   EXPECT_EQ(said("import \"o.plan\" as o;", "plan o { import \"o.plan\" as p; }"),
-            "  => site/o.plan:1:17: P25 error: 'o.plan' imports itself\n");
+            "  => site/o.plan:1:17: P28 error: 'o.plan' imports itself\n");
   EXPECT_EQ(
       said("import \"o.plan\" as o;", "plan o { contact 1 mm; }"),
-      "  => site/o.plan:1:10: P25 error: contact belongs into the plan that imports this one\n");
+      "  => site/o.plan:1:10: P28 error: contact belongs into the plan that imports this one\n");
   EXPECT_EQ(said("when (1 < 2) { import \"o.plan\" as o; }", "plan o { }"),
-            "  => 1:45: P25 error: an import stands in the plan itself, not in a for or when\n");
+            "  => 1:45: P28 error: an import stands in the plan itself, not in a for or when\n");
   EXPECT_EQ(said("import \"o.plan\";", "plan o { }"),
             "  => 1:30: P00 error: a plan is imported under a name: import \"FILE\" as NAME;\n");
   EXPECT_EQ(said("import \"o.plan\" as o; task u { takes 1; after o.b; }",
