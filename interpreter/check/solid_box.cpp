@@ -34,12 +34,12 @@ class BoxBuilder {
     for (const Vec3& vertex : mesh.mesh->vertices) add(vertex, 0);
   }
 
-  Eigen::AlignedBox3d box;
+  Eigen::AlignedBox3d around;
 
  private:
   void add(const Vec3& p, double radius) {
-    box.extend(Vec3(p - Vec3::Constant(radius)));
-    box.extend(Vec3(p + Vec3::Constant(radius)));
+    around.extend(Vec3(p - Vec3::Constant(radius)));
+    around.extend(Vec3(p + Vec3::Constant(radius)));
   }
 };
 
@@ -48,7 +48,7 @@ class BoxBuilder {
 Eigen::AlignedBox3d box_around(const geometry::Solid& solid) {
   BoxBuilder builder;
   std::visit(builder, solid);
-  return builder.box;
+  return builder.around;
 }
 
 }  // namespace rubicon::interpreter

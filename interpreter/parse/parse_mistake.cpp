@@ -291,6 +291,7 @@ void ParseState::explain_item(const char* at, const grammar::Expectation& expect
     report_token(code_, at,
                  fmt::format("{} does not belong into this {}; is a '}}' missing before it?",
                              found(at), expectation.what));
+    if (!braces_.empty()) braces_.back().unclosed = true;
     return;
   }
   if (bad.kind == Kind::name) {

@@ -45,6 +45,10 @@ void ParseState::report(const char* code, const char* from, const char* to, std:
   ++errors_;
   if (from == last_error_) return;
   last_error_ = from;
+  if (std::any_of(braces_.begin(), braces_.end(),
+                  [](const OpenBrace& brace) { return brace.unclosed; })) {
+    return;
+  }
   diagnostics_.error(code, span(from, to), std::move(message), std::move(hint));
   if (++reported_ >= kMaxErrors) {
     diagnostics_.note(code_, span(from, to),
@@ -205,7 +209,7 @@ bool ParseState::ask(grammar::Query query, const char* at) {
 
 // Braces.
 void ParseState::open_brace(const char* at) {
-  braces_.push_back({announced_, at, errors_, is_loop(announced_), false});
+  braces_.push_back({announced_, at, errors_, is_loop(announced_), false, false});
 }
 
 void ParseState::close_brace() {

@@ -111,6 +111,7 @@ class ParseState {
     int errors;       ///< mistakes before it
     bool loop;        ///< its elements are separated by ','
     bool complained;  ///< a mistake between its elements was reported
+    bool unclosed;    ///< its '}' was said to be missing: nothing more is said of what is in it
   };
   struct Brace {
     const char* at;

@@ -41,6 +41,28 @@ TEST(Recovery, UnclosedChainAtTheEndOfTheFile) {
               ElementsAre("1:27: error: missing '}' to close this chain"));
 }
 
+TEST(Recovery, AMissingBraceIsOneMistakeWhateverStandsBehindIt) {
+  EXPECT_THAT(
+      in_plan("plan p {\n"
+              "  crew c { size 2;\n"
+              "  component a { shape box(0, 0, 0, 1, 1, 1); }\n"
+              "  component b { shape box(0, 0, 0, 1, 1, 1); }\n"
+              "  task t { by g; move a to trans(20, 0, 0); }\n"
+              "  task u { by g; move b to trans(30, 0, 0); after t; }\n"
+              "}\n"),
+      ElementsAre("3:3: error: 'component' does not belong into this crew; is a '}' missing "
+                  "before it?"));
+  EXPECT_THAT(
+      in_robot("robot gantry {\n"
+               "  body bridge { param x step(1); frame trans(x, 0, 0);\n"
+               "  body hoist on bridge { param z step(1); frame trans(0, 0, z); }\n"
+               "  tool hoist;\n"
+               "  behaviour \"g.motion\";\n"
+               "}\n"),
+      ElementsAre(
+          "3:3: error: 'body' does not belong into this body; is a '}' missing before it?"));
+}
+
 TEST(Recovery, MissingSeparator) {
   EXPECT_THAT(in_script("chain {move_to(z, goal(z)) move_dir(z, 1)};"),
               ElementsAre("1:28: error: expected ',' or '}' in this chain, found 'move_dir'"));
