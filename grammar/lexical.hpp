@@ -102,6 +102,7 @@ struct simple_unit
           word<TAO_PEGTL_STRING("m/s")>, word<TAO_PEGTL_STRING("mm")>, word<TAO_PEGTL_STRING("cm")>,
           word<TAO_PEGTL_STRING("min")>, word<TAO_PEGTL_STRING("deg")>,
           word<TAO_PEGTL_STRING("rad")>, word<TAO_PEGTL_STRING("rpm")>,
+          word<TAO_PEGTL_STRING("kg/m3")>, word<TAO_PEGTL_STRING("t/m3")>,
           word<TAO_PEGTL_STRING("kg")>, word<TAO_PEGTL_STRING("m2")>, word<TAO_PEGTL_STRING("m3")>,
           word<one<'m'>>, word<one<'s'>>, word<one<'h'>>, word<one<'t'>>> {};
 struct per_unit : seq<word<TAO_PEGTL_STRING("per")>, plus<blank>, simple_unit> {};

@@ -150,11 +150,14 @@ RUBICON_EXPECT(calendar_name, "a name after calendar");
 RUBICON_EXPECT(component_at_frame, kFrame, Explain::expected, kFrameWords);
 RUBICON_EXPECT(component_grip_frame, kFrame, Explain::expected, kFrameWords);
 RUBICON_EXPECT(mass_value, "a number");
+RUBICON_EXPECT(density_value, "a number");
+RUBICON_EXPECT(waived_first, "the name of a component, a robot, or site");
+RUBICON_EXPECT(waived_second, "the name of a second component or robot, or site");
 RUBICON_EXPECT(attribute_text, "a text in quotes");
 RUBICON_EXPECT(group_heading, "a heading in quotes");
 RUBICON_EXPECT(free_attribute_name, "a name after attribute");
 RUBICON_EXPECT(component_part, "component", Explain::item,
-               "shape at grip mass name storey type guid attribute");
+               "shape at grip mass density name storey type guid attribute");
 RUBICON_EXPECT(component_name, "a name after component");
 RUBICON_EXPECT(cost_amount, "an amount per h");
 RUBICON_EXPECT(used_calendar, "the name of a calendar");
@@ -178,7 +181,7 @@ RUBICON_EXPECT(task_part, "task", Explain::item,
                "by move go remove hook adjust release takes via guide situation within budget "
                "priority zone after name group attribute for when");
 RUBICON_EXPECT(task_name, "a name after task");
-RUBICON_EXPECT(module_part, "module", Explain::item, "component task for when");
+RUBICON_EXPECT(module_part, "module", Explain::item, "component task touching within for when");
 RUBICON_EXPECT(module_name, "a name after module");
 RUBICON_EXPECT(placed_module, "the name of a module");
 RUBICON_EXPECT(placed_at, "'at' and a frame");
@@ -193,7 +196,8 @@ RUBICON_EXPECT(import_end, "';' or '{' after import");
 RUBICON_EXPECT(short_start_values, "a parameter and its value");
 RUBICON_EXPECT(plan_item, "plan", Explain::item,
                "component robot crew task module place import site contact budget start_at "
-               "currency calendar situation start goal via carry within parameter for when");
+               "currency calendar situation start goal via carry within touching "
+               "parameter for when");
 RUBICON_EXPECT(plan_file_key, "'plan' at the start of a plan");
 RUBICON_EXPECT(plan_name, "a name after plan");
 RUBICON_EXPECT(plan_finished, "the end of the file after the '}' of the plan");

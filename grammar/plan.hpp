@@ -128,8 +128,11 @@ struct component_grip : if_must<grip_key, component_grip_frame, plan_semicolon> 
 struct mass_key : token<word<TAO_PEGTL_STRING("mass")>> {};
 struct mass_value : quantity {};
 struct component_mass : if_must<mass_key, mass_value, plan_semicolon> {};
+struct density_key : token<word<TAO_PEGTL_STRING("density")>> {};
+struct density_value : quantity {};
+struct component_density : if_must<density_key, density_value, plan_semicolon> {};
 struct component_part : sor<component_shape, component_at, component_grip, component_mass,
-                            component_attribute, free_attribute> {};
+                            component_density, component_attribute, free_attribute> {};
 struct whole_component_part : must<component_part> {};
 struct component_parts : nested<star<not_at<block_end>, recover<whole_component_part, item_end>>> {
 };
@@ -223,12 +226,29 @@ struct task_key : token<word<TAO_PEGTL_STRING("task")>> {};
 struct task_name : indexed_name {};
 struct task_item : if_must<task_key, task_name, block_open, task_parts, block_close> {};
 
+// What may overlap at the beginning; `within x 1;` of the short form is something else, and so is
+// `within x tolerance;`.
+struct control_parameter
+    : seq<opt<identifier_text, one<'.'>>,
+          sor<word<one<'x', 'y', 'z'>>, word<TAO_PEGTL_STRING("psi")>,
+              word<TAO_PEGTL_STRING("phi")>, word<TAO_PEGTL_STRING("theta")>,
+              word<greek_letter>>> {};
+struct waived_first : qualified_indexed_name {};
+struct waived_second : qualified_indexed_name {};
+struct touching_things_key : token<word<TAO_PEGTL_STRING("touching")>> {};
+struct touching_things : if_must<touching_things_key, waived_first, waived_second, plan_semicolon> {
+};
+struct embedded_key : token<word<TAO_PEGTL_STRING("within")>> {};
+struct embedded_thing : if_must<seq<at<embedded_key, not_at<control_parameter>, qualified_indexed_name, qualified_indexed_name>, embedded_key>,
+                                waived_first, waived_second, plan_semicolon> {};
+struct waiver : sor<touching_things, embedded_thing> {};
+
 // Modules, imports.
 struct module_parts;
 struct module_repetition : if_must<for_head, block_open, module_parts, block_close> {};
 struct module_choice : if_must<given_head, block_open, module_parts, block_close> {};
 struct module_block : sor<module_repetition, module_choice> {};
-struct module_part : sor<module_block, component_item, task_item> {};
+struct module_part : sor<module_block, component_item, task_item, waiver> {};
 struct whole_module_part : must<module_part> {};
 struct module_parts : nested<star<not_at<block_end>, recover<whole_module_part, item_end>>> {};
 struct module_key : token<word<TAO_PEGTL_STRING("module")>> {};
@@ -282,7 +302,7 @@ struct plan_choice : if_must<given_head, block_open, plan_items, block_close> {}
 struct plan_block : sor<plan_repetition, plan_choice> {};
 struct plan_item
     : sor<plan_block, parameter_item, component_item, robot_use, crew_item, task_item, module_item,
-          place_item, import_item, site_item, number_item, text_item, calendar_item, situation_item,
+          place_item, import_item, waiver, site_item, number_item, text_item, calendar_item, situation_item,
           short_start, short_goal, via_item, carry_item, within_item> {};
 struct whole_plan_item : must<plan_item> {};
 struct plan_items : nested<star<not_at<block_end>, recover<whole_plan_item, item_end>>> {};

@@ -18,6 +18,8 @@ std::string_view unit_kind_text(UnitKind kind) {
       return "a time";
     case UnitKind::mass:
       return "a mass";
+    case UnitKind::density:
+      return "a density";
     case UnitKind::speed:
       return "a speed";
     case UnitKind::turn_rate:

@@ -72,7 +72,9 @@ std::unique_ptr<PlanModel> load_plan(const std::string& path, SourceMap& sources
   plan_check::check_tasks(subject);
   plan_check::check_scale(subject);
   plan_check::check_short_form(subject);
+  plan_check::check_waivers(subject);
   if (diagnostics.errors() == errors_before) plan_check::check_cycles(subject);
+  if (diagnostics.errors() == errors_before) plan_check::check_masses(subject);
   diagnostics.name_copies(said_before, sources);
   if (diagnostics.errors() != errors_before || plan.broken) return nullptr;
   return model;

@@ -39,7 +39,14 @@ ComponentSpec resolve_component(Subject& subject, const syntax::ComponentItem& i
   if (item.grip.empty()) subject.without_grip.insert(item.name.span.begin);
   const auto number_span = [](const syntax::Number& number) { return number.span; };
   const auto* mass = only_one(subject, item.mass, "the mass of " + who, number_span);
-  if (mass == nullptr) return component;
+  if (mass == nullptr) {
+    component.mass = mass_by_density(subject, item, component.shapes).value_or(0);
+    return component;
+  }
+  if (!item.density.empty()) {
+    subject.error("P31", item.density.front().span,
+                  who + " has a mass and a density; expected one of them");
+  }
   const std::string what = "the mass of " + who;
   if (!check_unit(*mass, syntax::UnitKind::mass, what, subject.diagnostics)) return component;
   if (mass->value > 0 && mass->value <= kMaxMass) {

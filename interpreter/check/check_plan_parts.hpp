@@ -107,6 +107,16 @@ void check_scale(Subject& subject);
 /// Tasks of the plan and of modules: P01, P02, P05-P09, P12-P14, P19.
 void check_tasks(Subject& subject);
 
+/// What may overlap at the beginning, in the plan and in placed modules: P01, P30.
+void check_waivers(Subject& subject);
+
+/// The mass (kg) of a component by its density; nothing after reporting P31.
+std::optional<double> mass_by_density(Subject& subject, const syntax::ComponentItem& item,
+                                      const std::vector<geometry::Shape>& shapes);
+
+/// Components without mass that tasks give to machines with a load chart: P32.
+void check_masses(Subject& subject);
+
 /// One task in its scope.
 void check_task(Subject& subject, const Scope& scope, const syntax::TaskItem& item, TaskSpec& task);
 

@@ -46,6 +46,8 @@ ValueKind kind_of_unit(syntax::UnitKind unit) {
       return ValueKind::time;
     case syntax::UnitKind::mass:
       return ValueKind::mass;
+    case syntax::UnitKind::density:
+      return ValueKind::unknown;
     case syntax::UnitKind::speed:
       return ValueKind::speed;
     case syntax::UnitKind::turn_rate:

@@ -116,6 +116,26 @@ struct TaskSpec {
   Attributes attributes = {};
 };
 
+/// Something that stands on the site at the beginning.
+struct ThingRef {
+  enum class Kind { component, robot, site };
+  Kind kind = Kind::component;
+  int index = -1;  ///< into components or robots; of the site -1: all its shapes
+  auto operator<=>(const ThingRef&) const = default;
+};
+
+/// Two things that may overlap at the beginning: `touching`, or the first embedded in the second.
+struct WaiverSpec {
+  ThingRef first, second;
+  Span span;
+};
+
+/// Two things that overlap at the beginning deeper than the contact tolerance.
+struct OverlapSpec {
+  std::string first, second;  ///< as in messages: a component, a robot's body, the load, the site
+  double depth = 0;           ///< m
+};
+
 /// A plan that was read and checked, modules placed and every name resolved.
 struct PlanModel {
   std::string name;
@@ -130,6 +150,9 @@ struct PlanModel {
   std::vector<CrewSpec> crews;
   std::vector<CalendarSpec> calendars;
   std::vector<TaskSpec> tasks;  ///< file order
+  std::vector<WaiverSpec> waivers;
+  /// What overlaps at the beginning and is not waived; nothing: nobody has looked.
+  std::optional<std::vector<OverlapSpec>> overlaps;
   std::optional<schedule::CivilTime> start_at;
   std::string currency;
   ParameterTexts set;  ///< parameters that were given from outside, with which all this was made

@@ -49,6 +49,7 @@ void PlainItems::item(syntax::ComponentItem& value) {
   each(value.at);
   each(value.grip);
   each(value.mass);
+  each(value.density);
   each(value.attributes);
 }
 

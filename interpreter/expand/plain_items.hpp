@@ -34,6 +34,7 @@ class PlainItems {
   void item(syntax::SituationItem& value) { each(value.names); }
   void item(syntax::CalendarItem& value);
   void item(syntax::ComponentItem& value);
+  void item(syntax::WaiverItem& value) { name(value.first), name(value.second); }
   void item(syntax::RobotUse& value);
   void item(syntax::CrewItem& value);
   void item(syntax::TaskItem& value) { name(value.name); }

@@ -85,6 +85,8 @@ class Qualifier {
         for (syntax::Shape& shape : component->shapes) find_file(shape.file);
       } else if (auto* task = std::get_if<syntax::TaskItem>(&part)) {
         rename_parts(*task);
+      } else if (auto* waiver = std::get_if<syntax::WaiverItem>(&part)) {
+        rename(*waiver);
       }
     }
     inner_components_.clear();
@@ -94,6 +96,15 @@ class Qualifier {
     refer(item.module, modules_);
     prefix(item.as);
     links(item.after);
+  }
+  void rename(syntax::WaiverItem& item) {
+    for (syntax::QualifiedName* each : {&item.first, &item.second}) {
+      if (!each->body && workers_.count(each->name.text) != 0) {
+        prefix(each->name);
+      } else {
+        refer(*each, components_, inner_components_);
+      }
+    }
   }
   void rename(syntax::ImportItem& item) { refuse(item.span, "an import with a block"); }
   void rename(syntax::NumberItem& item) { refuse(item.span, item.name.text); }

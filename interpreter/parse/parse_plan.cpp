@@ -248,6 +248,9 @@ RUBICON_ACTION(PlanAction, PlanState, component_grip_frame) {
 RUBICON_ACTION(PlanAction, PlanState, mass_value) {
   st.component.mass.push_back(st.take_quantity());
 }
+RUBICON_ACTION(PlanAction, PlanState, density_value) {
+  st.component.density.push_back(st.take_quantity());
+}
 RUBICON_ACTION(PlanAction, PlanState, component_item) {
   st.add_to_module(std::move(st.component), begin);
 }
@@ -335,6 +338,20 @@ RUBICON_ACTION(PlanAction, PlanState, after_item) {
   st.add_to_task(syntax::AfterItem{std::move(st.links), {}}, begin);
 }
 
+// what may overlap at the beginning
+RUBICON_ACTION(PlanAction, PlanState, touching_things_key) { st.key = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, embedded_key) { st.key = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, waived_first) {
+  st.component_name = st.take_qualified_name();
+}
+RUBICON_ACTION(PlanAction, PlanState, waived_second) { st.second_name = st.take_qualified_name(); }
+RUBICON_ACTION(PlanAction, PlanState, waiver) {
+  st.add_to_module(
+      syntax::WaiverItem{
+          std::move(st.key), std::move(st.component_name), std::move(st.second_name), {}},
+      begin);
+}
+
 // modules, imports
 RUBICON_ACTION(PlanAction, PlanState, module_key) {
   st.module = {};
@@ -391,7 +408,8 @@ syntax::Plan parse_plan(const SourceMap& sources, FileId file, Diagnostics& diag
        "grip",      "mass",      "cost",      "park",     "size",     "by",       "move",
        "go",        "remove",    "hook",      "adjust",   "release",  "takes",    "guide",
        "priority",  "zone",      "after",     "off",      "name",     "storey",   "type",
-       "guid",      "attribute", "parameter", "for",      "when",     "group"});
+       "guid",      "attribute", "parameter", "for",      "when",     "group",    "density",
+       "touching"});
   const bool finished = run_parser<grammar::plan_file, PlanAction>(state);
   state.plan.broken = !finished || state.errors() > 0;
   state.plan.span = state.span_from(state.begin());

@@ -108,6 +108,7 @@ class PlanState : public ScriptState {
   syntax::Name key;
   syntax::Name name;
   syntax::QualifiedName component_name;
+  syntax::QualifiedName second_name;
   std::optional<syntax::Name> crew_of_work;
   syntax::Number duration;
   syntax::Number quantity;

@@ -34,6 +34,8 @@ constexpr Unit kUnits[] = {
     {"h", {0, 0, 1, 0}, 3600, 1},
     {"t", {0, 0, 0, 1}, 1000, 1},
     {"kg", {0, 0, 0, 1}, 1, 1},
+    {"kg/m3", {-3, 0, 0, 1}, 1, 1},
+    {"t/m3", {-3, 0, 0, 1}, 1000, 1},
     {"m/s", {1, 0, -1, 0}, 1, 1},
     {"mm/s", {1, 0, -1, 0}, 1, 1000},
     {"km/h", {1, 0, -1, 0}, 1, 3.6},
@@ -148,10 +150,10 @@ void ParseState::unknown_unit(const char* from, const char* to) {
   report(code_, from, to,
          near.empty() ? fmt::format("unknown unit {}", found(from))
                       : fmt::format("unknown unit {}; did you mean {}?", found(from), near),
-         computes_numbers_ ? "units are mm, cm, m, m2, m3, deg, rad, s, min, h, t, kg, m/s, mm/s, "
-                             "km/h, deg/s, rad/s, rpm, and such as per h or t per m3"
-                           : "units are mm, cm, m, deg, rad, s, min, h, t, kg, m/s, mm/s, km/h, "
-                             "deg/s, rad/s, rpm and per h");
+         computes_numbers_ ? "units are mm, cm, m, m2, m3, deg, rad, s, min, h, t, kg, kg/m3, t/m3, "
+                             "m/s, mm/s, km/h, deg/s, rad/s, rpm, and such as per h or t per m3"
+                           : "units are mm, cm, m, deg, rad, s, min, h, t, kg, kg/m3, t/m3, "
+                             "m/s, mm/s, km/h, deg/s, rad/s, rpm and per h");
 }
 
 }  // namespace rubicon::interpreter

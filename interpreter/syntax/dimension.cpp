@@ -11,12 +11,13 @@ namespace {
 /// Powers beyond this are of no unit that anybody means.
 constexpr int kMaxPower = 100;
 
-constexpr std::array<std::pair<Dimension, UnitKind>, 8> kKinds = {{
+constexpr std::array<std::pair<Dimension, UnitKind>, 9> kKinds = {{
     {{0, 0, 0, 0}, UnitKind::none},
     {{1, 0, 0, 0}, UnitKind::length},
     {{0, 1, 0, 0}, UnitKind::angle},
     {{0, 0, 1, 0}, UnitKind::time},
     {{0, 0, 0, 1}, UnitKind::mass},
+    {{-3, 0, 0, 1}, UnitKind::density},
     {{1, 0, -1, 0}, UnitKind::speed},
     {{0, 1, -1, 0}, UnitKind::turn_rate},
     {{0, 0, -1, 0}, UnitKind::per_hour},

@@ -12,6 +12,7 @@ enum class UnitKind {
   angle,
   time,
   mass,
+  density,
   speed,
   turn_rate,
   per_hour,

@@ -326,9 +326,10 @@ struct AttributeItem {
 struct ComponentItem {
   Name name;
   std::vector<Shape> shapes;
-  std::vector<Frame> at;  ///< more than one is an error of the checker; likewise grip and mass
+  std::vector<Frame> at;  ///< more than one is an error of the checker; likewise the rest
   std::vector<Frame> grip;
   std::vector<Number> mass;
+  std::vector<Number> density;
   std::vector<AttributeItem> attributes;
   Span span;
 };
@@ -438,7 +439,14 @@ struct TaskItem {
   std::vector<TaskPart> parts;
   Span span;
 };
-using ModulePart = std::variant<ComponentItem, TaskItem, std::shared_ptr<const ModuleBlock>>;
+/// touching a b;   within a b;
+struct WaiverItem {
+  Name kind;  ///< touching or within
+  QualifiedName first, second;
+  Span span;
+};
+using ModulePart =
+    std::variant<ComponentItem, TaskItem, WaiverItem, std::shared_ptr<const ModuleBlock>>;
 struct ModuleBlock {
   BlockHead head;
   std::vector<ModulePart> items;
@@ -490,7 +498,7 @@ struct PlanParameter {
 using PlanItem = std::variant<SiteItem, NumberItem, StringItem, SituationItem, CalendarItem,
                               ComponentItem, RobotUse, CrewItem, TaskItem, ModuleItem, PlaceItem,
                               ImportItem, StartItem, GoalItem, ViaItem, CarryItem, WithinItem,
-                              PlanParameter, std::shared_ptr<const PlanBlock>>;
+                              WaiverItem, PlanParameter, std::shared_ptr<const PlanBlock>>;
 struct PlanBlock {
   BlockHead head;
   std::vector<PlanItem> items;

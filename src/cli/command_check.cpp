@@ -4,7 +4,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "interpreter/check/check.hpp"
 #include "interpreter/check/plan_model.hpp"
@@ -14,6 +16,7 @@
 #include "src/cli/text_kind.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/results/report/diagnostic_printer.hpp"
+#include "src/simulation/site/beginning.hpp"
 
 namespace rubicon::cli {
 
@@ -64,6 +67,19 @@ void check_motion(CheckRun& run, const std::string& path, const interpreter::Che
   check_script(script, context, run.diagnostics);
 }
 
+/// A plan, and what of it is seen only where it stands on the site.
+void check_plan(CheckRun& run, const std::string& path, const interpreter::ParameterTexts& set) {
+  const auto plan = load_plan(path, run.sources, run.disk, run.diagnostics, set);
+  if (!plan) return;
+  try {
+    for (auto& each : site::warnings_of(site::look_at_beginning(*plan))) {
+      run.diagnostics.add(std::move(each));
+    }
+  } catch (const std::invalid_argument& error) {
+    fail(run, path, error.what());
+  }
+}
+
 }  // namespace
 
 int run_check(const CheckOptions& options) {
@@ -81,7 +97,7 @@ int run_check(const CheckOptions& options) {
     } else if (*kind == interpreter::TextKind::robot) {
       load_robot(path, run.sources, run.disk, nullptr, run.diagnostics);
     } else if (*kind == interpreter::TextKind::plan) {
-      load_plan(path, run.sources, run.disk, run.diagnostics, parameter_texts(options.set));
+      check_plan(run, path, parameter_texts(options.set));
     } else if (options.robot.empty() || robot) {
       check_motion(run, path, robot.get());
     }

@@ -3,12 +3,28 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <utility>
 
 #include "src/exchange/files/plan_files_io.hpp"
 #include "src/results/report/diagnostic_printer.hpp"
+#include "src/simulation/site/beginning.hpp"
 #include "src/simulation/taskplan/run_mistakes.hpp"
 
 namespace rubicon::cli {
+
+namespace {
+
+/// What is in each other at the beginning, into the plan, and what is to be said of it.
+void look_at_beginning(interpreter::PlanModel& plan, interpreter::Diagnostics& diagnostics) {
+  const site::Beginning beginning = site::look_at_beginning(plan);
+  plan.overlaps.emplace();
+  for (const site::BeginningOverlap& each : beginning.overlaps) {
+    plan.overlaps->push_back(each.pair);
+  }
+  for (auto& each : site::warnings_of(beginning)) diagnostics.add(std::move(each));
+}
+
+}  // namespace
 
 std::unique_ptr<interpreter::PlanModel> load_runnable_plan(const std::string& path,
                                                            interpreter::SourceMap& sources,
@@ -25,6 +41,7 @@ std::unique_ptr<interpreter::PlanModel> load_runnable_plan(const std::string& pa
   if (plan) {
     for (auto& mistake : taskplan::run_mistakes(*plan)) diagnostics.add(std::move(mistake));
   }
+  if (plan && !diagnostics.has_errors()) look_at_beginning(*plan, diagnostics);
   const auto found = diagnostics.sorted();
   if (!found.empty()) {
     const std::string messages =

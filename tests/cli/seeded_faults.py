@@ -447,6 +447,32 @@ def overload(good, rng):
     return Fault("overload", result, [record["task"]], index + 1, words="too heavy")
 
 
+def forget_a_mass(good, rng):
+    """A component that a robot with a load chart lifts has no mass."""
+    places = [i for i in good.places("attach") if good.robot(good.records[i]["robot"])["capacity"]]
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    record = good.records[index]
+    next(each for each in result.header["components"] if each["name"] == record["component"])["mass"] = 0
+    return Fault("forget a mass", result, [record["task"]], index + 1, words="no mass")
+
+
+def hide_an_overlap(good, rng):
+    """Something stands in a component from the beginning, and the header does not tell."""
+    if "beginning" not in good.header or not good.header["components"]:
+        return None
+    component = rng.choice(good.header["components"])
+    point = inner_point(component["shapes"][0])
+    if point is None:
+        return None
+    pose = [number for row in product(rows_of(component["pose"]), translation(*point)) for number in row]
+    result = copy.deepcopy(good)
+    result.header["site"].append({"type": "box", "lower": [-0.02] * 3, "upper": [0.02] * 3, "pose": pose})
+    return Fault("hide an overlap", result, [""], 1, words=f"at the beginning {component['name']} is at least")
+
+
 def lengthen_work(good, rng):
     places = good.places("work")
     if not places:
@@ -1142,7 +1168,8 @@ def change_the_currency(good, rng):
 
 KINDS = (shift_a_step, shift_the_rest_of_a_task, drop_a_wait, close_a_wait_up, swap_times, start_too_early,
          move_a_component, change_a_value, drop_a_step, drop_a_step_neatly, repeat_a_step, move_the_grip,
-         move_what_is_put_down, turn_what_is_put_down, move_the_goal, drop_a_load_change, overload, lengthen_work,
+         move_what_is_put_down, turn_what_is_put_down, move_the_goal, drop_a_load_change, overload, forget_a_mass,
+         hide_an_overlap, lengthen_work,
          take_a_day_off, shorten_a_shift, book_a_crew_twice, give_work_to_another, break_a_link,
          link_to_what_is_not_done, silence_a_refusal, call_it_done, call_it_not_reached, drop_a_task, cut_the_trace,
          wall_in_the_way, thing_where_a_load_is_put, grow_a_body, zone_round_a_robot, edit_the_schedule,

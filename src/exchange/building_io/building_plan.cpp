@@ -24,6 +24,11 @@ namespace {
 constexpr std::size_t kGroupsShown = 20;
 constexpr std::size_t kTasksShown = 40;
 
+/// kg/m3, where nothing is said: reinforced concrete (EN 1991-1-1, table A.1: 25 kN/m3).
+constexpr double kAssumedDensity = 2500;
+/// kg, the most that a plan takes.
+constexpr double kMostMass = 1e8;
+
 std::string joined(const std::vector<std::string>& names, std::size_t most) {
   std::string text;
   for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
@@ -172,6 +177,7 @@ class WorkWriter {
     terms.turn_deg = place.turn_deg;
     terms.grip = how.grip;
     terms.mass = mass_of(element, how);
+    terms.mass_source = mass_source_;
     insert_.items += component_text(element, terms);
     project_io::PlanInsert::Part part;
     part.name = "set_" + element.component;
@@ -198,19 +204,37 @@ class WorkWriter {
   }
 
   std::string mass_of(const Element& element, const MoveTerms& how) {
+    mass_source_.clear();
     if (!how.mass.empty()) return how.mass;
-    if (!how.density) return {};
-    const double mass = std::round(element.frame.volume * *how.density);
+    if (!how.density) {
+      mass_source_ = fmt::format("assumed: reinforced concrete, {:g} kg/m3", kAssumedDensity);
+    }
+    if (!how.density) assumed_.push_back(element.component);
+    const double density = how.density.value_or(kAssumedDensity);
+    const double mass = std::round(element.frame.volume * density);
     if (mass >= 1) return fmt::format("{:.0f}", mass);
     without_mass_.push_back(element.component);
-    return {};
+    // More than it can be.
+    mass_source_ = fmt::format("the box around it, filled: {:g} kg/m3", density);
+    const double full = std::ceil(element.frame.size.prod() * density);
+    return fmt::format("{:.0f}", std::clamp(full, 1.0, kMostMass));
   }
 
   void report_masses() {
+    if (!assumed_.empty()) {
+      diagnostics_.warning(
+          "I18", {},
+          fmt::format("{} without a mass or a density in {} rule: taken as reinforced concrete, "
+                      "{:g} kg/m3: {}",
+                      counted(assumed_.size(), "element"), assumed_.size() == 1 ? "its" : "their",
+                      kAssumedDensity, joined(assumed_, kGroupsShown)),
+          "give one in their rule: { density 1750; } or { mass 120; }");
+    }
     if (without_mass_.empty()) return;
     diagnostics_.warning(
         "I18", {},
-        fmt::format("{} without a mass, for the surface is not closed: {}",
+        fmt::format("{} without a mass, for the surface is not closed; taken as the box around "
+                    "it, filled: {}",
                     counted(without_mass_.size(), "element"), joined(without_mass_, kGroupsShown)),
         "give one in their rule: { mass 120; }");
   }
@@ -245,7 +269,8 @@ class WorkWriter {
   Matching matching_;
   project_io::PlanInsert insert_;
   std::vector<ElementRow> rows_;
-  std::vector<std::string> without_mass_;
+  std::vector<std::string> without_mass_, assumed_;
+  std::string mass_source_;  ///< of the last one, where nobody gave it
 };
 
 }  // namespace

@@ -95,7 +95,10 @@ std::string component_text(const Element& element, const ComponentTerms& terms) 
   }
   const std::string top = frame_or_identity({0, 0, element.frame.size.z()}, 0);
   text += fmt::format("grip {}{}{};\n", top, terms.grip.empty() ? "" : " * ", terms.grip);
-  if (!terms.mass.empty()) text += fmt::format("mass {};\n", terms.mass);
+  if (!terms.mass.empty()) {
+    text += fmt::format("mass {};{}{}\n", terms.mass, terms.mass_source.empty() ? "" : "  // ",
+                        terms.mass_source);
+  }
   return text + "}\n";
 }
 

@@ -10,8 +10,9 @@ namespace rubicon::building_io {
 struct ComponentTerms {
   Vec3 at = Vec3::Zero();  ///< of its frame {O}, m
   double turn_deg = 0;
-  std::string grip;  ///< a frame behind the middle of its upper side; empty: that
-  std::string mass;  ///< as the plan says it; empty: not known
+  std::string grip;         ///< a frame behind the middle of its upper side; empty: that
+  std::string mass;         ///< as the plan says it; empty: not known
+  std::string mass_source;  ///< where it comes from, for a remark; empty: nothing to say
 };
 
 /// "trans(1, 2, 0.5) * rotz(90)"; empty for no transform at all.

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "src/results/verify/input/check_files.hpp"
+#include "src/results/verify/replay/check_beginning.hpp"
 #include "src/results/verify/replay/check_goals.hpp"
 #include "src/results/verify/replay/check_hits.hpp"
 #include "src/results/verify/replay/contact_check.hpp"
@@ -43,6 +44,7 @@ void check_motions(const Trace& trace, const std::vector<TaskRun>& runs, Verdict
   const std::vector<Stay> stays =
       component_stays(trace, runs, tracks, events, until, verdict.faults);
   const SiteParts site = make_site_parts(trace, runs, stays, until);
+  check_beginning(trace.scene, site, verdict.faults);
   const ContactCounts counts = check_contacts(trace, runs, tracks, site, verdict.faults);
   verdict.steps = counts.steps;
   verdict.pairs = counts.pairs;

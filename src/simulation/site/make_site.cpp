@@ -9,8 +9,6 @@
 
 namespace rubicon::site {
 
-namespace {
-
 collision::BodyPtr prepare_named(const std::vector<geometry::Shape>& shapes,
                                  const std::string& name) {
   if (shapes.empty()) return nullptr;
@@ -20,8 +18,6 @@ collision::BodyPtr prepare_named(const std::vector<geometry::Shape>& shapes,
     throw std::invalid_argument(fmt::format("the shape of {}: {}", name, error.what()));
   }
 }
-
-}  // namespace
 
 SiteWorld make_site(const interpreter::PlanModel& plan) {
   SiteWorld site(plan.contact);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "src/simulation/taskplan/goal_holds.hpp"
+#include "src/simulation/taskplan/load_judgement.hpp"
 #include "src/simulation/taskplan/motion_task.hpp"
 #include "src/simulation/taskplan/reason.hpp"
 
@@ -53,6 +54,12 @@ Step MotionActivity::begin(ActiveTask& task, Stage& stage) {
   if (spec.move && purpose == MotionPurpose::grip && !stage.site.stands(*spec.move)) {
     stage.reject(task.task, stage.gone(*spec.move), stage.users_of(*spec.move));
     return Step::pending;
+  }
+  if (purpose == MotionPurpose::grip) {
+    if (auto reason = too_heavy(stage, task.task)) {
+      stage.reject(task.task, std::move(*reason), {});
+      return Step::pending;
+    }
   }
   if (!stage.calendar(task.task).works_at(stage.now())) {
     wait_for_shift(task, stage);

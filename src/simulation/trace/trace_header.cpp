@@ -233,6 +233,36 @@ void write_tasks(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
   json.end_array();
 }
 
+/// As waivers call it.
+const std::string& name_of(const PlanModel& plan, const interpreter::ThingRef& thing) {
+  static const std::string kSite = "site";
+  switch (thing.kind) {
+    case interpreter::ThingRef::Kind::component:
+      return plan.components[static_cast<std::size_t>(thing.index)].name;
+    case interpreter::ThingRef::Kind::robot:
+      return plan.robots[static_cast<std::size_t>(thing.index)].name;
+    case interpreter::ThingRef::Kind::site:
+      break;
+  }
+  return kSite;
+}
+
+/// Nothing where nobody has looked, and in short plans, whose traces stay as they were.
+void write_beginning(JsonBuilder& json, const PlanModel& plan) {
+  if (!plan.overlaps || plan.short_form) return;
+  json.key("beginning").begin_object().key("overlaps").begin_array();
+  for (const interpreter::OverlapSpec& each : *plan.overlaps) {
+    json.begin_object().field("first", each.first).field("second", each.second);
+    json.field("depth", each.depth).end_object();
+  }
+  json.end_array().key("waived").begin_array();
+  for (const interpreter::WaiverSpec& waiver : plan.waivers) {
+    json.begin_array().value(std::string_view(name_of(plan, waiver.first)));
+    json.value(std::string_view(name_of(plan, waiver.second))).end_array();
+  }
+  json.end_array().end_object();
+}
+
 }  // namespace
 
 std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sources,
@@ -267,6 +297,7 @@ std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sou
     if (plan.goal) write_goal(json.key("goal"), plan, 0, *plan.goal);
   }
   write_tasks(json, plan, meshes);
+  write_beginning(json, plan);
   meshes.write(json.key("meshes"));
   json.end_object();
   return json.take();

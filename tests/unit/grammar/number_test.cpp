@@ -44,6 +44,8 @@ TEST(Number, UnitsAreConvertedToBaseUnits) {
                {"5 s", 5, UnitKind::time},
                {"4.1 t", 4100, UnitKind::mass},
                {"4 kg", 4, UnitKind::mass},
+               {"2400 kg/m3", 2400, UnitKind::density},
+               {"2.4 t/m3", 2400, UnitKind::density},
                {"6 m/s", 6, UnitKind::speed},
                {"6m/s", 6, UnitKind::speed},
                {"500 mm/s", 0.5, UnitKind::speed},

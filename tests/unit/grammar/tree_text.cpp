@@ -178,6 +178,7 @@ class Writer {
     word("grip");
     for (const syntax::Frame& entry : value.grip) frame(entry);
     for (const syntax::Number& entry : value.mass) number(entry);
+    for (const syntax::Number& entry : value.density) number(entry);
     for (const syntax::AttributeItem& entry : value.attributes) item(entry);
   }
   void item(const syntax::AttributeItem& value) { name(value.key), string(value.text); }
@@ -216,6 +217,9 @@ class Writer {
   void item(const syntax::TaskItem& value) {
     name(value.name);
     variants(value.parts);
+  }
+  void item(const syntax::WaiverItem& value) {
+    name(value.kind), name(value.first), name(value.second);
   }
   void item(const syntax::ModuleItem& value) {
     name(value.name);

@@ -306,7 +306,9 @@ TEST(FullPlan, TooHeavyALoadIsNotLifted) {
   const Ran ran = run(plan);
   EXPECT_EQ(ran.schedule.tasks[0].result, TaskResult::rejected);
   EXPECT_EQ(ran.schedule.tasks[0].reason,
-            "too heavy: block_1 has 4000 kg, the load chart of crane allows 2000 kg at 10 m");
+            "too heavy: block_1 has 4000 kg, the load chart of crane allows 2000 kg at 10 m, where "
+            "it is taken up, and 2000 kg at 10 m, where it is set down");
+  EXPECT_EQ(ran.schedule.tasks[0].tried, 0);
 }
 
 TEST(FullPlan, SameInputSameBytes) {

@@ -392,7 +392,8 @@ TEST(Refusals, EveryReasonIsToldInItsWords) {
        {"robot a \"gantry.robot\" { start x 0; } component c { shape box(-1, -1, 0, 1, 1, 1); at "
         "trans(30, 0, 0); grip trans(0, 0, 1); mass 3 t; } task t { by a; move c to trans(0, 9, "
         "0); }",
-        "too heavy: c has 3000 kg, the load chart of a allows 2000 kg at 30 m"}},
+        "too heavy: c has 3000 kg, the load chart of a allows 2000 kg at 30 m, where it is taken "
+        "up, and 4000 kg at 9 m, where it is set down"}},
       {"gone",
        {"component c { } task first_one { remove c; } task t { remove c; after first_one; }",
         "c is not on the site any more"}},

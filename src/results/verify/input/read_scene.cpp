@@ -221,6 +221,19 @@ void read_tasks(const JsonFields& header, Scene& scene) {
   }
 }
 
+SceneBeginning read_beginning(const JsonFields& fields) {
+  SceneBeginning beginning;
+  for (const Json& object : fields.array("overlaps")) {
+    const JsonFields pair(object, "an overlap");
+    beginning.overlaps.push_back({pair.text("first"), pair.text("second"), pair.number("depth")});
+  }
+  for (const Json& pair : fields.array("waived")) {
+    if (!pair.is_array() || pair.size() != 2) fields.fail("pairs of names");
+    beginning.waived.emplace_back(text_of(pair[0], "a name"), text_of(pair[1], "a name"));
+  }
+  return beginning;
+}
+
 /// The one motion of a short plan is a task without goal here: it may end short.
 void add_short_task(const JsonFields& header, Scene& scene) {
   if (scene.robots.size() != 1) throw UnreadableInput("expected one robot in a short plan");
@@ -259,6 +272,9 @@ Scene read_scene(const std::string& line) {
   scene.meshes = read_meshes(header.array("meshes"));
   scene.site = read_shapes(header.array("site"), scene.meshes.size());
   scene.carry = read_shapes(header.array("carry"), scene.meshes.size());
+  if (header.has("beginning")) {
+    scene.beginning = read_beginning(JsonFields(header.any("beginning"), "'beginning'"));
+  }
   read_components(header, scene);
   read_resources(header, scene);
   if (scene.short_form) {

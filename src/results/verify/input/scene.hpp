@@ -151,6 +151,18 @@ struct SceneTask {
   std::vector<SceneLink> after;
 };
 
+/// Two things that are in each other at the beginning.
+struct SceneOverlap {
+  std::string first, second;
+  double depth = 0;  ///< m
+};
+
+/// What the header tells of the beginning.
+struct SceneBeginning {
+  std::vector<SceneOverlap> overlaps;
+  std::vector<std::pair<std::string, std::string>> waived;
+};
+
 /// The header of a trace: all that stands, moves and is to be done.
 struct Scene {
   std::string plan;
@@ -167,6 +179,7 @@ struct Scene {
   std::vector<SceneRobot> robots;
   std::vector<SceneCrew> crews;
   std::vector<SceneTask> tasks;
+  std::optional<SceneBeginning> beginning;
   std::map<std::string, int> component_index, robot_index, crew_index, task_index;
 };
 

@@ -186,6 +186,9 @@ class TrackBuilder {
 
   void check_weight() {
     if (robot_.capacity.empty()) return;
+    if (!(mass() > 0)) {
+      fault(FaultKind::load, "what it lifts has no mass, and the robot has a load chart");
+    }
     const double r = radius(q_);
     if (mass() <= std::max(allowed(r - kRadiusSlack), allowed(r)) + kMassSlack) return;
     fault(FaultKind::load, fmt::format("{:g} kg are too heavy at {:g} m", mass(), r));

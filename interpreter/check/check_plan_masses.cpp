@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "interpreter/check/check_number.hpp"
+#include "interpreter/check/check_plan_parts.hpp"
+#include "src/motion/geometry/volume.hpp"
+
+namespace rubicon::interpreter::plan_check {
+
+namespace {
+
+/// Densest thing on a site, in kg/m3: gold is 19300.
+constexpr double kMaxDensity = 25000;
+
+}  // namespace
+
+std::optional<double> mass_by_density(Subject& subject, const syntax::ComponentItem& item,
+                                      const std::vector<geometry::Shape>& shapes) {
+  const auto number_span = [](const syntax::Number& number) { return number.span; };
+  const std::string what = "the density of component '" + item.name.text + "'";
+  const auto* density = only_one(subject, item.density, what, number_span);
+  if (density == nullptr) return std::nullopt;
+  if (!check_unit(*density, syntax::UnitKind::density, what, subject.diagnostics)) {
+    return std::nullopt;
+  }
+  if (!(density->value > 0 && density->value <= kMaxDensity)) {
+    subject.error("P09", density->span,
+                  fmt::format("{} must be greater than 0 and at most {} kg/m3, found {}", what,
+                              kMaxDensity, density->value));
+    return std::nullopt;
+  }
+  // A shape that is wrong was reported where it stands.
+  if (shapes.size() != item.shapes.size()) return std::nullopt;
+  if (const auto volume = geometry::volume_of(shapes)) return volume->volume * density->value;
+  subject.error("P31", density->span,
+                fmt::format("{} gives no mass: it has {}", what,
+                            shapes.empty() ? "no shape" : "a mesh that is not closed"),
+                "write mass NUMBER kg;");
+  return std::nullopt;
+}
+
+void check_masses(Subject& subject) {
+  if (subject.model.short_form || subject.has_open_import) return;
+  std::map<int, Span> said;
+  for (const TaskSpec& task : subject.model.tasks) {
+    if (!task.move || task.robot < 0) continue;
+    const RobotSpec& robot = subject.model.robots[static_cast<std::size_t>(task.robot)];
+    const ComponentSpec& component = subject.model.components[static_cast<std::size_t>(*task.move)];
+    if (!robot.robot || robot.robot->model.capacity.empty() || component.mass > 0) continue;
+    // A module's component is said once, however often it is placed.
+    const auto first = static_cast<int>(component.span.begin);
+    if (component.name.empty() || !said.emplace(first, component.span).second) continue;
+    Diagnostic diagnostic;
+    diagnostic.code = "P32";
+    diagnostic.span = component.span;
+    diagnostic.message = fmt::format(
+        "component '{}' has no mass, but task '{}' lifts it with '{}', which has a load chart",
+        component.name, task.name, robot.name);
+    diagnostic.notes.push_back({task.move_span, "lifted here"});
+    diagnostic.hint = "write mass 2.5 t; or density 2400 kg/m3; where its shapes are closed";
+    subject.diagnostics.add(std::move(diagnostic));
+  }
+}
+
+}  // namespace rubicon::interpreter::plan_check

@@ -1,0 +1,175 @@
+#include "src/simulation/site/beginning.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "src/motion/collision/query/overlap_depth.hpp"
+#include "src/motion/robot/kinematics.hpp"
+#include "src/simulation/site/make_site.hpp"
+
+namespace rubicon::site {
+
+namespace {
+
+using interpreter::Diagnostic;
+using interpreter::Severity;
+using interpreter::Span;
+using interpreter::ThingRef;
+
+/// So many overlaps are told one by one.
+constexpr std::size_t kMostTold = 20;
+
+struct Thing {
+  std::string name;
+  std::string owner;
+  ThingRef ref;
+  Span span;
+  collision::BodyPtr body;
+  math::Pose X_WB;
+};
+
+std::pair<ThingRef, ThingRef> pair_of(const ThingRef& a, const ThingRef& b) {
+  return a < b ? std::pair(a, b) : std::pair(b, a);
+}
+
+class BeginningSearch {
+ public:
+  explicit BeginningSearch(const interpreter::PlanModel& plan) : plan_(plan) {
+    for (const interpreter::WaiverSpec& waiver : plan.waivers) {
+      waived_.insert(pair_of(waiver.first, waiver.second));
+    }
+  }
+
+  Beginning run() {
+    using Kind = ThingRef::Kind;
+    for (std::size_t i = 0; i < plan_.site.size(); ++i) {
+      const std::string name = plan_.site.size() == 1 ? "site" : fmt::format("site {}", i + 1);
+      stand({name, "site", {Kind::site, -1}, {}, prepare_named({plan_.site[i]}, name), Identity()});
+    }
+    for (std::size_t i = 0; i < plan_.components.size(); ++i) {
+      const interpreter::ComponentSpec& component = plan_.components[i];
+      collision::BodyPtr body = prepare_named(component.shapes, component.name);
+      if (!body) continue;
+      Thing thing{component.name, component.name,  {Kind::component, static_cast<int>(i)},
+                  component.span, std::move(body), component.X_WO};
+      compare(thing);
+      stand(std::move(thing));
+    }
+    for (std::size_t i = 0; i < plan_.robots.size(); ++i) add_robot(static_cast<int>(i));
+    for (const interpreter::WaiverSpec& waiver : plan_.waivers) {
+      if (!met_.contains(pair_of(waiver.first, waiver.second))) {
+        result_.idle_waivers.push_back(waiver.span);
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  static math::Pose Identity() { return math::Pose::Identity(); }
+
+  void stand(Thing thing) {
+    const collision::ObstacleId id = world_.insert(thing.body, thing.X_WB);
+    standing_.emplace(id, std::move(thing));
+  }
+
+  /// Against all that stands already.
+  void compare(const Thing& thing) {
+    collision::SweptQuery query;
+    query.contact_tolerance = plan_.contact;
+    query.items.push_back({{thing.body.get(), geometry::stationary(thing.X_WB)}, true});
+    if (!world_.test(query).hit) return;
+    for (const collision::BlockingPair& pair : world_.explain(query)) {
+      const Thing& other = standing_.at(*pair.hit.obstacle);
+      const auto both = pair_of(other.ref, thing.ref);
+      met_.insert(both);
+      if (waived_.contains(both)) continue;
+      const double depth =
+          collision::overlap_depth(*other.body, other.X_WB, *thing.body, thing.X_WB);
+      result_.overlaps.push_back(
+          {{other.name, thing.name, depth}, other.owner, thing.owner, other.span, thing.span});
+    }
+  }
+
+  void add_robot(int index) {
+    const interpreter::RobotSpec& spec = plan_.robots[static_cast<std::size_t>(index)];
+    const std::shared_ptr<const robot::RobotModel> model(spec.robot, &spec.robot->model);
+    const robot::Mounting mounting{spec.X_WM, spec.start};
+    std::vector<double> q = spec.start;
+    robot::update_derived(*model, mounting, q);
+    robot::normalise(*model, q);
+    std::vector<collision::BodyPtr>& bodies = prepared_[spec.robot.get()];
+    const SiteRobot machine = make_site_robot(spec.name, model, mounting, bodies);
+    bodies = machine.bodies;
+    std::vector<math::Pose> X_WB;
+    robot::body_poses(*model, mounting, q, X_WB);
+    std::vector<Thing> parts;
+    const ThingRef ref{ThingRef::Kind::robot, index};
+    for (std::size_t i = 0; i < machine.bodies.size(); ++i) {
+      if (!machine.bodies[i]) continue;
+      parts.push_back(
+          {machine.body_names[i], spec.name, ref, spec.span, machine.bodies[i], X_WB[i]});
+    }
+    if (index == 0 && !plan_.carry.empty()) {
+      parts.push_back({"the load", spec.name, ref, spec.span,
+                       prepare_named(plan_.carry, "the load"),
+                       robot::tool_pose(*model, mounting, q)});
+    }
+    for (const Thing& part : parts) compare(part);
+    for (Thing& part : parts) stand(std::move(part));
+  }
+
+  const interpreter::PlanModel& plan_;
+  std::set<std::pair<ThingRef, ThingRef>> waived_, met_;
+  std::map<const interpreter::CheckedRobot*, std::vector<collision::BodyPtr>> prepared_;
+  collision::CollisionWorld world_;
+  std::map<collision::ObstacleId, Thing> standing_;
+  Beginning result_;
+};
+
+std::string depth_text(double depth) {
+  const double millimetres = depth * 1000;
+  return millimetres < 10 ? fmt::format("{:.2f} mm", millimetres)
+                          : fmt::format("{:.0f} mm", millimetres);
+}
+
+Diagnostic warning(const char* code, Span span, std::string message, std::string hint) {
+  return {Severity::warning, code, span, std::move(message), {}, std::move(hint)};
+}
+
+}  // namespace
+
+Beginning look_at_beginning(const interpreter::PlanModel& plan) {
+  return BeginningSearch(plan).run();
+}
+
+std::vector<Diagnostic> warnings_of(const Beginning& beginning) {
+  std::vector<Diagnostic> all;
+  for (const BeginningOverlap& each : beginning.overlaps) {
+    if (all.size() == kMostTold) {
+      all.push_back(warning("P33", each.second,
+                            fmt::format("{} more pairs overlap at the beginning",
+                                        beginning.overlaps.size() - kMostTold),
+                            {}));
+      break;
+    }
+    Diagnostic told = warning(
+        "P33", each.second,
+        fmt::format("at the beginning {} is {} deep in {}", each.pair.second,
+                    depth_text(each.pair.depth), each.pair.first),
+        fmt::format("move one of them, or, if it is meant, write touching {} {}; or, for "
+                    "an embedded part, within {} {};",
+                    each.first_owner, each.second_owner, each.second_owner, each.first_owner));
+    if (each.first.end > each.first.begin) told.notes.push_back({each.first, "the other one"});
+    all.push_back(std::move(told));
+  }
+  for (const Span& span : beginning.idle_waivers) {
+    all.push_back(warning("P34", span, "the two do not overlap at the beginning", "leave it out"));
+  }
+  return all;
+}
+
+}  // namespace rubicon::site
