@@ -26,7 +26,7 @@ usage: rubicon check [--robot FILE] [--set NAME=VALUE]... [--format text|json] F
 
 Reads each FILE (.robot, .motion or .plan) and reports all its mistakes in one run: where, what was expected, what was
 found, what to do. A plan checks its robots, a robot its behaviours. A behaviour on its own gets only the checks that
-need no robot; name one with --robot and it gets them all.
+need no robot; name one with --robot and it gets them all. Of a plan it also says what is in each other at the beginning.
 
   --robot FILE     the robot that the .motion files are for
   --set NAME=VALUE another value for a parameter of the plan: --set bays=6 --set "pitch=4.2 m"

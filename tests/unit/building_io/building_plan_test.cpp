@@ -142,10 +142,17 @@ TEST(BuildingPlan, TooLittleRoomAndNoMassAreTold) {
   EXPECT_TRUE(
       test::says(small.said, "I17 1 of 2 elements without room in stock area 'yard': slab"));
   EXPECT_TRUE(test::says(small.said, "I17 1 of 2 elements without room in the stock areas: wall"));
-  EXPECT_TRUE(test::says(small.said, "I18 1 element without a mass"));
+  EXPECT_TRUE(test::says(small.said,
+                         "I18 1 element without a mass, for the surface is not closed; taken as "
+                         "the box around it, filled: slab"));
+  EXPECT_THAT(small.plan.plan, HasSubstr("// the box around it, filled: 1 kg/m3"));
   const Written none =
       write(elements, schedule_of({"Floor"}), "by a; type IfcSlab -> task \"Floor\";");
   EXPECT_TRUE(test::says(none.said, "without room for there is no stock area: slab"));
+  EXPECT_TRUE(test::says(none.said,
+                         "I18 1 element without a mass or a density in its rule: taken "
+                         "as reinforced concrete, 2500 kg/m3: slab"));
+  EXPECT_THAT(none.plan.plan, HasSubstr("// assumed: reinforced concrete, 2500 kg/m3"));
 }
 
 TEST(BuildingPlan, RobotsAndTasksKeepTheirNamesBesideThoseOfTheSchedule) {
