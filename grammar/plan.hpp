@@ -231,15 +231,17 @@ struct task_item : if_must<task_key, task_name, block_open, task_parts, block_cl
 struct control_parameter
     : seq<opt<identifier_text, one<'.'>>,
           sor<word<one<'x', 'y', 'z'>>, word<TAO_PEGTL_STRING("psi")>,
-              word<TAO_PEGTL_STRING("phi")>, word<TAO_PEGTL_STRING("theta")>,
-              word<greek_letter>>> {};
+              word<TAO_PEGTL_STRING("phi")>, word<TAO_PEGTL_STRING("theta")>, word<greek_letter>>> {
+};
 struct waived_first : qualified_indexed_name {};
 struct waived_second : qualified_indexed_name {};
 struct touching_things_key : token<word<TAO_PEGTL_STRING("touching")>> {};
 struct touching_things : if_must<touching_things_key, waived_first, waived_second, plan_semicolon> {
 };
 struct embedded_key : token<word<TAO_PEGTL_STRING("within")>> {};
-struct embedded_thing : if_must<seq<at<embedded_key, not_at<control_parameter>, qualified_indexed_name, qualified_indexed_name>, embedded_key>,
+struct embedded_thing : if_must<seq<at<embedded_key, not_at<control_parameter>,
+                                       qualified_indexed_name, qualified_indexed_name>,
+                                    embedded_key>,
                                 waived_first, waived_second, plan_semicolon> {};
 struct waiver : sor<touching_things, embedded_thing> {};
 
@@ -302,8 +304,8 @@ struct plan_choice : if_must<given_head, block_open, plan_items, block_close> {}
 struct plan_block : sor<plan_repetition, plan_choice> {};
 struct plan_item
     : sor<plan_block, parameter_item, component_item, robot_use, crew_item, task_item, module_item,
-          place_item, import_item, waiver, site_item, number_item, text_item, calendar_item, situation_item,
-          short_start, short_goal, via_item, carry_item, within_item> {};
+          place_item, import_item, waiver, site_item, number_item, text_item, calendar_item,
+          situation_item, short_start, short_goal, via_item, carry_item, within_item> {};
 struct whole_plan_item : must<plan_item> {};
 struct plan_items : nested<star<not_at<block_end>, recover<whole_plan_item, item_end>>> {};
 struct plan_file_key : token<word<TAO_PEGTL_STRING("plan")>> {};

@@ -150,10 +150,11 @@ void ParseState::unknown_unit(const char* from, const char* to) {
   report(code_, from, to,
          near.empty() ? fmt::format("unknown unit {}", found(from))
                       : fmt::format("unknown unit {}; did you mean {}?", found(from), near),
-         computes_numbers_ ? "units are mm, cm, m, m2, m3, deg, rad, s, min, h, t, kg, kg/m3, t/m3, "
-                             "m/s, mm/s, km/h, deg/s, rad/s, rpm, and such as per h or t per m3"
-                           : "units are mm, cm, m, deg, rad, s, min, h, t, kg, kg/m3, t/m3, "
-                             "m/s, mm/s, km/h, deg/s, rad/s, rpm and per h");
+         computes_numbers_
+             ? "units are mm, cm, m, m2, m3, deg, rad, s, min, h, t, kg, kg/m3, t/m3, "
+               "m/s, mm/s, km/h, deg/s, rad/s, rpm, and such as per h or t per m3"
+             : "units are mm, cm, m, deg, rad, s, min, h, t, kg, kg/m3, t/m3, "
+               "m/s, mm/s, km/h, deg/s, rad/s, rpm and per h");
 }
 
 }  // namespace rubicon::interpreter
