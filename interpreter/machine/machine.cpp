@@ -26,11 +26,11 @@ std::string missing_turn(const robot::RobotModel& model, const robot::Mounting& 
   if (solution.position_error > tolerance.position) return {};
   if (solution.q.size() != model.parameters.size()) return {};
   const math::Pose X_WT = robot::tool_pose(model, mounting, solution.q);
-  const Eigen::AngleAxisd off(math::Mat3(X_WT.linear().transpose() * X_WG.linear()));
-  const math::Vec3 axis_W = X_WT.linear() * off.axis();
-  constexpr double kAlong = 1 - 1e-6;  // cosine
+  // What the goal is turned against the tool, in the world: it leaves its own axis where it is.
+  const math::Mat3 R_W = X_WG.linear() * X_WT.linear().transpose();
+  constexpr double kSame = 1e-6;
   for (int i = 0; i < 3; ++i) {
-    if (std::fabs(axis_W[i]) < kAlong) continue;
+    if ((R_W.col(i) - math::Vec3::Unit(i)).norm() > kSame) continue;
     return i == 2 ? "; no swivel: the turn about z is not free; use within or add one"
                   : fmt::format("; the turn about {} is not free; use within", "xyz"[i]);
   }
