@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <set>
@@ -48,7 +49,12 @@ class BeginningSearch {
     using Kind = ThingRef::Kind;
     for (std::size_t i = 0; i < plan_.site.size(); ++i) {
       const std::string name = plan_.site.size() == 1 ? "site" : fmt::format("site {}", i + 1);
-      stand({name, "site", {Kind::site, -1}, {}, prepare_named({plan_.site[i]}, name), Identity()});
+      stand({name,
+             "site",
+             {Kind::site, -1},
+             {},
+             prepare_named({plan_.site[i]}, name),
+             math::Pose::Identity()});
     }
     for (std::size_t i = 0; i < plan_.components.size(); ++i) {
       const interpreter::ComponentSpec& component = plan_.components[i];
@@ -60,17 +66,11 @@ class BeginningSearch {
       stand(std::move(thing));
     }
     for (std::size_t i = 0; i < plan_.robots.size(); ++i) add_robot(static_cast<int>(i));
-    for (const interpreter::WaiverSpec& waiver : plan_.waivers) {
-      if (!met_.contains(pair_of(waiver.first, waiver.second))) {
-        result_.idle_waivers.push_back(waiver.span);
-      }
-    }
+    add_idle_waivers();
     return std::move(result_);
   }
 
  private:
-  static math::Pose Identity() { return math::Pose::Identity(); }
-
   void stand(Thing thing) {
     const collision::ObstacleId id = world_.insert(thing.body, thing.X_WB);
     standing_.emplace(id, std::move(thing));
@@ -91,6 +91,21 @@ class BeginningSearch {
           collision::overlap_depth(*other.body, other.X_WB, *thing.body, thing.X_WB);
       result_.overlaps.push_back(
           {{other.name, thing.name, depth}, other.owner, thing.owner, other.span, thing.span});
+    }
+  }
+
+  /// One of a module or a loop is idle if it is about nothing in any copy.
+  void add_idle_waivers() {
+    std::map<std::pair<interpreter::FileId, std::uint32_t>, bool> needed;
+    const auto place_of = [](const Span& span) { return std::pair(span.file, span.begin); };
+    for (const interpreter::WaiverSpec& waiver : plan_.waivers) {
+      needed[place_of(waiver.span)] |= met_.contains(pair_of(waiver.first, waiver.second));
+    }
+    for (const interpreter::WaiverSpec& waiver : plan_.waivers) {
+      const auto found = needed.find(place_of(waiver.span));
+      if (found == needed.end() || found->second) continue;
+      result_.idle_waivers.push_back(waiver.span);
+      needed.erase(found);
     }
   }
 

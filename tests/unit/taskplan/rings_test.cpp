@@ -58,7 +58,7 @@ TEST(Rings, ThroughACrew) {
     crew riggers;
     robot hoist "gantry.robot" { start x 5, y 0, z 0; }
     robot truck "line.robot" { start x 20; }
-    component block { shape box(-0.1, -0.1, -0.2, 0.1, 0.1, 0); at trans(5, 0, 0); }
+    component block { shape box(-0.1, -0.1, -0.2, 0.1, 0.1, 0); at trans(5, 0, 0); mass 0.1 t; }
     task lift { by hoist; move block to trans(5, 30, 0); hook 1 min by riggers; after drive SS; }
     task drive { by truck, riggers; go x -5; }
   )");
@@ -74,7 +74,7 @@ TEST(Rings, ThroughAZoneAndACrew) {
     crew riggers;
     robot hoist "gantry.robot" { start x 5, y 8, z 0; }
     robot truck "line.robot" { start x 20; }
-    component block { shape box(-0.1, -0.1, -0.2, 0.1, 0.1, 0); at trans(5, 4, 0); }
+    component block { shape box(-0.1, -0.1, -0.2, 0.1, 0.1, 0); at trans(5, 4, 0); mass 0.1 t; }
     task lift { by hoist; move block to trans(5, 30, 0); hook 1 min by riggers; zone box(4, -2, 0, 6, 2, 2); priority 1; }
     task drive { by truck, riggers; go x -5; }
   )");

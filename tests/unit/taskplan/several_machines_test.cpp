@@ -149,7 +149,7 @@ TEST(SeveralMachines, WhatStandsInAZoneIsNotTakenWhilePeopleWorkThere) {
   const Ran ran = run(R"(
     robot g "gantry.robot" { start x 0, z 5; }
     crew masons;
-    component c { shape box(-1, -1, 0, 1, 1, 3); at trans(0, 0, 0); grip trans(0, 0, 3); }
+    component c { shape box(-1, -1, 0, 1, 1, 3); at trans(0, 0, 0); grip trans(0, 0, 3); mass 0.1 t; }
     task bricks { by masons; takes 5 min; zone box(-2, -2, 0, 2, 2, 2.5); }
     task fetch { by g; move c to trans(0, 9, 0); })");
   EXPECT_EQ(ran.tasks.at("fetch").result, TaskResult::done) << ran.tasks.at("fetch").reason;
@@ -214,7 +214,7 @@ TEST(SeveralMachines, WhoMadeRoomForATaskThatIsNotDoneHasNotMoved) {
 // The painters look on while the fitters hook and release.
 TEST(SeveralMachines, WhoLooksOnIsHeldAndNotBusy) {
   const Ran ran = run(R"(
-    component block { shape box(-0.2, -0.2, 0, 0.2, 0.2, 0.5); at trans(5, 0, 0); grip trans(0, 0, 0.5); }
+    component block { shape box(-0.2, -0.2, 0, 0.2, 0.2, 0.5); at trans(5, 0, 0); grip trans(0, 0, 0.5); mass 0.1 t; }
     robot hoist "gantry.robot" { start x 5, y 0, z 5; }
     crew fitters;
     crew painters;
@@ -241,8 +241,8 @@ TEST(SeveralMachines, ACrewServesTwoMachinesByTurns) {
     robot g "gantry.robot" { start x 0; }
     robot h "gantry.robot" { start x 40; }
     crew riggers;
-    component c { shape box(-1, -1, 0, 1, 1, 1); at trans(0, 0, 0); grip trans(0, 0, 1); }
-    component d { shape box(-1, -1, 0, 1, 1, 1); at trans(40, 0, 0); grip trans(0, 0, 1); }
+    component c { shape box(-1, -1, 0, 1, 1, 1); at trans(0, 0, 0); grip trans(0, 0, 1); mass 0.1 t; }
+    component d { shape box(-1, -1, 0, 1, 1, 1); at trans(40, 0, 0); grip trans(0, 0, 1); mass 0.1 t; }
     task one { by g; move c to trans(0, 9, 0); hook 4 min by riggers; release 1 min by riggers; }
     task two { by h; move d to trans(40, 9, 0); hook 4 min by riggers; release 1 min by riggers; })");
   EXPECT_EQ(ran.tasks.at("one").waits.resource, (240 - 9) * kSecond);  // d is hooked meanwhile
@@ -257,7 +257,7 @@ TEST(SeveralMachines, AComponentThatIsMovedMeanwhileIsFetchedWhereItIs) {
   const Ran ran = run(R"(
     robot g "gantry.robot" { start x 9, z 5; }
     robot h "gantry.robot" { start x -60, z 9; }
-    component c { shape box(-1, -1, 0, 1, 1, 1); at trans(10, 0, 0); grip trans(0, 0, 1); }
+    component c { shape box(-1, -1, 0, 1, 1, 1); at trans(10, 0, 0); grip trans(0, 0, 1); mass 0.1 t; }
     task earlier { by g; move c to trans(10, 20, 0); }
     task aside { by g; go x 10, y 60, z 20; after earlier; }
     task second { by h; move c to trans(-20, 0, 0); })");
@@ -272,7 +272,7 @@ TEST(SeveralMachines, AComponentThatIsRemovedWhileItIsHookedIsNotCarried) {
   const Ran ran = run(R"(
     robot g "gantry.robot" { start x 10, z 5; }
     crew riggers;
-    component c { shape box(-1, -1, 0, 1, 1, 1); at trans(10, 0, 0); grip trans(0, 0, 1); }
+    component c { shape box(-1, -1, 0, 1, 1, 1); at trans(10, 0, 0); grip trans(0, 0, 1); mass 0.1 t; }
     task move_it { by g; move c to trans(10, 20, 0); hook 10 min; }
     task remove_it { by riggers; takes 5 min; remove c; })");
   EXPECT_EQ(ran.tasks.at("move_it").result, TaskResult::rejected);
@@ -285,7 +285,7 @@ TEST(SeveralMachines, AComponentThatIsRemovedWhileItIsHookedIsNotCarried) {
 TEST(SeveralMachines, WhatAnUndoneTaskTookKeepsItsRank) {
   const std::string items = R"(
     component gone { shape box(0, 0, 0, 1, 1, 1); at trans(0, 50, 0); }
-    component near_one { shape box(-0.2, -0.2, 0, 0.2, 0.2, 0.5); at trans(5, -0.3, 0); grip trans(0, 0, 0.5); }
+    component near_one { shape box(-0.2, -0.2, 0, 0.2, 0.2, 0.5); at trans(5, -0.3, 0); grip trans(0, 0, 0.5); mass 0.1 t; }
     component next_one { shape box(-0.2, -0.2, 0, 0.2, 0.2, 0.5); at trans(5, 0.3, 0); }
     robot hoist "gantry.robot" { start x 5, y -0.3, z 5; }
     robot car "line.robot" { start x 0; }
@@ -305,7 +305,7 @@ TEST(SeveralMachines, WhatAnUndoneTaskTookKeepsItsRank) {
 TEST(SeveralMachines, WhatComesAfterARemovalThatFailsIsNotReached) {
   const Ran ran = run(R"(
     crew riggers;
-    component c { shape box(-1, -1, 0, 1, 1, 1); at trans(10, 0, 0); }
+    component c { shape box(-1, -1, 0, 1, 1, 1); at trans(10, 0, 0); mass 0.1 t; }
     task work { by riggers; takes 1 min; after gone FS - 30 s; }
     task gone { remove c; after earlier; }
     task earlier { remove c; })");
