@@ -120,11 +120,11 @@ describe.skipIf(!hasBrowser)('strange plans', () => {
     expect(result.table).toContain(`${count('done')} of ${planned.length} tasks done, ${words}, process time`);
     const { page, complaints, close } = await openReport(browser, result.report);
     await page.getByRole('button', { name: `${words} of ${planned.length} tasks` }).click();
-    const side = await page.locator('#side').innerText();
+    const side = (await page.locator('#side').innerText()).replace(/\s+/g, ' ').toLowerCase();
     expect(side).toContain(`${count('done')} of ${planned.length}`);
-    expect(side).toContain(`Not done: ${words}`);
+    expect(side).toContain(`not done: ${words}`);
     const [tried, accepted] = [tasks.reduce((sum, each) => sum + each.tried, 0), tasks.reduce((sum, each) => sum + each.accepted, 0)];
-    expect(side.replace(/\s+/g, ' ').toLowerCase()).toContain(
+    expect(side).toContain(
       `steps tried ${tried.toLocaleString('en-GB')} ${accepted.toLocaleString('en-GB')} accepted`);
     expect(complaints).toEqual([]);
     await close();
