@@ -65,15 +65,15 @@ TEST(PlanCheck, ImportsOtherPlans) {
     crew loaders { calendar week; }
     calendar week { mon-fri 07:00-16:00; }
     for i from 1 to pallets {
-      component pallet[i] { shape box(0, 0, 0, 1, 1, 1); at trans(i * pitch, 0, 0); }
-      task bring[i] { by truck; move pallet[i] to trans(5, 5, 0); hook 1 by loaders; after u.t, begin; }
+      component pallet[i] { shape box(0, 0, 0, 1, 1, 1); grip trans(0, 0, 1); at trans(i * pitch, 0, 0); }
+      task bring[i] { by truck; move pallet[i] to trans(5, 5, 0); hook 1 s by loaders; after u.t, begin; }
     }
-    module unit { component part { shape sphere(0, 0, 0, 1); } task t { by loaders; takes 1; } task v { remove part; takes 1; after t; } }
+    module unit { component part { shape sphere(0, 0, 0, 1); } task t { by loaders; takes 1 s; } task v { remove part; takes 1 s; after t; } }
     place unit at trans(9, 9, 9) as u;
   })";
   const std::string text = R"(plan p {
     import "parts/yard.plan" as yard;
-    task begin { takes 1; }
+    task begin { takes 1 s; }
     task end { by yard.loaders; takes yard.pitch / 1 m/s; after yard.bring[2], yard.bring_1; }
     place yard.unit at trans(20, 0, 0) as v;
   })";
@@ -94,23 +94,23 @@ TEST(PlanCheck, ImportsOtherPlans) {
 
 TEST(PlanCheck, SaysWhatIsWrongWithAnImport) {
   const auto said = [](const std::string& text, const std::string& other) {
-    return Loaded("plan p { task t { takes 1; } " + text + " }", {{"site/o.plan", other}}).said();
+    return Loaded("plan p { task t { takes 1 s; } " + text + " }", {{"site/o.plan", other}}).said();
   };
   EXPECT_EQ(said("import \"n.plan\" as n;", ""),
-            "  => 1:37: F01 error: plan 'n.plan': there is no such file\n");
+            "  => 1:39: F01 error: plan 'n.plan': there is no such file\n");
   EXPECT_EQ(said("import \"o.plan\" as o;", "plan o { import \"o.plan\" as p; }"),
             "  => site/o.plan:1:17: P28 error: 'o.plan' imports itself\n");
   EXPECT_EQ(
       said("import \"o.plan\" as o;", "plan o { contact 1 mm; }"),
       "  => site/o.plan:1:10: P28 error: contact belongs into the plan that imports this one\n");
   EXPECT_EQ(said("when (1 < 2) { import \"o.plan\" as o; }", "plan o { }"),
-            "  => 1:45: P28 error: an import stands in the plan itself, not in a for or when\n");
+            "  => 1:47: P28 error: an import stands in the plan itself, not in a for or when\n");
   EXPECT_EQ(said("import \"o.plan\";", "plan o { }"),
-            "  => 1:30: P00 error: a plan is imported under a name: import \"FILE\" as NAME;\n");
-  EXPECT_EQ(said("import \"o.plan\" as o; task u { takes 1; after o.b; }",
-                 "plan o { task a { takes 1; } task c { takes 1; after t, d; } }"),
-            "  => 1:76: P01 error: unknown task 'o.b'; did you mean o.a?\n"
-            "  => site/o.plan:1:57: P01 error: unknown task 'd'\n");
+            "  => 1:32: P00 error: a plan is imported under a name: import \"FILE\" as NAME;\n");
+  EXPECT_EQ(said("import \"o.plan\" as o; task u { takes 1 s; after o.b; }",
+                 "plan o { task a { takes 1 s; } task c { takes 1 s; after t, d; } }"),
+            "  => 1:80: P01 error: unknown task 'o.b'; did you mean o.a?\n"
+            "  => site/o.plan:1:61: P01 error: unknown task 'd'\n");
 }
 
 TEST(PlanCheck, ReadsTheShortForm) {
