@@ -179,7 +179,7 @@ RUBICON_EXPECT(work_crew, "the name of a crew");
 RUBICON_EXPECT(guide_name, "the name of a guide");
 RUBICON_EXPECT(task_part, "task", Explain::item,
                "by move go remove hook adjust release takes via guide situation within budget "
-               "priority zone after name group attribute for when");
+               "priority zone after name group attribute for when whole");
 RUBICON_EXPECT(task_name, "a name after task");
 RUBICON_EXPECT(module_part, "module", Explain::item, "component task touching within for when");
 RUBICON_EXPECT(module_name, "a name after module");
@@ -197,7 +197,7 @@ RUBICON_EXPECT(short_start_values, "a parameter and its value");
 RUBICON_EXPECT(plan_item, "plan", Explain::item,
                "component robot crew task module place import site contact budget start_at "
                "currency calendar situation start goal via carry within touching "
-               "parameter for when");
+               "parameter for when whole");
 RUBICON_EXPECT(plan_file_key, "'plan' at the start of a plan");
 RUBICON_EXPECT(plan_name, "a name after plan");
 RUBICON_EXPECT(plan_finished, "the end of the file after the '}' of the plan");

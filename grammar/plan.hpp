@@ -64,6 +64,10 @@ struct text_item : if_must<text_key, text_value, plan_semicolon> {};
 struct situation_key : token<word<TAO_PEGTL_STRING("situation")>> {};
 struct situation_item : if_must<situation_key, listed_names, plan_semicolon> {};
 
+struct whole_key : token<word<TAO_PEGTL_STRING("whole")>> {};
+struct whole_value : name {};
+struct whole_item : if_must<whole_key, opt<whole_value>, plan_semicolon> {};
+
 struct within_key : token<word<TAO_PEGTL_STRING("within")>> {};
 /// Names in a length are put in parentheses; else they are those of parameters of the robot.
 struct within_length : seq<at<sor<digit, one<'.', '(', '+', '-'>>>, quantity> {};
@@ -219,7 +223,7 @@ struct task_block : sor<task_repetition, task_choice> {};
 struct task_part
     : sor<task_block, by_item, move_item, go_item, remove_item, crew_work_item, takes_item,
           via_item, guide_item, situation_item, within_item, task_number_item, zone_item,
-          after_item, task_attribute, group_item, free_attribute> {};
+          after_item, task_attribute, group_item, free_attribute, whole_item> {};
 struct whole_task_part : must<task_part> {};
 struct task_parts : nested<star<not_at<block_end>, recover<whole_task_part, item_end>>> {};
 struct task_key : token<word<TAO_PEGTL_STRING("task")>> {};
@@ -305,7 +309,8 @@ struct plan_block : sor<plan_repetition, plan_choice> {};
 struct plan_item
     : sor<plan_block, parameter_item, component_item, robot_use, crew_item, task_item, module_item,
           place_item, import_item, waiver, site_item, number_item, text_item, calendar_item,
-          situation_item, short_start, short_goal, via_item, carry_item, within_item> {};
+          situation_item, short_start, short_goal, via_item, carry_item, within_item, whole_item> {
+};
 struct whole_plan_item : must<plan_item> {};
 struct plan_items : nested<star<not_at<block_end>, recover<whole_plan_item, item_end>>> {};
 struct plan_file_key : token<word<TAO_PEGTL_STRING("plan")>> {};

@@ -117,6 +117,12 @@ std::optional<double> mass_by_density(Subject& subject, const syntax::ComponentI
 /// Components without mass that tasks give to machines with a load chart: P32.
 void check_masses(Subject& subject);
 
+/// What a `whole` item says; nothing after reporting P09.
+std::optional<bool> resolve_whole(Subject& subject, const syntax::WholeItem& item);
+
+/// Calendars that carry over, so that what they are needed for is not lifted whole: P36.
+void check_whole(Subject& subject);
+
 /// One task in its scope.
 void check_task(Subject& subject, const Scope& scope, const syntax::TaskItem& item, TaskSpec& task);
 

@@ -34,6 +34,11 @@ class Settings {
     }
   }
 
+  void whole(const syntax::WholeItem& item) {
+    if (!first_of({"whole", item.span})) return;
+    if (const auto value = resolve_whole(subject_, item)) subject_.model.whole = *value;
+  }
+
   void string(const syntax::StringItem& item) {
     if (!first_of(item.name)) return;
     const std::string& text = item.value.text;
@@ -107,6 +112,8 @@ void check_settings(Subject& subject) {
       settings.number(*number);
     } else if (const auto* string = std::get_if<syntax::StringItem>(&each)) {
       settings.string(*string);
+    } else if (const auto* whole = std::get_if<syntax::WholeItem>(&each)) {
+      settings.whole(*whole);
     } else if (const auto* situation = std::get_if<syntax::SituationItem>(&each)) {
       for (const syntax::Name& name : situation->names) {
         subject.model.situations.push_back(name.text);

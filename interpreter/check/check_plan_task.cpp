@@ -25,6 +25,7 @@ class TaskChecker {
   void check() {
     task_.name = item_.name.text;
     task_.span = item_.name.span;
+    task_.whole = subject_.model.whole;
     // Who does it, and whether something moves, decides what else may be said.
     for (const syntax::TaskPart& part : item_.parts) {
       if (const auto* by = std::get_if<syntax::ByItem>(&part)) check_by(*by);
@@ -245,6 +246,15 @@ class TaskChecker {
     if (!shape) return;
     shape->X_BS = scope_.X_WP * shape->X_BS;
     task_.zones.push_back(*std::move(shape));
+  }
+
+  void check_part(const syntax::WholeItem& item) {
+    once("whole", item.span);
+    if (move_ == nullptr) {
+      subject_.error("P06", item.span,
+                     fmt::format("whole is about a lift; task '{}' has no move", item_.name.text));
+    }
+    if (const auto value = resolve_whole(subject_, item)) task_.whole = *value;
   }
 
   void check_part(const syntax::AfterItem& item) {

@@ -109,6 +109,7 @@ struct TaskSpec {
   Within within;
   std::optional<double> budget;
   double priority = 0;
+  bool whole = true;  ///< what it moves is lifted whole: see `held_whole`
   std::vector<geometry::Shape> zones;
   std::vector<LinkSpec> after;
   Span span;                                             ///< its name token
@@ -155,6 +156,7 @@ struct PlanModel {
   std::optional<std::vector<OverlapSpec>> overlaps;
   std::optional<schedule::CivilTime> start_at;
   std::string currency;
+  bool whole = true;  ///< of tasks that do not say it themselves
   ParameterTexts set;  ///< parameters that were given from outside, with which all this was made
 
   // short form
@@ -171,6 +173,15 @@ struct PlanModel {
   std::vector<Use> uses;  ///< calendar, cost, park, zone, guide, import, priority, start_at,
                           ///< currency, parallel links ...
 };
+
+/// Whether nothing may hang on the hook of the task out of working time: from its hook work (or the
+/// pick-up, where there is none) to its release it fits into the working time of all that the lift
+/// needs. So for a task that moves something and says `whole` (by itself, by its plan or by
+/// default), if somebody whom the lift needs has a calendar and none of these carries over.
+bool held_whole(const PlanModel& plan, const TaskSpec& task);
+
+/// The crews that a lift needs from hook to release: those of `by`, then of hook, adjust, release.
+std::vector<int> crews_of_lift(const TaskSpec& task);
 
 /// Reads and checks a plan, its robots and their scripts. `set` gives parameters of the plan other
 /// values than the file does. Null if there is an error in any of them.

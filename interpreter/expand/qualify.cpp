@@ -115,6 +115,7 @@ class Qualifier {
   void rename(syntax::ViaItem& item) { refuse(item.span, "via"); }
   void rename(syntax::CarryItem& item) { refuse(item.span, "carry"); }
   void rename(syntax::WithinItem& item) { refuse(item.span, "within"); }
+  void rename(syntax::WholeItem& item) { refuse(item.span, "whole"); }
   template <typename Item>
   void rename(Item&) {}
 

@@ -179,6 +179,9 @@ RUBICON_ACTION(PlanAction, PlanState, situation_key) { st.names.clear(); }
 RUBICON_ACTION(PlanAction, PlanState, situation_item) {
   st.add_to_task(syntax::SituationItem{std::move(st.names), {}}, begin);
 }
+RUBICON_ACTION(PlanAction, PlanState, whole_key) { st.whole = {}; }
+RUBICON_ACTION(PlanAction, PlanState, whole_value) { st.whole.value = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, whole_item) { st.add_to_task(std::move(st.whole), begin); }
 RUBICON_ACTION(PlanAction, PlanState, within_key) {
   st.within = {};
   st.values = {};
@@ -409,7 +412,7 @@ syntax::Plan parse_plan(const SourceMap& sources, FileId file, Diagnostics& diag
        "go",        "remove",    "hook",      "adjust",   "release",  "takes",    "guide",
        "priority",  "zone",      "after",     "off",      "name",     "storey",   "type",
        "guid",      "attribute", "parameter", "for",      "when",     "group",    "density",
-       "touching"});
+       "touching",  "whole"});
   const bool finished = run_parser<grammar::plan_file, PlanAction>(state);
   state.plan.broken = !finished || state.errors() > 0;
   state.plan.span = state.span_from(state.begin());

@@ -114,6 +114,7 @@ class PlanState : public ScriptState {
   syntax::Number quantity;
   syntax::String headings;  ///< of a group, joined
   syntax::WithinItem within;
+  syntax::WholeItem whole;
   syntax::Shift shift;
   syntax::String shift_from;
   syntax::CalendarItem calendar;

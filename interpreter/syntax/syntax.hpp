@@ -406,6 +406,11 @@ struct WithinItem {
   Values values;
   Span span;
 };
+/// whole on;   whole off;
+struct WholeItem {
+  std::optional<Name> value;  ///< nothing: on
+  Span span;
+};
 struct ZoneItem {
   Shape shape;
   Span span;
@@ -426,9 +431,10 @@ struct TaskBlock;
 struct ModuleBlock;
 struct PlanBlock;
 
-using TaskPart = std::variant<ByItem, MoveItem, GoItem, RemoveItem, WorkItem, ViaItem, GuideItem,
-                              SituationItem, WithinItem, NumberItem /* budget, priority */,
-                              ZoneItem, AfterItem, AttributeItem, std::shared_ptr<const TaskBlock>>;
+using TaskPart =
+    std::variant<ByItem, MoveItem, GoItem, RemoveItem, WorkItem, ViaItem, GuideItem, SituationItem,
+                 WithinItem, NumberItem /* budget, priority */, ZoneItem, AfterItem, AttributeItem,
+                 std::shared_ptr<const TaskBlock>, WholeItem>;
 struct TaskBlock {
   BlockHead head;
   std::vector<TaskPart> items;
@@ -495,10 +501,11 @@ struct PlanParameter {
   Span span;
 };
 
-using PlanItem = std::variant<SiteItem, NumberItem, StringItem, SituationItem, CalendarItem,
-                              ComponentItem, RobotUse, CrewItem, TaskItem, ModuleItem, PlaceItem,
-                              ImportItem, StartItem, GoalItem, ViaItem, CarryItem, WithinItem,
-                              WaiverItem, PlanParameter, std::shared_ptr<const PlanBlock>>;
+using PlanItem =
+    std::variant<SiteItem, NumberItem, StringItem, SituationItem, CalendarItem, ComponentItem,
+                 RobotUse, CrewItem, TaskItem, ModuleItem, PlaceItem, ImportItem, StartItem,
+                 GoalItem, ViaItem, CarryItem, WithinItem, WaiverItem, PlanParameter,
+                 std::shared_ptr<const PlanBlock>, WholeItem>;
 struct PlanBlock {
   BlockHead head;
   std::vector<PlanItem> items;

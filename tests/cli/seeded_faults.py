@@ -508,6 +508,38 @@ def take_a_day_off(good, rng):
     return Fault("take a day off", result, [record["task"]], index + 1, words="of shifts for it")
 
 
+def hang_a_load(good, rng):
+    """What hangs on the hook of a lift that is held whole stays there for a day more, as if waiting for a shift."""
+    whole = {task["name"] for task in good.header["tasks"] if task.get("whole")}
+    places = good.places("attach", where=lambda record: record["task"] in whole)
+    if not places:
+        return None
+    index = rng.choice(places)
+    taken = good.records[index]
+    dt = 3600 * rng.choice((18, 24, 72))
+    result = copy.deepcopy(good)
+    for record in result.records[index + 1:]:
+        if record["task"] == taken["task"]:
+            for key in ("t", "from"):
+                if key in record:
+                    record[key] = round(record[key] + dt, 9)
+    result.records.insert(index + 1, {"type": "pause", "task": taken["task"], "robot": taken["robot"], "why": "shift",
+                                      "for": "", "from": taken["t"], "t": round(taken["t"] + dt, 9)})
+    return Fault("hang a load", result, [taken["task"]], words="hangs on its hook")
+
+
+def invent_overtime(good, rng):
+    """A lift that ends in its shift says that it ended in overtime."""
+    whole = {task["name"] for task in good.header["tasks"] if task.get("whole")}
+    places = good.places("detach", where=lambda record: record["task"] in whole)
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    result.records[index]["overtime"] = result.records[index].get("overtime", 0) + rng.uniform(1, 600)
+    return Fault("invent overtime", result, [good.records[index]["task"]], index + 1, words="the overtime of the lift")
+
+
 def shorten_a_shift(good, rng):
     """All shifts of a robot's calendar end before its first motion begins."""
     calendars = {robot["name"]: robot["calendar"] for robot in good.header["robots"] if robot.get("calendar")}
@@ -840,7 +872,8 @@ def give_a_part_to_another(good, rng):
 
 def hide_a_wait(good, rng):
     """A wait on the way, as the trace tells it, is told as one of another kind."""
-    waits = {"held": "predecessor", "crew": "resource", "machine": "machine", "shift": "shift"}
+    waits = {"held": "predecessor", "crew": "resource", "machine": "machine", "shift": "shift",
+             "lift": "shift"}
     places = good.places("pause", where=lambda record: record["t"] - record["from"] > 0.01)
     if not places:
         return None
@@ -884,7 +917,7 @@ def wait_for_nothing(good, rng):
 
 def pause_for_nothing(good, rng):
     """A pause for a crew or at a link is told as longer, and what comes after it comes later."""
-    places = good.places("pause", where=lambda record: record["why"] in ("crew", "shift", "held"))
+    places = good.places("pause", where=lambda record: record["why"] in ("crew", "shift", "held", "lift"))
     if not places:
         return None
     index = rng.choice(places)
@@ -1170,7 +1203,7 @@ KINDS = (shift_a_step, shift_the_rest_of_a_task, drop_a_wait, close_a_wait_up, s
          move_a_component, change_a_value, drop_a_step, drop_a_step_neatly, repeat_a_step, move_the_grip,
          move_what_is_put_down, turn_what_is_put_down, move_the_goal, drop_a_load_change, overload, forget_a_mass,
          hide_an_overlap, lengthen_work,
-         take_a_day_off, shorten_a_shift, book_a_crew_twice, give_work_to_another, break_a_link,
+         take_a_day_off, shorten_a_shift, hang_a_load, invent_overtime, book_a_crew_twice, give_work_to_another, break_a_link,
          link_to_what_is_not_done, silence_a_refusal, call_it_done, call_it_not_reached, drop_a_task, cut_the_trace,
          wall_in_the_way, thing_where_a_load_is_put, grow_a_body, zone_round_a_robot, edit_the_schedule,
          edit_the_table, change_the_speed, name_another_parameter, lengthen_a_part, give_a_part_to_another,

@@ -56,6 +56,7 @@ export class Activity {
     const why = film.text(record, 'pause.why');
     const whom = film.text(record, 'pause.for');
     if (why === 'shift') return 'waits for the next shift';
+    if (why === 'lift') return `waits for a shift for its lift: ${whom}`;
     if (why === 'held') return `is held by ${whom}`;
     return `waits for ${whom || `a ${why}`}`;
   }

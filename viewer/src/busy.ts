@@ -13,7 +13,7 @@ export function busyTimes(film: Film): Interval[] {
     const kind = film.kind(i);
     const run = film.run(i);
     const isWork = kind === 'work';
-    if (!film.runs[run].happened || !(isWork || (kind === 'pause' && film.text(i, 'pause.why') === 'shift'))) continue;
+    if (!film.runs[run].happened || !(isWork || (kind === 'pause' && ['shift', 'lift'].includes(film.text(i, 'pause.why'))))) continue;
     pieces.push([from[run], film.number(i, isWork ? 'work.from' : 'pause.from')]);
     if (isWork) pieces.push(...workedHours(film, i));
     from[run] = film.time(i);

@@ -94,6 +94,7 @@ std::string pause_text(const std::string& why, const std::string& whom) {
   if (why == "machine") return whom + " was in the way";
   if (why == "crew") return "waited for " + whom;
   if (why == "held") return "was done, and held by its link to " + whom;
+  if (why == "lift") return "its lift waited for a shift: " + whom;
   return "out of shift";
 }
 

@@ -44,6 +44,13 @@ void write_dates(trace::JsonBuilder& json, const Schedule& schedule, const TaskO
   json.field("ends", date_text(*schedule.start_at, task.start + task.duration));
 }
 
+void write_lift(trace::JsonBuilder& json, const taskplan::LiftOutcome& lift) {
+  json.key("lift").begin_object();
+  json.key("from").seconds(lift.from).key("to").seconds(lift.to).key("own").seconds(lift.own);
+  json.key("overtime").seconds(lift.overtime).field("why", std::string_view(lift.why));
+  json.end_object();
+}
+
 std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   trace::JsonBuilder json;
   json.begin_object();
@@ -63,6 +70,7 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   if (task.parking) json.field("parking", true);
   if (!task.component.empty()) json.field("component", std::string_view(task.component));
   write_attributes(json, task.attributes);
+  if (task.lift) write_lift(json, *task.lift);
   json.end_object();
   return json.take();
 }

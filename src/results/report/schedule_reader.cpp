@@ -80,6 +80,12 @@ TaskOutcome read_task(const ExactJson& json) {
   task.reason = json.at("reason").text();
   if (json.has("component")) task.component = json.at("component").text();
   task.attributes = read_attributes(json);
+  if (json.has("lift")) {
+    const ExactJson& lift = json.at("lift");
+    task.lift = taskplan::LiftOutcome{lift.at("from").ticks(), lift.at("to").ticks(),
+                                      lift.at("own").ticks(), lift.at("overtime").ticks(),
+                                      lift.at("why").text()};
+  }
   if (task.start < 0 || task.duration < 0) {
     throw std::invalid_argument(fmt::format("expected times from 0 on of task '{}'", task.task));
   }

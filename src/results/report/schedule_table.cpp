@@ -137,6 +137,19 @@ std::string use_table(const Schedule& schedule) {
   return columns(rows, {1, 2, 3, 4, 5});
 }
 
+/// Lifts that waited for a shift into which they fit, or went on after one.
+std::string lift_table(const Schedule& schedule) {
+  std::vector<Row> rows = {{"lift", "from", "to", "why"}};
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (!task.lift) continue;
+    const auto moment = [&](Ticks time) {
+      return schedule.start_at ? date_text(*schedule.start_at, time) : clock_text(time);
+    };
+    rows.push_back({task.task, moment(task.lift->from), moment(task.lift->to), task.lift->why});
+  }
+  return rows.size() == 1 ? std::string() : columns(rows, {1, 2});
+}
+
 std::string chain_text(const Schedule& schedule) {
   const std::size_t count = schedule.critical.size();
   std::string text = fmt::format("critical chain, {} tasks:\n", count);
@@ -205,6 +218,8 @@ std::string moment_text(const schedule::CivilTime& start_at, Ticks time) {
 
 std::string schedule_table(const Schedule& schedule) {
   std::string text = task_table(schedule) + "\n" + total_line(schedule);
+  const std::string lifts = lift_table(schedule);
+  if (!lifts.empty()) text += "\n" + lifts;
   if (!schedule.resources.empty()) text += "\n" + use_table(schedule);
   if (!schedule.critical.empty()) text += "\n" + chain_text(schedule);
   return text;

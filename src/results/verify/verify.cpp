@@ -13,6 +13,7 @@
 #include "src/results/verify/schedule/check_accounts.hpp"
 #include "src/results/verify/schedule/check_critical.hpp"
 #include "src/results/verify/schedule/check_dates.hpp"
+#include "src/results/verify/schedule/check_lifts.hpp"
 #include "src/results/verify/schedule/check_links.hpp"
 #include "src/results/verify/schedule/check_report.hpp"
 #include "src/results/verify/schedule/check_resources.hpp"
@@ -98,6 +99,7 @@ Verdict verify(const Result& result) {
     if (verdict.faults.size() == before) check_goals(trace, run, verdict.faults);
     check_hits(trace, run, verdict.faults);
     check_shifts(trace, run, hours, verdict.faults);
+    check_lifts(trace, run, hours, verdict.faults);
     waits.check_pauses(static_cast<int>(i), verdict.faults);
     if (run.task >= 0 && run.result == TaskResult::done) ++verdict.done;
   }

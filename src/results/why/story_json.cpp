@@ -135,6 +135,7 @@ std::string story_json(const TaskStory& story) {
   }
   if (story.contact_tolerance > 0) result["contact_tolerance"] = story.contact_tolerance;
   if (story.nearest) result["nearest_miss"] = miss_json(*story.nearest);
+  if (story.overtime > 0) result["overtime"] = story.overtime;
   result["waits"] = ordered_json::array();
   for (const WaitStep& step : story.waits) {
     result["waits"].push_back({{"task", step.task}, {"start", step.start}, {"text", step.text}});

@@ -132,7 +132,10 @@ void StoryReader::follow(const trace::MotionEnd& end) {
 
 void StoryReader::follow(const trace::Attach&) { carries_ = true; }
 
-void StoryReader::follow(const trace::Detach&) { carries_ = false; }
+void StoryReader::follow(const trace::Detach& detach) {
+  carries_ = false;
+  story_.overtime += trace::seconds(detach.overtime);
+}
 
 void StoryReader::follow(const trace::Work& work) {
   story_.works.push_back({std::string(work.what), std::string(work.crew), trace::seconds(work.from),

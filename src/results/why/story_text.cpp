@@ -222,8 +222,15 @@ std::string story_text(const TaskStory& story) {
         "  the trace has no single steps: run with --trace-detail steps to see what was tried\n";
   }
   for (const Span& pause : story.pauses) {
+    const std::string why = pause.what == "lift" ? fmt::format("its lift starts {}: {}",
+                                                               moment(story, pause.to), pause.whom)
+                                                 : pause_text(pause);
     text += fmt::format("  {} from {}: {}\n", span_text(pause.to - pause.from),
-                        moment(story, pause.from), pause_text(pause));
+                        moment(story, pause.from), why);
+  }
+  if (story.overtime > 0) {
+    text += fmt::format("  its load hung for {} out of the shifts of its lift: overtime\n",
+                        span_text(story.overtime));
   }
   for (const Motion& motion : story.motions) {
     if (motion.tries > 0 || !motion.reached) text += motion_text(story, motion);

@@ -55,7 +55,7 @@ struct Motion {
 
 /// A time in which the task stood still, or its crews worked.
 struct Span {
-  std::string what;  ///< hook, adjust, release, takes; machine, crew, shift, held
+  std::string what;  ///< hook, adjust, release, takes; machine, crew, shift, held, lift
   std::string whom;
   double from = 0;
   double to = 0;
@@ -91,6 +91,7 @@ struct TaskStory {
   std::vector<Motion> motions;
   std::vector<Span> works;
   std::vector<Span> pauses;
+  double overtime = 0;          ///< its load hung so long out of the shifts of its lift
   std::vector<WaitStep> waits;  ///< first to last; the last is the task itself
   std::optional<schedule::CivilTime> start_at;
   std::string detail;  ///< of the trace

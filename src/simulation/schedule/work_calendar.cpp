@@ -179,6 +179,36 @@ Ticks WorkCalendar::last_working(Ticks t) const {
   return start == -kEndOfTime ? start : start + 1;
 }
 
+Ticks WorkCalendar::shift_end(Ticks t) const {
+  t = within_time(t);
+  if (!works_at(t)) return t;
+  const Ticks u = t - monday_;
+  Ticks end = kEndOfTime - monday_;
+  const std::size_t offs = offs_before(floor_division(u, kDay) + 1);
+  if (offs < off_days_.size()) end = off_days_[offs] * kDay;
+  if (week_worked_.back() < kWeek) {
+    const std::int64_t week = floor_division(u, kWeek);
+    const auto after =
+        std::upper_bound(week_.begin(), week_.end(), u - week * kWeek,
+                         [](Ticks time, const Interval& i) { return time < i.from; });
+    Ticks to = std::prev(after)->to;
+    // A night shift over Sunday goes on in the next week.
+    if (to == kWeek && week_.front().from == 0) to += week_.front().to;
+    end = std::min(end, week * kWeek + to);
+  }
+  return within_time(end + monday_);
+}
+
+Interval WorkCalendar::longest_shift() const {
+  if (week_worked_.back() == kWeek) return {0, kEndOfTime};
+  Interval longest;
+  for (Interval each : week_) {
+    if (each.to == kWeek && week_.front().from == 0) each.to += week_.front().to;
+    if (each.to - each.from > longest.to - longest.from) longest = each;
+  }
+  return longest;
+}
+
 Ticks WorkCalendar::finish(Ticks t, Ticks work) const {
   t = within_time(t);
   if (work <= 0 || t == kEndOfTime) return t;

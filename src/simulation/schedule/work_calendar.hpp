@@ -59,6 +59,14 @@ class WorkCalendar {
   /// end, else the end of the shift before.
   Ticks last_working(Ticks t) const;
 
+  /// The end of the shift that t lies in: the first moment at or after t at which no work is done;
+  /// t itself out of shift, kEndOfTime where work never stops.
+  Ticks shift_end(Ticks t) const;
+
+  /// The longest shift of a week, days off aside; `to` may lie in the next week. Day and night:
+  /// from 0 to kEndOfTime.
+  Interval longest_shift() const;
+
   /// When work that begins at t (or, out of shift, when the next shift begins) is done. It stops
   /// at the end of a shift and goes on in the next. No work is done at once: t.
   Ticks finish(Ticks t, Ticks work) const;
@@ -80,6 +88,8 @@ class WorkCalendar {
   Ticks idle_between(Ticks from, Ticks to) const;
 
   bool carries_over() const { return carry_over_; }
+  /// 00:00 on Monday of the week of the start, <= 0: what weeks count from.
+  Ticks monday() const { return monday_; }
 
   /// The names of the calendars this one is made of, sorted; none for the one without a name.
   const std::vector<std::string>& names() const { return names_; }

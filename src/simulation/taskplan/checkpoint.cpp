@@ -5,6 +5,13 @@
 
 namespace rubicon::taskplan {
 
+namespace {
+
+/// No line of a trace is this task's.
+constexpr int kNobody = -2;
+
+}  // namespace
+
 void Checkpoints::add(int task, Journal::Mark resources) {
   Checkpoint& point = checkpoints_.emplace_back();
   point.task = task;
@@ -15,6 +22,7 @@ void Checkpoints::add(int task, Journal::Mark resources) {
   point.site = stage_.site_changes.moment(stage_.robots());
   point.events = stage_.events;
   point.active = stage_.active;
+  point.lifts = stage_.lifts;
   point.progress = stage_.progress;
   point.zone_waits = zone_waits_;
   point.zone_waits.erase(task);
@@ -31,7 +39,7 @@ void Checkpoints::drop(int task) {
   stage_.site_changes.forget_before(none ? stage_.site_changes.mark() : oldest->site.mark);
 }
 
-bool Checkpoints::go_back(int task) {
+bool Checkpoints::go_back(int task, bool keeps_lines) {
   const auto place = std::find_if(checkpoints_.begin(), checkpoints_.end(),
                                   [&](const Checkpoint& point) { return point.task == task; });
   if (place == checkpoints_.end()) return false;
@@ -40,9 +48,10 @@ bool Checkpoints::go_back(int task) {
   records_.undo_to(point.records);
   stage_.links->undo_to(point.links);
   stage_.allocator->undo_to(point.resources);
-  stage_.trace.keep_only(point.trace, task);
+  stage_.trace.keep_only(point.trace, keeps_lines ? task : kNobody);
   stage_.events = std::move(point.events);
   stage_.active = std::move(point.active);
+  stage_.lifts = std::move(point.lifts);
   stage_.progress = point.progress;
   zone_waits_ = std::move(point.zone_waits);
   stage_.site_changes.go_back(point.site, stage_.now());

@@ -19,9 +19,9 @@ class Checkpoints {
   void add(int task, Journal::Mark resources);
   /// Nobody goes back to before the task started any more.
   void drop(int task);
-  /// To the moment before the task started, which with all later ones is dropped; its trace lines
-  /// are kept. False if there is none.
-  bool go_back(int task);
+  /// To the moment before the task started, which with all later ones is dropped; whether its trace
+  /// lines are kept. False if there is none.
+  bool go_back(int task, bool keeps_lines = true);
 
  private:
   struct Checkpoint {
@@ -33,6 +33,7 @@ class Checkpoints {
     SiteChanges::Moment site;
     EventQueue events;
     ActiveTasks active;
+    std::vector<WholeLift> lifts;
     SiteProgress progress;
     ZoneWaits zone_waits;
   };

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
+#include <string>
 
 #include "src/simulation/site/load_chart.hpp"
 
@@ -29,7 +31,7 @@ Step HandlingActivity::begin(ActiveTask& task, Stage& stage) {
     case Phase::Kind::weigh:
       return weigh(task, stage);
     case Phase::Kind::attach:
-      return attach(task, stage);
+      return begin_lift_here(task, stage);
     case Phase::Kind::detach:
       return detach(task, stage);
     default:
@@ -39,8 +41,18 @@ Step HandlingActivity::begin(ActiveTask& task, Stage& stage) {
 
 /// Those who were in the way have left: tried again, as a motion is.
 Step HandlingActivity::resume(ActiveTask& task, Stage& stage) {
-  const schedule::WorkCalendar& calendar = stage.calendar(task.task);
-  if (!calendar.works_at(stage.now())) {
+  const bool begins = task.now().begins_lift && is_held_whole(stage, task.task);
+  if (holds_back_) {
+    const LiftNote* const note = stage.lift_notes.of(task.task);
+    held_back_ = note && since_ < note->not_before;
+    task.account.outcome.waits.shift += stage.now() - since_;
+    stage.pause(task.task, held_back_ ? "lift" : "shift", held_back_ ? note->because : "", since_);
+    holds_back_ = false;
+    return attach(task, stage);
+  }
+  const schedule::WorkCalendar& calendar =
+      begins ? lift_hours(stage, task.task) : stage.calendar(task.task);
+  if (!lift_of(stage, task.task) && !calendar.works_at(stage.now())) {
     stage.events.set(task.task, calendar.next_working(stage.now()));
     return Step::pending;
   }
@@ -82,6 +94,24 @@ Step HandlingActivity::weigh(ActiveTask& task, Stage& stage) {
   return Step::pending;
 }
 
+/// A lift without hook work begins with the pick-up: in the hours of all that it needs, and not
+/// before the shift into which it fits.
+Step HandlingActivity::begin_lift_here(ActiveTask& task, Stage& stage) {
+  if (!task.now().begins_lift || !is_held_whole(stage, task.task)) return attach(task, stage);
+  const LiftNote* const note = stage.lift_notes.of(task.task);
+  const Ticks begin =
+      lift_hours(stage, task.task).next_working(std::max(stage.now(), note ? note->not_before : 0));
+  if (begin == stage.now()) return attach(task, stage);
+  if (begin >= schedule::kEndOfTime) {
+    stage.reject(task.task, "there is no shift any more for all that its lift needs");
+    return Step::pending;
+  }
+  holds_back_ = true;
+  since_ = stage.now();
+  stage.events.set(task.task, begin);
+  return Step::pending;
+}
+
 Step HandlingActivity::attach(ActiveTask& task, Stage& stage) {
   if (const auto step = not_there(task, stage)) return *step;
   const int robot = stage.spec(task.task).robot;
@@ -96,6 +126,9 @@ Step HandlingActivity::attach(ActiveTask& task, Stage& stage) {
     stage.begins_to_wait(task.task);
     return Step::pending;
   }
+  if (task.now().begins_lift && is_held_whole(stage, task.task)) {
+    begin_lift(task, stage, held_back_ ? stage.lift_notes.of(task.task) : nullptr);
+  }
   stage.site_changes.attach(robot, component);
   if (auto* const trace = stage.trace_of(task.task)) {
     trace->attach(stage.site.component_name(component), stage.site.load(robot)->X_TO, stage.now());
@@ -105,11 +138,14 @@ Step HandlingActivity::attach(ActiveTask& task, Stage& stage) {
 }
 
 Step HandlingActivity::detach(ActiveTask& task, Stage& stage) {
+  if (!end_lift(task, stage)) return Step::pending;
   const int robot = stage.spec(task.task).robot;
   const int component = task.now().component;
   stage.site_changes.detach(robot);
   if (auto* const trace = stage.trace_of(task.task)) {
-    trace->detach(stage.site.component_name(component), stage.site.X_WO(component), stage.now());
+    const std::optional<LiftOutcome>& lift = task.account.outcome.lift;
+    trace->detach(stage.site.component_name(component), stage.site.X_WO(component), stage.now(),
+                  lift ? lift->overtime : 0);
   }
   stage.announce({robot, -1});
   return Step::over;

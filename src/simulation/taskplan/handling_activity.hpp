@@ -10,7 +10,7 @@
 namespace rubicon::taskplan {
 
 /// What takes no time: weighs, takes up, sets down or removes a component. Only people in whose
-/// zone it stands keep it from being taken up.
+/// zone it stands, and the hours of a lift that begins with it, keep it from being taken up.
 class HandlingActivity : public Activity {
  public:
   Step begin(ActiveTask& task, Stage& stage) override;
@@ -26,11 +26,15 @@ class HandlingActivity : public Activity {
 
  private:
   static Step weigh(ActiveTask& task, Stage& stage);
+  Step begin_lift_here(ActiveTask& task, Stage& stage);
   Step attach(ActiveTask& task, Stage& stage);
   static Step detach(ActiveTask& task, Stage& stage);
   static Step remove(ActiveTask& task, Stage& stage);
 
-  MachineWait wait_;  ///< of `attach`, once it waits
+  MachineWait wait_;         ///< of `attach`, once it waits
+  bool holds_back_ = false;  ///< the lift that it begins waits for a shift
+  bool held_back_ = false;   ///< and has waited for one into which it fits
+  Ticks since_ = 0;          ///< since when
 };
 
 }  // namespace rubicon::taskplan

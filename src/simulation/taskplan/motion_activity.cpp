@@ -61,7 +61,7 @@ Step MotionActivity::begin(ActiveTask& task, Stage& stage) {
       return Step::pending;
     }
   }
-  if (!stage.calendar(task.task).works_at(stage.now())) {
+  if (!lift_of(stage, task.task) && !stage.calendar(task.task).works_at(stage.now())) {
     wait_for_shift(task, stage);
     return Step::pending;
   }

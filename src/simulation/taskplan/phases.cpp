@@ -10,19 +10,22 @@ std::vector<Phase> phases_of(const interpreter::TaskSpec& task) {
   using Kind = Phase::Kind;
   std::vector<Phase> phases;
   const auto work = [&](const interpreter::WorkSpec& spec, const char* what) {
-    phases.push_back({Kind::work, MotionPurpose::go, &spec, what, -1});
+    phases.push_back({Kind::work, MotionPurpose::go, &spec, what, -1, false});
   };
   const auto handle = [&](Kind kind, int component) {
-    phases.push_back({kind, MotionPurpose::go, nullptr, "", component});
+    phases.push_back({kind, MotionPurpose::go, nullptr, "", component, false});
   };
   const auto motion = [&](MotionPurpose purpose) {
-    phases.push_back({Kind::motion, purpose, nullptr, "", task.move.value_or(-1)});
+    phases.push_back({Kind::motion, purpose, nullptr, "", task.move.value_or(-1), false});
   };
   if (task.move) {
     motion(MotionPurpose::grip);
     handle(Kind::weigh, *task.move);
     if (task.hook) work(*task.hook, "hook");
+    const bool hooks = task.hook && interpreter::ticks_from_seconds(task.hook->duration) > 0;
+    if (hooks) phases.back().begins_lift = true;
     handle(Kind::attach, *task.move);
+    phases.back().begins_lift = !hooks;
     motion(MotionPurpose::carry);
     if (task.adjust) work(*task.adjust, "adjust");
     motion(MotionPurpose::place);

@@ -15,8 +15,9 @@ struct Phase {
   Kind kind = Kind::work;
   MotionPurpose purpose = MotionPurpose::go;  ///< of a motion
   const interpreter::WorkSpec* work = nullptr;
-  const char* what = "";  ///< of a work: hook, adjust, release, takes
-  int component = -1;     ///< of all that handle one
+  const char* what = "";     ///< of a work: hook, adjust, release, takes
+  int component = -1;        ///< of all that handle one
+  bool begins_lift = false;  ///< the hook work, or the pick-up where there is none
 };
 
 /// The phases of a task; they point into it.

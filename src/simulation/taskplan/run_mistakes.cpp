@@ -90,6 +90,14 @@ std::set<std::set<int>> calendar_sets(const interpreter::PlanModel& plan,
     if (work) with(*work);
   }
   for (const interpreter::WorkSpec& work : task.takes) with(work);
+  if (interpreter::held_whole(plan, task)) {
+    std::set<int> lift = held;
+    for (const int crew : interpreter::crews_of_lift(task)) {
+      lift.insert(calendar_of(static_cast<int>(plan.robots.size()) + crew));
+    }
+    lift.erase(-1);
+    sets.insert(std::move(lift));
+  }
   return sets;
 }
 

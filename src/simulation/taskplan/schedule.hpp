@@ -43,6 +43,15 @@ struct ResourceHold {
   Ticks busy = 0;     ///< of that it moved or worked
 };
 
+/// A lift that waited for a shift into which it fits, or that went on after one.
+struct LiftOutcome {
+  Ticks from = 0;      ///< its hook work began, or it was picked up
+  Ticks to = 0;        ///< it was released
+  Ticks own = 0;       ///< of that it moved or was worked on
+  Ticks overtime = 0;  ///< of that out of the shifts of all that it needs
+  std::string why;     ///< "starts 07:00: 23 min do not fit before 12:00"
+};
+
 /// One task as it went. A rejected task leaves no mark: it takes no time.
 struct TaskOutcome {
   std::string task;
@@ -64,6 +73,7 @@ struct TaskOutcome {
   interpreter::Attributes attributes;  ///< as the plan gives them
   std::vector<MotionOutcome> motions;
   std::vector<ResourceHold> holds;
+  std::optional<LiftOutcome> lift;
 };
 
 /// What a task is called by the client; "" if the plan does not say.

@@ -37,7 +37,7 @@ Simulation::Simulation(const interpreter::PlanModel& plan, const interpreter::So
 std::optional<Schedule> Simulation::run() {
   start_plan();
   while (!must_restart_) {
-    if (apply_rejection()) continue;
+    if (apply_rejection() || repeat_lift()) continue;
     if (process_event() || hand_out() || park_idle_machines() || find_deadlock()) continue;
     const std::optional<Ticks> next = stage_.events.next();
     const Ticks chance = stage_.allocator->next_chance(stage_.now());
@@ -240,6 +240,7 @@ void Simulation::go_on(ActiveTask& active, Step step) {
       ++active.phase;
     } else {
       active.phase = 0;
+      forget_lift(stage_, active.task);
     }
     active.activity = {};
     if (active.phase == active.phases.size()) {

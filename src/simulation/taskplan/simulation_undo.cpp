@@ -29,9 +29,28 @@ std::set<int> followers_of(const LinkState& links, int first) {
 
 }  // namespace
 
+/// Begins a lift again that is to wait for a shift into which it fits: the run goes back to before
+/// its task, with a note. False if there is none.
+bool Simulation::repeat_lift() {
+  if (!stage_.lift_to_repeat) return false;
+  const int task = *std::exchange(stage_.lift_to_repeat, std::nullopt);
+  stage_.links->drop_pending();
+  checkpoints_.go_back(task, false);
+  stage_.lift_notes.forget_unless(
+      [&](int other) { return other == task || records_.has_begun(other); });
+  look_again_at_all();
+  return true;
+}
+
 /// Undoes a task that is to be rejected; false if there is none.
 bool Simulation::apply_rejection() {
   if (!stage_.rejection) return false;
+  // What comes after the end of its shift does not happen to a lift that will be begun again.
+  if (const auto overdue = overdue_lift(stage_)) {
+    stage_.rejection.reset();
+    repeat_overdue_lift(stage_, *overdue);
+    if (!stage_.rejection) return repeat_lift();
+  }
   const Rejection rejection = *std::exchange(stage_.rejection, std::nullopt);
   stage_.links->drop_pending();
   const int task = rejection.task;
@@ -49,8 +68,10 @@ bool Simulation::apply_rejection() {
   outcome.reason = rejection.reason;
   outcome.duration = outcome.motion_time = outcome.work_time = 0;
   outcome.holds.clear();
+  outcome.lift.reset();
   outcome.waits = {};
   if (!checkpoints_.go_back(task) && stage_.active.look_at(task)) must_restart_ = true;
+  stage_.lift_notes.forget_unless([&](int other) { return records_.has_begun(other); });
   if (stage_.is_park(task)) {
     ParkingFailure& failure = parking_failed_[index(task - stage_.plan_tasks())];
     failure.last = std::max(failure.last, stage_.now());

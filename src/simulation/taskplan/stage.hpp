@@ -20,6 +20,7 @@
 #include "src/simulation/taskplan/run_plan.hpp"
 #include "src/simulation/taskplan/site_changes.hpp"
 #include "src/simulation/taskplan/trace_output.hpp"
+#include "src/simulation/taskplan/whole_lift.hpp"
 
 namespace rubicon::taskplan {
 
@@ -55,6 +56,9 @@ class Stage {
   EventQueue events;
   ActiveTasks active;
   SiteProgress progress;
+  std::vector<WholeLift> lifts;       ///< those under way that are held whole
+  LiftNotes lift_notes;               ///< whatever the run goes back to
+  std::optional<int> lift_to_repeat;  ///< a task that is to begin again: its note says why
   std::optional<ResourceAllocator> allocator;
   std::optional<LinkState> links;
   std::optional<Rejection> rejection;

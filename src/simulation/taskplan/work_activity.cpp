@@ -12,6 +12,19 @@ namespace rubicon::taskplan {
 Step WorkActivity::begin(ActiveTask& task, Stage& stage) {
   const interpreter::WorkSpec& spec = *task.now().work;
   if (interpreter::ticks_from_seconds(spec.duration) == 0) return Step::over;
+  const LiftNote* const note = stage.lift_notes.of(task.task);
+  if (task.now().begins_lift && note && stage.now() < note->not_before) {
+    doing_ = Doing::waiting_for_lift;
+    since_ = stage.now();
+    stage.events.set(task.task, note->not_before);
+    return Step::pending;
+  }
+  return ask(task, stage);
+}
+
+/// For the crew, unless the task has it.
+Step WorkActivity::ask(ActiveTask& task, Stage& stage) {
+  const interpreter::WorkSpec& spec = *task.now().work;
   const int queue = work_queue(task, stage);
   if (queue == stage.queue_of(task.task)) return work(task, stage);
   doing_ = Doing::waiting_for_crew;
@@ -28,12 +41,19 @@ Step WorkActivity::resume(ActiveTask& task, Stage& stage) {
     stage.pause(task.task, "shift", "", since_);
     return work(task, stage);
   }
+  if (doing_ == Doing::waiting_for_lift) {
+    task.account.outcome.waits.shift += stage.now() - since_;
+    stage.pause(task.task, "lift", stage.lift_notes.of(task.task)->because, since_);
+    held_back_ = true;
+    return ask(task, stage);
+  }
   give_back(task, stage);
   return Step::over;
 }
 
 /// The queue with the hours of the work: those of all that the task holds and of the crew that does
-/// the work.
+/// the work. A lift that is held whole begins in the hours of all that it needs, and then goes on
+/// whatever the hour.
 int WorkActivity::work_queue(const ActiveTask& task, Stage& stage) {
   const int held = stage.queue_of(task.task);
   const int crew = task.now().work->crew;
@@ -42,6 +62,11 @@ int WorkActivity::work_queue(const ActiveTask& task, Stage& stage) {
   const int resource = stage.crew_resource(crew);
   if (std::find(hours.begin(), hours.end(), resource) != hours.end()) return held;
   hours.push_back(resource);
+  if (lift_of(stage, task.task)) {
+    hours.clear();
+  } else if (task.now().begins_lift && is_held_whole(stage, task.task)) {
+    hours = lift_resources(stage, task.task);
+  }
   return std::get<int>(
       stage.allocator->queue_for({stage.share_of(task.task, resource)}, std::move(hours)));
 }
@@ -65,8 +90,11 @@ Step WorkActivity::granted(ActiveTask& task, Stage& stage, const ResourceAllocat
 /// Always takes time.
 Step WorkActivity::work(ActiveTask& task, Stage& stage) {
   const interpreter::WorkSpec& spec = *task.now().work;
-  const schedule::WorkCalendar& calendar = stage.allocator->calendar(work_queue(task, stage));
-  if (!calendar.works_at(stage.now()) && !stage.links->is_milestone(task.task)) {
+  const bool begins = task.now().begins_lift && is_held_whole(stage, task.task);
+  const schedule::WorkCalendar& calendar =
+      begins ? lift_hours(stage, task.task) : stage.allocator->calendar(work_queue(task, stage));
+  const bool goes_on = stage.links->is_milestone(task.task) || lift_of(stage, task.task);
+  if (!goes_on && !calendar.works_at(stage.now())) {
     doing_ = Doing::waiting_for_shift;
     since_ = stage.now();
     const Ticks next = calendar.next_working(stage.now());
@@ -78,7 +106,9 @@ Step WorkActivity::work(ActiveTask& task, Stage& stage) {
     return Step::pending;
   }
   const Ticks duration = interpreter::ticks_from_seconds(spec.duration);
-  const Ticks finish = calendar.finish(stage.now(), duration);
+  if (begins) begin_lift(task, stage, held_back_ ? stage.lift_notes.of(task.task) : nullptr);
+  const bool whole = lift_of(stage, task.task) != nullptr;
+  const Ticks finish = whole ? stage.now() + duration : calendar.finish(stage.now(), duration);
   if (finish >= schedule::kEndOfTime) {
     stage.reject(task.task,
                  fmt::format("its work ({}) is not done within 126 years", task.now().what));
@@ -91,6 +121,10 @@ Step WorkActivity::work(ActiveTask& task, Stage& stage) {
   for (std::size_t i = 0; i < held.size(); ++i) {
     if (spec.crew < 0 || held[i] == stage.crew_resource(spec.crew)) {
       task.account.worked[i] += duration;
+    }
+    if (whole) {
+      task.account.over_time[i] +=
+          stage.allocator->hours(held[i]).idle_between(stage.now(), finish);
     }
   }
   if (auto* const trace = stage.trace_of(task.task)) {
@@ -107,6 +141,7 @@ void WorkActivity::give_back(ActiveTask& task, Stage& stage) {
   ResourceHold hold;
   hold.resource = crew_;
   hold.held = stage.allocator->hours(crew_).work_between(crew_since_, stage.now());
+  if (lift_of(stage, task.task)) hold.held = stage.now() - crew_since_;
   hold.busy = interpreter::ticks_from_seconds(task.now().work->duration);
   task.account.outcome.holds.push_back(hold);
   stage.allocator->release(crew_, task.task, stage.now(), true);

@@ -23,16 +23,23 @@ class WorkActivity : public Activity {
   }
 
  private:
-  enum class Doing : std::uint8_t { working, waiting_for_shift, waiting_for_crew };
+  enum class Doing : std::uint8_t {
+    working,
+    waiting_for_shift,
+    waiting_for_crew,
+    waiting_for_lift
+  };
 
+  Step ask(ActiveTask& task, Stage& stage);
   static int work_queue(const ActiveTask& task, Stage& stage);
   Step work(ActiveTask& task, Stage& stage);
   void give_back(ActiveTask& task, Stage& stage);
 
   Doing doing_ = Doing::working;
-  Ticks since_ = 0;       ///< it waits for a shift or a crew
-  int crew_ = -1;         ///< a crew it has, or asks for, for this work only: a resource
-  Ticks crew_since_ = 0;  ///< when it got it
+  Ticks since_ = 0;         ///< it waits for a shift or a crew
+  bool held_back_ = false;  ///< the lift that it begins has waited for a shift into which it fits
+  int crew_ = -1;           ///< a crew it has, or asks for, for this work only: a resource
+  Ticks crew_since_ = 0;    ///< when it got it
 };
 
 }  // namespace rubicon::taskplan

@@ -125,6 +125,7 @@ struct Detach {
   std::string_view component;
   math::Pose X_WO = math::Pose::Identity();
   Ticks t = 0;
+  Ticks overtime = 0;  ///< of its lift, out of the shifts of all that it needs
 };
 
 struct Removal {

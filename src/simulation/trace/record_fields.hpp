@@ -125,7 +125,7 @@ struct RecordFields<Detach> {
   static constexpr RecordKind kKind = RecordKind::detach;
   static constexpr auto kFields =
       std::tuple(required<&Detach::component>("component"), required<&Detach::X_WO>("pose"),
-                 required<&Detach::t>("t"));
+                 required<&Detach::t>("t"), optional<&Detach::overtime>("overtime"));
 };
 
 template <>

@@ -217,6 +217,7 @@ void write_tasks(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
     json.end_array();
     write_task_motions(json, plan, task);
     write_task_work(json, plan, task);
+    if (interpreter::held_whole(plan, task)) json.field("whole", true);
     json.field("priority", task.priority).key("zones");
     write_shapes(json, task.zones, meshes);
     json.key("after").begin_array();

@@ -113,7 +113,7 @@ void TraceWriter::task_end(interpreter::Ticks time, std::string_view result,
 }
 
 void TraceWriter::load(const char* type, std::string_view component, const math::Pose& X,
-                       interpreter::Ticks time) {
+                       interpreter::Ticks time, interpreter::Ticks overtime) {
   if (detail_ == TraceDetail::none) return;
   begin(type);
   line_ += ",\"component\":";
@@ -122,17 +122,21 @@ void TraceWriter::load(const char* type, std::string_view component, const math:
   line_ += JsonBuilder().pose(X).text();
   line_ += ",\"t\":";
   append_seconds(line_, time);
+  if (overtime > 0) {
+    line_ += ",\"overtime\":";
+    append_seconds(line_, overtime);
+  }
   finish();
 }
 
 void TraceWriter::attach(std::string_view component, const math::Pose& X_TO,
                          interpreter::Ticks time) {
-  load("attach", component, X_TO, time);
+  load("attach", component, X_TO, time, 0);
 }
 
 void TraceWriter::detach(std::string_view component, const math::Pose& X_WO,
-                         interpreter::Ticks time) {
-  load("detach", component, X_WO, time);
+                         interpreter::Ticks time, interpreter::Ticks overtime) {
+  load("detach", component, X_WO, time, overtime);
 }
 
 void TraceWriter::span_of_time(interpreter::Ticks from, interpreter::Ticks to) {

@@ -34,14 +34,16 @@ class TraceWriter : public interpreter::EventSink {
   /// The component joins the tool; X_TO is where its frame {O} is in the tool frame.
   void attach(std::string_view component, const math::Pose& X_TO, interpreter::Ticks time);
   /// The component stands on its own again, at X_WO.
-  void detach(std::string_view component, const math::Pose& X_WO, interpreter::Ticks time);
+  /// `overtime`: of its lift, out of the shifts of all that it needs.
+  void detach(std::string_view component, const math::Pose& X_WO, interpreter::Ticks time,
+              interpreter::Ticks overtime = 0);
   /// The component leaves the site.
   void remove(std::string_view component, interpreter::Ticks time);
   /// Crew work from `from` to `to`, of which `time` is in shifts; `what` is hook, adjust, release
   /// or takes.
   void work(std::string_view what, std::string_view crew, interpreter::Ticks from,
             interpreter::Ticks to, interpreter::Ticks time);
-  /// The task stood still; `why` is machine, crew, shift or held.
+  /// The task stood still; `why` is machine, crew, shift, held or lift.
   void pause(std::string_view why, std::string_view whom, interpreter::Ticks from,
              interpreter::Ticks to);
   void motion_end(const interpreter::MotionEnd& end);
@@ -61,7 +63,7 @@ class TraceWriter : public interpreter::EventSink {
   void place(interpreter::Span span);
   void span_of_time(interpreter::Ticks from, interpreter::Ticks to);
   void load(const char* type, std::string_view component, const math::Pose& X,
-            interpreter::Ticks time);
+            interpreter::Ticks time, interpreter::Ticks overtime);
   void configuration(std::span<const double> q);
   void configuration_key(int parameter);
   bool steps() const { return detail_ == TraceDetail::steps; }

@@ -160,6 +160,9 @@ class Writer {
   void item(const syntax::NumberItem& value) { name(value.name), number(value.value); }
   void item(const syntax::StringItem& value) { name(value.name), string(value.value); }
   void item(const syntax::SituationItem& value) { names(value.names); }
+  void item(const syntax::WholeItem& value) {
+    if (value.value) name(*value.value);
+  }
   void item(const syntax::CalendarItem& value) {
     name(value.name);
     for (const syntax::Shift& shift : value.shifts) {

@@ -53,6 +53,23 @@ class Dice {
   std::mt19937_64 engine_;
 };
 
+TEST(CalendarProperty, WorkNeverStopsBeforeTheEndOfAShift) {
+  Dice dice(7);
+  for (int i = 0; i < kCalendars; ++i) {
+    const WorkCalendar calendar = dice.calendar("a", dice.start());
+    const WorkCalendar::Interval longest = calendar.longest_shift();
+    for (int j = 0; j < kQuestions; ++j) {
+      const Ticks from = dice.time();
+      const Ticks end = calendar.shift_end(from);
+      ASSERT_EQ(end == from, !calendar.works_at(from));
+      ASSERT_EQ(calendar.work_between(from, end), end - from);
+      if (end == kEndOfTime) continue;
+      ASSERT_FALSE(calendar.works_at(end));
+      ASSERT_LE(end - from, longest.to - longest.from);
+    }
+  }
+}
+
 TEST(CalendarProperty, FinishAndLatestStartAreTight) {
   Dice dice(1);
   for (int i = 0; i < kCalendars; ++i) {

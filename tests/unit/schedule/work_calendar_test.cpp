@@ -46,6 +46,17 @@ TEST(WorkCalendar, FindsTheLastWorkingMoment) {
   EXPECT_EQ(last("2026-03-10 07:00"), "2026-03-06 16:00");  // back over the day off and weekend
 }
 
+TEST(WorkCalendar, FindsTheEndOfAShiftAndTheLongestOne) {
+  const WorkCalendar weekdays = calendar(test::weekday_shift(), kStart);
+  const auto end = [&](const char* from) { return text(weekdays.shift_end(at(from))); };
+  EXPECT_EQ(end("2026-03-06 07:00"), "2026-03-06 12:00");
+  EXPECT_EQ(end("2026-03-06 12:00"), "2026-03-06 12:00");  // no shift there
+  EXPECT_EQ(end("2026-03-06 15:59"), "2026-03-06 16:00");
+  EXPECT_EQ(weekdays.longest_shift().to - weekdays.longest_shift().from, 5 * kHour);
+  EXPECT_EQ(WorkCalendar().shift_end(7), kEndOfTime);
+  EXPECT_EQ(WorkCalendar().longest_shift().to, kEndOfTime);
+}
+
 TEST(WorkCalendar, FinishesWorkOverShifts) {
   const WorkCalendar weekdays = calendar(test::weekday_shift(), kStart);
   const auto finish = [&](const char* from, Ticks work) {

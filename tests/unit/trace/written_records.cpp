@@ -114,7 +114,7 @@ std::vector<std::string> written_records() {
   writer.work("hook", "riggers", kSecond, 3 * kSecond, kSecond + 1);
   writer.pause("crew", "riggers", kSecond, 9 * kSecond);
   writer.attach("slab", math::translation(1, 2, 3), kSecond);
-  writer.detach("slab", math::rotation_z_deg(90), 2 * kSecond);
+  writer.detach("slab", math::rotation_z_deg(90), 2 * kSecond, kSecond);
   writer.remove("slab", 3 * kSecond);
   write_ends(writer);
   writer.task_end(2'500'000'000, "not reached", "a \"b\"");

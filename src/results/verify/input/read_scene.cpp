@@ -190,6 +190,7 @@ SceneTask read_task(const JsonFields& fields, const Scene& scene) {
   if ((task.move >= 0 || task.goes) && task.robot < 0) fields.fail("a robot for the motion");
   if (fields.has("within")) task.within = read_within(fields.any("within"));
   read_task_work(fields, scene, task);
+  task.whole = task.move >= 0 && fields.has("whole") && fields.truth("whole");
   return task;
 }
 

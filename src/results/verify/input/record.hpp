@@ -44,7 +44,7 @@ struct Work {
 
 /// The task stands still from `from` to the record's time.
 struct Pause {
-  std::string why;  ///< machine, crew, shift, held
+  std::string why;  ///< machine, crew, shift, held, lift
   std::string whom;
   Ticks from = 0;
 };
@@ -54,6 +54,7 @@ struct LoadChange {
   Kind kind = Kind::attach;
   int component = -1;
   math::Pose X = math::Pose::Identity();  ///< attach: X_TO; detach: X_WO
+  Ticks overtime = 0;                     ///< detach: of the lift, as the trace tells it
 };
 
 /// A motion ended.

@@ -145,6 +145,7 @@ struct SceneTask {
   std::vector<SceneGoal> via;              ///< before the goal of `go`, or of the carrying motion
   std::optional<SceneWithin> within;
   std::optional<SceneWork> hook, adjust, release;
+  bool whole = false;  ///< nothing may hang on its hook out of working time
   std::vector<SceneWork> takes;
   std::vector<int> remove;
   std::vector<ShapeData> zones;  ///< in {W}

@@ -126,6 +126,7 @@ class RecordReader {
     if (change.kind != LoadChange::Kind::remove) {
       robot();
       change.X = fields_.pose("pose");
+      if (fields_.has("overtime")) change.overtime = fields_.time("overtime");
     }
     return change;
   }

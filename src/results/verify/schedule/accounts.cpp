@@ -18,6 +18,7 @@ class Bookkeeper {
     works_.clear();
     const TaskRun& run = runs[at(index)];
     if (!run.happened) return account_;
+    whole_ = run.task >= 0 && trace_.scene.tasks[at(run.task)].whole;
     now_ = run.start;
     for (const int i : run.records) {
       record_ = &trace_.records[at(i)];
@@ -47,14 +48,15 @@ class Bookkeeper {
   void add(const Work& work) {
     account_.work += work.time;
     account_.shift += record_->time - work.from - work.time;
-    works_.push_back({work.crew, work.from, work.time});
+    const bool lifts = whole_ && work.what != "takes";
+    works_.push_back({work.crew, work.from, record_->time, work.time, lifts});
   }
 
   void add(const Pause& pause) {
     const Ticks time = record_->time - pause.from;
     if (pause.why == "machine") account_.machine += time;
     if (pause.why == "crew") account_.crew += time;
-    if (pause.why == "shift") account_.shift += time;
+    if (pause.why == "shift" || pause.why == "lift") account_.shift += time;
     if (pause.why == "held") account_.held += time;
   }
 
@@ -69,6 +71,10 @@ class Bookkeeper {
       }
     }
     for (const DoneWork& work : works_) {
+      // What hangs on a hook is worked on after the end of a shift too.
+      if (work.lifts && (hold.whole || work.from == hold.from)) {
+        held.held += work.to - work.from - hours_.between(calendar, work.from, work.to);
+      }
       const bool own = work.crew >= 0 && robots + work.crew == hold.resource;
       const bool counts = hold.whole ? own || work.crew < 0 : own && work.from == hold.from;
       if (counts) held.work += work.time;
@@ -79,7 +85,9 @@ class Bookkeeper {
   struct DoneWork {
     int crew = -1;
     Ticks from = 0;
+    Ticks to = 0;
     Ticks time = 0;
+    bool lifts = false;  ///< part of a lift that is held whole
   };
 
   const Trace& trace_;
@@ -88,6 +96,7 @@ class Bookkeeper {
   std::vector<std::pair<Ticks, Ticks>> steps_;
   std::vector<DoneWork> works_;
   const Record* record_ = nullptr;
+  bool whole_ = false;
   Ticks now_ = 0;
 };
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
+#include "src/results/verify/schedule/check_lifts.hpp"
 #include "src/results/verify/schedule/task_clock.hpp"
 
 namespace rubicon::verify {
@@ -29,6 +31,7 @@ class ShiftCheck {
   }
 
   void check() {
+    if (run_.task >= 0) lift_ = find_lift(trace_, run_);
     for (const int index : run_.records) {
       record_ = &trace_.records[at(index)];
       std::visit([&](const auto& what) { follow(what); }, record_->what);
@@ -66,9 +69,15 @@ class ShiftCheck {
   void follow(const Try&) { attempt(); }
   void follow(const Wait&) { attempt(); }
 
+  /// Whether at that moment a lift is under way that ends in overtime.
+  bool hangs(Ticks time) const {
+    return lift_ && lift_->overtime > 0 && lift_->from - kTimeSlack <= time &&
+           time <= lift_->to + kTimeSlack;
+  }
+
   void attempt() {
     if (begun_ && !(carries_over() && record_->time > now_)) return;
-    if (!hours_.at(held_, now_)) {
+    if (!hangs(now_) && !hours_.at(held_, now_)) {
       fault(now_, begun_ ? "a step begins out of shift" : "a motion begins out of shift");
     }
     begun_ = true;
@@ -76,6 +85,8 @@ class ShiftCheck {
 
   void follow(const Work& work) {
     begun_ = false;
+    // Such a lift is judged by check_lifts.
+    if (hangs(work.from)) return;
     std::vector<int> calendars = held_;
     if (work.crew >= 0) add(trace_.scene.crews[at(work.crew)].calendar, calendars);
     const Ticks worked = hours_.between(calendars, work.from, record_->time);
@@ -93,6 +104,7 @@ class ShiftCheck {
   Faults& faults_;
   std::vector<int> held_;  ///< calendars of all that the task holds
   const Record* record_ = nullptr;
+  std::optional<Lift> lift_;
   Ticks now_ = 0;
   bool begun_ = false;
 };

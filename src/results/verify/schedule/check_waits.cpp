@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "src/results/verify/schedule/check_lifts.hpp"
 #include "src/results/verify/schedule/task_clock.hpp"
 
 namespace rubicon::verify {
@@ -80,6 +81,16 @@ bool WaitCheck::finish_is_due(const TaskRun& run, Ticks time) const {
   });
 }
 
+/// Whether the record of that number begins a lift: hook work, or the pick-up.
+bool WaitCheck::begins_lift(const TaskRun& run, std::size_t number) const {
+  if (number >= run.records.size()) return false;
+  const auto& what = trace_.records[at(run.records[number])].what;
+  const auto* work = std::get_if<Work>(&what);
+  const auto* change = std::get_if<LoadChange>(&what);
+  return (work != nullptr && work->what == "hook") ||
+         (change != nullptr && change->kind == LoadChange::Kind::attach);
+}
+
 void WaitCheck::check_pauses(int index, Faults& faults) const {
   const TaskRun& run = runs_[at(index)];
   if (!run.happened) return;
@@ -103,7 +114,9 @@ void WaitCheck::check_pauses(int index, Faults& faults) const {
       fault(FaultKind::link, "it is held to its finish, and no link ends that then");
     } else if (pause->why == "shift") {
       std::vector<int> calendars = held_calendars(index);
-      if (i + 1 < run.records.size()) {
+      if (run.task >= 0 && trace_.scene.tasks[at(run.task)].whole && begins_lift(run, i + 1)) {
+        calendars = calendars_of_lift(trace_.scene, trace_.scene.tasks[at(run.task)]);
+      } else if (i + 1 < run.records.size()) {
         const auto* work = std::get_if<Work>(&trace_.records[at(run.records[i + 1])].what);
         if (work != nullptr && work->crew >= 0) {
           const int crew = trace_.scene.crews[at(work->crew)].calendar;

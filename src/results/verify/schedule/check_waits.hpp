@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <vector>
 
@@ -24,6 +25,7 @@ class WaitCheck {
   bool given_back(int resource, Ticks time, int to_run) const;
   bool any_given_back(int index, Ticks time) const;
   std::vector<int> held_calendars(int index) const;
+  bool begins_lift(const TaskRun& run, std::size_t number) const;
   bool finish_is_due(const TaskRun& run, Ticks time) const;
 
   const Trace& trace_;
