@@ -56,6 +56,35 @@ class Case(unittest.TestCase):
             return file.read()
 
 
+class Beginning(Case):
+    def test_check_and_run_say_what_is_in_each_other_and_how_deep(self):
+        plan = self.write("full.plan", """plan p {
+  robot g "gantry.robot" { start x 0, y 0; }
+  component a { shape box(20, 0, 0, 22, 1, 1); }
+  component b { shape box(21.97, 0, 0, 24, 1, 1); }
+  component c { shape box(30, 0, 0, 32, 1, 1); }
+  component anchor { shape box(31, 0.4, 0.4, 31.1, 0.5, 0.5); }
+  touching a c;
+  within anchor c;
+  task t { by g; go x 3, y 0; }
+}
+""")
+        for command in ("check", "run"):
+            result = rubicon(command, plan)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("full.plan:4:13: warning: at the beginning b is 30 mm deep in a\n", result.stderr)
+            self.assertIn("touching a b;", result.stderr)
+            self.assertIn("full.plan:7:3: warning: the two do not overlap at the beginning\n", result.stderr)
+            self.assertEqual(result.stderr.count("warning"), 2, result.stderr)
+        trace = os.path.join(self.folder, "trace.jsonl")
+        self.assertEqual(rubicon("run", plan, "--trace", trace).returncode, 0)
+        with open(trace, encoding="utf-8") as file:
+            beginning = json.loads(file.readline())["beginning"]
+        self.assertEqual([(each["first"], each["second"]) for each in beginning["overlaps"]], [("a", "b")])
+        self.assertAlmostEqual(beginning["overlaps"][0]["depth"], 0.03, places=4)
+        self.assertEqual(beginning["waived"], [["a", "c"], ["anchor", "c"]])
+
+
 class Help(Case):
     def test_every_command_has_a_page_with_an_example(self):
         overview = rubicon().stdout

@@ -311,6 +311,21 @@ TEST(FullPlan, TooHeavyALoadIsNotLifted) {
   EXPECT_EQ(ran.schedule.tasks[0].tried, 0);
 }
 
+TEST(FullPlan, TooHeavyWhereItIsSetDownIsToldBeforeAnythingMoves) {
+  interpreter::PlanModel plan = two_blocks();
+  auto robot = test::crane(test::lifting_script());
+  robot->model.capacity = {{5, 5000}, {10, 2000}, {50, 500}};
+  plan.robots[0].robot = robot;
+  plan.components[0].mass = 1500;
+  plan.tasks[0].X_WO_goal = translation(0, 30, 0);
+  const Ran ran = run(plan);
+  EXPECT_EQ(ran.schedule.tasks[0].result, TaskResult::rejected);
+  EXPECT_EQ(ran.schedule.tasks[0].reason,
+            "too heavy: block_1 has 1500 kg, the load chart of crane allows 2000 kg at 10 m, where "
+            "it is taken up, and 1250 kg at 30 m, where it is set down");
+  EXPECT_EQ(ran.schedule.tasks[0].tried, 0);
+}
+
 TEST(FullPlan, SameInputSameBytes) {
   const interpreter::PlanModel plan = two_blocks();
   EXPECT_EQ(run(plan).lines, run(plan).lines);
