@@ -217,19 +217,4 @@ double atan2_deg(double y, double x) {
   return y < 0 && magnitude < 180 ? -magnitude : magnitude;
 }
 
-double acos_deg(double cosine) {
-  if (std::isnan(cosine)) return cosine;
-  if (cosine >= 1) return 0;
-  if (cosine <= -1) return 180;
-  return atan2_deg(std::sqrt((1 - cosine) * (1 + cosine)), cosine);
-}
-
-double normalised_deg(double degrees) {
-  if (degrees > -180 && degrees <= 180) return degrees;
-  double turned = std::fmod(degrees, 360.0);
-  if (turned > 180) turned -= 360;
-  if (turned <= -180) turned += 360;
-  return turned + 0.0;
-}
-
 }  // namespace rubicon::math

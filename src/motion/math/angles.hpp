@@ -21,12 +21,6 @@ SineCosine sine_cosine_deg(double degrees);
 /// atan2_deg(0, 0) is 0.
 double atan2_deg(double y, double x);
 
-/// Arc cosine in degrees, [0, 180]; the argument is clamped to [-1, 1].
-double acos_deg(double cosine);
-
-/// `degrees` reduced to (-180, 180] by whole turns.
-double normalised_deg(double degrees);
-
 inline constexpr double kPi = 3.14159265358979323846;
 
 /// Degrees to radians and back. Radians exist only from kinematics on (poses, collision).

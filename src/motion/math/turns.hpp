@@ -2,18 +2,20 @@
 
 #include <cmath>
 
-#include "src/motion/math/angles.hpp"
-
 /// Whole turns of angles in degrees: the one place where they are added or taken away. An angle and
 /// the same angle plus 360 k point the same way.
 ///
 /// Exactness: an angle within half a turn comes back bit for bit; others are reduced by fmod, which
 /// is exact, so that the result is the angle whose double was given, whatever its size. Each
-/// function says what it does at a tie, half a turn both ways; `normalised_deg` gives +180.
+/// function says what it does at a tie, half a turn both ways.
 namespace rubicon::math {
 
 inline constexpr double kTurn_deg = 360;
 inline constexpr double kHalfTurn_deg = 180;
+
+/// `degrees` reduced to (-180, 180] by whole turns; half a turn is +180. NaN for a value that is
+/// not finite.
+double normalised_deg(double degrees);
 
 /// `degrees` reduced to (-90, 90] by half turns: of an axis that has no sense.
 double normalised_axis_deg(double degrees);

@@ -27,15 +27,12 @@ Pose tool_pose(const RobotModel& model, const Mounting& mounting, std::span<cons
 
 /// q after the steps `steps` (p_s, one per parameter): all rules with the old values, assigned at
 /// once, then derived parameters. Cyclic angles are not normalised (so that the sweep is
-/// unwrapped); see `normalise`.
+/// unwrapped); see `normalise` in turns.hpp.
 void apply_rules(const RobotModel& model, const Mounting& mounting, std::span<const double> q,
                  std::span<const double> steps, std::span<double> q_next);
 
 /// Evaluates the derived parameters of q in place.
 void update_derived(const RobotModel& model, const Mounting& mounting, std::span<double> q);
-
-/// Reduces cyclic angles to (-180, 180].
-void normalise(const RobotModel& model, std::span<double> q);
 
 /// LANGUAGE 6.2: the value parameter p would have to take, all others left alone, to be as near to
 /// the goal position p_WG as possible (translation) or to face it (rotation). Cyclic results are in
@@ -64,9 +61,5 @@ struct GoalSolution {
 GoalSolution solve_goal(const RobotModel& model, const Mounting& mounting,
                         std::span<const double> q_now, const Pose& X_WG,
                         const PoseTolerance& tolerance);
-
-/// Reduces a limited rotation's value to the turn-equivalent v + 360 k inside its range nearest to
-/// `current`; other parameters and values without an equivalent in range are returned as they are.
-double nearest_turn_equivalent(const Parameter& parameter, double value, double current);
 
 }  // namespace rubicon::robot

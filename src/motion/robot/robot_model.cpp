@@ -4,22 +4,6 @@
 
 namespace rubicon::robot {
 
-int RobotModel::find_parameter(const std::string& wanted) const {
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (parameters[i].display_name == wanted) return static_cast<int>(i);
-  }
-  const std::size_t dot = wanted.find('.');
-  if (dot == std::string::npos) return -1;
-  const int body = find_body(wanted.substr(0, dot));
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (parameters[i].body == body &&
-        wanted.compare(dot + 1, std::string::npos, parameters[i].name) == 0) {
-      return static_cast<int>(i);
-    }
-  }
-  return -1;
-}
-
 int RobotModel::find_body(const std::string& wanted) const {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (bodies[i].name == wanted) return static_cast<int>(i);

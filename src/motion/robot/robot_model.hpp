@@ -76,8 +76,6 @@ struct RobotModel {
       touching;  ///< pairs of bodies that touch by design, besides parent and child
   std::vector<CapacityPoint> capacity;
 
-  /// Index of a parameter by its display name or body.name; -1 if there is none.
-  int find_parameter(const std::string& name) const;
   int find_body(const std::string& name) const;
   std::vector<double> start_values() const;
   /// Smallest translation step of the robot, 1 m if it has none.

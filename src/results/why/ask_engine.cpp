@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <variant>
 
-#include "src/motion/math/angles.hpp"
+#include "src/motion/math/turns.hpp"
 #include "src/motion/robot/kinematics.hpp"
 #include "src/results/why/scene.hpp"
 
@@ -143,7 +143,7 @@ class Questions {
       double way = end->second + off->second - step->q[i];
       if (parameters_.cyclic(i)) {
         way = math::normalised_deg(way);
-        if (way * step->steps[i] < 0) way += way < 0 ? 360 : -360;
+        if (way * step->steps[i] < 0) way = math::other_way_round_deg(way);
       }
       // What goes the other way goes round something, not to the goal.
       if (way * step->steps[i] > 0 && std::fabs(way) > std::fabs(step->steps[i])) {

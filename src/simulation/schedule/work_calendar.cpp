@@ -222,11 +222,6 @@ Ticks WorkCalendar::latest_start(Ticks t, Ticks work) const {
   return within_time(reach(worked(t) - within_time(work) + 1) - 1);
 }
 
-Ticks WorkCalendar::motion_finish(Ticks t, Ticks duration) const {
-  if (carry_over_) return finish(t, duration);
-  return within_time(within_time(t) + within_time(std::max<Ticks>(duration, 0)));
-}
-
 Ticks WorkCalendar::shifted(Ticks t, Ticks work) const {
   return work >= 0 ? finish(t, work) : latest_start(t, -within_time(work));
 }

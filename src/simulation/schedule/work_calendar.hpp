@@ -74,10 +74,6 @@ class WorkCalendar {
   /// The last moment at which work can begin that is done by t. No work: t.
   Ticks latest_start(Ticks t, Ticks work) const;
 
-  /// When a motion that begins at t is over: it is not interrupted by the end of a shift, unless
-  /// the calendar carries over; then it stops and goes on as work does.
-  Ticks motion_finish(Ticks t, Ticks duration) const;
-
   /// t moved by so much working time: `finish` for a positive, `latest_start` for a negative one.
   Ticks shifted(Ticks t, Ticks work) const;
 

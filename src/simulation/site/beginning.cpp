@@ -10,6 +10,7 @@
 
 #include "src/motion/collision/query/overlap_depth.hpp"
 #include "src/motion/robot/kinematics.hpp"
+#include "src/motion/robot/turns.hpp"
 #include "src/simulation/site/make_site.hpp"
 
 namespace rubicon::site {

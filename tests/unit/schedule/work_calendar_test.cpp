@@ -95,14 +95,6 @@ TEST(WorkCalendar, CountsWorkAndTimeOutsideOfShifts) {
   EXPECT_FALSE(weekdays.works_at(at("2026-03-06 12:00")));
 }
 
-TEST(WorkCalendar, LetsAMotionThatHasBegunEnd) {
-  CalendarRules rules = test::weekday_shift();
-  const Ticks begin = at("2026-03-06 15:50");
-  EXPECT_EQ(text(calendar(rules, kStart).motion_finish(begin, 20 * kMinute)), "2026-03-06 16:10");
-  rules.carry_over = true;  // the motion stops at 16:00 and goes on on Tuesday
-  EXPECT_EQ(text(calendar(rules, kStart).motion_finish(begin, 20 * kMinute)), "2026-03-10 07:10");
-}
-
 TEST(WorkCalendar, WorksDayAndNightWithoutRules) {
   const WorkCalendar always;
   EXPECT_EQ(always.next_working(5), 5);
@@ -212,7 +204,6 @@ TEST(WorkCalendar, AnswersBeyondTheEndOfTime) {
   EXPECT_EQ(slow.next_working(std::numeric_limits<Ticks>::max()), kEndOfTime);
   EXPECT_EQ(slow.last_working(std::numeric_limits<Ticks>::min()), -kEndOfTime);
   EXPECT_EQ(slow.shifted(0, std::numeric_limits<Ticks>::min()), -kEndOfTime);
-  EXPECT_EQ(WorkCalendar().motion_finish(kEndOfTime, kEndOfTime), kEndOfTime);
 
   rules.shifts = {{0, 6, {{0, 24 * 60}}}};
   for (int year = 1; year <= 9999; year += 1) {

@@ -71,8 +71,9 @@ inline constexpr double kContactResolution = 1e-4;
 inline constexpr double kUsefulGrowth = 0.05;
 inline constexpr int kMaxSlices = 64;
 
-/// Times a slice is halved by the quick tests for what is neither proved free nor seen to hit; the
-/// growth falls to a quarter each time. What is still undecided is left to the general test.
+/// Times a slice is halved by the fast path for what is neither proved free nor seen to hit; the
+/// growth falls to a quarter each time. What is still undecided is left to the general narrow
+/// phase.
 inline constexpr int kHalvings = 8;
 
 /// Directions nearer than this (sine of their angle) are one direction in the feature lists.

@@ -45,12 +45,6 @@ Interval Convex::extent(const Vec3& n) const {
   return {least - grown, greatest + grown};
 }
 
-double Convex::radius_about(const Vec3& centre) const {
-  double greatest = 0;
-  for (const Vec3& vertex : vertices) greatest = std::max(greatest, (vertex - centre).norm());
-  return greatest + disc;
-}
-
 double Convex::lever(const Vec3& axis, const Vec3& point) const {
   double greatest = 0;
   for (const Vec3& vertex : vertices) {

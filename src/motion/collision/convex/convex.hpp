@@ -35,8 +35,6 @@ struct Convex {
   Vec3 core_support(const Vec3& n) const;
   /// Extent along the unit vector n, ball included; exact but for rounding.
   Interval extent(const Vec3& n) const;
-  /// Greatest distance of a core point from `centre` (an upper bound with discs).
-  double radius_about(const Vec3& centre) const;
   /// Greatest distance of a core point from the line through `point` along the unit vector `axis`;
   /// the ball, which a rotation does not change, is left out, and so is a disc across a parallel
   /// axis.

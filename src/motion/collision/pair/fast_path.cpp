@@ -33,7 +33,7 @@ class PartBoxes {
           placed(moving_.box, slice.start()), slice.end().t - slice.start().t, fixed_, tolerance_));
     }
     const TurnedBox box = turned(slice);
-    const TurnedBoxTest axes(box, fixed_, tolerance_);
+    const TurnedBoxAxes axes(box, fixed_, tolerance_);
     if (axes.free_along_fixed_normals()) return Verdict::kFree;
     if (both_boxes_ && deep_at(slice.start())) return Verdict::kHit;
     return on_slice(slice, axes, kHalvings);
@@ -64,7 +64,7 @@ class PartBoxes {
 
   /// For a slice that is not free along the normals of the standing box. A pose that is deep is
   /// looked for before the many products of edges are tried.
-  Verdict on_slice(SweepSlice& slice, const TurnedBoxTest& axes, int halvings) const {
+  Verdict on_slice(SweepSlice& slice, const TurnedBoxAxes& axes, int halvings) const {
     const Mat3 R_middle = part_rotation(slice.middle());
     if (axes.free_along_moving_normals(R_middle)) return Verdict::kFree;
     if (both_boxes_ && (deep_at(slice.middle()) || deep_at(slice.end()))) return Verdict::kHit;
@@ -74,7 +74,7 @@ class PartBoxes {
     if (!both_boxes_ || halvings == 0) return Verdict::kUndecided;
     for (SweepSlice* half : {&slice.first_half(), &slice.second_half()}) {
       const TurnedBox box = turned(*half);
-      const TurnedBoxTest half_axes(box, fixed_, tolerance_);
+      const TurnedBoxAxes half_axes(box, fixed_, tolerance_);
       if (half_axes.free_along_fixed_normals()) continue;
       const Verdict found = on_slice(*half, half_axes, halvings - 1);
       if (found != Verdict::kFree) return found;

@@ -111,7 +111,7 @@ Verdict translated_box_verdict(const OrientedBox& moving, const Vec3& d, const O
   return Translated(moving, d, fixed, tolerance).verdict();
 }
 
-TurnedBoxTest::TurnedBoxTest(const TurnedBox& moving, const OrientedBox& fixed, double tolerance)
+TurnedBoxAxes::TurnedBoxAxes(const TurnedBox& moving, const OrientedBox& fixed, double tolerance)
     : moving_(moving),
       fixed_(fixed),
       tolerance_(tolerance),
@@ -122,7 +122,7 @@ TurnedBoxTest::TurnedBoxTest(const TurnedBox& moving, const OrientedBox& fixed, 
       end_(to_fixed_ * (moving.end - fixed.centre)),
       axis_(to_fixed_ * moving.growth_axis) {}
 
-bool TurnedBoxTest::free_along_fixed_normals() const {
+bool TurnedBoxAxes::free_along_fixed_normals() const {
   const Vec3 start_reach = R_start_.cwiseAbs() * moving_.half;
   const Vec3 end_reach = R_end_.cwiseAbs() * moving_.half;
   const Vec3 least = (start_ - start_reach).cwiseMin(end_ - end_reach);
@@ -138,12 +138,12 @@ bool TurnedBoxTest::free_along_fixed_normals() const {
   return false;
 }
 
-bool TurnedBoxTest::free_along_moving_normals(const Mat3& R_middle) const {
+bool TurnedBoxAxes::free_along_moving_normals(const Mat3& R_middle) const {
   const Mat3 R = to_fixed_ * R_middle;
   return free_along(R.col(0)) || free_along(R.col(1)) || free_along(R.col(2));
 }
 
-bool TurnedBoxTest::free_along_edges(const Mat3& R_middle) const {
+bool TurnedBoxAxes::free_along_edges(const Mat3& R_middle) const {
   const Mat3 R = to_fixed_ * R_middle;
   for (int j = 0; j < 3; ++j) {
     for (int i = 0; i < 3; ++i) {
@@ -163,13 +163,13 @@ bool TurnedBoxTest::free_along_edges(const Mat3& R_middle) const {
   return false;
 }
 
-bool TurnedBoxTest::free_along_scaled(const Vec3& n, double scale_squared) const {
+bool TurnedBoxAxes::free_along_scaled(const Vec3& n, double scale_squared) const {
   const double length_squared = n.squaredNorm();
   if (length_squared <= kNoAxis * scale_squared) return false;
   return free_along(n / std::sqrt(length_squared));
 }
 
-bool TurnedBoxTest::free_along(const Vec3& n) const {
+bool TurnedBoxAxes::free_along(const Vec3& n) const {
   const double start_reach = reach(R_start_, moving_.half, n);
   const double end_reach = reach(R_end_, moving_.half, n);
   const double at_start = n.dot(start_);

@@ -27,9 +27,9 @@ struct TurnedBox {
 /// A turning box against one that stands. The axes tried are those of the standing box, then those
 /// of the moving one at its middle pose with all products of edges and the displacement: the same
 /// as for translations. Free is proved, anything else undecided.
-class TurnedBoxTest {
+class TurnedBoxAxes {
  public:
-  TurnedBoxTest(const TurnedBox& moving, const OrientedBox& fixed, double tolerance);
+  TurnedBoxAxes(const TurnedBox& moving, const OrientedBox& fixed, double tolerance);
 
   /// By the normals of the standing box alone; settles most pairs, and needs no middle pose.
   bool free_along_fixed_normals() const;
