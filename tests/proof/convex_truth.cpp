@@ -57,7 +57,7 @@ class FclTruth {
   bool meets(const FclGeometry& a, const Pose& X) const {
     return a != nullptr && fcl_collide(a, X, b_, X_WB_);
   }
-  double stray(const Interval& interval) const {
+  double travel(const Interval& interval) const {
     return 0.5 * speed_ * (interval.s1 - interval.s0);
   }
 
@@ -71,7 +71,7 @@ class FclTruth {
       const Interval interval = open.back();
       open.pop_back();
       const Pose X = path_.pose(0.5 * (interval.s0 + interval.s1));
-      const double loose = stray(interval);
+      const double loose = travel(interval);
       if (!meets(a_.fcl(loose), X)) continue;
       if (is_deep(X, loose)) return Truth::kHit;
       if (!one_shift_for_all && is_shallow(X, loose)) continue;
@@ -121,7 +121,7 @@ class FclTruth {
       open.pop_back();
       const double middle = 0.5 * (interval.s0 + interval.s1);
       const Pose X = shifted(path_.pose(middle), shift);
-      if (!meets(a_.fcl(stray(interval)), X)) continue;
+      if (!meets(a_.fcl(travel(interval)), X)) continue;
       if (meets(as_it_is_, X)) return false;
       open.push_back({interval.s0, middle});
       open.push_back({middle, interval.s1});

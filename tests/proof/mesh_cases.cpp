@@ -21,12 +21,12 @@ std::vector<Vec3> probes_of(const Polytope& polytope) {
 }
 
 /// A step or pose that is bent on meeting something: near the surface of the model.
-Pose near_surface(Random& random, const MeshModel& model, const Pose& X_WM, double stray) {
+Pose near_surface(Random& random, const MeshModel& model, const Pose& X_WM, double offset) {
   const Vec3& corner =
       model.mesh.vertices[random.below(static_cast<int>(model.mesh.vertices.size()))];
   Pose X = Pose::Identity();
   X.linear() = random.rotation();
-  X.translation() = X_WM * corner + random.vector(stray);
+  X.translation() = X_WM * corner + random.vector(offset);
   return X;
 }
 

@@ -76,7 +76,7 @@ class PiecesTruth {
   Truth over(double s0, double s1, const std::vector<PiecePair>& pairs) {
     if (pairs.empty()) return Truth::kFree;
     const double middle = 0.5 * (s0 + s1);
-    const double stray = 0.5 * speed_ * (s1 - s0);
+    const double travel = 0.5 * speed_ * (s1 - s0);
     const Pose X = pose(middle);
     std::vector<PiecePair> left;
     int placed_piece = -1;
@@ -87,16 +87,16 @@ class PiecesTruth {
         centre = X * a_.centres[i];
         placed_piece = i;
       }
-      const double distance = a_.radii[i] + b_.radii[j] + stray;
+      const double distance = a_.radii[i] + b_.radii[j] + travel;
       if ((centre - b_.centres[j]).squaredNorm() > distance * distance) continue;
       --looks_left_;
-      const double shallow = tolerance_of(i, j) - kBand - stray;
+      const double shallow = tolerance_of(i, j) - kBand - travel;
       const double here = depth(moved_, b_.polytopes[j], shallow);
       if (here > tolerance_of(i, j) + kBand) return Truth::kHit;
       if (here > shallow) left.emplace_back(i, j);
     }
     if (left.empty()) return Truth::kFree;
-    if (stray < 0.25 * kBand || looks_left_ < 0) return Truth::kNearBoundary;
+    if (travel < 0.25 * kBand || looks_left_ < 0) return Truth::kNearBoundary;
     const Truth first = over(s0, middle, left);
     return first == Truth::kHit ? first : worse(first, over(middle, s1, left));
   }

@@ -57,11 +57,11 @@ Truth truth_along(const Depth& depth, double speed, double tolerance, double ban
     const auto [s0, s1] = open.back();
     open.pop_back();
     const double middle = 0.5 * (s0 + s1);
-    const double stray = speed * 0.5 * (s1 - s0);
-    const double here = depth(middle, shallow - stray);
+    const double travel = speed * 0.5 * (s1 - s0);
+    const double here = depth(middle, shallow - travel);
     if (here > deep) return Truth::kHit;
-    if (here + stray <= shallow) continue;
-    if (stray < 0.25 * band || --looks_left < 0) {
+    if (here + travel <= shallow) continue;
+    if (travel < 0.25 * band || --looks_left < 0) {
       near = true;
       continue;
     }

@@ -21,7 +21,7 @@ struct ScrewMotion {
   Vec3 slide = Vec3::Zero();  ///< m, world
 };
 
-/// A motion that is neither: poses by s, and a rigorous bound of how far points stray from the
+/// A motion that is neither: poses by s, and a rigorous bound of how far points deviate from the
 /// straight chord.
 class GeneralMotion {
  public:

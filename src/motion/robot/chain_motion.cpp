@@ -116,7 +116,7 @@ Pose ChainMotion::pose(double s) const {
 }
 
 double ChainMotion::chord_deviation(double s0, double s1, double reach) const {
-  // A curve whose second derivative is at most A strays from its chord by at most A (s1 - s0)^2
+  // A curve whose second derivative is at most A deviates from its chord by at most A (s1 - s0)^2
   // / 8.
   const double width = s1 - s0;
   const double deviation =

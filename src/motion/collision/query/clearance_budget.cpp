@@ -34,11 +34,11 @@ bool same_rotation(const Pose& a, const Pose& b) {
 double greatest_displacement(const Body& body, const Motion& motion, const Placement& X) {
   const geometry::ScrewMotion* screw = screw_of(motion);
   if (screw == nullptr) {
-    const double stray = stray_of(motion, body.extent(), 0, 1).points;
+    const double deviation = chord_deviation_of(motion, body.extent(), 0, 1).points;
     const Placement start = centred(motion, body.extent(), 0);
     const Placement end = centred(motion, body.extent(), 1);
     return std::max(displacement(body, start.R, start.t, X), displacement(body, end.R, end.t, X)) +
-           stray;
+           deviation;
   }
   const auto R = screw->X0.linear();
   const Vec3 t = screw->X0 * body.extent().centre;

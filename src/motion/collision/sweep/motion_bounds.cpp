@@ -76,7 +76,8 @@ void require_rigid(const Pose& X, const char* what) {
       fmt::format("{} is not {}", what, finite ? "a rigid transform" : "finite"));
 }
 
-Stray stray_of(const Motion& motion, const BodyExtent& extent, double s0, double s1) {
+ChordDeviation chord_deviation_of(const Motion& motion, const BodyExtent& extent, double s0,
+                                  double s1) {
   if (const ScrewMotion* screw = screw_of(motion)) {
     if (screw->angle_deg == 0) return {};
     const double bulge = bulge_of(screw->angle_deg * (s1 - s0));

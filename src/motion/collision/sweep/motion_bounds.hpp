@@ -27,16 +27,17 @@ void require_rigid(const Pose& X, const char* what);
 /// that are not unit vectors and slides across their axis.
 void require_valid(const Motion& motion);
 
-/// 1 - cos(half of the angle): how far an arc of unit radius strays from the chord between its
+/// 1 - cos(half of the angle): how far an arc of unit radius deviates from the chord between its
 /// ends; also at equal parameter, docs/collision.md. Never more than the diameter.
 double bulge_of(double angle_deg);
 
 /// Bounds for one body on one interval, all against the chord between the interval's ends (m).
-struct Stray {
+struct ChordDeviation {
   double points = 0;  ///< of any core point
   double centre = 0;  ///< of the body's centre
 };
-Stray stray_of(const Motion& motion, const BodyExtent& extent, double s0, double s1);
+ChordDeviation chord_deviation_of(const Motion& motion, const BodyExtent& extent, double s0,
+                                  double s1);
 
 /// Where the centred coordinates of a body are at s.
 Placement centred(const Motion& motion, const BodyExtent& extent, double s);

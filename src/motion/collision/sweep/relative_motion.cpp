@@ -16,8 +16,8 @@ using geometry::ScrewMotion;
 /// Greatest stretch of the difference of two rotations: 2 sin(half the angle between them).
 double stretch(const Mat3& difference) { return difference.norm() / std::sqrt(2.0); }
 
-/// How far a vector of this length, fixed in the body, strays from its chord.
-double stray_of_vector(const Motion& motion, double length, double s0, double s1) {
+/// How far a vector of this length, fixed in the body, deviates from its chord.
+double chord_deviation_of_vector(const Motion& motion, double length, double s0, double s1) {
   if (const ScrewMotion* screw = screw_of(motion)) {
     return length * bulge_of(screw->angle_deg * (s1 - s0));
   }
@@ -26,22 +26,23 @@ double stray_of_vector(const Motion& motion, double length, double s0, double s1
   return general->chord_deviation(s0, s1, length) + general->chord_deviation(s0, s1, 0);
 }
 
-/// Bound of how far n.x strays from its chord, for core points x of the moving body and any unit n
-/// fixed in the other (docs/collision.md, "two bodies that both move").
+/// Bound of how far n.x deviates from its chord, for core points x of the moving body and any unit
+/// n fixed in the other (docs/collision.md, "two bodies that both move").
 double general_growth(const Motion& moving, const BodyExtent& moving_extent, const Motion& fixed,
                       const BodyExtent& fixed_extent, double s0, double s1) {
   const Placement moving0 = centred(moving, moving_extent, s0);
   const Placement moving1 = centred(moving, moving_extent, s1);
   const Placement fixed0 = centred(fixed, fixed_extent, s0);
   const Placement fixed1 = centred(fixed, fixed_extent, s1);
-  const Stray stray = stray_of(moving, moving_extent, s0, s1);
-  const double arm_stray = stray.points + stray_of(fixed, fixed_extent, s0, s1).centre;
+  const ChordDeviation deviation = chord_deviation_of(moving, moving_extent, s0, s1);
+  const double arm_deviation =
+      deviation.points + chord_deviation_of(fixed, fixed_extent, s0, s1).centre;
   const double arm = std::max((moving0.t - fixed0.t).norm(), (moving1.t - fixed1.t).norm()) +
-                     moving_extent.radius + arm_stray;
+                     moving_extent.radius + arm_deviation;
   const double arm_change = stretch(moving1.R - moving0.R) * moving_extent.radius +
                             ((moving1.t - moving0.t) - (fixed1.t - fixed0.t)).norm();
   const double growth = 0.25 * stretch(fixed1.R - fixed0.R) * arm_change +
-                        stray_of_vector(fixed, arm, s0, s1) + arm_stray;
+                        chord_deviation_of_vector(fixed, arm, s0, s1) + arm_deviation;
   // A motion that cannot bound itself must not pass for one that is well known.
   return growth >= 0 ? growth : std::numeric_limits<double>::infinity();
 }

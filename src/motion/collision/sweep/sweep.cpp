@@ -19,10 +19,10 @@ int useful_slices(const Body& body, const Motion& motion) {
   if (screw != nullptr && std::fabs(screw->angle_deg) <= kUsefulAngle) return 1;
   int count = 1;
   for (; count < kMaxSlices; count *= 2) {
-    const double growth =
-        screw != nullptr
-            ? bulge_of(screw->angle_deg / count)
-            : stray_of(motion, body.extent(), 0, 1.0 / count).points / body.extent().radius;
+    const double growth = screw != nullptr
+                              ? bulge_of(screw->angle_deg / count)
+                              : chord_deviation_of(motion, body.extent(), 0, 1.0 / count).points /
+                                    body.extent().radius;
     if (growth <= kUsefulGrowth) break;
   }
   return count;
@@ -61,9 +61,9 @@ SweepSlice::SweepSlice(const Body& body, const Motion& motion, double s0, double
   const geometry::ScrewMotion* screw = screw_of(motion);
   if (screw == nullptr) {
     end_ = centred(motion, body.extent(), s1);
-    const double stray = stray_of(motion, body.extent(), s0, s1).points;
+    const double deviation = chord_deviation_of(motion, body.extent(), s0, s1).points;
     // A motion that cannot bound itself must not pass for one that is well known.
-    uniform_growth_ = stray >= 0 ? stray : std::numeric_limits<double>::infinity();
+    uniform_growth_ = deviation >= 0 ? deviation : std::numeric_limits<double>::infinity();
     return;
   }
   const Vec3 slide = (s1 - s0) * screw->slide;

@@ -22,7 +22,7 @@ class SweepSlice {
   const Placement& start() const { return start_; }
   const Placement& end() const { return end_; }
   const Placement& middle();
-  /// Upper bound (m) of how far core points stray from their chords, whatever the direction.
+  /// Upper bound (m) of how far core points deviate from their chords, whatever the direction.
   double uniform_growth() const { return uniform_growth_; }
   /// For screws, also bounded by this times the lever about `axis()`, across it.
   double bulge() const { return bulge_; }

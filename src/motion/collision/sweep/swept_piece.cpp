@@ -10,7 +10,7 @@
 namespace rubicon::collision {
 namespace {
 
-/// Added to what points stray (m): more than the rounding of a piece of 1 km.
+/// Added to the chord deviation of points (m): more than the rounding of a piece of 1 km.
 constexpr double kRounding = 1e-12;
 /// A motion that does not bound itself sweeps everything: a ball of this radius (m) is more than
 /// any site.
@@ -70,16 +70,16 @@ std::vector<Vec3> corners_of_translation(const std::vector<Vec3>& points, const 
   return corners;
 }
 
-/// Greatest difference of the ways of two corners, with what they stray: how far a point of the
-/// hull of both ends may be from every pose. A point l p(s0) + (1 - l) q(s1) of the hull is
-/// l (1 - l) times that difference away from where the chord of the body's point l p + (1 - l) q is
+/// Greatest difference of the ways of two corners, with their chord deviation: how far a point of
+/// the hull of both ends may be from every pose. A point l p(s0) + (1 - l) q(s1) of the hull is l
+/// (1 - l) times that difference away from where the chord of the body's point l p + (1 - l) q is
 /// at 1 - l.
-double excess_of_hull(const std::vector<Vec3>& ways, double stray) {
+double excess_of_hull(const std::vector<Vec3>& ways, double deviation) {
   Bounds bounds;
   for (const Vec3& way : ways) bounds.add(way);
   double radius = 0;
   for (const Vec3& way : ways) radius = std::max(radius, (way - bounds.centre()).norm());
-  return 0.25 * 2 * radius + 2 * stray;
+  return 0.25 * 2 * radius + 2 * deviation;
 }
 
 }  // namespace
@@ -99,10 +99,10 @@ Bounds PieceSlice::bounds(const Bounds& own) const {
   result.add(placed(own, end_));
   if (screw_ != nullptr && screw_->angle_deg == 0) return result;
   const double radius = own.half().norm();
-  const double strays = stray(lever(at_start(own.centre())) + radius,
-                              (own.centre() + extent_.centre).norm() + radius);
-  result.grow(screw_ != nullptr ? Vec3(strays * across_axes(screw_->axis))
-                                : Vec3::Constant(strays));
+  const double deviation = chord_deviation(lever(at_start(own.centre())) + radius,
+                                           (own.centre() + extent_.centre).norm() + radius);
+  result.grow(screw_ != nullptr ? Vec3(deviation * across_axes(screw_->axis))
+                                : Vec3::Constant(deviation));
   return result;
 }
 
@@ -173,16 +173,16 @@ SweptPiece PieceSlice::turned(const Convex& piece, double growth) const {
     reach = std::max(reach, (point + extent_.centre).norm());
   }
   for (const Vec3& point : own) swept.vertices.push_back(at_end(point));
-  const double strays = stray(greatest_lever, reach);
-  result.excess += excess_of_hull(ways, strays);
+  const double deviation = chord_deviation(greatest_lever, reach);
+  result.excess += excess_of_hull(ways, deviation);
   swept.ball = piece.ball;
   if (screw_ != nullptr) {
-    // Arcs stray across the axis only, whatever the slide.
+    // Arcs deviate across the axis only, whatever the slide.
     swept.disc_axis = screw_->axis;
-    swept.disc = strays + (disc_turns_in_itself ? piece.disc : 0);
+    swept.disc = deviation + (disc_turns_in_itself ? piece.disc : 0);
     swept.normals.push_back(screw_->axis);
   } else {
-    swept.ball += strays;
+    swept.ball += deviation;
   }
   if (piece.normals.size() <= kFewDirections) {
     for (const Placement* pose : {&start_, &end_}) {
@@ -203,9 +203,9 @@ double PieceSlice::lever(const Vec3& at_start) const {
   return screw_->axis.cross(at_start + start_.t - screw_->point).norm();
 }
 
-/// How far points stray from their chords (m), by their greatest lever about the axis of a screw,
+/// How far points deviate from their chords (m), by their greatest lever about the axis of a screw,
 /// or by how far they are from the origin of the body's frame.
-double PieceSlice::stray(double lever, double reach) const {
+double PieceSlice::chord_deviation(double lever, double reach) const {
   if (screw_ != nullptr) return bulge_of((s1_ - s0_) * screw_->angle_deg) * lever + kRounding;
   const double deviation = general_of(motion_)->chord_deviation(s0_, s1_, reach) + kRounding;
   return deviation >= 0 ? std::min(deviation, kEverywhere) : kEverywhere;

@@ -12,7 +12,7 @@ struct SweptPiece {
 };
 
 /// A part [s0, s1] of the motion of a body, by which its pieces are swept one by one: each gives
-/// the hull of its two ends, grown by what its points stray from their chords (docs/collision.md,
+/// the hull of its two ends, grown by what its points deviate from their chords (docs/collision.md,
 /// Other machines). Exact for a translation, ball and disc included. Body and motion must outlive
 /// it.
 class PieceSlice {
@@ -35,7 +35,7 @@ class PieceSlice {
   ConvexPiece translated(const Convex& piece, const Vec3& way) const;
   SweptPiece turned(const Convex& piece, double growth) const;
   double excess_estimate(const Convex& piece) const;
-  double stray(double lever, double reach) const;
+  double chord_deviation(double lever, double reach) const;
   double lever(const Vec3& at_start) const;
 
   Vec3 at_start(const Vec3& own) const { return start_.R * own; }

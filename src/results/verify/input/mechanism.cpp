@@ -41,7 +41,7 @@ Vec3 element_value(const FrameElement& element, const FormulaValues& values) {
   return {element.a.value(values), element.b.value(values), element.c.value(values)};
 }
 
-/// The values of a formula in an interval, and how far they stray from the one at its middle.
+/// The values of a formula in an interval, and how far they deviate from the one at its middle.
 class ElementRange {
  public:
   ElementRange(std::span<const double> from, std::span<const double> to,
