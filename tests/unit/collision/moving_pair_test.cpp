@@ -151,7 +151,7 @@ TEST(MovingPair, AHookBesideItsJibIsNeverHitByItsOwnSlewing) {
   EXPECT_TRUE(pair_blocked(*jib, slewing_jib, *hook, trolley.motion(), 1e-6));
 }
 
-TEST(MovingPair, TheBulgeSeenFromATurningBodyCounts) {
+TEST(MovingPair, TheSagittaSeenFromATurningBodyCounts) {
   // B turns by 20 degrees about its own centre while A all but stands, 10 m away: in the frame of B
   // A runs along an arc that leaves its chord by 0.15 m. B's wall is reached only at mid step.
   const BodyPtr ball = prepare({{geometry::Sphere{Vec3::Zero(), 0.1}, Pose::Identity()}});

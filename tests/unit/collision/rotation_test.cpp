@@ -67,7 +67,7 @@ TEST(Rotation, SlewingWithThirtyMetresOfJibThroughThinWalls) {
   EXPECT_GT(count.hit, rubicon::test::at_least(300));
 }
 
-TEST(Rotation, TheBulgeOfAnArcCounts) {
+TEST(Rotation, TheSagittaOfAnArcCounts) {
   // Between start and end the corner swings out by 30 m * (1 - cos 2.5 deg) = 28.6 mm; the wall
   // stands 20 mm away.
   const BodyPtr load = box(Vec3(0.1, 0.1, 0.1));

@@ -32,7 +32,7 @@ inline double pair_tolerance(double width_a, double width_b, double contact_tole
 /// neighbours cover the place.
 inline constexpr double kDegenerateAltitude = 1e-9;
 
-/// A screw's interval is not split further once the bulge of its arcs (m) is below this; still
+/// A screw's interval is not split further once the sagitta of its arcs (m) is below this; still
 /// undecided means hit.
 inline constexpr double kScrewResolution = 1e-7;
 

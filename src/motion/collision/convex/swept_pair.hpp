@@ -15,7 +15,7 @@ struct SweptPair {
   Placement end;
   bool standing = false;  ///< no motion: `start` is the only pose that counts
   Vec3 growth_axis = Vec3::UnitZ();
-  double axial_growth = 0;    ///< m, bulge of arcs about `growth_axis`; none along that axis
+  double axial_growth = 0;    ///< m, sagitta of arcs about `growth_axis`; none along that axis
   double uniform_growth = 0;  ///< m, the same in every direction
   double tolerance = 0;       ///< m
 

@@ -58,7 +58,7 @@ class ClearanceSearch {
     pair_.start = slice.a_in_b.start;
     pair_.middle = slice.a_in_b.middle;
     pair_.end = slice.a_in_b.end;
-    pair_.axial_growth = slice.bulge * lever_;
+    pair_.axial_growth = slice.unit_sagitta * lever_;
     pair_.uniform_growth = slice.a_in_b.uniform_growth;
     const double lower = closest_points(pair_).lower_bound;
     if (lower >= nearest_.reach() - nearest_.resolution) {

@@ -59,10 +59,10 @@ BoxPassage BoxMeshNarrowPhase::passage(SweepSlice& slice) const {
   const Placement& mesh = mesh_moves_ ? slice.start() : X_WB_;
   result.box.growth_axis = mesh.R.transpose() * slice.axis();
   result.box.uniform_growth = slice.uniform_growth();
-  if (slice.bulge() > 0) {
+  if (slice.unit_sagitta() > 0) {
     const Vec3 centre = mesh * start.centre;
     const double lever = slice.axis().cross(centre - slice.point()).norm() + box_.box.half.norm();
-    result.box.axial_growth = slice.bulge() * lever;
+    result.box.axial_growth = slice.unit_sagitta() * lever;
   }
   return result;
 }

@@ -95,11 +95,11 @@ class ConvexNarrowPhase {
 
   /// A direction that stands still in either body's frame will do.
   bool free_on(const Slice& slice) {
-    set(a_in_b_, slice.a_in_b, slice.bulge * lever_a_);
+    set(a_in_b_, slice.a_in_b, slice.unit_sagitta * lever_a_);
     if (separated(a_in_b_)) return true;
     if (kind_ != RelativeMotion::Kind::kScrew && kind_ != RelativeMotion::Kind::kGeneral)
       return false;
-    set(b_in_a_, slice.b_in_a, slice.bulge * lever_b_);
+    set(b_in_a_, slice.b_in_a, slice.unit_sagitta * lever_b_);
     return separated(b_in_a_);
   }
 
@@ -126,7 +126,7 @@ class ConvexNarrowPhase {
   bool fine_enough(const Slice& slice) const {
     if (slice.s1 - slice.s0 < kShortestInterval) return true;
     const double growth =
-        std::max(slice.bulge * std::max(lever_a_, lever_b_),
+        std::max(slice.unit_sagitta * std::max(lever_a_, lever_b_),
                  std::max(slice.a_in_b.uniform_growth, slice.b_in_a.uniform_growth));
     return growth <= resolution_ && 0.5 * slice.turn * size_ <= kTurnResolution &&
            travel(slice) <= kTravelResolution;

@@ -54,10 +54,10 @@ class PartBoxes {
     box.half = moving_.box.half;
     box.growth_axis = slice.axis();
     box.uniform_growth = slice.uniform_growth();
-    if (slice.bulge() > 0) {
+    if (slice.unit_sagitta() > 0) {
       const double lever =
           slice.axis().cross(box.start - slice.point()).norm() + moving_.box.half.norm();
-      box.axial_growth = slice.bulge() * lever;
+      box.axial_growth = slice.unit_sagitta() * lever;
     }
     return box;
   }

@@ -15,7 +15,7 @@ struct MeshMeshNarrowPhase::Seen {
   Placement end;
   Vec3 axis;
   Vec3 point;
-  double bulge = 0;
+  double unit_sagitta = 0;
   double uniform_growth = 0;
 };
 
@@ -91,7 +91,7 @@ MeshMeshNarrowPhase::Seen MeshMeshNarrowPhase::seen(SweepSlice& slice) const {
           relative(slice.end(), X_WB_),
           to_fixed * slice.axis(),
           to_fixed * (slice.point() - X_WB_.t),
-          slice.bulge(),
+          slice.unit_sagitta(),
           slice.uniform_growth()};
 }
 
@@ -108,14 +108,15 @@ TrianglePass MeshMeshNarrowPhase::pass(const Seen& poses, int triangle) const {
       result.start[k][axis] = start[axis];
       result.end[k][axis] = end[axis];
     }
-    if (poses.bulge > 0) lever = std::max(lever, poses.axis.cross(start - poses.point).norm());
+    if (poses.unit_sagitta > 0)
+      lever = std::max(lever, poses.axis.cross(start - poses.point).norm());
   }
   for (int k = 0; k < 3; ++k) {
     const Vec3 edge = middle[(k + 1) % 3] - middle[k];
     for (int axis = 0; axis < 3; ++axis) result.edges[k][axis] = edge[axis];
     result.growth_axis[k] = poses.axis[k];
   }
-  result.axial_growth = poses.bulge * lever;
+  result.axial_growth = poses.unit_sagitta * lever;
   result.uniform_growth = poses.uniform_growth;
   const double altitude = smallest_altitude(
       moving_.corner(triangle, 0), moving_.corner(triangle, 1), moving_.corner(triangle, 2));

@@ -21,8 +21,8 @@ Bounds PartPairs::swept_bounds(const Bounds& bounds, const View& view, const Sli
   Bounds result = placed(bounds, view.start);
   result.add(placed(bounds, view.end));
   Vec3 growth = Vec3::Constant(view.uniform_growth + kBoundsMargin + reach);
-  if (slice.bulge > 0) {
-    const double sagitta = slice.bulge * lever_of(bounds, axis_there);
+  if (slice.unit_sagitta > 0) {
+    const double sagitta = slice.unit_sagitta * lever_of(bounds, axis_there);
     for (int i = 0; i < 3; ++i) {
       growth[i] += sagitta * axis_here.axis.cross(Vec3::Unit(i)).norm();
     }
@@ -38,8 +38,9 @@ int useful_slices(const RelativeMotion& motion, double size) {
   int count = 1;
   while (count < kMaxSlices) {
     const Slice first = motion.slice(0, 1.0 / count);
-    const double growth = std::max(
-        first.bulge, std::max(first.a_in_b.uniform_growth, first.b_in_a.uniform_growth) / size);
+    const double growth =
+        std::max(first.unit_sagitta,
+                 std::max(first.a_in_b.uniform_growth, first.b_in_a.uniform_growth) / size);
     if (growth <= kUsefulGrowth) break;
     count *= 2;
   }

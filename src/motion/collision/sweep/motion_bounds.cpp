@@ -50,7 +50,7 @@ void require_valid(const Motion& motion) {
   }
 }
 
-double bulge_of(double angle_deg) {
+double unit_sagitta_of(double angle_deg) {
   const double angle = std::fabs(angle_deg);
   if (angle >= 360) return 2;
   const double sine = math::sin_deg(angle / 4);
@@ -80,9 +80,9 @@ ChordDeviation chord_deviation_of(const Motion& motion, const BodyExtent& extent
                                   double s1) {
   if (const ScrewMotion* screw = screw_of(motion)) {
     if (screw->angle_deg == 0) return {};
-    const double bulge = bulge_of(screw->angle_deg * (s1 - s0));
+    const double unit_sagitta = unit_sagitta_of(screw->angle_deg * (s1 - s0));
     const double lever = screw->axis.cross(screw->X0 * extent.centre - screw->point).norm();
-    return {bulge * (lever + extent.radius), bulge * lever};
+    return {unit_sagitta * (lever + extent.radius), unit_sagitta * lever};
   }
   const GeneralMotion* general = general_of(motion);
   if (general == nullptr) return {};

@@ -29,7 +29,7 @@ void require_valid(const Motion& motion);
 
 /// 1 - cos(half of the angle): how far an arc of unit radius deviates from the chord between its
 /// ends; also at equal parameter, docs/collision.md. Never more than the diameter.
-double bulge_of(double angle_deg);
+double unit_sagitta_of(double angle_deg);
 
 /// Bounds for one body on one interval, all against the chord between the interval's ends (m).
 struct ChordDeviation {

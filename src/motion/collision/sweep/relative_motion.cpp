@@ -19,7 +19,7 @@ double stretch(const Mat3& difference) { return difference.norm() / std::sqrt(2.
 /// How far a vector of this length, fixed in the body, deviates from its chord.
 double chord_deviation_of_vector(const Motion& motion, double length, double s0, double s1) {
   if (const ScrewMotion* screw = screw_of(motion)) {
-    return length * bulge_of(screw->angle_deg * (s1 - s0));
+    return length * unit_sagitta_of(screw->angle_deg * (s1 - s0));
   }
   const GeneralMotion* general = general_of(motion);
   if (general == nullptr) return 0;
@@ -135,7 +135,7 @@ Slice RelativeMotion::slice(double s0, double s1) const {
   view.end = pose(s1);
   slice.b_in_a = {view.start.inverse(), view.middle.inverse(), view.end.inverse(), 0};
   if (kind_ == Kind::kScrew) {
-    slice.bulge = bulge_of(angle_deg_ * (s1 - s0));
+    slice.unit_sagitta = unit_sagitta_of(angle_deg_ * (s1 - s0));
     slice.turn = math::radians(std::fabs(angle_deg_)) * (s1 - s0);
   }
   if (kind_ == Kind::kGeneral) {

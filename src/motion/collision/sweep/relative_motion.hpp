@@ -20,8 +20,9 @@ struct Slice {
   double s1 = 1;
   View a_in_b;
   View b_in_a;
-  double bulge = 0;  ///< screws: 1 - cos(half the angle), times the lever the sagitta of an arc
-  double turn = 0;   ///< upper bound (near enough for stopping) of the turn between the ends, rad
+  double unit_sagitta =
+      0;            ///< screws: 1 - cos(half the angle); times the radius of an arc its sagitta
+  double turn = 0;  ///< upper bound (near enough for stopping) of the turn between the ends, rad
 };
 
 /// The motion of body A as body B sees it, both possibly moving; everything is relative to B, so

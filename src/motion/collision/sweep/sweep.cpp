@@ -20,7 +20,7 @@ int useful_slices(const Body& body, const Motion& motion) {
   int count = 1;
   for (; count < kMaxSlices; count *= 2) {
     const double growth = screw != nullptr
-                              ? bulge_of(screw->angle_deg / count)
+                              ? unit_sagitta_of(screw->angle_deg / count)
                               : chord_deviation_of(motion, body.extent(), 0, 1.0 / count).points /
                                     body.extent().radius;
     if (growth <= kUsefulGrowth) break;
@@ -40,10 +40,11 @@ Bounds slice_bounds(const Body& body, const SweepSlice& slice) {
   Bounds result = placed(body.bounds(), slice.start());
   result.add(placed(body.bounds(), slice.end()));
   Vec3 growth = Vec3::Constant(slice.uniform_growth());
-  if (slice.bulge() > 0) {
+  if (slice.unit_sagitta() > 0) {
     const Vec3& axis = slice.axis();
     const Vec3 arm = slice.start() * body.bounds().centre() - slice.point();
-    const double sagitta = slice.bulge() * (axis.cross(arm).norm() + body.bounds().half().norm());
+    const double sagitta =
+        slice.unit_sagitta() * (axis.cross(arm).norm() + body.bounds().half().norm());
     growth += sagitta * across_axes(axis);
   }
   result.grow(growth);
@@ -76,7 +77,7 @@ SweepSlice::SweepSlice(const Body& body, const Motion& motion, double s0, double
   const double angle_deg = (s1 - s0) * screw->angle_deg;
   // One sine and cosine of a quarter give those of the half and the whole.
   const auto [sine, cosine] = math::sine_cosine_deg(angle_deg / 4);
-  bulge_ = std::fabs(angle_deg) >= 360 ? 2 : 2 * sine * sine;
+  unit_sagitta_ = std::fabs(angle_deg) >= 360 ? 2 : 2 * sine * sine;
   half_turn_ = {2 * sine * cosine, 1 - 2 * sine * sine};
   end_ = turned(
       {2 * half_turn_.sine * half_turn_.cosine, 1 - 2 * half_turn_.sine * half_turn_.sine}, slide);

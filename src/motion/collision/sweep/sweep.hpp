@@ -25,7 +25,7 @@ class SweepSlice {
   /// Upper bound (m) of how far core points deviate from their chords, whatever the direction.
   double uniform_growth() const { return uniform_growth_; }
   /// For screws, also bounded by this times the lever about `axis()`, across it.
-  double bulge() const { return bulge_; }
+  double unit_sagitta() const { return unit_sagitta_; }
   const Vec3& axis() const { return axis_; }
   const Vec3& point() const { return point_; }
 
@@ -43,7 +43,7 @@ class SweepSlice {
   Placement end_;
   std::optional<Placement> middle_;
   double uniform_growth_ = 0;
-  double bulge_ = 0;
+  double unit_sagitta_ = 0;
   math::SineCosine half_turn_;
   Vec3 axis_ = Vec3::UnitZ();
   Vec3 point_ = Vec3::Zero();

@@ -206,7 +206,8 @@ double PieceSlice::lever(const Vec3& at_start) const {
 /// How far points deviate from their chords (m), by their greatest lever about the axis of a screw,
 /// or by how far they are from the origin of the body's frame.
 double PieceSlice::chord_deviation(double lever, double reach) const {
-  if (screw_ != nullptr) return bulge_of((s1_ - s0_) * screw_->angle_deg) * lever + kRounding;
+  if (screw_ != nullptr)
+    return unit_sagitta_of((s1_ - s0_) * screw_->angle_deg) * lever + kRounding;
   const double deviation = general_of(motion_)->chord_deviation(s0_, s1_, reach) + kRounding;
   return deviation >= 0 ? std::min(deviation, kEverywhere) : kEverywhere;
 }
