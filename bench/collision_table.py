@@ -280,7 +280,7 @@ def main(arguments):
         print(f"collision_table.py: {arguments[0]}: {error}", file=sys.stderr)
         return 2
     verdicts = Verdicts()
-    table("Steps among obstacles, ns a step (T: 0.5 m, R: 5 degrees, lever to 30 m)",
+    table("Steps among obstacles, ns a step (T: 0.5 m, R: 5 degrees, radius to 30 m)",
           ["scene", "step", "n", "hits", "ours", "FCL default", "FCL 10 mm", "ratio", "target", "ratio 10 mm",
            "target", "reached"], list(near_rows(results, verdicts)))
     table("Touching contact: a panel slides or turns on slabs, every step is free, ns a step",

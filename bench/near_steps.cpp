@@ -5,10 +5,10 @@
 namespace rubicon::bench {
 namespace {
 
-constexpr double kSlide = 0.5;      // m
-constexpr double kTurn = 5;         // degrees
-constexpr double kLeastLever = 2;   // m, from the axis to the centre of the load
-constexpr double kGreatLever = 30;  // m
+constexpr double kSlide = 0.5;       // m
+constexpr double kTurn = 5;          // degrees
+constexpr double kLeastRadius = 2;   // m, from the axis to the centre of the load
+constexpr double kGreatRadius = 30;  // m
 constexpr int kTriesForAStep = 1000;
 
 Vec3 random_direction(Random& random) {
@@ -34,7 +34,7 @@ geometry::ScrewMotion random_step(StepKind kind, const Pose& X0, Random& random)
   step.axis = vertical ? Vec3::UnitZ() : direction;
   Vec3 across = random_direction(random).cross(step.axis);
   while (across.norm() < 0.1) across = random_direction(random).cross(step.axis);
-  step.point = X0.translation() + random.between(kLeastLever, kGreatLever) * across.normalized();
+  step.point = X0.translation() + random.between(kLeastRadius, kGreatRadius) * across.normalized();
   step.angle_deg = kTurn;
   return step;
 }

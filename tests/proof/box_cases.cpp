@@ -136,7 +136,7 @@ void thin(Random& random, CaseRecord& record) {
   boxes.path_b = standing(random.pose(0.3));
   PathSizes sizes;
   sizes.travel = 1;
-  sizes.lever = 10;
+  sizes.radius = 10;
   boxes.path_a = random_path(random, random.pose(0.6), sizes);
   boxes.tolerance = random_tolerance(random);
   judge(boxes, random, record);
@@ -178,15 +178,15 @@ void tunnel(Random& random, CaseRecord& record) {
 void slew(Random& random, CaseRecord& record) {
   BoxCase boxes;
   boxes.half_a = Vec3{random.between(0.1, 2), random.between(0.05, 0.2), random.between(0.1, 1.5)};
-  const double lever = random.between(5, 30);
+  const double radius = random.between(5, 30);
   const double heading = random.between(0, 360);
   const double angle = random.below(2) ? 5 : -5;
   if (random.below(4) == 0) {
     const Vec3 way = random.vector(0.5);
-    boxes.path_a = crane(Vec3(lever, 0, 0), way, heading, angle);
+    boxes.path_a = crane(Vec3(radius, 0, 0), way, heading, angle);
   } else {
     const double twist = random.below(4) * random.between(0, 90);
-    const Pose X0 = math::rotation_z_deg(heading) * at(lever, 0, 0) * math::rotation_z_deg(twist);
+    const Pose X0 = math::rotation_z_deg(heading) * at(radius, 0, 0) * math::rotation_z_deg(twist);
     const double slide = random.below(3) == 0 ? random.between(-0.5, 0.5) : 0;
     boxes.path_a = turning(X0, Vec3::UnitZ(), Vec3::Zero(), angle, slide);
   }
@@ -209,7 +209,7 @@ void far(Random& random, CaseRecord& record) {
   constexpr MotionKind kKinds[] = {MotionKind::kTranslation, MotionKind::kRotation,
                                    MotionKind::kScrew};
   PathSizes sizes;
-  sizes.lever = 30;
+  sizes.radius = 30;
   sizes.angle_deg = 5;
   boxes.path_a = random_path(random, kKinds[random.below(3)], X, sizes);
   Pose X_WB = random.pose(1);
@@ -259,7 +259,7 @@ constexpr Generator kGenerators[] = {
     {"lattice", "boxes on a lattice of 0.25 m", 12, 1, lattice},
     {"thin", "walls of 20 to 150 mm", 12, 1, thin},
     {"tunnel", "small parts through walls of 20 to 50 mm in one step", 8, 1, tunnel},
-    {"slew", "5 degrees, lever to 30 m, thin walls", 10, 1, slew},
+    {"slew", "5 degrees, radius to 30 m, thin walls", 10, 1, slew},
     {"far", "boxes 100 km from the origin", 8, 1, far},
     {"both_move", "two boxes, both moving", 8, 1, both_move},
 };

@@ -33,8 +33,8 @@ Pose near_surface(Random& random, const MeshModel& model, const Pose& X_WM, doub
 Path mesh_path(Random& random, const Pose& X) {
   PathSizes sizes;
   sizes.travel = 0.3;
-  sizes.lever = random.below(2) ? 3 : 30;
-  sizes.angle_deg = sizes.lever > 3 ? 1 : 15;
+  sizes.radius = random.below(2) ? 3 : 30;
+  sizes.angle_deg = sizes.radius > 3 ? 1 : 15;
   sizes.may_be_tiny = true;
   return random_path(random, X, sizes);
 }

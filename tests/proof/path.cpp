@@ -20,8 +20,8 @@ Path turning_through(const Pose& X, const Vec3& axis, const Vec3& point, double 
 double Path::speed(double reach) const {
   if (const auto* screw = std::get_if<geometry::ScrewMotion>(&motion.kind)) {
     if (screw->angle_deg == 0) return screw->slide.norm();
-    const double lever = screw->axis.cross(screw->X0.translation() - screw->point).norm() + reach;
-    return math::radians(std::fabs(screw->angle_deg)) * lever + screw->slide.norm();
+    const double radius = screw->axis.cross(screw->X0.translation() - screw->point).norm() + reach;
+    return math::radians(std::fabs(screw->angle_deg)) * radius + screw->slide.norm();
   }
   const auto& general = std::get<std::shared_ptr<const geometry::GeneralMotion>>(motion.kind);
   const auto& joints = dynamic_cast<const test::TwoJointMotion&>(*general);
@@ -69,7 +69,7 @@ Path random_path(Random& random, MotionKind kind, const Pose& X, const PathSizes
     case MotionKind::kRotation:
     case MotionKind::kScrew: {
       const Vec3 axis = random.direction();
-      const Vec3 point = X.translation() + random.between(0, sizes.lever) * random.direction();
+      const Vec3 point = X.translation() + random.between(0, sizes.radius) * random.direction();
       const double angle = share * random.between(-sizes.angle_deg, sizes.angle_deg);
       const double slide =
           kind == MotionKind::kScrew ? share * random.between(-sizes.slide, sizes.slide) : 0;

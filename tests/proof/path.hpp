@@ -29,7 +29,7 @@ Path crane(const Vec3& place, const Vec3& way, double theta0_deg, double angle_d
 /// How big the steps of random paths are.
 struct PathSizes {
   double travel = 0.5;       ///< m, of a translation, each axis
-  double lever = 3;          ///< m, greatest distance of a rotation's axis
+  double radius = 3;         ///< m, greatest distance of a rotation's axis
   double angle_deg = 15;     ///< greatest
   double slide = 0.2;        ///< m, along the axis of a screw
   bool may_be_tiny = false;  ///< sometimes thousandths of all that

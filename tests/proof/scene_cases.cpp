@@ -158,7 +158,7 @@ void ask(const Scene& scene, Random& random, CaseRecord& record) {
   query.contact_tolerance = kTolerance;
   const Vec3 middle = random.vector(scene.size);
   PathSizes sizes;
-  sizes.lever = random.below(2) ? 3 : 20;
+  sizes.radius = random.below(2) ? 3 : 20;
   sizes.angle_deg = 5;
   for (int count = 1 + random.below(3); count > 0; --count) {
     Pose X = random.pose(1);

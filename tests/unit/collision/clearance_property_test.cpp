@@ -35,8 +35,8 @@ Sampled sampled(const Distance& distance, double speed) {
 
 double speed_of(const Motion& motion, double reach) {
   if (const auto* screw = std::get_if<geometry::ScrewMotion>(&motion.kind)) {
-    const double lever = screw->axis.cross(screw->X0.translation() - screw->point).norm() + reach;
-    return math::radians(std::fabs(screw->angle_deg)) * lever + screw->slide.norm();
+    const double radius = screw->axis.cross(screw->X0.translation() - screw->point).norm() + reach;
+    return math::radians(std::fabs(screw->angle_deg)) * radius + screw->slide.norm();
   }
   const auto& crane = dynamic_cast<const TwoJointMotion&>(*std::get<1>(motion.kind));
   return math::radians(std::fabs(crane.theta1 - crane.theta0)) *

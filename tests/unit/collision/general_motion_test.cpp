@@ -11,12 +11,12 @@ namespace {
 
 constexpr double kBand = 1e-4;
 
-TwoJointMotion random_crane(Random& random, double lever) {
+TwoJointMotion random_crane(Random& random, double radius) {
   TwoJointMotion crane;
   crane.theta0 = random.between(-180, 180);
   crane.theta1 = crane.theta0 + random.between(-10, 10);
   crane.place0 =
-      Vec3(random.between(1, lever), random.between(-0.5, 0.5), random.between(-0.5, 0.5));
+      Vec3(random.between(1, radius), random.between(-0.5, 0.5), random.between(-0.5, 0.5));
   crane.place1 = crane.place0 + random.vector(0.5);
   return crane;
 }

@@ -25,8 +25,8 @@ OracleBox resized(const OracleBox& box, double by) { return {box.X_WC, box.half.
 void check_against_l(const BodyPtr& l, const Vec3& half, const Motion& motion, const Pose& X_WL,
                      int& deep, int& clear) {
   const auto& screw = std::get<geometry::ScrewMotion>(motion.kind);
-  const double lever = screw.axis.cross(screw.X0.translation() - screw.point).norm() + half.norm();
-  const double speed = math::radians(std::fabs(screw.angle_deg)) * lever + screw.slide.norm();
+  const double radius = screw.axis.cross(screw.X0.translation() - screw.point).norm() + half.norm();
+  const double speed = math::radians(std::fabs(screw.angle_deg)) * radius + screw.slide.norm();
   const auto depth = [&](double s, double by) {
     const OracleBox moving = resized({motion.pose(s), half}, by);
     double greatest = -1e9;

@@ -18,8 +18,8 @@ struct Count {
 void check(const Vec3& half, const Motion& motion, const OracleBox& b, double tolerance,
            Count& count) {
   const auto& screw = std::get<geometry::ScrewMotion>(motion.kind);
-  const double lever = screw.axis.cross(screw.X0.translation() - screw.point).norm() + half.norm();
-  const double speed = math::radians(std::fabs(screw.angle_deg)) * lever + screw.slide.norm();
+  const double radius = screw.axis.cross(screw.X0.translation() - screw.point).norm() + half.norm();
+  const double speed = math::radians(std::fabs(screw.angle_deg)) * radius + screw.slide.norm();
   const auto depth = [&](double s) { return box_depth({motion.pose(s), half}, b); };
   const Truth truth = classify(depth, speed, tolerance, kBand);
   if (truth == Truth::kNearBoundary) return;
@@ -49,8 +49,8 @@ TEST(Rotation, SlewingWithThirtyMetresOfJibThroughThinWalls) {
   Count count;
   for (int i = 0; i < rubicon::test::cases(3000); ++i) {
     const Vec3 half(random.between(0.1, 2), random.between(0.05, 0.2), random.between(0.1, 1.5));
-    const double lever = random.between(5, 30);
-    const Pose X0 = math::rotation_z_deg(random.between(0, 360)) * at(lever, 0, 0) *
+    const double radius = random.between(5, 30);
+    const Pose X0 = math::rotation_z_deg(random.between(0, 360)) * at(radius, 0, 0) *
                     math::rotation_z_deg(random.below(4) * random.between(0, 90));
     const double step = random.below(2) ? 5 : -5;
     const Motion motion = turning(X0, Vec3::UnitZ(), Vec3::Zero(), step);

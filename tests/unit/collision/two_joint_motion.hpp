@@ -26,9 +26,9 @@ class TwoJointMotion : public geometry::GeneralMotion {
   /// From the second derivative: |x''| <= w^2 r + 2 w v.
   double chord_deviation(double s0, double s1, double reach) const override {
     const double w = math::radians(theta1 - theta0 < 0 ? theta0 - theta1 : theta1 - theta0);
-    const double lever = std::max(place0.norm(), place1.norm()) + reach;
+    const double radius = std::max(place0.norm(), place1.norm()) + reach;
     const double v = (place1 - place0).norm();
-    return (w * w * lever + 2 * w * v) * (s1 - s0) * (s1 - s0) / 8;
+    return (w * w * radius + 2 * w * v) * (s1 - s0) * (s1 - s0) / 8;
   }
 
   geometry::Motion motion() const { return {std::make_shared<TwoJointMotion>(*this)}; }

@@ -5,7 +5,7 @@
 namespace rubicon::collision {
 
 /// Depths below this are contact whatever the tolerance (m). Reason: poses 1e5 m from the origin
-/// are rounded to 1.5e-11 m and rotations over such a lever to 1e-10 m. Consequence: a tolerance of
+/// are rounded to 1.5e-11 m and rotations of such a radius to 1e-10 m. Consequence: a tolerance of
 /// 0 means one nanometre.
 inline constexpr double kRoundingDepth = 1e-9;
 

@@ -45,7 +45,7 @@ Interval Convex::extent(const Vec3& n) const {
   return {least - grown, greatest + grown};
 }
 
-double Convex::lever(const Vec3& axis, const Vec3& point) const {
+double Convex::radius_about(const Vec3& axis, const Vec3& point) const {
   double greatest = 0;
   for (const Vec3& vertex : vertices) {
     greatest = std::max(greatest, axis.cross(vertex - point).norm());

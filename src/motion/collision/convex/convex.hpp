@@ -38,7 +38,7 @@ struct Convex {
   /// Greatest distance of a core point from the line through `point` along the unit vector `axis`;
   /// the ball, which a rotation does not change, is left out, and so is a disc across a parallel
   /// axis.
-  double lever(const Vec3& axis, const Vec3& point) const;
+  double radius_about(const Vec3& axis, const Vec3& point) const;
 };
 
 /// A `Convex` with its storage.

@@ -46,9 +46,9 @@ class ClearanceSearch {
     pair_.moving = a;
     pair_.fixed = b;
     pair_.growth_axis = motion_.axis_in_b().axis;
-    lever_ = motion_.kind() == RelativeMotion::Kind::kScrew
-                 ? a.lever(motion_.axis_in_a().axis, motion_.axis_in_a().point)
-                 : 0;
+    radius_ = motion_.kind() == RelativeMotion::Kind::kScrew
+                  ? a.radius_about(motion_.axis_in_a().axis, motion_.axis_in_a().point)
+                  : 0;
     looks_ = 0;
   }
 
@@ -58,7 +58,7 @@ class ClearanceSearch {
     pair_.start = slice.a_in_b.start;
     pair_.middle = slice.a_in_b.middle;
     pair_.end = slice.a_in_b.end;
-    pair_.axial_growth = slice.unit_sagitta * lever_;
+    pair_.axial_growth = slice.unit_sagitta * radius_;
     pair_.uniform_growth = slice.a_in_b.uniform_growth;
     const double lower = closest_points(pair_).lower_bound;
     if (lower >= nearest_.reach() - nearest_.resolution) {
@@ -112,7 +112,7 @@ class ClearanceSearch {
   const Motion& motion_b_;
   NearestMiss& nearest_;
   SweptPair pair_;
-  double lever_ = 0;
+  double radius_ = 0;
   double reach_ = 0;
   int looks_ = 0;
   bool improved_ = false;

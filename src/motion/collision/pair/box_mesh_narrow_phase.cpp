@@ -61,8 +61,8 @@ BoxPassage BoxMeshNarrowPhase::passage(SweepSlice& slice) const {
   result.box.uniform_growth = slice.uniform_growth();
   if (slice.unit_sagitta() > 0) {
     const Vec3 centre = mesh * start.centre;
-    const double lever = slice.axis().cross(centre - slice.point()).norm() + box_.box.half.norm();
-    result.box.axial_growth = slice.unit_sagitta() * lever;
+    const double radius = slice.axis().cross(centre - slice.point()).norm() + box_.box.half.norm();
+    result.box.axial_growth = slice.unit_sagitta() * radius;
   }
   return result;
 }

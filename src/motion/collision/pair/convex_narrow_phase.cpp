@@ -25,8 +25,8 @@ class ConvexNarrowPhase {
     if (kind_ == RelativeMotion::Kind::kScrew) {
       a_in_b_.growth_axis = axis_in_b_;
       b_in_a_.growth_axis = axis_in_a_;
-      lever_a_ = a.lever(axis_in_a_, motion.axis_in_a().point);
-      lever_b_ = b.lever(axis_in_b_, motion.axis_in_b().point);
+      radius_a_ = a.radius_about(axis_in_a_, motion.axis_in_a().point);
+      radius_b_ = b.radius_about(axis_in_b_, motion.axis_in_b().point);
     }
     size_ = 2 * std::min(a.bounds.half().norm(), b.bounds.half().norm());
     resolution_ = kind_ == RelativeMotion::Kind::kScrew
@@ -95,11 +95,11 @@ class ConvexNarrowPhase {
 
   /// A direction that stands still in either body's frame will do.
   bool free_on(const Slice& slice) {
-    set(a_in_b_, slice.a_in_b, slice.unit_sagitta * lever_a_);
+    set(a_in_b_, slice.a_in_b, slice.unit_sagitta * radius_a_);
     if (separated(a_in_b_)) return true;
     if (kind_ != RelativeMotion::Kind::kScrew && kind_ != RelativeMotion::Kind::kGeneral)
       return false;
-    set(b_in_a_, slice.b_in_a, slice.unit_sagitta * lever_b_);
+    set(b_in_a_, slice.b_in_a, slice.unit_sagitta * radius_b_);
     return separated(b_in_a_);
   }
 
@@ -126,7 +126,7 @@ class ConvexNarrowPhase {
   bool fine_enough(const Slice& slice) const {
     if (slice.s1 - slice.s0 < kShortestInterval) return true;
     const double growth =
-        std::max(slice.unit_sagitta * std::max(lever_a_, lever_b_),
+        std::max(slice.unit_sagitta * std::max(radius_a_, radius_b_),
                  std::max(slice.a_in_b.uniform_growth, slice.b_in_a.uniform_growth));
     return growth <= resolution_ && 0.5 * slice.turn * size_ <= kTurnResolution &&
            travel(slice) <= kTravelResolution;
@@ -137,8 +137,8 @@ class ConvexNarrowPhase {
   Vec3 axis_in_b_;
   SweptPair a_in_b_;
   SweptPair b_in_a_;
-  double lever_a_ = 0;
-  double lever_b_ = 0;
+  double radius_a_ = 0;
+  double radius_b_ = 0;
   double size_ = 0;
   double resolution_ = 0;
   int intervals_ = 0;

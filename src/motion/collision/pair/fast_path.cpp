@@ -55,9 +55,9 @@ class PartBoxes {
     box.growth_axis = slice.axis();
     box.uniform_growth = slice.uniform_growth();
     if (slice.unit_sagitta() > 0) {
-      const double lever =
+      const double radius =
           slice.axis().cross(box.start - slice.point()).norm() + moving_.box.half.norm();
-      box.axial_growth = slice.unit_sagitta() * lever;
+      box.axial_growth = slice.unit_sagitta() * radius;
     }
     return box;
   }

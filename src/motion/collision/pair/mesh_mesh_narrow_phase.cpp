@@ -97,7 +97,7 @@ MeshMeshNarrowPhase::Seen MeshMeshNarrowPhase::seen(SweepSlice& slice) const {
 
 TrianglePass MeshMeshNarrowPhase::pass(const Seen& poses, int triangle) const {
   TrianglePass result;
-  double lever = 0;
+  double radius = 0;
   std::array<Vec3, 3> middle;
   for (int k = 0; k < 3; ++k) {
     const Vec3& corner = moving_.corner(triangle, k);
@@ -109,14 +109,14 @@ TrianglePass MeshMeshNarrowPhase::pass(const Seen& poses, int triangle) const {
       result.end[k][axis] = end[axis];
     }
     if (poses.unit_sagitta > 0)
-      lever = std::max(lever, poses.axis.cross(start - poses.point).norm());
+      radius = std::max(radius, poses.axis.cross(start - poses.point).norm());
   }
   for (int k = 0; k < 3; ++k) {
     const Vec3 edge = middle[(k + 1) % 3] - middle[k];
     for (int axis = 0; axis < 3; ++axis) result.edges[k][axis] = edge[axis];
     result.growth_axis[k] = poses.axis[k];
   }
-  result.axial_growth = poses.unit_sagitta * lever;
+  result.axial_growth = poses.unit_sagitta * radius;
   result.uniform_growth = poses.uniform_growth;
   const double altitude = smallest_altitude(
       moving_.corner(triangle, 0), moving_.corner(triangle, 1), moving_.corner(triangle, 2));

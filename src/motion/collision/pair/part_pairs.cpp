@@ -7,7 +7,7 @@
 namespace rubicon::collision {
 namespace {
 
-double lever_of(const Bounds& bounds, const RelativeMotion::Axis& axis) {
+double radius_about(const Bounds& bounds, const RelativeMotion::Axis& axis) {
   return axis.axis.cross(bounds.centre() - axis.point).norm() + bounds.half().norm();
 }
 
@@ -22,7 +22,7 @@ Bounds PartPairs::swept_bounds(const Bounds& bounds, const View& view, const Sli
   result.add(placed(bounds, view.end));
   Vec3 growth = Vec3::Constant(view.uniform_growth + kBoundsMargin + reach);
   if (slice.unit_sagitta > 0) {
-    const double sagitta = slice.unit_sagitta * lever_of(bounds, axis_there);
+    const double sagitta = slice.unit_sagitta * radius_about(bounds, axis_there);
     for (int i = 0; i < 3; ++i) {
       growth[i] += sagitta * axis_here.axis.cross(Vec3::Unit(i)).norm();
     }

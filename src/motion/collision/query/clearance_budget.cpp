@@ -46,8 +46,8 @@ double greatest_displacement(const Body& body, const Motion& motion, const Place
   if (screw->angle_deg == 0) {
     return std::max(at_start, displacement(body, R, t + screw->slide, X));
   }
-  const double lever = screw->axis.cross(t - screw->point).norm() + body.extent().radius;
-  return at_start + math::radians(std::fabs(screw->angle_deg)) * lever + screw->slide.norm();
+  const double radius = screw->axis.cross(t - screw->point).norm() + body.extent().radius;
+  return at_start + math::radians(std::fabs(screw->angle_deg)) * radius + screw->slide.norm();
 }
 
 void ClearanceBudget::Impl::look_at(const WorldState& now) {

@@ -81,8 +81,8 @@ ChordDeviation chord_deviation_of(const Motion& motion, const BodyExtent& extent
   if (const ScrewMotion* screw = screw_of(motion)) {
     if (screw->angle_deg == 0) return {};
     const double unit_sagitta = unit_sagitta_of(screw->angle_deg * (s1 - s0));
-    const double lever = screw->axis.cross(screw->X0 * extent.centre - screw->point).norm();
-    return {unit_sagitta * (lever + extent.radius), unit_sagitta * lever};
+    const double radius = screw->axis.cross(screw->X0 * extent.centre - screw->point).norm();
+    return {unit_sagitta * (radius + extent.radius), unit_sagitta * radius};
   }
   const GeneralMotion* general = general_of(motion);
   if (general == nullptr) return {};

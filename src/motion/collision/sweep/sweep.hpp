@@ -24,7 +24,7 @@ class SweepSlice {
   const Placement& middle();
   /// Upper bound (m) of how far core points deviate from their chords, whatever the direction.
   double uniform_growth() const { return uniform_growth_; }
-  /// For screws, also bounded by this times the lever about `axis()`, across it.
+  /// For screws, also bounded by this times the radius about `axis()`, across it.
   double unit_sagitta() const { return unit_sagitta_; }
   const Vec3& axis() const { return axis_; }
   const Vec3& point() const { return point_; }

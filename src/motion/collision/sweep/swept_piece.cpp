@@ -99,7 +99,7 @@ Bounds PieceSlice::bounds(const Bounds& own) const {
   result.add(placed(own, end_));
   if (screw_ != nullptr && screw_->angle_deg == 0) return result;
   const double radius = own.half().norm();
-  const double deviation = chord_deviation(lever(at_start(own.centre())) + radius,
+  const double deviation = chord_deviation(distance_from_axis(at_start(own.centre())) + radius,
                                            (own.centre() + extent_.centre).norm() + radius);
   result.grow(screw_ != nullptr ? Vec3(deviation * across_axes(screw_->axis))
                                 : Vec3::Constant(deviation));
@@ -164,16 +164,16 @@ SweptPiece PieceSlice::turned(const Convex& piece, double growth) const {
     result.excess = polygon.excess;
   }
   std::vector<Vec3> ways;
-  double greatest_lever = 0;
+  double greatest_radius = 0;
   double reach = 0;
   for (const Vec3& point : own) {
     swept.vertices.push_back(at_start(point));
     ways.push_back(at_end(point) - swept.vertices.back());
-    greatest_lever = std::max(greatest_lever, lever(swept.vertices.back()));
+    greatest_radius = std::max(greatest_radius, distance_from_axis(swept.vertices.back()));
     reach = std::max(reach, (point + extent_.centre).norm());
   }
   for (const Vec3& point : own) swept.vertices.push_back(at_end(point));
-  const double deviation = chord_deviation(greatest_lever, reach);
+  const double deviation = chord_deviation(greatest_radius, reach);
   result.excess += excess_of_hull(ways, deviation);
   swept.ball = piece.ball;
   if (screw_ != nullptr) {
@@ -198,16 +198,16 @@ double PieceSlice::excess_estimate(const Convex& piece) const {
 }
 
 /// Distance from the axis of a screw (m).
-double PieceSlice::lever(const Vec3& at_start) const {
+double PieceSlice::distance_from_axis(const Vec3& at_start) const {
   if (screw_ == nullptr) return 0;
   return screw_->axis.cross(at_start + start_.t - screw_->point).norm();
 }
 
-/// How far points deviate from their chords (m), by their greatest lever about the axis of a screw,
-/// or by how far they are from the origin of the body's frame.
-double PieceSlice::chord_deviation(double lever, double reach) const {
+/// How far points deviate from their chords (m), by their greatest radius about the axis of a
+/// screw, or by how far they are from the origin of the body's frame.
+double PieceSlice::chord_deviation(double radius, double reach) const {
   if (screw_ != nullptr)
-    return unit_sagitta_of((s1_ - s0_) * screw_->angle_deg) * lever + kRounding;
+    return unit_sagitta_of((s1_ - s0_) * screw_->angle_deg) * radius + kRounding;
   const double deviation = general_of(motion_)->chord_deviation(s0_, s1_, reach) + kRounding;
   return deviation >= 0 ? std::min(deviation, kEverywhere) : kEverywhere;
 }

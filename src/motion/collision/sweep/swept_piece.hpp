@@ -35,8 +35,8 @@ class PieceSlice {
   ConvexPiece translated(const Convex& piece, const Vec3& way) const;
   SweptPiece turned(const Convex& piece, double growth) const;
   double excess_estimate(const Convex& piece) const;
-  double chord_deviation(double lever, double reach) const;
-  double lever(const Vec3& at_start) const;
+  double chord_deviation(double radius, double reach) const;
+  double distance_from_axis(const Vec3& at_start) const;
 
   Vec3 at_start(const Vec3& own) const { return start_.R * own; }
   Vec3 at_end(const Vec3& own) const { return end_.R * own + shift_; }

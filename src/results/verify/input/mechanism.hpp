@@ -51,7 +51,7 @@ class Mechanism {
   /// How far points within `radius` of `centre_W` that are fixed to `frame` may be from where they
   /// are at the middle, seen from `base` (a frame that `frame` stands on, -1: the world).
   /// Changing the elements of a chain one after the other, each moves a point by at most its own
-  /// change times the point's lever at the middle; these add up.
+  /// change times the point's radius at the middle; these add up.
   Reach reach(const MechanismState& state, int frame, int base, const Vec3& centre_W,
               double radius) const;
 
