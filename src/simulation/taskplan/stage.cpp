@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "src/simulation/site/make_site.hpp"
-#include "src/simulation/taskplan/foreseen_times.hpp"
 #include "src/simulation/taskplan/plan_calendars.hpp"
 #include "src/simulation/taskplan/plan_network.hpp"
+#include "src/simulation/taskplan/precomputed_times.hpp"
 
 namespace rubicon::taskplan {
 
@@ -57,7 +57,7 @@ Stage::Stage(const interpreter::PlanModel& the_plan, const interpreter::SourceMa
   for (int task = 0; task < tasks(); ++task) work.push_back(prepare_queue(task));
 
   network.tasks = network_tasks(plan);
-  const auto precomputed = foreseen_times(plan, network.tasks);
+  const auto precomputed = precomputed_times(plan, network.tasks);
   for (const interpreter::TaskSpec& park : parks_) network.tasks.emplace_back().name = park.name;
   for (std::size_t i = 0; i < specs_.size(); ++i) {
     // Motions are work too.

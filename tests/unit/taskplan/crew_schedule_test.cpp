@@ -71,7 +71,7 @@ TEST(CrewSchedule, LinksAreAsWorkedByHand) {
 }
 
 /// The network as a plan; `far` puts a zone far from everything on each work, which changes nothing
-/// but that nothing can be foreseen.
+/// but that nothing can be precomputed.
 interpreter::PlanModel plan_of(const schedule::Network& network, bool far) {
   interpreter::PlanModel plan;
   plan.name = "random";
@@ -121,7 +121,7 @@ schedule::Network elapsed(schedule::Network network) {
   return network;
 }
 
-TEST(CrewSchedule, WhatCanBeForeseenIsAsCalculated) {
+TEST(CrewSchedule, WhatCanBePrecomputedIsAsCalculated) {
   test::Dice dice(11);
   for (int i = 0; i < 200; ++i) expect_same(elapsed(dice.network({})), false, i);
 }

@@ -1,4 +1,4 @@
-#include "src/simulation/taskplan/foreseen_times.hpp"
+#include "src/simulation/taskplan/precomputed_times.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -11,9 +11,9 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Which tasks can be foreseen: none of the others, and whatever these keep from being so.
-std::vector<bool> foreseeable(const interpreter::PlanModel& plan,
-                              const std::vector<schedule::NetworkTask>& tasks) {
+/// Which tasks can be precomputed: none of the others, and whatever these keep from being so.
+std::vector<bool> precomputable(const interpreter::PlanModel& plan,
+                                const std::vector<schedule::NetworkTask>& tasks) {
   std::vector<bool> result(tasks.size(), true);
   std::vector<std::vector<int>> followers(tasks.size());
   std::vector<std::vector<int>> users(plan.robots.size() + plan.crews.size());
@@ -59,10 +59,10 @@ std::vector<bool> foreseeable(const interpreter::PlanModel& plan,
 
 }  // namespace
 
-std::vector<std::optional<schedule::TaskTimes>> foreseen_times(
+std::vector<std::optional<schedule::TaskTimes>> precomputed_times(
     const interpreter::PlanModel& plan, const std::vector<schedule::NetworkTask>& tasks) {
   std::vector<std::optional<schedule::TaskTimes>> result(tasks.size());
-  const std::vector<bool> chosen = foreseeable(plan, tasks);
+  const std::vector<bool> chosen = precomputable(plan, tasks);
   std::vector<int> number(tasks.size(), -1);
   std::vector<int> original;
   for (std::size_t i = 0; i < tasks.size(); ++i) {

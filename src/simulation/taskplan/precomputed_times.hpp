@@ -8,11 +8,11 @@
 
 namespace rubicon::taskplan {
 
-/// When tasks start and finish that can be foreseen before the plan begins: crew work that comes
+/// When tasks start and finish that can be computed before the plan begins: crew work that comes
 /// after such work only, by crews that do nothing else, without zones and without anything to
 /// remove. For them links may look ahead (LANGUAGE section 12: a task may start before the one it
 /// is tied to). `tasks` are the plan's (`network_tasks`); to each its times, or nothing.
-std::vector<std::optional<schedule::TaskTimes>> foreseen_times(
+std::vector<std::optional<schedule::TaskTimes>> precomputed_times(
     const interpreter::PlanModel& plan, const std::vector<schedule::NetworkTask>& tasks);
 
 }  // namespace rubicon::taskplan
