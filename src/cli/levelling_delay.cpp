@@ -8,7 +8,7 @@
 
 #include "interpreter/check/plan_model.hpp"
 #include "src/exchange/project_io/plan_text.hpp"
-#include "src/simulation/taskplan/run_mistakes.hpp"
+#include "src/simulation/taskplan/preflight_errors.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
 
 namespace rubicon::cli {
@@ -44,7 +44,7 @@ std::optional<std::map<std::string, std::int64_t>> starts_of(const project_io::P
   interpreter::Diagnostics diagnostics;
   const auto plan = interpreter::load_plan(kPlan, sources, files, diagnostics);
   if (!plan) return std::nullopt;
-  for (auto& mistake : taskplan::run_mistakes(*plan)) diagnostics.add(std::move(mistake));
+  for (auto& mistake : taskplan::preflight_errors(*plan)) diagnostics.add(std::move(mistake));
   if (diagnostics.has_errors()) return std::nullopt;
   taskplan::RunOptions options;
   options.detail = trace::TraceDetail::none;

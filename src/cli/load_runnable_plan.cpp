@@ -8,7 +8,7 @@
 #include "src/exchange/files/plan_files_io.hpp"
 #include "src/results/report/diagnostic_printer.hpp"
 #include "src/simulation/site/beginning.hpp"
-#include "src/simulation/taskplan/run_mistakes.hpp"
+#include "src/simulation/taskplan/preflight_errors.hpp"
 
 namespace rubicon::cli {
 
@@ -39,7 +39,7 @@ std::unique_ptr<interpreter::PlanModel> load_runnable_plan(const std::string& pa
     plan = load_plan(disk.plan(), sources, disk, diagnostics, set);
   }
   if (plan) {
-    for (auto& mistake : taskplan::run_mistakes(*plan)) diagnostics.add(std::move(mistake));
+    for (auto& mistake : taskplan::preflight_errors(*plan)) diagnostics.add(std::move(mistake));
   }
   if (plan && !diagnostics.has_errors()) look_at_beginning(*plan, diagnostics);
   const auto found = diagnostics.sorted();

@@ -11,7 +11,7 @@
 #include "src/results/golden/difference.hpp"
 #include "src/results/golden/observation.hpp"
 #include "src/results/report/diagnostic_printer.hpp"
-#include "src/simulation/taskplan/run_mistakes.hpp"
+#include "src/simulation/taskplan/preflight_errors.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
 #include "src/simulation/trace/record.hpp"
 
@@ -136,7 +136,7 @@ CaseResult run_case(const std::string& folder, const std::string& expected,
   const std::unique_ptr<PlanModel> plan =
       load_plan(folder + "/site.plan", sources, files, diagnostics);
   if (plan) {
-    for (Diagnostic& diagnostic : taskplan::run_mistakes(*plan))
+    for (Diagnostic& diagnostic : taskplan::preflight_errors(*plan))
       diagnostics.add(std::move(diagnostic));
   }
   if (!plan || diagnostics.has_errors()) {

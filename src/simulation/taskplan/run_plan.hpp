@@ -17,7 +17,7 @@ struct RunOptions {
 
 /// Simulates a plan from its beginning (docs/simulation.md) and writes the trace to `sink` unless
 /// it is null. A rejected task is undone and what depends on it is not reached; the rest goes on.
-/// The plan must have passed `run_mistakes` without an error. Throws std::invalid_argument for
+/// The plan must have passed `preflight_errors` without an error. Throws std::invalid_argument for
 /// shapes without extent.
 Schedule run_plan(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
                   trace::TraceSink* sink, const RunOptions& options = {});

@@ -1,4 +1,4 @@
-#include "src/simulation/taskplan/run_mistakes.hpp"
+#include "src/simulation/taskplan/preflight_errors.hpp"
 
 #include <fmt/format.h>
 
@@ -124,7 +124,7 @@ void add_common_hours_mistakes(const interpreter::PlanModel& plan, std::vector<D
 
 }  // namespace
 
-std::vector<Diagnostic> run_mistakes(const interpreter::PlanModel& plan) {
+std::vector<Diagnostic> preflight_errors(const interpreter::PlanModel& plan) {
   std::vector<Diagnostic> all;
   add_unsupported(plan, all);
   if (add_calendar_mistakes(plan, all)) add_common_hours_mistakes(plan, all);

@@ -1,4 +1,4 @@
-#include "src/simulation/taskplan/run_mistakes.hpp"
+#include "src/simulation/taskplan/preflight_errors.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ interpreter::CalendarSpec calendar(const std::string& name, int day, int from, i
   return spec;
 }
 
-TEST(RunMistakes, SaysNothingOfAPlainPlan) {
+TEST(PreflightErrors, SaysNothingOfAPlainPlan) {
   interpreter::PlanModel plan = test::crane_plan();
   plan.tasks.resize(2);
   plan.tasks[1].after.push_back({0, interpreter::LinkType::SF, -schedule::kMinute, {}});
@@ -27,10 +27,10 @@ TEST(RunMistakes, SaysNothingOfAPlainPlan) {
                            "SS", "FF", "SF", "lag", "size"}) {
     plan.uses.push_back({what, {0, 1, 2}});
   }
-  EXPECT_TRUE(run_mistakes(plan).empty());
+  EXPECT_TRUE(preflight_errors(plan).empty());
 }
 
-TEST(RunMistakes, RefusesGuidesAndImportsAtTheirPlaceOnce) {
+TEST(PreflightErrors, RefusesGuidesAndImportsAtTheirPlaceOnce) {
   interpreter::PlanModel plan = test::crane_plan();
   plan.tasks.resize(2);
   plan.tasks[0].guide = "tangent";
@@ -39,7 +39,7 @@ TEST(RunMistakes, RefusesGuidesAndImportsAtTheirPlaceOnce) {
   plan.tasks[1].guide = "tangent";
   plan.tasks[1].guide_span = {0, 15, 20};
   plan.uses.push_back({"import", {0, 30, 36}});
-  const auto mistakes = run_mistakes(plan);
+  const auto mistakes = preflight_errors(plan);
   ASSERT_EQ(mistakes.size(), 3u);
   for (const auto& mistake : mistakes) EXPECT_EQ(mistake.code, "X01");
   EXPECT_EQ(mistakes[0].span.begin, 5u);
@@ -47,17 +47,17 @@ TEST(RunMistakes, RefusesGuidesAndImportsAtTheirPlaceOnce) {
   EXPECT_EQ(mistakes[2].span.begin, 15u);
 }
 
-TEST(RunMistakes, DaysOffNeedADate) {
+TEST(PreflightErrors, DaysOffNeedADate) {
   interpreter::PlanModel plan = test::crane_plan();
   plan.calendars.push_back(calendar("site", 0, 420, 960));
   plan.calendars[0].off = {{2026, 12, 25}};
-  ASSERT_EQ(run_mistakes(plan).size(), 1u);
-  EXPECT_EQ(run_mistakes(plan)[0].code, "X02");
+  ASSERT_EQ(preflight_errors(plan).size(), 1u);
+  EXPECT_EQ(preflight_errors(plan)[0].code, "X02");
   plan.start_at = {{2026, 3, 2}, 7 * 60};
-  EXPECT_TRUE(run_mistakes(plan).empty());
+  EXPECT_TRUE(preflight_errors(plan).empty());
 }
 
-TEST(RunMistakes, WhoWorksTogetherNeedsCommonHours) {
+TEST(PreflightErrors, WhoWorksTogetherNeedsCommonHours) {
   interpreter::PlanModel plan = test::crane_plan();
   plan.calendars.push_back(calendar("day", 0, 420, 960));
   plan.calendars.push_back(calendar("night", 0, 1200, 1440));
@@ -66,9 +66,9 @@ TEST(RunMistakes, WhoWorksTogetherNeedsCommonHours) {
   plan.components.push_back(test::box_component("block", {1, 1, 1}, math::Pose::Identity()));
   plan.tasks.push_back(test::move_task("set", 0, math::Pose::Identity()));
   plan.tasks[0].crews.clear();
-  EXPECT_TRUE(run_mistakes(plan).empty());
+  EXPECT_TRUE(preflight_errors(plan).empty());
   plan.tasks[0].hook = interpreter::WorkSpec{60, 0, {}};
-  const auto mistakes = run_mistakes(plan);
+  const auto mistakes = preflight_errors(plan);
   ASSERT_EQ(mistakes.size(), 1u);
   EXPECT_EQ(mistakes[0].code, "X03");
   EXPECT_THAT(mistakes[0].message, HasSubstr("task 'set' never begins"));
