@@ -105,11 +105,11 @@ std::optional<interpreter::HitPair> RobotView::others_hit(const StepQuery& step)
 }
 
 /// The robot's bodies and its load, standing at q.
-std::vector<ClaimPart> RobotView::parts_at(std::span<const double> q) const {
+std::vector<ReservedPart> RobotView::parts_at(std::span<const double> q) const {
   const SiteRobot& machine = robot();
   std::vector<math::Pose> X_WB;
   robot::body_poses(*machine.model, machine.mounting, q, X_WB);
-  std::vector<ClaimPart> parts;
+  std::vector<ReservedPart> parts;
   for (std::size_t i = 0; i < machine.bodies.size(); ++i) {
     if (!machine.bodies[i]) continue;
     parts.push_back({machine.bodies[i], geometry::stationary(X_WB[i]), static_cast<int>(i)});
@@ -127,12 +127,12 @@ double RobotView::free_distance(std::span<const double> q, double heading_deg, d
   if (!(range > 0)) return 0;
   const bool has_others = site_.has_others(index_);
   if (!site_.has_obstacles() && !has_others) return range;
-  const std::vector<ClaimPart> parts = parts_at(q);
+  const std::vector<ReservedPart> parts = parts_at(q);
   const math::Vec3 heading(math::cos_deg(heading_deg), math::sin_deg(heading_deg), 0);
   const auto is_free = [&](double distance) {
     collision::SweptQuery query;
     query.contact_tolerance = site_.contact_tolerance();
-    for (const ClaimPart& part : parts) {
+    for (const ReservedPart& part : parts) {
       const math::Pose X = part.motion.pose(0);
       query.items.push_back(
           {{part.body.get(), geometry::translating(X, heading * distance)}, true});
@@ -158,9 +158,9 @@ std::optional<interpreter::HitPair> RobotView::blocked_at(std::span<const double
   if (nothing_to_meet()) return std::nullopt;
   const SiteRobot& machine = robot();
   const double tolerance = site_.contact_tolerance();
-  const std::vector<ClaimPart> parts = parts_at(q);
-  std::vector<const ClaimPart*> by_number(machine.bodies.size() + 1, nullptr);
-  for (const ClaimPart& part : parts) {
+  const std::vector<ReservedPart> parts = parts_at(q);
+  std::vector<const ReservedPart*> by_number(machine.bodies.size() + 1, nullptr);
+  for (const ReservedPart& part : parts) {
     by_number[static_cast<std::size_t>(part.part)] = &part;
     if (const auto id =
             site_.obstacles().blocked_at(*part.body, part.motion.pose(0), tolerance, {})) {
@@ -168,8 +168,8 @@ std::optional<interpreter::HitPair> RobotView::blocked_at(std::span<const double
     }
   }
   const auto overlap = [&](int first, int second) {
-    const ClaimPart& a = *by_number[static_cast<std::size_t>(first)];
-    const ClaimPart& b = *by_number[static_cast<std::size_t>(second)];
+    const ReservedPart& a = *by_number[static_cast<std::size_t>(first)];
+    const ReservedPart& b = *by_number[static_cast<std::size_t>(second)];
     return collision::overlaps(*a.body, a.motion.pose(0), *b.body, b.motion.pose(0), tolerance);
   };
   for (const OwnPair& pair : machine.own_pairs) {
@@ -190,14 +190,15 @@ std::optional<interpreter::HitPair> RobotView::blocked_at(std::span<const double
 
 /// Machines in a step need no test: their steps were tested against where this one stands.
 std::optional<interpreter::HitPair> RobotView::standing_machine_at(
-    const std::vector<ClaimPart>& parts) const {
+    const std::vector<ReservedPart>& parts) const {
   collision::SweptQuery query;
   query.contact_tolerance = site_.contact_tolerance();
-  for (const ClaimPart& part : parts) query.items.push_back({{part.body.get(), part.motion}, true});
+  for (const ReservedPart& part : parts)
+    query.items.push_back({{part.body.get(), part.motion}, true});
   collision::MovingBodies bodies(query);
   const auto met = site_.first_machine_met(index_, bodies, true);
   if (!met) return std::nullopt;
-  const ClaimPart& part = parts[static_cast<std::size_t>(met->item)];
+  const ReservedPart& part = parts[static_cast<std::size_t>(met->item)];
   return interpreter::HitPair{part_name(part.part), met->name, met->machine};
 }
 

@@ -36,9 +36,9 @@ class RobotView : public interpreter::World {
   std::optional<interpreter::HitPair> own_hit(const StepQuery& step) const;
   std::optional<interpreter::HitPair> others_hit(const StepQuery& step) const;
   bool nothing_to_meet() const;
-  std::vector<ClaimPart> parts_at(std::span<const double> q) const;
+  std::vector<ReservedPart> parts_at(std::span<const double> q) const;
   std::optional<interpreter::HitPair> standing_machine_at(
-      const std::vector<ClaimPart>& parts) const;
+      const std::vector<ReservedPart>& parts) const;
   const std::string& part_name(int part) const;
 
   SiteWorld& site_;

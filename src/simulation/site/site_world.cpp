@@ -44,13 +44,13 @@ void SiteWorld::attach(int robot, int component) {
   assert(taken.standing && !entry(robot).load);
   const math::Pose X_TW = tool_pose(robot).inverse(Eigen::Isometry);
   entry(robot).load = Load{taken.name, taken.body, X_TW * taken.X_WO, taken.mass, component};
-  entry(robot).claim.reset();
+  entry(robot).reserved.reset();
   lift(taken);
 }
 
 void SiteWorld::attach_carry(int robot, collision::BodyPtr body) {
   entry(robot).load = Load{"load", std::move(body), math::Pose::Identity(), 0, -1};
-  entry(robot).claim.reset();
+  entry(robot).reserved.reset();
   ++changes_;
 }
 
@@ -58,7 +58,7 @@ void SiteWorld::detach(int robot) {
   assert(entry(robot).load && entry(robot).load->component >= 0);
   const Load load = *entry(robot).load;
   entry(robot).load.reset();
-  entry(robot).claim.reset();
+  entry(robot).reserved.reset();
   stand(components_[static_cast<std::size_t>(load.component)], tool_pose(robot) * load.X_TO);
 }
 
@@ -91,7 +91,7 @@ void SiteWorld::set_machine_state(int robot, MachineState state) {
   machine.load = std::move(state.load);
   machine.stepping = state.step.has_value();
   if (state.step) machine.step = std::move(*state.step);
-  machine.claim.reset();
+  machine.reserved.reset();
   ++changes_;
 }
 
@@ -120,8 +120,9 @@ void SiteWorld::hold_zone(int task, std::string name, const std::vector<geometry
   release_zone(task);
   if (shapes_W.empty()) return;
   const geometry::Motion still = geometry::stationary(math::Pose::Identity());
-  Claim claim({{collision::prepare(shapes_W), still, 0}}, claim_growth(contact_tolerance_));
-  zones_.emplace(task, Zone{std::move(name), std::move(claim), exempt_robot});
+  ReservedVolume reserved({{collision::prepare(shapes_W), still, 0}},
+                          reserved_growth(contact_tolerance_));
+  zones_.emplace(task, Zone{std::move(name), std::move(reserved), exempt_robot});
   ++changes_;
 }
 
@@ -160,7 +161,7 @@ std::optional<OtherMet> SiteWorld::first_zone_met(int robot,
                                                   collision::MovingBodies& bodies) const {
   for (const auto& [task, zone] : zones_) {
     if (zone.exempt_robot == robot) continue;
-    if (const auto hit = zone.claim.meets(bodies)) {
+    if (const auto hit = zone.reserved.meets(bodies)) {
       return OtherMet{hit->item, zone.name, -1, task};
     }
   }
@@ -172,7 +173,7 @@ std::optional<OtherMet> SiteWorld::first_machine_met(int robot, collision::Movin
   for (int i = 0; i < static_cast<int>(robots_.size()); ++i) {
     const RobotEntry& other = entry(i);
     if (i == robot || (standing_only && other.stepping)) continue;
-    if (const auto hit = claim(other).meets(bodies)) {
+    if (const auto hit = reserved_volume(other).meets(bodies)) {
       return OtherMet{hit->item, part_name(other, hit->part), i, -1};
     }
   }
@@ -232,24 +233,25 @@ void SiteWorld::lift(Component& component) {
 
 void SiteWorld::changed(RobotEntry& robot) {
   ++robot.changes;
-  robot.claim.reset();
+  robot.reserved.reset();
 }
 
-const Claim& SiteWorld::claim(const RobotEntry& robot) const {
-  if (robot.claim) return *robot.claim;
+const ReservedVolume& SiteWorld::reserved_volume(const RobotEntry& robot) const {
+  if (robot.reserved) return *robot.reserved;
   const SiteRobot& machine = robot.robot;
   const std::vector<double>& from = robot.stepping ? robot.step.q_from : robot.q;
   const std::vector<double>& to = robot.stepping ? robot.step.q_to : robot.q;
   std::vector<geometry::Motion> motions = part_motions(machine, robot.load, from, to);
-  std::vector<ClaimPart> parts;
+  std::vector<ReservedPart> parts;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const bool is_body = i < machine.bodies.size();
     collision::BodyPtr body =
         is_body ? machine.bodies[i] : (robot.load ? robot.load->body : nullptr);
     if (body) parts.push_back({std::move(body), std::move(motions[i]), static_cast<int>(i)});
   }
-  robot.claim = std::make_unique<Claim>(std::move(parts), claim_growth(contact_tolerance_));
-  return *robot.claim;
+  robot.reserved =
+      std::make_unique<ReservedVolume>(std::move(parts), reserved_growth(contact_tolerance_));
+  return *robot.reserved;
 }
 
 /// Name of a part: a body, or after the last body the load.

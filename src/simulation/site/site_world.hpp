@@ -9,8 +9,8 @@
 
 #include "interpreter/program/world.hpp"
 #include "src/motion/collision/swept_query.hpp"
-#include "src/simulation/site/claim.hpp"
 #include "src/simulation/site/load.hpp"
+#include "src/simulation/site/reserved_volume.hpp"
 #include "src/simulation/site/site_robot.hpp"
 
 namespace rubicon::site {
@@ -138,13 +138,14 @@ class SiteWorld {
     std::vector<double> q;
     std::optional<Load> load;
     bool stepping = false;
-    MachineStep step;                      ///< the one in progress, while `stepping`
-    std::uint64_t changes = 0;             ///< of what belongs to it
-    mutable std::unique_ptr<Claim> claim;  ///< of what belongs to it now; made when asked for
+    MachineStep step;           ///< the one in progress, while `stepping`
+    std::uint64_t changes = 0;  ///< of what belongs to it
+    mutable std::unique_ptr<ReservedVolume>
+        reserved;  ///< of what belongs to it now; made when asked for
   };
   struct Zone {
     std::string name;
-    Claim claim;
+    ReservedVolume reserved;
     int exempt_robot = -1;
   };
 
@@ -156,7 +157,7 @@ class SiteWorld {
   void stand(Component& component, const math::Pose& X_WO);
   void lift(Component& component);
   static void changed(RobotEntry& robot);
-  const Claim& claim(const RobotEntry& robot) const;
+  const ReservedVolume& reserved_volume(const RobotEntry& robot) const;
   static const std::string& part_name(const RobotEntry& robot, int part);
 
   double contact_tolerance_;

@@ -25,7 +25,7 @@ class StepQuery {
             std::span<const double> q_to, double contact_tolerance, bool against_world);
 
   const collision::SweptQuery& query() const { return query_; }
-  /// Only what moves, without own pairs: for the claims of others.
+  /// Only what moves, without own pairs: for the reserved volumes of others.
   collision::SweptQuery against_others() const;
   /// The part behind an item of `query`.
   int part_of(int item) const { return part_of_[static_cast<std::size_t>(item)]; }

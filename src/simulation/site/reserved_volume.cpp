@@ -1,22 +1,22 @@
-#include "src/simulation/site/claim.hpp"
+#include "src/simulation/site/reserved_volume.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace rubicon::site {
 
-double claim_growth(double contact_tolerance) {
-  return std::max(kClaimGrowthShare * contact_tolerance, kLeastClaimGrowth);
+double reserved_growth(double contact_tolerance) {
+  return std::max(kReservedGrowthShare * contact_tolerance, kLeastReservedGrowth);
 }
 
-Claim::Claim(std::vector<ClaimPart> parts, double growth) {
-  for (ClaimPart& part : parts) {
+ReservedVolume::ReservedVolume(std::vector<ReservedPart> parts, double growth) {
+  for (ReservedPart& part : parts) {
     parts_.push_back({{std::move(part.body), std::move(part.motion), growth}, part.part});
     bounds_.add(parts_.back().volume.bounds());
   }
 }
 
-std::optional<Claim::Hit> Claim::meets(collision::MovingBodies& bodies) const {
+std::optional<ReservedVolume::Hit> ReservedVolume::meets(collision::MovingBodies& bodies) const {
   if (bodies.bounds().disjoint(bounds_)) return std::nullopt;
   for (int item = 0; item < bodies.count(); ++item) {
     for (const Part& part : parts_) {

@@ -10,14 +10,14 @@ namespace rubicon::site {
 /// By how much the volume of a step may be larger than what is swept (m): a share of the contact
 /// tolerance, so that what only touches stays free. Consequence: false hits only where two machines
 /// come nearer than this to the tolerance.
-inline constexpr double kClaimGrowthShare = 0.25;
+inline constexpr double kReservedGrowthShare = 0.25;
 /// But not less (m): below it the slices of a step become too many.
-inline constexpr double kLeastClaimGrowth = 1e-5;
+inline constexpr double kLeastReservedGrowth = 1e-5;
 
-double claim_growth(double contact_tolerance);
+double reserved_growth(double contact_tolerance);
 
-/// One body of a claim, over a step or standing (m, world).
-struct ClaimPart {
+/// One body of a reserved volume, over a step or standing (m, world).
+struct ReservedPart {
   collision::BodyPtr body;
   geometry::Motion motion;
   int part = 0;  ///< the owner's number for it
@@ -25,11 +25,11 @@ struct ClaimPart {
 
 /// The volume that belongs to one owner: where a machine stands, all that it sweeps while a step of
 /// it lasts, or a zone.
-class Claim {
+class ReservedVolume {
  public:
-  Claim(std::vector<ClaimPart> parts, double growth);
+  ReservedVolume(std::vector<ReservedPart> parts, double growth);
 
-  /// Which body of the query meets which part of the claim.
+  /// Which body of the query meets which part of the volume.
   struct Hit {
     int item = 0;
     int part = 0;
