@@ -9,7 +9,7 @@
 #include "interpreter/syntax/attribute_text.hpp"
 #include "src/exchange/building_io/element_frame.hpp"
 #include "src/exchange/building_io/names.hpp"
-#include "src/exchange/mesh_io/mending.hpp"
+#include "src/exchange/mesh_io/mesh_repair.hpp"
 #include "src/motion/math/pose.hpp"
 
 namespace rubicon::building_io {
@@ -118,7 +118,7 @@ bool is_nothing_when_written(const geometry::TriangleMesh& mesh) {
   for (const Vec3& p : mesh.vertices) {
     points.push_back((p * kMeshPlacesPerMetre).array().round().matrix() / kMeshPlacesPerMetre);
   }
-  return mesh_io::mend(points, mesh.triangles).mesh.triangles.empty();
+  return mesh_io::repair(points, mesh.triangles).mesh.triangles.empty();
 }
 
 }  // namespace rubicon::building_io

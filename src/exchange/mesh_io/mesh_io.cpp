@@ -133,7 +133,7 @@ std::string path_of(const FileScene& scene, std::size_t index) {
 
 /// A mesh, and the point that its vertices still count from.
 struct LocalMesh {
-  MendedMesh mended;
+  RepairedMesh repaired;
   Vec3 origin = Vec3::Zero();
 };
 
@@ -167,14 +167,14 @@ std::variant<LocalMesh, std::string> mesh_of(const FileContent& content,
     }
   }
   if (std::string wrong = wrong_vertices(vertices, origin); !wrong.empty()) return wrong;
-  MendedMesh mended = mend(vertices, triangles);
-  if (mended.mesh.triangles.empty()) return kNoTriangles;
-  return LocalMesh{std::move(mended), origin};
+  RepairedMesh repaired = repair(vertices, triangles);
+  if (repaired.mesh.triangles.empty()) return kNoTriangles;
+  return LocalMesh{std::move(repaired), origin};
 }
 
-/// The convex hull of a mesh, verified. What was mended before stays in the report.
+/// The convex hull of a mesh, verified. What was repaired before stays in the report.
 std::variant<LocalMesh, std::string> hull_of(SceneSource& source, const LocalMesh& mesh) {
-  const std::vector<Vec3>& corners = mesh.mended.mesh.vertices;
+  const std::vector<Vec3>& corners = mesh.repaired.mesh.vertices;
   std::variant<FileScene, SceneFailure> found = source.hull(corners);
   if (auto* wrong = std::get_if<SceneFailure>(&found)) return std::move(*wrong);
   const FileScene& scene = std::get<FileScene>(found);
@@ -183,8 +183,8 @@ std::variant<LocalMesh, std::string> hull_of(SceneSource& source, const LocalMes
   if (scene.nodes.size() != 1 || !wrong_vertices(scene.nodes[0].vertices, mesh.origin).empty()) {
     return kNoHull;
   }
-  MendedMesh hull = mend(scene.nodes[0].vertices, scene.nodes[0].triangles);
-  hull.report = mesh.mended.report;
+  RepairedMesh hull = repair(scene.nodes[0].vertices, scene.nodes[0].triangles);
+  hull.report = mesh.repaired.report;
   if (!hull.mesh.closed) return "its hull is as thin as a sheet; leave out 'hull'";
   switch (hull_contains(hull.mesh, corners)) {
     case HullCheck::kContains:
@@ -233,9 +233,9 @@ std::variant<std::vector<NamedMesh>, MeshFailure> nodes_of(const FileContent& co
     if (std::string wrong = wrong_vertices(vertices, origin); !wrong.empty()) {
       return failure(path, fmt::format("part {}: {}", quoted(node.name), wrong));
     }
-    MendedMesh mended = mend(vertices, node.triangles);
-    if (mended.mesh.triangles.empty()) continue;
-    move_to_world(mended.mesh.vertices, origin);
+    RepairedMesh repaired = repair(vertices, node.triangles);
+    if (repaired.mesh.triangles.empty()) continue;
+    move_to_world(repaired.mesh.vertices, origin);
     NamedMesh found;
     found.name = node.name;
     found.path = path_of(scene, i);
@@ -244,8 +244,8 @@ std::variant<std::vector<NamedMesh>, MeshFailure> nodes_of(const FileContent& co
     found.has_nodes_below = below[i] != 0;
     found.name_is_unique = is_unique(node.name);
     found.id_is_unique = is_unique(global_id(node.name));
-    found.mesh = std::move(mended.mesh);
-    found.report = mended.report;
+    found.mesh = std::move(repaired.mesh);
+    found.report = repaired.report;
     found.note = node.note;
     meshes.push_back(std::move(found));
   }
@@ -313,10 +313,10 @@ std::variant<ReadMesh, MeshFailure> MeshReader::read(const MeshRequest& request)
     made = hull_of(state_->source, std::get<LocalMesh>(made));
   }
   if (const auto* wrong = std::get_if<std::string>(&made)) return failure(request.path, *wrong);
-  MendedMesh& mended = std::get<LocalMesh>(made).mended;
-  move_to_world(mended.mesh.vertices, std::get<LocalMesh>(made).origin);
-  ReadMesh result{std::make_shared<const geometry::TriangleMesh>(std::move(mended.mesh)),
-                  mended.report};
+  RepairedMesh& repaired = std::get<LocalMesh>(made).repaired;
+  move_to_world(repaired.mesh.vertices, std::get<LocalMesh>(made).origin);
+  ReadMesh result{std::make_shared<const geometry::TriangleMesh>(std::move(repaired.mesh)),
+                  repaired.report};
   if (!key.empty()) state_->meshes.put(key, result, bytes_of(*result.mesh));
   return result;
 }

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "src/exchange/mesh_io/mending.hpp"
+#include "src/exchange/mesh_io/mesh_repair.hpp"
 #include "src/motion/geometry/shape.hpp"
 
 namespace rubicon::mesh_io {
@@ -29,10 +29,10 @@ struct MeshFailure {
   std::string message;
 };
 
-/// A mesh in metres, z up, and what was mended on the way.
+/// A mesh in metres, z up, and what was repaired on the way.
 struct ReadMesh {
   std::shared_ptr<const geometry::TriangleMesh> mesh;  // shared: as geometry::Mesh wants it
-  MendingReport report;
+  RepairReport report;
 };
 
 /// One node of a file with the meshes that hang directly on it.
@@ -47,7 +47,7 @@ struct NamedMesh {
   bool name_is_unique = false;   ///< as `part` of a request, `name` means this node and no other
   bool id_is_unique = false;     ///< so does the GlobalId of IFC at the end of `name`; false: none
   geometry::TriangleMesh mesh;
-  MendingReport report;
+  RepairReport report;
   std::string note = {};  ///< where the mesh differs from what the file says; empty: nowhere
 };
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "src/exchange/mesh_io/hull_check.hpp"
-#include "src/exchange/mesh_io/mending.hpp"
+#include "src/exchange/mesh_io/mesh_repair.hpp"
 #include "tests/unit/mesh_io/mesh_files_io.hpp"
 
 // The convex hull in place of a mesh: closed, outward, and around every corner.
@@ -205,8 +205,8 @@ TEST(Hull, OfManyCornersTakesBoundedTime) {
 }
 
 TEST(HullCheck, FindsWhatSticksOut) {
-  const MendedMesh box = mend({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                              {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+  const RepairedMesh box = repair({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                  {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
   ASSERT_TRUE(box.mesh.closed);
   std::mt19937 random(2);
   std::uniform_real_distribution<double> place(0, 1);

@@ -16,12 +16,12 @@ inline constexpr double kWeldTolerance = 1e-6;
 /// factor.
 inline constexpr double kWeldPerMetre = 1.2e-7;
 
-/// The grown tolerance stays below a tenth of the usual contact tolerance of 1 mm, so that mending
+/// The grown tolerance stays below a tenth of the usual contact tolerance of 1 mm, so that repair
 /// never closes a joint that a step must respect.
 inline constexpr double kLargestWeldTolerance = 1e-4;
 
-/// What `mend` changed.
-struct MendingReport {
+/// What `repair` changed.
+struct RepairReport {
   int welded_vertices = 0;       ///< corners that became one with an earlier one
   int degenerate_triangles = 0;  ///< left out: two corners are one, or they lie on a line
   int duplicate_triangles = 0;   ///< left out: an equal triangle came before
@@ -29,9 +29,9 @@ struct MendingReport {
   int thin_triangles_kept = 0;  ///< corners on a line, but the closed surface needs them
 };
 
-struct MendedMesh {
+struct RepairedMesh {
   geometry::TriangleMesh mesh;  ///< no triangles when nothing of any size was there
-  MendingReport report;
+  RepairReport report;
 };
 
 /// Welds equal corners, leaves out degenerate and duplicate triangles, makes orientations agree
@@ -41,7 +41,7 @@ struct MendedMesh {
 ///
 /// Closed means: every edge is used equally often in both directions (so the winding number of a
 /// point is defined; two bodies that share an edge stay closed) and the volume is not zero.
-MendedMesh mend(const std::vector<geometry::Vec3>& vertices,
-                const std::vector<std::array<int, 3>>& triangles);
+RepairedMesh repair(const std::vector<geometry::Vec3>& vertices,
+                    const std::vector<std::array<int, 3>>& triangles);
 
 }  // namespace rubicon::mesh_io

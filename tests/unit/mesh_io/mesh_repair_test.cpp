@@ -1,4 +1,4 @@
-#include "src/exchange/mesh_io/mending.hpp"
+#include "src/exchange/mesh_io/mesh_repair.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 using geometry::Vec3;
 using Triangle = std::array<int, 3>;
 
-MendedMesh mend_soup(const Soup& soup) {
+RepairedMesh repair_soup(const Soup& soup) {
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;
   for (const auto& t : soup) {
@@ -20,13 +20,13 @@ MendedMesh mend_soup(const Soup& soup) {
     vertices.insert(vertices.end(), t.begin(), t.end());
     triangles.push_back({base, base + 1, base + 2});
   }
-  return mend(vertices, triangles);
+  return repair(vertices, triangles);
 }
 
 Soup unit_box() { return box_soup({0, 0, 0}, {1, 1, 1}); }
 
-TEST(Mending, WeldsASoupIntoAClosedBox) {
-  const MendedMesh result = mend_soup(unit_box());
+TEST(MeshRepair, WeldsASoupIntoAClosedBox) {
+  const RepairedMesh result = repair_soup(unit_box());
   EXPECT_EQ(result.mesh.vertices.size(), 8U);
   EXPECT_EQ(result.mesh.triangles.size(), 12U);
   EXPECT_EQ(result.report.welded_vertices, 28);
@@ -35,9 +35,9 @@ TEST(Mending, WeldsASoupIntoAClosedBox) {
   EXPECT_DOUBLE_EQ(volume(result.mesh), 1);
 }
 
-TEST(Mending, KeepsTheOrderOfTriangles) {
+TEST(MeshRepair, KeepsTheOrderOfTriangles) {
   const Soup soup = unit_box();
-  const MendedMesh result = mend_soup(soup);
+  const RepairedMesh result = repair_soup(soup);
   for (std::size_t i = 0; i < soup.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto corner = static_cast<std::size_t>(result.mesh.triangles.at(i).at(k));
@@ -46,83 +46,83 @@ TEST(Mending, KeepsTheOrderOfTriangles) {
   }
 }
 
-TEST(Mending, WeldsWithinTheToleranceOnly) {
+TEST(MeshRepair, WeldsWithinTheToleranceOnly) {
   Soup near = unit_box();
   near[0][0] += Vec3(0.5 * kWeldTolerance, 0, 0);
-  EXPECT_TRUE(mend_soup(near).mesh.closed);
+  EXPECT_TRUE(repair_soup(near).mesh.closed);
   Soup apart = unit_box();
   apart[0][0] += Vec3(4 * kWeldTolerance, 0, 0);
-  EXPECT_FALSE(mend_soup(apart).mesh.closed);
+  EXPECT_FALSE(repair_soup(apart).mesh.closed);
 }
 
-TEST(Mending, FarFromTheOriginTheToleranceFollowsSinglePrecision) {
+TEST(MeshRepair, FarFromTheOriginTheToleranceFollowsSinglePrecision) {
   const Vec3 far(100, 200, 0);
   Soup soup = box_soup(far, far + Vec3(1, 1, 1));
   soup[0][0] += Vec3(0, 1.5e-5, 0);  // the spacing of floats at 200
-  EXPECT_TRUE(mend_soup(soup).mesh.closed);
+  EXPECT_TRUE(repair_soup(soup).mesh.closed);
 }
 
-TEST(Mending, AMissingTriangleLeavesItOpen) {
+TEST(MeshRepair, AMissingTriangleLeavesItOpen) {
   Soup soup = unit_box();
   soup.pop_back();
-  const MendedMesh result = mend_soup(soup);
+  const RepairedMesh result = repair_soup(soup);
   EXPECT_FALSE(result.mesh.closed);
   EXPECT_EQ(result.mesh.triangles.size(), 11U);
 }
 
-TEST(Mending, TurnsAnInsideOutBox) {
+TEST(MeshRepair, TurnsAnInsideOutBox) {
   Soup soup = unit_box();
   for (auto& t : soup) std::swap(t[0], t[1]);
-  const MendedMesh result = mend_soup(soup);
+  const RepairedMesh result = repair_soup(soup);
   EXPECT_TRUE(result.mesh.closed);
   EXPECT_EQ(result.report.turned_triangles, 12);
   EXPECT_DOUBLE_EQ(volume(result.mesh), 1);
 }
 
-TEST(Mending, MakesNeighboursAgree) {
+TEST(MeshRepair, MakesNeighboursAgree) {
   Soup soup = unit_box();
   for (const std::size_t i : {1U, 4U, 5U, 9U}) std::swap(soup.at(i)[1], soup.at(i)[2]);
-  const MendedMesh result = mend_soup(soup);
+  const RepairedMesh result = repair_soup(soup);
   EXPECT_TRUE(result.mesh.closed);
   EXPECT_EQ(result.report.turned_triangles, 4);
   EXPECT_DOUBLE_EQ(volume(result.mesh), 1);
 }
 
-TEST(Mending, KeepsACavityFacingInwards) {
+TEST(MeshRepair, KeepsACavityFacingInwards) {
   Soup soup = box_soup({0, 0, 0}, {4, 4, 4});
   for (auto t : box_soup({1, 1, 1}, {2, 2, 2})) {
     std::swap(t[0], t[1]);
     soup.push_back(t);
   }
-  const MendedMesh result = mend_soup(soup);
+  const RepairedMesh result = repair_soup(soup);
   EXPECT_TRUE(result.mesh.closed);
   EXPECT_EQ(result.report.turned_triangles, 0);
   EXPECT_DOUBLE_EQ(volume(result.mesh), 63);
 }
 
-TEST(Mending, TwoBoxesThatShareAFaceStayClosed) {
+TEST(MeshRepair, TwoBoxesThatShareAFaceStayClosed) {
   Soup soup = unit_box();
   for (const auto& t : box_soup({1, 0, 0}, {2, 1, 1})) soup.push_back(t);
-  const MendedMesh result = mend_soup(soup);
+  const RepairedMesh result = repair_soup(soup);
   EXPECT_TRUE(result.mesh.closed);
   EXPECT_EQ(result.mesh.triangles.size(), 24U);
   EXPECT_DOUBLE_EQ(volume(result.mesh), 2);
 }
 
-TEST(Mending, LeavesOutDuplicatesAndDegenerates) {
+TEST(MeshRepair, LeavesOutDuplicatesAndDegenerates) {
   Soup soup = unit_box();
   const auto first = soup.front();
   soup.push_back({first[1], first[2], first[0]});                 // the same, begun elsewhere
   soup.push_back({first[0], first[0], first[1]});                 // two corners are one
   soup.push_back({Vec3(0, 0, 5), Vec3(1, 0, 5), Vec3(3, 0, 5)});  // on a line, apart from the box
-  const MendedMesh result = mend_soup(soup);
+  const RepairedMesh result = repair_soup(soup);
   EXPECT_TRUE(result.mesh.closed);
   EXPECT_EQ(result.mesh.triangles.size(), 12U);
   EXPECT_EQ(result.report.duplicate_triangles, 1);
   EXPECT_EQ(result.report.degenerate_triangles, 2);
 }
 
-TEST(Mending, KeepsAThinTriangleThatAClosedSurfaceNeeds) {
+TEST(MeshRepair, KeepsAThinTriangleThatAClosedSurfaceNeeds) {
   // A tetrahedron one face of which is split at the middle of an edge that the neighbour does not
   // split: a triangle without area closes the joint.
   const Vec3 a(0, 0, 0);
@@ -131,25 +131,25 @@ TEST(Mending, KeepsAThinTriangleThatAClosedSurfaceNeeds) {
   const Vec3 d(0, 0, 2);
   const Vec3 m(1, 0, 0);
   const Soup soup = {{a, c, m}, {m, c, b}, {a, m, b}, {a, b, d}, {b, c, d}, {c, a, d}};
-  const MendedMesh result = mend_soup(soup);
+  const RepairedMesh result = repair_soup(soup);
   EXPECT_TRUE(result.mesh.closed);
   EXPECT_EQ(result.report.thin_triangles_kept, 1);
   EXPECT_EQ(result.mesh.triangles.size(), 6U);
 }
 
-TEST(Mending, ASheetWithTwoFacesEnclosesNothing) {
+TEST(MeshRepair, ASheetWithTwoFacesEnclosesNothing) {
   const Vec3 a(0, 0, 0);
   const Vec3 b(2, 0, 0);
   const Vec3 c(0, 2, 0);
-  const MendedMesh result = mend_soup({{a, b, c}, {a, c, b}});
+  const RepairedMesh result = repair_soup({{a, b, c}, {a, c, b}});
   EXPECT_FALSE(result.mesh.closed);
   EXPECT_EQ(result.mesh.triangles.size(), 2U);
 }
 
-TEST(Mending, NothingOfAnySizeGivesNoTriangles) {
+TEST(MeshRepair, NothingOfAnySizeGivesNoTriangles) {
   const Vec3 p(1, 2, 3);
-  EXPECT_TRUE(mend_soup({{p, p, p}}).mesh.triangles.empty());
-  EXPECT_TRUE(mend({}, {}).mesh.triangles.empty());
+  EXPECT_TRUE(repair_soup({{p, p, p}}).mesh.triangles.empty());
+  EXPECT_TRUE(repair({}, {}).mesh.triangles.empty());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "src/exchange/mesh_io/mending.hpp"
+#include "src/exchange/mesh_io/mesh_repair.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -299,9 +299,9 @@ geometry::TriangleMesh compacted(const std::vector<Vec3>& v, const std::vector<T
 
 }  // namespace
 
-MendedMesh mend(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles) {
-  MendedMesh result;
-  MendingReport& report = result.report;
+RepairedMesh repair(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles) {
+  RepairedMesh result;
+  RepairReport& report = result.report;
   const double tolerance = weld_tolerance(vertices);
   const std::vector<int> representative = weld(vertices, tolerance, report.welded_vertices);
 
