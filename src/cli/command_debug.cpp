@@ -74,7 +74,7 @@ int converse(debug::Session& session, const DebugOptions& options) {
 
 int run_debug(const DebugOptions& options) {
   debug::RecordingReader reader;
-  if (!tell(options.source, options.set, reader)) return kWrongInput;
+  if (!stream_trace(options.source, options.set, reader)) return kWrongInput;
   debug::Recording recording = reader.take();
   const std::string nothing = debug::Session::why_not(recording, options.task);
   if (!nothing.empty()) return fail(nothing);

@@ -61,7 +61,7 @@ class StoryAndReplay : public trace::TraceSink {
 
 int run_why(const WhyOptions& options) {
   StoryAndReplay trace(options.task);
-  if (!tell(options.source, options.set, trace)) return kWrongInput;
+  if (!stream_trace(options.source, options.set, trace)) return kWrongInput;
   const why::StoryReader& reader = trace.reader();
   if (!reader.has_task()) {
     interpreter::NameSuggestions suggestions;

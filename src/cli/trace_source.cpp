@@ -43,7 +43,8 @@ std::optional<std::string> read_trace(const std::string& path, trace::TraceSink&
   return std::nullopt;
 }
 
-bool tell(const std::string& source, const std::vector<std::string>& set, trace::TraceSink& sink) {
+bool stream_trace(const std::string& source, const std::vector<std::string>& set,
+                  trace::TraceSink& sink) {
   const std::string trace = trace_named(source);
   if (trace.empty()) {
     interpreter::SourceMap sources;

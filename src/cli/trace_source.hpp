@@ -19,6 +19,7 @@ std::optional<std::string> read_trace(const std::string& path, trace::TraceSink&
 /// Hands `sink` the trace of what a user names: of a result or a trace its lines, of a plan those
 /// of its run. False when there is none; what is wrong is on the screen then.
 /// `set`: NAME=VALUE for parameters of the plan.
-bool tell(const std::string& source, const std::vector<std::string>& set, trace::TraceSink& sink);
+bool stream_trace(const std::string& source, const std::vector<std::string>& set,
+                  trace::TraceSink& sink);
 
 }  // namespace rubicon::cli

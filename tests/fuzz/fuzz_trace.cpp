@@ -39,7 +39,7 @@ void record(const std::string& text) {
   reader.take();
 }
 
-void tell(const std::string& text) {
+void why(const std::string& text) {
   rubicon::why::StoryReader reader("set");
   each_line(text, [&](const std::string& line) { reader.line(line); });
   const rubicon::why::TaskStory story = reader.story();
@@ -52,7 +52,7 @@ void tell(const std::string& text) {
 /// Any bytes as a trace: whoever reads it refuses it with one of two exceptions, or reads it.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
-  for (const auto reader : {replay, film, record, tell}) {
+  for (const auto reader : {replay, film, record, why}) {
     try {
       reader(text);
     } catch (const rubicon::verify::UnreadableInput&) {

@@ -74,7 +74,7 @@ bool receive(Received& received) {
   return true;
 }
 
-void tell(const FileDescriptor& status, bool signalled, int code) {
+void send_end(const FileDescriptor& status, bool signalled, int code) {
   const ChildEnd end{signalled ? 1 : 0, code};
   // There is always room for it; when nobody listens any more it does not matter.
   static_cast<void>(::send(status.get(), &end, sizeof end, MSG_NOSIGNAL | MSG_DONTWAIT));
@@ -119,7 +119,7 @@ class Server {
     if (received.job) {
       begin(received);
     } else {
-      tell(file(received, JobFile::kStatus), false, kExitUsage);
+      send_end(file(received, JobFile::kStatus), false, kExitUsage);
     }
     return true;
   }
@@ -134,7 +134,7 @@ class Server {
       ::_exit(run_guarded_job(*received.job, descriptors, helper));
     }
     if (process < 0) {
-      tell(file(received, JobFile::kStatus), false, kExitOutput);
+      send_end(file(received, JobFile::kStatus), false, kExitOutput);
       return;
     }
     children_.push_back({process, std::move(file(received, JobFile::kStatus)), false});
@@ -151,8 +151,8 @@ class Server {
       const auto child = std::find_if(children_.begin(), children_.end(),
                                       [&](const Child& each) { return each.process == ended; });
       if (child == children_.end()) continue;
-      tell(child->status, WIFSIGNALED(status),
-           WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status));
+      send_end(child->status, WIFSIGNALED(status),
+               WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status));
       children_.erase(child);
     }
   }

@@ -192,66 +192,66 @@ void Observation::add(const trace::Record& record) {
     if (with_tasks_) event["task"] = record.task;
     events_.push_back(std::move(event));
   }
-  std::visit([&](const auto& what) { tell(record, what); }, record.what);
+  std::visit([&](const auto& what) { write_event(record, what); }, record.what);
 }
 
 void Observation::write(const std::string& text) {
   text_ += std::string(static_cast<std::size_t>(6 + 2 * depth_), ' ') + text + "\n";
 }
 
-void Observation::tell(const trace::Record&, const trace::GoalStart& goal) {
+void Observation::write_event(const trace::Record&, const trace::GoalStart& goal) {
   depth_ = 0;
   write(fmt::format("goal {} of {}", goal.k, goal.n));
 }
 
-void Observation::tell(const trace::Record&, const trace::Assignment& assignment) {
+void Observation::write_event(const trace::Record&, const trace::Assignment& assignment) {
   write(fmt::format("= var({}) = {}", assignment.variable,
                     assignment.value ? brief(*assignment.value) : "null"));
 }
 
-void Observation::tell(const trace::Record&, const trace::LoopStart& loop) {
+void Observation::write_event(const trace::Record&, const trace::LoopStart& loop) {
   write(fmt::format("{}@{} {{", loop.kind, loop.line));
   ++depth_;
 }
 
-void Observation::tell(const trace::Record&, const trace::LoopEnd& loop) {
+void Observation::write_event(const trace::Record&, const trace::LoopEnd& loop) {
   depth_ = depth_ > 0 ? depth_ - 1 : 0;
   write(fmt::format("}} {}@{} {}, {} successes", loop.kind, loop.line,
                     loop.reached ? "reached" : "exhausted", loop.successes));
 }
 
-void Observation::tell(const trace::Record&, const trace::Choice& choice) {
+void Observation::write_event(const trace::Record&, const trace::Choice& choice) {
   write(fmt::format("which@{} -> {}", choice.line, choice.label));
 }
 
-void Observation::tell(const trace::Record&, const trace::Wait& wait) {
+void Observation::write_event(const trace::Record&, const trace::Wait& wait) {
   text_ += fmt::format("{:>5} {}+ wait\n", wait.n,
                        std::string(static_cast<std::size_t>(2 * depth_), ' '));
 }
 
-void Observation::tell(const trace::Record&, const trace::Attach& attach) {
+void Observation::write_event(const trace::Record&, const trace::Attach& attach) {
   depth_ = 0;
   write(fmt::format("attach {}", attach.component));
 }
 
-void Observation::tell(const trace::Record&, const trace::Detach& detach) {
+void Observation::write_event(const trace::Record&, const trace::Detach& detach) {
   depth_ = 0;
   write(fmt::format("detach {}", detach.component));
 }
 
-void Observation::tell(const trace::Record& record, const trace::TaskStart&) {
+void Observation::write_event(const trace::Record& record, const trace::TaskStart&) {
   depth_ = 0;
   text_ += fmt::format("task {}\n", record.task);
 }
 
-void Observation::tell(const trace::Record& record, const trace::TaskEnd& end) {
+void Observation::write_event(const trace::Record& record, const trace::TaskEnd& end) {
   depth_ = 0;
   const std::string reason = without_folders(std::string(end.reason));
   text_ +=
       fmt::format("task {} {}{}{}\n", record.task, end.result, reason.empty() ? "" : ": ", reason);
 }
 
-void Observation::tell(const trace::Record&, const trace::MotionEnd& end) {
+void Observation::write_event(const trace::Record&, const trace::MotionEnd& end) {
   depth_ = 0;
   write(end.period ? fmt::format("status {} period {}", end.status, *end.period)
                    : fmt::format("status {}", end.status));
@@ -264,7 +264,7 @@ void Observation::tell(const trace::Record&, const trace::MotionEnd& end) {
   write(text);
 }
 
-void Observation::tell(const trace::Record& record, const trace::Attempt& attempt) {
+void Observation::write_event(const trace::Record& record, const trace::Attempt& attempt) {
   const auto found = command_texts_.find({std::string(attempt.file), attempt.line, attempt.column});
   const std::string command =
       found != command_texts_.end() ? found->second : std::string(attempt.command);

@@ -56,19 +56,19 @@ class Observation : public trace::TraceSink {
   void write(const std::string& text);
   // The lines of text of a record; some records have none.
   template <typename Other>
-  void tell(const trace::Record&, const Other&) {}
-  void tell(const trace::Record& record, const trace::TaskStart& start);
-  void tell(const trace::Record& record, const trace::GoalStart& goal);
-  void tell(const trace::Record& record, const trace::Assignment& assignment);
-  void tell(const trace::Record& record, const trace::LoopStart& loop);
-  void tell(const trace::Record& record, const trace::LoopEnd& loop);
-  void tell(const trace::Record& record, const trace::Choice& choice);
-  void tell(const trace::Record& record, const trace::Attempt& attempt);
-  void tell(const trace::Record& record, const trace::Wait& wait);
-  void tell(const trace::Record& record, const trace::Attach& attach);
-  void tell(const trace::Record& record, const trace::Detach& detach);
-  void tell(const trace::Record& record, const trace::MotionEnd& end);
-  void tell(const trace::Record& record, const trace::TaskEnd& end);
+  void write_event(const trace::Record&, const Other&) {}
+  void write_event(const trace::Record& record, const trace::TaskStart& start);
+  void write_event(const trace::Record& record, const trace::GoalStart& goal);
+  void write_event(const trace::Record& record, const trace::Assignment& assignment);
+  void write_event(const trace::Record& record, const trace::LoopStart& loop);
+  void write_event(const trace::Record& record, const trace::LoopEnd& loop);
+  void write_event(const trace::Record& record, const trace::Choice& choice);
+  void write_event(const trace::Record& record, const trace::Attempt& attempt);
+  void write_event(const trace::Record& record, const trace::Wait& wait);
+  void write_event(const trace::Record& record, const trace::Attach& attach);
+  void write_event(const trace::Record& record, const trace::Detach& detach);
+  void write_event(const trace::Record& record, const trace::MotionEnd& end);
+  void write_event(const trace::Record& record, const trace::TaskEnd& end);
 
   trace::TraceReader reader_;
   std::map<Place, std::string> command_texts_;
