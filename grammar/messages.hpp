@@ -157,29 +157,48 @@ RUBICON_EXPECT(attribute_text, "a text in quotes");
 RUBICON_EXPECT(group_heading, "a heading in quotes");
 RUBICON_EXPECT(free_attribute_name, "a name after attribute");
 RUBICON_EXPECT(component_part, "component", Explain::item,
-               "shape at grip mass density name storey type guid attribute");
+               "shape at grip mass density cost name storey type guid attribute");
 RUBICON_EXPECT(component_name, "a name after component");
 RUBICON_EXPECT(cost_amount, "an amount per h");
+RUBICON_EXPECT(material_amount, "an amount of money");
+RUBICON_EXPECT(per_day_amount, "an amount per day");
+RUBICON_EXPECT(per_day, "'per day'");
+RUBICON_EXPECT(rental_from, "a date in quotes");
+RUBICON_EXPECT(rental_to_key, "'to' and a date in quotes");
+RUBICON_EXPECT(rental_to, "a date in quotes");
+RUBICON_EXPECT(mobilisation_amount, "an amount of money");
+RUBICON_EXPECT(overtime_factor, "a factor such as 1.5");
+RUBICON_EXPECT(outside_calendar, "the name of a calendar");
 RUBICON_EXPECT(used_calendar, "the name of a calendar");
 RUBICON_EXPECT(robot_start_values, "a parameter and its value");
 RUBICON_EXPECT(park_values, "a parameter and its value");
-RUBICON_EXPECT(robot_use_part, "robot", Explain::item, "start cost calendar park");
+RUBICON_EXPECT(robot_use_part, "robot", Explain::item,
+               "start cost rental mobilisation overtime calendar park");
 RUBICON_EXPECT(robot_file_name, "the robot's file in quotes");
 RUBICON_EXPECT(robot_frame, kFrame, Explain::expected, kFrameWords);
 RUBICON_EXPECT(robot_use_end, "';' or '{'");
 RUBICON_EXPECT(robot_use_form, "a name or a file in quotes after robot");
 RUBICON_EXPECT(size_value, "a number");
-RUBICON_EXPECT(crew_part, "crew", Explain::item, "size cost calendar");
+RUBICON_EXPECT(crew_part, "crew", Explain::item, "size cost rental mobilisation overtime calendar");
 RUBICON_EXPECT(crew_end, "';' or '{'");
 RUBICON_EXPECT(crew_name, "a name after crew");
+RUBICON_EXPECT(pool_part, "pool", Explain::item, "of choose");
+RUBICON_EXPECT(pool_name, "a name after pool");
+RUBICON_EXPECT(choice_rule, "first, nearest or least_used");
+RUBICON_EXPECT(by_whom, "the name of a robot, a crew or a pool");
+RUBICON_EXPECT(same_as_task, "the name of a task");
+RUBICON_EXPECT(all_of_pool, "the name of a pool");
+RUBICON_EXPECT(need, "a number of people and a crew such as 2 masons");
+RUBICON_EXPECT(needed_crew, "the name of a crew");
 RUBICON_EXPECT(moved_component, "the name of a component");
 RUBICON_EXPECT(to_key, "'to' and a frame");
 RUBICON_EXPECT(removed_component, "the name of a component");
 RUBICON_EXPECT(work_crew, "the name of a crew");
 RUBICON_EXPECT(guide_name, "the name of a guide");
-RUBICON_EXPECT(task_part, "task", Explain::item,
-               "by move go remove hook adjust release takes via guide situation within budget "
-               "priority zone after name group attribute for when whole");
+RUBICON_EXPECT(
+    task_part, "task", Explain::item,
+    "by needs move go remove hook adjust release takes via guide situation within budget "
+    "priority zone after name group attribute for when whole");
 RUBICON_EXPECT(task_name, "a name after task");
 RUBICON_EXPECT(module_part, "module", Explain::item, "component task touching within for when");
 RUBICON_EXPECT(module_name, "a name after module");
@@ -194,10 +213,11 @@ RUBICON_EXPECT(import_name, "a name after as");
 RUBICON_EXPECT(import_block, "'{' after import");
 RUBICON_EXPECT(import_end, "';' or '{' after import");
 RUBICON_EXPECT(short_start_values, "a parameter and its value");
-RUBICON_EXPECT(plan_item, "plan", Explain::item,
-               "component robot crew task module place import site contact budget start_at "
-               "currency calendar situation start goal via carry within touching "
-               "parameter for when whole");
+RUBICON_EXPECT(
+    plan_item, "plan", Explain::item,
+    "component robot crew pool overhead task module place import site contact budget start_at "
+    "currency calendar situation start goal via carry within touching "
+    "parameter for when whole");
 RUBICON_EXPECT(plan_file_key, "'plan' at the start of a plan");
 RUBICON_EXPECT(plan_name, "a name after plan");
 RUBICON_EXPECT(plan_finished, "the end of the file after the '}' of the plan");

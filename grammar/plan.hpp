@@ -135,8 +135,12 @@ struct component_mass : if_must<mass_key, mass_value, plan_semicolon> {};
 struct density_key : token<word<TAO_PEGTL_STRING("density")>> {};
 struct density_value : quantity {};
 struct component_density : if_must<density_key, density_value, plan_semicolon> {};
-struct component_part : sor<component_shape, component_at, component_grip, component_mass,
-                            component_density, component_attribute, free_attribute> {};
+struct material_key : token<word<TAO_PEGTL_STRING("cost")>> {};
+struct material_amount : quantity {};
+struct component_cost : if_must<material_key, material_amount, plan_semicolon> {};
+struct component_part
+    : sor<component_shape, component_at, component_grip, component_mass, component_density,
+          component_cost, component_attribute, free_attribute> {};
 struct whole_component_part : must<component_part> {};
 struct component_parts : nested<star<not_at<block_end>, recover<whole_component_part, item_end>>> {
 };
@@ -149,6 +153,34 @@ struct start_key : token<word<TAO_PEGTL_STRING("start")>> {};
 struct cost_key : token<word<TAO_PEGTL_STRING("cost")>> {};
 struct cost_amount : quantity {};
 struct cost_item : if_must<cost_key, cost_amount, plan_semicolon> {};
+
+// A bare number before a word that is no unit of it; a computed one stands in parentheses.
+struct computed_plain_number : seq<at<one<'('>>, quantity> {};
+struct plain_number : sor<computed_plain_number, token<number_text>> {};
+struct per_day
+    : token<seq<word<TAO_PEGTL_STRING("per")>, plus<blank>, word<TAO_PEGTL_STRING("day")>>> {};
+struct per_day_amount : plain_number {};
+struct rental_key : token<word<TAO_PEGTL_STRING("rental")>> {};
+struct rental_from_key : token<word<TAO_PEGTL_STRING("from")>> {};
+struct rental_from : string_literal {};
+struct rental_to_key : token<word<TAO_PEGTL_STRING("to")>> {};
+struct rental_to : string_literal {};
+struct rental_item : if_must<rental_key, per_day_amount, per_day,
+                             opt<if_must<rental_from_key, rental_from, rental_to_key, rental_to>>,
+                             plan_semicolon> {};
+struct mobilisation_key : token<word<TAO_PEGTL_STRING("mobilisation")>> {};
+struct mobilisation_amount : quantity {};
+struct mobilisation_item : if_must<mobilisation_key, mobilisation_amount, plan_semicolon> {};
+struct overtime_key : token<word<TAO_PEGTL_STRING("overtime")>> {};
+struct overtime_factor : plain_number {};
+struct outside_key : token<word<TAO_PEGTL_STRING("outside")>> {};
+struct outside_calendar : qualified_indexed_name {};
+struct overtime_item : if_must<overtime_key, overtime_factor,
+                               opt<if_must<outside_key, outside_calendar>>, plan_semicolon> {};
+struct charge_item : sor<cost_item, rental_item, mobilisation_item, overtime_item> {};
+struct overhead_key : token<word<TAO_PEGTL_STRING("overhead")>> {};
+struct overhead_item : if_must<overhead_key, per_day_amount, per_day, plan_semicolon> {};
+
 struct uses_calendar_key : token<word<TAO_PEGTL_STRING("calendar")>> {};
 struct used_calendar : qualified_indexed_name {};
 struct uses_calendar : if_must<uses_calendar_key, used_calendar, plan_semicolon> {};
@@ -158,7 +190,7 @@ struct robot_start : if_must<start_key, robot_start_values, plan_semicolon> {};
 struct park_key : token<word<TAO_PEGTL_STRING("park")>> {};
 struct park_values : values {};
 struct robot_park : if_must<park_key, park_values, plan_semicolon> {};
-struct robot_use_part : sor<robot_start, cost_item, uses_calendar, robot_park> {};
+struct robot_use_part : sor<robot_start, charge_item, uses_calendar, robot_park> {};
 struct whole_robot_use_part : must<robot_use_part> {};
 struct robot_use_parts : nested<star<not_at<block_end>, recover<whole_robot_use_part, item_end>>> {
 };
@@ -177,7 +209,7 @@ struct robot_use : if_must<robot_use_key, robot_use_form> {};
 struct size_key : token<word<TAO_PEGTL_STRING("size")>> {};
 struct size_value : quantity {};
 struct crew_size : if_must<size_key, size_value, plan_semicolon> {};
-struct crew_part : sor<crew_size, cost_item, uses_calendar> {};
+struct crew_part : sor<crew_size, charge_item, uses_calendar> {};
 struct whole_crew_part : must<crew_part> {};
 struct crew_parts : nested<star<not_at<block_end>, recover<whole_crew_part, item_end>>> {};
 struct crew_block : if_must<block_open, crew_parts, block_close> {};
@@ -186,9 +218,35 @@ struct crew_key : token<word<TAO_PEGTL_STRING("crew")>> {};
 struct crew_name : indexed_name {};
 struct crew_item : if_must<crew_key, crew_name, crew_end> {};
 
+// Pools: robots or crews of which a task has one.
+struct of_key : token<word<TAO_PEGTL_STRING("of")>> {};
+struct pool_members : if_must<of_key, listed_names, plan_semicolon> {};
+struct choose_key : token<word<TAO_PEGTL_STRING("choose")>> {};
+struct choice_rule : name {};
+struct pool_choice : if_must<choose_key, choice_rule, plan_semicolon> {};
+struct pool_part : sor<pool_members, pool_choice> {};
+struct whole_pool_part : must<pool_part> {};
+struct pool_parts : nested<star<not_at<block_end>, recover<whole_pool_part, item_end>>> {};
+struct pool_key : token<word<TAO_PEGTL_STRING("pool")>> {};
+struct pool_name : indexed_name {};
+struct pool_item : if_must<pool_key, pool_name, block_open, pool_parts, block_close> {};
+
 // Tasks.
 struct by_key : token<word<TAO_PEGTL_STRING("by")>> {};
-struct by_item : if_must<by_key, listed_names, plan_semicolon> {};
+struct same_as_key
+    : token<seq<word<TAO_PEGTL_STRING("same")>, plus<blank>, word<TAO_PEGTL_STRING("as")>>> {};
+struct same_as_task : qualified_indexed_name {};
+struct all_of_key
+    : token<seq<word<TAO_PEGTL_STRING("all")>, plus<blank>, word<TAO_PEGTL_STRING("of")>>> {};
+struct all_of_pool : qualified_indexed_name {};
+struct by_whom
+    : sor<if_must<same_as_key, same_as_task>, if_must<all_of_key, all_of_pool>, listed_name> {};
+struct by_item : if_must<by_key, by_whom, star<if_must<comma, by_whom>>, plan_semicolon> {};
+struct needs_key : token<word<TAO_PEGTL_STRING("needs")>> {};
+struct needed_units : plain_number {};
+struct needed_crew : qualified_indexed_name {};
+struct need : if_must<needed_units, needed_crew> {};
+struct needs_item : if_must<needs_key, need, star<if_must<comma, need>>, plan_semicolon> {};
 struct move_key : token<word<TAO_PEGTL_STRING("move")>> {};
 struct moved_component : qualified_indexed_name {};
 struct to_key : token<word<TAO_PEGTL_STRING("to")>> {};
@@ -221,9 +279,9 @@ struct task_repetition : if_must<for_head, block_open, task_parts, block_close> 
 struct task_choice : if_must<given_head, block_open, task_parts, block_close> {};
 struct task_block : sor<task_repetition, task_choice> {};
 struct task_part
-    : sor<task_block, by_item, move_item, go_item, remove_item, crew_work_item, takes_item,
-          via_item, guide_item, situation_item, within_item, task_number_item, zone_item,
-          after_item, task_attribute, group_item, free_attribute, whole_item> {};
+    : sor<task_block, by_item, needs_item, move_item, go_item, remove_item, crew_work_item,
+          takes_item, via_item, guide_item, situation_item, within_item, task_number_item,
+          zone_item, after_item, task_attribute, group_item, free_attribute, whole_item> {};
 struct whole_task_part : must<task_part> {};
 struct task_parts : nested<star<not_at<block_end>, recover<whole_task_part, item_end>>> {};
 struct task_key : token<word<TAO_PEGTL_STRING("task")>> {};
@@ -306,11 +364,10 @@ struct plan_items;
 struct plan_repetition : if_must<for_head, block_open, plan_items, block_close> {};
 struct plan_choice : if_must<given_head, block_open, plan_items, block_close> {};
 struct plan_block : sor<plan_repetition, plan_choice> {};
-struct plan_item
-    : sor<plan_block, parameter_item, component_item, robot_use, crew_item, task_item, module_item,
-          place_item, import_item, waiver, site_item, number_item, text_item, calendar_item,
-          situation_item, short_start, short_goal, via_item, carry_item, within_item, whole_item> {
-};
+struct plan_item : sor<plan_block, parameter_item, component_item, robot_use, crew_item, pool_item,
+                       overhead_item, task_item, module_item, place_item, import_item, waiver,
+                       site_item, number_item, text_item, calendar_item, situation_item,
+                       short_start, short_goal, via_item, carry_item, within_item, whole_item> {};
 struct whole_plan_item : must<plan_item> {};
 struct plan_items : nested<star<not_at<block_end>, recover<whole_plan_item, item_end>>> {};
 struct plan_file_key : token<word<TAO_PEGTL_STRING("plan")>> {};

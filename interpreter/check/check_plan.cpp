@@ -68,6 +68,7 @@ std::unique_ptr<PlanModel> load_plan(const std::string& path, SourceMap& sources
   plan_check::check_calendars(subject);
   plan_check::check_robots(subject, all_situations(plan));
   plan_check::check_crews(subject);
+  plan_check::check_pools(subject);
   plan_check::check_components(subject);
   plan_check::check_tasks(subject);
   plan_check::check_scale(subject);
@@ -75,6 +76,7 @@ std::unique_ptr<PlanModel> load_plan(const std::string& path, SourceMap& sources
   plan_check::check_waivers(subject);
   plan_check::check_whole(subject);
   if (diagnostics.errors() == errors_before) plan_check::check_cycles(subject);
+  if (diagnostics.errors() == errors_before) plan_check::check_same_as(subject);
   if (diagnostics.errors() == errors_before) plan_check::check_masses(subject);
   diagnostics.name_copies(said_before, sources);
   if (diagnostics.errors() != errors_before || plan.broken) return nullptr;

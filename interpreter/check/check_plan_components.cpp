@@ -38,6 +38,9 @@ ComponentSpec resolve_component(Subject& subject, const syntax::ComponentItem& i
   }
   if (item.grip.empty()) subject.without_grip.insert(item.name.span.begin);
   const auto number_span = [](const syntax::Number& number) { return number.span; };
+  if (const auto* cost = only_one(subject, item.cost, "the cost of " + who, number_span)) {
+    component.cost = resolve_money(subject, *cost, "the cost of " + who);
+  }
   const auto* mass = only_one(subject, item.mass, "the mass of " + who, number_span);
   if (mass == nullptr) {
     component.mass = mass_by_density(subject, item, component.shapes).value_or(0);

@@ -41,6 +41,12 @@ FormMark mark_of(const syntax::PlanItem& item) {
   if (const auto* crew = std::get_if<syntax::CrewItem>(&item)) {
     return {Form::full, "a crew", crew->name.span};
   }
+  if (const auto* pool = std::get_if<syntax::PoolItem>(&item)) {
+    return {Form::full, "a pool", pool->name.span};
+  }
+  if (const auto* overhead = std::get_if<syntax::OverheadItem>(&item)) {
+    return {Form::full, "overhead", overhead->span};
+  }
   if (const auto* module = std::get_if<syntax::ModuleItem>(&item)) {
     for (const auto& inner : module->items) {
       if (const auto* task = std::get_if<syntax::TaskItem>(&inner)) {

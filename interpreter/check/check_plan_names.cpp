@@ -41,6 +41,7 @@ class Declaration {
       } else if (const auto* task = std::get_if<syntax::TaskItem>(&item)) {
         if (declare(subject_, subject_.tasks, subject_.task_spans, task->name, "task",
                     static_cast<int>(tasks_))) {
+          subject_.task_items.emplace(task->name.text, task);
           ++tasks_;
         }
       } else if (const auto* place = std::get_if<syntax::PlaceItem>(&item)) {

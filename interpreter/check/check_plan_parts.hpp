@@ -50,7 +50,9 @@ struct Subject {
 
   std::map<std::string, Span> component_spans = {}, task_spans = {};
   std::map<std::string, int> components = {}, tasks = {};  ///< of the plan itself: model index
-  std::map<std::string, int> robots = {}, crews = {}, calendars = {}, modules = {}, places = {};
+  std::map<std::string, int> robots = {}, crews = {}, calendars = {}, modules = {}, places = {},
+                             pools = {};
+  std::map<std::string, const syntax::TaskItem*> task_items = {};  ///< of the plan itself
   std::map<std::string, Span> import_spans = {};
   std::set<std::uint32_t> without_grip = {};  ///< components, by where their names stand
   std::vector<ModuleInfo> module_infos = {};
@@ -80,6 +82,7 @@ struct Scope {
   int first_task = 0;
   math::Pose X_WP = math::Pose::Identity();
   bool records_uses = true;
+  std::vector<PoolMember> members = {};  ///< who stands in the place of each pool
 };
 
 /// The short form or the full form; P03, P04, P15.
@@ -97,6 +100,22 @@ void check_calendars(Subject& subject);
 /// Loads the robots, each file once; robots and crews with their items: P01, P02, P09, F01.
 void check_robots(Subject& subject, const std::vector<std::string>& situations);
 void check_crews(Subject& subject);
+
+/// rental, mobilisation and overtime of `who` ("crew 'c'"), and what a component's material or a
+/// day of the plan costs: P02, P09, P10.
+Charges resolve_charges(Subject& subject, const syntax::Charges& charges, const std::string& who);
+std::optional<double> resolve_money(Subject& subject, const syntax::Number& amount,
+                                    const std::string& what);
+
+/// Pools of robots or crews, which are declared before: P01, P02, P40.
+void check_pools(Subject& subject);
+
+/// Each choice of members that a task has by its pools; one that is empty for a task without. P40.
+std::vector<std::vector<PoolMember>> choices_of(Subject& subject, const Scope& scope,
+                                                const syntax::TaskItem& item);
+
+/// Tasks `by same as` another come after it: P40.
+void check_same_as(Subject& subject);
 
 /// Components of the plan, and of modules where they are placed: P02, P09, P16, P17, P19.
 void check_components(Subject& subject);
@@ -123,7 +142,7 @@ std::optional<bool> resolve_whole(Subject& subject, const syntax::WholeItem& ite
 /// Calendars that carry over, so that what they are needed for is not lifted whole: P36.
 void check_whole(Subject& subject);
 
-/// One task in its scope.
+/// One task in its scope, with all its choices.
 void check_task(Subject& subject, const Scope& scope, const syntax::TaskItem& item, TaskSpec& task);
 
 /// start, via, goal, carry, within of the short form.

@@ -70,6 +70,7 @@ class RobotLoader {
     }
     set_starts(subject_, robot, starts, item.start.empty() ? item.span : item.start[0].span);
     robot.cost_per_hour = resolve_cost(subject_, item.cost, who);
+    robot.charges = resolve_charges(subject_, item.charges, who);
     robot.calendar = resolve_calendar(subject_, item.calendar, who);
     if (const auto* values = only_one(subject_, item.park, "park of " + who, span_of)) {
       subject_.use("park", values->span);
@@ -164,9 +165,16 @@ void check_crews(Subject& subject) {
     if (const auto* size = only_one(subject, item->size, "the size of " + who, span_of)) {
       subject.use("size", size->span);
       const auto value = bounded(subject, *size, UnitKind::none, "the size of " + who, 1, 1000000);
-      if (value) crew.size = *value;
+      if (value && std::floor(*value) != *value) {
+        subject.error(
+            "P09", size->span,
+            fmt::format("the size of {} is a whole number of people, found {}", who, *value));
+      } else if (value) {
+        crew.size = *value;
+      }
     }
     crew.cost_per_hour = resolve_cost(subject, item->cost, who);
+    crew.charges = resolve_charges(subject, item->charges, who);
     crew.calendar = resolve_calendar(subject, item->calendar, who);
     const auto robot = subject.robots.find(crew.name);
     if (robot != subject.robots.end()) {

@@ -118,6 +118,12 @@ void check_settings(Subject& subject) {
       for (const syntax::Name& name : situation->names) {
         subject.model.situations.push_back(name.text);
       }
+    } else if (const auto* overhead = std::get_if<syntax::OverheadItem>(&each)) {
+      if (subject.model.overhead_per_day) {
+        subject.error("P02", overhead->span, "overhead is given twice");
+      }
+      subject.use("overhead", overhead->span);
+      subject.model.overhead_per_day = resolve_money(subject, overhead->amount, "overhead");
     } else if (const auto* site = std::get_if<syntax::SiteItem>(&each)) {
       std::optional<geometry::Shape> shape = subject.shapes.resolve(site->shape);
       if (shape) subject.model.site.push_back(*std::move(shape));

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -28,14 +29,19 @@ class TaskChecker {
     task_.whole = subject_.model.whole;
     // Who does it, and whether something moves, decides what else may be said.
     for (const syntax::TaskPart& part : item_.parts) {
-      if (const auto* by = std::get_if<syntax::ByItem>(&part)) check_by(*by);
       if (const auto* move = std::get_if<syntax::MoveItem>(&part)) check_move(*move);
       if (const auto* go = std::get_if<syntax::GoItem>(&part)) note_go(*go);
+    }
+    for (const syntax::TaskPart& part : item_.parts) {
+      if (const auto* by = std::get_if<syntax::ByItem>(&part)) check_by(*by);
     }
     if (go_ != nullptr)
       task_.go = resolve_goal(subject_, robot(), go_->goal, ValueUse::goal, scope_.X_WP);
     for (const syntax::TaskPart& part : item_.parts) {
       std::visit([&](const auto& each) { check_part(each); }, part);
+    }
+    for (const syntax::TaskPart& part : item_.parts) {
+      if (const auto* needs = std::get_if<syntax::NeedsItem>(&part)) check_needs(*needs);
     }
     check_robot();
   }
@@ -57,30 +63,147 @@ class TaskChecker {
         subject_.twice(name.span, fmt::format("'{}' is named twice", name.text), place->second);
         continue;
       }
+      const auto pool = subject_.pools.find(name.text);
       const auto crew = subject_.crews.find(name.text);
-      if (crew != subject_.crews.end()) {
-        task_.crews.push_back(crew->second);
-        continue;
-      }
       const auto found = subject_.robots.find(name.text);
-      if (found == subject_.robots.end()) {
+      if (pool != subject_.pools.end()) {
+        add_member(pool->second, name.span);
+      } else if (crew != subject_.crews.end()) {
+        add_crew(crew->second, name.span);
+      } else if (found != subject_.robots.end()) {
+        add_robot(found->second, name.span);
+      } else {
         all_known_ = false;
         subject_.unknown(name.span, "robot or crew", name.text,
-                         {&subject_.robots, &subject_.crews});
-      } else if (task_.robot >= 0) {
-        Diagnostic diagnostic;
-        diagnostic.code = "P05";
-        diagnostic.span = name.span;
-        diagnostic.message = fmt::format("a task is done by one robot, found '{}' and '{}'",
-                                         robot()->name, name.text);
-        diagnostic.notes.push_back({robot_span_, "the first robot"});
-        diagnostic.hint = "make it two tasks";
-        subject_.diagnostics.add(std::move(diagnostic));
-      } else {
-        task_.robot = found->second;
-        robot_span_ = name.span;
+                         {&subject_.robots, &subject_.crews, &subject_.pools});
       }
     }
+    for (const syntax::Name& name : item.all_of) add_all_of(name);
+    for (const syntax::QualifiedName& name : item.same_as) add_same_as(name);
+  }
+
+  void add_crew(int crew, Span span) {
+    if (std::find(task_.crews.begin(), task_.crews.end(), crew) != task_.crews.end()) {
+      subject_.error("P02", span,
+                     fmt::format("crew '{}' is in the task twice",
+                                 subject_.model.crews[static_cast<std::size_t>(crew)].name));
+      return;
+    }
+    task_.crews.push_back(crew);
+  }
+
+  void add_robot(int found, Span span) {
+    if (task_.robot >= 0) {
+      Diagnostic diagnostic;
+      diagnostic.code = "P05";
+      diagnostic.span = span;
+      diagnostic.message = fmt::format("a task is done by one robot, found '{}' and '{}'",
+                                       robot()->name, name_of_robot(found));
+      diagnostic.notes.push_back({robot_span_, "the first robot"});
+      diagnostic.hint = "make it two tasks";
+      subject_.diagnostics.add(std::move(diagnostic));
+      return;
+    }
+    task_.robot = found;
+    robot_span_ = span;
+  }
+
+  const std::string& name_of_robot(int index) const {
+    return subject_.model.robots[static_cast<std::size_t>(index)].name;
+  }
+
+  /// The one of the pool that this choice has.
+  void add_member(int pool, Span span) {
+    for (const PoolMember& member : scope_.members) {
+      if (member.pool != pool) continue;
+      const PoolSpec& spec = subject_.model.pools[static_cast<std::size_t>(pool)];
+      const int index = spec.members[static_cast<std::size_t>(member.member)];
+      if (spec.of_robots) {
+        add_robot(index, span);
+      } else {
+        add_crew(index, span);
+      }
+      return;
+    }
+    all_known_ = false;  // it has no members, or too many; that was said
+  }
+
+  void add_all_of(const syntax::Name& name) {
+    const int index = subject_.find(subject_.pools, name, "pool");
+    if (index < 0) return;
+    const PoolSpec& pool = subject_.model.pools[static_cast<std::size_t>(index)];
+    for (const int member : pool.members) {
+      if (!pool.of_robots) {
+        add_crew(member, name.span);
+      } else if (moves()) {
+        subject_.error("P05", name.span,
+                       fmt::format("a task is moved by one robot, and pool '{}' has {}", pool.name,
+                                   pool.members.size()),
+                       fmt::format("write by {};", pool.name));
+        all_known_ = false;
+        return;
+      } else {
+        task_.also_robots.push_back(member);
+      }
+    }
+  }
+
+  void add_same_as(const syntax::QualifiedName& name) {
+    once("same as", name.span);
+    const std::optional<int> other = find_task(subject_, scope_, name);
+    if (!other) return;
+    task_.same_as = *other;
+    if (scope_.members.empty()) all_known_ = false;  // that task has no pool; it was said
+    for (const PoolMember& member : scope_.members) {
+      const PoolSpec& pool = subject_.model.pools[static_cast<std::size_t>(member.pool)];
+      if (by_spans_.count(pool.name) == 0) add_member(member.pool, name.span);
+    }
+  }
+
+  /// So many of a crew, wherever it works in the task; if it is named nowhere, for all of it.
+  void check_needs(const syntax::NeedsItem& item) {
+    for (const syntax::NeedsItem::Need& need : item.needs) {
+      const int crew = needed_crew(need.crew);
+      if (crew < 0) continue;
+      const CrewSpec& spec = subject_.model.crews[static_cast<std::size_t>(crew)];
+      const double people = need.units.value;
+      if (people < 1 || people > spec.size || std::floor(people) != people) {
+        subject_.error("P09", need.units.span,
+                       fmt::format("expected a whole number of people from 1 to {}, the size of "
+                                   "crew '{}', found {}",
+                                   spec.size, spec.name, people),
+                       people > spec.size ? "give the crew a larger size" : "");
+        continue;
+      }
+      const auto twice = [&](const NeedSpec& each) { return each.crew == crew; };
+      if (std::any_of(task_.needs.begin(), task_.needs.end(), twice)) {
+        subject_.error("P02", need.crew.span,
+                       fmt::format("how many of '{}' it needs is given twice", spec.name));
+        continue;
+      }
+      task_.needs.push_back({crew, static_cast<int>(people)});
+      if (!works(crew)) task_.crews.push_back(crew);
+    }
+  }
+
+  int needed_crew(const syntax::Name& name) {
+    const bool is_pool = subject_.pools.count(name.text) != 0;
+    if (is_pool || subject_.robots.count(name.text) != 0) {
+      subject_.error("P05", name.span,
+                     fmt::format("needs is about people of a crew, but '{}' is a {}", name.text,
+                                 is_pool ? "pool" : "robot"),
+                     fmt::format("write by {};", name.text));
+      return -1;
+    }
+    return subject_.find(subject_.crews, name, "crew");
+  }
+
+  bool works(int crew) const {
+    const auto is_it = [&](const std::optional<WorkSpec>& work) {
+      return work && work->crew == crew;
+    };
+    return std::find(task_.crews.begin(), task_.crews.end(), crew) != task_.crews.end() ||
+           is_it(task_.hook) || is_it(task_.adjust) || is_it(task_.release);
   }
 
   void check_move(const syntax::MoveItem& item) {
@@ -152,6 +275,7 @@ class TaskChecker {
 
   void check_part(const syntax::ByItem&) {}
   void check_part(const syntax::MoveItem&) {}
+  void check_part(const syntax::NeedsItem&) {}
   void check_part(const syntax::GoItem&) {}
   void check_part(const std::shared_ptr<const syntax::TaskBlock>&) {}  // expand leaves none
 
@@ -194,6 +318,12 @@ class TaskChecker {
     if (subject_.robots.count(name.text) != 0) {
       subject_.error("P05", name.span,
                      fmt::format("{} is done by a crew, but '{}' is a robot", work, name.text));
+      return -1;
+    }
+    if (subject_.pools.count(name.text) != 0) {
+      subject_.error("P40", name.span,
+                     fmt::format("{} is done by a crew, but '{}' is a pool", work, name.text),
+                     fmt::format("name the pool in by, for the whole task: by {};", name.text));
       return -1;
     }
     return subject_.find(subject_.crews, name, "crew");
@@ -301,7 +431,34 @@ class TaskChecker {
 
 void check_task(Subject& subject, const Scope& scope, const syntax::TaskItem& item,
                 TaskSpec& task) {
-  TaskChecker(subject, scope, item, task).check();
+  const auto choices = choices_of(subject, scope, item);
+  if (choices.front().empty()) {
+    TaskChecker(subject, scope, item, task).check();
+    return;
+  }
+  std::vector<TaskSpec> specs;
+  Scope each = scope;
+  for (const std::vector<PoolMember>& members : choices) {
+    each.members = members;
+    const int errors = subject.diagnostics.errors();
+    TaskSpec& spec = specs.emplace_back();
+    TaskChecker(subject, each, item, spec).check();
+    spec.members = members;
+    // What is wrong is most often so for all.
+    if (subject.diagnostics.errors() != errors) break;
+    each.records_uses = false;
+  }
+  task = specs.front();
+  task.members.clear();
+  for (const PoolMember& member : choices.front()) {
+    const PoolSpec& pool = subject.model.pools[static_cast<std::size_t>(member.pool)];
+    if (pool.of_robots) {
+      task.robot = -1;
+    } else {
+      std::erase(task.crews, pool.members[static_cast<std::size_t>(member.member)]);
+    }
+  }
+  task.choices = std::move(specs);
 }
 
 }  // namespace rubicon::interpreter::plan_check

@@ -68,6 +68,7 @@ void check_tasks(Subject& subject) {
       TaskSpec& task = subject.model.tasks[static_cast<std::size_t>(place.first_task) + i];
       check_task(subject, scope, *module.tasks[i], task);
       task.name = place.item->as.text + "." + task.name;
+      for (TaskSpec& choice : task.choices) choice.name = task.name;
     }
     add_place_links(subject, place, module);
   }

@@ -57,6 +57,16 @@ struct ComponentSpec {
   double mass = 0;                           ///< kg
   Span span;
   Attributes attributes = {};
+  std::optional<double> cost = {};  ///< of its material
+};
+
+/// What a robot or a crew costs besides its hours.
+struct Charges {
+  std::optional<double> rental_per_day;
+  std::optional<std::pair<schedule::Date, schedule::Date>> rental_days = {};  ///< first and last
+  std::optional<double> mobilisation = {};
+  double overtime = 1;      ///< factor for what it is held outside of `normal`
+  std::string normal = {};  ///< name of a calendar; "": its own
 };
 
 struct RobotSpec {
@@ -68,14 +78,38 @@ struct RobotSpec {
   std::string calendar;
   std::optional<std::vector<std::pair<int, double>>> park;
   Span span;
+  Charges charges = {};
 };
 
 struct CrewSpec {
   std::string name;
-  double size = 1;
+  double size = 1;  ///< people, a whole number
   std::optional<double> cost_per_hour;
   std::string calendar;
   Span span;
+  Charges charges = {};
+};
+
+/// Robots, or crews, of which a task has one.
+struct PoolSpec {
+  enum class Choice { first, nearest, least_used };
+  std::string name;
+  bool of_robots = true;
+  std::vector<int> members;  ///< indices into robots or crews, as listed
+  Choice choice = Choice::first;
+  Span span;
+};
+
+/// So many people of a crew.
+struct NeedSpec {
+  int crew = -1;
+  int people = 0;
+};
+
+/// A member that a task may have of a pool.
+struct PoolMember {
+  int pool = -1;
+  int member = -1;  ///< index into the members of the pool
 };
 
 using schedule::LinkType;
@@ -115,6 +149,13 @@ struct TaskSpec {
   Span span;                                             ///< its name token
   Span move_span, guide_span, zone_span, priority_span;  ///< where these items stand, if they do
   Attributes attributes = {};
+  std::vector<NeedSpec> needs = {};      ///< of crews of which it does not take all
+  std::vector<int> also_robots = {};     ///< `by all of` robots: held, and not moved
+  std::vector<PoolMember> members = {};  ///< of a choice: whom it has of the pools
+  /// By pools: the task with each choice of their members, those of the last pool first to change.
+  /// The task itself then has only who is named besides.
+  std::vector<TaskSpec> choices = {};
+  std::optional<int> same_as = {};  ///< the task whose members it has
 };
 
 /// Something that stands on the site at the beginning.
@@ -149,6 +190,8 @@ struct PlanModel {
   std::vector<ComponentSpec> components;
   std::vector<RobotSpec> robots;
   std::vector<CrewSpec> crews;
+  std::vector<PoolSpec> pools;
+  std::optional<double> overhead_per_day;
   std::vector<CalendarSpec> calendars;
   std::vector<TaskSpec> tasks;  ///< file order
   std::vector<WaiverSpec> waivers;
@@ -156,7 +199,7 @@ struct PlanModel {
   std::optional<std::vector<OverlapSpec>> overlaps;
   std::optional<schedule::CivilTime> start_at;
   std::string currency;
-  bool whole = true;  ///< of tasks that do not say it themselves
+  bool whole = true;   ///< of tasks that do not say it themselves
   ParameterTexts set;  ///< parameters that were given from outside, with which all this was made
 
   // short form
@@ -182,6 +225,12 @@ bool held_whole(const PlanModel& plan, const TaskSpec& task);
 
 /// The crews that a lift needs from hook to release: those of `by`, then of hook, adjust, release.
 std::vector<int> crews_of_lift(const TaskSpec& task);
+
+/// "first", "nearest", "least_used".
+const char* name_of(PoolSpec::Choice choice);
+
+/// The robots and crews that a choice has of the pools: "low", "low, riggers".
+std::string member_names(const PlanModel& plan, const TaskSpec& choice);
 
 /// Reads and checks a plan, its robots and their scripts. `set` gives parameters of the plan other
 /// values than the file does. Null if there is an error in any of them.

@@ -50,6 +50,7 @@ void PlainItems::item(syntax::ComponentItem& value) {
   each(value.grip);
   each(value.mass);
   each(value.density);
+  each(value.cost);
   each(value.attributes);
 }
 
@@ -59,6 +60,7 @@ void PlainItems::item(syntax::RobotUse& value) {
   each(value.at);
   each(value.start);
   each(value.cost);
+  part(value.charges);
   each(value.calendar);
   each(value.park);
 }
@@ -67,7 +69,24 @@ void PlainItems::item(syntax::CrewItem& value) {
   name(value.name);
   each(value.size);
   each(value.cost);
+  part(value.charges);
   each(value.calendar);
+}
+
+void PlainItems::item(syntax::PoolItem& value) {
+  name(value.name);
+  each(value.of);
+  for (syntax::Name& rule : value.choose) mark(rule.span);
+}
+
+void PlainItems::item(syntax::ByItem& value) {
+  each(value.names);
+  each(value.all_of);
+  each(value.same_as);
+}
+
+void PlainItems::item(syntax::NeedsItem& value) {
+  for (syntax::NeedsItem::Need& need : value.needs) number(need.units), name(need.crew);
 }
 
 void PlainItems::item(syntax::PlaceItem& value) {
@@ -104,6 +123,21 @@ void PlainItems::item(syntax::AttributeItem& value) {
 void PlainItems::part(syntax::Values& value) {
   mark(value.span);
   for (syntax::NamedValue& each : value.values) name(each.name), number(each.value);
+}
+
+void PlainItems::part(syntax::Charges& value) {
+  for (syntax::Rental& rental : value.rental) {
+    mark(rental.span);
+    number(rental.amount);
+    if (rental.from) text(*rental.from);
+    if (rental.to) text(*rental.to);
+  }
+  each(value.mobilisation);
+  for (syntax::Overtime& overtime : value.overtime) {
+    mark(overtime.span);
+    number(overtime.factor);
+    each(overtime.outside);
+  }
 }
 
 void PlainItems::part(syntax::Frame& value) {

@@ -46,7 +46,10 @@ class PlainItems {
   void item(syntax::ViaItem& value) { goal(value.goal); }
   void item(syntax::CarryItem& value) { shape(value.shape); }
   void item(syntax::WithinItem& value);
-  void item(syntax::ByItem& value) { each(value.names); }
+  void item(syntax::PoolItem& value);
+  void item(syntax::OverheadItem& value) { number(value.amount); }
+  void item(syntax::ByItem& value);
+  void item(syntax::NeedsItem& value);
   void item(syntax::MoveItem& value) { name(value.component), part(value.to); }
   void item(syntax::GoItem& value) { goal(value.goal); }
   void item(syntax::RemoveItem& value) { name(value.component); }
@@ -64,6 +67,8 @@ class PlainItems {
   void part(syntax::Frame& value);
   void part(syntax::Values& value);
   void part(syntax::Cost& value) { mark(value.span), number(value.amount); }
+  void part(syntax::QualifiedName& value) { name(value); }
+  void part(syntax::Charges& value);
   void part(syntax::AttributeItem& value) { mark(value.span), item(value); }
   template <typename Part>
   void each(std::vector<Part>& values) {

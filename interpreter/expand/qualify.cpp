@@ -36,6 +36,7 @@ class Qualifier {
   void declare(const syntax::ComponentItem& item) { components_.insert(item.name.text); }
   void declare(const syntax::TaskItem& item) { tasks_.insert(item.name.text); }
   void declare(const syntax::CrewItem& item) { workers_.insert(item.name.text); }
+  void declare(const syntax::PoolItem& item) { workers_.insert(item.name.text); }
   void declare(const syntax::RobotUse& item) {
     if (item.name) workers_.insert(item.name->text);
   }
@@ -62,11 +63,18 @@ class Qualifier {
     prefix(*item.name);
     find_file(item.file);
     for (syntax::Name& each : item.calendar) refer(each, calendars_);
+    outside(item.charges);
   }
   void rename(syntax::CrewItem& item) {
     prefix(item.name);
     for (syntax::Name& each : item.calendar) refer(each, calendars_);
+    outside(item.charges);
   }
+  void rename(syntax::PoolItem& item) {
+    prefix(item.name);
+    for (syntax::Name& each : item.of) refer(each, workers_);
+  }
+  void rename(syntax::OverheadItem& item) { refuse(item.span, "overhead"); }
   void rename(syntax::TaskItem& item) {
     prefix(item.name);
     rename_parts(item);
@@ -123,6 +131,10 @@ class Qualifier {
     for (syntax::TaskPart& part : item.parts) {
       if (auto* by = std::get_if<syntax::ByItem>(&part)) {
         for (syntax::Name& each : by->names) refer(each, workers_);
+        for (syntax::Name& each : by->all_of) refer(each, workers_);
+        for (syntax::QualifiedName& each : by->same_as) refer(each, tasks_, inner_tasks_);
+      } else if (auto* needs = std::get_if<syntax::NeedsItem>(&part)) {
+        for (syntax::NeedsItem::Need& need : needs->needs) refer(need.crew, workers_);
       } else if (auto* work = std::get_if<syntax::WorkItem>(&part)) {
         if (work->by) refer(*work->by, workers_);
       } else if (auto* move = std::get_if<syntax::MoveItem>(&part)) {
@@ -140,6 +152,11 @@ class Qualifier {
   // ---- names and files
   // ----------------------------------------------------------------------------
 
+  void outside(syntax::Charges& charges) {
+    for (syntax::Overtime& overtime : charges.overtime) {
+      if (overtime.outside) refer(*overtime.outside, calendars_);
+    }
+  }
   void links(std::vector<syntax::Link>& all) {
     for (syntax::Link& link : all) refer(link.name, tasks_, inner_tasks_);
   }

@@ -254,12 +254,41 @@ RUBICON_ACTION(PlanAction, PlanState, mass_value) {
 RUBICON_ACTION(PlanAction, PlanState, density_value) {
   st.component.density.push_back(st.take_quantity());
 }
+RUBICON_ACTION(PlanAction, PlanState, material_amount) {
+  st.component.cost.push_back(st.take_quantity());
+}
 RUBICON_ACTION(PlanAction, PlanState, component_item) {
   st.add_to_module(std::move(st.component), begin);
 }
 RUBICON_ACTION(PlanAction, PlanState, start_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, park_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, cost_item) { st.set_cost(begin); }
+RUBICON_ACTION(PlanAction, PlanState, per_day_amount) { st.per_day = st.take_plain_number(begin); }
+RUBICON_ACTION(PlanAction, PlanState, rental_key) { st.rental = {}; }
+RUBICON_ACTION(PlanAction, PlanState, rental_from) { st.rental.from = st.string; }
+RUBICON_ACTION(PlanAction, PlanState, rental_to) { st.rental.to = st.string; }
+RUBICON_ACTION(PlanAction, PlanState, rental_item) {
+  st.rental.amount = st.per_day;
+  st.rental.span = st.span_from(begin);
+  st.charges().rental.push_back(std::move(st.rental));
+}
+RUBICON_ACTION(PlanAction, PlanState, mobilisation_amount) {
+  st.charges().mobilisation.push_back(st.take_quantity());
+}
+RUBICON_ACTION(PlanAction, PlanState, overtime_factor) {
+  st.overtime = {};
+  st.overtime.factor = st.take_plain_number(begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, outside_calendar) {
+  st.overtime.outside = st.take_dotted_name();
+}
+RUBICON_ACTION(PlanAction, PlanState, overtime_item) {
+  st.overtime.span = st.span_from(begin);
+  st.charges().overtime.push_back(std::move(st.overtime));
+}
+RUBICON_ACTION(PlanAction, PlanState, overhead_item) {
+  st.add(syntax::OverheadItem{st.per_day, {}}, begin);
+}
 RUBICON_ACTION(PlanAction, PlanState, used_calendar) {
   (st.in_crew ? st.crew.calendar : st.robot.calendar).push_back(st.take_dotted_name());
 }
@@ -286,6 +315,18 @@ RUBICON_ACTION(PlanAction, PlanState, size_value) { st.crew.size.push_back(st.ta
 RUBICON_ACTION(PlanAction, PlanState, cost_amount) { st.quantity = st.take_quantity(); }
 RUBICON_ACTION(PlanAction, PlanState, crew_item) { st.add(std::move(st.crew), begin); }
 
+RUBICON_ACTION(PlanAction, PlanState, pool_key) {
+  st.pool = {};
+  st.announce("pool");
+}
+RUBICON_ACTION(PlanAction, PlanState, pool_name) { st.pool.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, of_key) { st.names.clear(); }
+RUBICON_ACTION(PlanAction, PlanState, pool_members) {
+  st.pool.of.insert(st.pool.of.end(), st.names.begin(), st.names.end());
+}
+RUBICON_ACTION(PlanAction, PlanState, choice_rule) { st.pool.choose.push_back(st.take_name()); }
+RUBICON_ACTION(PlanAction, PlanState, pool_item) { st.add(std::move(st.pool), begin); }
+
 // tasks
 RUBICON_ACTION(PlanAction, PlanState, task_key) {
   st.task = {};
@@ -297,10 +338,28 @@ RUBICON_ACTION(PlanAction, PlanState, task_item) {
   st.in_task = false;
   st.add_to_module(std::move(st.task), begin);
 }
-RUBICON_ACTION(PlanAction, PlanState, by_key) { st.names.clear(); }
-RUBICON_ACTION(PlanAction, PlanState, by_item) {
-  st.add_to_task(syntax::ByItem{std::move(st.names), {}}, begin);
+RUBICON_ACTION(PlanAction, PlanState, by_key) {
+  st.names.clear();
+  st.by = {};
 }
+RUBICON_ACTION(PlanAction, PlanState, same_as_task) {
+  st.by.same_as.push_back(st.take_qualified_name());
+}
+RUBICON_ACTION(PlanAction, PlanState, all_of_pool) {
+  st.by.all_of.push_back(st.take_dotted_name());
+}
+RUBICON_ACTION(PlanAction, PlanState, by_item) {
+  st.by.names = std::move(st.names);
+  st.add_to_task(std::move(st.by), begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, needs_key) { st.needs = {}; }
+RUBICON_ACTION(PlanAction, PlanState, needed_units) {
+  st.needs.needs.push_back({st.take_plain_number(begin), {}});
+}
+RUBICON_ACTION(PlanAction, PlanState, needed_crew) {
+  st.needs.needs.back().crew = st.take_dotted_name();
+}
+RUBICON_ACTION(PlanAction, PlanState, needs_item) { st.add_to_task(std::move(st.needs), begin); }
 RUBICON_ACTION(PlanAction, PlanState, moved_component) {
   st.component_name = st.take_qualified_name();
 }
@@ -412,7 +471,8 @@ syntax::Plan parse_plan(const SourceMap& sources, FileId file, Diagnostics& diag
        "go",        "remove",    "hook",      "adjust",   "release",  "takes",    "guide",
        "priority",  "zone",      "after",     "off",      "name",     "storey",   "type",
        "guid",      "attribute", "parameter", "for",      "when",     "group",    "density",
-       "touching",  "whole"});
+       "touching",  "pool",      "of",        "choose",   "needs",    "rental",   "mobilisation",
+       "overtime",  "overhead",  "whole"});
   const bool finished = run_parser<grammar::plan_file, PlanAction>(state);
   state.plan.broken = !finished || state.errors() > 0;
   state.plan.span = state.span_from(state.begin());

@@ -84,6 +84,10 @@ class PlanState : public ScriptState {
   void add_attribute(const char* from);
   /// The last name, `NAME.x` as one text.
   syntax::Name take_dotted_name();
+  /// A bare number, or one that is computed in parentheses.
+  syntax::Number take_plain_number(const char* from) {
+    return *from == '(' ? take_quantity() : number;
+  }
   void add_import(const char* from);
   /// One more text of a `group`.
   void add_heading();
@@ -122,6 +126,13 @@ class PlanState : public ScriptState {
   syntax::RobotUse robot;
   syntax::CrewItem crew;
   bool in_crew = false;
+  syntax::Charges& charges() { return in_crew ? crew.charges : robot.charges; }
+  syntax::Number per_day;
+  syntax::Rental rental;
+  syntax::Overtime overtime;
+  syntax::PoolItem pool;
+  syntax::ByItem by;
+  syntax::NeedsItem needs;
   syntax::PlaceItem place;
   syntax::ImportItem import;
 };

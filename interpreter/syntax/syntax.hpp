@@ -331,6 +331,7 @@ struct ComponentItem {
   std::vector<Number> mass;
   std::vector<Number> density;
   std::vector<AttributeItem> attributes;
+  std::vector<Number> cost;  ///< of its material
   Span span;
 };
 
@@ -338,6 +339,26 @@ struct ComponentItem {
 struct Cost {
   Number amount;
   Span span;
+};
+
+/// rental 400 per day [from "2026-03-02" to "2026-03-20"];
+struct Rental {
+  Number amount;
+  std::optional<String> from, to;
+  Span span;
+};
+/// overtime 1.5 [outside NAME];
+struct Overtime {
+  Number factor;
+  std::optional<Name> outside;
+  Span span;
+};
+/// What a robot or a crew costs besides its hours; more than one of a kind is an error of the
+/// checker.
+struct Charges {
+  std::vector<Rental> rental;
+  std::vector<Number> mobilisation;
+  std::vector<Overtime> overtime;
 };
 
 /// robot NAME "file" [at frame] (; | { ... })   or, short form,   robot "file" [at frame];
@@ -349,6 +370,7 @@ struct RobotUse {
   std::vector<Cost> cost;
   std::vector<Name> calendar;
   std::vector<Values> park;
+  Charges charges;
   Span span;
 };
 struct CrewItem {
@@ -356,6 +378,19 @@ struct CrewItem {
   std::vector<Number> size;
   std::vector<Cost> cost;
   std::vector<Name> calendar;
+  Charges charges;
+  Span span;
+};
+/// pool NAME { of a, b; choose least_used; }
+struct PoolItem {
+  Name name;
+  std::vector<Name> of;
+  std::vector<Name> choose;
+  Span span;
+};
+/// overhead 850 per day;
+struct OverheadItem {
+  Number amount;
   Span span;
 };
 
@@ -374,9 +409,20 @@ struct WorkItem {
   std::optional<Name> by;
   Span span;
 };
-/// by crane, riggers;
+/// by crane, riggers;   by all of cranes;   by same as TASK;
 struct ByItem {
   std::vector<Name> names;
+  std::vector<Name> all_of;
+  std::vector<QualifiedName> same_as;
+  Span span;
+};
+/// needs 2 masons, 1 helpers;
+struct NeedsItem {
+  struct Need {
+    Number units;
+    Name crew;
+  };
+  std::vector<Need> needs;
   Span span;
 };
 struct MoveItem {
@@ -434,7 +480,7 @@ struct PlanBlock;
 using TaskPart =
     std::variant<ByItem, MoveItem, GoItem, RemoveItem, WorkItem, ViaItem, GuideItem, SituationItem,
                  WithinItem, NumberItem /* budget, priority */, ZoneItem, AfterItem, AttributeItem,
-                 std::shared_ptr<const TaskBlock>, WholeItem>;
+                 NeedsItem, std::shared_ptr<const TaskBlock>, WholeItem>;
 struct TaskBlock {
   BlockHead head;
   std::vector<TaskPart> items;
@@ -504,8 +550,8 @@ struct PlanParameter {
 using PlanItem =
     std::variant<SiteItem, NumberItem, StringItem, SituationItem, CalendarItem, ComponentItem,
                  RobotUse, CrewItem, TaskItem, ModuleItem, PlaceItem, ImportItem, StartItem,
-                 GoalItem, ViaItem, CarryItem, WithinItem, WaiverItem, PlanParameter,
-                 std::shared_ptr<const PlanBlock>, WholeItem>;
+                 GoalItem, ViaItem, CarryItem, WithinItem, WaiverItem, PlanParameter, PoolItem,
+                 OverheadItem, std::shared_ptr<const PlanBlock>, WholeItem>;
 struct PlanBlock {
   BlockHead head;
   std::vector<PlanItem> items;

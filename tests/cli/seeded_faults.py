@@ -947,7 +947,7 @@ def change_a_cost(good, rng):
     if "cost" not in good.schedule:
         return None
     result = copy.deepcopy(good)
-    more = rng.choice((-1, 1)) * rng.uniform(0.02, 50)
+    more = rng.choice((-1, 1)) * rng.uniform(0.03, 50)
     if rng.random() < 0.5:
         edited = rng.choice(result.schedule["tasks"])
         edited["cost"] += more
@@ -962,12 +962,14 @@ def change_a_rate(good, rng):
     """Another rate in the trace: all money that comes of it is wrong."""
     rated = [(kind, index) for kind in ("robots", "crews") for index, each in enumerate(good.header[kind])
              if each["cost_per_hour"] and next(use for use in good.schedule["resources"]
-                                               if use["name"] == each["name"])["held"] > 1]
+                                               if use["name"] == each["name"])["cost"] > 0.1]
     if not rated:
         return None
     kind, index = rng.choice(rated)
     result = copy.deepcopy(good)
-    result.header[kind][index]["cost_per_hour"] *= 1 + rng.choice((-1, 1)) * rng.uniform(0.001, 0.5)
+    name = good.header[kind][index]["name"]
+    least = 0.03 / next(use for use in good.schedule["resources"] if use["name"] == name)["cost"]
+    result.header[kind][index]["cost_per_hour"] *= 1 + rng.choice((-1, 1)) * rng.uniform(max(0.001, least), 0.5)
     return Fault("change a rate", result, [""], words=f"{result.header[kind][index]['name']}: the cost is")
 
 
@@ -991,9 +993,9 @@ def edit_a_use(good, rng):
     elif "cost" not in good.schedule:
         return None
     elif field == "cost":
-        use[field] += rng.uniform(0.001, 100)
+        use[field] += rng.uniform(0.03, 100)
     else:
-        result.schedule["cost"] += rng.uniform(0.001, 100)
+        result.schedule["cost"] += rng.uniform(0.01, 100)
         words = "the whole costs"
     return Fault("edit a use", result, [""], words=words)
 

@@ -71,6 +71,7 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   if (!task.component.empty()) json.field("component", std::string_view(task.component));
   write_attributes(json, task.attributes);
   if (task.lift) write_lift(json, *task.lift);
+  if (!task.choice.empty()) json.field("choice", std::string_view(task.choice));
   json.end_object();
   return json.take();
 }
@@ -186,7 +187,15 @@ std::string schedule_json(const Schedule& schedule) {
   if (schedule.costed) {
     trace::JsonBuilder cost;
     cost.begin_object().field("cost", schedule.cost);
-    cost.field("currency", std::string_view(schedule.currency)).end_object();
+    cost.field("currency", std::string_view(schedule.currency));
+    if (schedule.has_kinds) {
+      cost.key("cost_by_kind").begin_object();
+      for (std::size_t i = 0; i < taskplan::kCostKinds; ++i) {
+        cost.field(name_of(static_cast<taskplan::CostKind>(i)), schedule.cost_by_kind[i]);
+      }
+      cost.end_object();
+    }
+    cost.end_object();
     const std::string both = cost.take();
     text += "," + both.substr(1, both.size() - 2);
   }

@@ -86,6 +86,7 @@ TaskOutcome read_task(const ExactJson& json) {
                                       lift.at("own").ticks(), lift.at("overtime").ticks(),
                                       lift.at("why").text()};
   }
+  if (json.has("choice")) task.choice = json.at("choice").text();
   if (task.start < 0 || task.duration < 0) {
     throw std::invalid_argument(fmt::format("expected times from 0 on of task '{}'", task.task));
   }
@@ -133,6 +134,13 @@ Schedule schedule_from_json(std::string_view text) {
   if (schedule.costed) {
     schedule.currency = json.at("currency").text();
     schedule.cost = amount(json.at("cost"));
+    schedule.has_kinds = json.has("cost_by_kind");
+  }
+  if (schedule.has_kinds) {
+    for (std::size_t i = 0; i < taskplan::kCostKinds; ++i) {
+      const char* kind = name_of(static_cast<taskplan::CostKind>(i));
+      schedule.cost_by_kind[i] = amount(json.at("cost_by_kind").at(kind));
+    }
   }
   for (const ExactJson& use : json.at("resources").elements()) {
     schedule.resources.push_back(read_use(use));

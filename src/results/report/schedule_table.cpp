@@ -14,6 +14,7 @@ namespace rubicon::report {
 namespace {
 
 using interpreter::Ticks;
+using taskplan::CostKind;
 using taskplan::ResourceUse;
 using taskplan::Schedule;
 using taskplan::TaskOutcome;
@@ -131,9 +132,18 @@ std::string use_table(const Schedule& schedule) {
   for (const ResourceUse& use : schedule.resources) {
     rows.push_back({use.name, fmt::format("{}", use.tasks), clock_text(use.held),
                     clock_text(use.busy), fmt::format("{:.1f} %", 100 * use.utilisation())});
-    if (schedule.costed) rows.back().push_back(use.rate ? fmt::format("{:.2f}", use.cost) : "");
+    const bool costs = use.rate || use.cost != 0;
+    if (schedule.costed) rows.back().push_back(costs ? fmt::format("{:.2f}", use.cost) : "");
   }
-  if (schedule.costed) rows.push_back({"", "", "", "", "", fmt::format("{:.2f}", schedule.cost)});
+  double sum = schedule.cost;
+  if (schedule.has_kinds) {
+    sum = 0;
+    for (const CostKind kind :
+         {CostKind::use, CostKind::overtime, CostKind::rental, CostKind::mobilisation}) {
+      sum += schedule.cost_by_kind[static_cast<std::size_t>(kind)];
+    }
+  }
+  if (schedule.costed) rows.push_back({"", "", "", "", "", fmt::format("{:.2f}", sum)});
   return columns(rows, {1, 2, 3, 4, 5});
 }
 
@@ -148,6 +158,17 @@ std::string lift_table(const Schedule& schedule) {
     rows.push_back({task.task, moment(task.lift->from), moment(task.lift->to), task.lift->why});
   }
   return rows.size() == 1 ? std::string() : columns(rows, {1, 2});
+}
+
+/// What the money goes for.
+std::string cost_table(const Schedule& schedule) {
+  std::vector<Row> rows = {{schedule.currency.empty() ? "cost" : "cost " + schedule.currency, ""}};
+  for (std::size_t i = 0; i < taskplan::kCostKinds; ++i) {
+    rows.push_back(
+        {name_of(static_cast<CostKind>(i)), fmt::format("{:.2f}", schedule.cost_by_kind[i])});
+  }
+  rows.push_back({"total", fmt::format("{:.2f}", schedule.cost)});
+  return columns(rows, {1});
 }
 
 std::string chain_text(const Schedule& schedule) {
@@ -221,6 +242,7 @@ std::string schedule_table(const Schedule& schedule) {
   const std::string lifts = lift_table(schedule);
   if (!lifts.empty()) text += "\n" + lifts;
   if (!schedule.resources.empty()) text += "\n" + use_table(schedule);
+  if (schedule.has_kinds) text += "\n" + cost_table(schedule);
   if (!schedule.critical.empty()) text += "\n" + chain_text(schedule);
   return text;
 }

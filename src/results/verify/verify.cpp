@@ -11,6 +11,8 @@
 #include "src/results/verify/replay/check_hits.hpp"
 #include "src/results/verify/replay/contact_check.hpp"
 #include "src/results/verify/schedule/check_accounts.hpp"
+#include "src/results/verify/schedule/check_choices.hpp"
+#include "src/results/verify/schedule/check_costs.hpp"
 #include "src/results/verify/schedule/check_critical.hpp"
 #include "src/results/verify/schedule/check_dates.hpp"
 #include "src/results/verify/schedule/check_lifts.hpp"
@@ -60,33 +62,36 @@ auto read_file(const char* name, const Read& read) {
   }
 }
 
-void check_schedules(const Result& result, const std::vector<TaskRun>& runs,
+void check_schedules(const Result& result, const Trace& trace, const std::vector<TaskRun>& runs,
                      const WorkingHours& hours, const WaitCheck& waits, Faults& faults) {
-  const std::vector<TaskAccount> accounts = task_accounts(result.trace, runs, hours);
+  const std::vector<TaskAccount> accounts = task_accounts(trace, runs, hours);
+  const Costs costs = costs_of(trace, runs, accounts);
   if (result.schedule_json) {
     const ScheduleJson schedule =
         read_file("schedule.json", [&] { return read_schedule_json(*result.schedule_json); });
-    check_rows(result.trace, runs, accounts, waits, schedule.rows, ResultFile::schedule_json,
+    check_rows(trace, runs, accounts, costs, waits, schedule.rows, ResultFile::schedule_json,
                faults);
-    check_uses(result.trace, runs, accounts, hours, schedule, faults);
+    check_uses(trace, runs, accounts, hours, schedule, faults);
+    check_costs(trace, costs, schedule, faults);
     check_process_time(runs, schedule.process_time, faults);
-    check_dates(result.trace.scene, schedule.rows, ResultFile::schedule_json, faults);
-    check_whole(result.trace.scene, schedule, faults);
-    check_critical(result.trace, runs, schedule, faults);
+    check_dates(trace.scene, schedule.rows, ResultFile::schedule_json, faults);
+    check_whole(trace.scene, schedule, faults);
+    check_critical(trace, runs, schedule, faults);
   }
   if (result.schedule_csv) {
     const auto rows =
         read_file("schedule.csv", [&] { return read_schedule_csv(*result.schedule_csv); });
-    check_rows(result.trace, runs, accounts, waits, rows, ResultFile::schedule_csv, faults);
-    check_dates(result.trace.scene, rows, ResultFile::schedule_csv, faults);
+    check_rows(trace, runs, accounts, costs, waits, rows, ResultFile::schedule_csv, faults);
+    check_dates(trace.scene, rows, ResultFile::schedule_csv, faults);
   }
 }
 
 }  // namespace
 
 Verdict verify(const Result& result) {
-  const Trace& trace = result.trace;
   Verdict verdict;
+  const std::optional<Trace> chosen = with_choices(result.trace, verdict.faults);
+  const Trace& trace = chosen ? *chosen : result.trace;
   const std::vector<TaskRun> runs = task_runs(trace, verdict.faults);
   const WorkingHours hours(trace.scene);
   const WaitCheck waits(trace, runs, hours);
@@ -106,9 +111,10 @@ Verdict verify(const Result& result) {
   verdict.tasks = static_cast<int>(trace.scene.tasks.size());
   check_files(trace, verdict.faults);
   check_resources(trace, runs, verdict.faults);
+  check_same_as(trace, runs, verdict.faults);
   check_links(trace, runs, verdict.faults);
   check_motions(trace, runs, verdict);
-  check_schedules(result, runs, hours, waits, verdict.faults);
+  check_schedules(result, trace, runs, hours, waits, verdict.faults);
   if (result.report) {
     check_report(*result.report, result.trace_digest, result.schedule_json, verdict.faults);
   }

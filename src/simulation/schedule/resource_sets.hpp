@@ -14,6 +14,7 @@ namespace rubicon::schedule {
 struct Share {
   int resource = -1;
   int units = 1;
+  int group = -1;  ///< it may also have what is reserved for this group; -1: for none
   auto operator<=>(const Share&) const = default;
 };
 

@@ -15,7 +15,8 @@ ResourceStates::ResourceStates(const std::vector<int>& sizes)
 
 bool ResourceStates::are_free(const std::vector<Share>& shares) const {
   return std::all_of(shares.begin(), shares.end(), [&](const Share& share) {
-    return of(share.resource).free_units >= share.units;
+    const ResourceState& state = of(share.resource);
+    return state.free_units >= share.units && (state.reserved < 0 || state.reserved == share.group);
   });
 }
 
@@ -48,7 +49,7 @@ void ResourceStates::take(const Share& share, int task) {
   state.last = task;
 }
 
-void ResourceStates::release(int resource, int task, Ticks since, bool midway) {
+void ResourceStates::release(int resource, int task, Ticks since, bool midway, Ticks held_for) {
   ResourceState& state = states_[at(resource)];
   const auto held =
       std::find_if(state.held.begin(), state.held.end(),
@@ -61,6 +62,7 @@ void ResourceStates::release(int resource, int task, Ticks since, bool midway) {
       [](Ticks time, const ResourceState::Free& each) { return time < each.since; });
   state.free.insert(place, free);
   state.free_units += free.units;
+  state.given_back += held_for;
 }
 
 }  // namespace rubicon::schedule

@@ -23,7 +23,9 @@ struct ResourceState {
   std::vector<Held> held;  ///< in the order in which they got it
   std::vector<Free> free;  ///< the longest free first
   int free_units = 0;
-  int last = -1;  ///< the task that has or had any of it last, -1: nobody yet
+  int last = -1;         ///< the task that has or had any of it last, -1: nobody yet
+  int reserved = -1;     ///< the group for which it is kept while it is free, -1: for nobody
+  Ticks given_back = 0;  ///< for how long those had it who gave it back
 
   /// The first who has any of it, -1: it is free.
   int holder() const { return held.empty() ? -1 : held.front().task; }
@@ -52,8 +54,9 @@ class ResourceStates {
   Last last_free(const std::vector<Share>& shares) const;
 
   void take(const Share& share, int task);
-  /// What the task has of it is free from `since` on.
-  void release(int resource, int task, Ticks since, bool midway);
+  /// What the task has of it is free from `since` on; `held_for`: how long it had it.
+  void release(int resource, int task, Ticks since, bool midway, Ticks held_for = 0);
+  void reserve(int resource, int group) { states_[at(resource)].reserved = group; }
   void set(int resource, ResourceState state) { states_[at(resource)] = std::move(state); }
 
  private:

@@ -18,6 +18,7 @@ void Checkpoints::add(int task, Journal::Mark resources) {
   point.records = records_.mark();
   point.links = stage_.links->mark();
   point.resources = resources;
+  point.choices = stage_.choices().mark();
   point.trace = stage_.trace.mark();
   point.site = stage_.site_changes.moment(stage_.robots());
   point.events = stage_.events;
@@ -35,6 +36,7 @@ void Checkpoints::drop(int task) {
   records_.forget_before(none ? records_.mark() : oldest->records);
   stage_.links->forget_before(none ? stage_.links->mark() : oldest->links);
   stage_.allocator->forget_before(none ? stage_.allocator->mark() : oldest->resources);
+  stage_.choices().forget_before(none ? stage_.choices().mark() : oldest->choices);
   stage_.trace.release_before(none ? stage_.trace.mark() : oldest->trace);
   stage_.site_changes.forget_before(none ? stage_.site_changes.mark() : oldest->site.mark);
 }
@@ -48,6 +50,7 @@ bool Checkpoints::go_back(int task, bool keeps_lines) {
   records_.undo_to(point.records);
   stage_.links->undo_to(point.links);
   stage_.allocator->undo_to(point.resources);
+  stage_.choices().undo_to(point.choices);
   stage_.trace.keep_only(point.trace, keeps_lines ? task : kNobody);
   stage_.events = std::move(point.events);
   stage_.active = std::move(point.active);

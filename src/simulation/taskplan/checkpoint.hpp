@@ -29,6 +29,7 @@ class Checkpoints {
     Journal::Mark records = 0;
     Journal::Mark links = 0;
     Journal::Mark resources = 0;
+    Journal::Mark choices = 0;
     TraceOutput::Mark trace = 0;
     SiteChanges::Moment site;
     EventQueue events;

@@ -1,32 +1,46 @@
 #include <algorithm>
+#include <cstdint>
 #include <set>
 #include <utility>
 
 #include "src/simulation/schedule/critical_chain.hpp"
+#include "src/simulation/taskplan/plan_cost.hpp"
 #include "src/simulation/taskplan/simulation.hpp"
 
 namespace rubicon::taskplan {
 
 namespace {
 
-double hours(Ticks ticks) { return interpreter::seconds_from_ticks(ticks) / 3600; }
+/// A part of a time, added up without rounding on the way.
+struct SharedTime {
+  Ticks whole = 0;
+  std::int64_t rest = 0;  ///< in parts of `size`
 
-/// Adds up who was used for how long, and what tasks and the whole cost.
+  void add(Ticks time, int people, int size) {
+    whole += time / size * people;
+    rest += time % size * people;
+    whole += rest / size;
+    rest %= size;
+  }
+};
+
+/// Adds up who was used for how long.
 void count_uses(Schedule& schedule) {
-  for (TaskOutcome& task : schedule.tasks) {
+  std::vector<SharedTime> held(schedule.resources.size()), busy(schedule.resources.size());
+  for (const TaskOutcome& task : schedule.tasks) {
     std::set<int> had;
     for (const ResourceHold& hold : task.holds) {
-      ResourceUse& use = schedule.resources[static_cast<std::size_t>(hold.resource)];
-      use.held += hold.held;
-      use.busy += hold.busy;
+      const auto resource = static_cast<std::size_t>(hold.resource);
+      ResourceUse& use = schedule.resources[resource];
+      const int size = static_cast<int>(use.size);
+      held[resource].add(hold.held, hold.people, size);
+      busy[resource].add(hold.busy, hold.people, size);
       if (had.insert(hold.resource).second) ++use.tasks;
-      task.cost += use.rate.value_or(0) * hours(hold.held);
     }
   }
-  for (ResourceUse& use : schedule.resources) {
-    use.cost = use.rate.value_or(0) * hours(use.held);
-    schedule.cost += use.cost;
-    schedule.costed = schedule.costed || use.rate.has_value();
+  for (std::size_t i = 0; i < schedule.resources.size(); ++i) {
+    schedule.resources[i].held = held[i].whole;
+    schedule.resources[i].busy = busy[i].whole;
   }
 }
 
@@ -78,6 +92,7 @@ Schedule Simulation::make_schedule() {
         stage_.allocator->hours(static_cast<int>(i)).work_between(0, end);
   }
   count_uses(schedule);
+  add_costs(plan_, schedule);
   add_critical_chain(schedule);
   return schedule;
 }

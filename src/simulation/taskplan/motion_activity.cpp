@@ -173,6 +173,7 @@ void MotionActivity::count_step(ActiveTask& task, Stage& stage, Ticks to, bool w
   const std::vector<int>& resources = stage.held_by(task.task);
   for (std::size_t i = 0; i < resources.size(); ++i) {
     task.account.over_time[i] += stage.allocator->hours(resources[i]).idle_between(stage.now(), to);
+    task.account.outside[i] += stage.overtime.out_of_shift(resources[i], stage.now(), to);
   }
 }
 

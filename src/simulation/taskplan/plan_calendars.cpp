@@ -31,6 +31,7 @@ std::vector<int> held_resources(const interpreter::PlanModel& plan,
   std::vector<int> resources;
   const int robots = static_cast<int>(plan.robots.size());
   if (task.robot >= 0) resources.push_back(task.robot);
+  for (const int robot : task.also_robots) resources.push_back(robot);
   for (const int crew : task.crews) resources.push_back(robots + crew);
   if (task.robot < 0) {
     for (const interpreter::WorkSpec& work : task.takes) {
@@ -40,6 +41,21 @@ std::vector<int> held_resources(const interpreter::PlanModel& plan,
   std::sort(resources.begin(), resources.end());
   resources.erase(std::unique(resources.begin(), resources.end()), resources.end());
   return resources;
+}
+
+int people_of(const interpreter::PlanModel& plan, const interpreter::TaskSpec& task, int resource) {
+  const int crew = resource - static_cast<int>(plan.robots.size());
+  if (crew < 0) return 1;
+  for (const interpreter::NeedSpec& need : task.needs) {
+    if (need.crew == crew) return need.people;
+  }
+  return static_cast<int>(plan.crews[static_cast<std::size_t>(crew)].size);
+}
+
+int resource_of(const interpreter::PlanModel& plan, const interpreter::PoolMember& member) {
+  const interpreter::PoolSpec& pool = plan.pools[static_cast<std::size_t>(member.pool)];
+  const int index = pool.members[static_cast<std::size_t>(member.member)];
+  return pool.of_robots ? index : static_cast<int>(plan.robots.size()) + index;
 }
 
 }  // namespace rubicon::taskplan

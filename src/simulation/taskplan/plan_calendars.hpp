@@ -23,4 +23,10 @@ int calendar_index(const interpreter::PlanModel& plan, const std::string& name);
 std::vector<int> held_resources(const interpreter::PlanModel& plan,
                                 const interpreter::TaskSpec& task);
 
+/// How many people of a crew a task takes when it takes any; of a robot, 1.
+int people_of(const interpreter::PlanModel& plan, const interpreter::TaskSpec& task, int resource);
+
+/// The robot or crew that the member of a pool is.
+int resource_of(const interpreter::PlanModel& plan, const interpreter::PoolMember& member);
+
 }  // namespace rubicon::taskplan

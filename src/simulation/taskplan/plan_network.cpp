@@ -12,6 +12,9 @@ std::vector<schedule::NetworkTask> network_tasks(const interpreter::PlanModel& p
     task.name = spec.name;
     task.priority = spec.priority;
     task.resources = held_resources(plan, spec);
+    for (const int resource : task.resources) {
+      task.units.push_back(people_of(plan, spec, resource));
+    }
     for (const auto& work : {spec.hook, spec.adjust, spec.release}) {
       if (work) task.work += schedule::ticks_from_seconds(work->duration);
     }

@@ -28,13 +28,21 @@ std::vector<bool> precomputable(const interpreter::PlanModel& plan,
     for (const schedule::Link& link : tasks[i].after) followers[at(link.task)].push_back(task);
     for (const int resource : tasks[i].resources) users[at(resource)].push_back(task);
     const interpreter::TaskSpec& spec = plan.tasks[i];
-    if (spec.robot >= 0 || !spec.zones.empty() || !spec.remove.empty()) rule_out(task);
+    const bool chosen = !spec.choices.empty();
+    if (spec.robot >= 0 || chosen || !spec.zones.empty() || !spec.remove.empty()) rule_out(task);
     // Crews that a robot's task needs for a work only.
     for (const auto& work : {spec.hook, spec.adjust, spec.release}) {
       if (work && work->crew >= 0) users[plan.robots.size() + at(work->crew)].push_back(task);
     }
     for (const interpreter::WorkSpec& work : spec.takes) {
       if (work.crew >= 0) users[plan.robots.size() + at(work.crew)].push_back(task);
+    }
+  }
+  // What a pool may give to somebody is not foreseen for others.
+  std::vector<std::vector<int>> may_have(tasks.size());
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    for (const interpreter::TaskSpec& choice : plan.tasks[i].choices) {
+      for (const int resource : held_resources(plan, choice)) may_have[i].push_back(resource);
     }
   }
   const auto rule_out_users = [&](std::vector<int>& of) {
@@ -46,6 +54,7 @@ std::vector<bool> precomputable(const interpreter::PlanModel& plan,
     open.pop_back();
     for (const int follower : followers[at(task)]) rule_out(follower);
     for (const int resource : tasks[at(task)].resources) rule_out_users(users[at(resource)]);
+    for (const int resource : may_have[at(task)]) rule_out_users(users[at(resource)]);
     const interpreter::TaskSpec& spec = plan.tasks[at(task)];
     for (const auto& work : {spec.hook, spec.adjust, spec.release}) {
       if (work && work->crew >= 0) rule_out_users(users[plan.robots.size() + at(work->crew)]);
@@ -77,7 +86,8 @@ std::vector<std::optional<schedule::TaskTimes>> precomputed_times(
     network.resources.push_back({robot.name, calendar_index(plan, robot.calendar)});
   }
   for (const interpreter::CrewSpec& crew : plan.crews) {
-    network.resources.push_back({crew.name, calendar_index(plan, crew.calendar)});
+    network.resources.push_back(
+        {crew.name, calendar_index(plan, crew.calendar), static_cast<int>(crew.size)});
   }
   for (const int task : original) {
     schedule::NetworkTask& copy = network.tasks.emplace_back(tasks[at(task)]);

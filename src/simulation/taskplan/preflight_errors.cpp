@@ -105,7 +105,11 @@ void add_common_hours_mistakes(const interpreter::PlanModel& plan, std::vector<D
   const std::vector<schedule::WorkCalendar> calendars = calendars_of(plan);
   std::set<std::set<int>> seen;
   for (const interpreter::TaskSpec& task : plan.tasks) {
-    for (const std::set<int>& set : calendar_sets(plan, task)) {
+    std::set<std::set<int>> sets = calendar_sets(plan, task);
+    for (const interpreter::TaskSpec& choice : task.choices) {
+      sets.merge(calendar_sets(plan, choice));
+    }
+    for (const std::set<int>& set : sets) {
       if (set.size() < 2 || !seen.insert(set).second) continue;
       schedule::WorkCalendar common = calendars[static_cast<std::size_t>(*set.begin())];
       for (auto index = std::next(set.begin()); index != set.end(); ++index) {

@@ -45,27 +45,37 @@ void ResourceAllocator::move_up(int index, Ticks now) {
   }
 }
 
-void ResourceAllocator::drop_excluded(Queue& queue) {
-  if (excluded_.empty()) return;
-  while (!queue.waiting.empty() && excluded_.contains(queue.waiting.begin()->second)) {
+void ResourceAllocator::drop_those_who_ask_no_more(int index) {
+  Queue& queue = queues_[at(index)];
+  while (!queue.waiting.empty() && asks_no_more(queue.waiting.begin()->second, index)) {
+    const Place place = *queue.waiting.begin();
     queue.waiting.erase(queue.waiting.begin());
+    journal_.on_undo([this, index, place] { queues_[at(index)].waiting.insert(place); });
   }
-  while (!queue.later.empty() && excluded_.contains(std::get<int>(*queue.later.begin()))) {
+  while (!queue.later.empty() && asks_no_more(std::get<int>(*queue.later.begin()), index)) {
+    const auto place = *queue.later.begin();
     queue.later.erase(queue.later.begin());
+    journal_.on_undo([this, index, place] { queues_[at(index)].later.insert(place); });
   }
 }
 
 std::optional<ResourceAllocator::Grant> ResourceAllocator::take(Ticks now) {
-  int best = -1;
+  std::vector<int> bests;  // more than one: of the same task
   for (int i = 0; i < sets_.size(); ++i) {
-    Queue& queue = queues_[at(i)];
+    const Queue& queue = queues_[at(i)];
     if (!all_free(i)) continue;
     move_up(i, now);
-    drop_excluded(queue);
+    drop_those_who_ask_no_more(i);
     if (queue.waiting.empty() || !calendar(i).works_at(now)) continue;
-    if (best < 0 || *queue.waiting.begin() < *queues_[at(best)].waiting.begin()) best = i;
+    const Place& first = *queue.waiting.begin();
+    if (!bests.empty() && first < *queues_[at(bests.front())].waiting.begin()) bests.clear();
+    if (bests.empty() || first == *queues_[at(bests.front())].waiting.begin()) bests.push_back(i);
   }
-  if (best < 0) return std::nullopt;
+  if (bests.empty()) return std::nullopt;
+  int best = bests.front();
+  if (bests.size() > 1) {
+    best = choices_.in_one_of(queues_[at(best)].waiting.begin()->second, bests);
+  }
   Queue& queue = queues_[at(best)];
   const Place place = *queue.waiting.begin();
   queue.waiting.erase(queue.waiting.begin());
@@ -90,16 +100,21 @@ void ResourceAllocator::take_directly(const Share& share, int task) {
   states_.take(share, task);
 }
 
-void ResourceAllocator::release(int resource, int task, Ticks now, bool midway) {
+void ResourceAllocator::release(int resource, int task, Ticks now, bool midway, Ticks held) {
   keep_state(resource);
-  states_.release(resource, task, now, midway);
+  states_.release(resource, task, now, midway, held);
+}
+
+void ResourceAllocator::reserve(int resource, int group) {
+  keep_state(resource);
+  states_.reserve(resource, group);
 }
 
 Ticks ResourceAllocator::next_chance(Ticks now) {
   Ticks next = schedule::kEndOfTime;
   for (int i = 0; i < sets_.size(); ++i) {
-    Queue& queue = queues_[at(i)];
-    drop_excluded(queue);
+    const Queue& queue = queues_[at(i)];
+    drop_those_who_ask_no_more(i);
     if ((queue.later.empty() && queue.waiting.empty()) || !all_free(i)) continue;
     const Ticks from = queue.waiting.empty() ? std::get<Ticks>(*queue.later.begin()) : now;
     const Ticks chance = calendar(i).next_working(std::max(from, now));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -40,6 +41,15 @@ class ResourceAllocator {
 
   /// The task asks from `from` on.
   void ask(int queue, int task, double priority, Ticks from);
+  /// A task that asks in several queues is given what it asks for in one of them. `in_one_of` says
+  /// in which of those where it could have it now; `asks_no_more` whether it does not ask there
+  /// any more.
+  struct Choices {
+    std::function<int(int task, const std::vector<int>& queues)> in_one_of;
+    std::function<bool(int task, int queue)> asks_no_more;
+  };
+  void set_choices(Choices choices) { choices_ = std::move(choices); }
+
   /// Whatever it asks for, it is never given anything any more, also after the run went back.
   void exclude(int task) { excluded_.insert(task); }
 
@@ -52,13 +62,21 @@ class ResourceAllocator {
   /// Gives the next task what it asks for, in the working hours of its queue only.
   std::optional<Grant> take(Ticks now);
 
-  /// What the task has of it; `midway`: the task goes on.
-  void release(int resource, int task, Ticks now, bool midway);
+  /// What the task has of it; `midway`: the task goes on; `held`: for how long it had it.
+  void release(int resource, int task, Ticks now, bool midway, Ticks held);
+  /// Free, only the group is given it; -1: all are.
+  void reserve(int resource, int group);
 
   /// The next moment after `now` at which somebody could be given something if nothing is given
   /// back before; kEndOfTime if never.
   Ticks next_chance(Ticks now);
 
+  bool is_free(const Share& share) const { return states_.are_free({share}); }
+  /// Whether the task is not given anything there any more.
+  bool asks_no_more(int task, int queue) const {
+    return excluded_.contains(task) ||
+           (choices_.asks_no_more && choices_.asks_no_more(task, queue));
+  }
   const std::string& name(int resource) const { return names_[static_cast<std::size_t>(resource)]; }
   const schedule::ResourceState& state(int resource) const { return states_.of(resource); }
   int size_of(int resource) const { return states_.size_of(resource); }
@@ -81,13 +99,14 @@ class ResourceAllocator {
   bool all_free(int queue) const { return states_.are_free(sets_.shares(queue)); }
   void keep_state(int resource);
   void move_up(int index, Ticks now);
-  void drop_excluded(Queue& queue);
+  void drop_those_who_ask_no_more(int index);
 
   std::vector<std::string> names_;
   schedule::ResourceSets sets_;
   schedule::ResourceStates states_;
   std::vector<Queue> queues_;
   std::set<int> excluded_;
+  Choices choices_;
   Journal journal_;
 };
 

@@ -17,6 +17,24 @@ const char* name_of(TaskResult result) {
   return "";
 }
 
+const char* name_of(CostKind kind) {
+  switch (kind) {
+    case CostKind::use:
+      return "use";
+    case CostKind::overtime:
+      return "overtime";
+    case CostKind::rental:
+      return "rental";
+    case CostKind::mobilisation:
+      return "mobilisation";
+    case CostKind::material:
+      return "material";
+    case CostKind::overhead:
+      return "overhead";
+  }
+  return "";
+}
+
 std::vector<std::string> crew_names(const interpreter::PlanModel& plan,
                                     const interpreter::TaskSpec& task) {
   std::vector<std::string> names;

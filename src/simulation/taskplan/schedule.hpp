@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +43,9 @@ struct ResourceHold {
   int resource = -1;  ///< robots first, then crews
   Ticks held = 0;     ///< in its shifts, and motions after their end
   Ticks busy = 0;     ///< of that it moved or worked
+  Ticks from = 0, to = 0;
+  int people = 1;      ///< of a crew, so many of its size
+  Ticks overtime = 0;  ///< of `held`, by the plan's `overtime`
 };
 
 /// A lift that waited for a shift into which it fits, or that went on after one.
@@ -64,8 +69,9 @@ struct TaskOutcome {
   Ticks motion_time = 0;  ///< of the duration, what motions took
   Ticks work_time = 0;    ///< of the duration, what crews took
   WaitTimes waits;        ///< with motion_time and work_time this adds up to start + duration
-  double cost = 0;        ///< of its robot and crews, for the time it had them
-  int tried = 0;          ///< attempts of all its motions, accepted or not
+  double cost =
+      0;  ///< of its robot and crews for the time it had them, of its material; in whole cents
+  int tried = 0;  ///< attempts of all its motions, accepted or not
   int accepted = 0;
   TaskResult result = TaskResult::done;
   std::string reason;     ///< why not done; of a short plan also how it is short of its goal
@@ -74,6 +80,7 @@ struct TaskOutcome {
   std::vector<MotionOutcome> motions;
   std::vector<ResourceHold> holds;
   std::optional<LiftOutcome> lift;
+  std::string choice;  ///< by pools: whom it has and why
 };
 
 /// What a task is called by the client; "" if the plan does not say.
@@ -83,7 +90,14 @@ std::string client_name(const interpreter::Attributes& attributes);
 std::vector<std::string> crew_names(const interpreter::PlanModel& plan,
                                     const interpreter::TaskSpec& task);
 
-/// How much a robot or a crew was used.
+/// What money is spent on.
+enum class CostKind { use, overtime, rental, mobilisation, material, overhead };
+inline constexpr std::size_t kCostKinds = 6;
+/// "use", "overtime", ...
+const char* name_of(CostKind kind);
+
+/// How much a robot or a crew was used. Of a crew of which tasks took a part, times count by the
+/// share they took: half of it for 2 h is 1 h.
 struct ResourceUse {
   std::string name;
   bool robot = false;
@@ -93,7 +107,7 @@ struct ResourceUse {
   Ticks busy = 0;              ///< of that it moved or worked
   Ticks shift_time = 0;        ///< its shifts from the beginning of the plan to its end
   std::optional<double> rate;  ///< per hour
-  double cost = 0;             ///< rate for the time held
+  double cost = 0;             ///< for the time held, rental and mobilisation; whole cents
 
   /// Share of its shifts in which tasks had it; 0 without shifts.
   double utilisation() const {
@@ -124,8 +138,12 @@ struct Schedule {
   bool feasible = true;  ///< every task is done
   std::optional<schedule::CivilTime> start_at;
   std::string currency;
-  bool costed = false;  ///< somebody has a rate
-  double cost = 0;
+  bool costed = false;  ///< the plan says what something costs
+  double cost = 0;      ///< whole cents, as all sums: rows are rounded so that they add up
+  /// The same by kind. Tasks have use, overtime and material, robots and crews use, overtime,
+  /// rental and mobilisation.
+  std::array<double, kCostKinds> cost_by_kind = {};
+  bool has_kinds = false;                       ///< the plan says more than rates for use
   std::vector<ComponentAttributes> components;  ///< those that have attributes, as in the file
 };
 

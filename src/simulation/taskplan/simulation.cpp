@@ -18,11 +18,15 @@ Simulation::Simulation(const interpreter::PlanModel& plan, const interpreter::So
       checkpoints_(stage_, records_, zone_waits_),
       excluded_(std::move(known.tasks)),
       parking_failed_(std::move(known.parking_failed)),
-      second_chances_(std::move(known.second_chances)) {
+      second_chances_(std::move(known.second_chances)),
+      failed_choices_(std::move(known.failed_choices)) {
   parking_failed_.resize(plan.robots.size());
   stage_.may_park_some_day = [this](int robot) { return may_park(robot, false); };
   stage_.is_over = [this](int task) { return is_over(task); };
   stage_.has_begun = [this](int task) { return records_.has_begun(task); };
+  stage_.allocator->set_choices(
+      {[this](int task, const std::vector<int>& queues) { return choose_queue(task, queues); },
+       [this](int task, int queue) { return asks_no_more(task, queue); }});
   for (const auto& [task, excluded] : excluded_) {
     stage_.allocator->exclude(task);
     stage_.links->leave_out(task);
@@ -103,7 +107,7 @@ bool Simulation::hand_out() {
 /// Whether no machine stands where the people of the task will work. If one does, the task gives
 /// back what it got and asks again when something has happened.
 bool Simulation::zone_is_free(const ResourceAllocator::Grant& grant) {
-  const interpreter::TaskSpec& task = stage_.spec(grant.task);
+  const interpreter::TaskSpec& task = stage_.spec_in(grant.task, grant.queue);
   if (task.zones.empty()) return true;
   const std::optional<int> robot = stage_.site.machine_in(task.zones, task.robot);
   if (!robot) return true;
@@ -117,8 +121,7 @@ void Simulation::ask_again_for_zones() {
   for (ZoneWait& wait : zone_waits_.all()) {
     if (wait.asks) continue;
     wait.asks = true;
-    stage_.allocator->ask(stage_.queue_of(wait.task), wait.task, stage_.spec(wait.task).priority,
-                          stage_.now());
+    ask(wait.task, stage_.now());
   }
 }
 
@@ -129,7 +132,7 @@ void Simulation::may_start(int task, int before) {
   const schedule::TaskTimes times = links.ready_times(task, before, stage_.now());
   links.set_times(task, times);
   records_.set_status(task, Status::asking);
-  stage_.allocator->ask(stage_.queue_of(task), task, stage_.spec(task).priority, times.start);
+  ask(task, stage_.has_choices(task) ? times.wanted : times.start);
   stage_.begins_to_wait(task);
   if (!links.is_milestone(task)) return;
   links.publish(task, TaskEnd::start, times.start);
@@ -156,13 +159,14 @@ ActiveTask& Simulation::activate(int task) {
   active.phases = phases_of(each);
   active.hits = HitRecorder(stage_.trace.events());
   active.account.over_time.resize(stage_.held_by(task).size(), 0);
-  active.account.worked = active.account.over_time;
+  active.account.worked = active.account.outside = active.account.over_time;
   TaskOutcome& outcome = active.account.outcome;
   outcome.task = each.name;
   outcome.parking = stage_.is_park(task);
   if (each.robot >= 0) outcome.robot = stage_.robot_spec(each.robot).name;
   outcome.crews = crew_names(plan_, each);
   outcome.start = stage_.now();
+  if (stage_.has_choices(task)) outcome.choice = choice_text(task);
   stage_.active.add(std::move(active));
   return *stage_.active.find(task);
 }
@@ -170,6 +174,7 @@ ActiveTask& Simulation::activate(int task) {
 void Simulation::begin_task(const ResourceAllocator::Grant& grant) {
   const int task = grant.task;
   checkpoints_.add(task, grant.before);
+  if (stage_.has_choices(task)) take_members(grant);
   LinkState& links = *stage_.links;
   const Ticks now = stage_.now();
   schedule::TaskTimes times = links.times(task);
@@ -211,8 +216,11 @@ void Simulation::begin_task(const ResourceAllocator::Grant& grant) {
   const interpreter::TaskSpec& each = stage_.spec(task);
   if (auto* const trace = stage_.trace_of(task)) {
     const schedule::ChainStep step = start_step(links.network(), task, times);
-    trace->task_start(now, schedule::text_of(links.network(), step),
-                      step.task_before < 0 ? "" : stage_.spec(step.task_before).name);
+    std::string because = schedule::text_of(links.network(), step);
+    const std::string& choice = active.account.outcome.choice;
+    if (!choice.empty()) because += "; " + choice;
+    trace->task_start(now, because, step.task_before < 0 ? "" : stage_.spec(step.task_before).name,
+                      interpreter::member_names(plan_, each));
   }
   if (!each.zones.empty()) {
     stage_.site_changes.hold_zone(task, "the zone of " + each.name, each.zones, each.robot);
@@ -300,6 +308,7 @@ void Simulation::complete(ActiveTask& active) {
   } else {
     if (options_.on_task) options_.on_task(records_.count_one(), stage_.plan_tasks(), outcome);
     records_.finish(task, std::move(outcome));
+    if (stage_.group_of(task) >= 0) free_groups();
   }
   stage_.events.cancel(task);
   stage_.active.erase(task);
@@ -316,13 +325,18 @@ void Simulation::hold_all(ActiveTask& active) {
     const int resource = resources[i];
     ResourceHold hold;
     hold.resource = resource;
+    hold.from = account.outcome.start;
+    hold.to = stage_.now();
     hold.held =
         stage_.allocator->hours(resource).work_between(account.outcome.start, stage_.now()) +
         account.over_time[i];
     const bool robot = resource < stage_.robots();
     hold.busy = robot ? account.outcome.motion_time : account.worked[i];
+    hold.people = stage_.share_of(active.task, resource).units;
+    hold.overtime = stage_.overtime.in_shifts(resource, account.outcome.start, stage_.now()) +
+                    account.outside[i];
     active.account.outcome.holds.push_back(hold);
-    stage_.allocator->release(resource, active.task, stage_.now(), false);
+    stage_.allocator->release(resource, active.task, stage_.now(), false, hold.held);
   }
 }
 

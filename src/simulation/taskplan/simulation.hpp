@@ -35,12 +35,20 @@ struct ParkingFailure {
   int count = 0;
 };
 
+/// A choice of members with which a task could not be done.
+struct FailedChoice {
+  int choice = -1;
+  std::string reason;
+  std::vector<int> involved;
+};
+
 /// What a run has found out for good: which tasks are not done, which robots cannot park.
 struct Verdicts {
   Excluded tasks;
   std::vector<ParkingFailure> parking_failed;  ///< to each robot
   /// Tasks that were let in again, and the task involved that was not done either.
   std::set<std::pair<int, int>> second_chances;
+  std::map<int, std::vector<FailedChoice>> failed_choices;
 };
 
 /// A discrete-event simulation of a full plan: tasks start when their links, robots, crews and
@@ -58,7 +66,9 @@ class Simulation : private LinkState::Listener {
   /// Runs to the end; nothing if the whole must begin again with the `verdicts` so far, which
   /// happens when a task that was done turns out to be impossible without a later one.
   std::optional<Schedule> run();
-  Verdicts verdicts() const { return {excluded_, parking_failed_, second_chances_}; }
+  Verdicts verdicts() const {
+    return {excluded_, parking_failed_, second_chances_, failed_choices_};
+  }
 
  private:
   using Status = TaskRecords::Status;
@@ -81,6 +91,18 @@ class Simulation : private LinkState::Listener {
   void may_finish(int task) override;
   void propagate();
   void trace_end(int task, Ticks time, const TaskOutcome& outcome);
+
+  // simulation_choices.cpp: tasks by pools
+  void ask(int task, Ticks from);
+  bool is_out(int task, int choice) const;
+  bool asks_no_more(int task, int queue) const;
+  int choose_queue(int task, const std::vector<int>& queues) const;
+  double rank_of(const interpreter::TaskSpec& choice, const interpreter::PoolMember& member) const;
+  void take_members(const ResourceAllocator::Grant& grant);
+  std::string choice_text(int task) const;
+  std::string text_of_other(int task, const interpreter::PoolMember& member) const;
+  bool try_next_choice(Rejection& rejection);
+  void free_groups();
 
   // simulation_waits.cpp: who waits for whom, and what happens when nobody can go on
   std::optional<WaitSet> waits_of(int task) const;
@@ -128,6 +150,7 @@ class Simulation : private LinkState::Listener {
   std::set<int> known_before_;  ///< of `excluded_` those rejected before the run began
   std::set<int> doubtful_;  ///< of `excluded_` those in whose rejection other tasks are involved
   std::set<std::pair<int, int>> second_chances_;
+  std::map<int, std::vector<FailedChoice>> failed_choices_;  ///< to each task by pools
   bool must_restart_ = false;
 };
 

@@ -51,8 +51,9 @@ bool Simulation::apply_rejection() {
     repeat_overdue_lift(stage_, *overdue);
     if (!stage_.rejection) return repeat_lift();
   }
-  const Rejection rejection = *std::exchange(stage_.rejection, std::nullopt);
+  Rejection rejection = *std::exchange(stage_.rejection, std::nullopt);
   stage_.links->drop_pending();
+  if (try_next_choice(rejection)) return true;
   const int task = rejection.task;
   const interpreter::TaskSpec& each = stage_.spec(task);
   TaskOutcome outcome;
@@ -90,6 +91,7 @@ bool Simulation::apply_rejection() {
   }
   exclude_followers(task, task);
   give_second_chances(task);
+  free_groups();
   look_again_at_all();
   return true;
 }
@@ -150,6 +152,7 @@ void Simulation::give_second_chances(int cause) {
     }
   }
   if (let_in.empty()) return;
+  for (const int task : let_in) failed_choices_.erase(task);
   must_restart_ = true;
   std::erase_if(excluded_, [&](const auto& each) {
     const int its_cause = each.second.cause;

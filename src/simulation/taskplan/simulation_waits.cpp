@@ -20,7 +20,13 @@ std::optional<WaitSet> Simulation::waits_of(int task) const {
       const auto robot = stage_.site.machine_in(spec.zones, spec.robot);
       if (robot) waits.targets.push_back(stage_.move_of(*robot, WaitTarget::Kind::zone, *robot));
     }
-    for (const int resource : stage_.held_by(task)) stage_.add_resource(waits, task, resource);
+    if (stage_.has_choices(task)) {
+      stage_.add_choices(waits, task);
+    } else {
+      for (const Share& share : stage_.allocator->shares(stage_.queue_of(task))) {
+        stage_.add_resource(waits, task, share);
+      }
+    }
   } else if (!active) {
     add_links(waits, task, WaitTarget::Kind::start);
   } else if (stage_.events.is_set(task)) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "src/simulation/site/make_site.hpp"
@@ -32,8 +33,13 @@ Stage::Stage(const interpreter::PlanModel& the_plan, const interpreter::SourceMa
   for (const interpreter::TaskSpec& task : plan.tasks) specs_.push_back(&task);
   for (const interpreter::TaskSpec& park : parks_) specs_.push_back(&park);
   tasks_of_.resize(parks_.size());
+  chosen_.resize(specs_.size(), -1);
+  set_groups();
   for (int task = 0; task < plan_tasks(); ++task) {
-    if (spec(task).robot >= 0) tasks_of_[at(spec(task).robot)].push_back(task);
+    std::set<int> its = {spec(task).robot};
+    for (const interpreter::TaskSpec& choice : spec(task).choices) its.insert(choice.robot);
+    its.erase(-1);
+    for (const int robot : its) tasks_of_[at(robot)].push_back(task);
   }
 
   std::vector<std::string> names;
@@ -46,13 +52,17 @@ Stage::Stage(const interpreter::PlanModel& the_plan, const interpreter::SourceMa
   }
   for (const interpreter::CrewSpec& crew : plan.crews) {
     names.push_back(crew.name);
-    sizes.push_back(1);
+    sizes.push_back(static_cast<int>(crew.size));
     calendars.push_back(calendar_index(plan, crew.calendar));
   }
   schedule::Network network;
-  for (const std::string& name : names) network.resources.push_back({name, -1});
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    network.resources.push_back({names[i], -1, sizes[i]});
+  }
   allocator.emplace(std::move(names), sizes, std::move(calendars), calendars_of(plan));
+  overtime = OvertimeHours(plan);
   queue_.resize(specs_.size());
+  choice_queues_.resize(specs_.size());
   std::vector<Ticks> work;
   for (int task = 0; task < tasks(); ++task) work.push_back(prepare_queue(task));
 
@@ -61,7 +71,8 @@ Stage::Stage(const interpreter::PlanModel& the_plan, const interpreter::SourceMa
   for (const interpreter::TaskSpec& park : parks_) network.tasks.emplace_back().name = park.name;
   for (std::size_t i = 0; i < specs_.size(); ++i) {
     // Motions are work too.
-    if (network.tasks[i].work == 0 && specs_[i]->robot >= 0) network.tasks[i].work = 1;
+    const bool moves = specs_[i]->robot >= 0 || specs_[i]->move || specs_[i]->go;
+    if (network.tasks[i].work == 0 && moves) network.tasks[i].work = 1;
   }
   links.emplace(std::move(network), std::move(work), precomputed,
                 [this](int task) -> const schedule::WorkCalendar& { return calendar(task); });
@@ -71,11 +82,12 @@ Stage::Stage(const interpreter::PlanModel& the_plan, const interpreter::SourceMa
 /// also the crews of its works. The crew work that is known before it starts; -1: not known.
 Ticks Stage::prepare_queue(int task) {
   const interpreter::TaskSpec& each = spec(task);
-  const std::vector<int> resources = held_resources(plan, each);
-  std::vector<Share> shares;
-  for (const int resource : resources) shares.push_back(share_of(task, resource));
-  const auto queue = allocator->queue_for(std::move(shares), resources);
-  queue_[at(task)] = std::get<int>(queue);
+  queue_[at(task)] =
+      std::get<int>(allocator->queue_for(shares_of(task, each), held_resources(plan, each)));
+  if (has_choices(task)) {
+    prepare_choices(task);
+    return -1;
+  }
   // What may fail or has to wait for a machine is known only when it is done.
   if (each.robot >= 0 || !each.remove.empty()) return -1;
   const Ticks work = std::accumulate(each.takes.begin(), each.takes.end(), Ticks{0},
@@ -88,8 +100,60 @@ Ticks Stage::prepare_queue(int task) {
   return work;
 }
 
-Share Stage::share_of(int /*task*/, int resource) const {
-  return {resource, allocator->size_of(resource)};
+/// Where a task by pools asks: in as many queues as it has choices.
+void Stage::prepare_choices(int task) {
+  for (const interpreter::TaskSpec& choice : spec(task).choices) {
+    choice_queues_[at(task)].push_back(
+        std::get<int>(allocator->queue_for(shares_of(task, choice), held_resources(plan, choice))));
+  }
+}
+
+/// Tasks with the same members as another are one group, named by the first.
+void Stage::set_groups() {
+  group_.resize(specs_.size(), -1);
+  for (int task = 0; task < plan_tasks(); ++task) {
+    int first = task;
+    while (plan_spec(first).same_as) first = *plan_spec(first).same_as;
+    if (first == task) continue;
+    group_[at(task)] = group_[at(first)] = first;
+  }
+}
+
+bool Stage::group_is_over(int group) const {
+  for (int task = 0; task < plan_tasks(); ++task) {
+    if (group_of(task) == group && !is_over(task)) return false;
+  }
+  return true;
+}
+
+void Stage::choose(int task, int choice) {
+  choices_.assign(chosen_[at(task)], choice);
+  choices_.assign(queue_[at(task)], choice_queues_[at(task)][at(choice)]);
+}
+
+const interpreter::TaskSpec& Stage::spec_in(int task, int queue) const {
+  const std::vector<int>& queues = choice_queues(task);
+  const auto place = std::find(queues.begin(), queues.end(), queue);
+  if (place == queues.end()) return spec(task);
+  return plan_spec(task).choices[static_cast<std::size_t>(place - queues.begin())];
+}
+
+std::vector<Share> Stage::shares_of(int task, const interpreter::TaskSpec& choice) const {
+  std::vector<Share> shares;
+  for (const int resource : held_resources(plan, choice)) {
+    shares.push_back({resource, people_of(plan, choice, resource), -1});
+  }
+  for (const interpreter::PoolMember& member : choice.members) {
+    const int resource = resource_of(plan, member);
+    for (Share& share : shares) {
+      if (share.resource == resource) share.group = group_of(task);
+    }
+  }
+  return shares;
+}
+
+Share Stage::share_of(int task, int resource) const {
+  return {resource, people_of(plan, spec(task), resource), -1};
 }
 
 const interpreter::Program& Stage::program_of(int robot) {
@@ -148,10 +212,43 @@ WaitTarget Stage::move_of(int robot, WaitTarget::Kind kind, int number) const {
   return target;
 }
 
-void Stage::add_resource(WaitSet& waits, int task, int resource) const {
-  const int holder = allocator->state(resource).holder();
-  if (holder < 0 || holder == task) return;
-  waits.targets.push_back({WaitTarget::Kind::resource, resource, {holder}, false, false});
+std::vector<int> Stage::holders_before(int task, const Share& share) const {
+  std::vector<int> holders;
+  if (allocator->is_free(share)) return holders;
+  const schedule::ResourceState& state = allocator->state(share.resource);
+  for (const schedule::ResourceState::Held& held : state.held) {
+    if (held.task != task) holders.push_back(held.task);
+  }
+  if (state.reserved < 0 || state.reserved == share.group) return holders;
+  for (int other = 0; other < plan_tasks(); ++other) {
+    if (group_of(other) == state.reserved && !is_over(other)) holders.push_back(other);
+  }
+  return holders;
+}
+
+void Stage::add_resource(WaitSet& waits, int task, const Share& share) const {
+  std::vector<int> holders = holders_before(task, share);
+  if (holders.empty()) return;
+  waits.targets.push_back(
+      {WaitTarget::Kind::resource, share.resource, std::move(holders), false, false});
+}
+
+void Stage::add_choices(WaitSet& waits, int task) const {
+  WaitTarget target{WaitTarget::Kind::resource, -1, {}, false, false};
+  for (const int queue : choice_queues(task)) {
+    if (allocator->asks_no_more(task, queue)) continue;
+    bool is_free = true;
+    for (const Share& share : allocator->shares(queue)) {
+      const std::vector<int> holders = holders_before(task, share);
+      if (holders.empty()) continue;
+      is_free = false;
+      if (target.number < 0) target.number = share.resource;
+      target.by.insert(target.by.end(), holders.begin(), holders.end());
+    }
+    // Nobody holds it: it has only to work again.
+    if (is_free) return;
+  }
+  if (target.number >= 0) waits.targets.push_back(std::move(target));
 }
 
 std::string Stage::gone(int component) const {

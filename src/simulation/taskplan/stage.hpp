@@ -16,6 +16,7 @@
 #include "src/simulation/site/site_world.hpp"
 #include "src/simulation/taskplan/active_tasks.hpp"
 #include "src/simulation/taskplan/event_queue.hpp"
+#include "src/simulation/taskplan/overtime_hours.hpp"
 #include "src/simulation/taskplan/resource_allocator.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
 #include "src/simulation/taskplan/site_changes.hpp"
@@ -60,6 +61,7 @@ class Stage {
   LiftNotes lift_notes;               ///< whatever the run goes back to
   std::optional<int> lift_to_repeat;  ///< a task that is to begin again: its note says why
   std::optional<ResourceAllocator> allocator;
+  OvertimeHours overtime;
   std::optional<LinkState> links;
   std::optional<Rejection> rejection;
   std::vector<int> new_waits;  ///< tasks that may have closed a cycle of waiting
@@ -67,7 +69,13 @@ class Stage {
   int tasks() const { return static_cast<int>(specs_.size()); }
   int plan_tasks() const { return static_cast<int>(plan.tasks.size()); }
   int robots() const { return static_cast<int>(plan.robots.size()); }
-  const interpreter::TaskSpec& spec(int task) const { return *specs_[at(task)]; }
+  /// The task, by pools as it was chosen, before that without a member of them.
+  const interpreter::TaskSpec& spec(int task) const {
+    const int choice = chosen_[at(task)];
+    return choice < 0 ? plan_spec(task) : plan_spec(task).choices[at(choice)];
+  }
+  /// The task as the plan gives it.
+  const interpreter::TaskSpec& plan_spec(int task) const { return *specs_[at(task)]; }
   const interpreter::RobotSpec& robot_spec(int robot) const { return plan.robots[at(robot)]; }
   int crew_resource(int crew) const { return robots() + crew; }
   int park_task(int robot) const { return plan_tasks() + robot; }
@@ -78,6 +86,20 @@ class Stage {
   Ticks now() const { return events.now(); }
   /// Where the task asks for what it holds from start to finish.
   int queue_of(int task) const { return queue_[at(task)]; }
+  // of tasks by pools
+  bool has_choices(int task) const { return !plan_spec(task).choices.empty(); }
+  const std::vector<int>& choice_queues(int task) const { return choice_queues_[at(task)]; }
+  /// Which of its choices the task has, -1: none yet.
+  int chosen(int task) const { return chosen_[at(task)]; }
+  void choose(int task, int choice);
+  /// The task as it asks in this queue.
+  const interpreter::TaskSpec& spec_in(int task, int queue) const;
+  /// The task whose members this one and others share, -1: it is alone.
+  int group_of(int task) const { return group_[at(task)]; }
+  bool group_is_over(int group) const;
+  Journal& choices() { return choices_; }
+  /// What the task holds of robots and crews by this choice; -1: by none.
+  std::vector<Share> shares_of(int task, const interpreter::TaskSpec& choice) const;
   /// The hours in which all works that the task holds.
   const schedule::WorkCalendar& calendar(int task) const {
     return allocator->calendar(queue_of(task));
@@ -103,8 +125,12 @@ class Stage {
 
   /// Who may move a robot out of the way: who has it, else the tasks that will have it some day.
   WaitTarget move_of(int robot, WaitTarget::Kind kind, int number) const;
+  /// For what other tasks hold of the robots and crews that a task by pools may have.
+  void add_choices(WaitSet& waits, int task) const;
+  /// Those who keep the task from having its share: who holds it, or for whom it is reserved.
+  std::vector<int> holders_before(int task, const Share& share) const;
   /// For a robot or crew that another task holds.
-  void add_resource(WaitSet& waits, int task, int resource) const;
+  void add_resource(WaitSet& waits, int task, const Share& share) const;
   /// Whether an idle robot may still be asked to its park position; the tasks of a robot that are
   /// not over: what the run knows, given by it.
   std::function<bool(int robot)> may_park_some_day;
@@ -121,10 +147,16 @@ class Stage {
  private:
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
   Ticks prepare_queue(int task);
+  void prepare_choices(int task);
+  void set_groups();
 
   std::vector<interpreter::TaskSpec> parks_;
   std::vector<const interpreter::TaskSpec*> specs_;
   std::vector<int> queue_;
+  std::vector<std::vector<int>> choice_queues_;  ///< to each task by pools and each of its choices
+  std::vector<int> chosen_;
+  std::vector<int> group_;
+  Journal choices_;
   std::vector<std::vector<int>> tasks_of_;  ///< to each robot: its tasks of the plan
   std::deque<site::RobotView> views_;
   std::map<const interpreter::CheckedRobot*, interpreter::Program> programs_;

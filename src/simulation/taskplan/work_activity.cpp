@@ -140,17 +140,22 @@ void WorkActivity::give_back(ActiveTask& task, Stage& stage) {
   if (crew_ < 0) return;
   ResourceHold hold;
   hold.resource = crew_;
+  hold.from = crew_since_;
+  hold.to = stage.now();
   hold.held = stage.allocator->hours(crew_).work_between(crew_since_, stage.now());
   if (lift_of(stage, task.task)) hold.held = stage.now() - crew_since_;
+  hold.people = stage.share_of(task.task, crew_).units;
+  hold.overtime = stage.overtime.in_shifts(crew_, crew_since_, stage.now());
   hold.busy = interpreter::ticks_from_seconds(task.now().work->duration);
   task.account.outcome.holds.push_back(hold);
-  stage.allocator->release(crew_, task.task, stage.now(), true);
+  stage.allocator->release(crew_, task.task, stage.now(), true, hold.held);
   crew_ = -1;
 }
 
 WaitSet WorkActivity::waits(const ActiveTask& task, const Stage& stage) const {
   WaitSet waits;
-  if (doing_ == Doing::waiting_for_crew) stage.add_resource(waits, task.task, crew_);
+  if (doing_ == Doing::waiting_for_crew)
+    stage.add_resource(waits, task.task, stage.share_of(task.task, crew_));
   return waits;
 }
 

@@ -57,6 +57,7 @@ struct TaskStart {
   Ticks t = 0;
   std::string_view because;
   std::string_view after;
+  std::string_view chosen;
 };
 
 struct GoalStart {

@@ -36,7 +36,7 @@ struct RecordFields<TaskStart> {
   static constexpr RecordKind kKind = RecordKind::task_start;
   static constexpr auto kFields =
       std::tuple(required<&TaskStart::t>("t"), optional<&TaskStart::because>("because"),
-                 optional<&TaskStart::after>("after"));
+                 optional<&TaskStart::after>("after"), optional<&TaskStart::chosen>("chosen"));
 };
 
 template <>

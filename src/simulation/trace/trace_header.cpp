@@ -57,7 +57,9 @@ void write_components(JsonBuilder& json, const PlanModel& plan, MeshTable& meshe
   for (const interpreter::ComponentSpec& component : plan.components) {
     json.begin_object().field("name", component.name);
     json.key("pose").pose(component.X_WO).key("grip").pose(component.X_OG);
-    json.field("mass", component.mass).key("shapes");
+    json.field("mass", component.mass);
+    if (component.cost) json.field("cost", *component.cost);
+    json.key("shapes");
     write_shapes(json, component.shapes, meshes);
     write_attributes(json, component.attributes);
     json.end_object();
@@ -74,6 +76,19 @@ void write_rate(JsonBuilder& json, const std::optional<double>& cost_per_hour,
     json.null();
   }
   json.field("calendar", calendar);
+}
+
+/// What a robot or crew costs besides its hours, if the plan says so.
+void write_charges(JsonBuilder& json, const interpreter::Charges& charges) {
+  if (charges.rental_per_day) json.field("rental_per_day", *charges.rental_per_day);
+  if (charges.rental_days) {
+    json.key("rental_days").begin_array().value(schedule::text_of(charges.rental_days->first));
+    json.value(schedule::text_of(charges.rental_days->second)).end_array();
+  }
+  if (charges.mobilisation) json.field("mobilisation", *charges.mobilisation);
+  if (charges.overtime == 1) return;
+  json.field("overtime", charges.overtime);
+  if (!charges.normal.empty()) json.field("overtime_outside", charges.normal);
 }
 
 void write_values(JsonBuilder& json, const robot::RobotModel& model,
@@ -122,6 +137,7 @@ void write_robots(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
     }
     json.end_object();
     write_rate(json, spec.cost_per_hour, spec.calendar);
+    write_charges(json, spec.charges);
     json.key("park");
     if (spec.park) {
       write_values(json, model, *spec.park);
@@ -204,20 +220,70 @@ void write_task_work(JsonBuilder& json, const PlanModel& plan, const interpreter
   }
 }
 
+/// Robots and crews that the plan names for a task.
+void write_doers(JsonBuilder& json, const PlanModel& plan, const interpreter::TaskSpec& task) {
+  const auto robot = [&](int index) {
+    return std::string_view(plan.robots[static_cast<std::size_t>(index)].name);
+  };
+  const auto crew = [&](int index) {
+    return std::string_view(plan.crews[static_cast<std::size_t>(index)].name);
+  };
+  json.key("robot").value(task.robot < 0 ? std::string_view() : robot(task.robot));
+  json.key("crews").begin_array();
+  for (const int index : task.crews) json.value(crew(index));
+  json.end_array();
+  if (!task.also_robots.empty()) {
+    json.key("also_robots").begin_array();
+    for (const int index : task.also_robots) json.value(robot(index));
+    json.end_array();
+  }
+  if (task.needs.empty()) return;
+  json.key("needs").begin_object();
+  for (const interpreter::NeedSpec& need : task.needs) json.field(crew(need.crew), need.people);
+  json.end_object();
+}
+
+/// Of a task by pools: whom it may have, and what it does with these.
+void write_choices(JsonBuilder& json, const PlanModel& plan, const interpreter::TaskSpec& task) {
+  if (task.choices.empty()) return;
+  if (task.same_as) {
+    json.field("same_as", plan.tasks[static_cast<std::size_t>(*task.same_as)].name);
+  }
+  json.key("choices").begin_array();
+  for (const interpreter::TaskSpec& choice : task.choices) {
+    json.begin_object().field("members", member_names(plan, choice));
+    write_doers(json, plan, choice);
+    write_task_motions(json, plan, choice);
+    write_task_work(json, plan, choice);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void write_pools(JsonBuilder& json, const PlanModel& plan) {
+  if (plan.pools.empty()) return;
+  json.key("pools").begin_array();
+  for (const interpreter::PoolSpec& pool : plan.pools) {
+    json.begin_object().field("name", pool.name).key("of").begin_array();
+    for (const int member : pool.members) {
+      const auto index = static_cast<std::size_t>(member);
+      json.value(
+          std::string_view(pool.of_robots ? plan.robots[index].name : plan.crews[index].name));
+    }
+    json.end_array().field("choose", name_of(pool.choice)).end_object();
+  }
+  json.end_array();
+}
+
 void write_tasks(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
   json.key("tasks").begin_array();
   for (const interpreter::TaskSpec& task : plan.tasks) {
-    json.begin_object().field("name", task.name).key("robot");
-    json.value(std::string_view(
-        task.robot < 0 ? std::string() : plan.robots[static_cast<std::size_t>(task.robot)].name));
-    json.key("crews").begin_array();
-    for (const int crew : task.crews) {
-      json.value(std::string_view(plan.crews[static_cast<std::size_t>(crew)].name));
-    }
-    json.end_array();
+    json.begin_object().field("name", task.name);
+    write_doers(json, plan, task);
     write_task_motions(json, plan, task);
     write_task_work(json, plan, task);
     if (interpreter::held_whole(plan, task)) json.field("whole", true);
+    write_choices(json, plan, task);
     json.field("priority", task.priority).key("zones");
     write_shapes(json, task.zones, meshes);
     json.key("after").begin_array();
@@ -288,9 +354,12 @@ std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sou
   for (const interpreter::CrewSpec& crew : plan.crews) {
     json.begin_object().field("name", crew.name).field("size", crew.size);
     write_rate(json, crew.cost_per_hour, crew.calendar);
+    write_charges(json, crew.charges);
     json.end_object();
   }
   json.end_array();
+  write_pools(json, plan);
+  if (plan.overhead_per_day) json.field("overhead_per_day", *plan.overhead_per_day);
   if (plan.short_form) {
     json.key("via").begin_array();
     for (const interpreter::GoalSpec& goal : plan.via) write_goal(json, plan, 0, goal);

@@ -85,7 +85,7 @@ void TraceWriter::configuration(std::span<const double> q) {
 }
 
 void TraceWriter::task_start(interpreter::Ticks time, std::string_view because,
-                             std::string_view after) {
+                             std::string_view after, std::string_view chosen) {
   if (detail_ == TraceDetail::none) return;
   begin("task_start");
   line_ += ",\"t\":";
@@ -95,6 +95,10 @@ void TraceWriter::task_start(interpreter::Ticks time, std::string_view because,
     append_string(line_, because);
     line_ += ",\"after\":";
     append_string(line_, after);
+  }
+  if (!chosen.empty()) {
+    line_ += ",\"chosen\":";
+    append_string(line_, chosen);
   }
   finish();
 }

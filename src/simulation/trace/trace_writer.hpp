@@ -26,9 +26,10 @@ class TraceWriter : public interpreter::EventSink {
   /// to.
   void set_task(std::string_view task, int robot);
 
-  /// `because`: a sentence why it starts now; `after`: the task it waited for, "" for none.
+  /// `because`: a sentence why it starts now; `after`: the task it waited for, "" for none;
+  /// `chosen`: whom it has of its pools.
   void task_start(interpreter::Ticks time, std::string_view because = {},
-                  std::string_view after = {});
+                  std::string_view after = {}, std::string_view chosen = {});
   /// `result` is done, rejected or "not reached"; `time` the clock from which the plan goes on.
   void task_end(interpreter::Ticks time, std::string_view result, std::string_view reason);
   /// The component joins the tool; X_TO is where its frame {O} is in the tool frame.

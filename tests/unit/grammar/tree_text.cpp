@@ -182,6 +182,7 @@ class Writer {
     for (const syntax::Frame& entry : value.grip) frame(entry);
     for (const syntax::Number& entry : value.mass) number(entry);
     for (const syntax::Number& entry : value.density) number(entry);
+    for (const syntax::Number& entry : value.cost) number(entry);
     for (const syntax::AttributeItem& entry : value.attributes) item(entry);
   }
   void item(const syntax::AttributeItem& value) { name(value.key), string(value.text); }
@@ -192,6 +193,7 @@ class Writer {
     for (const syntax::Values& entry : value.start) values(entry);
     costs(value.cost);
     names(value.calendar);
+    charges(value.charges);
     word("park");
     for (const syntax::Values& entry : value.park) values(entry);
   }
@@ -199,13 +201,39 @@ class Writer {
     name(value.name);
     for (const syntax::Number& entry : value.size) number(entry);
     costs(value.cost);
+    charges(value.charges);
     names(value.calendar);
+  }
+  void charges(const syntax::Charges& value) {
+    for (const syntax::Rental& rental : value.rental) {
+      number(rental.amount);
+      if (rental.from) string(*rental.from);
+      if (rental.to) string(*rental.to);
+    }
+    for (const syntax::Number& amount : value.mobilisation) number(amount);
+    for (const syntax::Overtime& overtime : value.overtime) {
+      number(overtime.factor);
+      if (overtime.outside) name(*overtime.outside);
+    }
+  }
+  void item(const syntax::PoolItem& value) {
+    name(value.name);
+    names(value.of);
+    names(value.choose);
+  }
+  void item(const syntax::OverheadItem& value) { number(value.amount); }
+  void item(const syntax::NeedsItem& value) {
+    for (const syntax::NeedsItem::Need& need : value.needs) number(need.units), name(need.crew);
   }
   void item(const syntax::WorkItem& value) {
     name(value.name), number(value.duration);
     if (value.by) name(*value.by);
   }
-  void item(const syntax::ByItem& value) { names(value.names); }
+  void item(const syntax::ByItem& value) {
+    names(value.names);
+    names(value.all_of);
+    for (const syntax::QualifiedName& entry : value.same_as) name(entry);
+  }
   void item(const syntax::MoveItem& value) { name(value.component), frame(value.to); }
   void item(const syntax::GoItem& value) { goal(value.goal); }
   void item(const syntax::RemoveItem& value) { name(value.component); }

@@ -33,13 +33,17 @@ void add_name(std::map<std::string, int>& index, const std::string& name) {
   }
 }
 
-int calendar_of(const Scene& scene, const JsonFields& fields) {
-  const std::string name = fields.text_or("calendar", "");
+int calendar_named(const Scene& scene, const JsonFields& fields, const char* member) {
+  const std::string name = fields.text_or(member, "");
   if (name.empty()) return -1;
   for (std::size_t i = 0; i < scene.calendars.size(); ++i) {
     if (scene.calendars[i].name == name) return static_cast<int>(i);
   }
   fields.fail("the name of a calendar");
+}
+
+int calendar_of(const Scene& scene, const JsonFields& fields) {
+  return calendar_named(scene, fields, "calendar");
 }
 
 SceneCalendar read_calendar(const JsonFields& fields) {
@@ -73,6 +77,7 @@ void read_components(const JsonFields& header, Scene& scene) {
     component.name = fields.text("name");
     component.X_WO = fields.pose("pose");
     component.mass = fields.number("mass");
+    if (fields.has("cost")) component.cost = fields.number("cost");
     component.shapes = read_shapes(fields.array("shapes"), scene.meshes.size());
     add_name(scene.component_index, component.name);
     scene.components.push_back(std::move(component));
@@ -92,6 +97,21 @@ double cost_per_hour(const JsonFields& fields) {
   return fields.has("cost_per_hour") ? fields.number("cost_per_hour") : 0;
 }
 
+SceneCharges read_charges(const JsonFields& fields, const Scene& scene) {
+  SceneCharges charges;
+  if (fields.has("rental_per_day")) charges.rental_per_day = fields.number("rental_per_day");
+  if (fields.has("rental_days")) {
+    const Json& days = fields.array("rental_days");
+    if (days.size() != 2) fields.fail("two dates");
+    charges.rental_days.emplace(text_of(days[0], "a date"), text_of(days[1], "a date"));
+  }
+  if (fields.has("mobilisation")) charges.mobilisation = fields.number("mobilisation");
+  if (fields.has("overtime")) charges.overtime = fields.number("overtime");
+  if (fields.has("overtime_outside"))
+    charges.normal = calendar_named(scene, fields, "overtime_outside");
+  return charges;
+}
+
 void read_resources(const JsonFields& header, Scene& scene) {
   for (const Json& object : list_or_empty(header, "calendars")) {
     scene.calendars.push_back(read_calendar(JsonFields(object, "a calendar")));
@@ -101,13 +121,19 @@ void read_resources(const JsonFields& header, Scene& scene) {
     SceneRobot robot = read_robot(fields, scene.meshes.size());
     robot.calendar = calendar_of(scene, fields);
     robot.cost_per_hour = cost_per_hour(fields);
+    robot.charges = read_charges(fields, scene);
     if (fields.has("park")) robot.park = read_values(fields.object("park"), robot);
     add_name(scene.robot_index, robot.name);
     scene.robots.push_back(std::move(robot));
   }
   for (const Json& object : header.array("crews")) {
     const JsonFields fields(object, "a crew");
-    scene.crews.push_back({fields.text("name"), calendar_of(scene, fields), cost_per_hour(fields)});
+    SceneCrew& crew = scene.crews.emplace_back();
+    crew.name = fields.text("name");
+    crew.calendar = calendar_of(scene, fields);
+    crew.cost_per_hour = cost_per_hour(fields);
+    if (fields.has("size")) crew.size = integer_of(fields.any("size"), "'size'", 1, 1000000);
+    crew.charges = read_charges(fields, scene);
     add_name(scene.crew_index, scene.crews.back().name);
   }
 }
@@ -173,9 +199,8 @@ void read_task_work(const JsonFields& fields, const Scene& scene, SceneTask& tas
   if (fields.has("zones")) task.zones = read_shapes(fields.any("zones"), scene.meshes.size());
 }
 
-SceneTask read_task(const JsonFields& fields, const Scene& scene) {
-  SceneTask task;
-  task.name = fields.text("name");
+/// Who does a task, and what.
+void read_doing(const JsonFields& fields, const Scene& scene, SceneTask& task) {
   const std::string& robot = fields.text("robot");
   if (!robot.empty()) task.robot = index_in(scene.robot_index, robot, "a robot");
   for (const Json& name : fields.array("crews")) {
@@ -186,11 +211,40 @@ SceneTask read_task(const JsonFields& fields, const Scene& scene) {
     task.X_WO_goal = fields.pose("to");
   }
   if (fields.has("go")) read_go(fields.object("go"), scene, task);
+  for (const Json& name : list_or_empty(fields, "also_robots")) {
+    task.also_robots.push_back(
+        index_in(scene.robot_index, text_of(name, "'also_robots'"), "a robot"));
+  }
+  if (fields.has("needs")) {
+    for (const auto& [name, people] : fields.object("needs").json().items()) {
+      const int crew = index_in(scene.crew_index, name, "a crew");
+      task.needs[crew] =
+          integer_of(people, "'needs'", 1, scene.crews[static_cast<std::size_t>(crew)].size);
+    }
+  }
   read_via(list_or_empty(fields, "via"), scene, task);
-  if ((task.move >= 0 || task.goes) && task.robot < 0) fields.fail("a robot for the motion");
+  const bool has_choices = fields.has("choices");
+  if ((task.move >= 0 || task.goes) && task.robot < 0 && !has_choices) {
+    fields.fail("a robot for the motion");
+  }
   if (fields.has("within")) task.within = read_within(fields.any("within"));
+}
+
+SceneTask read_task(const JsonFields& fields, const Scene& scene) {
+  SceneTask task;
+  task.name = fields.text("name");
+  read_doing(fields, scene, task);
   read_task_work(fields, scene, task);
   task.whole = task.move >= 0 && fields.has("whole") && fields.truth("whole");
+  for (const Json& object : list_or_empty(fields, "choices")) {
+    const JsonFields choice(object, "a choice of a task");
+    SceneTask& spec = task.choices.emplace_back();
+    spec.name = task.name;
+    spec.members = choice.text("members");
+    read_doing(choice, scene, spec);
+    read_task_work(choice, scene, spec);
+    spec.zones = task.zones;
+  }
   return task;
 }
 
@@ -210,6 +264,10 @@ void read_tasks(const JsonFields& header, Scene& scene) {
     add_name(scene.task_index, scene.tasks.back().name);
   }
   for (std::size_t i = 0; i < scene.tasks.size(); ++i) {
+    const JsonFields task(header.array("tasks")[i], "a task");
+    if (task.has("same_as")) {
+      scene.tasks[i].same_as = index_in(scene.task_index, task.text("same_as"), "a task");
+    }
     for (const Json& object :
          list_or_empty(JsonFields(header.array("tasks")[i], "a task"), "after")) {
       const JsonFields fields(object, "a link");
@@ -266,6 +324,7 @@ Scene read_scene(const std::string& line) {
   scene.contact = header.number("contact");
   scene.start_at = header.text_or("start_at", "");
   scene.currency = header.text_or("currency", "");
+  if (header.has("overhead_per_day")) scene.overhead_per_day = header.number("overhead_per_day");
   for (const Json& object : list_or_empty(header, "files")) {
     const JsonFields file(object, "a file");
     scene.files.push_back({file.text("path"), file.text("text"), file.text("sha256")});

@@ -12,7 +12,9 @@
 
 namespace rubicon::verify {
 
-struct TaskStart {};
+struct TaskStart {
+  std::string chosen;  ///< of pools
+};
 
 /// The script begins for way point k of the n that are left of a motion.
 struct Goal {

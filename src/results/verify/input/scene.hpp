@@ -65,6 +65,15 @@ struct SceneParameter {
   Formula rule;
 };
 
+/// What a robot or crew costs besides its hours.
+struct SceneCharges {
+  std::optional<double> rental_per_day;
+  std::optional<std::pair<std::string, std::string>> rental_days;  ///< YYYY-MM-DD, first and last
+  double mobilisation = 0;
+  double overtime = 1;
+  int normal = -1;  ///< calendar outside of which it is overtime; -1: its own
+};
+
 struct SceneRobot {
   std::string name;
   Pose X_WM = Pose::Identity();
@@ -79,12 +88,14 @@ struct SceneRobot {
   int calendar = -1;
   double cost_per_hour = 0;
   std::vector<std::pair<int, double>> park;  ///< parameter, value
+  SceneCharges charges;
 };
 
 struct SceneComponent {
   std::string name;
   Pose X_WO = Pose::Identity();
   double mass = 0;
+  double cost = 0;
   std::vector<ShapeData> shapes;
 };
 
@@ -105,6 +116,8 @@ struct SceneCrew {
   std::string name;
   int calendar = -1;
   double cost_per_hour = 0;
+  int size = 1;
+  SceneCharges charges;
 };
 
 enum class LinkType { FS, SS, FF, SF };
@@ -150,6 +163,11 @@ struct SceneTask {
   std::vector<int> remove;
   std::vector<ShapeData> zones;  ///< in {W}
   std::vector<SceneLink> after;
+  std::map<int, int> needs;        ///< people of a crew; of those that are not here all
+  std::vector<int> also_robots;    ///< held, and not moved
+  std::string members;             ///< of a choice: names
+  std::vector<SceneTask> choices;  ///< by pools
+  int same_as = -1;                ///< the task whose members it has
 };
 
 /// Two things that are in each other at the beginning.
@@ -171,6 +189,7 @@ struct Scene {
   double contact = 0;    ///< m
   std::string start_at;  ///< "": none
   std::string currency;
+  double overhead_per_day = 0;
   std::vector<SceneFile> files;
   std::vector<MeshData> meshes;
   std::vector<ShapeData> site;

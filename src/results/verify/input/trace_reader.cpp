@@ -35,7 +35,7 @@ class RecordReader {
     }
     record_.time = fields_.time("t");
     if (type == "task_start") {
-      record_.what = TaskStart{};
+      record_.what = TaskStart{fields_.text_or("chosen", "")};
     } else if (type == "try") {
       record_.what = read_try();
     } else if (type == "wait") {

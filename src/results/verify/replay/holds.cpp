@@ -25,13 +25,23 @@ std::vector<Hold> holds_of(const Trace& trace, const std::vector<TaskRun>& runs,
   const Scene& scene = trace.scene;
   const int robots = static_cast<int>(scene.robots.size());
   std::set<int> crews;
+  const auto people_of = [&](int resource) {
+    if (run.task >= 0 && resource >= robots) {
+      const auto& needs = scene.tasks[at(run.task)].needs;
+      const auto need = needs.find(resource - robots);
+      if (need != needs.end()) return need->second;
+    }
+    return size_of_resource(scene, resource);
+  };
   const auto hold_whole = [&](int resource) {
-    holds.push_back({resource, run.start, run.end, index, run.start_line, true});
+    holds.push_back(
+        {resource, run.start, run.end, index, run.start_line, true, people_of(resource)});
   };
   if (run.robot >= 0) hold_whole(run.robot);
   if (run.task >= 0 && !is_milestone(scene.tasks[at(run.task)])) {
     const SceneTask& task = scene.tasks[at(run.task)];
     crews.insert(task.crews.begin(), task.crews.end());
+    for (const int robot : task.also_robots) hold_whole(robot);
     for (const SceneWork& work : task.takes) {
       if (run.robot < 0 && work.crew >= 0) crews.insert(work.crew);
     }
@@ -41,9 +51,15 @@ std::vector<Hold> holds_of(const Trace& trace, const std::vector<TaskRun>& runs,
     const Record& record = trace.records[at(i)];
     const auto* work = std::get_if<Work>(&record.what);
     if (work == nullptr || work->crew < 0 || crews.contains(work->crew)) continue;
-    holds.push_back({robots + work->crew, work->from, record.time, index, record.line, false});
+    holds.push_back({robots + work->crew, work->from, record.time, index, record.line, false,
+                     people_of(robots + work->crew)});
   }
   return holds;
+}
+
+int size_of_resource(const Scene& scene, int resource) {
+  const int robots = static_cast<int>(scene.robots.size());
+  return resource < robots ? 1 : scene.crews[at(resource - robots)].size;
 }
 
 const std::string& resource_name(const Scene& scene, int resource) {

@@ -14,12 +14,15 @@ struct Hold {
   int run = -1;  ///< index into the runs
   int line = 0;
   bool whole = true;  ///< from the start to the finish of the task; else for one work
+  int people = 1;     ///< of a crew
 };
 
 /// What a task that happened had: its robot and crews from its start to its finish, and the crews
 /// of single works while these last. A task without work has nobody.
 std::vector<Hold> holds_of(const Trace& trace, const std::vector<TaskRun>& runs, int index);
 
+/// People of a crew; 1 of a robot.
+int size_of_resource(const Scene& scene, int resource);
 /// Its name.
 const std::string& resource_name(const Scene& scene, int resource);
 /// Its calendar: none, or one.

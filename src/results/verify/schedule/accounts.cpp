@@ -63,13 +63,19 @@ class Bookkeeper {
   /// Its shifts in the time it is held; who holds for the whole task stays for steps after them.
   void add_hold(const Hold& hold) {
     const std::vector<int> calendar = calendar_of_resource(trace_.scene, hold.resource);
-    HeldTime held{hold.resource, hours_.between(calendar, hold.from, hold.to), 0};
+    HeldTime held;
+    held.resource = hold.resource;
+    held.held = hours_.between(calendar, hold.from, hold.to);
+    held.people = hold.people;
+    held.from = hold.from;
+    held.to = hold.to;
     const int robots = static_cast<int>(trace_.scene.robots.size());
     if (hold.whole && !calendar.empty()) {
       for (const auto& [from, to] : steps_) {
         held.held += to - from - hours_.between(calendar, from, to);
       }
     }
+    add_overtime(calendar, hold, held);
     for (const DoneWork& work : works_) {
       // What hangs on a hook is worked on after the end of a shift too.
       if (work.lifts && (hold.whole || work.from == hold.from)) {
@@ -80,6 +86,23 @@ class Bookkeeper {
       if (counts) held.work += work.time;
     }
     account_.holds.push_back(held);
+  }
+
+  /// What of it lies outside of the hours that its `overtime` names.
+  void add_overtime(const std::vector<int>& calendar, const Hold& hold, HeldTime& held) const {
+    const SceneCharges& charges = charges_of(trace_.scene, hold.resource);
+    if (charges.overtime == 1) return;
+    std::vector<int> normal = calendar;
+    if (charges.normal >= 0) normal = {charges.normal};
+    std::vector<int> both = calendar;
+    both.insert(both.end(), normal.begin(), normal.end());
+    held.overtime =
+        hours_.between(calendar, hold.from, hold.to) - hours_.between(both, hold.from, hold.to);
+    if (!hold.whole) return;
+    for (const auto& [from, to] : steps_) {
+      held.overtime += to - from - hours_.between(calendar, from, to) -
+                       hours_.between(normal, from, to) + hours_.between(both, from, to);
+    }
   }
 
   struct DoneWork {
@@ -110,6 +133,16 @@ std::vector<TaskAccount> task_accounts(const Trace& trace, const std::vector<Tas
     accounts.push_back(bookkeeper.account(runs, static_cast<int>(i)));
   }
   return accounts;
+}
+
+long double share_of(const Scene& scene, const HeldTime& held) {
+  return static_cast<long double>(held.people) / size_of_resource(scene, held.resource);
+}
+
+const SceneCharges& charges_of(const Scene& scene, int resource) {
+  const int robots = static_cast<int>(scene.robots.size());
+  return resource < robots ? scene.robots[at(resource)].charges
+                           : scene.crews[at(resource - robots)].charges;
 }
 
 double cost_of(double rate, Ticks held) {

@@ -12,6 +12,9 @@ struct HeldTime {
   int resource = -1;
   Ticks held = 0;  ///< in its shifts, and steps after their end
   Ticks work = 0;  ///< crews: of that they worked
+  int people = 1;
+  Ticks overtime = 0;  ///< of `held`
+  Ticks from = 0, to = 0;
 };
 
 /// Where the time of a task went after its start, and whom it had, added up from its records.
@@ -31,9 +34,12 @@ struct TaskAccount {
 std::vector<TaskAccount> task_accounts(const Trace& trace, const std::vector<TaskRun>& runs,
                                        const WorkingHours& hours);
 
+/// The share of a robot or crew that was held.
+long double share_of(const Scene& scene, const HeldTime& held);
 /// Money for a time at a rate per hour.
 double cost_of(double rate, Ticks held);
 /// The rate of a robot or crew per hour; none is 0.
 double rate_of(const Scene& scene, int resource);
+const SceneCharges& charges_of(const Scene& scene, int resource);
 
 }  // namespace rubicon::verify

@@ -16,12 +16,11 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Money is compared to this, of its own size: sums of doubles in another order. Consequence: a
-/// cost that is off by less is not seen.
-constexpr double kMoneySlack = 1e-9;
+/// Numbers are compared to this, of their own size. Consequence: what is off by less is not seen.
+constexpr double kNumberSlack = 1e-9;
 
-bool same_money(double a, double b, double cent) {
-  return std::fabs(a - b) <= cent + kMoneySlack * std::max({1.0, std::fabs(a), std::fabs(b)});
+bool same_number(double a, double b) {
+  return std::fabs(a - b) <= kNumberSlack * std::max({1.0, std::fabs(a), std::fabs(b)});
 }
 
 class SplitCheck {
@@ -67,8 +66,8 @@ class SplitCheck {
 /// What the accounts of all tasks give for one robot or crew.
 struct Use {
   int tasks = 0;
-  Ticks held = 0;
-  Ticks work = 0;
+  long double held = 0;  ///< of a crew by the share that a task has
+  long double work = 0;
 };
 
 class UseCheck {
@@ -87,7 +86,7 @@ class UseCheck {
   }
 
   void number(const char* what, double found, double expected) {
-    if (same_money(found, expected, 0)) return;
+    if (same_number(found, expected)) return;
     fault(fmt::format("{} is {}, expected {}", what, found, expected));
   }
 
@@ -107,8 +106,8 @@ Ticks last_end(const std::vector<TaskRun>& runs) {
 
 }  // namespace
 
-void check_split(const Trace& trace, const TaskRun& run, const TaskAccount& account,
-                 const ScheduleRow& row, ResultFile file, double cent, Faults& faults) {
+void check_split(const TaskRun& run, const TaskAccount& account, const ScheduleRow& row,
+                 ResultFile file, Faults& faults) {
   SplitCheck check(row, file, faults);
   const TimeSplit& split = row.split;
   const Ticks sum =
@@ -120,13 +119,6 @@ void check_split(const Trace& trace, const TaskRun& run, const TaskAccount& acco
   check.at_least("the wait for robots and crews", split.resource, account.crew);
   check.at_least("the wait for machines", split.machine, account.machine);
   check.at_least("the time out of shift", split.shift, account.shift);
-  if (!row.cost) return;
-  double cost = 0;
-  for (const HeldTime& held : account.holds) {
-    cost += cost_of(rate_of(trace.scene, held.resource), held.held);
-  }
-  if (same_money(*row.cost, cost, cent)) return;
-  check.fault(fmt::format("the cost is {}, of its robot and crews {}", *row.cost, cost));
 }
 
 void check_uses(const Trace& trace, const std::vector<TaskRun>& runs,
@@ -143,8 +135,8 @@ void check_uses(const Trace& trace, const std::vector<TaskRun>& runs,
     std::set<int> had;
     for (const HeldTime& held : account.holds) {
       Use& use = uses[at(held.resource)];
-      use.held += held.held;
-      use.work += held.work;
+      use.held += held.held * share_of(scene, held);
+      use.work += held.work * share_of(scene, held);
       if (had.insert(held.resource).second) ++use.tasks;
     }
   }
@@ -153,8 +145,6 @@ void check_uses(const Trace& trace, const std::vector<TaskRun>& runs,
     return;
   }
   const Ticks end = last_end(runs);
-  double total = 0;
-  bool costed = false;
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const int resource = static_cast<int>(i);
     const UseRow& row = schedule.uses[i];
@@ -163,7 +153,7 @@ void check_uses(const Trace& trace, const std::vector<TaskRun>& runs,
       check.fault(fmt::format("expected {} here", resource_name(scene, resource)));
       continue;
     }
-    Ticks busy = i < robots ? 0 : uses[i].work;
+    Ticks busy = i < robots ? 0 : static_cast<Ticks>(uses[i].work);
     if (i < robots) {
       for (const ScheduleRow& task : schedule.rows) {
         if (task.robot == row.name) busy += task.split.motion;
@@ -171,22 +161,13 @@ void check_uses(const Trace& trace, const std::vector<TaskRun>& runs,
     }
     const Ticks shifts = hours.between(calendar_of_resource(scene, resource), 0, end);
     check.number("the number of tasks", row.tasks, uses[i].tasks);
-    check.time("the time held", row.held, uses[i].held);
+    check.time("the time held", row.held, static_cast<Ticks>(uses[i].held));
     check.time("the time busy", row.busy, busy);
     check.time("the time of its shifts", row.shifts, shifts);
     check.number("the utilisation", row.utilisation,
                  shifts > 0 ? static_cast<double>(row.held) / static_cast<double>(row.shifts) : 0);
     const double rate = rate_of(scene, resource);
-    const double cost = cost_of(rate, uses[i].held);
-    total += cost;
-    costed = costed || row.cost.has_value();
     if (schedule.cost || row.rate) check.number("the rate", row.rate.value_or(0), rate);
-    if (schedule.cost || row.cost) check.number("the cost", row.cost.value_or(0), cost);
-  }
-  const bool some_rate = total > 0 || costed;
-  if (some_rate && !same_money(schedule.cost.value_or(0), total, 0)) {
-    whole(fmt::format("the whole costs {}, its robots and crews {}", schedule.cost.value_or(0),
-                      total));
   }
 }
 

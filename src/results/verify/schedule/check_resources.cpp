@@ -33,16 +33,27 @@ class ResourceCheck {
     std::erase_if(holds, [](const Hold& hold) { return hold.to <= hold.from; });
     std::stable_sort(holds.begin(), holds.end(),
                      [](const Hold& a, const Hold& b) { return a.from < b.from; });
-    const Hold* last = nullptr;  // of those before the one that ends last
+    if (holds.empty()) return;
+    const int size = size_of_resource(trace_.scene, holds.front().resource);
+    std::vector<const Hold*> open;  // those that have it when the next begins
     for (const Hold& hold : holds) {
-      if (last != nullptr && last->run != hold.run && hold.from < last->to - kTimeSlack) {
-        faults_.push_back(
-            {FaultKind::resource, ResultFile::trace, hold.line,
-             trace_.runs[at(runs_[at(hold.run)].run)], hold.from,
-             fmt::format("{} is still in {}", name, trace_.runs[at(runs_[at(last->run)].run)])});
-      }
-      if (last == nullptr || hold.to > last->to) last = &hold;
+      std::erase_if(open, [&](const Hold* other) {
+        return other->to <= hold.from + kTimeSlack || other->run == hold.run;
+      });
+      int people = hold.people;
+      for (const Hold* other : open) people += other->people;
+      if (people > size) overdrawn(name, size, people, hold, open);
+      open.push_back(&hold);
     }
+  }
+
+  void overdrawn(const std::string& name, int size, int people, const Hold& hold,
+                 const std::vector<const Hold*>& open) {
+    const auto task_of = [&](const Hold& each) { return trace_.runs[at(runs_[at(each.run)].run)]; };
+    std::string text = fmt::format("{} is still in {}", name, task_of(*open.back()));
+    if (size > 1) text += fmt::format(": {} people at once, and it has {}", people, size);
+    faults_.push_back({FaultKind::resource, ResultFile::trace, hold.line, task_of(hold), hold.from,
+                       std::move(text)});
   }
 
   const Trace& trace_;

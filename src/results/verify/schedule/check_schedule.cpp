@@ -31,11 +31,12 @@ const char* name_of(TaskResult result) {
 class RowCheck {
  public:
   RowCheck(const Trace& trace, const std::vector<TaskRun>& runs,
-           const std::vector<TaskAccount>& accounts, const WaitCheck& waits, ResultFile file,
-           Faults& faults)
+           const std::vector<TaskAccount>& accounts, const Costs& costs, const WaitCheck& waits,
+           ResultFile file, Faults& faults)
       : trace_(trace),
         runs_(runs),
         accounts_(accounts),
+        costs_(costs),
         waits_(waits),
         file_(file),
         faults_(faults) {
@@ -51,9 +52,8 @@ class RowCheck {
         fault(row, "the trace has no such task");
       } else {
         compare(row, runs_[at(run)]);
-        // A table rounds to cents.
-        const double cent = file_ == ResultFile::schedule_csv ? 0.005 : 0;
-        check_split(trace_, runs_[at(run)], accounts_[at(run)], row, file_, cent, faults_);
+        check_split(runs_[at(run)], accounts_[at(run)], row, file_, faults_);
+        check_cost(row, costs_.of_run[at(run)]);
         waits_.check_start(run, accounts_[at(run)], row, file_, faults_);
       }
     }
@@ -68,6 +68,12 @@ class RowCheck {
  private:
   void fault(const ScheduleRow& row, std::string text) {
     faults_.push_back({FaultKind::schedule, file_, row.line, row.task, row.start, std::move(text)});
+  }
+
+  void check_cost(const ScheduleRow& row, long double exact) {
+    if (!row.cost || is_rounded(*row.cost, exact)) return;
+    fault(row, fmt::format("the cost is {}, by the trace {:.4f}", *row.cost,
+                           static_cast<double>(exact)));
   }
 
   /// The run that the row is about. A machine may be asked out of the way several times, and each
@@ -156,6 +162,7 @@ class RowCheck {
   const Trace& trace_;
   const std::vector<TaskRun>& runs_;
   const std::vector<TaskAccount>& accounts_;
+  const Costs& costs_;
   const WaitCheck& waits_;
   const ResultFile file_;
   Faults& faults_;
@@ -165,9 +172,10 @@ class RowCheck {
 }  // namespace
 
 void check_rows(const Trace& trace, const std::vector<TaskRun>& runs,
-                const std::vector<TaskAccount>& accounts, const WaitCheck& waits,
-                const std::vector<ScheduleRow>& rows, ResultFile file, Faults& faults) {
-  RowCheck(trace, runs, accounts, waits, file, faults).check(rows);
+                const std::vector<TaskAccount>& accounts, const Costs& costs,
+                const WaitCheck& waits, const std::vector<ScheduleRow>& rows, ResultFile file,
+                Faults& faults) {
+  RowCheck(trace, runs, accounts, costs, waits, file, faults).check(rows);
 }
 
 void check_process_time(const std::vector<TaskRun>& runs, Ticks process_time, Faults& faults) {

@@ -148,6 +148,11 @@ ScheduleJson read_schedule_json(const std::string& text) {
   ScheduleJson read;
   read.process_time = schedule.time("process_time");
   read.cost = number_if_any(schedule, "cost");
+  if (schedule.has("cost_by_kind")) {
+    for (const auto& [kind, amount] : schedule.object("cost_by_kind").json().items()) {
+      read.cost_by_kind[kind] = number_of(amount, "'cost_by_kind'");
+    }
+  }
   read.start_at = schedule.text_or("start_at", "");
   read.ends = schedule.text_or("ends", "");
   read.currency = schedule.text_or("currency", "");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,6 +62,7 @@ struct ScheduleJson {
   std::string start_at, ends;  ///< YYYY-MM-DD HH:MM; "": not given
   std::string currency;
   std::optional<double> cost;
+  std::map<std::string, double> cost_by_kind;  ///< empty: not given
 };
 
 /// Throws UnreadableInput.

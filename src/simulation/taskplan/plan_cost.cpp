@@ -1,0 +1,228 @@
+#include "src/simulation/taskplan/plan_cost.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "src/simulation/taskplan/plan_calendars.hpp"
+
+namespace rubicon::taskplan {
+
+namespace {
+
+/// Money and times of all a plan may have, multiplied: 64 bits are too few.
+__extension__ typedef __int128 Wide;
+
+/// Money is counted in millionths, and shown in hundredths.
+constexpr std::int64_t kMillionth = 1'000'000;
+constexpr Wide kCent = kMillionth / 100;
+
+Wide millionths(double amount) {
+  return static_cast<Wide>(std::llround(amount * static_cast<double>(kMillionth)));
+}
+
+/// a / b, half of one up; for a >= 0.
+Wide rounded_quotient(Wide a, Wide b) { return (2 * a + b) / (2 * b); }
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// What is spent on something.
+struct Item {
+  CostKind kind = CostKind::use;
+  int task = -1;      ///< row of the schedule, -1: of none
+  int resource = -1;  ///< -1: of none
+  Wide amount = 0;    ///< millionths
+};
+
+class CostCounter {
+ public:
+  CostCounter(const interpreter::PlanModel& plan, const Schedule& schedule)
+      : plan_(plan), schedule_(schedule) {
+    for (const interpreter::RobotSpec& robot : plan.robots) {
+      add_payer(robot.cost_per_hour, robot.charges, 1);
+    }
+    for (const interpreter::CrewSpec& crew : plan.crews) {
+      add_payer(crew.cost_per_hour, crew.charges, static_cast<int>(crew.size));
+    }
+  }
+
+  std::vector<Item> items() {
+    for (std::size_t row = 0; row < schedule_.tasks.size(); ++row) {
+      for (const ResourceHold& hold : schedule_.tasks[row].holds) {
+        add_hold(static_cast<int>(row), hold);
+      }
+    }
+    add_materials();
+    for (std::size_t i = 0; i < payers_.size(); ++i) add_charges(static_cast<int>(i));
+    if (plan_.overhead_per_day && schedule_.process_time > 0) {
+      items_.push_back({CostKind::overhead, -1, -1,
+                        millionths(*plan_.overhead_per_day) * days(0, schedule_.process_time)});
+    }
+    return std::move(items_);
+  }
+
+ private:
+  /// A robot or crew as it is paid.
+  struct Payer {
+    Wide rate = 0;   ///< millionths an hour
+    Wide extra = 0;  ///< the same, for an hour of overtime besides
+    int size = 1;
+    const interpreter::Charges* charges = nullptr;
+    bool used = false;
+    Ticks first = 0, last = 0;
+  };
+
+  void add_payer(const std::optional<double>& rate, const interpreter::Charges& charges, int size) {
+    Payer& payer = payers_.emplace_back();
+    payer.rate = millionths(rate.value_or(0));
+    payer.extra = rounded_quotient(payer.rate * millionths(charges.overtime - 1), kMillionth);
+    payer.size = size;
+    payer.charges = &charges;
+  }
+
+  /// A rate for the whole of it, a part of its people and a time.
+  static Wide amount(Wide rate, Ticks time, int people, int size) {
+    const Wide part = static_cast<Wide>(time) * people;
+    const Wide hour = static_cast<Wide>(schedule::kHour) * size;
+    return rate * (part / hour) + rounded_quotient(rate * (part % hour), hour);
+  }
+
+  void add_hold(int row, const ResourceHold& hold) {
+    Payer& payer = payers_[at(hold.resource)];
+    payer.first = payer.used ? std::min(payer.first, hold.from) : hold.from;
+    payer.last = std::max(payer.last, hold.to);
+    payer.used = true;
+    items_.push_back({CostKind::use, row, hold.resource,
+                      amount(payer.rate, hold.held, hold.people, payer.size)});
+    if (hold.overtime > 0 && payer.extra > 0) {
+      items_.push_back({CostKind::overtime, row, hold.resource,
+                        amount(payer.extra, hold.overtime, hold.people, payer.size)});
+    }
+  }
+
+  /// Of each component once: with the first task that moved it.
+  void add_materials() {
+    std::map<std::string, int> moved;
+    for (const interpreter::TaskSpec& task : plan_.tasks) {
+      if (task.move) moved.emplace(task.name, *task.move);
+    }
+    std::set<int> paid;
+    for (std::size_t row = 0; row < schedule_.tasks.size(); ++row) {
+      const TaskOutcome& task = schedule_.tasks[row];
+      const auto component = moved.find(task.task);
+      if (task.result != TaskResult::done || component == moved.end()) continue;
+      const auto& cost = plan_.components[at(component->second)].cost;
+      if (!cost || !paid.insert(component->second).second) continue;
+      items_.push_back({CostKind::material, static_cast<int>(row), -1, millionths(*cost)});
+    }
+  }
+
+  void add_charges(int resource) {
+    const Payer& payer = payers_[at(resource)];
+    const interpreter::Charges& charges = *payer.charges;
+    if (charges.rental_per_day && (payer.used || charges.rental_days)) {
+      const std::int64_t count = charges.rental_days
+                                     ? schedule::days_from_date(charges.rental_days->second) -
+                                           schedule::days_from_date(charges.rental_days->first) + 1
+                                     : days(payer.first, payer.last);
+      items_.push_back(
+          {CostKind::rental, -1, resource, millionths(*charges.rental_per_day) * count});
+    }
+    if (charges.mobilisation && payer.used) {
+      items_.push_back({CostKind::mobilisation, -1, resource, millionths(*charges.mobilisation)});
+    }
+  }
+
+  /// The days of the calendar that a time touches.
+  std::int64_t days(Ticks from, Ticks to) const {
+    const auto day = [&](Ticks time) {
+      const Ticks minute = start_of(plan_).minute_of_day * schedule::kMinute;
+      return schedule::floor_division(minute + time, schedule::kDay);
+    };
+    return day(std::max(from, to - 1)) - day(from) + 1;
+  }
+
+  const interpreter::PlanModel& plan_;
+  const Schedule& schedule_;
+  std::vector<Payer> payers_;
+  std::vector<Item> items_;
+};
+
+/// Whole cents for amounts so that they add up to `total`: each is rounded down, and what is left
+/// goes to the largest remainders, of equals to the first.
+std::vector<std::int64_t> cents_of(const std::vector<Wide>& amounts, std::int64_t total) {
+  std::vector<std::int64_t> cents;
+  for (const Wide amount : amounts) cents.push_back(static_cast<std::int64_t>(amount / kCent));
+  std::vector<std::size_t> order(amounts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return amounts[a] % kCent > amounts[b] % kCent;
+  });
+  std::int64_t left = total - std::accumulate(cents.begin(), cents.end(), std::int64_t{0});
+  for (std::size_t i = 0; left > 0 && !order.empty(); i = (i + 1) % order.size(), --left) {
+    ++cents[order[i]];
+  }
+  return cents;
+}
+
+double money(std::int64_t cents) { return static_cast<double>(cents) / 100; }
+
+bool says_more(const interpreter::Charges& charges) {
+  return charges.rental_per_day || charges.mobilisation || charges.overtime != 1;
+}
+
+}  // namespace
+
+void add_costs(const interpreter::PlanModel& plan, Schedule& schedule) {
+  for (const interpreter::RobotSpec& robot : plan.robots) {
+    schedule.costed = schedule.costed || robot.cost_per_hour;
+    schedule.has_kinds = schedule.has_kinds || says_more(robot.charges);
+  }
+  for (const interpreter::CrewSpec& crew : plan.crews) {
+    schedule.costed = schedule.costed || crew.cost_per_hour;
+    schedule.has_kinds = schedule.has_kinds || says_more(crew.charges);
+  }
+  schedule.has_kinds =
+      schedule.has_kinds || plan.overhead_per_day ||
+      std::any_of(plan.components.begin(), plan.components.end(),
+                  [](const interpreter::ComponentSpec& component) { return component.cost; });
+  schedule.costed = schedule.costed || schedule.has_kinds;
+  if (!schedule.costed) return;
+
+  std::vector<Wide> kinds(kCostKinds), tasks(schedule.tasks.size()),
+      resources(schedule.resources.size());
+  Wide total = 0;
+  for (const Item& item : CostCounter(plan, schedule).items()) {
+    total += item.amount;
+    kinds[static_cast<std::size_t>(item.kind)] += item.amount;
+    if (item.task >= 0) tasks[at(item.task)] += item.amount;
+    if (item.resource >= 0) resources[at(item.resource)] += item.amount;
+  }
+  const auto whole = static_cast<std::int64_t>(rounded_quotient(total, kCent));
+  const std::vector<std::int64_t> by_kind = cents_of(kinds, whole);
+  const auto sum_of = [&](std::initializer_list<CostKind> some) {
+    return std::accumulate(some.begin(), some.end(), std::int64_t{0},
+                           [&](std::int64_t sum, CostKind kind) {
+                             return sum + by_kind[static_cast<std::size_t>(kind)];
+                           });
+  };
+  schedule.cost = money(whole);
+  for (std::size_t i = 0; i < kCostKinds; ++i) schedule.cost_by_kind[i] = money(by_kind[i]);
+  const std::vector<std::int64_t> by_task =
+      cents_of(tasks, sum_of({CostKind::use, CostKind::overtime, CostKind::material}));
+  for (std::size_t i = 0; i < by_task.size(); ++i) schedule.tasks[i].cost = money(by_task[i]);
+  const std::vector<std::int64_t> by_resource = cents_of(
+      resources,
+      sum_of({CostKind::use, CostKind::overtime, CostKind::rental, CostKind::mobilisation}));
+  for (std::size_t i = 0; i < by_resource.size(); ++i) {
+    schedule.resources[i].cost = money(by_resource[i]);
+  }
+}
+
+}  // namespace rubicon::taskplan

@@ -1,0 +1,275 @@
+"""Parts of crews, pools, and what all costs: run, its table and files, why; and verify, which finds what is wrong."""
+
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+
+import seeded_faults
+
+RUBICON = os.environ["RUBICON"]
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROBOTS = os.path.join(HERE, "verify_results")
+
+SHARES = """
+plan shares {
+  start_at "2026-03-02 07:00"; currency "EUR";
+  calendar day { mon-fri 07:00-12:00, 12:30-16:00; }
+  crew masons { size 4; cost 200 per h; calendar day; }
+  task a { takes 2 h; needs 2 masons; }
+  task b { takes 2 h; needs 2 masons; }
+  task c { takes 1 h; needs 3 masons; }
+  task d { by masons; takes 1 h; }
+}
+"""
+
+# The same with machines in it, so that nothing is known before: crews for one work, and for a whole task.
+SITE = """
+plan site {
+  start_at "2026-03-02 07:00"; currency "EUR";
+  robot cart "ROBOTS/cart.robot" { start x -20, y -12; cost 12.5 per h; }
+  crew masons { size 3; cost 100 per h; }
+  task go { by cart; go x -12, y -12; within x 0.5, y 0.5; }
+  task a { takes 10 min; needs 2 masons; after go; }
+  task b { takes 10 min; needs 1 masons; after go; }
+  task c { takes 5 min; needs 2 masons; after go; }
+}
+"""
+
+POOL = """
+plan pool {
+  robot near "ROBOTS/cart.robot" at trans(0, 0, 0) { start x -20, y 0; cost 30 per h; }
+  robot far "ROBOTS/cart.robot" at trans(0, 10, 0) { start x -25, y 0; cost 40 per h; }
+  pool carts { of far, near; choose RULE; }
+  task one { by carts; go x -10, y 0; within x 0.6, y 0.6; }
+  task two { by carts; go x -10, y 0; within x 0.6, y 0.6; after one; }
+  task home { by same as one; go x -18, y 0; within x 0.6, y 0.6; after two; }
+}
+"""
+
+# A box is in the way of the first cart.
+NEXT = """
+plan next {
+  robot a "ROBOTS/cart.robot" at trans(0, 0, 0) { start x -20, y 0; }
+  robot b "ROBOTS/cart.robot" at trans(0, 6, 0) { start x -20, y 0; }
+  pool carts { of a, b; }
+  site box(-15, -3, 0, -14, 3, 2);
+  SECOND
+  task drive { by carts; go x 0, y 0; within x 0.6, y 0.6; }
+  task after_it { by same as drive; go x 5, y 0; within x 0.6, y 0.6; after drive; }
+}
+"""
+
+MONEY = """
+plan money {
+  start_at "2026-03-06 14:00"; currency "EUR"; overhead 333.33 per day;
+  calendar long { mon-sat 06:00-20:00; }
+  calendar normal { mon-fri 07:00-15:30; }
+  crew masons { size 3; cost 100 per h; calendar long; overtime 1.5 outside normal; mobilisation 250.5; }
+  crew painters { size 2; cost 33.33 per h; rental 10.01 per day from "2026-03-01" to "2026-03-10"; }
+  robot cart "ROBOTS/cart.robot" { start x -20, y -12; cost 12.5 per h; rental 400 per day; mobilisation 1200; }
+  component stone { shape box(0, 0, 0, 1, 1, 1); at trans(30, 30, 0); mass 1 t; cost 99.999; }
+  task wall { takes 4 h; needs 2 masons; }
+  task paint { by painters; takes 100 min; }
+  task drive { by cart; go x -12, y -12; within x 0.5, y 0.5; after wall; }
+}
+"""
+
+
+def rubicon(*arguments):
+    return subprocess.run([RUBICON, *arguments], capture_output=True, text=True, timeout=300)
+
+
+class Pools(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = self.temporary.name
+        self.out = os.path.join(self.folder, "out")
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def run_plan(self, text, expected=0):
+        path = os.path.join(self.folder, "p.plan")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text.replace("ROBOTS", ROBOTS))
+        self.run_result = rubicon("run", path, "--out", self.out)
+        self.assertEqual(self.run_result.returncode, expected, self.run_result.stdout + self.run_result.stderr)
+        verified = rubicon("verify", self.out)
+        self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
+        with open(os.path.join(self.out, "schedule.json"), encoding="utf-8") as file:
+            schedule = json.load(file)
+        return schedule, {task["task"]: task for task in schedule["tasks"]}
+
+    def faults_of(self, change):
+        """What verify finds when `change` was made to the result."""
+        result = seeded_faults.Result(self.out)
+        change(result)
+        folder = os.path.join(self.folder, "changed")
+        os.makedirs(folder, exist_ok=True)
+        result.write(folder)
+        verified = rubicon("verify", folder)
+        self.assertEqual(verified.returncode, 1, verified.stdout + verified.stderr)
+        return verified.stdout
+
+    def starts(self, tasks):
+        return {name: task["start"] for name, task in tasks.items()}
+
+    def test_a_crew_is_shared_up_to_its_size(self):
+        schedule, tasks = self.run_plan(SHARES)
+        self.assertEqual(self.starts(tasks), {"a": 0, "b": 0, "c": 7200, "d": 10800})
+        self.assertEqual([tasks[name]["cost"] for name in "abcd"], [200, 200, 150, 200])
+        masons = schedule["resources"][0]
+        self.assertEqual((masons["held"], masons["busy"], masons["cost"]), (13500, 13500, 750))
+        self.assertAlmostEqual(masons["utilisation"], 13500 / 14400)
+        self.assertEqual(schedule["cost"], 750)
+
+    def test_a_crew_is_shared_where_machines_move(self):
+        schedule, tasks = self.run_plan(SITE)
+        at = tasks["go"]["start"] + tasks["go"]["duration"]
+        self.assertEqual(self.starts(tasks), {"go": 0, "a": at, "b": at, "c": at + 600})
+        self.assertAlmostEqual(schedule["resources"][1]["held"], 600 * 2 / 3 + 600 / 3 + 300 * 2 / 3)
+
+    def test_verify_finds_an_overdrawn_crew(self):
+        for plan in (SHARES, SITE):
+            self.run_plan(plan)
+
+            def crew_is_smaller(result):
+                result.header["crews"][0]["size"] -= 1
+
+            def task_needs_more(result):
+                result.header["tasks"][-3]["needs"]["masons"] += 1
+
+            self.assertIn("people at once, and it has", self.faults_of(crew_is_smaller))
+            self.assertIn("people at once, and it has", self.faults_of(task_needs_more))
+
+    def test_the_nearest_is_chosen(self):
+        _, tasks = self.run_plan(POOL.replace("RULE", "nearest"))
+        self.assertEqual({name: task["robot"] for name, task in tasks.items()},
+                         {"one": "near", "two": "far", "home": "near"})
+        self.assertRegex(tasks["one"]["choice"], r"^near of carts: the nearest that is free, 10\.00 m; far 15\.00 m$")
+        self.assertEqual(tasks["home"]["choice"], "near of carts: the same as one")
+        self.assertIn("near is kept for what has the same as one", tasks["two"]["choice"])
+        why = rubicon("why", self.out, "one")
+        self.assertIn("near of carts: the nearest that is free", why.stdout, why.stderr)
+
+    def test_the_first_is_chosen(self):
+        _, tasks = self.run_plan(POOL.replace("RULE", "first"))
+        self.assertEqual([tasks[name]["robot"] for name in ("one", "two", "home")], ["far", "near", "far"])
+
+    def test_the_least_used_is_chosen(self):
+        plan = POOL.replace("RULE", "least_used").replace("by same as one", "by carts")
+        _, tasks = self.run_plan(plan)
+        self.assertEqual([tasks[name]["robot"] for name in ("one", "two")], ["far", "near"])
+        self.assertIn("the least used that is free, 0:00:00", tasks["two"]["choice"])
+
+    def test_who_was_rejected_with_one_is_tried_with_the_next(self):
+        _, tasks = self.run_plan(NEXT.replace("SECOND", ""))
+        self.assertEqual(tasks["drive"]["robot"], "b")
+        self.assertIn("a could not: ", tasks["drive"]["choice"])
+        self.assertEqual((tasks["after_it"]["robot"], tasks["after_it"]["result"]), ("b", "done"))
+
+    def test_with_none_left_the_cause_of_each_is_said(self):
+        _, tasks = self.run_plan(NEXT.replace("SECOND", "site box(-15, 3, 0, -14, 9, 2);"), expected=1)
+        self.assertEqual(tasks["drive"]["result"], "rejected")
+        self.assertRegex(tasks["drive"]["reason"], r"^a: .+; b: .+")
+        self.assertEqual(tasks["after_it"]["result"], "not reached")
+
+    def test_all_of_a_pool(self):
+        text = """plan all { crew a { cost 10 per h; } crew b { cost 20 per h; } pool gangs { of a, b; }
+                  task one { by gangs; takes 1 h; } task two { by gangs; takes 1 h; }
+                  task all { by all of gangs; takes 1 h; } }"""
+        _, tasks = self.run_plan(text)
+        self.assertEqual(self.starts(tasks), {"one": 0, "two": 0, "all": 3600})
+        self.assertEqual([tasks[name]["cost"] for name in ("one", "two", "all")], [10, 20, 30])
+        self.assertEqual(tasks["all"]["crew"], "a, b")
+
+    def test_verify_finds_somebody_who_is_not_in_the_pool(self):
+        self.run_plan(POOL.replace("RULE", "nearest"))
+
+        def chosen(task, name):
+            def change(result):
+                record = next(r for r in result.records if r["type"] == "task_start" and r["task"] == task)
+                record["chosen"] = name
+            return change
+
+        self.assertIn("'nobody' is no choice of its pools", self.faults_of(chosen("one", "nobody")))
+        self.assertIn("the robot is not the one of the plan", self.faults_of(chosen("one", "far")))
+
+        def other(result):
+            result.task("home")["same_as"] = "two"
+
+        self.assertIn("it has not far, as two has", self.faults_of(other))
+
+    def test_what_all_costs(self):
+        schedule, tasks = self.run_plan(MONEY)
+        # Friday 14:00 to 18:00, of it 2.5 h after 15:30; 2 of 3 masons.
+        self.assertAlmostEqual(tasks["wall"]["cost"], 4 * 100 * 2 / 3 + 2.5 * 50 * 2 / 3, delta=0.011)
+        kinds = schedule["cost_by_kind"]
+        self.assertEqual(list(kinds), ["use", "overtime", "rental", "mobilisation", "material", "overhead"])
+        self.assertAlmostEqual(kinds["overtime"], 2.5 * 50 * 2 / 3, delta=0.011)
+        self.assertEqual(kinds["rental"], 400 + 10 * 10.01)
+        self.assertEqual(kinds["mobilisation"], 250.5 + 1200)
+        self.assertEqual((kinds["material"], kinds["overhead"]), (0, 333.33))
+
+        def cents(amounts):
+            return sum(round(100 * amount) for amount in amounts)
+
+        self.assertEqual(cents(kinds.values()), cents([schedule["cost"]]))
+        self.assertEqual(cents(task["cost"] for task in schedule["tasks"]),
+                         cents([kinds["use"], kinds["overtime"], kinds["material"]]))
+        self.assertEqual(cents(use["cost"] for use in schedule["resources"]),
+                         cents(kinds[kind] for kind in ("use", "overtime", "rental", "mobilisation")))
+        self.assertRegex(self.run_result.stdout, r"(?m)^rental +500\.10$")
+        self.assertRegex(self.run_result.stdout, rf"(?m)^total +{schedule['cost']:.2f}$")
+
+    def test_verify_finds_a_wrong_cost(self):
+        self.run_plan(MONEY)
+
+        def change_kind(kind, by):
+            def change(result):
+                result.schedule["cost_by_kind"][kind] += by
+            return change
+
+        for kind in ("use", "overtime", "rental", "mobilisation", "material", "overhead"):
+            self.assertIn(f"{kind} costs", self.faults_of(change_kind(kind, 1)))
+            self.assertIn("the costs of all kinds add up", self.faults_of(change_kind(kind, 0.01)))
+
+        def drop(kind):
+            def change(result):
+                amount = result.schedule["cost_by_kind"][kind]
+                result.schedule["cost_by_kind"][kind] = 0
+                result.schedule["cost"] -= amount
+            return change
+
+        for kind in ("overtime", "rental", "mobilisation", "overhead"):
+            self.assertIn("the whole costs", self.faults_of(drop(kind)))
+
+        def row(list_name, place, by):
+            def change(result):
+                result.schedule[list_name][place]["cost"] += by
+            return change
+
+        for by in (5, 0.01):
+            self.assertIn("the cost", self.faults_of(row("tasks", 0, by)))
+            self.assertIn("the cost", self.faults_of(row("resources", 0, by)))
+
+        def no_kinds(result):
+            del result.schedule["cost_by_kind"]
+
+        self.assertIn("the cost by kind is missing", self.faults_of(no_kinds))
+
+    def test_material_is_paid_with_the_first_task_that_moves_it(self):
+        text = """plan stone {
+          currency "EUR"; robot crane "ROBOTS/crane.robot" at trans(-8, 0, 0) { start jib.theta 90, x 4, z 6; }
+          component stone { shape box(-1, -1, 0, 1, 1, 0.2); at trans(-8, 6, 0); grip trans(0, 0, 0.8); mass 0.8 t; cost 99.995; }
+          component other { shape box(20, 20, 0, 21, 21, 1); mass 0.5 t; cost 5; }
+          task set { by crane; move stone to trans(-1.2, 2.2, 0); }
+        }"""
+        schedule, tasks = self.run_plan(text)
+        self.assertEqual((tasks["set"]["cost"], schedule["cost"]), (100, 100))
+
+
+if __name__ == "__main__":
+    unittest.main()
