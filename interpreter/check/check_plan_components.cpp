@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
+#include "interpreter/check/solid_box.hpp"
 
 namespace rubicon::interpreter::plan_check {
 
@@ -11,6 +14,25 @@ namespace {
 
 /// Largest mass, in kg: a thousand times what any crane lifts.
 constexpr double kMaxMass = 1e8;
+
+/// m: slings and chains as they are sold reach so far; longer ones are made to order.
+constexpr double kLongestSling = 10;
+
+/// A grip far from its component is a slip more often than a long sling.
+void check_reach_of_slings(Subject& subject, const ComponentSpec& component, Span span) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (const geometry::Shape& shape : component.shapes) {
+    const math::Vec3 p_SG =
+        shape.X_BS.inverse(Eigen::Isometry) * math::Vec3(component.X_OG.translation());
+    distance = std::min(distance, box_around(shape.solid).exteriorDistance(p_SG));
+  }
+  if (component.shapes.empty() || distance <= kLongestSling) return;
+  subject.diagnostics.warning(
+      "P35", span,
+      fmt::format("the grip of component '{}' is {:.1f} m from it, farther than a sling is long",
+                  component.name, distance),
+      "a grip stands in the component's own frame");
+}
 
 ComponentSpec resolve_component(Subject& subject, const syntax::ComponentItem& item) {
   ComponentSpec component;
@@ -35,6 +57,7 @@ ComponentSpec resolve_component(Subject& subject, const syntax::ComponentItem& i
   }
   if (const auto* grip = only_one(subject, item.grip, "the grip of " + who, frame_span)) {
     component.X_OG = resolve_frame_or_identity(subject, *grip);
+    check_reach_of_slings(subject, component, grip->span);
   }
   if (item.grip.empty()) subject.without_grip.insert(item.name.span.begin);
   const auto number_span = [](const syntax::Number& number) { return number.span; };
