@@ -13,6 +13,11 @@ namespace {
 /// Densest thing on a site, in kg/m3: gold is 19300.
 constexpr double kMaxDensity = 25000;
 
+bool has_chart(const Subject& subject, int robot) {
+  const RobotSpec& spec = subject.model.robots[static_cast<std::size_t>(robot)];
+  return spec.robot && !spec.robot->model.capacity.empty();
+}
+
 }  // namespace
 
 std::optional<double> mass_by_density(Subject& subject, const syntax::ComponentItem& item,
@@ -44,8 +49,13 @@ void check_masses(Subject& subject) {
   if (subject.model.short_form || subject.has_open_import) return;
   std::map<int, Span> said;
   for (const TaskSpec& task : subject.model.tasks) {
-    if (!task.move || task.robot < 0) continue;
-    const RobotSpec& robot = subject.model.robots[static_cast<std::size_t>(task.robot)];
+    // By a pool: the first of its machines that has a load chart.
+    int lifts = task.robot;
+    for (const TaskSpec& choice : task.choices) {
+      if (lifts < 0 || !has_chart(subject, lifts)) lifts = choice.robot;
+    }
+    if (!task.move || lifts < 0) continue;
+    const RobotSpec& robot = subject.model.robots[static_cast<std::size_t>(lifts)];
     const ComponentSpec& component = subject.model.components[static_cast<std::size_t>(*task.move)];
     if (!robot.robot || robot.robot->model.capacity.empty() || component.mass > 0) continue;
     // A module's component is said once, however often it is placed.

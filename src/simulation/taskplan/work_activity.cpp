@@ -125,6 +125,7 @@ Step WorkActivity::work(ActiveTask& task, Stage& stage) {
     if (whole) {
       task.account.over_time[i] +=
           stage.allocator->hours(held[i]).idle_between(stage.now(), finish);
+      task.account.outside[i] += stage.overtime.out_of_shift(held[i], stage.now(), finish);
     }
   }
   if (auto* const trace = stage.trace_of(task.task)) {
@@ -143,9 +144,12 @@ void WorkActivity::give_back(ActiveTask& task, Stage& stage) {
   hold.from = crew_since_;
   hold.to = stage.now();
   hold.held = stage.allocator->hours(crew_).work_between(crew_since_, stage.now());
-  if (lift_of(stage, task.task)) hold.held = stage.now() - crew_since_;
   hold.people = stage.share_of(task.task, crew_).units;
   hold.overtime = stage.overtime.in_shifts(crew_, crew_since_, stage.now());
+  if (lift_of(stage, task.task)) {
+    hold.held = stage.now() - crew_since_;
+    hold.overtime += stage.overtime.out_of_shift(crew_, crew_since_, stage.now());
+  }
   hold.busy = interpreter::ticks_from_seconds(task.now().work->duration);
   task.account.outcome.holds.push_back(hold);
   stage.allocator->release(crew_, task.task, stage.now(), true, hold.held);

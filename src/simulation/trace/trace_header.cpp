@@ -255,6 +255,7 @@ void write_choices(JsonBuilder& json, const PlanModel& plan, const interpreter::
     write_doers(json, plan, choice);
     write_task_motions(json, plan, choice);
     write_task_work(json, plan, choice);
+    if (interpreter::held_whole(plan, choice)) json.field("whole", true);
     json.end_object();
   }
   json.end_array();

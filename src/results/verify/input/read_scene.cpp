@@ -244,6 +244,7 @@ SceneTask read_task(const JsonFields& fields, const Scene& scene) {
     read_doing(choice, scene, spec);
     read_task_work(choice, scene, spec);
     spec.zones = task.zones;
+    spec.whole = spec.move >= 0 && choice.has("whole") && choice.truth("whole");
   }
   return task;
 }

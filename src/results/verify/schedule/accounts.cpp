@@ -98,11 +98,15 @@ class Bookkeeper {
     both.insert(both.end(), normal.begin(), normal.end());
     held.overtime =
         hours_.between(calendar, hold.from, hold.to) - hours_.between(both, hold.from, hold.to);
-    if (!hold.whole) return;
-    for (const auto& [from, to] : steps_) {
+    const auto add_beyond = [&](Ticks from, Ticks to) {
       held.overtime += to - from - hours_.between(calendar, from, to) -
                        hours_.between(normal, from, to) + hours_.between(both, from, to);
+    };
+    for (const DoneWork& work : works_) {
+      if (work.lifts && (hold.whole || work.from == hold.from)) add_beyond(work.from, work.to);
     }
+    if (!hold.whole) return;
+    for (const auto& step : steps_) add_beyond(step.first, step.second);
   }
 
   struct DoneWork {
