@@ -275,7 +275,7 @@ class Questions {
 }  // namespace
 
 void ask_engine(const replay::Replay& replay, TaskStory& story) {
-  const TaskRun* run = run_of(replay, story.task);
+  const replay::TaskRun* run = run_of(replay, story.task);
   if (run == nullptr || run->robot < 0) return;
   try {
     Questions(replay, *run, story).ask();
