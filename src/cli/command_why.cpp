@@ -26,7 +26,7 @@ int fail(const std::string& message) {
 /// trace without steps) still makes a story.
 class StoryAndReplay : public trace::TraceSink {
  public:
-  explicit StoryAndReplay(const std::string& task) : story_(task) { restart(); }
+  explicit StoryAndReplay(const std::string& task) : story_(task) { replay_.emplace(); }
 
   void line(std::string_view text) override {
     story_.line(text);
@@ -47,8 +47,12 @@ class StoryAndReplay : public trace::TraceSink {
   why::TaskStory finish() {
     why::TaskStory story = story_.story();
     if (!replay_) return story;
-    const replay::Replay replay = replay_->finish();
-    why::ask_engine(replay, story);
+    try {
+      const replay::Replay replay = replay_->finish();
+      why::ask_engine(replay, story);
+    } catch (const std::invalid_argument& error) {
+      story.no_scene = error.what();
+    }
     return story;
   }
 
