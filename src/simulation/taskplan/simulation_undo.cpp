@@ -35,7 +35,8 @@ bool Simulation::repeat_lift() {
   if (!stage_.lift_to_repeat) return false;
   const int task = *std::exchange(stage_.lift_to_repeat, std::nullopt);
   stage_.links->drop_pending();
-  checkpoints_.go_back(task, false);
+  // What it asked for was given to it: it asks again.
+  if (checkpoints_.go_back(task, false)) ask(task, stage_.now());
   stage_.lift_notes.forget_unless(
       [&](int other) { return other == task || records_.has_begun(other); });
   look_again_at_all();
