@@ -83,7 +83,8 @@ void check_whole(Subject& subject) {
     diagnostic.code = "P36";
     diagnostic.span = plan.calendars[i].span;
     diagnostic.message = fmt::format(
-        "calendar '{}' says carry_over: the load of task '{}'{} may hang on the hook beyond the end "
+        "calendar '{}' says carry_over: the load of task '{}'{} may hang on the hook beyond the "
+        "end "
         "of a shift",
         plan.calendars[i].name, needed[i].front()->name,
         others == 0 ? std::string() : fmt::format(" (and of {} more)", others));

@@ -123,8 +123,8 @@ Action declare_help(CLI::App& app) {
 
 const std::vector<Command>& command_table() {
   static const std::vector<Command> table = {
-      {"check", "[--robot FILE] [--set NAME=VALUE] FILE...",
-       "find every mistake in robots, behaviours and plans", pages::kCheck, declare_check},
+      {"check", "[--robot FILE] FILE...", "find every mistake in robots, behaviours and plans",
+       pages::kCheck, declare_check},
       {"run", "PLAN", "simulate a plan: process time, cost, refused tasks with the reason, trace",
        pages::kRun, declare_run},
       {"why", "PLAN|RESULT TASK", "tell why a task failed, took long or came late", pages::kWhy,

@@ -38,7 +38,7 @@ std::vector<bool> precomputable(const interpreter::PlanModel& plan,
       if (work.crew >= 0) users[plan.robots.size() + at(work.crew)].push_back(task);
     }
   }
-  // What a pool may give to somebody is not foreseen for others.
+  // What a pool may give to somebody cannot be precomputed for others.
   std::vector<std::vector<int>> may_have(tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     for (const interpreter::TaskSpec& choice : plan.tasks[i].choices) {
