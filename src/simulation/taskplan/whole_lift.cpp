@@ -165,6 +165,8 @@ void begin_lift(const ActiveTask& task, Stage& stage, const LiftNote* waited_for
   lift.stays = stage.lift_notes.are_enough(task.task);
   lift.motion_before = task.account.outcome.motion_time;
   lift.work_before = task.account.outcome.work_time;
+  lift.over_time_before = task.account.over_time;
+  lift.outside_before = task.account.outside;
   if (waited_for) {
     lift.because = waited_for->because;
     lift.before = waited_for->shift_end;
@@ -204,6 +206,14 @@ bool end_lift(ActiveTask& task, Stage& stage) {
       repeat(stage, lift, own, misfit(now - lift.from, waited));
       return false;
     }
+  }
+  // As long as something hangs all that the task holds is held, waiting or not.
+  const std::vector<int>& held = stage.held_by(task.task);
+  for (std::size_t i = 0; late && i < held.size(); ++i) {
+    task.account.over_time[i] =
+        lift.over_time_before[i] + stage.allocator->hours(held[i]).idle_between(lift.from, now);
+    task.account.outside[i] =
+        lift.outside_before[i] + stage.overtime.out_of_shift(held[i], lift.from, now);
   }
   forget_lift(stage, task.task);
   if (!late && lift.because.empty()) return true;

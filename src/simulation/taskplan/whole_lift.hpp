@@ -29,8 +29,9 @@ struct WholeLift {
   bool stays = false;   ///< it has been begun again so often that it goes on, however late it is
   Ticks motion_before = 0;
   Ticks work_before = 0;  ///< of its task, before the lift
-  std::string because;    ///< why it waited for this shift; "": it did not
-  Ticks before = 0;       ///< the end of the shift into which it did not fit then
+  std::vector<Ticks> over_time_before, outside_before;
+  std::string because;  ///< why it waited for this shift; "": it did not
+  Ticks before = 0;     ///< the end of the shift into which it did not fit then
 };
 
 /// Why a lift does not begin before a certain shift.

@@ -122,11 +122,6 @@ Step WorkActivity::work(ActiveTask& task, Stage& stage) {
     if (spec.crew < 0 || held[i] == stage.crew_resource(spec.crew)) {
       task.account.worked[i] += duration;
     }
-    if (whole) {
-      task.account.over_time[i] +=
-          stage.allocator->hours(held[i]).idle_between(stage.now(), finish);
-      task.account.outside[i] += stage.overtime.out_of_shift(held[i], stage.now(), finish);
-    }
   }
   if (auto* const trace = stage.trace_of(task.task)) {
     trace->work(task.now().what,

@@ -1,6 +1,9 @@
 #include "src/results/verify/schedule/accounts.hpp"
 
+#include <optional>
 #include <utility>
+
+#include "src/results/verify/schedule/check_lifts.hpp"
 
 namespace rubicon::verify {
 
@@ -18,6 +21,7 @@ class Bookkeeper {
     works_.clear();
     const TaskRun& run = runs[at(index)];
     if (!run.happened) return account_;
+    lift_ = find_lift(trace_, run);
     whole_ = run.task >= 0 && trace_.scene.tasks[at(run.task)].whole;
     now_ = run.start;
     for (const int i : run.records) {
@@ -60,6 +64,11 @@ class Bookkeeper {
     if (pause.why == "held") account_.held += time;
   }
 
+  /// Whether a step is part of a lift that is held whole.
+  bool is_lifted(Ticks from, Ticks to) const {
+    return lift_ && from >= lift_->from && to <= lift_->to;
+  }
+
   /// Its shifts in the time it is held; who holds for the whole task stays for steps after them.
   void add_hold(const Hold& hold) {
     const std::vector<int> calendar = calendar_of_resource(trace_.scene, hold.resource);
@@ -72,13 +81,17 @@ class Bookkeeper {
     const int robots = static_cast<int>(trace_.scene.robots.size());
     if (hold.whole && !calendar.empty()) {
       for (const auto& [from, to] : steps_) {
+        if (is_lifted(from, to)) continue;
         held.held += to - from - hours_.between(calendar, from, to);
       }
     }
     add_overtime(calendar, hold, held);
+    // As long as something hangs on the hook those who lift it are held, out of their shifts too.
+    if (hold.whole && lift_) {
+      held.held += lift_->to - lift_->from - hours_.between(calendar, lift_->from, lift_->to);
+    }
     for (const DoneWork& work : works_) {
-      // What hangs on a hook is worked on after the end of a shift too.
-      if (work.lifts && (hold.whole || work.from == hold.from)) {
+      if (work.lifts && !hold.whole && work.from == hold.from) {
         held.held += work.to - work.from - hours_.between(calendar, work.from, work.to);
       }
       const bool own = work.crew >= 0 && robots + work.crew == hold.resource;
@@ -103,10 +116,13 @@ class Bookkeeper {
                        hours_.between(normal, from, to) + hours_.between(both, from, to);
     };
     for (const DoneWork& work : works_) {
-      if (work.lifts && (hold.whole || work.from == hold.from)) add_beyond(work.from, work.to);
+      if (work.lifts && !hold.whole && work.from == hold.from) add_beyond(work.from, work.to);
     }
     if (!hold.whole) return;
-    for (const auto& step : steps_) add_beyond(step.first, step.second);
+    if (lift_) add_beyond(lift_->from, lift_->to);
+    for (const auto& [from, to] : steps_) {
+      if (!is_lifted(from, to)) add_beyond(from, to);
+    }
   }
 
   struct DoneWork {
@@ -123,6 +139,7 @@ class Bookkeeper {
   std::vector<std::pair<Ticks, Ticks>> steps_;
   std::vector<DoneWork> works_;
   const Record* record_ = nullptr;
+  std::optional<Lift> lift_;
   bool whole_ = false;
   Ticks now_ = 0;
 };
