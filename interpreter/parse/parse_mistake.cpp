@@ -4,6 +4,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "interpreter/functions/function_table.hpp"
 #include "interpreter/parse/parse_state.hpp"
 #include "interpreter/syntax/utf8_character.hpp"
 
@@ -17,22 +18,11 @@ using Kind = Token::Kind;
 /// Words of a line that are looked at to tell a remark from a statement.
 constexpr int kMaxRemarkTokens = 64;
 
-const std::vector<std::string>& functions() {
-  static const std::vector<std::string> names{"goal", "r_goal", "dir",   "axis", "min",
-                                              "max",  "dist",   "clear", "free", "time",
-                                              "abs",  "sin",    "cos"};
-  return names;
-}
-
 const std::vector<std::string>& commands() {
   static const std::vector<std::string> names{"move_to", "move_dir", "together", "wait",
                                               "var",     "chain",    "cycle",    "first",
                                               "each",    "which",    "behaviour"};
   return names;
-}
-
-bool contains(const std::vector<std::string>& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// Whether a character is, as far as people who write plans are concerned, a letter of another
@@ -216,7 +206,7 @@ bool ParseState::explain_name(const Token& name, const grammar::Expectation& exp
   }
   const bool structure = next.is_symbol('{');
   if (next.is_symbol('(') || structure) {
-    if (!structure && contains(functions(), text)) {
+    if (!structure && find_function(text) != nullptr) {
       report("S06", name.begin, name.end,
              fmt::format("'{}' is a function: it gives a value and cannot stand as a statement",
                          text));
