@@ -67,6 +67,8 @@ class Expansion {
   }
 
   bool failed() const { return failed_; }
+  /// Too many copies: what was made of the file says nothing.
+  bool full() const { return full_; }
 
  private:
   template <typename Item>
@@ -288,6 +290,7 @@ void expand_in(syntax::Plan& plan, const ParameterTexts& set, Scope& scope, Sour
                       });
   Expansion expansion(scope, sources, diagnostics, std::move(imported));
   plan.items = expansion.expanded(std::move(plan.items));
+  if (expansion.full()) plan.items.clear();
   plan.broken = plan.broken || expansion.failed() || diagnostics.errors() != errors_before;
 }
 

@@ -94,7 +94,6 @@ class Spacer {
     const bool space = decide(before, token);
     if (token.is("(") || token.is("[")) ++parentheses_;
     if (token.is(")") || token.is("]")) --parentheses_;
-    note_value_name(before, token);
     if (token.is(";") || token.is("{") || token.is("}")) first_word_.clear();
     if (token.is("{")) calendars_.push_back(in_calendar());
     if (token.is("}") && !calendars_.empty()) calendars_.pop_back();
@@ -102,6 +101,7 @@ class Spacer {
     if (first_word_.empty() && token.kind == Kind::name) first_word_ = statement_ = token.text;
     if (token.is("after")) first_word_ = "after";
     if (token.is("-") || token.is("+")) sign_ = is_sign(before);
+    note_value_name(before, token);
     return space;
   }
 
