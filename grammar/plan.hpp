@@ -222,7 +222,7 @@ struct crew_item : if_must<crew_key, crew_name, crew_end> {};
 struct of_key : token<word<TAO_PEGTL_STRING("of")>> {};
 struct pool_members : if_must<of_key, listed_names, plan_semicolon> {};
 struct choose_key : token<word<TAO_PEGTL_STRING("choose")>> {};
-struct choice_rule : name {};
+struct choice_rule : token<identifier_text> {};  // also `first`, which is reserved elsewhere
 struct pool_choice : if_must<choose_key, choice_rule, plan_semicolon> {};
 struct pool_part : sor<pool_members, pool_choice> {};
 struct whole_pool_part : must<pool_part> {};

@@ -324,7 +324,7 @@ RUBICON_ACTION(PlanAction, PlanState, of_key) { st.names.clear(); }
 RUBICON_ACTION(PlanAction, PlanState, pool_members) {
   st.pool.of.insert(st.pool.of.end(), st.names.begin(), st.names.end());
 }
-RUBICON_ACTION(PlanAction, PlanState, choice_rule) { st.pool.choose.push_back(st.take_name()); }
+RUBICON_ACTION(PlanAction, PlanState, choice_rule) { st.pool.choose.push_back(st.word(begin)); }
 RUBICON_ACTION(PlanAction, PlanState, pool_item) { st.add(std::move(st.pool), begin); }
 
 // tasks
