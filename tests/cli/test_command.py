@@ -75,7 +75,7 @@ class Beginning(Case):
             self.assertIn("full.plan:4:13: warning: at the beginning b is 30 mm deep in a\n", result.stderr)
             self.assertIn("touching a b;", result.stderr)
             self.assertIn("full.plan:7:3: warning: the two do not overlap at the beginning\n", result.stderr)
-            self.assertEqual(result.stderr.count("warning"), 2, result.stderr)
+            self.assertEqual(result.stderr.count(": warning: "), 2, result.stderr)
         trace = os.path.join(self.folder, "trace.jsonl")
         self.assertEqual(rubicon("run", plan, "--trace", trace).returncode, 0)
         with open(trace, encoding="utf-8") as file:
