@@ -20,9 +20,9 @@ ROBOT = """robot gantry {
 }
 """
 SCRIPT = """which {
-  place: { chain { move_to(x, goal(x)) }; chain { move_to(z, goal(z)) }; }
-  transport: { chain { move_to(z, 8) }; chain { move_to(x, goal(x)) }; }
-  default: { chain { move_to(x, goal(x)) }; chain { move_to(z, goal(z)) }; }
+  place: chain { move_to(x, goal(x)) }; chain { move_to(z, goal(z)) };
+  transport: chain { move_to(z, 8) }; chain { move_to(x, goal(x)) };
+  default: chain { move_to(x, goal(x)) }; chain { move_to(z, goal(z)) };
 };
 """
 SITE = "calendar site { mon-fri 07:00-12:00, 12:30-16:00; }\n"
