@@ -341,7 +341,12 @@ void Simulation::hold_all(ActiveTask& active) {
 }
 
 void Simulation::trace_end(int task, Ticks time, const TaskOutcome& outcome) {
-  if (auto* const trace = stage_.trace_of(task)) {
+  // One by a pool that was undone has nobody any more: its end is told of whom it had.
+  const interpreter::TaskSpec* spec = &stage_.spec(task);
+  for (const interpreter::TaskSpec& choice : spec->choices) {
+    if (choice.robot >= 0 && stage_.robot_spec(choice.robot).name == outcome.robot) spec = &choice;
+  }
+  if (auto* const trace = stage_.trace.of(task, *spec)) {
     trace->task_end(time, name_of(outcome.result), outcome.reason);
   }
 }
