@@ -127,7 +127,7 @@ class WholeLifts(unittest.TestCase):
         """The tool is at the grip when the shift ends: nothing begins any more."""
         _, tasks, records = self.run_plan(
             'robot g "g.robot" { start x 10, z 2; calendar site; }\n' + crate("a", 10)
-            + "task first { by g; takes 1 h; }\ntask lift { by g; move a to trans(20, 0, 0); after first; }\n",
+            + "task rest { by g; takes 1 h; }\ntask lift { by g; move a to trans(20, 0, 0); after rest; }\n",
             begin=f"{DAY} 11:00")
         self.assertEqual(self.hanging(records, "lift")[0], 90 * 60)
         self.assertNotIn("lift", tasks["lift"])
