@@ -91,7 +91,7 @@ TEST_F(CheckpointTest, GoingBackGivesBackWhatTheTaskTookAndDid) {
 TEST_F(CheckpointTest, GoingBackTakesLaterTasksAlong) {
   begin(0);
   stage_.events.advance_to(kHour);
-  stage_.allocator->release(0, 0, kHour, false);
+  stage_.allocator->release(0, 0, kHour, false, kHour);
   stage_.active.erase(0);
   begin(1);
   EXPECT_EQ(stage_.allocator->state(0).holder(), 1);
@@ -107,7 +107,7 @@ TEST_F(CheckpointTest, GoingBackTakesLaterTasksAlong) {
 TEST_F(CheckpointTest, WhatIsDroppedIsNotGoneBackTo) {
   begin(0);
   stage_.events.advance_to(kHour);
-  stage_.allocator->release(0, 0, kHour, false);
+  stage_.allocator->release(0, 0, kHour, false, kHour);
   stage_.active.erase(0);
   checkpoints_.drop(0);
   begin(1);
