@@ -79,7 +79,7 @@ TEST(Beginning, WhatIsWhollyInsideIsTold) {
 TEST(Beginning, MachinesAreComparedWithWhatStandsAndWithEachOtherButNotWithThemselves) {
   PlanModel plan = ground();
   auto crane = test::crane(test::lifting_script());
-  for (const double x : {0.0, 60.0}) {
+  for (const double x : {0.0, 100.0}) {
     interpreter::RobotSpec robot;
     robot.name = x == 0 ? "first" : "second";
     robot.robot = crane;
