@@ -33,7 +33,9 @@ void check_waiver(Subject& subject, const Scope& scope, const syntax::WaiverItem
   const auto first = find_thing(subject, scope, item.first);
   const auto second = find_thing(subject, scope, item.second);
   if (!first || !second) return;
-  if (*first == *second) {
+  // A module that is not placed has no components of its own in the plan yet.
+  const bool is_same = counts ? *first == *second : item.first.text() == item.second.text();
+  if (is_same) {
     subject.error("P30", item.second.span,
                   fmt::format("{} needs two different things, found '{}' twice", item.kind.text,
                               item.second.text()));
