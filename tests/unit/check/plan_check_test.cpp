@@ -291,7 +291,7 @@ TEST(PlanCheck, PlacesModules) {
     task ground { takes 1 h; }
     place unit at trans(10, 0, 0) as u1 after ground;
     module unit {
-      component wall { shape box(0, 0, 0, 1, 1, 1); at trans(1, 0, 0); }
+      component wall { shape box(0, 0, 0, 1, 1, 1); at trans(1, 0, 0); grip trans(0, 0, 1); }
       task set { by crane; move wall to trans(2, 0, 3); }
       task seal { takes 5 min; after set; }
       task tidy { by crane; go at trans(1, 2, 3); after ground; }
@@ -326,7 +326,7 @@ TEST(PlanCheck, PlacesModulesFromTheirStock) {
   const Loaded placed(R"(plan p {
     robot crane "crane.robot";
     module unit {
-      component wall { shape box(0, 0, 0, 1, 1, 1); at trans(1, 0, 0); }
+      component wall { shape box(0, 0, 0, 1, 1, 1); at trans(1, 0, 0); grip trans(0, 0, 1); }
       task set { by crane; move wall to trans(2, 0, 3); zone box(0, 0, 0, 1, 1, 1); }
       task back { by crane; go at trans(1, 0, 0); via at trans(0, 1, 0); after set; }
     }
