@@ -193,7 +193,7 @@ class WholeLifts(unittest.TestCase):
         told = rubicon("why", self.out, "lift")
         self.assertIn("overtime", told.stdout)
         run, tasks, records = self.run_plan(plan % "26 h", calendars=calendars)
-        self.assertEqual(tasks["lift"]["lift"]["from"], seconds("07:00", 2) - seconds("07:00"))
+        self.assertEqual(tasks["lift"]["lift"]["from"], seconds("07:00", 1) - seconds("07:00"))
         self.assertEqual(tasks["lift"]["lift"]["overtime"], 0)
 
     def test_two_cranes_share_riggers(self):
