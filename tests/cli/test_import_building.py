@@ -200,7 +200,7 @@ class WithASchedule(InAFolder):
     def test_a_plan_that_check_would_refuse_is_not_written(self):
         self.write("house.plan", "plan old { }\n")
         for wrong, words in (("grip nonsense;", "house.plan:"), ("hook 3 min by nobody;", "'nobody'"),
-                             ("mass -5 kg;", "greater than 0"), ("priority x;", "expected"),
+                             ("mass -5 kg;", "greater than 0"), ("priority x;", "no parameter"),
                              ("density 1e300;", "the mass of component")):
             done = self.put_up(MATCH + f"{wrong}\n-> task \"Roof\";\n")
             self.assertEqual(done.returncode, 2, wrong + done.stderr)
