@@ -152,7 +152,7 @@ TEST(BuildingPlan, TooLittleRoomAndNoMassAreTold) {
   EXPECT_TRUE(test::says(none.said,
                          "I18 1 element without a mass or a density in its rule: taken "
                          "as reinforced concrete, 2500 kg/m3: slab"));
-  EXPECT_THAT(none.plan.plan, HasSubstr("// assumed: reinforced concrete, 2500 kg/m3"));
+  EXPECT_THAT(none.plan.plan, HasSubstr("// the box around it, filled: 2500 kg/m3"));
 }
 
 TEST(BuildingPlan, RobotsAndTasksKeepTheirNamesBesideThoseOfTheSchedule) {

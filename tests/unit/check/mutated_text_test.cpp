@@ -149,7 +149,7 @@ TEST(MutatedTexts, PlansAreRefusedOrResolved) {
     EXPECT_TRUE(!plan->short_form || (plan->robots.size() == 1 && plan->goal)) << text;
     for (const interpreter::TaskSpec& task : plan->tasks) {
       EXPECT_LT(task.robot, static_cast<int>(plan->robots.size())) << text;
-      EXPECT_TRUE(task.robot >= 0 || (!task.move && !task.go)) << text;
+      EXPECT_TRUE(task.robot >= 0 || !task.choices.empty() || (!task.move && !task.go)) << text;
       for (const interpreter::LinkSpec& link : task.after) {
         EXPECT_LT(link.task, static_cast<int>(plan->tasks.size())) << text;
       }

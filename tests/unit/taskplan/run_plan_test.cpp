@@ -307,7 +307,7 @@ TEST(FullPlan, TooHeavyALoadIsNotLifted) {
   EXPECT_EQ(ran.schedule.tasks[0].result, TaskResult::rejected);
   EXPECT_EQ(ran.schedule.tasks[0].reason,
             "too heavy: block_1 has 4000 kg, the load chart of crane allows 2000 kg at 10 m, where "
-            "it is taken up, and 2000 kg at 10 m, where it is set down");
+            "it is taken up, and 1625 kg at 20 m, where it is set down");
   EXPECT_EQ(ran.schedule.tasks[0].tried, 0);
 }
 
