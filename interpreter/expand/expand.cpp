@@ -89,7 +89,7 @@ class Expansion {
         return;
       }
     }
-    const bool made = std::visit([this](auto& each) { return make_plain(each); }, item);
+    const bool made = std::visit([this](auto& each) { return this->make_plain(each); }, item);
     failed_ = failed_ || !made;
     if (made) to.push_back(std::move(item));
   }
