@@ -19,8 +19,8 @@ struct ElementBody {
   std::vector<std::string> notes;
 };
 
-/// Steps that the shapes of a file may take, and more for each of its records. Real models take 0.2
-/// to 16 steps for each byte (2.6 million at most for 166 KB of stairs), so that one of 61 MB and
+/// Steps that the shapes of a file may take, and more for each of its records. Real models take 0.7
+/// to 16 steps for each byte (2.7 million at most for 166 KB of stairs), so that one of 61 MB and
 /// of the most laborious kind still has enough. Where it is not enough the file is refused.
 inline constexpr std::uint64_t kShapeSteps = 1'000'000'000;
 inline constexpr std::uint64_t kShapeStepsPerRecord = 2'000;

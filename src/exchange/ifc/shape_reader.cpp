@@ -118,8 +118,12 @@ bool ShapeReader::read_representation(std::uint64_t id, int depth, Bodies& out) 
 
 bool ShapeReader::read_item(std::uint64_t id, int depth, Bodies& out) {
   const StepRecord* record = terms_.file.find(id);
-  // What leads in a ring, or branches without end, comes to the end of its budget.
-  if (record == nullptr || depth > kDeepestShape || !terms_.budget.spend(10)) return false;
+  // What leads in a ring, or branches without end, comes to the end of its budget. The records of
+  // an item are read anew each time it is used: that costs about as much as twenty triangles.
+  constexpr std::uint64_t kStepsPerItem = 4'000;
+  if (record == nullptr || depth > kDeepestShape || !terms_.budget.spend(kStepsPerItem)) {
+    return false;
+  }
   if (is_faces(*record)) return put(solid_of_faces(terms_, *record), out);
   if (is_boolean(*record)) return read_boolean(*record, depth, out);
   if (record->keyword == "IFCMAPPEDITEM") return read_mapped(*record, depth, out);
