@@ -85,6 +85,11 @@ struct Scope {
   std::vector<PoolMember> members = {};  ///< who stands in the place of each pool
 };
 
+/// Of a module by itself, for what is wrong in it wherever it is placed.
+Scope scope_of(const ModuleInfo& module);
+/// Of a module where it is placed; the place must be of a module that is known.
+Scope scope_of(const Subject& subject, const PlaceInfo& place);
+
 /// The short form or the full form; P03, P04, P15.
 void check_form(Subject& subject);
 

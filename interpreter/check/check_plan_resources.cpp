@@ -165,7 +165,13 @@ void check_crews(Subject& subject) {
     if (const auto* size = only_one(subject, item->size, "the size of " + who, span_of)) {
       subject.use("size", size->span);
       const auto value = bounded(subject, *size, UnitKind::none, "the size of " + who, 1, 1000000);
-      if (value) crew.size = *value;
+      if (value && std::floor(*value) != *value) {
+        subject.error(
+            "P09", size->span,
+            fmt::format("the size of {} is a whole number of people, found {}", who, *value));
+      } else if (value) {
+        crew.size = *value;
+      }
     }
     crew.cost_per_hour = resolve_cost(subject, item->cost, who);
     crew.charges = resolve_charges(subject, item->charges, who);

@@ -37,12 +37,25 @@ void check_tasks_of_plan(Subject& subject) {
 
 }  // namespace
 
+Scope scope_of(const ModuleInfo& module) {
+  Scope scope;
+  scope.module = &module;
+  return scope;
+}
+
+Scope scope_of(const Subject& subject, const PlaceInfo& place) {
+  Scope scope = scope_of(subject.module_infos[static_cast<std::size_t>(place.module)]);
+  scope.first_component = place.first_component;
+  scope.first_task = place.first_task;
+  scope.X_WP = place.X_WP;
+  return scope;
+}
+
 void check_tasks(Subject& subject) {
   check_tasks_of_plan(subject);
   // Once each, so that what is wrong in a module is said where it stands and not for every place.
   for (const ModuleInfo& module : subject.module_infos) {
-    Scope scope;
-    scope.module = &module;
+    Scope scope = scope_of(module);
     scope.records_uses = module.placed;
     for (const syntax::TaskItem* item : module.tasks) {
       TaskSpec task;
@@ -58,11 +71,7 @@ void check_tasks(Subject& subject) {
   for (const PlaceInfo& place : subject.place_infos) {
     if (place.module < 0) continue;
     const ModuleInfo& module = subject.module_infos[static_cast<std::size_t>(place.module)];
-    Scope scope;
-    scope.module = &module;
-    scope.first_component = place.first_component;
-    scope.first_task = place.first_task;
-    scope.X_WP = place.X_WP;
+    Scope scope = scope_of(subject, place);
     scope.records_uses = false;
     for (std::size_t i = 0; i < module.tasks.size(); ++i) {
       TaskSpec& task = subject.model.tasks[static_cast<std::size_t>(place.first_task) + i];

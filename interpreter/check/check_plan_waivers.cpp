@@ -64,18 +64,13 @@ void check_waivers(Subject& subject) {
   // Once each, so that what is wrong in a module is said where it stands and not for every place.
   const int before = subject.diagnostics.errors();
   for (const ModuleInfo& module : subject.module_infos) {
-    Scope scope;
-    scope.module = &module;
-    check_of_module(subject, scope, *module.item, false);
+    check_of_module(subject, scope_of(module), *module.item, false);
   }
   if (subject.diagnostics.errors() != before) return;
   for (const PlaceInfo& place : subject.place_infos) {
     if (place.module < 0) continue;
-    const ModuleInfo& module = subject.module_infos[static_cast<std::size_t>(place.module)];
-    Scope scope;
-    scope.module = &module;
-    scope.first_component = place.first_component;
-    check_of_module(subject, scope, *module.item, true);
+    const Scope scope = scope_of(subject, place);
+    check_of_module(subject, scope, *scope.module->item, true);
   }
 }
 

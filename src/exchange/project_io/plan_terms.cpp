@@ -37,7 +37,9 @@ bool runs_day_and_night(const Task& task) {
   return task.format.elapsed && task.duration.seconds > 0;
 }
 
-double crew_size(const Resource& resource) { return std::clamp(resource.max_units, 1.0, kMaxCrew); }
+double crew_size(const Resource& resource) {
+  return std::floor(std::clamp(resource.max_units, 1.0, kMaxCrew));
+}
 
 std::optional<double> cost_per_hour(const Project& project, const Resource& resource) {
   const double day = std::max(project.minutes_per_day, 1) / 60.0;

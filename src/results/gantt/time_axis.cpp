@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "src/simulation/schedule/time_text.hpp"
+
 namespace rubicon::gantt {
 
 namespace {
@@ -24,7 +26,6 @@ constexpr std::array<Ticks, 24> kSteps = {
 
 constexpr std::array<const char*, 12> kMonths = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                                  "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
-constexpr std::array<const char*, 7> kWeekdays = {"Mon", "Tue", "Wed", "Thu", "Fri", "Sat", "Sun"};
 
 Ticks choose_step(Ticks end, int most) {
   for (const Ticks step : kSteps) {
@@ -63,9 +64,10 @@ class DatedAxis {
     const CivilTime moment = schedule::civil_time_at(start_, time);
     const schedule::Date& date = moment.date;
     if (step_ >= kDay) return fmt::format("{} {}", month_of(date), date.year);
-    return fmt::format("{} {} {} {}",
-                       kWeekdays[static_cast<std::size_t>(schedule::weekday_of(date))], date.day,
-                       month_of(date), date.year);
+    return fmt::format(
+        "{} {} {} {}",
+        schedule::kWeekdayNames[static_cast<std::size_t>(schedule::weekday_of(date))], date.day,
+        month_of(date), date.year);
   }
 
   /// Where the next day, or month, begins.

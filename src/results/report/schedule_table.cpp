@@ -214,11 +214,6 @@ std::string seconds_text(Ticks ticks) {
   return text;
 }
 
-std::string clock_text(Ticks ticks) {
-  const Ticks seconds = (ticks + Ticks{500'000'000}) / Ticks{1'000'000'000};
-  return fmt::format("{}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
-}
-
 std::string date_text(const schedule::CivilTime& start_at, Ticks time) {
   return schedule::text_of(schedule::civil_time_at(start_at, time));
 }

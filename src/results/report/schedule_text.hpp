@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "src/simulation/schedule/civil_time.hpp"
+#include "src/simulation/schedule/time_text.hpp"
 #include "src/simulation/taskplan/schedule.hpp"
 
 namespace rubicon::report {
@@ -32,8 +33,7 @@ TaskCounts count_tasks(const taskplan::Schedule& schedule);
 /// "845 of 851 tasks done, 4 rejected, 2 not reached".
 std::string count_text(const TaskCounts& counts);
 
-/// h:mm:ss, rounded to seconds.
-std::string clock_text(interpreter::Ticks ticks);
+using schedule::clock_text;
 
 /// The names of a task's crews, with commas between.
 std::string crew_text(const taskplan::TaskOutcome& task);

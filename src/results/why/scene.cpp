@@ -1,7 +1,5 @@
 #include "src/results/why/scene.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
@@ -10,6 +8,7 @@
 
 #include "src/motion/collision/pair/body_depth.hpp"
 #include "src/motion/robot/kinematics.hpp"
+#include "src/simulation/site/make_site.hpp"
 
 namespace rubicon::why {
 
@@ -24,10 +23,6 @@ constexpr double kClearanceResolution = 1e-3;
 
 collision::BodyPtr prepared(const std::vector<geometry::Shape>& shapes) {
   return shapes.empty() ? nullptr : collision::prepare(shapes);
-}
-
-std::string site_name(std::size_t i, std::size_t count) {
-  return count == 1 ? "site" : fmt::format("site {}", i + 1);
 }
 
 }  // namespace
@@ -63,7 +58,8 @@ Scene::Scene(const replay::Replay& replay, const TaskRun& run)
       components_(replay.header.components.size()) {
   const auto& shapes = replay.header.site;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    obstacles_.insert(site_name(i, shapes.size()), prepared({shapes[i]}), math::Pose::Identity());
+    obstacles_.insert(site::site_shape_name(i, shapes.size()), prepared({shapes[i]}),
+                      math::Pose::Identity());
   }
   add_machines();
   add_changes();
@@ -319,7 +315,7 @@ std::optional<Origin> Scene::machine_origin(std::size_t robot) const {
 std::optional<Origin> Scene::origin_of(const std::string& name) const {
   const auto& shapes = replay_.header.site;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (site_name(i, shapes.size()) == name) return Origin{};
+    if (site::site_shape_name(i, shapes.size()) == name) return Origin{};
   }
   for (std::size_t i = 0; i < components_.size(); ++i) {
     if (!components_[i].id || replay_.header.components[i].name != name) continue;

@@ -10,7 +10,6 @@
 
 #include "src/motion/collision/query/overlap_depth.hpp"
 #include "src/motion/robot/kinematics.hpp"
-#include "src/motion/robot/turns.hpp"
 #include "src/simulation/site/make_site.hpp"
 
 namespace rubicon::site {
@@ -49,7 +48,7 @@ class BeginningSearch {
   Beginning run() {
     using Kind = ThingRef::Kind;
     for (std::size_t i = 0; i < plan_.site.size(); ++i) {
-      const std::string name = plan_.site.size() == 1 ? "site" : fmt::format("site {}", i + 1);
+      const std::string name = site_shape_name(i, plan_.site.size());
       stand({name,
              "site",
              {Kind::site, -1},
@@ -112,16 +111,9 @@ class BeginningSearch {
 
   void add_robot(int index) {
     const interpreter::RobotSpec& spec = plan_.robots[static_cast<std::size_t>(index)];
-    const std::shared_ptr<const robot::RobotModel> model(spec.robot, &spec.robot->model);
-    const robot::Mounting mounting{spec.X_WM, spec.start};
-    std::vector<double> q = spec.start;
-    robot::update_derived(*model, mounting, q);
-    robot::normalise(*model, q);
-    std::vector<collision::BodyPtr>& bodies = prepared_[spec.robot.get()];
-    const SiteRobot machine = make_site_robot(spec.name, model, mounting, bodies);
-    bodies = machine.bodies;
+    const auto [machine, q] = make_starting_robot(spec, prepared_);
     std::vector<math::Pose> X_WB;
-    robot::body_poses(*model, mounting, q, X_WB);
+    robot::body_poses(*machine.model, machine.mounting, q, X_WB);
     std::vector<Thing> parts;
     const ThingRef ref{ThingRef::Kind::robot, index};
     for (std::size_t i = 0; i < machine.bodies.size(); ++i) {
@@ -132,7 +124,7 @@ class BeginningSearch {
     if (index == 0 && !plan_.carry.empty()) {
       parts.push_back({"the load", spec.name, ref, spec.span,
                        prepare_named(plan_.carry, "the load"),
-                       robot::tool_pose(*model, mounting, q)});
+                       robot::tool_pose(*machine.model, machine.mounting, q)});
     }
     for (const Thing& part : parts) compare(part);
     for (Thing& part : parts) stand(std::move(part));
@@ -140,7 +132,7 @@ class BeginningSearch {
 
   const interpreter::PlanModel& plan_;
   std::set<std::pair<ThingRef, ThingRef>> waived_, met_;
-  std::map<const interpreter::CheckedRobot*, std::vector<collision::BodyPtr>> prepared_;
+  PreparedRobots prepared_;
   collision::CollisionWorld world_;
   std::map<collision::ObstacleId, Thing> standing_;
   Beginning result_;

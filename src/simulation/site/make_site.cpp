@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "src/motion/robot/turns.hpp"
 
@@ -19,26 +19,36 @@ collision::BodyPtr prepare_named(const std::vector<geometry::Shape>& shapes,
   }
 }
 
+std::string site_shape_name(std::size_t i, std::size_t count) {
+  return count == 1 ? "site" : fmt::format("site {}", i + 1);
+}
+
+StartingRobot make_starting_robot(const interpreter::RobotSpec& spec, PreparedRobots& prepared) {
+  const std::shared_ptr<const robot::RobotModel> model(spec.robot, &spec.robot->model);
+  const robot::Mounting mounting{spec.X_WM, spec.start};
+  std::vector<double> q = spec.start;
+  robot::update_derived(*model, mounting, q);
+  robot::normalise(*model, q);
+  std::vector<collision::BodyPtr>& bodies = prepared[spec.robot.get()];
+  SiteRobot machine = make_site_robot(spec.name, model, mounting, bodies);
+  bodies = machine.bodies;
+  return {std::move(machine), std::move(q)};
+}
+
 SiteWorld make_site(const interpreter::PlanModel& plan) {
   SiteWorld site(plan.contact);
   for (std::size_t i = 0; i < plan.site.size(); ++i) {
-    const std::string name = plan.site.size() == 1 ? "site" : fmt::format("site {}", i + 1);
+    const std::string name = site_shape_name(i, plan.site.size());
     site.add_obstacle(name, prepare_named({plan.site[i]}, name), math::Pose::Identity());
   }
   for (const interpreter::ComponentSpec& component : plan.components) {
     site.add_component(component.name, prepare_named(component.shapes, component.name),
                        component.X_WO, component.mass);
   }
-  std::map<const interpreter::CheckedRobot*, std::vector<collision::BodyPtr>> prepared;
+  PreparedRobots prepared;
   for (const interpreter::RobotSpec& spec : plan.robots) {
-    const std::shared_ptr<const robot::RobotModel> model(spec.robot, &spec.robot->model);
-    const robot::Mounting mounting{spec.X_WM, spec.start};
-    std::vector<double> q = spec.start;
-    robot::update_derived(*model, mounting, q);
-    robot::normalise(*model, q);
-    SiteRobot machine = make_site_robot(spec.name, model, mounting, prepared[spec.robot.get()]);
-    prepared[spec.robot.get()] = machine.bodies;
-    site.add_robot(std::move(machine), std::move(q));
+    StartingRobot robot = make_starting_robot(spec, prepared);
+    site.add_robot(std::move(robot.machine), std::move(robot.q));
   }
   if (!plan.carry.empty() && !plan.robots.empty()) {
     site.attach_carry(0, prepare_named(plan.carry, "the load"));

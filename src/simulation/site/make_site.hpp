@@ -1,5 +1,9 @@
 #pragma once
 
+#include <map>
+#include <string>
+#include <vector>
+
 #include "interpreter/check/plan_model.hpp"
 #include "src/simulation/site/site_world.hpp"
 
@@ -10,8 +14,21 @@ namespace rubicon::site {
 collision::BodyPtr prepare_named(const std::vector<geometry::Shape>& shapes,
                                  const std::string& name);
 
-/// The site of a plan at its beginning. Indices of components and robots are the plan's. Site
-/// shapes are called "site", or "site 1", "site 2" ... where there are several. Throws
+/// What site shape `i` of `count` is called: "site", or "site 1", "site 2" ... where there are
+/// several.
+std::string site_shape_name(std::size_t i, std::size_t count);
+
+/// The bodies of robot files, each made ready once.
+using PreparedRobots = std::map<const interpreter::CheckedRobot*, std::vector<collision::BodyPtr>>;
+
+/// A robot of a plan as it stands at the beginning: derived values computed, cyclic angles reduced.
+struct StartingRobot {
+  SiteRobot machine;
+  std::vector<double> q;
+};
+StartingRobot make_starting_robot(const interpreter::RobotSpec& spec, PreparedRobots& prepared);
+
+/// The site of a plan at its beginning. Indices of components and robots are the plan's. Throws
 /// std::invalid_argument, naming the thing, for shapes without extent.
 SiteWorld make_site(const interpreter::PlanModel& plan);
 

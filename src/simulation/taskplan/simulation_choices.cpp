@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "src/motion/robot/kinematics.hpp"
+#include "src/simulation/schedule/time_text.hpp"
 #include "src/simulation/taskplan/motion_task.hpp"
 #include "src/simulation/taskplan/plan_calendars.hpp"
 #include "src/simulation/taskplan/simulation.hpp"
@@ -14,19 +15,13 @@ namespace {
 
 using Choice = interpreter::PoolSpec::Choice;
 
-/// "1:05:09".
-std::string hours_text(Ticks ticks) {
-  const Ticks seconds = (ticks + schedule::kSecond / 2) / schedule::kSecond;
-  return fmt::format("{}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
-}
-
 /// What the rule of a pool goes by, with the number it found.
 std::string rank_text(Choice rule, double rank) {
   switch (rule) {
     case Choice::nearest:
       return fmt::format("{:.2f} m", rank);
     case Choice::least_used:
-      return hours_text(static_cast<Ticks>(rank));
+      return schedule::clock_text(static_cast<Ticks>(rank));
     case Choice::first:
       break;
   }

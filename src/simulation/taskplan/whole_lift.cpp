@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <variant>
 
 #include "src/simulation/schedule/civil_time.hpp"
+#include "src/simulation/schedule/time_text.hpp"
 #include "src/simulation/taskplan/plan_calendars.hpp"
 #include "src/simulation/taskplan/stage.hpp"
 
@@ -19,8 +19,7 @@ using schedule::kDay;
 using schedule::kHour;
 using schedule::kMinute;
 using schedule::kSecond;
-
-constexpr std::array<const char*, 7> kDays = {"Mon", "Tue", "Wed", "Thu", "Fri", "Sat", "Sun"};
+using schedule::kWeekdayNames;
 
 /// "1 h 5 min", whole seconds, rounded up.
 std::string duration_text(Ticks ticks) {
@@ -45,8 +44,8 @@ std::string moment_text(const Stage& stage, Ticks time, Ticks beside) {
   std::string text =
       fmt::format("{:02}:{:02}", moment.minute_of_day / 60, moment.minute_of_day % 60);
   if (std::abs(day_of(time) - day_of(beside)) > 1) {
-    text = fmt::format("{} {}", kDays[static_cast<std::size_t>(schedule::weekday_of(moment.date))],
-                       text);
+    text = fmt::format(
+        "{} {}", kWeekdayNames[static_cast<std::size_t>(schedule::weekday_of(moment.date))], text);
   }
   return text;
 }
@@ -59,8 +58,9 @@ std::string shift_text(const schedule::WorkCalendar::Interval& shift) {
   const Ticks first = shift.from / kDay;
   const Ticks last = (shift.to - 1) / kDay;
   return fmt::format(
-      "{} {}-{}{}", kDays[static_cast<std::size_t>(first % 7)], clock(shift.from - first * kDay),
-      last == first ? "" : fmt::format("{} ", kDays[static_cast<std::size_t>(last % 7)]),
+      "{} {}-{}{}", kWeekdayNames[static_cast<std::size_t>(first % 7)],
+      clock(shift.from - first * kDay),
+      last == first ? "" : fmt::format("{} ", kWeekdayNames[static_cast<std::size_t>(last % 7)]),
       clock(shift.to - last * kDay));
 }
 
