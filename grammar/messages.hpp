@@ -195,10 +195,12 @@ RUBICON_EXPECT(to_key, "'to' and a frame");
 RUBICON_EXPECT(removed_component, "the name of a component");
 RUBICON_EXPECT(work_crew, "the name of a crew");
 RUBICON_EXPECT(guide_name, "the name of a guide");
+RUBICON_EXPECT(moment, "a date and time in quotes, or a duration after the plan begins");
+RUBICON_EXPECT(baseline_to, "'to' and the end of the baseline");
 RUBICON_EXPECT(
     task_part, "task", Explain::item,
     "by needs move go remove hook adjust release takes via guide situation within budget "
-    "priority zone after name group attribute for when whole");
+    "priority not_before due baseline zone after name group attribute for when whole");
 RUBICON_EXPECT(task_name, "a name after task");
 RUBICON_EXPECT(module_part, "module", Explain::item, "component task touching within for when");
 RUBICON_EXPECT(module_name, "a name after module");

@@ -271,6 +271,15 @@ struct guide_item : if_must<guide_key, guide_name, plan_semicolon> {};
 struct task_number_key
     : token<sor<word<TAO_PEGTL_STRING("budget")>, word<TAO_PEGTL_STRING("priority")>>> {};
 struct task_number_item : if_must<task_number_key, number_value, plan_semicolon> {};
+struct moment_date : string_literal {};
+struct moment_after_start : quantity {};
+struct moment : sor<moment_date, moment_after_start> {};
+struct date_key : token<sor<word<TAO_PEGTL_STRING("not_before")>, word<TAO_PEGTL_STRING("due")>>> {
+};
+struct baseline_key : token<word<TAO_PEGTL_STRING("baseline")>> {};
+struct baseline_to : to_key {};
+struct date_item : sor<if_must<date_key, moment, plan_semicolon>,
+                       if_must<baseline_key, moment, baseline_to, moment, plan_semicolon>> {};
 struct zone_key : token<word<TAO_PEGTL_STRING("zone")>> {};
 struct zone_item : if_must<zone_key, shape, plan_semicolon> {};
 struct after_item : if_must<after_key, links, plan_semicolon> {};
@@ -278,10 +287,10 @@ struct task_parts;
 struct task_repetition : if_must<for_head, block_open, task_parts, block_close> {};
 struct task_choice : if_must<given_head, block_open, task_parts, block_close> {};
 struct task_block : sor<task_repetition, task_choice> {};
-struct task_part
-    : sor<task_block, by_item, needs_item, move_item, go_item, remove_item, crew_work_item,
-          takes_item, via_item, guide_item, situation_item, within_item, task_number_item,
-          zone_item, after_item, task_attribute, group_item, free_attribute, whole_item> {};
+struct task_part : sor<task_block, by_item, needs_item, move_item, go_item, remove_item,
+                       crew_work_item, takes_item, via_item, guide_item, situation_item,
+                       within_item, task_number_item, date_item, zone_item, after_item,
+                       task_attribute, group_item, free_attribute, whole_item> {};
 struct whole_task_part : must<task_part> {};
 struct task_parts : nested<star<not_at<block_end>, recover<whole_task_part, item_end>>> {};
 struct task_key : token<word<TAO_PEGTL_STRING("task")>> {};

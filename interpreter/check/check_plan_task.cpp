@@ -387,6 +387,26 @@ class TaskChecker {
     if (const auto value = resolve_whole(subject_, item)) task_.whole = *value;
   }
 
+  void check_part(const syntax::DateItem& item) {
+    once(item.name.text, item.name.span);
+    std::vector<schedule::Ticks> moments;
+    for (const syntax::Moment& moment : item.moments) {
+      if (const auto time = resolve_moment(subject_, moment, item.name.text)) {
+        moments.push_back(*time);
+      }
+    }
+    if (moments.size() != item.moments.size()) return;
+    if (item.name.text == "not_before") {
+      task_.not_before = std::max<schedule::Ticks>(moments[0], 0);
+    } else if (item.name.text == "due") {
+      task_.due = moments[0];
+    } else if (moments[1] < moments[0]) {
+      subject_.error("P10", item.moments[1].span, "the baseline ends before it begins");
+    } else {
+      task_.baseline = Baseline{moments[0], moments[1]};
+    }
+  }
+
   void check_part(const syntax::AfterItem& item) {
     const std::vector<LinkSpec> links = resolve_links(subject_, scope_, item.links);
     task_.after.insert(task_.after.end(), links.begin(), links.end());
@@ -404,9 +424,9 @@ class TaskChecker {
                                item_.name.text));
   }
 
-  void once(const char* what, Span span) {
+  void once(const std::string& what, Span span) {
     const auto [place, is_new] = given_.emplace(what, span);
-    if (!is_new) subject_.twice(span, std::string(what) + " is given twice", place->second);
+    if (!is_new) subject_.twice(span, what + " is given twice", place->second);
   }
 
   void use(std::string what, Span span) {

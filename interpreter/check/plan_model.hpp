@@ -127,6 +127,12 @@ struct WorkSpec {
   Span span;
 };
 
+/// When a client or a schedule of others wants a task: ticks after the beginning of the plan.
+struct Baseline {
+  schedule::Ticks start = 0;
+  schedule::Ticks finish = 0;
+};
+
 struct TaskSpec {
   std::string name;
   int robot = -1;                                 ///< index into robots, -1 none
@@ -143,7 +149,10 @@ struct TaskSpec {
   Within within;
   std::optional<double> budget;
   double priority = 0;
-  bool whole = true;  ///< what it moves is lifted whole: see `held_whole`
+  bool whole = true;                   ///< what it moves is lifted whole: see `held_whole`
+  schedule::Ticks not_before = 0;      ///< after the beginning of the plan, as the next two
+  std::optional<schedule::Ticks> due;  ///< it is late if it finishes later
+  std::optional<Baseline> baseline;    ///< to compare with; it holds nobody
   std::vector<geometry::Shape> zones;
   std::vector<LinkSpec> after;
   Span span;                                             ///< its name token

@@ -113,6 +113,15 @@ void PlainItems::item(syntax::WorkItem& value) {
   each(value.by);
 }
 
+void PlainItems::item(syntax::DateItem& value) {
+  mark(value.name.span);
+  for (syntax::Moment& moment : value.moments) {
+    mark(moment.span);
+    if (moment.date) text(*moment.date);
+    each(moment.after_start);
+  }
+}
+
 void PlainItems::item(syntax::AttributeItem& value) {
   mark(value.key.span);
   text(value.text);

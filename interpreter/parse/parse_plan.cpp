@@ -393,6 +393,15 @@ RUBICON_ACTION(PlanAction, PlanState, guide_name) { st.name = st.take_name(); }
 RUBICON_ACTION(PlanAction, PlanState, guide_item) {
   st.add_to_task(syntax::GuideItem{st.name, {}}, begin);
 }
+RUBICON_ACTION(PlanAction, PlanState, date_key) { st.date = {st.word(begin), {}, {}}; }
+RUBICON_ACTION(PlanAction, PlanState, baseline_key) { st.date = {st.word(begin), {}, {}}; }
+RUBICON_ACTION(PlanAction, PlanState, moment_date) {
+  st.date.moments.push_back({st.string, {}, st.span_from(begin)});
+}
+RUBICON_ACTION(PlanAction, PlanState, moment_after_start) {
+  st.date.moments.push_back({{}, st.take_quantity(), st.span_from(begin)});
+}
+RUBICON_ACTION(PlanAction, PlanState, date_item) { st.add_to_task(std::move(st.date), begin); }
 RUBICON_ACTION(PlanAction, PlanState, zone_item) {
   st.add_to_task(syntax::ZoneItem{st.take_shape(), {}}, begin);
 }
@@ -464,15 +473,15 @@ RUBICON_ACTION(PlanAction, PlanState, plan_name) { st.plan.name = st.take_name()
 syntax::Plan parse_plan(const SourceMap& sources, FileId file, Diagnostics& diagnostics) {
   PlanState state(
       sources, file, diagnostics, "P00",
-      {"component", "robot",     "crew",      "task",     "module",   "place",    "import",
-       "site",      "contact",   "budget",    "start_at", "currency", "calendar", "situation",
-       "start",     "goal",      "via",       "carry",    "within",   "shape",    "at",
-       "grip",      "mass",      "cost",      "park",     "size",     "by",       "move",
-       "go",        "remove",    "hook",      "adjust",   "release",  "takes",    "guide",
-       "priority",  "zone",      "after",     "off",      "name",     "storey",   "type",
-       "guid",      "attribute", "parameter", "for",      "when",     "group",    "density",
-       "touching",  "pool",      "of",        "choose",   "needs",    "rental",   "mobilisation",
-       "overtime",  "overhead",  "whole"});
+      {"component", "robot",     "crew",      "task",       "module",   "place",    "import",
+       "site",      "contact",   "budget",    "start_at",   "currency", "calendar", "situation",
+       "start",     "goal",      "via",       "carry",      "within",   "shape",    "at",
+       "grip",      "mass",      "cost",      "park",       "size",     "by",       "move",
+       "go",        "remove",    "hook",      "adjust",     "release",  "takes",    "guide",
+       "priority",  "zone",      "after",     "off",        "name",     "storey",   "type",
+       "guid",      "attribute", "parameter", "for",        "when",     "group",    "density",
+       "touching",  "pool",      "of",        "choose",     "needs",    "rental",   "mobilisation",
+       "overtime",  "overhead",  "whole",     "not_before", "due",      "baseline"});
   const bool finished = run_parser<grammar::plan_file, PlanAction>(state);
   state.plan.broken = !finished || state.errors() > 0;
   state.plan.span = state.span_from(state.begin());

@@ -457,6 +457,18 @@ struct WholeItem {
   std::optional<Name> value;  ///< nothing: on
   Span span;
 };
+/// "2026-03-02 07:00", or 30 s after the beginning of the plan
+struct Moment {
+  std::optional<String> date;
+  std::optional<Number> after_start;
+  Span span;
+};
+/// not_before "2026-03-02 07:00";   due 8 h;   baseline "..." to "...";
+struct DateItem {
+  Name name;
+  std::vector<Moment> moments;  ///< of a baseline two
+  Span span;
+};
 struct ZoneItem {
   Shape shape;
   Span span;
@@ -480,7 +492,7 @@ struct PlanBlock;
 using TaskPart =
     std::variant<ByItem, MoveItem, GoItem, RemoveItem, WorkItem, ViaItem, GuideItem, SituationItem,
                  WithinItem, NumberItem /* budget, priority */, ZoneItem, AfterItem, AttributeItem,
-                 NeedsItem, std::shared_ptr<const TaskBlock>, WholeItem>;
+                 NeedsItem, std::shared_ptr<const TaskBlock>, WholeItem, DateItem>;
 struct TaskBlock {
   BlockHead head;
   std::vector<TaskPart> items;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -51,6 +52,27 @@ void write_lift(trace::JsonBuilder& json, const taskplan::LiftOutcome& lift) {
   json.end_object();
 }
 
+/// When it should have been, and how much later it could have been.
+void write_plan_dates(trace::JsonBuilder& json, const Schedule& schedule, const TaskOutcome& task) {
+  if (task.due) json.key("due").seconds(*task.due);
+  if (const auto late = task.late()) json.key("late").seconds(*late);
+  if (task.baseline) {
+    json.key("baseline").begin_object();
+    json.key("start").seconds(task.baseline->start).key("finish").seconds(task.baseline->finish);
+    if (schedule.start_at) {
+      json.field("begins", date_text(*schedule.start_at, task.baseline->start));
+      json.field("ends", date_text(*schedule.start_at, task.baseline->finish));
+    }
+    json.end_object();
+  }
+  if (!task.floats) return;
+  json.key("float").begin_object();
+  json.key("total").seconds(task.floats->total).key("free").seconds(task.floats->free);
+  json.key("latest_start").seconds(task.floats->latest_start);
+  json.key("latest_finish").seconds(task.floats->latest_finish);
+  json.end_object();
+}
+
 std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   trace::JsonBuilder json;
   json.begin_object();
@@ -70,6 +92,7 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   if (task.parking) json.field("parking", true);
   if (!task.component.empty()) json.field("component", std::string_view(task.component));
   write_attributes(json, task.attributes);
+  write_plan_dates(json, schedule, task);
   if (task.lift) write_lift(json, *task.lift);
   if (!task.choice.empty()) json.field("choice", std::string_view(task.choice));
   json.end_object();
@@ -212,21 +235,32 @@ std::string schedule_csv(const Schedule& schedule) {
   const AttributeColumns attributes(schedule);
   std::string text = fmt::format(
       "task,robot,crew,start,duration,tried,accepted,result,reason,motion,work,waited_predecessor,"
-      "waited_resource,waited_machine,waited_shift,cost,begins,ends,{}\n",
+      "waited_resource,waited_machine,waited_shift,cost,begins,ends,{},due,late,baseline_start,"
+      "baseline_finish,"
+      "total_float,free_float\n",
       AttributeColumns::kNames);
   for (const TaskOutcome& task : schedule.tasks) {
     const auto date_field = [&](interpreter::Ticks time) {
       return schedule.start_at ? date_text(*schedule.start_at, time) : std::string();
     };
-    text += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(task.task),
-        csv_field(task.robot), csv_field(crew_text(task)), seconds_text(task.start),
-        seconds_text(task.duration), task.tried, task.accepted, name_of(task.result),
-        csv_field(task.reason), seconds_text(task.motion_time), seconds_text(task.work_time),
-        seconds_text(task.waits.predecessor), seconds_text(task.waits.resource),
-        seconds_text(task.waits.machine), seconds_text(task.waits.shift),
-        schedule.costed ? fmt::format("{:.2f}", task.cost) : std::string(), date_field(task.start),
-        date_field(task.start + task.duration), attributes.of(task));
+    const auto seconds_field = [](const std::optional<interpreter::Ticks>& time) {
+      return time ? seconds_text(*time) : std::string();
+    };
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                    csv_field(task.task), csv_field(task.robot), csv_field(crew_text(task)),
+                    seconds_text(task.start), seconds_text(task.duration), task.tried,
+                    task.accepted, name_of(task.result), csv_field(task.reason),
+                    seconds_text(task.motion_time), seconds_text(task.work_time),
+                    seconds_text(task.waits.predecessor), seconds_text(task.waits.resource),
+                    seconds_text(task.waits.machine), seconds_text(task.waits.shift),
+                    schedule.costed ? fmt::format("{:.2f}", task.cost) : std::string(),
+                    date_field(task.start), date_field(task.start + task.duration),
+                    attributes.of(task), seconds_field(task.due), seconds_field(task.late()),
+                    task.baseline ? seconds_text(task.baseline->start) : std::string(),
+                    task.baseline ? seconds_text(task.baseline->finish) : std::string(),
+                    task.floats ? seconds_text(task.floats->total) : std::string(),
+                    task.floats ? seconds_text(task.floats->free) : std::string());
   }
   return text;
 }

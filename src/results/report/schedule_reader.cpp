@@ -86,6 +86,18 @@ TaskOutcome read_task(const ExactJson& json) {
                                       lift.at("own").ticks(), lift.at("overtime").ticks(),
                                       lift.at("why").text()};
   }
+  if (json.has("due")) task.due = json.at("due").ticks();
+  if (json.has("baseline")) {
+    const ExactJson& baseline = json.at("baseline");
+    task.baseline =
+        interpreter::Baseline{baseline.at("start").ticks(), baseline.at("finish").ticks()};
+  }
+  if (json.has("float")) {
+    const ExactJson& floats = json.at("float");
+    task.floats =
+        schedule::TaskFloat{floats.at("latest_start").ticks(), floats.at("latest_finish").ticks(),
+                            floats.at("total").ticks(), floats.at("free").ticks()};
+  }
   if (json.has("choice")) task.choice = json.at("choice").text();
   if (task.start < 0 || task.duration < 0) {
     throw std::invalid_argument(fmt::format("expected times from 0 on of task '{}'", task.task));

@@ -160,6 +160,73 @@ std::string lift_table(const Schedule& schedule) {
   return rows.size() == 1 ? std::string() : columns(rows, {1, 2});
 }
 
+/// Tasks that are due, and by how much each is late.
+std::string due_table(const Schedule& schedule) {
+  std::vector<Row> rows = {{"due", "by", "finish", "late"}};
+  const auto moment = [&](Ticks time) {
+    return schedule.start_at ? date_text(*schedule.start_at, time)
+           : time < 0        ? "-" + clock_text(-time)
+                             : clock_text(time);
+  };
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (!task.due) continue;
+    const auto late = task.late();
+    rows.push_back({task.task, moment(*task.due),
+                    late ? moment(task.start + task.duration) : name_of(task.result),
+                    !late       ? ""
+                    : *late > 0 ? clock_text(*late)
+                                : "in time"});
+  }
+  return rows.size() == 1 ? std::string() : columns(rows, {1, 2, 3});
+}
+
+/// Of more tasks that come later than in their baseline the table shows those that come latest.
+constexpr std::size_t kShownLater = 12;
+
+/// Tasks that finish later than others planned it, by how much; and the last of all.
+std::string baseline_table(const Schedule& schedule) {
+  std::vector<const TaskOutcome*> later;
+  std::size_t count = 0;
+  Ticks planned = 0, simulated = 0;
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (!task.baseline) continue;
+    ++count;
+    planned = std::max(planned, task.baseline->finish);
+    if (task.result != taskplan::TaskResult::done) continue;
+    simulated = std::max(simulated, task.start + task.duration);
+    if (task.start + task.duration > task.baseline->finish) later.push_back(&task);
+  }
+  if (count == 0) return "";
+  const auto delay = [](const TaskOutcome* task) {
+    return task->start + task->duration - task->baseline->finish;
+  };
+  std::stable_sort(later.begin(), later.end(),
+                   [&](const TaskOutcome* a, const TaskOutcome* b) { return delay(a) > delay(b); });
+  const std::size_t all_later = later.size();
+  later.resize(std::min(later.size(), kShownLater));
+  const auto moment = [&](Ticks time) {
+    return schedule.start_at ? date_text(*schedule.start_at, time) : clock_text(time);
+  };
+  const auto change = [](Ticks time) {
+    return time > 0   ? clock_text(time) + " later"
+           : time < 0 ? clock_text(-time) + " earlier"
+                      : "as planned";
+  };
+  std::vector<Row> rows = {{"baseline", "planned to", "simulated to", ""}};
+  for (const TaskOutcome* task : later) {
+    rows.push_back({task->task, moment(task->baseline->finish),
+                    moment(task->start + task->duration), change(delay(task))});
+  }
+  if (simulated > 0) {
+    rows.push_back(
+        {"last finish", moment(planned), moment(simulated), change(simulated - planned)});
+  }
+  std::string text = columns(rows, {1, 2, 3});
+  text += fmt::format("{} of {} tasks with a baseline finish later than planned", all_later, count);
+  if (all_later > later.size()) text += fmt::format(", the latest {} are shown", later.size());
+  return text + "\n";
+}
+
 /// What the money goes for.
 std::string cost_table(const Schedule& schedule) {
   std::vector<Row> rows = {{schedule.currency.empty() ? "cost" : "cost " + schedule.currency, ""}};
@@ -236,6 +303,9 @@ std::string schedule_table(const Schedule& schedule) {
   std::string text = task_table(schedule) + "\n" + total_line(schedule);
   const std::string lifts = lift_table(schedule);
   if (!lifts.empty()) text += "\n" + lifts;
+  for (const std::string& dates : {due_table(schedule), baseline_table(schedule)}) {
+    if (!dates.empty()) text += "\n" + dates;
+  }
   if (!schedule.resources.empty()) text += "\n" + use_table(schedule);
   if (schedule.has_kinds) text += "\n" + cost_table(schedule);
   if (!schedule.critical.empty()) text += "\n" + chain_text(schedule);

@@ -19,6 +19,7 @@
 #include "src/results/verify/schedule/check_links.hpp"
 #include "src/results/verify/schedule/check_report.hpp"
 #include "src/results/verify/schedule/check_resources.hpp"
+#include "src/results/verify/schedule/check_plan_dates.hpp"
 #include "src/results/verify/schedule/check_schedule.hpp"
 #include "src/results/verify/schedule/check_shifts.hpp"
 #include "src/results/verify/schedule/check_waits.hpp"
@@ -75,6 +76,8 @@ void check_schedules(const Result& result, const Trace& trace, const std::vector
     check_costs(trace, costs, schedule, faults);
     check_process_time(runs, schedule.process_time, faults);
     check_dates(trace.scene, schedule.rows, ResultFile::schedule_json, faults);
+    check_plan_dates(trace, runs, hours, schedule.rows, ResultFile::schedule_json,
+                     schedule.process_time, faults);
     check_whole(trace.scene, schedule, faults);
     check_critical(trace, runs, schedule, faults);
   }
@@ -83,6 +86,7 @@ void check_schedules(const Result& result, const Trace& trace, const std::vector
         read_file("schedule.csv", [&] { return read_schedule_csv(*result.schedule_csv); });
     check_rows(trace, runs, accounts, costs, waits, rows, ResultFile::schedule_csv, faults);
     check_dates(trace.scene, rows, ResultFile::schedule_csv, faults);
+    check_plan_dates(trace, runs, hours, rows, ResultFile::schedule_csv, 0, faults);
   }
 }
 

@@ -119,6 +119,9 @@ std::string text_of(const Network& network, const ChainStep& step) {
   std::string text = task.name;
   if (step.held == Held::plan_start) {
     text += " starts with the plan";
+  } else if (step.held == Held::date) {
+    text += fmt::format(" starts at its not_before, {} after the beginning of the plan",
+                        duration_text(task.not_before));
   } else if (step.held == Held::asked) {
     text += fmt::format(" starts because {} asks for it", network.tasks[at(step.task_before)].name);
   } else if (step.midway || step.held == Held::machine) {

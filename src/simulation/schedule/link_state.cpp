@@ -80,12 +80,15 @@ TaskTimes LinkState::ready_times(int task, int before, Ticks now) const {
   const bool known = known_work(task);
   const LinkBounds bounds = bounds_of(task, known && !mutually_constrained_[at(task)]);
   const WorkCalendar& calendar = calendar_of_(task);
-  const EarliestStart earliest = known ? earliest_start(bounds, 0, work(task), calendar)
-                                       : earliest_start_of_unknown(bounds, 0, calendar);
+  const Ticks date = network_.tasks[at(task)].not_before;
+  const EarliestStart earliest = known ? earliest_start(bounds, date, work(task), calendar)
+                                       : earliest_start_of_unknown(bounds, date, calendar);
   TaskTimes times;
   // What a negative lag allows may be over when it becomes known.
   times.ready = times.wanted = std::max(earliest.wanted, now);
-  if (earliest.hold != StartHold::not_before) {
+  if (earliest.hold == StartHold::not_before) {
+    if (date > 0) times.held = Held::date;
+  } else {
     times.held = Held::link;
     times.link = earliest.hold == StartHold::start_link ? bounds.start_link : bounds.finish_link;
   }

@@ -18,6 +18,7 @@ struct NetworkTask {
   std::vector<int> resources;  ///< all are held from its start to its finish
   std::vector<Link> after;
   std::vector<int> units = {};  ///< of each of `resources`; empty: all of each
+  Ticks not_before = 0;         ///< it starts then or later, whatever links allow
 };
 
 /// A crew or a machine; it does one task at a time, or as many as share its units.
@@ -34,9 +35,9 @@ struct Network {
   std::vector<NetworkTask> tasks;
 };
 
-/// What a task waited for last before it started, shifts aside. `machine`: for one in its way;
-/// `asked`: a machine moves out of the way of another task.
-enum class Held { plan_start, link, resource, machine, asked };
+/// What a task waited for last before it started, shifts aside. `date`: it starts not before one;
+/// `machine`: for one in its way; `asked`: a machine moves out of the way of another task.
+enum class Held { plan_start, date, link, resource, machine, asked };
 
 /// A wait of a task after its start: for a resource that another task had, or until a machine that
 /// another task moved was out of the way.

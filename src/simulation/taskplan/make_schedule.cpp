@@ -5,6 +5,7 @@
 
 #include "src/simulation/schedule/critical_chain.hpp"
 #include "src/simulation/taskplan/plan_cost.hpp"
+#include "src/simulation/taskplan/plan_floats.hpp"
 #include "src/simulation/taskplan/simulation.hpp"
 
 namespace rubicon::taskplan {
@@ -68,7 +69,11 @@ Schedule Simulation::make_schedule() {
   for (TaskOutcome& parking : records_.parkings()) add(std::move(parking));
   for (TaskOutcome& parking : failed_parkings_) add(std::move(parking));
   std::sort(order.begin(), order.end());
-  for (const auto& [start, place] : order) schedule.tasks.push_back(std::move(all[index(place)]));
+  std::vector<std::size_t> row_of(all.size());  // of the tasks of the plan, as in the file
+  for (const auto& [start, place] : order) {
+    row_of[index(place)] = schedule.tasks.size();
+    schedule.tasks.push_back(std::move(all[index(place)]));
+  }
 
   for (const interpreter::RobotSpec& robot : plan_.robots) {
     ResourceUse& use = schedule.resources.emplace_back();
@@ -93,8 +98,21 @@ Schedule Simulation::make_schedule() {
   }
   count_uses(schedule);
   add_costs(plan_, schedule);
+  add_floats(row_of, schedule);
   add_critical_chain(schedule);
   return schedule;
+}
+
+void Simulation::add_floats(const std::vector<std::size_t>& row_of, Schedule& schedule) const {
+  std::vector<DoneTask> done;
+  std::vector<std::size_t> rows;
+  for (int task = 0; task < static_cast<int>(plan_.tasks.size()); ++task) {
+    if (schedule.tasks[row_of[index(task)]].result != TaskResult::done) continue;
+    done.push_back({task, &stage_.calendar(task), stage_.links->is_milestone(task),
+                    interpreter::held_whole(plan_, stage_.spec(task))});
+    rows.push_back(row_of[index(task)]);
+  }
+  taskplan::add_floats(done, rows, *stage_.links, schedule);
 }
 
 void Simulation::add_critical_chain(Schedule& schedule) const {

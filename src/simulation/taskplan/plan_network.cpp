@@ -11,6 +11,7 @@ std::vector<schedule::NetworkTask> network_tasks(const interpreter::PlanModel& p
     schedule::NetworkTask& task = tasks.emplace_back();
     task.name = spec.name;
     task.priority = spec.priority;
+    task.not_before = spec.not_before;
     task.resources = held_resources(plan, spec);
     for (const int resource : task.resources) {
       task.units.push_back(people_of(plan, spec, resource));

@@ -51,6 +51,11 @@ std::vector<std::string> crew_names(const interpreter::PlanModel& plan,
   return names;
 }
 
+std::optional<Ticks> TaskOutcome::late() const {
+  if (!due || result != TaskResult::done) return std::nullopt;
+  return std::max<Ticks>(start + duration - *due, 0);
+}
+
 std::string client_name(const interpreter::Attributes& attributes) {
   const std::string* name = interpreter::find_attribute(attributes, "name");
   return name == nullptr ? std::string() : *name;
@@ -64,6 +69,8 @@ void add_attributes(const interpreter::PlanModel& plan, Schedule& schedule) {
     if (task.parking || found == specs.end()) continue;
     const interpreter::TaskSpec& spec = *found->second;
     task.attributes = spec.attributes;
+    task.due = spec.due;
+    task.baseline = spec.baseline;
     if (spec.move) task.component = plan.components[static_cast<std::size_t>(*spec.move)].name;
   }
   for (const interpreter::ComponentSpec& component : plan.components) {

@@ -10,6 +10,7 @@
 #include "interpreter/machine/machine.hpp"
 #include "interpreter/program/world.hpp"
 #include "src/simulation/schedule/civil_time.hpp"
+#include "src/simulation/schedule/task_float.hpp"
 
 namespace rubicon::taskplan {
 
@@ -80,7 +81,13 @@ struct TaskOutcome {
   std::vector<MotionOutcome> motions;
   std::vector<ResourceHold> holds;
   std::optional<LiftOutcome> lift;
-  std::string choice;  ///< by pools: whom it has and why
+  std::string choice;                             ///< by pools: whom it has and why
+  std::optional<Ticks> due;                       ///< after the beginning of the plan
+  std::optional<interpreter::Baseline> baseline;  ///< when others planned it
+  std::optional<schedule::TaskFloat> floats;      ///< of a task of the plan that is done
+
+  /// How much later than `due` it was done; nothing if it is not done or not due.
+  std::optional<Ticks> late() const;
 };
 
 /// What a task is called by the client; "" if the plan does not say.
@@ -147,7 +154,7 @@ struct Schedule {
   std::vector<ComponentAttributes> components;  ///< those that have attributes, as in the file
 };
 
-/// Adds what the plan says of tasks and components: what moves, attributes.
+/// Adds what the plan says of tasks and components: what moves, dates, attributes.
 void add_attributes(const interpreter::PlanModel& plan, Schedule& schedule);
 
 }  // namespace rubicon::taskplan

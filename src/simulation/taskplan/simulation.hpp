@@ -132,6 +132,7 @@ class Simulation : private LinkState::Listener {
 
   // make_schedule.cpp
   Schedule make_schedule();
+  void add_floats(const std::vector<std::size_t>& row_of, Schedule& schedule) const;
   void add_critical_chain(Schedule& schedule) const;
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }

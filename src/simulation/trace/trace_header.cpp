@@ -276,6 +276,16 @@ void write_pools(JsonBuilder& json, const PlanModel& plan) {
   json.end_array();
 }
 
+/// Only those that the plan gives: other traces stay as they were.
+void write_dates(JsonBuilder& json, const interpreter::TaskSpec& task) {
+  if (task.not_before > 0) json.key("not_before").seconds(task.not_before);
+  if (task.due) json.key("due").seconds(*task.due);
+  if (!task.baseline) return;
+  json.key("baseline").begin_object();
+  json.key("start").seconds(task.baseline->start).key("finish").seconds(task.baseline->finish);
+  json.end_object();
+}
+
 void write_tasks(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
   json.key("tasks").begin_array();
   for (const interpreter::TaskSpec& task : plan.tasks) {
@@ -287,6 +297,7 @@ void write_tasks(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
     write_choices(json, plan, task);
     json.field("priority", task.priority).key("zones");
     write_shapes(json, task.zones, meshes);
+    write_dates(json, task);
     json.key("after").begin_array();
     for (const interpreter::LinkSpec& link : task.after) {
       json.begin_object();

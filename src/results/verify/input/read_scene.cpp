@@ -236,6 +236,12 @@ SceneTask read_task(const JsonFields& fields, const Scene& scene) {
   read_doing(fields, scene, task);
   read_task_work(fields, scene, task);
   task.whole = task.move >= 0 && fields.has("whole") && fields.truth("whole");
+  if (fields.has("not_before")) task.not_before = fields.time("not_before");
+  if (fields.has("due")) task.due = fields.time("due");
+  if (fields.has("baseline")) {
+    const JsonFields baseline = fields.object("baseline");
+    task.baseline = std::pair(baseline.time("start"), baseline.time("finish"));
+  }
   for (const Json& object : list_or_empty(fields, "choices")) {
     const JsonFields choice(object, "a choice of a task");
     SceneTask& spec = task.choices.emplace_back();
@@ -244,6 +250,9 @@ SceneTask read_task(const JsonFields& fields, const Scene& scene) {
     read_doing(choice, scene, spec);
     read_task_work(choice, scene, spec);
     spec.zones = task.zones;
+    spec.not_before = task.not_before;
+    spec.due = task.due;
+    spec.baseline = task.baseline;
     spec.whole = spec.move >= 0 && choice.has("whole") && choice.truth("whole");
   }
   return task;

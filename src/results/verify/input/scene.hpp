@@ -163,6 +163,9 @@ struct SceneTask {
   std::vector<int> remove;
   std::vector<ShapeData> zones;  ///< in {W}
   std::vector<SceneLink> after;
+  Ticks not_before = 0;  ///< after the beginning of the plan, as the next two
+  std::optional<Ticks> due;
+  std::optional<std::pair<Ticks, Ticks>> baseline;  ///< start, finish
   std::map<int, int> needs;        ///< people of a crew; of those that are not here all
   std::vector<int> also_robots;    ///< held, and not moved
   std::string members;             ///< of a choice: names

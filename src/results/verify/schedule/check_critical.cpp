@@ -138,11 +138,24 @@ class CriticalCheck {
         return std::llabs(run.start - later) <= kTimeSlack || run.task < 0 || later == 0;
       });
     }
+    if (starts_at_its_date(name, text, later)) return true;
     if (waits_for_nobody(name, text)) return true;
     // The path may lead back to one of its own tasks: a machine that parks several times.
     return std::any_of(rows_.begin(), rows_.end(), [&](const CriticalRow& other) {
       return leads(other.task, name, text, later);
     });
+  }
+
+  bool starts_at_its_date(const std::string& name, std::string_view text, Ticks later) const {
+    const auto known = trace_.scene.task_index.find(name);
+    if (known == trace_.scene.task_index.end()) return false;
+    const Ticks date = trace_.scene.tasks[at(known->second)].not_before;
+    return date > 0 &&
+           text == fmt::format(" starts at its not_before, {} after the beginning of the plan",
+                               duration_text(date)) &&
+           any_run(name, [&](const TaskRun& run) {
+             return std::llabs(run.start - later - date) <= kTimeSlack;
+           });
   }
 
   /// A machine was in the way that no task had.

@@ -39,6 +39,12 @@ class LinkCheck {
       if (run.task < 0) continue;
       const std::vector<SceneLink>& links = trace_.scene.tasks[at(run.task)].after;
       if (run.happened) {
+        const Ticks date = trace_.scene.tasks[at(run.task)].not_before;
+        if (run.start < date - kTimeSlack) {
+          fault(run, TaskEnd::start,
+                fmt::format("it starts {:g} s before its not_before",
+                            static_cast<double>(date - run.start) / static_cast<double>(kSecond)));
+        }
         for (const SceneLink& link : links) check(run, link);
       } else if (run.ended && run.result == TaskResult::not_reached) {
         const bool stopped = std::any_of(links.begin(), links.end(), [&](const SceneLink& link) {

@@ -143,7 +143,7 @@ void WaitCheck::check_start(int index, const TaskAccount& account, const Schedul
   const Ticks resource = row.split.resource - account.crew;
   const Ticks shift = row.split.shift - account.shift;
   const SceneTask& task = trace_.scene.tasks[at(run.task)];
-  Ticks bound = 0;
+  Ticks bound = task.not_before;
   bool certain = true;  // what a negative lag allows may be over; links may keep a finish late
   for (const SceneLink& link : task.after) {
     const TaskRun* before = run_of_[at(link.task)];

@@ -124,6 +124,17 @@ ScheduleRow read_row(const JsonFields& fields) {
   row.accepted = fields.integer("accepted");
   row.result = fields.text("result");
   row.reason = fields.text("reason");
+  if (fields.has("due")) row.due = fields.time("due");
+  if (fields.has("late")) row.late = fields.time("late");
+  if (fields.has("baseline")) {
+    const JsonFields baseline = fields.object("baseline");
+    row.baseline = std::pair(baseline.time("start"), baseline.time("finish"));
+  }
+  if (fields.has("float")) {
+    const JsonFields floats = fields.object("float");
+    row.floats = RowFloat{floats.time("total"), floats.time("free"), floats.time("latest_start"),
+                          floats.time("latest_finish")};
+  }
   return row;
 }
 
@@ -207,6 +218,13 @@ std::vector<ScheduleRow> read_schedule_csv(const std::string& text) {
     row.accepted = static_cast<int>(number_in(field("accepted"), line));
     row.result = field("result");
     row.reason = field("reason");
+    if (!field("due").empty()) row.due = ticks("due");
+    if (!field("late").empty()) row.late = ticks("late");
+    if (!field("baseline_start").empty()) {
+      row.baseline = std::pair(ticks("baseline_start"), ticks("baseline_finish"));
+    }
+    if (!field("total_float").empty())
+      row.floats = RowFloat{ticks("total_float"), ticks("free_float"), 0, 0};
     rows.push_back(std::move(row));
   }
   return rows;

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/results/verify/input/fault.hpp"
@@ -19,6 +20,14 @@ struct TimeSplit {
   Ticks shift = 0;
 };
 
+/// How much later a task could have been.
+struct RowFloat {
+  Ticks total = 0;
+  Ticks free = 0;
+  Ticks latest_start = 0;  ///< in the JSON only, as the next
+  Ticks latest_finish = 0;
+};
+
 /// One row of a schedule, as a file tells it.
 struct ScheduleRow {
   int line = 0;
@@ -30,6 +39,9 @@ struct ScheduleRow {
   std::string begins, ends;  ///< YYYY-MM-DD HH:MM; "": not given
   int tried = 0;
   int accepted = 0;
+  std::optional<Ticks> due, late;
+  std::optional<std::pair<Ticks, Ticks>> baseline;  ///< start, finish
+  std::optional<RowFloat> floats;
 };
 
 /// What schedule.json tells of a robot or a crew.

@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+
+#include "interpreter/check/check_number.hpp"
+#include "interpreter/check/check_plan_parts.hpp"
+
+namespace rubicon::interpreter::plan_check {
+
+namespace {
+
+std::optional<schedule::Ticks> resolve_date_and_time(Subject& subject, const syntax::String& date) {
+  const auto time = schedule::parse_civil_time(date.text);
+  if (!time) {
+    subject.error("P10", date.span,
+                  fmt::format("expected a date and time such as \"2026-03-02 07:00\", found \"{}\"",
+                              date.text));
+    return std::nullopt;
+  }
+  if (!subject.model.start_at) {
+    subject.error("P10", date.span,
+                  "a date says nothing in a plan that does not say when it begins",
+                  "give the plan start_at \"2026-03-02 07:00\", or write a duration after its "
+                  "beginning, such as 8 h");
+    return std::nullopt;
+  }
+  const auto ticks = schedule::ticks_between(*subject.model.start_at, *time);
+  if (!ticks) {
+    subject.error("P10", date.span,
+                  fmt::format("{} is more than 100 years from the beginning of the plan, {}",
+                              date.text, schedule::text_of(*subject.model.start_at)));
+  }
+  return ticks;
+}
+
+}  // namespace
+
+std::optional<schedule::Ticks> resolve_moment(Subject& subject, const syntax::Moment& moment,
+                                              const std::string& what) {
+  if (moment.date) return resolve_date_and_time(subject, *moment.date);
+  const auto seconds =
+      bounded(subject, *moment.after_start, syntax::UnitKind::time, what, 0, kMaxDuration);
+  if (!seconds) return std::nullopt;
+  if (*seconds > 0 && moment.after_start->unit == syntax::UnitKind::none) {
+    subject.diagnostics.warning(
+        "P22", moment.span,
+        fmt::format("{0} {1:g} has no unit and is taken as {1:g} s", what, *seconds),
+        fmt::format("write {0:g} s, {0:g} min or {0:g} h", *seconds));
+  }
+  return schedule::ticks_from_seconds(*seconds);
+}
+
+}  // namespace rubicon::interpreter::plan_check

@@ -1,0 +1,156 @@
+#include "src/simulation/schedule/task_float.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+namespace rubicon::schedule {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// A task that is moved as it is, its working time the same wherever it stands.
+class Placement {
+ public:
+  explicit Placement(const TimedTask& task)
+      : task_(task),
+        work_(task.milestone ? 0 : task.calendar->work_between(task.start, task.finish)) {}
+
+  /// The latest finish that is not after `limit`; never sooner than its own.
+  Ticks finish_by(Ticks limit) const {
+    if (limit <= task_.finish) return task_.finish;
+    if (work_ == 0) return limit;
+    // What a link held to a finish out of shift may be held longer.
+    if (task_.calendar->last_working(task_.finish) < task_.finish && !task_.whole) return limit;
+    Ticks finish = std::max(task_.finish, task_.calendar->last_working(limit));
+    if (!task_.whole) return finish;
+    while (finish > task_.finish) {
+      const Ticks start = task_.calendar->latest_start(finish, work_);
+      if (finish - start == work_) return finish;
+      finish = task_.calendar->shift_end(start);
+    }
+    return task_.finish;
+  }
+
+  /// Its start when it finishes then.
+  Ticks start_for(Ticks finish) const {
+    if (finish == task_.finish) return task_.start;
+    if (work_ == 0) return finish - (task_.finish - task_.start);
+    return std::max(task_.start, task_.calendar->latest_start(finish, work_));
+  }
+
+  /// The latest finish with which it starts not after `limit`; never sooner than its own.
+  Ticks finish_if_started_by(Ticks limit) const {
+    if (limit <= task_.start) return task_.finish;
+    if (work_ == 0) return limit + (task_.finish - task_.start);
+    if (!task_.calendar->works_at(limit)) limit = task_.calendar->last_working(limit) - kSecond;
+    return std::max(task_.finish, task_.calendar->finish(limit, work_));
+  }
+
+  /// Working time from its finish to a later one.
+  Ticks float_to(Ticks finish) const {
+    return task_.milestone ? finish - task_.finish
+                           : task_.calendar->work_between(task_.finish, finish);
+  }
+
+ private:
+  const TimedTask& task_;
+  Ticks work_;
+};
+
+class BackwardPass {
+ public:
+  BackwardPass(const std::vector<TimedTask>& tasks, const std::vector<Precedence>& precedences,
+               Ticks end)
+      : tasks_(tasks),
+        precedences_(precedences),
+        end_(end),
+        into_(tasks.size()),
+        out_(tasks.size()) {
+    for (const TimedTask& task : tasks) places_.emplace_back(task);
+    for (std::size_t i = 0; i < precedences.size(); ++i) {
+      into_[at(precedences[i].after)].push_back(i);
+      out_[at(precedences[i].before)].push_back(i);
+    }
+  }
+
+  std::vector<TaskFloat> run() {
+    find_latest();
+    std::vector<TaskFloat> floats(tasks_.size());
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+      floats[i].latest_finish = latest_[i];
+      floats[i].latest_start = places_[i].start_for(latest_[i]);
+      floats[i].total = places_[i].float_to(latest_[i]);
+      floats[i].free = std::min(floats[i].total, places_[i].float_to(undisturbed(i)));
+    }
+    return floats;
+  }
+
+ private:
+  /// How late the task before may finish if the event after comes at `moment`.
+  Ticks limit(const Precedence& each, Ticks moment) const {
+    const Ticks event = moment - each.gap;
+    return each.from == TaskEnd::finish ? event
+                                        : places_[at(each.before)].finish_if_started_by(event);
+  }
+
+  /// From the last to the first; what a ring leads back to is looked at again. Latest finishes only
+  /// fall, and not below those of the run.
+  void find_latest() {
+    latest_.assign(tasks_.size(), 0);
+    for (std::size_t i = 0; i < tasks_.size(); ++i) latest_[i] = places_[i].finish_by(end_);
+    std::vector<std::size_t> order(tasks_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return std::pair(tasks_[a].finish, tasks_[a].start) <
+             std::pair(tasks_[b].finish, tasks_[b].start);
+    });
+    std::vector<bool> waits(tasks_.size(), true);
+    while (!order.empty()) {
+      const std::size_t after = order.back();
+      order.pop_back();
+      if (!waits[after]) continue;
+      waits[after] = false;
+      for (const std::size_t number : into_[after]) {
+        const Precedence& each = precedences_[number];
+        const Ticks moment =
+            each.to == TaskEnd::start ? places_[after].start_for(latest_[after]) : latest_[after];
+        const std::size_t before = at(each.before);
+        const Ticks finish = places_[before].finish_by(limit(each, moment));
+        if (finish >= latest_[before]) continue;
+        latest_[before] = finish;
+        if (!waits[before]) order.push_back(before);
+        waits[before] = true;
+      }
+    }
+  }
+
+  /// The latest finish with which all that comes after stays where it was.
+  Ticks undisturbed(std::size_t task) const {
+    Ticks finish = end_;
+    for (const std::size_t number : out_[task]) {
+      const Precedence& each = precedences_[number];
+      const TimedTask& after = tasks_[at(each.after)];
+      finish =
+          std::min(finish, limit(each, each.to == TaskEnd::start ? after.start : after.finish));
+    }
+    return places_[task].finish_by(finish);
+  }
+
+  const std::vector<TimedTask>& tasks_;
+  const std::vector<Precedence>& precedences_;
+  Ticks end_;
+  std::vector<Placement> places_;
+  std::vector<std::vector<std::size_t>> into_, out_;
+  std::vector<Ticks> latest_;  ///< finishes
+};
+
+}  // namespace
+
+std::vector<TaskFloat> floats_of(const std::vector<TimedTask>& tasks,
+                                 const std::vector<Precedence>& precedences, Ticks end) {
+  return BackwardPass(tasks, precedences, end).run();
+}
+
+}  // namespace rubicon::schedule

@@ -1,0 +1,164 @@
+#include "src/simulation/taskplan/plan_floats.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace rubicon::taskplan {
+
+namespace {
+
+using schedule::Precedence;
+using schedule::TaskEnd;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// A robot or crew for a time; `node` -1: a robot that went out of the way.
+struct Use {
+  Ticks from = 0, to = 0;
+  int node = -1;
+  int people = 1;
+  auto operator<=>(const Use&) const = default;
+};
+
+class Precedences {
+ public:
+  Precedences(const std::vector<DoneTask>& done, const std::vector<std::size_t>& rows,
+              const schedule::LinkState& links, const Schedule& schedule)
+      : done_(done), rows_(rows), links_(links), schedule_(schedule) {
+    for (std::size_t i = 0; i < done.size(); ++i) node_of_[done[i].task] = static_cast<int>(i);
+  }
+
+  std::vector<Precedence> take() {
+    for (std::size_t i = 0; i < done_.size(); ++i) {
+      add_links(static_cast<int>(i));
+      add_waits(static_cast<int>(i));
+    }
+    add_uses();
+    return std::move(all_);
+  }
+
+ private:
+  const TaskOutcome& outcome(int node) const { return schedule_.tasks[rows_[at(node)]]; }
+  Ticks start(int node) const { return outcome(node).start; }
+  Ticks finish(int node) const { return outcome(node).start + outcome(node).duration; }
+  Ticks moment(int node, TaskEnd end) const {
+    return end == TaskEnd::start ? start(node) : finish(node);
+  }
+  int node_of(int task) const {
+    const auto found = node_of_.find(task);
+    return found == node_of_.end() ? -1 : found->second;
+  }
+
+  /// As it went: one of them later, the other later.
+  void add_as_it_went(int before, TaskEnd from, int after, TaskEnd to) {
+    all_.push_back({before, from, after, to, moment(after, to) - moment(before, from)});
+  }
+
+  void add_links(int node) {
+    const std::vector<schedule::Link>& links = links_.links_of(done_[at(node)].task);
+    for (const schedule::Link& link : links) {
+      const int before = node_of(link.task);
+      if (before < 0) continue;
+      all_.push_back({before, end_before(link.type), node, end_after(link.type), link.lag});
+    }
+    const schedule::TaskTimes& times = links_.times(done_[at(node)].task);
+    if (!times.known_late || times.link < 0) return;
+    // What a negative lag allows was over when it became known.
+    const schedule::Link& link = links[at(times.link)];
+    const int before = node_of(link.task);
+    if (before < 0) return;
+    const bool told_at_start =
+        end_before(link.type) == TaskEnd::start || finish(before) > times.ready;
+    add_as_it_went(before, told_at_start ? TaskEnd::start : TaskEnd::finish, node, TaskEnd::start);
+  }
+
+  void add_waits(int node) {
+    const schedule::TaskTimes& times = links_.times(done_[at(node)].task);
+    if (times.held == schedule::Held::machine && node_of(times.task_before) >= 0) {
+      add_as_it_went(node_of(times.task_before), TaskEnd::finish, node, TaskEnd::start);
+    }
+    for (const schedule::MidWait& wait : times.mid_waits) {
+      const int before = node_of(wait.task_before);
+      if (before >= 0) add_as_it_went(before, TaskEnd::finish, node, TaskEnd::finish);
+    }
+  }
+
+  void add_uses() {
+    std::vector<std::vector<Use>> uses(schedule_.resources.size());
+    for (std::size_t i = 0; i < done_.size(); ++i) {
+      for (const ResourceHold& hold : outcome(static_cast<int>(i)).holds) {
+        uses[at(hold.resource)].push_back({hold.from, hold.to, static_cast<int>(i), hold.people});
+      }
+    }
+    for (const TaskOutcome& task : schedule_.tasks) {
+      if (!task.parking || task.result != TaskResult::done) continue;
+      for (const ResourceHold& hold : task.holds) {
+        uses[at(hold.resource)].push_back({hold.from, hold.to, -1, hold.people});
+      }
+    }
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      std::sort(uses[i].begin(), uses[i].end());
+      add_uses(uses[i], schedule_.resources[i].robot);
+    }
+  }
+
+  /// Hands people from task to task: those go first who have been free longest, as in the run.
+  void add_uses(const std::vector<Use>& uses, bool robot) {
+    struct Free {
+      int node = -1;
+      int people = 0;
+    };
+    std::multimap<Ticks, Free> free;
+    Ticks parked = 0;
+    for (const Use& use : uses) {
+      if (use.node < 0) {
+        parked += use.to - use.from;
+        continue;
+      }
+      int wanted = use.people;
+      while (wanted > 0 && !free.empty() && free.begin()->first <= use.from) {
+        auto [since, last] = *free.begin();
+        free.erase(free.begin());
+        const int taken = std::min(wanted, last.people);
+        wanted -= taken;
+        const Ticks later = start(use.node) - use.from + (robot ? parked : 0);
+        const Ticks gap = since - finish(last.node) + later;
+        const Ticks most = start(use.node) - finish(last.node);
+        all_.push_back({last.node, TaskEnd::finish, use.node, TaskEnd::start, std::min(gap, most)});
+        if (taken < last.people) free.emplace(since, Free{last.node, last.people - taken});
+      }
+      free.emplace(use.to, Free{use.node, use.people});
+      parked = 0;
+    }
+  }
+
+  const std::vector<DoneTask>& done_;
+  const std::vector<std::size_t>& rows_;
+  const schedule::LinkState& links_;
+  const Schedule& schedule_;
+  std::map<int, int> node_of_;
+  std::vector<Precedence> all_;
+};
+
+}  // namespace
+
+void add_floats(const std::vector<DoneTask>& done, const std::vector<std::size_t>& rows,
+                const schedule::LinkState& links, Schedule& schedule) {
+  std::vector<schedule::TimedTask> tasks;
+  for (std::size_t i = 0; i < done.size(); ++i) {
+    const TaskOutcome& outcome = schedule.tasks[rows[i]];
+    schedule::TimedTask& task = tasks.emplace_back();
+    task.start = outcome.start;
+    task.finish = outcome.start + outcome.duration;
+    task.calendar = done[i].calendar;
+    task.milestone = done[i].milestone;
+    task.whole =
+        done[i].whole && task.calendar->work_between(task.start, task.finish) == outcome.duration;
+  }
+  const auto floats = schedule::floats_of(tasks, Precedences(done, rows, links, schedule).take(),
+                                          schedule.process_time);
+  for (std::size_t i = 0; i < done.size(); ++i) schedule.tasks[rows[i]].floats = floats[i];
+}
+
+}  // namespace rubicon::taskplan

@@ -1,0 +1,145 @@
+"""Dates of tasks: not_before, due, baselines and floats in the run, its table and files; and verify, which finds what is wrong."""
+
+import csv
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+
+import seeded_faults
+
+RUBICON = os.environ["RUBICON"]
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROBOTS = os.path.join(HERE, "verify_results")
+HOUR = 3600
+
+# Steel comes at 10:00; dig could have been an hour later, the fence all day.
+CREWS = """
+plan crews {
+  start_at "2026-03-02 07:00";
+  calendar day { mon-fri 07:00-16:00; }
+  crew diggers { calendar day; } crew fixers { calendar day; } crew fencers { calendar day; }
+  task dig { by diggers; takes 4 h; }
+  task steel { by fixers; takes 2 h; not_before "2026-03-02 10:00"; due "2026-03-02 14:00";
+    baseline "2026-03-02 08:00" to "2026-03-02 10:00"; }
+  task pour { by fixers; takes 3 h; after dig, steel; due "2026-03-02 14:30"; baseline 3 h to 7 h; }
+  task fence { by fencers; takes 1 h; due 2 h; }
+  task done { after pour, fence; due 7 h; }
+}
+"""
+
+# A machine that has to wait for a delivery, and a crew that could begin at any time before it is needed.
+SITE = """
+plan site {
+  robot cart "ROBOTS/cart.robot" { start x -20, y -12; }
+  crew masons { size 3; }
+  task go { by cart; go x -12, y -12; within x 0.5, y 0.5; not_before 10 min; }
+  task a { takes 10 min; needs 2 masons; }
+  task b { by cart; go x -20, y -12; within x 0.5, y 0.5; after go, a; }
+}
+"""
+
+
+def rubicon(*arguments):
+    return subprocess.run([RUBICON, *arguments], capture_output=True, text=True, timeout=300)
+
+
+class Dates(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = self.temporary.name
+        self.out = os.path.join(self.folder, "out")
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def run_plan(self, text):
+        path = os.path.join(self.folder, "p.plan")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text.replace("ROBOTS", ROBOTS))
+        self.run_result = rubicon("run", path, "--out", self.out)
+        self.assertEqual(self.run_result.returncode, 0, self.run_result.stdout + self.run_result.stderr)
+        verified = rubicon("verify", self.out)
+        self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
+        with open(os.path.join(self.out, "schedule.json"), encoding="utf-8") as file:
+            schedule = json.load(file)
+        return schedule, {task["task"]: task for task in schedule["tasks"]}
+
+    def faults_of(self, change):
+        result = seeded_faults.Result(self.out)
+        change(result)
+        folder = os.path.join(self.folder, "changed")
+        os.makedirs(folder, exist_ok=True)
+        result.write(folder)
+        verified = rubicon("verify", folder)
+        self.assertEqual(verified.returncode, 1, verified.stdout + verified.stderr)
+        return verified.stdout
+
+    def test_a_task_waits_for_its_date_and_says_so(self):
+        schedule, tasks = self.run_plan(CREWS)
+        self.assertEqual(tasks["steel"]["start"], 3 * HOUR)
+        self.assertEqual(tasks["steel"]["waited"]["predecessor"], 3 * HOUR)
+        self.assertEqual(schedule["critical"][0]["text"],
+                         "steel starts at its not_before, 3 h after the beginning of the plan")
+        self.assertEqual([step["task"] for step in schedule["critical"]], ["steel", "pour"])
+
+    def test_late_tasks_and_baselines_are_listed(self):
+        _, tasks = self.run_plan(CREWS)
+        late = {name: task.get("late") for name, task in tasks.items()}
+        self.assertEqual(late, {"dig": None, "steel": 0, "pour": HOUR / 2, "fence": 0, "done": HOUR})
+        self.assertEqual(tasks["steel"]["baseline"],
+                         {"start": HOUR, "finish": 3 * HOUR, "begins": "2026-03-02 08:00", "ends": "2026-03-02 10:00"})
+        lines = [line.split() for line in self.run_result.stdout.splitlines()]
+        self.assertIn(["pour", "2026-03-02", "14:30", "2026-03-02", "15:00", "0:30:00"], lines)
+        self.assertIn(["fence", "2026-03-02", "09:00", "2026-03-02", "08:00", "in", "time"], lines)
+        self.assertIn(["steel", "2026-03-02", "10:00", "2026-03-02", "12:00", "2:00:00", "later"], lines)
+        self.assertIn("2 of 2 tasks with a baseline finish later than planned", self.run_result.stdout)
+
+    def test_floats(self):
+        _, tasks = self.run_plan(CREWS)
+        floats = {name: (task["float"]["total"] / HOUR, task["float"]["free"] / HOUR) for name, task in tasks.items()}
+        self.assertEqual(floats, {"dig": (1, 1), "steel": (0, 0), "pour": (0, 0), "fence": (7, 7), "done": (0, 0)})
+        self.assertEqual(tasks["fence"]["float"]["latest_start"], 7 * HOUR)
+        with open(os.path.join(self.out, "schedule.csv"), encoding="utf-8", newline="") as file:
+            rows = {row["task"]: row for row in csv.DictReader(file)}
+        self.assertEqual((rows["fence"]["total_float"], rows["pour"]["late"]), ("25200", "1800"))
+
+    def test_a_machine_waits_for_its_date(self):
+        schedule, tasks = self.run_plan(SITE)
+        self.assertEqual(tasks["go"]["start"], 600)
+        self.assertEqual(tasks["go"]["float"]["total"], 0)
+        # the crew is done when the cart begins, and has the time that the cart takes
+        self.assertAlmostEqual(tasks["a"]["float"]["total"], tasks["go"]["duration"], places=6)
+        self.assertAlmostEqual(tasks["b"]["start"] + tasks["b"]["duration"], schedule["process_time"], places=6)
+
+    def test_verify_finds_dates_that_are_wrong(self):
+        self.run_plan(CREWS)
+
+        def task(result, name):
+            return next(each for each in result.schedule["tasks"] if each["task"] == name)
+
+        def cell(result, name, column, text):
+            place = result.table[0].index(column)
+            next(row for row in result.table if row[0] == name)[place] = text
+
+        def float_of(name, **change):
+            return lambda result: task(result, name)["float"].update(change)
+
+        self.assertIn("late by 0:00:00, by the trace by 0:30:00",
+                      self.faults_of(lambda result: task(result, "pour").update(late=0)))
+        self.assertIn("due at another time", self.faults_of(lambda result: task(result, "pour").update(due=8 * HOUR)))
+        self.assertIn("its baseline is another",
+                      self.faults_of(lambda result: task(result, "steel")["baseline"].update(finish=5 * HOUR)))
+        self.assertIn("it works for", self.faults_of(float_of("dig", total=2 * HOUR)))
+        self.assertIn("holds up pour",
+                      self.faults_of(float_of("dig", total=2 * HOUR, latest_start=2 * HOUR, latest_finish=6 * HOUR)))
+        self.assertIn("above its total float", self.faults_of(float_of("dig", free=2 * HOUR)))
+        self.assertIn("before its not_before", self.faults_of(
+            lambda result: next(each for each in result.header["tasks"] if each["name"] == "steel").update(not_before=4 * HOUR)))
+        self.assertIn("late by", self.faults_of(lambda result: cell(result, "pour", "late", "60")))
+        self.assertIn("above its total float", self.faults_of(lambda result: cell(result, "dig", "total_float", "60")))
+
+
+if __name__ == "__main__":
+    unittest.main()
