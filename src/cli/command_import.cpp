@@ -36,7 +36,8 @@ int import_schedule(const ImportOptions& options) {
     const std::string name = std::filesystem::path(path).filename().string();
     plan.plan = project_io::plan_text(
         *project, project_io::clean_text(name), diagnostics, {},
-        options.level ? project_io::Levelling::resources : project_io::Levelling::none);
+        options.level ? project_io::Levelling::resources : project_io::Levelling::none,
+        options.baseline ? project_io::Baselines::written : project_io::Baselines::left_out);
   }
   const std::string messages =
       report::print_text(diagnostics.sorted(), sources, files::wants_colour(stderr));
@@ -62,6 +63,9 @@ int run_import(const ImportOptions& options) {
   if (models == options.files.size()) {
     if (options.level && options.schedule.empty()) {
       return fail("--level goes with a schedule: it lets tasks wait for their resources");
+    }
+    if (options.baseline && options.schedule.empty()) {
+      return fail("--baseline goes with a schedule: it keeps the dates that its tasks have there");
     }
     return import_building(options);
   }

@@ -91,6 +91,7 @@ class BuildingImport {
     tasks.project = &*project;
     tasks.schedule = building_io::clean(fs::path(options_.schedule).filename().string());
     tasks.match = &match;
+    if (options_.baseline) tasks.baselines = project_io::Baselines::written;
     if (options_.level) {
       tasks.levelling = project_io::Levelling::resources;
       tell_levelling(*project);

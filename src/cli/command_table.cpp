@@ -85,6 +85,7 @@ Action declare_import(CLI::App& app) {
   app.add_option("--schedule", options->schedule);
   app.add_option("--match", options->match);
   app.add_flag("--level", options->level);
+  app.add_flag("--baseline", options->baseline);
   app.add_option("--unit", options->unit)->check(IsMember({"mm", "cm", "m"}));
   app.add_option("--up", options->up)->check(IsMember({"y", "z"}));
   app.add_option("--out", options->out);

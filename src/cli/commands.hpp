@@ -86,7 +86,8 @@ struct ImportOptions {
   std::string unit;
   std::string up;
   std::string out;
-  bool level = false;  ///< tasks of the schedule wait for their resources
+  bool level = false;     ///< tasks of the schedule wait for their resources
+  bool baseline = false;  ///< tasks keep the dates that the schedule has
 };
 int run_import(const ImportOptions& options);
 /// Of models: run_import's other half.

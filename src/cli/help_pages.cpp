@@ -205,8 +205,8 @@ examples:
 const std::string_view kImport =
     R"(rubicon import - make a plan of a schedule, of a building model, or of both
 
-usage: rubicon import SCHEDULE [--level] [--out PLAN]
-       rubicon import MODEL... [--schedule SCHEDULE --match FILE [--level]] [--unit mm|cm|m] [--up y|z] [--out PLAN]
+usage: rubicon import SCHEDULE [--level] [--baseline] [--out PLAN]
+       rubicon import MODEL... [--schedule SCHEDULE --match FILE [--level] [--baseline]] [--unit mm|cm|m] [--up y|z] [--out PLAN]
 
 SCHEDULE is Microsoft Project XML (in Project: save as XML) or a Primavera XER file; its content tells which. Tasks become
 crew work (takes), milestones take no time, resources become crews, links keep their type and lag, calendars their week
@@ -225,6 +225,7 @@ docs/import_building.md.
   --match FILE         what of the model belongs to which task
   --level              a resource does one task at a time, and tasks wait for it; without, links and calendars alone decide,
                        as in Project and Primavera; how many tasks wait, and how long at most, is said
+  --baseline           tasks say when the schedule has them (baseline) and their deadlines (due); a run is then compared with that
   --unit UNIT          mm, cm or m: what the numbers of OBJ, STL and PLY files are
   --up AXIS            y or z: which axis of the model points up, where it does not say so rightly
 

@@ -41,6 +41,19 @@ plan site {
 """
 
 
+# A schedule of others: pour has a baseline of its own, dig only its dates.
+SCHEDULE = """<?xml version="1.0" encoding="UTF-8"?>
+<Project xmlns="http://schemas.microsoft.com/project"><Name>hall</Name><StartDate>2026-03-02T07:00:00</StartDate><Tasks>
+<Task><UID>1</UID><ID>1</ID><Name>dig</Name><Start>2026-03-02T07:00:00</Start><Finish>2026-03-02T11:00:00</Finish>
+<Duration>PT5H0M0S</Duration><Deadline>2026-03-02T11:30:00</Deadline></Task>
+<Task><UID>2</UID><ID>2</ID><Name>pour</Name><Start>2026-03-02T12:00:00</Start><Finish>2026-03-02T14:00:00</Finish>
+<Duration>PT2H0M0S</Duration><PredecessorLink><PredecessorUID>1</PredecessorUID><Type>1</Type></PredecessorLink>
+<Baseline><Number>1</Number><Start>2026-02-02T09:00:00</Start><Finish>2026-02-02T11:00:00</Finish></Baseline>
+<Baseline><Number>0</Number><Start>2026-03-02T11:00:00</Start><Finish>2026-03-02T13:00:00</Finish></Baseline></Task>
+</Tasks></Project>
+"""
+
+
 def rubicon(*arguments):
     return subprocess.run([RUBICON, *arguments], capture_output=True, text=True, timeout=300)
 
@@ -104,6 +117,28 @@ class Dates(unittest.TestCase):
         with open(os.path.join(self.out, "schedule.csv"), encoding="utf-8", newline="") as file:
             rows = {row["task"]: row for row in csv.DictReader(file)}
         self.assertEqual((rows["fence"]["total_float"], rows["pour"]["late"]), ("25200", "1800"))
+
+    def test_a_schedule_of_others_is_the_baseline(self):
+        schedule, plan, back = (os.path.join(self.folder, name) for name in ("hall.xml", "hall.plan", "back.xml"))
+        with open(schedule, "w", encoding="utf-8") as file:
+            file.write(SCHEDULE)
+        plain = rubicon("import", schedule)
+        self.assertNotIn("baseline", plain.stdout)
+        imported = rubicon("import", schedule, "--baseline", "--out", plan)
+        self.assertEqual(imported.returncode, 0, imported.stderr)
+        with open(plan, encoding="utf-8") as file:
+            _, tasks = self.run_plan(file.read())
+        self.assertEqual((tasks["dig"]["late"], tasks["dig"]["baseline"]["finish"]), (HOUR / 2, 4 * HOUR))
+        self.assertEqual(tasks["pour"]["baseline"]["begins"], "2026-03-02 11:00")
+        self.assertIn("last finish  2026-03-02 13:00  2026-03-02 14:00  1:00:00 later", self.run_result.stdout)
+        exported = rubicon("export", self.out, "--mspdi", back)
+        self.assertEqual(exported.returncode, 0, exported.stderr)
+        with open(back, encoding="utf-8") as file:
+            text = "".join(file.read().split())
+        self.assertIn("<Baseline><Number>0</Number><Start>2026-03-02T11:00:00</Start>"
+                      "<Finish>2026-03-02T13:00:00</Finish></Baseline>", text)
+        self.assertIn("<Deadline>2026-03-02T11:30:00</Deadline>", text)
+        self.assertEqual(rubicon("import", back, "--baseline").returncode, 0)
 
     def test_a_machine_waits_for_its_date(self):
         schedule, tasks = self.run_plan(SITE)

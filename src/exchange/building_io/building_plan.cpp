@@ -92,7 +92,7 @@ class WorkWriter {
     write_standing();
     write_moved();
     parts_.result.plan = project_io::plan_text(*tasks_.project, tasks_.schedule, diagnostics_,
-                                               insert_, tasks_.levelling);
+                                               insert_, tasks_.levelling, tasks_.baselines);
     parts_.result.elements = elements_table(rows_, origin_);
     return std::move(parts_.result);
   }

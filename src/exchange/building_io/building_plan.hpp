@@ -9,6 +9,7 @@
 #include "src/exchange/building_io/match_file.hpp"
 #include "src/exchange/building_io/read_elements.hpp"
 #include "src/exchange/project_io/plan_crews.hpp"
+#include "src/exchange/project_io/plan_text.hpp"
 #include "src/exchange/project_io/project.hpp"
 
 namespace rubicon::building_io {
@@ -31,6 +32,7 @@ struct BuildingTasks {
   std::string schedule;  ///< name of its file
   const MatchFile* match = nullptr;
   project_io::Levelling levelling = project_io::Levelling::none;
+  project_io::Baselines baselines = project_io::Baselines::left_out;
 };
 
 /// How the plan is called, and its files.

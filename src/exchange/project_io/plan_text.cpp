@@ -86,11 +86,12 @@ CarriedWriter fields_of(const Record& record) {
 class PlanWriter {
  public:
   PlanWriter(const Project& project, const std::string& file, const PlanInsert& insert,
-             Levelling levelling, interpreter::Diagnostics& diagnostics)
+             Levelling levelling, Baselines baselines, interpreter::Diagnostics& diagnostics)
       : project_(project),
         file_(file),
         insert_(insert),
         levelling_(levelling),
+        baselines_(baselines),
         diagnostics_(diagnostics),
         start_(plan_start(project)) {}
 
@@ -305,6 +306,7 @@ class PlanWriter {
       listing_.add("I08", "long task", {},
                    fmt::format("task '{}' takes longer than a plan can say", task.name));
     }
+    if (baselines_ == Baselines::written) write_dates(task);
     out_ += links_text(planned.after);
     if (constraint_link(task, start_)) {
       out_ += fmt::format(
@@ -313,6 +315,19 @@ class PlanWriter {
           task.constraint_date.text);
     }
     out_ += "}\n";
+  }
+
+  /// To the minute, as plans have it.
+  void write_dates(const Task& task) {
+    constexpr std::size_t kToTheMinute = 16;  // YYYY-MM-DD HH:MM
+    const auto minute = [](const Moment& moment) { return moment.text.substr(0, kToTheMinute); };
+    const bool has_baseline =
+        !task.baseline_start.text.empty() && !task.baseline_finish.text.empty();
+    const std::string start = minute(has_baseline ? task.baseline_start : task.start);
+    const std::string finish = minute(has_baseline ? task.baseline_finish : task.finish);
+    if (!task.deadline.text.empty()) out_ += fmt::format("due \"{}\";\n", minute(task.deadline));
+    if (start.empty() || finish < start) return;
+    out_ += fmt::format("baseline \"{}\" to \"{}\";\n", start, finish);
   }
 
   /// The calendar for a crew that the task has to itself: where it has one of its own, or nobody
@@ -415,6 +430,7 @@ class PlanWriter {
   const std::string& file_;
   const PlanInsert& insert_;
   const Levelling levelling_;
+  const Baselines baselines_;
   interpreter::Diagnostics& diagnostics_;
   const Moment start_;
   Listing listing_;
@@ -432,8 +448,8 @@ class PlanWriter {
 
 std::string plan_text(const Project& project, const std::string& file,
                       interpreter::Diagnostics& diagnostics, const PlanInsert& insert,
-                      Levelling levelling) {
-  return PlanWriter(project, file, insert, levelling, diagnostics).write();
+                      Levelling levelling, Baselines baselines) {
+  return PlanWriter(project, file, insert, levelling, baselines, diagnostics).write();
 }
 
 }  // namespace rubicon::project_io

@@ -33,6 +33,10 @@ struct PlanInsert {
   std::map<std::int64_t, std::vector<Part>> parts;
 };
 
+/// Whether tasks of the plan say when the schedule has them (`baseline`: its baseline, else its
+/// dates) and their deadlines (`due`).
+enum class Baselines { left_out, written };
+
 /// The project as a plan that a person can read and `rubicon check` takes, in canonical form.
 /// Headings are comments, tasks have their name there as attribute, take their duration and wait
 /// for what they are linked to, resources are crews (several, where it is not levelled and their
@@ -42,6 +46,7 @@ struct PlanInsert {
 /// is the name of the schedule's file.
 std::string plan_text(const Project& project, const std::string& file,
                       interpreter::Diagnostics& diagnostics, const PlanInsert& insert = {},
-                      Levelling levelling = Levelling::none);
+                      Levelling levelling = Levelling::none,
+                      Baselines baselines = Baselines::left_out);
 
 }  // namespace rubicon::project_io

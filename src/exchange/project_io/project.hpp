@@ -116,6 +116,7 @@ struct Task {
   Constraint constraint = Constraint::as_soon_as_possible;
   std::int64_t calendar = kNone;
   Moment constraint_date, deadline;
+  Moment baseline_start, baseline_finish;  ///< the first baseline of the schedule
   bool hide_bar = false;
   std::string notes;
   std::vector<Link> after;                         ///< in the order of the predecessors

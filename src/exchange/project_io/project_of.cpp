@@ -253,7 +253,9 @@ class ProjectBuilder {
     project_.tasks.push_back(task);
     specs_.push_back(spec);
     names_.push_back(name);
-    if (spec != nullptr) list_unsayable(*spec);
+    if (spec == nullptr) return;
+    take_dates(*spec, project_.tasks.back());
+    list_unsayable(*spec);
   }
 
   void push_new(std::size_t i, int level) {
@@ -275,6 +277,21 @@ class ProjectBuilder {
     const std::string usual =
         interpreter::plain_attribute(interpreter::written_attribute(task.name));
     if (name != nullptr && *name != usual) task.name = *name;
+  }
+
+  void take_dates(const TaskSpec& spec, Task& task) const {
+    const schedule::CivilTime start = plan_.start_at.value_or(schedule::kUndatedStart);
+    const auto moment = [&](schedule::Ticks time) {
+      return Moment{schedule::text_of(schedule::civil_time_at(start, time))};
+    };
+    if (spec.baseline) {
+      task.baseline_start = moment(spec.baseline->start);
+      task.baseline_finish = moment(spec.baseline->finish);
+    }
+    // A plan says a deadline to the minute: one that it does not change keeps its seconds.
+    if (spec.due && !task.deadline.text.starts_with(moment(*spec.due).text)) {
+      task.deadline = moment(*spec.due);
+    }
   }
 
   static std::int64_t work_seconds(const TaskSpec& spec) {

@@ -76,10 +76,23 @@ class MspdiReader {
     for (const pugi::xml_node& link : element.take_all("PredecessorLink")) {
       if (read_link(link, task)) places.push_back(reading_.span(link));
     }
+    for (const pugi::xml_node& baseline : element.take_all("Baseline")) {
+      read_baseline(baseline, task);
+    }
     element.finish();
     project_.tasks.push_back(std::move(task));
     places_.tasks.push_back(reading_.span(node));
     places_.links.push_back(std::move(places));
+  }
+
+  /// Of up to eleven baselines the first; its work and cost are left out.
+  void read_baseline(const pugi::xml_node& node, Task& task) {
+    XmlElement element(node, reading_);
+    int number = 0;
+    element("", "Number", number);
+    if (number != 0) return;
+    element("", "Start", task.baseline_start);
+    element("", "Finish", task.baseline_finish);
   }
 
   bool read_link(const pugi::xml_node& node, Task& task) {

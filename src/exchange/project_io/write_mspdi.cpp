@@ -139,6 +139,15 @@ class OutlineNumbers {
   std::vector<int> counts_;
 };
 
+void write_baseline(pugi::xml_node node, const Task& task) {
+  if (task.baseline_start.text.empty() && task.baseline_finish.text.empty()) return;
+  pugi::xml_node baseline = node.append_child("Baseline");
+  add(baseline, "Number", "0");
+  FieldWriter fields(baseline);
+  fields("", "Start", task.baseline_start);
+  fields("", "Finish", task.baseline_finish);
+}
+
 void write_tasks(pugi::xml_node list, const Project& project) {
   OutlineNumbers numbers;
   for (std::size_t i = 0; i < project.tasks.size(); ++i) {
@@ -149,6 +158,7 @@ void write_tasks(pugi::xml_node list, const Project& project) {
     visit_task(task, fields);
     pugi::xml_node number = node.insert_child_before("OutlineNumber", node.child("OutlineLevel"));
     number.append_child(pugi::node_pcdata).set_value(numbers.next(task.level).c_str());
+    write_baseline(node, task);
     for (const Link& link : task.after) write_link(node.append_child("PredecessorLink"), link);
     for (const auto& [field, text] : task.texts) {
       pugi::xml_node value = node.append_child("ExtendedAttribute");
