@@ -212,7 +212,7 @@ std::string baseline_table(const Schedule& schedule) {
            : time < 0 ? clock_text(-time) + " earlier"
                       : "as planned";
   };
-  std::vector<Row> rows = {{"baseline", "planned to", "simulated to", ""}};
+  std::vector<Row> rows = {{"baseline", "planned to", "simulated to", "change"}};
   for (const TaskOutcome* task : later) {
     rows.push_back({task->task, moment(task->baseline->finish),
                     moment(task->start + task->duration), change(delay(task))});
