@@ -34,6 +34,7 @@ class ChartBuilder {
     chart_.end = schedule_.process_time;
     for (const TaskOutcome& task : schedule_.tasks) {
       chart_.end = std::max(chart_.end, task.start + task.duration);
+      if (task.baseline) chart_.end = std::max(chart_.end, task.baseline->finish);
     }
     find_off_times();
     for (const auto& use : schedule_.resources) add_resource(use);
@@ -90,6 +91,10 @@ class ChartBuilder {
       const Bar bar = make_bar(task);
       add_to_lanes(task, bar);
       bars.push_back(bar);
+      if (!task.baseline) continue;
+      const Ticks from = std::clamp<Ticks>(task.baseline->start, 0, chart_.end);
+      bars.back().baseline = Span{from, std::clamp<Ticks>(task.baseline->finish, from, chart_.end)};
+      chart_.has_baselines = true;
     }
     chart_.rows = chart_rows(bars, chart_.rows_title);
   }

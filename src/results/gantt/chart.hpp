@@ -23,7 +23,8 @@ struct Bar {
   Span span;
   std::vector<Part> parts;  ///< cover it
   bool critical = false;
-  std::string text;  ///< all about it, in lines
+  std::string text;              ///< all about it, in lines
+  std::optional<Span> baseline;  ///< of a row: when others planned it
 };
 
 /// A machine, a crew, a task or a group of tasks through time.
@@ -48,6 +49,7 @@ struct Chart {
   std::optional<schedule::CivilTime> start;
   Ticks end = 0;
   bool has_shifts = false;
+  bool has_baselines = false;
   std::vector<Lane> resources;
   std::string rows_title;  ///< what the rows are: tasks, or groups of them
   std::vector<Lane> rows;

@@ -67,6 +67,16 @@ std::string task_label(const Schedule& schedule, const TaskOutcome& task, bool c
                       duration_label(task.work_time));
   if (task.waits.machine > 0) text += ", waited for machines " + duration_label(task.waits.machine);
   if (schedule.costed) text += "\ncost " + money_label(task.cost, schedule.currency);
+  if (task.due) text += "\ndue " + moment_label(schedule, *task.due);
+  if (task.late().value_or(0) > 0) text += ", late by " + duration_label(*task.late());
+  if (task.baseline) {
+    text += fmt::format("\nbaseline {} to {}", moment_label(schedule, task.baseline->start),
+                        moment_label(schedule, task.baseline->finish));
+  }
+  if (task.floats) {
+    text += fmt::format("\ntotal float {}, free float {}", duration_label(task.floats->total),
+                        duration_label(task.floats->free));
+  }
   if (critical) text += "\non the critical chain";
   if (task.result != TaskResult::done) text += fmt::format("\n{}", name_of(task.result));
   if (!task.reason.empty()) text += ": " + task.reason;

@@ -33,6 +33,17 @@ std::vector<Span> spans_of(const std::vector<Bar>& bars, Part::Kind kind) {
   return spans;
 }
 
+/// Height of the line of a baseline, right below its bar.
+constexpr double kBaseline = 2;
+
+std::vector<Span> baselines_of(const std::vector<Bar>& bars) {
+  std::vector<Span> spans;
+  for (const Bar& bar : bars) {
+    if (bar.baseline) spans.push_back(*bar.baseline);
+  }
+  return spans;
+}
+
 void add_active(std::vector<Span>& spans, const Part& part) {
   if (part.kind != Part::Kind::motion && part.kind != Part::Kind::work) return;
   if (!spans.empty() && spans.back().to == part.span.from) {
@@ -82,6 +93,7 @@ std::string SvgBars::bars(const std::vector<Bar>& bars, double top, double heigh
          filled(spans_of(bars, Kind::work), kColours.crew, top, height) +
          filled(spans_of(bars, Kind::wait), kColours.wait, top + height / 5, height * 3 / 5) +
          filled(spans_of(bars, Kind::off), kColours.line, top + height * 2 / 5, height / 5) +
+         filled(widened(baselines_of(bars)), kColours.muted, top + height, kBaseline) +
          edges(bars, top, height) + critical(bars, top, height) + titles(bars, top, height);
 }
 

@@ -113,6 +113,9 @@ class SvgWriter {
     entry(fmt::format("fill=\"{}\"", kColours.wait), "waiting");
     entry(fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"2\"", kColours.critical),
           "critical chain");
+    if (chart_.has_baselines) {
+      entry(fmt::format("fill=\"{}\"", kColours.muted), "baseline");
+    }
     if (chart_.has_shifts) {
       entry(fmt::format("fill=\"{}\" stroke=\"{}\"", kColours.off, kColours.line), "out of shift");
     }

@@ -244,6 +244,13 @@ class Writer {
     values(value.values);
   }
   void item(const syntax::ZoneItem& value) { shape(value.shape); }
+  void item(const syntax::DateItem& value) {
+    name(value.name);
+    for (const syntax::Moment& moment : value.moments) {
+      if (moment.date) string(*moment.date);
+      if (moment.after_start) number(*moment.after_start);
+    }
+  }
   void item(const syntax::AfterItem& value) { links(value.links); }
   void item(const syntax::TaskItem& value) {
     name(value.name);
