@@ -67,7 +67,7 @@ Files appear whole or not at all, and the files of --out all at once: a stop at 
 new one. Other files in DIR stay. Paths in what is written are relative to the folder of the plan.
 What the command does not execute is refused at its place before anything runs.
 
-Exit code: 0 every task was done (a short plan: its motion ended done), 1 otherwise, 2 the input is wrong.
+Exit code: 0 every task was done (a short plan: its motion is at its goal), 1 otherwise, 2 the input is wrong.
 
 examples:
   rubicon run taskplans/unit.plan

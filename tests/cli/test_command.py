@@ -272,6 +272,28 @@ class Run(Case):
         self.assertEqual(result.returncode, 1)
         self.assertIn("livelock", result.stdout)
 
+    def test_a_motion_that_ends_short_of_its_goal_is_short_and_exits_with_1(self):
+        self.write("site.plan", PLAN.replace("goal x 3", "goal x 8"))  # behind the wall
+        out = os.path.join(self.folder, "result")
+        result = rubicon("run", self.plan, "--out", out)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertRegex(result.stdout, r"short: blocked by wall at step \d+ .*short of the goal: x is 4 m below the goal")
+        self.assertIn("0 of 1 tasks done, 1 short, process time", result.stdout)
+        with open(os.path.join(out, "schedule.json"), encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["tasks"][0]["result"], "short")
+        with open(os.path.join(out, "schedule.csv"), encoding="utf-8") as file:
+            self.assertIn(',short,"blocked by wall', file.read())
+        with open(os.path.join(out, "trace.jsonl"), encoding="utf-8") as file:
+            records = [json.loads(line) for line in file]
+        self.assertEqual([record["status"] for record in records if record["type"] == "end"], ["done"])
+        self.assertEqual([record["result"] for record in records if record["type"] == "task_end"], ["short"])
+        self.assertEqual(rubicon("verify", out).returncode, 0)
+        self.assertIn("p is short: blocked by wall", rubicon("why", out, "p").stdout)
+        self.write("site.plan", PLAN.replace("goal x 3", "goal x 8; within x 4"))
+        result = rubicon("run", self.plan)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("1 of 1 tasks done", result.stdout)
+
     def test_wrong_input_exits_with_2_before_anything_is_written(self):
         self.write("b.motion", "chain { move_to(x) };\n")
         trace = os.path.join(self.folder, "t.jsonl")

@@ -116,7 +116,7 @@ export interface ScheduledTask {
   cost?: number;
   tried: number;
   accepted: number;
-  result: 'done' | 'rejected' | 'not reached';
+  result: 'done' | 'short' | 'rejected' | 'not reached';
   reason: string;
 }
 

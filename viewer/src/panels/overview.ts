@@ -58,14 +58,15 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
 
 function refusalsOf(page: Page): HTMLElement | null {
   const { runs } = page;
-  const refused = runs.all.map((_, i) => i).filter((i) => runs.isRefused(i) && runs.isTask(runs.all[i].task));
+  const refused = runs.all.map((_, i) => i)
+    .filter((i) => (runs.isRefused(i) || runs.all[i].result === 'short') && runs.isTask(runs.all[i].task));
   if (refused.length === 0) return null;
   const list = make('ul', { class: 'refusals' });
   for (const i of refused.slice(0, mostListed)) {
     const { task, result, reason } = runs.all[i];
     const name = button(task, () => goToStep(page, i, runs.refusedAt(i)), { class: 'link' }, named(task, 200));
     const why = make('div', { class: 'reason' }, named(reason, 600));
-    list.append(make('li', { class: result === 'rejected' ? '' : 'later' }, name, ` ${result} `, why));
+    list.append(make('li', { class: result === 'not reached' ? 'later' : '' }, name, ` ${result} `, why));
   }
   const section = make('section', {}, make('h2', { class: 'bad' }, `Not done: ${tallyText(runs.tally())}`), list);
   const more = refused.length - mostListed;
