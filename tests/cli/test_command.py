@@ -142,6 +142,7 @@ class Help(Case):
 
     def test_unknown_commands_and_options_come_with_a_suggestion(self):
         for arguments, expected in ((["rnu", "x.plan"], "unknown command 'rnu'; did you mean run?"),
+                                    (["help", "chek"], "there is no command 'chek'; did you mean check?"),
                                     (["paint"], "unknown command 'paint'\n"),
                                     (["run", "x.plan", "--ouput", "d"], "unknown option '--ouput' of run; did you mean --out?"),
                                     (["run", "x.plan", "--fromat=csv"], "unknown option '--fromat' of run; did you mean --format?"),
