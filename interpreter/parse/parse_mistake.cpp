@@ -49,6 +49,26 @@ std::string other_languages_word(std::string_view word) {
   return {};
 }
 
+bool stands_in_names(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// A name with hyphens round `at`, a hyphen, as it would be written without; "" if there is none.
+std::string without_hyphens(const char* begin, const char* at, const char* end) {
+  const auto inside = [&](const char* c) {
+    return c > begin && c + 1 < end && *c == '-' && stands_in_names(c[-1]) && stands_in_names(c[1]);
+  };
+  if (!inside(at)) return {};
+  const char* from = at;
+  while (from > begin && (stands_in_names(from[-1]) || inside(from - 1))) --from;
+  const char* to = at;
+  while (to < end && (stands_in_names(*to) || inside(to))) ++to;
+  if (*from >= '0' && *from <= '9') return {};
+  std::string name(from, to);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
 std::vector<std::string> split(const char* words) {
   std::istringstream stream(words);
   std::vector<std::string> result;
@@ -102,6 +122,11 @@ void ParseState::fail(const char* at, const grammar::Expectation& expectation) {
         report(code_, bad.begin, bad.end, fmt::format("unexpected character '{}'", bad.text()),
                hint);
       }
+    } else if (std::string name = without_hyphens(begin_, bad.begin, end_);
+               !in_script() && bad.is_symbol('-') && !name.empty()) {
+      report(code_, bad.begin, bad.end,
+             "'-' cannot stand in a name: names have the letters a to z, digits and _",
+             fmt::format("write {}", name));
     } else if (expectation.explain == grammar::Explain::statement) {
       explain_statement(bad.begin, expectation);
     } else if (expectation.explain == grammar::Explain::item) {

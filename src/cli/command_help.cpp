@@ -3,7 +3,9 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "interpreter/syntax/diagnostic.hpp"
 #include "src/cli/command_table.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/help.hpp"
@@ -30,9 +32,13 @@ int run_help(const HelpOptions& options, const CLI::App& app) {
   } else if (const Command* command = find_command(options.command)) {
     print(stdout, command->page);
   } else {
-    print(stderr,
-          fmt::format("rubicon: error: there is no command '{}'\n  hint: see 'rubicon help'\n",
-                      options.command));
+    std::vector<std::string> names = {"functions"};
+    for (const Command& each : command_table()) names.emplace_back(each.name);
+    const std::string near = interpreter::did_you_mean(options.command, names);
+    print(stderr, fmt::format("rubicon: error: there is no command '{}'{}\n"
+                              "  hint: see 'rubicon help'\n",
+                              options.command,
+                              near.empty() ? "" : fmt::format("; did you mean {}?", near)));
     return kWrongInput;
   }
   return kFine;

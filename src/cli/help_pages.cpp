@@ -67,7 +67,7 @@ Files appear whole or not at all, and the files of --out all at once: a stop at 
 new one. Other files in DIR stay. Paths in what is written are relative to the folder of the plan.
 What the command does not execute is refused at its place before anything runs.
 
-Exit code: 0 every task was done (a short plan: its motion ended done), 1 otherwise, 2 the input is wrong.
+Exit code: 0 every task was done (a short plan: its motion is at its goal), 1 otherwise, 2 the input is wrong.
 
 examples:
   rubicon run taskplans/unit.plan
@@ -146,7 +146,8 @@ usage: rubicon test DIR... [--filter TEXT] [--update] [--jobs N] [--junit FILE]
 
 A case is a folder with site.plan and expected.json; DIR is a case or a folder of cases (at any depth). Each plan is run
 and what happened is compared with expected.json: every attempt (accepted or not, and the configuration to 1e-6), loops,
-assignments, choices, the end and its counts. A difference is shown with the lines round it.
+assignments, choices, the end and its counts. A difference is shown with the lines round it; of tasks, times and costs in a
+line for each task.
 
   --filter TEXT    only cases whose path contains TEXT
   --update         write expected.json and expected.trace (for people) from what happened, instead of comparing

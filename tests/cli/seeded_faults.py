@@ -655,6 +655,23 @@ def call_it_done(good, rng):
     return Fault("call it done", result, [good.records[index]["task"]])
 
 
+def hide_that_it_ended_short(good, rng):
+    """The motion of a short plan is told as done where it ended short, or as short where it is at its goal; everywhere."""
+    if good.header["form"] != "short":
+        return None
+    place = next(i for i, record in enumerate(good.records) if record["type"] == "task_end")
+    told = {"done": "short", "short": "done"}.get(good.records[place]["result"])
+    if told is None:
+        return None
+    result = copy.deepcopy(good)
+    reason = result.records[place]["reason"] if rng.random() < 0.5 else "short of the goal"
+    for row in (result.records[place], result.schedule["tasks"][0]):
+        row["result"], row["reason"] = told, reason
+    result.table[1][7], result.table[1][8] = told, reason
+    words = "ended short" if told == "done" else "stands at its goal"
+    return Fault("hide that it ended short", result, [good.records[place]["task"]], place + 1, words=words)
+
+
 def drop_a_task(good, rng):
     names = [name for name in good.results() if good.task(name)]
     if not names:
@@ -1206,7 +1223,7 @@ KINDS = (shift_a_step, shift_the_rest_of_a_task, drop_a_wait, close_a_wait_up, s
          move_what_is_put_down, turn_what_is_put_down, move_the_goal, drop_a_load_change, overload, forget_a_mass,
          hide_an_overlap, lengthen_work,
          take_a_day_off, shorten_a_shift, hang_a_load, invent_overtime, book_a_crew_twice, give_work_to_another, break_a_link,
-         link_to_what_is_not_done, silence_a_refusal, call_it_done, call_it_not_reached, drop_a_task, cut_the_trace,
+         link_to_what_is_not_done, silence_a_refusal, call_it_done, hide_that_it_ended_short, call_it_not_reached, drop_a_task, cut_the_trace,
          wall_in_the_way, thing_where_a_load_is_put, grow_a_body, zone_round_a_robot, edit_the_schedule,
          edit_the_table, change_the_speed, name_another_parameter, lengthen_a_part, give_a_part_to_another,
          hide_a_wait, wait_for_nothing, pause_for_nothing, edit_a_part_of_the_table, change_a_cost, change_a_rate, edit_a_use,

@@ -142,6 +142,7 @@ class Help(Case):
 
     def test_unknown_commands_and_options_come_with_a_suggestion(self):
         for arguments, expected in ((["rnu", "x.plan"], "unknown command 'rnu'; did you mean run?"),
+                                    (["help", "chek"], "there is no command 'chek'; did you mean check?"),
                                     (["paint"], "unknown command 'paint'\n"),
                                     (["run", "x.plan", "--ouput", "d"], "unknown option '--ouput' of run; did you mean --out?"),
                                     (["run", "x.plan", "--fromat=csv"], "unknown option '--fromat' of run; did you mean --format?"),
@@ -272,6 +273,28 @@ class Run(Case):
         self.assertEqual(result.returncode, 1)
         self.assertIn("livelock", result.stdout)
 
+    def test_a_motion_that_ends_short_of_its_goal_is_short_and_exits_with_1(self):
+        self.write("site.plan", PLAN.replace("goal x 3", "goal x 8"))  # behind the wall
+        out = os.path.join(self.folder, "result")
+        result = rubicon("run", self.plan, "--out", out)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertRegex(result.stdout, r"short: blocked by wall at step \d+ .*short of the goal: x is 4 m below the goal")
+        self.assertIn("0 of 1 tasks done, 1 short, process time", result.stdout)
+        with open(os.path.join(out, "schedule.json"), encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["tasks"][0]["result"], "short")
+        with open(os.path.join(out, "schedule.csv"), encoding="utf-8") as file:
+            self.assertIn(',short,"blocked by wall', file.read())
+        with open(os.path.join(out, "trace.jsonl"), encoding="utf-8") as file:
+            records = [json.loads(line) for line in file]
+        self.assertEqual([record["status"] for record in records if record["type"] == "end"], ["done"])
+        self.assertEqual([record["result"] for record in records if record["type"] == "task_end"], ["short"])
+        self.assertEqual(rubicon("verify", out).returncode, 0)
+        self.assertIn("p is short: blocked by wall", rubicon("why", out, "p").stdout)
+        self.write("site.plan", PLAN.replace("goal x 3", "goal x 8; within x 4"))
+        result = rubicon("run", self.plan)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("1 of 1 tasks done", result.stdout)
+
     def test_wrong_input_exits_with_2_before_anything_is_written(self):
         self.write("b.motion", "chain { move_to(x) };\n")
         trace = os.path.join(self.folder, "t.jsonl")
@@ -359,6 +382,68 @@ class Test(Case):
         self.assertRegex(result.stdout, r"(?m)^ +- try .*x.*3\.001")
         self.assertRegex(result.stdout, r"(?m)^ +\+ try ")
         self.assertIn("<failure", self.read("out.xml"))
+
+    def test_goldens_hold_costs_and_accept_tolerances_a_line_for_each_task_that_differs(self):
+        robots = "".join(f'  robot g{i} "gantry.robot" at trans(0, {80 * i}, 0) {{ cost 100 per h; }}\n' for i in (0, 1))
+        tasks = "".join(f"  task t{i} {{ by g{i}; go x {10 * (i + 1)}; takes 5 min; }}\n" for i in (0, 1))
+
+        def plan(text=tasks, rates=robots):
+            self.write("site.plan", 'plan p {\n  currency "EUR";\n  overhead 240 per day;\n' + rates + text + "}\n")
+
+        def test(*options):
+            return rubicon("test", self.folder, *options)
+
+        plan()
+        self.assertEqual(test("--update").returncode, 0)
+        document = json.loads(self.read("expected.json"))
+        self.assertEqual(document["cost"], sum(document["cost_by_kind"].values()))
+        self.assertEqual([task["cost"] for task in document["tasks"]], [8.61, 8.89])
+        self.assertEqual(test().returncode, 0)
+        # Other rates: a line for each sum and each task that costs something else.
+        plan(rates=robots.replace("100 per h", "110 per h", 1))
+        result = test()
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("  t0: cost: expected 8.61, found 9.47 (0.86 more)\n", result.stdout)
+        self.assertIn("  cost of use: expected 17.50, found 18.36 (0.86 more)\n", result.stdout)
+        self.assertNotIn("t1:", result.stdout)
+        # Slower tasks: in times too, and what is there no more.
+        plan(tasks.replace("takes 5 min", "takes 6 min", 1))
+        result = test()
+        self.assertRegex(result.stdout, r"(?m)^  t0: duration: expected 310 s, found 370 s \(60 s more\); cost: expected 8.61, "
+                         r"found 10.28 \(1.67 more\)$")
+        self.assertIn("  process_time: expected 320 s, found 370 s (50 s more)\n", result.stdout)
+        plan(tasks.replace("task t1", "task t2"))
+        result = test()
+        self.assertIn("  t1: expected (done), not found\n", result.stdout)
+        self.assertIn("  t2: found (done), not expected\n", result.stdout)
+
+        # With a tolerance the same is near enough; what is farther off says what is allowed.
+        plan(tasks.replace("takes 5 min", "takes 6 min", 1))
+        document["tolerance"] = {"time": "1 min", "cost": "25 %"}
+        for task in document["tasks"]:
+            del task["tried"], task["accepted"]
+        del document["events"]
+        self.write("expected.json", json.dumps(document))
+        self.assertEqual(test().returncode, 0, test().stdout)
+        document["tolerance"] = {"time": "1 min", "cost": "25 %", "tasks": {"t0": {"time": 30}}}
+        self.write("expected.json", json.dumps(document))
+        result = test()
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("  t0: duration: expected 310 s, found 370 s (60 s more, allowed 30 s)\n", result.stdout)
+        self.assertEqual(result.stdout.count(": expected"), 1, result.stdout)
+        # Update keeps the tolerance, and leaves out the steps, which differ where times do.
+        self.assertEqual(test("--update").returncode, 0)
+        written = json.loads(self.read("expected.json"))
+        self.assertEqual(written["tolerance"], document["tolerance"])
+        self.assertNotIn("events", written)
+        self.assertNotIn("tried", written["tasks"][0])
+        self.assertEqual(test().returncode, 0)
+        for wrong, words in (({"time": "5 kg"}, "as the tolerance of time, found"), ({"tme": 5}, "found 'tme'"),
+                             ({"cost": -1}, "as the tolerance of cost, found -1"), (5, "expected an object")):
+            self.write("expected.json", json.dumps({**document, "tolerance": wrong}))
+            result = test()
+            self.assertEqual(result.returncode, 2, wrong)
+            self.assertIn(words, result.stdout + result.stderr)
 
     def test_filter_and_empty_folders(self):
         result = rubicon("test", self.folder, "--filter", "no such case")

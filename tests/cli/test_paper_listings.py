@@ -103,7 +103,7 @@ class PaperListings(unittest.TestCase):
         at = [i for i, part in enumerate(self.parts) if "try a combination" in part][0]
         sub = with_comments(self.parts[at] + "\n" + self.parts[at + 1])
         pillar = "component pillar { shape box(18.3,-1.5,0,26.4,1.5,63.5); at rotz(40); } carry box(-2,-2,-4,2,2,0); "
-        end = self.run_script(CRANE, sub, pillar + "start theta 0, x 22, z 10; goal theta 90, x 22, z 10;")
+        end = self.run_script(CRANE, sub, pillar + "start theta 0, x 22, z 10; goal theta 90, x 22, z 10; within x 7;")
         self.assertEqual((end["q"]["theta"], end["q"]["x"]), (90, 29))
 
     def mobile(self):

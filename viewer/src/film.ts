@@ -14,7 +14,7 @@ export interface Run {
   start: number;
   /** null as long as it is not over. */
   end: number | null;
-  result: '' | 'done' | 'rejected' | 'not reached';
+  result: '' | 'done' | 'short' | 'rejected' | 'not reached';
   reason: string;
   because: string;
   after: string;

@@ -116,7 +116,7 @@ export interface ScheduledTask {
   cost?: number;
   tried: number;
   accepted: number;
-  result: 'done' | 'rejected' | 'not reached';
+  result: 'done' | 'short' | 'rejected' | 'not reached';
   reason: string;
 }
 
@@ -139,6 +139,8 @@ export interface ScheduleData {
   ends?: string;
   cost?: number;
   currency?: string;
+  /** What the money goes for, in the order of the command's table; where the plan says more than rates. */
+  cost_by_kind?: Record<string, number>;
   resources: ResourceData[];
   critical: { task: string; work_counts: boolean; text: string }[];
 }

@@ -19,6 +19,7 @@ export interface Span {
 export interface Tally {
   tasks: number;
   done: number;
+  short: number;
   rejected: number;
   notReached: number;
   /** Components that some task moves, and those of them for which every such task was done. */
@@ -26,10 +27,10 @@ export interface Tally {
   placed: number;
 }
 
-/** `4 rejected, 2 not reached`; `all done`. */
-export function tallyText({ tasks, rejected, notReached }: Tally): string {
+/** `4 rejected, 2 not reached`; `1 short`; `all done`. */
+export function tallyText({ tasks, short, rejected, notReached }: Tally): string {
   if (tasks === 0) return '';
-  const parts = [...(rejected > 0 ? [`${rejected} rejected`] : []), ...(notReached > 0 ? [`${notReached} not reached`] : [])];
+  const parts = [...(short > 0 ? [`${short} short`] : []), ...(rejected > 0 ? [`${rejected} rejected`] : []), ...(notReached > 0 ? [`${notReached} not reached`] : [])];
   return parts.join(', ') || 'all done';
 }
 
@@ -81,7 +82,7 @@ export class Runs {
     const moved = new Set([...this.tasks.values()].flatMap(({ move }) => (move === undefined ? [] : [move])));
     const doneTasks = new Set(outcomes.filter(({ result }) => result === 'done').map(({ task }) => task));
     const open = new Set([...this.tasks.values()].flatMap(({ name, move }) => (move !== undefined && !doneTasks.has(name) ? [move] : [])));
-    return { tasks: results.length, done: count('done'), rejected: count('rejected'), notReached: count('not reached'),
+    return { tasks: results.length, done: count('done'), short: count('short'), rejected: count('rejected'), notReached: count('not reached'),
       elements: moved.size, placed: [...moved].filter((name) => !open.has(name)).length };
   }
 

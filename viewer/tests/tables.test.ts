@@ -43,9 +43,10 @@ describe('runs', () => {
 
   it('are counted as the command counts: machines that only go out of the way are no tasks', () => {
     const tally = new Runs(film()).tally();
-    expect(tally).toEqual({ tasks: 1, done: 1, rejected: 0, notReached: 0, elements: 1, placed: 1 });
+    expect(tally).toEqual({ tasks: 1, done: 1, short: 0, rejected: 0, notReached: 0, elements: 1, placed: 1 });
     expect(tallyText(tally)).toBe('all done');
     expect(tallyText({ ...tally, tasks: 9, rejected: 4, notReached: 2 })).toBe('4 rejected, 2 not reached');
+    expect(tallyText({ ...tally, tasks: 1, done: 0, short: 1 })).toBe('1 short');
     expect(tallyText({ ...tally, tasks: 0, done: 0 })).toBe('');
   });
 

@@ -7,6 +7,8 @@
 
 #include "src/results/golden/golden_case.hpp"
 #include "src/results/golden/observation.hpp"
+#include "src/results/golden/task_difference.hpp"
+#include "src/results/golden/tolerance.hpp"
 
 namespace rubicon::golden {
 
@@ -18,8 +20,10 @@ using nlohmann::ordered_json;
 constexpr std::size_t kContext = 3;
 
 /// What a document says beside its events; the rest of it (name, note) is for people.
-constexpr const char* kCompared[] = {"status", "period", "tries",    "accepted",     "rejected",
-                                     "end",    "vars",   "warnings", "process_time", "tasks"};
+constexpr const char* kCompared[] = {"status",   "period", "tries", "accepted",
+                                     "rejected", "end",    "vars",  "warnings"};
+/// What it says of the whole plan, in times and money.
+constexpr const char* kTotals[] = {"process_time", "cost", "cost_by_kind"};
 
 std::string event_difference(const ordered_json& expected, const ordered_json& found) {
   const std::size_t common = std::min(expected.size(), found.size());
@@ -76,6 +80,17 @@ std::string difference(const ordered_json& expected, const ordered_json& found) 
       text += fmt::format("{}:\n  - {}\n  + {}\n", key, wanted->dump(),
                           got == found.end() ? "(missing)" : got->dump());
     }
+  }
+  const Tolerance tolerance(expected);
+  for (const char* key : kTotals) {
+    if (expected.contains(key)) {
+      text += total_difference(key, expected.at(key), found, tolerance);
+    }
+  }
+  if (expected.contains("tasks")) {
+    const ordered_json none = ordered_json::array();
+    text += task_difference(expected.at("tasks"),
+                            found.contains("tasks") ? found.at("tasks") : none, tolerance);
   }
   if (expected.contains("events") && found.contains("events")) {
     text += event_difference(expected.at("events"), found.at("events"));

@@ -9,8 +9,9 @@ namespace rubicon::golden {
 /// what `found` has beyond that does not matter.
 bool agrees(const nlohmann::ordered_json& expected, const nlohmann::ordered_json& found);
 
-/// The first difference between two documents of goldens, with the events round it; empty if they
-/// agree.
+/// What differs between two documents of goldens: a line for each task, the first event that does
+/// with those round it; empty if they agree. Throws std::invalid_argument where the `tolerance` of
+/// the expected one cannot be read.
 std::string difference(const nlohmann::ordered_json& expected, const nlohmann::ordered_json& found);
 
 }  // namespace rubicon::golden

@@ -160,8 +160,8 @@ void ReplayReader::add(TaskRun& run, const trace::Removal& removal) {
 void ReplayReader::add(TaskRun& run, const trace::TaskEnd& end) {
   run.ended = true;
   run.end = end.t;
-  run.happened = run.started &&
-                 (end.result == "done" || (replay_.header.short_form && end.result == "rejected"));
+  run.happened = run.started && (end.result == "done" || end.result == "short" ||
+                                 (replay_.header.short_form && end.result == "rejected"));
 }
 
 template <typename Other>

@@ -43,11 +43,11 @@ std::vector<std::string> split_names(const std::string& text) {
 
 TaskResult read_result(const std::string& text) {
   for (const TaskResult result :
-       {TaskResult::done, TaskResult::rejected, TaskResult::not_reached}) {
+       {TaskResult::done, TaskResult::ended_short, TaskResult::rejected, TaskResult::not_reached}) {
     if (text == name_of(result)) return result;
   }
   throw std::invalid_argument(
-      fmt::format("expected done, rejected or not reached as 'result', found '{}'", text));
+      fmt::format("expected done, short, rejected or not reached as 'result', found '{}'", text));
 }
 
 interpreter::Attributes read_attributes(const ExactJson& json) {

@@ -258,6 +258,7 @@ TaskCounts count_tasks(const Schedule& schedule) {
     if (task.parking) continue;
     ++counts.tasks;
     if (task.result == taskplan::TaskResult::done) ++counts.done;
+    if (task.result == taskplan::TaskResult::ended_short) ++counts.ended_short;
     if (task.result == taskplan::TaskResult::rejected) ++counts.rejected;
     if (task.result == taskplan::TaskResult::not_reached) ++counts.not_reached;
   }
@@ -266,6 +267,7 @@ TaskCounts count_tasks(const Schedule& schedule) {
 
 std::string count_text(const TaskCounts& counts) {
   std::string text = fmt::format("{} of {} tasks done", counts.done, counts.tasks);
+  if (counts.ended_short > 0) text += fmt::format(", {} short", counts.ended_short);
   if (counts.rejected > 0) text += fmt::format(", {} rejected", counts.rejected);
   if (counts.not_reached > 0) text += fmt::format(", {} not reached", counts.not_reached);
   return text;

@@ -25,6 +25,7 @@ std::string schedule_csv(const taskplan::Schedule& schedule);
 struct TaskCounts {
   int tasks = 0;
   int done = 0;
+  int ended_short = 0;
   int rejected = 0;
   int not_reached = 0;
 };

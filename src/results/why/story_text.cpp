@@ -206,7 +206,7 @@ std::string story_text(const TaskStory& story) {
   text += attributes_text(story.task, story.attributes);
   text += attributes_text(story.component, story.component_attributes);
   if (run.result == "not reached") return text;
-  if (run.result == "done") {
+  if (run.result == "done" || run.result == "short") {
     double work = 0;
     for (const Span& each : story.works) work += each.time;
     double moved = 0;

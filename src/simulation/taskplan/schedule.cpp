@@ -9,6 +9,8 @@ const char* name_of(TaskResult result) {
   switch (result) {
     case TaskResult::done:
       return "done";
+    case TaskResult::ended_short:
+      return "short";
     case TaskResult::rejected:
       return "rejected";
     case TaskResult::not_reached:

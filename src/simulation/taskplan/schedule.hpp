@@ -16,8 +16,9 @@ namespace rubicon::taskplan {
 
 using interpreter::Ticks;
 
-enum class TaskResult { done, rejected, not_reached };
-/// As tables and traces write it: done, rejected, "not reached".
+/// `ended_short`: the motion of a short plan was made and did not get to its goal.
+enum class TaskResult { done, ended_short, rejected, not_reached };
+/// As tables and traces write it: done, short, rejected, "not reached".
 const char* name_of(TaskResult result);
 
 /// What a motion of a task is for.
@@ -75,7 +76,7 @@ struct TaskOutcome {
   int tried = 0;  ///< attempts of all its motions, accepted or not
   int accepted = 0;
   TaskResult result = TaskResult::done;
-  std::string reason;     ///< why not done; of a short plan also how it is short of its goal
+  std::string reason;     ///< why not done; of one that ended short how far from its goal
   std::string component;  ///< that it moves; "": none
   interpreter::Attributes attributes;  ///< as the plan gives them
   std::vector<MotionOutcome> motions;

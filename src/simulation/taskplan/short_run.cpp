@@ -45,8 +45,11 @@ Schedule run_short(const interpreter::PlanModel& plan, const interpreter::Source
   outcome.duration = outcome.motion_time = end.time;
   outcome.tried = end.tries;
   outcome.accepted = end.accepted;
-  if (!end.reached) outcome.reason = reason_of(end, hits.last(), sources);
-  if (end.status != interpreter::MotionStatus::done) outcome.result = TaskResult::rejected;
+  if (!end.reached) {
+    const bool ended = end.status == interpreter::MotionStatus::done;
+    outcome.result = ended ? TaskResult::ended_short : TaskResult::rejected;
+    outcome.reason = reason_of(end, hits.last(), sources);
+  }
   outcome.motions.push_back({MotionPurpose::go, 0, end});
   if (trace) {
     trace->motion_end(end);

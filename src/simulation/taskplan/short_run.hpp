@@ -7,8 +7,8 @@
 
 namespace rubicon::taskplan {
 
-/// The one motion of a short plan. Done when its script ended, reached or short. `sink` may be
-/// null.
+/// The one motion of a short plan. Done when it is at its goal, or as near as `within` allows;
+/// short when its script ended elsewhere. `sink` may be null.
 Schedule run_short(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
                    trace::TraceSink* sink, trace::TraceDetail detail);
 

@@ -175,12 +175,12 @@ void write_work(JsonBuilder& json, const PlanModel& plan, const interpreter::Wor
 }
 
 /// What the plan gives: `length` for the tool's position, values by parameter.
-void write_within(JsonBuilder& json, const PlanModel& plan, const interpreter::TaskSpec& task) {
+void write_within(JsonBuilder& json, const PlanModel& plan, int robot,
+                  const interpreter::Within& within) {
   json.key("within").begin_object();
-  if (task.within.length >= 0) json.field("length", task.within.length);
-  const auto& parameters =
-      plan.robots[static_cast<std::size_t>(task.robot)].robot->model.parameters;
-  for (const auto& [index, value] : task.within.values) {
+  if (within.length >= 0) json.field("length", within.length);
+  const auto& parameters = plan.robots[static_cast<std::size_t>(robot)].robot->model.parameters;
+  for (const auto& [index, value] : within.values) {
     json.field(parameters[static_cast<std::size_t>(index)].display_name, value);
   }
   json.end_object();
@@ -198,7 +198,7 @@ void write_task_motions(JsonBuilder& json, const PlanModel& plan,
     for (const interpreter::GoalSpec& goal : task.via) write_goal(json, plan, task.robot, goal);
     json.end_array();
   }
-  if (task.robot >= 0) write_within(json, plan, task);
+  if (task.robot >= 0) write_within(json, plan, task.robot, task.within);
   if (!task.situations.empty()) json.key("situations").strings(task.situations);
 }
 
@@ -377,6 +377,7 @@ std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sou
     for (const interpreter::GoalSpec& goal : plan.via) write_goal(json, plan, 0, goal);
     json.end_array();
     if (plan.goal) write_goal(json.key("goal"), plan, 0, *plan.goal);
+    write_within(json, plan, 0, plan.within);
   }
   write_tasks(json, plan, meshes);
   write_beginning(json, plan);

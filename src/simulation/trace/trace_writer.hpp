@@ -30,7 +30,8 @@ class TraceWriter : public interpreter::EventSink {
   /// `chosen`: whom it has of its pools.
   void task_start(interpreter::Ticks time, std::string_view because = {},
                   std::string_view after = {}, std::string_view chosen = {});
-  /// `result` is done, rejected or "not reached"; `time` the clock from which the plan goes on.
+  /// `result` is done, short, rejected or "not reached"; `time` the clock from which the plan goes
+  /// on.
   void task_end(interpreter::Ticks time, std::string_view result, std::string_view reason);
   /// The component joins the tool; X_TO is where its frame {O} is in the tool frame.
   void attach(std::string_view component, const math::Pose& X_TO, interpreter::Ticks time);

@@ -227,6 +227,17 @@ TEST(Recovery, UnexpectedCharacter) {
                           "digits and _"));
 }
 
+TEST(Recovery, HyphensInNames) {
+  EXPECT_THAT(in_plan("plan p { task set-a1 { remove c; } crew m; }"),
+              ElementsAre("1:18: error: '-' cannot stand in a name: names have the letters a to z, "
+                          "digits and _"));
+  EXPECT_THAT(in_plan("plan p-1 { crew the-men; }"),
+              ElementsAre("1:7: error: '-' cannot stand in a name: names have the letters a to z, "
+                          "digits and _"));
+  // Where a number may stand it is a minus.
+  EXPECT_THAT(in_plan("plan p { parameter a = 3; parameter b = a-1; }"), ElementsAre());
+}
+
 TEST(Recovery, EveryMistakeOfAFileInOneRun) {
   EXPECT_THAT(
       in_script("var(a) = 3 +;\n"

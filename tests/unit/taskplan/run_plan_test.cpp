@@ -93,11 +93,22 @@ TEST(ShortPlan, TheCraneRaisesItsLoadOverAWall) {
 TEST(ShortPlan, AWallTooHighIsNamedWithStepAndLine) {
   const Ran ran = run(over_the_wall(43));
   const TaskOutcome& task = ran.schedule.tasks[0];
-  EXPECT_EQ(task.result, TaskResult::done);  // the script ended, short of its goal
+  EXPECT_EQ(task.result, TaskResult::ended_short);  // the script ended, short of its goal
+  EXPECT_FALSE(ran.schedule.feasible);
+  EXPECT_EQ(ran.of_type("task_end")[0].at("result"), "short");
+  EXPECT_EQ(ran.of_type("end")[0].at("status"), "done");
   EXPECT_THAT(task.reason, HasSubstr("blocked by wall at step "));
   EXPECT_THAT(task.reason, HasSubstr("(jib.theta, line 11): load meets wall"));
   EXPECT_THAT(task.reason, HasSubstr("short of the goal"));
   EXPECT_EQ(ran.of_type("end")[0].at("reached"), false);
+}
+
+TEST(ShortPlan, WhatThePlanAllowsIsDone) {
+  interpreter::PlanModel plan = over_the_wall(43);
+  plan.within.values.push_back({0, 60});
+  const Ran ran = run(plan);
+  EXPECT_EQ(ran.schedule.tasks[0].result, TaskResult::done) << ran.schedule.tasks[0].reason;
+  EXPECT_TRUE(ran.schedule.feasible);
 }
 
 TEST(ShortPlan, ImpossibleStartsAreRejected) {

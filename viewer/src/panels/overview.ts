@@ -7,7 +7,7 @@ import { goToRun, goToStep, type Page } from './page';
 /** Longer lists are cut: the tables have them whole. */
 const mostListed = 300;
 
-/** Numbers, machines and crews, waits, refusals, critical chain. */
+/** Numbers, machines and crews, costs, waits, refusals, critical chain. */
 export function mountOverview(host: HTMLElement, page: Page): { showRefusals(): void } {
   const { film } = page;
   host.classList.add('scrolls');
@@ -18,7 +18,8 @@ export function mountOverview(host: HTMLElement, page: Page): { showRefusals(): 
   if (!film.schedule) say('There is no schedule: cost, utilisation, waits and the critical chain are missing.');
   if (film.runs.length === 0) say(nothing(page));
   if (refusals) host.append(refusals);
-  if (film.schedule) host.append(...resourcesOf(page, film.schedule), ...waitsOf(film.schedule), ...chainOf(page, film.schedule));
+  if (film.schedule) host.append(...resourcesOf(page, film.schedule), ...costsOf(page, film.schedule),
+    ...waitsOf(film.schedule), ...chainOf(page, film.schedule));
   return {
     showRefusals: () => {
       refusals?.scrollIntoView({ block: 'start' });
@@ -58,14 +59,15 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
 
 function refusalsOf(page: Page): HTMLElement | null {
   const { runs } = page;
-  const refused = runs.all.map((_, i) => i).filter((i) => runs.isRefused(i) && runs.isTask(runs.all[i].task));
+  const refused = runs.all.map((_, i) => i)
+    .filter((i) => (runs.isRefused(i) || runs.all[i].result === 'short') && runs.isTask(runs.all[i].task));
   if (refused.length === 0) return null;
   const list = make('ul', { class: 'refusals' });
   for (const i of refused.slice(0, mostListed)) {
     const { task, result, reason } = runs.all[i];
     const name = button(task, () => goToStep(page, i, runs.refusedAt(i)), { class: 'link' }, named(task, 200));
     const why = make('div', { class: 'reason' }, named(reason, 600));
-    list.append(make('li', { class: result === 'rejected' ? '' : 'later' }, name, ` ${result} `, why));
+    list.append(make('li', { class: result === 'not reached' ? 'later' : '' }, name, ` ${result} `, why));
   }
   const section = make('section', {}, make('h2', { class: 'bad' }, `Not done: ${tallyText(runs.tally())}`), list);
   const more = refused.length - mostListed;
@@ -101,6 +103,17 @@ function resourcesOf({ film }: Page, schedule: ScheduleData): HTMLElement[] {
     make('p', { class: 'muted' }, 'Held: from the beginning to the end of its tasks. Busy: it moves or works. '
       + 'Used: how much of its shifts it is held.'),
     make('table', { class: 'resources' }, head('Name', 'Tasks', 'Held', 'Busy', 'Used', ...(hasCost ? [costs] : [])), body)];
+}
+
+/** What the money goes for, in the words of the command's table. */
+function costsOf({ film }: Page, schedule: ScheduleData): HTMLElement[] {
+  if (!schedule.cost_by_kind) return [];
+  const row = (name: string, value: number) => make('tr', {}, make('th', { scope: 'row' }, named(name)), make('td', {}, money(value, '')));
+  const currency = cut(schedule.currency ?? film.header.currency, 8);
+  const total = row('total', schedule.cost ?? 0);
+  total.className = 'total';
+  return [make('h2', {}, 'Costs'), make('table', { class: 'costs' }, head('Kind', currency ? `Cost, ${currency}` : 'Cost'),
+    make('tbody', {}, ...Object.entries(schedule.cost_by_kind).map(([kind, value]) => row(kind, value)), total))];
 }
 
 const waitNames: [Exclude<keyof Waited, 'predecessor'>, string][] = [

@@ -69,7 +69,7 @@ export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
     cell(clock.short(row.start));
     seconds(row.duration);
     const result = make('span', row.reason ? { title: cut(row.reason, 300) } : {}, row.result);
-    cell(result, row.result === 'done' ? 'good' : row.result === 'rejected' ? 'bad' : 'muted');
+    cell(result, row.result === 'done' ? 'good' : row.result === 'rejected' || row.result === 'short' ? 'bad' : 'muted');
     seconds(row.waits);
     seconds(row.motion);
     seconds(row.work);

@@ -312,6 +312,7 @@ void add_short_task(const JsonFields& header, Scene& scene) {
   task.goes = true;
   read_via(list_or_empty(header, "via"), scene, task);
   if (header.has("goal")) read_go(header.object("goal"), scene, task);
+  if (header.has("within")) task.within = read_within(header.any("within"));
   add_name(scene.task_index, task.name);
   scene.tasks.push_back(std::move(task));
 }

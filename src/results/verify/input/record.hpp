@@ -73,7 +73,7 @@ struct MotionEnd {
   std::optional<double> orientation_error;       ///< degrees
 };
 
-enum class TaskResult { done, rejected, not_reached };
+enum class TaskResult { done, ended_short, rejected, not_reached };
 struct TaskEnd {
   TaskResult result = TaskResult::done;
   std::string reason;

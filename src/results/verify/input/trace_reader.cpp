@@ -156,9 +156,10 @@ class RecordReader {
   TaskResult read_result() const {
     const std::string& result = fields_.text("result");
     if (result == "done") return TaskResult::done;
+    if (result == "short") return TaskResult::ended_short;
     if (result == "rejected") return TaskResult::rejected;
     if (result == "not reached") return TaskResult::not_reached;
-    fields_.fail("done, rejected or not reached");
+    fields_.fail("done, short, rejected or not reached");
   }
 
   const JsonFields& fields_;

@@ -20,6 +20,12 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 constexpr double kGoalSlack = 1e-3;
 /// Share of its step by which a value may miss its goal (LANGUAGE 4).
 constexpr double kGoalShare = 1e-6;
+/// m or degrees by which a short plan that is done may miss its goal beyond what the plan allows.
+constexpr double kJudgedSlack = 1e-6;
+/// What is nearer to its goal than this (share of what is allowed; m or degrees where nothing is)
+/// is at it, however it is rounded.
+constexpr double kSureShare = 0.01;
+constexpr double kSureSlack = 1e-9;
 /// kg: a load at the limit of its chart is within it.
 constexpr double kMassSlack = 1e-6;
 /// m: rounding of the radius of a load that keeps its distance.
@@ -102,11 +108,20 @@ class TrackBuilder {
     stands_since_ = std::max(stands_since_, record_->time);
   }
 
-  void follow(const MotionEnd& end) { expect_values(end.q, "the end of a motion"); }
+  void follow(const Goal&) { q_at_way_point_ = q_; }
+
+  void follow(const MotionEnd& end) {
+    expect_values(end.q, "the end of a motion");
+    last_status_ = end.status;
+  }
 
   /// A task that is done left the robot where the plan wanted it.
   void follow(const TaskEnd& end) {
-    if (end.result != TaskResult::done || trace_.scene.short_form) return;
+    if (trace_.scene.short_form) {
+      expect_short_result(end.result);
+      return;
+    }
+    if (end.result != TaskResult::done) return;
     const int task = runs_[at(run_)].task;
     if (task < 0) {
       expect_goal(robot_.park, {});
@@ -116,6 +131,9 @@ class TrackBuilder {
     expect_goal(planned.go, planned.within);
     if (planned.go_pose) expect_pose(*planned.go_pose, planned.within);
   }
+
+  void expect_short_result(TaskResult told);
+  bool is_at_goal(double share, double slack) const;
 
   void expect_goal(const std::vector<std::pair<int, double>>& goal,
                    const std::optional<SceneWithin>& within) {
@@ -211,6 +229,8 @@ class TrackBuilder {
   Faults& faults_;
   RobotTrack track_;
   std::vector<double> q_;
+  std::vector<double> q_at_way_point_;  ///< when the last way point began
+  std::string last_status_;             ///< of its last motion
   int hanging_ = -1;
   int run_ = -1;
   Ticks now_ = 0;
@@ -224,6 +244,58 @@ void TrackBuilder::expect_pose(const Pose& X_WG, const std::optional<SceneWithin
   if (off.within(allowed)) return;
   fault(FaultKind::motion,
         fmt::format("the task is done with the tool {} from its goal", text_of(off)));
+}
+
+/// Whether the robot stands at the goal of a short plan: by `share` of what `within` allows, and
+/// `slack` (m, degrees) beyond.
+bool TrackBuilder::is_at_goal(double share, double slack) const {
+  const SceneTask& task = trace_.scene.tasks.front();
+  const SceneWithin within = task.within.value_or(SceneWithin{});
+  if (task.go_pose) {
+    GoalTolerance allowed = goal_tolerance(robot_, within);
+    allowed.off = share * allowed.off + slack;
+    allowed.turned_deg = share * allowed.turned_deg + slack;
+    return pose_miss(mechanism_.pose(mechanism_.tool(), q_), *task.go_pose).within(allowed);
+  }
+  std::vector<double> there = q_at_way_point_.empty() ? q_ : q_at_way_point_;
+  for (const auto& [index, value] : task.go) there[at(index)] = value;
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    if (!robot_.parameters[i].derived) continue;
+    there[i] = robot_.parameters[i].rule.value(FormulaValues{there, {}, robot_.starts});
+  }
+  // Within a length of it the tool may be anywhere; turned as the goal says.
+  const bool near = within.length >= 0 && pose_miss(mechanism_.pose(mechanism_.tool(), q_),
+                                                    mechanism_.pose(mechanism_.tool(), there))
+                                                  .off <= share * within.length + slack;
+  return std::all_of(task.go.begin(), task.go.end(), [&](const auto& named) {
+    const SceneParameter& p = robot_.parameters[at(named.first)];
+    double allowed = kGoalShare * p.step;
+    for (const auto& [name, value] : within.values) {
+      if (name == p.name) allowed += value;
+    }
+    const double off = q_[at(named.first)] - named.second;
+    return std::fabs(p.rotation ? math::normalised_deg(off) : off) <= share * allowed + slack ||
+           (near && !p.rotation);
+  });
+}
+
+/// The motion of a short plan is done at its goal and short anywhere else; one that did not end by
+/// its script is rejected. Where neither is sure by rounding both pass.
+void TrackBuilder::expect_short_result(TaskResult told) {
+  const SceneTask& task = trace_.scene.tasks.front();
+  if (!task.within || (!task.go_pose && task.go.empty())) return;
+  if (last_status_ != "done") {
+    if (told != TaskResult::rejected) {
+      fault(FaultKind::motion,
+            fmt::format("its motion ended with '{}' and it is not rejected", last_status_));
+    }
+  } else if (told == TaskResult::rejected) {
+    fault(FaultKind::motion, "its script ended, and it is told as rejected");
+  } else if (told == TaskResult::done && !is_at_goal(1, kJudgedSlack)) {
+    fault(FaultKind::motion, "it is told as done and ended short of its goal");
+  } else if (told == TaskResult::ended_short && is_at_goal(1 - kSureShare, kSureSlack)) {
+    fault(FaultKind::motion, "it is told as short and stands at its goal");
+  }
 }
 
 }  // namespace

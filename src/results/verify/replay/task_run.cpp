@@ -92,8 +92,10 @@ class RunSorter {
     run.end = record.time;
     run.end_line = record.line;
     run.result = end.result;
-    run.happened = run.started && (end.result == TaskResult::done ||
-                                   (trace_.scene.short_form && end.result == TaskResult::rejected));
+    run.happened = run.started && (end.result == TaskResult::done || trace_.scene.short_form);
+    if (end.result == TaskResult::ended_short && !trace_.scene.short_form) {
+      fault(run, record.line, record.time, "only the motion of a short plan ends short");
+    }
     if (end.result == TaskResult::not_reached) {
       if (run.started) fault(run, record.line, record.time, "it ran and is told as not reached");
     } else if (end.result == TaskResult::done && !run.started) {
