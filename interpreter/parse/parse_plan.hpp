@@ -119,6 +119,7 @@ class PlanState : public ScriptState {
   syntax::String headings;  ///< of a group, joined
   syntax::WithinItem within;
   syntax::WholeItem whole;
+  syntax::SupportItem support;
   syntax::Shift shift;
   syntax::String shift_from;
   syntax::CalendarItem calendar;

@@ -71,6 +71,7 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   if (!task.component.empty()) json.field("component", std::string_view(task.component));
   write_attributes(json, task.attributes);
   if (task.lift) write_lift(json, *task.lift);
+  if (!task.support.empty()) json.key("support").strings(task.support);
   if (!task.choice.empty()) json.field("choice", std::string_view(task.choice));
   json.end_object();
   return json.take();

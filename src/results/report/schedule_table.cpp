@@ -160,6 +160,17 @@ std::string lift_table(const Schedule& schedule) {
   return rows.size() == 1 ? std::string() : columns(rows, {1, 2});
 }
 
+/// What does not stand, in plans that only warn of it.
+std::string support_text(const Schedule& schedule) {
+  std::string text;
+  for (const TaskOutcome& task : schedule.tasks) {
+    for (const std::string& each : task.support) {
+      text += fmt::format("  {}: {}\n", task.task, each);
+    }
+  }
+  return text.empty() ? text : "support:\n" + text;
+}
+
 /// What the money goes for.
 std::string cost_table(const Schedule& schedule) {
   std::vector<Row> rows = {{schedule.currency.empty() ? "cost" : "cost " + schedule.currency, ""}};
@@ -236,6 +247,8 @@ std::string schedule_table(const Schedule& schedule) {
   std::string text = task_table(schedule) + "\n" + total_line(schedule);
   const std::string lifts = lift_table(schedule);
   if (!lifts.empty()) text += "\n" + lifts;
+  const std::string support = support_text(schedule);
+  if (!support.empty()) text += "\n" + support;
   if (!schedule.resources.empty()) text += "\n" + use_table(schedule);
   if (schedule.has_kinds) text += "\n" + cost_table(schedule);
   if (!schedule.critical.empty()) text += "\n" + chain_text(schedule);

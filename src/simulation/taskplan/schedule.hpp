@@ -81,6 +81,9 @@ struct TaskOutcome {
   std::vector<ResourceHold> holds;
   std::optional<LiftOutcome> lift;
   std::string choice;  ///< by pools: whom it has and why
+  /// Where the plan only warns: what it puts down that does not stand, what does not without what
+  /// it takes.
+  std::vector<std::string> support;
 };
 
 /// What a task is called by the client; "" if the plan does not say.
