@@ -139,6 +139,8 @@ RUBICON_EXPECT(listed_name, "a name");
 RUBICON_EXPECT(listed_names, "a name");
 RUBICON_EXPECT(number_value, "a number");
 RUBICON_EXPECT(text_value, "a text in quotes");
+RUBICON_EXPECT(support_content, "on, warn, off, or gap and a length");
+RUBICON_EXPECT(support_gap, "a length");
 RUBICON_EXPECT(within_limit, "a length, or a parameter and its value");
 RUBICON_EXPECT(shift_dash, "'-' and the end of the shift");
 RUBICON_EXPECT(shift_to, "a time such as 16:30");
@@ -157,7 +159,9 @@ RUBICON_EXPECT(attribute_text, "a text in quotes");
 RUBICON_EXPECT(group_heading, "a heading in quotes");
 RUBICON_EXPECT(free_attribute_name, "a name after attribute");
 RUBICON_EXPECT(component_part, "component", Explain::item,
-               "shape at grip mass density cost name storey type guid attribute");
+               "shape at grip mass density cost fixed braced name storey type guid attribute");
+RUBICON_EXPECT(fixed_thing, "the name of a component, or site");
+RUBICON_EXPECT(brace, "the name of a component or a crew");
 RUBICON_EXPECT(component_name, "a name after component");
 RUBICON_EXPECT(cost_amount, "an amount per h");
 RUBICON_EXPECT(material_amount, "an amount of money");
@@ -219,7 +223,7 @@ RUBICON_EXPECT(
     plan_item, "plan", Explain::item,
     "component robot crew pool overhead task module place import site contact budget start_at "
     "currency calendar situation start goal via carry within touching "
-    "parameter for when whole");
+    "parameter for when whole support");
 RUBICON_EXPECT(plan_file_key, "'plan' at the start of a plan");
 RUBICON_EXPECT(plan_name, "a name after plan");
 RUBICON_EXPECT(plan_finished, "the end of the file after the '}' of the plan");

@@ -68,6 +68,14 @@ struct whole_key : token<word<TAO_PEGTL_STRING("whole")>> {};
 struct whole_value : name {};
 struct whole_item : if_must<whole_key, opt<whole_value>, plan_semicolon> {};
 
+// What must stand.
+struct support_key : token<word<TAO_PEGTL_STRING("support")>> {};
+struct support_gap_key : token<word<TAO_PEGTL_STRING("gap")>> {};
+struct support_gap : quantity {};
+struct support_mode : name {};
+struct support_content : sor<if_must<support_gap_key, support_gap>, support_mode> {};
+struct support_item : if_must<support_key, support_content, plan_semicolon> {};
+
 struct within_key : token<word<TAO_PEGTL_STRING("within")>> {};
 /// Names in a length are put in parentheses; else they are those of parameters of the robot.
 struct within_length : seq<at<sor<digit, one<'.', '(', '+', '-'>>>, quantity> {};
@@ -138,9 +146,18 @@ struct component_density : if_must<density_key, density_value, plan_semicolon> {
 struct material_key : token<word<TAO_PEGTL_STRING("cost")>> {};
 struct material_amount : quantity {};
 struct component_cost : if_must<material_key, material_amount, plan_semicolon> {};
+struct fixed_key
+    : token<seq<word<TAO_PEGTL_STRING("fixed")>, plus<blank>, word<TAO_PEGTL_STRING("to")>>> {};
+struct fixed_thing : qualified_indexed_name {};
+struct component_fixed : if_must<fixed_key, fixed_thing, plan_semicolon> {};
+struct braced_key
+    : token<seq<word<TAO_PEGTL_STRING("braced")>, plus<blank>, word<TAO_PEGTL_STRING("by")>>> {};
+struct brace : qualified_indexed_name {};
+struct component_braced : if_must<braced_key, brace, plan_semicolon> {};
 struct component_part
     : sor<component_shape, component_at, component_grip, component_mass, component_density,
-          component_cost, component_attribute, free_attribute> {};
+          component_cost, component_fixed, component_braced, component_attribute, free_attribute> {
+};
 struct whole_component_part : must<component_part> {};
 struct component_parts : nested<star<not_at<block_end>, recover<whole_component_part, item_end>>> {
 };
@@ -373,10 +390,11 @@ struct plan_items;
 struct plan_repetition : if_must<for_head, block_open, plan_items, block_close> {};
 struct plan_choice : if_must<given_head, block_open, plan_items, block_close> {};
 struct plan_block : sor<plan_repetition, plan_choice> {};
-struct plan_item : sor<plan_block, parameter_item, component_item, robot_use, crew_item, pool_item,
-                       overhead_item, task_item, module_item, place_item, import_item, waiver,
-                       site_item, number_item, text_item, calendar_item, situation_item,
-                       short_start, short_goal, via_item, carry_item, within_item, whole_item> {};
+struct plan_item
+    : sor<plan_block, parameter_item, component_item, robot_use, crew_item, pool_item,
+          overhead_item, task_item, module_item, place_item, import_item, waiver, site_item,
+          number_item, text_item, calendar_item, situation_item, short_start, short_goal, via_item,
+          carry_item, within_item, whole_item, support_item> {};
 struct whole_plan_item : must<plan_item> {};
 struct plan_items : nested<star<not_at<block_end>, recover<whole_plan_item, item_end>>> {};
 struct plan_file_key : token<word<TAO_PEGTL_STRING("plan")>> {};

@@ -74,6 +74,7 @@ std::unique_ptr<PlanModel> load_plan(const std::string& path, SourceMap& sources
   plan_check::check_scale(subject);
   plan_check::check_short_form(subject);
   plan_check::check_waivers(subject);
+  plan_check::check_support(subject);
   plan_check::check_whole(subject);
   if (diagnostics.errors() == errors_before) plan_check::check_cycles(subject);
   if (diagnostics.errors() == errors_before) plan_check::check_same_as(subject);

@@ -134,6 +134,10 @@ void check_tasks(Subject& subject);
 /// What may overlap at the beginning, in the plan and in placed modules: P01, P30.
 void check_waivers(Subject& subject);
 
+/// support, and what components are fixed to or braced by, in the plan and in placed modules: P01,
+/// P02, P05, P09.
+void check_support(Subject& subject);
+
 /// The mass (kg) of a component by its density; nothing after reporting P31.
 std::optional<double> mass_by_density(Subject& subject, const syntax::ComponentItem& item,
                                       const std::vector<geometry::Shape>& shapes);

@@ -49,6 +49,14 @@ using Attributes = std::vector<Attribute>;
 /// The text of the attribute `key`; null if there is none.
 const std::string* find_attribute(const Attributes& attributes, std::string_view key);
 
+/// Something that stands on the site at the beginning, or a crew that holds it.
+struct ThingRef {
+  enum class Kind { component, robot, site, crew };
+  Kind kind = Kind::component;
+  int index = -1;  ///< into components, robots, crews; of the site -1: all its shapes
+  auto operator<=>(const ThingRef&) const = default;
+};
+
 struct ComponentSpec {
   std::string name;  ///< unique in the plan, placed modules' as PLACE.NAME
   std::vector<geometry::Shape> shapes;
@@ -57,7 +65,9 @@ struct ComponentSpec {
   double mass = 0;                           ///< kg
   Span span;
   Attributes attributes = {};
-  std::optional<double> cost = {};  ///< of its material
+  std::optional<double> cost = {};       ///< of its material
+  std::vector<ThingRef> fixed_to = {};   ///< components, the site: what it touches carries it
+  std::vector<ThingRef> braced_by = {};  ///< components, crews: keep it from turning over
 };
 
 /// What a robot or a crew costs besides its hours.
@@ -167,14 +177,6 @@ struct TaskSpec {
   std::optional<int> same_as = {};  ///< the task whose members it has
 };
 
-/// Something that stands on the site at the beginning.
-struct ThingRef {
-  enum class Kind { component, robot, site };
-  Kind kind = Kind::component;
-  int index = -1;  ///< into components or robots; of the site -1: all its shapes
-  auto operator<=>(const ThingRef&) const = default;
-};
-
 /// Two things that may overlap at the beginning: `touching`, or the first embedded in the second.
 struct WaiverSpec {
   ThingRef first, second;
@@ -186,6 +188,15 @@ struct OverlapSpec {
   std::string first, second;  ///< as in messages: a component, a robot's body, the load, the site
   double depth = 0;           ///< m
 };
+
+/// Whether what stands must be carried by what is below it.
+struct SupportRules {
+  enum class Mode { off, warn, on };
+  Mode mode = Mode::off;
+  double gap = 0.01;  ///< m: what is no farther below carries
+};
+/// "off", "warn", "on".
+const char* name_of(SupportRules::Mode mode);
 
 /// A plan that was read and checked, modules placed and every name resolved.
 struct PlanModel {
@@ -206,6 +217,9 @@ struct PlanModel {
   std::vector<WaiverSpec> waivers;
   /// What overlaps at the beginning and is not waived; nothing: nobody has looked.
   std::optional<std::vector<OverlapSpec>> overlaps;
+  SupportRules support;
+  /// Components that do not stand at the beginning; nothing: nobody has looked.
+  std::optional<std::vector<int>> floating;
   std::optional<schedule::CivilTime> start_at;
   std::string currency;
   bool whole = true;   ///< of tasks that do not say it themselves

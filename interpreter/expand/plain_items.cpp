@@ -51,6 +51,8 @@ void PlainItems::item(syntax::ComponentItem& value) {
   each(value.mass);
   each(value.density);
   each(value.cost);
+  each(value.fixed_to);
+  each(value.braced_by);
   each(value.attributes);
 }
 

@@ -58,6 +58,7 @@ class PlainItems {
   void item(syntax::ZoneItem& value) { shape(value.shape); }
   void item(syntax::WholeItem& value) { each(value.value); }
   void item(syntax::DateItem& value);
+  void item(syntax::SupportItem& value) { each(value.mode), each(value.gap); }
   void item(syntax::AfterItem& value) { links(value.links); }
   void item(syntax::AttributeItem& value);
 

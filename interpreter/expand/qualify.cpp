@@ -51,6 +51,7 @@ class Qualifier {
 
   void rename(syntax::ComponentItem& item) {
     prefix(item.name);
+    rename_holders(item);
     for (syntax::Shape& shape : item.shapes) find_file(shape.file);
   }
   void rename(syntax::SiteItem& item) { find_file(item.shape.file); }
@@ -91,6 +92,7 @@ class Qualifier {
     for (syntax::ModulePart& part : item.items) {
       if (auto* component = std::get_if<syntax::ComponentItem>(&part)) {
         for (syntax::Shape& shape : component->shapes) find_file(shape.file);
+        rename_holders(*component);
       } else if (auto* task = std::get_if<syntax::TaskItem>(&part)) {
         rename_parts(*task);
       } else if (auto* waiver = std::get_if<syntax::WaiverItem>(&part)) {
@@ -124,8 +126,21 @@ class Qualifier {
   void rename(syntax::CarryItem& item) { refuse(item.span, "carry"); }
   void rename(syntax::WithinItem& item) { refuse(item.span, "within"); }
   void rename(syntax::WholeItem& item) { refuse(item.span, "whole"); }
+  void rename(syntax::SupportItem& item) { refuse(item.span, "support"); }
   template <typename Item>
   void rename(Item&) {}
+
+  void rename_holders(syntax::ComponentItem& item) {
+    for (auto* holders : {&item.fixed_to, &item.braced_by}) {
+      for (syntax::QualifiedName& each : *holders) {
+        if (!each.body && workers_.count(each.name.text) != 0) {
+          prefix(each.name);
+        } else {
+          refer(each, components_, inner_components_);
+        }
+      }
+    }
+  }
 
   void rename_parts(syntax::TaskItem& item) {
     for (syntax::TaskPart& part : item.parts) {

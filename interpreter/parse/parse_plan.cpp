@@ -186,6 +186,10 @@ RUBICON_ACTION(PlanAction, PlanState, within_key) {
   st.within = {};
   st.values = {};
 }
+RUBICON_ACTION(PlanAction, PlanState, support_key) { st.support = {}; }
+RUBICON_ACTION(PlanAction, PlanState, support_gap) { st.support.gap = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, support_mode) { st.support.mode = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, support_item) { st.add(std::move(st.support), begin); }
 RUBICON_ACTION(PlanAction, PlanState, within_length) { st.within.length = st.take_quantity(); }
 RUBICON_ACTION(PlanAction, PlanState, within_values) { st.within.values = st.take_values(); }
 RUBICON_ACTION(PlanAction, PlanState, within_item) { st.add_to_task(std::move(st.within), begin); }
@@ -256,6 +260,12 @@ RUBICON_ACTION(PlanAction, PlanState, density_value) {
 }
 RUBICON_ACTION(PlanAction, PlanState, material_amount) {
   st.component.cost.push_back(st.take_quantity());
+}
+RUBICON_ACTION(PlanAction, PlanState, fixed_thing) {
+  st.component.fixed_to.push_back(st.take_qualified_name());
+}
+RUBICON_ACTION(PlanAction, PlanState, brace) {
+  st.component.braced_by.push_back(st.take_qualified_name());
 }
 RUBICON_ACTION(PlanAction, PlanState, component_item) {
   st.add_to_module(std::move(st.component), begin);
@@ -481,7 +491,8 @@ syntax::Plan parse_plan(const SourceMap& sources, FileId file, Diagnostics& diag
        "priority",  "zone",      "after",     "off",        "name",     "storey",   "type",
        "guid",      "attribute", "parameter", "for",        "when",     "group",    "density",
        "touching",  "pool",      "of",        "choose",     "needs",    "rental",   "mobilisation",
-       "overtime",  "overhead",  "whole",     "not_before", "due",      "baseline"});
+       "overtime",  "overhead",  "whole",     "not_before", "due",      "baseline", "support",
+       "fixed",     "braced"});
   const bool finished = run_parser<grammar::plan_file, PlanAction>(state);
   state.plan.broken = !finished || state.errors() > 0;
   state.plan.span = state.span_from(state.begin());

@@ -120,6 +120,7 @@ class PlanState : public ScriptState {
   syntax::WithinItem within;
   syntax::WholeItem whole;
   syntax::DateItem date;
+  syntax::SupportItem support;
   syntax::Shift shift;
   syntax::String shift_from;
   syntax::CalendarItem calendar;

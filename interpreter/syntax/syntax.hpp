@@ -332,6 +332,8 @@ struct ComponentItem {
   std::vector<Number> density;
   std::vector<AttributeItem> attributes;
   std::vector<Number> cost;  ///< of its material
+  std::vector<QualifiedName> fixed_to;
+  std::vector<QualifiedName> braced_by;
   Span span;
 };
 
@@ -469,6 +471,12 @@ struct DateItem {
   std::vector<Moment> moments;  ///< of a baseline two
   Span span;
 };
+/// support on;   support gap 20 mm;
+struct SupportItem {
+  std::optional<Name> mode;
+  std::optional<Number> gap;
+  Span span;
+};
 struct ZoneItem {
   Shape shape;
   Span span;
@@ -563,7 +571,7 @@ using PlanItem =
     std::variant<SiteItem, NumberItem, StringItem, SituationItem, CalendarItem, ComponentItem,
                  RobotUse, CrewItem, TaskItem, ModuleItem, PlaceItem, ImportItem, StartItem,
                  GoalItem, ViaItem, CarryItem, WithinItem, WaiverItem, PlanParameter, PoolItem,
-                 OverheadItem, std::shared_ptr<const PlanBlock>, WholeItem>;
+                 OverheadItem, std::shared_ptr<const PlanBlock>, WholeItem, SupportItem>;
 struct PlanBlock {
   BlockHead head;
   std::vector<PlanItem> items;

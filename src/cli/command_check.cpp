@@ -72,7 +72,7 @@ void check_plan(CheckRun& run, const std::string& path, const interpreter::Param
   const auto plan = load_plan(path, run.sources, run.disk, run.diagnostics, set);
   if (!plan) return;
   try {
-    for (auto& each : site::warnings_of(site::look_at_beginning(*plan))) {
+    for (auto& each : site::warnings_of(*plan, site::look_at_beginning(*plan))) {
       run.diagnostics.add(std::move(each));
     }
   } catch (const std::invalid_argument& error) {

@@ -21,7 +21,9 @@ void look_at_beginning(interpreter::PlanModel& plan, interpreter::Diagnostics& d
   for (const site::BeginningOverlap& each : beginning.overlaps) {
     plan.overlaps->push_back(each.pair);
   }
-  for (auto& each : site::warnings_of(beginning)) diagnostics.add(std::move(each));
+  plan.floating.emplace();
+  for (const auto& [component, why] : beginning.floating) plan.floating->push_back(component);
+  for (auto& each : site::warnings_of(plan, beginning)) diagnostics.add(std::move(each));
 }
 
 }  // namespace

@@ -473,6 +473,28 @@ def hide_an_overlap(good, rng):
     return Fault("hide an overlap", result, [""], 1, words=f"at the beginning {component['name']} is at least")
 
 
+def sink_the_site(good, rng):
+    """The top of the ground is lower than the plan's gap allows: what stands on it is in the air."""
+    site = good.header["site"]
+    if good.header.get("support", {}).get("mode") != "on" or not site or site[0]["type"] != "box":
+        return None
+    result = copy.deepcopy(good)
+    result.header["site"][0]["upper"][2] -= good.header["support"]["gap"] + rng.choice((0.001, 0.02, 0.1))
+    return Fault("sink the site", result, [""], words="does not stand: nothing within")
+
+
+def shift_what_carries(good, rng):
+    """What is put down has its mass beside what carries it: a heavy shape far out in the air, above all else."""
+    places = good.places("detach")
+    if good.header.get("support", {}).get("mode") != "on" or not places:
+        return None
+    name = good.records[rng.choice(places)]["component"]
+    result = copy.deepcopy(good)
+    component = next(each for each in result.header["components"] if each["name"] == name)
+    component["shapes"].append({"type": "box", "lower": [40, 40, 60], "upper": [50, 50, 70], "pose": IDENTITY})
+    return Fault("shift what carries", result, [""], words=f"{name} does not stand: its centre of mass")
+
+
 def lengthen_work(good, rng):
     places = good.places("work")
     if not places:
@@ -1221,7 +1243,7 @@ def change_the_currency(good, rng):
 KINDS = (shift_a_step, shift_the_rest_of_a_task, drop_a_wait, close_a_wait_up, swap_times, start_too_early,
          move_a_component, change_a_value, drop_a_step, drop_a_step_neatly, repeat_a_step, move_the_grip,
          move_what_is_put_down, turn_what_is_put_down, move_the_goal, drop_a_load_change, overload, forget_a_mass,
-         hide_an_overlap, lengthen_work,
+         hide_an_overlap, sink_the_site, shift_what_carries, lengthen_work,
          take_a_day_off, shorten_a_shift, hang_a_load, invent_overtime, book_a_crew_twice, give_work_to_another, break_a_link,
          link_to_what_is_not_done, silence_a_refusal, call_it_done, hide_that_it_ended_short, call_it_not_reached, drop_a_task, cut_the_trace,
          wall_in_the_way, thing_where_a_load_is_put, grow_a_body, zone_round_a_robot, edit_the_schedule,

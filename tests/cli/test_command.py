@@ -63,7 +63,7 @@ class Beginning(Case):
   component a { shape box(20, 0, 0, 22, 1, 1); }
   component b { shape box(21.97, 0, 0, 24, 1, 1); }
   component c { shape box(30, 0, 0, 32, 1, 1); }
-  component anchor { shape box(31, 0.4, 0.4, 31.1, 0.5, 0.5); }
+  component anchor { shape box(31, 0.4, 0.4, 31.1, 0.5, 0.5); fixed to c; }
   touching a c;
   within anchor c;
   task t { by g; go x 3, y 0; }

@@ -223,6 +223,7 @@ std::string plan_text(const std::vector<Element>& elements, std::vector<std::siz
       "# Ground floor of the Schependomlaan building: hollow-core elements, "
       "written by make_schependomlaan.\n";
   text += fmt::format("plan schependomlaan{} {{\n", from_below ? "_from_below" : "");
+  text += "  support warn;  # the plan has the floor, and not the walls it lies on\n";
   text += site_text(from_below.has_value());
   text += fmt::format("  robot crane \"crane.robot\" at trans({}, {}, {}) {{\n", kCraneX, kCraneY,
                       kGround);

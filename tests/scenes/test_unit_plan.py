@@ -80,6 +80,8 @@ class RoofBeforeItsWalls(unittest.TestCase):
         ):
             text, count = re.subn(rf"(task {task} \{{[^}}]*after ){before};", rf"\g<1>{after};", text)
             assert count == 1, f"task {task} does not come after {before} in the shipped plan"
+        text, count = re.subn(r"(plan unit \{)", r"\1 support off;", text)  # no plank lies on walls that are not there
+        assert count == 1, "the shipped plan is no plan unit {"
         cls.outcome = run(text)
 
     def test_the_wall_is_rejected_with_its_reason(self):

@@ -85,7 +85,10 @@ class WorkWriter {
     for (std::size_t i = 0; i < elements().size(); ++i) rows_[i].element = &elements()[i];
     insert_.workers = match_.workers;
     insert_.calendars = match_.calendars;
-    insert_.items = parts_.remarks + match_.plan_items + "\n";
+    // What models draw often hangs in the air, by their builder's precision.
+    const bool says_support = match_.plan_items.find("support") != std::string::npos;
+    insert_.items =
+        parts_.remarks + (says_support ? "" : "support warn;\n") + match_.plan_items + "\n";
     list_idle_tasks();
     list_elements(matching_.unmatched, "unmatched", "no rule is about");
     list_elements(matching_.left_out, "left out", "a rule leaves out");

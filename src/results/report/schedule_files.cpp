@@ -94,6 +94,7 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   write_attributes(json, task.attributes);
   write_plan_dates(json, schedule, task);
   if (task.lift) write_lift(json, *task.lift);
+  if (!task.support.empty()) json.key("support").strings(task.support);
   if (!task.choice.empty()) json.field("choice", std::string_view(task.choice));
   json.end_object();
   return json.take();

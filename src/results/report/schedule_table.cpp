@@ -227,6 +227,17 @@ std::string baseline_table(const Schedule& schedule) {
   return text + "\n";
 }
 
+/// What does not stand, in plans that only warn of it.
+std::string support_text(const Schedule& schedule) {
+  std::string text;
+  for (const TaskOutcome& task : schedule.tasks) {
+    for (const std::string& each : task.support) {
+      text += fmt::format("  {}: {}\n", task.task, each);
+    }
+  }
+  return text.empty() ? text : "support:\n" + text;
+}
+
 /// What the money goes for.
 std::string cost_table(const Schedule& schedule) {
   std::vector<Row> rows = {{schedule.currency.empty() ? "cost" : "cost " + schedule.currency, ""}};
@@ -308,6 +319,8 @@ std::string schedule_table(const Schedule& schedule) {
   for (const std::string& dates : {due_table(schedule), baseline_table(schedule)}) {
     if (!dates.empty()) text += "\n" + dates;
   }
+  const std::string support = support_text(schedule);
+  if (!support.empty()) text += "\n" + support;
   if (!schedule.resources.empty()) text += "\n" + use_table(schedule);
   if (schedule.has_kinds) text += "\n" + cost_table(schedule);
   if (!schedule.critical.empty()) text += "\n" + chain_text(schedule);

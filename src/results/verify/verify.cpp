@@ -9,6 +9,7 @@
 #include "src/results/verify/replay/check_beginning.hpp"
 #include "src/results/verify/replay/check_goals.hpp"
 #include "src/results/verify/replay/check_hits.hpp"
+#include "src/results/verify/replay/check_support.hpp"
 #include "src/results/verify/replay/contact_check.hpp"
 #include "src/results/verify/schedule/check_accounts.hpp"
 #include "src/results/verify/schedule/check_choices.hpp"
@@ -49,6 +50,7 @@ void check_motions(const Trace& trace, const std::vector<TaskRun>& runs, Verdict
       component_stays(trace, runs, tracks, events, until, verdict.faults);
   const SiteParts site = make_site_parts(trace, runs, stays, until);
   check_beginning(trace.scene, site, verdict.faults);
+  check_support(trace, site, stays, until, verdict.faults);
   const ContactCounts counts = check_contacts(trace, runs, tracks, site, verdict.faults);
   verdict.steps = counts.steps;
   verdict.pairs = counts.pairs;

@@ -11,6 +11,7 @@
 #include "src/motion/collision/query/overlap_depth.hpp"
 #include "src/motion/robot/kinematics.hpp"
 #include "src/simulation/site/make_site.hpp"
+#include "src/simulation/site/support.hpp"
 
 namespace rubicon::site {
 
@@ -151,10 +152,16 @@ Diagnostic warning(const char* code, Span span, std::string message, std::string
 }  // namespace
 
 Beginning look_at_beginning(const interpreter::PlanModel& plan) {
-  return BeginningSearch(plan).run();
+  Beginning beginning = BeginningSearch(plan).run();
+  if (plan.support.mode != interpreter::SupportRules::Mode::off) {
+    const SiteWorld site = make_site(plan);
+    beginning.floating = Support(plan, site).find_floating();
+  }
+  return beginning;
 }
 
-std::vector<Diagnostic> warnings_of(const Beginning& beginning) {
+std::vector<Diagnostic> warnings_of(const interpreter::PlanModel& plan,
+                                    const Beginning& beginning) {
   std::vector<Diagnostic> all;
   for (const BeginningOverlap& each : beginning.overlaps) {
     if (all.size() == kMostTold) {
@@ -176,6 +183,22 @@ std::vector<Diagnostic> warnings_of(const Beginning& beginning) {
   }
   for (const Span& span : beginning.idle_waivers) {
     all.push_back(warning("P34", span, "the two do not overlap at the beginning", "leave it out"));
+  }
+  for (std::size_t i = 0; i < beginning.floating.size(); ++i) {
+    const auto& [index, reason] = beginning.floating[i];
+    const interpreter::ComponentSpec& component = plan.components[static_cast<std::size_t>(index)];
+    if (i == kMostTold) {
+      all.push_back(warning("P45", component.span,
+                            fmt::format("{} more components do not stand at the beginning",
+                                        beginning.floating.size() - kMostTold),
+                            {}));
+      break;
+    }
+    all.push_back(
+        warning("P45", component.span,
+                fmt::format("at the beginning {} does not stand: {}", component.name, reason),
+                "set it down, or say what holds it: fixed to NAME; or braced by NAME; in the "
+                "component, or support off; in the plan"));
   }
   return all;
 }

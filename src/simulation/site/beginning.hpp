@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interpreter/check/plan_model.hpp"
@@ -21,6 +22,8 @@ struct BeginningOverlap {
 struct Beginning {
   std::vector<BeginningOverlap> overlaps;  ///< by the second: components, robots, in their order
   std::vector<interpreter::Span> idle_waivers;
+  /// Components that do not stand, and why; where the plan examines support.
+  std::vector<std::pair<int, std::string>> floating;
 };
 
 /// Looks at the beginning of a plan: deeper than its contact tolerance is an overlap, waived pairs
@@ -28,7 +31,8 @@ struct Beginning {
 /// std::invalid_argument, naming the thing, for shapes without extent.
 Beginning look_at_beginning(const interpreter::PlanModel& plan);
 
-/// What is to be said of it: P33, P34.
-std::vector<interpreter::Diagnostic> warnings_of(const Beginning& beginning);
+/// What is to be said of it: P33, P34, P45.
+std::vector<interpreter::Diagnostic> warnings_of(const interpreter::PlanModel& plan,
+                                                 const Beginning& beginning);
 
 }  // namespace rubicon::site

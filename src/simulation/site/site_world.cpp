@@ -107,6 +107,7 @@ void SiteWorld::set_component_state(int component, const ComponentState& state) 
   one.X_WO = state.X_WO;
   if (!state.standing || one.standing) return;
   one.standing = true;
+  note_change(one);
   one.id = state.id;
   if (one.id) {
     obstacles_.put_back(*one.id, one.body, one.X_WO);
@@ -217,10 +218,15 @@ void SiteWorld::erase(collision::ObstacleId id) {
   names_.erase(id);
 }
 
+void SiteWorld::note_change(const Component& component) {
+  component_changes_.push_back(static_cast<int>(&component - components_.data()));
+}
+
 void SiteWorld::stand(Component& component, const math::Pose& X_WO) {
   component.X_WO = X_WO;
   component.standing = true;
   if (component.body) component.id = insert(component.name, component.body, X_WO);
+  note_change(component);
   ++changes_;
 }
 
@@ -228,6 +234,7 @@ void SiteWorld::lift(Component& component) {
   if (component.id) erase(*component.id);
   component.id.reset();
   component.standing = false;
+  note_change(component);
   ++changes_;
 }
 

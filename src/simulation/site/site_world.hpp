@@ -108,6 +108,10 @@ class SiteWorld {
   std::optional<OtherMet> first_machine_met(int robot, collision::MovingBodies& bodies,
                                             bool standing_only) const;
 
+  /// Components in the order in which they came to stand or ceased to, going back included: who
+  /// follows them remembers how far it has read.
+  const std::vector<int>& component_changes() const { return component_changes_; }
+
   bool stands(int component) const;
   const math::Pose& X_WO(int component) const;  ///< where it stands, or stood at last
   const std::string& component_name(int component) const;
@@ -154,6 +158,7 @@ class SiteWorld {
   collision::ObstacleId insert(const std::string& name, const collision::BodyPtr& body,
                                const math::Pose& X_WB);
   void erase(collision::ObstacleId id);
+  void note_change(const Component& component);
   void stand(Component& component, const math::Pose& X_WO);
   void lift(Component& component);
   static void changed(RobotEntry& robot);
@@ -164,6 +169,7 @@ class SiteWorld {
   collision::CollisionWorld obstacles_;
   std::map<collision::ObstacleId, std::string> names_;
   std::vector<Component> components_;
+  std::vector<int> component_changes_;
   std::vector<RobotEntry> robots_;
   std::map<int, Zone> zones_;  ///< by task
   std::uint64_t changes_ = 0;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "src/simulation/site/load_chart.hpp"
 
@@ -22,6 +24,54 @@ std::optional<Step> not_there(const ActiveTask& task, Stage& stage) {
   }
   if (stage.site.X_WO(component).matrix() == task.X_WO.matrix()) return std::nullopt;
   return Step::restart;
+}
+
+/// What does not stand, by what the task does: rejects it, or, where the plan only warns, notes it.
+/// True if it is rejected.
+bool tell_support(ActiveTask& task, Stage& stage, std::string what, std::vector<int> involved) {
+  if (stage.plan.support.mode == interpreter::SupportRules::Mode::warn) {
+    task.account.outcome.support.push_back(std::move(what));
+    return false;
+  }
+  stage.reject(task.task, std::move(what), std::move(involved));
+  return true;
+}
+
+/// Whether the task is rejected because others do not stand without the component.
+bool leaves_others(ActiveTask& task, Stage& stage, int component) {
+  if (!stage.support) return false;
+  const std::vector<int> others = stage.support->left_without(component);
+  if (others.empty()) return false;
+  constexpr std::size_t kMostNames = 5;
+  std::vector<std::string> names;
+  std::vector<int> involved;
+  for (const int other : others) {
+    if (names.size() < kMostNames) names.push_back(stage.site.component_name(other));
+    const std::vector<int> users = stage.users_of(other);
+    involved.insert(involved.end(), users.begin(), users.end());
+  }
+  std::sort(involved.begin(), involved.end());
+  involved.erase(std::unique(involved.begin(), involved.end()), involved.end());
+  std::erase(involved, task.task);
+  std::string list = fmt::format("{}", fmt::join(names, ", "));
+  if (others.size() > kMostNames) list += fmt::format(" and {} more", others.size() - kMostNames);
+  return tell_support(
+      task, stage,
+      fmt::format("{} cannot be taken away: without it {} {} not stand",
+                  stage.site.component_name(component), list, others.size() == 1 ? "does" : "do"),
+      std::move(involved));
+}
+
+/// Whether the task is rejected because the component does not stand at X_WO.
+bool does_not_stand(ActiveTask& task, Stage& stage, int component, const math::Pose& X_WO,
+                    const char* where) {
+  if (!stage.support) return false;
+  const std::optional<std::string> reason = stage.support->why_not(component, X_WO);
+  if (!reason) return false;
+  return tell_support(
+      task, stage,
+      fmt::format("{} does not stand{}: {}", stage.site.component_name(component), where, *reason),
+      {});
 }
 
 }  // namespace
@@ -126,6 +176,12 @@ Step HandlingActivity::attach(ActiveTask& task, Stage& stage) {
     stage.begins_to_wait(task.task);
     return Step::pending;
   }
+  const bool strict = stage.plan.support.mode == interpreter::SupportRules::Mode::on;
+  if ((strict && does_not_stand(task, stage, component, stage.site.X_WO(component),
+                                " where it is taken up")) ||
+      leaves_others(task, stage, component)) {
+    return Step::pending;
+  }
   if (task.now().begins_lift && is_held_whole(stage, task.task)) {
     begin_lift(task, stage, held_back_ ? stage.lift_notes.of(task.task) : nullptr);
   }
@@ -141,6 +197,8 @@ Step HandlingActivity::detach(ActiveTask& task, Stage& stage) {
   if (!end_lift(task, stage)) return Step::pending;
   const int robot = stage.spec(task.task).robot;
   const int component = task.now().component;
+  const math::Pose X_WO = stage.site.tool_pose(robot) * stage.site.load(robot)->X_TO;
+  if (does_not_stand(task, stage, component, X_WO, "")) return Step::pending;
   stage.site_changes.detach(robot);
   if (auto* const trace = stage.trace_of(task.task)) {
     const std::optional<LiftOutcome>& lift = task.account.outcome.lift;
@@ -157,6 +215,7 @@ Step HandlingActivity::remove(ActiveTask& task, Stage& stage) {
     stage.reject(task.task, stage.gone(component), stage.users_of(component));
     return Step::pending;
   }
+  if (leaves_others(task, stage, component)) return Step::pending;
   stage.site_changes.remove(component);
   if (auto* const trace = stage.trace_of(task.task)) {
     trace->remove(stage.site.component_name(component), stage.now());

@@ -86,6 +86,9 @@ struct TaskOutcome {
   std::optional<Ticks> due;                       ///< after the beginning of the plan
   std::optional<interpreter::Baseline> baseline;  ///< when others planned it
   std::optional<schedule::TaskFloat> floats;      ///< of a task of the plan that is done
+  /// Where the plan only warns: what it puts down that does not stand, what does not without what
+  /// it takes.
+  std::vector<std::string> support;
 
   /// How much later than `due` it was done; nothing if it is not done or not due.
   std::optional<Ticks> late() const;

@@ -21,6 +21,10 @@ Stage::Stage(const interpreter::PlanModel& the_plan, const interpreter::SourceMa
       trace(the_plan, the_sources, sink, detail),
       site(site::make_site(the_plan)),
       site_changes(site) {
+  if (plan.support.mode != interpreter::SupportRules::Mode::off) {
+    support.emplace(plan, site);
+    support->find_floating();
+  }
   for (int robot = 0; robot < robots(); ++robot) {
     views_.emplace_back(site, robot);
     interpreter::TaskSpec& park = parks_.emplace_back();

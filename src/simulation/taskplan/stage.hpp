@@ -14,6 +14,7 @@
 #include "src/simulation/schedule/link_state.hpp"
 #include "src/simulation/site/robot_view.hpp"
 #include "src/simulation/site/site_world.hpp"
+#include "src/simulation/site/support.hpp"
 #include "src/simulation/taskplan/active_tasks.hpp"
 #include "src/simulation/taskplan/event_queue.hpp"
 #include "src/simulation/taskplan/overtime_hours.hpp"
@@ -52,7 +53,8 @@ class Stage {
   const interpreter::PlanModel& plan;
   const interpreter::SourceMap& sources;
   TraceOutput trace;
-  site::SiteWorld site;  ///< components are changed through `site_changes`
+  site::SiteWorld site;                  ///< components are changed through `site_changes`
+  std::optional<site::Support> support;  ///< where the plan examines it
   SiteChanges site_changes;
   EventQueue events;
   ActiveTasks active;

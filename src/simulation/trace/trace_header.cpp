@@ -52,6 +52,34 @@ void write_set(JsonBuilder& json, const PlanModel& plan) {
   json.end_object();
 }
 
+/// As waivers and components call it.
+const std::string& name_of(const PlanModel& plan, const interpreter::ThingRef& thing) {
+  static const std::string kSite = "site";
+  switch (thing.kind) {
+    case interpreter::ThingRef::Kind::component:
+      return plan.components[static_cast<std::size_t>(thing.index)].name;
+    case interpreter::ThingRef::Kind::robot:
+      return plan.robots[static_cast<std::size_t>(thing.index)].name;
+    case interpreter::ThingRef::Kind::crew:
+      return plan.crews[static_cast<std::size_t>(thing.index)].name;
+    case interpreter::ThingRef::Kind::site:
+      break;
+  }
+  return kSite;
+}
+
+/// Nothing where there are none.
+void write_holders(JsonBuilder& json, const PlanModel& plan, const char* key,
+                   const std::vector<interpreter::ThingRef>& holders, bool crews) {
+  std::vector<std::string> names;
+  for (const interpreter::ThingRef& each : holders) {
+    if ((each.kind == interpreter::ThingRef::Kind::crew) == crews) {
+      names.push_back(name_of(plan, each));
+    }
+  }
+  if (!names.empty()) json.key(key).strings(names);
+}
+
 void write_components(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
   json.key("components").begin_array();
   for (const interpreter::ComponentSpec& component : plan.components) {
@@ -61,6 +89,9 @@ void write_components(JsonBuilder& json, const PlanModel& plan, MeshTable& meshe
     if (component.cost) json.field("cost", *component.cost);
     json.key("shapes");
     write_shapes(json, component.shapes, meshes);
+    write_holders(json, plan, "fixed_to", component.fixed_to, false);
+    write_holders(json, plan, "braced_by", component.braced_by, false);
+    write_holders(json, plan, "braced_by_crews", component.braced_by, true);
     write_attributes(json, component.attributes);
     json.end_object();
   }
@@ -312,20 +343,6 @@ void write_tasks(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
   json.end_array();
 }
 
-/// As waivers call it.
-const std::string& name_of(const PlanModel& plan, const interpreter::ThingRef& thing) {
-  static const std::string kSite = "site";
-  switch (thing.kind) {
-    case interpreter::ThingRef::Kind::component:
-      return plan.components[static_cast<std::size_t>(thing.index)].name;
-    case interpreter::ThingRef::Kind::robot:
-      return plan.robots[static_cast<std::size_t>(thing.index)].name;
-    case interpreter::ThingRef::Kind::site:
-      break;
-  }
-  return kSite;
-}
-
 /// Nothing where nobody has looked, and in short plans, whose traces stay as they were.
 void write_beginning(JsonBuilder& json, const PlanModel& plan) {
   if (!plan.overlaps || plan.short_form) return;
@@ -340,6 +357,21 @@ void write_beginning(JsonBuilder& json, const PlanModel& plan) {
     json.value(std::string_view(name_of(plan, waiver.second))).end_array();
   }
   json.end_array().end_object();
+}
+
+/// Nothing in short plans, whose traces stay as they were.
+void write_support(JsonBuilder& json, const PlanModel& plan) {
+  if (plan.short_form || plan.tasks.empty()) return;
+  json.key("support").begin_object().field("mode", name_of(plan.support.mode));
+  json.field("gap", plan.support.gap);
+  if (plan.floating) {
+    json.key("floating").begin_array();
+    for (const int component : *plan.floating) {
+      json.value(std::string_view(plan.components[static_cast<std::size_t>(component)].name));
+    }
+    json.end_array();
+  }
+  json.end_object();
 }
 
 }  // namespace
@@ -381,6 +413,7 @@ std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sou
   }
   write_tasks(json, plan, meshes);
   write_beginning(json, plan);
+  write_support(json, plan);
   meshes.write(json.key("meshes"));
   json.end_object();
   return json.take();

@@ -183,7 +183,13 @@ class Writer {
     for (const syntax::Number& entry : value.mass) number(entry);
     for (const syntax::Number& entry : value.density) number(entry);
     for (const syntax::Number& entry : value.cost) number(entry);
+    for (const syntax::QualifiedName& entry : value.fixed_to) name(entry);
+    for (const syntax::QualifiedName& entry : value.braced_by) name(entry);
     for (const syntax::AttributeItem& entry : value.attributes) item(entry);
+  }
+  void item(const syntax::SupportItem& value) {
+    if (value.mode) name(*value.mode);
+    if (value.gap) number(*value.gap);
   }
   void item(const syntax::AttributeItem& value) { name(value.key), string(value.text); }
   void item(const syntax::RobotUse& value) {

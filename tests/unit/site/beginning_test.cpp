@@ -43,7 +43,7 @@ TEST(Beginning, WhatTouchesIsFreeAndWhatIsInEachOtherIsToldWithItsDepth) {
   EXPECT_EQ(beginning.overlaps[1].pair.first, "site");
   EXPECT_EQ(beginning.overlaps[1].pair.second, "d");
   EXPECT_NEAR(beginning.overlaps[1].pair.depth, 0.25, 2e-5);
-  const auto told = warnings_of(beginning);
+  const auto told = warnings_of(plan, beginning);
   ASSERT_EQ(told.size(), 2u);
   EXPECT_EQ(told[0].code, "P33");
   EXPECT_EQ(told[0].message, "at the beginning c is 30 mm deep in b");
@@ -64,7 +64,7 @@ TEST(Beginning, WaiversSilenceTheirPairEitherWayRoundAndAreToldWhereTheyAreIdle)
   EXPECT_TRUE(beginning.overlaps.empty());
   ASSERT_EQ(beginning.idle_waivers.size(), 1u);
   EXPECT_EQ(beginning.idle_waivers[0].begin, 3u);
-  EXPECT_EQ(warnings_of(beginning).at(0).code, "P34");
+  EXPECT_EQ(warnings_of(plan, beginning).at(0).code, "P34");
 }
 
 TEST(Beginning, WhatIsWhollyInsideIsTold) {
@@ -101,7 +101,7 @@ TEST(Beginning, MachinesAreComparedWithWhatStandsAndWithEachOtherButNotWithThems
 TEST(Beginning, ManyOverlapsAreToldByTheirNumber) {
   PlanModel plan = ground();
   for (int i = 0; i < 25; ++i) add_box(plan, "c" + std::to_string(i), {2.0 * i, 0, -0.1}, 1);
-  const auto told = warnings_of(look_at_beginning(plan));
+  const auto told = warnings_of(plan, look_at_beginning(plan));
   ASSERT_EQ(told.size(), 21u);
   EXPECT_EQ(told.back().message, "5 more pairs overlap at the beginning");
 }

@@ -20,6 +20,8 @@ const char* name_of(FaultKind kind) {
       return "shift";
     case FaultKind::link:
       return "link";
+    case FaultKind::support:
+      return "support";
     case FaultKind::schedule:
       return "schedule";
     case FaultKind::report:

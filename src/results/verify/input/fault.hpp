@@ -31,6 +31,7 @@ enum class FaultKind {
   resource,
   shift,
   link,
+  support,
   schedule,
   report
 };

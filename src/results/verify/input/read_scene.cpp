@@ -78,6 +78,11 @@ void read_components(const JsonFields& header, Scene& scene) {
     component.X_WO = fields.pose("pose");
     component.mass = fields.number("mass");
     if (fields.has("cost")) component.cost = fields.number("cost");
+    for (const auto& [key, names] : {std::pair("fixed_to", &component.fixed_to),
+                                     std::pair("braced_by", &component.braced_by)}) {
+      for (const Json& name : list_or_empty(fields, key)) names->push_back(text_of(name, "a name"));
+    }
+    component.has_brace_crew = fields.has("braced_by_crews");
     component.shapes = read_shapes(fields.array("shapes"), scene.meshes.size());
     add_name(scene.component_index, component.name);
     scene.components.push_back(std::move(component));
@@ -345,6 +350,15 @@ Scene read_scene(const std::string& line) {
   scene.carry = read_shapes(header.array("carry"), scene.meshes.size());
   if (header.has("beginning")) {
     scene.beginning = read_beginning(JsonFields(header.any("beginning"), "'beginning'"));
+  }
+  if (header.has("support")) {
+    const JsonFields fields(header.any("support"), "'support'");
+    SceneSupport& support = scene.support.emplace();
+    support.mode = fields.text("mode");
+    support.gap = fields.number("gap");
+    for (const Json& name : list_or_empty(fields, "floating")) {
+      support.floating.push_back(text_of(name, "a name"));
+    }
   }
   read_components(header, scene);
   read_resources(header, scene);

@@ -97,6 +97,9 @@ struct SceneComponent {
   double mass = 0;
   double cost = 0;
   std::vector<ShapeData> shapes;
+  std::vector<std::string> fixed_to = {};   ///< components, site
+  std::vector<std::string> braced_by = {};  ///< components
+  bool has_brace_crew = false;
 };
 
 /// Hours of the week, and days off.
@@ -185,6 +188,13 @@ struct SceneBeginning {
   std::vector<std::pair<std::string, std::string>> waived;
 };
 
+/// What must stand, as the header tells.
+struct SceneSupport {
+  std::string mode;  ///< on, warn, off
+  double gap = 0;    ///< m
+  std::vector<std::string> floating;
+};
+
 /// The header of a trace: all that stands, moves and is to be done.
 struct Scene {
   std::string plan;
@@ -203,6 +213,7 @@ struct Scene {
   std::vector<SceneCrew> crews;
   std::vector<SceneTask> tasks;
   std::optional<SceneBeginning> beginning;
+  std::optional<SceneSupport> support;
   std::map<std::string, int> component_index, robot_index, crew_index, task_index;
 };
 

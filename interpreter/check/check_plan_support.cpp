@@ -1,0 +1,143 @@
+#include <fmt/format.h>
+
+#include "interpreter/check/check_plan_parts.hpp"
+
+namespace rubicon::interpreter {
+
+const char* name_of(SupportRules::Mode mode) {
+  switch (mode) {
+    case SupportRules::Mode::off:
+      return "off";
+    case SupportRules::Mode::warn:
+      return "warn";
+    case SupportRules::Mode::on:
+      return "on";
+  }
+  return "";
+}
+
+namespace plan_check {
+
+namespace {
+
+using Mode = SupportRules::Mode;
+
+/// m: what is farther below is another storey, not bedding.
+constexpr double kMaxGap = 0.5;
+
+void set_rules(Subject& subject) {
+  SupportRules& rules = subject.model.support;
+  const bool has_tasks = !subject.model.short_form && !subject.model.tasks.empty();
+  rules.mode = has_tasks ? Mode::on : Mode::off;
+  const syntax::SupportItem* mode = nullptr;
+  const syntax::SupportItem* gap = nullptr;
+  for (const syntax::PlanItem& each : subject.plan.items) {
+    const auto* item = std::get_if<syntax::SupportItem>(&each);
+    if (item == nullptr) continue;
+    const syntax::SupportItem*& first = item->gap ? gap : mode;
+    if (first != nullptr) {
+      subject.twice(item->span, item->gap ? "support gap is given twice" : "support is given twice",
+                    first->span);
+      continue;
+    }
+    first = item;
+    if (item->gap) {
+      const auto value =
+          bounded(subject, *item->gap, syntax::UnitKind::length, "support gap", 0, kMaxGap);
+      if (value) rules.gap = *value;
+    } else if (item->mode) {
+      const std::string& text = item->mode->text;
+      if (text != "on" && text != "warn" && text != "off") {
+        subject.error("P09", item->mode->span,
+                      fmt::format("support is on, warn or off, found '{}'", text));
+      } else if (has_tasks) {
+        rules.mode = text == "on" ? Mode::on : text == "warn" ? Mode::warn : Mode::off;
+      }
+    }
+  }
+}
+
+/// A component of the scope, the site or, as a brace, a crew; nothing after reporting that there is
+/// none.
+std::optional<ThingRef> find_holder(Subject& subject, const Scope& scope,
+                                    const syntax::QualifiedName& name, bool is_brace) {
+  using Kind = ThingRef::Kind;
+  const std::string& text = name.name.text;
+  const bool is_component =
+      name.body || subject.components.contains(text) ||
+      (scope.module != nullptr && scope.module->component_index.contains(text));
+  if (is_component) {
+    const std::optional<int> component = find_component(subject, scope, name);
+    if (!component) return std::nullopt;
+    return ThingRef{Kind::component, *component};
+  }
+  const auto crew = subject.crews.find(text);
+  if (crew != subject.crews.end()) {
+    if (is_brace) return ThingRef{Kind::crew, crew->second};
+    subject.error(
+        "P05", name.span,
+        fmt::format("a component is fixed to a component or to site; '{}' is a crew", text),
+        "write braced by " + text + ";");
+    return std::nullopt;
+  }
+  if (text == "site") return ThingRef{Kind::site, -1};
+  if (is_brace) {
+    subject.unknown(name.span, "component or crew", text, {&subject.components, &subject.crews});
+  } else {
+    subject.unknown(name.span, "component", text, {&subject.components});
+  }
+  return std::nullopt;
+}
+
+/// `component` is null where a module is not placed: only names are looked up.
+void resolve_holders(Subject& subject, const Scope& scope, const syntax::ComponentItem& item,
+                     ComponentSpec* component) {
+  for (const bool is_brace : {false, true}) {
+    for (const syntax::QualifiedName& name : is_brace ? item.braced_by : item.fixed_to) {
+      if (!name.body && name.name.text == item.name.text) {
+        subject.error("P05", name.span,
+                      fmt::format("component '{}' is {} itself", item.name.text,
+                                  is_brace ? "braced by" : "fixed to"));
+        continue;
+      }
+      const auto holder = find_holder(subject, scope, name, is_brace);
+      if (!holder || component == nullptr) continue;
+      (is_brace ? component->braced_by : component->fixed_to).push_back(*holder);
+    }
+  }
+}
+
+}  // namespace
+
+void check_support(Subject& subject) {
+  set_rules(subject);
+  for (const syntax::PlanItem& each : subject.plan.items) {
+    const auto* item = std::get_if<syntax::ComponentItem>(&each);
+    if (item == nullptr) continue;
+    const bool is_first = subject.component_spans.at(item->name.text) == item->name.span;
+    const int index = subject.components.at(item->name.text);
+    resolve_holders(
+        subject, Scope{}, *item,
+        is_first ? &subject.model.components[static_cast<std::size_t>(index)] : nullptr);
+  }
+  // Once each, so that what is wrong in a module is said where it stands and not for every place.
+  const int before = subject.diagnostics.errors();
+  for (const ModuleInfo& module : subject.module_infos) {
+    for (const syntax::ComponentItem* item : module.components) {
+      resolve_holders(subject, scope_of(module), *item, nullptr);
+    }
+  }
+  if (subject.diagnostics.errors() != before) return;
+  for (const PlaceInfo& place : subject.place_infos) {
+    if (place.module < 0) continue;
+    const Scope scope = scope_of(subject, place);
+    auto index = static_cast<std::size_t>(place.first_component);
+    for (const syntax::ComponentItem* item : scope.module->components) {
+      resolve_holders(subject, scope, *item, &subject.model.components[index++]);
+    }
+  }
+}
+
+}  // namespace plan_check
+
+}  // namespace rubicon::interpreter

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "src/results/verify/input/scene.hpp"
+
+namespace rubicon::verify {
+
+/// A body by the triangles of its surface, seen from outside counter-clockwise, and its centre of
+/// mass (uniform density). Metres, its own frame.
+struct Hull {
+  struct Triangle {
+    std::array<Vec3, 3> corners;
+    bool two_sided = false;  ///< of a mesh that is not closed
+  };
+  std::vector<Triangle> triangles;
+  Vec3 centre_of_mass = Vec3::Zero();
+};
+Hull hull_of(const std::vector<ShapeData>& shapes, const std::vector<MeshData>& meshes);
+
+/// A body where it stands: what looks down, or up, as triangles in {W}.
+using Faces = std::vector<std::array<Vec3, 3>>;
+Faces faces_looking(const Hull& hull, const Pose& X_WS, bool up);
+
+/// Where the sides of the triangles of `over`, seen from above, are from `depth` below to `gap`
+/// above those of `under`, and the other way round: their ends are the corners of the contact.
+std::vector<Eigen::Vector2d> footing(const Faces& over, const Faces& under, double gap,
+                                     double depth);
+
+/// Whether no line through p has all points on one side of it.
+bool is_between(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& points);
+
+}  // namespace rubicon::verify

@@ -1,0 +1,205 @@
+#include "src/results/verify/replay/check_support.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "src/results/verify/geometry/depth.hpp"
+#include "src/results/verify/geometry/footing.hpp"
+#include "src/results/verify/input/box_tree.hpp"
+
+namespace rubicon::verify {
+
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+
+/// m: gaps that are larger by less are no fault.
+constexpr double kGapSlack = 2.5e-4;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Something that stands for a time: a stay of a component, or a shape of the site.
+struct Standing {
+  int component = -1;
+  Pose X_WS = Pose::Identity();
+  Ticks from = 0;
+  Ticks to = 0;
+  const Hull* hull = nullptr;
+  const Solid* solid = nullptr;
+  Bounds bounds;
+  Faces top;  ///< made when asked for
+};
+
+class SupportCheck {
+ public:
+  SupportCheck(const Trace& trace, const SiteParts& site, const std::vector<Stay>& stays,
+               Ticks until, Faults& faults)
+      : scene_(trace.scene),
+        faults_(faults),
+        until_(until),
+        gap_(scene_.support->gap + kGapSlack),
+        depth_(std::max(scene_.support->gap, 2 * scene_.contact) + kGapSlack),
+        floating_(scene_.support->floating.begin(), scene_.support->floating.end()) {
+    for (const SceneComponent& component : scene_.components) {
+      hulls_.push_back(hull_of(component.shapes, scene_.meshes));
+    }
+    for (const ShapeData& shape : scene_.site) {
+      site_hulls_.push_back(hull_of({shape}, scene_.meshes));
+    }
+    for (const Stay& stay : stays) {
+      const auto& solid = site.components[at(stay.component)];
+      if (!solid) continue;
+      add({stay.component,
+           stay.X_WO,
+           stay.from,
+           stay.to,
+           &hulls_[at(stay.component)],
+           solid.get(),
+           {},
+           {}});
+    }
+    components_ = static_cast<int>(standing_.size());
+    // The obstacles of the site come first, one for each shape that has a solid.
+    for (std::size_t i = 0; i < site.obstacles.size() && i < site_hulls_.size(); ++i) {
+      if (site.obstacles[i].component >= 0) break;
+      add({-1,
+           Pose::Identity(),
+           0,
+           until + 1,
+           &site_hulls_[i],
+           site.obstacles[i].solid.get(),
+           {},
+           {}});
+    }
+    std::vector<Bounds> boxes;
+    for (const Standing& each : standing_) boxes.push_back(each.bounds);
+    tree_ = BoxTree(boxes);
+  }
+
+  void run() {
+    for (int i = 0; i < components_; ++i) {
+      const Standing& each = standing_[at(i)];
+      check(i, each.from);
+      if (each.to >= until_) continue;
+      // Those that are left when it is taken.
+      for (const int other : near(i)) {
+        const Standing& left = standing_[at(other)];
+        if (left.component >= 0 && left.from <= each.to && each.to < left.to) check(other, each.to);
+      }
+    }
+  }
+
+ private:
+  void add(Standing standing) {
+    standing.bounds = standing.solid->bounds.placed(standing.X_WS).grown(gap_);
+    standing_.push_back(std::move(standing));
+  }
+
+  std::vector<int> near(int index) const {
+    std::vector<int> found;
+    tree_.meeting(standing_[at(index)].bounds, [&](int other) {
+      if (other != index) found.push_back(other);
+    });
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  bool floats(const Standing& each) const {
+    return each.from == 0 && each.component >= 0 &&
+           floating_.contains(scene_.components[at(each.component)].name);
+  }
+
+  bool touch(const Standing& a, const Standing& b) const {
+    const Pose X_BA = b.X_WS.inverse(Eigen::Isometry) * a.X_WS;
+    DepthQuery query;
+    query.limit = -gap_ - kGapSlack;
+    for (const Convex& piece : a.solid->pieces) {
+      for (const Convex& other : b.solid->pieces) {
+        if (depth_test(piece, X_BA, other, query).nearness != Nearness::free) return true;
+      }
+    }
+    return false;
+  }
+
+  bool is_held(const Standing& each, const std::vector<std::string>& names,
+               const std::vector<int>& carriers) const {
+    return std::any_of(carriers.begin(), carriers.end(), [&](int index) {
+      const Standing& other = standing_[at(index)];
+      const std::string& name =
+          other.component < 0 ? kSite : scene_.components[at(other.component)].name;
+      return std::find(names.begin(), names.end(), name) != names.end() && touch(each, other);
+    });
+  }
+
+  /// Whether it stands by what else stands just after `time`.
+  void check(int index, Ticks time) {
+    Standing& each = standing_[at(index)];
+    if (floats(each) || !checked_.emplace(index, time).second) return;
+    const SceneComponent& component = scene_.components[at(each.component)];
+    std::vector<int> carriers;
+    for (const int other : near(index)) {
+      const Standing& under = standing_[at(other)];
+      if (under.from <= time && time < under.to && !floats(under)) carriers.push_back(other);
+    }
+    const Faces bottom = faces_looking(*each.hull, each.X_WS, false);
+    std::vector<Vec2> points;
+    const auto rest_on = [&](const Faces& top) {
+      const std::vector<Vec2> more = footing(bottom, top, gap_, depth_);
+      points.insert(points.end(), more.begin(), more.end());
+    };
+    for (const int other : carriers) {
+      Standing& under = standing_[at(other)];
+      if (under.top.empty()) under.top = faces_looking(*under.hull, under.X_WS, true);
+      rest_on(under.top);
+    }
+    if (scene_.site.empty()) rest_on(ground(each.bounds));
+    if (is_between((each.X_WS * each.hull->centre_of_mass).head<2>(), points)) return;
+    if (is_held(each, component.fixed_to, carriers)) return;
+    if (!points.empty() &&
+        (component.has_brace_crew || is_held(each, component.braced_by, carriers))) {
+      return;
+    }
+    faults_.push_back(
+        {FaultKind::support, ResultFile::trace, 0, "", time,
+         fmt::format("{} does not stand: {}", component.name,
+                     points.empty() ? fmt::format("nothing within {:.1f} mm below carries it",
+                                                  scene_.support->gap * 1000)
+                                    : "its centre of mass is outside of what carries it")});
+  }
+
+  static Faces ground(const Bounds& box) {
+    const Vec3 a(box.lower.x() - 1, box.lower.y() - 1, 0);
+    const Vec3 b(box.upper.x() + 1, box.lower.y() - 1, 0);
+    const Vec3 c(box.upper.x() + 1, box.upper.y() + 1, 0);
+    const Vec3 d(box.lower.x() - 1, box.upper.y() + 1, 0);
+    return {{a, b, c}, {a, c, d}};
+  }
+
+  inline static const std::string kSite = "site";
+
+  const Scene& scene_;
+  Faults& faults_;
+  Ticks until_;
+  double gap_, depth_;
+  std::set<std::string> floating_;
+  std::vector<Hull> hulls_, site_hulls_;
+  std::vector<Standing> standing_;
+  int components_ = 0;  ///< of `standing_` so many are of components
+  BoxTree tree_;
+  std::set<std::pair<int, Ticks>> checked_;
+};
+
+}  // namespace
+
+void check_support(const Trace& trace, const SiteParts& site, const std::vector<Stay>& stays,
+                   Ticks until, Faults& faults) {
+  if (!trace.scene.support || trace.scene.support->mode != "on") return;
+  SupportCheck(trace, site, stays, until, faults).run();
+}
+
+}  // namespace rubicon::verify

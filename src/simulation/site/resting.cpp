@@ -1,0 +1,200 @@
+#include "src/simulation/site/resting.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rubicon::site {
+
+namespace {
+
+using Point = Eigen::Vector2d;
+using Points = std::vector<Point>;
+
+/// Steeper than this (the upward part of the normal; 84 degrees) nothing rests on it.
+constexpr double kSteep = 0.1;
+
+/// m2: what is left of two facets that only have a line in common.
+constexpr double kNoArea = 1e-9;
+
+double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+double area_of(const Points& polygon) {
+  double twice = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    twice += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+  }
+  return twice / 2;
+}
+
+/// What of a convex polygon is where `value`, linear along its sides, is not negative (Sutherland,
+/// Hodgman 1974).
+template <typename Value>
+Points clipped(const Points& polygon, const Value& value) {
+  Points result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point& a = polygon[i];
+    const Point& b = polygon[(i + 1) % polygon.size()];
+    const double at_a = value(a);
+    const double at_b = value(b);
+    if (at_a >= 0) result.push_back(a);
+    if ((at_a < 0) != (at_b < 0)) result.push_back(a + (b - a) * (at_a / (at_a - at_b)));
+  }
+  return result;
+}
+
+StandingSurface looking(const SupportSurface& surface, const math::Pose& X_WS, double way) {
+  StandingSurface result;
+  for (const SurfaceFacet& facet : surface.facets) {
+    const math::Vec3 normal = X_WS.linear() * facet.normal;
+    const double up = normal.z() * way;
+    if (!(up > kSteep || (facet.two_sided && up < -kSteep))) continue;
+    StandingSurface::Facet& made = result.facets.emplace_back();
+    for (const math::Vec3& corner : facet.corners) {
+      made.outline.emplace_back((X_WS * corner).head<2>());
+    }
+    if (area_of(made.outline) < 0) std::reverse(made.outline.begin(), made.outline.end());
+    const math::Vec3 first = X_WS * facet.corners[0];
+    made.origin = first.head<2>();
+    made.z0 = first.z();
+    made.slope = -normal.head<2>() / normal.z();
+    made.lower = made.upper = made.outline[0];
+    for (const Point& p : made.outline) {
+      made.lower = made.lower.cwiseMin(p);
+      made.upper = made.upper.cwiseMax(p);
+    }
+  }
+  return result;
+}
+
+Points common_outline(const StandingSurface::Facet& a, const StandingSurface::Facet& b) {
+  Points polygon = a.outline;
+  for (std::size_t i = 0; i < b.outline.size() && polygon.size() > 2; ++i) {
+    const Point& from = b.outline[i];
+    const Point along = b.outline[(i + 1) % b.outline.size()] - from;
+    polygon = clipped(polygon, [&](const Point& p) { return cross(along, p - from); });
+  }
+  return polygon;
+}
+
+/// The facets of a body that are under or over another, in the order of x.
+std::vector<const StandingSurface::Facet*> near(const StandingSurface& body,
+                                                const StandingSurface& other) {
+  Point lower = Point::Constant(std::numeric_limits<double>::infinity());
+  Point upper = -lower;
+  for (const StandingSurface::Facet& facet : other.facets) {
+    lower = lower.cwiseMin(facet.lower);
+    upper = upper.cwiseMax(facet.upper);
+  }
+  std::vector<const StandingSurface::Facet*> found;
+  for (const StandingSurface::Facet& facet : body.facets) {
+    if ((facet.lower.array() > upper.array()).any()) continue;
+    if ((facet.upper.array() < lower.array()).any()) continue;
+    found.push_back(&facet);
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto* a, const auto* b) { return a->lower.x() < b->lower.x(); });
+  return found;
+}
+
+/// Of a convex polygon.
+double width_of(const Points& hull) {
+  if (hull.size() < 3) return 0;
+  double width = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Point along = (hull[(i + 1) % hull.size()] - hull[i]).normalized();
+    double farthest = 0;
+    for (const Point& p : hull) farthest = std::max(farthest, cross(along, p - hull[i]));
+    width = std::min(width, farthest);
+  }
+  return width;
+}
+
+}  // namespace
+
+StandingSurface looking_down(const SupportSurface& surface, const math::Pose& X_WS) {
+  return looking(surface, X_WS, -1);
+}
+
+StandingSurface looking_up(const SupportSurface& surface, const math::Pose& X_WS) {
+  return looking(surface, X_WS, 1);
+}
+
+Resting rest(const StandingSurface& upper_body, const StandingSurface& lower_body, double gap,
+             double depth, double narrow) {
+  Resting result;
+  const std::vector<const StandingSurface::Facet*> under_it = near(lower_body, upper_body);
+  for (const StandingSurface::Facet& over : upper_body.facets) {
+    for (const StandingSurface::Facet* each : under_it) {
+      const StandingSurface::Facet& under = *each;
+      if (under.lower.x() > over.upper.x()) break;
+      if (under.upper.x() < over.lower.x() || over.lower.y() > under.upper.y() ||
+          under.lower.y() > over.upper.y()) {
+        continue;
+      }
+      const Points common = common_outline(over, under);
+      if (common.size() < 3 || area_of(common) < kNoArea) continue;
+      const auto above = [&](const Point& p) { return over.height(p) - under.height(p); };
+      double least = std::numeric_limits<double>::infinity();
+      double most = -least;
+      for (const Point& p : common) {
+        least = std::min(least, above(p));
+        most = std::max(most, above(p));
+      }
+      if (least > gap) {
+        result.distance = std::min(result.distance, least);
+      } else if (most < -depth) {
+        result.below = std::min(result.below, -most);
+      } else {
+        Points contact = clipped(common, [&](const Point& p) { return gap - above(p); });
+        contact = clipped(contact, [&](const Point& p) { return above(p) + depth; });
+        if (contact.size() < 3 || area_of(contact) < kNoArea) continue;
+        result.points.insert(result.points.end(), contact.begin(), contact.end());
+      }
+    }
+  }
+  if (!result.points.empty()) {
+    result.points = convex_hull(std::move(result.points));
+    if (width_of(result.points) <= narrow) result.points.clear();
+  }
+  return result;
+}
+
+std::vector<Point> convex_hull(std::vector<Point> points) {
+  const auto less = [](const Point& a, const Point& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  };
+  std::sort(points.begin(), points.end(), less);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return points;
+  Points hull;
+  const auto add = [&](const Point& p, std::size_t kept) {
+    while (hull.size() >= kept + 2 &&
+           cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) {
+      hull.pop_back();
+    }
+    hull.push_back(p);
+  };
+  for (const Point& p : points) add(p, 0);
+  const std::size_t lower = hull.size() - 1;
+  for (std::size_t i = points.size() - 1; i-- > 0;) add(points[i], lower);
+  hull.pop_back();
+  return hull;
+}
+
+double depth_in_polygon(const std::vector<Point>& polygon, const Point& p) {
+  if (polygon.empty()) return -std::numeric_limits<double>::infinity();
+  double inside = std::numeric_limits<double>::infinity();
+  double outside = inside;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point& a = polygon[i];
+    const Point side = polygon[(i + 1) % polygon.size()] - a;
+    const double length = side.norm();
+    if (length > 0) inside = std::min(inside, cross(side / length, p - a));
+    const double along = length > 0 ? std::clamp(side.dot(p - a) / (length * length), 0.0, 1.0) : 0;
+    outside = std::min(outside, (p - a - along * side).norm());
+  }
+  return polygon.size() > 2 && inside >= 0 ? inside : -outside;
+}
+
+}  // namespace rubicon::site

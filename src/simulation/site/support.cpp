@@ -1,0 +1,394 @@
+#include "src/simulation/site/support.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "src/simulation/site/make_site.hpp"
+
+namespace rubicon::site {
+
+namespace {
+
+using interpreter::ThingRef;
+
+/// m: the side of a square of the index.
+constexpr double kSquare = 4;
+/// What is in more squares than this is looked at by everybody.
+constexpr int kManySquares = 256;
+
+/// m: a gap that is met to this is met.
+constexpr double kRounding = 1e-9;
+
+/// m: so far inside of what carries it must be a centre of mass. Reason: a thing on an edge turns.
+constexpr double kMargin = 1e-3;
+
+/// m: how exactly the distance from what a component is fixed to is measured.
+constexpr double kResolution = 1e-4;
+
+std::string length_text(double metres) {
+  const double millimetres = metres * 1000;
+  if (millimetres >= 9999.5) return fmt::format("{:.1f} m", metres);
+  return millimetres < 9.95 ? fmt::format("{:.1f} mm", millimetres)
+                            : fmt::format("{:.0f} mm", millimetres);
+}
+
+}  // namespace
+
+Support::Support(const interpreter::PlanModel& plan, const SiteWorld& site)
+    : plan_(plan),
+      site_(site),
+      gap_(plan.support.gap + kRounding),
+      depth_(std::max(plan.support.gap, 2 * plan.contact) + kRounding) {
+  const std::size_t things = plan.components.size() + plan.site.size() + 1;
+  surfaces_.resize(things);
+  bodies_.resize(things);
+  placed_.resize(things);
+  floating_.resize(things);
+  for (std::size_t i = 0; i < plan.components.size(); ++i) {
+    surfaces_[i] = make_support_surface(plan.components[i].shapes);
+    if (surfaces_[i] && site.stands(static_cast<int>(i))) {
+      place(static_cast<Thing>(i), site.X_WO(static_cast<int>(i)));
+    }
+  }
+  read_ = site.component_changes().size();
+  for (std::size_t i = 0; i < plan.site.size(); ++i) {
+    const std::size_t thing = plan.components.size() + i;
+    surfaces_[thing] = make_support_surface({plan.site[i]});
+    place(static_cast<Thing>(thing), math::Pose::Identity());
+  }
+  if (plan.site.empty()) ground_ = static_cast<Thing>(things - 1);
+}
+
+std::string Support::name_of(Thing thing) const {
+  if (is_component(thing)) return plan_.components[at(thing)].name;
+  if (thing == ground_) return "the ground (z = 0)";
+  return site_shape_name(at(thing - components()), plan_.site.size());
+}
+
+/// What was put down or taken since.
+void Support::follow() {
+  const std::vector<int>& changes = site_.component_changes();
+  for (; read_ < changes.size(); ++read_) {
+    const int component = changes[read_];
+    if (!surfaces_[at(component)]) continue;
+    take_away(component);
+    if (site_.stands(component)) place(component, site_.X_WO(component));
+  }
+}
+
+std::vector<std::pair<int, int>> Support::cells_of(const Placed& placed, double grown) const {
+  std::vector<std::pair<int, int>> cells;
+  const auto square = [](double x) {
+    return static_cast<int>(std::clamp(std::floor(x / kSquare), -1e8, 1e8));
+  };
+  const int x0 = square(placed.lower.x() - grown);
+  const int x1 = square(placed.upper.x() + grown);
+  const int y0 = square(placed.lower.y() - grown);
+  const int y1 = square(placed.upper.y() + grown);
+  if ((std::int64_t{x1} - x0 + 1) * (std::int64_t{y1} - y0 + 1) > kManySquares) return cells;
+  for (int x = x0; x <= x1; ++x) {
+    for (int y = y0; y <= y1; ++y) cells.emplace_back(x, y);
+  }
+  return cells;
+}
+
+void Support::place(Thing thing, const math::Pose& X_WO) {
+  Placed& placed = placed_[at(thing)];
+  placed.stands = true;
+  placed.X_WO = X_WO;
+  placed.top.reset();
+  const SupportSurface& surface = *surfaces_[at(thing)];
+  const math::Vec3 middle = X_WO * math::Vec3((surface.lower + surface.upper) / 2);
+  const math::Vec3 half =
+      X_WO.linear().cwiseAbs() * math::Vec3((surface.upper - surface.lower) / 2);
+  placed.lower = middle - half;
+  placed.upper = middle + half;
+  const auto cells = cells_of(placed, 0);
+  for (const auto& cell : cells) squares_[cell].push_back(thing);
+  if (cells.empty()) wide_.push_back(thing);
+}
+
+void Support::take_away(Thing thing) {
+  Placed& placed = placed_[at(thing)];
+  if (!placed.stands) return;
+  placed.stands = false;
+  const auto cells = cells_of(placed, 0);
+  for (const auto& cell : cells) std::erase(squares_[cell], thing);
+  if (cells.empty()) std::erase(wide_, thing);
+}
+
+/// Things whose squares are those of a box, by number.
+std::vector<Support::Thing> Support::near(const math::Vec3& lower, const math::Vec3& upper) {
+  std::vector<Thing> found = wide_;
+  Placed box;
+  box.lower = lower;
+  box.upper = upper;
+  const auto cells = cells_of(box, plan_.support.gap + 2 * plan_.contact);
+  for (const auto& cell : cells) {
+    const auto square = squares_.find(cell);
+    if (square == squares_.end()) continue;
+    found.insert(found.end(), square->second.begin(), square->second.end());
+  }
+  if (cells.empty()) {
+    found.clear();
+    for (Thing thing = 0; thing < static_cast<Thing>(placed_.size()); ++thing) {
+      if (placed_[at(thing)].stands) found.push_back(thing);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+const StandingSurface& Support::top_of(Thing thing) {
+  Placed& placed = placed_[at(thing)];
+  if (!placed.top) placed.top = looking_up(*surfaces_[at(thing)], placed.X_WO);
+  return *placed.top;
+}
+
+const collision::BodyPtr& Support::body_of(Thing thing) {
+  collision::BodyPtr& body = bodies_[at(thing)];
+  if (!body) {
+    body = is_component(thing)
+               ? prepare_named(plan_.components[at(thing)].shapes, name_of(thing))
+               : prepare_named({plan_.site[at(thing - components())]}, name_of(thing));
+  }
+  return body;
+}
+
+/// In warned plans also what does not stand itself.
+bool Support::carries(Thing thing, Thing without) const {
+  const bool strict = plan_.support.mode == interpreter::SupportRules::Mode::on;
+  return thing != without && placed_[at(thing)].stands && !(strict && floating_[at(thing)]);
+}
+
+bool Support::touches(int component, const math::Pose& X_WO, Thing thing) {
+  const auto& body = body_of(component);
+  if (!body) return false;
+  collision::CollisionWorld alone;
+  alone.insert(body_of(thing), placed_[at(thing)].X_WO);
+  collision::SweptQuery query;
+  query.contact_tolerance = plan_.contact;
+  query.items.push_back({{body.get(), geometry::stationary(X_WO)}, true});
+  return alone.clearance(query, gap_ + kResolution, kResolution).upper_bound <= gap_ + kResolution;
+}
+
+/// The first of them that the component touches, or a crew (-1).
+std::optional<Support::Thing> Support::holder(const std::vector<ThingRef>& holders, int component,
+                                              const math::Pose& X_WO, Thing without) {
+  for (const ThingRef& each : holders) {
+    if (each.kind == ThingRef::Kind::crew) return -1;
+    if (each.kind == ThingRef::Kind::component) {
+      if (!surfaces_[at(each.index)] || !carries(each.index, without)) continue;
+      if (touches(component, X_WO, each.index)) return each.index;
+      continue;
+    }
+    for (std::size_t i = 0; i < plan_.site.size(); ++i) {
+      const Thing thing = components() + static_cast<Thing>(i);
+      if (touches(component, X_WO, thing)) return thing;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Whether the thing says that it is fixed to the component.
+bool Support::hangs_on(Thing thing, int component) const {
+  if (!is_component(thing)) return false;
+  const std::vector<ThingRef>& fixed = plan_.components[at(thing)].fixed_to;
+  return std::find(fixed.begin(), fixed.end(), ThingRef{ThingRef::Kind::component, component}) !=
+         fixed.end();
+}
+
+/// What is fixed to the component carries it only if it stands without it; asked for what is judged
+/// first, so that the question ends.
+Support::Answer Support::judge(int component, const math::Pose& X_WO, Thing without,
+                               bool is_first) {
+  Answer answer;
+  const SupportSurfacePtr& surface = surfaces_[at(component)];
+  if (!surface) return {true, {}, {}};
+  const StandingSurface bottom = looking_down(*surface, X_WO);
+  const math::Vec3 middle = X_WO * math::Vec3((surface->lower + surface->upper) / 2);
+  const math::Vec3 half =
+      X_WO.linear().cwiseAbs() * math::Vec3((surface->upper - surface->lower) / 2);
+  const math::Vec3 lower = middle - half;
+  const math::Vec3 upper = middle + half;
+  std::vector<Vec2> points;
+  std::optional<Thing> not_standing;
+  const auto rest_on = [&](Thing thing, const StandingSurface& top) {
+    const Resting resting = rest(bottom, top, gap_, depth_, plan_.contact);
+    if (resting.points.empty()) return;
+    if (thing != ground_ && !carries(thing, without)) {
+      if (!not_standing) not_standing = thing;
+      return;
+    }
+    if (is_first && hangs_on(thing, component) &&
+        !judge(thing, placed_[at(thing)].X_WO, component, false).stands) {
+      return;
+    }
+    points.insert(points.end(), resting.points.begin(), resting.points.end());
+    answer.held_by.push_back(thing);
+  };
+  for (const Thing thing : near(lower, upper)) {
+    const Placed& placed = placed_[at(thing)];
+    if (thing == component || thing == without) continue;
+    if (placed.lower.z() > upper.z() + gap_ || placed.upper.z() < lower.z() - gap_) continue;
+    rest_on(thing, top_of(thing));
+  }
+  if (ground_ >= 0) {
+    SupportSurface plane;
+    plane.facets.push_back({{{lower.x() - 1, lower.y() - 1, 0},
+                             {upper.x() + 1, lower.y() - 1, 0},
+                             {upper.x() + 1, upper.y() + 1, 0},
+                             {lower.x() - 1, upper.y() + 1, 0}},
+                            math::Vec3::UnitZ()});
+    rest_on(ground_, looking_up(plane, math::Pose::Identity()));
+  }
+  const interpreter::ComponentSpec& spec = plan_.components[at(component)];
+  if (const auto held = holder(spec.fixed_to, component, X_WO, without)) {
+    return {true, {*held}, {}};
+  }
+  const Vec2 centre = (X_WO * surface->centre_of_mass).head<2>();
+  const double inside = depth_in_polygon(convex_hull(points), centre);
+  answer.stands = inside >= kMargin;
+  if (answer.stands) return answer;
+  if (!points.empty()) {
+    if (const auto brace = holder(spec.braced_by, component, X_WO, without)) {
+      answer.stands = true;
+      answer.held_by.push_back(*brace);
+      return answer;
+    }
+    std::vector<std::string> names;
+    for (const Thing thing : answer.held_by) names.push_back(name_of(thing));
+    constexpr std::size_t kMostNames = 3;
+    const std::size_t more = names.size() > kMostNames ? names.size() - kMostNames : 0;
+    names.resize(names.size() - more);
+    const std::string where = -inside < kMargin ? "on the edge" : length_text(-inside) + " outside";
+    answer.reason =
+        fmt::format("its centre of mass is {} of what carries it, {}{}", where,
+                    fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+  } else if (not_standing) {
+    answer.reason = fmt::format("it rests on {}, which does not stand", name_of(*not_standing));
+  } else {
+    answer.reason = reason_below(component, bottom, without);
+  }
+  return answer;
+}
+
+/// Nothing carries it: what comes nearest.
+std::string Support::reason_below(int component, const StandingSurface& bottom, Thing without) {
+  double least = std::numeric_limits<double>::infinity();
+  double deepest = least;
+  Thing nearest = -1;
+  Thing around = -1;
+  Vec2 lower = Vec2::Constant(least);
+  Vec2 upper = -lower;
+  for (const StandingSurface::Facet& facet : bottom.facets) {
+    lower = lower.cwiseMin(facet.lower);
+    upper = upper.cwiseMax(facet.upper);
+  }
+  for (Thing thing = 0; thing < static_cast<Thing>(placed_.size()); ++thing) {
+    const Placed& placed = placed_[at(thing)];
+    if (thing == component || thing == without || !placed.stands) continue;
+    if ((placed.lower.head<2>().array() > upper.array()).any() ||
+        (placed.upper.head<2>().array() < lower.array()).any()) {
+      continue;
+    }
+    const Resting resting = rest(bottom, top_of(thing), gap_, depth_, plan_.contact);
+    if (resting.distance < least) {
+      least = resting.distance;
+      nearest = thing;
+    }
+    // A neighbour that is higher is beside it, not around it.
+    const bool is_site = !is_component(thing);
+    if (is_site && resting.below < deepest) {
+      deepest = resting.below;
+      around = thing;
+    }
+  }
+  if (ground_ >= 0) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const StandingSurface::Facet& facet : bottom.facets) {
+      for (const Vec2& p : facet.outline) lowest = std::min(lowest, facet.height(p));
+    }
+    if (lowest > 0 && lowest < least) {
+      least = lowest;
+      nearest = ground_;
+    } else if (lowest < 0 && nearest < 0) {
+      return fmt::format("it reaches {} below the ground (z = 0, as the plan has no site)",
+                         length_text(-lowest));
+    }
+  }
+  if (nearest >= 0) {
+    return fmt::format("the nearest below is {}, {} lower", name_of(nearest), length_text(least));
+  }
+  if (around >= 0) {
+    return fmt::format("it reaches {} below {}", length_text(deepest), name_of(around));
+  }
+  return "nothing is below it";
+}
+
+std::vector<std::pair<int, std::string>> Support::find_floating() {
+  follow();
+  std::fill(floating_.begin(), floating_.end(), true);
+  for (Thing thing = components(); thing < static_cast<Thing>(floating_.size()); ++thing) {
+    floating_[at(thing)] = false;
+  }
+  std::vector<int> open;
+  for (int i = 0; i < components(); ++i) {
+    if (!surfaces_[at(i)]) floating_[at(i)] = false;
+    if (surfaces_[at(i)] && placed_[at(i)].stands) open.push_back(i);
+  }
+  std::stable_sort(open.begin(), open.end(), [this](int a, int b) {
+    return placed_[at(a)].lower.z() < placed_[at(b)].lower.z();
+  });
+  for (bool any = true; any && !open.empty();) {
+    any = false;
+    std::vector<int> left;
+    for (const int each : open) {
+      if (judge(each, placed_[at(each)].X_WO, -1).stands) {
+        floating_[at(each)] = false;
+        any = true;
+      } else {
+        left.push_back(each);
+      }
+    }
+    open = std::move(left);
+  }
+  std::sort(open.begin(), open.end());
+  std::vector<std::pair<int, std::string>> found;
+  for (const int each : open)
+    found.emplace_back(each, judge(each, placed_[at(each)].X_WO, -1).reason);
+  return found;
+}
+
+std::optional<std::string> Support::why_not(int component, const math::Pose& X_WO) {
+  follow();
+  Answer answer = judge(component, X_WO, -1);
+  if (answer.stands) return std::nullopt;
+  return std::move(answer.reason);
+}
+
+std::vector<int> Support::left_without(int component) {
+  follow();
+  if (!surfaces_[at(component)] || !placed_[at(component)].stands) return {};
+  std::vector<int> left;
+  const Placed& taken = placed_[at(component)];
+  for (const Thing each : near(taken.lower, taken.upper)) {
+    if (each == component || !is_component(each) || floating_[at(each)]) continue;
+    const Placed& other = placed_[at(each)];
+    if ((other.lower.array() > taken.upper.array() + gap_ + kResolution).any() ||
+        (other.upper.array() < taken.lower.array() - gap_ - kResolution).any()) {
+      continue;
+    }
+    const Answer now = judge(each, other.X_WO, -1);
+    const bool has_part =
+        std::find(now.held_by.begin(), now.held_by.end(), component) != now.held_by.end();
+    if (now.stands && has_part && !judge(each, other.X_WO, component).stands) left.push_back(each);
+  }
+  return left;
+}
+
+}  // namespace rubicon::site

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "interpreter/check/plan_model.hpp"
+#include "src/motion/collision/swept_query.hpp"
+#include "src/simulation/site/resting.hpp"
+#include "src/simulation/site/site_world.hpp"
+
+namespace rubicon::site {
+
+/// Whether what stands on a site is carried: a component stands if its centre of mass is over the
+/// hull of where it is in contact with what is below it, within the plan's gap, or if it touches
+/// what it is fixed to; one that is braced needs contact below and the brace. Sites without shapes
+/// have the ground, z = 0. Machines carry nothing. How: docs/support.md.
+class Support {
+ public:
+  /// Both must outlive it.
+  Support(const interpreter::PlanModel& plan, const SiteWorld& site);
+
+  /// Looks which components do not stand where they are now, and why: nothing stands on these. By
+  /// index.
+  std::vector<std::pair<int, std::string>> find_floating();
+  /// The reason why a component at X_WO does not stand among what stands now: "the nearest below is
+  /// slab, 120 mm lower". Nothing: it stands.
+  std::optional<std::string> why_not(int component, const math::Pose& X_WO);
+  /// Those that stand now and would not without the component.
+  std::vector<int> left_without(int component);
+
+ private:
+  using Vec2 = Eigen::Vector2d;
+  /// A component by its index, then the shapes of the site, then the ground.
+  using Thing = int;
+
+  struct Placed {
+    bool stands = false;
+    math::Pose X_WO = math::Pose::Identity();
+    math::Vec3 lower, upper;             ///< box around it, world
+    std::optional<StandingSurface> top;  ///< made when asked for
+  };
+  struct Answer {
+    bool stands = false;
+    std::vector<Thing> held_by;  ///< what has a part in that
+    std::string reason;
+  };
+
+  bool is_component(Thing thing) const { return thing < components(); }
+  int components() const { return static_cast<int>(plan_.components.size()); }
+  std::string name_of(Thing thing) const;
+  static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+  void follow();
+  void place(Thing thing, const math::Pose& X_WO);
+  void take_away(Thing thing);
+  std::vector<std::pair<int, int>> cells_of(const Placed& placed, double grown) const;
+  std::vector<Thing> near(const math::Vec3& lower, const math::Vec3& upper);
+  const StandingSurface& top_of(Thing thing);
+  bool carries(Thing thing, Thing without) const;
+  Answer judge(int component, const math::Pose& X_WO, Thing without, bool is_first = true);
+  bool hangs_on(Thing thing, int component) const;
+  std::string reason_below(int component, const StandingSurface& bottom, Thing without);
+  bool touches(int component, const math::Pose& X_WO, Thing thing);
+  std::optional<Thing> holder(const std::vector<interpreter::ThingRef>& holders, int component,
+                              const math::Pose& X_WO, Thing without);
+  const collision::BodyPtr& body_of(Thing thing);
+
+  const interpreter::PlanModel& plan_;
+  const SiteWorld& site_;
+  Thing ground_ = -1;
+  double gap_, depth_;
+  std::size_t read_ = 0;  ///< changes of components that are known
+  std::vector<SupportSurfacePtr> surfaces_;
+  std::vector<collision::BodyPtr> bodies_;
+  std::vector<Placed> placed_;
+  std::vector<bool> floating_;
+  /// Where things stand, in squares; those that are in many of them.
+  std::map<std::pair<int, int>, std::vector<Thing>> squares_;
+  std::vector<Thing> wide_;
+};
+
+}  // namespace rubicon::site

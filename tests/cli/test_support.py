@@ -1,0 +1,142 @@
+"""What must stand: what is put down, what others stand on, what stands at the beginning; and what the answers say of it."""
+
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+
+RUBICON = os.environ["RUBICON"]
+
+ROBOT = """robot gantry {
+  body bridge { param x range(-50, 50) step(1) speed(1); frame trans(x, 0, 0); }
+  body hoist on bridge {
+    param z range(0, 10) step(0.1) speed(1) start(5);
+    frame trans(0, 0, z);
+    shape box(-0.2, -0.2, 0, 0.2, 0.2, 1);
+  }
+  tool hoist;
+  behaviour "g.motion";
+}
+"""
+SCRIPT = """which {
+  place: chain { move_to(x, goal(x)) }; chain { move_to(z, goal(z)) };
+  transport: chain { move_to(z, 8) }; chain { move_to(x, goal(x)) };
+  default: chain { move_to(z, 8) }; chain { move_to(x, goal(x)) }; chain { move_to(z, goal(z)) };
+};
+"""
+HEAD = """  robot crane "g.robot" { start x 0, z 8; }
+  site box(-50, -10, -1, 50, 10, 0);
+"""
+
+
+def box(name, x, z=0, width=1, height=2, more=""):
+    return (f"  component {name} {{ shape box({-width / 2}, -0.5, 0, {width / 2}, 0.5, {height}); at trans({x}, 0, {z}); "
+            f"grip trans(0, 0, {height}); {more} }}\n")
+
+
+def move(task, component, x, z, more=""):
+    return f"  task {task} {{ by crane; move {component} to trans({x}, 0, {z}); {more} }}\n"
+
+
+class Support(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(self.temporary.cleanup)
+        self.folder = self.temporary.name
+        for name, text in (("g.robot", ROBOT), ("g.motion", SCRIPT)):
+            self.write(name, text)
+
+    def write(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return path
+
+    def rubicon(self, *arguments):
+        return subprocess.run([RUBICON, *arguments], capture_output=True, text=True, timeout=120, cwd=self.folder)
+
+    def run_plan(self, *items, exit_code=0, warns=""):
+        """The rows of the tasks by name, after verify found no fault."""
+        self.write("site.plan", "plan site {\n" + HEAD + "".join(items) + "}\n")
+        run = self.rubicon("run", "site.plan", "--out", "out")
+        self.assertEqual(run.returncode, exit_code, run.stdout + run.stderr)
+        self.assertIn(warns, run.stderr)
+        if not warns:
+            self.assertNotIn("does not stand", run.stderr)
+        verdict = self.rubicon("verify", "out")
+        self.assertEqual(verdict.returncode, 0, verdict.stdout + verdict.stderr)
+        self.table = run.stdout
+        with open(os.path.join(self.folder, "out", "schedule.json"), encoding="utf-8") as file:
+            return {row["task"]: row for row in json.load(file)["tasks"]}
+
+    def test_what_is_put_down_must_stand(self):
+        slab = box("slab", 10, width=4, height=1)
+        for x, z, reason in ((10, 1, ""), (10, 1.1, "b does not stand: the nearest below is slab, 100 mm lower"),
+                             (12.3, 1, "b does not stand: its centre of mass is 300 mm outside of what carries it, slab")):
+            rows = self.run_plan(slab, box("b", 0), move("set", "b", x, z), exit_code=1 if reason else 0)
+            self.assertEqual(rows["set"]["reason"], reason)
+            self.assertEqual(rows["set"]["result"], "rejected" if reason else "done")
+        why = self.rubicon("why", "out", "set")
+        self.assertIn("b does not stand: its centre of mass is 300 mm outside", why.stdout)
+
+    def test_the_plan_says_how_strict_it_is(self):
+        floating = box("b", 0) + move("set", "b", 10, 1)
+        reason = "b does not stand: the nearest below is site, 1000 mm lower"
+        self.assertEqual(self.run_plan(floating, "  support on;\n", exit_code=1)["set"]["reason"], reason)
+        rows = self.run_plan(floating, "  support warn;\n")
+        self.assertEqual(rows["set"]["support"], [reason])
+        self.assertIn(f"set: {reason}", self.table)
+        self.assertNotIn("support", self.run_plan(floating, "  support off;\n")["set"])
+        low = box("c", 0) + move("set", "c", 10, 0.1)
+        self.assertEqual(self.run_plan(low, exit_code=1)["set"]["result"], "rejected")
+        self.assertEqual(self.run_plan(low, "  support gap 10 cm;\n")["set"]["result"], "done")
+
+    def test_what_others_stand_on_stays(self):
+        pillars = box("left", 8, width=2, height=1) + box("right", 11, height=1) + box("slab", 10, z=1, width=3, height=1)
+        rows = self.run_plan(pillars, move("take", "left", 20, 0), exit_code=1)
+        self.assertEqual(rows["take"]["reason"], "left cannot be taken away: without it slab does not stand")
+        rows = self.run_plan(pillars, "  crew c;\n  task strike { by c; remove right; takes 1 min; }\n", exit_code=1)
+        self.assertEqual(rows["strike"]["reason"], "right cannot be taken away: without it slab does not stand")
+        rows = self.run_plan(pillars, move("one", "slab", 20, 0), move("two", "left", 30, 0, "after one;"))
+        self.assertEqual([row["result"] for row in rows.values()], ["done", "done"])
+
+    def test_what_is_fixed_or_braced(self):
+        # A shelf on the side of a wall; a sheet that leans over is held by a prop until that is taken away.
+        shelf = box("wall", 10, height=4) + box("shelf", 0, height=1, more="fixed to wall;")
+        self.assertEqual(self.run_plan(shelf, move("set", "shelf", 11, 2))["set"]["result"], "done")
+        rows = self.run_plan(shelf, move("set", "shelf", 13, 2), exit_code=1)
+        self.assertIn("the nearest below is site", rows["set"]["reason"])
+        leaning = (box("block", 10, height=1) + box("plate", 0, height=1, more="braced by prop;")
+                   + box("prop", 11.2, width=0.2, height=2.1))
+        rows = self.run_plan(leaning, move("set", "plate", 10.6, 1), move("strike", "prop", 30, 0, "after set;"),
+                             exit_code=1)
+        self.assertEqual(rows["set"]["result"], "done")
+        self.assertEqual(rows["strike"]["reason"], "prop cannot be taken away: without it plate does not stand")
+
+    def test_the_beginning(self):
+        lid = box("lid", 10, z=2, height=1)
+        rows = self.run_plan(lid, box("b", 0), move("on_lid", "b", 10, 3), move("take", "lid", 20, 0), exit_code=1,
+                             warns="warning: at the beginning lid does not stand: the nearest below is site, 2000 mm lower")
+        self.assertEqual(rows["on_lid"]["reason"], "b does not stand: it rests on lid, which does not stand")
+        self.assertEqual(rows["take"]["reason"],
+                         "lid does not stand where it is taken up: the nearest below is site, 2000 mm lower")
+        check = self.rubicon("check", "site.plan")
+        self.assertEqual(check.returncode, 0)
+        self.assertIn("P45", self.rubicon("check", "--format", "json", "site.plan").stdout)
+
+    def test_mistakes(self):
+        for text, words in (("  support maybe;\n", "support is on, warn or off, found 'maybe'"),
+                            ("  support on;\n  support off;\n", "support is given twice"),
+                            ("  support gap 2 m;\n", "support gap must be between 0 and 0.5, found 2"),
+                            (box("b", 0, more="fixed to walls;"), "unknown component 'walls'"),
+                            (box("b", 0, more="fixed to c;"), "a component is fixed to a component or to site; 'c' is a crew"),
+                            (box("b", 0, more="braced by b;"), "component 'b' is braced by itself")):
+            self.write("site.plan", "plan site {\n" + HEAD + "  crew c;\n  task t { by c; takes 1 s; }\n" + text + "}\n")
+            check = self.rubicon("check", "site.plan")
+            self.assertEqual(check.returncode, 2, text)
+            self.assertIn(words, check.stdout + check.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
