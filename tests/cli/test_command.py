@@ -265,7 +265,7 @@ class Run(Case):
         self.assertEqual(document["process_time"], 3)
         csv = rubicon("run", self.plan, "--format", "csv").stdout.splitlines()
         self.assertTrue(csv[0].startswith("task,robot,crew,start,duration,tried,accepted,result,reason,motion,work,"))
-        self.assertEqual(csv[1], "p,gantry,,0,3,3,3,done,,3,0,0,0,0,0,,,,,,,,,,")
+        self.assertEqual(csv[1], "p,gantry,,0,3,3,3,done,,3,0,0,0,0,0,,,,,,,,,,,,,,,,")
 
     def test_a_motion_that_does_not_end_done_exits_with_1(self):
         self.write("b.motion", "chain { move_dir(x, 1), move_dir(x, -1) };\n")
