@@ -236,9 +236,8 @@ std::string schedule_csv(const Schedule& schedule) {
   const AttributeColumns attributes(schedule);
   std::string text = fmt::format(
       "task,robot,crew,start,duration,tried,accepted,result,reason,motion,work,waited_predecessor,"
-      "waited_resource,waited_machine,waited_shift,cost,begins,ends,{},due,late,baseline_start,"
-      "baseline_finish,"
-      "total_float,free_float\n",
+      "waited_resource,waited_machine,waited_shift,cost,begins,ends,due,late,baseline_start,"
+      "baseline_finish,total_float,free_float,{}\n",
       AttributeColumns::kNames);
   for (const TaskOutcome& task : schedule.tasks) {
     const auto date_field = [&](interpreter::Ticks time) {
@@ -247,21 +246,20 @@ std::string schedule_csv(const Schedule& schedule) {
     const auto seconds_field = [](const std::optional<interpreter::Ticks>& time) {
       return time ? seconds_text(*time) : std::string();
     };
-    text +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                    csv_field(task.task), csv_field(task.robot), csv_field(crew_text(task)),
-                    seconds_text(task.start), seconds_text(task.duration), task.tried,
-                    task.accepted, name_of(task.result), csv_field(task.reason),
-                    seconds_text(task.motion_time), seconds_text(task.work_time),
-                    seconds_text(task.waits.predecessor), seconds_text(task.waits.resource),
-                    seconds_text(task.waits.machine), seconds_text(task.waits.shift),
-                    schedule.costed ? fmt::format("{:.2f}", task.cost) : std::string(),
-                    date_field(task.start), date_field(task.start + task.duration),
-                    attributes.of(task), seconds_field(task.due), seconds_field(task.late()),
-                    task.baseline ? seconds_text(task.baseline->start) : std::string(),
-                    task.baseline ? seconds_text(task.baseline->finish) : std::string(),
-                    task.floats ? seconds_text(task.floats->total) : std::string(),
-                    task.floats ? seconds_text(task.floats->free) : std::string());
+    text += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+        csv_field(task.task), csv_field(task.robot), csv_field(crew_text(task)),
+        seconds_text(task.start), seconds_text(task.duration), task.tried, task.accepted,
+        name_of(task.result), csv_field(task.reason), seconds_text(task.motion_time),
+        seconds_text(task.work_time), seconds_text(task.waits.predecessor),
+        seconds_text(task.waits.resource), seconds_text(task.waits.machine),
+        seconds_text(task.waits.shift),
+        schedule.costed ? fmt::format("{:.2f}", task.cost) : std::string(), date_field(task.start),
+        date_field(task.start + task.duration), seconds_field(task.due), seconds_field(task.late()),
+        task.baseline ? seconds_text(task.baseline->start) : std::string(),
+        task.baseline ? seconds_text(task.baseline->finish) : std::string(),
+        task.floats ? seconds_text(task.floats->total) : std::string(),
+        task.floats ? seconds_text(task.floats->free) : std::string(), attributes.of(task));
   }
   return text;
 }
