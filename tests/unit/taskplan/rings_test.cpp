@@ -71,6 +71,7 @@ TEST(Rings, ThroughACrew) {
 
 TEST(Rings, ThroughAZoneAndACrew) {
   const Ran ran = run(R"(
+    support off;
     crew riggers;
     robot hoist "gantry.robot" { start x 5, y 8, z 0; }
     robot truck "line.robot" { start x 20; }

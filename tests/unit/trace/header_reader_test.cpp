@@ -89,6 +89,7 @@ TEST(HeaderReader, WantsEveryMemberOnceAndOfItsKind) {
                                           "hook",  "adjust", "goal",   "release",
                                           "takes", "remove", "move",   "attributes"};
   for (const auto& [name, value] : whole.items()) {
+    if (name == "support") continue;  // only verify reads it
     ordered_json header = whole;
     header.erase(name);
     EXPECT_NE(answer(header.dump()), "") << name;
