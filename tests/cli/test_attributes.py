@@ -71,7 +71,9 @@ class Attributes(unittest.TestCase):
         with open(os.path.join(self.out, "schedule.csv"), encoding="utf-8", newline="") as file:
             rows = list(csv.reader(file))
         self.assertEqual(rows[0][-7:], ["name", "component", "component_name", "storey", "type", "guid", "attributes"])
-        self.assertEqual(rows[0][:2] + rows[0][-9:-7], ["task", "robot", "begins", "ends"])
+        self.assertEqual(rows[0][:2] + rows[0][-15:-7],
+                         ["task", "robot", "begins", "ends", "due", "late", "baseline_start", "baseline_finish",
+                          "total_float", "free_float"])
         self.assertEqual(rows[1][-7:], ["Stütze 1 setzen, sehr vorsichtig und nur bei Tag", "column_1", "Stütze 1", "0",
                                         "IfcColumn", "0UEcPQQZ", "shift=2; fire=60 min; R"])
         self.assertEqual(rows[2][-7:], ["", "", "", "7", "", "", ""])
