@@ -145,8 +145,8 @@ std::optional<double> mass_by_density(Subject& subject, const syntax::ComponentI
 /// Components without mass that tasks give to machines with a load chart: P32.
 void check_masses(Subject& subject);
 
-/// Ticks from the beginning of the plan to a moment that `what` gives, below zero before it; nothing
-/// after reporting P09, P10.
+/// Ticks from the beginning of the plan to a moment that `what` gives, below zero before it;
+/// nothing after reporting P09, P10.
 std::optional<schedule::Ticks> resolve_moment(Subject& subject, const syntax::Moment& moment,
                                               const std::string& what);
 
