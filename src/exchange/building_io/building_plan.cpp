@@ -85,10 +85,13 @@ class WorkWriter {
     for (std::size_t i = 0; i < elements().size(); ++i) rows_[i].element = &elements()[i];
     insert_.workers = match_.workers;
     insert_.calendars = match_.calendars;
-    // What models draw often hangs in the air, by their builder's precision.
+    // What models draw often hangs in the air, by their builder's precision; and the bearers of the
+    // stock are no components.
     const bool says_support = match_.plan_items.find("support") != std::string::npos;
-    insert_.items =
-        parts_.remarks + (says_support ? "" : "support warn;\n") + match_.plan_items + "\n";
+    const std::string support =
+        fmt::format("support warn;\nsupport gap {} mm;  // what waits lies on bearers of {:g} m\n",
+                    std::lround(1000 * kBearer) + 1, kBearer);
+    insert_.items = parts_.remarks + (says_support ? "" : support) + match_.plan_items + "\n";
     list_idle_tasks();
     list_elements(matching_.unmatched, "unmatched", "no rule is about");
     list_elements(matching_.left_out, "left out", "a rule leaves out");

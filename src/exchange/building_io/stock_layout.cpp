@@ -8,9 +8,6 @@ namespace rubicon::building_io {
 
 namespace {
 
-/// Height of the bearers between things that lie on each other (metres).
-constexpr double kBearer = 0.1;
-
 bool is_flat(const Vec3& size) { return size.z() <= size.y() / 2; }
 
 /// The free part of an area: rows run along its shorter side, things point along its longer one.

@@ -10,6 +10,9 @@
 
 namespace rubicon::building_io {
 
+/// Height of the bearers between things that lie on each other in a stock (metres).
+inline constexpr double kBearer = 0.1;
+
 /// Something that needs a place in the stock.
 struct StockItem {
   Vec3 size = Vec3::Zero();  ///< m, as ElementFrame::size
