@@ -25,7 +25,7 @@ std::optional<schedule::Ticks> resolve_date_and_time(Subject& subject, const syn
   const auto ticks = schedule::ticks_between(*subject.model.start_at, *time);
   if (!ticks) {
     subject.error("P10", date.span,
-                  fmt::format("{} is more than 100 years from the beginning of the plan, {}",
+                  fmt::format("{} is more than 126 years from the beginning of the plan, {}",
                               date.text, schedule::text_of(*subject.model.start_at)));
   }
   return ticks;
