@@ -7,14 +7,9 @@ namespace rubicon::interpreter::plan_check {
 
 namespace {
 
-std::optional<schedule::Ticks> resolve_date_and_time(Subject& subject, const syntax::String& date) {
-  const auto time = schedule::parse_civil_time(date.text);
-  if (!time) {
-    subject.error("P10", date.span,
-                  fmt::format("expected a date and time such as \"2026-03-02 07:00\", found \"{}\"",
-                              date.text));
-    return std::nullopt;
-  }
+std::optional<schedule::Ticks> resolve_date(Subject& subject, const syntax::String& date) {
+  const auto time = resolve_civil_time(subject, date);
+  if (!time) return std::nullopt;
   if (!subject.model.start_at) {
     subject.error("P10", date.span,
                   "a date says nothing in a plan that does not say when it begins",
@@ -33,18 +28,34 @@ std::optional<schedule::Ticks> resolve_date_and_time(Subject& subject, const syn
 
 }  // namespace
 
-std::optional<schedule::Ticks> resolve_moment(Subject& subject, const syntax::Moment& moment,
-                                              const std::string& what) {
-  if (moment.date) return resolve_date_and_time(subject, *moment.date);
-  const auto seconds =
-      bounded(subject, *moment.after_start, syntax::UnitKind::time, what, 0, kMaxDuration);
-  if (!seconds) return std::nullopt;
-  if (*seconds > 0 && moment.after_start->unit == syntax::UnitKind::none) {
+std::optional<schedule::CivilTime> resolve_civil_time(Subject& subject,
+                                                      const syntax::String& written) {
+  const auto time = schedule::parse_civil_time(written.text);
+  if (!time) {
+    subject.error("P10", written.span,
+                  fmt::format("expected a date and time such as \"2026-03-02 07:00\", found \"{}\"",
+                              written.text));
+  }
+  return time;
+}
+
+std::optional<double> resolve_duration(Subject& subject, const syntax::Number& number,
+                                       const std::string& what) {
+  const auto seconds = bounded(subject, number, syntax::UnitKind::time, what, 0, kMaxDuration);
+  if (seconds && *seconds > 0 && number.unit == syntax::UnitKind::none) {
     subject.diagnostics.warning(
-        "P22", moment.span,
+        "P22", number.span,
         fmt::format("{0} {1:g} has no unit and is taken as {1:g} s", what, *seconds),
         fmt::format("write {0:g} s, {0:g} min or {0:g} h", *seconds));
   }
+  return seconds;
+}
+
+std::optional<schedule::Ticks> resolve_moment(Subject& subject, const syntax::Moment& moment,
+                                              const std::string& what) {
+  if (moment.date) return resolve_date(subject, *moment.date);
+  const auto seconds = resolve_duration(subject, *moment.after_start, what);
+  if (!seconds) return std::nullopt;
   return schedule::ticks_from_seconds(*seconds);
 }
 

@@ -145,6 +145,15 @@ std::optional<double> mass_by_density(Subject& subject, const syntax::ComponentI
 /// Components without mass that tasks give to machines with a load chart: P32.
 void check_masses(Subject& subject);
 
+/// A date and time in quotes; nothing after reporting P10.
+std::optional<schedule::CivilTime> resolve_civil_time(Subject& subject,
+                                                      const syntax::String& written);
+
+/// The seconds that `what` takes, from 0 on; nothing after reporting P09. Warns of a bare number:
+/// P22.
+std::optional<double> resolve_duration(Subject& subject, const syntax::Number& number,
+                                       const std::string& what);
+
 /// Ticks from the beginning of the plan to a moment that `what` gives, below zero before it;
 /// nothing after reporting P09, P10.
 std::optional<schedule::Ticks> resolve_moment(Subject& subject, const syntax::Moment& moment,

@@ -44,15 +44,9 @@ class Settings {
     const std::string& text = item.value.text;
     if (item.name.text == "start_at") {
       subject_.use("start_at", item.span);
-      const auto moment = schedule::parse_civil_time(text);
-      if (!moment) {
-        subject_.error(
-            "P10", item.value.span,
-            fmt::format("expected a date and time such as \"2026-03-02 07:00\", found \"{}\"",
-                        text));
-        return;
+      if (const auto time = resolve_civil_time(subject_, item.value)) {
+        subject_.model.start_at = *time;
       }
-      subject_.model.start_at = *moment;
     } else if (item.name.text == "currency") {
       subject_.use("currency", item.span);
       if (text.empty()) {

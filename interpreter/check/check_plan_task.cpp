@@ -287,15 +287,8 @@ class TaskChecker {
   void check_part(const syntax::WorkItem& item) {
     WorkSpec work;
     work.span = item.span;
-    const auto duration =
-        bounded(subject_, item.duration, UnitKind::time, item.name.text, 0, kMaxDuration);
+    const auto duration = resolve_duration(subject_, item.duration, item.name.text);
     if (duration) work.duration = *duration;
-    if (duration && *duration > 0 && item.duration.unit == UnitKind::none) {
-      subject_.diagnostics.warning(
-          "P22", item.duration.span,
-          fmt::format("{0} {1:g} has no unit and is taken as {1:g} s", item.name.text, *duration),
-          fmt::format("write {0:g} s, {0:g} min or {0:g} h", *duration));
-    }
     if (item.by) work.crew = crew(*item.by, item.name.text);
     if (item.name.text == "takes") {
       task_.takes.push_back(work);

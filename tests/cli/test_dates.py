@@ -1,17 +1,11 @@
 """Dates of tasks: not_before, due, baselines and floats in the run, its table and files; and verify, which finds what is wrong."""
 
 import csv
-import json
 import os
-import subprocess
-import tempfile
 import unittest
 
-import seeded_faults
+from result_case import ResultCase, rubicon
 
-RUBICON = os.environ["RUBICON"]
-HERE = os.path.dirname(os.path.abspath(__file__))
-ROBOTS = os.path.join(HERE, "verify_results")
 HOUR = 3600
 
 # Steel comes at 10:00; dig could have been an hour later, the fence all day.
@@ -54,41 +48,7 @@ SCHEDULE = """<?xml version="1.0" encoding="UTF-8"?>
 """
 
 
-def rubicon(*arguments):
-    return subprocess.run([RUBICON, *arguments], capture_output=True, text=True, timeout=300)
-
-
-class Dates(unittest.TestCase):
-    def setUp(self):
-        self.temporary = tempfile.TemporaryDirectory()
-        self.folder = self.temporary.name
-        self.out = os.path.join(self.folder, "out")
-
-    def tearDown(self):
-        self.temporary.cleanup()
-
-    def run_plan(self, text):
-        path = os.path.join(self.folder, "p.plan")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text.replace("ROBOTS", ROBOTS))
-        self.run_result = rubicon("run", path, "--out", self.out)
-        self.assertEqual(self.run_result.returncode, 0, self.run_result.stdout + self.run_result.stderr)
-        verified = rubicon("verify", self.out)
-        self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
-        with open(os.path.join(self.out, "schedule.json"), encoding="utf-8") as file:
-            schedule = json.load(file)
-        return schedule, {task["task"]: task for task in schedule["tasks"]}
-
-    def faults_of(self, change):
-        result = seeded_faults.Result(self.out)
-        change(result)
-        folder = os.path.join(self.folder, "changed")
-        os.makedirs(folder, exist_ok=True)
-        result.write(folder)
-        verified = rubicon("verify", folder)
-        self.assertEqual(verified.returncode, 1, verified.stdout + verified.stderr)
-        return verified.stdout
-
+class Dates(ResultCase):
     def test_a_task_waits_for_its_date_and_says_so(self):
         schedule, tasks = self.run_plan(CREWS)
         self.assertEqual(tasks["steel"]["start"], 3 * HOUR)

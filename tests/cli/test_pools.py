@@ -1,16 +1,9 @@
 """Parts of crews, pools, and what all costs: run, its table and files, why; and verify, which finds what is wrong."""
 
-import json
 import os
-import subprocess
-import tempfile
 import unittest
 
-import seeded_faults
-
-RUBICON = os.environ["RUBICON"]
-HERE = os.path.dirname(os.path.abspath(__file__))
-ROBOTS = os.path.join(HERE, "verify_results")
+from result_case import ResultCase, rubicon
 
 SHARES = """
 plan shares {
@@ -77,42 +70,7 @@ plan money {
 """
 
 
-def rubicon(*arguments):
-    return subprocess.run([RUBICON, *arguments], capture_output=True, text=True, timeout=300)
-
-
-class Pools(unittest.TestCase):
-    def setUp(self):
-        self.temporary = tempfile.TemporaryDirectory()
-        self.folder = self.temporary.name
-        self.out = os.path.join(self.folder, "out")
-
-    def tearDown(self):
-        self.temporary.cleanup()
-
-    def run_plan(self, text, expected=0):
-        path = os.path.join(self.folder, "p.plan")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text.replace("ROBOTS", ROBOTS))
-        self.run_result = rubicon("run", path, "--out", self.out)
-        self.assertEqual(self.run_result.returncode, expected, self.run_result.stdout + self.run_result.stderr)
-        verified = rubicon("verify", self.out)
-        self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
-        with open(os.path.join(self.out, "schedule.json"), encoding="utf-8") as file:
-            schedule = json.load(file)
-        return schedule, {task["task"]: task for task in schedule["tasks"]}
-
-    def faults_of(self, change):
-        """What verify finds when `change` was made to the result."""
-        result = seeded_faults.Result(self.out)
-        change(result)
-        folder = os.path.join(self.folder, "changed")
-        os.makedirs(folder, exist_ok=True)
-        result.write(folder)
-        verified = rubicon("verify", folder)
-        self.assertEqual(verified.returncode, 1, verified.stdout + verified.stderr)
-        return verified.stdout
-
+class Pools(ResultCase):
     def starts(self, tasks):
         return {name: task["start"] for name, task in tasks.items()}
 

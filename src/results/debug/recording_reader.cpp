@@ -111,7 +111,7 @@ void RecordingReader::end_task(TaskRun& run, const trace::Record& record,
   task.result = clean_text(end.result);
   task.reason = clean_text(end.reason);
   open_.erase(open_.find(record.task));
-  if (task.result == "done" || task.result == "short") {
+  if (trace::has_happened(task.result)) {
     Stand q = run.ended_at();
     if (!q.empty()) stands_[std::string(record.robot)] = std::move(q);
   } else {

@@ -45,7 +45,7 @@ double FilmBuilder::time_of(const trace::Record& record, const FilmRun& run) con
   const double t = time ? trace::seconds(*time) : run.last;
   // The end of a rejected task tells its start again.
   const auto* end = std::get_if<trace::TaskEnd>(&record.what);
-  const bool undone = end != nullptr && end->result != "done" && end->result != "short";
+  const bool undone = end != nullptr && !trace::has_happened(end->result);
   if (t < run.last && !undone) {
     throw std::invalid_argument("the task's time runs backwards here");
   }
@@ -231,7 +231,7 @@ void FilmBuilder::write(const trace::TaskEnd& end, int run) {
   FilmRun& ended = runs_[run];
   ended.result = end.result;
   ended.reason = end.reason;
-  ended.happened = ended.result == "done" || ended.result == "short";
+  ended.happened = trace::has_happened(ended.result);
   ended.end = ended.happened ? ended.last : tracks_->reached(run).value_or(ended.start);
   if (ended.happened) {
     tracks_->accept(run);

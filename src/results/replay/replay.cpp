@@ -160,7 +160,7 @@ void ReplayReader::add(TaskRun& run, const trace::Removal& removal) {
 void ReplayReader::add(TaskRun& run, const trace::TaskEnd& end) {
   run.ended = true;
   run.end = end.t;
-  run.happened = run.started && (end.result == "done" || end.result == "short" ||
+  run.happened = run.started && (trace::has_happened(end.result) ||
                                  (replay_.header.short_form && end.result == "rejected"));
 }
 

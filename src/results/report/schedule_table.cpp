@@ -91,6 +91,11 @@ bool add_client_names(const std::vector<const TaskOutcome*>& tasks, std::vector<
   return true;
 }
 
+/// A moment: its date where the plan has dates.
+std::string when_text(const Schedule& schedule, Ticks time) {
+  return schedule.start_at ? date_text(*schedule.start_at, time) : clock_text(time);
+}
+
 std::string task_table(const Schedule& schedule) {
   std::vector<Row> rows = {{"task", "robot", "crew", "start", "duration", "motion", "work",
                             "waited", "tried", "accepted", "result"}};
@@ -100,12 +105,10 @@ std::string task_table(const Schedule& schedule) {
     shown.push_back(&task);
     std::string result = name_of(task.result);
     if (!task.reason.empty()) result += ": " + task.reason;
-    rows.push_back(
-        {task.task, task.robot, crew_text(task),
-         schedule.start_at ? date_text(*schedule.start_at, task.start) : clock_text(task.start),
-         clock_text(task.duration), clock_text(task.motion_time), clock_text(task.work_time),
-         clock_text(waited(task)), fmt::format("{}", task.tried), fmt::format("{}", task.accepted),
-         result});
+    rows.push_back({task.task, task.robot, crew_text(task), when_text(schedule, task.start),
+                    clock_text(task.duration), clock_text(task.motion_time),
+                    clock_text(task.work_time), clock_text(waited(task)),
+                    fmt::format("{}", task.tried), fmt::format("{}", task.accepted), result});
   }
   std::vector<std::size_t> right = {3, 4, 5, 6, 7, 8, 9};
   if (add_client_names(shown, rows)) {
@@ -152,10 +155,8 @@ std::string lift_table(const Schedule& schedule) {
   std::vector<Row> rows = {{"lift", "from", "to", "why"}};
   for (const TaskOutcome& task : schedule.tasks) {
     if (!task.lift) continue;
-    const auto moment = [&](Ticks time) {
-      return schedule.start_at ? date_text(*schedule.start_at, time) : clock_text(time);
-    };
-    rows.push_back({task.task, moment(task.lift->from), moment(task.lift->to), task.lift->why});
+    rows.push_back({task.task, when_text(schedule, task.lift->from),
+                    when_text(schedule, task.lift->to), task.lift->why});
   }
   return rows.size() == 1 ? std::string() : columns(rows, {1, 2});
 }
@@ -163,16 +164,11 @@ std::string lift_table(const Schedule& schedule) {
 /// Tasks that are due, and by how much each is late.
 std::string due_table(const Schedule& schedule) {
   std::vector<Row> rows = {{"due", "by", "finish", "late"}};
-  const auto moment = [&](Ticks time) {
-    return schedule.start_at ? date_text(*schedule.start_at, time)
-           : time < 0        ? "-" + clock_text(-time)
-                             : clock_text(time);
-  };
   for (const TaskOutcome& task : schedule.tasks) {
     if (!task.due) continue;
     const auto late = task.late();
-    rows.push_back({task.task, moment(*task.due),
-                    late ? moment(task.start + task.duration) : name_of(task.result),
+    rows.push_back({task.task, when_text(schedule, *task.due),
+                    late ? when_text(schedule, task.start + task.duration) : name_of(task.result),
                     !late       ? ""
                     : *late > 0 ? clock_text(*late)
                                 : "in time"});
@@ -204,9 +200,6 @@ std::string baseline_table(const Schedule& schedule) {
                    [&](const TaskOutcome* a, const TaskOutcome* b) { return delay(a) > delay(b); });
   const std::size_t all_later = later.size();
   later.resize(std::min(later.size(), kShownLater));
-  const auto moment = [&](Ticks time) {
-    return schedule.start_at ? date_text(*schedule.start_at, time) : clock_text(time);
-  };
   const auto change = [](Ticks time) {
     return time > 0   ? clock_text(time) + " later"
            : time < 0 ? clock_text(-time) + " earlier"
@@ -214,12 +207,12 @@ std::string baseline_table(const Schedule& schedule) {
   };
   std::vector<Row> rows = {{"baseline", "planned to", "simulated to", "change"}};
   for (const TaskOutcome* task : later) {
-    rows.push_back({task->task, moment(task->baseline->finish),
-                    moment(task->start + task->duration), change(delay(task))});
+    rows.push_back({task->task, when_text(schedule, task->baseline->finish),
+                    when_text(schedule, task->start + task->duration), change(delay(task))});
   }
   if (simulated > 0) {
-    rows.push_back(
-        {"last finish", moment(planned), moment(simulated), change(simulated - planned)});
+    rows.push_back({"last finish", when_text(schedule, planned), when_text(schedule, simulated),
+                    change(simulated - planned)});
   }
   std::string text = columns(rows, {1, 2, 3});
   text += fmt::format("{} of {} tasks with a baseline finish later than planned", all_later, count);

@@ -205,7 +205,7 @@ TaskStory StoryReader::story() const {
   TaskStory story = story_;
   const auto run = runs_.find(task_);
   if (run != runs_.end()) story.run = run->second;
-  if (story.run.started && (story.run.result == "done" || story.run.result == "short")) {
+  if (story.run.started && trace::has_happened(story.run.result)) {
     story.waits = wait_chain(task_, runs_);
   }
   return story;

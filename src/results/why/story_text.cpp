@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "src/results/report/schedule_text.hpp"
+#include "src/simulation/trace/record.hpp"
 
 namespace rubicon::why {
 
@@ -206,7 +207,7 @@ std::string story_text(const TaskStory& story) {
   text += attributes_text(story.task, story.attributes);
   text += attributes_text(story.component, story.component_attributes);
   if (run.result == "not reached") return text;
-  if (run.result == "done" || run.result == "short") {
+  if (trace::has_happened(run.result)) {
     double work = 0;
     for (const Span& each : story.works) work += each.time;
     double moved = 0;

@@ -105,14 +105,13 @@ Schedule Simulation::make_schedule() {
 
 void Simulation::add_floats(const std::vector<std::size_t>& row_of, Schedule& schedule) const {
   std::vector<DoneTask> done;
-  std::vector<std::size_t> rows;
   for (int task = 0; task < static_cast<int>(plan_.tasks.size()); ++task) {
     if (schedule.tasks[row_of[index(task)]].result != TaskResult::done) continue;
-    done.push_back({task, &stage_.calendar(task), stage_.links->is_milestone(task),
+    done.push_back({task, row_of[index(task)], &stage_.calendar(task),
+                    stage_.links->is_milestone(task),
                     interpreter::held_whole(plan_, stage_.spec(task))});
-    rows.push_back(row_of[index(task)]);
   }
-  taskplan::add_floats(done, rows, *stage_.links, schedule);
+  taskplan::add_floats(done, *stage_.links, schedule);
 }
 
 void Simulation::add_critical_chain(Schedule& schedule) const {

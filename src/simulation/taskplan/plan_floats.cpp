@@ -23,9 +23,9 @@ struct Use {
 
 class Precedences {
  public:
-  Precedences(const std::vector<DoneTask>& done, const std::vector<std::size_t>& rows,
-              const schedule::LinkState& links, const Schedule& schedule)
-      : done_(done), rows_(rows), links_(links), schedule_(schedule) {
+  Precedences(const std::vector<DoneTask>& done, const schedule::LinkState& links,
+              const Schedule& schedule)
+      : done_(done), links_(links), schedule_(schedule) {
     for (std::size_t i = 0; i < done.size(); ++i) node_of_[done[i].task] = static_cast<int>(i);
   }
 
@@ -39,7 +39,7 @@ class Precedences {
   }
 
  private:
-  const TaskOutcome& outcome(int node) const { return schedule_.tasks[rows_[at(node)]]; }
+  const TaskOutcome& outcome(int node) const { return schedule_.tasks[done_[at(node)].row]; }
   Ticks start(int node) const { return outcome(node).start; }
   Ticks finish(int node) const { return outcome(node).start + outcome(node).duration; }
   Ticks moment(int node, TaskEnd end) const {
@@ -134,7 +134,6 @@ class Precedences {
   }
 
   const std::vector<DoneTask>& done_;
-  const std::vector<std::size_t>& rows_;
   const schedule::LinkState& links_;
   const Schedule& schedule_;
   std::map<int, int> node_of_;
@@ -143,22 +142,22 @@ class Precedences {
 
 }  // namespace
 
-void add_floats(const std::vector<DoneTask>& done, const std::vector<std::size_t>& rows,
-                const schedule::LinkState& links, Schedule& schedule) {
+void add_floats(const std::vector<DoneTask>& done, const schedule::LinkState& links,
+                Schedule& schedule) {
   std::vector<schedule::TimedTask> tasks;
-  for (std::size_t i = 0; i < done.size(); ++i) {
-    const TaskOutcome& outcome = schedule.tasks[rows[i]];
+  for (const DoneTask& each : done) {
+    const TaskOutcome& outcome = schedule.tasks[each.row];
     schedule::TimedTask& task = tasks.emplace_back();
     task.start = outcome.start;
     task.finish = outcome.start + outcome.duration;
-    task.calendar = done[i].calendar;
-    task.milestone = done[i].milestone;
+    task.calendar = each.calendar;
+    task.milestone = each.milestone;
     task.whole =
-        done[i].whole && task.calendar->work_between(task.start, task.finish) == outcome.duration;
+        each.whole && task.calendar->work_between(task.start, task.finish) == outcome.duration;
   }
-  const auto floats = schedule::floats_of(tasks, Precedences(done, rows, links, schedule).take(),
-                                          schedule.process_time);
-  for (std::size_t i = 0; i < done.size(); ++i) schedule.tasks[rows[i]].floats = floats[i];
+  const auto floats =
+      schedule::floats_of(tasks, Precedences(done, links, schedule).take(), schedule.process_time);
+  for (std::size_t i = 0; i < done.size(); ++i) schedule.tasks[done[i].row].floats = floats[i];
 }
 
 }  // namespace rubicon::taskplan

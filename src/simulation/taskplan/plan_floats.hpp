@@ -10,17 +10,17 @@ namespace rubicon::taskplan {
 
 /// A task of the plan that is done, and what its floats are counted by.
 struct DoneTask {
-  int task = -1;  ///< index into the plan
+  int task = -1;        ///< index into the plan
+  std::size_t row = 0;  ///< its place in Schedule::tasks
   const schedule::WorkCalendar* calendar = nullptr;
   bool milestone = false;
   bool whole = false;  ///< nothing may hang on its hook out of working time
 };
 
-/// Gives each of `done` its floats, in `schedule`: `rows[i]` is the place there of `done[i]`. By
-/// the links of the plan, by the order in which robots and crews went from task to task, and by
-/// what tasks waited for on their way; where machines met nobody they are free to come at other
-/// times, which nobody has tried.
-void add_floats(const std::vector<DoneTask>& done, const std::vector<std::size_t>& rows,
-                const schedule::LinkState& links, Schedule& schedule);
+/// Gives each of `done` its floats, in `schedule`. By the links of the plan, by the order in which
+/// robots and crews went from task to task, and by what tasks waited for on their way; where
+/// machines met nobody they are free to come at other times, which nobody has tried.
+void add_floats(const std::vector<DoneTask>& done, const schedule::LinkState& links,
+                Schedule& schedule);
 
 }  // namespace rubicon::taskplan

@@ -150,6 +150,9 @@ struct MotionEnd : InText {
   std::string_view message;
 };
 
+/// Whether a task with this result did what it did: one that is rejected or not reached is undone.
+inline bool has_happened(std::string_view result) { return result == "done" || result == "short"; }
+
 struct TaskEnd {
   Ticks t = 0;
   std::string_view result;

@@ -1,0 +1,50 @@
+"""Tests that run a plan into a result folder, and look whether verify finds what is changed in it."""
+
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+
+import seeded_faults
+
+RUBICON = os.environ["RUBICON"]
+ROBOTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "verify_results")
+
+
+def rubicon(*arguments):
+    return subprocess.run([RUBICON, *arguments], capture_output=True, text=True, timeout=300)
+
+
+class ResultCase(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = self.temporary.name
+        self.out = os.path.join(self.folder, "out")
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def run_plan(self, text, expected=0):
+        """The schedule and its tasks by name; ROBOTS in the text is the folder of the tests' robots."""
+        path = os.path.join(self.folder, "p.plan")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text.replace("ROBOTS", ROBOTS))
+        self.run_result = rubicon("run", path, "--out", self.out)
+        self.assertEqual(self.run_result.returncode, expected, self.run_result.stdout + self.run_result.stderr)
+        verified = rubicon("verify", self.out)
+        self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
+        with open(os.path.join(self.out, "schedule.json"), encoding="utf-8") as file:
+            schedule = json.load(file)
+        return schedule, {task["task"]: task for task in schedule["tasks"]}
+
+    def faults_of(self, change):
+        """What verify finds when `change` was made to the result."""
+        result = seeded_faults.Result(self.out)
+        change(result)
+        folder = os.path.join(self.folder, "changed")
+        os.makedirs(folder, exist_ok=True)
+        result.write(folder)
+        verified = rubicon("verify", folder)
+        self.assertEqual(verified.returncode, 1, verified.stdout + verified.stderr)
+        return verified.stdout
