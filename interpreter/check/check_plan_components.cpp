@@ -96,11 +96,9 @@ void check_components(Subject& subject) {
     const int index = subject.components.at(item->name.text);
     subject.model.components[static_cast<std::size_t>(index)] = std::move(component);
   }
-  std::vector<std::vector<ComponentSpec>> templates;
-  for (const ModuleInfo& module : subject.module_infos) {
-    templates.emplace_back();
+  for (ModuleInfo& module : subject.module_infos) {
     for (const syntax::ComponentItem* item : module.components) {
-      templates.back().push_back(resolve_component(subject, *item));
+      module.checked_components.push_back(resolve_component(subject, *item));
     }
     if (!module.placed && subject.judges_names()) {
       subject.diagnostics.warning(
@@ -112,7 +110,8 @@ void check_components(Subject& subject) {
   for (const PlaceInfo& place : subject.place_infos) {
     if (place.module < 0) continue;
     auto index = static_cast<std::size_t>(place.first_component);
-    for (const ComponentSpec& each : templates[static_cast<std::size_t>(place.module)]) {
+    const ModuleInfo& module = subject.module_infos[static_cast<std::size_t>(place.module)];
+    for (const ComponentSpec& each : module.checked_components) {
       ComponentSpec& component = subject.model.components[index++];
       component = each;
       component.name = place.item->as.text + "." + each.name;

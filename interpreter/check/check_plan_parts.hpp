@@ -24,6 +24,7 @@ struct ModuleInfo {
   std::vector<const syntax::TaskItem*> tasks;
   std::map<std::string, int> component_index;
   std::map<std::string, int> task_index;
+  std::vector<ComponentSpec> checked_components;  ///< before it is placed
   bool placed = false;
 };
 

@@ -219,10 +219,20 @@ class TaskChecker {
     if (go_ != nullptr) refuse_both(item.span);
   }
 
+  /// That of a module is the same wherever it is placed, and is there if it is placed nowhere.
+  const ComponentSpec& moved_component(const syntax::QualifiedName& name) const {
+    if (scope_.module != nullptr && !name.body) {
+      const auto own = scope_.module->component_index.find(name.name.text);
+      if (own != scope_.module->component_index.end()) {
+        return scope_.module->checked_components[static_cast<std::size_t>(own->second)];
+      }
+    }
+    return subject_.model.components[static_cast<std::size_t>(*task_.move)];
+  }
+
   /// Without a grip the tool goes to the origin of the component: fine where that is its top.
   void check_grip(const syntax::MoveItem& item) {
-    const ComponentSpec& component =
-        subject_.model.components[static_cast<std::size_t>(*task_.move)];
+    const ComponentSpec& component = moved_component(item.component);
     if (!subject_.without_grip.contains(component.span.begin) || !subject_.judges_names()) return;
     double top = 0;
     for (const geometry::Shape& shape : component.shapes) {
