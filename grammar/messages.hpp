@@ -105,9 +105,17 @@ RUBICON_EXPECT(capacity_point, "'(', a radius and a mass");
 RUBICON_EXPECT(capacity_number, "a number");
 RUBICON_EXPECT(capacity_comma, "',' and a mass");
 RUBICON_EXPECT(capacity_close, "')'");
+RUBICON_EXPECT(rope_open, "'('");
+RUBICON_EXPECT(rope_radius, "the radius of the rope");
+RUBICON_EXPECT(rope_close, "')'");
+RUBICON_EXPECT(rope_from_key, "'from' and the body that the rope comes from");
+RUBICON_EXPECT(rope_to_key, "'to' and the body that the rope goes to");
+RUBICON_EXPECT(rope_end, "the name of a body");
+RUBICON_EXPECT(rope_number, "a number");
+RUBICON_EXPECT(rope_comma, "',' and a number");
 RUBICON_EXPECT(behaviour_source, "the name of a file in quotes or '{' after behaviour");
 RUBICON_EXPECT(robot_item, "robot", Explain::item,
-               "time_step sensor body tool const touching capacity behaviour");
+               "time_step sensor body tool const touching capacity rope behaviour");
 RUBICON_EXPECT(robot_key, "'robot' at the start of a robot file");
 RUBICON_EXPECT(robot_name, "a name after robot");
 RUBICON_EXPECT(text_finished, "the end of the file after the '}' of the robot");

@@ -86,15 +86,30 @@ struct capacity_item
     : if_must<capacity_key, capacity_point, star<if_must<comma, capacity_point>>, item_semicolon> {
 };
 
+struct rope_key : token<word<TAO_PEGTL_STRING("rope")>> {};
+struct rope_name : name {};
+struct rope_open : open_parenthesis {};
+struct rope_radius : signed_number {};
+struct rope_close : close_parenthesis {};
+struct rope_from_key : token<word<TAO_PEGTL_STRING("from")>> {};
+struct rope_to_key : token<word<TAO_PEGTL_STRING("to")>> {};
+struct rope_body : name {};
+struct rope_number : signed_number {};
+struct rope_comma : comma {};
+struct rope_point : if_must<at_key, rope_open, rope_number, rope_comma, rope_number, rope_comma,
+                            rope_number, rope_close> {};
+struct rope_end : seq<rope_body, opt<rope_point>> {};
+struct rope_item : if_must<rope_key, opt<rope_name>, rope_open, rope_radius, rope_close,
+                           rope_from_key, rope_end, rope_to_key, rope_end, item_semicolon> {};
+
 struct behaviour_file : string_literal {};
 struct behaviour_in_file : if_must<behaviour_file, item_semicolon> {};
 struct behaviour_in_place : if_must<block_open, inline_script, block_close, opt<semicolon>> {};
 struct behaviour_source : sor<behaviour_in_file, behaviour_in_place> {};
 struct behaviour_item : if_must<behaviour_item_key, behaviour_source> {};
 
-struct robot_item
-    : sor<setting_item, body, tool_item, const_item, touching_item, capacity_item, behaviour_item> {
-};
+struct robot_item : sor<setting_item, body, tool_item, const_item, touching_item, capacity_item,
+                        rope_item, behaviour_item> {};
 struct whole_robot_item : must<robot_item> {};
 struct robot_items : nested<star<not_at<block_end>, recover<whole_robot_item, item_end>>> {};
 

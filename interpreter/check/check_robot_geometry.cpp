@@ -13,23 +13,6 @@ namespace {
 
 using syntax::UnitKind;
 
-/// The body of that name; -1 after reporting that there is none.
-int find_body(Subject& subject, const syntax::Name& name, const char* who) {
-  const auto found = subject.body_index.find(name.text);
-  if (found != subject.body_index.end()) return found->second;
-  if (subject.judges_names()) {
-    subject.diagnostics.error("R05", name.span,
-                              fmt::format("{} names body '{}', which is not declared{}", who,
-                                          name.text, subject.suggestions.ending(name.text, [&] {
-                                            std::vector<std::string> names;
-                                            for (const auto& [each, index] : subject.body_index)
-                                              names.push_back(each);
-                                            return names;
-                                          })));
-  }
-  return -1;
-}
-
 void check_frames(Subject& subject, int body) {
   const syntax::BodyItem& item = *subject.bodies[static_cast<std::size_t>(body)];
   BodyNames names(subject, body, BodyNames::Use::frame);
@@ -68,8 +51,12 @@ void check_tool(Subject& subject, const syntax::ToolItem& item) {
 }
 
 void check_touching(Subject& subject, const syntax::TouchingItem& item) {
-  const int a = find_body(subject, item.a, "touching");
-  const int b = find_body(subject, item.b, "touching");
+  const auto find = [&](const syntax::Name& name) {
+    const auto rope = subject.rope_index.find(name.text);
+    return rope != subject.rope_index.end() ? rope->second : find_body(subject, name, "touching");
+  };
+  const int a = find(item.a);
+  const int b = find(item.b);
   if (a < 0 || b < 0) return;
   if (a == b) {
     subject.diagnostics.error(
@@ -110,6 +97,26 @@ void check_capacity(Subject& subject, const syntax::CapacityItem& item) {
 
 }  // namespace
 
+int find_body(Subject& subject, const syntax::Name& name, const char* who) {
+  const auto found = subject.body_index.find(name.text);
+  if (found != subject.body_index.end()) return found->second;
+  if (subject.rope_index.count(name.text) != 0) {
+    subject.diagnostics.error(
+        "R05", name.span,
+        fmt::format("{} names '{}', which is a rope; expected a body", who, name.text));
+  } else if (subject.judges_names()) {
+    subject.diagnostics.error("R05", name.span,
+                              fmt::format("{} names body '{}', which is not declared{}", who,
+                                          name.text, subject.suggestions.ending(name.text, [&] {
+                                            std::vector<std::string> names;
+                                            for (const auto& [each, index] : subject.body_index)
+                                              names.push_back(each);
+                                            return names;
+                                          })));
+  }
+  return -1;
+}
+
 void check_geometry(Subject& subject, const std::string& path, FileProvider& files) {
   for (std::size_t i = 0; i < subject.bodies.size(); ++i) {
     check_frames(subject, static_cast<int>(i));
@@ -118,6 +125,7 @@ void check_geometry(Subject& subject, const std::string& path, FileProvider& fil
   // Without a tool item the tool is the frame of the last body.
   subject.model.tool_body =
       subject.bodies.empty() ? 0 : static_cast<int>(subject.bodies.size()) - 1;
+  declare_ropes(subject);
   const syntax::ToolItem* tool = nullptr;
   const syntax::CapacityItem* capacity = nullptr;
   for (const syntax::RobotItem& each : subject.robot.items) {

@@ -25,11 +25,13 @@ struct Subject {
   Diagnostics& diagnostics;
   NameSuggestions suggestions = {};
 
-  std::map<std::string, ResolvedFormula> constants = {};         ///< folded
-  std::map<std::string, Span> constant_spans = {};               ///< all, also those to come
-  std::vector<syntax::BodyItem*> bodies = {};                    ///< per model body
-  std::vector<const syntax::ParameterItem*> parameters = {};     ///< per model parameter
-  std::map<std::string, int> body_index = {};                    ///< by name
+  std::map<std::string, ResolvedFormula> constants = {};      ///< folded
+  std::map<std::string, Span> constant_spans = {};            ///< all, also those to come
+  std::vector<syntax::BodyItem*> bodies = {};                 ///< per model body
+  std::vector<const syntax::ParameterItem*> parameters = {};  ///< per model parameter
+  std::map<std::string, int> body_index = {};                 ///< by name
+  std::map<std::string, int> rope_index = {};                 ///< by name
+  std::map<std::string, Span> rope_spans = {};
   std::vector<std::map<std::string, int>> body_parameters = {};  ///< per body: index by name
   std::vector<std::optional<ResolvedFormula>> derived = {};      ///< per parameter, where computed
   std::vector<bool> derived_done = {};                           ///< per parameter
@@ -62,6 +64,9 @@ class BodyNames : public FormulaNames {
   Use use_;
 };
 
+/// The body of that name; -1 after reporting that there is none. `who` begins the message.
+int find_body(Subject& subject, const syntax::Name& name, const char* who);
+
 /// time_step and sensor: R01, R03, R07, F09.
 void check_settings(Subject& subject);
 
@@ -86,6 +91,10 @@ void check_rules(Subject& subject);
 
 /// Frames, shapes, tool, touching bodies, load chart: R03, R05, R17, R20, F02-F13.
 void check_geometry(Subject& subject, const std::string& path, FileProvider& files);
+
+/// Ropes, as bodies of their own after all others: R02, R03, R05, R07, R20, F09. Before the
+/// touching bodies are looked up.
+void declare_ropes(Subject& subject);
 
 /// Which angles are reduced to half a turn to either side: cyclic ones, and those derived from them
 /// by whole turns. A cyclic one on which something else depends otherwise (half of it, a screw)

@@ -59,6 +59,12 @@ std::optional<Solid> ShapeResolver::resolve_solid(const syntax::Shape& shape) {
   if (kind == "sphere") return resolve_sphere(shape);
   if (kind == "capsule") return resolve_capsule(shape);
   if (kind == "prism") return resolve_prism(shape);
+  if (kind == "rope") {
+    diagnostics_.error("F05", shape.kind.span,
+                       "a rope goes from one body to another and is no shape of a body",
+                       "write it after the bodies: rope(20 mm) from trolley to hook at (0, 0, 1);");
+    return std::nullopt;
+  }
   const std::string nearest =
       did_you_mean(kind, {"box", "cylinder", "sphere", "capsule", "prism", "mesh"});
   diagnostics_.error(

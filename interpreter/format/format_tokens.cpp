@@ -154,7 +154,7 @@ class Spacer {
     if (token.is("(") && begins_number(before)) return true;
     if (token.is("(")) {
       return before.kind != Kind::name || before.is("and") || before.is("or") || before.is("not") ||
-             before.is("until") || before.is("when") || before.is("capacity");
+             before.is("until") || before.is("when") || before.is("capacity") || before.is("at");
     }
     return true;
   }

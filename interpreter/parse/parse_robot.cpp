@@ -25,6 +25,8 @@ class RobotState : public ScriptState {
   syntax::ConstItem constant;
   syntax::CapacityItem capacity;
   syntax::Number radius;
+  syntax::RopeItem rope;
+  std::vector<syntax::RopeItem::End> rope_ends;
   std::vector<syntax::Name> names;
   syntax::BehaviourItem behaviour;
 };
@@ -121,6 +123,21 @@ RUBICON_ACTION(RobotAction, RobotState, capacity_point) {
   st.capacity.points.emplace_back(st.radius, st.number);
 }
 RUBICON_ACTION(RobotAction, RobotState, capacity_item) { st.add(std::move(st.capacity), begin); }
+RUBICON_ACTION(RobotAction, RobotState, rope_key) {
+  st.rope = {};
+  st.rope_ends.clear();
+}
+RUBICON_ACTION(RobotAction, RobotState, rope_name) { st.rope.name = st.take_name(); }
+RUBICON_ACTION(RobotAction, RobotState, rope_radius) { st.rope.radius = st.number; }
+RUBICON_ACTION(RobotAction, RobotState, rope_body) { st.rope_ends.push_back({st.take_name(), {}}); }
+RUBICON_ACTION(RobotAction, RobotState, rope_number) {
+  st.rope_ends.back().point.push_back(st.number);
+}
+RUBICON_ACTION(RobotAction, RobotState, rope_item) {
+  st.rope.from = std::move(st.rope_ends[0]);
+  st.rope.to = std::move(st.rope_ends[1]);
+  st.add(std::move(st.rope), begin);
+}
 RUBICON_ACTION(RobotAction, RobotState, robot_key) { st.announce("robot"); }
 RUBICON_ACTION(RobotAction, RobotState, robot_name) { st.robot.name = st.take_name(); }
 
@@ -129,7 +146,7 @@ RUBICON_ACTION(RobotAction, RobotState, robot_name) { st.robot.name = st.take_na
 syntax::Robot parse_robot(const SourceMap& sources, FileId file, Diagnostics& diagnostics) {
   RobotState state(sources, file, diagnostics, "R00",
                    {"param", "rule", "frame", "shape", "behaviour", "behavior", "time_step",
-                    "sensor", "body", "tool", "const", "touching", "capacity"});
+                    "sensor", "body", "tool", "const", "touching", "capacity", "rope"});
   const bool finished = run_parser<grammar::robot_file, RobotAction>(state);
   state.robot.broken = !finished || state.errors() > 0;
   state.robot.span = state.span_from(state.begin());

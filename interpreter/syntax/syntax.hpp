@@ -249,8 +249,20 @@ struct CapacityItem {
   Span span;
 };
 
+/// rope NAME(radius) from BODY at (x, y, z) to BODY at (x, y, z);
+struct RopeItem {
+  struct End {
+    Name body;
+    std::vector<Number> point;  ///< three, or none: the origin of the body
+  };
+  std::optional<Name> name;
+  Number radius;
+  End from, to;
+  Span span;
+};
+
 using RobotItem = std::variant<SettingItem, BodyItem, ToolItem, ConstItem, TouchingItem,
-                               CapacityItem, BehaviourItem>;
+                               CapacityItem, RopeItem, BehaviourItem>;
 
 struct Robot {
   Name name;

@@ -27,6 +27,7 @@ robot tower_crane_swivel {
     frame trans(0, 0, z - 31.2) * rotz(theta);  # z is the height of the hook above the foot of the mast
     shape box(-0.25, -0.25, 0, 0.25, 0.25, 1.2);  # hook block; the load hangs below
   }
+  rope hoist_rope(20 mm) from trolley to hook at (0, 0, 1.2);  # all its falls together
   tool hook;
   capacity (4, 8 t), (18, 8 t), (30, 4.6 t), (45, 2.8 t);
   behaviour "lift_over_and_turn.motion";

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "src/motion/math/angles.hpp"
-#include "src/motion/robot/enclosure.hpp"
+#include "src/motion/robot/enclosed_point.hpp"
 #include "src/motion/robot/frame_chain.hpp"
 
 namespace rubicon::robot {
@@ -22,26 +22,6 @@ constexpr int kMostPieces = 16;
 /// Part by which a bound is enlarged for the rounding of its own last few operations.
 constexpr double kBoundRounding = 1 + 1e-14;
 
-using Point = std::array<Enclosure, 3>;
-
-/// p <- element * p.
-void transform(const FrameElement& element, const std::array<Enclosure, 3>& arguments, Point& p) {
-  if (element.kind == FrameElement::Kind::trans) {
-    for (std::size_t i = 0; i < 3; ++i) p[i] = p[i] + arguments[i];
-    return;
-  }
-  const auto [s, c] = sine_cosine(arguments[0]);
-  const std::size_t k = element.kind == FrameElement::Kind::rotx   ? 0
-                        : element.kind == FrameElement::Kind::roty ? 1
-                                                                   : 2;
-  const std::size_t i = (k + 1) % 3;
-  const std::size_t j = (k + 2) % 3;
-  const Enclosure turned_i = c * p[i] - s * p[j];
-  const Enclosure turned_j = s * p[i] + c * p[j];
-  p[i] = turned_i;
-  p[j] = turned_j;
-}
-
 struct PieceBound {
   AccelerationBound acceleration;
   double turn_rate = 0;  ///< radians for s from 0 to 1
@@ -50,29 +30,19 @@ struct PieceBound {
 PieceBound bound_piece(std::span<const FrameElement* const> elements, std::span<const double> q0,
                        std::span<const double> q1, std::span<const double> starts, double s0,
                        double s1) {
-  Point origin;
+  EnclosedPoint origin;
   double turn_rate = 0;
   double turn_acceleration = 0;
   for (std::size_t n = elements.size(); n-- > 0;) {
     const FrameElement& element = *elements[n];
-    std::array<Enclosure, 3> arguments;
-    arguments[0] = element.a.enclose(q0, q1, starts, s0, s1);
-    if (element.kind == FrameElement::Kind::trans) {
-      arguments[1] = element.b.enclose(q0, q1, starts, s0, s1);
-      arguments[2] = element.c.enclose(q0, q1, starts, s0, s1);
-    } else {
+    const std::array<Enclosure, 3> arguments = enclosed_arguments(element, q0, q1, starts, s0, s1);
+    if (element.kind != FrameElement::Kind::trans) {
       turn_rate += math::radians(magnitude(arguments[0].first));
       turn_acceleration += math::radians(magnitude(arguments[0].second));
     }
     transform(element, arguments, origin);
   }
-  double squared = 0;
-  for (const Enclosure& component : origin) {
-    const double most = magnitude(component.second);
-    squared += most * most;
-  }
-  return {{std::sqrt(squared) * kBoundRounding,
-           (turn_rate * turn_rate + turn_acceleration) * kBoundRounding},
+  return {{acceleration_of(origin), (turn_rate * turn_rate + turn_acceleration) * kBoundRounding},
           turn_rate};
 }
 

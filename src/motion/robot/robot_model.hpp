@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "src/motion/robot/formula.hpp"
 
 namespace rubicon::robot {
+
+using math::Vec3;
 
 /// A control parameter of a body, in file units: metres for x, y, z; degrees for psi, phi, theta.
 struct Parameter {
@@ -47,12 +50,22 @@ struct FrameElement {
 };
 using FrameFormula = std::vector<FrameElement>;
 
+/// A rope, taut and straight, from a point of one body to a point of the body that it is a child
+/// of: its length and direction change as the two move.
+struct Rope {
+  double radius = 0;           ///< m
+  int from = 0;                ///< body, never the rope's parent
+  Vec3 p_from = Vec3::Zero();  ///< m, in the frame of `from`
+  Vec3 p_to = Vec3::Zero();    ///< m, in the frame of the parent
+};
+
 struct Body {
   std::string name;
   int parent = -1;  ///< index of the body it stands on, -1: the robot's mounting frame {M}
   std::vector<int> parameters;  ///< indices into RobotModel::parameters, in declaration order
   FrameFormula frame;           ///< X_PB, P the parent
   std::vector<geometry::Shape> shapes;
+  std::optional<Rope> rope;  ///< instead of shapes; the frame is that of the parent
 };
 
 /// One point of a load chart: at most `mass` kg at `radius` m.

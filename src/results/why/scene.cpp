@@ -172,6 +172,10 @@ void Scene::stand_machine(std::size_t robot) {
   for (std::size_t i = 0; i < machine.bodies.size(); ++i) {
     others_.insert(machine.body_names[i], machine.bodies[i], X_WB[i]);
   }
+  for (const int part : machine.ropes) {
+    const site::RopeVolume rope = site::standing_rope(machine, part, leg->q0);
+    others_.insert(machine.body_names[index(part)], rope.body, rope.motion.pose(0));
+  }
   if (leg->hanging < 0) return;
   const auto load = load_of(replay_.tracks[robot].loads[index(leg->hanging)]);
   const math::Pose X_WT = robot::tool_pose(*machine.model, machine.mounting, leg->q0);
@@ -270,15 +274,21 @@ void Scene::add_touches(std::span<const double> q, double gap, Touches& touches)
   const site::SiteRobot& robot = robots_[index(run_.robot)];
   const std::vector<geometry::Motion> motions = site::part_motions(robot, load_, q, q);
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    const collision::Body* body = i < robot.bodies.size() ? robot.bodies[i].get()
-                                  : load_                 ? load_->body.get()
-                                                          : nullptr;
-    if (body == nullptr) continue;
     const int part = static_cast<int>(i);
+    collision::BodyPtr body = i < robot.bodies.size() ? robot.bodies[i]
+                              : load_                 ? load_->body
+                                                      : nullptr;
+    math::Pose X_WB = motions[i].pose(0);
+    if (robot.is_rope(part)) {
+      site::RopeVolume rope = site::standing_rope(robot, part, q);
+      body = std::move(rope.body);
+      X_WB = rope.motion.pose(0);
+    }
+    if (body == nullptr) continue;
     for (const World* world : worlds()) {
       collision::SweptQuery query;
       query.contact_tolerance = contact_tolerance();
-      query.items = {{{body, geometry::stationary(motions[i].pose(0))}, true}};
+      query.items = {{{body.get(), geometry::stationary(X_WB)}, true}};
       while (true) {
         query.ignore = world->excepted(part, touches);
         const auto near = world->bodies.clearance(query, gap, kClearanceResolution);

@@ -11,6 +11,7 @@
 #include "src/motion/collision/query/overlap_depth.hpp"
 #include "src/motion/robot/kinematics.hpp"
 #include "src/simulation/site/make_site.hpp"
+#include "src/simulation/site/rope_volume.hpp"
 #include "src/simulation/site/support.hpp"
 
 namespace rubicon::site {
@@ -117,6 +118,12 @@ class BeginningSearch {
     robot::body_poses(*machine.model, machine.mounting, q, X_WB);
     std::vector<Thing> parts;
     const ThingRef ref{ThingRef::Kind::robot, index};
+    for (const int part : machine.ropes) {
+      RopeVolume rope = standing_rope(machine, part, q);
+      const math::Pose X_WR = rope.motion.pose(0);
+      parts.push_back({machine.body_names[static_cast<std::size_t>(part)], spec.name, ref,
+                       spec.span, std::move(rope.body), X_WR});
+    }
     for (std::size_t i = 0; i < machine.bodies.size(); ++i) {
       if (!machine.bodies[i]) continue;
       parts.push_back(

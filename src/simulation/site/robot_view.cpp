@@ -111,6 +111,10 @@ std::vector<ReservedPart> RobotView::parts_at(std::span<const double> q) const {
   robot::body_poses(*machine.model, machine.mounting, q, X_WB);
   std::vector<ReservedPart> parts;
   for (std::size_t i = 0; i < machine.bodies.size(); ++i) {
+    if (machine.is_rope(static_cast<int>(i))) {
+      RopeVolume rope = standing_rope(machine, static_cast<int>(i), q);
+      parts.push_back({std::move(rope.body), std::move(rope.motion), static_cast<int>(i)});
+    }
     if (!machine.bodies[i]) continue;
     parts.push_back({machine.bodies[i], geometry::stationary(X_WB[i]), static_cast<int>(i)});
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "src/simulation/site/rope_volume.hpp"
+
 namespace rubicon::site {
 
 namespace {
@@ -48,12 +50,40 @@ std::vector<int> parameters_between(const robot::RobotModel& model, int a, int b
   return parameters;
 }
 
+/// Where the frame of a body is that moves as the part does: of a rope there are two.
+std::vector<int> carriers(const robot::RobotModel& model, int part) {
+  const robot::Body& body = model.bodies[static_cast<std::size_t>(part)];
+  if (!body.rope) return {part};
+  return {body.rope->from, body.parent};
+}
+
+/// The parameters that move one part against the other.
+std::vector<int> parameters_between_parts(const robot::RobotModel& model, int a, int b, bool tool) {
+  std::vector<int> parameters;
+  for (const int first : carriers(model, a)) {
+    for (const int second : carriers(model, b)) {
+      const std::vector<int> some = parameters_between(model, first, second, tool);
+      parameters.insert(parameters.end(), some.begin(), some.end());
+    }
+  }
+  std::sort(parameters.begin(), parameters.end());
+  parameters.erase(std::unique(parameters.begin(), parameters.end()), parameters.end());
+  return parameters;
+}
+
+/// Whether the rope is fixed to the body.
+bool is_end_of(const robot::RobotModel& model, int rope, int body) {
+  const robot::Body& each = model.bodies[static_cast<std::size_t>(rope)];
+  return each.rope && (each.rope->from == body || each.parent == body);
+}
+
 bool meant_to_touch(const robot::RobotModel& model, int a, int b) {
   const auto& bodies = model.bodies;
   if (bodies[static_cast<std::size_t>(a)].parent == b ||
       bodies[static_cast<std::size_t>(b)].parent == a) {
     return true;
   }
+  if (is_end_of(model, a, b) || is_end_of(model, b, a)) return true;
   return std::any_of(model.touching.begin(), model.touching.end(), [&](const auto& pair) {
     return pair == std::pair(a, b) || pair == std::pair(b, a);
   });
@@ -83,14 +113,21 @@ SiteRobot make_site_robot(std::string name, std::shared_ptr<const robot::RobotMo
   }
   for (const robot::Body& body : m.bodies) site.body_names.push_back(site.name + "." + body.name);
   const int count = static_cast<int>(m.bodies.size());
+  for (int part = 0; part < count; ++part) {
+    if (m.bodies[static_cast<std::size_t>(part)].rope) site.ropes.push_back(part);
+  }
+  if (!site.ropes.empty()) site.rope_bodies = std::make_shared<RopeBodies>();
+  const auto is_there = [&](int part) {
+    return site.bodies[static_cast<std::size_t>(part)] != nullptr || site.is_rope(part);
+  };
   for (int a = 0; a < count; ++a) {
-    if (!site.bodies[static_cast<std::size_t>(a)]) continue;
+    if (!is_there(a)) continue;
     for (int b = a + 1; b < count; ++b) {
-      if (!site.bodies[static_cast<std::size_t>(b)] || meant_to_touch(m, a, b)) continue;
-      site.own_pairs.push_back({a, b, parameters_between(m, a, b, false)});
+      if (!is_there(b) || meant_to_touch(m, a, b)) continue;
+      site.own_pairs.push_back({a, b, parameters_between_parts(m, a, b, false)});
     }
-    if (a != m.tool_body) {
-      site.load_pairs.push_back({a, 0, parameters_between(m, a, m.tool_body, true)});
+    if (a != m.tool_body && !is_end_of(m, a, m.tool_body)) {
+      site.load_pairs.push_back({a, 0, parameters_between_parts(m, a, m.tool_body, true)});
     }
   }
   return site;

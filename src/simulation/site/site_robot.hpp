@@ -22,17 +22,27 @@ struct OwnPair {
   bool moves(std::span<const double> q0, std::span<const double> q1) const;
 };
 
+class RopeBodies;
+
 /// A machine made ready for the site: its bodies prepared, its own pairs listed. Immutable.
 struct SiteRobot {
   std::string name;  ///< as the plan calls it
   std::shared_ptr<const robot::RobotModel> model;
   robot::Mounting mounting;
-  std::vector<collision::BodyPtr> bodies;  ///< per body of the model; null without shapes
-  std::vector<std::string> body_names;     ///< robot.body
-  std::vector<OwnPair> own_pairs;   ///< bodies with shapes, neither parent and child nor declared
-                                    ///< touching
+  std::vector<collision::BodyPtr> bodies;   ///< per body of the model; null without shapes, and for
+                                            ///< ropes, whose shape depends on where they are
+  std::vector<int> ropes;                   ///< bodies of the model that are ropes
+  std::shared_ptr<RopeBodies> rope_bodies;  // shared: copies of a robot are the same machine
+  std::vector<std::string> body_names;      ///< robot.body
+  std::vector<OwnPair> own_pairs;   ///< bodies with shapes and ropes, neither parent and child nor
+                                    ///< declared touching
   std::vector<OwnPair> load_pairs;  ///< bodies the load must not meet: all with shapes but the tool
-                                    ///< body, its hook
+                                    ///< body, its hook, and the ropes that hold it
+
+  bool is_rope(int part) const {
+    return static_cast<std::size_t>(part) < model->bodies.size() &&
+           model->bodies[static_cast<std::size_t>(part)].rope.has_value();
+  }
 };
 
 /// Prepares a robot; `bodies` may come from another robot of the same model (empty: prepared here).

@@ -250,6 +250,11 @@ const ReservedVolume& SiteWorld::reserved_volume(const RobotEntry& robot) const 
   const std::vector<double>& to = robot.stepping ? robot.step.q_to : robot.q;
   std::vector<geometry::Motion> motions = part_motions(machine, robot.load, from, to);
   std::vector<ReservedPart> parts;
+  for (const int rope : machine.ropes) {
+    for (RopeVolume& volume : rope_volumes(machine, rope, from, to, motions)) {
+      parts.push_back({std::move(volume.body), std::move(volume.motion), rope});
+    }
+  }
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const bool is_body = i < machine.bodies.size();
     collision::BodyPtr body =

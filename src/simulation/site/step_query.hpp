@@ -1,11 +1,13 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "src/motion/collision/swept_query.hpp"
 #include "src/simulation/site/load.hpp"
+#include "src/simulation/site/rope_volume.hpp"
 #include "src/simulation/site/site_robot.hpp"
 
 namespace rubicon::site {
@@ -17,7 +19,8 @@ std::vector<geometry::Motion> part_motions(const SiteRobot& robot, const std::op
                                            std::span<const double> q_to);
 
 /// One step of a robot as a question to the collision world. Its parts are the robot's bodies and,
-/// after the last of them, the load. Robot and load must outlive it.
+/// after the last of them, the load. A rope is one item or several, each for a part of the step.
+/// Robot, load and values must outlive it.
 class StepQuery {
  public:
   /// With `against_world` what moves is tested against the obstacles; own pairs always are.
@@ -34,19 +37,32 @@ class StepQuery {
   bool moves(int part) const { return moves_[static_cast<std::size_t>(part)]; }
 
  private:
+  /// The items of a rope begin at `first`.
+  struct RopeItems {
+    int first = 0;
+    std::vector<RopeVolume> volumes;
+  };
+
   int item(int part);
+  int add_item(const collision::Body* body, geometry::Motion motion, int part, bool against_world,
+               bool moves);
+  void add_rope(int part);
+  void add_pair(int first, int second);
   const collision::Body* body(int part) const;
-  void add_pairs(const std::vector<OwnPair>& pairs, bool of_load, std::span<const double> q_from,
-                 std::span<const double> q_to);
+  void add_pairs(const std::vector<OwnPair>& pairs, bool of_load);
 
   const SiteRobot& robot_;
   const std::optional<Load>& load_;
+  std::span<const double> q_from_, q_to_;
   int load_part_;
   bool against_world_;
   std::vector<geometry::Motion> motions_;
   std::vector<bool> moves_;
   std::vector<int> item_of_;  ///< per part: its item in the query, or -1
   std::vector<int> part_of_;
+  std::vector<int> movers_;         ///< items of what moves, but for copies over a part of the step
+  std::map<int, RopeItems> ropes_;  ///< by part
+  std::vector<collision::BodyPtr> kept_;  // shared: of ropes, whose bodies change
   collision::SweptQuery query_;
 };
 

@@ -55,11 +55,20 @@ struct HeaderComponent {
   HeaderAttributes attributes;
 };
 
+/// A rope: from a point of a body to a point of its parent, each in the frame of that body.
+struct HeaderRope {
+  double radius = 0;  ///< m
+  std::string from;
+  math::Vec3 p_from = math::Vec3::Zero();  ///< m
+  math::Vec3 p_to = math::Vec3::Zero();    ///< m
+};
+
 struct HeaderBody {
   std::string name;
   std::string parent;  ///< "": it stands on the mounting frame
   std::string frame;   ///< text, such as "trans(x, 0, z) * rotz(theta)"
   std::vector<geometry::Shape> shapes;
+  std::optional<HeaderRope> rope = {};
 };
 
 /// A control parameter, m or degrees.

@@ -115,6 +115,17 @@ std::vector<HeaderBody> read_bodies(const JsonObject& robot, const HeaderMeshes&
                      [&](const HeaderBody& each) { return each.name == body.parent; })) {
       object.at("parent").fail("a body before this one");
     }
+    if (object.has("rope")) {
+      const JsonObject rope = object.object("rope");
+      body.rope = HeaderRope{rope.number("radius"), rope.text("from"), rope.point("p_from"),
+                             rope.point("p_to")};
+      if (!(body.rope->radius > 0)) rope.at("radius").fail("a number greater than 0");
+      if (body.parent.empty()) object.at("parent").fail("the body that the rope goes to");
+      if (std::none_of(bodies.begin(), bodies.end(),
+                       [&](const HeaderBody& each) { return each.name == body.rope->from; })) {
+        rope.at("from").fail("a body before this one");
+      }
+    }
     bodies.push_back(std::move(body));
   });
   return bodies;

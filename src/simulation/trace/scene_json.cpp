@@ -111,6 +111,11 @@ void write_robot_model(JsonBuilder& json, const robot::RobotModel& model, MeshTa
     }
     json.field("frame", frame_text(model, body.frame)).key("shapes");
     write_shapes(json, body.shapes, meshes);
+    if (body.rope) {
+      json.key("rope").begin_object().field("radius", body.rope->radius);
+      json.field("from", body_name(body.rope->from));
+      json.key("p_from").point(body.rope->p_from).key("p_to").point(body.rope->p_to).end_object();
+    }
     json.end_object();
   }
   json.end_array().key("parameters").begin_array();

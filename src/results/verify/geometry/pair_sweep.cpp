@@ -51,6 +51,10 @@ PairSweep::Interval PairSweep::interval(double u0, double u1) const {
   const PartState b = motion_b_.state(u0, u1);
   const Pose X_BW = b.X_WS.inverse(Eigen::Isometry);
   Interval interval{u0, u1, X_BW * a.X_WS, a.reach + b.reach};
+  interval.changed_a = a.solid;
+  interval.changed_b = b.solid;
+  interval.a = a.solid ? a.solid.get() : &a_;
+  interval.b = b.solid ? b.solid.get() : &b_;
   interval.reach_b.spread = X_BW.linear().cwiseAbs() * interval.reach_b.spread;
   return interval;
 }
@@ -81,8 +85,8 @@ bool PairSweep::descend(double u0, double u1, const std::vector<PiecePair>* open
 /// Walks both trees; false if there are too many pairs to keep, or contact was found.
 bool PairSweep::list_pairs(const Interval& interval, int node_a, int node_b,
                            std::vector<PiecePair>& open) {
-  const BoxTree::Node& a = a_.tree.nodes()[static_cast<std::size_t>(node_a)];
-  const BoxTree::Node& b = b_.tree.nodes()[static_cast<std::size_t>(node_b)];
+  const BoxTree::Node& a = interval.a->tree.nodes()[static_cast<std::size_t>(node_a)];
+  const BoxTree::Node& b = interval.b->tree.nodes()[static_cast<std::size_t>(node_b)];
   const double reach = interval.reach_b.most();
   const Bounds box_a = a.bounds.placed(interval.X_BA);
   // Not `meets`: a reach that is no number must not pass for apart.
@@ -103,8 +107,8 @@ bool PairSweep::list_pairs(const Interval& interval, int node_a, int node_b,
 /// Tests two pieces; false if they are in contact.
 bool PairSweep::keep_unsure(const Interval& interval, PiecePair pair,
                             std::vector<PiecePair>& open) {
-  const Convex& a = a_.pieces[static_cast<std::size_t>(pair.first)];
-  const Convex& b = b_.pieces[static_cast<std::size_t>(pair.second)];
+  const Convex& a = interval.a->pieces[static_cast<std::size_t>(pair.first)];
+  const Convex& b = interval.b->pieces[static_cast<std::size_t>(pair.second)];
   ++tests_;
   DepthQuery query = thin_levels(a.width, b.width, tolerance_);
   query.reach = interval.reach_b;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,6 +15,9 @@ namespace rubicon::verify {
 struct PartState {
   Pose X_WS = Pose::Identity();
   Reach reach;
+  /// Of what changes its shape: the one at the middle, always with as many pieces. Null: it does
+  /// not.
+  std::shared_ptr<const Solid> solid = {};
 };
 
 /// How a solid moves while u runs from 0 to 1.
@@ -58,6 +62,9 @@ class PairSweep {
     double u1 = 1;
     Pose X_BA = Pose::Identity();
     Reach reach_b;  ///< in the frame of b
+    const Solid* a = nullptr;
+    const Solid* b = nullptr;
+    std::shared_ptr<const Solid> changed_a = {}, changed_b = {};
   };
 
   Interval interval(double u0, double u1) const;

@@ -24,6 +24,27 @@ std::vector<std::string> read_names(const JsonFields& fields) {
   return names;
 }
 
+SceneRope read_rope(const JsonFields& fields, const SceneBody& body, const SceneRobot& robot) {
+  const auto point = [&](const char* name) {
+    const Json& list = fields.array(name);
+    if (list.size() != 3) fields.fail("three numbers as a point of a rope");
+    Vec3 p;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!list[i].is_number()) fields.fail("three numbers as a point of a rope");
+      p[static_cast<Eigen::Index>(i)] = list[i].get<double>();
+    }
+    return p;
+  };
+  SceneRope rope;
+  rope.radius = fields.number("radius");
+  rope.from = body_index(robot, fields.text("from"));
+  rope.p_from = point("p_from");
+  rope.p_to = point("p_to");
+  if (!(rope.radius > 0)) fields.fail("a rope with a radius");
+  if (body.parent < 0) fields.fail("a rope that goes to a body");
+  return rope;
+}
+
 /// Bodies stand after the one they stand on.
 void read_bodies(const JsonFields& fields, const std::vector<std::string>& names,
                  std::size_t meshes, SceneRobot& robot) {
@@ -34,6 +55,7 @@ void read_bodies(const JsonFields& fields, const std::vector<std::string>& names
     if (body.has("parent")) read.parent = body_index(robot, body.text("parent"));
     read.frame = parse_frame(body.text("frame"), names);
     read.shapes = read_shapes(body.array("shapes"), meshes);
+    if (body.has("rope")) read.rope = read_rope(body.object("rope"), read, robot);
     robot.bodies.push_back(std::move(read));
   }
   if (robot.bodies.empty()) fields.fail("bodies");

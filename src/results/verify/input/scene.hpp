@@ -43,11 +43,20 @@ struct SceneWithin {
   std::vector<std::pair<std::string, double>> values;  ///< by parameter, file units
 };
 
+/// From a point of a body to a point of the parent of the one that has it; each in its own frame.
+struct SceneRope {
+  double radius = 0;  ///< m
+  int from = -1;
+  Vec3 p_from = Vec3::Zero();
+  Vec3 p_to = Vec3::Zero();
+};
+
 struct SceneBody {
   std::string name;
   int parent = -1;  ///< -1: the mounting frame
   std::vector<FrameElement> frame;
   std::vector<ShapeData> shapes;
+  std::optional<SceneRope> rope;
 };
 
 /// A control parameter; metres or degrees.

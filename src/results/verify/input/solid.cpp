@@ -49,6 +49,18 @@ void add_shape(const ShapeData& shape, const std::vector<MeshData>& meshes, Soli
   }
 }
 
+/// Fills in what follows from the pieces.
+void measure(Solid& solid) {
+  std::vector<Bounds> boxes;
+  for (const Convex& piece : solid.pieces) {
+    boxes.push_back(bounds_of(piece));
+    solid.bounds.add(boxes.back());
+  }
+  solid.tree = BoxTree(boxes);
+  solid.centre = solid.bounds.centre();
+  solid.radius = (solid.bounds.upper - solid.centre).norm();
+}
+
 }  // namespace
 
 std::shared_ptr<const Solid> make_solid(const std::vector<ShapeData>& shapes,
@@ -56,14 +68,15 @@ std::shared_ptr<const Solid> make_solid(const std::vector<ShapeData>& shapes,
   auto solid = std::make_shared<Solid>();
   for (const ShapeData& shape : shapes) add_shape(shape, meshes, *solid);
   if (solid->pieces.empty()) return nullptr;
-  std::vector<Bounds> boxes;
-  for (const Convex& piece : solid->pieces) {
-    boxes.push_back(bounds_of(piece));
-    solid->bounds.add(boxes.back());
-  }
-  solid->tree = BoxTree(boxes);
-  solid->centre = solid->bounds.centre();
-  solid->radius = (solid->bounds.upper - solid->centre).norm();
+  measure(*solid);
+  return solid;
+}
+
+std::shared_ptr<const Solid> make_capsule(const Vec3& a, const Vec3& b, double radius) {
+  auto solid = std::make_shared<Solid>();
+  solid->pieces.push_back(capsule_piece(a, b, radius));
+  solid->inner_points.push_back({solid->pieces.back().centre(), solid->pieces.back().width});
+  measure(*solid);
   return solid;
 }
 

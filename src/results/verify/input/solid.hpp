@@ -21,6 +21,9 @@ struct Solid {
   double radius = 0;  ///< no point is farther from the centre
 };
 
+/// A capsule from a to b (m). Throws nothing.
+std::shared_ptr<const Solid> make_capsule(const Vec3& a, const Vec3& b, double radius);
+
 /// The solid of some shapes; null if there are none. Throws UnreadableInput for shapes that are
 /// none.
 std::shared_ptr<const Solid> make_solid(const std::vector<ShapeData>& shapes,

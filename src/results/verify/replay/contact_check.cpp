@@ -17,6 +17,10 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 /// m: boxes are grown by it so that rounding hides no pair.
 constexpr double kBoundsMargin = 1e-6;
 
+const Solid& solid_in(const RobotPart& part, const PartState& state) {
+  return state.solid ? *state.solid : *part.solid;
+}
+
 class ContactCheck {
  public:
   ContactCheck(const Trace& trace, const std::vector<TaskRun>& runs,
@@ -69,7 +73,8 @@ class ContactCheck {
           fault(FaultKind::motion, each, each.from, part.name + " moves without bound");
           continue;
         }
-        const Bounds box = part.solid->bounds.placed(state.X_WS).grown(reach + kBoundsMargin);
+        const Bounds box =
+            solid_in(part, state).bounds.placed(state.X_WS).grown(reach + kBoundsMargin);
         whole.add(box);
         if (reach > 0) check_obstacles(robot, frames, part, box);
       }
@@ -123,21 +128,27 @@ class ContactCheck {
     if (parts.size() > machine.bodies.size()) {
       const int load = static_cast<int>(parts.size()) - 1;
       for (int i = 0; i < load; ++i) {
-        if (parts[at(i)].frame != trace_.scene.robots[at(robot)].tool_body)
-          pairs.emplace_back(load, i);
+        const int tool = trace_.scene.robots[at(robot)].tool_body;
+        const RobotPart& part = parts[at(i)];
+        if (part.frame == tool || (part.rope != nullptr && part.rope->from == tool)) continue;
+        pairs.emplace_back(load, i);
       }
     }
     for (const auto& [first, second] : pairs) {
       const RobotPart& a = parts[at(first)];
       const RobotPart& b = parts[at(second)];
-      const int base = machine.mechanism->common_frame(a.frame, b.frame);
+      int base = machine.mechanism->common_frame(a.frame, b.frame);
+      for (const RobotPart* part : {&a, &b}) {
+        if (part->rope != nullptr) base = machine.mechanism->common_frame(base, part->rope->from);
+      }
       const LegPart motion_a(frames, a, base);
       const LegPart motion_b(frames, b, base);
       const PartState state_a = motion_a.state(0, 1);
       const PartState state_b = motion_b.state(0, 1);
       const double reach = (state_a.reach + state_b.reach).most();
-      const Bounds box_a = a.solid->bounds.placed(state_a.X_WS).grown(reach + kBoundsMargin);
-      if (!(reach > 0) || !box_a.meets(b.solid->bounds.placed(state_b.X_WS))) continue;
+      const Bounds box_a =
+          solid_in(a, state_a).bounds.placed(state_a.X_WS).grown(reach + kBoundsMargin);
+      if (!(reach > 0) || !box_a.meets(solid_in(b, state_b).bounds.placed(state_b.X_WS))) continue;
       const auto contact = sweep(*a.solid, motion_a, *b.solid, motion_b);
       if (contact) report(frames.leg(), contact->u, a.name, b.name, *contact);
     }
@@ -173,9 +184,10 @@ class ContactCheck {
         const PartState state_a = motion_a.state(0, 1);
         const PartState state_b = motion_b.state(0, 1);
         const double reach = (state_a.reach + state_b.reach).most() + kBoundsMargin;
-        if (!part_a.solid->bounds.placed(state_a.X_WS)
+        if (!solid_in(part_a, state_a)
+                 .bounds.placed(state_a.X_WS)
                  .grown(reach)
-                 .meets(part_b.solid->bounds.placed(state_b.X_WS))) {
+                 .meets(solid_in(part_b, state_b).bounds.placed(state_b.X_WS))) {
           continue;
         }
         const auto contact = sweep(*part_a.solid, motion_a, *part_b.solid, motion_b);

@@ -1,5 +1,7 @@
 #include "src/results/verify/replay/leg_motion.hpp"
 
+#include <algorithm>
+
 namespace rubicon::verify {
 
 const MechanismState& LegFrames::state(double s0, double s1) const {
@@ -19,10 +21,28 @@ const MechanismState& LegFrames::state(double s0, double s1) const {
 
 PartState LegPart::state(double u0, double u1) const {
   const MechanismState& frames = frames_.state(s0_ + u0 * (s1_ - s0_), s0_ + u1 * (s1_ - s0_));
+  if (part_.rope != nullptr) return rope_state(frames);
   PartState part;
   part.X_WS = frames.X_WB[static_cast<std::size_t>(part_.frame)] * part_.X_FS;
   part.reach = frames_.mechanism().reach(frames, part_.frame, base_,
                                          part.X_WS * part_.solid->centre, part_.solid->radius);
+  return part;
+}
+
+/// A point between the ends moves no farther than one of them.
+PartState LegPart::rope_state(const MechanismState& frames) const {
+  const Mechanism& mechanism = frames_.mechanism();
+  const Pose& X_WF = frames.X_WB[static_cast<std::size_t>(part_.frame)];
+  const Vec3 from_W = frames.X_WB[static_cast<std::size_t>(part_.rope->from)] * part_.rope->p_from;
+  const Vec3 to_W = X_WF * part_.rope->p_to;
+  const Reach a = mechanism.reach(frames, part_.rope->from, base_, from_W, 0);
+  const Reach b = mechanism.reach(frames, part_.frame, base_, to_W, 0);
+  PartState part;
+  part.X_WS = X_WF;
+  part.reach.spread = a.spread.cwiseMax(b.spread);
+  part.reach.rest = std::max(a.rest, b.rest);
+  part.solid =
+      make_capsule(X_WF.inverse(Eigen::Isometry) * from_W, part_.rope->p_to, part_.rope->radius);
   return part;
 }
 

@@ -26,12 +26,13 @@ class LegFrames {
   mutable std::map<std::pair<double, double>, MechanismState> states_;
 };
 
-/// A solid that is fixed to a frame of a robot, and its name.
+/// A solid that is fixed to a frame of a robot, and its name; or a rope, between two frames.
 struct RobotPart {
-  const Solid* solid = nullptr;
-  int frame = 0;
+  const Solid* solid = nullptr;  ///< of a rope as it is at the start
+  int frame = 0;                 ///< of a rope the one that it goes to
   Pose X_FS = Pose::Identity();
   std::string name;
+  const SceneRope* rope = nullptr;
 };
 
 /// A robot's part while a leg runs from the share s0 to s1, seen from the frame `base` (-1: the
@@ -45,6 +46,8 @@ class LegPart : public PartMotion {
   PartState state(double u0, double u1) const override;
 
  private:
+  PartState rope_state(const MechanismState& frames) const;
+
   const LegFrames& frames_;
   const RobotPart& part_;
   int base_;

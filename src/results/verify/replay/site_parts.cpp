@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+
+#include "src/results/verify/replay/step_rules.hpp"
 
 namespace rubicon::verify {
 
@@ -12,6 +15,10 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool meant_to_touch(const SceneRobot& robot, int a, int b) {
   if (robot.bodies[at(a)].parent == b || robot.bodies[at(b)].parent == a) return true;
+  for (const auto& [rope, body] : {std::pair(a, b), std::pair(b, a)}) {
+    const auto& each = robot.bodies[at(rope)].rope;
+    if (each && each->from == body) return true;
+  }
   return std::any_of(robot.touching.begin(), robot.touching.end(), [&](const auto& pair) {
     return pair == std::pair(a, b) || pair == std::pair(b, a);
   });
@@ -21,15 +28,29 @@ RobotParts make_robot_parts(const SceneRobot& robot, const std::vector<MeshData>
   RobotParts parts;
   parts.mechanism = std::make_unique<Mechanism>(robot);
   for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
-    parts.solids.push_back(make_solid(robot.bodies[i].shapes, meshes));
+    const SceneBody& body = robot.bodies[i];
+    const std::string name = robot.name + "." + body.name;
+    if (body.rope) {
+      const std::vector<double> starts = start_values(robot);
+      const Vec3 from_W = parts.mechanism->pose(body.rope->from, starts) * body.rope->p_from;
+      const Pose X_WF = parts.mechanism->pose(body.parent, starts);
+      parts.solids.push_back(
+          make_capsule(X_WF.inverse(Eigen::Isometry) * from_W, body.rope->p_to, body.rope->radius));
+      parts.bodies.push_back(
+          {parts.solids.back().get(), body.parent, Pose::Identity(), name, &*body.rope});
+      parts.body_index.push_back(static_cast<int>(i));
+      continue;
+    }
+    parts.solids.push_back(make_solid(body.shapes, meshes));
     if (!parts.solids.back()) continue;
-    parts.bodies.push_back({parts.solids.back().get(), static_cast<int>(i), Pose::Identity(),
-                            robot.name + "." + robot.bodies[i].name});
+    parts.bodies.push_back(
+        {parts.solids.back().get(), static_cast<int>(i), Pose::Identity(), name});
+    parts.body_index.push_back(static_cast<int>(i));
   }
   const int count = static_cast<int>(parts.bodies.size());
   for (int a = 0; a < count; ++a) {
     for (int b = a + 1; b < count; ++b) {
-      if (meant_to_touch(robot, parts.bodies[at(a)].frame, parts.bodies[at(b)].frame)) continue;
+      if (meant_to_touch(robot, parts.body_index[at(a)], parts.body_index[at(b)])) continue;
       parts.own_pairs.emplace_back(a, b);
     }
   }

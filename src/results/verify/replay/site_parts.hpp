@@ -25,7 +25,8 @@ struct Obstacle {
 struct RobotParts {
   std::unique_ptr<Mechanism> mechanism;
   std::vector<std::shared_ptr<const Solid>> solids;  ///< by body; null: no shape
-  std::vector<RobotPart> bodies;                     ///< those with a shape
+  std::vector<RobotPart> bodies;                     ///< those with a shape, and ropes
+  std::vector<int> body_index;                       ///< of `bodies`, in the robot
   std::vector<std::pair<int, int>> own_pairs;        ///< in `bodies`
 };
 

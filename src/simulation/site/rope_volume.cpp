@@ -1,0 +1,86 @@
+#include "src/simulation/site/rope_volume.hpp"
+
+#include <utility>
+
+#include "src/motion/robot/body_motion.hpp"
+
+namespace rubicon::site {
+
+namespace {
+
+/// Capsules that are kept. A step of the ropes of a crane has one to four.
+constexpr std::size_t kKept = 32;
+
+bool same(const geometry::Capsule& a, const geometry::Capsule& b) {
+  return a.radius == b.radius && (a.a.array() == b.a.array()).all() &&
+         (a.b.array() == b.b.array()).all();
+}
+
+geometry::Solid solid_of(const geometry::Capsule& capsule) {
+  if ((capsule.a.array() == capsule.b.array()).all()) {
+    return geometry::Sphere{capsule.a, capsule.radius};
+  }
+  return capsule;
+}
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+collision::BodyPtr RopeBodies::body_of(const geometry::Capsule& capsule) {
+  for (const Entry& entry : entries_) {
+    if (same(entry.capsule, capsule)) return entry.body;
+  }
+  Entry made{capsule, collision::prepare({geometry::Shape{solid_of(capsule)}})};
+  collision::BodyPtr body = made.body;
+  if (entries_.size() < kKept) {
+    entries_.push_back(std::move(made));
+  } else {
+    entries_[oldest_] = std::move(made);
+    oldest_ = (oldest_ + 1) % kKept;
+  }
+  return body;
+}
+
+std::vector<double> configuration_at(std::span<const double> q0, std::span<const double> q1,
+                                     double s) {
+  std::vector<double> q(q0.size());
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    q[i] = s == 1 || q0[i] == q1[i] ? q1[i] : (1 - s) * q0[i] + s * q1[i];
+  }
+  return q;
+}
+
+std::vector<RopeVolume> rope_volumes(const SiteRobot& robot, int rope, std::span<const double> q0,
+                                     std::span<const double> q1,
+                                     const std::vector<geometry::Motion>& motions,
+                                     int most_pieces) {
+  std::vector<RopeVolume> volumes;
+  for (const robot::RopePiece& piece :
+       robot::rope_pieces(*robot.model, robot.mounting, rope, q0, q1, most_pieces)) {
+    RopeVolume volume;
+    volume.body = robot.rope_bodies->body_of({piece.a, piece.b, piece.radius});
+    volume.s0 = piece.s0;
+    volume.s1 = piece.s1;
+    if (piece.s0 == 0 && piece.s1 == 1) {
+      volume.motion = motions[at(piece.body)];
+    } else {
+      volume.motion =
+          robot::step_motions(*robot.model, robot.mounting, configuration_at(q0, q1, piece.s0),
+                              configuration_at(q0, q1, piece.s1))[at(piece.body)];
+    }
+    volumes.push_back(std::move(volume));
+  }
+  return volumes;
+}
+
+RopeVolume standing_rope(const SiteRobot& robot, int rope, std::span<const double> q) {
+  const robot::RopePiece piece =
+      robot::rope_pieces(*robot.model, robot.mounting, rope, q, q, 1).front();
+  std::vector<math::Pose> X_WB;
+  robot::body_poses(*robot.model, robot.mounting, q, X_WB);
+  return {robot.rope_bodies->body_of({piece.a, piece.b, piece.radius}),
+          geometry::stationary(X_WB[at(piece.body)]), 0, 1};
+}
+
+}  // namespace rubicon::site
