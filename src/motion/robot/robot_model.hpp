@@ -65,7 +65,7 @@ struct Body {
   std::vector<int> parameters;  ///< indices into RobotModel::parameters, in declaration order
   FrameFormula frame;           ///< X_PB, P the parent
   std::vector<geometry::Shape> shapes;
-  std::optional<Rope> rope;  ///< instead of shapes; the frame is that of the parent
+  std::optional<Rope> rope = {};  ///< instead of shapes; the frame is that of the parent
 };
 
 /// One point of a load chart: at most `mass` kg at `radius` m.

@@ -56,7 +56,7 @@ struct SceneBody {
   int parent = -1;  ///< -1: the mounting frame
   std::vector<FrameElement> frame;
   std::vector<ShapeData> shapes;
-  std::optional<SceneRope> rope;
+  std::optional<SceneRope> rope = {};
 };
 
 /// A control parameter; metres or degrees.
