@@ -146,6 +146,26 @@ class Acceleration(unittest.TestCase):
                     stops += file.read().count('"type":"stop"')
         self.assertGreater(stops, RANDOM_PLANS)
 
+    def test_who_goes_away_while_a_robot_stops_is_not_waited_for(self):
+        robot = ('robot %s { body car { param %s range(-20, 20); frame trans(%s); shape box(-0.4, -0.4, 0, 0.4, 0.4, 1); }\n'
+                 '  tool car; behaviour { chain { move_to(%s, goal(%s)) }; } }\n')
+        texts = {"left.robot": robot % ("left", "x step(0.5) speed(0.5 m/s) accel(0.1 m/s2)", "x, 0, 0", "x", "x"),
+                 "right.robot": robot % ("right", "y step(10) speed(3 km/h)", "0, y, 0", "y", "y"),
+                 "p.plan": 'plan p { robot left "left.robot"; robot right "right.robot" at trans(5, 0, 0);\n'
+                           '  task go { by left; go x 10; } task away { by right; go y 10; } }\n'}
+        folder = tempfile.mkdtemp(dir=self.folder)
+        for name, text in texts.items():
+            with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        out = os.path.join(folder, "out")
+        run = rubicon("run", os.path.join(folder, "p.plan"), "--out", out)
+        # It meets the other after 4 m, at 10.5 s, and stands at 13 s; the other is gone since 12 s.
+        self.assertEqual(run.returncode, 0, run.stdout)
+        self.assertEqual(rubicon("verify", out).returncode, 0)
+        records = read(os.path.join(out, "trace.jsonl"))
+        self.assertEqual([r["t"] for r in records if r["type"] == "stop"], [13, 30])
+        self.assertEqual([r for r in records if r["type"] == "pause"], [])
+
     def expect_found(self, records, words):
         path = os.path.join(self.folder, "faulty.jsonl")
         with open(path, "w", encoding="utf-8") as file:

@@ -124,6 +124,7 @@ Step MotionActivity::start_machine(ActiveTask& task, Stage& stage) {
   doing_ = Doing::moving;
   machine_start_ = stage.now();
   tries_before_ = free_tries_ = 0;
+  version_at_stop_.reset();
   machine_.emplace(stage.program_of(spec.robot), std::move(motion));
   return move_on(task, stage);
 }
@@ -152,6 +153,8 @@ Step MotionActivity::move_on(ActiveTask& task, Stage& stage) {
     const bool stops = machine.tries() == tries;
     const bool waits = !stops && machine.q() == before;
     stands_ = stops || waits;
+    version_at_stop_.reset();
+    if (stops) version_at_stop_ = stage.view(stage.spec(task.task).robot).version();
     if (!stops) count_step(task, stage, machine.time(), waits);
     if (stops) count_time(task, stage, machine.time(), false);
   }
@@ -260,7 +263,10 @@ Step MotionActivity::end_motion(ActiveTask& task, Stage& stage) {
   goals_.erase(goals_.begin(), goals_.begin() + static_cast<std::ptrdiff_t>(behind));
   goals_dropped_ += behind;
   wait_for_machine(task, stage, std::move(blockers), enough);
-  return Step::pending;
+  // What moved while the robot came to its stop will not be told again.
+  const bool moved =
+      version_at_stop_ && *version_at_stop_ != stage.view(stage.spec(task.task).robot).version();
+  return moved ? retry(task, stage) : Step::pending;
 }
 
 /// A script that evades and comes back to where it waited before, while nobody in its way came any

@@ -64,7 +64,9 @@ class MotionActivity : public Activity {
   std::uint64_t progress_seen_ = 0;  ///< the progress of the site up to which they were counted
   std::size_t way_points_ = 0;       ///< behind it for good
   std::size_t goals_dropped_ = 0;    ///< from the front of `goals_`
-  bool stands_ = false;              ///< what goes on is a `wait` or a stop, and no step
+  /// What would be accepted when the stop began that its motion may end with.
+  std::optional<std::uint64_t> version_at_stop_;
+  bool stands_ = false;  ///< what goes on is a `wait` or a stop, and no step
 };
 
 }  // namespace rubicon::taskplan
