@@ -97,7 +97,9 @@ struct number_text
 
 /// Longest first; `m/s` is one unit, without space inside.
 struct simple_unit
-    : sor<word<TAO_PEGTL_STRING("mm/s")>, word<TAO_PEGTL_STRING("deg/s")>,
+    : sor<word<TAO_PEGTL_STRING("mm/s2")>, word<TAO_PEGTL_STRING("deg/s2")>,
+          word<TAO_PEGTL_STRING("rad/s2")>, word<TAO_PEGTL_STRING("m/s2")>,
+          word<TAO_PEGTL_STRING("mm/s")>, word<TAO_PEGTL_STRING("deg/s")>,
           word<TAO_PEGTL_STRING("rad/s")>, word<TAO_PEGTL_STRING("km/h")>,
           word<TAO_PEGTL_STRING("m/s")>, word<TAO_PEGTL_STRING("mm")>, word<TAO_PEGTL_STRING("cm")>,
           word<TAO_PEGTL_STRING("min")>, word<TAO_PEGTL_STRING("deg")>,

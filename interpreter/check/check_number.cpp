@@ -24,6 +24,10 @@ std::string_view unit_kind_text(UnitKind kind) {
       return "a speed";
     case UnitKind::turn_rate:
       return "a turning speed";
+    case UnitKind::acceleration:
+      return "an acceleration";
+    case UnitKind::turn_acceleration:
+      return "a turning acceleration";
     case UnitKind::per_hour:
       return "an hourly rate";
     case UnitKind::compound:

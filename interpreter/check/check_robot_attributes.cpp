@@ -21,7 +21,7 @@ struct AttributeForm {
   std::size_t numbers;
 };
 constexpr AttributeForm kForms[] = {{"range", 2},  {"cyclic", 0}, {"step", 1},  {"speed", 1},
-                                    {"loaded", 1}, {"start", 1},  {"prefer", 1}};
+                                    {"loaded", 1}, {"accel", 1},  {"start", 1}, {"prefer", 1}};
 
 /// The attributes of one parameter, each at most once.
 class ParameterAttributes {
@@ -31,7 +31,8 @@ class ParameterAttributes {
         item_(*subject.parameters[index]),
         parameter_(subject.model.parameters[index]),
         unit_(parameter_.rotation ? UnitKind::angle : UnitKind::length),
-        rate_(parameter_.rotation ? UnitKind::turn_rate : UnitKind::speed) {}
+        rate_(parameter_.rotation ? UnitKind::turn_rate : UnitKind::speed),
+        acceleration_(parameter_.rotation ? UnitKind::turn_acceleration : UnitKind::acceleration) {}
 
   void check() {
     if (parameter_.derived) {
@@ -89,7 +90,8 @@ class ParameterAttributes {
       for (const AttributeForm& each : kForms) names.emplace_back(each.name);
       return names;
     });
-    if (ending.empty()) ending = "; expected range, cyclic, step, speed, loaded, start or prefer";
+    if (ending.empty())
+      ending = "; expected range, cyclic, step, speed, loaded, accel, start or prefer";
     subject_.diagnostics.error("R01", attribute.name.span,
                                fmt::format("unknown attribute '{}' of parameter '{}'{}",
                                            attribute.name.text, parameter_.name, ending));
@@ -144,7 +146,7 @@ class ParameterAttributes {
     parameter_.cyclic = true;
   }
 
-  /// The value of a step or speed; nothing if it is not given or wrong.
+  /// The value of a step, speed or acceleration; nothing if it is not given or wrong.
   std::optional<double> positive(const char* name, UnitKind unit) {
     const Attribute* attribute = given(name);
     if (attribute == nullptr) return std::nullopt;
@@ -171,6 +173,14 @@ class ParameterAttributes {
                       parameter_.name),
           "write speed(v) loaded(v2)");
     }
+    const std::optional<double> acceleration = positive("accel", acceleration_);
+    if (const Attribute* attribute = given("accel"); attribute != nullptr && !mentioned("speed")) {
+      subject_.diagnostics.error(
+          "R12", attribute->name.span,
+          fmt::format("accel of '{}' needs a speed: it is how fast this speed is gained and lost",
+                      parameter_.name),
+          "write speed(v) accel(a)");
+    }
     if (!mentioned("step") && !mentioned("speed")) return;
     const double time_step = subject_.model.time_step;
     if (step) {
@@ -183,6 +193,7 @@ class ParameterAttributes {
       parameter_.step = std::clamp(parameter_.speed * time_step, kMinStep, kMaxLength);
     }
     parameter_.loaded_speed = loaded.value_or(parameter_.speed);
+    parameter_.acceleration = acceleration.value_or(0);
   }
 
   void check_start() {
@@ -225,6 +236,7 @@ class ParameterAttributes {
   robot::Parameter& parameter_;
   UnitKind unit_;
   UnitKind rate_;
+  UnitKind acceleration_;
   std::map<std::string, const Attribute*> given_;  ///< the first of each name
   std::set<std::string> malformed_;                ///< of these, with a wrong number of numbers
 };

@@ -22,9 +22,10 @@ constexpr int kDeepestShownNesting = 12;
 
 double metres_degrees_seconds_per(const std::string& unit) {
   static constexpr std::pair<const char*, double> kUnits[] = {
-      {"mm", 1e-3},   {"cm", 1e-2}, {"rad", 180 / 3.14159265358979323846},
-      {"min", 60},    {"h", 3600},  {"t", 1000},
-      {"mm/s", 1e-3}, {"rpm", 6},   {"per h", 1 / 3600.0},
+      {"mm", 1e-3},          {"cm", 1e-2},    {"rad", 180 / 3.14159265358979323846},
+      {"min", 60},           {"h", 3600},     {"t", 1000},
+      {"mm/s", 1e-3},        {"mm/s2", 1e-3}, {"rpm", 6},
+      {"per h", 1 / 3600.0},
   };
   for (const auto& [name, factor] : kUnits) {
     if (unit == name) return factor;

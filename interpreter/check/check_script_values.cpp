@@ -47,6 +47,8 @@ ValueKind kind_of_unit(syntax::UnitKind unit) {
     case syntax::UnitKind::mass:
       return ValueKind::mass;
     case syntax::UnitKind::density:
+    case syntax::UnitKind::acceleration:
+    case syntax::UnitKind::turn_acceleration:
       return ValueKind::unknown;
     case syntax::UnitKind::speed:
       return ValueKind::speed;

@@ -71,7 +71,24 @@ Machine::Machine(const Program& program, MotionTask task)
 }
 
 bool Machine::advance(World& world, EventSink* events) {
-  if (end_) return false;
+  if (!end_ && go_on(world, events)) return true;
+  if (!stop(events)) return false;
+  end_->time = time_;
+  return true;
+}
+
+bool Machine::stop(EventSink* events) {
+  Ticks rest = 0;
+  for (const MotionRun& part : run_) rest = std::max(rest, part.rest());
+  run_.clear();
+  if (rest == 0) return false;
+  time_ += rest;
+  if (events) events->stop(time_);
+  return true;
+}
+
+/// To the next attempt or stop (true), or to the end of what the script does (false).
+bool Machine::go_on(World& world, EventSink* events) {
   try {
     if (!started_) {
       started_ = true;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "interpreter/check/plan_model.hpp"
+#include "interpreter/machine/motion_run.hpp"
 #include "interpreter/machine/state_table.hpp"
 #include "interpreter/program/events.hpp"
 #include "interpreter/program/program.hpp"
@@ -71,9 +72,13 @@ class Machine {
  public:
   Machine(const Program& program, MotionTask task);
 
-  /// Runs to and including the next attempt (true), or to the end of the motion (false). `events`
-  /// may be null.
+  /// Runs to and including the next attempt, or until the machine stands that has to before it (and
+  /// before the end of the motion): true, with so much time gone. False: the motion has ended.
+  /// `events` may be null.
   bool advance(World& world, EventSink* events);
+
+  /// Ends the run that goes on: the machine comes to a stop. True if that takes time.
+  bool stop(EventSink* events);
 
   /// The next attempt is not made before `time`: the machine stood still meanwhile.
   void resume_at(Ticks time) { time_ = std::max(time_, time); }
@@ -81,7 +86,7 @@ class Machine {
   /// So many attempts more may be made: those that waited for something else to go away.
   void extend_budget(int attempts) { task_.budget += attempts; }
 
-  bool ended() const { return end_.has_value(); }
+  bool ended() const { return end_.has_value() && run_.empty(); }
   const MotionEnd& end() const { return *end_; }  ///< only once ended
   const std::vector<double>& q() const { return q_; }
   Ticks time() const { return time_; }
@@ -125,6 +130,7 @@ class Machine {
   };
 
   // machine.cpp: way points and the end of a motion
+  bool go_on(World& world, EventSink* events);
   bool begin_way_point(World& world, EventSink* events);
   void finish(MotionStatus status, std::string message = {}, Span span = {});
   void judge();
@@ -168,7 +174,9 @@ class Machine {
                          std::int32_t& limit) const;
   double room(int parameter, bool upwards) const;
   int first_out_of_range(std::span<const double> q) const;
-  Ticks duration_of(int parameter, double ds, bool loaded) const;
+  Refusal plan(const Node& node, const World& world, std::int32_t& limit);
+  Ticks plan_run(bool loaded);
+  bool must_stop(const World& world, Ticks duration) const;
   std::string describe_next(std::int32_t command) const;
   bool would_accept(int parameter, double direction, const World& world);
   void hash_stack(StateHasher& hasher, std::int32_t command) const;
@@ -203,6 +211,11 @@ class Machine {
   std::size_t way_point_ = 0;
   bool way_point_begun_ = false;
   bool started_ = false;
+  /// What moves, by parameter, where any of it has an acceleration; empty: the machine stands, or
+  /// stops at once. It changes when things are done and never what: no part of what a livelock is
+  /// told by.
+  std::vector<MotionRun> run_;
+  bool stopped_ = false;  ///< for the pending command, which has been planned: its `steps_`
   WayPoint goal_;
 
   // counts, and what was seen
@@ -215,10 +228,12 @@ class Machine {
   std::uint64_t world_version_ = 0;
   std::optional<MotionEnd> end_;
 
-  // scratch, no part of the state
+  // scratch, no part of the state but where `stopped_` says so
   std::vector<double> steps_;
   std::vector<double> refused_steps_;  ///< those of the command's own parameters
   std::vector<double> q_next_;
+  std::vector<MotionRun> run_next_;
+  bool goes_on_ = false;  ///< `run_next_` with `run_`
   std::vector<double> asked_steps_;
   std::vector<double> asked_q_;
   std::vector<Value> operands_;

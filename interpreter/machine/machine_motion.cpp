@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "interpreter/machine/machine.hpp"
 #include "interpreter/machine/run_time_error.hpp"
@@ -9,14 +10,34 @@
 
 namespace rubicon::interpreter {
 
-/// Makes one attempt of a command; false if a livelock, circling or the budget stopped it first.
+/// Makes one attempt of a command, or comes to the stop that it needs before it; false if a
+/// livelock, circling or the budget stopped it first.
 bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
-  if (!may_attempt(index, world)) return false;
+  const bool planned = std::exchange(stopped_, false);
+  if (!planned && !may_attempt(index, world)) return false;
   const Node& node = node_at(index);
-  ++tries_;
-  const int n = task_.first_n + tries_ - 1;
+  const bool waits = node.kind == Node::Kind::wait;
+  Refusal refusal = Refusal::none;
+  std::int32_t limit = -1;
+  Ticks duration = 0;
+  const int n = task_.first_n + tries_++;
+  if (!waits) {
+    if (!planned) refusal = plan(node, world, limit);
+    if (refusal == Refusal::none) {
+      robot::apply_rules(*model_, task_.mounting, q_, steps_, q_next_);
+      limit = first_out_of_range(q_next_);
+      if (limit >= 0) refusal = Refusal::limit;
+      duration = plan_run(world.loaded());
+    }
+  }
+  if (refusal == Refusal::none && (waits || must_stop(world, duration)) && stop(events)) {
+    --tries_;
+    stopped_ = true;
+    pending_ = index;
+    return true;
+  }
   pending_ = -1;
-  if (node.kind == Node::Kind::wait) {
+  if (waits) {
     time_ += ticks_from_seconds(model_->time_step);
     ++accepted_;
     result_ = true;
@@ -24,44 +45,17 @@ bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
     return true;
   }
 
-  std::fill(steps_.begin(), steps_.end(), 0.0);
-  Refusal refusal = Refusal::none;
-  std::int32_t limit = -1;
-  Ticks duration = 0;
-  const bool several = node.kind == Node::Kind::together;
-  const std::int32_t parts = several ? node.count : 1;
-  const bool loaded = world.loaded();
-  bool something = false;
-  for (std::int32_t i = 0; i < parts; ++i) {
-    const Node& part = several ? node_at(child_at(node, i)) : node;
-    std::int32_t part_limit = -1;
-    const Refusal part_refusal = plan_part(part, world, steps_, part_limit);
-    if (i == 0) {
-      refusal = part_refusal;
-      limit = part_limit;
-    }
-    if (part_refusal != Refusal::none) continue;
-    something = true;
-    const double ds = steps_[static_cast<std::size_t>(part.target)];
-    duration = std::max(duration, duration_of(part.target, ds, loaded));
-  }
   std::optional<HitPair> hit;
-  if (something) {
-    refusal = Refusal::none;
-    robot::apply_rules(*model_, task_.mounting, q_, steps_, q_next_);
-    limit = first_out_of_range(q_next_);
-    if (limit >= 0) {
-      refusal = Refusal::limit;
-    } else {
-      hit = world.propose({q_, q_next_, time_, duration});
-      if (hit) refusal = Refusal::hit;
-    }
+  if (refusal == Refusal::none) {
+    hit = world.propose({q_, q_next_, time_, duration});
+    if (hit) refusal = Refusal::hit;
   }
   switch (refusal) {
     case Refusal::none:
       std::copy(q_next_.begin(), q_next_.end(), q_.begin());
       robot::normalise(*model_, q_);
       time_ += duration;
+      run_.swap(run_next_);
       ++accepted_;
       break;
     case Refusal::at_goal:
@@ -80,6 +74,7 @@ bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
   }
   result_ = refusal == Refusal::none;
   if (events) {
+    const bool several = node.kind == Node::Kind::together;
     Attempt record;
     record.n = n;
     record.command = several                            ? "together"
@@ -93,7 +88,7 @@ bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
     record.hit = hit ? &*hit : nullptr;
     if (hit) {
       refused_steps_.clear();
-      for (std::int32_t i = 0; i < parts; ++i) {
+      for (std::int32_t i = 0; i < (several ? node.count : 1); ++i) {
         const Node& part = several ? node_at(child_at(node, i)) : node;
         refused_steps_.push_back(steps_[static_cast<std::size_t>(part.target)]);
       }
@@ -104,6 +99,64 @@ bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
     events->attempt(record);
   }
   return true;
+}
+
+/// Plans the steps of a command's parts; what is refused of each. None: at least one part moves.
+Refusal Machine::plan(const Node& node, const World& world, std::int32_t& limit) {
+  std::fill(steps_.begin(), steps_.end(), 0.0);
+  const bool several = node.kind == Node::Kind::together;
+  const std::int32_t parts = several ? node.count : 1;
+  Refusal first = Refusal::none;
+  bool something = false;
+  for (std::int32_t i = 0; i < parts; ++i) {
+    std::int32_t part_limit = -1;
+    const Refusal refusal =
+        plan_part(several ? node_at(child_at(node, i)) : node, world, steps_, part_limit);
+    if (i == 0) {
+      first = refusal;
+      limit = part_limit;
+    }
+    something = something || refusal == Refusal::none;
+  }
+  return something ? Refusal::none : first;
+}
+
+/// How long the planned steps take together: as long as the slowest. `run_next_` is then the run
+/// that they begin, or go on with.
+Ticks Machine::plan_run(bool loaded) {
+  run_next_.clear();
+  bool goes_on = true;
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const double ds = steps_[i];
+    if (ds == 0) continue;
+    const robot::Parameter& p = model_->parameters[i];
+    run_next_.emplace_back(static_cast<std::int32_t>(i), ds > 0, loaded ? p.loaded_speed : p.speed,
+                           p.acceleration);
+    goes_on =
+        goes_on && moved < run_.size() && run_[moved].is_of(static_cast<std::int32_t>(i), ds > 0);
+    ++moved;
+  }
+  goes_on_ = goes_on && moved == run_.size();
+  if (goes_on_) run_next_ = run_;
+  Ticks duration = 0;
+  bool accelerates = false;
+  std::size_t next = 0;
+  for (const double ds : steps_) {
+    if (ds == 0) continue;
+    duration = std::max(duration, run_next_[next].advance(std::fabs(ds)));
+    accelerates = accelerates || run_next_[next].accelerates();
+    ++next;
+  }
+  if (!accelerates) run_next_.clear();
+  return duration;
+}
+
+/// Whether the planned step begins another run than the one that goes on, and would be accepted: a
+/// refused try ends no run.
+bool Machine::must_stop(const World& world, Ticks duration) const {
+  if (run_.empty() || goes_on_) return false;
+  return world.would_accept({q_, q_next_, time_, duration});
 }
 
 /// Forms the key of LANGUAGE 9.2 and 9.3 before an attempt; false ends the motion.
@@ -209,6 +262,8 @@ Hash128 Machine::state_hash(const World& world) const {
     hasher.add(static_cast<std::uint64_t>(variable.value.negated));
   }
   hasher.add(static_cast<std::uint64_t>(time_));
+  for (const MotionRun& part : run_) hasher.add(static_cast<std::uint64_t>(part.rest()));
+  hasher.add(static_cast<std::uint64_t>(stopped_));
   hasher.add(static_cast<std::uint64_t>(way_point_));
   hasher.add(static_cast<std::uint64_t>(tries_));
   hasher.add(world.version());
@@ -266,11 +321,6 @@ int Machine::first_out_of_range(std::span<const double> q) const {
     if (q[i] < p.lower - slack || q[i] > p.upper + slack) return static_cast<int>(i);
   }
   return -1;
-}
-
-Ticks Machine::duration_of(int index, double ds, bool loaded) const {
-  const robot::Parameter& p = parameter(index);
-  return ticks_from_seconds(std::fabs(ds) / (loaded ? p.loaded_speed : p.speed));
 }
 
 /// Whether move_dir(p, direction) would be accepted now.

@@ -41,6 +41,10 @@ constexpr Unit kUnits[] = {
     {"km/h", {1, 0, -1, 0}, 1, 3.6},
     {"deg/s", {0, 1, -1, 0}, 1, 1},
     {"rad/s", {0, 1, -1, 0}, kDegreesPerRadian, 1},
+    {"m/s2", {1, 0, -2, 0}, 1, 1},
+    {"mm/s2", {1, 0, -2, 0}, 1, 1000},
+    {"deg/s2", {0, 1, -2, 0}, 1, 1},
+    {"rad/s2", {0, 1, -2, 0}, kDegreesPerRadian, 1},
     {"rpm", {0, 1, -1, 0}, 6, 1},  // 360 degrees in 60 seconds
 };
 
@@ -152,9 +156,10 @@ void ParseState::unknown_unit(const char* from, const char* to) {
                       : fmt::format("unknown unit {}; did you mean {}?", found(from), near),
          computes_numbers_
              ? "units are mm, cm, m, m2, m3, deg, rad, s, min, h, t, kg, kg/m3, t/m3, "
-               "m/s, mm/s, km/h, deg/s, rad/s, rpm, and such as per h or t per m3"
+               "m/s, mm/s, km/h, deg/s, rad/s, rpm, m/s2, mm/s2, deg/s2, rad/s2, and such as per h "
+               "or t per m3"
              : "units are mm, cm, m, deg, rad, s, min, h, t, kg, kg/m3, t/m3, "
-               "m/s, mm/s, km/h, deg/s, rad/s, rpm and per h");
+               "m/s, mm/s, km/h, deg/s, rad/s, rpm, m/s2, mm/s2, deg/s2, rad/s2 and per h");
 }
 
 }  // namespace rubicon::interpreter

@@ -42,6 +42,8 @@ class EventSink {
                      Span span) = 0;  ///< the label that held; "when" for a condition
   virtual void attempt(const Attempt& attempt) = 0;
   virtual void wait(int n, Ticks time, Span span) = 0;  ///< time after the wait
+  /// The machine has come to a stop: what was left of its run is charged up to `time`.
+  virtual void stop(Ticks time) = 0;
 };
 
 /// The reason of a refusal as traces write it: "", "at goal", "no direction", "limit P", "hit".

@@ -11,7 +11,7 @@ namespace {
 /// Powers beyond this are of no unit that anybody means.
 constexpr int kMaxPower = 100;
 
-constexpr std::array<std::pair<Dimension, UnitKind>, 9> kKinds = {{
+constexpr std::array<std::pair<Dimension, UnitKind>, 11> kKinds = {{
     {{0, 0, 0, 0}, UnitKind::none},
     {{1, 0, 0, 0}, UnitKind::length},
     {{0, 1, 0, 0}, UnitKind::angle},
@@ -20,10 +20,12 @@ constexpr std::array<std::pair<Dimension, UnitKind>, 9> kKinds = {{
     {{-3, 0, 0, 1}, UnitKind::density},
     {{1, 0, -1, 0}, UnitKind::speed},
     {{0, 1, -1, 0}, UnitKind::turn_rate},
+    {{1, 0, -2, 0}, UnitKind::acceleration},
+    {{0, 1, -2, 0}, UnitKind::turn_acceleration},
     {{0, 0, -1, 0}, UnitKind::per_hour},
 }};
 
-constexpr std::array<std::pair<Dimension, const char*>, 12> kTexts = {{
+constexpr std::array<std::pair<Dimension, const char*>, 14> kTexts = {{
     {{0, 0, 0, 0}, "a plain number"},
     {{1, 0, 0, 0}, "a length"},
     {{0, 1, 0, 0}, "an angle"},
@@ -31,6 +33,8 @@ constexpr std::array<std::pair<Dimension, const char*>, 12> kTexts = {{
     {{0, 0, 0, 1}, "a mass"},
     {{1, 0, -1, 0}, "a speed"},
     {{0, 1, -1, 0}, "a turning speed"},
+    {{1, 0, -2, 0}, "an acceleration"},
+    {{0, 1, -2, 0}, "a turning acceleration"},
     {{0, 0, -1, 0}, "an hourly rate"},
     {{2, 0, 0, 0}, "an area"},
     {{3, 0, 0, 0}, "a volume"},

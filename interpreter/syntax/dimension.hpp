@@ -15,6 +15,8 @@ enum class UnitKind {
   density,
   speed,
   turn_rate,
+  acceleration,
+  turn_acceleration,
   per_hour,
   compound  ///< any other, such as an area: its Dimension says which
 };

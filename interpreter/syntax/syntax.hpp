@@ -179,7 +179,7 @@ struct Shape {
 // ---- robot files
 // -----------------------------------------------------------------------------------------------
 
-/// range(a, b), cyclic, step(v), speed(v), loaded(v), start(v), prefer(v): `name` as written
+/// range(a, b), cyclic, and step, speed, loaded, accel, start, prefer of (v): `name` as written
 struct Attribute {
   Name name;
   std::vector<Number> numbers;  ///< signed

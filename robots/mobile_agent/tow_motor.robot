@@ -3,10 +3,10 @@ robot tow_motor {
   time_step 1;
   sensor 10;
   body truck {
-    param x step(0.5) speed(1.2 m/s) loaded(0.8 m/s) range(-40, 60);
+    param x step(0.5) speed(1.2 m/s) loaded(0.8 m/s) accel(0.5 m/s2) range(-40, 60);
     param y range(-40, 40);  # never moved by itself: the rules below change it
     param z;
-    param theta cyclic step(10) speed(30 deg/s) loaded(20 deg/s);
+    param theta cyclic step(10) speed(30 deg/s) loaded(20 deg/s) accel(20 deg/s2);
     rule theta <- theta + theta_s;
     rule x <- x + x_s * cos(theta) - y_s * sin(theta);
     rule y <- y + x_s * sin(theta) + y_s * cos(theta);

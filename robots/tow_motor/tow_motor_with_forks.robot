@@ -3,9 +3,9 @@ robot tow_motor_with_forks {
   time_step 1;
   sensor 12;
   body truck {
-    param x step(0.5) speed(1.2 m/s) loaded(0.8 m/s) range(-100, 100);
+    param x step(0.5) speed(1.2 m/s) loaded(0.8 m/s) accel(0.5 m/s2) range(-100, 100);
     param y range(-100, 100);  # never moved by itself: the rules below change it
-    param theta cyclic step(10) speed(30 deg/s) loaded(20 deg/s);
+    param theta cyclic step(10) speed(30 deg/s) loaded(20 deg/s) accel(20 deg/s2);
     rule theta <- theta + theta_s;
     rule x <- x + x_s * cos(theta) - y_s * sin(theta);
     rule y <- y + x_s * sin(theta) + y_s * cos(theta);
@@ -15,7 +15,7 @@ robot tow_motor_with_forks {
     shape box(0.4, -0.45, 0.05, 0.5, 0.45, 2);  # mast
   }
   body forks on truck {
-    param z range(0, 1.2) step(0.1) speed(0.25 m/s) loaded(0.15 m/s) start(0.2);  # the prongs, above the ground
+    param z range(0, 1.2) step(0.1) speed(0.25 m/s) loaded(0.15 m/s) accel(0.25 m/s2) start(0.2);  # the prongs, above the ground
     frame trans(0.5, 0, z);
     shape box(0, -0.3, 0.02, 1.15, -0.15, 0.08);
     shape box(0, 0.15, 0.02, 1.15, 0.3, 0.08);

@@ -10,7 +10,7 @@ robot tower_crane_high {
     shape box(-3, -3, 0, 3, 3, 0.8);  # foundation block
   }
   body jib on mast {
-    param theta range(-180, 180) step(2) speed(0.6 rpm) loaded(0.4 rpm);
+    param theta range(-180, 180) step(2) speed(0.6 rpm) loaded(0.4 rpm) accel(0.72 deg/s2);
     frame rotz(theta);
     shape box(-1.2, -1.2, 49.5, 1.2, 1.2, 52.5);  # slewing ring and cabin
     shape box(1.2, -0.7, 50, 45, 0.7, 51.5);  # jib
@@ -18,14 +18,14 @@ robot tower_crane_high {
     shape box(-13, -1.2, 48, -9.5, 1.2, 50);  # ballast
   }
   body trolley on jib {
-    param x range(8, 44) step(0.5) speed(0.67 m/s) loaded(0.42 m/s) start(12);
+    param x range(8, 44) step(0.5) speed(0.67 m/s) loaded(0.42 m/s) accel(0.25 m/s2) start(12);
     frame trans(x, 0, 49.7);
     shape box(-0.6, -0.6, 0, 0.6, 0.6, 0.3);
     shape box(-0.1, -0.1, -10.4, 0.1, 0.1, 0);  # the upper length of the rope
   }
   body hook on trolley {
-    param z range(-1, 38) step(0.5) speed(0.67 m/s) loaded(0.33 m/s) start(20);  # the hook above the foot of the mast
-    param theta cyclic step(5) speed(10 deg/s) loaded(6 deg/s);
+    param z range(-1, 38) step(0.5) speed(0.67 m/s) loaded(0.33 m/s) accel(0.3 m/s2) start(20);  # the hook above the foot of the mast
+    param theta cyclic step(5) speed(10 deg/s) loaded(6 deg/s) accel(5 deg/s2);
     frame trans(0, 0, 0.2923 * z - 27.7);
     shape cylinder(3.4, 0, 11.6);
   }

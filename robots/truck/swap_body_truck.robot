@@ -2,9 +2,9 @@
 robot swap_body_truck {
   time_step 1;
   body truck {
-    param x step(1) speed(3 m/s) loaded(2 m/s) range(-200, 200);
+    param x step(1) speed(3 m/s) loaded(2 m/s) accel(0.6 m/s2) range(-200, 200);
     param y range(-200, 200);  # never moved by itself: the rules below change it
-    param theta cyclic step(10) speed(15 deg/s) loaded(10 deg/s);
+    param theta cyclic step(10) speed(15 deg/s) loaded(10 deg/s) accel(7.5 deg/s2);
     rule theta <- theta + theta_s;
     rule x <- x + x_s * cos(theta) - y_s * sin(theta);
     rule y <- y + x_s * sin(theta) + y_s * cos(theta);

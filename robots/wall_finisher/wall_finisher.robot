@@ -4,19 +4,19 @@
 robot wall_finisher {
   time_step 1;
   body base {
-    param x range(0, 40) step(0.5) speed(0.25 m/s) start(2);
+    param x range(0, 40) step(0.5) speed(0.25 m/s) accel(0.2 m/s2) start(2);
     frame trans(x, 0, 20);
     shape box(-1, 0, 0, 1, 2, 1);
     behaviour { chain { move_to(x, goal(x)) }; }
   }
   body carriage on base {
-    param z range(-20, 0) step(0.5) speed(0.2 m/s) start(-1);
+    param z range(-20, 0) step(0.5) speed(0.2 m/s) accel(0.2 m/s2) start(-1);
     frame trans(0, -0.5, z);
     shape box(-1.5, -0.5, -0.5, 1.5, 0, 0.5);
     behaviour { chain { move_to(z, goal(z)) }; }
   }
   body effector on carriage {
-    param x range(-1.5, 1.5) step(0.25) speed(0.5 m/s);
+    param x range(-1.5, 1.5) step(0.25) speed(0.5 m/s) accel(0.5 m/s2);
     frame trans(x, 0, 0);
     shape box(-0.2, 0, -0.2, 0.2, 0.3, 0.2);
     behaviour { chain { move_to(x, goal(x)) }; }

@@ -68,7 +68,7 @@ class Result:
         """The values of the robot before a step, and the clock of its task."""
         record = self.records[index]
         values, clock = None, None
-        for other in self.places("try", "end", "task_start", "wait", "work", "pause", "attach", "detach"):
+        for other in self.places("try", "end", "task_start", "wait", "stop", "work", "pause", "attach", "detach"):
             if other >= index:
                 break
             past = self.records[other]

@@ -42,6 +42,9 @@ void EventLog::attempt(const Attempt& attempt) {
 void EventLog::wait(int n, Ticks time, Span) {
   lines.push_back(fmt::format("{} + wait t {:g}", n, seconds_from_ticks(time)));
 }
+void EventLog::stop(Ticks time) {
+  lines.push_back(fmt::format("stop t {:g}", seconds_from_ticks(time)));
+}
 
 Scenario set_up(const std::string& robot_text, const std::string& script) {
   MemoryFiles files({{"r.robot", robot_text}, {"s.motion", script}});

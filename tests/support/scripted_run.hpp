@@ -56,6 +56,7 @@ class EventLog : public interpreter::EventSink {
   void which(const std::string& label, interpreter::Span) override;
   void attempt(const interpreter::Attempt& attempt) override;
   void wait(int n, interpreter::Ticks time, interpreter::Span) override;
+  void stop(interpreter::Ticks time) override;
 };
 
 /// A robot and its script, compiled; texts that do not check are a failure of the test.

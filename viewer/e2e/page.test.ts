@@ -33,7 +33,7 @@ describe.skipIf(!hasBrowser)('the page', () => {
     const top = await page.locator('#top').innerText();
     expect(top).toContain('two_cranes');
     expect(top).toContain('feasible: all 18 tasks done');
-    expect(top).toContain('Mon 4 May 2026 12:59');
+    expect(top).toContain('Mon 4 May 2026 13:02');
     const seconds = Math.round(schedule.process_time);
     expect(top).toContain(`${Math.floor(seconds / 3600)}:${String(Math.floor(seconds / 60) % 60).padStart(2, '0')}`);
     expect(top).toContain('1,308.55');

@@ -28,6 +28,7 @@ export function sentence(film: Film, record: number): string {
       return number('try.ok') ? step : `${step} refused: ${refusal(film, record)}`;
     }
     case 'wait': return 'wait';
+    case 'stop': return 'the machine comes to a stop';
     case 'work': {
       const crew = text('work.crew');
       return `${workWord(text('work.what'))}${crew && ` by ${crew}`}, ${duration(number('work.time'))}`;

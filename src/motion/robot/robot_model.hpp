@@ -25,6 +25,7 @@ struct Parameter {
   double step = 0;          ///< 0: cannot be moved by a command
   double speed = 0;         ///< per second; 0 without step
   double loaded_speed = 0;  ///< per second while an object is attached
+  double acceleration = 0;  ///< per second squared; 0: its speed is there at once (trapezoid.hpp)
   double start = 0;
   int prefer = 1;         ///< ties of directions: +1 or -1
   bool derived = false;   ///< computed from others after the rules; never stepped

@@ -118,6 +118,7 @@ void apply(const Event& event, TaskState& state) {
     case EventKind::pause:
     case EventKind::remove:
     case EventKind::task_end:
+    case EventKind::stop:
       break;
   }
   state.t = event.t;

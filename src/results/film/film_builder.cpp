@@ -188,6 +188,8 @@ void FilmBuilder::write(const trace::Attempt& attempt, int run) {
 
 void FilmBuilder::write(const trace::Wait&, int run) { tracks_->stand(run, runs_[run].last); }
 
+void FilmBuilder::write(const trace::Stop&, int run) { tracks_->stand(run, runs_[run].last); }
+
 void FilmBuilder::write(const trace::Work& work, int run) {
   columns_.work_what.add(string(work.what));
   columns_.work_crew.add(string(work.crew));

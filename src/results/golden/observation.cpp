@@ -95,6 +95,7 @@ struct GoldenMembers {
     event["q"] = configuration_json(attempt.q);
   }
   void operator()(const trace::Wait& wait) const { event["n"] = wait.n; }
+  void operator()(const trace::Stop& stop) const { event["time"] = time_json(stop.t); }
   void operator()(const trace::Attach& attach) const { event["component"] = attach.component; }
   void operator()(const trace::Detach& detach) const { event["component"] = detach.component; }
   void operator()(const trace::MotionEnd& end) const {
@@ -138,7 +139,8 @@ const trace::RecordKinds kWanted = {
     trace::RecordKind::task_start, trace::RecordKind::goal, trace::RecordKind::set,
     trace::RecordKind::enter,      trace::RecordKind::exit, trace::RecordKind::which,
     trace::RecordKind::attempt,    trace::RecordKind::wait, trace::RecordKind::attach,
-    trace::RecordKind::detach,     trace::RecordKind::end,  trace::RecordKind::task_end};
+    trace::RecordKind::detach,     trace::RecordKind::end,  trace::RecordKind::task_end,
+    trace::RecordKind::stop};
 
 }  // namespace
 
@@ -227,6 +229,10 @@ void Observation::write_event(const trace::Record&, const trace::Choice& choice)
 void Observation::write_event(const trace::Record&, const trace::Wait& wait) {
   text_ += fmt::format("{:>5} {}+ wait\n", wait.n,
                        std::string(static_cast<std::size_t>(2 * depth_), ' '));
+}
+
+void Observation::write_event(const trace::Record&, const trace::Stop& stop) {
+  write(fmt::format("stop, at {} s", brief(trace::seconds(stop.t))));
 }
 
 void Observation::write_event(const trace::Record&, const trace::Attach& attach) {

@@ -65,6 +65,7 @@ class Observation : public trace::TraceSink {
   void write_event(const trace::Record& record, const trace::Choice& choice);
   void write_event(const trace::Record& record, const trace::Attempt& attempt);
   void write_event(const trace::Record& record, const trace::Wait& wait);
+  void write_event(const trace::Record& record, const trace::Stop& stop);
   void write_event(const trace::Record& record, const trace::Attach& attach);
   void write_event(const trace::Record& record, const trace::Detach& detach);
   void write_event(const trace::Record& record, const trace::MotionEnd& end);

@@ -29,6 +29,7 @@ robot::Parameter make_parameter(const trace::HeaderParameter& header, int body,
   parameter.step = header.step;
   parameter.speed = header.speed;
   parameter.loaded_speed = header.loaded_speed;
+  parameter.acceleration = header.acceleration;
   parameter.start = header.start;
   parameter.derived = header.derived;
   parameter.direct = false;  // the formula says it all

@@ -21,7 +21,7 @@ constexpr Ticks kSecond = 1'000'000'000;
 const trace::RecordKinds kWanted = {RecordKind::task_start, RecordKind::attempt, RecordKind::wait,
                                     RecordKind::work,       RecordKind::pause,   RecordKind::attach,
                                     RecordKind::detach,     RecordKind::remove,  RecordKind::end,
-                                    RecordKind::task_end};
+                                    RecordKind::task_end,   RecordKind::stop};
 
 std::string quoted(std::string_view name) {
   std::string text;

@@ -43,16 +43,29 @@ class TrackBuilder {
     stands_since_ = time;
   }
 
-  void follow(std::monostate) {}
+  /// Time goes by while it stands: its run is over.
+  void follow(std::monostate) {
+    if (time_ > now_) gone_.clear();
+  }
 
   void follow(const Step& step) {
     stand_until(now_);
-    track_.legs.push_back(
-        {now_, time_, q_,
-         reached_values(machine_, {q_, step.q, step.moved, hanging_ >= 0, time_ - now_}),
-         hanging_});
+    ReachedStep reached =
+        reached_values(machine_, {q_, step.q, step.moved, hanging_ >= 0, time_ - now_, gone_});
+    add_to_run(reached.steps);
+    track_.legs.push_back({now_, time_, q_, std::move(reached.values), hanging_});
     q_ = step.q;
     stands_since_ = std::max(stands_since_, time_);
+  }
+
+  /// Steps of the same parameters in the same directions make one run.
+  void add_to_run(const std::vector<double>& steps) {
+    bool goes_on = !gone_.empty();
+    for (std::size_t i = 0; i < steps.size() && goes_on; ++i) {
+      goes_on = steps[i] == 0 ? gone_[i] == 0 : gone_[i] * steps[i] > 0;
+    }
+    if (!goes_on) gone_.assign(steps.size(), 0.0);
+    for (std::size_t i = 0; i < steps.size(); ++i) gone_[i] += steps[i];
   }
 
   void follow(const LoadChange& change) {
@@ -68,6 +81,7 @@ class TrackBuilder {
   const Machine& machine_;
   RobotTrack track_;
   std::vector<double> q_;
+  std::vector<double> gone_;  ///< of the run that goes on, by parameter
   int hanging_ = -1;
   Ticks now_ = 0;   ///< before the event
   Ticks time_ = 0;  ///< after it

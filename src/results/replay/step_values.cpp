@@ -3,8 +3,10 @@
 #include <Eigen/QR>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "src/motion/math/turns.hpp"
+#include "src/motion/robot/trapezoid.hpp"
 #include "src/motion/robot/turns.hpp"
 
 namespace rubicon::replay {
@@ -22,7 +24,7 @@ class StepSolver {
   StepSolver(const Machine& machine, const RecordedStep& step)
       : machine_(machine), step_(step), steps_(step.before.size(), 0.0) {}
 
-  std::vector<double> solve() {
+  ReachedStep solve() {
     for (int round = 0; round < kNewtonRounds; ++round) {
       if (!improve()) break;
     }
@@ -32,7 +34,7 @@ class StepSolver {
       const double off = difference(i, reached[i]);
       if (!(std::fabs(off) <= kSame)) reached[i] += std::isfinite(off) ? off : 0;
     }
-    return reached;
+    return {std::move(reached), std::move(steps_)};
   }
 
  private:
@@ -83,6 +85,16 @@ class StepSolver {
     return step_.loaded ? parameter(moved).loaded_speed : parameter(moved).speed;
   }
 
+  /// Seconds of a step of one parameter, from where it is in its run.
+  double seconds(int moved, double ds) const {
+    const double acceleration = parameter(moved).acceleration;
+    if (!(acceleration > 0)) return std::fabs(ds) / speed(moved);
+    const double gone = step_.gone.empty() ? 0 : step_.gone[at(moved)];
+    const double from = gone * ds > 0 ? std::fabs(gone) : 0;
+    return robot::time_under_way(from + std::fabs(ds), speed(moved), acceleration) -
+           robot::time_under_way(from, speed(moved), acceleration);
+  }
+
   /// A step of more than half a turn looks like one the other way round; its duration tells.
   void unwrap() {
     for (const int moved : step_.moved) {
@@ -91,7 +103,7 @@ class StepSolver {
       const double step = steps_[at(moved)];
       const double other = math::other_way_round_deg(step);
       const auto off = [&](double ds) {
-        const double duration = std::fabs(ds) / speed(moved) * interpreter::kTicksPerSecond;
+        const double duration = seconds(moved, ds) * interpreter::kTicksPerSecond;
         return std::fabs(std::floor(duration + 0.5) - static_cast<double>(step_.duration));
       };
       if (std::fabs(other) <= p.step && off(other) < off(step)) steps_[at(moved)] = other;
@@ -105,7 +117,7 @@ class StepSolver {
 
 }  // namespace
 
-std::vector<double> reached_values(const Machine& machine, const RecordedStep& step) {
+ReachedStep reached_values(const Machine& machine, const RecordedStep& step) {
   return StepSolver(machine, step).solve();
 }
 

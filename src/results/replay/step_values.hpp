@@ -18,12 +18,20 @@ struct RecordedStep {
   std::span<const int> moved;
   bool loaded = false;
   Ticks duration = 0;
+  /// How far each parameter has gone in the run that goes on (m or degrees, its sign the
+  /// direction); empty: nothing goes on.
+  std::span<const double> gone = {};
+};
+
+struct ReachedStep {
+  std::vector<double> values;  ///< per parameter, turns not reduced
+  std::vector<double> steps;   ///< per parameter, 0 where the command did not move it
 };
 
 /// The values to which the step led in a straight line: `after` with the whole turns that a record
 /// leaves out. The steps of the moved parameters are found from the values by Newton's method (one
 /// round for rules that are linear in them). A value that no step leads to is taken as recorded,
 /// the shorter way round.
-std::vector<double> reached_values(const Machine& machine, const RecordedStep& step);
+ReachedStep reached_values(const Machine& machine, const RecordedStep& step);
 
 }  // namespace rubicon::replay

@@ -25,11 +25,11 @@ Configuration configuration(trace::Configuration q) {
 }
 
 /// The records that tell what becomes of a task. What its script does between its steps does not.
-const trace::RecordKinds kWanted = {trace::RecordKind::task_start, trace::RecordKind::attempt,
-                                    trace::RecordKind::wait,       trace::RecordKind::work,
-                                    trace::RecordKind::pause,      trace::RecordKind::attach,
-                                    trace::RecordKind::detach,     trace::RecordKind::remove,
-                                    trace::RecordKind::end,        trace::RecordKind::task_end};
+const trace::RecordKinds kWanted = {
+    trace::RecordKind::task_start, trace::RecordKind::attempt, trace::RecordKind::wait,
+    trace::RecordKind::work,       trace::RecordKind::pause,   trace::RecordKind::attach,
+    trace::RecordKind::detach,     trace::RecordKind::remove,  trace::RecordKind::end,
+    trace::RecordKind::task_end,   trace::RecordKind::stop};
 
 }  // namespace
 

@@ -53,4 +53,8 @@ void HitRecorder::wait(int n, interpreter::Ticks time, interpreter::Span span) {
   if (next_) next_->wait(n, time, span);
 }
 
+void HitRecorder::stop(interpreter::Ticks time) {
+  if (next_) next_->stop(time);
+}
+
 }  // namespace rubicon::taskplan

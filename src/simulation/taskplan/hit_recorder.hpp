@@ -47,6 +47,7 @@ class HitRecorder : public interpreter::EventSink {
   void which(const std::string& label, interpreter::Span span) override;
   void attempt(const interpreter::Attempt& attempt) override;
   void wait(int n, interpreter::Ticks time, interpreter::Span span) override;
+  void stop(interpreter::Ticks time) override;
 
  private:
   interpreter::EventSink* next_;

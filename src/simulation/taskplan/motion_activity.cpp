@@ -93,7 +93,7 @@ Step MotionActivity::begin(ActiveTask& task, Stage& stage) {
 Step MotionActivity::resume(ActiveTask& task, Stage& stage) {
   switch (doing_) {
     case Doing::moving:
-      if (!waits_in_script_) stage.announce({stage.spec(task.task).robot, -1});
+      if (!stands_) stage.announce({stage.spec(task.task).robot, -1});
       return move_on(task, stage);
     case Doing::waiting_for_shift:
       task.account.outcome.waits.shift += stage.now() - since_;
@@ -124,26 +124,39 @@ Step MotionActivity::start_machine(ActiveTask& task, Stage& stage) {
   doing_ = Doing::moving;
   machine_start_ = stage.now();
   tries_before_ = free_tries_ = 0;
+  version_at_stop_.reset();
   machine_.emplace(stage.program_of(spec.robot), std::move(motion));
   return move_on(task, stage);
 }
 
-/// Attempts until one takes time.
+/// Attempts until one takes time, or a stop does.
 Step MotionActivity::move_on(ActiveTask& task, Stage& stage) {
   const schedule::WorkCalendar& calendar = stage.calendar(task.task);
-  if (calendar.carries_over() && !calendar.works_at(stage.now())) {
-    wait_for_shift(task, stage);
-    return Step::pending;
-  }
   stage.trace_of(task.task);
   interpreter::Machine& machine = *machine_;
-  waits_in_script_ = false;
+  stands_ = false;
+  if (calendar.carries_over() && !calendar.works_at(stage.now())) {
+    if (!machine.stop(&task.hits)) {
+      wait_for_shift(task, stage);
+      return Step::pending;
+    }
+    stands_ = true;
+    count_time(task, stage, machine.time(), false);
+  }
   refund_waits(stage);
   while (machine.time() == stage.now()) {
     const std::vector<double> before = machine.q();
+    const int tries = machine.tries();
     if (!machine.advance(stage.view(stage.spec(task.task).robot), &task.hits)) break;
     if (machine.time() == stage.now()) continue;
-    count_step(task, stage, machine.time(), machine.q() == before);
+    // What takes time and is no attempt is a stop.
+    const bool stops = machine.tries() == tries;
+    const bool waits = !stops && machine.q() == before;
+    stands_ = stops || waits;
+    version_at_stop_.reset();
+    if (stops) version_at_stop_ = stage.view(stage.spec(task.task).robot).version();
+    if (!stops) count_step(task, stage, machine.time(), waits);
+    if (stops) count_time(task, stage, machine.time(), false);
   }
   // A motion that was stopped may reach its way points again: only the first time is progress.
   const std::size_t behind = goals_dropped_ + machine.way_point();
@@ -160,11 +173,16 @@ Step MotionActivity::move_on(ActiveTask& task, Stage& stage) {
 
 /// A step from now to `to`, or a `wait` of the script, which waits for what was in the way last.
 void MotionActivity::count_step(ActiveTask& task, Stage& stage, Ticks to, bool waited) {
-  const Ticks duration = to - stage.now();
-  waits_in_script_ = waited;
   const int tries = machine_->tries();
   if (waited) charge_wait(has_others(stage, task.task) ? tries - tries_before_ - 1 : 0);
   tries_before_ = tries;
+  count_time(task, stage, to, waited);
+}
+
+/// The time from now to `to`, in which the robot makes a step, waits as its script says, or comes
+/// to a stop.
+void MotionActivity::count_time(ActiveTask& task, Stage& stage, Ticks to, bool waited) {
+  const Ticks duration = to - stage.now();
   if (waited && !task.hits.given_way().empty()) {
     task.account.outcome.waits.machine += duration;
   } else {
@@ -245,7 +263,10 @@ Step MotionActivity::end_motion(ActiveTask& task, Stage& stage) {
   goals_.erase(goals_.begin(), goals_.begin() + static_cast<std::ptrdiff_t>(behind));
   goals_dropped_ += behind;
   wait_for_machine(task, stage, std::move(blockers), enough);
-  return Step::pending;
+  // What moved while the robot came to its stop will not be told again.
+  const bool moved =
+      version_at_stop_ && *version_at_stop_ != stage.view(stage.spec(task.task).robot).version();
+  return moved ? retry(task, stage) : Step::pending;
 }
 
 /// A script that evades and comes back to where it waited before, while nobody in its way came any

@@ -45,6 +45,7 @@ class MotionActivity : public Activity {
   void wait_for_shift(ActiveTask& task, Stage& stage);
   void wait_for_machine(ActiveTask& task, Stage& stage, std::vector<Blocker> blockers, bool enough);
   void count_step(ActiveTask& task, Stage& stage, Ticks to, bool waited);
+  void count_time(ActiveTask& task, Stage& stage, Ticks to, bool waited);
   void charge_wait(int looks);
   void refund_waits(const Stage& stage);
   std::string text_of_waits(const ActiveTask& task, const Stage& stage) const;
@@ -63,7 +64,9 @@ class MotionActivity : public Activity {
   std::uint64_t progress_seen_ = 0;  ///< the progress of the site up to which they were counted
   std::size_t way_points_ = 0;       ///< behind it for good
   std::size_t goals_dropped_ = 0;    ///< from the front of `goals_`
-  bool waits_in_script_ = false;     ///< its step is a `wait`
+  /// What would be accepted when the stop began that its motion may end with.
+  std::optional<std::uint64_t> version_at_stop_;
+  bool stands_ = false;  ///< what goes on is a `wait` or a stop, and no step
 };
 
 }  // namespace rubicon::taskplan

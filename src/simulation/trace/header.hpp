@@ -82,6 +82,7 @@ struct HeaderParameter {
   double step = 0;
   double speed = 0;
   double loaded_speed = 0;
+  double acceleration = 0;  ///< 0: none
   double start = 0;
   int prefer = 1;
   bool derived = false;

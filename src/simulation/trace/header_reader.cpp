@@ -97,6 +97,7 @@ HeaderParameter read_parameter(const JsonObject& object) {
   parameter.step = object.number("step");
   parameter.speed = object.number("speed");
   parameter.loaded_speed = object.number("loaded_speed");
+  if (object.has("acceleration")) parameter.acceleration = object.number("acceleration");
   parameter.start = object.number("start");
   parameter.prefer = object.number("prefer") < 0 ? -1 : 1;
   parameter.derived = object.has("derived");

@@ -159,11 +159,16 @@ struct TaskEnd {
   std::string_view reason;
 };
 
+/// A machine came to a stop: what was left of its run, from the record before it.
+struct Stop {
+  Ticks t = 0;
+};
+
 /// One record of a trace. Its texts and lists belong to the reader that gave it.
 struct Record {
   /// In the order of RecordKind.
   using What = std::variant<TaskStart, GoalStart, Assignment, LoopStart, LoopEnd, Choice, Attempt,
-                            Wait, Work, Pause, Attach, Detach, Removal, MotionEnd, TaskEnd>;
+                            Wait, Work, Pause, Attach, Detach, Removal, MotionEnd, TaskEnd, Stop>;
 
   std::string_view task;
   std::string_view robot;  ///< "": crew work

@@ -158,6 +158,12 @@ struct RecordFields<TaskEnd> {
                  required<&TaskEnd::reason>("reason"));
 };
 
+template <>
+struct RecordFields<Stop> {
+  static constexpr RecordKind kKind = RecordKind::stop;
+  static constexpr auto kFields = std::tuple(required<&Stop::t>("t"));
+};
+
 /// What a member is in the text.
 enum class FieldType {
   text,

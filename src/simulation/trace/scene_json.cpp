@@ -50,7 +50,9 @@ void write_parameter(JsonBuilder& json, const robot::RobotModel& model,
   json.field("cyclic", parameter.cyclic);
   json.field("lower", parameter.lower).field("upper", parameter.upper);
   json.field("step", parameter.step).field("speed", parameter.speed);
-  json.field("loaded_speed", parameter.loaded_speed).field("start", parameter.start);
+  json.field("loaded_speed", parameter.loaded_speed);
+  if (parameter.acceleration > 0) json.field("acceleration", parameter.acceleration);
+  json.field("start", parameter.start);
   json.field("prefer", parameter.prefer);
   if (parameter.derived) {
     json.field("derived", formula_text(model, parameter.derived_value));

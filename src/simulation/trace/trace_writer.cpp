@@ -341,4 +341,12 @@ void TraceWriter::wait(int n, interpreter::Ticks time, interpreter::Span) {
   finish();
 }
 
+void TraceWriter::stop(interpreter::Ticks time) {
+  if (!steps()) return;
+  begin("stop");
+  line_ += ",\"t\":";
+  append_seconds(line_, time);
+  finish();
+}
+
 }  // namespace rubicon::trace

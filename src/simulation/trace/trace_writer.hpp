@@ -58,6 +58,7 @@ class TraceWriter : public interpreter::EventSink {
   void which(const std::string& label, interpreter::Span span) override;
   void attempt(const interpreter::Attempt& attempt) override;
   void wait(int n, interpreter::Ticks time, interpreter::Span span) override;
+  void stop(interpreter::Ticks time) override;
 
  private:
   void begin(const char* type);

@@ -53,6 +53,10 @@ TEST(Number, UnitsAreConvertedToBaseUnits) {
                {"2 rpm", 12, UnitKind::turn_rate},
                {"36 km/h", 10, UnitKind::speed},
                {"1 rad/s", 57.29577951308232, UnitKind::turn_rate},
+               {"0.3 m/s2", 0.3, UnitKind::acceleration},
+               {"250mm/s2", 0.25, UnitKind::acceleration},
+               {"1.5 deg/s2", 1.5, UnitKind::turn_acceleration},
+               {"1 rad/s2", 57.29577951308232, UnitKind::turn_acceleration},
                {"180 per h", 0.05, UnitKind::per_hour}};
   for (const auto& expected : cases) {
     const Number number = literal(expected.text);

@@ -118,6 +118,7 @@ std::vector<std::string> written_records() {
   writer.remove("slab", 3 * kSecond);
   write_ends(writer);
   writer.task_end(2'500'000'000, "not reached", "a \"b\"");
+  writer.stop(2 * kSecond);
   return lines.lines;
 }
 

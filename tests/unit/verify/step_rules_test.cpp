@@ -155,5 +155,54 @@ TEST(StepRules, EndForRulesWithoutSolution) {
   EXPECT_FALSE(check(robot, {1, 1}, {2, 2}, {0, 1}, 1).faults.empty());
 }
 
+/// 0.5 m/s at 0.25 m/s2: 2 s and 0.5 m until it is fast.
+SceneRobot ramped() {
+  SceneRobot robot = robot_of({{"x", "x + x_s", 0.5, 0.5}, {"z", "z + z_s", 0.5, 0.5}});
+  robot.parameters[0].acceleration = 0.25;
+  return robot;
+}
+
+Ticks ticks(double seconds) { return static_cast<Ticks>(seconds * 1e9 + 0.5); }
+
+TEST(StepRules, AStepLastsAsItsPlaceInTheRampWants) {
+  const SceneRobot robot = ramped();
+  const std::vector<double> a = {0, 0}, b = {0.25, 0}, c = {0.75, 0};
+  const std::vector<int> x = {0};
+  const StepResult first = check_step(robot, {a, b, x, false, 1'414'213'562, {}});
+  EXPECT_THAT(first.faults, IsEmpty());
+  EXPECT_FALSE(first.goes_on);
+  const StepResult second =
+      check_step(robot, {b, c, x, false, ticks(2.5) - 1'414'213'562, first.run});
+  EXPECT_THAT(second.faults, IsEmpty());
+  EXPECT_TRUE(second.goes_on);
+  // T(0.75) = 2 sqrt(3) s.
+  EXPECT_NEAR(static_cast<double>(rest_time(robot, second.run).time),
+              (2 * 1.7320508075688772 - 2.5) * 1e9, 1);
+  // As if it stood before, as if it had its speed at once, and the other way round.
+  EXPECT_THAT(check_step(robot, {b, c, x, false, ticks(2), first.run}).faults,
+              ElementsAre(HasSubstr("lasts 2 s instead of 1.08579 s")));
+  EXPECT_THAT(check_step(robot, {a, b, x, false, ticks(0.5), {}}).faults,
+              ElementsAre(HasSubstr("lasts 0.5 s instead of 1.41421 s")));
+  const StepResult back = check_step(robot, {b, a, x, false, 1'414'213'562, first.run});
+  EXPECT_THAT(back.faults, IsEmpty());
+  EXPECT_FALSE(back.goes_on);
+}
+
+TEST(StepRules, AnotherSetIsAnotherRunAndWithoutAccelerationThereIsNone) {
+  const SceneRobot robot = ramped();
+  const std::vector<double> a = {0, 0}, b = {0.5, 0}, c = {1, 0.5}, d = {1, 1};
+  const StepResult first = check_step(robot, {a, b, std::vector<int>{0}, false, ticks(2), {}});
+  EXPECT_THAT(first.faults, IsEmpty());
+  const StepResult both =
+      check_step(robot, {b, c, std::vector<int>{1, 0}, false, ticks(2), first.run});
+  EXPECT_THAT(both.faults, IsEmpty());
+  EXPECT_FALSE(both.goes_on);
+  const StepResult one =
+      check_step(robot, {c, d, std::vector<int>{0, 1}, false, ticks(1), both.run});
+  EXPECT_THAT(one.faults, IsEmpty());
+  EXPECT_FALSE(one.goes_on);
+  EXPECT_TRUE(one.run.parts.empty());
+}
+
 }  // namespace
 }  // namespace rubicon::verify

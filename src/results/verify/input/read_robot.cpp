@@ -73,6 +73,7 @@ SceneParameter read_parameter(const JsonFields& fields, const std::vector<std::s
   read.step = fields.number("step");
   read.speed = fields.number("speed");
   read.loaded_speed = fields.number("loaded_speed");
+  if (fields.has("acceleration")) read.acceleration = fields.number("acceleration");
   read.derived = fields.has("derived");
   read.rule = Formula::parse(fields.text(read.derived ? "derived" : "rule"), names);
   return read;

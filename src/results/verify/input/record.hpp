@@ -36,6 +36,9 @@ struct Wait {
   int n = 0;
 };
 
+/// The machine came to a stop, from the record before it to this one's time.
+struct Stop {};
+
 /// Crew work from `from` to the record's time.
 struct Work {
   std::string what;
@@ -85,7 +88,7 @@ struct Record {
   int run = -1;    ///< index into Trace::runs
   int robot = -1;  ///< -1: crew work
   Ticks time = 0;  ///< when it is over
-  std::variant<TaskStart, Goal, Try, Wait, Work, Pause, LoadChange, MotionEnd, TaskEnd> what;
+  std::variant<TaskStart, Goal, Try, Wait, Stop, Work, Pause, LoadChange, MotionEnd, TaskEnd> what;
 };
 
 /// A trace as it was read.

@@ -70,7 +70,8 @@ struct SceneParameter {
   double step = 0;
   double speed = 0;
   double loaded_speed = 0;
-  bool derived = false;  ///< `rule` is its value, of the others after the step
+  double acceleration = 0;  ///< per second squared; 0: none, its speed is there at once
+  bool derived = false;     ///< `rule` is its value, of the others after the step
   Formula rule;
 };
 

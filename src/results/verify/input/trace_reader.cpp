@@ -40,6 +40,8 @@ class RecordReader {
       record_.what = read_try();
     } else if (type == "wait") {
       record_.what = Wait{fields_.integer("n")};
+    } else if (type == "stop") {
+      record_.what = Stop{};
     } else if (type == "work") {
       record_.what = read_work();
     } else if (type == "pause") {

@@ -70,6 +70,7 @@ class TrackBuilder {
     stand_until(runs_[at(run)].start);
     run_ = run;
     now_ = runs_[at(run)].start;
+    moving_ = stopped_ = {};
     for (const int index : runs_[at(run)].records) {
       record_ = &trace_.records[at(index)];
       std::visit([&](const auto& what) { follow(what); }, record_->what);
@@ -92,14 +93,48 @@ class TrackBuilder {
   template <typename Other>
   void follow(const Other&) {}
 
+  /// What begins now begins when the machine stands.
+  void expect_standing(const char* what) {
+    const RunTime rest = rest_time(robot_, moving_);
+    if (rest.time > rest.slack) {
+      fault(FaultKind::motion, fmt::format("{} {:g} s before the machine stands", what,
+                                           static_cast<double>(rest.time) / kSecond));
+    }
+    moving_ = stopped_ = {};
+  }
+
+  void follow(const Stop&) {
+    const RunTime rest = rest_time(robot_, moving_);
+    const Ticks told = record_->time - now_;
+    if (moving_.parts.empty()) {
+      fault(FaultKind::motion, "a stop of a machine that stands");
+    } else if (std::llabs(told - rest.time) > rest.slack) {
+      fault(FaultKind::motion, fmt::format("the stop lasts {:g} s instead of {:g} s",
+                                           static_cast<double>(told) / kSecond,
+                                           static_cast<double>(rest.time) / kSecond));
+    }
+    stopped_ = std::exchange(moving_, {});
+  }
+
+  void follow(const Wait&) { expect_standing("a wait begins"); }
+  void follow(const Work&) { expect_standing("a work begins"); }
+  void follow(const Pause&) { expect_standing("a pause begins"); }
+
   void follow(const Try& attempt) {
     if (!attempt.ok) {
       expect_values(attempt.q, "a refused attempt");
+      stopped_ = {};
       return;
     }
     stand_until(now_);
-    StepQuery query{q_, attempt.q, attempt.moved, hanging_ >= 0, record_->time - now_};
+    StepQuery query{q_, attempt.q, attempt.moved, hanging_ >= 0, record_->time - now_, moving_};
     StepResult result = check_step(robot_, query);
+    if (!result.goes_on) expect_standing("a step of another run begins");
+    if (!stopped_.parts.empty() && result.run.is_of_same_parts(stopped_)) {
+      fault(FaultKind::motion, "a stop in the middle of a run");
+    }
+    stopped_ = {};
+    moving_ = std::move(result.run);
     for (std::string& text : result.faults) fault(FaultKind::motion, std::move(text));
     check_load_chart(attempt.q);
     track_.legs.push_back(
@@ -111,12 +146,14 @@ class TrackBuilder {
   void follow(const Goal&) { q_at_way_point_ = q_; }
 
   void follow(const MotionEnd& end) {
+    expect_standing("a motion ends");
     expect_values(end.q, "the end of a motion");
     last_status_ = end.status;
   }
 
   /// A task that is done left the robot where the plan wanted it.
   void follow(const TaskEnd& end) {
+    expect_standing("the task ends");
     if (trace_.scene.short_form) {
       expect_short_result(end.result);
       return;
@@ -153,6 +190,7 @@ class TrackBuilder {
   void expect_pose(const Pose& X_WG, const std::optional<SceneWithin>& within);
 
   void follow(const LoadChange& change) {
+    expect_standing("a load changes");
     if (change.kind == LoadChange::Kind::remove) return;
     LoadEvent event{record_->time, record_->line, run_, change, Pose::Identity(), -1, index_};
     event.X_WT = mechanism_.pose(mechanism_.tool(), q_);
@@ -231,6 +269,8 @@ class TrackBuilder {
   std::vector<double> q_;
   std::vector<double> q_at_way_point_;  ///< when the last way point began
   std::string last_status_;             ///< of its last motion
+  MotionRun moving_;                    ///< the run that goes on
+  MotionRun stopped_;  ///< the run of the stop just before, if nothing was tried since
   int hanging_ = -1;
   int run_ = -1;
   Ticks now_ = 0;

@@ -102,9 +102,17 @@ class StepSolver {
 
   double speed(const SceneParameter& p) const { return query_.loaded ? p.loaded_speed : p.speed; }
 
-  Ticks duration_of(std::size_t p, double step) const {
-    const double seconds = std::fabs(step) / speed(robot_.parameters[p]);
-    return static_cast<Ticks>(std::floor(seconds * static_cast<double>(kSecond) + 0.5));
+  /// How far a parameter has gone in the run that goes on, if a step in this direction belongs to
+  /// it.
+  double gone(std::size_t p, double step) const {
+    for (const RunPart& part : query_.run.parts) {
+      if (at(part.parameter) == p && (part.gone > 0) == (step > 0)) return part.gone;
+    }
+    return 0;
+  }
+
+  RunTime time_of(std::size_t p, double step) const {
+    return step_time(robot_.parameters[p], query_.loaded, gone(p, step), query_.run.steps, step);
   }
 
   /// A step of more than half a turn looks like one the other way round; its duration tells.
@@ -115,7 +123,7 @@ class StepSolver {
       const double step = steps_[at(moved)];
       const double other = step > 0 ? step - 360 : step + 360;
       const auto off = [&](double ds) {
-        return std::llabs(duration_of(at(moved), ds) - query_.duration);
+        return std::llabs(time_of(at(moved), ds).time - query_.duration);
       };
       if (std::fabs(other) <= p.step && off(other) < off(step)) steps_[at(moved)] = other;
     }
@@ -207,17 +215,46 @@ class StepSolver {
     }
   }
 
-  void check_duration() {
-    Ticks longest = 0;
-    for (const int moved : query_.moved) {
-      if (!(speed(robot_.parameters[at(moved)]) > 0)) continue;
-      longest = std::max(longest, duration_of(at(moved), steps_[at(moved)]));
+  /// The run that the step belongs to: the one that goes on, if the same moves the same way.
+  void find_run() {
+    MotionRun& run = result_.run;
+    run.loaded = query_.loaded;
+    std::vector<int> moved(query_.moved.begin(), query_.moved.end());
+    std::sort(moved.begin(), moved.end());
+    for (const int p : moved) {
+      const double step = steps_[at(p)];
+      if (std::fabs(step) > robot_.parameters[at(p)].step * kStepShare / 2) {
+        run.parts.push_back({p, step});
+      }
     }
-    if (std::llabs(longest - query_.duration) <= kTimeSlack) return;
+    result_.goes_on = !run.parts.empty() && run.is_of_same_parts(query_.run);
+    run.steps = 1;
+    if (!result_.goes_on) return;
+    for (std::size_t i = 0; i < run.parts.size(); ++i) {
+      run.parts[i].gone += query_.run.parts[i].gone;
+    }
+    run.steps += query_.run.steps;
+  }
+
+  void check_duration() {
+    find_run();
+    RunTime longest{0, kTimeSlack};
+    bool accelerates = false;
+    for (const RunPart& part : result_.run.parts) {
+      const std::size_t p = at(part.parameter);
+      const double gone = result_.goes_on ? part.gone - steps_[p] : 0;
+      const RunTime own = step_time(robot_.parameters[p], query_.loaded, gone,
+                                    result_.goes_on ? query_.run.steps : 0, steps_[p]);
+      if (own.time > longest.time) longest = own;
+      accelerates = accelerates || robot_.parameters[p].acceleration > 0;
+    }
+    if (!accelerates) result_.run.parts.clear();
+    if (std::llabs(longest.time - query_.duration) <= longest.slack) return;
     const auto text = [](Ticks time) {
       return fmt::format("{:g} s", static_cast<double>(time) / static_cast<double>(kSecond));
     };
-    fault(fmt::format("the step lasts {} instead of {}", text(query_.duration), text(longest)));
+    fault(
+        fmt::format("the step lasts {} instead of {}", text(query_.duration), text(longest.time)));
   }
 
   const SceneRobot& robot_;

@@ -49,6 +49,11 @@ class Bookkeeper {
     steps_.emplace_back(now_, record_->time);
   }
 
+  void add(const Stop&) {
+    account_.steps += record_->time - now_;
+    steps_.emplace_back(now_, record_->time);
+  }
+
   void add(const Work& work) {
     account_.work += work.time;
     account_.shift += record_->time - work.from - work.time;

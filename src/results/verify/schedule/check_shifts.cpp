@@ -66,6 +66,7 @@ class ShiftCheck {
   void follow(const Goal&) {}
   void follow(const Pause&) {}
   void follow(const MotionEnd&) {}
+  void follow(const Stop&) {}  // part of the step before it
   void follow(const Try&) { attempt(); }
   void follow(const Wait&) { attempt(); }
 

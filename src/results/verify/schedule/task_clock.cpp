@@ -87,6 +87,8 @@ class ClockCheck {
     }
   }
 
+  void follow(const Stop&) { lasts_until(record_->time); }
+
   void follow(const Work& work) {
     begins_at(work.from);
     lasts_until(record_->time);

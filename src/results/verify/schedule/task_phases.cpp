@@ -103,6 +103,7 @@ class PhaseCheck {
   bool follow(const Pause&) { return true; }
   bool follow(const Try&) { return in_motion("an attempt"); }
   bool follow(const Wait&) { return in_motion("an attempt"); }
+  bool follow(const Stop&) { return in_motion("a stop"); }
 
   bool in_motion(const char* found) {
     if (next_ < phases_.size() && phases_[next_].kind == Phase::Kind::motion) return true;
