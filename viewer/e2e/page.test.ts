@@ -214,8 +214,8 @@ describe.skipIf(!hasBrowser)('the page', () => {
     const place = await placeOf(page, { kind: 'component', index });
     expect(place).not.toBeNull();
     await page.mouse.click(place!.x, place!.y);
+    await expect.poll(() => page.evaluate(() => window.rubicon?.player.selection?.kind)).toBe('component');
     const picked = await page.evaluate(() => window.rubicon?.player.selection);
-    expect(picked?.kind).toBe('component');
     const name = await page.evaluate((i) => window.rubicon!.player.film.header.components[i].name, picked!.index);
     const card = page.getByLabel('What is picked');
     await expect.poll(() => card.locator('h2').innerText()).toBe(name);

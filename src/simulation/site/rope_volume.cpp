@@ -42,6 +42,35 @@ collision::BodyPtr RopeBodies::body_of(const geometry::Capsule& capsule) {
   return body;
 }
 
+void RopeBodies::add(int rope, std::vector<int> parameters) {
+  ropes_[rope].parameters = std::move(parameters);
+}
+
+const RopeBodies::Hanging* RopeBodies::unchanged(int rope, std::span<const double> q0,
+                                                 std::span<const double> q1) const {
+  const auto found = ropes_.find(rope);
+  if (found == ropes_.end() || !found->second.last.body) return nullptr;
+  const Known& known = found->second;
+  for (std::size_t i = 0; i < known.parameters.size(); ++i) {
+    const std::size_t p = at(known.parameters[i]);
+    if (q0[p] != q1[p] || q0[p] != known.last.values[i]) return nullptr;
+  }
+  return &known.last;
+}
+
+void RopeBodies::remember(int rope, std::span<const double> q0, std::span<const double> q1,
+                          const robot::RopePiece& piece, collision::BodyPtr body) {
+  const auto found = ropes_.find(rope);
+  if (found == ropes_.end()) return;
+  Known& known = found->second;
+  std::vector<double> values;
+  for (const int parameter : known.parameters) {
+    if (q0[at(parameter)] != q1[at(parameter)]) return;
+    values.push_back(q0[at(parameter)]);
+  }
+  known.last = {std::move(values), piece, std::move(body)};
+}
+
 std::vector<double> configuration_at(std::span<const double> q0, std::span<const double> q1,
                                      double s) {
   std::vector<double> q(q0.size());
@@ -55,6 +84,9 @@ std::vector<RopeVolume> rope_volumes(const SiteRobot& robot, int rope, std::span
                                      std::span<const double> q1,
                                      const std::vector<geometry::Motion>& motions,
                                      int most_pieces) {
+  if (const RopeBodies::Hanging* last = robot.rope_bodies->unchanged(rope, q0, q1)) {
+    return {{last->body, motions[at(last->piece.body)], 0, 1}};
+  }
   std::vector<RopeVolume> volumes;
   for (const robot::RopePiece& piece :
        robot::rope_pieces(*robot.model, robot.mounting, rope, q0, q1, most_pieces)) {
@@ -64,6 +96,7 @@ std::vector<RopeVolume> rope_volumes(const SiteRobot& robot, int rope, std::span
     volume.s1 = piece.s1;
     if (piece.s0 == 0 && piece.s1 == 1) {
       volume.motion = motions[at(piece.body)];
+      robot.rope_bodies->remember(rope, q0, q1, piece, volume.body);
     } else {
       volume.motion =
           robot::step_motions(*robot.model, robot.mounting, configuration_at(q0, q1, piece.s0),

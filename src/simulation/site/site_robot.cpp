@@ -114,9 +114,12 @@ SiteRobot make_site_robot(std::string name, std::shared_ptr<const robot::RobotMo
   for (const robot::Body& body : m.bodies) site.body_names.push_back(site.name + "." + body.name);
   const int count = static_cast<int>(m.bodies.size());
   for (int part = 0; part < count; ++part) {
-    if (m.bodies[static_cast<std::size_t>(part)].rope) site.ropes.push_back(part);
+    const robot::Body& body = m.bodies[static_cast<std::size_t>(part)];
+    if (!body.rope) continue;
+    site.ropes.push_back(part);
+    if (!site.rope_bodies) site.rope_bodies = std::make_shared<RopeBodies>();
+    site.rope_bodies->add(part, parameters_between(m, body.rope->from, body.parent, false));
   }
-  if (!site.ropes.empty()) site.rope_bodies = std::make_shared<RopeBodies>();
   const auto is_there = [&](int part) {
     return site.bodies[static_cast<std::size_t>(part)] != nullptr || site.is_rope(part);
   };

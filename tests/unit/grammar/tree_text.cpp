@@ -134,6 +134,14 @@ class Writer {
   void item(const syntax::CapacityItem& value) {
     for (const auto& [radius, mass] : value.points) number(radius), number(mass);
   }
+  void item(const syntax::RopeItem& value) {
+    if (value.name) name(*value.name);
+    number(value.radius);
+    for (const syntax::RopeItem::End* end : {&value.from, &value.to}) {
+      name(end->body);
+      for (const syntax::Number& each : end->point) number(each);
+    }
+  }
   void item(const syntax::BehaviourItem& value) { behaviour(value); }
 
   // Items of plans and tasks.
