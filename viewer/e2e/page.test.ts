@@ -36,7 +36,7 @@ describe.skipIf(!hasBrowser)('the page', () => {
     expect(top).toContain('Mon 4 May 2026 13:02');
     const seconds = Math.round(schedule.process_time);
     expect(top).toContain(`${Math.floor(seconds / 3600)}:${String(Math.floor(seconds / 60) % 60).padStart(2, '0')}`);
-    expect(top).toContain('1,308.55');
+    expect(top).toContain(schedule.cost.toLocaleString('en', { minimumFractionDigits: 2 }));
     await tab('Tasks');
     const first = page.getByRole('row').filter({ hasText: 'set_wall_1' }).first();
     expect(await first.isVisible()).toBe(true);

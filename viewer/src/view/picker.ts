@@ -16,7 +16,10 @@ export class Picker {
     return this.draw((x - left) / width, (y - top) / height);
   }
 
-  /** Where in the window (CSS pixels) something is picked that lies in a box, null if it is out of sight. */
+  /**
+   * Where in the window (CSS pixels) a click picks something that lies in a box, null if it is out of sight or something of the
+   * page lies over it.
+   */
   whereIs(what: Selection, box: Box3): { x: number; y: number } | null {
     const { left, top, width, height } = this.renderer.domElement.getBoundingClientRect();
     for (const share of [0.5, 0.98, 0.02, 0.8, 0.2]) {
@@ -24,7 +27,8 @@ export class Picker {
         // Whole pixels: that is where a pointer can be.
         const [x, y] = [Math.round(left + (0.5 + 0.5 * point.x) * width), Math.round(top + (0.5 - 0.5 * point.y) * height)];
         const picked = this.at(x, y);
-        if (picked?.kind === what.kind && picked.index === what.index) return { x, y };
+        const covered = document.elementFromPoint(x, y) !== this.renderer.domElement;
+        if (!covered && picked?.kind === what.kind && picked.index === what.index) return { x, y };
       }
     }
     return null;
