@@ -49,7 +49,9 @@ struct NullWorld : interpreter::World {
   std::optional<interpreter::HitPair> propose(const interpreter::MotionStep&) override {
     return {};
   }
-  bool would_accept(const interpreter::MotionStep&) const override { return true; }
+  std::optional<interpreter::HitPair> refusal(const interpreter::MotionStep&) const override {
+    return {};
+  }
   double free_distance(std::span<const double>, double, double range) const override {
     return range;
   }

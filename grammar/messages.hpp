@@ -114,8 +114,21 @@ RUBICON_EXPECT(rope_end, "the name of a body");
 RUBICON_EXPECT(rope_number, "a number");
 RUBICON_EXPECT(rope_comma, "',' and a number");
 RUBICON_EXPECT(behaviour_source, "the name of a file in quotes or '{' after behaviour");
+RUBICON_EXPECT(guide_name, "a name after guide");
+RUBICON_EXPECT(guide_declared, "the kind of the guide, such as rrt_connect");
+RUBICON_EXPECT(guide_end, "';' or '{'");
+RUBICON_EXPECT(guide_clause, "guide", Explain::item,
+               "seed nodes checks step goal_bias uniform_nodes rejections greed concentration "
+               "smooth improve replans weight");
+RUBICON_EXPECT(clause_content, "a number, or a parameter and a number");
+RUBICON_EXPECT(clause_value, "a parameter and a number");
+RUBICON_EXPECT(clause_number, "a number");
+RUBICON_EXPECT(clause_semicolon, "';'");
+RUBICON_EXPECT(used_guide, "the name of a guide");
+RUBICON_EXPECT(next_guide, "the name of a guide");
+RUBICON_EXPECT(plan_guide_end, "the kind of the guide, such as rrt_connect, or ';'");
 RUBICON_EXPECT(robot_item, "robot", Explain::item,
-               "time_step sensor body tool const touching capacity rope behaviour");
+               "time_step sensor body tool const touching capacity rope guide behaviour");
 RUBICON_EXPECT(robot_key, "'robot' at the start of a robot file");
 RUBICON_EXPECT(robot_name, "a name after robot");
 RUBICON_EXPECT(text_finished, "the end of the file after the '}' of the robot");
@@ -206,7 +219,6 @@ RUBICON_EXPECT(moved_component, "the name of a component");
 RUBICON_EXPECT(to_key, "'to' and a frame");
 RUBICON_EXPECT(removed_component, "the name of a component");
 RUBICON_EXPECT(work_crew, "the name of a crew");
-RUBICON_EXPECT(guide_name, "the name of a guide");
 RUBICON_EXPECT(moment, "a date and time in quotes, or a duration after the plan begins");
 RUBICON_EXPECT(baseline_to, "'to' and the end of the baseline");
 RUBICON_EXPECT(
@@ -230,7 +242,7 @@ RUBICON_EXPECT(short_start_values, "a parameter and its value");
 RUBICON_EXPECT(
     plan_item, "plan", Explain::item,
     "component robot crew pool overhead task module place import site contact budget start_at "
-    "currency calendar situation start goal via carry within touching "
+    "currency calendar situation start goal via carry within touching guide "
     "parameter for when whole support");
 RUBICON_EXPECT(plan_file_key, "'plan' at the start of a plan");
 RUBICON_EXPECT(plan_name, "a name after plan");

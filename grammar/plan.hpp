@@ -1,7 +1,6 @@
 #pragma once
 
-#include "grammar/frame.hpp"
-#include "grammar/script.hpp"
+#include "grammar/guide.hpp"
 
 /// Plans: the site, components, robots, crews, tasks, modules; and the short form of one motion.
 namespace rubicon::grammar {
@@ -282,9 +281,6 @@ struct takes_key : token<word<TAO_PEGTL_STRING("takes")>> {};
 struct takes_item : if_must<takes_key, duration, plan_semicolon> {};
 struct via_key : token<word<TAO_PEGTL_STRING("via")>> {};
 struct via_item : if_must<via_key, goal, plan_semicolon> {};
-struct guide_key : token<word<TAO_PEGTL_STRING("guide")>> {};
-struct guide_name : indexed_name {};
-struct guide_item : if_must<guide_key, guide_name, plan_semicolon> {};
 struct task_number_key
     : token<sor<word<TAO_PEGTL_STRING("budget")>, word<TAO_PEGTL_STRING("priority")>>> {};
 struct task_number_item : if_must<task_number_key, number_value, plan_semicolon> {};
@@ -304,10 +300,10 @@ struct task_parts;
 struct task_repetition : if_must<for_head, block_open, task_parts, block_close> {};
 struct task_choice : if_must<given_head, block_open, task_parts, block_close> {};
 struct task_block : sor<task_repetition, task_choice> {};
-struct task_part : sor<task_block, by_item, needs_item, move_item, go_item, remove_item,
-                       crew_work_item, takes_item, via_item, guide_item, situation_item,
-                       within_item, task_number_item, date_item, zone_item, after_item,
-                       task_attribute, group_item, free_attribute, whole_item> {};
+struct task_part
+    : sor<task_block, by_item, needs_item, move_item, go_item, remove_item, crew_work_item,
+          takes_item, via_item, guide_use, situation_item, within_item, task_number_item, date_item,
+          zone_item, after_item, task_attribute, group_item, free_attribute, whole_item> {};
 struct whole_task_part : must<task_part> {};
 struct task_parts : nested<star<not_at<block_end>, recover<whole_task_part, item_end>>> {};
 struct task_key : token<word<TAO_PEGTL_STRING("task")>> {};
@@ -390,11 +386,16 @@ struct plan_items;
 struct plan_repetition : if_must<for_head, block_open, plan_items, block_close> {};
 struct plan_choice : if_must<given_head, block_open, plan_items, block_close> {};
 struct plan_block : sor<plan_repetition, plan_choice> {};
+// Of a plan: a declaration, or in the short form the guides of its motion.
+struct guides_of_motion : seq<star<if_must<comma, next_guide>>, clause_semicolon> {};
+struct plan_guide_end : sor<guides_of_motion, guide_declared> {};
+struct plan_guide : if_must<guide_key, guide_name, plan_guide_end> {};
+
 struct plan_item
     : sor<plan_block, parameter_item, component_item, robot_use, crew_item, pool_item,
           overhead_item, task_item, module_item, place_item, import_item, waiver, site_item,
           number_item, text_item, calendar_item, situation_item, short_start, short_goal, via_item,
-          carry_item, within_item, whole_item, support_item> {};
+          carry_item, within_item, whole_item, support_item, plan_guide> {};
 struct whole_plan_item : must<plan_item> {};
 struct plan_items : nested<star<not_at<block_end>, recover<whole_plan_item, item_end>>> {};
 struct plan_file_key : token<word<TAO_PEGTL_STRING("plan")>> {};

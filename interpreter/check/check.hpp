@@ -22,8 +22,12 @@ struct ScriptContext {
   bool has_plan = false;                     ///< W08 is given only with a plan
 };
 
+/// The behaviour that every robot has: the next step of the leg to the way point.
+inline constexpr const char* kFollow = "follow";
+
 /// Situations every plan may meet without naming them.
-inline constexpr const char* kBuiltInSituations[] = {"transport", "place", "via", "safety"};
+inline constexpr const char* kBuiltInSituations[] = {"transport", "place", "via", "safety",
+                                                     "guided"};
 
 /// All static checks of LANGUAGE section 10 on one script (S05-S14, W01-W08, N01, N02). Broken
 /// statements are passed over.
@@ -41,6 +45,7 @@ struct CheckedRobot {
   std::vector<Span> body_spans;          ///< per body: its name token
   std::optional<syntax::Script> script;  ///< the robot's own behaviour, from a file or inline
   std::vector<std::optional<syntax::Script>> body_scripts;  ///< per body
+  std::vector<syntax::GuideDeclaration> guides = {};        ///< in file order
   bool usable = false;                                      ///< no error in it or its scripts
 };
 

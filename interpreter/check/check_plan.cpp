@@ -69,6 +69,7 @@ std::unique_ptr<PlanModel> load_plan(const std::string& path, SourceMap& sources
   plan_check::check_robots(subject, all_situations(plan));
   plan_check::check_crews(subject);
   plan_check::check_pools(subject);
+  plan_check::check_guides(subject);
   plan_check::check_components(subject);
   plan_check::check_tasks(subject);
   plan_check::check_scale(subject);

@@ -29,6 +29,9 @@ FormMark mark_of(const syntax::PlanItem& item) {
     return {Form::brief, "goal", goal->span};
   }
   if (const auto* via = std::get_if<syntax::ViaItem>(&item)) return {Form::brief, "via", via->span};
+  if (const auto* guide = std::get_if<syntax::GuideItem>(&item)) {
+    return {Form::brief, "the guide of a motion", guide->span};
+  }
   if (const auto* carry = std::get_if<syntax::CarryItem>(&item)) {
     return {Form::brief, "carry", carry->span};
   }

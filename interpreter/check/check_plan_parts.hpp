@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/check/check_guide.hpp"
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/check/resolve_shape.hpp"
 #include "interpreter/syntax/name_suggestion.hpp"
@@ -54,6 +55,7 @@ struct Subject {
   std::map<std::string, int> robots = {}, crews = {}, calendars = {}, modules = {}, places = {},
                              pools = {};
   std::map<std::string, const syntax::TaskItem*> task_items = {};  ///< of the plan itself
+  GuideDeclarations guides = {};
   std::map<std::string, Span> import_spans = {};
   std::set<std::uint32_t> without_grip = {};  ///< components, by where their names stand
   std::vector<ModuleInfo> module_infos = {};
@@ -168,6 +170,14 @@ void check_whole(Subject& subject);
 
 /// One task in its scope, with all its choices.
 void check_task(Subject& subject, const Scope& scope, const syntax::TaskItem& item, TaskSpec& task);
+
+/// The guides that are declared in the plan, but for what a robot must say to them: G01-G03, G05.
+void check_guides(Subject& subject);
+
+/// The guides that a motion of the robot uses (null: nothing is said), each by its name in the plan
+/// or else in the robot file: G03, G04, P01.
+std::vector<guides::GuideSpec> resolve_guides(Subject& subject, const RobotSpec* robot,
+                                              const syntax::GuideItem& item);
 
 /// start, via, goal, carry, within of the short form.
 void check_short_form(Subject& subject);

@@ -20,6 +20,7 @@ void check_short_form(Subject& subject) {
     const auto values = resolve_values(subject, robot, item->values, ValueUse::start);
     if (robot != nullptr) set_starts(subject, *robot, values, item->span);
   }
+  const syntax::GuideItem* guides = nullptr;
   for (const syntax::PlanItem& each : subject.plan.items) {
     if (const auto* goal = std::get_if<syntax::GoalItem>(&each)) {
       GoalSpec spec =
@@ -31,6 +32,13 @@ void check_short_form(Subject& subject) {
     } else if (const auto* carry = std::get_if<syntax::CarryItem>(&each)) {
       std::optional<geometry::Shape> shape = subject.shapes.resolve(carry->shape);
       if (shape) model.carry.push_back(*std::move(shape));
+    } else if (const auto* guide = std::get_if<syntax::GuideItem>(&each)) {
+      if (guides != nullptr) {
+        subject.twice(guide->span, "guide is given twice", guides->span);
+        continue;
+      }
+      guides = guide;
+      model.guides = resolve_guides(subject, robot, *guide);
     } else if (const auto* within = std::get_if<syntax::WithinItem>(&each)) {
       resolve_within(subject, robot, *within, model.within);
     }

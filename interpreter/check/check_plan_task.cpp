@@ -340,9 +340,7 @@ class TaskChecker {
   void check_part(const syntax::GuideItem& item) {
     needs_motion(item.span, "guide");
     once("guide", item.span);
-    task_.guide = item.name.text;
-    task_.guide_span = item.span;
-    use("guide", item.span);
+    task_.guides = resolve_guides(subject_, robot(), item);
   }
 
   void check_part(const syntax::SituationItem& item) {

@@ -3,10 +3,29 @@
 #include <utility>
 
 #include "interpreter/check/check.hpp"
+#include "interpreter/check/check_guide.hpp"
 #include "interpreter/check/check_robot_parts.hpp"
 #include "interpreter/parse/parse.hpp"
 
 namespace rubicon::interpreter {
+
+namespace {
+
+/// The guides of a robot, each as declared there; whether they can guide it is asked where the rest
+/// of the robot is right.
+void check_guides(const CheckedRobot& checked, Diagnostics& diagnostics, int errors_before) {
+  GuideDeclarations declarations;
+  for (const syntax::GuideDeclaration& guide : checked.guides) {
+    declarations.declare(guide, diagnostics);
+    std::optional<guides::GuideSpec> spec = check_guide(guide, diagnostics);
+    if (!spec || diagnostics.errors() != errors_before) continue;
+    if (add_weights(guide, checked.model, *spec, diagnostics)) {
+      check_guided_robot(checked.model, guide.name.span, diagnostics);
+    }
+  }
+}
+
+}  // namespace
 
 namespace robot_check {
 
@@ -57,6 +76,11 @@ std::shared_ptr<const CheckedRobot> check_robot(FileId file, SourceMap& sources,
   for (const syntax::BodyItem* body : subject.bodies) {
     checked->body_spans.push_back(body->name.span);
   }
+  for (const syntax::RobotItem& item : robot.items) {
+    const auto* guide = std::get_if<syntax::GuideDeclaration>(&item);
+    if (guide != nullptr) checked->guides.push_back(*guide);
+  }
+  check_guides(*checked, diagnostics, errors_before);
   robot_check::check_behaviours(subject, *checked, sources, files, plan_situations);
   checked->usable = diagnostics.errors() == errors_before && !robot.broken;
   return checked;

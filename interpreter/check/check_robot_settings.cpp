@@ -92,9 +92,9 @@ void check_settings(Subject& subject) {
                                 fmt::format("unknown setting '{}'{}", item->name.text,
                                             subject.suggestions.ending(item->name.text, [] {
                                               return std::vector<std::string>{
-                                                  "time_step", "sensor", "body",
-                                                  "tool",      "const",  "touching",
-                                                  "capacity",  "rope",   "behaviour"};
+                                                  "time_step", "sensor",   "body",     "tool",
+                                                  "const",     "touching", "capacity", "rope",
+                                                  "guide",     "behaviour"};
                                             })));
     } else if (!is_new) {
       subject.twice(item->name.span, fmt::format("{} is given twice", item->name.text),

@@ -3,6 +3,7 @@
 
 #include "interpreter/check/check_script_parts.hpp"
 #include "interpreter/functions/function_table.hpp"
+#include "src/motion/guides/leg.hpp"
 
 namespace rubicon::interpreter::script_check {
 
@@ -39,6 +40,11 @@ class BehaviourChecker {
                              "choose another name");
     }
     const auto [place, is_new] = result_.index.emplace(name.text, i);
+    if (is_new && name.text == kFollow) {
+      diagnostics_.warning("W10", name.span,
+                           "this behaviour hides the one that every robot has: follow, the next "
+                           "step of the leg");
+    }
     if (is_new) return;
     Diagnostic twice;
     twice.code = "S14";
@@ -74,6 +80,10 @@ class BehaviourChecker {
     }
     const auto& bodies = context_.body_behaviours;
     if (std::find(bodies.begin(), bodies.end(), name) != bodies.end()) return;
+    if (name == kFollow) {
+      check_follow(statement);
+      return;
+    }
     if (find_function(name) != nullptr) {
       diagnostics_.error(
           "S06", statement.keyword,
@@ -91,11 +101,24 @@ class BehaviourChecker {
       const std::string near = suggester_.nearest(name, [&] {
         std::vector<std::string> candidates = bodies;
         for (const auto& each : script_.behaviours) candidates.push_back(each.name.text);
+        candidates.emplace_back(kFollow);
         return candidates;
       });
       if (!near.empty()) message += "; did you mean " + near + "?";
     }
     diagnostics_.error("S05", statement.keyword, std::move(message));
+  }
+
+  /// `follow`, which every robot has whose rules allow legs.
+  void check_follow(const Statement& statement) {
+    if (context_.robot == nullptr) return;
+    robot::Mounting mounting;
+    mounting.starts = context_.robot->start_values();
+    const guides::Leg leg(*context_.robot, mounting);
+    if (leg.refusal().empty()) return;
+    diagnostics_.error("S16", statement.keyword,
+                       "robot '" + context_.robot->name + "' cannot follow: " + leg.refusal(),
+                       "write its steps with move_to");
   }
 
   void group_uses() {

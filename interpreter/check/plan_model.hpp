@@ -11,6 +11,7 @@
 #include "interpreter/check/check.hpp"
 #include "interpreter/expand/expand.hpp"
 #include "src/motion/geometry/shape.hpp"
+#include "src/motion/guides/guide_spec.hpp"
 #include "src/simulation/schedule/calendar_rules.hpp"
 #include "src/simulation/schedule/civil_time.hpp"
 #include "src/simulation/schedule/link.hpp"
@@ -154,7 +155,7 @@ struct TaskSpec {
   std::optional<WorkSpec> hook, adjust, release;
   std::vector<WorkSpec> takes;
   std::vector<GoalSpec> via;
-  std::optional<std::string> guide;
+  std::vector<guides::GuideSpec> guides;  ///< of its motions, tried in this order
   std::vector<std::string> situations;
   Within within;
   std::optional<double> budget;
@@ -165,8 +166,8 @@ struct TaskSpec {
   std::optional<Baseline> baseline;    ///< to compare with; it holds nobody
   std::vector<geometry::Shape> zones;
   std::vector<LinkSpec> after;
-  Span span;                                             ///< its name token
-  Span move_span, guide_span, zone_span, priority_span;  ///< where these items stand, if they do
+  Span span;                                 ///< its name token
+  Span move_span, zone_span, priority_span;  ///< where these items stand, if they do
   Attributes attributes = {};
   std::vector<NeedSpec> needs = {};      ///< of crews of which it does not take all
   std::vector<int> also_robots = {};     ///< `by all of` robots: held, and not moved
@@ -228,6 +229,7 @@ struct PlanModel {
   // short form
   std::vector<GoalSpec> via;
   std::optional<GoalSpec> goal;
+  std::vector<guides::GuideSpec> guides;
   std::vector<geometry::Shape> carry;  ///< tool coordinates
   Within within;
 
@@ -236,7 +238,7 @@ struct PlanModel {
     std::string what;
     Span span;
   };
-  std::vector<Use> uses;  ///< calendar, cost, park, zone, guide, import, priority, start_at,
+  std::vector<Use> uses;  ///< calendar, cost, park, zone, import, priority, start_at,
                           ///< currency, parallel links ...
 };
 

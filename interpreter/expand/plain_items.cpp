@@ -124,6 +124,20 @@ void PlainItems::item(syntax::DateItem& value) {
   }
 }
 
+void PlainItems::item(syntax::GuideDeclaration& value) {
+  name(value.name);
+  mark(value.kind.span);
+  for (syntax::GuideClause& clause : value.clauses) {
+    mark(clause.span);
+    mark(clause.key.span);
+    each(clause.number);
+    for (syntax::GuideClause::Value& each : clause.values) {
+      name(each.parameter);
+      number(each.number);
+    }
+  }
+}
+
 void PlainItems::item(syntax::AttributeItem& value) {
   mark(value.key.span);
   text(value.text);

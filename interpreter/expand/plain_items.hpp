@@ -54,7 +54,8 @@ class PlainItems {
   void item(syntax::GoItem& value) { goal(value.goal); }
   void item(syntax::RemoveItem& value) { name(value.component); }
   void item(syntax::WorkItem& value);
-  void item(syntax::GuideItem& value) { name(value.name); }
+  void item(syntax::GuideItem& value) { each(value.names); }
+  void item(syntax::GuideDeclaration& value);
   void item(syntax::ZoneItem& value) { shape(value.shape); }
   void item(syntax::WholeItem& value) { each(value.value); }
   void item(syntax::DateItem& value);

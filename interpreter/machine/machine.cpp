@@ -53,6 +53,8 @@ const char* name_of(MotionStatus status) {
       return "start_blocked";
     case MotionStatus::goal_impossible:
       return "goal_impossible";
+    case MotionStatus::no_way:
+      return "no_way";
     case MotionStatus::error:
       return "error";
   }
@@ -104,6 +106,9 @@ bool Machine::go_on(World& world, EventSink* events) {
       if (!way_point_begun_ && !begin_way_point(world, events)) return false;
       if (run_to_attempt(world, events)) return true;
       if (end_) return false;
+      if (guide_ && next_way_point(world, events)) continue;
+      if (end_) return false;
+      guide_.reset();
       way_point_begun_ = false;
       if (++way_point_ == task_.goals.size()) {
         --way_point_;
@@ -118,7 +123,29 @@ bool Machine::go_on(World& world, EventSink* events) {
 }
 
 bool Machine::begin_way_point(World& world, EventSink* events) {
-  const GoalSpec& spec = task_.goals[way_point_];
+  if (!resolve_goal(task_.goals[way_point_])) return false;
+  if (events) {
+    events->goal(static_cast<int>(way_point_) + 1, static_cast<int>(task_.goals.size()));
+  }
+  seen_.clear();
+  visited_.clear();
+  world_version_ = world.version();
+  way_point_begun_ = true;
+  target_ = goal_;
+  if (!task_.guides.empty() && !leg().is_there(q_, goal_.q)) return begin_guides(0, world, events);
+  begin_script();
+  return true;
+}
+
+void Machine::begin_script() {
+  std::fill(variables_.begin(), variables_.end(), Variable{});
+  stack_.clear();
+  actives_.clear();
+  push_sequence(program_->main);
+}
+
+/// Finds the configuration of a goal; false: there is none, and the motion has ended.
+bool Machine::resolve_goal(const GoalSpec& spec) {
   goal_ = {};
   goal_.via = way_point_ + 1 < task_.goals.size();
   goal_.q = q_;
@@ -155,17 +182,6 @@ bool Machine::begin_way_point(World& world, EventSink* events) {
     }
     goal_.p_WG = robot::tool_pose(*model_, task_.mounting, goal_.q).translation();
   }
-  if (events) {
-    events->goal(static_cast<int>(way_point_) + 1, static_cast<int>(task_.goals.size()));
-  }
-  std::fill(variables_.begin(), variables_.end(), Variable{});
-  seen_.clear();
-  visited_.clear();
-  world_version_ = world.version();
-  stack_.clear();
-  actives_.clear();
-  push_sequence(program_->main);
-  way_point_begun_ = true;
   return true;
 }
 
@@ -227,7 +243,7 @@ void Machine::judge() {
     end_->reached = *end_->position_error <= tolerance.position &&
                     math::radians(*end_->orientation_error) <= tolerance.orientation;
   } else {
-    const bool near = task_.within.length >= 0 && tool_distance() <= task_.within.length;
+    const bool near = task_.within.length >= 0 && tool_distance(goal_.p_WG) <= task_.within.length;
     end_->reached = std::all_of(end_->residual.begin(), end_->residual.end(),
                                 [&](const std::pair<int, double>& off) {
                                   return std::fabs(off.second) <= tolerance_of(off.first) ||
@@ -254,8 +270,8 @@ std::string Machine::shortfall() const {
   return text;
 }
 
-double Machine::tool_distance() const {
-  return (goal_.p_WG - robot::tool_pose(*model_, task_.mounting, q_).translation()).norm();
+double Machine::tool_distance(const math::Vec3& p_WG) const {
+  return (p_WG - robot::tool_pose(*model_, task_.mounting, q_).translation()).norm();
 }
 
 }  // namespace rubicon::interpreter

@@ -22,8 +22,9 @@ struct MotionTask {
   std::vector<GoalSpec> goals;  ///< way points, the last is the goal; at least one
   std::vector<std::string>
       situations;  ///< on during the whole motion (besides `via` and what the world switches on)
-  Within within;   ///< when the goal counts as reached
-  double budget = 20000;   ///< attempts
+  std::vector<guides::GuideSpec> guides;  ///< tried in this order; none: unguided
+  Within within;                          ///< when the goal counts as reached
+  double budget = 20000;                  ///< attempts
   double full_budget = 0;  ///< for messages: what the budget was before earlier tries; 0: `budget`
   int first_n = 1;         ///< number of the first attempt
   Ticks start = 0;
@@ -31,7 +32,16 @@ struct MotionTask {
   robot::Mounting mounting;
 };
 
-enum class MotionStatus { done, livelock, circling, budget, start_blocked, goal_impossible, error };
+enum class MotionStatus {
+  done,
+  livelock,
+  circling,
+  budget,
+  start_blocked,
+  goal_impossible,
+  no_way,
+  error
+};
 const char* name_of(MotionStatus status);
 
 struct RefusalCounts {
@@ -129,15 +139,31 @@ class Machine {
     bool via = false;
   };
 
+  class GuideTests;
+
   // machine.cpp: way points and the end of a motion
   bool go_on(World& world, EventSink* events);
   bool begin_way_point(World& world, EventSink* events);
+  bool resolve_goal(const GoalSpec& spec);
+  void begin_script();
   void finish(MotionStatus status, std::string message = {}, Span span = {});
   void judge();
   void measure_residual();
   robot::PoseTolerance frame_tolerance() const;
   double tolerance_of(int parameter) const;
   std::string shortfall() const;
+
+  // machine_guide.cpp: way points of guides
+  const guides::Leg& leg();
+  bool begin_guides(std::size_t first, World& world, EventSink* events);
+  void add_goals(const guides::GuideSpec& spec, guides::MotionTests& tests,
+                 std::vector<std::vector<double>>& goals) const;
+  bool take(guides::GuideAnswer answer, const GuideTests& tests, EventSink* events);
+  void set_target(const guides::GuideAnswer& answer);
+  bool next_way_point(World& world, EventSink* events);
+  bool is_near_goal();
+  void give_up();
+  std::string cause_of(const guides::PlanReport& report, const GuideTests& tests) const;
 
   // machine_control.cpp: the rules of LANGUAGE 8.2
   bool run_to_attempt(World& world, EventSink* events);
@@ -190,7 +216,7 @@ class Machine {
   double delta(int parameter, double value) const;
   bool at(int parameter, double value) const;
   Value stored(const Value& value) const;
-  double tool_distance() const;
+  double tool_distance(const math::Vec3& p_WG) const;
   const robot::Parameter& parameter(int index) const {
     return model_->parameters[static_cast<std::size_t>(index)];
   }
@@ -217,6 +243,16 @@ class Machine {
   std::vector<MotionRun> run_;
   bool stopped_ = false;  ///< for the pending command, which has been planned: its `steps_`
   WayPoint goal_;
+  /// What scripts are told: the goal, or the way point that a guide gave for it.
+  WayPoint target_;
+  guides::GuideValue guide_;    ///< of the goal under way; none: it is not guided
+  bool leads_to_goal_ = false;  ///< its way point is the last
+  std::size_t guide_index_ = 0;
+  int idle_way_points_ = 0;  ///< in a row, at which no step was made
+  int accepted_at_way_point_ = 0;
+  std::string guide_cause_;  ///< why the first guide gave up
+  bool guide_found_no_way_ = false;
+  std::shared_ptr<const guides::Leg> leg_;  // shared: it does not change
 
   // counts, and what was seen
   int tries_ = 0;

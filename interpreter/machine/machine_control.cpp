@@ -35,6 +35,7 @@ bool Machine::run(std::int32_t index, World& world, EventSink* events) {
     case Node::Kind::move_to:
     case Node::Kind::move_dir:
     case Node::Kind::together:
+    case Node::Kind::follow:
     case Node::Kind::wait:
       return attempt(index, world, events);
     case Node::Kind::loop:
@@ -263,7 +264,8 @@ bool Machine::goal_or_until_holds(const Node& loop, bool until_too, const World&
     for (std::int32_t i = 0; i < loop.goals_count && all; ++i) {
       const Node& move =
           node_at(program_->children[static_cast<std::size_t>(loop.goals_first + i)]);
-      all = at(move.target, number(move.value, world));
+      all = move.kind == Node::Kind::follow ? leg().is_there(q_, target_.q)
+                                            : at(move.target, number(move.value, world));
     }
     if (all) return true;
   }
@@ -272,7 +274,8 @@ bool Machine::goal_or_until_holds(const Node& loop, bool until_too, const World&
 
 bool Machine::situation_on(std::int32_t situation, const World& world) const {
   const std::string& name = program_->situations[static_cast<std::size_t>(situation)];
-  if (goal_.via && name == "via") return true;
+  if (target_.via && name == "via") return true;
+  if (guide_ && name == "guided") return true;
   return std::find(task_.situations.begin(), task_.situations.end(), name) !=
              task_.situations.end() ||
          world.situation(name);

@@ -26,12 +26,12 @@ class Machine::Scope final : public FunctionScope {
   const robot::RobotModel& model() const override { return *machine_.model_; }
   const robot::Mounting& mounting() const override { return machine_.task_.mounting; }
   std::span<const double> q() const override { return machine_.q_; }
-  std::span<const double> goal() const override { return machine_.goal_.q; }
-  const math::Vec3& p_WG() const override { return machine_.goal_.p_WG; }
+  std::span<const double> goal() const override { return machine_.target_.q; }
+  const math::Vec3& p_WG() const override { return machine_.target_.p_WG; }
   double seconds() const override {
     return seconds_from_ticks(machine_.time_ - machine_.task_.start);
   }
-  double distance_to_goal() const override { return machine_.tool_distance(); }
+  double distance_to_goal() const override { return machine_.tool_distance(machine_.target_.p_WG); }
   bool would_accept(int parameter, double direction) override {
     return machine_.would_accept(parameter, direction, world_);
   }

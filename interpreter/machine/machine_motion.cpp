@@ -75,9 +75,11 @@ bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
   result_ = refusal == Refusal::none;
   if (events) {
     const bool several = node.kind == Node::Kind::together;
+    const bool follows = node.kind == Node::Kind::follow;
     Attempt record;
     record.n = n;
     record.command = several                            ? "together"
+                     : follows                          ? "follow"
                      : node.kind == Node::Kind::move_to ? "move_to"
                                                         : "move_dir";
     record.parameters = program_->parameter_names[static_cast<std::size_t>(index)];
@@ -88,7 +90,12 @@ bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
     record.hit = hit ? &*hit : nullptr;
     if (hit) {
       refused_steps_.clear();
-      for (std::int32_t i = 0; i < (several ? node.count : 1); ++i) {
+      if (follows) {
+        for (const int i : leg().stepped()) {
+          refused_steps_.push_back(steps_[static_cast<std::size_t>(i)]);
+        }
+      }
+      for (std::int32_t i = 0; !follows && i < (several ? node.count : 1); ++i) {
         const Node& part = several ? node_at(child_at(node, i)) : node;
         refused_steps_.push_back(steps_[static_cast<std::size_t>(part.target)]);
       }
@@ -103,6 +110,9 @@ bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
 
 /// Plans the steps of a command's parts; what is refused of each. None: at least one part moves.
 Refusal Machine::plan(const Node& node, const World& world, std::int32_t& limit) {
+  if (node.kind == Node::Kind::follow) {
+    return leg().next_step(q_, target_.q, steps_) ? Refusal::none : Refusal::at_goal;
+  }
   std::fill(steps_.begin(), steps_.end(), 0.0);
   const bool several = node.kind == Node::Kind::together;
   const std::int32_t parts = several ? node.count : 1;
@@ -180,6 +190,9 @@ bool Machine::may_attempt(std::int32_t index, const World& world) {
   coarse.add(static_cast<std::uint64_t>(index));
   for (const Frame& frame : stack_) {
     if (frame.kind == Frame::Kind::loop) coarse.add(static_cast<std::uint64_t>(frame.index));
+  }
+  if (guide_) {
+    for (const double value : target_.q) exact.add(value), coarse.add(value);
   }
   for (std::size_t i = 0; i < q_.size(); ++i) {
     const double quantum = model_->parameters[i].quantum;
@@ -265,6 +278,9 @@ Hash128 Machine::state_hash(const World& world) const {
   for (const MotionRun& part : run_) hasher.add(static_cast<std::uint64_t>(part.rest()));
   hasher.add(static_cast<std::uint64_t>(stopped_));
   hasher.add(static_cast<std::uint64_t>(way_point_));
+  if (guide_) {
+    for (const double value : target_.q) hasher.add(value);
+  }
   hasher.add(static_cast<std::uint64_t>(tries_));
   hasher.add(world.version());
   return hasher.finish();

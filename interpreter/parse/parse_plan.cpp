@@ -93,7 +93,7 @@ void PlanState::add_attribute(const char* from) {
 namespace {
 
 template <typename Rule>
-struct PlanAction : ScriptAction<Rule> {};
+struct PlanAction : GuideAction<Rule> {};
 
 syntax::String token_string(const PlanState& st, const char* begin) {
   return {std::string(begin, st.last_end), st.span_from(begin)};
@@ -399,9 +399,15 @@ RUBICON_ACTION(PlanAction, PlanState, via_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, via_item) {
   st.add_to_task(syntax::ViaItem{std::move(st.goal), {}}, begin);
 }
-RUBICON_ACTION(PlanAction, PlanState, guide_name) { st.name = st.take_name(); }
-RUBICON_ACTION(PlanAction, PlanState, guide_item) {
-  st.add_to_task(syntax::GuideItem{st.name, {}}, begin);
+RUBICON_ACTION(PlanAction, PlanState, guide_use) {
+  st.add_to_task(syntax::GuideItem{std::move(st.guide_names), {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, plan_guide) {
+  if (st.guide.kind.text.empty()) {
+    st.add(syntax::GuideItem{std::move(st.guide_names), {}}, begin);
+  } else {
+    st.add(std::move(st.guide), begin);
+  }
 }
 RUBICON_ACTION(PlanAction, PlanState, date_key) { st.date = {st.word(begin), {}, {}}; }
 RUBICON_ACTION(PlanAction, PlanState, baseline_key) { st.date = {st.word(begin), {}, {}}; }

@@ -1,17 +1,17 @@
 #pragma once
 
 #include "grammar/plan.hpp"
-#include "interpreter/parse/parse_script.hpp"
+#include "interpreter/parse/parse_guide.hpp"
 
 /// The state of a plan's parse. Only for the parse_plan*.cpp files.
 namespace rubicon::interpreter {
 
 /// The items of a plan under construction. Tasks and components go to the module they stand in.
-class PlanState : public ScriptState {
+class PlanState : public GuideState {
  public:
   PlanState(const SourceMap& sources, FileId file, Diagnostics& diagnostics, const char* code,
             std::vector<std::string_view> item_words)
-      : ScriptState(sources, file, diagnostics, code, std::move(item_words)) {
+      : GuideState(sources, file, diagnostics, code, std::move(item_words)) {
     computes_numbers_ = true;
   }
 

@@ -1,14 +1,14 @@
 #include "grammar/robot.hpp"
-#include "interpreter/parse/parse_script.hpp"
+#include "interpreter/parse/parse_guide.hpp"
 
 namespace rubicon::interpreter {
 
 namespace {
 
 /// The items of a robot under construction; they do not nest but for those of a body in its body.
-class RobotState : public ScriptState {
+class RobotState : public GuideState {
  public:
-  using ScriptState::ScriptState;
+  using GuideState::GuideState;
 
   template <typename Item>
   void add(Item item, const char* from) {
@@ -32,7 +32,7 @@ class RobotState : public ScriptState {
 };
 
 template <typename Rule>
-struct RobotAction : ScriptAction<Rule> {};
+struct RobotAction : GuideAction<Rule> {};
 
 // bodies
 RUBICON_ACTION(RobotAction, RobotState, attribute_name) {
@@ -138,6 +138,7 @@ RUBICON_ACTION(RobotAction, RobotState, rope_item) {
   st.rope.to = std::move(st.rope_ends[1]);
   st.add(std::move(st.rope), begin);
 }
+RUBICON_ACTION(RobotAction, RobotState, guide_declaration) { st.add(std::move(st.guide), begin); }
 RUBICON_ACTION(RobotAction, RobotState, robot_key) { st.announce("robot"); }
 RUBICON_ACTION(RobotAction, RobotState, robot_name) { st.robot.name = st.take_name(); }
 
@@ -146,7 +147,7 @@ RUBICON_ACTION(RobotAction, RobotState, robot_name) { st.robot.name = st.take_na
 syntax::Robot parse_robot(const SourceMap& sources, FileId file, Diagnostics& diagnostics) {
   RobotState state(sources, file, diagnostics, "R00",
                    {"param", "rule", "frame", "shape", "behaviour", "behavior", "time_step",
-                    "sensor", "body", "tool", "const", "touching", "capacity", "rope"});
+                    "sensor", "body", "tool", "const", "touching", "capacity", "rope", "guide"});
   const bool finished = run_parser<grammar::robot_file, RobotAction>(state);
   state.robot.broken = !finished || state.errors() > 0;
   state.robot.span = state.span_from(state.begin());

@@ -5,6 +5,7 @@
 #include "interpreter/functions/function_table.hpp"
 #include "interpreter/program/program.hpp"
 #include "interpreter/syntax/unparse.hpp"
+#include "src/motion/guides/leg.hpp"
 
 namespace rubicon::interpreter {
 
@@ -148,8 +149,12 @@ class Compiler {
         return node;
       }
       case Statement::Kind::use: {
-        const std::int32_t node = add_node(Node::Kind::use, statement.keyword);
         const auto found = behaviours_.find(statement.name.text());
+        if (found == behaviours_.end() && statement.name.text() == kFollow &&
+            !has_body_behaviour(kFollow)) {
+          return compile_follow(statement);
+        }
+        const std::int32_t node = add_node(Node::Kind::use, statement.keyword);
         at(node).target =
             found != behaviours_.end() ? found->second : body_behaviour(statement.name.text());
         return node;
@@ -186,6 +191,23 @@ class Compiler {
     return node;
   }
 
+  std::int32_t compile_follow(const Statement& statement) {
+    const std::int32_t node = add_node(Node::Kind::follow, statement.keyword);
+    const robot::Mounting mounting{math::Pose::Identity(), model().start_values()};
+    const guides::Leg leg(model(), mounting);
+    std::vector<std::string> names;
+    for (const int i : leg.stepped()) {
+      names.push_back(model().parameters[static_cast<std::size_t>(i)].display_name);
+    }
+    describe(node, statement, std::move(names));
+    return node;
+  }
+
+  bool has_body_behaviour(const std::string& name) const {
+    const int body = model().find_body(name);
+    return body >= 0 && body_nodes_[static_cast<std::size_t>(body)] >= 0;
+  }
+
   void describe(std::int32_t node, const Statement& statement, std::vector<std::string> names) {
     const auto index = static_cast<std::size_t>(node);
     program_.parameter_names.resize(std::max(program_.parameter_names.size(), index + 1));
@@ -201,7 +223,9 @@ class Compiler {
     std::vector<std::int32_t> goals;
     for (const std::int32_t element : elements) {
       const Node& child = at(element);
-      if (child.kind == Node::Kind::move_to) goals.push_back(element);
+      if (child.kind == Node::Kind::move_to || child.kind == Node::Kind::follow) {
+        goals.push_back(element);
+      }
       if (child.kind == Node::Kind::together) {
         for (std::int32_t i = 0; i < child.count; ++i) {
           const std::int32_t part = program_.children[static_cast<std::size_t>(child.first + i)];

@@ -2,10 +2,12 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "interpreter/program/world.hpp"
 #include "interpreter/syntax/source.hpp"
+#include "src/motion/guides/guide.hpp"
 
 namespace rubicon::interpreter {
 
@@ -18,8 +20,8 @@ enum class Refusal { none, at_goal, no_direction, limit, hit };
 /// One attempt of a command, accepted or refused.
 struct Attempt {
   int n = 0;                                ///< from 1 per task
-  const char* command = "";                 ///< move_to, move_dir or together
-  std::span<const std::string> parameters;  ///< display names; one but for together
+  const char* command = "";                 ///< move_to, move_dir, together or follow
+  std::span<const std::string> parameters;  ///< display names; one but for together and follow
   Span span;                                ///< the command
   bool accepted = false;
   Refusal refusal = Refusal::none;
@@ -30,11 +32,26 @@ struct Attempt {
   std::span<const double> q;      ///< after the step, file units, per parameter of the robot
 };
 
+/// A way that a guide has planned, or tried to.
+struct GuidePlan {
+  std::string_view name;
+  const char* kind = "";
+  double seed = 0;
+  const guides::PlanReport* report = nullptr;
+  std::string_view cause;           ///< of no way
+  std::span<const HitPair> others;  ///< other machines and zones that were in the way
+  Ticks time = 0;
+};
+
 /// Receives what a machine does, as it happens.
 class EventSink {
  public:
   virtual ~EventSink() = default;
   virtual void goal(int k, int n) = 0;  ///< way point k of n begins
+  /// A guide planned a way for the goal that has begun, or found none.
+  virtual void guide(const GuidePlan& plan) = 0;
+  /// The script begins at way point k of the n that its guide has for the goal.
+  virtual void way_point(int k, int n) = 0;
   virtual void set(const std::string& variable, double value, Span span) = 0;
   virtual void enter(LoopKind kind, Span span) = 0;
   virtual void exit(LoopKind kind, Span span, bool reached, int successes) = 0;

@@ -55,6 +55,7 @@ struct Node {
     move_to,
     move_dir,
     together,
+    follow,
     wait,
     loop,
     each,

@@ -42,8 +42,10 @@ class World {
   /// returned.
   virtual std::optional<HitPair> propose(const MotionStep& step) = 0;
 
-  /// Whether `propose` would accept the step now; nothing changes.
-  virtual bool would_accept(const MotionStep& step) const = 0;
+  /// The pair for which `propose` would refuse the step now, from wherever it begins; nothing
+  /// changes.
+  virtual std::optional<HitPair> refusal(const MotionStep& step) const = 0;
+  bool would_accept(const MotionStep& step) const { return !refusal(step); }
 
   /// How far (m) the robot, standing at q, could be pushed along the horizontal heading (degrees,
   /// world) before a step would be refused; at most `range`.

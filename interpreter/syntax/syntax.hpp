@@ -261,8 +261,27 @@ struct RopeItem {
   Span span;
 };
 
+/// seed 7;   weight x 20, boom.phi 2;
+struct GuideClause {
+  struct Value {
+    QualifiedName parameter;
+    Number number;
+  };
+  Name key;
+  std::optional<Number> number;
+  std::vector<Value> values;  ///< instead of the number
+  Span span;
+};
+/// guide NAME KIND { clauses }   of a robot or a plan
+struct GuideDeclaration {
+  Name name;
+  Name kind;
+  std::vector<GuideClause> clauses;
+  Span span;
+};
+
 using RobotItem = std::variant<SettingItem, BodyItem, ToolItem, ConstItem, TouchingItem,
-                               CapacityItem, RopeItem, BehaviourItem>;
+                               CapacityItem, RopeItem, GuideDeclaration, BehaviourItem>;
 
 struct Robot {
   Name name;
@@ -456,8 +475,9 @@ struct ViaItem {
   Goal goal;
   Span span;
 };
+/// guide NAME, NAME;   of a task, or of the motion of a short plan
 struct GuideItem {
-  Name name;
+  std::vector<Name> names;
   Span span;
 };
 /// within 0.01;   within z 30, theta 5;
@@ -583,7 +603,8 @@ using PlanItem =
     std::variant<SiteItem, NumberItem, StringItem, SituationItem, CalendarItem, ComponentItem,
                  RobotUse, CrewItem, TaskItem, ModuleItem, PlaceItem, ImportItem, StartItem,
                  GoalItem, ViaItem, CarryItem, WithinItem, WaiverItem, PlanParameter, PoolItem,
-                 OverheadItem, std::shared_ptr<const PlanBlock>, WholeItem, SupportItem>;
+                 OverheadItem, std::shared_ptr<const PlanBlock>, WholeItem, SupportItem,
+                 GuideDeclaration, GuideItem>;
 struct PlanBlock {
   BlockHead head;
   std::vector<PlanItem> items;

@@ -45,6 +45,16 @@ Action declare_why(CLI::App& app) {
   return [options] { return run_why(*options); };
 }
 
+Action declare_guides(CLI::App& app) {
+  const auto options = std::make_shared<GuidesOptions>();
+  app.add_option("PLAN", options->plan)->required();
+  app.add_option("TASK", options->task);
+  app.add_option("--seeds", options->seeds)->check(CLI::Range(1, 10000));
+  app.add_option("--format", options->format)->check(IsMember({"table", "json", "csv"}));
+  declare_set(app, options->set);
+  return [options] { return run_guides(*options); };
+}
+
 Action declare_report(CLI::App& app) {
   const auto options = std::make_shared<ReportOptions>();
   app.add_option("RESULT", options->result)->required();
@@ -130,6 +140,8 @@ const std::vector<Command>& command_table() {
        pages::kRun, declare_run},
       {"why", "PLAN|RESULT TASK", "tell why a task failed, took long or came late", pages::kWhy,
        declare_why},
+      {"guides", "PLAN [TASK]", "compare all kinds of guides on the motions of one task",
+       pages::kGuides, declare_guides},
       {"report", "RESULT", "make the page that shows a result: the film, the Gantt, the tables",
        pages::kReport, declare_report},
       {"debug", "PLAN|RESULT [TASK]", "step through the behaviour of machines, forward and back",

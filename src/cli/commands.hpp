@@ -58,6 +58,15 @@ struct WhyOptions {
 };
 int run_why(const WhyOptions& options);
 
+struct GuidesOptions {
+  std::string plan;
+  std::string task;  ///< "": the only one that moves
+  int seeds = 10;
+  std::string format = "table";
+  std::vector<std::string> set;
+};
+int run_guides(const GuidesOptions& options);
+
 struct ReportOptions {
   std::string result;  ///< a result folder or a trace
   std::string out;

@@ -96,6 +96,30 @@ examples:
   rubicon why result set_7 --format json
 )";
 
+const std::string_view kGuides =
+    R"(rubicon guides - compare all kinds of guides on the motions of one task
+
+usage: rubicon guides PLAN [TASK] [--seeds N] [--format table|csv|json] [--set NAME=VALUE]...
+
+Runs the plan up to the task. Where a motion of it begins, each kind of guide plans a way to its first goal, once for
+each seed from 1 to N, on the site as it stands then; nothing is moved by that. A guide that the task names stands for its
+kind, with its clauses. TASK may be left out where only one task moves; of a short plan it is the plan's name.
+
+The table has, of all tries, how many found a way, and the medians of nodes, checks (legs and configurations tested) and
+milliseconds, these also as 95th percentile; of the ways found the medians of roughness, length and motion time
+(docs/guides.md).
+
+  --seeds N        tries of each kind, 10 if not given
+  --format FORMAT  table (the default), csv or json (each try by itself), on standard output
+  --set NAME=VALUE another value for a parameter of the PLAN
+
+Exit code: 0, also where no way was found; 2 the plan has no such task, or the motion never begins.
+
+examples:
+  rubicon guides examples/13_guides/site.plan reach --seeds 50
+  rubicon guides taskplans/unit.plan set_west_1 --format csv
+)";
+
 const std::string_view kReport =
     R"(rubicon report - make the page that shows a result
 

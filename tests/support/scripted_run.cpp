@@ -23,6 +23,13 @@ const char* const kGantry = R"(robot gantry {
 )";
 
 void EventLog::goal(int k, int n) { lines.push_back(fmt::format("goal {} of {}", k, n)); }
+void EventLog::guide(const interpreter::GuidePlan& plan) {
+  const guides::PlanReport& report = *plan.report;
+  lines.push_back(report.found()
+                      ? fmt::format("guide {}: {} way points", plan.name, report.way.size() - 1)
+                      : fmt::format("guide {}: {}", plan.name, plan.cause));
+}
+void EventLog::way_point(int k, int n) { lines.push_back(fmt::format("way point {} of {}", k, n)); }
 void EventLog::set(const std::string& variable, double value, Span) {
   lines.push_back(fmt::format("var({}) = {:g}", variable, value));
 }

@@ -25,8 +25,8 @@ class PredicateWorld : public interpreter::World {
     if (blocked(step.q_to)) return interpreter::HitPair{"robot.body", "wall"};
     return std::nullopt;
   }
-  bool would_accept(const interpreter::MotionStep& step) const override {
-    return !blocked(step.q_to);
+  std::optional<interpreter::HitPair> refusal(const interpreter::MotionStep& step) const override {
+    return blocked_at(step.q_to);
   }
   double free_distance(std::span<const double>, double, double range) const override {
     return range;
@@ -50,6 +50,8 @@ class EventLog : public interpreter::EventSink {
  public:
   std::vector<std::string> lines;
   void goal(int k, int n) override;
+  void guide(const interpreter::GuidePlan& plan) override;
+  void way_point(int k, int n) override;
   void set(const std::string& variable, double value, interpreter::Span) override;
   void enter(interpreter::LoopKind kind, interpreter::Span) override;
   void exit(interpreter::LoopKind kind, interpreter::Span, bool reached, int successes) override;

@@ -36,6 +36,9 @@ function apply(film: Film, record: number, state: BehaviourState): void {
     state.loops = [];
     state.variables.clear();
     state.goal = { k: film.number(record, 'goal.k'), n: film.number(record, 'goal.n') };
+  } else if (kind === 'way_point') {
+    state.loops = [];
+    state.variables.clear();
   } else if (kind === 'set') {
     state.variables.set(film.text(record, 'set.var'), { value: film.text(record, 'set.value'), record });
   } else if (kind === 'enter') {
@@ -61,7 +64,7 @@ export function depths(film: Film, run: number): Uint8Array {
   let depth = 0;
   records.forEach((record, i) => {
     const kind = film.kind(record);
-    if (kind === 'goal' || kind === 'end') depth = 0;
+    if (kind === 'goal' || kind === 'way_point' || kind === 'end') depth = 0;
     if (kind === 'exit') depth = Math.max(depth - 1, 0);
     result[i] = Math.min(depth, 255);
     if (kind === 'enter') ++depth;

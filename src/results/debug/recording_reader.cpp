@@ -139,6 +139,19 @@ void RecordingReader::fill(Event& event, const trace::GoalStart& goal) {
   event.value = goal.n;
 }
 
+void RecordingReader::fill(Event& event, const trace::GuidePlan& plan) {
+  event.text = recording_.texts.add(fmt::format("{} ({})", plan.name, plan.kind));
+  event.other = recording_.texts.add(plan.cause);
+  event.ok = plan.found;
+  event.n = plan.nodes;
+  event.value = plan.checks;
+}
+
+void RecordingReader::fill(Event& event, const trace::WayPoint& point) {
+  event.n = point.k;
+  event.value = point.n;
+}
+
 void RecordingReader::fill(Event& event, const trace::Assignment& assignment) {
   event.text = recording_.texts.add(assignment.variable);
   event.value = assignment.value.value_or(std::numeric_limits<double>::quiet_NaN());

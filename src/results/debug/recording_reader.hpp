@@ -47,6 +47,8 @@ class RecordingReader : public trace::TraceSink {
   void fill(Event& event, const trace::MotionEnd& end);
   void fill(Event& event, const trace::TaskEnd& end);
   void fill(Event&, const trace::Stop&) {}
+  void fill(Event& event, const trace::GuidePlan& plan);
+  void fill(Event& event, const trace::WayPoint& point);
   TaskRun& run_of(const trace::Record& record);
   void end_task(TaskRun& run, const trace::Record& record, const trace::TaskEnd& end);
   std::size_t add_file(std::string_view path, const std::string& text);

@@ -151,6 +151,12 @@ std::string record_text(const Recording& recording, const TaskRun& run, const Ev
                          other.empty() ? "" : ": ", other);
     case EventKind::stop:
       return "the machine comes to a stop";
+    case EventKind::guide:
+      return event.ok ? fmt::format("guide {} has a way ({} nodes, {} checks)", text, event.n,
+                                    event.value)
+                      : fmt::format("guide {}: {}", text, other);
+    case EventKind::way_point:
+      return fmt::format("way point {} of {} of the guide begins", event.n, event.value);
   }
   return {};
 }

@@ -70,12 +70,16 @@ void end_motion(const Event& event, TaskState& state) {
 }
 
 /// A way point begins: the script runs anew (docs/trace.md), nothing is remembered.
-void begin_way_point(const Event& event, TaskState& state) {
-  begin_motion(state);
-  state.way_point = event.n;
+void restart_script(TaskState& state) {
   state.loops.clear();
   state.variables.clear();
   state.visits.clear();
+}
+
+void begin_way_point(const Event& event, TaskState& state) {
+  begin_motion(state);
+  state.way_point = event.n;
+  restart_script(state);
 }
 
 }  // namespace
@@ -84,6 +88,9 @@ void apply(const Event& event, TaskState& state) {
   switch (event.kind) {
     case EventKind::goal:
       begin_way_point(event, state);
+      break;
+    case EventKind::way_point:
+      restart_script(state);
       break;
     case EventKind::set:
       assign(event, state);
@@ -119,6 +126,7 @@ void apply(const Event& event, TaskState& state) {
     case EventKind::remove:
     case EventKind::task_end:
     case EventKind::stop:
+    case EventKind::guide:
       break;
   }
   state.t = event.t;

@@ -190,6 +190,19 @@ void FilmBuilder::write(const trace::Wait&, int run) { tracks_->stand(run, runs_
 
 void FilmBuilder::write(const trace::Stop&, int run) { tracks_->stand(run, runs_[run].last); }
 
+void FilmBuilder::write(const trace::GuidePlan& plan, int) {
+  columns_.guide_name.add(string(plan.name));
+  columns_.guide_kind.add(string(plan.kind));
+  columns_.guide_cause.add(string(plan.cause));
+  columns_.guide_nodes.add(plan.nodes);
+  columns_.guide_checks.add(plan.checks);
+}
+
+void FilmBuilder::write(const trace::WayPoint& point, int) {
+  columns_.way_point_k.add(point.k);
+  columns_.way_point_n.add(point.n);
+}
+
 void FilmBuilder::write(const trace::Work& work, int run) {
   columns_.work_what.add(string(work.what));
   columns_.work_crew.add(string(work.crew));

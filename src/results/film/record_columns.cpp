@@ -23,6 +23,13 @@ std::vector<std::pair<std::string_view, Column>> RecordColumns::take() {
   give("record.t", t);
   give("goal.k", goal_k);
   give("goal.n", goal_n);
+  give("guide.name", guide_name);
+  give("guide.kind", guide_kind);
+  give("guide.cause", guide_cause);
+  give("guide.nodes", guide_nodes);
+  give("guide.checks", guide_checks);
+  give("way_point.k", way_point_k);
+  give("way_point.n", way_point_n);
   give("set.var", set_var);
   give("set.value", set_value);
   give("enter.kind", enter_kind);

@@ -26,6 +26,8 @@ struct PoseColumn {
 struct RecordColumns {
   Column kind, run{1, true}, t{kMillionth, true};
   Column goal_k, goal_n;
+  Column guide_name, guide_kind, guide_cause, guide_nodes, guide_checks;
+  Column way_point_k, way_point_n;
   Column set_var, set_value;
   Column enter_kind, enter_place;
   Column exit_kind, exit_place, exit_reached, exit_successes;

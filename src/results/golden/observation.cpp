@@ -83,7 +83,7 @@ struct GoldenMembers {
   void operator()(const trace::Attempt& attempt) const {
     event["n"] = attempt.n;
     event["cmd"] = attempt.command;
-    if (attempt.command == "together") {
+    if (attempt.command == "together" || attempt.command == "follow") {
       event["p"] = attempt.parameters;
     } else {
       event["p"] = attempt.parameters.front();
@@ -96,6 +96,14 @@ struct GoldenMembers {
   }
   void operator()(const trace::Wait& wait) const { event["n"] = wait.n; }
   void operator()(const trace::Stop& stop) const { event["time"] = time_json(stop.t); }
+  void operator()(const trace::GuidePlan& plan) const {
+    event["name"] = plan.name;
+    event["found"] = plan.found;
+  }
+  void operator()(const trace::WayPoint& point) const {
+    event["k"] = point.k;
+    event["n"] = point.n;
+  }
   void operator()(const trace::Attach& attach) const { event["component"] = attach.component; }
   void operator()(const trace::Detach& detach) const { event["component"] = detach.component; }
   void operator()(const trace::MotionEnd& end) const {
@@ -136,11 +144,11 @@ ObservedEnd observed(const trace::MotionEnd& end) {
 }
 
 const trace::RecordKinds kWanted = {
-    trace::RecordKind::task_start, trace::RecordKind::goal, trace::RecordKind::set,
-    trace::RecordKind::enter,      trace::RecordKind::exit, trace::RecordKind::which,
-    trace::RecordKind::attempt,    trace::RecordKind::wait, trace::RecordKind::attach,
-    trace::RecordKind::detach,     trace::RecordKind::end,  trace::RecordKind::task_end,
-    trace::RecordKind::stop};
+    trace::RecordKind::task_start, trace::RecordKind::goal,  trace::RecordKind::set,
+    trace::RecordKind::enter,      trace::RecordKind::exit,  trace::RecordKind::which,
+    trace::RecordKind::attempt,    trace::RecordKind::wait,  trace::RecordKind::attach,
+    trace::RecordKind::detach,     trace::RecordKind::end,   trace::RecordKind::task_end,
+    trace::RecordKind::stop,       trace::RecordKind::guide, trace::RecordKind::way_point};
 
 }  // namespace
 
@@ -233,6 +241,16 @@ void Observation::write_event(const trace::Record&, const trace::Wait& wait) {
 
 void Observation::write_event(const trace::Record&, const trace::Stop& stop) {
   write(fmt::format("stop, at {} s", brief(trace::seconds(stop.t))));
+}
+
+void Observation::write_event(const trace::Record&, const trace::GuidePlan& plan) {
+  write(plan.found ? fmt::format("guide {} ({}) found a way", plan.name, plan.kind)
+                   : fmt::format("guide {} ({}): {}", plan.name, plan.kind, plan.cause));
+}
+
+void Observation::write_event(const trace::Record&, const trace::WayPoint& point) {
+  depth_ = 0;
+  write(fmt::format("way point {} of {}", point.k, point.n));
 }
 
 void Observation::write_event(const trace::Record&, const trace::Attach& attach) {

@@ -66,6 +66,8 @@ class Observation : public trace::TraceSink {
   void write_event(const trace::Record& record, const trace::Attempt& attempt);
   void write_event(const trace::Record& record, const trace::Wait& wait);
   void write_event(const trace::Record& record, const trace::Stop& stop);
+  void write_event(const trace::Record& record, const trace::GuidePlan& plan);
+  void write_event(const trace::Record& record, const trace::WayPoint& point);
   void write_event(const trace::Record& record, const trace::Attach& attach);
   void write_event(const trace::Record& record, const trace::Detach& detach);
   void write_event(const trace::Record& record, const trace::MotionEnd& end);

@@ -8,6 +8,7 @@
 #include "src/results/verify/input/check_files.hpp"
 #include "src/results/verify/replay/check_beginning.hpp"
 #include "src/results/verify/replay/check_goals.hpp"
+#include "src/results/verify/replay/check_guides.hpp"
 #include "src/results/verify/replay/check_hits.hpp"
 #include "src/results/verify/replay/check_support.hpp"
 #include "src/results/verify/replay/contact_check.hpp"
@@ -108,6 +109,7 @@ Verdict verify(const Result& result) {
     check_phases(trace, run, verdict.faults);
     // Where the phases of a task are wrong, its motions belong to none.
     if (verdict.faults.size() == before) check_goals(trace, run, verdict.faults);
+    if (verdict.faults.size() == before) check_guides(trace, run, verdict.faults);
     check_hits(trace, run, verdict.faults);
     check_shifts(trace, run, hours, verdict.faults);
     check_lifts(trace, run, hours, verdict.faults);

@@ -29,8 +29,6 @@ std::optional<interpreter::HitPair> RobotView::propose(const interpreter::Motion
   return std::nullopt;
 }
 
-bool RobotView::would_accept(const interpreter::MotionStep& step) const { return !refusal(step); }
-
 bool RobotView::situation(const std::string& name) const {
   const auto& load = site_.load(index_);
   return load && load->component >= 0 && name == "transport";

@@ -20,7 +20,7 @@ class RobotView : public interpreter::World {
   RobotView(SiteWorld& site, int robot) : site_(site), index_(robot) {}
 
   std::optional<interpreter::HitPair> propose(const interpreter::MotionStep& step) override;
-  bool would_accept(const interpreter::MotionStep& step) const override;
+  std::optional<interpreter::HitPair> refusal(const interpreter::MotionStep& step) const override;
   double free_distance(std::span<const double> q, double heading_deg, double range) const override;
   std::optional<interpreter::HitPair> blocked_at(std::span<const double> q) const override;
   std::uint64_t version() const override { return site_.version(index_); }
@@ -30,7 +30,6 @@ class RobotView : public interpreter::World {
 
  private:
   const SiteRobot& robot() const { return site_.robot(index_); }
-  std::optional<interpreter::HitPair> refusal(const interpreter::MotionStep& step) const;
   std::optional<interpreter::HitPair> swept_hit(const interpreter::MotionStep& step) const;
   std::optional<interpreter::HitPair> overload(const interpreter::MotionStep& step) const;
   std::optional<interpreter::HitPair> own_hit(const StepQuery& step) const;

@@ -9,6 +9,21 @@ void HitRecorder::goal(int k, int n) {
   if (next_) next_->goal(k, n);
 }
 
+/// Machines and zones that kept a guide from a way are given way to as those that refuse steps.
+void HitRecorder::guide(const interpreter::GuidePlan& plan) {
+  if (!plan.report->found()) {
+    for (const interpreter::HitPair& pair : plan.others) {
+      given_way_.push_back({0, {}, {}, pair, way_point_});
+      met_.emplace(pair.machine, pair.machine >= 0 ? std::string() : pair.met);
+    }
+  }
+  if (next_) next_->guide(plan);
+}
+
+void HitRecorder::way_point(int k, int n) {
+  if (next_) next_->way_point(k, n);
+}
+
 void HitRecorder::set(const std::string& variable, double value, interpreter::Span span) {
   if (next_) next_->set(variable, value, span);
 }

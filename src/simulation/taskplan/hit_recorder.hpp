@@ -40,6 +40,8 @@ class HitRecorder : public interpreter::EventSink {
   }
 
   void goal(int k, int n) override;
+  void guide(const interpreter::GuidePlan& plan) override;
+  void way_point(int k, int n) override;
   void set(const std::string& variable, double value, interpreter::Span span) override;
   void enter(interpreter::LoopKind kind, interpreter::Span span) override;
   void exit(interpreter::LoopKind kind, interpreter::Span span, bool reached,

@@ -24,7 +24,7 @@ constexpr int kFreeTries = 100;
 /// Whether a motion that ended so may succeed when another machine has moved.
 bool may_try_again(MotionStatus status) {
   return status == MotionStatus::done || status == MotionStatus::livelock ||
-         status == MotionStatus::circling;
+         status == MotionStatus::circling || status == MotionStatus::no_way;
 }
 
 /// The way point at which a machine was met first.
@@ -114,6 +114,7 @@ Step MotionActivity::start_machine(ActiveTask& task, Stage& stage) {
   interpreter::MotionTask motion;
   motion.goals = goals_;
   motion.situations = situations_of(stage.plan, spec, purpose);
+  motion.guides = spec.guides;
   motion.within = within_of(stage.plan, spec, purpose);
   motion.budget = budget_;
   motion.full_budget = spec.budget.value_or(stage.plan.budget);
@@ -121,6 +122,10 @@ Step MotionActivity::start_machine(ActiveTask& task, Stage& stage) {
   motion.start = stage.now();
   motion.q = stage.site.configuration(spec.robot);
   motion.mounting = stage.site.robot(spec.robot).mounting;
+  if (stage.on_motion) {
+    stage.on_motion(spec.name, purpose, stage.program_of(spec.robot), motion,
+                    stage.view(spec.robot));
+  }
   doing_ = Doing::moving;
   machine_start_ = stage.now();
   tries_before_ = free_tries_ = 0;

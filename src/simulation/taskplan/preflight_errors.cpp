@@ -23,21 +23,11 @@ Diagnostic mistake(const char* code, Span span, std::string message, std::string
 }
 
 void add_unsupported(const interpreter::PlanModel& plan, std::vector<Diagnostic>& all) {
-  std::set<std::uint32_t> guides;
   for (const interpreter::PlanModel::Use& use : plan.uses) {
-    if (use.what == "guide") {
-      guides.insert(use.span.begin);
-      all.push_back(mistake("X01", use.span, "run does not execute guides yet",
-                            "give way points by hand with via"));
-    } else if (use.what == "import") {
+    if (use.what == "import") {
       all.push_back(mistake("X01", use.span, "run does not read imports in a plan",
                             "make a plan of the file with rubicon import, and run that"));
     }
-  }
-  for (const interpreter::TaskSpec& task : plan.tasks) {
-    if (!task.guide || guides.contains(task.guide_span.begin)) continue;
-    all.push_back(mistake("X01", task.guide_span, "run does not execute guides yet",
-                          "give way points by hand with via"));
   }
 }
 

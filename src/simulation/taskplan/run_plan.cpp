@@ -9,7 +9,7 @@ namespace rubicon::taskplan {
 
 Schedule run_plan(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
                   trace::TraceSink* sink, const RunOptions& options) {
-  if (plan.short_form) return run_short(plan, sources, sink, options.detail);
+  if (plan.short_form) return run_short(plan, sources, sink, options);
   Verdicts known;
   while (true) {
     Simulation simulation(plan, sources, sink, options, std::move(known));

@@ -1,18 +1,27 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "interpreter/check/plan_model.hpp"
+#include "interpreter/machine/machine.hpp"
 #include "interpreter/syntax/source.hpp"
 #include "src/simulation/taskplan/schedule.hpp"
 #include "src/simulation/trace/trace_sink.hpp"
 
 namespace rubicon::taskplan {
 
+/// Looks at a motion that is about to begin, and at the site as it stands then.
+using MotionObserver = std::function<void(
+    const std::string& task, MotionPurpose purpose, const interpreter::Program& program,
+    const interpreter::MotionTask& motion, const interpreter::World& world)>;
+
 struct RunOptions {
   trace::TraceDetail detail = trace::TraceDetail::steps;
   /// Called after every task with how many of how many are behind us.
   std::function<void(int done, int total, const TaskOutcome& last)> on_task;
+  /// Called before a motion of a task begins; a plan that is begun again calls it again.
+  MotionObserver on_motion;
 };
 
 /// Simulates a plan from its beginning (docs/simulation.md) and writes the trace to `sink` unless

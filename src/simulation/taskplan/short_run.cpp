@@ -13,10 +13,10 @@
 namespace rubicon::taskplan {
 
 Schedule run_short(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
-                   trace::TraceSink* sink, trace::TraceDetail detail) {
+                   trace::TraceSink* sink, const RunOptions& options) {
   std::optional<trace::TraceWriter> trace;
   if (sink) {
-    trace.emplace(*sink, plan, sources, detail);
+    trace.emplace(*sink, plan, sources, options.detail);
     trace->header();
     trace->set_task(plan.name, 0);
     trace->task_start(0);
@@ -29,10 +29,12 @@ Schedule run_short(const interpreter::PlanModel& plan, const interpreter::Source
   motion.goals = plan.via;
   motion.goals.push_back(*plan.goal);
   motion.situations = plan.situations;
+  motion.guides = plan.guides;
   motion.within = plan.within;
   motion.budget = plan.budget;
   motion.q = site.configuration(0);
   motion.mounting = site.robot(0).mounting;
+  if (options.on_motion) options.on_motion(plan.name, MotionPurpose::go, program, motion, view);
   interpreter::Machine machine(program, std::move(motion));
   do {
     site.set_time(machine.time());

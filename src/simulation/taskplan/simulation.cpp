@@ -21,6 +21,7 @@ Simulation::Simulation(const interpreter::PlanModel& plan, const interpreter::So
       second_chances_(std::move(known.second_chances)),
       failed_choices_(std::move(known.failed_choices)) {
   parking_failed_.resize(plan.robots.size());
+  stage_.on_motion = options.on_motion;
   stage_.may_park_some_day = [this](int robot) { return may_park(robot, false); };
   stage_.is_over = [this](int task) { return is_over(task); };
   stage_.has_begun = [this](int task) { return records_.has_begun(task); };

@@ -138,6 +138,7 @@ class Stage {
   std::function<bool(int robot)> may_park_some_day;
   std::function<bool(int task)> is_over;
   std::function<bool(int task)> has_begun;
+  MotionObserver on_motion;  ///< may be empty
 
   /// Why the component cannot be taken.
   std::string gone(int component) const;

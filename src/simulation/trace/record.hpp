@@ -164,11 +164,37 @@ struct Stop {
   Ticks t = 0;
 };
 
+/// A guide planned a way, or found none.
+struct GuidePlan {
+  std::string_view name;
+  std::string_view kind;
+  double seed = 0;
+  bool found = false;
+  std::string_view cause;  ///< of no way
+  int nodes = 0;
+  int checks = 0;
+  int refused = 0;
+  /// Where it begins and its way points, the goal last: of each all parameters of the robot, in
+  /// their order (m, degrees).
+  Numbers way;
+  double roughness = 0;
+  double length = 0;       ///< m
+  double motion_time = 0;  ///< s
+  Ticks t = 0;
+};
+
+/// The script begins at way point k of the n of its guide's way.
+struct WayPoint {
+  int k = 0;
+  int n = 0;
+};
+
 /// One record of a trace. Its texts and lists belong to the reader that gave it.
 struct Record {
   /// In the order of RecordKind.
   using What = std::variant<TaskStart, GoalStart, Assignment, LoopStart, LoopEnd, Choice, Attempt,
-                            Wait, Work, Pause, Attach, Detach, Removal, MotionEnd, TaskEnd, Stop>;
+                            Wait, Work, Pause, Attach, Detach, Removal, MotionEnd, TaskEnd, Stop,
+                            GuidePlan, WayPoint>;
 
   std::string_view task;
   std::string_view robot;  ///< "": crew work

@@ -164,6 +164,26 @@ struct RecordFields<Stop> {
   static constexpr auto kFields = std::tuple(required<&Stop::t>("t"));
 };
 
+template <>
+struct RecordFields<GuidePlan> {
+  static constexpr RecordKind kKind = RecordKind::guide;
+  static constexpr auto kFields =
+      std::tuple(required<&GuidePlan::name>("name"), required<&GuidePlan::kind>("kind"),
+                 required<&GuidePlan::seed>("seed"), required<&GuidePlan::found>("found"),
+                 optional<&GuidePlan::cause>("cause"), required<&GuidePlan::nodes>("nodes"),
+                 required<&GuidePlan::checks>("checks"), required<&GuidePlan::refused>("refused"),
+                 required<&GuidePlan::way>("way"), required<&GuidePlan::roughness>("roughness"),
+                 required<&GuidePlan::length>("length"),
+                 required<&GuidePlan::motion_time>("motion_time"), required<&GuidePlan::t>("t"));
+};
+
+template <>
+struct RecordFields<WayPoint> {
+  static constexpr RecordKind kKind = RecordKind::way_point;
+  static constexpr auto kFields =
+      std::tuple(required<&WayPoint::k>("k"), required<&WayPoint::n>("n"));
+};
+
 /// What a member is in the text.
 enum class FieldType {
   text,

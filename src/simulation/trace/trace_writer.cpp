@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <utility>
 
 #include "src/simulation/trace/json_builder.hpp"
 #include "src/simulation/trace/trace_header.hpp"
@@ -248,6 +249,49 @@ void TraceWriter::goal(int k, int n) {
   finish();
 }
 
+void TraceWriter::guide(const interpreter::GuidePlan& plan) {
+  const guides::PlanReport& report = *plan.report;
+  begin("guide");
+  line_ += ",\"name\":";
+  append_string(line_, plan.name);
+  line_ += ",\"kind\":";
+  append_string(line_, plan.kind);
+  line_ += ",\"seed\":";
+  append_number(line_, plan.seed);
+  line_ += ",\"found\":";
+  append_truth(line_, report.found());
+  if (!report.found()) {
+    line_ += ",\"cause\":";
+    append_string(line_, plan.cause);
+  }
+  fmt::format_to(std::back_inserter(line_), ",\"nodes\":{},\"checks\":{},\"refused\":{}",
+                 report.nodes, report.checks, report.refused);
+  line_ += ",\"way\":[";
+  bool first = true;
+  for (const std::vector<double>& q : report.way) {
+    for (const double value : q) {
+      if (!std::exchange(first, false)) line_ += ',';
+      append_number(line_, value);
+    }
+  }
+  line_ += "],\"roughness\":";
+  append_number(line_, report.metrics.roughness);
+  line_ += ",\"length\":";
+  append_number(line_, report.metrics.length);
+  line_ += ",\"motion_time\":";
+  append_number(line_, report.metrics.motion_time);
+  line_ += ",\"t\":";
+  append_seconds(line_, plan.time);
+  finish();
+}
+
+void TraceWriter::way_point(int k, int n) {
+  if (!steps()) return;
+  begin("way_point");
+  fmt::format_to(std::back_inserter(line_), ",\"k\":{},\"n\":{}", k, n);
+  finish();
+}
+
 void TraceWriter::set(const std::string& variable, double value, interpreter::Span) {
   if (!steps()) return;
   begin("set");
@@ -298,7 +342,8 @@ void TraceWriter::attempt(const interpreter::Attempt& attempt) {
   line_ += ",\"command\":\"";
   line_ += attempt.command;
   line_ += "\",\"parameter\":";
-  if (std::string_view(attempt.command) == "together") {
+  const std::string_view command = attempt.command;
+  if (command == "together" || command == "follow") {
     line_ += '[';
     for (std::size_t i = 0; i < attempt.parameters.size(); ++i) {
       if (i > 0) line_ += ',';

@@ -51,6 +51,8 @@ class TraceWriter : public interpreter::EventSink {
   void motion_end(const interpreter::MotionEnd& end);
 
   void goal(int k, int n) override;
+  void guide(const interpreter::GuidePlan& plan) override;
+  void way_point(int k, int n) override;
   void set(const std::string& variable, double value, interpreter::Span span) override;
   void enter(interpreter::LoopKind kind, interpreter::Span span) override;
   void exit(interpreter::LoopKind kind, interpreter::Span span, bool reached,

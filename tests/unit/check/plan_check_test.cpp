@@ -154,6 +154,7 @@ TEST(PlanCheck, ReadsTheShortForm) {
 const char* const kFullPlan = R"(plan unit {
   start_at "2026-03-02 07:00";
   currency "EUR";
+  guide rrt rrt_plus { seed 3; }
   calendar site { mon-fri 07:00-12:00, 12:30-16:00; off 2026-12-25; carry_over; }
   component slab { shape mesh("cube.stl", mm); at trans(0, 0, 0); }
   component panel { shape box(-3, -0.1, 0, 3, 0.1, 2.8); at trans(30, -6, 0); grip trans(0, 0, 2.8);
@@ -172,7 +173,7 @@ TEST(PlanCheck, ReadsTheFullForm) {
   const Loaded full(kFullPlan);
   ASSERT_EQ(
       full.said(),
-      "  => 4:12: P36 warning: calendar 'site' says carry_over: the load of task 'set' may hang "
+      "  => 5:12: P36 warning: calendar 'site' says carry_over: the load of task 'set' may hang "
       "on the hook beyond the end of a shift\n");
   const PlanModel& plan = *full.plan;
   EXPECT_FALSE(plan.short_form);
@@ -277,8 +278,8 @@ TEST(PlanCheck, RecordsWhatItUses) {
   }
   std::sort(uses.begin(), uses.end());
   uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
-  EXPECT_EQ(uses, (std::vector<std::string>{"SS", "calendar", "cost", "currency", "guide", "lag",
-                                            "park", "priority", "size", "start_at", "zone"}));
+  EXPECT_EQ(uses, (std::vector<std::string>{"SS", "calendar", "cost", "currency", "lag", "park",
+                                            "priority", "size", "start_at", "zone"}));
   const Loaded imported(
       "plan p { import \"house.ifc\" as house { } component a { shape sphere(0, 0, 0, 1); } "
       "task t { remove house.wall; } }");

@@ -142,6 +142,18 @@ class Writer {
       for (const syntax::Number& each : end->point) number(each);
     }
   }
+  void item(const syntax::GuideDeclaration& value) {
+    name(value.name);
+    name(value.kind);
+    for (const syntax::GuideClause& clause : value.clauses) {
+      name(clause.key);
+      if (clause.number) number(*clause.number);
+      for (const syntax::GuideClause::Value& each : clause.values) {
+        name(each.parameter);
+        number(each.number);
+      }
+    }
+  }
   void item(const syntax::BehaviourItem& value) { behaviour(value); }
 
   // Items of plans and tasks.
@@ -252,7 +264,7 @@ class Writer {
   void item(const syntax::GoItem& value) { goal(value.goal); }
   void item(const syntax::RemoveItem& value) { name(value.component); }
   void item(const syntax::ViaItem& value) { goal(value.goal); }
-  void item(const syntax::GuideItem& value) { name(value.name); }
+  void item(const syntax::GuideItem& value) { names(value.names); }
   void item(const syntax::WithinItem& value) {
     if (value.length) number(*value.length);
     values(value.values);

@@ -23,7 +23,10 @@ class SupportTest : public ::testing::Test {
  protected:
   SupportTest() { plan_.support.mode = SupportRules::Mode::on; }
 
-  void ground() { plan_.site.push_back({geometry::Box{{-50, -50, -1}, {50, 50, 0}}}); }
+  void ground() {
+    plan_.site.emplace_back();
+    plan_.site.back().solid = geometry::Box{{-50, -50, -1}, {50, 50, 0}};
+  }
   int add(const std::string& name, std::vector<geometry::Shape> shapes,
           const math::Pose& X_WO = math::Pose::Identity()) {
     ComponentSpec component;

@@ -119,6 +119,20 @@ std::vector<std::string> written_records() {
   write_ends(writer);
   writer.task_end(2'500'000'000, "not reached", "a \"b\"");
   writer.stop(2 * kSecond);
+  guides::PlanReport report;
+  report.way = {{1, 2}, {3, 4.5}};
+  report.metrics = {0.5, 2.5, 12};
+  interpreter::GuidePlan guide;
+  guide.name = "way";
+  guide.kind = "rrt";
+  guide.seed = 7;
+  guide.report = &report;
+  writer.guide(guide);
+  report = {};
+  report.outcome = guides::PlanReport::Outcome::out_of_nodes;
+  guide.cause = "no way found";
+  writer.guide(guide);
+  writer.way_point(1, 2);
   return lines.lines;
 }
 

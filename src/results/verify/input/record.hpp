@@ -25,6 +25,7 @@ struct Goal {
 /// One attempt.
 struct Try {
   bool ok = false;
+  bool follows = false;  ///< it is a step of the leg to the way point
   int n = 0;
   std::vector<int> moved;                                  ///< parameters of the command
   std::vector<double> q;                                   ///< every parameter after it
@@ -38,6 +39,18 @@ struct Wait {
 
 /// The machine came to a stop, from the record before it to this one's time.
 struct Stop {};
+
+/// A guide planned a way; none: it found no way.
+struct GuidePlan {
+  std::vector<std::vector<double>> way;  ///< where it begins, its way points; all parameters
+  double motion_time = 0;                ///< s
+};
+
+/// The script begins for way point k of the n of its guide.
+struct WayPoint {
+  int k = 0;
+  int n = 0;
+};
 
 /// Crew work from `from` to the record's time.
 struct Work {
@@ -88,7 +101,9 @@ struct Record {
   int run = -1;    ///< index into Trace::runs
   int robot = -1;  ///< -1: crew work
   Ticks time = 0;  ///< when it is over
-  std::variant<TaskStart, Goal, Try, Wait, Stop, Work, Pause, LoadChange, MotionEnd, TaskEnd> what;
+  std::variant<TaskStart, Goal, Try, Wait, Stop, Work, Pause, LoadChange, MotionEnd, TaskEnd,
+               GuidePlan, WayPoint>
+      what;
 };
 
 /// A trace as it was read.

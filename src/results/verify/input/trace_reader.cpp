@@ -33,6 +33,10 @@ class RecordReader {
       record_.what = Goal{fields_.integer("k"), fields_.integer("n")};
       return;
     }
+    if (type == "way_point") {
+      record_.what = WayPoint{fields_.integer("k"), fields_.integer("n")};
+      return;
+    }
     record_.time = fields_.time("t");
     if (type == "task_start") {
       record_.what = TaskStart{fields_.text_or("chosen", "")};
@@ -42,6 +46,8 @@ class RecordReader {
       record_.what = Wait{fields_.integer("n")};
     } else if (type == "stop") {
       record_.what = Stop{};
+    } else if (type == "guide") {
+      record_.what = read_guide();
     } else if (type == "work") {
       record_.what = read_work();
     } else if (type == "pause") {
@@ -84,6 +90,7 @@ class RecordReader {
     Try attempt;
     attempt.ok = fields_.truth("ok");
     attempt.n = fields_.integer("n");
+    attempt.follows = fields_.text("command") == "follow";
     const Json& names = fields_.any("parameter");
     if (names.is_array()) {
       for (const Json& name : names) attempt.moved.push_back(parameter(name));
@@ -101,6 +108,22 @@ class RecordReader {
       fields_.fail("a number for each parameter as 'step'");
     }
     return attempt;
+  }
+
+  GuidePlan read_guide() const {
+    GuidePlan plan;
+    const Json& values = fields_.array("way");
+    const std::size_t width = robot().parameters.size();
+    if (fields_.truth("found") == values.empty() || values.size() % width != 0) {
+      fields_.fail("the values of all parameters for each point of 'way'");
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!values[i].is_number()) fields_.fail("numbers in 'way'");
+      if (i % width == 0) plan.way.emplace_back();
+      plan.way.back().push_back(values[i].get<double>());
+    }
+    plan.motion_time = fields_.number("motion_time");
+    return plan;
   }
 
   Work read_work() const {

@@ -135,7 +135,7 @@ class GoalCheck {
       const bool short_of_it = motion.may_end_short && end.status == "done";
       const bool over = end.reached || short_of_it || trace_.scene.short_form;
       const bool again = !end.reached && (end.status == "done" || end.status == "livelock" ||
-                                          end.status == "circling");
+                                          end.status == "circling" || end.status == "no_way");
       if (over) states_.push_back(fresh(state.motion + 1));
       if (again) states_.push_back({state.motion, n - k + 1, n, false});
       if (!held && end.status != "goal_impossible")

@@ -64,6 +64,8 @@ class ShiftCheck {
     begun_ = false;
   }
   void follow(const Goal&) {}
+  void follow(const GuidePlan&) {}
+  void follow(const WayPoint&) {}
   void follow(const Pause&) {}
   void follow(const MotionEnd&) {}
   void follow(const Stop&) {}  // part of the step before it

@@ -62,6 +62,8 @@ class ClockCheck {
   void follow(const TaskStart&) { now_ = record_->time; }
 
   void follow(const Goal&) {}
+  void follow(const WayPoint&) {}
+  void follow(const GuidePlan&) { takes_no_time(); }
 
   void follow(const Try& attempt) {
     number(attempt.n);

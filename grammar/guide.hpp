@@ -1,0 +1,36 @@
+#pragma once
+
+#include "grammar/frame.hpp"
+#include "grammar/recovery.hpp"
+#include "grammar/script.hpp"
+
+/// Guides, in robot files and in plans: where the way points of a motion come from.
+namespace rubicon::grammar {
+
+struct guide_key : token<word<TAO_PEGTL_STRING("guide")>> {};
+struct guide_name : indexed_name {};
+struct guide_kind : name {};
+
+struct clause_semicolon : semicolon {};
+struct clause_key : name {};
+struct clause_number : sor<computed_number, signed_number> {};
+struct clause_parameter : qualified_name {};
+struct clause_value : if_must<clause_parameter, clause_number> {};
+/// Names in a number are put in parentheses; else they are those of parameters of the robot.
+struct clause_content : sor<seq<clause_value, star<if_must<comma, clause_value>>>, clause_number> {
+};
+struct guide_clause : if_must<clause_key, clause_content, clause_semicolon> {};
+struct whole_guide_clause : must<guide_clause> {};
+struct guide_clauses : nested<star<not_at<block_end>, recover<whole_guide_clause, item_end>>> {};
+struct guide_block : if_must<block_open, guide_clauses, block_close> {};
+struct guide_end : sor<clause_semicolon, guide_block> {};
+struct guide_declared : if_must<guide_kind, guide_end> {};
+struct guide_declaration : if_must<guide_key, guide_name, guide_declared> {};
+
+// The guides of a task: a list of their names.
+struct used_guide : indexed_name {};
+struct next_guide : indexed_name {};
+struct guide_use
+    : if_must<guide_key, used_guide, star<if_must<comma, next_guide>>, clause_semicolon> {};
+
+}  // namespace rubicon::grammar

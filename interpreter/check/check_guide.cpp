@@ -1,0 +1,205 @@
+#include "interpreter/check/check_guide.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "interpreter/check/check_number.hpp"
+#include "src/motion/guides/leg.hpp"
+
+namespace rubicon::interpreter {
+
+namespace {
+
+using guides::ClauseInfo;
+using syntax::UnitKind;
+
+constexpr double kLeastWeight = 1e-3;
+constexpr double kMostWeight = 1e6;
+
+std::string suggestion(const std::string& name, const std::vector<std::string>& candidates) {
+  const std::string near = did_you_mean(name, candidates);
+  return near.empty() ? std::string() : fmt::format("; did you mean {}?", near);
+}
+
+std::string list_of_kinds() {
+  std::string text;
+  for (const guides::KindInfo& info : guides::guide_kinds()) {
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", info.name);
+  }
+  return text;
+}
+
+class ClauseChecker {
+ public:
+  ClauseChecker(const syntax::GuideDeclaration& guide, Diagnostics& diagnostics)
+      : guide_(guide), diagnostics_(diagnostics) {}
+
+  std::optional<guides::GuideSpec> check() {
+    const auto kind = guides::find_kind(guide_.kind.text);
+    if (!kind) {
+      std::vector<std::string> names;
+      for (const guides::KindInfo& info : guides::guide_kinds()) names.emplace_back(info.name);
+      diagnostics_.error("G01", guide_.kind.span,
+                         fmt::format("unknown kind of guide '{}'{}", guide_.kind.text,
+                                     suggestion(guide_.kind.text, names)),
+                         "kinds are " + list_of_kinds());
+      return std::nullopt;
+    }
+    spec_ = guides::default_guide(*kind);
+    spec_.name = guide_.name.text;
+    const int errors = diagnostics_.errors();
+    for (const syntax::GuideClause& clause : guide_.clauses) check_clause(clause);
+    if (diagnostics_.errors() != errors) return std::nullopt;
+    return spec_;
+  }
+
+ private:
+  void check_clause(const syntax::GuideClause& clause) {
+    const auto [place, is_new] = given_.emplace(clause.key.text, clause.key.span);
+    if (!is_new) {
+      Diagnostic twice;
+      twice.code = "G02";
+      twice.span = clause.key.span;
+      twice.message = fmt::format("{} is given twice", clause.key.text);
+      twice.notes.push_back({place->second, "first given here"});
+      diagnostics_.add(std::move(twice));
+      return;
+    }
+    if (clause.key.text == guides::kWeightClause) {
+      if (!clause.number) return;
+      diagnostics_.error("G03", clause.number->span, "weight needs parameters of the robot",
+                         "for example weight x 20, boom.phi 2;");
+      return;
+    }
+    const ClauseInfo* const info = guides::find_clause(clause.key.text);
+    if (info == nullptr || !info->is_of(spec_.kind)) {
+      report_unknown(clause, info != nullptr);
+      return;
+    }
+    if (!clause.number) {
+      diagnostics_.error("G03", clause.values.front().parameter.span,
+                         fmt::format("{} takes one number", info->name));
+      return;
+    }
+    check_number(*info, *clause.number);
+  }
+
+  void report_unknown(const syntax::GuideClause& clause, bool of_another_kind) {
+    std::vector<std::string> names{guides::kWeightClause};
+    std::string list = guides::kWeightClause;
+    for (const ClauseInfo& info : guides::guide_clauses()) {
+      if (!info.is_of(spec_.kind)) continue;
+      names.emplace_back(info.name);
+      list += fmt::format(", {}", info.name);
+    }
+    diagnostics_.error("G02", clause.key.span,
+                       of_another_kind
+                           ? fmt::format("{} has no clause '{}'", guide_.kind.text, clause.key.text)
+                           : fmt::format("unknown clause '{}' of a guide{}", clause.key.text,
+                                         suggestion(clause.key.text, names)),
+                       fmt::format("clauses of {} are {}", guide_.kind.text, list));
+  }
+
+  void check_number(const ClauseInfo& info, const syntax::Number& number) {
+    const bool angle = number.unit == UnitKind::angle && std::string_view(info.name) == "step";
+    if (!angle && !check_unit(number, UnitKind::none, info.name, diagnostics_)) return;
+    const double value = number.value;
+    const bool whole = !info.whole || value == std::floor(value);
+    if (!(value >= info.least && value <= info.most) || !whole) {
+      diagnostics_.error(
+          "G03", number.span,
+          fmt::format("{} must be {} from {:.16g} to {:.16g}, found {:.16g}", info.name,
+                      info.whole ? "a whole number" : "a number", info.least, info.most, value));
+      return;
+    }
+    spec_.*info.value = value;
+  }
+
+  const syntax::GuideDeclaration& guide_;
+  Diagnostics& diagnostics_;
+  guides::GuideSpec spec_;
+  std::map<std::string, Span> given_;
+};
+
+}  // namespace
+
+std::optional<guides::GuideSpec> check_guide(const syntax::GuideDeclaration& guide,
+                                             Diagnostics& diagnostics) {
+  return ClauseChecker(guide, diagnostics).check();
+}
+
+bool add_weights(const syntax::GuideDeclaration& guide, const robot::RobotModel& robot,
+                 guides::GuideSpec& spec, Diagnostics& diagnostics) {
+  const int errors = diagnostics.errors();
+  for (const syntax::GuideClause& clause : guide.clauses) {
+    if (clause.key.text != guides::kWeightClause) continue;
+    for (const syntax::GuideClause::Value& value : clause.values) {
+      const int parameter = resolve_parameter(robot, -1, value.parameter);
+      if (parameter < 0) {
+        diagnostics.error(
+            "G03", value.parameter.span,
+            fmt::format("'{}' is {} of robot '{}'", value.parameter.text(),
+                        parameter == -2 ? "a parameter of several bodies" : "no parameter",
+                        robot.name));
+        continue;
+      }
+      if (!check_unit(value.number, UnitKind::none, "weight", diagnostics)) continue;
+      if (!(value.number.value >= kLeastWeight && value.number.value <= kMostWeight)) {
+        diagnostics.error("G03", value.number.span,
+                          fmt::format("a weight must be from {} to {}, found {}", kLeastWeight,
+                                      kMostWeight, value.number.value));
+        continue;
+      }
+      spec.weights.emplace_back(parameter, value.number.value);
+    }
+  }
+  return diagnostics.errors() == errors;
+}
+
+bool check_guided_robot(const robot::RobotModel& robot, Span span, Diagnostics& diagnostics) {
+  robot::Mounting mounting;
+  mounting.starts = robot.start_values();
+  const guides::Leg leg(robot, mounting);
+  if (!leg.refusal().empty()) {
+    diagnostics.error("G04", span,
+                      fmt::format("robot '{}' cannot be guided: {}", robot.name, leg.refusal()));
+    return false;
+  }
+  for (const int index : leg.parameters()) {
+    const robot::Parameter& p = robot.parameters[static_cast<std::size_t>(index)];
+    if (p.cyclic || (std::isfinite(p.lower) && std::isfinite(p.upper))) continue;
+    diagnostics.error("G04", span,
+                      fmt::format("robot '{}' cannot be guided: {} has no range to look for a way "
+                                  "in",
+                                  robot.name, p.display_name),
+                      fmt::format("add range(...) to param {} in the robot file", p.name));
+    return false;
+  }
+  return true;
+}
+
+void GuideDeclarations::declare(const syntax::GuideDeclaration& guide, Diagnostics& diagnostics) {
+  const auto [place, is_new] = by_name_.emplace(guide.name.text, &guide);
+  if (is_new) return;
+  Diagnostic twice;
+  twice.code = "G05";
+  twice.span = guide.name.span;
+  twice.message = fmt::format("guide '{}' is declared twice", guide.name.text);
+  twice.notes.push_back({place->second->name.span, "first declared here"});
+  diagnostics.add(std::move(twice));
+}
+
+const syntax::GuideDeclaration* GuideDeclarations::find(const std::string& name) const {
+  const auto found = by_name_.find(name);
+  return found == by_name_.end() ? nullptr : found->second;
+}
+
+std::vector<std::string> GuideDeclarations::names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, guide] : by_name_) names.push_back(name);
+  return names;
+}
+
+}  // namespace rubicon::interpreter

@@ -1,0 +1,256 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "interpreter/machine/machine.hpp"
+#include "src/motion/robot/turns.hpp"
+
+namespace rubicon::interpreter {
+
+namespace {
+
+using guides::GuideAnswer;
+using guides::PlanReport;
+
+/// Way points in a row without any step before the guide is given up.
+constexpr int kIdleWayPoints = 2;
+
+/// Where a goal frame cannot be stood at as it is reached first, it is solved from so many other
+/// configurations.
+constexpr int kGoalStarts = 32;
+
+/// A part that met something in so many checks.
+struct Meeting {
+  HitPair pair;
+  std::size_t checks = 0;
+  std::size_t first = 0;  ///< the check that met it first
+};
+
+}  // namespace
+
+/// What a guide asks of the world, with all that was met.
+class Machine::GuideTests : public guides::MotionTests {
+ public:
+  GuideTests(const Machine& machine, const World& world) : machine_(machine), world_(world) {}
+
+  bool stands(std::span<const double> q) override {
+    const int limit = machine_.first_out_of_range(q);
+    if (limit >= 0) return note(out_of_range(limit));
+    if (auto pair = world_.blocked_at(q)) return note(*pair);
+    return true;
+  }
+
+  bool sweeps_free(std::span<const double> q_from, std::span<const double> q_to) override {
+    const int limit = machine_.first_out_of_range(q_to);
+    if (limit >= 0) return note(out_of_range(limit));
+    if (auto pair = world_.refusal({q_from, q_to, machine_.time_, 0})) return note(*pair);
+    return true;
+  }
+
+  /// The pair that was met most; of equals the one met first. Null: nothing was.
+  const Meeting* most() const {
+    const Meeting* most = nullptr;
+    for (const auto& [names, meeting] : met_) {
+      const bool more = most == nullptr || meeting.checks > most->checks ||
+                        (meeting.checks == most->checks && meeting.first < most->first);
+      if (more) most = &meeting;
+    }
+    return most;
+  }
+
+  /// Pairs with other machines and with zones.
+  std::vector<HitPair> others() const {
+    std::vector<HitPair> pairs;
+    for (const auto& [names, meeting] : met_) {
+      if (meeting.pair.machine >= 0 || meeting.pair.zone_task >= 0) pairs.push_back(meeting.pair);
+    }
+    return pairs;
+  }
+
+ private:
+  HitPair out_of_range(int limit) const {
+    return {machine_.parameter(limit).display_name, "its range"};
+  }
+
+  bool note(const HitPair& pair) {
+    Meeting& meeting = met_[{pair.moved, pair.met}];
+    if (meeting.checks == 0) meeting.first = ++checks_;
+    meeting.pair = pair;
+    ++meeting.checks;
+    return false;
+  }
+
+  const Machine& machine_;
+  const World& world_;
+  std::map<std::pair<std::string, std::string>, Meeting> met_;
+  std::size_t checks_ = 0;
+};
+
+const guides::Leg& Machine::leg() {
+  if (!leg_) leg_ = std::make_shared<const guides::Leg>(*model_, task_.mounting);
+  return *leg_;
+}
+
+/// Asks the guides for a first way point, from guide `first` on. False: the motion has ended.
+bool Machine::begin_guides(std::size_t first, World& world, EventSink* events) {
+  for (guide_index_ = first; guide_index_ < task_.guides.size(); ++guide_index_) {
+    const guides::GuideSpec& spec = task_.guides[guide_index_];
+    GuideTests tests(*this, world);
+    guides::GuideTask task;
+    task.model = model_;
+    task.mounting = task_.mounting;
+    task.goals = {goal_.q};
+    task.loaded = world.loaded();
+    if (goal_.X_WG && !tests.stands(goal_.q)) add_goals(spec, tests, task.goals);
+    guide_ = guides::GuideValue(guides::make_guide(spec, std::move(task)));
+    idle_way_points_ = 0;
+    if (take(guide_->begin(q_, tests), tests, events)) return true;
+  }
+  give_up();
+  return false;
+}
+
+/// Other configurations that bring the tool to the goal frame: from random ones, the first in which
+/// the robot may stand.
+void Machine::add_goals(const guides::GuideSpec& spec, guides::MotionTests& tests,
+                        std::vector<std::vector<double>>& goals) const {
+  guides::Random random(static_cast<std::uint64_t>(spec.seed));
+  const guides::Leg leg(*model_, task_.mounting);
+  for (int n = 0; n < kGoalStarts; ++n) {
+    std::vector<double> q = q_;
+    for (const int i : leg.parameters()) {
+      const robot::Parameter& p = parameter(i);
+      q[static_cast<std::size_t>(i)] =
+          p.cyclic ? random.between(-180, 180) : random.between(p.lower, p.upper);
+    }
+    robot::update_derived(*model_, task_.mounting, q);
+    const robot::GoalSolution solution =
+        robot::solve_goal(*model_, task_.mounting, q, *goal_.X_WG, frame_tolerance());
+    if (!solution.reachable || !tests.stands(solution.q)) continue;
+    goals.push_back(solution.q);
+    return;
+  }
+}
+
+/// Takes what the guide answers; false where it gave up, which `guide_cause_` then has the reason
+/// of.
+bool Machine::take(GuideAnswer answer, const GuideTests& tests, EventSink* events) {
+  const guides::GuideSpec& spec = task_.guides[guide_index_];
+  const bool no_way = answer.planned && !answer.planned->found();
+  if (answer.planned) {
+    const std::string cause = no_way ? cause_of(*answer.planned, tests) : std::string();
+    if (no_way) answer.reason = cause;
+    if (events) {
+      const std::vector<HitPair> others = tests.others();
+      GuidePlan plan;
+      plan.name = spec.name;
+      plan.kind = guides::name_of(spec.kind);
+      plan.seed = spec.seed;
+      plan.report = &*answer.planned;
+      plan.cause = cause;
+      plan.others = others;
+      plan.time = time_;
+      events->guide(plan);
+    }
+  }
+  if (answer.kind == GuideAnswer::Kind::gave_up) {
+    if (guide_cause_.empty()) {
+      guide_cause_ =
+          fmt::format("guide {} ({}): {}", spec.name, guides::name_of(spec.kind), answer.reason);
+      guide_found_no_way_ = no_way;
+    }
+    guide_.reset();
+    return false;
+  }
+  set_target(answer);
+  if (events) events->way_point(answer.k, answer.n);
+  return true;
+}
+
+void Machine::set_target(const GuideAnswer& answer) {
+  target_ = goal_;
+  target_.via = goal_.via || !answer.leads_to_goal();
+  target_.q = answer.q;
+  // Values run on from where the robot stands, as those of goals do.
+  for (const int i : leg().parameters()) {
+    const auto index = static_cast<std::size_t>(i);
+    target_.q[index] = robot::nearest_turn_equivalent(parameter(i), answer.q[index], q_[index]);
+  }
+  if (!answer.leads_to_goal() || !goal_.X_WG) {
+    target_.p_WG = robot::tool_pose(*model_, task_.mounting, target_.q).translation();
+  }
+  // Of a frame the guide may have taken another configuration than the nearest.
+  if (answer.leads_to_goal() && goal_.X_WG) goal_.q = target_.q;
+  leads_to_goal_ = answer.leads_to_goal();
+  accepted_at_way_point_ = accepted_;
+  begin_script();
+}
+
+/// The script has ended under a guide. True: it begins again, at the next way point; false: at its
+/// goal, or the motion has ended.
+bool Machine::next_way_point(World& world, EventSink* events) {
+  GuideTests tests(*this, world);
+  if (leg().is_there(q_, target_.q)) {
+    if (leads_to_goal_) return false;
+    idle_way_points_ = accepted_ == accepted_at_way_point_ ? idle_way_points_ + 1 : 0;
+    if (take(guide_->reached(q_, tests), tests, events)) return true;
+  } else {
+    if (is_near_goal()) return false;
+    idle_way_points_ = accepted_ == accepted_at_way_point_ ? idle_way_points_ + 1 : 0;
+    if (idle_way_points_ >= kIdleWayPoints) {
+      GuideAnswer stuck;
+      stuck.reason =
+          fmt::format("at {} way points in a row the script made no step", kIdleWayPoints);
+      take(std::move(stuck), tests, events);
+    } else if (take(guide_->ended_short(q_, tests), tests, events)) {
+      return true;
+    }
+  }
+  if (begin_guides(guide_index_ + 1, world, events)) return true;
+  return false;
+}
+
+/// Whether the goal counts as reached, as far from it as `within` allows.
+bool Machine::is_near_goal() {
+  finish(MotionStatus::done);
+  const bool reached = end_->reached;
+  end_.reset();
+  return reached;
+}
+
+/// No guide is left: the motion ends where the robot stands.
+void Machine::give_up() {
+  if (guide_found_no_way_) {
+    finish(MotionStatus::no_way, guide_cause_);
+    return;
+  }
+  finish(MotionStatus::done);
+  if (!end_->reached) end_->message += "; " + guide_cause_;
+}
+
+std::string Machine::cause_of(const PlanReport& report, const GuideTests& tests) const {
+  using Outcome = PlanReport::Outcome;
+  const Meeting* const most = tests.most();
+  const std::string pair =
+      most ? fmt::format("{} meets {}", most->pair.moved, most->pair.met) : std::string();
+  switch (report.outcome) {
+    case Outcome::found:
+      return {};
+    case Outcome::start_blocked:
+      return "no way: the robot may not stand where it does: " + pair;
+    case Outcome::goal_blocked:
+      return "no way: the robot may not stand at the goal: " + pair;
+    case Outcome::not_certified:
+      return "no way: none of the ways found could be followed step by step";
+    case Outcome::out_of_nodes:
+    case Outcome::out_of_checks:
+      break;
+  }
+  return fmt::format("no way found with {} nodes and {} checks, {} of them refused{}", report.nodes,
+                     report.checks, report.refused,
+                     most ? fmt::format("; most often (in {}): {}", most->checks, pair) : "");
+}
+
+}  // namespace rubicon::interpreter

@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+#include "interpreter/syntax/name_suggestion.hpp"
+#include "src/cli/commands.hpp"
+#include "src/cli/load_runnable_plan.hpp"
+#include "src/cli/set_option.hpp"
+#include "src/results/comparison/compare_guides.hpp"
+
+namespace rubicon::cli {
+
+namespace {
+
+int fail(const std::string& message) {
+  fmt::print(stderr, "rubicon: error: {}\n", message);
+  return kWrongInput;
+}
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+int run_guides(const GuidesOptions& options) {
+  interpreter::SourceMap sources;
+  const auto plan = load_runnable_plan(options.plan, sources, parameter_texts(options.set));
+  if (!plan) return kWrongInput;
+  const std::vector<std::string> tasks = comparison::moving_tasks(*plan);
+  std::string task = options.task;
+  if (task.empty() && tasks.size() == 1) task = tasks.front();
+  if (task.empty()) return fail("which task? the plan has several that move something");
+  if (std::find(tasks.begin(), tasks.end(), task) == tasks.end()) {
+    interpreter::NameSuggestions suggestions;
+    return fail(fmt::format("there is no task '{}' in {} that moves anything{}", task, options.plan,
+                            suggestions.ending(task, [&] { return tasks; })));
+  }
+  comparison::GuideComparison result;
+  try {
+    result = comparison::compare_guides(*plan, sources, task, options.seeds, seconds_now);
+  } catch (const std::invalid_argument& error) {
+    return fail(error.what());
+  }
+  if (result.motions.empty()) {
+    return fail(
+        fmt::format("'{}' makes no motion: it is not reached, it is rejected before it "
+                    "moves, or its goal holds already; see rubicon why {} {}",
+                    task, options.plan, task));
+  }
+  const std::string text = options.format == "json"  ? comparison::comparison_json(result)
+                           : options.format == "csv" ? comparison::comparison_csv(result)
+                                                     : comparison::comparison_text(result);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  return kFine;
+}
+
+}  // namespace rubicon::cli

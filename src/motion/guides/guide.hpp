@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "src/motion/guides/guide_spec.hpp"
+#include "src/motion/guides/space.hpp"
+#include "src/motion/guides/way_metrics.hpp"
+
+namespace rubicon::guides {
+
+/// The task of a guide: where the robot stands, and the configurations that are its goal, of which
+/// the first that it may stand at is taken. The robot must outlive the guide.
+struct GuideTask {
+  const robot::RobotModel* model = nullptr;
+  robot::Mounting mounting;
+  std::vector<std::vector<double>> goals;
+  bool loaded = false;
+};
+
+/// What planning a way took and gave.
+struct PlanReport {
+  enum class Outcome : std::uint8_t {
+    found,
+    start_blocked,
+    goal_blocked,
+    out_of_nodes,
+    out_of_checks,
+    not_certified  ///< a way was found that `follow` could not make
+  };
+  Outcome outcome = Outcome::found;
+  std::size_t nodes = 0;
+  std::size_t checks = 0;
+  std::size_t refused = 0;
+  std::vector<std::vector<double>> way;  ///< where it begins, its way points, the goal last
+  WayMetrics metrics = {};
+  bool found() const { return outcome == Outcome::found; }
+};
+
+/// What a guide says when it is asked.
+struct GuideAnswer {
+  enum class Kind : std::uint8_t { way_point, gave_up };
+  Kind kind = Kind::gave_up;
+  std::vector<double> q;              ///< way_point: a whole configuration
+  int k = 0;                          ///< way_point: which of its way, from 1
+  int n = 0;                          ///< way_point: of so many; the last is the goal
+  std::optional<PlanReport> planned;  ///< if it planned for this answer
+  std::string reason;                 ///< gave_up: why
+
+  bool leads_to_goal() const { return k == n; }
+};
+
+/// A source of way points for one goal of a motion. Its state is a value: `copy`. The script makes
+/// the steps; the guide is asked when a way point is reached, and when the script ended short of
+/// one.
+class Guide {
+ public:
+  virtual ~Guide() = default;
+  virtual std::unique_ptr<Guide> copy() const = 0;
+
+  /// The first way point for a robot that stands at q.
+  virtual GuideAnswer begin(std::span<const double> q, MotionTests& tests) = 0;
+  /// The way point was reached and is not the last: the next one.
+  virtual GuideAnswer reached(std::span<const double> q, MotionTests& tests) = 0;
+  /// The script ended short of the way point, at q: another one, or no more.
+  virtual GuideAnswer ended_short(std::span<const double> q, MotionTests& tests) = 0;
+};
+
+std::unique_ptr<Guide> make_guide(const GuideSpec& spec, GuideTask task);
+
+/// Plans a way once: what `make_guide` does, without a script.
+PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<const double> q,
+                    MotionTests& tests);
+
+/// A guide that is copied with what it is a part of.
+class GuideValue {
+ public:
+  GuideValue() = default;
+  explicit GuideValue(std::unique_ptr<Guide> guide) : guide_(std::move(guide)) {}
+  GuideValue(const GuideValue& other) : guide_(other.guide_ ? other.guide_->copy() : nullptr) {}
+  GuideValue(GuideValue&&) noexcept = default;
+  GuideValue& operator=(const GuideValue& other) {
+    if (this != &other) guide_ = other.guide_ ? other.guide_->copy() : nullptr;
+    return *this;
+  }
+  GuideValue& operator=(GuideValue&&) noexcept = default;
+  ~GuideValue() = default;
+
+  explicit operator bool() const { return guide_ != nullptr; }
+  Guide* operator->() const { return guide_.get(); }
+  void reset() { guide_.reset(); }
+
+ private:
+  std::unique_ptr<Guide> guide_;
+};
+
+}  // namespace rubicon::guides

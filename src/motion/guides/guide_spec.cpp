@@ -1,0 +1,82 @@
+#include "src/motion/guides/guide_spec.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace rubicon::guides {
+
+namespace {
+
+constexpr unsigned bit(GuideKind kind) { return 1u << static_cast<unsigned>(kind); }
+constexpr unsigned kAll = 0x1f;
+constexpr unsigned kConnect = bit(GuideKind::rrt_connect);
+constexpr unsigned kThesis = kAll & ~kConnect;
+constexpr unsigned kPlus = bit(GuideKind::rrt_plus);
+constexpr unsigned kGathered = kPlus | bit(GuideKind::rrt_nonuniform);
+
+constexpr std::array kKinds{
+    KindInfo{GuideKind::rrt, "rrt", "a tree grown towards samples from everywhere (RRT)"},
+    KindInfo{GuideKind::rrt_nonuniform, "rrt_nonuniform",
+             "the same, with samples that gather about the goal"},
+    KindInfo{GuideKind::rrt_plus, "rrt_plus",
+             "the same, greedy, drawn to the goal, and stepping aside where it is stuck"},
+    KindInfo{GuideKind::rrt_limcon, "rrt_limcon",
+             "a tree that moves one parameter at a time and never away from the goal"},
+    KindInfo{GuideKind::rrt_connect, "rrt_connect",
+             "two trees, from start and goal, with long legs; then shortcuts"}};
+
+// Reason for the upper bounds: a tree of a million nodes takes minutes to search.
+constexpr std::array kClauses{
+    ClauseInfo{"seed", &GuideSpec::seed, true, 0, 9007199254740991.0, kAll,
+               "of its random numbers"},
+    ClauseInfo{"nodes", &GuideSpec::nodes, true, 1, 1e6, kAll, "at most, in its trees"},
+    ClauseInfo{"checks", &GuideSpec::checks, true, 1, 1e8, kAll,
+               "at most, of legs and configurations, for one way"},
+    ClauseInfo{"step", &GuideSpec::step, false, 1e-3, 1e6, kAll,
+               "the longest leg of a tree, weighted (a degree counts 1, a metre 10); of "
+               "rrt_connect the shortest"},
+    ClauseInfo{"goal_bias", &GuideSpec::goal_bias, false, 0, 1, kThesis,
+               "the share of samples that are the goal itself"},
+    ClauseInfo{"uniform_nodes", &GuideSpec::uniform_nodes, true, 0, 1e6, kPlus,
+               "nodes before its samples gather about the goal"},
+    ClauseInfo{"rejections", &GuideSpec::rejections, true, 0, 1e6, kPlus,
+               "refused legs in a row before it steps aside"},
+    ClauseInfo{"greed", &GuideSpec::greed, true, 1, 1e6, kPlus, "steps in one direction"},
+    ClauseInfo{"concentration", &GuideSpec::concentration, false, 1, 1000, kGathered,
+               "how closely samples gather about the goal"},
+    ClauseInfo{"smooth", &GuideSpec::smooth, false, 0, 1000, kThesis,
+               "the longest shortcut, in steps; 0: none"},
+    ClauseInfo{"improve", &GuideSpec::improve, true, 0, 1e6, kConnect,
+               "tests of shortcuts after a way is found"},
+    ClauseInfo{"replans", &GuideSpec::replans, true, 0, 1000, kAll,
+               "ways planned again in one motion"}};
+
+}  // namespace
+
+std::span<const KindInfo> guide_kinds() { return kKinds; }
+std::span<const ClauseInfo> guide_clauses() { return kClauses; }
+
+const char* name_of(GuideKind kind) { return kKinds[static_cast<std::size_t>(kind)].name; }
+
+std::optional<GuideKind> find_kind(std::string_view name) {
+  for (const KindInfo& info : kKinds) {
+    if (info.name == name) return info.kind;
+  }
+  return std::nullopt;
+}
+
+const ClauseInfo* find_clause(std::string_view name) {
+  const auto* const found = std::find_if(kClauses.begin(), kClauses.end(),
+                                         [&](const ClauseInfo& info) { return info.name == name; });
+  return found == kClauses.end() ? nullptr : &*found;
+}
+
+GuideSpec default_guide(GuideKind kind) {
+  GuideSpec spec;
+  spec.kind = kind;
+  if (kind == GuideKind::rrt || kind == GuideKind::rrt_nonuniform) spec.goal_bias = 0;
+  if (kind != GuideKind::rrt_connect) spec.nodes = 8000;
+  return spec;
+}
+
+}  // namespace rubicon::guides

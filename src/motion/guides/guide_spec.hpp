@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rubicon::guides {
+
+/// How a guide finds its way (docs/guides.md).
+enum class GuideKind : std::uint8_t { rrt, rrt_nonuniform, rrt_plus, rrt_limcon, rrt_connect };
+
+/// A guide as it was declared: its kind and the values of its clauses. Distances between
+/// configurations are Euclidean, each parameter times its weight.
+struct GuideSpec {
+  std::string name;
+  GuideKind kind = GuideKind::rrt_connect;
+  double seed = 1;
+  double nodes = 20000;    ///< at most, of its trees
+  double checks = 200000;  ///< at most, of legs and configurations
+  double step = 5;         ///< longest leg between two nodes (weighted; rrt_connect: the shortest)
+  double goal_bias = 0.1;  ///< share of the samples that are the goal
+  double uniform_nodes = 30;  ///< rrt_plus: so many nodes before samples gather about the goal
+  double rejections = 5;      ///< rrt_plus: more in a row, and it steps aside
+  double greed = 8;           ///< rrt_plus: steps in one direction
+  double concentration = 1;   ///< of samples about the goal: larger, nearer
+  double smooth = 1.5;        ///< a shortcut is at most so many steps long; 0: none
+  double improve = 200;       ///< rrt_connect: tests of shortcuts after a way was found
+  double replans = 10;        ///< ways planned again in one motion
+  std::vector<std::pair<int, double>> weights;  ///< by parameter; else 1 a degree, 10 a metre
+};
+
+/// What a kind is called, and in a few words what it does.
+struct KindInfo {
+  GuideKind kind;
+  const char* name;
+  const char* text;
+};
+std::span<const KindInfo> guide_kinds();
+const char* name_of(GuideKind kind);
+std::optional<GuideKind> find_kind(std::string_view name);
+
+/// A clause with one number.
+struct ClauseInfo {
+  const char* name;
+  double GuideSpec::*value;
+  bool whole;  ///< a count
+  double least;
+  double most;
+  unsigned kinds;    ///< bit 1 << kind: those that have it
+  const char* text;  ///< what it says, with its unit
+
+  bool is_of(GuideKind kind) const { return (kinds >> static_cast<unsigned>(kind) & 1u) != 0; }
+};
+std::span<const ClauseInfo> guide_clauses();
+const ClauseInfo* find_clause(std::string_view name);
+
+/// The clause with which weights are given: `weight x 20, boom.phi 2;`.
+inline constexpr const char* kWeightClause = "weight";
+
+/// A guide of this kind with the defaults of its clauses.
+GuideSpec default_guide(GuideKind kind);
+
+}  // namespace rubicon::guides

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "src/motion/robot/kinematics.hpp"
+
+namespace rubicon::guides {
+
+/// The leg of a robot from one configuration to another, as `follow` makes it.
+///
+/// Plain parameters, which change by their own steps alone, run in a straight line and arrive
+/// together: one step is as long as the `step` of the first that it would exceed. A vehicle, whose
+/// one local parameter drives it along its heading, turns to face the place, drives there, and then
+/// turns to its heading, while its other parameters run. Values in file units (m, degrees), one per
+/// parameter of the robot, which must outlive it.
+class Leg {
+ public:
+  Leg(const robot::RobotModel& model, const robot::Mounting& mounting);
+
+  /// Why robots with these rules make no legs; empty: this one does.
+  const std::string& refusal() const { return refusal_; }
+
+  /// Parameters that a leg brings to their values: what a way point is made of. Those that are
+  /// derived follow.
+  const std::vector<int>& parameters() const { return parameters_; }
+  /// Parameters that its steps step.
+  const std::vector<int>& stepped() const { return stepped_; }
+
+  /// The steps, per parameter, of the next motion step from `q` to `target`; false: it is there.
+  bool next_step(std::span<const double> q, std::span<const double> target,
+                 std::span<double> steps) const;
+
+  /// Where a leg from `q` changes its direction, and its end: between them it runs straight. Cyclic
+  /// angles run on, derived parameters are computed.
+  std::vector<std::vector<double>> corners(std::span<const double> q,
+                                           std::span<const double> target) const;
+
+  bool is_there(std::span<const double> q, std::span<const double> target) const;
+
+ private:
+  struct Facing {
+    bool there = true;
+    double turn = 0;      ///< degrees to turn
+    double distance = 0;  ///< m to drive
+  };
+
+  void find_vehicle();
+  std::vector<int> parameters_driven_by(int drive) const;
+  bool turns_with_heading() const;
+  /// How the driven parameters change per metre.
+  void direction(std::span<const double> q, double& along_x, double& along_y) const;
+  Facing facing(std::span<const double> q, std::span<const double> target) const;
+  double missing(int parameter, std::span<const double> q, std::span<const double> target) const;
+  const robot::Parameter& parameter(int index) const {
+    return model_.parameters[static_cast<std::size_t>(index)];
+  }
+
+  const robot::RobotModel& model_;
+  robot::Mounting mounting_;
+  std::string refusal_;
+  std::vector<int> parameters_;
+  std::vector<int> stepped_;
+  std::vector<int> plain_;   ///< of these the ones that run in a straight line
+  int drive_ = -1;           ///< of a vehicle: the local parameter
+  int heading_ = -1;         ///< of a vehicle: the angle that it drives along
+  int place_[2] = {-1, -1};  ///< of a vehicle: what driving changes
+};
+
+}  // namespace rubicon::guides

@@ -1,0 +1,102 @@
+#include "src/motion/guides/planned_guide.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "src/motion/guides/planners.hpp"
+
+namespace rubicon::guides {
+
+namespace {
+
+Search search(Space& space, const GuideTask& task, const Point& start, const Point& goal) {
+  if (space.spec().kind == GuideKind::rrt_connect) {
+    return connect_trees(space, start, goal, *task.model, task.loaded);
+  }
+  return grow_to_goal(space, start, goal);
+}
+
+}  // namespace
+
+PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<const double> q,
+                    MotionTests& tests) {
+  using Outcome = PlanReport::Outcome;
+  PlanReport report;
+  Space space(*task.model, task.mounting, q, spec, tests);
+  const Point start = space.point(q);
+  const auto end = [&](Outcome outcome) {
+    report.outcome = outcome;
+    report.checks = space.checks();
+    report.refused = space.refused();
+    return std::move(report);
+  };
+  if (!space.stands(start)) return end(Outcome::start_blocked);
+  const std::vector<double>* goal = nullptr;
+  for (const std::vector<double>& each : task.goals) {
+    if (!space.stands(space.point(each))) continue;
+    goal = &each;
+    break;
+  }
+  if (goal == nullptr) return end(Outcome::goal_blocked);
+  const Point target = space.point(*goal);
+  // Steps are refused where the whole leg is free only within what the engine leaves undecided.
+  // Then legs are tested as they are stepped.
+  for (const bool by_steps : {false, true}) {
+    if (by_steps) space.test_by_steps();
+    Search found = search(space, task, start, target);
+    report.nodes += found.nodes;
+    if (found.way.empty()) {
+      return end(found.out_of_nodes ? Outcome::out_of_nodes : Outcome::out_of_checks);
+    }
+    found.way.erase(found.way.begin());
+    if (!space.steps_are_free(q, found.way)) continue;
+    report.way.emplace_back(q.begin(), q.end());
+    for (const Point& point : found.way) report.way.push_back(space.configuration(point));
+    report.metrics = way_metrics(*task.model, task.mounting, report.way, task.loaded);
+    return end(Outcome::found);
+  }
+  return end(Outcome::not_certified);
+}
+
+std::unique_ptr<Guide> make_guide(const GuideSpec& spec, GuideTask task) {
+  return std::make_unique<PlannedGuide>(spec, std::move(task));
+}
+
+GuideAnswer PlannedGuide::way_point() const {
+  GuideAnswer answer;
+  answer.kind = GuideAnswer::Kind::way_point;
+  answer.q = (*way_)[next_];
+  answer.k = static_cast<int>(next_);
+  answer.n = static_cast<int>(way_->size()) - 1;
+  return answer;
+}
+
+GuideAnswer PlannedGuide::begin(std::span<const double> q, MotionTests& tests) {
+  GuideSpec spec = spec_;
+  spec.seed += planned_;  // another try is another way
+  PlanReport report = plan_way(spec, task_, q, tests);
+  ++planned_;
+  GuideAnswer answer;
+  if (report.found()) {
+    way_ = std::make_shared<const std::vector<std::vector<double>>>(report.way);
+    next_ = 1;
+    answer = way_point();
+  }
+  answer.planned = std::move(report);
+  return answer;
+}
+
+GuideAnswer PlannedGuide::reached(std::span<const double>, MotionTests&) {
+  ++next_;
+  return way_point();
+}
+
+GuideAnswer PlannedGuide::ended_short(std::span<const double> q, MotionTests& tests) {
+  if (planned_ <= static_cast<int>(spec_.replans)) return begin(q, tests);
+  GuideAnswer answer;
+  answer.reason = fmt::format("{} ways were planned", planned_);
+  return answer;
+}
+
+}  // namespace rubicon::guides

@@ -1,0 +1,169 @@
+#include "src/motion/guides/space.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/motion/robot/turns.hpp"
+
+namespace rubicon::guides {
+
+namespace {
+
+constexpr double kWeightOfMetre = 10;
+
+/// The mean of a beta distribution is kept so far from the ends of a range, where its shapes would
+/// be infinite.
+constexpr double kEdgeShare = 0.02;
+
+/// A leg is followed in so many steps at most: more are a mistake in the robot's steps.
+constexpr int kMostSteps = 1'000'000;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+Space::Space(const robot::RobotModel& model, const robot::Mounting& mounting,
+             std::span<const double> q, const GuideSpec& spec, MotionTests& tests)
+    : model_(model),
+      mounting_(mounting),
+      q_(q.begin(), q.end()),
+      spec_(spec),
+      tests_(tests),
+      leg_(model, mounting) {
+  for (std::size_t i = 0; i < size(); ++i) {
+    double weight = parameter(i).rotation ? 1 : kWeightOfMetre;
+    for (const auto& [index, value] : spec.weights) {
+      if (index == leg_.parameters()[i]) weight = value;
+    }
+    weights_.push_back(weight);
+  }
+}
+
+Point Space::point(std::span<const double> q) const {
+  Point result;
+  for (const int i : leg_.parameters()) result.push_back(q[at(i)]);
+  return result;
+}
+
+std::vector<double> Space::configuration(std::span<const double> point) const {
+  std::vector<double> q = q_;
+  for (std::size_t i = 0; i < size(); ++i) {
+    q[at(leg_.parameters()[i])] = robot::reduced(parameter(i), point[i]);
+  }
+  robot::update_derived(model_, mounting_, q);
+  return q;
+}
+
+double Space::offset(std::span<const double> a, std::span<const double> b, std::size_t i) const {
+  return robot::way_between(parameter(i), a[i], b[i]) * weights_[i];
+}
+
+double Space::distance(std::span<const double> a, std::span<const double> b) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double off = offset(a, b, i);
+    sum += off * off;
+  }
+  return std::sqrt(sum);
+}
+
+Point Space::towards(std::span<const double> a, std::span<const double> b, double length) const {
+  const double whole = distance(a, b);
+  if (whole <= length) return {b.begin(), b.end()};
+  Point result(size());
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double off = robot::way_between(parameter(i), a[i], b[i]);
+    result[i] = robot::reduced(parameter(i), a[i] + off * (length / whole));
+  }
+  return result;
+}
+
+Point Space::moved(std::span<const double> a, std::span<const double> offsets) const {
+  Point result(size());
+  for (std::size_t i = 0; i < size(); ++i) {
+    double value = a[i] + offsets[i] / weights_[i];
+    if (!parameter(i).cyclic) value = std::clamp(value, lower(i), upper(i));
+    result[i] = robot::reduced(parameter(i), value);
+  }
+  return result;
+}
+
+double Space::lower(std::size_t i) const { return parameter(i).cyclic ? -180 : parameter(i).lower; }
+double Space::upper(std::size_t i) const { return parameter(i).cyclic ? 180 : parameter(i).upper; }
+
+Point Space::sample(Random& random) const {
+  Point result(size());
+  for (std::size_t i = 0; i < size(); ++i) result[i] = random.between(lower(i), upper(i));
+  return result;
+}
+
+Point Space::sample_about(std::span<const double> goal, double concentration,
+                          Random& random) const {
+  Point result(size());
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double range = upper(i) - lower(i);
+    if (!(range > 0)) {
+      result[i] = lower(i);
+      continue;
+    }
+    // Of a cyclic angle the range is turned so that the goal lies in its middle.
+    const double mean = parameter(i).cyclic
+                            ? 0.5
+                            : std::clamp((goal[i] - lower(i)) / range, kEdgeShare, 1 - kEdgeShare);
+    const double a = mean < 0.5 ? 1 : mean / (1 - mean);
+    const double b = mean < 0.5 ? (1 - mean) / mean : 1;
+    const double share = random.beta(a * concentration, b * concentration);
+    result[i] = parameter(i).cyclic ? robot::reduced(parameter(i), goal[i] + (share - 0.5) * range)
+                                    : lower(i) + share * range;
+  }
+  return result;
+}
+
+bool Space::stands(std::span<const double> point) {
+  ++checks_;
+  const bool free = tests_.stands(configuration(point));
+  if (!free) ++refused_;
+  return free;
+}
+
+bool Space::leg_is_free(std::span<const double> a, std::span<const double> b) {
+  std::vector<double> q = configuration(a);
+  const std::vector<double> target = configuration(b);
+  if (by_steps_) {
+    const bool free = follow_is_free(q, target);
+    if (!free) ++refused_;
+    return free;
+  }
+  for (const std::vector<double>& corner : leg_.corners(q, target)) {
+    ++checks_;
+    if (!tests_.sweeps_free(q, corner)) {
+      ++refused_;
+      return false;
+    }
+    q = corner;
+    robot::normalise(model_, q);
+  }
+  return true;
+}
+
+/// Goes from q to the target as `follow` does; q is then where that leads.
+bool Space::follow_is_free(std::vector<double>& q, std::span<const double> target) {
+  std::vector<double> steps(q.size());
+  std::vector<double> next(q.size());
+  for (int n = 0; n < kMostSteps && leg_.next_step(q, target, steps); ++n) {
+    robot::apply_rules(model_, mounting_, q, steps, next);
+    ++checks_;
+    if (!tests_.sweeps_free(q, next)) return false;
+    q = next;
+    robot::normalise(model_, q);
+  }
+  return leg_.is_there(q, target);
+}
+
+bool Space::steps_are_free(std::span<const double> q, const std::vector<Point>& way) {
+  std::vector<double> now(q.begin(), q.end());
+  return std::all_of(way.begin(), way.end(),
+                     [&](const Point& point) { return follow_is_free(now, configuration(point)); });
+}
+
+}  // namespace rubicon::guides

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "src/motion/guides/guide_spec.hpp"
+#include "src/motion/guides/leg.hpp"
+#include "src/motion/guides/random.hpp"
+
+namespace rubicon::guides {
+
+/// What a guide asks of the site; configurations have all parameters of the robot.
+class MotionTests {
+ public:
+  virtual ~MotionTests() = default;
+  /// Whether the robot may stand at q: within its ranges, and nothing overlaps.
+  virtual bool stands(std::span<const double> q) = 0;
+  /// Whether all that it sweeps is free while q runs straight from one value to the other.
+  virtual bool sweeps_free(std::span<const double> q_from, std::span<const double> q_to) = 0;
+};
+
+/// A configuration as planners see it: the parameters of a leg, in their order.
+using Point = std::vector<double>;
+
+/// The configurations of a robot that a planner searches. It counts what it tests.
+class Space {
+ public:
+  /// `q` has the values of what no leg changes. All but the result must outlive it.
+  Space(const robot::RobotModel& model, const robot::Mounting& mounting, std::span<const double> q,
+        const GuideSpec& spec, MotionTests& tests);
+
+  std::size_t size() const { return leg_.parameters().size(); }
+  const Leg& leg() const { return leg_; }
+  Point point(std::span<const double> q) const;
+  /// All parameters, cyclic angles reduced, derived ones computed.
+  std::vector<double> configuration(std::span<const double> point) const;
+
+  /// From a to b in coordinate i, the short way round, times its weight.
+  double offset(std::span<const double> a, std::span<const double> b, std::size_t i) const;
+  double distance(std::span<const double> a, std::span<const double> b) const;
+  /// The point that is so far from a on the straight way to b; b itself if that is no farther.
+  Point towards(std::span<const double> a, std::span<const double> b, double distance) const;
+  /// a plus weighted offsets, kept within the ranges.
+  Point moved(std::span<const double> a, std::span<const double> offsets) const;
+
+  Point sample(Random& random) const;
+  /// With the goal as its mean in each coordinate (Langari 2015, 3.3.2).
+  Point sample_about(std::span<const double> goal, double concentration, Random& random) const;
+
+  bool stands(std::span<const double> point);
+  bool leg_is_free(std::span<const double> a, std::span<const double> b);
+  /// Tests a way again by the very steps that `follow` makes.
+  bool steps_are_free(std::span<const double> q, const std::vector<Point>& way);
+  /// From now on legs are tested by the steps of `follow`.
+  void test_by_steps() { by_steps_ = true; }
+
+  std::size_t checks() const { return checks_; }
+  std::size_t refused() const { return refused_; }
+  bool spent() const { return static_cast<double>(checks_) >= spec_.checks; }
+  const GuideSpec& spec() const { return spec_; }
+
+ private:
+  const robot::Parameter& parameter(std::size_t i) const {
+    return model_.parameters[static_cast<std::size_t>(leg_.parameters()[i])];
+  }
+  double lower(std::size_t i) const;
+  double upper(std::size_t i) const;
+  bool follow_is_free(std::vector<double>& q, std::span<const double> target);
+
+  const robot::RobotModel& model_;
+  const robot::Mounting& mounting_;
+  std::vector<double> q_;
+  const GuideSpec& spec_;
+  MotionTests& tests_;
+  Leg leg_;
+  std::vector<double> weights_;
+  std::size_t checks_ = 0;
+  std::size_t refused_ = 0;
+  bool by_steps_ = false;
+};
+
+}  // namespace rubicon::guides

@@ -1,0 +1,179 @@
+#include "src/results/comparison/compare_guides.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "src/simulation/site/make_site.hpp"
+#include "src/simulation/site/robot_view.hpp"
+#include "src/simulation/taskplan/run_plan.hpp"
+
+namespace rubicon::comparison {
+
+namespace {
+
+using interpreter::HitPair;
+using interpreter::MotionStep;
+
+/// A world that is looked at: no step is made.
+class LookedAt : public interpreter::World {
+ public:
+  explicit LookedAt(const interpreter::World& world) : world_(world) {}
+  std::optional<HitPair> propose(const MotionStep&) override { return HitPair{}; }
+  std::optional<HitPair> refusal(const MotionStep& step) const override {
+    return world_.refusal(step);
+  }
+  double free_distance(std::span<const double> q, double heading_deg, double range) const override {
+    return world_.free_distance(q, heading_deg, range);
+  }
+  std::optional<HitPair> blocked_at(std::span<const double> q) const override {
+    return world_.blocked_at(q);
+  }
+  std::uint64_t version() const override { return world_.version(); }
+  bool situation(const std::string& name) const override { return world_.situation(name); }
+  bool loaded() const override { return world_.loaded(); }
+
+ private:
+  const interpreter::World& world_;
+};
+
+/// What the first guide of a motion says.
+class FirstPlan : public interpreter::EventSink {
+ public:
+  void guide(const interpreter::GuidePlan& plan) override {
+    if (trial_) return;
+    const guides::PlanReport& report = *plan.report;
+    GuideTrial trial;
+    trial.found = report.found();
+    trial.cause = plan.cause;
+    trial.nodes = static_cast<double>(report.nodes);
+    trial.checks = static_cast<double>(report.checks);
+    trial.refused = static_cast<double>(report.refused);
+    trial.roughness = report.metrics.roughness;
+    trial.length = report.metrics.length;
+    trial.motion_time = report.metrics.motion_time;
+    trial_ = std::move(trial);
+  }
+  void goal(int, int) override {}
+  void way_point(int, int) override {}
+  void set(const std::string&, double, interpreter::Span) override {}
+  void enter(interpreter::LoopKind, interpreter::Span) override {}
+  void exit(interpreter::LoopKind, interpreter::Span, bool, int) override {}
+  void which(const std::string&, interpreter::Span) override {}
+  void attempt(const interpreter::Attempt&) override {}
+  void wait(int, interpreter::Ticks, interpreter::Span) override {}
+  void stop(interpreter::Ticks) override {}
+
+  const std::optional<GuideTrial>& trial() const { return trial_; }
+
+ private:
+  std::optional<GuideTrial> trial_;
+};
+
+/// The guide that the task names of each kind, else that kind as it is by default.
+std::vector<guides::GuideSpec> specs_for(const std::vector<guides::GuideSpec>& named) {
+  std::vector<guides::GuideSpec> specs;
+  for (const guides::KindInfo& info : guides::guide_kinds()) {
+    const auto found = std::find_if(named.begin(), named.end(), [&](const guides::GuideSpec& spec) {
+      return spec.kind == info.kind;
+    });
+    specs.push_back(found != named.end() ? *found : guides::default_guide(info.kind));
+  }
+  return specs;
+}
+
+class Comparer {
+ public:
+  Comparer(int seeds, const std::function<double()>& clock) : seeds_(seeds), clock_(clock) {}
+
+  std::vector<GuideTrials> compare(const interpreter::Program& program,
+                                   interpreter::MotionTask motion,
+                                   const interpreter::World& world) {
+    std::vector<GuideTrials> all;
+    const std::vector<guides::GuideSpec> named = std::move(motion.guides);
+    for (const guides::GuideSpec& spec : specs_for(named)) {
+      GuideTrials trials{spec, {}};
+      for (int seed = 1; seed <= seeds_; ++seed) {
+        guides::GuideSpec seeded = spec;
+        seeded.seed = seed;
+        motion.guides = {seeded};
+        if (auto trial = plan(program, motion, world)) {
+          trial->seed = seed;
+          trials.trials.push_back(*std::move(trial));
+        }
+      }
+      all.push_back(std::move(trials));
+    }
+    return all;
+  }
+
+ private:
+  std::optional<GuideTrial> plan(const interpreter::Program& program,
+                                 const interpreter::MotionTask& motion,
+                                 const interpreter::World& world) {
+    LookedAt looked_at(world);
+    FirstPlan first;
+    interpreter::Machine machine(program, motion);
+    const double begin = clock_();
+    // To the first attempt, which is refused.
+    machine.advance(looked_at, &first);
+    const double end = clock_();
+    std::optional<GuideTrial> trial = first.trial();
+    if (trial) trial->milliseconds = (end - begin) * 1e3;
+    return trial;
+  }
+
+  int seeds_;
+  const std::function<double()>& clock_;
+};
+
+const char* motion_name(taskplan::MotionPurpose purpose) {
+  switch (purpose) {
+    case taskplan::MotionPurpose::grip:
+      return "grip";
+    case taskplan::MotionPurpose::carry:
+      return "carry";
+    case taskplan::MotionPurpose::place:
+      return "place";
+    case taskplan::MotionPurpose::go:
+      break;
+  }
+  return "go";
+}
+
+}  // namespace
+
+std::vector<std::string> moving_tasks(const interpreter::PlanModel& plan) {
+  std::vector<std::string> names;
+  if (plan.short_form) names.push_back(plan.name);
+  for (const interpreter::TaskSpec& task : plan.tasks) {
+    if (task.move || task.go) names.push_back(task.name);
+  }
+  return names;
+}
+
+GuideComparison compare_guides(const interpreter::PlanModel& plan,
+                               const interpreter::SourceMap& sources, const std::string& task,
+                               int seeds, const std::function<double()>& clock) {
+  GuideComparison comparison{plan.name, task, {}};
+  Comparer comparer(seeds, clock);
+  // A plan that is begun again tells of its motions again: the last time counts.
+  std::map<std::string, std::vector<GuideTrials>> motions;
+  taskplan::RunOptions options;
+  options.detail = trace::TraceDetail::none;
+  options.on_motion = [&](const std::string& name, taskplan::MotionPurpose purpose,
+                          const interpreter::Program& program,
+                          const interpreter::MotionTask& motion, const interpreter::World& world) {
+    if (name != task) return;
+    motions[motion_name(purpose)] = comparer.compare(program, motion, world);
+  };
+  taskplan::run_plan(plan, sources, nullptr, options);
+  for (const char* name : {"grip", "carry", "place", "go"}) {
+    const auto found = motions.find(name);
+    if (found != motions.end()) comparison.motions.push_back({name, std::move(found->second)});
+  }
+  return comparison;
+}
+
+}  // namespace rubicon::comparison
