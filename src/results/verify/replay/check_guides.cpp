@@ -52,16 +52,8 @@ class GuideCheck {
   void begin(const GuidePlan& plan) {
     way_ = plan.way;
     next_ = 0;
-    if (way_.empty()) return;
-    // Before its first attempt nothing else says where the robot stands.
-    if (q_.empty()) q_ = way_.front();
-    for (std::size_t i = 0; i < q_.size(); ++i) {
-      if (std::fabs(off(i, q_[i], way_.front()[i])) <= kValueSlack) continue;
-      fault(FaultKind::motion,
-            fmt::format("the way of the guide begins with {} at {:g}, the robot stands at {:g}",
-                        robot_.parameters[i].name, way_.front()[i], q_[i]));
-      return;
-    }
+    // Where the robot stands then is judged with its track.
+    if (!way_.empty()) q_ = way_.front();
   }
 
   void begin(const WayPoint& point) {

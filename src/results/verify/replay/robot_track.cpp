@@ -116,6 +116,10 @@ class TrackBuilder {
     stopped_ = std::exchange(moving_, {});
   }
 
+  void follow(const GuidePlan& plan) {
+    if (!plan.way.empty()) expect_values(plan.way.front(), "the way of a guide");
+  }
+
   void follow(const Wait&) { expect_standing("a wait begins"); }
   void follow(const Work&) { expect_standing("a work begins"); }
   void follow(const Pause&) { expect_standing("a pause begins"); }
