@@ -162,25 +162,22 @@ class ParameterAttributes {
     return std::nullopt;
   }
 
+  void check_needs_speed(const char* name, const char* reason, const char* example) {
+    const Attribute* attribute = given(name);
+    if (attribute == nullptr || mentioned("speed")) return;
+    subject_.diagnostics.error(
+        "R12", attribute->name.span,
+        fmt::format("{} of '{}' needs a speed: {}", name, parameter_.name, reason),
+        fmt::format("write speed(v) {}", example));
+  }
+
   void check_motion() {
     const std::optional<double> step = positive("step", unit_);
     const std::optional<double> speed = positive("speed", rate_);
     const std::optional<double> loaded = positive("loaded", rate_);
-    if (const Attribute* attribute = given("loaded"); attribute != nullptr && !mentioned("speed")) {
-      subject_.diagnostics.error(
-          "R12", attribute->name.span,
-          fmt::format("loaded of '{}' needs a speed: it is the speed while an object is attached",
-                      parameter_.name),
-          "write speed(v) loaded(v2)");
-    }
     const std::optional<double> acceleration = positive("accel", acceleration_);
-    if (const Attribute* attribute = given("accel"); attribute != nullptr && !mentioned("speed")) {
-      subject_.diagnostics.error(
-          "R12", attribute->name.span,
-          fmt::format("accel of '{}' needs a speed: it is how fast this speed is gained and lost",
-                      parameter_.name),
-          "write speed(v) accel(a)");
-    }
+    check_needs_speed("loaded", "it is the speed while an object is attached", "loaded(v2)");
+    check_needs_speed("accel", "it is how fast this speed is gained and lost", "accel(a)");
     if (!mentioned("step") && !mentioned("speed")) return;
     const double time_step = subject_.model.time_step;
     if (step) {

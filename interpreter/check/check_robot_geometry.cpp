@@ -52,8 +52,8 @@ void check_tool(Subject& subject, const syntax::ToolItem& item) {
 
 void check_touching(Subject& subject, const syntax::TouchingItem& item) {
   const auto find = [&](const syntax::Name& name) {
-    const auto rope = subject.rope_index.find(name.text);
-    return rope != subject.rope_index.end() ? rope->second : find_body(subject, name, "touching");
+    const auto rope = subject.ropes.find(name.text);
+    return rope != subject.ropes.end() ? rope->second.index : find_body(subject, name, "touching");
   };
   const int a = find(item.a);
   const int b = find(item.b);
@@ -100,7 +100,7 @@ void check_capacity(Subject& subject, const syntax::CapacityItem& item) {
 int find_body(Subject& subject, const syntax::Name& name, const char* who) {
   const auto found = subject.body_index.find(name.text);
   if (found != subject.body_index.end()) return found->second;
-  if (subject.rope_index.count(name.text) != 0) {
+  if (subject.ropes.count(name.text) != 0) {
     subject.diagnostics.error(
         "R05", name.span,
         fmt::format("{} names '{}', which is a rope; expected a body", who, name.text));

@@ -18,6 +18,12 @@ inline constexpr std::size_t kMaxBodies = 1000;
 /// Most operations of a derived parameter once the derived parameters it uses are put in.
 inline constexpr std::size_t kMaxFormulaSize = 10000;
 
+/// A rope of the model, and where the file declares it.
+struct DeclaredRope {
+  int index = 0;  ///< of its body in the model
+  Span span;
+};
+
 /// One robot on its way from syntax to model.
 struct Subject {
   syntax::Robot& robot;  ///< its inline scripts are moved out at the end
@@ -25,13 +31,12 @@ struct Subject {
   Diagnostics& diagnostics;
   NameSuggestions suggestions = {};
 
-  std::map<std::string, ResolvedFormula> constants = {};      ///< folded
-  std::map<std::string, Span> constant_spans = {};            ///< all, also those to come
-  std::vector<syntax::BodyItem*> bodies = {};                 ///< per model body
-  std::vector<const syntax::ParameterItem*> parameters = {};  ///< per model parameter
-  std::map<std::string, int> body_index = {};                 ///< by name
-  std::map<std::string, int> rope_index = {};                 ///< by name
-  std::map<std::string, Span> rope_spans = {};
+  std::map<std::string, ResolvedFormula> constants = {};         ///< folded
+  std::map<std::string, Span> constant_spans = {};               ///< all, also those to come
+  std::vector<syntax::BodyItem*> bodies = {};                    ///< per model body
+  std::vector<const syntax::ParameterItem*> parameters = {};     ///< per model parameter
+  std::map<std::string, int> body_index = {};                    ///< by name
+  std::map<std::string, DeclaredRope> ropes = {};                ///< by name
   std::vector<std::map<std::string, int>> body_parameters = {};  ///< per body: index by name
   std::vector<std::optional<ResolvedFormula>> derived = {};      ///< per parameter, where computed
   std::vector<bool> derived_done = {};                           ///< per parameter

@@ -15,7 +15,7 @@ using syntax::UnitKind;
 /// "rope", or the first of rope_2, rope_3, ... that nothing else is called.
 std::string free_name(const Subject& subject) {
   std::string name = "rope";
-  for (int i = 2; subject.body_index.count(name) != 0 || subject.rope_index.count(name) != 0; ++i) {
+  for (int i = 2; subject.body_index.count(name) != 0 || subject.ropes.count(name) != 0; ++i) {
     name = fmt::format("rope_{}", i);
   }
   return name;
@@ -28,8 +28,9 @@ bool is_new_name(Subject& subject, const syntax::Name& name) {
                   subject.bodies[static_cast<std::size_t>(body->second)]->name.span);
     return false;
   }
-  if (const auto rope = subject.rope_spans.find(name.text); rope != subject.rope_spans.end()) {
-    subject.twice(name.span, fmt::format("rope '{}' is declared twice", name.text), rope->second);
+  if (const auto rope = subject.ropes.find(name.text); rope != subject.ropes.end()) {
+    subject.twice(name.span, fmt::format("rope '{}' is declared twice", name.text),
+                  rope->second.span);
     return false;
   }
   return true;
@@ -98,8 +99,8 @@ void declare_rope(Subject& subject, const RopeItem& item) {
   body.parent = to;
   body.rope = rope;
   const Span span = item.name ? item.name->span : item.span;
-  subject.rope_index.emplace(body.name, static_cast<int>(subject.model.bodies.size()));
-  subject.rope_spans.emplace(body.name, span);
+  subject.ropes.emplace(body.name,
+                        DeclaredRope{static_cast<int>(subject.model.bodies.size()), span});
   subject.model.bodies.push_back(std::move(body));
 }
 

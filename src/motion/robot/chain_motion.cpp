@@ -48,13 +48,6 @@ PieceBound bound_piece(std::span<const FrameElement* const> elements, std::span<
 
 }  // namespace
 
-std::vector<double> StepPath::configuration(double s) const {
-  std::vector<double> q(q0.size());
-  for (std::size_t i = 0; i < q.size(); ++i)
-    q[i] = q0[i] == q1[i] ? q0[i] : (1 - s) * q0[i] + s * q1[i];
-  return q;
-}
-
 AccelerationBound acceleration_bound(std::span<const FrameElement* const> elements,
                                      std::span<const double> q0, std::span<const double> q1,
                                      std::span<const double> starts) {
@@ -80,7 +73,7 @@ ChainMotion::ChainMotion(std::shared_ptr<const StepPath> path, int body)
 }
 
 Pose ChainMotion::pose(double s) const {
-  const std::vector<double> q = path_->configuration(s);
+  const std::vector<double> q = configuration_at(path_->q0, path_->q1, s);
   return body_ < 0 ? tool_pose(*path_->model, path_->mounting, q)
                    : body_pose(*path_->model, path_->mounting, q, body_);
 }

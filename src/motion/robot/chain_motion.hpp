@@ -15,9 +15,6 @@ struct StepPath {
   const RobotModel* model = nullptr;  ///< must outlive the motions
   Mounting mounting;
   std::vector<double> q0, q1;
-
-  /// The configuration at s; exactly q0 and q1 at the ends.
-  std::vector<double> configuration(double s) const;
 };
 
 /// Bound of the acceleration d2x/ds2 of a point of a body, by its distance from the body's origin:

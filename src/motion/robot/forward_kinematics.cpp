@@ -5,6 +5,15 @@
 
 namespace rubicon::robot {
 
+std::vector<double> configuration_at(std::span<const double> q0, std::span<const double> q1,
+                                     double s) {
+  std::vector<double> q(q0.size());
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    q[i] = s == 1 || q0[i] == q1[i] ? q1[i] : (1 - s) * q0[i] + s * q1[i];
+  }
+  return q;
+}
+
 void body_poses(const RobotModel& model, const Mounting& mounting, std::span<const double> q,
                 std::vector<Pose>& X_WB) {
   X_WB.resize(model.bodies.size());

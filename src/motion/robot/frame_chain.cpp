@@ -7,6 +7,20 @@
 
 namespace rubicon::robot {
 
+namespace {
+
+/// The bodies from the mounting frame to one, base first.
+std::vector<int> path_to(const RobotModel& model, int body) {
+  std::vector<int> path;
+  for (; body >= 0; body = model.bodies[static_cast<std::size_t>(body)].parent) {
+    path.push_back(body);
+  }
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+}  // namespace
+
 void append(Pose& X, const FrameElement& element, const FormulaInput& input) {
   if (element.kind == FrameElement::Kind::trans) {
     const Vec3 t(element.a.evaluate(input), element.b.evaluate(input), element.c.evaluate(input));
@@ -59,20 +73,44 @@ Pose body_pose(const RobotModel& model, const Mounting& mounting, std::span<cons
 }
 
 std::vector<const FrameElement*> elements_to_body(const RobotModel& model, int body) {
-  std::vector<const FrameElement*> elements;
-  for (int b = body; b >= 0; b = model.bodies[static_cast<std::size_t>(b)].parent) {
-    const FrameFormula& frame = model.bodies[static_cast<std::size_t>(b)].frame;
-    for (auto element = frame.rbegin(); element != frame.rend(); ++element)
-      elements.push_back(&*element);
-  }
-  std::reverse(elements.begin(), elements.end());
-  return elements;
+  return relative_chain(model, body, -1).up;
 }
 
 std::vector<const FrameElement*> elements_to_tool(const RobotModel& model) {
   std::vector<const FrameElement*> elements = elements_to_body(model, model.tool_body);
   for (const FrameElement& element : model.tool_frame) elements.push_back(&element);
   return elements;
+}
+
+RelativeChain relative_chain(const RobotModel& model, int body, int other) {
+  const std::vector<int> up = path_to(model, body);
+  const std::vector<int> down = path_to(model, other);
+  std::size_t common = 0;
+  while (common < up.size() && common < down.size() && up[common] == down[common]) ++common;
+  const auto elements_from = [&](const std::vector<int>& path) {
+    std::vector<const FrameElement*> elements;
+    for (std::size_t i = common; i < path.size(); ++i) {
+      for (const FrameElement& each : model.bodies[static_cast<std::size_t>(path[i])].frame) {
+        elements.push_back(&each);
+      }
+    }
+    return elements;
+  };
+  return {elements_from(up), elements_from(down)};
+}
+
+std::vector<int> parameters_of(const RobotModel& model,
+                               std::span<const FrameElement* const> elements) {
+  std::vector<int> parameters;
+  for (int i = 0; i < static_cast<int>(model.parameters.size()); ++i) {
+    if (std::any_of(elements.begin(), elements.end(), [i](const FrameElement* each) {
+          return each->a.depends_on_parameter(i) || each->b.depends_on_parameter(i) ||
+                 each->c.depends_on_parameter(i);
+        })) {
+      parameters.push_back(i);
+    }
+  }
+  return parameters;
 }
 
 std::vector<double> rates_by(const RobotModel& model, const Mounting& mounting,

@@ -26,6 +26,17 @@ std::vector<const FrameElement*> elements_to_body(const RobotModel& model, int b
 /// All elements between the mounting frame and the tool frame, base first. Pointers into the model.
 std::vector<const FrameElement*> elements_to_tool(const RobotModel& model);
 
+/// The frames between two bodies: those of `up` lead from the last body that both hang from (or the
+/// mounting frame) to the one, those of `down` to the other. Base first; pointers into the model.
+struct RelativeChain {
+  std::vector<const FrameElement*> up, down;
+};
+RelativeChain relative_chain(const RobotModel& model, int body, int other);
+
+/// The parameters that elements depend on, ascending.
+std::vector<int> parameters_of(const RobotModel& model,
+                               std::span<const FrameElement* const> elements);
+
 /// Rates of all parameters while `parameter` changes at the rate 1 and the derived parameters
 /// follow.
 std::vector<double> rates_by(const RobotModel& model, const Mounting& mounting,

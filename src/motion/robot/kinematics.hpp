@@ -18,6 +18,11 @@ struct Mounting {
   std::vector<double> starts;  ///< per parameter; what p_c means in rules and frames
 };
 
+/// The configuration at s in [0, 1] of a step from q0 to q1, along which the control parameters run
+/// linearly; exactly q0 and q1 at the ends.
+std::vector<double> configuration_at(std::span<const double> q0, std::span<const double> q1,
+                                     double s);
+
 /// Poses X_WB of all bodies at configuration q (file units).
 void body_poses(const RobotModel& model, const Mounting& mounting, std::span<const double> q,
                 std::vector<Pose>& X_WB);

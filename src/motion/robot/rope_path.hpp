@@ -24,14 +24,28 @@ struct RopePiece {
 inline constexpr double kRopeExcess = 0.02;
 inline constexpr int kMostRopePieces = 16;
 
-/// The rope (index of its body) while q runs from q0 to q1: what the pieces sweep holds all that
-/// the rope sweeps. It is the same where the rope keeps its direction as seen from one of its ends
-/// (hoisting, slewing, driving, the hook below a luffing boom). Else it is larger by at most
-/// kRopeExcess, or by 1/16 of the way of one end as seen from the other if that is more. A bound of
-/// the path's curvature by interval arithmetic is part of the radius.
-std::vector<RopePiece> rope_pieces(const RobotModel& model, const Mounting& mounting, int rope,
-                                   std::span<const double> q0, std::span<const double> q1,
-                                   int most_pieces = kMostRopePieces);
+class RopeView;
+
+/// How one rope of a robot moves.
+class RopePath {
+ public:
+  /// Of the rope with this index of its body; `model` must outlive it.
+  RopePath(const RobotModel& model, const Mounting& mounting, int rope);
+  ~RopePath();
+  RopePath(RopePath&&) noexcept;
+  RopePath& operator=(RopePath&&) noexcept;
+
+  /// The rope while q runs from q0 to q1: what the pieces sweep holds all that the rope sweeps. It
+  /// is the same where the rope keeps its direction as seen from one of its ends (hoisting,
+  /// slewing, driving, the hook below a luffing boom). Else it is larger by at most kRopeExcess, or
+  /// by 1/16 of the way of one end as seen from the other if that is more. A bound of the path's
+  /// curvature by interval arithmetic is part of the radius.
+  std::vector<RopePiece> pieces(std::span<const double> q0, std::span<const double> q1,
+                                int most_pieces = kMostRopePieces) const;
+
+ private:
+  std::vector<RopeView> views_;  ///< from above, from below
+};
 
 /// Both ends of the rope, in the world, at q.
 std::array<Vec3, 2> rope_ends(const RobotModel& model, const Mounting& mounting, int rope,

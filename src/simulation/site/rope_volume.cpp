@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "src/motion/robot/body_motion.hpp"
+#include "src/motion/robot/frame_chain.hpp"
 
 namespace rubicon::site {
 
@@ -42,9 +43,11 @@ collision::BodyPtr RopeBodies::body_of(const geometry::Capsule& capsule) {
   return body;
 }
 
-void RopeBodies::add(int rope, std::vector<int> parameters) {
-  ropes_[rope].parameters = std::move(parameters);
+void RopeBodies::add(int rope, robot::RopePath path, std::vector<int> parameters) {
+  ropes_.emplace(rope, Known{std::move(path), std::move(parameters), {}});
 }
+
+const robot::RopePath& RopeBodies::path(int rope) const { return ropes_.at(rope).path; }
 
 const RopeBodies::Hanging* RopeBodies::unchanged(int rope, std::span<const double> q0,
                                                  std::span<const double> q1) const {
@@ -71,15 +74,6 @@ void RopeBodies::remember(int rope, std::span<const double> q0, std::span<const 
   known.last = {std::move(values), piece, std::move(body)};
 }
 
-std::vector<double> configuration_at(std::span<const double> q0, std::span<const double> q1,
-                                     double s) {
-  std::vector<double> q(q0.size());
-  for (std::size_t i = 0; i < q.size(); ++i) {
-    q[i] = s == 1 || q0[i] == q1[i] ? q1[i] : (1 - s) * q0[i] + s * q1[i];
-  }
-  return q;
-}
-
 std::vector<RopeVolume> rope_volumes(const SiteRobot& robot, int rope, std::span<const double> q0,
                                      std::span<const double> q1,
                                      const std::vector<geometry::Motion>& motions,
@@ -88,8 +82,7 @@ std::vector<RopeVolume> rope_volumes(const SiteRobot& robot, int rope, std::span
     return {{last->body, motions[at(last->piece.body)], 0, 1}};
   }
   std::vector<RopeVolume> volumes;
-  for (const robot::RopePiece& piece :
-       robot::rope_pieces(*robot.model, robot.mounting, rope, q0, q1, most_pieces)) {
+  for (const robot::RopePiece& piece : robot.rope_bodies->path(rope).pieces(q0, q1, most_pieces)) {
     RopeVolume volume;
     volume.body = robot.rope_bodies->body_of({piece.a, piece.b, piece.radius});
     volume.s0 = piece.s0;
@@ -98,9 +91,9 @@ std::vector<RopeVolume> rope_volumes(const SiteRobot& robot, int rope, std::span
       volume.motion = motions[at(piece.body)];
       robot.rope_bodies->remember(rope, q0, q1, piece, volume.body);
     } else {
-      volume.motion =
-          robot::step_motions(*robot.model, robot.mounting, configuration_at(q0, q1, piece.s0),
-                              configuration_at(q0, q1, piece.s1))[at(piece.body)];
+      volume.motion = robot::step_motions(
+          *robot.model, robot.mounting, robot::configuration_at(q0, q1, piece.s0),
+          robot::configuration_at(q0, q1, piece.s1))[at(piece.body)];
     }
     volumes.push_back(std::move(volume));
   }
@@ -108,12 +101,10 @@ std::vector<RopeVolume> rope_volumes(const SiteRobot& robot, int rope, std::span
 }
 
 RopeVolume standing_rope(const SiteRobot& robot, int rope, std::span<const double> q) {
-  const robot::RopePiece piece =
-      robot::rope_pieces(*robot.model, robot.mounting, rope, q, q, 1).front();
-  std::vector<math::Pose> X_WB;
-  robot::body_poses(*robot.model, robot.mounting, q, X_WB);
-  return {robot.rope_bodies->body_of({piece.a, piece.b, piece.radius}),
-          geometry::stationary(X_WB[at(piece.body)]), 0, 1};
+  const robot::RopePiece piece = robot.rope_bodies->path(rope).pieces(q, q, 1).front();
+  const math::Pose X_WB = robot::body_pose(*robot.model, robot.mounting, q, piece.body);
+  return {robot.rope_bodies->body_of({piece.a, piece.b, piece.radius}), geometry::stationary(X_WB),
+          0, 1};
 }
 
 }  // namespace rubicon::site

@@ -22,9 +22,10 @@ class RopeBodies {
     collision::BodyPtr body;
   };
 
-  /// Makes a rope known (index of its body), and the parameters that move its bodies against each
-  /// other.
-  void add(int rope, std::vector<int> parameters);
+  /// Makes a rope known (index of its body): how it moves, and the parameters that move its bodies
+  /// against each other.
+  void add(int rope, robot::RopePath path, std::vector<int> parameters);
+  const robot::RopePath& path(int rope) const;
 
   collision::BodyPtr body_of(const geometry::Capsule& capsule);
 
@@ -41,6 +42,7 @@ class RopeBodies {
     collision::BodyPtr body;
   };
   struct Known {
+    robot::RopePath path;
     std::vector<int> parameters;
     Hanging last;
   };
@@ -57,7 +59,7 @@ struct RopeVolume {
 };
 
 /// The volumes that hold what the rope (index of its body) sweeps while q runs from q0 to q1, by
-/// robot::rope_pieces, at most so many; `motions` are those of all bodies over the whole step.
+/// robot::RopePath, at most so many; `motions` are those of all bodies over the whole step.
 std::vector<RopeVolume> rope_volumes(const SiteRobot& robot, int rope, std::span<const double> q0,
                                      std::span<const double> q1,
                                      const std::vector<geometry::Motion>& motions,
@@ -65,9 +67,4 @@ std::vector<RopeVolume> rope_volumes(const SiteRobot& robot, int rope, std::span
 
 /// The rope of a robot that stands at q. World frame.
 RopeVolume standing_rope(const SiteRobot& robot, int rope, std::span<const double> q);
-
-/// The configuration at s of a step.
-std::vector<double> configuration_at(std::span<const double> q0, std::span<const double> q1,
-                                     double s);
-
 }  // namespace rubicon::site

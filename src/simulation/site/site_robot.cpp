@@ -3,51 +3,23 @@
 #include <algorithm>
 #include <utility>
 
+#include "src/motion/robot/frame_chain.hpp"
 #include "src/simulation/site/rope_volume.hpp"
 
 namespace rubicon::site {
 
 namespace {
 
-/// The parameters a frame depends on, added to `parameters`.
-void add_parameters(const robot::RobotModel& model, const robot::FrameFormula& frame,
-                    std::vector<int>& parameters) {
-  for (const robot::FrameElement& element : frame) {
-    for (const robot::Formula* formula : {&element.a, &element.b, &element.c}) {
-      for (int i = 0; i < static_cast<int>(model.parameters.size()); ++i) {
-        if (formula->depends_on_parameter(i)) parameters.push_back(i);
-      }
-    }
-  }
-}
-
-std::vector<int> ancestors(const robot::RobotModel& model, int body) {
-  std::vector<int> chain;
-  for (; body >= 0; body = model.bodies[static_cast<std::size_t>(body)].parent) {
-    chain.push_back(body);
-  }
-  return chain;
-}
-
 /// The parameters of the frames between two bodies in the chain; with `tool` also those of the tool
 /// frame.
 std::vector<int> parameters_between(const robot::RobotModel& model, int a, int b, bool tool) {
-  std::vector<int> chain_a = ancestors(model, a);
-  std::vector<int> chain_b = ancestors(model, b);
-  while (!chain_a.empty() && !chain_b.empty() && chain_a.back() == chain_b.back()) {
-    chain_a.pop_back();
-    chain_b.pop_back();
+  robot::RelativeChain chain = robot::relative_chain(model, a, b);
+  std::vector<const robot::FrameElement*>& elements = chain.up;
+  elements.insert(elements.end(), chain.down.begin(), chain.down.end());
+  if (tool) {
+    for (const robot::FrameElement& each : model.tool_frame) elements.push_back(&each);
   }
-  std::vector<int> parameters;
-  for (const std::vector<int>* chain : {&chain_a, &chain_b}) {
-    for (const int body : *chain) {
-      add_parameters(model, model.bodies[static_cast<std::size_t>(body)].frame, parameters);
-    }
-  }
-  if (tool) add_parameters(model, model.tool_frame, parameters);
-  std::sort(parameters.begin(), parameters.end());
-  parameters.erase(std::unique(parameters.begin(), parameters.end()), parameters.end());
-  return parameters;
+  return robot::parameters_of(model, elements);
 }
 
 /// Where the frame of a body is that moves as the part does: of a rope there are two.
@@ -118,7 +90,8 @@ SiteRobot make_site_robot(std::string name, std::shared_ptr<const robot::RobotMo
     if (!body.rope) continue;
     site.ropes.push_back(part);
     if (!site.rope_bodies) site.rope_bodies = std::make_shared<RopeBodies>();
-    site.rope_bodies->add(part, parameters_between(m, body.rope->from, body.parent, false));
+    site.rope_bodies->add(part, robot::RopePath(m, site.mounting, part),
+                          parameters_between(m, body.rope->from, body.parent, false));
   }
   const auto is_there = [&](int part) {
     return site.bodies[static_cast<std::size_t>(part)] != nullptr || site.is_rope(part);

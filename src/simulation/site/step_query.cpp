@@ -68,14 +68,20 @@ int StepQuery::item(int part) {
   return item_of_[i];
 }
 
-void StepQuery::add_rope(int part) {
-  RopeItems items{static_cast<int>(query_.items.size()),
-                  rope_volumes(robot_, part, q_from_, q_to_, motions_)};
+std::size_t StepQuery::add_rope(int part) {
+  ropes_.push_back({static_cast<int>(query_.items.size()),
+                    rope_volumes(robot_, part, q_from_, q_to_, motions_)});
   const bool moves = moves_[static_cast<std::size_t>(part)];
-  for (const RopeVolume& volume : items.volumes) {
+  for (const RopeVolume& volume : ropes_.back().volumes) {
     add_item(volume.body.get(), volume.motion, part, moves && against_world_, moves);
   }
-  ropes_.emplace(part, std::move(items));
+  item_of_[static_cast<std::size_t>(part)] = static_cast<int>(ropes_.size()) - 1;
+  return ropes_.size() - 1;
+}
+
+std::size_t StepQuery::rope_items(int part) {
+  const int known = item_of_[static_cast<std::size_t>(part)];
+  return known < 0 ? add_rope(part) : static_cast<std::size_t>(known);
 }
 
 /// A rope in several parts meets the other as it moves over each of them.
@@ -88,16 +94,13 @@ void StepQuery::add_pair(int first, int second) {
     query_.pairs.emplace_back(a, b);
     return;
   }
-  for (const int part : {first, second}) {
-    if (robot_.is_rope(part) && ropes_.find(part) == ropes_.end()) add_rope(part);
-  }
   // Of two ropes the parts of the one with more of them hold for both.
-  const auto parts_of = [&](int part) { return ropes_.at(part).volumes.size(); };
-  const bool first_leads =
-      first_is_rope && (!second_is_rope || parts_of(first) >= parts_of(second));
+  const std::size_t of_first = first_is_rope ? ropes_[rope_items(first)].volumes.size() : 0;
+  const std::size_t of_second = second_is_rope ? ropes_[rope_items(second)].volumes.size() : 0;
+  const bool first_leads = first_is_rope && of_first >= of_second;
   const int rope = first_leads ? first : second;
   const int other = first_leads ? second : first;
-  const RopeItems& items = ropes_.at(rope);
+  const RopeItems& items = ropes_[rope_items(rope)];
   const auto add = [&](int rope_item, int other_item) {
     query_.pairs.emplace_back(first_leads ? rope_item : other_item,
                               first_leads ? other_item : rope_item);
@@ -109,8 +112,8 @@ void StepQuery::add_pair(int first, int second) {
   for (std::size_t i = 0; i < items.volumes.size(); ++i) {
     const RopeVolume& volume = items.volumes[i];
     const int rope_item = items.first + static_cast<int>(i);
-    const std::vector<double> q0 = configuration_at(q_from_, q_to_, volume.s0);
-    const std::vector<double> q1 = configuration_at(q_from_, q_to_, volume.s1);
+    const std::vector<double> q0 = robot::configuration_at(q_from_, q_to_, volume.s0);
+    const std::vector<double> q1 = robot::configuration_at(q_from_, q_to_, volume.s1);
     const std::vector<geometry::Motion> motions = part_motions(robot_, load_, q0, q1);
     if (!robot_.is_rope(other)) {
       add(rope_item,

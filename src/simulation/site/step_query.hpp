@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -46,7 +45,9 @@ class StepQuery {
   int item(int part);
   int add_item(const collision::Body* body, geometry::Motion motion, int part, bool against_world,
                bool moves);
-  void add_rope(int part);
+  /// An index into `ropes_`.
+  std::size_t add_rope(int part);
+  std::size_t rope_items(int part);
   void add_pair(int first, int second);
   const collision::Body* body(int part) const;
   void add_pairs(const std::vector<OwnPair>& pairs, bool of_load);
@@ -58,10 +59,11 @@ class StepQuery {
   bool against_world_;
   std::vector<geometry::Motion> motions_;
   std::vector<bool> moves_;
-  std::vector<int> item_of_;  ///< per part: its item in the query, or -1
+  std::vector<int> item_of_;  ///< per part: its item in the query (of a rope: its place in
+                              ///< `ropes_`), or -1
   std::vector<int> part_of_;
-  std::vector<int> movers_;         ///< items of what moves, but for copies over a part of the step
-  std::map<int, RopeItems> ropes_;  ///< by part
+  std::vector<int> movers_;  ///< items of what moves, but for copies over a part of the step
+  std::vector<RopeItems> ropes_;
   std::vector<collision::BodyPtr> kept_;  // shared: of ropes, whose bodies change
   collision::SweptQuery query_;
 };

@@ -30,7 +30,7 @@ double distance_to_axis(const Vec3& p, const RopePiece& piece) {
 double worst_miss(const RobotModel& model, const Mounting& mounting, int rope,
                   const std::vector<double>& q0, const std::vector<double>& q1) {
   double worst = -1;
-  for (const RopePiece& piece : rope_pieces(model, mounting, rope, q0, q1)) {
+  for (const RopePiece& piece : RopePath(model, mounting, rope).pieces(q0, q1)) {
     for (int i = 0; i <= 16; ++i) {
       const double s = piece.s0 + (piece.s1 - piece.s0) * i / 16;
       std::vector<double> q = q0;
@@ -56,14 +56,14 @@ TEST(RopePath, OfACraneIsExact) {
   const std::vector<double> q0 = {30, 20, 10};
   for (const std::vector<double>& q1 :
        {std::vector<double>{32, 20, 10}, std::vector<double>{30, 20, 11}}) {
-    const auto pieces = rope_pieces(model, mounting, rope, q0, q1);
+    const auto pieces = RopePath(model, mounting, rope).pieces(q0, q1);
     ASSERT_EQ(pieces.size(), 1U);
     EXPECT_EQ(pieces[0].radius, kRadius);
     EXPECT_LT(worst_miss(model, mounting, rope, q0, q1), 1e-9);
   }
   // The rope of a load that is raised is as long as at the start, and hangs where it did.
   const std::vector<double> higher = {30, 20, 11};
-  const RopePiece raised = rope_pieces(model, mounting, rope, q0, higher).front();
+  const RopePiece raised = RopePath(model, mounting, rope).pieces(q0, higher).front();
   EXPECT_EQ(raised.body, 1);
   EXPECT_LT((raised.b - Vec3(20, 0, 10.5)).norm(), 1e-9);
 }
@@ -90,7 +90,7 @@ TEST(RopePath, HoldsTheRopeOfAnyMachine) {
         q0.push_back(size * anywhere(random));
         q1.push_back(q0.back() + (trial % 3 == 0 ? 0.02 : 0.1) * size * anywhere(random));
       }
-      const auto pieces = rope_pieces(model, mounting, rope, q0, q1);
+      const auto pieces = RopePath(model, mounting, rope).pieces(q0, q1);
       EXPECT_LT(worst_miss(model, mounting, rope, q0, q1), 1e-9);
       EXPECT_EQ(pieces.front().s0, 0);
       EXPECT_EQ(pieces.back().s1, 1);
