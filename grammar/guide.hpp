@@ -19,7 +19,13 @@ struct clause_value : if_must<clause_parameter, clause_number> {};
 /// Names in a number are put in parentheses; else they are those of parameters of the robot.
 struct clause_content : sor<seq<clause_value, star<if_must<comma, clause_value>>>, clause_number> {
 };
-struct guide_clause : if_must<clause_key, clause_content, clause_semicolon> {};
+struct keep_key : token<word<TAO_PEGTL_STRING("keep")>> {};
+struct keep_open : open_parenthesis {};
+struct keep_condition : expression {};
+struct keep_close : close_parenthesis {};
+struct keep_clause : if_must<keep_key, keep_open, keep_condition, keep_close, clause_semicolon> {};
+struct number_clause : if_must<clause_key, clause_content, clause_semicolon> {};
+struct guide_clause : sor<keep_clause, number_clause> {};
 struct whole_guide_clause : must<guide_clause> {};
 struct guide_clauses : nested<star<not_at<block_end>, recover<whole_guide_clause, item_end>>> {};
 struct guide_block : if_must<block_open, guide_clauses, block_close> {};

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "interpreter/check/check_number.hpp"
+#include "interpreter/check/resolve_keep.hpp"
 #include "src/motion/guides/leg.hpp"
 
 namespace rubicon::interpreter {
@@ -57,6 +58,8 @@ class ClauseChecker {
 
  private:
   void check_clause(const syntax::GuideClause& clause) {
+    // One without anything in it did not parse: that was said.
+    if (!clause.number && clause.values.empty() && !clause.condition) return;
     const auto [place, is_new] = given_.emplace(clause.key.text, clause.key.span);
     if (!is_new) {
       Diagnostic twice;
@@ -67,6 +70,7 @@ class ClauseChecker {
       diagnostics_.add(std::move(twice));
       return;
     }
+    if (clause.key.text == guides::kKeepClause) return;
     if (clause.key.text == guides::kWeightClause) {
       if (!clause.number) return;
       diagnostics_.error("G03", clause.number->span, "weight needs parameters of the robot",
@@ -87,8 +91,8 @@ class ClauseChecker {
   }
 
   void report_unknown(const syntax::GuideClause& clause, bool of_another_kind) {
-    std::vector<std::string> names{guides::kWeightClause};
-    std::string list = guides::kWeightClause;
+    std::vector<std::string> names{guides::kWeightClause, guides::kKeepClause};
+    std::string list = fmt::format("{}, {}", guides::kWeightClause, guides::kKeepClause);
     for (const ClauseInfo& info : guides::guide_clauses()) {
       if (!info.is_of(spec_.kind)) continue;
       names.emplace_back(info.name);
@@ -130,10 +134,14 @@ std::optional<guides::GuideSpec> check_guide(const syntax::GuideDeclaration& gui
   return ClauseChecker(guide, diagnostics).check();
 }
 
-bool add_weights(const syntax::GuideDeclaration& guide, const robot::RobotModel& robot,
-                 guides::GuideSpec& spec, Diagnostics& diagnostics) {
+bool resolve_parameters(const syntax::GuideDeclaration& guide, const robot::RobotModel& robot,
+                        guides::GuideSpec& spec, Diagnostics& diagnostics) {
   const int errors = diagnostics.errors();
   for (const syntax::GuideClause& clause : guide.clauses) {
+    if (clause.condition) {
+      resolve_keep(*clause.condition, robot, spec.keep, diagnostics);
+      continue;
+    }
     if (clause.key.text != guides::kWeightClause) continue;
     for (const syntax::GuideClause::Value& value : clause.values) {
       const int parameter = resolve_parameter(robot, -1, value.parameter);

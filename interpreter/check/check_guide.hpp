@@ -10,13 +10,13 @@
 
 namespace rubicon::interpreter {
 
-/// Kind and clauses of a declared guide, but for weights: G01-G03. Nothing after an error.
+/// Kind and clauses of a declared guide, but for weights and keep: G01-G03. Nothing after an error.
 std::optional<guides::GuideSpec> check_guide(const syntax::GuideDeclaration& guide,
                                              Diagnostics& diagnostics);
 
-/// Adds the weights, whose parameters are those of a robot: G03, R04. False after an error.
-bool add_weights(const syntax::GuideDeclaration& guide, const robot::RobotModel& robot,
-                 guides::GuideSpec& spec, Diagnostics& diagnostics);
+/// Adds weights and what is kept, whose parameters are those of a robot: G03. False after an error.
+bool resolve_parameters(const syntax::GuideDeclaration& guide, const robot::RobotModel& robot,
+                        guides::GuideSpec& spec, Diagnostics& diagnostics);
 
 /// Whether guides can plan for the robot: it makes legs, and what they move has a range. G04 at
 /// `span`.

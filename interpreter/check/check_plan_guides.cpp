@@ -64,7 +64,7 @@ std::vector<guides::GuideSpec> resolve_guides(Subject& subject, const RobotSpec*
     std::optional<guides::GuideSpec> spec = check_guide(*guide, said);
     if (!spec) continue;
     const robot::RobotModel& model = robot->robot->model;
-    if (!add_weights(*guide, model, *spec, subject.diagnostics)) continue;
+    if (!resolve_parameters(*guide, model, *spec, subject.diagnostics)) continue;
     if (of_plan && !check_guided_robot(model, name.span, subject.diagnostics)) continue;
     specs.push_back(*std::move(spec));
   }

@@ -15,11 +15,12 @@ namespace {
 /// of the robot is right.
 void check_guides(const CheckedRobot& checked, Diagnostics& diagnostics, int errors_before) {
   GuideDeclarations declarations;
+  const bool robot_is_right = diagnostics.errors() == errors_before;
   for (const syntax::GuideDeclaration& guide : checked.guides) {
     declarations.declare(guide, diagnostics);
     std::optional<guides::GuideSpec> spec = check_guide(guide, diagnostics);
-    if (!spec || diagnostics.errors() != errors_before) continue;
-    if (add_weights(guide, checked.model, *spec, diagnostics)) {
+    if (!spec || !robot_is_right) continue;
+    if (resolve_parameters(guide, checked.model, *spec, diagnostics)) {
       check_guided_robot(checked.model, guide.name.span, diagnostics);
     }
   }

@@ -242,6 +242,10 @@ std::string Machine::cause_of(const PlanReport& report, const GuideTests& tests)
       return "no way: the robot may not stand where it does: " + pair;
     case Outcome::goal_blocked:
       return "no way: the robot may not stand at the goal: " + pair;
+    case Outcome::start_not_kept:
+      return "no way: what the guide keeps does not hold where the robot stands";
+    case Outcome::goal_not_kept:
+      return "no way: what the guide keeps does not hold at the goal";
     case Outcome::not_certified:
       return "no way: none of the ways found could be followed step by step";
     case Outcome::out_of_nodes:

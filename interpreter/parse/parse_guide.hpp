@@ -36,6 +36,13 @@ RUBICON_ACTION(GuideAction, GuideState, clause_key) {
   st.guide.clauses.emplace_back();
   st.clause().key = st.take_name();
 }
+RUBICON_ACTION(GuideAction, GuideState, keep_key) {
+  st.guide.clauses.emplace_back();
+  st.clause().key = {std::string(begin, st.last_end), st.span_from(begin)};
+}
+RUBICON_ACTION(GuideAction, GuideState, keep_condition) {
+  st.clause().condition = st.take_expression();
+}
 RUBICON_ACTION(GuideAction, GuideState, clause_parameter) {
   st.clause_parameter = st.take_qualified_name();
 }

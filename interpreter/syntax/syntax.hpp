@@ -270,6 +270,7 @@ struct GuideClause {
   Name key;
   std::optional<Number> number;
   std::vector<Value> values;  ///< instead of the number
+  ExpressionPtr condition;    ///< keep
   Span span;
 };
 /// guide NAME KIND { clauses }   of a robot or a plan

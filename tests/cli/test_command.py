@@ -305,11 +305,11 @@ class Run(Case):
 
     def test_what_is_not_executed_yet_is_refused_at_its_place(self):
         plan = self.write("full.plan", "plan p {\n  robot g \"gantry.robot\" { cost 10 per h; }\n"
-                                       "  task t { by g; go x 3; guide tangent; }\n}\n")
+                                       "  import \"house.ifc\" as house { }\n  task t { by g; go x 3; }\n}\n")
         self.assertEqual(rubicon("check", plan).returncode, 0)
         result = rubicon("run", plan)
         self.assertEqual(result.returncode, 2)
-        self.assertRegex(result.stderr, r"full\.plan:3:\d+: error: .*guides")
+        self.assertRegex(result.stderr, r"full\.plan:3:\d+: error: run does not read imports")
 
     def test_out_writes_the_same_documents(self):
         out = os.path.join(self.folder, "out")

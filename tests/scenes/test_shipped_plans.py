@@ -132,5 +132,18 @@ class PeopleBelow(Shipped):
         self.assertEqual(tasks["bring_drum_5"]["result"], "done")
 
 
+class Trench(Shipped):
+    plan = "trench"
+
+    def test_the_full_bucket_stays_level(self):
+        steps = [r["q"] for r in self.run_1.of_type("try") if r["task"].startswith("to_truck")]
+        self.assertGreater(len(steps), 50)
+        for q in steps:
+            self.assertAlmostEqual(q["boom.phi"] + q["stick.phi"] + q["bucket.phi"], 265, delta=2 + 1e-5)
+
+    def test_nothing_is_refused_on_a_way_that_was_found(self):
+        self.assertTrue(all(r["ok"] for r in self.run_1.of_type("try")))
+
+
 if __name__ == "__main__":
     unittest.main(verbosity=2)

@@ -28,6 +28,8 @@ struct PlanReport {
     found,
     start_blocked,
     goal_blocked,
+    start_not_kept,  ///< what shall hold on the whole way does not hold where it begins
+    goal_not_kept,
     out_of_nodes,
     out_of_checks,
     not_certified  ///< a way was found that `follow` could not make

@@ -25,12 +25,12 @@ constexpr std::array kKinds{
     KindInfo{GuideKind::rrt_connect, "rrt_connect",
              "two trees, from start and goal, with long legs; then shortcuts"}};
 
-// Reason for the upper bounds: a tree of a million nodes takes minutes to search.
+// Reason for the upper bounds: with more a way takes minutes to look for.
 constexpr std::array kClauses{
     ClauseInfo{"seed", &GuideSpec::seed, true, 0, 9007199254740991.0, kAll,
                "of its random numbers"},
-    ClauseInfo{"nodes", &GuideSpec::nodes, true, 1, 1e6, kAll, "at most, in its trees"},
-    ClauseInfo{"checks", &GuideSpec::checks, true, 1, 1e8, kAll,
+    ClauseInfo{"nodes", &GuideSpec::nodes, true, 1, 1e5, kAll, "at most, in its trees"},
+    ClauseInfo{"checks", &GuideSpec::checks, true, 1, 1e7, kAll,
                "at most, of legs and configurations, for one way"},
     ClauseInfo{"step", &GuideSpec::step, false, 1e-3, 1e6, kAll,
                "the longest leg of a tree, weighted (a degree counts 1, a metre 10); of "

@@ -13,6 +13,13 @@ namespace rubicon::guides {
 /// How a guide finds its way (docs/guides.md).
 enum class GuideKind : std::uint8_t { rrt, rrt_nonuniform, rrt_plus, rrt_limcon, rrt_connect };
 
+/// What a guide keeps on its whole way: the sum of factors times parameters is at most a value.
+struct KeptBound {
+  std::vector<std::pair<int, double>> terms;  ///< parameters that are no whole turns apart from
+                                              ///< themselves: none is cyclic or derived
+  double most = 0;
+};
+
 /// A guide as it was declared: its kind and the values of its clauses. Distances between
 /// configurations are Euclidean, each parameter times its weight.
 struct GuideSpec {
@@ -23,13 +30,14 @@ struct GuideSpec {
   double checks = 200000;  ///< at most, of legs and configurations
   double step = 5;         ///< longest leg between two nodes (weighted; rrt_connect: the shortest)
   double goal_bias = 0.1;  ///< share of the samples that are the goal
-  double uniform_nodes = 30;  ///< rrt_plus: so many nodes before samples gather about the goal
-  double rejections = 5;      ///< rrt_plus: more in a row, and it steps aside
-  double greed = 8;           ///< rrt_plus: steps in one direction
-  double concentration = 1;   ///< of samples about the goal: larger, nearer
-  double smooth = 1.5;        ///< a shortcut is at most so many steps long; 0: none
-  double improve = 200;       ///< rrt_connect: tests of shortcuts after a way was found
-  double replans = 10;        ///< ways planned again in one motion
+  double uniform_nodes = 30;    ///< rrt_plus: so many nodes before samples gather about the goal
+  double rejections = 5;        ///< rrt_plus: more in a row, and it steps aside
+  double greed = 8;             ///< rrt_plus: steps in one direction
+  double concentration = 1;     ///< of samples about the goal: larger, nearer
+  double smooth = 1.5;          ///< a shortcut is at most so many steps long; 0: none
+  double improve = 200;         ///< rrt_connect: tests of shortcuts after a way was found
+  double replans = 10;          ///< ways planned again in one motion
+  std::vector<KeptBound> keep;  ///< all of them
   std::vector<std::pair<int, double>> weights;  ///< by parameter; else 1 a degree, 10 a metre
 };
 
@@ -60,6 +68,9 @@ const ClauseInfo* find_clause(std::string_view name);
 
 /// The clause with which weights are given: `weight x 20, boom.phi 2;`.
 inline constexpr const char* kWeightClause = "weight";
+
+/// The clause that says what holds on the whole way: `keep (abs(boom.phi + stick.phi) <= 90);`.
+inline constexpr const char* kKeepClause = "keep";
 
 /// A guide of this kind with the defaults of its clauses.
 GuideSpec default_guide(GuideKind kind);

@@ -31,13 +31,18 @@ PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<cons
     report.refused = space.refused();
     return std::move(report);
   };
+  if (!space.keeps(q)) return end(Outcome::start_not_kept);
   if (!space.stands(start)) return end(Outcome::start_blocked);
   const std::vector<double>* goal = nullptr;
+  bool kept = task.goals.empty();
   for (const std::vector<double>& each : task.goals) {
+    if (!space.keeps(each)) continue;
+    kept = true;
     if (!space.stands(space.point(each))) continue;
     goal = &each;
     break;
   }
+  if (!kept) return end(Outcome::goal_not_kept);
   if (goal == nullptr) return end(Outcome::goal_blocked);
   const Point target = space.point(*goal);
   // Steps are refused where the whole leg is free only within what the engine leaves undecided.

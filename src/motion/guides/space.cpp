@@ -18,6 +18,11 @@ constexpr double kEdgeShare = 0.02;
 /// A leg is followed in so many steps at most: more are a mistake in the robot's steps.
 constexpr int kMostSteps = 1'000'000;
 
+/// m or degrees by which a sum that is kept may be beyond its bound: rounding.
+constexpr double kKeepSlack = 1e-6;
+/// Bounds that are not met are met one after the other so many times at most.
+constexpr int kKeepRounds = 4;
+
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
@@ -85,6 +90,7 @@ Point Space::moved(std::span<const double> a, std::span<const double> offsets) c
     if (!parameter(i).cyclic) value = std::clamp(value, lower(i), upper(i));
     result[i] = robot::reduced(parameter(i), value);
   }
+  make_kept(result);
   return result;
 }
 
@@ -94,6 +100,7 @@ double Space::upper(std::size_t i) const { return parameter(i).cyclic ? 180 : pa
 Point Space::sample(Random& random) const {
   Point result(size());
   for (std::size_t i = 0; i < size(); ++i) result[i] = random.between(lower(i), upper(i));
+  make_kept(result);
   return result;
 }
 
@@ -116,7 +123,50 @@ Point Space::sample_about(std::span<const double> goal, double concentration,
     result[i] = parameter(i).cyclic ? robot::reduced(parameter(i), goal[i] + (share - 0.5) * range)
                                     : lower(i) + share * range;
   }
+  make_kept(result);
   return result;
+}
+
+bool Space::keeps(std::span<const double> q) const {
+  return std::all_of(spec_.keep.begin(), spec_.keep.end(), [&](const KeptBound& bound) {
+    double sum = 0;
+    for (const auto& [index, factor] : bound.terms) sum += factor * q[at(index)];
+    return sum <= bound.most + kKeepSlack;
+  });
+}
+
+/// Moves a point to where all bounds hold, each time the shortest way to the next of them; where
+/// they cannot hold within the ranges, tests refuse it.
+void Space::make_kept(Point& point) const {
+  for (int round = 0; round < kKeepRounds && !spec_.keep.empty(); ++round) {
+    bool moved = false;
+    for (const KeptBound& bound : spec_.keep) {
+      double off = -bound.most;
+      double square = 0;
+      for (std::size_t i = 0; i < size(); ++i) {
+        for (const auto& [index, factor] : bound.terms) {
+          if (index != leg_.parameters()[i]) continue;
+          off += factor * point[i];
+          square += factor * factor / (weights_[i] * weights_[i]);
+        }
+      }
+      if (off <= 0 || !(square > 0)) continue;
+      moved = true;
+      for (std::size_t i = 0; i < size(); ++i) {
+        for (const auto& [index, factor] : bound.terms) {
+          if (index != leg_.parameters()[i]) continue;
+          point[i] -= off * factor / (weights_[i] * weights_[i] * square);
+          point[i] = std::clamp(point[i], lower(i), upper(i));
+        }
+      }
+    }
+    if (!moved) return;
+  }
+}
+
+/// A sum that is kept at both ends of a straight piece is kept all along it.
+bool Space::sweeps_free(std::span<const double> q_from, std::span<const double> q_to) {
+  return keeps(q_to) && tests_.sweeps_free(q_from, q_to);
 }
 
 bool Space::stands(std::span<const double> point) {
@@ -136,7 +186,7 @@ bool Space::leg_is_free(std::span<const double> a, std::span<const double> b) {
   }
   for (const std::vector<double>& corner : leg_.corners(q, target)) {
     ++checks_;
-    if (!tests_.sweeps_free(q, corner)) {
+    if (!sweeps_free(q, corner)) {
       ++refused_;
       return false;
     }
@@ -153,7 +203,7 @@ bool Space::follow_is_free(std::vector<double>& q, std::span<const double> targe
   for (int n = 0; n < kMostSteps && leg_.next_step(q, target, steps); ++n) {
     robot::apply_rules(model_, mounting_, q, steps, next);
     ++checks_;
-    if (!tests_.sweeps_free(q, next)) return false;
+    if (!sweeps_free(q, next)) return false;
     q = next;
     robot::normalise(model_, q);
   }

@@ -48,6 +48,8 @@ class Space {
   /// With the goal as its mean in each coordinate (Langari 2015, 3.3.2).
   Point sample_about(std::span<const double> goal, double concentration, Random& random) const;
 
+  /// Whether what the guide keeps holds at a configuration.
+  bool keeps(std::span<const double> q) const;
   bool stands(std::span<const double> point);
   bool leg_is_free(std::span<const double> a, std::span<const double> b);
   /// Tests a way again by the very steps that `follow` makes.
@@ -66,6 +68,8 @@ class Space {
   }
   double lower(std::size_t i) const;
   double upper(std::size_t i) const;
+  void make_kept(Point& point) const;
+  bool sweeps_free(std::span<const double> q_from, std::span<const double> q_to);
   bool follow_is_free(std::vector<double>& q, std::span<const double> target);
 
   const robot::RobotModel& model_;

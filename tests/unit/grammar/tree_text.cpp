@@ -148,6 +148,7 @@ class Writer {
     for (const syntax::GuideClause& clause : value.clauses) {
       name(clause.key);
       if (clause.number) number(*clause.number);
+      if (clause.condition) expression(*clause.condition);
       for (const syntax::GuideClause::Value& each : clause.values) {
         name(each.parameter);
         number(each.number);

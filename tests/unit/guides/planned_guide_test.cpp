@@ -52,6 +52,18 @@ TEST_F(PlannedGuideTest, SaysWhetherStartOrGoalIsInTheWay) {
             PlanReport::Outcome::goal_blocked);
 }
 
+TEST_F(PlannedGuideTest, SaysWhereWhatItKeepsDoesNotHold) {
+  GuideSpec spec = spec_;
+  spec.keep = {{{{1, 1.0}}, 5}};  // y <= 5
+  EXPECT_EQ(plan_way(spec, task({{9, 1}}), Q{1, 6}, wall_).outcome,
+            PlanReport::Outcome::start_not_kept);
+  EXPECT_EQ(plan_way(spec, task({{9, 6}}), Q{1, 1}, wall_).outcome,
+            PlanReport::Outcome::goal_not_kept);
+  spec.checks = 3000;
+  EXPECT_EQ(plan_way(spec, task({{9, 1}}), Q{1, 1}, wall_).outcome,
+            PlanReport::Outcome::out_of_checks);
+}
+
 TEST_F(PlannedGuideTest, ACopyGoesOnByItself) {
   const auto guide = make_guide(spec_, task({{9, 1}}));
   const std::vector<Q> way = guide->begin(Q{1, 1}, wall_).planned->way;

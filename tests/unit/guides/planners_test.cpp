@@ -83,7 +83,7 @@ TEST(Planners, LimitsOfNodesAndChecksEndASearchWithoutAWay) {
     Search found = search(test::gantry(), spec, tests, {1, 1}, {9, 1});
     EXPECT_TRUE(found.way.empty());
     EXPECT_LE(found.nodes, 62u) << info.name;
-    spec.nodes = 1e6;
+    spec.nodes = 1e5;
     spec.checks = 100;
     std::size_t checks = 0;
     found = search(test::gantry(), spec, tests, {1, 1}, {9, 1}, &checks);
@@ -103,6 +103,23 @@ TEST(Planners, AVehicleFindsItsWayRoundAWall) {
     spec.step = 20;
     const Search found = search(test::vehicle(), spec, tests, {0, 0, 0}, {10, 0, 90});
     EXPECT_FALSE(found.way.empty()) << name_of(kind);
+  }
+}
+
+TEST(Planners, WhatIsKeptHoldsOnTheWholeWay) {
+  // x + y = 10 within 1: the way over the wall at x = 5 stays on that band.
+  const auto low_wall = [](std::span<const double> q) {
+    return q[0] > 4.5 && q[0] < 5.5 && q[1] < 5.2;
+  };
+  for (const KindInfo& info : guide_kinds()) {
+    GuideSpec spec = spec_of(info.kind, 2);
+    spec.keep = {{{{0, 1.0}, {1, 1.0}}, 11}, {{{0, -1.0}, {1, -1.0}}, -9}};
+    test::PredicateTests tests(low_wall);
+    const Search found = search(test::gantry(), spec, tests, {2, 8}, {8, 2});
+    ASSERT_FALSE(found.way.empty()) << info.name;
+    for (const Point& point : found.way) {
+      EXPECT_NEAR(point[0] + point[1], 10, 1 + 1e-5) << info.name;
+    }
   }
 }
 
