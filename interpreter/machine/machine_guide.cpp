@@ -191,25 +191,20 @@ void Machine::set_target(const GuideAnswer& answer) {
 /// The script has ended under a guide. True: it begins again, at the next way point; false: at its
 /// goal, or the motion has ended.
 bool Machine::next_way_point(World& world, EventSink* events) {
+  const bool there = leg().is_there(q_, target_.q);
+  if (there ? leads_to_goal_ : is_near_goal()) return false;
+  idle_way_points_ = accepted_ == accepted_at_way_point_ ? idle_way_points_ + 1 : 0;
   GuideTests tests(*this, world);
-  if (leg().is_there(q_, target_.q)) {
-    if (leads_to_goal_) return false;
-    idle_way_points_ = accepted_ == accepted_at_way_point_ ? idle_way_points_ + 1 : 0;
-    if (take(guide_->reached(q_, tests), tests, events)) return true;
+  GuideAnswer answer;
+  if (there) {
+    answer = guide_->reached(q_, tests);
+  } else if (idle_way_points_ < kIdleWayPoints) {
+    answer = guide_->ended_short(q_, tests);
   } else {
-    if (is_near_goal()) return false;
-    idle_way_points_ = accepted_ == accepted_at_way_point_ ? idle_way_points_ + 1 : 0;
-    if (idle_way_points_ >= kIdleWayPoints) {
-      GuideAnswer stuck;
-      stuck.reason =
-          fmt::format("at {} way points in a row the script made no step", kIdleWayPoints);
-      take(std::move(stuck), tests, events);
-    } else if (take(guide_->ended_short(q_, tests), tests, events)) {
-      return true;
-    }
+    answer.reason =
+        fmt::format("at {} way points in a row the script made no step", kIdleWayPoints);
   }
-  if (begin_guides(guide_index_ + 1, world, events)) return true;
-  return false;
+  return take(std::move(answer), tests, events) || begin_guides(guide_index_ + 1, world, events);
 }
 
 /// Whether the goal counts as reached, as far from it as `within` allows.

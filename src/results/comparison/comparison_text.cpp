@@ -48,7 +48,7 @@ Row row_of(const GuideTrials& trials) {
           quantile_of(trials, 0.5, true, &GuideTrial::motion_time)};
 }
 
-/// The cause that most tries without a way gave; "" if all found one.
+/// The cause of the first try without a way; "" if all found one.
 std::string first_cause(const GuideTrials& trials) {
   for (const GuideTrial& trial : trials.trials) {
     if (!trial.found) return trial.cause;
