@@ -46,6 +46,7 @@ class FilmBuilder {
   void write(const trace::MotionEnd& end, int run);
   void write(const trace::TaskEnd& end, int run);
   void write(const trace::Stop& stop, int run);
+  void write(const trace::Turn& turn, int run);
 
   std::int64_t string(std::string_view text) { return strings_.number(text); }
   std::int64_t place(const trace::InText& place);

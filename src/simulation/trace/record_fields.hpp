@@ -164,6 +164,15 @@ struct RecordFields<Stop> {
   static constexpr auto kFields = std::tuple(required<&Stop::t>("t"));
 };
 
+template <>
+struct RecordFields<Turn> {
+  static constexpr RecordKind kKind = RecordKind::turn;
+  static constexpr auto kFields =
+      std::tuple(required<&Turn::component>("component"), required<&Turn::angle_deg>("angle"),
+                 required<&Turn::X_TO>("pose"), required<&Turn::from>("from"),
+                 required<&Turn::t>("t"), optional<&Turn::hit>("hit"));
+};
+
 /// What a member is in the text.
 enum class FieldType {
   text,

@@ -26,13 +26,14 @@ enum class RecordKind : std::uint8_t {
   remove,
   end,
   task_end,
-  stop
+  stop,
+  turn  ///< of a hanging load, by people
 };
 
 /// As the member `type` writes them, in the order of RecordKind.
-inline constexpr std::array<std::string_view, 16> kRecordTypes = {
-    "task_start", "goal",  "set",    "enter",  "exit",   "which", "try",      "wait",
-    "work",       "pause", "attach", "detach", "remove", "end",   "task_end", "stop"};
+inline constexpr std::array<std::string_view, 17> kRecordTypes = {
+    "task_start", "goal",   "set",    "enter",  "exit", "which",    "try",  "wait", "work",
+    "pause",      "attach", "detach", "remove", "end",  "task_end", "stop", "turn"};
 
 /// The kind of a record by its `type`; nothing for what is none, such as a header.
 constexpr std::optional<RecordKind> record_kind(std::string_view type) {

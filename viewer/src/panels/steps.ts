@@ -151,7 +151,7 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
       case 'try': return isRefusal(film, record) ? 'refused' : film.number(record, 'try.ok') ? 'made' : 'idle';
       case 'end': return film.number(record, 'end.reached') ? 'event' : 'event warn';
       case 'task_end': return runs.isRefused(trail.run) ? 'event refused' : 'event';
-      case 'task_start': case 'goal': case 'attach': case 'detach': case 'remove': case 'work': return 'event';
+      case 'task_start': case 'goal': case 'attach': case 'detach': case 'remove': case 'work': case 'turn': return 'event';
       case 'pause': case 'wait': case 'stop': return 'idle';
       default: return '';
     }
