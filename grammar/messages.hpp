@@ -222,6 +222,7 @@ RUBICON_EXPECT(moved_component, "the name of a component");
 RUBICON_EXPECT(to_key, "'to' and a frame");
 RUBICON_EXPECT(removed_component, "the name of a component");
 RUBICON_EXPECT(work_crew, "the name of a crew");
+RUBICON_EXPECT(turned_parameter, "'theta', the turn about the vertical");
 RUBICON_EXPECT(moment, "a date and time in quotes, or a duration after the plan begins");
 RUBICON_EXPECT(baseline_to, "'to' and the end of the baseline");
 RUBICON_EXPECT(

@@ -275,8 +275,10 @@ struct remove_item : if_must<remove_key, removed_component, plan_semicolon> {};
 struct crew_work_key : token<sor<word<TAO_PEGTL_STRING("hook")>, word<TAO_PEGTL_STRING("adjust")>,
                                  word<TAO_PEGTL_STRING("release")>>> {};
 struct work_crew : qualified_indexed_name {};
-struct crew_work_item
-    : if_must<crew_work_key, duration, opt<if_must<by_key, work_crew>>, plan_semicolon> {};
+struct turning_key : token<word<TAO_PEGTL_STRING("turning")>> {};
+struct turned_parameter : name {};
+struct crew_work_item : if_must<crew_work_key, duration, opt<if_must<by_key, work_crew>>,
+                                opt<if_must<turning_key, turned_parameter>>, plan_semicolon> {};
 struct takes_key : token<word<TAO_PEGTL_STRING("takes")>> {};
 struct takes_item : if_must<takes_key, duration, plan_semicolon> {};
 struct via_key : token<word<TAO_PEGTL_STRING("via")>> {};

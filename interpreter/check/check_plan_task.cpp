@@ -300,6 +300,7 @@ class TaskChecker {
     const auto duration = resolve_duration(subject_, item.duration, item.name.text);
     if (duration) work.duration = *duration;
     if (item.by) work.crew = crew(*item.by, item.name.text);
+    if (item.turning) work.turning = turns(item, *item.turning, work.duration);
     if (item.name.text == "takes") {
       task_.takes.push_back(work);
       return;
@@ -315,6 +316,28 @@ class TaskChecker {
                                                                    : task_.release;
     if (target) subject_.twice(item.name.span, item.name.text + " is given twice", target->span);
     target = work;
+  }
+
+  /// Whether the work turns the load: only adjusting does, about the vertical, and not at once.
+  bool turns(const syntax::WorkItem& item, const syntax::Name& turned, double duration) {
+    if (item.name.text != "adjust") {
+      subject_.error(
+          "P46", turned.span,
+          fmt::format("a load is turned while it hangs, found turning in {}", item.name.text),
+          "write it in adjust: adjust 4 min by CREW turning theta;");
+    } else if (turned.text != "theta") {
+      subject_.error("P46", turned.span,
+                     fmt::format("people turn a hanging load about the vertical, which is theta; "
+                                 "found '{}'",
+                                 turned.text),
+                     "write turning theta");
+    } else if (!(schedule::ticks_from_seconds(duration) > 0)) {
+      subject_.error("P46", item.duration.span, "turning a load takes time, found 0",
+                     "write for example adjust 4 min turning theta;");
+    } else {
+      return true;
+    }
+    return false;
   }
 
   int crew(const syntax::Name& name, const std::string& work) {

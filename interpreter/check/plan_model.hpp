@@ -136,6 +136,7 @@ struct WorkSpec {
   double duration = 0;  ///< s
   int crew = -1;        ///< index into crews; -1: whoever holds the task
   Span span;
+  bool turning = false;  ///< people turn the load about the vertical, to how it is to stand
 };
 
 /// When a client or a schedule of others wants a task: ticks after the beginning of the plan.

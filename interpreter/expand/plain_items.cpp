@@ -113,6 +113,7 @@ void PlainItems::item(syntax::WorkItem& value) {
   mark(value.name.span);
   number(value.duration);
   each(value.by);
+  if (value.turning) mark(value.turning->span);
 }
 
 void PlainItems::item(syntax::DateItem& value) {

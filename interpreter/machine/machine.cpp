@@ -31,7 +31,9 @@ std::string missing_turn(const robot::RobotModel& model, const robot::Mounting& 
   constexpr double kSame = 1e-6;
   for (int i = 0; i < 3; ++i) {
     if ((R_W.col(i) - math::Vec3::Unit(i)).norm() > kSame) continue;
-    return i == 2 ? "; no swivel: the turn about z is not free; use within or add one"
+    return i == 2 ? "; no swivel: the turn about z is not free; use within or add one, or let "
+                    "people turn "
+                    "what hangs: adjust 4 min turning theta;"
                   : fmt::format("; the turn about {} is not free; use within", "xyz"[i]);
   }
   return {};

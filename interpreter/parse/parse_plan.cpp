@@ -113,6 +113,7 @@ RUBICON_ACTION(PlanAction, PlanState, goal_values) {
 RUBICON_ACTION(PlanAction, PlanState, duration) {
   st.duration = st.take_quantity();
   st.crew_of_work.reset();
+  st.turned.reset();
 }
 RUBICON_ACTION(PlanAction, PlanState, link_name) {
   st.links.push_back({st.take_qualified_name(), {}, {}, st.span_from(begin)});
@@ -389,11 +390,12 @@ RUBICON_ACTION(PlanAction, PlanState, remove_item) {
 RUBICON_ACTION(PlanAction, PlanState, crew_work_key) { st.key = st.word(begin); }
 RUBICON_ACTION(PlanAction, PlanState, takes_key) { st.key = st.word(begin); }
 RUBICON_ACTION(PlanAction, PlanState, work_crew) { st.crew_of_work = st.take_dotted_name(); }
+RUBICON_ACTION(PlanAction, PlanState, turned_parameter) { st.turned = st.take_name(); }
 RUBICON_ACTION(PlanAction, PlanState, crew_work_item) {
-  st.add_to_task(syntax::WorkItem{st.key, st.duration, st.crew_of_work, {}}, begin);
+  st.add_to_task(syntax::WorkItem{st.key, st.duration, st.crew_of_work, st.turned, {}}, begin);
 }
 RUBICON_ACTION(PlanAction, PlanState, takes_item) {
-  st.add_to_task(syntax::WorkItem{st.key, st.duration, {}, {}}, begin);
+  st.add_to_task(syntax::WorkItem{st.key, st.duration, {}, {}, {}}, begin);
 }
 RUBICON_ACTION(PlanAction, PlanState, via_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, via_item) {

@@ -114,6 +114,7 @@ class PlanState : public GuideState {
   syntax::QualifiedName component_name;
   syntax::QualifiedName second_name;
   std::optional<syntax::Name> crew_of_work;
+  std::optional<syntax::Name> turned;  ///< by crew work
   syntax::Number duration;
   syntax::Number quantity;
   syntax::String headings;  ///< of a group, joined

@@ -441,6 +441,7 @@ struct WorkItem {
   Name name;  ///< hook, adjust, release or takes
   Number duration;
   std::optional<Name> by;
+  std::optional<Name> turning;  ///< theta: how people turn the load
   Span span;
 };
 /// by crane, riggers;   by all of cranes;   by same as TASK;

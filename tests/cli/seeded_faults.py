@@ -1248,6 +1248,78 @@ def change_the_currency(good, rng):
     return Fault("change the currency", result, [""], words="the cost is in")
 
 
+def turns(good, where=lambda record: True):
+    return good.places("turn", where=where)
+
+
+def drop_a_turn(good, rng):
+    if not turns(good):
+        return None
+    index = rng.choice(turns(good))
+    result = copy.deepcopy(good)
+    del result.records[index]
+    return Fault("drop a turn", result, [good.records[index]["task"]], words="is put")
+
+
+def turn_by_another_angle(good, rng):
+    if not turns(good):
+        return None
+    index = rng.choice(turns(good))
+    result = copy.deepcopy(good)
+    result.records[index]["angle"] += rng.choice((-1, 1)) * rng.uniform(0.01, 60)
+    return Fault("turn by another angle", result, [good.records[index]["task"]], index + 1, words="where it is told")
+
+
+def turn_neatly_wrong(good, rng):
+    """What hangs and is put down is right for another angle: only the goal tells."""
+    if not turns(good):
+        return None
+    index = rng.choice(turns(good))
+    result = copy.deepcopy(good)
+    turn = result.records[index]
+    off = rng.choice((-1, 1)) * rng.uniform(0.2, 20)
+    detach = next(r for r in result.records[index:] if r["type"] == "detach" and r["task"] == turn["task"])
+    tool = product(rows_of(detach["pose"]), inverse_product(rows_of(turn["pose"]), rows_of(IDENTITY)))
+    hangs = product(rotation(2, off), rows_of(turn["pose"]))  # the tool is upright
+    turn["angle"] += off
+    turn["pose"] = [number for row in hangs for number in row]
+    detach["pose"] = [number for row in product(tool, hangs) for number in row]
+    return Fault("turn neatly wrong", result, [turn["task"]], result.records.index(detach) + 1, words="from its goal")
+
+
+def turn_the_barred_way(good, rng):
+    """The shorter way, which something bars: only the sweep tells."""
+    places = turns(good, lambda record: "hit" in record)
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    turn = result.records[index]
+    turn["angle"] -= math.copysign(360, turn["angle"])
+    return Fault("turn the barred way", result, [turn["task"]], index + 1, words=" meets " + turn["hit"][1])
+
+
+def turn_before_adjusting(good, rng):
+    if not turns(good):
+        return None
+    index = rng.choice(turns(good))
+    result = copy.deepcopy(good)
+    result.records[index]["from"] -= rng.uniform(0.1, 20)
+    return Fault("turn before adjusting", result, [good.records[index]["task"]], index + 1, words="while it is adjusted")
+
+
+def turn_without_leave(good, rng):
+    """The plan turns nothing."""
+    tasks = [task for task in good.header["tasks"] if "turning" in task.get("adjust", {})]
+    tasks = [task["name"] for task in tasks if any(good.records[i]["task"] == task["name"] for i in turns(good))]
+    if not tasks:
+        return None
+    name = rng.choice(tasks)
+    result = copy.deepcopy(good)
+    del result.task(name)["adjust"]["turning"]
+    return Fault("turn without leave", result, [name], words="the plan turns none")
+
+
 KINDS = (shift_a_step, shift_the_rest_of_a_task, drop_a_wait, close_a_wait_up, swap_times, start_too_early,
          move_a_component, change_a_value, drop_a_step, drop_a_step_neatly, repeat_a_step, move_the_grip,
          move_what_is_put_down, turn_what_is_put_down, move_the_goal, drop_a_load_change, overload, forget_a_mass,
@@ -1258,7 +1330,8 @@ KINDS = (shift_a_step, shift_the_rest_of_a_task, drop_a_wait, close_a_wait_up, s
          edit_the_table, change_the_speed, name_another_parameter, lengthen_a_part, give_a_part_to_another,
          hide_a_wait, wait_for_nothing, pause_for_nothing, edit_a_part_of_the_table, change_a_cost, change_a_rate, edit_a_use,
          drop_a_goal, double_a_goal, shift_a_date, end_in_a_livelock, change_a_checksum, change_a_residual,
-         rename_a_hit, give_another_reason, edit_the_critical_path, change_the_currency)
+         rename_a_hit, give_another_reason, edit_the_critical_path, change_the_currency, drop_a_turn,
+         turn_by_another_angle, turn_neatly_wrong, turn_the_barred_way, turn_before_adjusting, turn_without_leave)
 
 
 def seeded(results, seed, rounds):

@@ -106,6 +106,7 @@ class Verify(unittest.TestCase):
     def test_every_seeded_fault_is_found_at_its_place(self):
         names = [os.path.join(HERE, "verify_results", "yard.plan"),
                  os.path.join(HERE, "verify_results", "meeting.plan"),
+                 os.path.join(ROOT, "tests", "language", "63_turned_by_people", "site.plan"),
                  os.path.join(ROOT, "examples", "07_three_blocks", "site.plan"),
                  os.path.join(ROOT, "examples", "05_level_bucket", "site.plan"),
                  os.path.join(ROOT, "examples", "06_wait_for_the_goal", "site.plan"),

@@ -49,6 +49,7 @@ export function sentence(film: Film, record: number): string {
       return `waited ${long} for ${whom}`;
     }
     case 'attach': return `takes up ${component('attach.component')}`;
+    case 'turn': return turned(film, record, component('turn.component'));
     case 'detach': return `puts down ${component('detach.component')}`;
     case 'remove': return `removes ${component('remove.component')}`;
     case 'end': {
@@ -59,6 +60,13 @@ export function sentence(film: Film, record: number): string {
     }
     case 'task_end': return `${run.result || 'over'}${run.reason && `: ${run.reason}`}`;
   }
+}
+
+/** `panel is turned by -90° by people`, and what barred the shorter way. */
+function turned(film: Film, record: number, component: string): string {
+  const met = film.text(record, 'turn.met');
+  const longer = met && `: the shorter way ${film.text(record, 'turn.moved')} would have met ${met}`;
+  return `${component} is turned by ${Number(film.number(record, 'turn.angle').toFixed(3))}° by people${longer}`;
 }
 
 /** Why an attempt was refused: `hit, low.jib meets high.hook`. */

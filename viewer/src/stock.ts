@@ -13,6 +13,20 @@ export interface Item {
   state: State;
   robot: number;
   pose: Matrix4;
+  /** People turn it about the vertical through the tool: `pose` is how it hangs when that is over. */
+  turn?: Turn;
+}
+
+/** By how much (degrees, counter-clockwise as seen from above), and from when to when (s). */
+export interface Turn {
+  angle: number;
+  from: number;
+  to: number;
+}
+
+/** How much of a turn is still to come at a moment, in degrees. */
+export function turnLeft({ angle, from, to }: Turn, time: number): number {
+  return time >= to ? 0 : angle * Math.min((to - time) / (to - from), 1);
 }
 
 /** A component changed hands. */
@@ -44,7 +58,7 @@ export class Stock {
     this.first = film.header.components.map((component) => ({ state: 'waiting', robot: -1, pose: poseMatrix(component.pose) }));
     this.items = [...this.first];
     const codes = film.column('record.kind');
-    const wanted = new Set([kinds.indexOf('attach'), kinds.indexOf('detach'), kinds.indexOf('remove')]);
+    const wanted = new Set([kinds.indexOf('attach'), kinds.indexOf('detach'), kinds.indexOf('remove'), kinds.indexOf('turn')]);
     for (let record = 0; record < film.records; ++record) {
       const event = wanted.has(codes[record]) ? this.read(record) : null;
       if (!event) continue;
@@ -108,7 +122,7 @@ export class Stock {
   private read(record: number): Event | null {
     const { film } = this;
     const kind = film.kind(record);
-    if (kind !== 'attach' && kind !== 'detach' && kind !== 'remove') return null;
+    if (kind !== 'attach' && kind !== 'detach' && kind !== 'remove' && kind !== 'turn') return null;
     const component = film.number(record, `${kind}.component`);
     const run = film.run(record);
     const first = this.first[component];
@@ -117,6 +131,9 @@ export class Stock {
     if (kind === 'remove') return { ...event, state: 'removed', robot: -1, pose: first.pose };
     const pose = quaternionMatrix(film.pose(record));
     if (kind === 'detach') return { ...event, state: 'placed', robot: -1, pose };
-    return { ...event, state: 'carried', robot: film.runs[run].robot, pose };
+    const carried = { ...event, state: 'carried' as const, robot: film.runs[run].robot, pose };
+    if (kind === 'attach') return carried;
+    const turn = { angle: film.number(record, 'turn.angle'), from: film.number(record, 'turn.from'), to: event.t };
+    return { ...carried, t: turn.from, turn };
   }
 }

@@ -14,6 +14,8 @@ const columnsOf: Record<string, { members: string[]; scale?: Record<string, numb
   pause: { members: ['why', 'for', 'from'], scale: { from: 1e-6 }, delta: ['from'] },
   attach: { members: ['component', 'pose'], scale: { pose: 1e-9 } }, detach: { members: ['component', 'pose'],
     scale: { pose: 1e-9 } },
+  turn: { members: ['component', 'angle', 'from', 'pose', 'moved', 'met'], scale: { angle: 1e-6, from: 1e-6, pose: 1e-9 },
+    delta: ['from'] },
   remove: { members: ['component'] }, end: { members: ['status', 'message', 'reached', 'tries', 'accepted'] },
 };
 

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { Stock } from '../src/stock';
+import { Stock, turnLeft } from '../src/stock';
 import { identity, makeBox, makeFilm, makeHoist, type MadeRecord } from './make_film';
 
 const component = (name: string, x: number) =>
@@ -41,6 +41,20 @@ test('components go from hand to hand', () => {
   expect(shown(stock)).toBe('placed -1 9, placed -1 3, waiting -1 2');
   stock.seek(99);
   expect(shown(stock)).toBe('removed -1 0, placed -1 3, waiting -1 2');
+});
+
+test('people turn what hangs, evenly', () => {
+  const turn: MadeRecord = { kind: 'turn', run: 0, t: 9,
+    columns: { 'turn.component': 0, 'turn.angle': -90, 'turn.from': 7, 'turn.pose': pose(-2) } };
+  const stock = new Stock(makeFilm({ ...made, records: [attach(0, 5, 0), turn, detach(0, 10, 0, 7)] }));
+  stock.seek(6);
+  expect(stock.items[0].turn).toBeUndefined();
+  stock.seek(8);
+  expect(shown(stock)).toBe('carried 0 -2, waiting -1 1, waiting -1 2');
+  const turning = stock.items[0].turn ?? { angle: 0, from: 0, to: 0 };
+  expect([7, 8, 9, 10].map((time) => turnLeft(turning, time))).toEqual([-90, -45, 0, 0]);
+  stock.seek(10);
+  expect(shown(stock)).toBe('placed -1 7, waiting -1 1, waiting -1 2');
 });
 
 test('seek tells what is not as it was', () => {

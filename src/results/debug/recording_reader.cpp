@@ -200,6 +200,11 @@ void RecordingReader::fill(Event& event, const trace::Detach& detach) {
   event.text = recording_.texts.add(detach.component);
 }
 
+void RecordingReader::fill(Event& event, const trace::Turn& turn) {
+  event.text = recording_.texts.add(turn.component);
+  event.value = turn.angle_deg;
+}
+
 void RecordingReader::fill(Event& event, const trace::Removal& removal) {
   event.text = recording_.texts.add(removal.component);
 }

@@ -43,6 +43,7 @@ class RecordingReader : public trace::TraceSink {
   void fill(Event& event, const trace::Pause& pause);
   void fill(Event& event, const trace::Attach& attach);
   void fill(Event& event, const trace::Detach& detach);
+  void fill(Event& event, const trace::Turn& turn);
   void fill(Event& event, const trace::Removal& removal);
   void fill(Event& event, const trace::MotionEnd& end);
   void fill(Event& event, const trace::TaskEnd& end);

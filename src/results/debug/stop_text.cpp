@@ -149,6 +149,8 @@ std::string record_text(const Recording& recording, const TaskRun& run, const Ev
     case EventKind::task_end:
       return fmt::format("{} is {}{}{}", recording.texts[run.name()], text,
                          other.empty() ? "" : ": ", other);
+    case EventKind::turn:
+      return fmt::format("{} is turned by {:.6g} degrees about the vertical", text, event.value);
     case EventKind::stop:
       return "the machine comes to a stop";
     case EventKind::guide:

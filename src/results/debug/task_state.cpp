@@ -122,6 +122,7 @@ void apply(const Event& event, TaskState& state) {
     case EventKind::task_start:
     case EventKind::which:
     case EventKind::work:
+    case EventKind::turn:
     case EventKind::pause:
     case EventKind::remove:
     case EventKind::task_end:

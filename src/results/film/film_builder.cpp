@@ -228,6 +228,16 @@ void FilmBuilder::write(const trace::Detach& detach, int) {
   add_pose(columns_.detach_pose, detach.X_WO);
 }
 
+void FilmBuilder::write(const trace::Turn& turn, int) {
+  columns_.turn_component.add(component(turn.component));
+  columns_.turn_angle.add(millionths(turn.angle_deg, "an angle"));
+  columns_.turn_from.add(millionths(trace::seconds(turn.from), "a time"));
+  add_pose(columns_.turn_pose, turn.X_TO);
+  const trace::Hit hit = turn.hit.value_or(trace::Hit{});
+  columns_.turn_moved.add(string(hit.moved));
+  columns_.turn_met.add(string(hit.met));
+}
+
 void FilmBuilder::write(const trace::Removal& removal, int) {
   columns_.remove_component.add(component(removal.component));
 }

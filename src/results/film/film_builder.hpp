@@ -48,6 +48,7 @@ class FilmBuilder {
   void write(const trace::Stop& stop, int run);
   void write(const trace::GuidePlan& plan, int run);
   void write(const trace::WayPoint& point, int run);
+  void write(const trace::Turn& turn, int run);
 
   std::int64_t string(std::string_view text) { return strings_.number(text); }
   std::int64_t place(const trace::InText& place);

@@ -64,6 +64,12 @@ std::vector<std::pair<std::string_view, Column>> RecordColumns::take() {
   give("end.reached", end_reached);
   give("end.tries", end_tries);
   give("end.accepted", end_accepted);
+  give("turn.component", turn_component);
+  give("turn.angle", turn_angle);
+  give("turn.from", turn_from);
+  columns.emplace_back("turn.pose", turn_pose.column());
+  give("turn.moved", turn_moved);
+  give("turn.met", turn_met);
   return columns;
 }
 

@@ -36,7 +36,8 @@ struct RecordColumns {
   Column work_what, work_crew, work_from{kMillionth, true}, work_time{kMillionth};
   Column pause_why, pause_for, pause_from{kMillionth, true};
   Column attach_component, detach_component, remove_component;
-  PoseColumn attach_pose, detach_pose;
+  Column turn_component, turn_angle{kMillionth}, turn_from{kMillionth, true}, turn_moved, turn_met;
+  PoseColumn attach_pose, detach_pose, turn_pose;
   Column end_status, end_message, end_reached, end_tries, end_accepted;
 
   /// All of them by the names of docs/film.md.

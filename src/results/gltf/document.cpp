@@ -168,7 +168,7 @@ class DocumentBuilder {
     if (rope) add_rope(robot, body_nodes[at(rope->above)], *rope);
     const int tool =
         add_frame(body_nodes[at(model.tool_body)], robot.name + " tool", curves.back());
-    add_loads(tool, track, rope.has_value());
+    add_loads(tool, robot, track, rope.has_value());
   }
 
   void add_rope(const Machine& robot, int above, const Rope& rope) {
@@ -203,18 +203,41 @@ class DocumentBuilder {
   }
 
   /// Legs with the same load, one after the other.
-  void add_loads(int tool, const RobotTrack& track, bool hangs) {
+  void add_loads(int tool, const Machine& robot, const RobotTrack& track, bool hangs) {
+    const auto& [name, model, mounting] = robot;
     for (std::size_t i = 0; i < track.legs.size();) {
       const int hanging = track.legs[i].hanging;
       const Ticks from = track.legs[i].from;
       Ticks to = from;
+      const std::vector<double>& last = track.legs[i].q0;
       for (; i < track.legs.size() && track.legs[i].hanging == hanging; ++i) {
         to = track.legs[i].to;
       }
-      if (hanging >= 0 && from < to) {
-        add_load(tool, track.loads[at(hanging)], from, to, hangs);
+      if (hanging < 0 || from >= to) continue;
+      const replay::Hanging& load = track.loads[at(hanging)];
+      if (load.turn_deg == 0) {
+        add_load(tool, load, from, to, hangs);
+      } else {
+        // It begins as the leg before it stands.
+        add_turned_load(tool, load, robot::tool_pose(model, mounting, last), from, to, hangs);
       }
     }
+  }
+
+  /// While people turn it the load hangs on a frame that is upright.
+  void add_turned_load(int tool, const replay::Hanging& load, const Pose& X_WT, Ticks from,
+                       Ticks to, bool hangs) {
+    Pose upright = Pose::Identity();
+    upright.linear() = X_WT.linear();
+    const int frame = nodes_.add(tool, "upright");
+    nodes_.place(frame, upright.inverse(Eigen::Isometry));
+    const int turning = nodes_.add(frame, "turned by people");
+    ElementCurve curve;
+    curve.kind = FrameElement::Kind::rotz;
+    curve.keys = {{trace::seconds(from), Vec3::Zero()},
+                  {trace::seconds(to), Vec3(load.turn_deg, 0, 0)}};
+    animation_.add_element(turning, curve);
+    add_load(turning, {load.component, upright * load.X_TO, 0}, from, to, hangs);
   }
 
   /// `hangs`: on a rope, and so on slings.

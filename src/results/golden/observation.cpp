@@ -106,6 +106,10 @@ struct GoldenMembers {
   }
   void operator()(const trace::Attach& attach) const { event["component"] = attach.component; }
   void operator()(const trace::Detach& detach) const { event["component"] = detach.component; }
+  void operator()(const trace::Turn& turn) const {
+    event["component"] = turn.component;
+    event["angle"] = number_json(turn.angle_deg);
+  }
   void operator()(const trace::MotionEnd& end) const {
     event["status"] = end.status;
     event["reached"] = end.reached;
@@ -148,7 +152,8 @@ const trace::RecordKinds kWanted = {
     trace::RecordKind::enter,      trace::RecordKind::exit,  trace::RecordKind::which,
     trace::RecordKind::attempt,    trace::RecordKind::wait,  trace::RecordKind::attach,
     trace::RecordKind::detach,     trace::RecordKind::end,   trace::RecordKind::task_end,
-    trace::RecordKind::stop,       trace::RecordKind::guide, trace::RecordKind::way_point};
+    trace::RecordKind::stop,       trace::RecordKind::guide, trace::RecordKind::way_point,
+    trace::RecordKind::turn};
 
 }  // namespace
 
@@ -261,6 +266,10 @@ void Observation::write_event(const trace::Record&, const trace::Attach& attach)
 void Observation::write_event(const trace::Record&, const trace::Detach& detach) {
   depth_ = 0;
   write(fmt::format("detach {}", detach.component));
+}
+
+void Observation::write_event(const trace::Record&, const trace::Turn& turn) {
+  write(fmt::format("turn {} by {} degrees", turn.component, brief(turn.angle_deg)));
 }
 
 void Observation::write_event(const trace::Record& record, const trace::TaskStart&) {

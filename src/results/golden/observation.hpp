@@ -70,6 +70,7 @@ class Observation : public trace::TraceSink {
   void write_event(const trace::Record& record, const trace::WayPoint& point);
   void write_event(const trace::Record& record, const trace::Attach& attach);
   void write_event(const trace::Record& record, const trace::Detach& detach);
+  void write_event(const trace::Record& record, const trace::Turn& turn);
   void write_event(const trace::Record& record, const trace::MotionEnd& end);
   void write_event(const trace::Record& record, const trace::TaskEnd& end);
 

@@ -21,7 +21,7 @@ constexpr Ticks kSecond = 1'000'000'000;
 const trace::RecordKinds kWanted = {RecordKind::task_start, RecordKind::attempt, RecordKind::wait,
                                     RecordKind::work,       RecordKind::pause,   RecordKind::attach,
                                     RecordKind::detach,     RecordKind::remove,  RecordKind::end,
-                                    RecordKind::task_end,   RecordKind::stop};
+                                    RecordKind::task_end,   RecordKind::stop,    RecordKind::turn};
 
 std::string quoted(std::string_view name) {
   std::string text;
@@ -149,6 +149,11 @@ void ReplayReader::add(TaskRun& run, const trace::Detach& detach) {
   expect_robot(run);
   add_event(run, detach.t,
             LoadChange{LoadChange::Kind::detach, component(detach.component), detach.X_WO});
+}
+
+void ReplayReader::add(TaskRun& run, const trace::Turn& turn) {
+  expect_robot(run);
+  add_event(run, turn.t, LoadTurn{turn.angle_deg, turn.X_TO, turn.from});
 }
 
 void ReplayReader::add(TaskRun& run, const trace::Removal& removal) {

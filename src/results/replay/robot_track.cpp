@@ -72,10 +72,19 @@ class TrackBuilder {
     if (change.kind == LoadChange::Kind::remove) return;
     stand_until(time_);
     if (change.kind == LoadChange::Kind::attach) {
-      hang({change.component, change.X});
+      hang({change.component, change.X, 0});
     } else {
       hanging_ = -1;
     }
+  }
+
+  void follow(const LoadTurn& turn) {
+    if (hanging_ < 0) return;
+    stand_until(turn.from);
+    const Hanging before = track_.loads[static_cast<std::size_t>(hanging_)];
+    hang({before.component, before.X_TO, turn.angle_deg});
+    stand_until(time_);
+    hang({before.component, turn.X_TO, 0});
   }
 
   const Machine& machine_;

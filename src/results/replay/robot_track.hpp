@@ -10,7 +10,9 @@ namespace rubicon::replay {
 /// What hangs on a tool: a component, or the load of a short plan (-1).
 struct Hanging {
   int component = -1;
-  math::Pose X_TO = math::Pose::Identity();
+  math::Pose X_TO = math::Pose::Identity();  ///< as it begins to hang so
+  /// By how much people turn it meanwhile about the vertical through the tool's origin, evenly.
+  double turn_deg = 0;
 };
 
 /// One stretch of a robot's time: a step, or standing still. While it lasts its values run in a

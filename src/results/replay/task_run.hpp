@@ -24,12 +24,19 @@ struct LoadChange {
   math::Pose X = math::Pose::Identity();  ///< attach: X_TO; detach: X_WO
 };
 
+/// People turned what hangs on the tool about the vertical through its origin, since `from`.
+struct LoadTurn {
+  double angle_deg = 0;
+  math::Pose X_TO = math::Pose::Identity();  ///< how it hangs after it
+  Ticks from = 0;
+};
+
 /// What a record says of where things are.
 struct Event {
   Ticks time = 0;  ///< when it is over
   int line = 0;    ///< of the trace
   /// Nothing: time passes and all stand still.
-  std::variant<std::monostate, Step, LoadChange> what;
+  std::variant<std::monostate, Step, LoadChange, LoadTurn> what;
 };
 
 /// One task as the trace tells it, with the events of its records.

@@ -211,7 +211,10 @@ class Questions {
     std::size_t next = steps_before();
     int segment = 0;
     for (const replay::Event& event : run_.events) {
-      if (std::holds_alternative<replay::LoadChange>(event.what)) ++segment;
+      if (std::holds_alternative<replay::LoadChange>(event.what) ||
+          std::holds_alternative<replay::LoadTurn>(event.what)) {
+        ++segment;
+      }
       if (!std::holds_alternative<replay::Step>(event.what) || next >= legs.size()) continue;
       const std::size_t number = made.size();
       made.push_back({legs[next++], event.line,

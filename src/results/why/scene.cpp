@@ -77,7 +77,10 @@ void Scene::add_changes() {
   for (const TaskRun& run : replay_.runs) {
     if (!run.happened && &run != &run_) continue;
     for (const replay::Event& event : run.events) {
-      if (std::holds_alternative<LoadChange>(event.what)) changes_.push_back({&event, &run});
+      if (std::holds_alternative<LoadChange>(event.what) ||
+          std::holds_alternative<replay::LoadTurn>(event.what)) {
+        changes_.push_back({&event, &run});
+      }
     }
   }
   std::sort(changes_.begin(), changes_.end(), [](const Change& a, const Change& b) {
@@ -112,7 +115,7 @@ void Scene::stand_components() {
     now[i].X_WO = replay_.header.components[i].X_WO;
   }
   for (const Change& change : changes_) {
-    if (!is_past(change)) continue;
+    if (!is_past(change) || !std::holds_alternative<LoadChange>(change.event->what)) continue;
     const auto& what = std::get<LoadChange>(change.event->what);
     Standing& component = now[index(what.component)];
     component.stands = what.kind == LoadChange::Kind::detach;
@@ -150,8 +153,12 @@ void Scene::hang_load() {
   if (run_.robot == 0 && !replay_.header.carry.empty()) load_ = load_of({});
   for (const Change& change : changes_) {
     if (change.run != &run_ || !is_past(change)) continue;
+    if (const auto* turn = std::get_if<replay::LoadTurn>(&change.event->what)) {
+      if (load_) load_->X_TO = turn->X_TO;
+      continue;
+    }
     const auto& what = std::get<LoadChange>(change.event->what);
-    if (what.kind == LoadChange::Kind::attach) load_ = load_of({what.component, what.X});
+    if (what.kind == LoadChange::Kind::attach) load_ = load_of({what.component, what.X, 0});
     if (what.kind == LoadChange::Kind::detach) load_.reset();
   }
 }
@@ -166,6 +173,9 @@ const Leg* Scene::leg_at(std::size_t robot) const {
 void Scene::stand_machine(std::size_t robot) {
   const Leg* leg = leg_at(robot);
   if (leg == nullptr || leg->moves()) return;
+  // A load that people turn moves, too.
+  const bool turns =
+      leg->hanging >= 0 && replay_.tracks[robot].loads[index(leg->hanging)].turn_deg != 0;
   const site::SiteRobot& machine = robots_[robot];
   std::vector<math::Pose> X_WB;
   robot::body_poses(*machine.model, machine.mounting, leg->q0, X_WB);
@@ -176,7 +186,7 @@ void Scene::stand_machine(std::size_t robot) {
     const site::RopeVolume rope = site::standing_rope(machine, part, leg->q0);
     others_.insert(machine.body_names[index(part)], rope.body, rope.motion.pose(0));
   }
-  if (leg->hanging < 0) return;
+  if (leg->hanging < 0 || turns) return;
   const auto load = load_of(replay_.tracks[robot].loads[index(leg->hanging)]);
   const math::Pose X_WT = robot::tool_pose(*machine.model, machine.mounting, leg->q0);
   others_.insert(load->name, load->body, X_WT * load->X_TO);

@@ -128,6 +128,16 @@ std::string story_json(const TaskStory& story) {
                                {"to", work.to},
                                {"time", work.time}});
   }
+  if (story.turn) {
+    result["turn"] = {{"component", story.turn->component},
+                      {"angle", story.turn->angle_deg},
+                      {"from", story.turn->from},
+                      {"to", story.turn->to}};
+    if (!story.turn->refused.first.empty()) {
+      result["turn"]["refused"] = {{"moved", story.turn->refused.first},
+                                   {"met", story.turn->refused.second}};
+    }
+  }
   result["pauses"] = ordered_json::array();
   for (const Span& pause : story.pauses) {
     result["pauses"].push_back(

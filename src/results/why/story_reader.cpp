@@ -29,7 +29,7 @@ const trace::RecordKinds kWanted = {
     trace::RecordKind::task_start, trace::RecordKind::attempt, trace::RecordKind::wait,
     trace::RecordKind::work,       trace::RecordKind::pause,   trace::RecordKind::attach,
     trace::RecordKind::detach,     trace::RecordKind::remove,  trace::RecordKind::end,
-    trace::RecordKind::task_end,   trace::RecordKind::stop};
+    trace::RecordKind::task_end,   trace::RecordKind::stop,    trace::RecordKind::turn};
 
 }  // namespace
 
@@ -108,6 +108,7 @@ void StoryReader::follow(const trace::TaskStart&) {
   story_.works.clear();
   story_.pauses.clear();
   story_.made.clear();
+  story_.turn.reset();
   carries_ = in_motion_ = false;
   carried_motions_ = 0;
 }
@@ -140,6 +141,17 @@ void StoryReader::follow(const trace::Detach& detach) {
 void StoryReader::follow(const trace::Work& work) {
   story_.works.push_back({std::string(work.what), std::string(work.crew), trace::seconds(work.from),
                           trace::seconds(work.t), trace::seconds(work.time)});
+}
+
+/// What its crews waited for before that is no new try of its carrying motion.
+void StoryReader::follow(const trace::Turn& turn) {
+  story_.turn = LoadTurn{std::string(turn.component),
+                         turn.angle_deg,
+                         trace::seconds(turn.from),
+                         trace::seconds(turn.t),
+                         {}};
+  if (turn.hit) story_.turn->refused = {std::string(turn.hit->moved), std::string(turn.hit->met)};
+  carried_motions_ = std::max(carried_motions_, 1);
 }
 
 void StoryReader::follow(const trace::Pause& pause) {

@@ -39,6 +39,7 @@ class StoryReader : public trace::TraceSink {
   void follow(const trace::Wait& wait);
   void follow(const trace::MotionEnd& end);
   void follow(const trace::Attach& attach);
+  void follow(const trace::Turn& turn);
   void follow(const trace::Detach& detach);
   void follow(const trace::Work& work);
   void follow(const trace::Pause& pause);

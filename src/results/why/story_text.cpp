@@ -197,6 +197,18 @@ std::string waits_text(const TaskStory& story) {
   return text;
 }
 
+std::string turn_text(const TaskStory& story, const LoadTurn& turn) {
+  std::string text =
+      fmt::format("  people turned {} by {:.6g} degrees about the vertical, from {} to {}\n",
+                  turn.component, turn.angle_deg, moment(story, turn.from), moment(story, turn.to));
+  if (!turn.refused.first.empty()) {
+    text += fmt::format("    the longer way: by {:.6g} degrees {} would have met {}\n",
+                        turn.angle_deg - std::copysign(360.0, turn.angle_deg), turn.refused.first,
+                        turn.refused.second);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string story_text(const TaskStory& story) {
@@ -233,9 +245,14 @@ std::string story_text(const TaskStory& story) {
     text += fmt::format("  its load hung for {} out of the shifts of its lift: overtime\n",
                         span_text(story.overtime));
   }
+  bool told = false;
   for (const Motion& motion : story.motions) {
+    const bool after_turn = story.turn && !told && motion.from >= story.turn->to;
+    if (after_turn) text += turn_text(story, *story.turn);
+    told = told || after_turn;
     if (motion.tries > 0 || !motion.reached) text += motion_text(story, motion);
   }
+  if (story.turn && !told) text += turn_text(story, *story.turn);
   if (story.nearest) text += miss_text(story);
   if (!story.no_scene.empty()) {
     text += fmt::format("  the collision engine could not be asked again: {}\n", story.no_scene);

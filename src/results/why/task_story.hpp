@@ -62,6 +62,16 @@ struct Span {
   double time = 0;  ///< of it in shifts, of work
 };
 
+/// People turned the load about the vertical. Seconds from the beginning of the plan.
+struct LoadTurn {
+  std::string component;
+  double angle_deg = 0;  ///< counter-clockwise as seen from above
+  double from = 0;
+  double to = 0;
+  std::pair<std::string, std::string> refused;  ///< what the shorter way would have met: what
+                                                ///< moved, and what it met; else empty
+};
+
 /// When a task of the plan was done.
 struct TaskRun {
   bool started = false;
@@ -91,6 +101,7 @@ struct TaskStory {
   std::vector<Motion> motions;
   std::vector<Span> works;
   std::vector<Span> pauses;
+  std::optional<LoadTurn> turn;
   double overtime = 0;          ///< its load hung so long out of the shifts of its lift
   std::vector<WaitStep> waits;  ///< first to last; the last is the task itself
   std::optional<schedule::CivilTime> start_at;

@@ -6,6 +6,7 @@
 #include "src/motion/math/angles.hpp"
 #include "src/motion/robot/turns.hpp"
 #include "src/simulation/site/load_chart.hpp"
+#include "src/simulation/site/load_turn.hpp"
 
 namespace rubicon::site {
 
@@ -90,13 +91,46 @@ std::optional<interpreter::HitPair> RobotView::own_hit(const StepQuery& step) co
   return interpreter::HitPair{part_name(moved), part_name(met)};
 }
 
+std::optional<interpreter::HitPair> RobotView::turn_hit(double angle_deg) const {
+  const Load& load = *site_.load(index_);
+  if (!load.body) return std::nullopt;
+  const SiteRobot& machine = robot();
+  const std::vector<ReservedPart> parts = parts_at(site_.configuration(index_));
+  collision::SweptQuery query;
+  query.contact_tolerance = site_.contact_tolerance();
+  query.items.push_back(
+      {{load.body.get(), turn_motion(site_.tool_pose(index_), load.X_TO, angle_deg)}, true});
+  const collision::SweptQuery alone = query;
+  std::vector<int> part_of = {static_cast<int>(machine.bodies.size())};
+  for (const ReservedPart& part : parts) {
+    const bool barred = std::any_of(machine.load_pairs.begin(), machine.load_pairs.end(),
+                                    [&](const OwnPair& pair) { return pair.first == part.part; });
+    if (!barred) continue;
+    query.pairs.emplace_back(0, static_cast<int>(query.items.size()));
+    query.items.push_back({{part.body.get(), part.motion}, false});
+    part_of.push_back(part.part);
+  }
+  if (const auto hit = site_.obstacles().test(query).hit) {
+    if (hit->obstacle) return interpreter::HitPair{load.name, site_.obstacle_name(*hit->obstacle)};
+    const int met = std::max(hit->item, hit->other_item.value_or(0));
+    return interpreter::HitPair{load.name, part_name(part_of[static_cast<std::size_t>(met)])};
+  }
+  const auto others = other_met(alone);
+  if (!others) return std::nullopt;
+  return interpreter::HitPair{load.name, others->name, others->machine, others->zone_task};
+}
+
 /// Zones, then other machines.
-std::optional<interpreter::HitPair> RobotView::others_hit(const StepQuery& step) const {
-  if (!site_.has_others(index_)) return std::nullopt;
-  const collision::SweptQuery query = step.against_others();
+std::optional<OtherMet> RobotView::other_met(const collision::SweptQuery& query) const {
   collision::MovingBodies bodies(query);
   auto met = site_.first_zone_met(index_, bodies);
   if (!met) met = site_.first_machine_met(index_, bodies, false);
+  return met;
+}
+
+std::optional<interpreter::HitPair> RobotView::others_hit(const StepQuery& step) const {
+  if (!site_.has_others(index_)) return std::nullopt;
+  const auto met = other_met(step.against_others());
   if (!met) return std::nullopt;
   return interpreter::HitPair{part_name(step.part_of_mover(met->item)), met->name, met->machine,
                               met->zone_task};

@@ -28,12 +28,18 @@ class RobotView : public interpreter::World {
   bool situation(const std::string& name) const override;
   bool loaded() const override { return site_.load(index_).has_value(); }
 
+  /// What the load would meet that people turn by the angle about the vertical through the tool's
+  /// origin, over all that it sweeps: what stands, the robot's own bodies but the hook, zones, and
+  /// what belongs to other machines. Something must hang there.
+  std::optional<interpreter::HitPair> turn_hit(double angle_deg) const;
+
  private:
   const SiteRobot& robot() const { return site_.robot(index_); }
   std::optional<interpreter::HitPair> swept_hit(const interpreter::MotionStep& step) const;
   std::optional<interpreter::HitPair> overload(const interpreter::MotionStep& step) const;
   std::optional<interpreter::HitPair> own_hit(const StepQuery& step) const;
   std::optional<interpreter::HitPair> others_hit(const StepQuery& step) const;
+  std::optional<OtherMet> other_met(const collision::SweptQuery& query) const;
   bool nothing_to_meet() const;
   std::vector<ReservedPart> parts_at(std::span<const double> q) const;
   std::optional<interpreter::HitPair> standing_machine_at(

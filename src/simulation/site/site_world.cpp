@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "src/simulation/site/load_turn.hpp"
 #include "src/simulation/site/step_query.hpp"
 
 namespace rubicon::site {
@@ -33,6 +34,10 @@ int SiteWorld::add_robot(SiteRobot robot, std::vector<double> q) {
 
 void SiteWorld::set_time(Ticks now) {
   for (RobotEntry& robot : robots_) {
+    if (robot.turn && robot.turn->end <= now) {
+      robot.turn.reset();
+      changed(robot);
+    }
     if (!robot.stepping || robot.step.end > now) continue;
     robot.stepping = false;
     changed(robot);
@@ -78,9 +83,18 @@ void SiteWorld::begin_step(int robot, const interpreter::MotionStep& step, std::
   changed(moving);
 }
 
+void SiteWorld::begin_turn(int robot, double angle_deg, Ticks end) {
+  RobotEntry& standing = entry(robot);
+  assert(standing.load && !standing.stepping);
+  Load& load = *standing.load;
+  standing.turn = LoadTurn{load.X_TO, angle_deg, end};
+  load.X_TO = turned(tool_pose(robot), load.X_TO, angle_deg);
+  changed(standing);
+}
+
 MachineState SiteWorld::machine_state(int robot) const {
   const RobotEntry& machine = entry(robot);
-  MachineState state{machine.q, machine.load, std::nullopt};
+  MachineState state{machine.q, machine.load, std::nullopt, machine.turn};
   if (machine.stepping) state.step = machine.step;
   return state;
 }
@@ -89,6 +103,7 @@ void SiteWorld::set_machine_state(int robot, MachineState state) {
   RobotEntry& machine = entry(robot);
   machine.q = std::move(state.q);
   machine.load = std::move(state.load);
+  machine.turn = std::move(state.turn);
   machine.stepping = state.step.has_value();
   if (state.step) machine.step = std::move(*state.step);
   machine.reserved.reset();
@@ -259,6 +274,10 @@ const ReservedVolume& SiteWorld::reserved_volume(const RobotEntry& robot) const 
     const bool is_body = i < machine.bodies.size();
     collision::BodyPtr body =
         is_body ? machine.bodies[i] : (robot.load ? robot.load->body : nullptr);
+    if (body && !is_body && robot.turn) {
+      const math::Pose X_WT = robot::tool_pose(*machine.model, machine.mounting, to);
+      motions[i] = turn_motion(X_WT, robot.turn->X_TO, robot.turn->angle_deg);
+    }
     if (body) parts.push_back({std::move(body), std::move(motions[i]), static_cast<int>(i)});
   }
   robot.reserved =

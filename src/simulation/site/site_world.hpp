@@ -25,11 +25,19 @@ struct MachineStep {
   Ticks end = 0;
 };
 
+/// A load that people are turning about the vertical through the origin of the tool.
+struct LoadTurn {
+  math::Pose X_TO = math::Pose::Identity();  ///< how it hung before
+  double angle_deg = 0;
+  Ticks end = 0;
+};
+
 /// A machine at a moment: where it stands, or will when its step in progress is over.
 struct MachineState {
   std::vector<double> q;
   std::optional<Load> load;
   std::optional<MachineStep> step;
+  std::optional<LoadTurn> turn;
 };
 
 /// Where a component stands, or stood at last.
@@ -79,6 +87,10 @@ class SiteWorld {
   /// The robot makes a step and stands at q (cyclic angles reduced) when it is over; at once where
   /// it takes no time or moves nothing. It takes the place of a step in progress.
   void begin_step(int robot, const interpreter::MotionStep& step, std::vector<double> q);
+
+  /// People turn what hangs on the robot, which stands, until `end`; from now on all that it sweeps
+  /// meanwhile belongs to the robot. At the end it hangs as it was turned.
+  void begin_turn(int robot, double angle_deg, Ticks end);
 
   MachineState machine_state(int robot) const;
   void set_machine_state(int robot, MachineState state);
@@ -142,8 +154,9 @@ class SiteWorld {
     std::vector<double> q;
     std::optional<Load> load;
     bool stepping = false;
-    MachineStep step;           ///< the one in progress, while `stepping`
-    std::uint64_t changes = 0;  ///< of what belongs to it
+    MachineStep step;              ///< the one in progress, while `stepping`
+    std::optional<LoadTurn> turn;  ///< the one in progress
+    std::uint64_t changes = 0;     ///< of what belongs to it
     mutable std::unique_ptr<ReservedVolume>
         reserved;  ///< of what belongs to it now; made when asked for
   };

@@ -58,7 +58,7 @@ void HitRecorder::attempt(const interpreter::Attempt& attempt) {
                           *attempt.hit,
                           way_point_};
     if (hit.pair.machine >= 0 || hit.pair.zone_task >= 0) given_way_.push_back(hit);
-    met_.emplace(hit.pair.machine, hit.pair.machine >= 0 ? std::string() : hit.pair.met);
+    note(hit.pair);
     open_.push_back(hit);
   }
   if (next_) next_->attempt(attempt);

@@ -33,6 +33,10 @@ class HitRecorder : public interpreter::EventSink {
   const std::vector<RecordedHit>& given_way() const { return given_way_; }
   /// All that was met since `forget`, overcome or not: machines by number, other things by name.
   const std::set<std::pair<int, std::string>>& met() const { return met_; }
+  /// Something was met by no attempt of a script.
+  void note(const interpreter::HitPair& pair) {
+    met_.emplace(pair.machine, pair.machine >= 0 ? std::string() : pair.met);
+  }
   void forget() {
     open_.clear();
     given_way_.clear();

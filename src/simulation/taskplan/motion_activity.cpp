@@ -8,6 +8,7 @@
 
 #include "src/simulation/taskplan/goal_holds.hpp"
 #include "src/simulation/taskplan/load_judgement.hpp"
+#include "src/simulation/taskplan/load_turning.hpp"
 #include "src/simulation/taskplan/motion_task.hpp"
 #include "src/simulation/taskplan/reason.hpp"
 
@@ -64,6 +65,12 @@ Step MotionActivity::begin(ActiveTask& task, Stage& stage) {
   if (!lift_of(stage, task.task) && !stage.calendar(task.task).works_at(stage.now())) {
     wait_for_shift(task, stage);
     return Step::pending;
+  }
+  if (purpose == MotionPurpose::carry && spec.adjust && spec.adjust->turning) {
+    if (auto reason = why_not_by_turning(stage, task.task)) {
+      stage.reject(task.task, std::move(*reason));
+      return Step::pending;
+    }
   }
   goals_ = goals_of(stage.plan, spec, purpose, stage.site);
   if (purpose == MotionPurpose::grip) task.X_WO = stage.site.X_WO(*spec.move);

@@ -2,6 +2,17 @@
 
 namespace rubicon::taskplan {
 
+namespace {
+
+/// The way of the task's robot to a frame about whose vertical it may come as it likes.
+site::FreeTurn free_way(const interpreter::TaskSpec& task, const site::SiteWorld& site,
+                        const math::Pose& X_meant) {
+  const site::SiteRobot& robot = site.robot(task.robot);
+  return site::free_turn(*robot.model, robot.mounting, site.configuration(task.robot), X_meant);
+}
+
+}  // namespace
+
 std::vector<interpreter::GoalSpec> goals_of(const interpreter::PlanModel& plan,
                                             const interpreter::TaskSpec& task,
                                             MotionPurpose purpose, const site::SiteWorld& site) {
@@ -20,8 +31,17 @@ std::vector<interpreter::GoalSpec> goals_of(const interpreter::PlanModel& plan,
     // The load hangs as it was taken: where the tool must go follows from that.
     goal.X_WG = task.X_WO_goal * site.load(task.robot)->X_TO.inverse(Eigen::Isometry);
   }
+  // What people turn is taken, and brought, as the machine comes.
+  const bool turned = task.adjust && task.adjust->turning;
+  if (turned && purpose == MotionPurpose::grip) goal.X_WG = free_way(task, site, *goal.X_WG).X_WG;
+  if (turned && purpose == MotionPurpose::carry) goal.X_WG = way_to_goal(task, site).X_WG;
   goals.push_back(goal);
   return goals;
+}
+
+site::FreeTurn way_to_goal(const interpreter::TaskSpec& task, const site::SiteWorld& site) {
+  return free_way(task, site,
+                  task.X_WO_goal * site.load(task.robot)->X_TO.inverse(Eigen::Isometry));
 }
 
 std::vector<std::string> situations_of(const interpreter::PlanModel& plan,

@@ -4,6 +4,7 @@
 
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/machine/machine.hpp"
+#include "src/simulation/site/load_turn.hpp"
 #include "src/simulation/site/site_world.hpp"
 #include "src/simulation/taskplan/schedule.hpp"
 
@@ -14,6 +15,10 @@ namespace rubicon::taskplan {
 std::vector<interpreter::GoalSpec> goals_of(const interpreter::PlanModel& plan,
                                             const interpreter::TaskSpec& task,
                                             MotionPurpose purpose, const site::SiteWorld& site);
+
+/// Where the tool goes with a load that people turn, which hangs: to the place where it is set
+/// down, turned about the vertical as the machine comes there; and how far it is to be turned then.
+site::FreeTurn way_to_goal(const interpreter::TaskSpec& task, const site::SiteWorld& site);
 
 /// The situations that are on during a motion of a task, besides those of the world.
 std::vector<std::string> situations_of(const interpreter::PlanModel& plan,

@@ -25,6 +25,7 @@ Step WorkActivity::begin(ActiveTask& task, Stage& stage) {
 /// For the crew, unless the task has it.
 Step WorkActivity::ask(ActiveTask& task, Stage& stage) {
   const interpreter::WorkSpec& spec = *task.now().work;
+  if (spec.turning && !may_turn(task, stage)) return Step::pending;
   const int queue = work_queue(task, stage);
   if (queue == stage.queue_of(task.task)) return work(task, stage);
   doing_ = Doing::waiting_for_crew;
@@ -47,8 +48,62 @@ Step WorkActivity::resume(ActiveTask& task, Stage& stage) {
     held_back_ = true;
     return ask(task, stage);
   }
+  if (doing_ == Doing::waiting_for_machine) return try_again(task, stage);
+  if (turning_.angle_deg != 0) stage.announce({stage.spec(task.task).robot, -1});
   give_back(task, stage);
   return Step::over;
+}
+
+/// How people can turn the load now; true if they can, or if nobody who is in their way will leave:
+/// then the task is rejected.
+bool WorkActivity::finds_a_turn(ActiveTask& task, Stage& stage) {
+  turning_ = load_turning(stage, task.task);
+  wait_.blockers.clear();
+  for (const interpreter::HitPair& hit : turning_.hits) {
+    task.hits.note(hit);
+    if (hit.machine < 0 && hit.zone_task < 0) continue;
+    const Blocker blocker{hit.machine, hit.zone_task, hit.moved, hit.met};
+    const auto same = [&](const Blocker& other) { return other.same_as(blocker); };
+    if (std::any_of(wait_.blockers.begin(), wait_.blockers.end(), same)) continue;
+    wait_.blockers.push_back(blocker);
+  }
+  if (turning_.hits.empty() || !wait_.blockers.empty()) return wait_.blockers.empty();
+  const int component = stage.site.load(stage.spec(task.task).robot)->component;
+  stage.reject(task.task, text_of_barred(turning_, stage.site.component_name(component)),
+               stage.in_the_way_of(task));
+  return true;
+}
+
+/// Whether people can turn the load now. If not, the task waits for the machines and people in the
+/// way, without its crew, or is rejected where there are none.
+bool WorkActivity::may_turn(ActiveTask& task, Stage& stage) {
+  if (finds_a_turn(task, stage)) return !stage.rejection;
+  doing_ = Doing::waiting_for_machine;
+  wait_.since = stage.now();
+  wait_.others = progress_of(stage, wait_.blockers);
+  stage.begins_to_wait(task.task);
+  if (crew_ >= 0) stage.allocator->release(crew_, task.task, stage.now(), true, 0);
+  crew_ = -1;
+  return false;
+}
+
+/// Those in the way have moved. Where the load can still not be turned, nothing is told of it.
+Step WorkActivity::try_again(ActiveTask& task, Stage& stage) {
+  const schedule::WorkCalendar& calendar = stage.allocator->calendar(work_queue(task, stage));
+  if (!lift_of(stage, task.task) && !calendar.works_at(stage.now())) {
+    stage.events.set(task.task, calendar.next_working(stage.now()));
+    return Step::pending;
+  }
+  const MachineWait before = wait_;
+  if (!finds_a_turn(task, stage) || stage.rejection) return Step::pending;
+  task.account.outcome.waits.machine += stage.now() - before.since;
+  stage.pause(task.task, "machine", before.first_name(stage), before.since);
+  const Blocker& first = before.blockers.front();
+  if (stage.now() > before.since) {
+    stage.links->add_mid_wait(task.task,
+                              {stage.now(), schedule::Held::machine, first.robot, first.zone_task});
+  }
+  return ask(task, stage);
 }
 
 /// The queue with the hours of the work: those of all that the task holds and of the crew that does
@@ -105,6 +160,7 @@ Step WorkActivity::work(ActiveTask& task, Stage& stage) {
     }
     return Step::pending;
   }
+  if (spec.turning && !may_turn(task, stage)) return Step::pending;
   const Ticks duration = interpreter::ticks_from_seconds(spec.duration);
   if (begins) begin_lift(task, stage, held_back_ ? stage.lift_notes.of(task.task) : nullptr);
   const bool whole = lift_of(stage, task.task) != nullptr;
@@ -127,6 +183,15 @@ Step WorkActivity::work(ActiveTask& task, Stage& stage) {
     trace->work(task.now().what,
                 spec.crew < 0 ? "" : stage.plan.crews[static_cast<std::size_t>(spec.crew)].name,
                 stage.now(), finish, duration);
+  }
+  if (turning_.angle_deg != 0) {
+    const int robot = stage.spec(task.task).robot;
+    stage.site.begin_turn(robot, turning_.angle_deg, finish);
+    if (auto* const trace = stage.trace_of(task.task)) {
+      const site::Load& load = *stage.site.load(robot);
+      trace->turn(load.name, turning_.angle_deg, load.X_TO, stage.now(), finish, turning_.refused);
+    }
+    stage.announce({robot, -1});
   }
   stage.events.set(task.task, finish);
   return Step::pending;
@@ -152,17 +217,33 @@ void WorkActivity::give_back(ActiveTask& task, Stage& stage) {
 }
 
 WaitSet WorkActivity::waits(const ActiveTask& task, const Stage& stage) const {
+  if (doing_ == Doing::waiting_for_machine) return wait_.waits(stage);
   WaitSet waits;
   if (doing_ == Doing::waiting_for_crew)
     stage.add_resource(waits, task.task, stage.share_of(task.task, crew_));
   return waits;
 }
 
+std::string WorkActivity::text_of(const ActiveTask& task, const Stage& stage,
+                                  const WaitTarget& target) const {
+  if (doing_ != Doing::waiting_for_machine) return Activity::text_of(task, stage, target);
+  return text_of_way(stage, task.task, wait_.blockers[static_cast<std::size_t>(target.number)]);
+}
+
 std::string WorkActivity::standstill_reason(const ActiveTask&, const Stage& stage) const {
+  if (doing_ == Doing::waiting_for_machine) return wait_.standstill_reason(stage);
   if (doing_ != Doing::waiting_for_crew) return {};
   const int holder = stage.allocator->state(crew_).holder();
   return fmt::format("it never gets {}, which {} holds", stage.allocator->name(crew_),
                      holder >= 0 ? stage.spec(holder).name : std::string("nobody"));
+}
+
+bool WorkActivity::wakes_at(const ActiveTask&, const Stage& stage, const SiteEvent& event) const {
+  return doing_ == Doing::waiting_for_machine && wait_.wakes_at(stage, event);
+}
+
+std::vector<int> WorkActivity::robots_in_the_way() const {
+  return doing_ == Doing::waiting_for_machine ? wait_.robots() : std::vector<int>();
 }
 
 }  // namespace rubicon::taskplan

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "src/simulation/taskplan/activity.hpp"
+#include "src/simulation/taskplan/load_turning.hpp"
+#include "src/simulation/taskplan/machine_wait.hpp"
 #include "src/simulation/taskplan/stage.hpp"
 
 namespace rubicon::taskplan {
@@ -17,7 +19,11 @@ class WorkActivity : public Activity {
   Step resume(ActiveTask& task, Stage& stage) override;
   Step granted(ActiveTask& task, Stage& stage, const ResourceAllocator::Grant& grant) override;
   WaitSet waits(const ActiveTask& task, const Stage& stage) const override;
+  std::string text_of(const ActiveTask& task, const Stage& stage,
+                      const WaitTarget& target) const override;
   std::string standstill_reason(const ActiveTask& task, const Stage& stage) const override;
+  bool wakes_at(const ActiveTask& task, const Stage& stage, const SiteEvent& event) const override;
+  std::vector<int> robots_in_the_way() const override;
   std::unique_ptr<Activity> snapshot() const override {
     return std::make_unique<WorkActivity>(*this);
   }
@@ -27,12 +33,16 @@ class WorkActivity : public Activity {
     working,
     waiting_for_shift,
     waiting_for_crew,
-    waiting_for_lift
+    waiting_for_lift,
+    waiting_for_machine
   };
 
   Step ask(ActiveTask& task, Stage& stage);
   static int work_queue(const ActiveTask& task, Stage& stage);
   Step work(ActiveTask& task, Stage& stage);
+  bool finds_a_turn(ActiveTask& task, Stage& stage);
+  bool may_turn(ActiveTask& task, Stage& stage);
+  Step try_again(ActiveTask& task, Stage& stage);
   void give_back(ActiveTask& task, Stage& stage);
 
   Doing doing_ = Doing::working;
@@ -40,6 +50,8 @@ class WorkActivity : public Activity {
   bool held_back_ = false;  ///< the lift that it begins has waited for a shift into which it fits
   int crew_ = -1;           ///< a crew it has, or asks for, for this work only: a resource
   Ticks crew_since_ = 0;    ///< when it got it
+  LoadTurning turning_;     ///< of work that turns the load
+  MachineWait wait_;        ///< for those in the way of that
 };
 
 }  // namespace rubicon::taskplan

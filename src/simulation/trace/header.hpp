@@ -116,8 +116,9 @@ struct HeaderCrew {
 };
 
 struct HeaderWork {
-  double duration = 0;  ///< s
-  std::string crew;     ///< "": whoever holds the task
+  double duration = 0;   ///< s
+  std::string crew;      ///< "": whoever holds the task
+  bool turning = false;  ///< people turn the load about the vertical
 };
 
 struct HeaderLink {

@@ -184,7 +184,7 @@ HeaderRobot read_robot(const JsonObject& object, const HeaderMeshes& meshes) {
 }
 
 HeaderWork read_work(const JsonObject& object) {
-  return {object.number("duration"), object.text_or_null("crew")};
+  return {object.number("duration"), object.text_or_null("crew"), object.has("turning")};
 }
 
 std::optional<HeaderWork> read_work_if_any(const JsonObject& task, std::string_view name) {

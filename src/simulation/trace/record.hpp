@@ -189,12 +189,22 @@ struct WayPoint {
   int n = 0;
 };
 
+/// People turned a hanging load about the vertical through the tool's origin.
+struct Turn {
+  std::string_view component;
+  double angle_deg = 0;                      ///< counter-clockwise as seen from above
+  math::Pose X_TO = math::Pose::Identity();  ///< how it hangs after it
+  Ticks from = 0;
+  Ticks t = 0;
+  std::optional<Hit> hit;  ///< what the shorter way would have met
+};
+
 /// One record of a trace. Its texts and lists belong to the reader that gave it.
 struct Record {
   /// In the order of RecordKind.
   using What = std::variant<TaskStart, GoalStart, Assignment, LoopStart, LoopEnd, Choice, Attempt,
                             Wait, Work, Pause, Attach, Detach, Removal, MotionEnd, TaskEnd, Stop,
-                            GuidePlan, WayPoint>;
+                            GuidePlan, WayPoint, Turn>;
 
   std::string_view task;
   std::string_view robot;  ///< "": crew work

@@ -184,6 +184,15 @@ struct RecordFields<WayPoint> {
       std::tuple(required<&WayPoint::k>("k"), required<&WayPoint::n>("n"));
 };
 
+template <>
+struct RecordFields<Turn> {
+  static constexpr RecordKind kKind = RecordKind::turn;
+  static constexpr auto kFields =
+      std::tuple(required<&Turn::component>("component"), required<&Turn::angle_deg>("angle"),
+                 required<&Turn::X_TO>("pose"), required<&Turn::from>("from"),
+                 required<&Turn::t>("t"), optional<&Turn::hit>("hit"));
+};
+
 /// What a member is in the text.
 enum class FieldType {
   text,

@@ -202,6 +202,7 @@ void write_work(JsonBuilder& json, const PlanModel& plan, const interpreter::Wor
   } else {
     json.value(std::string_view(plan.crews[static_cast<std::size_t>(work.crew)].name));
   }
+  if (work.turning) json.key("turning").value(std::string_view("theta"));
   json.end_object();
 }
 

@@ -31,6 +31,7 @@ struct TaskEnd;
 struct Stop;
 struct GuidePlan;
 struct WayPoint;
+struct Turn;
 
 /// Reads the first line of a trace. Throws std::invalid_argument, with a message for the user, for
 /// what is none: another format, another version, a member that is missing, there twice or of the

@@ -144,6 +144,14 @@ void TraceWriter::detach(std::string_view component, const math::Pose& X_WO,
   load("detach", component, X_WO, time, overtime);
 }
 
+void TraceWriter::hit(const interpreter::HitPair& pair) {
+  line_ += ",\"hit\":[";
+  append_string(line_, pair.moved);
+  line_ += ',';
+  append_string(line_, pair.met);
+  line_ += ']';
+}
+
 void TraceWriter::span_of_time(interpreter::Ticks from, interpreter::Ticks to) {
   line_ += ",\"from\":";
   append_seconds(line_, from);
@@ -172,6 +180,22 @@ void TraceWriter::work(std::string_view what, std::string_view crew, interpreter
   span_of_time(from, to);
   line_ += ",\"time\":";
   append_seconds(line_, time);
+  finish();
+}
+
+void TraceWriter::turn(std::string_view component, double angle_deg, const math::Pose& X_TO,
+                       interpreter::Ticks from, interpreter::Ticks to,
+                       const std::optional<interpreter::HitPair>& refused) {
+  if (detail_ == TraceDetail::none) return;
+  begin("turn");
+  line_ += ",\"component\":";
+  append_string(line_, component);
+  line_ += ",\"angle\":";
+  append_number(line_, angle_deg);
+  line_ += ",\"pose\":";
+  line_ += JsonBuilder().pose(X_TO).text();
+  span_of_time(from, to);
+  if (refused) hit(*refused);
   finish();
 }
 
@@ -359,11 +383,8 @@ void TraceWriter::attempt(const interpreter::Attempt& attempt) {
   line_ += ",\"reason\":";
   append_string(line_, reason_text(attempt));
   if (attempt.hit != nullptr) {
-    line_ += ",\"hit\":[";
-    append_string(line_, attempt.hit->moved);
-    line_ += ',';
-    append_string(line_, attempt.hit->met);
-    line_ += "],\"step\":[";
+    hit(*attempt.hit);
+    line_ += ",\"step\":[";
     for (std::size_t i = 0; i < attempt.steps.size(); ++i) {
       if (i > 0) line_ += ',';
       append_number(line_, attempt.steps[i]);

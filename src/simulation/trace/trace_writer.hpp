@@ -45,6 +45,11 @@ class TraceWriter : public interpreter::EventSink {
   /// or takes.
   void work(std::string_view what, std::string_view crew, interpreter::Ticks from,
             interpreter::Ticks to, interpreter::Ticks time);
+  /// People turn the load about the vertical from `from` to `to`, after which it hangs at X_TO;
+  /// `refused` is what the shorter way would have met.
+  void turn(std::string_view component, double angle_deg, const math::Pose& X_TO,
+            interpreter::Ticks from, interpreter::Ticks to,
+            const std::optional<interpreter::HitPair>& refused);
   /// The task stood still; `why` is machine, crew, shift, held or lift.
   void pause(std::string_view why, std::string_view whom, interpreter::Ticks from,
              interpreter::Ticks to);
@@ -69,6 +74,7 @@ class TraceWriter : public interpreter::EventSink {
   void span_of_time(interpreter::Ticks from, interpreter::Ticks to);
   void load(const char* type, std::string_view component, const math::Pose& X,
             interpreter::Ticks time, interpreter::Ticks overtime);
+  void hit(const interpreter::HitPair& pair);
   void configuration(std::span<const double> q);
   void configuration_key(int parameter);
   bool steps() const { return detail_ == TraceDetail::steps; }

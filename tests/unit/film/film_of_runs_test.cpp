@@ -168,8 +168,8 @@ std::vector<std::string> as_truth(const std::vector<std::int64_t>& numbers) {
 
 void expect_records(const DecodedFilm& film, const std::vector<ordered_json>& records) {
   const std::vector<std::string> types = {
-      "task_start", "goal",  "set",    "enter",  "exit",   "which", "try",      "wait",
-      "work",       "pause", "attach", "detach", "remove", "end",   "task_end", "stop"};
+      "task_start", "goal",   "set",    "enter",  "exit", "which",    "try",  "wait", "work",
+      "pause",      "attach", "detach", "remove", "end",  "task_end", "stop", "turn"};
   const TraceRuns trace(records);
   ASSERT_EQ(film.columns.at("record.kind").size(), records.size());
   EXPECT_EQ(film.columns.at("record.run"), trace.run_of);

@@ -255,6 +255,7 @@ class Writer {
   void item(const syntax::WorkItem& value) {
     name(value.name), number(value.duration);
     if (value.by) name(*value.by);
+    if (value.turning) name(*value.turning);
   }
   void item(const syntax::ByItem& value) {
     names(value.names);

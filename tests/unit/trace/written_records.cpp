@@ -76,6 +76,7 @@ interpreter::PlanModel rich_plan() {
   plan.tasks.push_back(move_task("set_slab", 0, math::translation(4, 5, 6)));
   interpreter::TaskSpec& task = plan.tasks.back();
   task.hook = interpreter::WorkSpec{240, -1, {}};
+  task.adjust = interpreter::WorkSpec{60, -1, {}, true};
   task.takes = {{60, -1, {}}};
   task.within.length = 0.01;
   task.within.values = {{1, 0.5}};
@@ -133,6 +134,8 @@ std::vector<std::string> written_records() {
   guide.cause = "no way found";
   writer.guide(guide);
   writer.way_point(1, 2);
+  writer.turn("slab", -90, math::translation(1, 2, 3), kSecond, 2 * kSecond,
+              interpreter::HitPair{"slab", "wall"});
   return lines.lines;
 }
 

@@ -3,7 +3,7 @@ import type { Film, Track } from '../film';
 import type { RobotData, ShapeData } from '../header';
 import { Mechanism, poseMatrix, poseRows } from '../kinematics';
 import type { Motion } from '../motion';
-import { Stock } from '../stock';
+import { Stock, turnLeft } from '../stock';
 import { Batch, type Light } from './batch';
 import { cornersOf, expandBy, Shapes } from './shapes';
 
@@ -27,6 +27,13 @@ export interface Machine {
 const margin = 10;
 /** Moments at which it is looked where a machine comes. */
 const wayMarks = 60;
+
+/** Turns a pose (world) about the vertical through the origin of a tool; degrees. */
+function turnAbout(pose: Matrix4, tool: Matrix4, degrees: number): void {
+  const [x, y] = [tool.elements[12], tool.elements[13]];
+  pose.premultiply(new Matrix4().makeTranslation(-x, -y, 0)).premultiply(new Matrix4().makeRotationZ(degrees * Math.PI / 180))
+    .premultiply(new Matrix4().makeTranslation(x, y, 0));
+}
 
 /** The things of the site as they are drawn, and where they are at the moment shown. */
 export class SiteModel {
@@ -133,9 +140,11 @@ export class SiteModel {
       if (!this.loaded.includes(i)) this.components.setPose(i, this.poses[i].copy(this.stock.items[i].pose));
     }
     this.loaded.forEach((component, i) => {
-      const { pose, robot } = this.stock.items[component];
+      const { pose, robot, turn } = this.stock.items[component];
       this.poses[component].copy(pose);
-      if (this.robots[robot]) this.poses[component].premultiply(this.robots[robot].mechanism.tool);
+      const tool = this.robots[robot]?.mechanism.tool;
+      if (tool) this.poses[component].premultiply(tool);
+      if (tool && turn) turnAbout(this.poses[component], tool, -turnLeft(turn, time));
       this.loads?.setPose(i, this.poses[component]);
     });
     return changed;

@@ -149,6 +149,7 @@ SceneWork read_work(const Json& object, const char* what, const Scene& scene) {
   work.what = what;
   work.time = fields.time("duration");
   if (fields.has("crew")) work.crew = index_in(scene.crew_index, fields.text("crew"), "a crew");
+  work.turning = fields.has("turning");
   return work;
 }
 

@@ -75,6 +75,16 @@ struct LoadChange {
   Ticks overtime = 0;                     ///< detach: of the lift, as the trace tells it
 };
 
+/// People turned what hangs on the tool about the vertical through its origin, from `from` to the
+/// record's time.
+struct LoadTurn {
+  int component = -1;
+  double angle_deg = 0;
+  math::Pose X_TO = math::Pose::Identity();  ///< how it hangs after it
+  Ticks from = 0;
+  std::optional<std::pair<std::string, std::string>> hit;  ///< of the shorter way
+};
+
 /// A motion ended.
 struct MotionEnd {
   std::string status;
@@ -101,8 +111,8 @@ struct Record {
   int run = -1;    ///< index into Trace::runs
   int robot = -1;  ///< -1: crew work
   Ticks time = 0;  ///< when it is over
-  std::variant<TaskStart, Goal, Try, Wait, Stop, Work, Pause, LoadChange, MotionEnd, TaskEnd,
-               GuidePlan, WayPoint>
+  std::variant<TaskStart, Goal, Try, Wait, Stop, Work, Pause, LoadChange, LoadTurn, MotionEnd,
+               TaskEnd, GuidePlan, WayPoint>
       what;
 };
 

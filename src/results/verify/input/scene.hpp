@@ -143,7 +143,8 @@ struct SceneLink {
 struct SceneWork {
   std::string what;  ///< hook, adjust, release, takes
   Ticks time = 0;
-  int crew = -1;  ///< -1: whoever holds the task
+  int crew = -1;         ///< -1: whoever holds the task
+  bool turning = false;  ///< people turn the load about the vertical
 };
 
 /// What a motion is to reach: values by parameter, or a pose X_WT.

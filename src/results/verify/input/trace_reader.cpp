@@ -54,6 +54,8 @@ class RecordReader {
       record_.what = Pause{fields_.text("why"), fields_.text_or("for", ""), fields_.time("from")};
     } else if (type == "attach" || type == "detach" || type == "remove") {
       record_.what = read_load_change(type);
+    } else if (type == "turn") {
+      record_.what = read_turn();
     } else if (type == "end") {
       record_.what = read_end();
     } else if (type == "task_end") {
@@ -99,11 +101,7 @@ class RecordReader {
     }
     attempt.q = configuration();
     attempt.reason = fields_.text_or("reason", "");
-    if (fields_.has("hit")) {
-      const Json& pair = fields_.array("hit");
-      if (pair.size() != 2) fields_.fail("two names as 'hit'");
-      attempt.hit.emplace(text_of(pair[0], "what moved"), text_of(pair[1], "what it met"));
-    }
+    attempt.hit = read_hit();
     if (fields_.has("step") && fields_.array("step").size() != attempt.moved.size()) {
       fields_.fail("a number for each parameter as 'step'");
     }
@@ -126,6 +124,25 @@ class RecordReader {
     return plan;
   }
 
+  std::optional<std::pair<std::string, std::string>> read_hit() const {
+    if (!fields_.has("hit")) return std::nullopt;
+    const Json& pair = fields_.array("hit");
+    if (pair.size() != 2) fields_.fail("two names as 'hit'");
+    return std::pair(text_of(pair[0], "what moved"), text_of(pair[1], "what it met"));
+  }
+
+  int component() const {
+    const auto found = scene_.component_index.find(fields_.text("component"));
+    if (found == scene_.component_index.end()) fields_.fail("a component of the header");
+    return found->second;
+  }
+
+  LoadTurn read_turn() const {
+    robot();
+    return {component(), fields_.number("angle"), fields_.pose("pose"), fields_.time("from"),
+            read_hit()};
+  }
+
   Work read_work() const {
     Work work;
     work.what = fields_.text("what");
@@ -145,9 +162,7 @@ class RecordReader {
     change.kind = type == "attach"   ? LoadChange::Kind::attach
                   : type == "detach" ? LoadChange::Kind::detach
                                      : LoadChange::Kind::remove;
-    const auto found = scene_.component_index.find(fields_.text("component"));
-    if (found == scene_.component_index.end()) fields_.fail("a component of the header");
-    change.component = found->second;
+    change.component = component();
     if (change.kind != LoadChange::Kind::remove) {
       robot();
       change.X = fields_.pose("pose");

@@ -75,6 +75,7 @@ class GoalCheck {
         if (!finish(*end)) return;
       } else if (std::holds_alternative<Work>(record_->what) ||
                  std::holds_alternative<LoadChange>(record_->what) ||
+                 std::holds_alternative<LoadTurn>(record_->what) ||
                  std::holds_alternative<TaskEnd>(record_->what)) {
         if (!leave()) return;
       }

@@ -34,6 +34,8 @@ class HitCheck {
         if (change->kind != LoadChange::Kind::remove) {
           load_ = hangs ? trace_.scene.components[at(change->component)].name : "";
         }
+      } else if (const auto* turn = std::get_if<LoadTurn>(&record_->what)) {
+        if (turn->hit) check_names(turn->hit->first, turn->hit->second);
       } else if (const auto* end = std::get_if<MotionEnd>(&record_->what)) {
         check(*end);
       }

@@ -46,6 +46,12 @@ class ContactCheck {
  private:
   const Leg& leg(int robot, std::size_t index) const { return tracks_[at(robot)].legs[index]; }
 
+  /// Whether anything of the robot moves.
+  bool moves(int robot, const Leg& leg) const {
+    return leg.moves() ||
+           (leg.hanging >= 0 && tracks_[at(robot)].loads[at(leg.hanging)].turn_deg != 0);
+  }
+
   /// A robot's bodies, and last what hangs on its tool.
   std::vector<RobotPart> parts_of(int robot, const Leg& leg) const {
     const RobotParts& machine = site_.robots[at(robot)];
@@ -54,9 +60,9 @@ class ContactCheck {
     const Hanging& load = tracks_[at(robot)].loads[at(leg.hanging)];
     const auto& solid = load.component < 0 ? site_.carry : site_.components[at(load.component)];
     if (!solid) return parts;
-    parts.push_back(
-        {solid.get(), machine.mechanism->tool(), load.X_TO,
-         load.component < 0 ? "load" : trace_.scene.components[at(load.component)].name});
+    parts.push_back({solid.get(), machine.mechanism->tool(), load.X_TO,
+                     load.component < 0 ? "load" : trace_.scene.components[at(load.component)].name,
+                     nullptr, load.turn_deg});
     return parts;
   }
 
@@ -79,7 +85,7 @@ class ContactCheck {
         if (reach > 0) check_obstacles(robot, frames, part, box);
       }
       boxes.push_back(whole);
-      if (!each.moves()) continue;
+      if (!moves(robot, each)) continue;
       ++counts_.steps;
       check_own_pairs(robot, frames, parts);
     }
@@ -162,7 +168,7 @@ class ContactCheck {
     for (std::size_t i = 0; i < legs_a.size(); ++i) {
       while (first < legs_b.size() && legs_b[first].to < legs_a[i].from) ++first;
       for (std::size_t j = first; j < legs_b.size() && legs_b[j].from <= legs_a[i].to; ++j) {
-        if (!legs_a[i].moves() && !legs_b[j].moves()) continue;
+        if (!moves(a, legs_a[i]) && !moves(b, legs_b[j])) continue;
         if (!leg_boxes_[at(a)][i].meets(leg_boxes_[at(b)][j])) continue;
         check_legs(a, legs_a[i], b, legs_b[j]);
       }
@@ -176,7 +182,7 @@ class ContactCheck {
     const LegFrames frames_a(*site_.robots[at(a)].mechanism, leg_a);
     const LegFrames frames_b(*site_.robots[at(b)].mechanism, leg_b);
     // The one who began later is the one who should not have.
-    const bool b_is_later = leg_b.moves() && (!leg_a.moves() || leg_b.from > leg_a.from);
+    const bool b_is_later = moves(b, leg_b) && (!moves(a, leg_a) || leg_b.from > leg_a.from);
     for (const RobotPart& part_a : parts_of(a, leg_a)) {
       for (const RobotPart& part_b : parts_of(b, leg_b)) {
         const LegPart motion_a(frames_a, part_a, -1, a0, a1);

@@ -1,6 +1,9 @@
 #include "src/results/verify/replay/leg_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "src/motion/math/angles.hpp"
 
 namespace rubicon::verify {
 
@@ -19,13 +22,36 @@ const MechanismState& LegFrames::state(double s0, double s1) const {
   return place->second = mechanism_.state(from, to);
 }
 
+Pose turned_about_vertical(const Pose& X_W, const Vec3& point_W, double angle_deg) {
+  const Pose R = math::rotation_z_deg(angle_deg);
+  Pose X = R * X_W;
+  X.translation() = point_W + R.linear() * (X_W.translation() - point_W);
+  return X;
+}
+
 PartState LegPart::state(double u0, double u1) const {
   const MechanismState& frames = frames_.state(s0_ + u0 * (s1_ - s0_), s0_ + u1 * (s1_ - s0_));
+  if (part_.turn_deg != 0) return turned_state(frames, u0, u1);
   if (part_.rope != nullptr) return rope_state(frames);
   PartState part;
   part.X_WS = frames.X_WB[static_cast<std::size_t>(part_.frame)] * part_.X_FS;
   part.reach = frames_.mechanism().reach(frames, part_.frame, base_,
                                          part.X_WS * part_.solid->centre, part_.solid->radius);
+  return part;
+}
+
+/// The robot stands. A point at r from the vertical goes at most r times half the angle (rad) from
+/// where it is at the middle.
+PartState LegPart::turned_state(const MechanismState& frames, double u0, double u1) const {
+  const double s0 = s0_ + u0 * (s1_ - s0_), s1 = s0_ + u1 * (s1_ - s0_);
+  const Pose& X_WT = frames.X_WB[static_cast<std::size_t>(part_.frame)];
+  PartState part;
+  part.X_WS = turned_about_vertical(X_WT * part_.X_FS, X_WT.translation(),
+                                    part_.turn_deg * (s0 + (s1 - s0) / 2));
+  const Vec3 centre = part.X_WS * part_.solid->centre - X_WT.translation();
+  const double r = std::sqrt(centre.x() * centre.x() + centre.y() * centre.y());
+  part.reach.rest =
+      (r + part_.solid->radius) * std::fabs(math::radians(part_.turn_deg * (s1 - s0))) / 2;
   return part;
 }
 

@@ -33,7 +33,11 @@ struct RobotPart {
   Pose X_FS = Pose::Identity();
   std::string name;
   const SceneRope* rope = nullptr;
+  double turn_deg = 0;  ///< of a load that people turn meanwhile about the vertical
 };
+
+/// A pose turned about the vertical through a point (world).
+Pose turned_about_vertical(const Pose& X_W, const Vec3& point_W, double angle_deg);
 
 /// A robot's part while a leg runs from the share s0 to s1, seen from the frame `base` (-1: the
 /// world).
@@ -47,6 +51,7 @@ class LegPart : public PartMotion {
 
  private:
   PartState rope_state(const MechanismState& frames) const;
+  PartState turned_state(const MechanismState& frames, double u0, double u1) const;
 
   const LegFrames& frames_;
   const RobotPart& part_;

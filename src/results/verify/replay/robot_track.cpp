@@ -8,6 +8,7 @@
 
 #include "src/motion/math/turns.hpp"
 #include "src/results/verify/geometry/pose_miss.hpp"
+#include "src/results/verify/replay/leg_motion.hpp"
 #include "src/results/verify/replay/step_rules.hpp"
 
 namespace rubicon::verify {
@@ -44,7 +45,7 @@ class TrackBuilder {
         faults_(faults),
         q_(start_values(robot_)) {
     if (robot == 0 && !trace.scene.carry.empty()) {
-      track_.loads.push_back({-1, Pose::Identity()});
+      track_.loads.push_back({-1, Pose::Identity(), 0});
       hanging_ = 0;
     }
   }
@@ -201,14 +202,40 @@ class TrackBuilder {
     stand_until(record_->time);
     if (change.kind == LoadChange::Kind::attach) {
       if (hanging_ >= 0) fault(FaultKind::load, "it takes something and carries something already");
-      hanging_ = static_cast<int>(track_.loads.size());
-      track_.loads.push_back({change.component, change.X});
+      hang({change.component, change.X, 0});
       check_weight();
     } else {
       event.hung = hanging_;
       hanging_ = -1;
     }
     loads_.push_back(event);
+  }
+
+  void follow(const LoadTurn& turn) {
+    if (hanging_ < 0) {
+      fault(FaultKind::load, "people turn what does not hang there");
+      return;
+    }
+    if (!(std::fabs(turn.angle_deg) < math::kTurn_deg) || turn.angle_deg == 0) {
+      fault(FaultKind::load, fmt::format("a turn by {:g} degrees", turn.angle_deg));
+    }
+    stand_until(turn.from);
+    const Hanging before = track_.loads[at(hanging_)];
+    hang({before.component, before.X_TO, turn.angle_deg});
+    const Pose X_WT = mechanism_.pose(mechanism_.tool(), q_);
+    const Pose X_WO = turned_about_vertical(X_WT * before.X_TO, X_WT.translation(), turn.angle_deg);
+    const PoseMiss off = pose_miss(X_WT * turn.X_TO, X_WO);
+    if (!off.within(kSamePose)) {
+      fault(FaultKind::load, fmt::format("turned by {:g} degrees it hangs {} from where it is told",
+                                         turn.angle_deg, text_of(off)));
+    }
+    stand_until(record_->time);
+    hang({before.component, turn.X_TO, 0});
+  }
+
+  void hang(const Hanging& load) {
+    hanging_ = static_cast<int>(track_.loads.size());
+    track_.loads.push_back(load);
   }
 
   void expect_values(const std::vector<double>& q, const char* where) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 namespace rubicon::verify {
@@ -115,6 +116,7 @@ class PhaseCheck {
 
   bool follow(const MotionEnd& end) {
     if (!in_motion("the end of a motion")) return false;
+    turning_.reset();
     ++ends_;
     last_end_ = &end;
     return true;
@@ -149,9 +151,27 @@ class PhaseCheck {
     if (phase->work.what != work.what) {
       fault(fmt::format("expected the work '{}', found '{}'", phase->work.what, work.what));
     }
+    turning_ = {work.from, record_->time};
     if (phase->work.crew != work.crew) fault("the work is not done by the crew of the plan");
     if (std::llabs(phase->work.time - work.time) > kTimeSlack) {
       fault("the work does not take as long as planned");
+    }
+    return true;
+  }
+
+  /// Part of the adjusting that turns, and as long.
+  bool follow(const LoadTurn& turn) {
+    const bool after_work = next_ > 0 && next_ <= phases_.size() && turning_;
+    if (!after_work || !phases_[next_ - 1].work.turning || turned_ == next_) {
+      fault("a load is turned where the plan turns none");
+      return false;
+    }
+    turned_ = next_;
+    if (turn.from != turning_->first || record_->time != turning_->second) {
+      fault("the load is not turned while it is adjusted");
+    }
+    if (turn.component != trace_.scene.tasks[at(run_.task)].move) {
+      fault("what is turned is not what the task moves");
     }
     return true;
   }
@@ -186,6 +206,8 @@ class PhaseCheck {
   std::size_t next_ = 0;
   std::size_t ends_ = 0;  ///< of the motions that are under way
   const MotionEnd* last_end_ = nullptr;
+  std::optional<std::pair<Ticks, Ticks>> turning_;  ///< from when to when the last work lasted
+  std::size_t turned_ = 0;                          ///< the phase after that in which it was turned
   const Record* record_ = nullptr;
 };
 
