@@ -33,6 +33,9 @@ struct guide_end : sor<clause_semicolon, guide_block> {};
 struct guide_declared : if_must<guide_kind, guide_end> {};
 struct guide_declaration : if_must<guide_key, guide_name, guide_declared> {};
 
+// How far the tool may be beside a straight way: of a robot, and of a motion.
+struct deviation_key : token<word<TAO_PEGTL_STRING("deviation")>> {};
+
 // The guides of a task: a list of their names.
 struct used_guide : indexed_name {};
 struct next_guide : indexed_name {};

@@ -113,6 +113,7 @@ RUBICON_EXPECT(rope_to_key, "'to' and the body that the rope goes to");
 RUBICON_EXPECT(rope_end, "the name of a body");
 RUBICON_EXPECT(rope_number, "a number");
 RUBICON_EXPECT(rope_comma, "',' and a number");
+RUBICON_EXPECT(deviation_number, "a length, then an angle if you like");
 RUBICON_EXPECT(behaviour_source, "the name of a file in quotes or '{' after behaviour");
 RUBICON_EXPECT(guide_name, "a name after guide");
 RUBICON_EXPECT(guide_declared, "the kind of the guide, such as rrt_connect");
@@ -131,7 +132,7 @@ RUBICON_EXPECT(used_guide, "the name of a guide");
 RUBICON_EXPECT(next_guide, "the name of a guide");
 RUBICON_EXPECT(plan_guide_end, "the kind of the guide, such as rrt_connect, or ';'");
 RUBICON_EXPECT(robot_item, "robot", Explain::item,
-               "time_step sensor body tool const touching capacity rope guide behaviour");
+               "time_step sensor body tool const touching capacity rope deviation guide behaviour");
 RUBICON_EXPECT(robot_key, "'robot' at the start of a robot file");
 RUBICON_EXPECT(robot_name, "a name after robot");
 RUBICON_EXPECT(text_finished, "the end of the file after the '}' of the robot");
@@ -223,12 +224,19 @@ RUBICON_EXPECT(to_key, "'to' and a frame");
 RUBICON_EXPECT(removed_component, "the name of a component");
 RUBICON_EXPECT(work_crew, "the name of a crew");
 RUBICON_EXPECT(turned_parameter, "'theta', the turn about the vertical");
+RUBICON_EXPECT(goal_with_values, "a parameter and its value");
+RUBICON_EXPECT(free_turn, "rotx, roty or rotz");
+RUBICON_EXPECT(near_values, "a parameter and its value");
+RUBICON_EXPECT(entering_body, "the body of the tool");
+RUBICON_EXPECT(entered_component, "the name of a component");
+RUBICON_EXPECT(locked_parameter, "the name of a control parameter");
+RUBICON_EXPECT(deviation_quantity, "a length, then an angle if you like");
 RUBICON_EXPECT(moment, "a date and time in quotes, or a duration after the plan begins");
 RUBICON_EXPECT(baseline_to, "'to' and the end of the baseline");
-RUBICON_EXPECT(
-    task_part, "task", Explain::item,
-    "by needs move go remove hook adjust release takes via guide situation within budget "
-    "priority not_before due baseline zone after name group attribute for when whole");
+RUBICON_EXPECT(task_part, "task", Explain::item,
+               "by needs move go remove hook adjust release takes via guide situation within free "
+               "near lock enter deviation budget "
+               "priority not_before due baseline zone after name group attribute for when whole");
 RUBICON_EXPECT(task_name, "a name after task");
 RUBICON_EXPECT(module_part, "module", Explain::item, "component task touching within for when");
 RUBICON_EXPECT(module_name, "a name after module");
@@ -246,7 +254,9 @@ RUBICON_EXPECT(short_start_values, "a parameter and its value");
 RUBICON_EXPECT(
     plan_item, "plan", Explain::item,
     "component robot crew pool overhead task module place import site contact budget start_at "
-    "currency calendar situation start goal via carry within touching guide "
+    "currency calendar situation start goal via carry within free near lock enter deviation "
+    "touching "
+    "guide "
     "parameter for when whole support");
 RUBICON_EXPECT(plan_file_key, "'plan' at the start of a plan");
 RUBICON_EXPECT(plan_name, "a name after plan");

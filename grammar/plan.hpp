@@ -15,7 +15,9 @@ struct values : seq<named_value, star<if_must<comma, named_value>>> {};
 
 struct goal_frame : frame {};
 struct goal_values : values {};
-struct goal : sor<if_must<at_key, goal_frame>, goal_values> {};
+struct goal_with_values : values {};
+struct goal : sor<if_must<at_key, goal_frame, opt<if_must<comma, goal_with_values>>>, goal_values> {
+};
 
 struct duration : quantity {};
 struct link_name : qualified_indexed_name {};
@@ -283,6 +285,26 @@ struct takes_key : token<word<TAO_PEGTL_STRING("takes")>> {};
 struct takes_item : if_must<takes_key, duration, plan_semicolon> {};
 struct via_key : token<word<TAO_PEGTL_STRING("via")>> {};
 struct via_item : if_must<via_key, goal, plan_semicolon> {};
+// What a motion asks beside its goals.
+struct free_key : token<word<TAO_PEGTL_STRING("free")>> {};
+struct free_turn : name {};
+struct near_key : token<word<TAO_PEGTL_STRING("near")>> {};
+struct near_values : values {};
+struct lock_key : token<word<TAO_PEGTL_STRING("lock")>> {};
+struct locked_parameter : qualified_name {};
+struct deviation_quantity : quantity {};
+struct enter_key : token<word<TAO_PEGTL_STRING("enter")>> {};
+struct entering_body : name {};
+struct entered_component : qualified_indexed_name {};
+struct enter_clause : if_must<enter_key, entering_body, entered_component> {};
+struct free_clause : if_must<free_key, free_turn, star<if_must<comma, free_turn>>> {};
+struct near_clause : if_must<near_key, near_values> {};
+struct lock_clause : if_must<lock_key, locked_parameter, star<if_must<comma, locked_parameter>>> {};
+struct deviation_clause
+    : if_must<deviation_key, deviation_quantity, opt<if_must<comma, deviation_quantity>>> {};
+struct motion_clause
+    : seq<sor<free_clause, near_clause, lock_clause, deviation_clause, enter_clause>,
+          must<plan_semicolon>> {};
 struct task_number_key
     : token<sor<word<TAO_PEGTL_STRING("budget")>, word<TAO_PEGTL_STRING("priority")>>> {};
 struct task_number_item : if_must<task_number_key, number_value, plan_semicolon> {};
@@ -302,10 +324,10 @@ struct task_parts;
 struct task_repetition : if_must<for_head, block_open, task_parts, block_close> {};
 struct task_choice : if_must<given_head, block_open, task_parts, block_close> {};
 struct task_block : sor<task_repetition, task_choice> {};
-struct task_part
-    : sor<task_block, by_item, needs_item, move_item, go_item, remove_item, crew_work_item,
-          takes_item, via_item, guide_use, situation_item, within_item, task_number_item, date_item,
-          zone_item, after_item, task_attribute, group_item, free_attribute, whole_item> {};
+struct task_part : sor<task_block, by_item, needs_item, move_item, go_item, remove_item,
+                       crew_work_item, takes_item, via_item, guide_use, situation_item, within_item,
+                       motion_clause, task_number_item, date_item, zone_item, after_item,
+                       task_attribute, group_item, free_attribute, whole_item> {};
 struct whole_task_part : must<task_part> {};
 struct task_parts : nested<star<not_at<block_end>, recover<whole_task_part, item_end>>> {};
 struct task_key : token<word<TAO_PEGTL_STRING("task")>> {};
@@ -397,7 +419,7 @@ struct plan_item
     : sor<plan_block, parameter_item, component_item, robot_use, crew_item, pool_item,
           overhead_item, task_item, module_item, place_item, import_item, waiver, site_item,
           number_item, text_item, calendar_item, situation_item, short_start, short_goal, via_item,
-          carry_item, within_item, whole_item, support_item, plan_guide> {};
+          carry_item, within_item, motion_clause, whole_item, support_item, plan_guide> {};
 struct whole_plan_item : must<plan_item> {};
 struct plan_items : nested<star<not_at<block_end>, recover<whole_plan_item, item_end>>> {};
 struct plan_file_key : token<word<TAO_PEGTL_STRING("plan")>> {};

@@ -25,6 +25,9 @@ struct ScriptContext {
 /// The behaviour that every robot has: the next step of the leg to the way point.
 inline constexpr const char* kFollow = "follow";
 
+/// The behaviour that every robot has: the next step of the straight way of its tool.
+inline constexpr const char* kLine = "line";
+
 /// Situations every plan may meet without naming them.
 inline constexpr const char* kBuiltInSituations[] = {"transport", "place", "via", "safety",
                                                      "guided"};

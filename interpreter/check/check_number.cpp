@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
+
 namespace rubicon::interpreter {
 
 using syntax::UnitKind;
@@ -47,6 +49,33 @@ bool check_unit(const syntax::Number& number, UnitKind wanted, std::string_view 
           : fmt::format("{} needs {}, but '{}' is {}", what, unit_kind_text(wanted),
                         number.unit_text, syntax::dimension_text(number.dimension)));
   return false;
+}
+
+std::optional<robot::LineDeviation> resolve_deviation(const syntax::MotionClause& clause,
+                                                      const char* code, Diagnostics& diagnostics) {
+  struct Bounds {
+    UnitKind unit;
+    double least, most;
+    const char* text;
+  };
+  static constexpr Bounds kBounds[] = {{UnitKind::length, 1e-5, 1, "0.01 mm and 1 m"},
+                                       {UnitKind::angle, 1e-3, 10, "0.001 and 10 degrees"}};
+  robot::LineDeviation deviation;
+  double* const values[] = {&deviation.position, &deviation.orientation_deg};
+  if (clause.numbers.empty() || clause.numbers.size() > std::size(kBounds)) return std::nullopt;
+  for (std::size_t i = 0; i < clause.numbers.size(); ++i) {
+    const syntax::Number& number = clause.numbers[i];
+    const Bounds& bounds = kBounds[i];
+    if (!check_unit(number, bounds.unit, "deviation", diagnostics)) return std::nullopt;
+    if (!(number.value >= bounds.least && number.value <= bounds.most)) {
+      diagnostics.error(
+          code, number.span,
+          fmt::format("deviation must be between {}, found {}", bounds.text, number.value));
+      return std::nullopt;
+    }
+    *values[i] = number.value;
+  }
+  return deviation;
 }
 
 }  // namespace rubicon::interpreter

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "interpreter/syntax/diagnostic.hpp"
 #include "interpreter/syntax/syntax.hpp"
+#include "src/motion/robot/goal_clauses.hpp"
 
 namespace rubicon::interpreter {
 
@@ -26,5 +28,10 @@ std::string_view unit_kind_text(syntax::UnitKind kind);
 /// names it in the message ("step(...) of 'x'").
 bool check_unit(const syntax::Number& number, syntax::UnitKind wanted, std::string_view what,
                 Diagnostics& diagnostics);
+
+/// How far the tool of a robot may be beside a straight way; the angle is the default where it is
+/// not given. F09, or `code` where it is out of bounds; nothing then.
+std::optional<robot::LineDeviation> resolve_deviation(const syntax::MotionClause& clause,
+                                                      const char* code, Diagnostics& diagnostics);
 
 }  // namespace rubicon::interpreter

@@ -32,6 +32,9 @@ FormMark mark_of(const syntax::PlanItem& item) {
   if (const auto* guide = std::get_if<syntax::GuideItem>(&item)) {
     return {Form::brief, "the guide of a motion", guide->span};
   }
+  if (const auto* clause = std::get_if<syntax::MotionClause>(&item)) {
+    return {Form::brief, "a clause of a motion", clause->span};
+  }
   if (const auto* carry = std::get_if<syntax::CarryItem>(&item)) {
     return {Form::brief, "carry", carry->span};
   }

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -200,7 +201,7 @@ std::optional<int> find_task(Subject& subject, const Scope& scope,
 std::optional<int> find_component(Subject& subject, const Scope& scope,
                                   const syntax::QualifiedName& name);
 
-enum class ValueUse { start, via, goal, park, within };
+enum class ValueUse { start, via, goal, park, within, near };
 
 /// Parameter values of a robot (null or unusable: nothing is said). P12-P14, P09, F09.
 std::vector<std::pair<int, double>> resolve_values(Subject& subject, const RobotSpec* robot,
@@ -210,6 +211,19 @@ std::vector<std::pair<int, double>> resolve_values(Subject& subject, const Robot
 /// `span` where a given derived one differs.
 void set_starts(Subject& subject, RobotSpec& robot,
                 const std::vector<std::pair<int, double>>& values, Span span);
+
+/// The control parameter of a robot that a name means; nothing after P12.
+std::optional<int> find_parameter(Subject& subject, const RobotSpec& robot,
+                                  const syntax::QualifiedName& name);
+
+/// Adds what a clause says: P02, P09, P47, P48.
+void resolve_clause(Subject& subject, const Scope& scope, const RobotSpec* robot,
+                    const syntax::MotionClause& clause, MotionClauses& clauses);
+
+/// Whether the clauses suit each other and the goals; `given`: where each stands. P47.
+void check_clauses(Subject& subject, const RobotSpec* robot, const MotionClauses& clauses,
+                   std::span<const GoalSpec> goals, bool moves_component,
+                   const std::map<std::string, Span>& given);
 
 /// A goal or way point; frames are relative to `X_WP`.
 GoalSpec resolve_goal(Subject& subject, const RobotSpec* robot, const syntax::Goal& goal,

@@ -21,6 +21,7 @@ void check_short_form(Subject& subject) {
     if (robot != nullptr) set_starts(subject, *robot, values, item->span);
   }
   const syntax::GuideItem* guides = nullptr;
+  std::map<std::string, Span> clauses;
   for (const syntax::PlanItem& each : subject.plan.items) {
     if (const auto* goal = std::get_if<syntax::GoalItem>(&each)) {
       GoalSpec spec =
@@ -39,10 +40,20 @@ void check_short_form(Subject& subject) {
       }
       guides = guide;
       model.guides = resolve_guides(subject, robot, *guide);
+    } else if (const auto* clause = std::get_if<syntax::MotionClause>(&each)) {
+      const auto [place, is_new] = clauses.emplace(clause->key.text, clause->span);
+      if (!is_new && clause->key.text != "enter") {
+        subject.twice(clause->span, clause->key.text + " is given twice", place->second);
+        continue;
+      }
+      resolve_clause(subject, {}, robot, *clause, model.clauses);
     } else if (const auto* within = std::get_if<syntax::WithinItem>(&each)) {
       resolve_within(subject, robot, *within, model.within);
     }
   }
+  std::vector<GoalSpec> goals = model.via;
+  if (model.goal) goals.push_back(*model.goal);
+  check_clauses(subject, robot, model.clauses, goals, false, clauses);
 }
 
 }  // namespace rubicon::interpreter::plan_check

@@ -43,6 +43,9 @@ class TaskChecker {
     for (const syntax::TaskPart& part : item_.parts) {
       if (const auto* needs = std::get_if<syntax::NeedsItem>(&part)) check_needs(*needs);
     }
+    std::vector<GoalSpec> goals = task_.via;
+    if (task_.go) goals.push_back(*task_.go);
+    check_clauses(subject_, robot(), task_.clauses, goals, move_ != nullptr, given_);
     check_robot();
   }
 
@@ -373,6 +376,12 @@ class TaskChecker {
   void check_part(const syntax::WithinItem& item) {
     needs_motion(item.span, "within");
     resolve_within(subject_, robot(), item, task_.within);
+  }
+
+  void check_part(const syntax::MotionClause& clause) {
+    needs_motion(clause.span, clause.key.text.c_str());
+    if (clause.key.text != "enter") once(clause.key.text, clause.span);
+    resolve_clause(subject_, scope_, robot(), clause, task_.clauses);
   }
 
   void check_part(const syntax::NumberItem& item) {

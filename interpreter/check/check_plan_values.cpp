@@ -30,6 +30,8 @@ const char* use_text(ValueUse use) {
       return "park";
     case ValueUse::within:
       return "within";
+    case ValueUse::near:
+      return "near";
   }
   return "";
 }
@@ -65,7 +67,6 @@ class ValueChecker {
     return std::pair{*index, value.value.value};
   }
 
- private:
   std::optional<int> find(const syntax::QualifiedName& name) {
     const int index = resolve_parameter(model_, -1, name);
     if (index >= 0) return index;
@@ -86,6 +87,7 @@ class ValueChecker {
     return std::nullopt;
   }
 
+ private:
   bool check_range(const robot::Parameter& parameter, const syntax::NamedValue& value) {
     const double v = value.value.value;
     if (!(std::fabs(v) <= kMaxLength)) {
@@ -151,15 +153,19 @@ std::vector<std::pair<int, double>> resolve_values(Subject& subject, const Robot
   return result;
 }
 
+std::optional<int> find_parameter(Subject& subject, const RobotSpec& robot,
+                                  const syntax::QualifiedName& name) {
+  return ValueChecker(subject, robot, ValueUse::goal).find(name);
+}
+
 GoalSpec resolve_goal(Subject& subject, const RobotSpec* robot, const syntax::Goal& goal,
                       ValueUse use, const math::Pose& X_WP) {
   GoalSpec result;
   result.span = goal.span;
   if (goal.at) {
     result.X_WG = X_WP * resolve_frame_or_identity(subject, *goal.at);
-  } else {
-    result.values = resolve_values(subject, robot, goal.values, use);
   }
+  result.values = resolve_values(subject, robot, goal.values, use);
   return result;
 }
 

@@ -66,6 +66,7 @@ std::shared_ptr<const CheckedRobot> check_robot(FileId file, SourceMap& sources,
 
   robot_check::Subject subject{robot, checked->model, diagnostics};
   robot_check::check_settings(subject);
+  robot_check::check_deviation(subject);
   robot_check::check_constants(subject);
   robot_check::declare_bodies(subject);
   robot_check::check_attributes(subject);

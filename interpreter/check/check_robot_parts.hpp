@@ -75,6 +75,9 @@ int find_body(Subject& subject, const syntax::Name& name, const char* who);
 /// time_step and sensor: R01, R03, R07, F09.
 void check_settings(Subject& subject);
 
+/// How far the tool may be beside a straight way: R02, R07.
+void check_deviation(Subject& subject);
+
 /// Folds all constants: R02, R03, R16.
 void check_constants(Subject& subject);
 

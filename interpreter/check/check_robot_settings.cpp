@@ -94,7 +94,7 @@ void check_settings(Subject& subject) {
                                               return std::vector<std::string>{
                                                   "time_step", "sensor",   "body",     "tool",
                                                   "const",     "touching", "capacity", "rope",
-                                                  "guide",     "behaviour"};
+                                                  "deviation", "guide",    "behaviour"};
                                             })));
     } else if (!is_new) {
       subject.twice(item->name.span, fmt::format("{} is given twice", item->name.text),
@@ -104,6 +104,21 @@ void check_settings(Subject& subject) {
     } else {
       check_sensor(subject, *item);
     }
+  }
+}
+
+void check_deviation(Subject& subject) {
+  const syntax::MotionClause* given = nullptr;
+  for (const syntax::RobotItem& each : subject.robot.items) {
+    const auto* item = std::get_if<syntax::MotionClause>(&each);
+    if (item == nullptr) continue;
+    if (given != nullptr) {
+      subject.twice(item->span, "deviation is given twice", given->span);
+      continue;
+    }
+    given = item;
+    const auto deviation = resolve_deviation(*item, "R07", subject.diagnostics);
+    if (deviation) subject.model.deviation = *deviation;
   }
 }
 

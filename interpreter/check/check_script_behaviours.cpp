@@ -4,6 +4,7 @@
 #include "interpreter/check/check_script_parts.hpp"
 #include "interpreter/functions/function_table.hpp"
 #include "src/motion/guides/leg.hpp"
+#include "src/motion/robot/tool_line.hpp"
 
 namespace rubicon::interpreter::script_check {
 
@@ -40,10 +41,12 @@ class BehaviourChecker {
                              "choose another name");
     }
     const auto [place, is_new] = result_.index.emplace(name.text, i);
-    if (is_new && name.text == kFollow) {
-      diagnostics_.warning("W10", name.span,
-                           "this behaviour hides the one that every robot has: follow, the next "
-                           "step of the leg");
+    if (is_new && (name.text == kFollow || name.text == kLine)) {
+      diagnostics_.warning(
+          "W10", name.span,
+          "this behaviour hides the one that every robot has: " +
+              std::string(name.text == kFollow ? "follow, the next step of the leg"
+                                               : "line, the next step of the tool's straight way"));
     }
     if (is_new) return;
     Diagnostic twice;
@@ -80,8 +83,8 @@ class BehaviourChecker {
     }
     const auto& bodies = context_.body_behaviours;
     if (std::find(bodies.begin(), bodies.end(), name) != bodies.end()) return;
-    if (name == kFollow) {
-      check_follow(statement);
+    if (name == kFollow || name == kLine) {
+      check_built_in(statement, name);
       return;
     }
     if (find_function(name) != nullptr) {
@@ -102,6 +105,7 @@ class BehaviourChecker {
         std::vector<std::string> candidates = bodies;
         for (const auto& each : script_.behaviours) candidates.push_back(each.name.text);
         candidates.emplace_back(kFollow);
+        candidates.emplace_back(kLine);
         return candidates;
       });
       if (!near.empty()) message += "; did you mean " + near + "?";
@@ -109,15 +113,18 @@ class BehaviourChecker {
     diagnostics_.error("S05", statement.keyword, std::move(message));
   }
 
-  /// `follow`, which every robot has whose rules allow legs.
-  void check_follow(const Statement& statement) {
+  /// `follow`, which every robot has whose rules allow legs, and `line`.
+  void check_built_in(const Statement& statement, const std::string& name) {
     if (context_.robot == nullptr) return;
     robot::Mounting mounting;
     mounting.starts = context_.robot->start_values();
-    const guides::Leg leg(*context_.robot, mounting);
-    if (leg.refusal().empty()) return;
+    const std::string refusal = name == kFollow
+                                    ? guides::Leg(*context_.robot, mounting).refusal()
+                                    : robot::ToolLine(*context_.robot, mounting, {}, {}).refusal();
+    if (refusal.empty()) return;
     diagnostics_.error("S16", statement.keyword,
-                       "robot '" + context_.robot->name + "' cannot follow: " + leg.refusal(),
+                       "robot '" + context_.robot->name + "' cannot " +
+                           (name == kFollow ? "follow: " : "keep to a line: ") + refusal,
                        "write its steps with move_to");
   }
 

@@ -21,7 +21,7 @@ namespace rubicon::interpreter {
 /// A goal as a plan gives it: parameter values (file units), or a frame for the tool in the world.
 struct GoalSpec {
   std::vector<std::pair<int, double>> values;  ///< parameter index, value
-  std::optional<math::Pose> X_WG;
+  std::optional<math::Pose> X_WG;              ///< with values both hold
   Span span;
 };
 
@@ -30,6 +30,13 @@ struct GoalSpec {
 struct Within {
   double length = -1;                          ///< m
   std::vector<std::pair<int, double>> values;  ///< per parameter (file units)
+};
+
+/// What a motion asks beside its goals.
+struct MotionClauses : robot::GoalClauses {
+  std::optional<robot::LineDeviation> deviation = {};  ///< of `line`; nothing: the robot's
+  /// Bodies of the robot and components that they may cut into.
+  std::vector<std::pair<int, int>> entered = {};
 };
 
 /// A calendar and where its name stands.
@@ -159,6 +166,7 @@ struct TaskSpec {
   std::vector<guides::GuideSpec> guides;  ///< of its motions, tried in this order
   std::vector<std::string> situations;
   Within within;
+  MotionClauses clauses;
   std::optional<double> budget;
   double priority = 0;
   bool whole = true;                   ///< what it moves is lifted whole: see `held_whole`
@@ -233,6 +241,7 @@ struct PlanModel {
   std::vector<guides::GuideSpec> guides;
   std::vector<geometry::Shape> carry;  ///< tool coordinates
   Within within;
+  MotionClauses clauses;
 
   /// What the plan uses, with its place, that `run` may not execute yet: e.g. {"calendar", span}.
   struct Use {

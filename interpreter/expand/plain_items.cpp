@@ -125,6 +125,17 @@ void PlainItems::item(syntax::DateItem& value) {
   }
 }
 
+void PlainItems::item(syntax::MotionClause& value) {
+  mark(value.key.span);
+  each(value.turns);
+  part(value.values);
+  each(value.parameters);
+  each(value.numbers);
+  if (!value.body) return;
+  part(*value.body);
+  name(value.component);
+}
+
 void PlainItems::item(syntax::GuideDeclaration& value) {
   name(value.name);
   mark(value.kind.span);

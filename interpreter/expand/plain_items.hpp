@@ -56,6 +56,7 @@ class PlainItems {
   void item(syntax::WorkItem& value);
   void item(syntax::GuideItem& value) { each(value.names); }
   void item(syntax::GuideDeclaration& value);
+  void item(syntax::MotionClause& value);
   void item(syntax::ZoneItem& value) { shape(value.shape); }
   void item(syntax::WholeItem& value) { each(value.value); }
   void item(syntax::DateItem& value);

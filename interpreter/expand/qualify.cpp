@@ -125,6 +125,7 @@ class Qualifier {
   void rename(syntax::ViaItem& item) { refuse(item.span, "via"); }
   void rename(syntax::CarryItem& item) { refuse(item.span, "carry"); }
   void rename(syntax::WithinItem& item) { refuse(item.span, "within"); }
+  void rename(syntax::MotionClause& item) { refuse(item.span, item.key.text); }
   void rename(syntax::WholeItem& item) { refuse(item.span, "whole"); }
   void rename(syntax::SupportItem& item) { refuse(item.span, "support"); }
   template <typename Item>
@@ -156,6 +157,8 @@ class Qualifier {
         refer(move->component, components_, inner_components_);
       } else if (auto* remove = std::get_if<syntax::RemoveItem>(&part)) {
         refer(remove->component, components_, inner_components_);
+      } else if (auto* clause = std::get_if<syntax::MotionClause>(&part)) {
+        if (clause->body) refer(clause->component, components_, inner_components_);
       } else if (auto* after = std::get_if<syntax::AfterItem>(&part)) {
         links(after->links);
       } else if (auto* zone = std::get_if<syntax::ZoneItem>(&part)) {

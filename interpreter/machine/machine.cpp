@@ -153,8 +153,9 @@ bool Machine::resolve_goal(const GoalSpec& spec) {
   goal_.q = q_;
   goal_.named.assign(q_.size(), 0);
   if (spec.X_WG) {
-    const robot::GoalSolution solution =
-        robot::solve_goal(*model_, task_.mounting, q_, *spec.X_WG, frame_tolerance());
+    name_values(spec);
+    const robot::GoalSolution solution = robot::solve_goal(
+        *model_, task_.mounting, goal_.q, *spec.X_WG, frame_tolerance(), frame_clauses(spec));
     if (!solution.reachable) {
       finish(MotionStatus::goal_impossible,
              fmt::format(
@@ -171,13 +172,10 @@ bool Machine::resolve_goal(const GoalSpec& spec) {
       goal_.named[i] =
           parameter(static_cast<int>(i)).free && !parameter(static_cast<int>(i)).derived;
     }
+    for (const auto& [index, value] : spec.values) goal_.named[static_cast<std::size_t>(index)] = 1;
     goal_.p_WG = spec.X_WG->translation();
   } else {
-    for (const auto& [index, value] : spec.values) {
-      const auto i = static_cast<std::size_t>(index);
-      goal_.q[i] = robot::nearest_turn_equivalent(parameter(index), value, q_[i]);
-      goal_.named[i] = 1;
-    }
+    name_values(spec);
     robot::update_derived(*model_, task_.mounting, goal_.q);
     for (const auto& [index, value] : spec.values) {
       if (parameter(index).derived) goal_.q[static_cast<std::size_t>(index)] = value;
@@ -185,6 +183,22 @@ bool Machine::resolve_goal(const GoalSpec& spec) {
     goal_.p_WG = robot::tool_pose(*model_, task_.mounting, goal_.q).translation();
   }
   return true;
+}
+
+void Machine::name_values(const GoalSpec& spec) {
+  for (const auto& [index, value] : spec.values) {
+    const auto i = static_cast<std::size_t>(index);
+    goal_.q[i] = robot::nearest_turn_equivalent(parameter(index), value, q_[i]);
+    goal_.named[i] = 1;
+  }
+}
+
+/// What a goal frame asks: the values beside it are as good as locked while it is solved.
+robot::GoalClauses Machine::frame_clauses(const GoalSpec& spec) const {
+  robot::GoalClauses clauses = task_.clauses;
+  for (const auto& [index, value] : spec.values) clauses.locked.push_back(index);
+  std::sort(clauses.locked.begin(), clauses.locked.end());
+  return clauses;
 }
 
 robot::PoseTolerance Machine::frame_tolerance() const {
@@ -235,15 +249,20 @@ void Machine::measure_residual() {
     const math::Pose X_WT = robot::tool_pose(*model_, task_.mounting, q_);
     end_->position_error = (goal_.X_WG->translation() - X_WT.translation()).norm();
     end_->orientation_error =
-        math::rotation_angle_deg(X_WT.linear().transpose() * goal_.X_WG->linear());
+        robot::turn_off_deg(X_WT.linear(), goal_.X_WG->linear(), task_.clauses.free);
   }
 }
 
 void Machine::judge() {
   if (goal_.X_WG) {
     const robot::PoseTolerance tolerance = frame_tolerance();
-    end_->reached = *end_->position_error <= tolerance.position &&
-                    math::radians(*end_->orientation_error) <= tolerance.orientation;
+    const std::vector<std::pair<int, double>>& values = task_.goals[way_point_].values;
+    end_->reached =
+        *end_->position_error <= tolerance.position &&
+        math::radians(*end_->orientation_error) <= tolerance.orientation &&
+        std::all_of(values.begin(), values.end(), [&](const auto& named) {
+          return std::fabs(delta(named.first, named.second)) <= tolerance_of(named.first);
+        });
   } else {
     const bool near = task_.within.length >= 0 && tool_distance(goal_.p_WG) <= task_.within.length;
     end_->reached = std::all_of(end_->residual.begin(), end_->residual.end(),

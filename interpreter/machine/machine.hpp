@@ -14,6 +14,7 @@
 #include "interpreter/program/program.hpp"
 #include "interpreter/program/world.hpp"
 #include "src/motion/robot/kinematics.hpp"
+#include "src/motion/robot/tool_line.hpp"
 
 namespace rubicon::interpreter {
 
@@ -24,7 +25,8 @@ struct MotionTask {
       situations;  ///< on during the whole motion (besides `via` and what the world switches on)
   std::vector<guides::GuideSpec> guides;  ///< tried in this order; none: unguided
   Within within;                          ///< when the goal counts as reached
-  double budget = 20000;                  ///< attempts
+  MotionClauses clauses;
+  double budget = 20000;   ///< attempts
   double full_budget = 0;  ///< for messages: what the budget was before earlier tries; 0: `budget`
   int first_n = 1;         ///< number of the first attempt
   Ticks start = 0;
@@ -145,6 +147,8 @@ class Machine {
   bool go_on(World& world, EventSink* events);
   bool begin_way_point(World& world, EventSink* events);
   bool resolve_goal(const GoalSpec& spec);
+  void name_values(const GoalSpec& spec);
+  robot::GoalClauses frame_clauses(const GoalSpec& spec) const;
   void begin_script();
   void finish(MotionStatus status, std::string message = {}, Span span = {});
   void judge();
@@ -190,6 +194,8 @@ class Machine {
   }
 
   // machine_motion.cpp: commands, limits, what was seen before
+  const robot::ToolLine& line();
+  std::vector<int> named_beside_frame() const;
   bool attempt(std::int32_t node, World& world, EventSink* events);
   bool may_attempt(std::int32_t node, const World& world);
   Refusal plan_part(const Node& part, const World& world, std::vector<double>& steps,
@@ -200,7 +206,9 @@ class Machine {
                          std::int32_t& limit) const;
   double room(int parameter, bool upwards) const;
   int first_out_of_range(std::span<const double> q) const;
+  int first_locked(std::span<const double> q) const;
   Refusal plan(const Node& node, const World& world, std::int32_t& limit);
+  Refusal plan_line(std::int32_t& limit);
   Ticks plan_run(bool loaded);
   bool must_stop(const World& world, Ticks duration) const;
   std::string describe_next(std::int32_t command) const;
@@ -252,7 +260,8 @@ class Machine {
   int accepted_at_way_point_ = 0;
   std::string guide_cause_;  ///< why the first guide gave up
   bool guide_found_no_way_ = false;
-  std::shared_ptr<const guides::Leg> leg_;  // shared: it does not change
+  std::shared_ptr<const guides::Leg> leg_;       // shared: it does not change
+  std::shared_ptr<const robot::ToolLine> line_;  // so does this
 
   // counts, and what was seen
   int tries_ = 0;

@@ -36,6 +36,7 @@ bool Machine::run(std::int32_t index, World& world, EventSink* events) {
     case Node::Kind::move_dir:
     case Node::Kind::together:
     case Node::Kind::follow:
+    case Node::Kind::line:
     case Node::Kind::wait:
       return attempt(index, world, events);
     case Node::Kind::loop:
@@ -265,6 +266,7 @@ bool Machine::goal_or_until_holds(const Node& loop, bool until_too, const World&
       const Node& move =
           node_at(program_->children[static_cast<std::size_t>(loop.goals_first + i)]);
       all = move.kind == Node::Kind::follow ? leg().is_there(q_, target_.q)
+            : move.kind == Node::Kind::line ? line().is_there(q_, target_.q, named_beside_frame())
                                             : at(move.target, number(move.value, world));
     }
     if (all) return true;

@@ -89,7 +89,7 @@ class Machine::GuideTests : public guides::MotionTests {
 };
 
 const guides::Leg& Machine::leg() {
-  if (!leg_) leg_ = std::make_shared<const guides::Leg>(*model_, task_.mounting);
+  if (!leg_) leg_ = std::make_shared<const guides::Leg>(*model_, task_.mounting, task_.clauses);
   return *leg_;
 }
 
@@ -103,6 +103,7 @@ bool Machine::begin_guides(std::size_t first, World& world, EventSink* events) {
     task.mounting = task_.mounting;
     task.goals = {goal_.q};
     task.loaded = world.loaded();
+    task.clauses = task_.clauses;
     if (goal_.X_WG && !tests.stands(goal_.q)) add_goals(spec, tests, task.goals);
     guide_ = guides::GuideValue(guides::make_guide(spec, std::move(task)));
     idle_way_points_ = 0;
@@ -117,7 +118,10 @@ bool Machine::begin_guides(std::size_t first, World& world, EventSink* events) {
 void Machine::add_goals(const guides::GuideSpec& spec, guides::MotionTests& tests,
                         std::vector<std::vector<double>>& goals) const {
   guides::Random random(static_cast<std::uint64_t>(spec.seed));
-  const guides::Leg leg(*model_, task_.mounting);
+  const guides::Leg leg(*model_, task_.mounting, task_.clauses);
+  const GoalSpec& goal = task_.goals[way_point_];
+  robot::GoalClauses clauses = frame_clauses(goal);
+  clauses.near.clear();
   for (int n = 0; n < kGoalStarts; ++n) {
     std::vector<double> q = q_;
     for (const int i : leg.parameters()) {
@@ -125,9 +129,10 @@ void Machine::add_goals(const guides::GuideSpec& spec, guides::MotionTests& test
       q[static_cast<std::size_t>(i)] =
           p.cyclic ? random.between(-180, 180) : random.between(p.lower, p.upper);
     }
+    for (const auto& [index, value] : goal.values) q[static_cast<std::size_t>(index)] = value;
     robot::update_derived(*model_, task_.mounting, q);
     const robot::GoalSolution solution =
-        robot::solve_goal(*model_, task_.mounting, q, *goal_.X_WG, frame_tolerance());
+        robot::solve_goal(*model_, task_.mounting, q, *goal_.X_WG, frame_tolerance(), clauses);
     if (!solution.reachable || !tests.stands(solution.q)) continue;
     goals.push_back(solution.q);
     return;

@@ -26,6 +26,7 @@ bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
     if (refusal == Refusal::none) {
       robot::apply_rules(*model_, task_.mounting, q_, steps_, q_next_);
       limit = first_out_of_range(q_next_);
+      if (limit < 0) limit = first_locked(q_next_);
       if (limit >= 0) refusal = Refusal::limit;
       duration = plan_run(world.loaded());
     }
@@ -76,10 +77,12 @@ bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
   if (events) {
     const bool several = node.kind == Node::Kind::together;
     const bool follows = node.kind == Node::Kind::follow;
+    const bool lines = node.kind == Node::Kind::line;
     Attempt record;
     record.n = n;
     record.command = several                            ? "together"
                      : follows                          ? "follow"
+                     : lines                            ? "line"
                      : node.kind == Node::Kind::move_to ? "move_to"
                                                         : "move_dir";
     record.parameters = program_->parameter_names[static_cast<std::size_t>(index)];
@@ -90,12 +93,12 @@ bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
     record.hit = hit ? &*hit : nullptr;
     if (hit) {
       refused_steps_.clear();
-      if (follows) {
-        for (const int i : leg().stepped()) {
+      if (follows || lines) {
+        for (const int i : follows ? leg().stepped() : line().stepped()) {
           refused_steps_.push_back(steps_[static_cast<std::size_t>(i)]);
         }
       }
-      for (std::int32_t i = 0; !follows && i < (several ? node.count : 1); ++i) {
+      for (std::int32_t i = 0; !follows && !lines && i < (several ? node.count : 1); ++i) {
         const Node& part = several ? node_at(child_at(node, i)) : node;
         refused_steps_.push_back(steps_[static_cast<std::size_t>(part.target)]);
       }
@@ -113,6 +116,7 @@ Refusal Machine::plan(const Node& node, const World& world, std::int32_t& limit)
   if (node.kind == Node::Kind::follow) {
     return leg().next_step(q_, target_.q, steps_) ? Refusal::none : Refusal::at_goal;
   }
+  if (node.kind == Node::Kind::line) return plan_line(limit);
   std::fill(steps_.begin(), steps_.end(), 0.0);
   const bool several = node.kind == Node::Kind::together;
   const std::int32_t parts = several ? node.count : 1;
@@ -129,6 +133,39 @@ Refusal Machine::plan(const Node& node, const World& world, std::int32_t& limit)
     something = something || refusal == Refusal::none;
   }
   return something ? Refusal::none : first;
+}
+
+const robot::ToolLine& Machine::line() {
+  if (!line_) {
+    line_ = std::make_shared<const robot::ToolLine>(
+        *model_, task_.mounting, task_.clauses.deviation.value_or(model_->deviation),
+        task_.clauses);
+  }
+  return *line_;
+}
+
+/// Parameters whose values the goal names beside its frame.
+std::vector<int> Machine::named_beside_frame() const {
+  std::vector<int> named;
+  if (!goal_.X_WG) return named;
+  for (const auto& [index, value] : task_.goals[way_point_].values) named.push_back(index);
+  return named;
+}
+
+Refusal Machine::plan_line(std::int32_t& limit) {
+  const robot::ToolLine::Step step = line().next_step(q_, target_.q, named_beside_frame(), steps_);
+  switch (step.kind) {
+    case robot::ToolLine::Step::Kind::made:
+      return Refusal::none;
+    case robot::ToolLine::Step::Kind::there:
+      return Refusal::at_goal;
+    case robot::ToolLine::Step::Kind::limit:
+      limit = step.parameter;
+      return Refusal::limit;
+    case robot::ToolLine::Step::Kind::none:
+      break;
+  }
+  return Refusal::no_direction;
 }
 
 /// How long the planned steps take together: as long as the slowest. `run_next_` is then the run
@@ -339,13 +376,22 @@ int Machine::first_out_of_range(std::span<const double> q) const {
   return -1;
 }
 
+/// The first locked parameter that another value is meant for.
+int Machine::first_locked(std::span<const double> q) const {
+  for (const int i : task_.clauses.locked) {
+    const auto index = static_cast<std::size_t>(i);
+    if (q[index] != q_[index]) return i;
+  }
+  return -1;
+}
+
 /// Whether move_dir(p, direction) would be accepted now.
 bool Machine::would_accept(int index, double direction, const World& world) {
   std::fill(asked_steps_.begin(), asked_steps_.end(), 0.0);
   std::int32_t limit = -1;
   if (plan_direction(index, direction, asked_steps_, limit) != Refusal::none) return false;
   robot::apply_rules(*model_, task_.mounting, q_, asked_steps_, asked_q_);
-  if (first_out_of_range(asked_q_) >= 0) return false;
+  if (first_out_of_range(asked_q_) >= 0 || first_locked(asked_q_) >= 0) return false;
   return world.would_accept({q_, asked_q_, time_, 0});
 }
 

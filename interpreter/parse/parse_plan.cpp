@@ -110,6 +110,10 @@ RUBICON_ACTION(PlanAction, PlanState, goal_frame) {
 RUBICON_ACTION(PlanAction, PlanState, goal_values) {
   st.goal = {std::nullopt, st.take_values(), st.span_from(begin)};
 }
+RUBICON_ACTION(PlanAction, PlanState, goal_with_values) {
+  st.goal.values = st.take_values();
+  st.goal.span.end = st.goal.values.span.end;
+}
 RUBICON_ACTION(PlanAction, PlanState, duration) {
   st.duration = st.take_quantity();
   st.crew_of_work.reset();
@@ -411,6 +415,37 @@ RUBICON_ACTION(PlanAction, PlanState, plan_guide) {
     st.add(std::move(st.guide), begin);
   }
 }
+RUBICON_ACTION(PlanAction, PlanState, free_key) { st.begin_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, free_turn) {
+  st.clause_of_motion.turns.push_back(st.take_name());
+}
+RUBICON_ACTION(PlanAction, PlanState, near_key) {
+  st.begin_clause(begin);
+  st.values = {};
+}
+RUBICON_ACTION(PlanAction, PlanState, near_values) {
+  st.clause_of_motion.values = st.take_values();
+}
+RUBICON_ACTION(PlanAction, PlanState, lock_key) { st.begin_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, locked_parameter) {
+  st.clause_of_motion.parameters.push_back(st.take_qualified_name());
+}
+RUBICON_ACTION(PlanAction, PlanState, deviation_key) { st.begin_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, deviation_quantity) {
+  st.clause_of_motion.numbers.push_back(st.take_quantity());
+}
+RUBICON_ACTION(PlanAction, PlanState, enter_key) { st.begin_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, entering_body) { st.clause_of_motion.body = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, entered_component) {
+  st.clause_of_motion.component = st.take_qualified_name();
+}
+RUBICON_ACTION(PlanAction, PlanState, motion_clause) {
+  if (st.in_task) {
+    st.add_to_task(std::move(st.clause_of_motion), begin);
+  } else {
+    st.add(std::move(st.clause_of_motion), begin);
+  }
+}
 RUBICON_ACTION(PlanAction, PlanState, date_key) { st.date = {st.word(begin), {}, {}}; }
 RUBICON_ACTION(PlanAction, PlanState, baseline_key) { st.date = {st.word(begin), {}, {}}; }
 RUBICON_ACTION(PlanAction, PlanState, moment_date) {
@@ -491,16 +526,16 @@ RUBICON_ACTION(PlanAction, PlanState, plan_name) { st.plan.name = st.take_name()
 syntax::Plan parse_plan(const SourceMap& sources, FileId file, Diagnostics& diagnostics) {
   PlanState state(
       sources, file, diagnostics, "P00",
-      {"component", "robot",     "crew",      "task",       "module",   "place",    "import",
-       "site",      "contact",   "budget",    "start_at",   "currency", "calendar", "situation",
-       "start",     "goal",      "via",       "carry",      "within",   "shape",    "at",
-       "grip",      "mass",      "cost",      "park",       "size",     "by",       "move",
-       "go",        "remove",    "hook",      "adjust",     "release",  "takes",    "guide",
-       "priority",  "zone",      "after",     "off",        "name",     "storey",   "type",
-       "guid",      "attribute", "parameter", "for",        "when",     "group",    "density",
-       "touching",  "pool",      "of",        "choose",     "needs",    "rental",   "mobilisation",
-       "overtime",  "overhead",  "whole",     "not_before", "due",      "baseline", "support",
-       "fixed",     "braced"});
+      {"component", "robot",     "crew",      "task",       "module",   "place",     "import",
+       "site",      "contact",   "budget",    "start_at",   "currency", "calendar",  "situation",
+       "start",     "goal",      "via",       "carry",      "within",   "shape",     "at",
+       "grip",      "mass",      "cost",      "park",       "size",     "by",        "move",
+       "go",        "remove",    "hook",      "adjust",     "release",  "takes",     "guide",
+       "priority",  "zone",      "after",     "off",        "name",     "storey",    "type",
+       "guid",      "attribute", "parameter", "for",        "when",     "group",     "density",
+       "touching",  "pool",      "of",        "choose",     "needs",    "rental",    "mobilisation",
+       "overtime",  "overhead",  "whole",     "not_before", "due",      "baseline",  "support",
+       "fixed",     "braced",    "free",      "near",       "lock",     "deviation", "enter"});
   const bool finished = run_parser<grammar::plan_file, PlanAction>(state);
   state.plan.broken = !finished || state.errors() > 0;
   state.plan.span = state.span_from(state.begin());

@@ -119,6 +119,11 @@ class PlanState : public GuideState {
   syntax::Number quantity;
   syntax::String headings;  ///< of a group, joined
   syntax::WithinItem within;
+  syntax::MotionClause clause_of_motion;
+  void begin_clause(const char* from) {
+    clause_of_motion = {};
+    clause_of_motion.key = word(from);
+  }
   syntax::WholeItem whole;
   syntax::DateItem date;
   syntax::SupportItem support;

@@ -28,6 +28,7 @@ class RobotState : public GuideState {
   syntax::RopeItem rope;
   std::vector<syntax::RopeItem::End> rope_ends;
   std::vector<syntax::Name> names;
+  syntax::MotionClause deviation;
   syntax::BehaviourItem behaviour;
 };
 
@@ -138,6 +139,14 @@ RUBICON_ACTION(RobotAction, RobotState, rope_item) {
   st.rope.to = std::move(st.rope_ends[1]);
   st.add(std::move(st.rope), begin);
 }
+RUBICON_ACTION(RobotAction, RobotState, deviation_key) {
+  st.deviation = {};
+  st.deviation.key = {std::string(begin, st.last_end), st.span_from(begin)};
+}
+RUBICON_ACTION(RobotAction, RobotState, deviation_number) {
+  st.deviation.numbers.push_back(st.number);
+}
+RUBICON_ACTION(RobotAction, RobotState, deviation_item) { st.add(std::move(st.deviation), begin); }
 RUBICON_ACTION(RobotAction, RobotState, guide_declaration) { st.add(std::move(st.guide), begin); }
 RUBICON_ACTION(RobotAction, RobotState, robot_key) { st.announce("robot"); }
 RUBICON_ACTION(RobotAction, RobotState, robot_name) { st.robot.name = st.take_name(); }
@@ -145,9 +154,10 @@ RUBICON_ACTION(RobotAction, RobotState, robot_name) { st.robot.name = st.take_na
 }  // namespace
 
 syntax::Robot parse_robot(const SourceMap& sources, FileId file, Diagnostics& diagnostics) {
-  RobotState state(sources, file, diagnostics, "R00",
-                   {"param", "rule", "frame", "shape", "behaviour", "behavior", "time_step",
-                    "sensor", "body", "tool", "const", "touching", "capacity", "rope", "guide"});
+  RobotState state(
+      sources, file, diagnostics, "R00",
+      {"param", "rule", "frame", "shape", "behaviour", "behavior", "time_step", "sensor", "body",
+       "tool", "const", "touching", "capacity", "rope", "deviation", "guide"});
   const bool finished = run_parser<grammar::robot_file, RobotAction>(state);
   state.robot.broken = !finished || state.errors() > 0;
   state.robot.span = state.span_from(state.begin());

@@ -6,6 +6,7 @@
 #include "interpreter/program/program.hpp"
 #include "interpreter/syntax/unparse.hpp"
 #include "src/motion/guides/leg.hpp"
+#include "src/motion/robot/tool_line.hpp"
 
 namespace rubicon::interpreter {
 
@@ -150,9 +151,10 @@ class Compiler {
       }
       case Statement::Kind::use: {
         const auto found = behaviours_.find(statement.name.text());
-        if (found == behaviours_.end() && statement.name.text() == kFollow &&
-            !has_body_behaviour(kFollow)) {
-          return compile_follow(statement);
+        const std::string name = statement.name.text();
+        if (found == behaviours_.end() && (name == kFollow || name == kLine) &&
+            !has_body_behaviour(name)) {
+          return compile_built_in(statement, name);
         }
         const std::int32_t node = add_node(Node::Kind::use, statement.keyword);
         at(node).target =
@@ -191,12 +193,15 @@ class Compiler {
     return node;
   }
 
-  std::int32_t compile_follow(const Statement& statement) {
-    const std::int32_t node = add_node(Node::Kind::follow, statement.keyword);
+  std::int32_t compile_built_in(const Statement& statement, const std::string& name) {
+    const bool follows = name == kFollow;
+    const std::int32_t node =
+        add_node(follows ? Node::Kind::follow : Node::Kind::line, statement.keyword);
     const robot::Mounting mounting{math::Pose::Identity(), model().start_values()};
-    const guides::Leg leg(model(), mounting);
+    const std::vector<int> stepped = follows ? guides::Leg(model(), mounting).stepped()
+                                             : robot::ToolLine(model(), mounting, {}, {}).stepped();
     std::vector<std::string> names;
-    for (const int i : leg.stepped()) {
+    for (const int i : stepped) {
       names.push_back(model().parameters[static_cast<std::size_t>(i)].display_name);
     }
     describe(node, statement, std::move(names));
@@ -223,7 +228,8 @@ class Compiler {
     std::vector<std::int32_t> goals;
     for (const std::int32_t element : elements) {
       const Node& child = at(element);
-      if (child.kind == Node::Kind::move_to || child.kind == Node::Kind::follow) {
+      if (child.kind == Node::Kind::move_to || child.kind == Node::Kind::follow ||
+          child.kind == Node::Kind::line) {
         goals.push_back(element);
       }
       if (child.kind == Node::Kind::together) {

@@ -56,6 +56,7 @@ struct Node {
     move_dir,
     together,
     follow,
+    line,
     wait,
     loop,
     each,

@@ -281,8 +281,32 @@ struct GuideDeclaration {
   Span span;
 };
 
-using RobotItem = std::variant<SettingItem, BodyItem, ToolItem, ConstItem, TouchingItem,
-                               CapacityItem, RopeItem, GuideDeclaration, BehaviourItem>;
+/// `theta 30, x 20`
+struct NamedValue {
+  QualifiedName name;
+  Number value;
+};
+struct Values {
+  std::vector<NamedValue> values;
+  Span span;
+};
+
+/// deviation 1 mm, 0.1 deg;   of a robot or a motion, and what else a motion asks beside its goals:
+/// free rotz;   near elbow.phi 90;   lock base.x, base.y;   enter bit slab;
+struct MotionClause {
+  Name key;
+  std::vector<Name> turns;                ///< free
+  Values values;                          ///< near
+  std::vector<QualifiedName> parameters;  ///< lock
+  std::vector<Number> numbers;            ///< deviation
+  std::optional<Name> body;               ///< enter
+  QualifiedName component;                ///< enter
+  Span span;
+};
+
+using RobotItem =
+    std::variant<SettingItem, BodyItem, ToolItem, ConstItem, TouchingItem, CapacityItem, RopeItem,
+                 MotionClause /* deviation */, GuideDeclaration, BehaviourItem>;
 
 struct Robot {
   Name name;
@@ -294,16 +318,7 @@ struct Robot {
 // ---- plans
 // -----------------------------------------------------------------------------------------------------
 
-/// `theta 30, x 20`
-struct NamedValue {
-  QualifiedName name;
-  Number value;
-};
-struct Values {
-  std::vector<NamedValue> values;
-  Span span;
-};
-/// `at frame` or values
+/// `at frame`, `at frame, values` or values
 struct Goal {
   std::optional<Frame> at;
   Values values;
@@ -534,7 +549,7 @@ struct PlanBlock;
 using TaskPart =
     std::variant<ByItem, MoveItem, GoItem, RemoveItem, WorkItem, ViaItem, GuideItem, SituationItem,
                  WithinItem, NumberItem /* budget, priority */, ZoneItem, AfterItem, AttributeItem,
-                 NeedsItem, std::shared_ptr<const TaskBlock>, WholeItem, DateItem>;
+                 NeedsItem, std::shared_ptr<const TaskBlock>, WholeItem, DateItem, MotionClause>;
 struct TaskBlock {
   BlockHead head;
   std::vector<TaskPart> items;
@@ -606,7 +621,7 @@ using PlanItem =
                  RobotUse, CrewItem, TaskItem, ModuleItem, PlaceItem, ImportItem, StartItem,
                  GoalItem, ViaItem, CarryItem, WithinItem, WaiverItem, PlanParameter, PoolItem,
                  OverheadItem, std::shared_ptr<const PlanBlock>, WholeItem, SupportItem,
-                 GuideDeclaration, GuideItem>;
+                 GuideDeclaration, GuideItem, MotionClause>;
 struct PlanBlock {
   BlockHead head;
   std::vector<PlanItem> items;

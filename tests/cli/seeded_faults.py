@@ -1308,6 +1308,42 @@ def turn_before_adjusting(good, rng):
     return Fault("turn before adjusting", result, [good.records[index]["task"]], index + 1, words="while it is adjusted")
 
 
+def lines(good, wanted=lambda record: True):
+    return [i for i, r in enumerate(good.records) if r["type"] == "try" and r["command"] == "line" and r["ok"] and wanted(r)]
+
+
+def leave_the_line(good, rng):
+    """A step of `line` and the next are a little beside it: too little for the goal to tell."""
+    places = [i for i in lines(good) if i + 1 in lines(good) and i - 1 in lines(good)]
+    if not places:
+        return None
+    index = rng.choice(places)
+    result = copy.deepcopy(good)
+    result.records[index]["q"]["upper.phi"] += rng.choice((-1, 1)) * rng.uniform(0.3, 0.6)
+    return Fault("leave the line", result, [good.records[index]["task"]], words="beside its straight way")
+
+
+def lock_what_moves(good, rng):
+    """The plan locks what the steps move."""
+    tasks = [task for task in good.header["tasks"] if "lock" in task]
+    if not tasks or not lines(good):
+        return None
+    name = rng.choice(tasks)["name"]
+    result = copy.deepcopy(good)
+    result.task(name)["lock"].append("upper.phi")
+    return Fault("lock what moves", result, [name], words="which is locked")
+
+
+def enter_without_leave(good, rng):
+    tasks = [task for task in good.header["tasks"] if "enter" in task]
+    if not tasks:
+        return None
+    name = rng.choice(tasks)["name"]
+    result = copy.deepcopy(good)
+    del result.task(name)["enter"]
+    return Fault("enter without leave", result, [name], words="meets slab")
+
+
 def turn_without_leave(good, rng):
     """The plan turns nothing."""
     tasks = [task for task in good.header["tasks"] if "turning" in task.get("adjust", {})]
@@ -1331,7 +1367,8 @@ KINDS = (shift_a_step, shift_the_rest_of_a_task, drop_a_wait, close_a_wait_up, s
          hide_a_wait, wait_for_nothing, pause_for_nothing, edit_a_part_of_the_table, change_a_cost, change_a_rate, edit_a_use,
          drop_a_goal, double_a_goal, shift_a_date, end_in_a_livelock, change_a_checksum, change_a_residual,
          rename_a_hit, give_another_reason, edit_the_critical_path, change_the_currency, drop_a_turn,
-         turn_by_another_angle, turn_neatly_wrong, turn_the_barred_way, turn_before_adjusting, turn_without_leave)
+         turn_by_another_angle, turn_neatly_wrong, turn_the_barred_way, turn_before_adjusting, turn_without_leave, leave_the_line,
+         lock_what_moves, enter_without_leave)
 
 
 def seeded(results, seed, rounds):

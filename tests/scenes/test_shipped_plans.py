@@ -148,5 +148,21 @@ class Trench(Shipped):
         self.assertTrue(all(r["ok"] for r in self.run_1.of_type("try")))
 
 
+class Ceiling(Shipped):
+    plan = "ceiling"
+    # One machine and no zone; the replay knows no body that may enter a component.
+    test_no_machine_is_ever_in_another = None
+    test_no_machine_is_ever_in_a_zone = None
+
+    def test_the_crawler_stands_while_it_drills(self):
+        for number in (1, 2, 3, 4):
+            steps = [r["q"] for r in self.run_1.of_type("try") if r["task"] in (f"drill_{number}", f"out_of_{number}")]
+            self.assertGreater(len(steps), 4)
+            self.assertEqual({q["x"] for q in steps}, {1.2 * number - 0.9})
+
+    def test_nothing_is_refused(self):
+        self.assertTrue(all(r["ok"] for r in self.run_1.of_type("try")))
+
+
 if __name__ == "__main__":
     unittest.main(verbosity=2)

@@ -20,6 +20,7 @@ struct GuideTask {
   robot::Mounting mounting;
   std::vector<std::vector<double>> goals;
   bool loaded = false;
+  robot::GoalClauses clauses = {};  ///< what is locked stays on the way
 };
 
 /// What planning a way took and gave.

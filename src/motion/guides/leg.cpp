@@ -22,16 +22,22 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-Leg::Leg(const robot::RobotModel& model, const robot::Mounting& mounting)
+Leg::Leg(const robot::RobotModel& model, const robot::Mounting& mounting,
+         const robot::GoalClauses& clauses)
     : model_(model), mounting_(mounting) {
   find_vehicle();
+  const auto locked = [&](int i) { return i >= 0 && clauses.locks(i); };
+  if (locked(drive_) || locked(heading_) || locked(place_[0]) || locked(place_[1])) {
+    drive_ = heading_ = place_[0] = place_[1] = -1;
+  }
   for (int i = 0; i < static_cast<int>(model.parameters.size()); ++i) {
     const robot::Parameter& p = parameter(i);
     if (p.derived) continue;
+    if (p.step > 0) stepped_.push_back(i);
+    if (clauses.locks(i)) continue;
     const bool driven = i == place_[0] || i == place_[1];
     if (p.step > 0 && p.direct) plain_.push_back(i);
     if (driven || (p.step > 0 && p.direct)) parameters_.push_back(i);
-    if (p.step > 0) stepped_.push_back(i);
   }
   if (refusal_.empty() && stepped_.empty()) refusal_ = "no parameter of it has a step or a speed";
 }

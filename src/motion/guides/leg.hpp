@@ -17,7 +17,9 @@ namespace rubicon::guides {
 /// parameter of the robot, which must outlive it.
 class Leg {
  public:
-  Leg(const robot::RobotModel& model, const robot::Mounting& mounting);
+  /// Locked parameters stay; what needs them to drive, stands.
+  Leg(const robot::RobotModel& model, const robot::Mounting& mounting,
+      const robot::GoalClauses& clauses = {});
 
   /// Why robots with these rules make no legs; empty: this one does.
   const std::string& refusal() const { return refusal_; }
@@ -25,7 +27,7 @@ class Leg {
   /// Parameters that a leg brings to their values: what a way point is made of. Those that are
   /// derived follow.
   const std::vector<int>& parameters() const { return parameters_; }
-  /// Parameters that its steps step.
+  /// Parameters that its steps step where none is locked, ascending.
   const std::vector<int>& stepped() const { return stepped_; }
 
   /// The steps, per parameter, of the next motion step from `q` to `target`; false: it is there.

@@ -23,7 +23,7 @@ PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<cons
                     MotionTests& tests) {
   using Outcome = PlanReport::Outcome;
   PlanReport report;
-  Space space(*task.model, task.mounting, q, spec, tests);
+  Space space(*task.model, task.mounting, q, spec, tests, task.clauses);
   const Point start = space.point(q);
   const auto end = [&](Outcome outcome) {
     report.outcome = outcome;

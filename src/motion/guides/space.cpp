@@ -28,13 +28,14 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 }  // namespace
 
 Space::Space(const robot::RobotModel& model, const robot::Mounting& mounting,
-             std::span<const double> q, const GuideSpec& spec, MotionTests& tests)
+             std::span<const double> q, const GuideSpec& spec, MotionTests& tests,
+             const robot::GoalClauses& clauses)
     : model_(model),
       mounting_(mounting),
       q_(q.begin(), q.end()),
       spec_(spec),
       tests_(tests),
-      leg_(model, mounting) {
+      leg_(model, mounting, clauses) {
   for (std::size_t i = 0; i < size(); ++i) {
     double weight = parameter(i).rotation ? 1 : kWeightOfMetre;
     for (const auto& [index, value] : spec.weights) {

@@ -26,9 +26,10 @@ using Point = std::vector<double>;
 /// The configurations of a robot that a planner searches. It counts what it tests.
 class Space {
  public:
-  /// `q` has the values of what no leg changes. All but the result must outlive it.
+  /// `q` has the values of what no leg changes, locked parameters among them. All but the result
+  /// must outlive it.
   Space(const robot::RobotModel& model, const robot::Mounting& mounting, std::span<const double> q,
-        const GuideSpec& spec, MotionTests& tests);
+        const GuideSpec& spec, MotionTests& tests, const robot::GoalClauses& clauses = {});
 
   std::size_t size() const { return leg_.parameters().size(); }
   const Leg& leg() const { return leg_; }

@@ -7,37 +7,15 @@
 #include "src/motion/robot/turns.hpp"
 
 namespace rubicon::robot {
-namespace {
-
-/// Twice the sine of an angle below which a half turn's axis is read off the symmetric part of the
-/// matrix.
-constexpr double kHalfTurn = 1e-6;
-
-/// Rotation vector (radians, world) of R.
-Vec3 rotation_vector(const math::Mat3& R) {
-  Vec3 twice_sine(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
-  const double length = twice_sine.norm();
-  const double angle = math::radians(math::rotation_angle_deg(R));
-  if (length > kHalfTurn || angle < 1)
-    return length > 0 ? Vec3(twice_sine * (angle / length)) : Vec3::Zero();
-  // Near a half turn R + I is twice the outer product of the axis.
-  const math::Mat3 outer = R + math::Mat3::Identity();
-  int largest = 0;
-  for (int i = 1; i < 3; ++i) {
-    if (outer(i, i) > outer(largest, largest)) largest = i;
-  }
-  const Vec3 axis = outer.col(largest).normalized();
-  return (axis.dot(twice_sine) < 0 ? -angle : angle) * axis;
-}
-
-}  // namespace
 
 GoalProblem::GoalProblem(const RobotModel& model, const Mounting& mounting,
-                         std::span<const double> q_now, const Pose& X_WG)
+                         std::span<const double> q_now, const Pose& X_WG,
+                         const GoalClauses& clauses)
     : model_(model),
       mounting_(mounting),
       q_now_(q_now.begin(), q_now.end()),
       X_WG_(X_WG),
+      free_(clauses.free),
       elements_(elements_to_tool(model)) {
   int level = 0;
   for (int b = model.tool_body; b >= 0;
@@ -45,6 +23,7 @@ GoalProblem::GoalProblem(const RobotModel& model, const Mounting& mounting,
     for (std::size_t i = 0; i < model.parameters.size(); ++i) {
       const Parameter& parameter = model.parameters[i];
       if (parameter.body != b || !parameter.free || parameter.derived) continue;
+      if (clauses.locks(static_cast<int>(i))) continue;
       variables_.push_back({i, level, parameter.rotation ? 180 / math::kPi : 1});
     }
   }
@@ -59,7 +38,7 @@ GoalState GoalProblem::at(std::vector<double> q) const {
   if (has_derived_) update_derived(model_, mounting_, state.q);
   const Pose X_WT = tool_pose(model_, mounting_, state.q);
   state.residual.head<3>() = X_WG_.translation() - X_WT.translation();
-  state.residual.tail<3>() = rotation_vector(X_WG_.linear() * X_WT.linear().transpose());
+  state.residual.tail<3>() = turn_to_goal(X_WT.linear(), X_WG_.linear(), free_);
   state.position_error = state.residual.head<3>().norm();
   state.orientation_error = state.residual.tail<3>().norm();
   return state;
@@ -99,6 +78,12 @@ PoseJacobian GoalProblem::jacobian(const GoalState& state, std::size_t count) co
       }
     }
     append(X, *element, input);
+  }
+  if (free_ != FreeTurn::none) {
+    const math::Mat3 R_WT = tool_pose(model_, mounting_, state.q).linear();
+    for (Eigen::Index v = 0; v < jacobian.cols(); ++v) {
+      jacobian.col(v).tail<3>() = turn_that_counts(jacobian.col(v).tail<3>(), R_WT, free_);
+    }
   }
   return jacobian;
 }

@@ -35,11 +35,11 @@ struct GoalState {
 };
 
 /// The task "bring the tool frame to X_WG", as a function of the free parameters between tool and
-/// base, tip first.
+/// base that are not locked, tip first.
 class GoalProblem {
  public:
   GoalProblem(const RobotModel& model, const Mounting& mounting, std::span<const double> q_now,
-              const Pose& X_WG);
+              const Pose& X_WG, const GoalClauses& clauses = {});
 
   const RobotModel& model() const { return model_; }
   const Mounting& mounting() const { return mounting_; }
@@ -81,6 +81,7 @@ class GoalProblem {
   const Mounting& mounting_;
   std::vector<double> q_now_;
   Pose X_WG_;
+  FreeTurn free_;
   std::vector<const FrameElement*> elements_;
   std::vector<GoalVariable> variables_;
   bool has_derived_ = false;

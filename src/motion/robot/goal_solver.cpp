@@ -187,17 +187,24 @@ bool finite(std::span<const double> values) {
 
 GoalSolution solve_goal(const RobotModel& model, const Mounting& mounting,
                         std::span<const double> q_now, const Pose& X_WG,
-                        const PoseTolerance& tolerance) {
+                        const PoseTolerance& tolerance, const GoalClauses& clauses) {
   GoalSolution solution;
   solution.q.assign(q_now.begin(), q_now.end());
+  for (const auto& [index, value] : clauses.near) {
+    const auto i = static_cast<std::size_t>(index);
+    if (!clauses.locks(index)) {
+      solution.q[i] = nearest_turn_equivalent(model.parameters[i], value, q_now[i]);
+    }
+  }
   if (!finite(q_now) || !X_WG.matrix().allFinite()) {
     solution.position_error = solution.orientation_error = std::numeric_limits<double>::infinity();
     return solution;
   }
-  const GoalProblem problem(model, mounting, q_now, X_WG);
+  const GoalProblem problem(model, mounting, solution.q, X_WG, clauses);
+  const bool plain = clauses.free == FreeTurn::none && clauses.locked.empty();
   GoalState state = problem.at(solution.q);
   if (!problem.solved(state)) {
-    if (auto known = closed_form_goal(problem)) {
+    if (auto known = plain ? closed_form_goal(problem) : std::nullopt) {
       state = std::move(*known);
     } else {
       state = GoalSearch(problem).run();

@@ -8,6 +8,7 @@
 
 #include "src/motion/geometry/shape.hpp"
 #include "src/motion/robot/formula.hpp"
+#include "src/motion/robot/goal_clauses.hpp"
 
 namespace rubicon::robot {
 
@@ -89,6 +90,7 @@ struct RobotModel {
   std::vector<std::pair<int, int>>
       touching;  ///< pairs of bodies that touch by design, besides parent and child
   std::vector<CapacityPoint> capacity;
+  LineDeviation deviation;  ///< of `line`
 
   int find_body(const std::string& name) const;
   std::vector<double> start_values() const;

@@ -83,7 +83,7 @@ struct GoldenMembers {
   void operator()(const trace::Attempt& attempt) const {
     event["n"] = attempt.n;
     event["cmd"] = attempt.command;
-    if (attempt.command == "together" || attempt.command == "follow") {
+    if (attempt.command == "together" || attempt.command == "follow" || attempt.command == "line") {
       event["p"] = attempt.parameters;
     } else {
       event["p"] = attempt.parameters.front();

@@ -10,6 +10,7 @@
 #include "src/results/verify/replay/check_goals.hpp"
 #include "src/results/verify/replay/check_guides.hpp"
 #include "src/results/verify/replay/check_hits.hpp"
+#include "src/results/verify/replay/check_lines.hpp"
 #include "src/results/verify/replay/check_support.hpp"
 #include "src/results/verify/replay/contact_check.hpp"
 #include "src/results/verify/schedule/check_accounts.hpp"
@@ -110,6 +111,7 @@ Verdict verify(const Result& result) {
     // Where the phases of a task are wrong, its motions belong to none.
     if (verdict.faults.size() == before) check_goals(trace, run, verdict.faults);
     if (verdict.faults.size() == before) check_guides(trace, run, verdict.faults);
+    if (verdict.faults.size() == before) check_lines(trace, run, verdict.faults);
     check_hits(trace, run, verdict.faults);
     check_shifts(trace, run, hours, verdict.faults);
     check_lifts(trace, run, hours, verdict.faults);

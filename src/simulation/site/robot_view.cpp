@@ -77,9 +77,34 @@ std::optional<interpreter::HitPair> RobotView::swept_hit(
   return others_hit(query);
 }
 
+/// As a test of the query, but that bodies may cut into some components: these against all but what
+/// they may enter, and before that all others.
+collision::SweptResult RobotView::entering_hit(const StepQuery& step) const {
+  const auto& items = step.query().items;
+  collision::SweptQuery others = step.query();
+  std::vector<collision::SweptQuery> entering;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!items[i].against_world) continue;
+    std::vector<collision::ObstacleId> ignored =
+        site_.entered_by(index_, step.part_of(static_cast<int>(i)));
+    if (ignored.empty()) continue;
+    others.items[i].against_world = false;
+    collision::SweptQuery& alone = entering.emplace_back(step.query());
+    alone.pairs.clear();
+    for (std::size_t j = 0; j < items.size(); ++j) alone.items[j].against_world = j == i;
+    alone.ignore = std::move(ignored);
+  }
+  collision::SweptResult result = site_.obstacles().test(others);
+  for (std::size_t i = 0; i < entering.size() && !result.hit; ++i) {
+    result = site_.obstacles().test(entering[i]);
+  }
+  return result;
+}
+
 /// Obstacles and own pairs.
 std::optional<interpreter::HitPair> RobotView::own_hit(const StepQuery& step) const {
-  const collision::SweptResult result = site_.obstacles().test(step.query(), budget_);
+  const collision::SweptResult result =
+      site_.may_enter(index_) ? entering_hit(step) : site_.obstacles().test(step.query(), budget_);
   if (!result.hit) return std::nullopt;
   int moved = step.part_of(result.hit->item);
   if (result.hit->obstacle) {
@@ -198,8 +223,8 @@ std::optional<interpreter::HitPair> RobotView::blocked_at(std::span<const double
   std::vector<const ReservedPart*> by_number(machine.bodies.size() + 1, nullptr);
   for (const ReservedPart& part : parts) {
     by_number[static_cast<std::size_t>(part.part)] = &part;
-    if (const auto id =
-            site_.obstacles().blocked_at(*part.body, part.motion.pose(0), tolerance, {})) {
+    if (const auto id = site_.obstacles().blocked_at(*part.body, part.motion.pose(0), tolerance,
+                                                     site_.entered_by(index_, part.part))) {
       return interpreter::HitPair{part_name(part.part), site_.obstacle_name(*id)};
     }
   }

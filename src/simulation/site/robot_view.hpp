@@ -37,6 +37,7 @@ class RobotView : public interpreter::World {
   const SiteRobot& robot() const { return site_.robot(index_); }
   std::optional<interpreter::HitPair> swept_hit(const interpreter::MotionStep& step) const;
   std::optional<interpreter::HitPair> overload(const interpreter::MotionStep& step) const;
+  collision::SweptResult entering_hit(const StepQuery& step) const;
   std::optional<interpreter::HitPair> own_hit(const StepQuery& step) const;
   std::optional<interpreter::HitPair> others_hit(const StepQuery& step) const;
   std::optional<OtherMet> other_met(const collision::SweptQuery& query) const;

@@ -92,6 +92,22 @@ void SiteWorld::begin_turn(int robot, double angle_deg, Ticks end) {
   changed(standing);
 }
 
+void SiteWorld::let_enter(int robot, std::vector<std::pair<int, int>> entered) {
+  RobotEntry& machine = entry(robot);
+  if (machine.entered == entered) return;
+  machine.entered = std::move(entered);
+  ++changes_;
+}
+
+std::vector<collision::ObstacleId> SiteWorld::entered_by(int robot, int body) const {
+  std::vector<collision::ObstacleId> ids;
+  for (const auto& [entering, component] : entry(robot).entered) {
+    const auto& id = components_[static_cast<std::size_t>(component)].id;
+    if (entering == body && id) ids.push_back(*id);
+  }
+  return ids;
+}
+
 MachineState SiteWorld::machine_state(int robot) const {
   const RobotEntry& machine = entry(robot);
   MachineState state{machine.q, machine.load, std::nullopt, machine.turn};

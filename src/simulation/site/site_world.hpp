@@ -92,6 +92,13 @@ class SiteWorld {
   /// meanwhile belongs to the robot. At the end it hangs as it was turned.
   void begin_turn(int robot, double angle_deg, Ticks end);
 
+  /// Bodies of the robot and components that they may cut into, from now on; what was said before
+  /// is forgotten.
+  void let_enter(int robot, std::vector<std::pair<int, int>> entered);
+  /// The obstacles, of components that stand, which the body of the robot may cut into.
+  std::vector<collision::ObstacleId> entered_by(int robot, int body) const;
+  bool may_enter(int robot) const { return !entry(robot).entered.empty(); }
+
   MachineState machine_state(int robot) const;
   void set_machine_state(int robot, MachineState state);
   ComponentState component_state(int component) const;
@@ -154,9 +161,10 @@ class SiteWorld {
     std::vector<double> q;
     std::optional<Load> load;
     bool stepping = false;
-    MachineStep step;              ///< the one in progress, while `stepping`
-    std::optional<LoadTurn> turn;  ///< the one in progress
-    std::uint64_t changes = 0;     ///< of what belongs to it
+    MachineStep step;                          ///< the one in progress, while `stepping`
+    std::optional<LoadTurn> turn;              ///< the one in progress
+    std::vector<std::pair<int, int>> entered;  ///< body, component
+    std::uint64_t changes = 0;                 ///< of what belongs to it
     mutable std::unique_ptr<ReservedVolume>
         reserved;  ///< of what belongs to it now; made when asked for
   };

@@ -16,7 +16,7 @@ constexpr double kStepFraction = 1e-6;
 
 bool frame_holds(const robot::RobotModel& model, const robot::Mounting& mounting,
                  std::span<const double> q, const math::Pose& X_WG,
-                 const interpreter::Within& within) {
+                 const interpreter::Within& within, robot::FreeTurn free) {
   robot::PoseTolerance tolerance;
   if (within.length >= 0) tolerance.position = within.length;
   for (const auto& [index, value] : within.values) {
@@ -25,7 +25,7 @@ bool frame_holds(const robot::RobotModel& model, const robot::Mounting& mounting
   }
   const math::Pose X_WT = robot::tool_pose(model, mounting, q);
   const double off = (X_WT.translation() - X_WG.translation()).norm();
-  const double turned = math::rotation_angle_deg(X_WT.linear().transpose() * X_WG.linear());
+  const double turned = robot::turn_off_deg(X_WT.linear(), X_WG.linear(), free);
   return off <= tolerance.position && math::radians(turned) <= tolerance.orientation;
 }
 
@@ -33,8 +33,8 @@ bool frame_holds(const robot::RobotModel& model, const robot::Mounting& mounting
 
 bool goal_holds(const robot::RobotModel& model, const robot::Mounting& mounting,
                 std::span<const double> q, const interpreter::GoalSpec& goal,
-                const interpreter::Within& within) {
-  if (goal.X_WG) return frame_holds(model, mounting, q, *goal.X_WG, within);
+                const interpreter::Within& within, robot::FreeTurn free) {
+  if (goal.X_WG && !frame_holds(model, mounting, q, *goal.X_WG, within, free)) return false;
   return std::all_of(goal.values.begin(), goal.values.end(), [&](const auto& named) {
     const auto& [index, value] = named;
     const robot::Parameter& parameter = model.parameters[static_cast<std::size_t>(index)];

@@ -11,6 +11,6 @@ namespace rubicon::taskplan {
 /// `within`, a frame within 1e-6 m and rad or `within`; the measure a motion's end is judged by.
 bool goal_holds(const robot::RobotModel& model, const robot::Mounting& mounting,
                 std::span<const double> q, const interpreter::GoalSpec& goal,
-                const interpreter::Within& within);
+                const interpreter::Within& within, robot::FreeTurn free = robot::FreeTurn::none);
 
 }  // namespace rubicon::taskplan

@@ -82,8 +82,8 @@ Step MotionActivity::begin(ActiveTask& task, Stage& stage) {
   const std::vector<double>& q = stage.site.configuration(spec.robot);
   const robot::RobotModel& model = stage.robot_spec(spec.robot).robot->model;
   const robot::Mounting& mounting = stage.site.robot(spec.robot).mounting;
-  if (goals_.size() == 1 &&
-      goal_holds(model, mounting, q, goals_.front(), within_of(stage.plan, spec, purpose))) {
+  if (goals_.size() == 1 && goal_holds(model, mounting, q, goals_.front(),
+                                       within_of(stage.plan, spec, purpose), spec.clauses.free)) {
     MotionOutcome held;
     held.purpose = purpose;
     held.start = stage.now();
@@ -123,6 +123,8 @@ Step MotionActivity::start_machine(ActiveTask& task, Stage& stage) {
   motion.situations = situations_of(stage.plan, spec, purpose);
   motion.guides = spec.guides;
   motion.within = within_of(stage.plan, spec, purpose);
+  motion.clauses = spec.clauses;
+  stage.site.let_enter(spec.robot, spec.clauses.entered);
   motion.budget = budget_;
   motion.full_budget = spec.budget.value_or(stage.plan.budget);
   motion.first_n = task.account.outcome.tried + 1;

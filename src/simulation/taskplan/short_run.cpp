@@ -31,6 +31,8 @@ Schedule run_short(const interpreter::PlanModel& plan, const interpreter::Source
   motion.situations = plan.situations;
   motion.guides = plan.guides;
   motion.within = plan.within;
+  motion.clauses = plan.clauses;
+  site.let_enter(0, plan.clauses.entered);
   motion.budget = plan.budget;
   motion.q = site.configuration(0);
   motion.mounting = site.robot(0).mounting;

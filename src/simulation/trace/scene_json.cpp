@@ -98,6 +98,11 @@ void write_shapes(JsonBuilder& json, const std::vector<geometry::Shape>& shapes,
   json.end_array();
 }
 
+void write_deviation(JsonBuilder& json, const robot::LineDeviation& deviation) {
+  json.key("deviation").begin_object().field("position", deviation.position);
+  json.field("orientation", deviation.orientation_deg).end_object();
+}
+
 void write_robot_model(JsonBuilder& json, const robot::RobotModel& model, MeshTable& meshes) {
   const auto body_name = [&](int index) {
     return model.bodies[static_cast<std::size_t>(index)].name;
@@ -131,7 +136,9 @@ void write_robot_model(JsonBuilder& json, const robot::RobotModel& model, MeshTa
   for (const auto& [a, b] : model.touching) {
     json.begin_array().value(body_name(a)).value(body_name(b)).end_array();
   }
-  json.end_array().key("capacity").begin_array();
+  json.end_array();
+  if (!(model.deviation == robot::LineDeviation{})) write_deviation(json, model.deviation);
+  json.key("capacity").begin_array();
   for (const robot::CapacityPoint& point : model.capacity) {
     json.begin_array().value(point.radius).value(point.mass).end_array();
   }

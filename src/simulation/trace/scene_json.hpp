@@ -24,6 +24,9 @@ class MeshTable {
 /// names its file and its number in `meshes`.
 void write_shapes(JsonBuilder& json, const std::vector<geometry::Shape>& shapes, MeshTable& meshes);
 
+/// The member "deviation": m and degrees.
+void write_deviation(JsonBuilder& json, const robot::LineDeviation& deviation);
+
 /// What a robot file says of its machine: "bodies" with frames and shapes, "parameters", "rules"
 /// and the rest, as members of the open object.
 void write_robot_model(JsonBuilder& json, const robot::RobotModel& model, MeshTable& meshes);

@@ -218,6 +218,40 @@ void write_within(JsonBuilder& json, const PlanModel& plan, int robot,
   json.end_object();
 }
 
+/// Nothing where nothing is asked.
+void write_clauses(JsonBuilder& json, const PlanModel& plan, int robot,
+                   const interpreter::MotionClauses& clauses) {
+  const auto& parameters = plan.robots[static_cast<std::size_t>(robot)].robot->model.parameters;
+  static constexpr const char* kTurns[] = {"", "rotx", "roty", "rotz", "all"};
+  if (clauses.free != robot::FreeTurn::none) {
+    json.field("free", kTurns[static_cast<std::size_t>(clauses.free)]);
+  }
+  if (!clauses.near.empty()) {
+    json.key("near").begin_object();
+    for (const auto& [index, value] : clauses.near) {
+      json.field(parameters[static_cast<std::size_t>(index)].display_name, value);
+    }
+    json.end_object();
+  }
+  if (!clauses.locked.empty()) {
+    json.key("lock").begin_array();
+    for (const int index : clauses.locked) {
+      json.value(std::string_view(parameters[static_cast<std::size_t>(index)].display_name));
+    }
+    json.end_array();
+  }
+  if (clauses.deviation) write_deviation(json, *clauses.deviation);
+  if (clauses.entered.empty()) return;
+  const auto& bodies = plan.robots[static_cast<std::size_t>(robot)].robot->model.bodies;
+  json.key("enter").begin_array();
+  for (const auto& [body, component] : clauses.entered) {
+    json.begin_array().value(std::string_view(bodies[static_cast<std::size_t>(body)].name));
+    json.value(std::string_view(plan.components[static_cast<std::size_t>(component)].name));
+    json.end_array();
+  }
+  json.end_array();
+}
+
 void write_task_motions(JsonBuilder& json, const PlanModel& plan,
                         const interpreter::TaskSpec& task) {
   if (task.move) {
@@ -230,7 +264,10 @@ void write_task_motions(JsonBuilder& json, const PlanModel& plan,
     for (const interpreter::GoalSpec& goal : task.via) write_goal(json, plan, task.robot, goal);
     json.end_array();
   }
-  if (task.robot >= 0) write_within(json, plan, task.robot, task.within);
+  if (task.robot >= 0) {
+    write_within(json, plan, task.robot, task.within);
+    write_clauses(json, plan, task.robot, task.clauses);
+  }
   if (!task.situations.empty()) json.key("situations").strings(task.situations);
 }
 
@@ -411,6 +448,7 @@ std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sou
     json.end_array();
     if (plan.goal) write_goal(json.key("goal"), plan, 0, *plan.goal);
     write_within(json, plan, 0, plan.within);
+    write_clauses(json, plan, 0, plan.clauses);
   }
   write_tasks(json, plan, meshes);
   write_beginning(json, plan);

@@ -367,7 +367,7 @@ void TraceWriter::attempt(const interpreter::Attempt& attempt) {
   line_ += attempt.command;
   line_ += "\",\"parameter\":";
   const std::string_view command = attempt.command;
-  if (command == "together" || command == "follow") {
+  if (command == "together" || command == "follow" || command == "line") {
     line_ += '[';
     for (std::size_t i = 0; i < attempt.parameters.size(); ++i) {
       if (i > 0) line_ += ',';

@@ -155,6 +155,14 @@ class Writer {
       }
     }
   }
+  void item(const syntax::MotionClause& value) {
+    name(value.key);
+    names(value.turns);
+    values(value.values);
+    for (const syntax::QualifiedName& each : value.parameters) name(each);
+    for (const syntax::Number& each : value.numbers) number(each);
+    if (value.body) name(*value.body), name(value.component);
+  }
   void item(const syntax::BehaviourItem& value) { behaviour(value); }
 
   // Items of plans and tasks.

@@ -4,11 +4,26 @@
 
 #include <algorithm>
 
+#include "src/motion/math/angles.hpp"
+
 namespace rubicon::verify {
 
-PoseMiss pose_miss(const Pose& is, const Pose& should) {
-  return {(is.translation() - should.translation()).norm(),
-          math::rotation_angle_deg(is.linear().transpose() * should.linear())};
+namespace {
+
+double turned_deg(const Pose& is, const Pose& should, int free_axis) {
+  if (free_axis == kAllFree) return 0;
+  if (free_axis == kNothingFree) {
+    return math::rotation_angle_deg(is.linear().transpose() * should.linear());
+  }
+  const Vec3 a = is.linear().col(free_axis);
+  const Vec3 b = should.linear().col(free_axis);
+  return math::atan2_deg(a.cross(b).norm(), a.dot(b));
+}
+
+}  // namespace
+
+PoseMiss pose_miss(const Pose& is, const Pose& should, int free_axis) {
+  return {(is.translation() - should.translation()).norm(), turned_deg(is, should, free_axis)};
 }
 
 std::string text_of(const PoseMiss& miss) {

@@ -23,7 +23,8 @@ struct PoseMiss {
   }
 };
 
-PoseMiss pose_miss(const Pose& is, const Pose& should);
+/// `free_axis`: of the tool, about which any turn is as good (SceneTask).
+PoseMiss pose_miss(const Pose& is, const Pose& should, int free_axis = kNothingFree);
 
 /// "12.0 mm and 0.500 degrees".
 std::string text_of(const PoseMiss& miss);

@@ -81,6 +81,10 @@ SceneParameter read_parameter(const JsonFields& fields, const std::vector<std::s
 
 }  // namespace
 
+SceneDeviation read_deviation(const JsonFields& fields) {
+  return {fields.number("position"), fields.number("orientation")};
+}
+
 SceneRobot read_robot(const JsonFields& fields, std::size_t meshes) {
   SceneRobot robot;
   robot.name = fields.text("name");
@@ -101,6 +105,7 @@ SceneRobot read_robot(const JsonFields& fields, std::size_t meshes) {
     robot.touching.emplace_back(body_index(robot, text_of(pair[0], "a body")),
                                 body_index(robot, text_of(pair[1], "a body")));
   }
+  if (fields.has("deviation")) robot.deviation = read_deviation(fields.object("deviation"));
   for (const Json& point : fields.array("capacity")) {
     if (!point.is_array() || point.size() != 2) fields.fail("radius and mass as 'capacity'");
     robot.capacity.emplace_back(number_of(point[0], "a radius"), number_of(point[1], "a mass"));

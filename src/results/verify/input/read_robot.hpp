@@ -9,4 +9,7 @@ namespace rubicon::verify {
 /// UnreadableInput.
 SceneRobot read_robot(const JsonFields& fields, std::size_t meshes);
 
+/// m and degrees. Throws UnreadableInput.
+SceneDeviation read_deviation(const JsonFields& fields);
+
 }  // namespace rubicon::verify

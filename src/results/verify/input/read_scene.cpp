@@ -171,6 +171,30 @@ SceneWithin read_within(const Json& value) {
   return within;
 }
 
+void read_clauses(const JsonFields& fields, const Scene& scene, SceneTask& task) {
+  if (fields.has("free")) {
+    static constexpr const char* kTurns[] = {"rotx", "roty", "rotz", "all"};
+    const auto* const turn = std::find(std::begin(kTurns), std::end(kTurns), fields.text("free"));
+    if (turn == std::end(kTurns)) fields.fail("rotx, roty, rotz or all as 'free'");
+    task.free_axis = static_cast<int>(turn - std::begin(kTurns));
+  }
+  for (const Json& name : list_or_empty(fields, "lock")) {
+    const auto& parameters = scene.robots[static_cast<std::size_t>(task.robot)].parameters;
+    const std::string& wanted = text_of(name, "'lock'");
+    const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                    [&](const auto& each) { return each.name == wanted; });
+    if (found == parameters.end()) fields.fail("parameters of the robot as 'lock'");
+    task.locked.push_back(static_cast<int>(found - parameters.begin()));
+  }
+  if (fields.has("deviation")) task.deviation = read_deviation(fields.object("deviation"));
+  for (const Json& pair : list_or_empty(fields, "enter")) {
+    if (!pair.is_array() || pair.size() != 2) fields.fail("a body and a component as 'enter'");
+    task.entered.emplace_back(
+        text_of(pair[0], "a body"),
+        index_in(scene.component_index, text_of(pair[1], "a component"), "a component"));
+  }
+}
+
 void read_via(const Json& list, const Scene& scene, SceneTask& task) {
   for (const Json& object : list) {
     const JsonFields fields(object, "a way point");
@@ -234,6 +258,7 @@ void read_doing(const JsonFields& fields, const Scene& scene, SceneTask& task) {
     fields.fail("a robot for the motion");
   }
   if (fields.has("within")) task.within = read_within(fields.any("within"));
+  if (task.robot >= 0) read_clauses(fields, scene, task);
 }
 
 SceneTask read_task(const JsonFields& fields, const Scene& scene) {
@@ -319,6 +344,7 @@ void add_short_task(const JsonFields& header, Scene& scene) {
   read_via(list_or_empty(header, "via"), scene, task);
   if (header.has("goal")) read_go(header.object("goal"), scene, task);
   if (header.has("within")) task.within = read_within(header.any("within"));
+  read_clauses(header, scene, task);
   add_name(scene.task_index, task.name);
   scene.tasks.push_back(std::move(task));
 }

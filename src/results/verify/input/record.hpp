@@ -26,6 +26,7 @@ struct Goal {
 struct Try {
   bool ok = false;
   bool follows = false;  ///< it is a step of the leg to the way point
+  bool lines = false;    ///< it is a step of the tool's straight way
   int n = 0;
   std::vector<int> moved;                                  ///< parameters of the command
   std::vector<double> q;                                   ///< every parameter after it

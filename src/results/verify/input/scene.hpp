@@ -84,6 +84,12 @@ struct SceneCharges {
   int normal = -1;  ///< calendar outside of which it is overtime; -1: its own
 };
 
+/// How far the tool may be beside a straight way.
+struct SceneDeviation {
+  double position = 1e-3;    ///< m
+  double orientation = 0.1;  ///< degrees
+};
+
 struct SceneRobot {
   std::string name;
   Pose X_WM = Pose::Identity();
@@ -94,6 +100,7 @@ struct SceneRobot {
   int tool_body = 0;
   std::vector<FrameElement> tool_frame;
   std::vector<std::pair<int, int>> touching;
+  SceneDeviation deviation;
   std::vector<std::pair<double, double>> capacity;  ///< radius (m), mass (kg)
   int calendar = -1;
   double cost_per_hour = 0;
@@ -160,6 +167,10 @@ struct SceneFile {
   std::string sha256;
 };
 
+/// What of a turn is free: an axis of the tool (0 x, 1 y, 2 z), nothing, or all.
+inline constexpr int kNothingFree = -1;
+inline constexpr int kAllFree = 3;
+
 struct SceneTask {
   std::string name;
   int robot = -1;
@@ -171,6 +182,10 @@ struct SceneTask {
   std::optional<Pose> go_pose;             ///< X_WT
   std::vector<SceneGoal> via;              ///< before the goal of `go`, or of the carrying motion
   std::optional<SceneWithin> within;
+  int free_axis = kNothingFree;  ///< of the tool, about which a goal frame may be turned
+  std::vector<int> locked;       ///< parameters that no step changes
+  std::optional<SceneDeviation> deviation;
+  std::vector<std::pair<std::string, int>> entered;  ///< body, component that it may cut into
   std::optional<SceneWork> hook, adjust, release;
   bool whole = false;  ///< nothing may hang on its hook out of working time
   std::vector<SceneWork> takes;

@@ -93,6 +93,7 @@ class RecordReader {
     attempt.ok = fields_.truth("ok");
     attempt.n = fields_.integer("n");
     attempt.follows = fields_.text("command") == "follow";
+    attempt.lines = fields_.text("command") == "line";
     const Json& names = fields_.any("parameter");
     if (names.is_array()) {
       for (const Json& name : names) attempt.moved.push_back(parameter(name));

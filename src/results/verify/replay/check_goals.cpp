@@ -212,8 +212,9 @@ class GoalCheck {
       off += std::max(within.length, 0.0);
       for (const auto& [name, value] : within.values) turned_deg += value;
     }
-    const PoseMiss miss = pose_miss(mechanism_.pose(mechanism_.tool(), end.q),
-                                    mechanism_.pose(mechanism_.tool(), there));
+    const PoseMiss miss = pose_miss(
+        mechanism_.pose(mechanism_.tool(), end.q), mechanism_.pose(mechanism_.tool(), there),
+        run_.task < 0 ? kNothingFree : trace_.scene.tasks[at(run_.task)].free_axis);
     if (std::fabs(miss.off - *end.position_error) > off) {
       wrong(fmt::format("the tool is {:g} m from its goal, by the residual {:g} m",
                         *end.position_error, miss.off));

@@ -98,11 +98,24 @@ class ContactCheck {
     tree_.meeting(box, [&](int index) {
       const Obstacle& obstacle = obstacles_[at(index)];
       if (obstacle.exempt == robot || (load >= 0 && obstacle.component == load)) return;
+      if (may_enter(robot, each, part, obstacle)) return;
       const auto [s0, s1] = shares(each, obstacle.from, obstacle.to);
       if (!(s0 < s1)) return;
       const LegPart motion(frames, part, -1, s0, s1);
       const auto contact = sweep(*part.solid, motion, *obstacle.solid, StandingPart(obstacle.X_WS));
       if (contact) report(each, s0 + contact->u * (s1 - s0), part.name, obstacle.name, *contact);
+    });
+  }
+
+  /// Whether the task says that the body may cut into the component.
+  bool may_enter(int robot, const Leg& each, const RobotPart& part,
+                 const Obstacle& obstacle) const {
+    if (each.run < 0 || obstacle.component < 0 || runs_[at(each.run)].task < 0) return false;
+    const auto& entered = trace_.scene.tasks[at(runs_[at(each.run)].task)].entered;
+    const std::string prefix = trace_.scene.robots[at(robot)].name + ".";
+    return std::any_of(entered.begin(), entered.end(), [&](const auto& pair) {
+      return pair.second == obstacle.component &&
+             (part.name == pair.first || part.name == prefix + pair.first);
     });
   }
 

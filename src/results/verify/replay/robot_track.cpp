@@ -171,7 +171,7 @@ class TrackBuilder {
     }
     const SceneTask& planned = trace_.scene.tasks[at(task)];
     expect_goal(planned.go, planned.within);
-    if (planned.go_pose) expect_pose(*planned.go_pose, planned.within);
+    if (planned.go_pose) expect_pose(*planned.go_pose, planned.within, planned.free_axis);
   }
 
   void expect_short_result(TaskResult told);
@@ -192,7 +192,7 @@ class TrackBuilder {
     }
   }
 
-  void expect_pose(const Pose& X_WG, const std::optional<SceneWithin>& within);
+  void expect_pose(const Pose& X_WG, const std::optional<SceneWithin>& within, int free_axis);
 
   void follow(const LoadChange& change) {
     expect_standing("a load changes");
@@ -309,9 +309,10 @@ class TrackBuilder {
   const Record* record_ = nullptr;
 };
 
-void TrackBuilder::expect_pose(const Pose& X_WG, const std::optional<SceneWithin>& within) {
+void TrackBuilder::expect_pose(const Pose& X_WG, const std::optional<SceneWithin>& within,
+                               int free_axis) {
   const GoalTolerance allowed = goal_tolerance(robot_, within);
-  const PoseMiss off = pose_miss(mechanism_.pose(mechanism_.tool(), q_), X_WG);
+  const PoseMiss off = pose_miss(mechanism_.pose(mechanism_.tool(), q_), X_WG, free_axis);
   if (off.within(allowed)) return;
   fault(FaultKind::motion,
         fmt::format("the task is done with the tool {} from its goal", text_of(off)));
@@ -326,7 +327,10 @@ bool TrackBuilder::is_at_goal(double share, double slack) const {
     GoalTolerance allowed = goal_tolerance(robot_, within);
     allowed.off = share * allowed.off + slack;
     allowed.turned_deg = share * allowed.turned_deg + slack;
-    return pose_miss(mechanism_.pose(mechanism_.tool(), q_), *task.go_pose).within(allowed);
+    const PoseMiss off =
+        pose_miss(mechanism_.pose(mechanism_.tool(), q_), *task.go_pose, task.free_axis);
+    if (!off.within(allowed)) return false;
+    if (task.go.empty()) return true;
   }
   std::vector<double> there = q_at_way_point_.empty() ? q_ : q_at_way_point_;
   for (const auto& [index, value] : task.go) there[at(index)] = value;

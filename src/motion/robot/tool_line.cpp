@@ -1,0 +1,312 @@
+#include "src/motion/robot/tool_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "src/motion/math/angles.hpp"
+#include "src/motion/robot/damped_least_squares.hpp"
+#include "src/motion/robot/frame_chain.hpp"
+#include "src/motion/robot/turns.hpp"
+
+namespace rubicon::robot {
+namespace {
+
+/// m and rad by which the tool is at the end of its way. Above kSolved, with which steps are found.
+constexpr double kThere = 1e-8;
+
+/// The way by whose configuration the length of a step is foretold: m and rad.
+constexpr double kProbe = 1e-3;
+
+/// The shortest step but the last: m and rad. Where less is allowed the line cannot be gone.
+constexpr double kShortest = 1e-6;
+
+/// Parts of a step at whose ends the deviation is measured; between them it is bounded.
+constexpr int kParts = 8;
+
+/// m or rad of the tool for m or rad of a parameter that hardly moves it.
+constexpr double kIdle = 1e-9;
+
+/// Trials of shorter steps.
+constexpr int kMostTrials = 60;
+
+/// Rounding of a step beside the longest that a parameter makes.
+constexpr double kStepSlack = 1e-9;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
+/// The straight way between two poses of the tool.
+class ToolLine::Way {
+ public:
+  /// `shift`: the most that a parameter which is to end at a value is from it: m, rad.
+  Way(const Pose& X_from, const Pose& X_to, FreeTurn free, double shift)
+      : X_from_(X_from),
+        free_(free),
+        along_(X_to.translation() - X_from.translation()),
+        turn_(turn_to_goal(X_from.linear(), X_to.linear(), free)),
+        length_(along_.norm()),
+        angle_(turn_.norm()),
+        shift_(shift) {}
+
+  bool is_over() const { return std::max({length_, angle_, shift_}) <= kThere; }
+  /// The part of it that is so long (m, or rad where that is more).
+  double part(double way) const { return std::min(1.0, way / std::max({length_, angle_, shift_})); }
+
+  Pose at(double part) const {
+    Pose X = X_from_;
+    X.translation() += part * along_;
+    X.linear() = rotation_by(part * turn_) * X_from_.linear();
+    return X;
+  }
+
+  /// How far a pose is beside the first `part` of the way: m, rad.
+  std::pair<double, double> off(const Pose& X, double part, double fraction) const {
+    const Vec3 from = X.translation() - X_from_.translation();
+    double gone = fraction * part;
+    if (length_ > kThere) {
+      gone = std::clamp(from.dot(along_) / (length_ * length_), 0.0, part);
+    }
+    const Vec3 turn = turn_to_goal(X.linear(), at(gone).linear(), free_);
+    return {(from - gone * along_).norm(), turn.norm()};
+  }
+
+ private:
+  Pose X_from_;
+  FreeTurn free_;
+  Vec3 along_;
+  Vec3 turn_;
+  double length_;
+  double angle_;
+  double shift_;
+};
+
+ToolLine::ToolLine(const RobotModel& model, const Mounting& mounting, LineDeviation deviation,
+                   GoalClauses clauses)
+    : model_(model),
+      mounting_(mounting),
+      deviation_(deviation),
+      clauses_(std::move(clauses)),
+      elements_(elements_to_tool(model)) {
+  clauses_.near.clear();
+  std::vector<int> held;
+  for (int i = 0; i < static_cast<int>(model.parameters.size()); ++i) {
+    const Parameter& p = model.parameters[at(i)];
+    const bool steps = p.step > 0 && p.direct && p.free && !p.derived;
+    if (steps) stepped_.push_back(i);
+    (steps && !clauses_.locks(i) ? moved_ : held).push_back(i);
+  }
+  clauses_.locked = held;
+  if (stepped_.empty()) refusal_ = "no parameter of it has a step or a speed of its own";
+}
+
+std::vector<double> ToolLine::change_between(std::span<const double> q,
+                                             std::span<const double> q_to) const {
+  std::vector<double> change(q.size(), 0.0);
+  for (const int i : moved_) {
+    change[at(i)] = robot::way_between(model_.parameters[at(i)], q[at(i)], q_to[at(i)]);
+  }
+  return change;
+}
+
+double ToolLine::share_allowed(std::span<const double> change) const {
+  double share = 1;
+  for (const int i : moved_) {
+    const double length = std::fabs(change[at(i)]);
+    const double step = model_.parameters[at(i)].step;
+    if (length > step * (1 + kStepSlack)) share = std::min(share, step / length);
+  }
+  return share;
+}
+
+namespace {
+
+/// How far the tool may be from where it is measured to be between two measured moments of a step:
+/// a bound on its second derivative, by how far the joints on its way turn and shift in the step.
+struct Bend {
+  double position = 0;     ///< m
+  double orientation = 0;  ///< rad
+};
+
+class StepMotion {
+ public:
+  StepMotion(const Mounting& mounting, const std::vector<const FrameElement*>& elements)
+      : mounting_(mounting), elements_(elements) {}
+
+  /// The pose of the tool at q, with what the joints have done since the pose before.
+  Pose pose(std::span<const double> q) {
+    const FormulaInput input = {q, {}, mounting_.starts};
+    Pose X = mounting_.X_WM;
+    std::vector<Vec3> values;
+    std::vector<Vec3> joints;
+    for (const FrameElement* element : elements_) {
+      const bool shifts = element->kind == FrameElement::Kind::trans;
+      values.emplace_back(element->a.evaluate(input), shifts ? element->b.evaluate(input) : 0,
+                          shifts ? element->c.evaluate(input) : 0);
+      if (!shifts) joints.emplace_back(X.translation());
+      append(X, *element, input);
+    }
+    for (const Vec3& joint : joints) {
+      reach_ = std::max(reach_, (X.translation() - joint).norm());
+    }
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const double change = (values[i] - values_[i]).norm();
+      if (elements_[i]->kind == FrameElement::Kind::trans) {
+        shift_ += change;
+      } else {
+        turn_ += math::radians(change);
+      }
+    }
+    values_ = std::move(values);
+    return X;
+  }
+
+  Bend bend() const {
+    const double reach = reach_ + shift_ + turn_ * reach_;
+    constexpr double kChord = 1.0 / (8 * kParts * kParts);
+    return {(turn_ * turn_ * reach + 2 * turn_ * shift_) * kChord, turn_ * turn_ * kChord};
+  }
+
+ private:
+  const Mounting& mounting_;
+  const std::vector<const FrameElement*>& elements_;
+  std::vector<Vec3> values_;
+  double turn_ = 0;   ///< rad, of all joints
+  double shift_ = 0;  ///< m
+  double reach_ = 0;  ///< m, of the tool from the joints
+};
+
+}  // namespace
+
+ToolLine::Way ToolLine::way_between(std::span<const double> q, std::span<const double> q_end,
+                                    std::span<const int> named) const {
+  double shift = 0;
+  for (const int i : named) {
+    const Parameter& p = model_.parameters[at(i)];
+    const double off = std::fabs(robot::way_between(p, q[at(i)], q_end[at(i)]));
+    shift = std::max(shift, p.rotation ? math::radians(off) : off);
+  }
+  return {tool_pose(model_, mounting_, q), tool_pose(model_, mounting_, q_end), clauses_.free,
+          shift};
+}
+
+bool ToolLine::is_there(std::span<const double> q, std::span<const double> q_end,
+                        std::span<const int> named) const {
+  return way_between(q, q_end, named).is_over();
+}
+
+/// Parameters that run evenly to their values at the end: the named ones, and of the others that
+/// move the tool, from the base on, as many as are more than its pose needs. Ascending.
+std::vector<int> ToolLine::steered(const Way& way, std::span<const double> q,
+                                   std::span<const int> named) const {
+  std::vector<int> result;
+  for (const int i : named) {
+    if (std::binary_search(moved_.begin(), moved_.end(), i)) result.push_back(i);
+  }
+  const GoalProblem problem(model_, mounting_, q, way.at(0), clauses_);
+  const auto& variables = problem.variables();
+  const PoseJacobian jacobian =
+      problem.jacobian(problem.at({q.begin(), q.end()}), variables.size());
+  std::vector<int> moving;  // tip first
+  for (std::size_t v = 0; v < variables.size(); ++v) {
+    const int i = static_cast<int>(variables[v].parameter);
+    const bool is_named = std::find(result.begin(), result.end(), i) != result.end();
+    if (!is_named && jacobian.col(static_cast<Eigen::Index>(v)).norm() > kIdle) moving.push_back(i);
+  }
+  const std::size_t needed = clauses_.free == FreeTurn::none  ? 6u
+                             : clauses_.free == FreeTurn::all ? 3u
+                                                              : 5u;
+  while (moving.size() > needed) {
+    result.push_back(moving.back());
+    moving.pop_back();
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// The parameter that stands at the limit beyond which `wanted` leads.
+int ToolLine::barring(std::span<const double> q, const std::vector<double>& wanted) const {
+  for (const int i : moved_) {
+    const Parameter& p = model_.parameters[at(i)];
+    if (p.cyclic) continue;
+    const double slack = 1e-6 * p.quantum;
+    if (q[at(i)] >= p.upper - slack && wanted[at(i)] >= p.upper - slack) return i;
+    if (q[at(i)] <= p.lower + slack && wanted[at(i)] <= p.lower + slack) return i;
+  }
+  return -1;
+}
+
+ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const double> q_end,
+                                   std::span<const int> named, std::span<double> steps) const {
+  std::fill(steps.begin(), steps.end(), 0.0);
+  const Way way = way_between(q, q_end, named);
+  if (way.is_over()) return {Step::Kind::there, -1};
+
+  const std::vector<int> even = steered(way, q, named);
+  const std::vector<double> whole = change_between(q, q_end);
+  GoalClauses clauses = clauses_;
+  clauses.locked.insert(clauses.locked.end(), even.begin(), even.end());
+  std::sort(clauses.locked.begin(), clauses.locked.end());
+  const auto solve = [&](double part) {
+    std::vector<double> q_even(q.begin(), q.end());
+    for (const int i : even) q_even[at(i)] += part * whole[at(i)];
+    const GoalProblem problem(model_, mounting_, q_even, way.at(part), clauses);
+    GoalState state = damped_least_squares(problem, problem.at(q_even), problem.variables().size(),
+                                           GoalPart::pose);
+    return std::pair(problem.solved(state), std::move(state.q));
+  };
+  const auto fits = [&](const std::vector<double>& change, double part) {
+    std::vector<double> q_there(q.begin(), q.end());
+    for (std::size_t i = 0; i < q_there.size(); ++i) q_there[i] += change[i];
+    StepMotion motion(mounting_, elements_);
+    std::pair<double, double> worst = {0, 0};
+    for (int k = 0; k <= kParts; ++k) {
+      const double fraction = static_cast<double>(k) / kParts;
+      std::vector<double> between = configuration_at(q, q_there, fraction);
+      update_derived(model_, mounting_, between);
+      const auto [off, turned] = way.off(motion.pose(between), part, fraction);
+      worst = {std::max(worst.first, off), std::max(worst.second, turned)};
+    }
+    const Bend bend = motion.bend();
+    return worst.first + bend.position <= deviation_.position &&
+           worst.second + bend.orientation <= math::radians(deviation_.orientation_deg);
+  };
+
+  // The goal's own configuration, where it is a step away.
+  if (share_allowed(whole) == 1 && fits(whole, 1)) {
+    std::copy(whole.begin(), whole.end(), steps.begin());
+    return {Step::Kind::made, -1};
+  }
+  // How the parameters run along it tells how long a step may be.
+  const double probe = way.part(kProbe);
+  const auto [leads_on, q_probe] = solve(probe);
+  if (!leads_on) {
+    const int limit = barring(q, q_probe);
+    return {limit < 0 ? Step::Kind::none : Step::Kind::limit, limit};
+  }
+  double part = std::min(
+      1.0, probe * [&] {
+        double longest = 0;
+        const std::vector<double> change = change_between(q, q_probe);
+        for (const int i : moved_) {
+          longest = std::max(longest, std::fabs(change[at(i)]) / model_.parameters[at(i)].step);
+        }
+        return longest > 0 ? 1 / longest : 1 / probe;
+      }());
+  const double shortest = way.part(kShortest);
+  for (int trial = 0; trial < kMostTrials && part >= shortest; ++trial) {
+    const auto [solved, q_there] = solve(part);
+    const std::vector<double> change = change_between(q, q_there);
+    const double share = share_allowed(change);
+    if (solved && share == 1 && fits(change, part)) {
+      std::copy(change.begin(), change.end(), steps.begin());
+      return {Step::Kind::made, -1};
+    }
+    // A step that is too long in a parameter is nearly as much too long on the way.
+    part *= solved && share < 1 ? std::min(0.999 * share + 1e-3, 0.999) : 0.7;
+  }
+  return {Step::Kind::none, -1};
+}
+
+}  // namespace rubicon::robot
