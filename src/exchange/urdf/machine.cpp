@@ -109,10 +109,10 @@ class MachineReader {
   static double size(const Element& element, std::string_view attribute) {
     required(element, attribute);
     const double value = number(element, attribute, 0);
-    if (!(value > 0)) {
+    if (value < 0) {
       fail("I24", element.span,
-           fmt::format("expected '{}' of <{}> to be greater than 0, found {}", attribute,
-                       element.name, value));
+           fmt::format("expected '{}' of <{}> to be 0 or more, found {}", attribute, element.name,
+                       value));
     }
     return value;
   }
@@ -216,7 +216,29 @@ class MachineReader {
           fmt::format("the shape <{}> is not known here: the link goes without it", shape.name));
       return std::nullopt;
     }
+    if (is_empty(piece.geometry)) {
+      findings_.warn("I25", "empty shape", shape.span,
+                     fmt::format("this <{}> has no volume: the link goes without it", shape.name));
+      return std::nullopt;
+    }
     return piece;
+  }
+
+  /// Descriptions have boxes of nothing, where something must stand.
+  static bool is_empty(const Geometry& geometry) {
+    const Triple& size = geometry.size;
+    switch (geometry.kind) {
+      case Geometry::Kind::box:
+        return size[0] == 0 || size[1] == 0 || size[2] == 0;
+      case Geometry::Kind::cylinder:
+      case Geometry::Kind::capsule:
+        return size[0] == 0 || size[1] == 0;
+      case Geometry::Kind::sphere:
+        return size[0] == 0;
+      case Geometry::Kind::mesh:
+        break;
+    }
+    return false;
   }
 
   bool read_shape(const Element& shape, Geometry& geometry) {
@@ -225,9 +247,9 @@ class MachineReader {
       required(shape, "size");
       geometry.size = triple(shape, "size", {});
       for (const double each : geometry.size) {
-        if (!(each > 0)) {
+        if (each < 0) {
           fail("I24", shape.span,
-               fmt::format("expected a size greater than 0, found '{}'", *shape.find("size")));
+               fmt::format("expected sizes of 0 or more, found '{}'", *shape.find("size")));
         }
       }
     } else if (shape.name == "sphere") {

@@ -48,7 +48,6 @@ struct Property {
 struct Scope {
   std::map<std::string, Property> properties;
   std::map<std::string, Elements> blocks;
-  std::map<std::string, std::shared_ptr<const Macro>> macros;  // shared: it may replace itself
   Scope* outer = nullptr;
 };
 
@@ -144,7 +143,7 @@ class Expander {
     if (name == "property") {
       define_property(element, scope);
     } else if (name == "macro") {
-      define_macro(element, scope);
+      define_macro(element);
     } else if (name == "arg") {
       define_argument(element, scope);
     } else if (name == "include") {
@@ -195,7 +194,9 @@ class Expander {
     for (const Attribute& each : element.attributes) {
       if (each.name.starts_with("xmlns")) continue;
       if (each.name.starts_with(kPrefix)) {
-        fail("I22", element.span, fmt::format("the attribute '{}' is not read here", each.name));
+        context_.findings->note("I25", "attribute " + each.name, element.span,
+                                fmt::format("'{}' is not taken over", each.name));
+        continue;
       }
       copy.attributes.push_back({each.name, text(each.value, element, scope)});
       count_bytes(each.name.size() + copy.attributes.back().value.size(), element);
@@ -253,7 +254,7 @@ class Expander {
     target->properties[name] = std::move(property);
   }
 
-  void define_macro(const Element& element, Scope& scope) {
+  void define_macro(const Element& element) {
     know_attributes(element, {"name", "params"});
     auto macro = std::make_shared<Macro>();
     const std::string* parameters = element.find("params");
@@ -261,7 +262,7 @@ class Expander {
     count_tree(element);
     macro->content = element.children;
     macro->path = path_;
-    scope.macros[without_prefix(required(element, "name"))] = std::move(macro);
+    macros_[without_prefix(required(element, "name"))] = std::move(macro);
   }
 
   void define_argument(const Element& element, Scope& scope) {
@@ -358,28 +359,19 @@ class Expander {
     expand_all(copy, scope, out, depth + 1);
   }
 
-  std::shared_ptr<const Macro> find_macro(const std::string& name, const Scope& scope) const {
-    for (const Scope* at = &scope; at != nullptr; at = at->outer) {
-      const auto found = at->macros.find(name);
-      if (found != at->macros.end()) return found->second;
-    }
-    return nullptr;
-  }
-
   void call_macro(const Element& element, const std::string& name, Scope& scope, Elements& out,
                   int depth) {
-    const std::shared_ptr<const Macro> macro = find_macro(name, scope);
-    if (macro == nullptr) {
+    const auto found = macros_.find(name);
+    if (found == macros_.end()) {
       std::vector<std::string> names = {"property", "macro",  "include",     "arg",
                                         "if",       "unless", "insert_block"};
-      for (const Scope* at = &scope; at != nullptr; at = at->outer) {
-        for (const auto& [each, ignored] : at->macros) names.push_back(each);
-      }
+      for (const auto& [each, ignored] : macros_) names.push_back(each);
       const std::string nearest = interpreter::did_you_mean(name, names);
       fail("I22", element.span,
            fmt::format("the macro '{}' is not known{}", name,
                        nearest.empty() ? "" : "; did you mean " + nearest + "?"));
     }
+    const std::shared_ptr<const Macro> macro = found->second;
     if (calls_.size() == kMaxCallDepth) {
       fail("I21", element.span,
            fmt::format("expected macros at most {} deep in each other, found more", kMaxCallDepth),
@@ -592,6 +584,8 @@ class Expander {
   std::map<std::string, std::string> arguments_;
   std::set<std::string> asked_;
   Scope global_;
+  /// Wherever they are defined, all know them. Shared: a macro may define itself anew.
+  std::map<std::string, std::shared_ptr<const Macro>> macros_;
   std::string path_;               ///< of the file that is being expanded
   std::vector<std::string> open_;  ///< files that are being included
   std::map<std::string, interpreter::FileId> files_;

@@ -95,11 +95,11 @@ TEST(HostileMachine, MistakesAreSaidAtTheirPlace) {
       {machine("<link name=\"a\"><collision/></link>"),
        "I24 2: expected <geometry> in <collision>, found none"},
       {machine(
-           "<link name=\"a\"><visual><geometry><box size=\"1 0 1\"/></geometry></visual></link>"),
-       "I24 2: expected a size greater than 0, found '1 0 1'"},
+           "<link name=\"a\"><visual><geometry><box size=\"1 -1 1\"/></geometry></visual></link>"),
+       "I24 2: expected sizes of 0 or more, found '1 -1 1'"},
       {machine(
            "<link name=\"a\"><visual><geometry><sphere radius=\"-1\"/></geometry></visual></link>"),
-       "I24 2: expected 'radius' of <sphere> to be greater than 0, found -1"},
+       "I24 2: expected 'radius' of <sphere> to be 0 or more, found -1"},
       {machine("<link name=\"a\"><visual><geometry><mesh filename=\"m.stl\" scale=\"1 0 "
                "1\"/></geometry></visual></link>"),
        "I24 2: expected a scale other than 0, found '1 0 1'"},

@@ -75,6 +75,17 @@ TEST(Machine, ShapesOfTheLanguage) {
   checked(robot);
 }
 
+TEST(Machine, ShapesOfNothingAreLeftOut) {
+  const Imported imported = import({R"(<robot name="r"><link name="base">
+<collision><geometry><box size="0 0 0"/></geometry></collision>
+<collision><geometry><sphere radius="0"/></geometry></collision></link></robot>)"});
+  ASSERT_TRUE(imported.machine);
+  EXPECT_THAT(imported.machine->robot, Not(HasSubstr("shape")));
+  EXPECT_THAT(
+      imported.said(),
+      HasSubstr("I25 2: this <box> has no volume: the link goes without it (1 more like it)\n"));
+}
+
 TEST(Machine, CollisionElseVisualAndBothAreSaid) {
   const Imported imported = import({R"(<robot name="r">
 <link name="a"><visual><geometry><box size="1 1 1"/></geometry></visual></link>

@@ -80,6 +80,17 @@ TEST(Xacro, MacrosMayCallThemselvesToAnEnd) {
   EXPECT_TRUE(import(asked).machine) << import(asked).said();
 }
 
+TEST(Xacro, MacrosAreKnownToAllWhereverTheyAreDefined) {
+  Asked asked{
+      xacro(R"(<xacro:macro name="load"><xacro:include filename="parts.xacro"/></xacro:macro>
+<xacro:load/><xacro:part xacro:note="n" n="a"/>)")};
+  asked.files["parts.xacro"] =
+      xacro("<xacro:macro name=\"part\" params=\"n\"><link name=\"${n}\"/></xacro:macro>");
+  EXPECT_FALSE(import(asked).machine);  // a macro takes its parameters only
+  asked.text.replace(asked.text.find(" xacro:note=\"n\""), 15, "");
+  EXPECT_TRUE(import(asked).machine) << import(asked).said();
+}
+
 TEST(Xacro, BlocksOfPropertiesAndForwardedParameters) {
   Asked asked{xacro(R"(<xacro:property name="place"><origin xyz="0 0 ${z}"/></xacro:property>
 <xacro:property name="z" value="7"/>
