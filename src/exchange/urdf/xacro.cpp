@@ -506,6 +506,16 @@ class Expander {
 
   /// A text with its ${...} and $(...); what is one ${...} from end to end keeps its type.
   Value substituted(const std::string& written, const Element& element, Scope& scope) {
+    struct Deeper {
+      explicit Deeper(int& counter) : depth(counter) {
+        if (++depth > kMaxExpressionDepth) throw ExpressionError{"it is nested too deep"};
+      }
+      ~Deeper() { --depth; }
+      Deeper(const Deeper&) = delete;
+      Deeper& operator=(const Deeper&) = delete;
+      int& depth;
+    };
+    const Deeper deeper(substitutions_);
     std::string result;
     std::size_t at = 0;
     while (at < written.size()) {
@@ -591,6 +601,7 @@ class Expander {
   std::map<std::string, interpreter::FileId> files_;
   std::vector<Span> calls_;
   std::set<const Property*> resolving_;
+  int substitutions_ = 0;  ///< that are in each other
   std::size_t includes_ = 0;
   std::size_t elements_ = 0;
   std::size_t bytes_ = 0;

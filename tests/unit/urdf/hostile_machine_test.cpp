@@ -2,9 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <fstream>
 #include <random>
+#include <sstream>
 
+#include "tests/support/places.hpp"
 #include "tests/support/random_cases.hpp"
 #include "tests/unit/urdf/machine_support.hpp"
 
@@ -150,14 +152,10 @@ TEST(HostileMachine, LinksAndElementsAreCounted) {
 
 /// Any damage is a message or a machine, never a crash.
 TEST(HostileMachine, SmokeDamagedText) {
-  const std::string whole = R"(<?xml version="1.0"?>
-<robot name="r" xmlns:xacro="http://x"><xacro:property name="w" value="${2*1.5}"/>
-<xacro:macro name="leg" params="n *o p:=^|3"><link name="leg_${n}"><collision><xacro:insert_block name="o"/>
-<geometry><cylinder radius="${w/10}" length="1"/></geometry></collision></link>
-<joint name="j_${n}" type="revolute"><parent link="base"/><child link="leg_${n}"/><axis xyz="1 ${n} 0"/>
-<limit lower="-1" upper="${p}" velocity="1"/></joint></xacro:macro>
-<link name="base"/><xacro:leg n="1"><origin xyz="0 0 1" rpy="0 ${pi/2} 0"/></xacro:leg>
-<xacro:if value="${w > 1}"><xacro:leg n="2" p="1"><origin/></xacro:leg></xacro:if></robot>)";
+  std::ifstream file(test::source_dir() + "/tests/unit/urdf/stool.urdf");
+  std::stringstream content;
+  content << file.rdbuf();
+  const std::string whole = content.str();
   ASSERT_TRUE(import({whole}).machine) << import({whole}).said();
   std::mt19937 random(5);
   for (int i = 0; i < test::cases(3000); ++i) {

@@ -152,6 +152,9 @@ TEST(Xacro, BombsAreCounted) {
     text += fmt::format("<xacro:property name=\"p{0}\" value=\"${{p{1} + p{1}}}\"/>\n", i, i - 1);
   }
   EXPECT_THAT(error(text + "<link name=\"${p25}\"/>"), HasSubstr("the text becomes too long"));
+  std::string nested = "a";
+  for (int i = 0; i < 1000; ++i) nested = "$(arg " + nested + ")";
+  EXPECT_THAT(error("<link name=\"" + nested + "\"/>"), HasSubstr("it is nested too deep"));
   EXPECT_THAT(error("<xacro:property name=\"a\" value=\"${b}\"/><xacro:property name=\"b\" "
                     "value=\"${a}\"/><link name=\"${a}\"/>"),
               HasSubstr("needs itself, or too many others"));
