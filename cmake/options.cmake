@@ -45,5 +45,5 @@ if(RUBICON_SANITIZE)
 endif()
 
 # With RUBICON_FUZZ: the modules whose ways through the code guide the fuzzer (tests/fuzz).
-set(rubicon_fuzzed_modules interpreter project_io building_io ifc verify film debug why)
+set(rubicon_fuzzed_modules interpreter project_io building_io urdf ifc verify film debug why)
 set(rubicon_fuzz_options -fsanitize=fuzzer-no-link)

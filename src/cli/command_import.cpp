@@ -24,6 +24,10 @@ int fail(const std::string& message) {
   return kWrongInput;
 }
 
+bool is_machine(const std::string& path) {
+  return path.ends_with(".urdf") || path.ends_with(".xacro");
+}
+
 int import_schedule(const ImportOptions& options) {
   files::DiskFiles disk;
   interpreter::SourceMap sources;
@@ -58,6 +62,19 @@ int import_schedule(const ImportOptions& options) {
 }  // namespace
 
 int run_import(const ImportOptions& options) {
+  std::size_t machines = 0;
+  for (const std::string& file : options.files) machines += is_machine(file) ? 1U : 0U;
+  if (machines > 0) {
+    if (options.files.size() > 1) return fail("one machine at a time, without other files");
+    if (options.level || options.baseline || !options.match.empty() || !options.schedule.empty() ||
+        !options.unit.empty() || !options.up.empty()) {
+      return fail("a machine takes --out, --package, --arg and --tool only");
+    }
+    return import_machine(options);
+  }
+  if (!options.packages.empty() || !options.arguments.empty() || !options.tool.empty()) {
+    return fail("--package, --arg and --tool go with a machine (.urdf, .xacro)");
+  }
   std::size_t models = 0;
   for (const std::string& file : options.files) models += mesh_io::format_of(file) ? 1U : 0U;
   if (models == options.files.size()) {

@@ -98,6 +98,9 @@ Action declare_import(CLI::App& app) {
   app.add_flag("--baseline", options->baseline);
   app.add_option("--unit", options->unit)->check(IsMember({"mm", "cm", "m"}));
   app.add_option("--up", options->up)->check(IsMember({"y", "z"}));
+  app.add_option("--package", options->packages)->take_all();
+  app.add_option("--arg", options->arguments)->take_all();
+  app.add_option("--tool", options->tool);
   app.add_option("--out", options->out);
   return [options] { return run_import(*options); };
 }
@@ -151,8 +154,8 @@ const std::vector<Command>& command_table() {
       {"verify", "RESULT",
        "replay a result by other means and look for contact, gaps and broken links", pages::kVerify,
        declare_verify},
-      {"import", "FILE... [--out PLAN]",
-       "make a plan of a schedule, of a building model, or of both", pages::kImport,
+      {"import", "FILE... [--out FILE]",
+       "make a plan of a schedule or building model, a robot of a URDF", pages::kImport,
        declare_import},
       {"export", "RESULT|PLAN ...", "write a film, a Gantt chart, a schedule or a table",
        pages::kExport, declare_export},

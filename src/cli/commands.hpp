@@ -89,18 +89,22 @@ struct VerifyOptions {
 int run_verify(const VerifyOptions& options);
 
 struct ImportOptions {
-  std::vector<std::string> files;  ///< one schedule, or models
+  std::vector<std::string> files;  ///< one schedule, one machine, or models
   std::string schedule;            ///< that the models are joined to
   std::string match;
   std::string unit;
   std::string up;
   std::string out;
-  bool level = false;     ///< tasks of the schedule wait for their resources
-  bool baseline = false;  ///< tasks keep the dates that the schedule has
+  bool level = false;                  ///< tasks of the schedule wait for their resources
+  bool baseline = false;               ///< tasks keep the dates that the schedule has
+  std::vector<std::string> packages;   ///< NAME=FOLDER, of a machine; likewise below
+  std::vector<std::string> arguments;  ///< NAME=VALUE, of xacro
+  std::string tool;                    ///< the link of the tool frame
 };
 int run_import(const ImportOptions& options);
-/// Of models: run_import's other half.
+/// Of models and of machines: run_import's other parts.
 int import_building(const ImportOptions& options);
+int import_machine(const ImportOptions& options);
 
 struct ExportOptions {
   std::string source;   ///< the folder of a result, or a plan

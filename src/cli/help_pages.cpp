@@ -228,10 +228,11 @@ examples:
 )";
 
 const std::string_view kImport =
-    R"(rubicon import - make a plan of a schedule, of a building model, or of both
+    R"(rubicon import - make a plan of a schedule, of a building model, or of both; or a robot file of a URDF
 
 usage: rubicon import SCHEDULE [--level] [--baseline] [--out PLAN]
        rubicon import MODEL... [--schedule SCHEDULE --match FILE [--level] [--baseline]] [--unit mm|cm|m] [--up y|z] [--out PLAN]
+       rubicon import MACHINE.urdf|MACHINE.xacro [--package NAME=FOLDER]... [--arg NAME=VALUE]... [--tool LINK] [--out ROBOT]
 
 SCHEDULE is Microsoft Project XML (in Project: save as XML) or a Primavera XER file; its content tells which. Tasks become
 crew work (takes), milestones take no time, resources become crews, links keep their type and lag, calendars their week
@@ -245,7 +246,12 @@ which task and who lifts it, the elements wait in a stock area and the tasks put
 without partner are listed. Beside PLAN a table PLAN_elements.csv tells what became of each element:
 docs/import_building.md.
 
-  --out PLAN           write the plan there instead of standard output
+MACHINE is a robot description (URDF), or a xacro file that makes one. Links become bodies, joints their parameters with
+limits and speeds; a mimic joint becomes a derived parameter. The shapes are those of <collision>, else of <visual>; meshes
+are copied into the folder ROBOT_meshes beside the robot file. What was assumed, mended or not taken over is listed. No file is
+read outside of the folder of MACHINE and of its packages: docs/machines_from_urdf.md.
+
+  --out FILE           write the plan or the robot there instead of standard output
   --schedule SCHEDULE  the schedule whose tasks put the model up
   --match FILE         what of the model belongs to which task
   --level              a resource does one task at a time, and tasks wait for it; without, links and calendars alone decide,
@@ -253,14 +259,18 @@ docs/import_building.md.
   --baseline           tasks say when the schedule has them (baseline) and their deadlines (due); a run is then compared with that
   --unit UNIT          mm, cm or m: what the numbers of OBJ, STL and PLY files are
   --up AXIS            y or z: which axis of the model points up, where it does not say so rightly
+  --package NAME=FOLDER  where package://NAME/... of a machine lies; without, the nearest folder above MACHINE that has the file
+  --arg NAME=VALUE     an argument of the xacro file
+  --tool LINK          the link whose frame is the tool; without, the last of the longest chain
 
-Exit code: 0 there is a plan (warnings may be printed), 2 a file cannot be read, or the match file is wrong.
+Exit code: 0 there is a plan or robot (warnings may be printed), 2 a file cannot be read or is refused, or the match file is wrong.
 
 examples:
   rubicon import planning.xml --out building.plan
   rubicon import planning.xer --out building.plan && rubicon check building.plan
   rubicon import walls.ifc floors.ifc --out building.plan
   rubicon import walls.ifc floors.ifc --schedule planning.xml --match building.match --out building.plan
+  rubicon import excavator.xacro --package excavator_description=.. --arg bucket=wide --out excavator.robot
 )";
 
 const std::string_view kExport =
