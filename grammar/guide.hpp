@@ -17,8 +17,12 @@ struct clause_number : sor<computed_number, signed_number> {};
 struct clause_parameter : qualified_name {};
 struct clause_value : if_must<clause_parameter, clause_number> {};
 /// Names in a number are put in parentheses; else they are those of parameters of the robot.
-struct clause_content : sor<seq<clause_value, star<if_must<comma, clause_value>>>, clause_number> {
-};
+struct clause_values : seq<clause_value, star<if_must<comma, clause_value>>> {};
+/// Words alone: those of a choice, or parameters.
+struct clause_word : qualified_name {};
+struct words_end : one<';'> {};
+struct clause_words : seq<at<list<qualified_name, comma>, words_end>, list<clause_word, comma>> {};
+struct clause_content : sor<clause_words, clause_values, clause_number> {};
 struct keep_key : token<word<TAO_PEGTL_STRING("keep")>> {};
 struct keep_open : open_parenthesis {};
 struct keep_condition : expression {};

@@ -1,7 +1,9 @@
 #include "interpreter/check/check_guide.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -53,13 +55,16 @@ class ClauseChecker {
     const int errors = diagnostics_.errors();
     for (const syntax::GuideClause& clause : guide_.clauses) check_clause(clause);
     if (diagnostics_.errors() != errors) return std::nullopt;
+    warn_of_heuristic();
     return spec_;
   }
 
  private:
   void check_clause(const syntax::GuideClause& clause) {
     // One without anything in it did not parse: that was said.
-    if (!clause.number && clause.values.empty() && !clause.condition) return;
+    if (!clause.number && clause.values.empty() && clause.words.empty() && !clause.condition) {
+      return;
+    }
     const auto [place, is_new] = given_.emplace(clause.key.text, clause.key.span);
     if (!is_new) {
       Diagnostic twice;
@@ -72,9 +77,27 @@ class ClauseChecker {
     }
     if (clause.key.text == guides::kKeepClause) return;
     if (clause.key.text == guides::kWeightClause) {
-      if (!clause.number) return;
-      diagnostics_.error("G03", clause.number->span, "weight needs parameters of the robot",
+      if (!clause.values.empty()) return;
+      diagnostics_.error("G03", clause.number ? clause.number->span : clause.words.front().span,
+                         "weight needs parameters of the robot",
                          "for example weight x 20, boom.phi 2;");
+      return;
+    }
+    if (clause.key.text == guides::kOverClause) {
+      if (!guides::has_over(spec_.kind)) {
+        report_unknown(clause, true);
+      } else if (clause.words.empty()) {
+        diagnostics_.error("G03", place_of(clause), "over needs parameters of the robot",
+                           "for example over boom.phi, stick.phi;");
+      }
+      return;
+    }
+    if (const guides::ChoiceInfo* const choice = guides::find_choice(clause.key.text)) {
+      if (choice->is_of(spec_.kind)) {
+        check_choice(*choice, clause);
+      } else {
+        report_unknown(clause, true);
+      }
       return;
     }
     const ClauseInfo* const info = guides::find_clause(clause.key.text);
@@ -83,21 +106,59 @@ class ClauseChecker {
       return;
     }
     if (!clause.number) {
-      diagnostics_.error("G03", clause.values.front().parameter.span,
-                         fmt::format("{} takes one number", info->name));
+      diagnostics_.error("G03", place_of(clause), fmt::format("{} takes one number", info->name));
       return;
     }
     check_number(*info, *clause.number);
   }
 
+  /// Where the first thing behind the word of a clause stands.
+  static Span place_of(const syntax::GuideClause& clause) {
+    if (clause.number) return clause.number->span;
+    return clause.words.empty() ? clause.values.front().parameter.span : clause.words.front().span;
+  }
+
+  void check_choice(const guides::ChoiceInfo& choice, const syntax::GuideClause& clause) {
+    const std::vector<std::string> words(choice.words.begin(), choice.words.end());
+    const std::string list = fmt::format("{}", fmt::join(words, ", "));
+    if (clause.words.size() != 1) {
+      diagnostics_.error("G03", place_of(clause),
+                         fmt::format("{} takes one of the words {}", choice.name, list));
+      return;
+    }
+    const std::string word = clause.words.front().text();
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found == words.end()) {
+      diagnostics_.error("G03", clause.words.front().span,
+                         fmt::format("{} is one of {}, found '{}'{}", choice.name, list, word,
+                                     suggestion(word, words)));
+      return;
+    }
+    choice.choose(spec_, static_cast<std::size_t>(found - words.begin()));
+  }
+
+  void warn_of_heuristic() {
+    if (guides::is_admissible(spec_)) return;
+    diagnostics_.warning("G06", given_.at("heuristic"),
+                         "manhattan is more than the way where several parameters change at once: "
+                         "the way found may not be the cheapest",
+                         "take octile, or neighbours straight");
+  }
+
   void report_unknown(const syntax::GuideClause& clause, bool of_another_kind) {
     std::vector<std::string> names{guides::kWeightClause, guides::kKeepClause};
     std::string list = fmt::format("{}, {}", guides::kWeightClause, guides::kKeepClause);
+    const auto add = [&](const char* name) {
+      names.emplace_back(name);
+      list += fmt::format(", {}", name);
+    };
     for (const ClauseInfo& info : guides::guide_clauses()) {
-      if (!info.is_of(spec_.kind)) continue;
-      names.emplace_back(info.name);
-      list += fmt::format(", {}", info.name);
+      if (info.is_of(spec_.kind)) add(info.name);
     }
+    for (const guides::ChoiceInfo& info : guides::guide_choices()) {
+      if (info.is_of(spec_.kind)) add(info.name);
+    }
+    if (guides::has_over(spec_.kind)) add(guides::kOverClause);
     diagnostics_.error("G02", clause.key.span,
                        of_another_kind
                            ? fmt::format("{} has no clause '{}'", guide_.kind.text, clause.key.text)
@@ -127,6 +188,60 @@ class ClauseChecker {
   std::map<std::string, Span> given_;
 };
 
+guides::Leg leg_of(const robot::RobotModel& robot) {
+  robot::Mounting mounting;
+  mounting.starts = robot.start_values();
+  return {robot, mounting};
+}
+
+/// The parameters that `over` names.
+void resolve_over(const syntax::GuideClause& clause, const robot::RobotModel& robot,
+                  guides::GuideSpec& spec, Diagnostics& diagnostics) {
+  const guides::Leg leg = leg_of(robot);
+  for (const syntax::QualifiedName& word : clause.words) {
+    const int parameter = resolve_parameter(robot, -1, word);
+    const char* wrong = nullptr;
+    const std::vector<int>& all = leg.parameters();
+    if (parameter < 0) {
+      wrong = parameter == -2 ? "a parameter of several bodies" : "no parameter";
+    } else if (std::find(all.begin(), all.end(), parameter) == all.end()) {
+      wrong = "no parameter that a leg changes";
+    } else if (std::find(spec.over.begin(), spec.over.end(), parameter) != spec.over.end()) {
+      diagnostics.error("G03", word.span, fmt::format("'{}' is named twice", word.text()));
+      continue;
+    }
+    if (wrong != nullptr) {
+      diagnostics.error("G03", word.span,
+                        fmt::format("'{}' is {} of robot '{}'", word.text(), wrong, robot.name));
+      continue;
+    }
+    spec.over.push_back(parameter);
+  }
+}
+
+/// Whether a lattice can span what it shall: G07. That of a vehicle spans its place.
+void check_spanned(const syntax::GuideDeclaration& guide, const robot::RobotModel& robot,
+                   const guides::GuideSpec& spec, Diagnostics& diagnostics) {
+  if (!guides::has_over(spec.kind)) return;
+  const guides::Leg leg = leg_of(robot);
+  const std::string kind = guides::name_of(spec.kind);
+  if (leg.heading() >= 0) {
+    if (spec.over.empty()) return;
+    diagnostics.error(
+        "G07", guide.kind.span,
+        fmt::format("{} spans the place of a vehicle such as '{}', nothing else", kind, robot.name),
+        "leave over out");
+    return;
+  }
+  const std::size_t count = spec.over.empty() ? leg.parameters().size() : spec.over.size();
+  if (count <= guides::kMostSpanned) return;
+  diagnostics.error(
+      "G07", guide.kind.span,
+      fmt::format("{} spans at most {} parameters, and here robot '{}' has {}", kind,
+                  guides::kMostSpanned, robot.name, count),
+      "name some of them: over boom.phi, stick.phi; the others change in the last leg");
+}
+
 }  // namespace
 
 std::optional<guides::GuideSpec> check_guide(const syntax::GuideDeclaration& guide,
@@ -142,6 +257,7 @@ bool resolve_parameters(const syntax::GuideDeclaration& guide, const robot::Robo
       resolve_keep(*clause.condition, robot, spec.keep, diagnostics);
       continue;
     }
+    if (clause.key.text == guides::kOverClause) resolve_over(clause, robot, spec, diagnostics);
     if (clause.key.text != guides::kWeightClause) continue;
     for (const syntax::GuideClause::Value& value : clause.values) {
       const int parameter = resolve_parameter(robot, -1, value.parameter);
@@ -163,6 +279,7 @@ bool resolve_parameters(const syntax::GuideDeclaration& guide, const robot::Robo
       spec.weights.emplace_back(parameter, value.number.value);
     }
   }
+  if (diagnostics.errors() == errors) check_spanned(guide, robot, spec, diagnostics);
   return diagnostics.errors() == errors;
 }
 

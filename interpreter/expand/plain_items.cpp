@@ -143,6 +143,7 @@ void PlainItems::item(syntax::GuideDeclaration& value) {
     mark(clause.span);
     mark(clause.key.span);
     each(clause.number);
+    for (syntax::QualifiedName& word : clause.words) name(word);
     for (syntax::GuideClause::Value& each : clause.values) {
       name(each.parameter);
       number(each.number);

@@ -46,6 +46,9 @@ RUBICON_ACTION(GuideAction, GuideState, keep_condition) {
 RUBICON_ACTION(GuideAction, GuideState, clause_parameter) {
   st.clause_parameter = st.take_qualified_name();
 }
+RUBICON_ACTION(GuideAction, GuideState, clause_word) {
+  st.clause().words.push_back(st.take_qualified_name());
+}
 RUBICON_ACTION(GuideAction, GuideState, clause_number) { st.clause().number = st.number; }
 RUBICON_ACTION(GuideAction, GuideState, clause_value) {
   st.clause().values.push_back({std::move(st.clause_parameter), *st.clause().number});

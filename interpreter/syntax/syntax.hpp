@@ -269,8 +269,9 @@ struct GuideClause {
   };
   Name key;
   std::optional<Number> number;
-  std::vector<Value> values;  ///< instead of the number
-  ExpressionPtr condition;    ///< keep
+  std::vector<Value> values;         ///< instead of the number
+  std::vector<QualifiedName> words;  ///< instead of the number: of a choice, or parameters
+  ExpressionPtr condition;           ///< keep
   Span span;
 };
 /// guide NAME KIND { clauses }   of a robot or a plan

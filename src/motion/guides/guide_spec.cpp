@@ -8,9 +8,11 @@ namespace rubicon::guides {
 namespace {
 
 constexpr unsigned bit(GuideKind kind) { return 1u << static_cast<unsigned>(kind); }
-constexpr unsigned kAll = 0x1f;
+constexpr unsigned kAll = 0x7f;
+constexpr unsigned kAstar = bit(GuideKind::astar);
+constexpr unsigned kPrm = bit(GuideKind::prm);
 constexpr unsigned kConnect = bit(GuideKind::rrt_connect);
-constexpr unsigned kThesis = kAll & ~kConnect;
+constexpr unsigned kThesis = kAll & ~kConnect & ~kAstar & ~kPrm;
 constexpr unsigned kPlus = bit(GuideKind::rrt_plus);
 constexpr unsigned kGathered = kPlus | bit(GuideKind::rrt_nonuniform);
 
@@ -23,18 +25,23 @@ constexpr std::array kKinds{
     KindInfo{GuideKind::rrt_limcon, "rrt_limcon",
              "a tree that moves one parameter at a time and never away from the goal"},
     KindInfo{GuideKind::rrt_connect, "rrt_connect",
-             "two trees, from start and goal, with long legs; then shortcuts"}};
+             "two trees, from start and goal, with long legs; then shortcuts"},
+    KindInfo{GuideKind::astar, "astar",
+             "the cheapest way over a lattice of two to four parameters (A*)"},
+    KindInfo{GuideKind::prm, "prm",
+             "the shortest way over a roadmap of random configurations, tested where it is used"}};
 
 // Reason for the upper bounds: with more a way takes minutes to look for.
 constexpr std::array kClauses{
     ClauseInfo{"seed", &GuideSpec::seed, true, 0, 9007199254740991.0, kAll,
                "of its random numbers"},
-    ClauseInfo{"nodes", &GuideSpec::nodes, true, 1, 1e5, kAll, "at most, in its trees"},
+    ClauseInfo{"nodes", &GuideSpec::nodes, true, 1, 1e5, kAll,
+               "at most, of its trees or its lattice; of prm those of its roadmap"},
     ClauseInfo{"checks", &GuideSpec::checks, true, 1, 1e7, kAll,
                "at most, of legs and configurations, for one way"},
-    ClauseInfo{"step", &GuideSpec::step, false, 1e-3, 1e6, kAll,
+    ClauseInfo{"step", &GuideSpec::step, false, 1e-3, 1e6, kAll & ~kPrm,
                "the longest leg of a tree, weighted (a degree counts 1, a metre 10); of "
-               "rrt_connect the shortest"},
+               "rrt_connect the shortest, of astar the pitch of its lattice"},
     ClauseInfo{"goal_bias", &GuideSpec::goal_bias, false, 0, 1, kThesis,
                "the share of samples that are the goal itself"},
     ClauseInfo{"uniform_nodes", &GuideSpec::uniform_nodes, true, 0, 1e6, kPlus,
@@ -46,10 +53,27 @@ constexpr std::array kClauses{
                "how closely samples gather about the goal"},
     ClauseInfo{"smooth", &GuideSpec::smooth, false, 0, 1000, kThesis,
                "the longest shortcut, in steps; 0: none"},
-    ClauseInfo{"improve", &GuideSpec::improve, true, 0, 1e6, kConnect,
+    ClauseInfo{"improve", &GuideSpec::improve, true, 0, 1e6, kConnect | kAstar | kPrm,
                "tests of shortcuts after a way is found"},
+    ClauseInfo{"safety", &GuideSpec::safety, false, 0, 1000, kAstar,
+               "a leg to where all about is blocked costs so many times its length more"},
+    ClauseInfo{"nearest", &GuideSpec::nearest, true, 1, 1000, kPrm,
+               "each node of the roadmap is joined to so many"},
     ClauseInfo{"replans", &GuideSpec::replans, true, 0, 1000, kAll,
                "ways planned again in one motion"}};
+
+constexpr std::array kNeighbourWords{"straight", "all"};
+constexpr std::array kHeuristicWords{"manhattan", "octile", "euclid"};
+
+constexpr std::array kChoices{
+    ChoiceInfo{
+        "neighbours", kNeighbourWords,
+        [](GuideSpec& spec, std::size_t word) { spec.neighbours = static_cast<Neighbours>(word); },
+        kAstar, "which nodes are next to each other: one parameter apart, or all about"},
+    ChoiceInfo{
+        "heuristic", kHeuristicWords,
+        [](GuideSpec& spec, std::size_t word) { spec.heuristic = static_cast<Heuristic>(word); },
+        kAstar, "how it estimates what is left to the goal"}};
 
 }  // namespace
 
@@ -71,11 +95,28 @@ const ClauseInfo* find_clause(std::string_view name) {
   return found == kClauses.end() ? nullptr : &*found;
 }
 
+std::span<const ChoiceInfo> guide_choices() { return kChoices; }
+
+const ChoiceInfo* find_choice(std::string_view name) {
+  const auto* const found = std::find_if(kChoices.begin(), kChoices.end(),
+                                         [&](const ChoiceInfo& info) { return info.name == name; });
+  return found == kChoices.end() ? nullptr : &*found;
+}
+
+bool has_over(GuideKind kind) { return (kAstar & bit(kind)) != 0; }
+
+bool is_admissible(const GuideSpec& spec) {
+  return spec.heuristic != Heuristic::manhattan || spec.neighbours == Neighbours::straight;
+}
+
 GuideSpec default_guide(GuideKind kind) {
   GuideSpec spec;
   spec.kind = kind;
   if (kind == GuideKind::rrt || kind == GuideKind::rrt_nonuniform) spec.goal_bias = 0;
-  if (kind != GuideKind::rrt_connect) spec.nodes = 8000;
+  const unsigned of = bit(kind);
+  if ((of & kThesis) != 0) spec.nodes = 8000;
+  if (kind == GuideKind::prm) spec.nodes = 500;
+  if (kind == GuideKind::astar) spec.step = 10;
   return spec;
 }
 

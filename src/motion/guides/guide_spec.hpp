@@ -11,7 +11,23 @@
 namespace rubicon::guides {
 
 /// How a guide finds its way (docs/guides.md).
-enum class GuideKind : std::uint8_t { rrt, rrt_nonuniform, rrt_plus, rrt_limcon, rrt_connect };
+enum class GuideKind : std::uint8_t {
+  rrt,
+  rrt_nonuniform,
+  rrt_plus,
+  rrt_limcon,
+  rrt_connect,
+  astar,
+  prm
+};
+
+/// Which nodes of a lattice are neighbours: those that are a pitch apart in one parameter, or in
+/// any number of them.
+enum class Neighbours : std::uint8_t { straight, all };
+
+/// What is left to the goal, as a lattice estimates it: `fitting` is the nearest to the truth that
+/// is never above it.
+enum class Heuristic : std::uint8_t { manhattan, octile, euclid, fitting };
 
 /// What a guide keeps on its whole way: the sum of factors times parameters is at most a value.
 struct KeptBound {
@@ -26,19 +42,25 @@ struct GuideSpec {
   std::string name;
   GuideKind kind = GuideKind::rrt_connect;
   double seed = 1;
-  double nodes = 20000;    ///< at most, of its trees
+  double nodes = 20000;    ///< at most, of its trees or lattice; prm: of its roadmap
   double checks = 200000;  ///< at most, of legs and configurations
-  double step = 5;         ///< longest leg between two nodes (weighted; rrt_connect: the shortest)
+  double step = 5;         ///< longest leg between two nodes (weighted; rrt_connect: the shortest);
+                           ///< astar: the pitch of its lattice
   double goal_bias = 0.1;  ///< share of the samples that are the goal
   double uniform_nodes = 30;    ///< rrt_plus: so many nodes before samples gather about the goal
   double rejections = 5;        ///< rrt_plus: more in a row, and it steps aside
   double greed = 8;             ///< rrt_plus: steps in one direction
   double concentration = 1;     ///< of samples about the goal: larger, nearer
   double smooth = 1.5;          ///< a shortcut is at most so many steps long; 0: none
-  double improve = 200;         ///< rrt_connect: tests of shortcuts after a way was found
+  double improve = 200;         ///< tests of shortcuts after a way was found
+  double safety = 0;            ///< astar: what the nearness of obstacles costs
+  double nearest = 10;          ///< prm: each node is joined to so many
   double replans = 10;          ///< ways planned again in one motion
   std::vector<KeptBound> keep;  ///< all of them
   std::vector<std::pair<int, double>> weights;  ///< by parameter; else 1 a degree, 10 a metre
+  std::vector<int> over;  ///< astar: the parameters that its lattice spans; none: all
+  Neighbours neighbours = Neighbours::all;
+  Heuristic heuristic = Heuristic::fitting;
 };
 
 /// What a kind is called, and in a few words what it does.
@@ -65,6 +87,28 @@ struct ClauseInfo {
 };
 std::span<const ClauseInfo> guide_clauses();
 const ClauseInfo* find_clause(std::string_view name);
+
+/// A clause with one word of a few.
+struct ChoiceInfo {
+  const char* name;
+  std::span<const char* const> words;  ///< in the order of the values
+  void (*choose)(GuideSpec& spec, std::size_t word);
+  unsigned kinds;    ///< as of ClauseInfo
+  const char* text;  ///< what it says
+
+  bool is_of(GuideKind kind) const { return (kinds >> static_cast<unsigned>(kind) & 1u) != 0; }
+};
+std::span<const ChoiceInfo> guide_choices();
+const ChoiceInfo* find_choice(std::string_view name);
+
+/// The clause that says which parameters a lattice spans: `over boom.phi, stick.phi;`.
+inline constexpr const char* kOverClause = "over";
+bool has_over(GuideKind kind);
+/// A lattice spans at most so many parameters: with more it has too many nodes to look through.
+inline constexpr std::size_t kMostSpanned = 4;
+
+/// Whether the heuristic of a spec is never above what is really left.
+bool is_admissible(const GuideSpec& spec);
 
 /// The clause with which weights are given: `weight x 20, boom.phi 2;`.
 inline constexpr const char* kWeightClause = "weight";

@@ -29,6 +29,9 @@ class Leg {
   const std::vector<int>& parameters() const { return parameters_; }
   /// Parameters that its steps step where none is locked, ascending.
   const std::vector<int>& stepped() const { return stepped_; }
+  /// Of a vehicle: the angle that it drives along, else -1; and the two that driving changes.
+  int heading() const { return heading_; }
+  std::span<const int, 2> place() const { return place_; }
 
   /// The steps, per parameter, of the next motion step from `q` to `target`; false: it is there.
   bool next_step(std::span<const double> q, std::span<const double> target,

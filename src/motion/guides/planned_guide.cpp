@@ -10,17 +10,38 @@ namespace rubicon::guides {
 
 namespace {
 
-Search search(Space& space, const GuideTask& task, const Point& start, const Point& goal) {
-  if (space.spec().kind == GuideKind::rrt_connect) {
-    return connect_trees(space, start, goal, *task.model, task.loaded);
+Search search(Space& space, const GuideTask& task, const Point& start, const Point& goal,
+              PlanMemory& memory) {
+  Search found;
+  switch (space.spec().kind) {
+    case GuideKind::rrt_connect:
+      return connect_trees(space, start, goal, *task.model, task.loaded);
+    case GuideKind::astar:
+      found = search_lattice(space, start, goal);
+      break;
+    case GuideKind::prm:
+      found = search_roadmap(space, start, goal, memory);
+      break;
+    default:
+      return grow_to_goal(space, start, goal);
   }
-  return grow_to_goal(space, start, goal);
+  // Shortcuts save time and know nothing of safety.
+  if (!found.way.empty() && !(space.spec().safety > 0)) {
+    shorten(space, found.way, *task.model, task.loaded);
+  }
+  return found;
 }
 
 }  // namespace
 
 PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<const double> q,
                     MotionTests& tests) {
+  PlanMemory memory;
+  return plan_way(spec, task, q, tests, memory);
+}
+
+PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<const double> q,
+                    MotionTests& tests, PlanMemory& memory) {
   using Outcome = PlanReport::Outcome;
   PlanReport report;
   Space space(*task.model, task.mounting, q, spec, tests, task.clauses);
@@ -49,7 +70,7 @@ PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<cons
   // Then legs are tested as they are stepped.
   for (const bool by_steps : {false, true}) {
     if (by_steps) space.test_by_steps();
-    Search found = search(space, task, start, target);
+    Search found = search(space, task, start, target, memory);
     report.nodes += found.nodes;
     if (found.way.empty()) {
       return end(found.out_of_nodes ? Outcome::out_of_nodes : Outcome::out_of_checks);
@@ -80,7 +101,7 @@ GuideAnswer PlannedGuide::way_point() const {
 GuideAnswer PlannedGuide::begin(std::span<const double> q, MotionTests& tests) {
   GuideSpec spec = spec_;
   spec.seed += planned_;  // another try is another way
-  PlanReport report = plan_way(spec, task_, q, tests);
+  PlanReport report = plan_way(spec, task_, q, tests, memory_);
   ++planned_;
   GuideAnswer answer;
   if (report.found()) {

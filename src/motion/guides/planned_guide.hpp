@@ -4,8 +4,16 @@
 #include <vector>
 
 #include "src/motion/guides/guide.hpp"
+#include "src/motion/guides/roadmap.hpp"
 
 namespace rubicon::guides {
+
+/// What a planner of whole ways keeps from one way to the next.
+using PlanMemory = RoadmapMemory;
+
+/// Plans a way once, with what was learnt before and may be of use after.
+PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<const double> q,
+                    MotionTests& tests, PlanMemory& memory);
 
 /// Plans a whole way, hands out its points, and plans again from where the robot stands when the
 /// script ends short of one.
@@ -27,6 +35,7 @@ class PlannedGuide : public Guide {
   std::shared_ptr<const std::vector<std::vector<double>>> way_;
   std::size_t next_ = 0;  ///< index of the way point that was given last
   int planned_ = 0;
+  PlanMemory memory_;
 };
 
 }  // namespace rubicon::guides

@@ -2,16 +2,19 @@
 
 #include <vector>
 
+#include "src/motion/guides/roadmap.hpp"
 #include "src/motion/guides/space.hpp"
 
 namespace rubicon::guides {
 
 /// What a planner found: the points of the way, start first and goal last; none: no way. `nodes`
-/// counts those of its trees.
+/// counts those of its trees, of the lattice those that were reached, of a roadmap all.
 struct Search {
   std::vector<Point> way;
+  double cost = 0;  ///< of a way over a lattice, before legs are joined
   std::size_t nodes = 0;
-  bool out_of_nodes = false;  ///< it stopped at the limit of nodes, else at that of checks
+  bool out_of_nodes = false;  ///< it stopped at the limit of nodes or had no more, else at that of
+                              ///< checks
 };
 
 /// RRT (LaValle 1998) and the three of Langari 2015, 3.3: `rrt`, `rrt_nonuniform`, `rrt_plus`,
@@ -22,5 +25,16 @@ Search grow_to_goal(Space& space, const Point& start, const Point& goal);
 /// shortened for the least motion time. `loaded`: with the speeds of a robot that carries.
 Search connect_trees(Space& space, const Point& start, const Point& goal,
                      const robot::RobotModel& model, bool loaded);
+
+/// The cheapest way over the lattice about the goal (lattice.hpp): a leg costs its weighted length,
+/// and with `safety` so many times more as nodes beside its end are blocked.
+Search search_lattice(Space& space, const Point& start, const Point& goal);
+
+/// The shortest way over the roadmap of the memory, which is made if there is none yet.
+Search search_roadmap(Space& space, const Point& start, const Point& goal, RoadmapMemory& memory);
+
+/// Makes a way shorter, where that saves motion time, by legs between places of it: `improve`
+/// tests.
+void shorten(Space& space, std::vector<Point>& way, const robot::RobotModel& model, bool loaded);
 
 }  // namespace rubicon::guides

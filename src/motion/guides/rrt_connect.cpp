@@ -162,8 +162,12 @@ class Shortener {
 Search connect_trees(Space& space, const Point& start, const Point& goal,
                      const robot::RobotModel& model, bool loaded) {
   Search search = Connector(space, start, goal).run();
-  if (!search.way.empty()) Shortener(space, model, loaded).shorten(search.way);
+  if (!search.way.empty()) shorten(space, search.way, model, loaded);
   return search;
+}
+
+void shorten(Space& space, std::vector<Point>& way, const robot::RobotModel& model, bool loaded) {
+  Shortener(space, model, loaded).shorten(way);
 }
 
 }  // namespace rubicon::guides

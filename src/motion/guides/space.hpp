@@ -37,6 +37,14 @@ class Space {
   /// All parameters, cyclic angles reduced, derived ones computed.
   std::vector<double> configuration(std::span<const double> point) const;
 
+  const robot::Parameter& parameter(std::size_t i) const {
+    return model_.parameters[static_cast<std::size_t>(leg_.parameters()[i])];
+  }
+  double weight(std::size_t i) const { return weights_[i]; }
+  /// The range of a coordinate; of a cyclic angle from -180 to 180.
+  double lower(std::size_t i) const;
+  double upper(std::size_t i) const;
+
   /// From a to b in coordinate i, the short way round, times its weight.
   double offset(std::span<const double> a, std::span<const double> b, std::size_t i) const;
   double distance(std::span<const double> a, std::span<const double> b) const;
@@ -64,11 +72,6 @@ class Space {
   const GuideSpec& spec() const { return spec_; }
 
  private:
-  const robot::Parameter& parameter(std::size_t i) const {
-    return model_.parameters[static_cast<std::size_t>(leg_.parameters()[i])];
-  }
-  double lower(std::size_t i) const;
-  double upper(std::size_t i) const;
   void make_kept(Point& point) const;
   bool sweeps_free(std::span<const double> q_from, std::span<const double> q_to);
   bool follow_is_free(std::vector<double>& q, std::span<const double> target);

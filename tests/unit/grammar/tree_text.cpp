@@ -149,6 +149,7 @@ class Writer {
       name(clause.key);
       if (clause.number) number(*clause.number);
       if (clause.condition) expression(*clause.condition);
+      for (const syntax::QualifiedName& word : clause.words) name(word);
       for (const syntax::GuideClause::Value& each : clause.values) {
         name(each.parameter);
         number(each.number);

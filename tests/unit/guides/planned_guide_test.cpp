@@ -88,6 +88,34 @@ TEST_F(PlannedGuideTest, PlansAgainAsOftenAsItMay) {
   EXPECT_EQ(last.reason, "3 ways were planned");
 }
 
+TEST_F(PlannedGuideTest, ARoadmapIsKeptForTheNextPlanAndCopied) {
+  GuideSpec spec = default_guide(GuideKind::prm);
+  spec.improve = 0;
+  const auto guide = make_guide(spec, task({{9, 1}}));
+  const GuideAnswer first = guide->begin(Q{1, 1}, wall_);
+  ASSERT_TRUE(first.planned->found());
+  const auto copy = guide->copy();
+  const GuideAnswer again = guide->ended_short(Q{1, 2}, wall_);
+  ASSERT_TRUE(again.planned->found());
+  // What was in the way is not tested again: all that is refused is by the legs from the new start.
+  EXPECT_LT(again.planned->refused, first.planned->refused / 2);
+  const GuideAnswer of_copy = copy->ended_short(Q{1, 2}, wall_);
+  EXPECT_EQ(of_copy.planned->way, again.planned->way);
+  EXPECT_EQ(of_copy.planned->checks, again.planned->checks);
+}
+
+TEST_F(PlannedGuideTest, ShortcutsLeaveASafeWayAlone) {
+  const auto checks_and_way = [&](double safety, double improve) {
+    GuideSpec spec = default_guide(GuideKind::astar);
+    spec.safety = safety;
+    spec.improve = improve;
+    const PlanReport report = plan_way(spec, task({{9, 1}}), Q{1, 1}, wall_);
+    return std::make_pair(report.checks, report.way);
+  };
+  EXPECT_GT(checks_and_way(0, 200).first, checks_and_way(0, 0).first);
+  EXPECT_EQ(checks_and_way(1, 200), checks_and_way(1, 0));
+}
+
 /// The engine may refuse steps whose whole leg it has found free: then legs are tested as steps.
 class PickyTests : public test::PredicateTests {
  public:

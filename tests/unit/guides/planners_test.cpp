@@ -19,9 +19,14 @@ Search search(const robot::RobotModel& model, GuideSpec spec, MotionTests& tests
               const Q& to, std::size_t* checks = nullptr) {
   const robot::Mounting mounting = test::standing(model);
   Space space(model, mounting, from, spec, tests);
+  const Point start = space.point(from);
+  const Point goal = space.point(to);
+  RoadmapMemory memory;
   Search found = spec.kind == GuideKind::rrt_connect
-                     ? connect_trees(space, space.point(from), space.point(to), model, false)
-                     : grow_to_goal(space, space.point(from), space.point(to));
+                     ? connect_trees(space, start, goal, model, false)
+                 : spec.kind == GuideKind::astar ? search_lattice(space, start, goal)
+                 : spec.kind == GuideKind::prm   ? search_roadmap(space, start, goal, memory)
+                                                 : grow_to_goal(space, start, goal);
   if (checks) *checks = space.checks();
   return found;
 }
@@ -61,7 +66,11 @@ TEST(Planners, TheSameSeedGivesTheSameWayAndAnotherAnother) {
       EXPECT_EQ(way, search(test::gantry(), spec, tests, {1, 1}, kGoal).way);
       ways.insert(way);
     }
-    EXPECT_GT(ways.size(), 1u) << info.name;
+    if (info.kind == GuideKind::astar) {
+      EXPECT_EQ(ways.size(), 1u);  // it draws nothing
+    } else {
+      EXPECT_GT(ways.size(), 1u) << info.name;
+    }
   }
 }
 
@@ -83,7 +92,7 @@ TEST(Planners, LimitsOfNodesAndChecksEndASearchWithoutAWay) {
     Search found = search(test::gantry(), spec, tests, {1, 1}, {9, 1});
     EXPECT_TRUE(found.way.empty());
     EXPECT_LE(found.nodes, 62u) << info.name;
-    spec.nodes = 1e5;
+    spec.nodes = 2000;
     spec.checks = 100;
     std::size_t checks = 0;
     found = search(test::gantry(), spec, tests, {1, 1}, {9, 1}, &checks);
