@@ -110,6 +110,7 @@ class Verify(unittest.TestCase):
                  os.path.join(ROOT, "examples", "07_three_blocks", "site.plan"),
                  os.path.join(ROOT, "examples", "05_level_bucket", "site.plan"),
                  os.path.join(ROOT, "examples", "06_wait_for_the_goal", "site.plan"),
+                 os.path.join(ROOT, "taskplans", "ceiling.plan"),
                  os.path.join(ROOT, "robots", "tower_crane", "cases", "trap", "site.plan"),
                  os.path.join(ROOT, "robots", "tower_crane", "cases", "over_a_wall", "site.plan")]
         results = [seeded_faults.Result(self.run_plan(name)) for name in names]
