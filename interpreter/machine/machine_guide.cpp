@@ -152,7 +152,7 @@ bool Machine::take(GuideAnswer answer, const GuideTests& tests, EventSink* event
       GuidePlan plan;
       plan.name = spec.name;
       plan.kind = guides::name_of(spec.kind);
-      plan.seed = spec.seed;
+      plan.seed = answer.planned->seed;
       plan.report = &*answer.planned;
       plan.cause = cause;
       plan.others = others;

@@ -25,6 +25,7 @@ const char* const kGantry = R"(robot gantry {
 void EventLog::goal(int k, int n) { lines.push_back(fmt::format("goal {} of {}", k, n)); }
 void EventLog::guide(const interpreter::GuidePlan& plan) {
   const guides::PlanReport& report = *plan.report;
+  seeds.push_back(plan.seed);
   lines.push_back(report.found()
                       ? fmt::format("guide {}: {} way points", plan.name, report.way.size() - 1)
                       : fmt::format("guide {}: {}", plan.name, plan.cause));

@@ -49,6 +49,7 @@ class PredicateWorld : public interpreter::World {
 class EventLog : public interpreter::EventSink {
  public:
   std::vector<std::string> lines;
+  std::vector<double> seeds;  ///< of the ways that guides planned
   void goal(int k, int n) override;
   void guide(const interpreter::GuidePlan& plan) override;
   void way_point(int k, int n) override;

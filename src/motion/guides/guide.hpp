@@ -36,6 +36,7 @@ struct PlanReport {
     not_certified  ///< a way was found that `follow` could not make
   };
   Outcome outcome = Outcome::found;
+  double seed = 0;  ///< with which it was planned
   std::size_t nodes = 0;
   std::size_t checks = 0;
   std::size_t refused = 0;

@@ -44,6 +44,7 @@ PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<cons
                     MotionTests& tests, PlanMemory& memory) {
   using Outcome = PlanReport::Outcome;
   PlanReport report;
+  report.seed = spec.seed;
   Space space(*task.model, task.mounting, q, spec, tests, task.clauses);
   const Point start = space.point(q);
   const auto end = [&](Outcome outcome) {

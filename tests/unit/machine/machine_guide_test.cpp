@@ -12,6 +12,7 @@ using interpreter::MotionEnd;
 using interpreter::MotionStatus;
 using interpreter::MotionTask;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -152,6 +153,9 @@ TEST_F(GuidedMotion, ReplansAreCountedAndTheMotionEnds) {
   EXPECT_EQ(std::count_if(log_.lines.begin(), log_.lines.end(),
                           [](const std::string& line) { return line.starts_with("guide way:"); }),
             4);
+  // Each is another way.
+  const double first = motion.guides.front().seed;
+  EXPECT_THAT(log_.seeds, ElementsAre(first, first + 1, first + 2, first + 3));
 }
 
 /// Scripts that go to and fro, count or look at the clock end by livelock, circling, budget or with
