@@ -8,6 +8,20 @@
 
 namespace rubicon::urdf {
 
+/// Whether this is a build with sanitizers: they reserve terabytes of address space and open pipes
+/// to look at memory, so that the child has no limit of memory and no filter of system calls.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kSanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+inline constexpr bool kSanitized = true;
+#else
+inline constexpr bool kSanitized = false;
+#endif
+#else
+inline constexpr bool kSanitized = false;
+#endif
+
 /// An import, with what is to be said of it.
 struct GuardedImport {
   std::string messages;
