@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "src/exchange/urdf/limits.hpp"
+
 namespace rubicon::urdf {
 
 /// A value of xacro: what its expressions, which are Python, count with.
@@ -14,6 +16,21 @@ using Value = std::variant<bool, std::int64_t, double, std::string>;
 /// Why an expression has no value; becomes a Fault where the place is known.
 struct ExpressionError {
   std::string message;
+};
+
+/// Counts how deep a text is in itself while it lives: in parentheses, or by properties in each
+/// other. Throws ExpressionError beyond kMaxExpressionDepth.
+class Deeper {
+ public:
+  explicit Deeper(int& depth) : depth_(depth) {
+    if (++depth_ > kMaxExpressionDepth) throw ExpressionError{"it is nested too deep"};
+  }
+  ~Deeper() { --depth_; }
+  Deeper(const Deeper&) = delete;
+  Deeper& operator=(const Deeper&) = delete;
+
+ private:
+  int& depth_;
 };
 
 /// As Python writes it: 2, 2.0, True.

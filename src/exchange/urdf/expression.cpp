@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "src/exchange/urdf/limits.hpp"
 #include "src/motion/math/angles.hpp"
 
 namespace rubicon::urdf {
@@ -98,17 +97,6 @@ class Evaluator {
       throw ExpressionError{fmt::format("expected '{}' before its end", wanted)};
     }
   }
-
-  /// Counts how deep the text is in parentheses.
-  struct Deeper {
-    explicit Deeper(int& counter) : depth(counter) {
-      if (++depth > kMaxExpressionDepth) throw ExpressionError{"it is nested too deep"};
-    }
-    ~Deeper() { --depth; }
-    Deeper(const Deeper&) = delete;
-    Deeper& operator=(const Deeper&) = delete;
-    int& depth;
-  };
 
   Value conditional(bool live) {
     const Deeper deeper(depth_);

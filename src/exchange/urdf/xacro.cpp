@@ -506,15 +506,6 @@ class Expander {
 
   /// A text with its ${...} and $(...); what is one ${...} from end to end keeps its type.
   Value substituted(const std::string& written, const Element& element, Scope& scope) {
-    struct Deeper {
-      explicit Deeper(int& counter) : depth(counter) {
-        if (++depth > kMaxExpressionDepth) throw ExpressionError{"it is nested too deep"};
-      }
-      ~Deeper() { --depth; }
-      Deeper(const Deeper&) = delete;
-      Deeper& operator=(const Deeper&) = delete;
-      int& depth;
-    };
     const Deeper deeper(substitutions_);
     std::string result;
     std::size_t at = 0;
