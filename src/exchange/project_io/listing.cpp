@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace rubicon::project_io {
 
 namespace {
@@ -13,6 +15,16 @@ constexpr std::size_t kMaxKinds = 300;
 
 void Listing::add(const std::string& code, const std::string& kind, interpreter::Span span,
                   const std::string& message, const std::string& hint) {
+  interpreter::Diagnostic diagnostic;
+  diagnostic.severity = interpreter::Severity::warning;
+  diagnostic.code = code;
+  diagnostic.span = span;
+  diagnostic.message = message;
+  diagnostic.hint = hint;
+  add(std::move(diagnostic), kind);
+}
+
+void Listing::add(interpreter::Diagnostic diagnostic, const std::string& kind) {
   const auto found = index_.find(kind);
   if (found != index_.end()) {
     ++entries_[found->second].count;
@@ -23,14 +35,7 @@ void Listing::add(const std::string& code, const std::string& kind, interpreter:
     return;
   }
   index_.emplace(kind, entries_.size());
-  Entry entry;
-  entry.diagnostic.severity = interpreter::Severity::warning;
-  entry.diagnostic.code = code;
-  entry.diagnostic.span = span;
-  entry.diagnostic.message = message;
-  entry.diagnostic.hint = hint;
-  entry.count = 1;
-  entries_.push_back(std::move(entry));
+  entries_.push_back({std::move(diagnostic), 1});
 }
 
 int Listing::count(const std::string& kind) const {
@@ -38,7 +43,7 @@ int Listing::count(const std::string& kind) const {
   return found == index_.end() ? 0 : entries_[found->second].count;
 }
 
-void Listing::report(interpreter::Diagnostics& diagnostics) const {
+void Listing::report_listed(interpreter::Diagnostics& diagnostics) const {
   for (const Entry& entry : entries_) {
     interpreter::Diagnostic diagnostic = entry.diagnostic;
     if (entry.count > 1) {
@@ -46,6 +51,10 @@ void Listing::report(interpreter::Diagnostics& diagnostics) const {
     }
     diagnostics.add(std::move(diagnostic));
   }
+}
+
+void Listing::report(interpreter::Diagnostics& diagnostics) const {
+  report_listed(diagnostics);
   if (unlisted_ > 0) {
     diagnostics.warning("I07", {}, fmt::format("{} more things were not understood", unlisted_),
                         "the file may be damaged");

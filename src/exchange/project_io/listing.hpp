@@ -17,12 +17,21 @@ class Listing {
   void add(const std::string& code, const std::string& kind, interpreter::Span span,
            const std::string& message, const std::string& hint = {});
 
+  /// The same for a diagnostic of any severity.
+  void add(interpreter::Diagnostic diagnostic, const std::string& kind);
+
   /// How often something of this kind was added.
   int count(const std::string& kind) const;
 
-  /// Everything so far as warnings, in the order of the first places; beyond a few hundred kinds
-  /// (garbage makes new ones) a last one tells how many were left out.
+  /// Everything so far, in the order of the first places; beyond a few hundred kinds (garbage makes
+  /// new ones) a last warning tells how many were left out.
   void report(interpreter::Diagnostics& diagnostics) const;
+
+  /// The same without the last warning.
+  void report_listed(interpreter::Diagnostics& diagnostics) const;
+  int unlisted() const { return unlisted_; }
+  /// Where the last kind that is listed has its first place; there must be one.
+  interpreter::Span last_place() const { return entries_.back().diagnostic.span; }
 
  private:
   struct Entry {

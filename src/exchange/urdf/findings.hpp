@@ -1,10 +1,9 @@
 #pragma once
 
-#include <map>
 #include <string>
-#include <vector>
 
 #include "interpreter/syntax/diagnostic.hpp"
+#include "src/exchange/project_io/listing.hpp"
 
 namespace rubicon::urdf {
 
@@ -24,15 +23,7 @@ class Findings {
   void report(interpreter::Diagnostics& diagnostics) const;
 
  private:
-  void add(interpreter::Diagnostic diagnostic, const std::string& kind);
-
-  struct Entry {
-    interpreter::Diagnostic diagnostic;
-    int count = 0;
-  };
-  std::vector<Entry> entries_;
-  std::map<std::string, std::size_t> index_;
-  int unlisted_ = 0;
+  project_io::Listing listing_;
 };
 
 }  // namespace rubicon::urdf
