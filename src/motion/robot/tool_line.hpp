@@ -12,11 +12,11 @@ namespace rubicon::robot {
 /// The straight way of the tool frame from where it is to where it shall be, as `line` makes it:
 /// its origin runs along a straight line, its orientation turns evenly with it. At the end of a
 /// step the tool is on the line to 1e-9 m and rad; within it, while the parameters run linearly, as
-/// near as `deviation` says, which is bounded and not sampled. Steps are as long as that, and the
-/// `step` of each parameter, allow. Parameters that have no step of their own, and locked ones,
-/// stay. Where more move than the tool's pose needs, those nearest to the base run evenly to their
-/// values at the end, and so do those that are named. Stateless: what is left of a straight way is
-/// straight. The robot must outlive it.
+/// near as `deviation` says: as measured at nine moments, plus a bound on what lies between. Steps
+/// are as long as that, and the `step` of each parameter, allow. Parameters that have no step of
+/// their own, and locked ones, stay. Where more move than the tool's pose needs, those nearest to
+/// the base run evenly to their values at the end, and so do those that are named. Stateless: what
+/// is left of a straight way is straight. The robot must outlive it.
 class ToolLine {
  public:
   ToolLine(const RobotModel& model, const Mounting& mounting, LineDeviation deviation,
