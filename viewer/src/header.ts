@@ -118,6 +118,13 @@ export interface ScheduledTask {
   accepted: number;
   result: 'done' | 'short' | 'rejected' | 'not reached';
   reason: string;
+  /** Of a task that is done: how much later it could be done, s. */
+  float?: { total: number; free: number };
+  due?: number;
+  /** So much after `due`; 0 if it is in time. */
+  late?: number;
+  /** What does not stand, where the plan only warns of it. */
+  support?: string[];
 }
 
 export interface ResourceData {

@@ -11,6 +11,8 @@ export interface TableRow {
   work: number | null;
   /** For machines and crews that were busy, on its way, for shifts: not for the tasks before it. */
   waits: number | null;
+  /** Total float: how much later it could be done and the plan end as it does. */
+  float: number | null;
   cost: number | null;
   result: string;
   reason: string;
@@ -28,7 +30,7 @@ export function tableRows(runs: Runs): TableRow[] {
       run: i, name: run.task, who: machine && crew ? `${machine}, ${crew}` : machine || runs.who(i), start: run.start,
       duration: row?.duration ?? (run.happened ? runs.end(i) - run.start : null),
       motion: row?.motion ?? null, work: row?.work ?? null, waits: waited,
-      cost: row?.cost ?? null, result: run.result || row?.result || 'done', reason: run.reason,
+      float: row?.float?.total ?? null, cost: row?.cost ?? null, result: run.result || row?.result || 'done', reason: run.reason,
     };
   });
 }

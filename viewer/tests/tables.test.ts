@@ -10,6 +10,7 @@ import { makeFilm, robot, type RecordData } from './film_maker';
 const scheduled = (task: string, start: number, cost: number): ScheduledTask => ({
   task, robot: 'crane', crew: '', start, duration: 10, motion: 6, work: 4,
   waited: { predecessor: 1, resource: 2, machine: 3, shift: 4 }, cost, tried: 5, accepted: 4, result: 'done', reason: '',
+  float: { total: 30, free: 0 },
 });
 
 const refusedTry = (run: number, t: number): RecordData => ({
@@ -90,8 +91,8 @@ describe('table of tasks', () => {
   const names = (found: typeof rows) => found.map((row) => `${row.name} ${row.start}`);
 
   it('adds the waits up and leaves out what is not known', () => {
-    expect(rows[0]).toMatchObject({ who: 'crane', waits: 9, duration: 10, cost: 7, result: 'done' });
-    expect(rows[3]).toMatchObject({ duration: null, waits: null, cost: null, result: 'rejected' });
+    expect(rows[0]).toMatchObject({ who: 'crane', waits: 9, duration: 10, cost: 7, float: 30, result: 'done' });
+    expect(rows[3]).toMatchObject({ duration: null, waits: null, cost: null, float: null, result: 'rejected' });
   });
 
   it('sorts by names as people do, and what is not known last both ways', () => {

@@ -18,7 +18,7 @@ export function mountOverview(host: HTMLElement, page: Page): { showRefusals(): 
   if (!film.schedule) say('There is no schedule: cost, utilisation, waits and the critical chain are missing.');
   if (film.runs.length === 0) say(nothing(page));
   if (refusals) host.append(refusals);
-  if (film.schedule) host.append(...resourcesOf(page, film.schedule), ...costsOf(page, film.schedule),
+  if (film.schedule) host.append(...lateOf(page, film.schedule), ...supportOf(page, film.schedule), ...resourcesOf(page, film.schedule), ...costsOf(page, film.schedule),
     ...waitsOf(film.schedule), ...chainOf(page, film.schedule));
   return {
     showRefusals: () => {
@@ -73,6 +73,49 @@ function refusalsOf(page: Page): HTMLElement | null {
   const more = refused.length - mostListed;
   if (more > 0) section.append(make('p', { class: 'muted' }, `and ${more} more: see Tasks`));
   return section;
+}
+
+/** The run of a task that happened. */
+function runsByName(page: Page): Map<string, number> {
+  const byName = new Map<string, number>();
+  page.runs.all.forEach((run, i) => { if (run.happened) byName.set(run.task, i); });
+  return byName;
+}
+
+function taskButton(page: Page, byName: Map<string, number>, task: string): HTMLElement {
+  const run = byName.get(task);
+  return run === undefined ? named(task, 200) : button(task, () => goToRun(page, run), { class: 'link' }, named(task, 200));
+}
+
+/** Tasks that were done later than they were due. */
+function lateOf(page: Page, schedule: ScheduleData): HTMLElement[] {
+  const due = schedule.tasks.filter((task) => task.due !== undefined);
+  const late = due.filter((task) => (task.late ?? 0) > 0);
+  if (late.length === 0) return [];
+  const byName = runsByName(page);
+  const body = make('tbody');
+  for (const task of late.slice(0, mostListed)) {
+    const cells = [page.clock.short(task.due ?? 0), page.clock.short(task.start + task.duration), duration(task.late ?? 0)];
+    body.append(make('tr', {}, make('th', { scope: 'row' }, taskButton(page, byName, task.task)),
+      ...cells.map((text) => make('td', {}, text))));
+  }
+  return [make('h2', { class: 'bad' }, `Late: ${late.length} of ${due.length} due`),
+    make('table', {}, head('Task', 'Due', 'Finish', 'Late'), body)];
+}
+
+/** What does not stand, where the plan only warns. */
+function supportOf(page: Page, schedule: ScheduleData): HTMLElement[] {
+  const warned = schedule.tasks.filter((task) => task.support !== undefined);
+  if (warned.length === 0) return [];
+  const byName = runsByName(page);
+  const list = make('ul', { class: 'refusals' });
+  for (const task of warned.slice(0, mostListed)) {
+    list.append(make('li', {}, taskButton(page, byName, task.task),
+      ...(task.support ?? []).map((text) => make('div', { class: 'reason' }, named(text, 600)))));
+  }
+  const more = warned.length - mostListed;
+  return [make('h2', {}, `Support: ${warned.length} ${warned.length === 1 ? 'task leaves' : 'tasks leave'} something that does not stand`),
+    list, ...(more > 0 ? [make('p', { class: 'muted' }, `and ${more} more`)] : [])];
 }
 
 function head(...names: string[]): HTMLElement {
@@ -141,8 +184,7 @@ function waitsOf(schedule: ScheduleData): HTMLElement[] {
 
 function chainOf(page: Page, schedule: ScheduleData): HTMLElement[] {
   if (schedule.critical.length === 0) return [];
-  const byName = new Map<string, number>();
-  page.runs.all.forEach((run, i) => { if (run.happened) byName.set(run.task, i); });
+  const byName = runsByName(page);
   const list = make('ol', { class: 'chain' });
   for (const link of schedule.critical.slice(0, mostListed)) {
     const run = byName.get(link.task);

@@ -13,7 +13,7 @@ const columns: { key: SortKey; title: string; width: number }[] = [
   { key: 'name', title: 'Task', width: 0 }, { key: 'start', title: 'Start', width: 104 },
   { key: 'duration', title: 'Duration', width: 84 }, { key: 'result', title: 'Result', width: 90 },
   { key: 'waits', title: 'Waited', width: 80 }, { key: 'motion', title: 'Motion', width: 76 },
-  { key: 'work', title: 'Crew work', width: 92 }, { key: 'cost', title: 'Cost', width: 84 },
+  { key: 'work', title: 'Crew work', width: 92 }, { key: 'float', title: 'Float', width: 80 }, { key: 'cost', title: 'Cost', width: 84 },
   { key: 'who', title: 'By', width: 130 },
 ];
 
@@ -35,6 +35,7 @@ export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
   const heads = columns.map(({ key, title, width }) => {
     const cell = make('th', { scope: 'col', class: key === 'who' ? 'start' : '' }, button(title, () => sortBy(key)));
     if (key === 'waits') cell.title = 'For busy machines and crews, on the way, for shifts; not for the tasks before it';
+    if (key === 'float') cell.title = 'Total float: how much later the task could be done and the plan end as it does';
     if (width > 0) cell.style.width = `${width}px`;
     headRow.append(cell);
     return cell;
@@ -73,6 +74,7 @@ export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
     seconds(row.waits);
     seconds(row.motion);
     seconds(row.work);
+    seconds(row.float);
     cell(row.cost === null ? '' : money(row.cost, ''));
     cell(named(row.who, 100), 'start');
     element.addEventListener('click', () => goToRun(page, row.run));
