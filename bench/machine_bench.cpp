@@ -59,7 +59,10 @@ struct NullWorld : interpreter::World {
     return {};
   }
   std::uint64_t version() const override { return 0; }
-  bool situation(const std::string&) const override { return false; }
+  bool situation(const std::string&, std::span<const double>,
+                 std::span<const double>) const override {
+    return false;
+  }
   bool loaded() const override { return false; }
 };
 

@@ -184,7 +184,8 @@ RUBICON_EXPECT(attribute_text, "a text in quotes");
 RUBICON_EXPECT(group_heading, "a heading in quotes");
 RUBICON_EXPECT(free_attribute_name, "a name after attribute");
 RUBICON_EXPECT(component_part, "component", Explain::item,
-               "shape at grip mass density cost fixed braced name storey type guid attribute");
+               "shape at grip mass density cost fixed braced people name storey type guid "
+               "attribute");
 RUBICON_EXPECT(fixed_thing, "the name of a component, or site");
 RUBICON_EXPECT(brace, "the name of a component or a crew");
 RUBICON_EXPECT(component_name, "a name after component");
@@ -232,6 +233,7 @@ RUBICON_EXPECT(entered_component, "the name of a component");
 RUBICON_EXPECT(locked_parameter, "the name of a control parameter");
 RUBICON_EXPECT(deviation_quantity, "a length, then an angle if you like");
 RUBICON_EXPECT(moment, "a date and time in quotes, or a duration after the plan begins");
+RUBICON_EXPECT(up_to_height, "the height that it reaches");
 RUBICON_EXPECT(baseline_to, "'to' and the end of the baseline");
 RUBICON_EXPECT(task_part, "task", Explain::item,
                "by needs move go remove hook adjust release takes via guide situation within free "

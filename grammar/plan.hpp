@@ -155,10 +155,11 @@ struct braced_key
     : token<seq<word<TAO_PEGTL_STRING("braced")>, plus<blank>, word<TAO_PEGTL_STRING("by")>>> {};
 struct brace : qualified_indexed_name {};
 struct component_braced : if_must<braced_key, brace, plan_semicolon> {};
-struct component_part
-    : sor<component_shape, component_at, component_grip, component_mass, component_density,
-          component_cost, component_fixed, component_braced, component_attribute, free_attribute> {
-};
+struct people_key : token<word<TAO_PEGTL_STRING("people")>> {};
+struct component_people : if_must<people_key, plan_semicolon> {};
+struct component_part : sor<component_shape, component_at, component_grip, component_mass,
+                            component_density, component_cost, component_fixed, component_braced,
+                            component_people, component_attribute, free_attribute> {};
 struct whole_component_part : must<component_part> {};
 struct component_parts : nested<star<not_at<block_end>, recover<whole_component_part, item_end>>> {
 };
@@ -318,7 +319,10 @@ struct baseline_to : to_key {};
 struct date_item : sor<if_must<date_key, moment, plan_semicolon>,
                        if_must<baseline_key, moment, baseline_to, moment, plan_semicolon>> {};
 struct zone_key : token<word<TAO_PEGTL_STRING("zone")>> {};
-struct zone_item : if_must<zone_key, shape, plan_semicolon> {};
+struct up_to_key : token<word<TAO_PEGTL_STRING("up_to")>> {};
+struct up_to_height : quantity {};
+struct zone_item : if_must<zone_key, shape, opt<if_must<up_to_key, up_to_height>>, plan_semicolon> {
+};
 struct after_item : if_must<after_key, links, plan_semicolon> {};
 struct task_parts;
 struct task_repetition : if_must<for_head, block_open, task_parts, block_close> {};

@@ -38,6 +38,7 @@ ComponentSpec resolve_component(Subject& subject, const syntax::ComponentItem& i
   ComponentSpec component;
   component.name = item.name.text;
   component.span = item.name.span;
+  component.people = item.people;
   const std::string who = "component '" + component.name + "'";
   for (const syntax::Shape& each : item.shapes) {
     std::optional<geometry::Shape> shape = subject.shapes.resolve(each);

@@ -7,7 +7,7 @@ namespace rubicon::interpreter::plan_check {
 
 namespace {
 
-std::optional<schedule::Ticks> resolve_date(Subject& subject, const syntax::String& date) {
+std::optional<schedule::Ticks> resolve_date_of_plan(Subject& subject, const syntax::String& date) {
   const auto time = resolve_civil_time(subject, date);
   if (!time) return std::nullopt;
   if (!subject.model.start_at) {
@@ -53,7 +53,7 @@ std::optional<double> resolve_duration(Subject& subject, const syntax::Number& n
 
 std::optional<schedule::Ticks> resolve_moment(Subject& subject, const syntax::Moment& moment,
                                               const std::string& what) {
-  if (moment.date) return resolve_date(subject, *moment.date);
+  if (moment.date) return resolve_date_of_plan(subject, *moment.date);
   const auto seconds = resolve_duration(subject, *moment.after_start, what);
   if (!seconds) return std::nullopt;
   return schedule::ticks_from_seconds(*seconds);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "interpreter/check/check_plan_parts.hpp"
+#include "src/motion/math/index.hpp"
 
 namespace rubicon::interpreter::plan_check {
 
@@ -17,7 +18,7 @@ constexpr std::size_t kMaxChoices = 1000;
 /// Longest chain of `by same as`.
 constexpr int kMaxSame = 1000;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 void add_member(Subject& subject, const syntax::Name& name, std::set<std::string>& seen,
                 PoolSpec& pool) {

@@ -8,6 +8,7 @@
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
 #include "interpreter/check/solid_box.hpp"
+#include "src/motion/geometry/above.hpp"
 
 namespace rubicon::interpreter::plan_check {
 
@@ -408,6 +409,13 @@ class TaskChecker {
     std::optional<geometry::Shape> shape = subject_.shapes.resolve(item.shape);
     if (!shape) return;
     shape->X_BS = scope_.X_WP * shape->X_BS;
+    double top = geometry::highest_point(*shape) + geometry::kAirOverPeople;
+    if (item.up_to) {
+      const auto height =
+          bounded(subject_, *item.up_to, UnitKind::length, "up_to", -kMaxLength, kMaxLength);
+      if (height) top = scope_.X_WP.translation().z() + *height;
+    }
+    task_.zones_overhead.push_back(geometry::with_what_is_above(*shape, top));
     task_.zones.push_back(*std::move(shape));
   }
 

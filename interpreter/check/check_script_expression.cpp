@@ -13,7 +13,7 @@ namespace rubicon::interpreter::script_check {
 namespace {
 
 using syntax::Expression;
-using Kind = Expression::Kind;
+using ExpressionKind = Expression::Kind;
 using Operator = Expression::Operator;
 
 // Longer values say nothing in a message, and a deep one would cost stack.
@@ -35,12 +35,12 @@ double metres_degrees_seconds_per(const std::string& unit) {
 
 int precedence(const Expression& expression) {
   switch (expression.kind) {
-    case Kind::logical_not:
+    case ExpressionKind::logical_not:
       return 3;
-    case Kind::negate:
-    case Kind::plus:
+    case ExpressionKind::negate:
+    case ExpressionKind::plus:
       return 7;
-    case Kind::binary:
+    case ExpressionKind::binary:
       break;
     default:
       return 8;
@@ -77,17 +77,17 @@ std::optional<std::string> text_of(const Expression& expression, int depth) {
   };
   std::optional<std::string> text;
   switch (expression.kind) {
-    case Kind::number:
+    case ExpressionKind::number:
       text = number_text(expression.number);
       break;
-    case Kind::parameter:
+    case ExpressionKind::parameter:
       text = expression.name.text();
       break;
-    case Kind::variable:
+    case ExpressionKind::variable:
       text = "var(" + expression.name.text() + ")";
       break;
-    case Kind::call:
-    case Kind::command: {
+    case ExpressionKind::call:
+    case ExpressionKind::command: {
       std::string call = expression.name.text() + "(";
       for (std::size_t i = 0; i < expression.operands.size(); ++i) {
         const std::optional<std::string> argument = operand(i, 0);
@@ -97,16 +97,16 @@ std::optional<std::string> text_of(const Expression& expression, int depth) {
       text = call + ")";
       break;
     }
-    case Kind::negate:
-    case Kind::plus:
+    case ExpressionKind::negate:
+    case ExpressionKind::plus:
       text = operand(0, 7);
-      if (text) text = (expression.kind == Kind::negate ? "-" : "+") + *text;
+      if (text) text = (expression.kind == ExpressionKind::negate ? "-" : "+") + *text;
       break;
-    case Kind::logical_not:
+    case ExpressionKind::logical_not:
       text = operand(0, 3);
       if (text) text = "not " + *text;
       break;
-    case Kind::binary: {
+    case ExpressionKind::binary: {
       const int own = precedence(expression);
       const std::optional<std::string> left = operand(0, own);
       const std::optional<std::string> right = operand(1, own + 1);
@@ -140,18 +140,18 @@ bool same_expression(const Expression& a, const Expression& b, const SameName& s
     open.pop_back();
     if (left->kind != right->kind || left->operands.size() != right->operands.size()) return false;
     switch (left->kind) {
-      case Kind::number:
+      case ExpressionKind::number:
         if (left->number.value != right->number.value) return false;
         break;
-      case Kind::parameter:
+      case ExpressionKind::parameter:
         if (!same_parameter(left->name, right->name)) return false;
         break;
-      case Kind::variable:
-      case Kind::call:
-      case Kind::command:
+      case ExpressionKind::variable:
+      case ExpressionKind::call:
+      case ExpressionKind::command:
         if (left->name.text() != right->name.text()) return false;
         break;
-      case Kind::binary:
+      case ExpressionKind::binary:
         if (left->op != right->op) return false;
         break;
       default:

@@ -15,14 +15,14 @@ namespace {
 
 using syntax::Expression;
 using syntax::Statement;
-using Kind = Statement::Kind;
+using StatementKind = Statement::Kind;
 
 bool is_loop(const Statement& statement) {
-  return statement.kind == Kind::chain || statement.kind == Kind::cycle ||
-         statement.kind == Kind::first;
+  return statement.kind == StatementKind::chain || statement.kind == StatementKind::cycle ||
+         statement.kind == StatementKind::first;
 }
 
-bool is_command(const Statement& statement) { return statement.kind != Kind::assignment; }
+bool is_command(const Statement& statement) { return statement.kind != StatementKind::assignment; }
 
 bool has_commands(const Statement& statement) {
   return std::any_of(statement.elements.begin(), statement.elements.end(), is_command);
@@ -30,13 +30,13 @@ bool has_commands(const Statement& statement) {
 
 const char* name_of(const Statement& statement) {
   switch (statement.kind) {
-    case Kind::chain:
+    case StatementKind::chain:
       return "chain";
-    case Kind::cycle:
+    case StatementKind::cycle:
       return "cycle";
-    case Kind::first:
+    case StatementKind::first:
       return "first";
-    case Kind::each:
+    case StatementKind::each:
       return "each";
     default:
       return "";
@@ -47,10 +47,10 @@ const char* name_of(const Statement& statement) {
 std::vector<const Statement*> own_move_to(const Statement& loop) {
   std::vector<const Statement*> found;
   for (const Statement& element : loop.elements) {
-    if (element.kind == Kind::move_to) found.push_back(&element);
-    if (element.kind != Kind::together) continue;
+    if (element.kind == StatementKind::move_to) found.push_back(&element);
+    if (element.kind != StatementKind::together) continue;
     for (const Statement& part : element.elements) {
-      if (part.kind == Kind::move_to) found.push_back(&part);
+      if (part.kind == StatementKind::move_to) found.push_back(&part);
     }
   }
   return found;
@@ -82,9 +82,9 @@ class StructureChecker {
 
   void check(const Statement& statement, bool on_its_own) {
     if (is_loop(statement)) check_loop(statement);
-    if (statement.kind == Kind::together) check_together(statement);
-    if (statement.kind == Kind::which) check_which(statement, on_its_own);
-    if (is_loop(statement) || statement.kind == Kind::each) {
+    if (statement.kind == StatementKind::together) check_together(statement);
+    if (statement.kind == StatementKind::which) check_which(statement, on_its_own);
+    if (is_loop(statement) || statement.kind == StatementKind::each) {
       check_commands(statement);
       check_after_wait(statement);
       for (const Statement& element : statement.elements) check(element, false);
@@ -96,23 +96,25 @@ class StructureChecker {
   }
 
   void check_on_its_own(const Statement& statement) {
-    if (statement.kind == Kind::move_to) {
+    if (statement.kind == StatementKind::move_to) {
       warn("W05", statement,
            "a move_to on its own makes a single step; write chain {move_to(...)} to repeat it");
-    } else if (statement.kind == Kind::each && has_commands(statement)) {
+    } else if (statement.kind == StatementKind::each && has_commands(statement)) {
       warn("W05", statement,
            "each on its own performs one command; put it in a chain to repeat it");
-    } else if (statement.kind == Kind::together &&
-               std::any_of(statement.elements.begin(), statement.elements.end(),
-                           [](const Statement& part) { return part.kind == Kind::move_to; })) {
+    } else if (statement.kind == StatementKind::together &&
+               std::any_of(
+                   statement.elements.begin(), statement.elements.end(),
+                   [](const Statement& part) { return part.kind == StatementKind::move_to; })) {
       warn("W05", statement,
            "a together on its own makes a single step; write chain {together {...}} to repeat it");
     }
   }
 
   static bool has_broken(const Statement& statement) {
-    return std::any_of(statement.elements.begin(), statement.elements.end(),
-                       [](const Statement& element) { return element.kind == Kind::broken; });
+    return std::any_of(
+        statement.elements.begin(), statement.elements.end(),
+        [](const Statement& element) { return element.kind == StatementKind::broken; });
   }
 
   void check_commands(const Statement& statement) {
@@ -122,10 +124,10 @@ class StructureChecker {
   }
 
   void check_after_wait(const Statement& statement) {
-    if (statement.kind == Kind::cycle)
+    if (statement.kind == StatementKind::cycle)
       return;  // going back from its first element leads to its last
     for (std::size_t i = 0; i + 1 < statement.elements.size(); ++i) {
-      if (statement.elements[i].kind != Kind::wait) continue;
+      if (statement.elements[i].kind != StatementKind::wait) continue;
       warn("W07", statement.elements[i], "nothing after wait is ever tried (wait always succeeds)");
       return;
     }
@@ -137,11 +139,11 @@ class StructureChecker {
     const std::vector<const Statement*> goals = own_move_to(loop);
     check_goals(loop, goals);
     if (has_broken(loop)) return;
-    if (loop.kind == Kind::cycle && has_commands(loop) && goals.empty() && !loop.until) {
+    if (loop.kind == StatementKind::cycle && has_commands(loop) && goals.empty() && !loop.until) {
       warn("W06", loop,
            "this cycle has no until and no move_to: it only ends when nothing can move");
     }
-    if (loop.kind == Kind::chain) check_no_way_back(loop);
+    if (loop.kind == StatementKind::chain) check_no_way_back(loop);
   }
 
   bool same_parameter(const syntax::QualifiedName& a, const syntax::QualifiedName& b) const {
@@ -193,9 +195,9 @@ class StructureChecker {
     collect_targets(chain.elements, assigned);
     for (std::size_t i = 1; i + 1 < commands.size(); ++i) {
       const Statement& command = *commands[i];
-      const Kind next = commands[i + 1]->kind;
-      if (command.kind != Kind::move_to || !command.value) continue;
-      if (next != Kind::move_dir && next != Kind::each) continue;
+      const StatementKind next = commands[i + 1]->kind;
+      if (command.kind != StatementKind::move_to || !command.value) continue;
+      if (next != StatementKind::move_dir && next != StatementKind::each) continue;
       if (depends_on_configuration(*command.value, assigned)) continue;
       warn("N02", command,
            fmt::format("once '{}' has nothing to do, elements after it cannot return to those "
@@ -232,7 +234,7 @@ class StructureChecker {
   void check_together(const Statement& together) {
     std::map<std::string, const Statement*> parts;
     for (const Statement& part : together.elements) {
-      if (part.kind == Kind::broken) continue;
+      if (part.kind == StatementKind::broken) continue;
       const auto [place, is_new] = parts.emplace(key_of(part.name), &part);
       if (is_new) continue;
       Diagnostic twice;

@@ -76,6 +76,7 @@ struct ComponentSpec {
   std::optional<double> cost = {};       ///< of its material
   std::vector<ThingRef> fixed_to = {};   ///< components, the site: what it touches carries it
   std::vector<ThingRef> braced_by = {};  ///< components, crews: keep it from turning over
+  bool people = false;                   ///< people are in or on it
 };
 
 /// What a robot or a crew costs besides its hours.
@@ -174,6 +175,8 @@ struct TaskSpec {
   std::optional<schedule::Ticks> due;  ///< it is late if it finishes later
   std::optional<Baseline> baseline;    ///< to compare with; it holds nobody
   std::vector<geometry::Shape> zones;
+  /// The zones and the air above them, where no load may hang (world).
+  std::vector<geometry::Shape> zones_overhead;
   std::vector<LinkSpec> after;
   Span span;                                 ///< its name token
   Span move_span, zone_span, priority_span;  ///< where these items stand, if they do

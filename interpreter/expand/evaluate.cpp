@@ -23,7 +23,7 @@ constexpr double kEqual = 1e-6;
 /// Largest whole number that is counted with.
 constexpr std::int64_t kMaxWhole = 1000000000;
 
-const std::vector<std::string>& functions() {
+const std::vector<std::string>& function_names() {
   static const std::vector<std::string> names{"abs", "min", "max", "floor", "mod", "sin", "cos"};
   return names;
 }
@@ -147,7 +147,7 @@ class Evaluation {
   std::optional<Value> call(const Expression& expression) {
     const std::string name = expression.name.text();
     const std::size_t wanted = name == "min" || name == "max" || name == "mod" ? 2 : 1;
-    const auto& known = functions();
+    const auto& known = function_names();
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       const std::string near = did_you_mean(name, known);
       return refuse(expression.span,

@@ -57,7 +57,7 @@ class PlainItems {
   void item(syntax::GuideItem& value) { each(value.names); }
   void item(syntax::GuideDeclaration& value);
   void item(syntax::MotionClause& value);
-  void item(syntax::ZoneItem& value) { shape(value.shape); }
+  void item(syntax::ZoneItem& value) { shape(value.shape), each(value.up_to); }
   void item(syntax::WholeItem& value) { each(value.value); }
   void item(syntax::DateItem& value);
   void item(syntax::SupportItem& value) { each(value.mode), each(value.gap); }

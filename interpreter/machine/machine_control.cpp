@@ -280,7 +280,7 @@ bool Machine::situation_on(std::int32_t situation, const World& world) const {
   if (guide_ && name == "guided") return true;
   return std::find(task_.situations.begin(), task_.situations.end(), name) !=
              task_.situations.end() ||
-         world.situation(name);
+         world.situation(name, q_, target_.q);
 }
 
 /// The slot of an `each` in the nearest loop frame; null outside any loop.

@@ -272,6 +272,7 @@ RUBICON_ACTION(PlanAction, PlanState, fixed_thing) {
 RUBICON_ACTION(PlanAction, PlanState, brace) {
   st.component.braced_by.push_back(st.take_qualified_name());
 }
+RUBICON_ACTION(PlanAction, PlanState, component_people) { st.component.people = true; }
 RUBICON_ACTION(PlanAction, PlanState, component_item) {
   st.add_to_module(std::move(st.component), begin);
 }
@@ -455,8 +456,10 @@ RUBICON_ACTION(PlanAction, PlanState, moment_after_start) {
   st.date.moments.push_back({{}, st.take_quantity(), st.span_from(begin)});
 }
 RUBICON_ACTION(PlanAction, PlanState, date_item) { st.add_to_task(std::move(st.date), begin); }
+RUBICON_ACTION(PlanAction, PlanState, zone_key) { st.up_to.reset(); }
+RUBICON_ACTION(PlanAction, PlanState, up_to_height) { st.up_to = st.take_quantity(); }
 RUBICON_ACTION(PlanAction, PlanState, zone_item) {
-  st.add_to_task(syntax::ZoneItem{st.take_shape(), {}}, begin);
+  st.add_to_task(syntax::ZoneItem{st.take_shape(), std::exchange(st.up_to, {}), {}}, begin);
 }
 RUBICON_ACTION(PlanAction, PlanState, after_item) {
   st.add_to_task(syntax::AfterItem{std::move(st.links), {}}, begin);

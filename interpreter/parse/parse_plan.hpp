@@ -126,6 +126,7 @@ class PlanState : public GuideState {
   }
   syntax::WholeItem whole;
   syntax::DateItem date;
+  std::optional<syntax::Number> up_to;  ///< of the zone under way
   syntax::SupportItem support;
   syntax::Shift shift;
   syntax::String shift_from;

@@ -58,8 +58,10 @@ class World {
   /// Changes whenever anything but this robot's own steps changed what would be accepted.
   virtual std::uint64_t version() const = 0;
 
-  /// Whether a situation is on by itself now (such as `safety`), besides those given to the motion.
-  virtual bool situation(const std::string& name) const = 0;
+  /// Whether a situation is on by itself now (such as `safety`), besides those given to the motion,
+  /// for the robot that stands at q on its way to `q_goal`.
+  virtual bool situation(const std::string& name, std::span<const double> q,
+                         std::span<const double> q_goal) const = 0;
 
   /// Whether an object is attached to the tool (loaded speeds, situation `transport` in the full
   /// form).

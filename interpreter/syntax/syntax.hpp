@@ -382,6 +382,7 @@ struct ComponentItem {
   std::vector<Number> cost;  ///< of its material
   std::vector<QualifiedName> fixed_to;
   std::vector<QualifiedName> braced_by;
+  bool people = false;
   Span span;
 };
 
@@ -529,6 +530,7 @@ struct SupportItem {
 };
 struct ZoneItem {
   Shape shape;
+  std::optional<Number> up_to;
   Span span;
 };
 struct AfterItem {

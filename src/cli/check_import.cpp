@@ -19,9 +19,9 @@ namespace {
 using interpreter::FileFailure;
 
 /// The disk as it will be: the plan and its own meshes come from memory.
-class FilesToBe : public interpreter::FileProvider {
+class PlanFilesToBe : public interpreter::FileProvider {
  public:
-  FilesToBe(const PlanToCheck& plan, files::DiskFiles& disk) : plan_(plan), disk_(disk) {
+  PlanFilesToBe(const PlanToCheck& plan, files::DiskFiles& disk) : plan_(plan), disk_(disk) {
     for (const auto& mesh : plan.building->meshes) {
       meshes_.emplace(interpreter::resolve_path(plan.path, mesh.name), mesh.mesh);
     }
@@ -52,7 +52,7 @@ class FilesToBe : public interpreter::FileProvider {
 }  // namespace
 
 bool refused(const PlanToCheck& plan, files::DiskFiles& disk) {
-  FilesToBe files(plan, disk);
+  PlanFilesToBe files(plan, disk);
   interpreter::SourceMap sources;
   interpreter::Diagnostics diagnostics;
   interpreter::load_plan(plan.path, sources, files, diagnostics);

@@ -33,7 +33,7 @@ struct CheckRun {
   Diagnostics diagnostics;
 };
 
-void fail(CheckRun& run, const std::string& path, const std::string& message) {
+void add_failure(CheckRun& run, const std::string& path, const std::string& message) {
   run.diagnostics.error("F01", {}, fmt::format("'{}': {}", path, message));
 }
 
@@ -52,7 +52,7 @@ bool already_read(const SourceMap& sources, const std::string& path) {
 void check_motion(CheckRun& run, const std::string& path, const interpreter::CheckedRobot* robot) {
   auto text = run.disk.read_text(path);
   if (const auto* failure = std::get_if<FileFailure>(&text)) {
-    fail(run, path, failure->message);
+    add_failure(run, path, failure->message);
     return;
   }
   const interpreter::FileId file = run.sources.add(path, std::get<std::string>(std::move(text)));
@@ -76,7 +76,7 @@ void check_plan(CheckRun& run, const std::string& path, const interpreter::Param
       run.diagnostics.add(std::move(each));
     }
   } catch (const std::invalid_argument& error) {
-    fail(run, path, error.what());
+    add_failure(run, path, error.what());
   }
 }
 
@@ -91,7 +91,7 @@ int run_check(const CheckOptions& options) {
   for (const std::string& path : options.files) {
     const std::optional<interpreter::TextKind> kind = kind_of(path);
     if (!kind) {
-      fail(run, path, "expected a .robot, .motion or .plan file");
+      add_failure(run, path, "expected a .robot, .motion or .plan file");
     } else if (already_read(run.sources, path)) {
       continue;
     } else if (*kind == interpreter::TextKind::robot) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "src/cli/commands.hpp"
+#include "src/cli/fail.hpp"
 #include "src/cli/trace_source.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/results/debug/command_words.hpp"
@@ -17,12 +18,7 @@ namespace rubicon::cli {
 namespace {
 
 /// A longer line of input (bytes) is no command, and may have no end.
-constexpr std::size_t kLongestLine = 65536;
-
-int fail(const std::string& message) {
-  fmt::print(stderr, "rubicon: error: {}\n", message);
-  return kWrongInput;
-}
+constexpr std::size_t kLongestCommand = 65536;
 
 /// False when nobody reads any more.
 bool show(const std::string& text) {
@@ -33,7 +29,8 @@ bool show(const std::string& text) {
 /// The next line of standard input; nothing at its end. A line that is too long is cut.
 std::optional<std::string> next_line() {
   std::string line;
-  for (int c = std::fgetc(stdin); c != EOF && line.size() <= kLongestLine; c = std::fgetc(stdin)) {
+  for (int c = std::fgetc(stdin); c != EOF && line.size() <= kLongestCommand;
+       c = std::fgetc(stdin)) {
     if (c == '\n') return line;
     line += static_cast<char>(c);
   }
@@ -63,7 +60,7 @@ int converse(debug::Session& session, const DebugOptions& options) {
       if (terminal) show("\n");
       return kFine;
     }
-    if (line->size() > kLongestLine)
+    if (line->size() > kLongestCommand)
       return fail("no command is that long: the input is not read on");
     if (!execute_line(session, *line, !terminal)) return kFine;
   }

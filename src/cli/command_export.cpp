@@ -14,6 +14,7 @@
 
 #include "interpreter/check/plan_model.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/fail.hpp"
 #include "src/cli/input_file.hpp"
 #include "src/cli/result_files.hpp"
 #include "src/cli/result_project.hpp"
@@ -38,11 +39,6 @@ struct Output {
   std::string path;
   std::string bytes;
 };
-
-int fail(const std::string& message) {
-  fmt::print(stderr, "rubicon: error: {}\n", message);
-  return kWrongInput;
-}
 
 /// The files that the call reads.
 std::vector<std::string> inputs_of(const ExportOptions& options) {
@@ -104,7 +100,7 @@ std::optional<Output> plan_output(const ExportOptions& options) {
   return output;
 }
 
-taskplan::Schedule read_schedule(const ResultFiles& result) {
+taskplan::Schedule read_result_schedule(const ResultFiles& result) {
   const std::string text = result.schedule_json();
   try {
     return report::schedule_from_json(text);
@@ -120,7 +116,7 @@ std::string folder_name(const std::string& path) {
 
 /// A chart needs no trace, but is better with it.
 std::string gantt_chart(const ExportOptions& options, const ResultFiles& result) {
-  const taskplan::Schedule schedule = read_schedule(result);
+  const taskplan::Schedule schedule = read_result_schedule(result);
   if (!result.has_trace()) {
     return gantt::svg_chart(gantt::make_chart(schedule, nullptr, folder_name(options.source)));
   }
@@ -151,10 +147,10 @@ std::vector<Output> result_outputs(const ExportOptions& options) {
   std::vector<Output> outputs;
   if (!options.gltf.empty()) outputs.push_back({options.gltf, film(options, result)});
   if (!options.csv.empty()) {
-    outputs.push_back({options.csv, report::schedule_csv(read_schedule(result))});
+    outputs.push_back({options.csv, report::schedule_csv(read_result_schedule(result))});
   }
   if (!options.mspdi.empty()) {
-    outputs.push_back({options.mspdi, result_mspdi(result, read_schedule(result))});
+    outputs.push_back({options.mspdi, result_mspdi(result, read_result_schedule(result))});
   }
   if (!options.svg.empty()) outputs.push_back({options.svg, gantt_chart(options, result)});
   return outputs;

@@ -8,6 +8,7 @@
 
 #include "interpreter/syntax/name_suggestion.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/fail.hpp"
 #include "src/cli/load_runnable_plan.hpp"
 #include "src/cli/set_option.hpp"
 #include "src/results/comparison/compare_guides.hpp"
@@ -15,11 +16,6 @@
 namespace rubicon::cli {
 
 namespace {
-
-int fail(const std::string& message) {
-  fmt::print(stderr, "rubicon: error: {}\n", message);
-  return kWrongInput;
-}
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

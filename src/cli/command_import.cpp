@@ -7,6 +7,7 @@
 
 #include "src/cli/check_import.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/fail.hpp"
 #include "src/cli/import_schedule.hpp"
 #include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/disk_io.hpp"
@@ -18,11 +19,6 @@
 namespace rubicon::cli {
 
 namespace {
-
-int fail(const std::string& message) {
-  fmt::print(stderr, "rubicon: error: {}\n", message);
-  return kWrongInput;
-}
 
 bool is_machine(const std::string& path) {
   return path.ends_with(".urdf") || path.ends_with(".xacro");

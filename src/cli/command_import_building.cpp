@@ -10,6 +10,7 @@
 
 #include "src/cli/check_import.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/fail.hpp"
 #include "src/cli/import_schedule.hpp"
 #include "src/exchange/building_io/building_plan.hpp"
 #include "src/exchange/building_io/match_file.hpp"
@@ -53,11 +54,6 @@ class BuildingImport {
   }
 
  private:
-  static int fail(const std::string& message) {
-    fmt::print(stderr, "rubicon: error: {}\n", message);
-    return kWrongInput;
-  }
-
   std::optional<building_io::BuildingPlan> make_plan() {
     std::vector<building_io::ModelFile> models;
     for (const std::string& path : options_.files) {

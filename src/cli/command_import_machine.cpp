@@ -11,6 +11,7 @@
 
 #include "interpreter/check/check.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/fail.hpp"
 #include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/exchange/files/temporaries_io.hpp"
@@ -28,11 +29,6 @@ namespace {
 namespace fs = std::filesystem;
 using interpreter::FileFailure;
 
-int fail(const std::string& message) {
-  fmt::print(stderr, "rubicon: error: {}\n", message);
-  return kWrongInput;
-}
-
 /// NAME=VALUE of several options; the message of the first that is wrong.
 std::variant<std::map<std::string, std::string>, std::string> pairs(
     const std::vector<std::string>& options, const char* form) {
@@ -48,9 +44,9 @@ std::variant<std::map<std::string, std::string>, std::string> pairs(
 }
 
 /// The disk as it will be: the robot file comes from memory, its meshes from where they are copied.
-class FilesToBe : public interpreter::FileProvider {
+class MachineFilesToBe : public interpreter::FileProvider {
  public:
-  FilesToBe(std::string path, const urdf::MachineImport& machine, files::DiskFiles& disk)
+  MachineFilesToBe(std::string path, const urdf::MachineImport& machine, files::DiskFiles& disk)
       : path_(std::move(path)), machine_(machine), disk_(disk) {
     for (const urdf::MeshCopy& each : machine.meshes) {
       meshes_[interpreter::resolve_path(path_, each.target)] = &each;
@@ -146,7 +142,7 @@ class MachineFiles {
 
   /// Whether `rubicon check` would refuse the robot file; says why.
   bool refused(const urdf::MachineImport& machine) {
-    FilesToBe files(out_, machine, disk_);
+    MachineFilesToBe files(out_, machine, disk_);
     interpreter::SourceMap sources;
     interpreter::Diagnostics diagnostics;
     interpreter::load_robot(out_, sources, files, nullptr, diagnostics);

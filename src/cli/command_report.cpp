@@ -6,6 +6,7 @@
 #include <string>
 
 #include "src/cli/commands.hpp"
+#include "src/cli/fail.hpp"
 #include "src/cli/input_file.hpp"
 #include "src/cli/report_file.hpp"
 #include "src/cli/result_files.hpp"
@@ -18,13 +19,8 @@ namespace rubicon::cli {
 
 namespace {
 
-int fail(const std::string& message) {
-  fmt::print(stderr, "rubicon: error: {}\n", message);
-  return kWrongInput;
-}
-
 /// The text of schedule.json, "" where there is none.
-std::string read_schedule(const ResultFiles& result) {
+std::string checked_schedule_text(const ResultFiles& result) {
   if (!result.has_schedule()) return {};
   std::string text = result.schedule_json();
   // The page relies on what stands in it.
@@ -41,7 +37,8 @@ std::optional<std::string> make_page(const ReportOptions& options, bool folder,
   ReportWriter writer;
   each_trace_line(trace, [&](const std::string& line) { writer.line(line); });
   try {
-    return files::write_file(out, writer.page(folder ? read_schedule(result) : std::string()));
+    return files::write_file(out,
+                             writer.page(folder ? checked_schedule_text(result) : std::string()));
   } catch (const std::invalid_argument& error) {
     throw WrongInput(fmt::format("{}: {}", result.schedule_path(), error.what()));
   }

@@ -13,6 +13,7 @@
 
 #include "interpreter/check/plan_model.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/fail.hpp"
 #include "src/cli/load_runnable_plan.hpp"
 #include "src/cli/report_file.hpp"
 #include "src/cli/set_option.hpp"
@@ -149,11 +150,6 @@ class Progress {
   std::chrono::steady_clock::time_point last_ = start_;
   bool shown_ = false;
 };
-
-int fail(const std::string& message) {
-  fmt::print(stderr, "rubicon: error: {}\n", message);
-  return kWrongInput;
-}
 
 /// What --out asks for, beside the trace, and all of it to its place. A message on failure.
 std::optional<std::string> write_result(files::ResultFolder& folder,

@@ -41,6 +41,7 @@ Action declare_why(CLI::App& app) {
   app.add_option("SOURCE", options->source)->required();
   app.add_option("TASK", options->task)->required();
   app.add_option("--format", options->format)->check(IsMember({"text", "json"}));
+  app.add_flag("--advise", options->advise);
   declare_set(app, options->set);
   return [options] { return run_why(*options); };
 }

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "src/cli/commands.hpp"
+#include "src/cli/fail.hpp"
 #include "src/cli/input_file.hpp"
 #include "src/exchange/encoding/sha256.hpp"
 #include "src/exchange/files/result_folder_io.hpp"
@@ -18,11 +19,6 @@ namespace rubicon::cli {
 namespace {
 
 using verify::UnreadableInput;
-
-int fail(const std::string& message) {
-  fmt::print(stderr, "rubicon: error: {}\n", message);
-  return kWrongInput;
-}
 
 /// Reads the trace of `result`, and what identifies it.
 void read_trace(const std::string& path, verify::Result& result) {

@@ -1,26 +1,27 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "interpreter/syntax/name_suggestion.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/fail.hpp"
+#include "src/cli/load_runnable_plan.hpp"
+#include "src/cli/set_option.hpp"
 #include "src/cli/trace_source.hpp"
+#include "src/results/advice/advice.hpp"
 #include "src/results/replay/replay.hpp"
 #include "src/results/why/ask_engine.hpp"
 #include "src/results/why/story_reader.hpp"
 #include "src/results/why/story_text.hpp"
+#include "src/simulation/taskplan/run_plan.hpp"
 
 namespace rubicon::cli {
 
 namespace {
-
-int fail(const std::string& message) {
-  fmt::print(stderr, "rubicon: error: {}\n", message);
-  return kWrongInput;
-}
 
 /// Reads a trace for the story of a task, and for where everything was. What makes no replay (a
 /// trace without steps) still makes a story.
@@ -65,7 +66,22 @@ class StoryAndReplay : public trace::TraceSink {
 
 int run_why(const WhyOptions& options) {
   StoryAndReplay trace(options.task);
-  if (!stream_trace(options.source, options.set, trace)) return kWrongInput;
+  interpreter::SourceMap sources;
+  std::unique_ptr<interpreter::PlanModel> plan;  // of which changes are tried
+  if (options.advise) {
+    if (!trace_named(options.source).empty()) {
+      return fail(
+          fmt::format("--advise runs changed plans, so it goes with a plan: rubicon why PLAN {} "
+                      "--advise; {} is what a run left",
+                      options.task, options.source));
+    }
+    plan = load_runnable_plan(options.source, sources, parameter_texts(options.set));
+    if (!plan) return kWrongInput;
+    if (plan->short_form) return fail("--advise is for plans with tasks; this is a short plan");
+    taskplan::run_plan(*plan, sources, &trace, {});
+  } else if (!stream_trace(options.source, options.set, trace)) {
+    return kWrongInput;
+  }
   const why::StoryReader& reader = trace.reader();
   if (!reader.has_task()) {
     interpreter::NameSuggestions suggestions;
@@ -73,8 +89,12 @@ int run_why(const WhyOptions& options) {
                             suggestions.ending(options.task, [&] { return reader.tasks(); })));
   }
   const why::TaskStory story = trace.finish();
-  const std::string text =
-      options.format == "json" ? why::story_json(story) : why::story_text(story);
+  const bool json = options.format == "json";
+  std::string text = json ? why::story_json(story) : why::story_text(story);
+  if (plan) {
+    const advice::Advice advice = advice::advise(*plan, sources, story);
+    text = json ? advice::json_with_advice(text, advice) : text + advice::advice_text(advice);
+  }
   std::fwrite(text.data(), 1, text.size(), stdout);
   return kFine;
 }

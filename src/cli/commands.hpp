@@ -55,6 +55,7 @@ struct WhyOptions {
   std::string task;
   std::string format = "text";
   std::vector<std::string> set;
+  bool advise = false;
 };
 int run_why(const WhyOptions& options);
 

@@ -78,13 +78,16 @@ examples:
 const std::string_view kWhy =
     R"(rubicon why - tell why a task failed, took long or came late
 
-usage: rubicon why PLAN|RESULT|TRACE TASK [--format text|json] [--set NAME=VALUE]...
+usage: rubicon why PLAN|RESULT|TRACE TASK [--advise] [--format text|json] [--set NAME=VALUE]...
 
 For a rejected task: what blocked it first, at which step and by which line of the script, where the robot stood, and
 what the script tried instead and how each try ended. For any task: what it waited for on its way, and the chain of
 waits back to the beginning of the plan that made it begin when it did. RESULT is the folder of rubicon run --out:
 nothing is simulated again. A PLAN is run first.
 
+  --advise         of a PLAN also what would help: another order of two tasks, a start when others have gone, another
+                   robot, a waypoint above the goal. At most 12 changes are tried, each by running the changed plan;
+                   what was not tried is named
   --format FORMAT  text (the default) or json, on standard output; times in seconds
   --set NAME=VALUE another value for a parameter of the PLAN
 
@@ -94,6 +97,7 @@ examples:
   rubicon why taskplans/unit.plan set_west_1
   rubicon run site.plan --out result; rubicon why result set_7
   rubicon why result set_7 --format json
+  rubicon why site.plan set_7 --advise
 )";
 
 const std::string_view kGuides =

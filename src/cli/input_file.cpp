@@ -37,7 +37,7 @@ void expect_whole(const std::string& path, const std::ios& stream) {
 }
 
 /// No trace has a longer line (bytes); a small packed file can have one.
-constexpr std::size_t kLongestLine = std::size_t{1} << 30;
+constexpr std::size_t kLongestTraceLine = std::size_t{1} << 30;
 
 /// Gives the lines of what comes in pieces to `take`, until it returns false.
 class LineSplitter {
@@ -49,7 +49,8 @@ class LineSplitter {
     while (wants_more_) {
       const std::size_t end = piece.find('\n');
       line_ += piece.substr(0, end);
-      if (line_.size() > kLongestLine) throw std::invalid_argument("a line is longer than 1 GB");
+      if (line_.size() > kLongestTraceLine)
+        throw std::invalid_argument("a line is longer than 1 GB");
       if (end == std::string_view::npos) return;
       wants_more_ = take_(line_);
       line_.clear();

@@ -836,6 +836,23 @@ def zone_round_a_robot(good, rng):
     return Fault("zone round a robot", result, [*good.results(), ""], words=f"meets the zone of {name} (")
 
 
+def people_under_a_load(good, rng):
+    """A load of another robot hangs over the people of a task."""
+    result = copy.deepcopy(good)
+    for place in rng.sample(good.places("attach"), len(good.places("attach"))):
+        lift = good.records[place]
+        over = [task["name"] for task in good.header["tasks"] if task["zones"] and good.results()[task["name"]] == "done"
+                and task["robot"] != lift["robot"] and good.span(task["name"])[0] < lift["t"] < good.span(task["name"])[1]]
+        if not over or good.results().get(lift["task"]) != "done":
+            continue
+        name = rng.choice(over)
+        zone = result.task(name)["zones_overhead"][0]
+        zone.update({"type": "box", "lower": [-400, -400, -5], "upper": [400, 400, 400], "pose": IDENTITY})
+        return Fault("people under a load", result, [*good.results(), ""],
+                     words=f"meets the air above the zone of {name} (")
+    return None
+
+
 def edit_the_schedule(good, rng):
     rows = good.schedule["tasks"]
     row = rng.randrange(len(rows))
@@ -1171,7 +1188,9 @@ def change_a_residual(good, rng):
     record = result.records[index]
     task = good.task(record["task"])
     within = task["within"] if task else {}
-    if rng.random() < 0.5 and "position_error" in record:
+    # A joint that only turns the tool about the axis that is free may stand anywhere.
+    free = task is not None and "free" in task
+    if (free or rng.random() < 0.5) and "position_error" in record:
         record["position_error"] += within.get("length", 0) + rng.uniform(0.001, 5)
     else:
         parameter = rng.choice(sorted(record["residual"]))
@@ -1362,7 +1381,7 @@ KINDS = (shift_a_step, shift_the_rest_of_a_task, drop_a_wait, close_a_wait_up, s
          hide_an_overlap, sink_the_site, shift_what_carries, lengthen_work,
          take_a_day_off, shorten_a_shift, hang_a_load, invent_overtime, book_a_crew_twice, give_work_to_another, break_a_link,
          link_to_what_is_not_done, silence_a_refusal, call_it_done, hide_that_it_ended_short, call_it_not_reached, drop_a_task, cut_the_trace,
-         wall_in_the_way, thing_where_a_load_is_put, grow_a_body, zone_round_a_robot, edit_the_schedule,
+         wall_in_the_way, thing_where_a_load_is_put, grow_a_body, zone_round_a_robot, people_under_a_load, edit_the_schedule,
          edit_the_table, change_the_speed, name_another_parameter, lengthen_a_part, give_a_part_to_another,
          hide_a_wait, wait_for_nothing, pause_for_nothing, edit_a_part_of_the_table, change_a_cost, change_a_rate, edit_a_use,
          drop_a_goal, double_a_goal, shift_a_date, end_in_a_livelock, change_a_checksum, change_a_residual,

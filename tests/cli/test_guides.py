@@ -135,6 +135,28 @@ class Guides(ResultCase):
                       .replace("guide way; }\n}", "guide way; after before; }\n}"))
         self.assertIn("the way of a guide", self.faults_of(begins_elsewhere))
 
+    def test_verify_finds_a_way_that_does_not_keep_what_it_has_to(self):
+        plan = ROUND_THE_WALL.replace("seed 3;", "seed 3; keep (abs(x + 2 * y) <= 30);")
+        for text in (plan, """plan p {
+  robot "car.robot";
+  site box(4.5, -6, 0, 5.5, 6, 2);
+  start x 0, y 0;
+  guide way rrt_connect { seed 3; keep (x + 2 * y <= 30 and x - y >= -20); }
+  guide way;
+  goal x 10, y 0;
+}
+"""):
+            self.run_plan(text)
+
+            def holds_less(result):
+                header = result.records[0]
+                guide, = header["guides"] if header["form"] == "short" else header["tasks"][0]["guides"]
+                bound = guide["keep"][0]
+                self.assertEqual(bound["sum"], {"x": 1, "y": 2})
+                bound["most"] -= 25
+
+            self.assertIn("does not keep what the guide has to", self.faults_of(holds_less))
+
     def test_ways_among_random_boxes_are_free(self):
         """The excavator among boxes: what a guide finds is made without a refusal, and verify, by its own means, finds nothing."""
         rng = random.Random(SEED)

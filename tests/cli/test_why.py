@@ -54,6 +54,21 @@ ROW = """plan row {
 """
 
 
+# A wall with a post higher than the hoist can go is set, then somebody wants to get past it.
+TALL = """plan tall {
+  robot g "g.robot";
+  component wall {
+    shape box(-0.2, -2, 0, 0.2, 2, 10);
+    shape box(-1.4, -0.4, 0, -1, 0.4, 12);
+    at trans(-10, 0, 0);
+    grip trans(0, 0, 10);
+  }
+  task set_wall { by g; move wall to trans(8, 0, 0); }
+  task west { by g; go x -5; after set_wall; }
+}
+"""
+
+
 def rubicon(*arguments):
     return subprocess.run([RUBICON, *arguments], capture_output=True, text=True, timeout=60)
 
@@ -62,7 +77,7 @@ class Why(unittest.TestCase):
     def setUp(self):
         self.temporary = tempfile.TemporaryDirectory()
         self.folder = self.temporary.name
-        for name, text in (("g.robot", ROBOT), ("g.motion", SCRIPT), ("yard.plan", PLAN), ("row.plan", ROW)):
+        for name, text in (("g.robot", ROBOT), ("g.motion", SCRIPT), ("yard.plan", PLAN), ("row.plan", ROW), ("tall.plan", TALL)):
             with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
                 file.write(text)
         self.plan = os.path.join(self.folder, "yard.plan")
@@ -183,6 +198,52 @@ class Why(unittest.TestCase):
         trace = os.path.join(self.folder, "t.jsonl")
         rubicon("run", self.plan, "--trace", trace, "--trace-detail", "tasks")
         self.assertIn("no single steps", rubicon("why", trace, "east").stdout)
+
+    def test_advice_tries_other_orders_and_says_what_was_not_tried(self):
+        plan = os.path.join(self.folder, "tall.plan")
+        told = rubicon("why", plan, "west", "--advise")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertIn("west is rejected", told.stdout)
+        advice = told.stdout[told.stdout.index("\nadvice, from "):]
+        self.assertIn("this helps\n  west before set_wall, its link 'after set_wall' left out: west is done after ", advice)
+
+    def test_advice_as_json(self):
+        plan = os.path.join(self.folder, "tall.plan")
+        story = json.loads(rubicon("why", plan, "west", "--advise", "--format", "json").stdout)
+        self.assertEqual(story["task"], "west")
+        advice = story["advice"]
+        self.assertEqual(advice["before"]["result"], "rejected")
+        helping = [each for each in advice["tried"] if each["helps"]]
+        self.assertEqual(helping[0]["change"], "west before set_wall, its link 'after set_wall' left out")
+        self.assertEqual(helping[0]["result"], "done")
+        self.assertGreater(helping[0]["done"], advice["before"]["done"])
+        # The changed plan, written by hand, gives the same.
+        with open(plan, encoding="utf-8") as file:
+            text = file.read()
+        other = os.path.join(self.folder, "other.plan")
+        with open(other, "w", encoding="utf-8") as file:
+            file.write(text.replace("go x -5; after set_wall;", "go x -5;")
+                           .replace("move wall to trans(8, 0, 0);", "move wall to trans(8, 0, 0); after west;"))
+        run = json.loads(rubicon("run", other, "--format", "json").stdout)
+        self.assertAlmostEqual(run["process_time"], helping[0]["process_time"])
+        west = next(task for task in run["tasks"] if task["task"] == "west")
+        self.assertAlmostEqual(west["start"] + west["duration"], helping[0]["end"])
+
+    def test_advice_needs_a_plan_with_tasks(self):
+        told = rubicon("why", self.out, "east", "--advise")
+        self.assertEqual(told.returncode, 2)
+        self.assertIn("--advise runs changed plans, so it goes with a plan: rubicon why PLAN east --advise", told.stderr)
+
+    def test_advice_over_links_of_others_is_not_tried(self):
+        plan = os.path.join(self.folder, "tall.plan")
+        with open(plan, encoding="utf-8") as file:
+            text = file.read()
+        with open(plan, "w", encoding="utf-8") as file:
+            file.write(text.replace("go x -5; after set_wall;", "go x -5; after look;")
+                           .replace("  task west", "  task look { takes 1 min; after set_wall; }\n  task west"))
+        advice = json.loads(rubicon("why", plan, "west", "--advise", "--format", "json").stdout)["advice"]
+        self.assertIn({"change": "west before set_wall", "why": "west comes after set_wall by links over other tasks"},
+                      advice["not_tried"])
 
 
 if __name__ == "__main__":

@@ -164,13 +164,13 @@ void aligned_steps(Random& random, CaseRecord& record) {
   note(record, one, way_grid);
 }
 
-constexpr Generator kGenerators[] = {
+constexpr Generator kAlignedGenerators[] = {
     {"aligned_poses", "meshes whose faces lie in each other", 3, 1, aligned_poses},
     {"aligned_steps", "the same, shifted along an axis of their grid", 1, 1, aligned_steps},
 };
 
 }  // namespace
 
-std::span<const Generator> aligned_generators() { return kGenerators; }
+std::span<const Generator> aligned_generators() { return kAlignedGenerators; }
 
 }  // namespace rubicon::collision::proof

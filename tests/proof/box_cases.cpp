@@ -18,8 +18,6 @@ struct BoxCase {
   double tolerance = 1e-3;
 };
 
-/// The third voice speaks in one of so many cases.
-constexpr int kThirdVoiceEvery = 16;
 Truth truth_of(const BoxCase& boxes) {
   return polytopes_truth(box_polytope(boxes.half_a), boxes.path_a, box_polytope(boxes.half_b),
                          boxes.path_b, boxes.tolerance);
@@ -254,7 +252,7 @@ void both_move(Random& random, CaseRecord& record) {
   judge(boxes, random, record);
 }
 
-constexpr Generator kGenerators[] = {
+constexpr Generator kBoxGenerators[] = {
     {"generic", "boxes anyhow", 16, 1, generic},
     {"lattice", "boxes on a lattice of 0.25 m", 12, 1, lattice},
     {"thin", "walls of 20 to 150 mm", 12, 1, thin},
@@ -266,6 +264,6 @@ constexpr Generator kGenerators[] = {
 
 }  // namespace
 
-std::span<const Generator> box_generators() { return kGenerators; }
+std::span<const Generator> box_generators() { return kBoxGenerators; }
 
 }  // namespace rubicon::collision::proof

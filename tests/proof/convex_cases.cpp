@@ -7,12 +7,6 @@
 namespace rubicon::collision::proof {
 namespace {
 
-/// The third voice speaks in one of so many cases of polytopes.
-constexpr int kThirdVoiceEvery = 16;
-
-/// One in so many cases is brought to the very boundary.
-constexpr int kGrazeEvery = 4;
-
 Truth truth_of(const Solid& a, const Path& path, const Solid& b, const Pose& X_WB,
                double tolerance) {
   return a.is_polytope() && b.is_polytope()
@@ -62,12 +56,12 @@ void convex(Random& random, CaseRecord& record) {
   });
 }
 
-constexpr Generator kGenerators[] = {
+constexpr Generator kConvexGenerators[] = {
     {"convex", "prisms, cylinders, spheres, capsules, boxes", 12, 1, convex},
 };
 
 }  // namespace
 
-std::span<const Generator> convex_generators() { return kGenerators; }
+std::span<const Generator> convex_generators() { return kConvexGenerators; }
 
 }  // namespace rubicon::collision::proof

@@ -12,15 +12,9 @@ namespace {
 /// divided further.
 constexpr double kFinest = 0.25 * kBand;
 /// Looks at single poses that one case is worth; more is near the boundary.
-constexpr int kLooks = 500;
+constexpr int kLooksACase = 500;
 /// The same for each shift that is tried on a translation.
 constexpr int kLooksAShift = 40;
-
-Pose shifted(const Pose& X, const Vec3& by) {
-  Pose result = X;
-  result.translation() += by;
-  return result;
-}
 
 class FclTruth {
  public:
@@ -66,7 +60,7 @@ class FclTruth {
     if (is_deep(path_.pose(0), 0) || is_deep(path_.pose(1), 0)) return Truth::kHit;
     std::vector<Interval> open = {{0, 1}};
     bool near = false;
-    int looks_left = kLooks;
+    int looks_left = kLooksACase;
     while (!open.empty()) {
       const Interval interval = open.back();
       open.pop_back();

@@ -7,6 +7,9 @@
 
 namespace rubicon::collision::proof {
 
+/// One in so many cases of a solid is brought to the very boundary.
+inline constexpr int kGrazeEvery = 4;
+
 /// An offset of an obstacle at which a step only just hits or only just does not: bisection between
 /// a free and a blocked place on a line that leads `towards` the mover or in a random direction,
 /// down to `finest` m. `truth_at(offset)` is asked some twenty times. Zero offset if the line never

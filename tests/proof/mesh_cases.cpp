@@ -11,7 +11,7 @@
 namespace rubicon::collision::proof {
 namespace {
 
-constexpr double kTolerance = 1e-3;
+constexpr double kMeshTolerance = 1e-3;
 
 /// Corners and middle: the points by which a solid is found inside a closed mesh.
 std::vector<Vec3> probes_of(const Polytope& polytope) {
@@ -44,28 +44,20 @@ void note_paths(CaseRecord& record, const std::string& a, const Path& path_a, co
   record.note([&] {
     return fmt::format("a: {} from {} to {}\nb: {} from {} to {}\ntolerance {} m", a,
                        text_of(path_a.pose(0)), text_of(path_a.pose(1)), b, text_of(path_b.pose(0)),
-                       text_of(path_b.pose(1)), kTolerance);
+                       text_of(path_b.pose(1)), kMeshTolerance);
   });
 }
 
 Truth solid_mesh_truth(const Polytope& a, const Path& path_a, const MeshModel& model,
                        const Path& path_m, Random& random) {
-  Truth truth = pieces_truth(pieces_of(a), path_a, model.pieces, path_m, kTolerance);
+  Truth truth = pieces_truth(pieces_of(a), path_a, model.pieces, path_m, kMeshTolerance);
   for (const double s : {0.0, 1.0}) {
     if (truth == Truth::kHit) break;
-    truth = worse(truth, any_inside(model.mesh, probes_of(a),
-                                    path_m.pose(s).inverse() * path_a.pose(s), kTolerance, random));
+    truth =
+        worse(truth, any_inside(model.mesh, probes_of(a), path_m.pose(s).inverse() * path_a.pose(s),
+                                kMeshTolerance, random));
   }
   return truth;
-}
-
-/// One in so many cases of a solid against a mesh is brought to the very boundary.
-constexpr int kGrazeEvery = 4;
-
-Pose shifted(const Pose& X, const Vec3& by) {
-  Pose result = X;
-  result.translation() += by;
-  return result;
 }
 
 /// A box or prism against a mesh; which of them moves is left to chance.
@@ -93,7 +85,7 @@ void judge_solid(const Solid& solid, const MeshModel& model, Random& random, Cas
   const BodyPtr body = prepare({solid.shape()});
   const BodyPtr& mover = mesh_moves ? model.body : body;
   const BodyPtr& met = mesh_moves ? body : model.body;
-  outcome.engine_hit = test::blocked(*mover, path.motion, met, X_still, kTolerance);
+  outcome.engine_hit = test::blocked(*mover, path.motion, met, X_still, kMeshTolerance);
   outcome.fcl_hit = mesh_moves ? fcl_continuous(model.fcl, path, solid.fcl(), X_still)
                                : fcl_continuous(solid.fcl(), path, model.fcl, X_still);
   record.outcomes.push_back(outcome);
@@ -162,16 +154,16 @@ void mesh_mesh(Random& random, CaseRecord& record) {
   const Path still = standing(X_WB);
   Outcome outcome;
   outcome.motion = path.kind;
-  outcome.truth = pieces_truth(a.pieces, path, b.pieces, still, kTolerance);
+  outcome.truth = pieces_truth(a.pieces, path, b.pieces, still, kMeshTolerance);
   for (const double s : {0.0, 1.0}) {
     if (outcome.truth == Truth::kHit) break;
     const Pose X_BA = X_WB.inverse() * path.pose(s);
     outcome.truth =
-        worse(outcome.truth, all_inside(b.mesh, a.mesh.vertices, X_BA, kTolerance, random));
-    outcome.truth = worse(outcome.truth,
-                          all_inside(a.mesh, b.mesh.vertices, X_BA.inverse(), kTolerance, random));
+        worse(outcome.truth, all_inside(b.mesh, a.mesh.vertices, X_BA, kMeshTolerance, random));
+    outcome.truth = worse(
+        outcome.truth, all_inside(a.mesh, b.mesh.vertices, X_BA.inverse(), kMeshTolerance, random));
   }
-  outcome.engine_hit = test::blocked(*a.body, path.motion, b.body, X_WB, kTolerance);
+  outcome.engine_hit = test::blocked(*a.body, path.motion, b.body, X_WB, kMeshTolerance);
   outcome.fcl_hit = fcl_continuous(a.fcl, path, b.fcl, X_WB);
   record.outcomes.push_back(outcome);
   note_paths(record, a.name, path, b.name, still);
@@ -242,21 +234,23 @@ void contained(Random& random, CaseRecord& record) {
                                              : turning(X_WM, X_WM.linear() * screw.axis,
                                                        X_WM * screw.point, -screw.angle_deg);
     const Pose X_WI = X_WM * path.pose(0);
-    outcome.engine_hit = test::blocked(*outer.body, mesh_path.motion, inner.body, X_WI, kTolerance);
+    outcome.engine_hit =
+        test::blocked(*outer.body, mesh_path.motion, inner.body, X_WI, kMeshTolerance);
     outcome.fcl_hit = fcl_continuous(outer.fcl, mesh_path, inner.fcl, X_WI);
   } else {
     const Path in_world = path.translates()
                               ? translating(X_WM * path.pose(0), X_WM.linear() * screw.slide)
                               : turning(X_WM * screw.X0, X_WM.linear() * screw.axis,
                                         X_WM * screw.point, screw.angle_deg);
-    outcome.engine_hit = test::blocked(*inner.body, in_world.motion, outer.body, X_WM, kTolerance);
+    outcome.engine_hit =
+        test::blocked(*inner.body, in_world.motion, outer.body, X_WM, kMeshTolerance);
     outcome.fcl_hit = fcl_continuous(inner.fcl, in_world, outer.fcl, X_WM);
   }
   record.outcomes.push_back(outcome);
   note_paths(record, "inner body", path, outer.name, standing(Pose::Identity()));
 }
 
-constexpr Generator kGenerators[] = {
+constexpr Generator kMeshGenerators[] = {
     {"contained", "inside closed meshes, and through them", 4, 1, contained},
     {"degenerate", "meshes with needles and triangles without area", 4, 1, degenerate},
     {"box_mesh", "boxes and prisms against 1,000 triangles", 8, 1, box_mesh},
@@ -265,6 +259,6 @@ constexpr Generator kGenerators[] = {
 
 }  // namespace
 
-std::span<const Generator> mesh_generators() { return kGenerators; }
+std::span<const Generator> mesh_generators() { return kMeshGenerators; }
 
 }  // namespace rubicon::collision::proof

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kDegenerate = 1e-9;
 /// Depths of pairs of pieces that one case is worth; more is near the boundary.
-constexpr int kLooks = 400'000;
+constexpr int kPairsACase = 400'000;
 
 using PiecePair = std::pair<int, int>;
 
@@ -108,7 +108,7 @@ class PiecesTruth {
   double contact_tolerance_;
   double speed_;
   Polytope moved_;
-  int looks_left_ = kLooks;
+  int looks_left_ = kPairsACase;
 };
 
 double segment_distance(const Vec3& p, const Vec3& a, const Vec3& b) {

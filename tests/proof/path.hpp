@@ -4,6 +4,9 @@
 
 namespace rubicon::collision::proof {
 
+/// The third voice speaks in one of so many steps of polytopes.
+inline constexpr int kThirdVoiceEvery = 16;
+
 /// A motion, what kind it is, and how fast it carries points.
 struct Path {
   Motion motion;
@@ -16,6 +19,13 @@ struct Path {
   /// Upper bound of the way (m per unit of s) of any point within `reach` of the frame's origin.
   double speed(double reach) const;
 };
+
+/// X with its origin moved by so much.
+inline Pose shifted(const Pose& X, const Vec3& by) {
+  Pose result = X;
+  result.translation() += by;
+  return result;
+}
 
 Path standing(const Pose& X);
 Path translating(const Pose& X0, const Vec3& d);

@@ -11,7 +11,7 @@
 namespace rubicon::collision::proof {
 namespace {
 
-constexpr double kTolerance = 1e-3;
+constexpr double kSceneTolerance = 1e-3;
 constexpr int kQueries = 16;
 
 /// A body of convex pieces or triangles.
@@ -109,13 +109,14 @@ std::vector<Candidate> candidates(const Scene& scene, const std::vector<Mover>& 
     for (const auto& [id, obstacle] : scene.obstacles) {
       if (std::find(query.ignore.begin(), query.ignore.end(), id) != query.ignore.end()) continue;
       const Truth truth = pieces_truth(movers[i].part.pieces, movers[i].path, obstacle.part.pieces,
-                                       standing(obstacle.X_WB), kTolerance);
+                                       standing(obstacle.X_WB), kSceneTolerance);
       if (truth != Truth::kFree) result.push_back({SweptHit{i, id, std::nullopt}, truth});
     }
   }
   for (const auto& [first, second] : query.pairs) {
-    const Truth truth = pieces_truth(movers[first].part.pieces, movers[first].path,
-                                     movers[second].part.pieces, movers[second].path, kTolerance);
+    const Truth truth =
+        pieces_truth(movers[first].part.pieces, movers[first].path, movers[second].part.pieces,
+                     movers[second].path, kSceneTolerance);
     if (truth != Truth::kFree) result.push_back({SweptHit{first, std::nullopt, second}, truth});
   }
   return result;
@@ -146,7 +147,7 @@ Outcome judged(const std::vector<Candidate>& all, const SweptResult& answer) {
   return outcome;
 }
 
-std::string text_of(const std::optional<SweptHit>& hit) {
+std::string text_of_hit(const std::optional<SweptHit>& hit) {
   if (!hit) return "nothing";
   return hit->obstacle ? fmt::format("item {} and obstacle {}", hit->item, *hit->obstacle)
                        : fmt::format("items {} and {}", hit->item, hit->other_item.value_or(-1));
@@ -155,7 +156,7 @@ std::string text_of(const std::optional<SweptHit>& hit) {
 void ask(const Scene& scene, Random& random, CaseRecord& record) {
   std::vector<Mover> movers;
   SweptQuery query;
-  query.contact_tolerance = kTolerance;
+  query.contact_tolerance = kSceneTolerance;
   const Vec3 middle = random.vector(scene.size);
   PathSizes sizes;
   sizes.radius = random.below(2) ? 3 : 20;
@@ -183,9 +184,9 @@ void ask(const Scene& scene, Random& random, CaseRecord& record) {
   record.outcomes.push_back(outcome);
   record.note([&] {
     std::string text = fmt::format("{} obstacles, {} items; the engine names {}; of all pairs:",
-                                   scene.obstacles.size(), count, text_of(answer.hit));
+                                   scene.obstacles.size(), count, text_of_hit(answer.hit));
     for (const Candidate& candidate : all) {
-      text += fmt::format(" {} ({});", text_of(std::optional(candidate.hit)),
+      text += fmt::format(" {} ({});", text_of_hit(std::optional(candidate.hit)),
                           candidate.truth == Truth::kHit ? "hit" : "near");
     }
     return text;
@@ -217,12 +218,12 @@ void scene(Random& random, CaseRecord& record) {
   }
 }
 
-constexpr Generator kGenerators[] = {
+constexpr Generator kSceneGenerators[] = {
     {"scene", "many obstacles, some come and go", 8, kQueries, scene},
 };
 
 }  // namespace
 
-std::span<const Generator> scene_generators() { return kGenerators; }
+std::span<const Generator> scene_generators() { return kSceneGenerators; }
 
 }  // namespace rubicon::collision::proof

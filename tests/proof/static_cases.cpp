@@ -8,7 +8,7 @@ namespace rubicon::collision::proof {
 namespace {
 
 /// The third voice speaks in one of so many cases of polytopes.
-constexpr int kThirdVoiceEvery = 64;
+constexpr int kThirdVoiceAtPosesEvery = 64;
 
 /// Half of the cases through `overlaps`, half through a world.
 bool engine_blocked(const BodyPtr& a, const Pose& X_WA, const BodyPtr& b, const Pose& X_WB,
@@ -70,7 +70,7 @@ void static_convexes(Random& random, CaseRecord& record) {
   if (a.is_polytope() && b.is_polytope()) {
     outcome.truth =
         polytopes_truth(a.polytope(), standing(X_WA), b.polytope(), standing(X_WB), tolerance);
-    if (random.below(kThirdVoiceEvery) == 0)
+    if (random.below(kThirdVoiceAtPosesEvery) == 0)
       outcome.third = fcl_truth(a, standing(X_WA), b, X_WB, tolerance);
   } else {
     outcome.truth = fcl_truth(a, standing(X_WA), b, X_WB, tolerance);
@@ -109,7 +109,7 @@ void static_meshes(Random& random, CaseRecord& record) {
   note_poses(record, text_of(solid), X_WA, model.name, X_WM, tolerance);
 }
 
-constexpr Generator kGenerators[] = {
+constexpr Generator kStaticGenerators[] = {
     {"static_boxes", "pairs of boxes", 10, 1, static_boxes},
     {"static_convexes", "pairs of convex bodies", 1, 1, static_convexes},
     {"static_meshes", "a box and 1,000 triangles", 1, 1, static_meshes},
@@ -117,6 +117,6 @@ constexpr Generator kGenerators[] = {
 
 }  // namespace
 
-std::span<const Generator> static_generators() { return kGenerators; }
+std::span<const Generator> static_generators() { return kStaticGenerators; }
 
 }  // namespace rubicon::collision::proof

@@ -129,12 +129,12 @@ void touch(Random& random, CaseRecord& record) {
   });
 }
 
-constexpr Generator kGenerators[] = {
+constexpr Generator kTouchGenerators[] = {
     {"touch", "resting, sliding, turning on a slab", 8, 1, touch},
 };
 
 }  // namespace
 
-std::span<const Generator> touch_generators() { return kGenerators; }
+std::span<const Generator> touch_generators() { return kTouchGenerators; }
 
 }  // namespace rubicon::collision::proof

@@ -101,6 +101,11 @@ class Replay:
             for task in run.header["tasks"]
             if task["zones"]
         }
+        self.overhead = {
+            task["name"]: [upright.Solid(zone).at(upright.trans(0, 0, 0)) for zone in task["zones_overhead"]]
+            for task in run.header["tasks"]
+            if task["zones"]
+        }
         self.times = {}  # of each task with a zone: from when, to when
         last = {}  # of each task: when what it did last was over
         for record in run.records:
@@ -144,4 +149,17 @@ class Replay:
                 for t in [begin, *(t for t in machine.moments() if begin <= t <= end)]:
                     for part, solid in machine.placed(t):
                         if any(upright.overlap(solid, zone, self.contact) for zone in zones):
+                            yield t, part, task
+
+    def loads_over_people(self):
+        """Where the load of a machine hangs over a zone that is not its own: (time, load, task of the zone)."""
+        for name, machine in self.machines.items():
+            for task, (robot, _) in self.zones.items():
+                if robot == name:
+                    continue
+                begin, end = self.times[task]
+                for t in [begin, *(t for t in machine.moments() if begin <= t <= end)]:
+                    for part, solid in machine.placed(t):
+                        is_load = part in self.components
+                        if is_load and any(upright.overlap(solid, air, self.contact) for air in self.overhead[task]):
                             yield t, part, task

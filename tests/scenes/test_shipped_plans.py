@@ -76,6 +76,9 @@ class Shipped(unittest.TestCase):
     def test_no_machine_is_ever_in_a_zone(self):
         self.assertEqual(next(self.replay.intrusions(), None), None)
 
+    def test_no_load_is_ever_above_people(self):
+        self.assertEqual(next(self.replay.loads_over_people(), None), None)
+
     def test_every_component_ends_where_its_last_task_puts_it(self):
         wanted = {task["move"]: task for task in self.run_1.header["tasks"] if task.get("move")}
         poses = self.run_1.final_poses()
@@ -123,7 +126,7 @@ class CraneAndTrucks(Shipped):
 
 class PeopleBelow(Shipped):
     plan = "people_below"
-    meetings = [("crane", "the zone of chimney"), ("crane", "the zone of drains")]
+    meetings = [("crane", "the zone of chimney"), ("crane", "the air above the zone of drains")]
 
     def test_the_crane_goes_round_and_waits(self):
         tasks = self.run_1.tasks
@@ -140,6 +143,7 @@ class Trench(Shipped):
     # One machine and no zone; the replay knows frames that stay upright only.
     test_no_machine_is_ever_in_another = None
     test_no_machine_is_ever_in_a_zone = None
+    test_no_load_is_ever_above_people = None
 
     def test_the_full_bucket_stays_level(self):
         steps = [r["q"] for r in self.run_1.of_type("try") if r["task"].startswith("to_truck")]
@@ -157,6 +161,7 @@ class Ceiling(Shipped):
     test_every_component_ends_where_its_last_task_puts_it = None
     test_no_machine_is_ever_in_another = None
     test_no_machine_is_ever_in_a_zone = None
+    test_no_load_is_ever_above_people = None
 
     def test_the_crawler_stands_while_it_drills(self):
         for number in (1, 2, 3, 4):

@@ -75,7 +75,7 @@ class Meeting(unittest.TestCase):
             for name, frame in (("a", "trans(car.x, 0, 0)"), ("b", "rotz(90) * trans(car.x, 0, 0)"))
         ]
         zone = {"type": "box", "lower": [4, -1, 0], "upper": [6, 1, 1], "pose": HERE}
-        tasks = [{"name": "people", "robot": None, "zones": [zone]}]
+        tasks = [{"name": "people", "robot": None, "zones": [zone], "zones_overhead": [zone]}]
         records = [{"type": "task_start", "task": "people", "robot": "", "t": 0}]
         for robot, begin in (("a", 0), ("b", second_begins)):
             records.append({"type": "task_start", "task": robot, "robot": robot, "t": begin})

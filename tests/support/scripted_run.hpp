@@ -36,7 +36,8 @@ class PredicateWorld : public interpreter::World {
     return std::nullopt;
   }
   std::uint64_t version() const override { return changes; }
-  bool situation(const std::string& name) const override {
+  bool situation(const std::string& name, std::span<const double> /*q*/,
+                 std::span<const double> /*q_goal*/) const override {
     for (const auto& one : situations) {
       if (one == name) return true;
     }

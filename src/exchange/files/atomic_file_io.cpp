@@ -10,28 +10,17 @@
 #include <cstring>
 #include <utility>
 
+#include "src/exchange/files/folder_steps_io.hpp"
+
 namespace rubicon::files {
 
 namespace {
-
-std::string folder_of(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
-  if (slash == std::string::npos) return ".";
-  return slash == 0 ? "/" : path.substr(0, slash);
-}
 
 /// The only way to an open file without a name.
 std::string link_to(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
 
 std::string message_of(const std::string& path, int error) {
   return fmt::format("cannot write '{}': {}", path, std::strerror(error));
-}
-
-void sync_folder(const std::string& path) {
-  const int folder = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder < 0) return;
-  ::fsync(folder);
-  ::close(folder);
 }
 
 }  // namespace

@@ -22,8 +22,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string reason(int error) { return std::strerror(error); }
-
 /// How often another name is tried where somebody takes the folder for one that was left over.
 constexpr int kMostNames = 100;
 
@@ -70,7 +68,7 @@ std::variant<ResultFolder, std::string> ResultFolder::open(const std::string& pa
   const fs::path wanted = fs::absolute(result.shown_, error);
   const bool is_there = fs::exists(wanted, error);
   if (!is_there && fs::is_symlink(wanted, error)) return fail("it is a link that leads nowhere");
-  if (is_there && !fs::is_directory(wanted, error)) return fail(reason(ENOTDIR));
+  if (is_there && !fs::is_directory(wanted, error)) return fail(std::strerror(ENOTDIR));
   fs::path real = fs::weakly_canonical(wanted, error);
   if (error) return fail(error.message());
   if (!real.has_filename() && real.has_relative_path()) real = real.parent_path();
@@ -82,7 +80,7 @@ std::variant<ResultFolder, std::string> ResultFolder::open(const std::string& pa
   }
   if (is_there) {
     if (::faccessat(AT_FDCWD, real.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
-      return fmt::format("cannot write '{}': {}", path, reason(errno));
+      return fmt::format("cannot write '{}': {}", path, std::strerror(errno));
     }
     for (const std::string_view name : kResultNames) {
       if (fs::is_directory(real / name, error)) {
@@ -96,7 +94,7 @@ std::variant<ResultFolder, std::string> ResultFolder::open(const std::string& pa
       result.beside_
           ? fmt::format("{}/.{}.rubicon-XXXXXX", folder_of(result.target_), name_of(result.target_))
           : fmt::format("{}/{}XXXXXX", result.target_, kInsideStem);
-  if (const int failure = result.make_temporary(pattern)) return fail(reason(failure));
+  if (const int failure = result.make_temporary(pattern)) return fail(std::strerror(failure));
   return result;
 }
 
@@ -205,7 +203,7 @@ int ResultFolder::replace() {
 std::optional<std::string> ResultFolder::commit() {
   const SignalHold hold;
   if (const int error = replace()) {
-    return fmt::format("cannot write '{}': {}", shown_, reason(error));
+    return fmt::format("cannot write '{}': {}", shown_, std::strerror(error));
   }
   guard_.release();
   temporary_.clear();

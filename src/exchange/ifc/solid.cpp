@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "src/motion/math/angles.hpp"
+#include "src/motion/math/index.hpp"
 
 namespace rubicon::ifc {
 
@@ -13,7 +14,7 @@ namespace {
 using math::Vec3;
 using Edge = std::pair<int, int>;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 /// Strikes out pairs that run both ways; sorted.
 std::vector<Edge> net(std::vector<Edge> edges) {

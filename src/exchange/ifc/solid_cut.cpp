@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "src/exchange/ifc/solid_split.hpp"
+#include "src/motion/math/index.hpp"
 
 namespace rubicon::ifc {
 
@@ -17,7 +18,7 @@ using math::Vec3;
 using Triangle = std::array<int, 3>;
 using Edge = std::pair<int, int>;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 std::optional<HalfSpace> plane_of(const Solid& solid, const Triangle& t) {
   const Vec3& a = solid.points[at(t[0])];

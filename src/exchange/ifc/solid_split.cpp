@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
+
 namespace rubicon::ifc {
 
 namespace {
@@ -12,7 +14,7 @@ namespace {
 using math::Vec3;
 using Triangle = std::array<int, 3>;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 class Splitter {
  public:

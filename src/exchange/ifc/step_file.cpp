@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <optional>
 
+#include "src/exchange/ifc/step_characters.hpp"
 #include "src/exchange/ifc/step_values.hpp"
 
 namespace rubicon::ifc {
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_keyword(char c) { return (c >= 'A' && c <= 'Z') || is_digit(c) || c == '_' || c == '-'; }
 
 /// What a message shows of a word of the file.

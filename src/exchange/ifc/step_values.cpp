@@ -3,15 +3,14 @@
 #include <charconv>
 #include <cmath>
 
+#include "src/exchange/ifc/step_characters.hpp"
 #include "src/exchange/ifc/step_file.hpp"
 
 namespace rubicon::ifc {
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f'; }
 bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_in_number(char c) {
   return is_digit(c) || c == '.' || c == 'E' || c == 'e' || c == '+' || c == '-';
 }

@@ -30,7 +30,7 @@ Affine affine(const aiMatrix4x4& m) {
 
 /// Takes out every importer that is not for this extension: assimp otherwise guesses by content
 /// and lets any of its forty parsers loose on a file.
-void keep_only(Assimp::Importer& importer, std::string_view extension) {
+void keep_only_importer(Assimp::Importer& importer, std::string_view extension) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
     std::set<std::string> known;
     Assimp::BaseImporter* const candidate = importer.GetImporter(i);
@@ -145,7 +145,7 @@ std::string too_many_nodes(const SceneLimits& limits) {
 SceneMessage read_with_assimp(const AssimpQuery& query, std::unique_ptr<Assimp::IOSystem> files) {
   Assimp::Importer importer;
   importer.SetIOHandler(files.release());
-  keep_only(importer, query.format.extension);
+  keep_only_importer(importer, query.format.extension);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kMagic = "rubicon mesh cache 1\n";
+constexpr std::string_view kCacheMagic = "rubicon mesh cache 1\n";
 constexpr std::string_view kSuffix = ".mesh";
 constexpr std::string_view kTemporary = ".tmp-";
 
@@ -35,12 +35,12 @@ std::string head(const Digest& key, std::string_view payload) {
   encoding::Sha256 hash;
   hash.add(payload);
   const Digest check = hash.finish();
-  std::string text(kMagic);
+  std::string text(kCacheMagic);
   text.append(reinterpret_cast<const char*>(key.data()), key.size());
   text.append(reinterpret_cast<const char*>(check.data()), check.size());
   return text;
 }
-constexpr std::size_t kHeadSize = kMagic.size() + 2 * sizeof(Digest);
+constexpr std::size_t kHeadSize = kCacheMagic.size() + 2 * sizeof(Digest);
 
 /// Makes a folder and those above it, for the user alone.
 bool make_folders(const std::string& folder) {

@@ -32,8 +32,7 @@ constexpr std::size_t kMeshBytes = 256'000'000;
 /// Beyond this distance from the origin (metres) a unit is wrong: national grids end below 1e7 m.
 constexpr double kFarthest = 1e7;
 
-constexpr std::size_t kLongestPath = 1000;  ///< bytes, of NamedMesh::path
-constexpr std::size_t kLongestNameShown = 80;
+constexpr std::size_t kLongestNodePath = 1000;  ///< bytes, of NamedMesh::path
 constexpr std::size_t kNamesShown = 8;
 
 MeshFailure failure(const std::string& path, const std::string& reason) {
@@ -124,7 +123,7 @@ std::string path_of(const FileScene& scene, std::size_t index) {
   std::string path = scene.nodes[index].name;
   for (int i = scene.nodes[index].parent; i >= 0;) {
     const FileNode& node = scene.nodes[static_cast<std::size_t>(i)];
-    if (path.size() + node.name.size() + 1 > kLongestPath) return ".../" + path;
+    if (path.size() + node.name.size() + 1 > kLongestNodePath) return ".../" + path;
     path.insert(0, node.name + "/");
     i = node.parent;
   }

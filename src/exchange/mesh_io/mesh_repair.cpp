@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
+
 namespace rubicon::mesh_io {
 
 namespace {
@@ -15,7 +17,7 @@ namespace {
 using geometry::Vec3;
 using Triangle = std::array<int, 3>;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 double weld_tolerance(const std::vector<Vec3>& vertices) {
   double largest = 0;

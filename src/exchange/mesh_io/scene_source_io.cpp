@@ -43,8 +43,6 @@ constexpr std::size_t kSceneBytes = 512'000'000;
 /// clock of file systems ticks every 1 to 10 ms, network drives may lag behind.
 constexpr std::int64_t kSettled = 100'000'000;
 
-constexpr std::size_t kLongestNameShown = 80;
-
 std::size_t bytes_of(const FileScene& scene) {
   std::size_t bytes = sizeof(FileScene);
   for (const FileNode& node : scene.nodes) {

@@ -11,12 +11,12 @@ namespace rubicon::mesh_io {
 
 namespace {
 
-constexpr std::string_view kMagic = "rubicon-mesh 5\n";
+constexpr std::string_view kWireMagic = "rubicon-mesh 5\n";
 constexpr std::string_view kEnd = "end\n";
-constexpr std::size_t kLongestName = 1024;     // assimp's own limit
-constexpr std::size_t kLongestNote = 1000;     // a message for people
-constexpr std::size_t kLongestFailure = 1000;  // a message for people
-constexpr std::size_t kLongestPath = 4096;     // of a file beside the mesh
+constexpr std::size_t kLongestName = 1024;        // assimp's own limit
+constexpr std::size_t kLongestNote = 1000;        // a message for people
+constexpr std::size_t kLongestFailure = 1000;     // a message for people
+constexpr std::size_t kLongestPathBeside = 4096;  // of a file beside the mesh
 constexpr std::size_t kMostFilesBeside = 1000;
 constexpr std::uint8_t kScene = 1;
 constexpr std::uint8_t kFailure = 2;
@@ -58,7 +58,7 @@ bool put_node(const ByteSink& sink, const FileNode& node) {
 bool put_files_beside(const ByteSink& sink, const std::vector<std::string>& files) {
   const bool fits = files.size() <= kMostFilesBeside &&
                     std::all_of(files.begin(), files.end(), [](const std::string& file) {
-                      return file.size() <= kLongestPath;
+                      return file.size() <= kLongestPathBeside;
                     });
   if (!fits) return put(sink, std::uint32_t{1}) && put_text(sink, "");
   if (!put(sink, static_cast<std::uint32_t>(files.size()))) return false;
@@ -158,7 +158,7 @@ bool get_files_beside(Reader& in, std::vector<std::string>& files) {
   if (!in.get(count) || count > kMostFilesBeside) return false;
   for (std::uint32_t i = 0; i < count; ++i) {
     std::string_view file;
-    if (!in.get_text(kLongestPath, file)) return false;
+    if (!in.get_text(kLongestPathBeside, file)) return false;
     files.emplace_back(file);
   }
   return true;
@@ -213,7 +213,7 @@ std::size_t utf8_length(std::string_view text) {
 }  // namespace
 
 bool encode(const SceneMessage& message, const ByteSink& sink) {
-  if (!sink(kMagic)) return false;
+  if (!sink(kWireMagic)) return false;
   if (const auto* failure = std::get_if<std::string>(&message)) {
     return put(sink, kFailure) &&
            put_text(sink, std::string_view(*failure).substr(0, kLongestFailure)) && sink(kEnd);
@@ -222,7 +222,8 @@ bool encode(const SceneMessage& message, const ByteSink& sink) {
 }
 
 std::uint64_t largest_message(const SceneLimits& limits) {
-  constexpr std::uint64_t kHead = 64 + kMostFilesBeside * (sizeof(std::uint32_t) + kLongestPath);
+  constexpr std::uint64_t kHead =
+      64 + kMostFilesBeside * (sizeof(std::uint32_t) + kLongestPathBeside);
   constexpr std::uint64_t kNode = 28 + kLongestName + kLongestNote;
   constexpr std::uint64_t kTriangle = 9 * sizeof(double) + 3 * sizeof(std::int32_t);
   return kHead + limits.nodes * kNode + limits.triangles * kTriangle + kEnd.size();
@@ -231,7 +232,7 @@ std::uint64_t largest_message(const SceneLimits& limits) {
 std::variant<SceneMessage, WireError> decode(std::string_view bytes, const SceneLimits& limits) {
   Reader in(bytes);
   std::uint8_t kind = 0;
-  if (!in.skip(kMagic) || !in.get(kind)) return WireError{"it does not begin as a mesh does"};
+  if (!in.skip(kWireMagic) || !in.get(kind)) return WireError{"it does not begin as a mesh does"};
   SceneMessage message;
   if (kind == kFailure) {
     std::string_view text;

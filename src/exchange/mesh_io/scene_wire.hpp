@@ -30,6 +30,9 @@ struct WireError {
 };
 std::variant<SceneMessage, WireError> decode(std::string_view bytes, const SceneLimits& limits);
 
+/// Bytes of a name that a message shows.
+inline constexpr std::size_t kLongestNameShown = 80;
+
 /// `text` with everything that is not printable UTF-8 replaced by '?', at most `most` bytes.
 std::string printable(std::string_view text, std::size_t most);
 

@@ -11,8 +11,6 @@ namespace rubicon::project_io {
 
 namespace {
 
-constexpr std::array<const char*, 7> kDays = {"mon", "tue", "wed", "thu", "fri", "sat", "sun"};
-
 class BlockReader {
  public:
   explicit BlockReader(Listing& listing) : listing_(listing) {}

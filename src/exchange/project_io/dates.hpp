@@ -1,11 +1,16 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 
 /// Days of the Gregorian calendar as numbers: 0 is 1970-01-01.
 namespace rubicon::project_io {
+
+/// The days of the week as plans name them.
+inline constexpr std::array<const char*, 7> kDays = {"mon", "tue", "wed", "thu",
+                                                     "fri", "sat", "sun"};
 
 /// The number of a day written YYYY-MM-DD; nothing for any other text.
 std::optional<int> day_number(std::string_view date);

@@ -10,6 +10,7 @@
 #include "interpreter/syntax/attribute_text.hpp"
 #include "interpreter/syntax/token.hpp"
 #include "src/exchange/project_io/carried.hpp"
+#include "src/exchange/project_io/dates.hpp"
 #include "src/exchange/project_io/identifiers.hpp"
 #include "src/exchange/project_io/listing.hpp"
 #include "src/exchange/project_io/plan_crews.hpp"
@@ -19,8 +20,6 @@
 namespace rubicon::project_io {
 
 namespace {
-
-constexpr std::array<const char*, 7> kDays = {"mon", "tue", "wed", "thu", "fri", "sat", "sun"};
 
 /// Longest remark, in bytes; the whole name stands in the import block.
 constexpr std::size_t kMaxRemark = 90;

@@ -7,6 +7,9 @@
 
 namespace rubicon::urdf {
 
+/// What separates words.
+inline constexpr std::string_view kBlanks = " \t\r\n";
+
 /// The finite number that the whole text is, blanks around it apart; the same in every locale.
 std::optional<double> number_of(std::string_view text);
 

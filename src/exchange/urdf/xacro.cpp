@@ -12,6 +12,7 @@
 #include "src/exchange/urdf/expression.hpp"
 #include "src/exchange/urdf/fault.hpp"
 #include "src/exchange/urdf/limits.hpp"
+#include "src/exchange/urdf/number_text.hpp"
 #include "src/exchange/urdf/read_xml.hpp"
 
 namespace rubicon::urdf {
@@ -22,7 +23,6 @@ using Elements = std::vector<Element>;
 using interpreter::Span;
 
 constexpr std::string_view kPrefix = "xacro:";
-constexpr std::string_view kBlanks = " \t\r\n";
 
 /// A parameter of a macro.
 struct Parameter {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "src/motion/math/angles.hpp"
+#include "src/motion/math/index.hpp"
 #include "src/motion/robot/turns.hpp"
 
 namespace rubicon::guides {
@@ -18,7 +19,7 @@ constexpr double kThere = 1e-6;
 /// m by which a vehicle may pass beside its target. Far below what counts as there.
 constexpr double kBeside = 1e-9;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 }  // namespace
 

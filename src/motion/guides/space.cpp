@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/motion/math/index.hpp"
 #include "src/motion/robot/turns.hpp"
 
 namespace rubicon::guides {
@@ -23,7 +24,7 @@ constexpr double kKeepSlack = 1e-6;
 /// Bounds that are not met are met one after the other so many times at most.
 constexpr int kKeepRounds = 4;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 }  // namespace
 

@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "src/motion/math/angles.hpp"
+#include "src/motion/math/index.hpp"
 #include "src/motion/robot/turns.hpp"
 
 namespace rubicon::guides {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 /// Degrees or metres by which a parameter is moved to see how it moves the tool.
 constexpr double kNudge = 1e-4;

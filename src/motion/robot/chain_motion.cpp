@@ -19,9 +19,6 @@ namespace {
 constexpr double kPieceTurn = 0.25;
 constexpr int kMostPieces = 16;
 
-/// Part by which a bound is enlarged for the rounding of its own last few operations.
-constexpr double kBoundRounding = 1 + 1e-14;
-
 struct PieceBound {
   AccelerationBound acceleration;
   double turn_rate = 0;  ///< radians for s from 0 to 1

@@ -6,9 +6,6 @@ namespace rubicon::robot {
 
 namespace {
 
-/// Part by which a bound is enlarged for the rounding of its own last few operations.
-constexpr double kBoundRounding = 1 + 1e-14;
-
 /// Turns p about the axis of the element by an angle with this sine and cosine.
 void turn(FrameElement::Kind kind, const Enclosure& s, const Enclosure& c, EnclosedPoint& p) {
   const std::size_t k = kind == FrameElement::Kind::rotx   ? 0

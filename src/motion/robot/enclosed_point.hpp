@@ -8,6 +8,9 @@
 
 namespace rubicon::robot {
 
+/// Part by which a bound is enlarged for the rounding of its own last few operations.
+inline constexpr double kBoundRounding = 1 + 1e-14;
+
 /// Coordinates of a point (m) over an interval of s, with two derivatives.
 using EnclosedPoint = std::array<Enclosure, 3>;
 

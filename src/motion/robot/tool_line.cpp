@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "src/motion/math/angles.hpp"
+#include "src/motion/math/index.hpp"
 #include "src/motion/robot/damped_least_squares.hpp"
 #include "src/motion/robot/frame_chain.hpp"
 #include "src/motion/robot/turns.hpp"
@@ -33,7 +34,7 @@ constexpr int kMostTrials = 60;
 /// Rounding of a step beside the longest that a parameter makes.
 constexpr double kStepSlack = 1e-9;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 }  // namespace
 

@@ -31,7 +31,10 @@ class LookedAt : public interpreter::World {
     return world_.blocked_at(q);
   }
   std::uint64_t version() const override { return world_.version(); }
-  bool situation(const std::string& name) const override { return world_.situation(name); }
+  bool situation(const std::string& name, std::span<const double> q,
+                 std::span<const double> q_goal) const override {
+    return world_.situation(name, q, q_goal);
+  }
   bool loaded() const override { return world_.loaded(); }
 
  private:

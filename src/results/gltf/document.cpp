@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/motion/math/index.hpp"
 #include "src/results/gltf/animation.hpp"
 #include "src/results/gltf/envelopes.hpp"
 #include "src/results/gltf/looks.hpp"
@@ -26,16 +27,13 @@ using replay::Stay;
 using replay::Ticks;
 using robot::FrameElement;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 /// s, of an animation whose speed nobody chose: the length with which the report page begins.
 constexpr double kUsualLength = 60;
 
 /// As long as that, but never slower than it was.
 double usual_speed_up(double seconds) { return std::max(seconds / kUsualLength, 1.0); }
-
-/// m: a scene farther from its origin would lose more than 0.1 mm as floats.
-constexpr double kFar = 1000;
 
 /// What the scene is moved by so that it is near its origin: whole metres.
 Vec3 offset_of(const trace::TraceHeader& scene) {

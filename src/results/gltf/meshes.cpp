@@ -13,9 +13,6 @@ namespace {
 
 using geometry::Shape;
 
-/// m: corners farther from their origin would lose more than 0.1 mm as floats.
-constexpr double kFar = 1000;
-
 /// Writes the numbers of a solid; a mesh of the header is known by its place in memory.
 class NumberWriter {
  public:

@@ -11,6 +11,9 @@
 
 namespace rubicon::gltf {
 
+/// m: what is farther from its origin would lose more than 0.1 mm as floats.
+inline constexpr double kFar = 1000;
+
 /// What things are made to look like: a material of the document.
 struct Look {
   std::string name;                ///< equal looks have equal names

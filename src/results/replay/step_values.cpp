@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/motion/math/turns.hpp"
 #include "src/motion/robot/trapezoid.hpp"
 #include "src/motion/robot/turns.hpp"
@@ -17,7 +18,7 @@ namespace {
 constexpr double kSame = 1e-7;
 constexpr int kNewtonRounds = 8;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 class StepSolver {
  public:

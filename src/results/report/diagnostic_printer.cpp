@@ -79,7 +79,7 @@ std::string printable(std::string_view text) {
 }
 
 /// A message that fits: a long one keeps its beginning and its end.
-std::string shortened(const std::string& text) {
+std::string shortened_message(const std::string& text) {
   if (text.size() <= kMaxMessage) return printable(text);
   std::size_t head = kMaxMessage / 2;
   while (continues(text[head])) --head;
@@ -174,16 +174,18 @@ std::string print_text(const std::vector<Diagnostic>& diagnostics, const SourceM
     errors += diagnostic.severity == Severity::error;
     warnings += diagnostic.severity == Severity::warning;
     const std::string tint = colour ? colour_of(diagnostic.severity) : "";
-    text +=
-        fmt::format("{}{}{}{}{}: {}{}{}{}\n", bold, place(sources, diagnostic.span), reset, tint,
-                    level(diagnostic.severity), reset, bold, shortened(diagnostic.message), reset);
+    text += fmt::format("{}{}{}{}{}: {}{}{}{}\n", bold, place(sources, diagnostic.span), reset,
+                        tint, level(diagnostic.severity), reset, bold,
+                        shortened_message(diagnostic.message), reset);
     if (diagnostic.span.file != interpreter::kNoFile) {
       text += excerpt(sources, diagnostic.span, tint.c_str(), reset);
     }
     for (const auto& related : diagnostic.notes) {
-      text += fmt::format("  see {}{}\n", place(sources, related.span), shortened(related.message));
+      text += fmt::format("  see {}{}\n", place(sources, related.span),
+                          shortened_message(related.message));
     }
-    if (!diagnostic.hint.empty()) text += fmt::format("  hint: {}\n", shortened(diagnostic.hint));
+    if (!diagnostic.hint.empty())
+      text += fmt::format("  hint: {}\n", shortened_message(diagnostic.hint));
   }
   if (errors + warnings > 0) {
     const auto counted = [](int count, const char* word) {
@@ -218,14 +220,14 @@ std::string print_json(const std::vector<Diagnostic>& diagnostics, const SourceM
                                      {"severity", static_cast<int>(diagnostic.severity) + 1},
                                      {"code", diagnostic.code},
                                      {"source", "rubicon"},
-                                     {"message", shortened(full_message(diagnostic))}};
+                                     {"message", shortened_message(full_message(diagnostic))}};
     if (!diagnostic.notes.empty()) {
       auto& related = object["relatedInformation"] = nlohmann::ordered_json::array();
       for (const auto& note : diagnostic.notes) {
         related.push_back(
             {{"location",
               {{"uri", uri(sources, note.span)}, {"range", lsp_range(sources, note.span)}}},
-             {"message", shortened(note.message)}});
+             {"message", shortened_message(note.message)}});
       }
     }
     (*entry)["diagnostics"].push_back(std::move(object));

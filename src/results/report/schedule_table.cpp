@@ -64,7 +64,7 @@ bool is_repeated(const Schedule& schedule, const TaskOutcome& task) {
 /// Characters of a client's name in the table; JSON and CSV have all of it.
 constexpr std::size_t kNameWidth = 28;
 
-std::string shortened(const std::string& text) {
+std::string shortened_name(const std::string& text) {
   if (width(text) <= kNameWidth) return text;
   std::string kept;
   std::size_t characters = 0;
@@ -86,7 +86,7 @@ bool add_client_names(const std::vector<const TaskOutcome*>& tasks, std::vector<
   }
   rows.front().insert(rows.front().begin() + 1, "name");
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    rows[i + 1].insert(rows[i + 1].begin() + 1, shortened(name(tasks[i])));
+    rows[i + 1].insert(rows[i + 1].begin() + 1, shortened_name(name(tasks[i])));
   }
   return true;
 }

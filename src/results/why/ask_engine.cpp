@@ -16,8 +16,6 @@ namespace rubicon::why {
 
 namespace {
 
-using replay::TaskRun;
-
 /// m: what is farther off is no near miss.
 constexpr double kMissRange = 5;
 /// m: what is nearer than this where a way begins or ends stands there on purpose.
@@ -25,9 +23,9 @@ constexpr double kTouchGap = 0.01;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-const TaskRun* run_of(const replay::Replay& replay, const std::string& task) {
-  const TaskRun* found = nullptr;
-  for (const TaskRun& run : replay.runs) {
+const replay::TaskRun* run_of(const replay::Replay& replay, const std::string& task) {
+  const replay::TaskRun* found = nullptr;
+  for (const replay::TaskRun& run : replay.runs) {
     if (run.task >= 0 && replay.header.tasks[index(run.task)].name == task) found = &run;
   }
   return found;
@@ -69,7 +67,7 @@ class Parameters {
 
 class Questions {
  public:
-  Questions(const replay::Replay& replay, const TaskRun& run, TaskStory& story)
+  Questions(const replay::Replay& replay, const replay::TaskRun& run, TaskStory& story)
       : replay_(replay),
         run_(run),
         story_(story),
@@ -185,14 +183,15 @@ class Questions {
 
   /// The steps of the robot's runs before this one, in the order in which its track has them.
   std::size_t steps_before() const {
-    std::vector<const TaskRun*> runs;
-    for (const TaskRun& run : replay_.runs) {
+    std::vector<const replay::TaskRun*> runs;
+    for (const replay::TaskRun& run : replay_.runs) {
       if (run.happened && run.robot == run_.robot) runs.push_back(&run);
     }
-    std::stable_sort(runs.begin(), runs.end(),
-                     [](const TaskRun* a, const TaskRun* b) { return a->start < b->start; });
+    std::stable_sort(
+        runs.begin(), runs.end(),
+        [](const replay::TaskRun* a, const replay::TaskRun* b) { return a->start < b->start; });
     std::size_t count = 0;
-    for (const TaskRun* run : runs) {
+    for (const replay::TaskRun* run : runs) {
       if (run == &run_) break;
       count += static_cast<std::size_t>(
           std::count_if(run->events.begin(), run->events.end(), [](const replay::Event& event) {
@@ -269,7 +268,7 @@ class Questions {
   }
 
   const replay::Replay& replay_;
-  const TaskRun& run_;
+  const replay::TaskRun& run_;
   TaskStory& story_;
   Scene scene_;
   Parameters parameters_;

@@ -14,9 +14,12 @@ namespace rubicon::why {
 
 namespace {
 
+bool is_zone_of(const std::string& name, const std::string& task) {
+  return name == "the zone of " + task || name == "the air above the zone of " + task;
+}
+
 using replay::Leg;
 using replay::LoadChange;
-using replay::TaskRun;
 
 /// m: the two bounds of a clearance differ by no more.
 constexpr double kClearanceResolution = 1e-3;
@@ -51,7 +54,7 @@ std::vector<collision::ObstacleId> Scene::World::excepted(int part, const Touche
   return ids;
 }
 
-Scene::Scene(const replay::Replay& replay, const TaskRun& run)
+Scene::Scene(const replay::Replay& replay, const replay::TaskRun& run)
     : replay_(replay),
       run_(run),
       component_bodies_(replay.header.components.size()),
@@ -74,7 +77,7 @@ void Scene::add_machines() {
 }
 
 void Scene::add_changes() {
-  for (const TaskRun& run : replay_.runs) {
+  for (const replay::TaskRun& run : replay_.runs) {
     if (!run.happened && &run != &run_) continue;
     for (const replay::Event& event : run.events) {
       if (std::holds_alternative<LoadChange>(event.what) ||
@@ -195,11 +198,15 @@ void Scene::stand_machine(std::size_t robot) {
 /// Zones first, then machines, as the site tests them.
 void Scene::stand_others() {
   others_ = {};
-  for (const TaskRun& run : replay_.runs) {
+  over_people_ = {};
+  for (const replay::TaskRun& run : replay_.runs) {
     if (!run.happened || run.task < 0 || run.robot == run_.robot) continue;
     if (run.start > moment_.time || run.end <= moment_.time) continue;
     const trace::HeaderTask& task = replay_.header.tasks[index(run.task)];
     others_.insert("the zone of " + task.name, prepared(task.zones), math::Pose::Identity());
+    if (task.zones_overhead.empty()) continue;
+    over_people_.insert("the air above the zone of " + task.name, prepared(task.zones_overhead),
+                        math::Pose::Identity());
   }
   for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
     if (static_cast<int>(robot) != run_.robot) stand_machine(robot);
@@ -246,6 +253,15 @@ std::vector<Blocked> Scene::blocking(const AskedStep& asked) const {
   const collision::SweptQuery against_others = step.against_others();
   for (const collision::BlockingPair& pair : others_.bodies.explain(against_others)) {
     add_standing(others_, against_others, pair, step.part_of_mover(pair.hit.item));
+  }
+  collision::SweptQuery of_load;
+  of_load.contact_tolerance = against_others.contact_tolerance;
+  for (std::size_t i = 0; i < against_others.items.size(); ++i) {
+    const bool is_load = step.part_of_mover(static_cast<int>(i)) == part_count() - 1;
+    if (is_load) of_load.items.push_back(against_others.items[i]);
+  }
+  for (const collision::BlockingPair& pair : over_people_.bodies.explain(of_load)) {
+    add_standing(over_people_, of_load, pair, part_count() - 1);
   }
   return result;
 }
@@ -311,7 +327,7 @@ void Scene::add_touches(std::span<const double> q, double gap, Touches& touches)
 
 // ---- who put it there
 
-const std::string& Scene::task_name(const TaskRun& run) const {
+const std::string& Scene::task_name(const replay::TaskRun& run) const {
   static const std::string kParking = "parking";
   return run.task < 0 ? kParking : replay_.header.tasks[index(run.task)].name;
 }
@@ -320,8 +336,8 @@ std::optional<Origin> Scene::machine_origin(std::size_t robot) const {
   Origin origin;
   origin.kind = static_cast<int>(robot) == run_.robot ? Origin::Kind::own : Origin::Kind::machine;
   if (origin.kind == Origin::Kind::own) return origin;
-  const TaskRun* last = nullptr;
-  for (const TaskRun& run : replay_.runs) {
+  const replay::TaskRun* last = nullptr;
+  for (const replay::TaskRun& run : replay_.runs) {
     if (!run.happened || run.robot != static_cast<int>(robot) || run.start > moment_.time) continue;
     if (last == nullptr || last->start <= run.start) last = &run;
   }
@@ -351,8 +367,8 @@ std::optional<Origin> Scene::origin_of(const std::string& name) const {
     const auto& names = robots_[i].body_names;
     if (std::find(names.begin(), names.end(), name) != names.end()) return machine_origin(i);
   }
-  for (const TaskRun& run : replay_.runs) {
-    if (!run.happened || run.task < 0 || "the zone of " + task_name(run) != name) continue;
+  for (const replay::TaskRun& run : replay_.runs) {
+    if (!run.happened || run.task < 0 || !is_zone_of(name, task_name(run))) continue;
     return Origin{Origin::Kind::zone, task_name(run), trace::seconds(run.start), true};
   }
   for (std::size_t i = 0; i < robots_.size(); ++i) {

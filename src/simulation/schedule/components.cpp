@@ -6,11 +6,11 @@
 #include <map>
 #include <utility>
 
+#include "src/simulation/schedule/index.hpp"
+
 namespace rubicon::schedule {
 
 namespace {
-
-std::size_t at(int node) { return static_cast<std::size_t>(node); }
 
 class Tarjan {
  public:

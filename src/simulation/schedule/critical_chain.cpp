@@ -7,11 +7,11 @@
 #include <set>
 #include <tuple>
 
+#include "src/simulation/schedule/index.hpp"
+
 namespace rubicon::schedule {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 std::string duration_text(Ticks ticks) {
   if (ticks % kHour == 0) return fmt::format("{} h", ticks / kHour);

@@ -5,12 +5,11 @@
 #include <algorithm>
 
 #include "src/simulation/schedule/components.hpp"
+#include "src/simulation/schedule/index.hpp"
 
 namespace rubicon::schedule {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 int event(int task, TaskEnd end) { return 2 * task + (end == TaskEnd::finish ? 1 : 0); }
 

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <utility>
 
+#include "src/simulation/schedule/index.hpp"
 #include "src/simulation/schedule/link_order.hpp"
 #include "src/simulation/schedule/link_state.hpp"
 #include "src/simulation/schedule/network_check.hpp"
@@ -14,8 +15,6 @@
 namespace rubicon::schedule {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 std::vector<Ticks> work_of(const Network& network) {
   std::vector<Ticks> work;

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "src/simulation/schedule/index.hpp"
+
 namespace rubicon::schedule {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 std::vector<int> calendars_of(const Network& network) {
   std::vector<int> calendars;

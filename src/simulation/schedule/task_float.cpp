@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <numeric>
 
+#include "src/simulation/schedule/index.hpp"
+
 namespace rubicon::schedule {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// A task that is moved as it is, its working time the same wherever it stands.
 class Placement {

@@ -42,8 +42,10 @@ SiteWorld make_site(const interpreter::PlanModel& plan) {
     site.add_obstacle(name, prepare_named({plan.site[i]}, name), math::Pose::Identity());
   }
   for (const interpreter::ComponentSpec& component : plan.components) {
-    site.add_component(component.name, prepare_named(component.shapes, component.name),
-                       component.X_WO, component.mass);
+    const int added =
+        site.add_component(component.name, prepare_named(component.shapes, component.name),
+                           component.X_WO, component.mass);
+    if (component.people) site.add_people(added, component.shapes);
   }
   PreparedRobots prepared;
   for (const interpreter::RobotSpec& spec : plan.robots) {

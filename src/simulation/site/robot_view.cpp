@@ -30,9 +30,32 @@ std::optional<interpreter::HitPair> RobotView::propose(const interpreter::Motion
   return std::nullopt;
 }
 
-bool RobotView::situation(const std::string& name) const {
+bool RobotView::situation(const std::string& name, std::span<const double> q,
+                          std::span<const double> q_goal) const {
+  if (name == "safety") return people_below(q, q_goal);
   const auto& load = site_.load(index_);
   return load && load->component >= 0 && name == "transport";
+}
+
+bool RobotView::people_below(std::span<const double> q, std::span<const double> q_goal) const {
+  if (!site_.has_people(index_)) return false;
+  const SiteRobot& machine = robot();
+  const auto& load = site_.load(index_);
+  std::vector<double> q_to(q_goal.begin(), q_goal.end());
+  for (std::size_t i = 0; i < q_to.size(); ++i) {
+    q_to[i] = q[i] + robot::way_between(machine.model->parameters[i], q[i], q_goal[i]);
+  }
+  const std::vector<geometry::Motion> motions = part_motions(machine, load, q, q_to);
+  const bool hangs = load && load->body;
+  const auto part =
+      hangs ? machine.bodies.size() : static_cast<std::size_t>(machine.model->tool_body);
+  const collision::BodyPtr& body = hangs ? load->body : machine.bodies.at(part);
+  if (!body) return false;
+  collision::SweptQuery query;
+  query.contact_tolerance = site_.contact_tolerance();
+  query.items.push_back({{body.get(), motions[part]}, true});
+  collision::MovingBodies bodies(query);
+  return site_.people_below(index_, bodies);
 }
 
 bool RobotView::nothing_to_meet() const {
@@ -140,22 +163,46 @@ std::optional<interpreter::HitPair> RobotView::turn_hit(double angle_deg) const 
     const int met = std::max(hit->item, hit->other_item.value_or(0));
     return interpreter::HitPair{load.name, part_name(part_of[static_cast<std::size_t>(met)])};
   }
-  const auto others = other_met(alone);
+  const auto others = other_met(alone, {true});
   if (!others) return std::nullopt;
   return interpreter::HitPair{load.name, others->name, others->machine, others->zone_task};
 }
 
-/// Zones, then other machines.
-std::optional<OtherMet> RobotView::other_met(const collision::SweptQuery& query) const {
+/// Zones, what is above them, then other machines. `is_load`: by item of the query.
+std::optional<OtherMet> RobotView::other_met(const collision::SweptQuery& query,
+                                             const std::vector<bool>& is_load) const {
   collision::MovingBodies bodies(query);
-  auto met = site_.first_zone_met(index_, bodies);
-  if (!met) met = site_.first_machine_met(index_, bodies, false);
+  if (auto met = site_.first_zone_met(index_, bodies)) return met;
+  if (auto met = zone_below(query, is_load)) return met;
+  return site_.first_machine_met(index_, bodies, false);
+}
+
+std::optional<OtherMet> RobotView::zone_below(const collision::SweptQuery& query,
+                                              const std::vector<bool>& is_load) const {
+  if (!site_.has_people(index_)) return std::nullopt;
+  collision::SweptQuery loads;
+  loads.contact_tolerance = query.contact_tolerance;
+  std::vector<int> items;
+  for (std::size_t i = 0; i < query.items.size(); ++i) {
+    if (!is_load[i]) continue;
+    loads.items.push_back(query.items[i]);
+    items.push_back(static_cast<int>(i));
+  }
+  if (items.empty()) return std::nullopt;
+  collision::MovingBodies hanging(loads);
+  auto met = site_.first_zone_below(index_, hanging);
+  if (met) met->item = items[static_cast<std::size_t>(met->item)];
   return met;
 }
 
 std::optional<interpreter::HitPair> RobotView::others_hit(const StepQuery& step) const {
   if (!site_.has_others(index_)) return std::nullopt;
-  const auto met = other_met(step.against_others());
+  const collision::SweptQuery movers = step.against_others();
+  std::vector<bool> is_load;
+  for (std::size_t i = 0; i < movers.items.size(); ++i) {
+    is_load.push_back(is_load_part(step.part_of_mover(static_cast<int>(i))));
+  }
+  const auto met = other_met(movers, is_load);
   if (!met) return std::nullopt;
   return interpreter::HitPair{part_name(step.part_of_mover(met->item)), met->name, met->machine,
                               met->zone_task};
@@ -193,15 +240,14 @@ double RobotView::free_distance(std::span<const double> q, double heading_deg, d
   const auto is_free = [&](double distance) {
     collision::SweptQuery query;
     query.contact_tolerance = site_.contact_tolerance();
+    std::vector<bool> is_load;
     for (const ReservedPart& part : parts) {
       const math::Pose X = part.motion.pose(0);
       query.items.push_back(
           {{part.body.get(), geometry::translating(X, heading * distance)}, true});
+      is_load.push_back(is_load_part(part.part));
     }
-    if (site_.obstacles().test(query).hit) return false;
-    if (!has_others) return true;
-    collision::MovingBodies bodies(query);
-    return !site_.first_zone_met(index_, bodies) && !site_.first_machine_met(index_, bodies, false);
+    return !site_.obstacles().test(query).hit && !(has_others && other_met(query, is_load));
   };
   if (is_free(range)) return range;
   // The swept volume only grows with the distance, so halving finds where it first meets anything.

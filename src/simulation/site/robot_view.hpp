@@ -24,8 +24,10 @@ class RobotView : public interpreter::World {
   double free_distance(std::span<const double> q, double heading_deg, double range) const override;
   std::optional<interpreter::HitPair> blocked_at(std::span<const double> q) const override;
   std::uint64_t version() const override { return site_.version(index_); }
-  /// `transport`, while a component is attached.
-  bool situation(const std::string& name) const override;
+  /// `transport`, while a component is attached; `safety`, while what hangs on the tool, or else
+  /// the tool, would be over people on the straight way to the goal (1995 paper, 3.2 and 4.2).
+  bool situation(const std::string& name, std::span<const double> q,
+                 std::span<const double> q_goal) const override;
   bool loaded() const override { return site_.load(index_).has_value(); }
 
   /// What the load would meet that people turn by the angle about the vertical through the tool's
@@ -40,8 +42,15 @@ class RobotView : public interpreter::World {
   collision::SweptResult entering_hit(const StepQuery& step) const;
   std::optional<interpreter::HitPair> own_hit(const StepQuery& step) const;
   std::optional<interpreter::HitPair> others_hit(const StepQuery& step) const;
-  std::optional<OtherMet> other_met(const collision::SweptQuery& query) const;
+  bool is_load_part(int part) const {
+    return static_cast<std::size_t>(part) >= robot().bodies.size();
+  }
+  std::optional<OtherMet> other_met(const collision::SweptQuery& query,
+                                    const std::vector<bool>& is_load) const;
+  std::optional<OtherMet> zone_below(const collision::SweptQuery& query,
+                                     const std::vector<bool>& is_load) const;
   bool nothing_to_meet() const;
+  bool people_below(std::span<const double> q, std::span<const double> q_goal) const;
   std::vector<ReservedPart> parts_at(std::span<const double> q) const;
   std::optional<interpreter::HitPair> standing_machine_at(
       const std::vector<ReservedPart>& parts) const;

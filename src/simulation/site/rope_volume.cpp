@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/motion/robot/body_motion.hpp"
 #include "src/motion/robot/frame_chain.hpp"
 
@@ -24,7 +25,7 @@ geometry::Solid solid_of(const geometry::Capsule& capsule) {
   return capsule;
 }
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "src/motion/geometry/above.hpp"
 #include "src/simulation/site/load_turn.hpp"
 #include "src/simulation/site/step_query.hpp"
 
@@ -138,6 +139,7 @@ void SiteWorld::set_component_state(int component, const ComponentState& state) 
   one.X_WO = state.X_WO;
   if (!state.standing || one.standing) return;
   one.standing = true;
+  look_up(one);
   note_change(one);
   one.id = state.id;
   if (one.id) {
@@ -147,31 +149,61 @@ void SiteWorld::set_component_state(int component, const ComponentState& state) 
   ++changes_;
 }
 
-void SiteWorld::hold_zone(int task, std::string name, const std::vector<geometry::Shape>& shapes_W,
+void SiteWorld::hold_zone(int task, const std::string& task_name, const PeopleZone& zone,
                           int exempt_robot) {
   release_zone(task);
-  if (shapes_W.empty()) return;
-  const geometry::Motion still = geometry::stationary(math::Pose::Identity());
-  ReservedVolume reserved({{collision::prepare(shapes_W), still, 0}},
-                          reserved_growth(contact_tolerance_));
-  zones_.emplace(task, Zone{std::move(name), std::move(reserved), exempt_robot});
+  if (zone.shapes.empty()) return;
+  zones_.emplace(
+      task, Zone{"the zone of " + task_name, standing(zone.shapes),
+                 "the air above the zone of " + task_name, standing(zone.overhead), exempt_robot});
   ++changes_;
+}
+
+/// What stands, as others meet it; nothing without shapes.
+ReservedVolume SiteWorld::standing(const std::vector<geometry::Shape>& shapes_W) const {
+  std::vector<ReservedPart> parts;
+  if (!shapes_W.empty()) {
+    parts.push_back(
+        {collision::prepare(shapes_W), geometry::stationary(math::Pose::Identity()), 0});
+  }
+  return ReservedVolume(std::move(parts), reserved_growth(contact_tolerance_));
 }
 
 void SiteWorld::release_zone(int task) {
   if (zones_.erase(task) > 0) ++changes_;
 }
 
-std::optional<int> SiteWorld::machine_in(const std::vector<geometry::Shape>& shapes_W,
-                                         int exempt_robot) const {
-  if (shapes_W.empty()) return std::nullopt;
-  const collision::BodyPtr body = collision::prepare(shapes_W);
+namespace {
+
+/// Shapes that stand, as a question.
+collision::SweptQuery standing_query(const collision::BodyPtr& body, double contact_tolerance) {
   collision::SweptQuery query;
-  query.contact_tolerance = contact_tolerance_;
+  query.contact_tolerance = contact_tolerance;
   query.items.push_back({{body.get(), geometry::stationary(math::Pose::Identity())}, true});
+  return query;
+}
+
+}  // namespace
+
+std::optional<int> SiteWorld::machine_in(const PeopleZone& zone, int exempt_robot) const {
+  if (zone.shapes.empty()) return std::nullopt;
+  const collision::BodyPtr body = collision::prepare(zone.shapes);
+  const collision::SweptQuery query = standing_query(body, contact_tolerance_);
   collision::MovingBodies bodies(query);
   const auto met = first_machine_met(exempt_robot, bodies, false);
-  return met ? std::optional(met->machine) : std::nullopt;
+  if (met || zone.overhead.empty()) return met ? std::optional(met->machine) : std::nullopt;
+  const collision::BodyPtr air = collision::prepare(zone.overhead);
+  const collision::SweptQuery above = standing_query(air, contact_tolerance_);
+  collision::MovingBodies overhead(above);
+  for (int i = 0; i < static_cast<int>(robots_.size()); ++i) {
+    const RobotEntry& other = entry(i);
+    if (i == exempt_robot || !other.load || !other.load->body) continue;
+    std::vector<ReservedPart> parts = reserved_parts(other);
+    std::erase_if(parts, [&](const ReservedPart& part) { return !is_load(other, part.part); });
+    const ReservedVolume load(std::move(parts), reserved_growth(contact_tolerance_));
+    if (load.meets(overhead)) return i;
+  }
+  return std::nullopt;
 }
 
 std::optional<OtherMet> SiteWorld::zone_around(int component, int robot) const {
@@ -181,7 +213,8 @@ std::optional<OtherMet> SiteWorld::zone_around(int component, int robot) const {
   query.contact_tolerance = contact_tolerance_;
   query.items.push_back({{one.body.get(), geometry::stationary(one.X_WO)}, true});
   collision::MovingBodies bodies(query);
-  return first_zone_met(robot, bodies);
+  auto met = first_zone_met(robot, bodies);
+  return met ? met : first_zone_below(robot, bodies);
 }
 
 bool SiteWorld::has_others(int robot) const {
@@ -198,6 +231,32 @@ std::optional<OtherMet> SiteWorld::first_zone_met(int robot,
     }
   }
   return std::nullopt;
+}
+
+std::optional<OtherMet> SiteWorld::first_zone_below(int robot,
+                                                    collision::MovingBodies& loads) const {
+  for (const auto& [task, zone] : zones_) {
+    if (zone.exempt_robot == robot) continue;
+    if (const auto hit = zone.overhead.meets(loads)) {
+      return OtherMet{hit->item, zone.overhead_name, -1, task};
+    }
+  }
+  return std::nullopt;
+}
+
+bool SiteWorld::has_people(int robot) const {
+  return std::any_of(zones_.begin(), zones_.end(),
+                     [&](const auto& zone) { return zone.second.exempt_robot != robot; }) ||
+         std::any_of(with_people_.begin(), with_people_.end(),
+                     [&](int component) { return stands(component); });
+}
+
+bool SiteWorld::people_below(int robot, collision::MovingBodies& bodies) const {
+  if (first_zone_met(robot, bodies) || first_zone_below(robot, bodies)) return true;
+  return std::any_of(with_people_.begin(), with_people_.end(), [&](int component) {
+    const Component& each = components_[static_cast<std::size_t>(component)];
+    return each.standing && each.people_above && each.people_above->meets(bodies);
+  });
 }
 
 std::optional<OtherMet> SiteWorld::first_machine_met(int robot, collision::MovingBodies& bodies,
@@ -256,9 +315,30 @@ void SiteWorld::note_change(const Component& component) {
 void SiteWorld::stand(Component& component, const math::Pose& X_WO) {
   component.X_WO = X_WO;
   component.standing = true;
+  look_up(component);
   if (component.body) component.id = insert(component.name, component.body, X_WO);
   note_change(component);
   ++changes_;
+}
+
+void SiteWorld::add_people(int component, std::vector<geometry::Shape> shapes) {
+  Component& one = components_[static_cast<std::size_t>(component)];
+  one.people = std::move(shapes);
+  if (!one.people.empty()) with_people_.push_back(component);
+  look_up(one);
+}
+
+/// The air above people, where the component stands.
+void SiteWorld::look_up(Component& component) const {
+  if (component.people.empty()) return;
+  std::vector<geometry::Shape> overhead_W;
+  for (geometry::Shape shape : component.people) {
+    shape.X_BS = component.X_WO * shape.X_BS;
+    const double top = geometry::highest_point(shape) + geometry::kAirOverPeople;
+    overhead_W.push_back(geometry::with_what_is_above(shape, top));
+  }
+  // shared: nobody changes it, and the component may be copied
+  component.people_above = std::make_shared<const ReservedVolume>(standing(overhead_W));
 }
 
 void SiteWorld::lift(Component& component) {
@@ -274,8 +354,20 @@ void SiteWorld::changed(RobotEntry& robot) {
   robot.reserved.reset();
 }
 
+bool SiteWorld::is_load(const RobotEntry& robot, int part) {
+  return static_cast<std::size_t>(part) >= robot.robot.bodies.size();
+}
+
 const ReservedVolume& SiteWorld::reserved_volume(const RobotEntry& robot) const {
-  if (robot.reserved) return *robot.reserved;
+  if (!robot.reserved) {
+    robot.reserved = std::make_unique<ReservedVolume>(reserved_parts(robot),
+                                                      reserved_growth(contact_tolerance_));
+  }
+  return *robot.reserved;
+}
+
+/// All that belongs to a machine now.
+std::vector<ReservedPart> SiteWorld::reserved_parts(const RobotEntry& robot) const {
   const SiteRobot& machine = robot.robot;
   const std::vector<double>& from = robot.stepping ? robot.step.q_from : robot.q;
   const std::vector<double>& to = robot.stepping ? robot.step.q_to : robot.q;
@@ -296,9 +388,7 @@ const ReservedVolume& SiteWorld::reserved_volume(const RobotEntry& robot) const 
     }
     if (body) parts.push_back({std::move(body), std::move(motions[i]), static_cast<int>(i)});
   }
-  robot.reserved =
-      std::make_unique<ReservedVolume>(std::move(parts), reserved_growth(contact_tolerance_));
-  return *robot.reserved;
+  return parts;
 }
 
 /// Name of a part: a body, or after the last body the load.

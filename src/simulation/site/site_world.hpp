@@ -47,6 +47,12 @@ struct ComponentState {
   std::optional<collision::ObstacleId> id;  ///< its rank among the obstacles while it stands
 };
 
+/// Where people work (world), and where no load may hang meanwhile: there and above.
+struct PeopleZone {
+  const std::vector<geometry::Shape>& shapes;
+  const std::vector<geometry::Shape>& overhead;
+};
+
 /// Another machine, or a zone, that a query meets.
 struct OtherMet {
   int item = 0;      ///< of the query
@@ -68,6 +74,8 @@ class SiteWorld {
   /// A component that stands at X_WO; its index. `body` null: it has no shape and is in nobody's
   /// way.
   int add_component(std::string name, collision::BodyPtr body, const math::Pose& X_WO, double mass);
+  /// People are in or on the component, whose shapes these are.
+  void add_people(int component, std::vector<geometry::Shape> shapes);
   /// A robot that stands at q; its index.
   int add_robot(SiteRobot robot, std::vector<double> q);
 
@@ -105,22 +113,26 @@ class SiteWorld {
   /// To a state that it had: it takes its old rank among the obstacles again.
   void set_component_state(int component, const ComponentState& state);
 
-  /// People work in the shapes (world) until `release_zone`: machines keep out but for
-  /// `exempt_robot` (-1: none is exempt). A task has one zone: the last one. Throws
-  /// std::invalid_argument for shapes without extent.
-  void hold_zone(int task, std::string name, const std::vector<geometry::Shape>& shapes_W,
-                 int exempt_robot);
+  /// People work in the zone until `release_zone`: machines keep out but for `exempt_robot` (-1:
+  /// none is exempt). A task has one zone: the last one. Throws std::invalid_argument for shapes
+  /// without extent.
+  void hold_zone(int task, const std::string& task_name, const PeopleZone& zone, int exempt_robot);
   void release_zone(int task);
-  /// The first machine but the exempt one that stands in the shapes (world) or sweeps them in a
-  /// step in progress.
-  std::optional<int> machine_in(const std::vector<geometry::Shape>& shapes_W,
-                                int exempt_robot) const;
+  /// The first machine but the exempt one that stands in the zone or sweeps it in a step in
+  /// progress, or whose load hangs over it.
+  std::optional<int> machine_in(const PeopleZone& zone, int exempt_robot) const;
 
   /// The zone, by task, that the component stands in and the robot has to keep out of.
   std::optional<OtherMet> zone_around(int component, int robot) const;
 
   /// Whether there is anyone else to meet for the robot: machines, zones.
   bool has_others(int robot) const;
+  /// The first zone, by task, over which the bodies hang, loads of the robot.
+  std::optional<OtherMet> first_zone_below(int robot, collision::MovingBodies& loads) const;
+  /// Whether people are under the bodies: in a zone, or in a component that says so.
+  bool people_below(int robot, collision::MovingBodies& bodies) const;
+  /// Whether there are people anywhere that the robot might be over.
+  bool has_people(int robot) const;
   /// The first zone, by task, that bodies of the robot meet.
   std::optional<OtherMet> first_zone_met(int robot, collision::MovingBodies& bodies) const;
   /// The first other machine, by index; with `standing_only` of those that stand.
@@ -153,6 +165,8 @@ class SiteWorld {
     collision::BodyPtr body;
     math::Pose X_WO = math::Pose::Identity();
     double mass = 0;
+    std::vector<geometry::Shape> people;  ///< its shapes, where people are in or on it
+    std::shared_ptr<const ReservedVolume> people_above;  ///< these and the air above them
     bool standing = false;
     std::optional<collision::ObstacleId> id;
   };
@@ -171,6 +185,8 @@ class SiteWorld {
   struct Zone {
     std::string name;
     ReservedVolume reserved;
+    std::string overhead_name;
+    ReservedVolume overhead;
     int exempt_robot = -1;
   };
 
@@ -183,6 +199,10 @@ class SiteWorld {
   void stand(Component& component, const math::Pose& X_WO);
   void lift(Component& component);
   static void changed(RobotEntry& robot);
+  ReservedVolume standing(const std::vector<geometry::Shape>& shapes_W) const;
+  void look_up(Component& component) const;
+  static bool is_load(const RobotEntry& robot, int part);
+  std::vector<ReservedPart> reserved_parts(const RobotEntry& robot) const;
   const ReservedVolume& reserved_volume(const RobotEntry& robot) const;
   static const std::string& part_name(const RobotEntry& robot, int part);
 
@@ -190,6 +210,7 @@ class SiteWorld {
   collision::CollisionWorld obstacles_;
   std::map<collision::ObstacleId, std::string> names_;
   std::vector<Component> components_;
+  std::vector<int> with_people_;  ///< components in or on which people are
   std::vector<int> component_changes_;
   std::vector<RobotEntry> robots_;
   std::map<int, Zone> zones_;  ///< by task

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/motion/math/index.hpp"
 #include "src/simulation/taskplan/plan_calendars.hpp"
 
 namespace rubicon::taskplan {
@@ -30,7 +31,7 @@ Wide millionths(double amount) {
 /// a / b, half of one up; for a >= 0.
 Wide rounded_quotient(Wide a, Wide b) { return (2 * a + b) / (2 * b); }
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 /// What is spent on something.
 struct Item {

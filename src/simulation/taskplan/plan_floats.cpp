@@ -4,6 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include "src/motion/math/index.hpp"
+
 namespace rubicon::taskplan {
 
 namespace {
@@ -11,7 +13,7 @@ namespace {
 using schedule::Precedence;
 using schedule::TaskEnd;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 /// A robot or crew for a time; `node` -1: a robot that went out of the way.
 struct Use {

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/simulation/taskplan/plan_calendars.hpp"
 
 namespace rubicon::taskplan {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 /// Which tasks can be precomputed: none of the others, and whatever these keep from being so.
 std::vector<bool> precomputable(const interpreter::PlanModel& plan,

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "src/motion/math/index.hpp"
+
 namespace rubicon::taskplan {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 }  // namespace
 

@@ -110,7 +110,7 @@ bool Simulation::hand_out() {
 bool Simulation::zone_is_free(const ResourceAllocator::Grant& grant) {
   const interpreter::TaskSpec& task = stage_.spec_in(grant.task, grant.queue);
   if (task.zones.empty()) return true;
-  const std::optional<int> robot = stage_.site.machine_in(task.zones, task.robot);
+  const std::optional<int> robot = stage_.site.machine_in(zone_of(task), task.robot);
   if (!robot) return true;
   stage_.allocator->undo_to(grant.before);
   stage_.begins_to_wait(grant.task);
@@ -224,7 +224,7 @@ void Simulation::begin_task(const ResourceAllocator::Grant& grant) {
                       interpreter::member_names(plan_, each));
   }
   if (!each.zones.empty()) {
-    stage_.site_changes.hold_zone(task, "the zone of " + each.name, each.zones, each.robot);
+    stage_.site_changes.hold_zone(task, each.name, zone_of(each), each.robot);
   }
   const bool known = links.is_precomputed(task) || links.is_milestone(task);
   if (!known) links.publish(task, TaskEnd::start, now);
@@ -301,7 +301,7 @@ void Simulation::complete(ActiveTask& active) {
   trace_end(task, now, outcome);
   const interpreter::TaskSpec& each = stage_.spec(task);
   if (!each.zones.empty()) {
-    stage_.site_changes.release_zone(task, "the zone of " + each.name, each.zones, each.robot);
+    stage_.site_changes.release_zone(task, each.name, zone_of(each), each.robot);
     stage_.announce({-1, task});
   }
   if (stage_.is_park(task)) {

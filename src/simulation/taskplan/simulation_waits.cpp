@@ -17,7 +17,7 @@ std::optional<WaitSet> Simulation::waits_of(int task) const {
   if (!active && records_.status(task) == Status::asking) {
     if (zone_waits_.find(task)) {
       const interpreter::TaskSpec& spec = stage_.spec(task);
-      const auto robot = stage_.site.machine_in(spec.zones, spec.robot);
+      const auto robot = stage_.site.machine_in(zone_of(spec), spec.robot);
       if (robot) waits.targets.push_back(stage_.move_of(*robot, WaitTarget::Kind::zone, *robot));
     }
     if (stage_.has_choices(task)) {

@@ -26,17 +26,17 @@ void SiteChanges::remove(int component) {
   site_.remove(component);
 }
 
-void SiteChanges::hold_zone(int task, const std::string& name,
-                            const std::vector<geometry::Shape>& shapes_W, int exempt_robot) {
-  site_.hold_zone(task, name, shapes_W, exempt_robot);
+void SiteChanges::hold_zone(int task, const std::string& task_name, const site::PeopleZone& zone,
+                            int exempt_robot) {
+  site_.hold_zone(task, task_name, zone, exempt_robot);
   journal_.on_undo([&site = site_, task] { site.release_zone(task); });
 }
 
-void SiteChanges::release_zone(int task, const std::string& name,
-                               const std::vector<geometry::Shape>& shapes_W, int exempt_robot) {
+void SiteChanges::release_zone(int task, const std::string& task_name, const site::PeopleZone& zone,
+                               int exempt_robot) {
   site_.release_zone(task);
-  journal_.on_undo([&site = site_, task, name, &shapes_W, exempt_robot] {
-    site.hold_zone(task, name, shapes_W, exempt_robot);
+  journal_.on_undo([&site = site_, task, task_name, zone, exempt_robot] {
+    site.hold_zone(task, task_name, zone, exempt_robot);
   });
 }
 

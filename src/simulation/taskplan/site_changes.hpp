@@ -3,11 +3,17 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/check/plan_model.hpp"
 #include "src/simulation/schedule/journal.hpp"
 #include "src/simulation/schedule/ticks.hpp"
 #include "src/simulation/site/site_world.hpp"
 
 namespace rubicon::taskplan {
+
+/// Where the people of a task work.
+inline site::PeopleZone zone_of(const interpreter::TaskSpec& task) {
+  return {task.zones, task.zones_overhead};
+}
 
 using schedule::Journal;
 using schedule::Ticks;
@@ -23,9 +29,9 @@ class SiteChanges {
   void detach(int robot);
   void remove(int component);
   /// People of `task` work in the shapes from now on.
-  void hold_zone(int task, const std::string& name, const std::vector<geometry::Shape>& shapes_W,
+  void hold_zone(int task, const std::string& task_name, const site::PeopleZone& zone,
                  int exempt_robot);
-  void release_zone(int task, const std::string& name, const std::vector<geometry::Shape>& shapes_W,
+  void release_zone(int task, const std::string& task_name, const site::PeopleZone& zone,
                     int exempt_robot);
 
   /// What is copied to go back to: where the machines are, and how many changes there were.

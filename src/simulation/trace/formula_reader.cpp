@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "src/simulation/trace/digit.hpp"
 #include "src/simulation/trace/json_builder.hpp"
 
 namespace rubicon::trace {
@@ -21,8 +22,6 @@ using Kind = FormulaOp::Kind;
 
 /// Brackets and signs within each other; keeps a hostile header from overflowing the stack.
 constexpr int kDeepest = 200;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Names are those of a robot file; a body and its parameter have a point between them.
 bool is_word(char c) {

@@ -141,7 +141,8 @@ struct HeaderTask {
   std::vector<HeaderWork> takes;
   std::vector<std::string> remove;
   double priority = 0;
-  std::vector<geometry::Shape> zones;  ///< in {W}
+  std::vector<geometry::Shape> zones;                ///< in {W}
+  std::vector<geometry::Shape> zones_overhead = {};  ///< they and the air above them, in {W}
   std::vector<HeaderLink> after;
   HeaderAttributes attributes;
 };

@@ -217,6 +217,9 @@ HeaderTask read_task(const JsonObject& object, const HeaderMeshes& meshes) {
   if (object.has("remove")) task.remove = object.texts("remove");
   task.priority = object.number("priority");
   task.zones = read_shapes(object, "zones", meshes);
+  if (object.has("zones_overhead")) {
+    task.zones_overhead = read_shapes(object, "zones_overhead", meshes);
+  }
   object.each_object("after", [&](const JsonObject& link) {
     task.after.push_back({link.text("task"), link.text("type"), link.number("lag")});
   });

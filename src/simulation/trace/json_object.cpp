@@ -22,6 +22,11 @@ constexpr double kRotationSlack = 1e-6;
 
 }  // namespace
 
+bool is_rotation(const math::Mat3& R) {
+  return (R * R.transpose() - math::Mat3::Identity()).cwiseAbs().maxCoeff() <= kRotationSlack &&
+         !(R.determinant() < 0);
+}
+
 std::string shown_text(std::string_view text) {
   std::string result;
   for (const char c : text.substr(0, kLongestShown)) result += c >= ' ' && c <= '~' ? c : '?';
@@ -86,9 +91,7 @@ math::Pose JsonValue::pose() const {
   const std::vector<double> values = numbers(12);
   math::Pose X = math::Pose::Identity();
   for (int i = 0; i < 12; ++i) X.matrix()(i / 4, i % 4) = values[static_cast<std::size_t>(i)];
-  const math::Mat3 R = X.linear();
-  if (!((R * R.transpose() - math::Mat3::Identity()).cwiseAbs().maxCoeff() <= kRotationSlack) ||
-      R.determinant() < 0) {
+  if (!is_rotation(X.linear())) {
     throw std::invalid_argument(
         fmt::format("expected a rotation and a translation as {}, found another matrix", place));
   }

@@ -17,6 +17,9 @@ std::string shown(simdjson::dom::element element);
 /// The same of any text.
 std::string shown_text(std::string_view text);
 
+/// Whether a matrix is a rotation, as near as a trace writes one.
+bool is_rotation(const math::Mat3& R);
+
 /// An element of a list or a member of an object, and where it stands ("'pose' of component 3").
 struct JsonValue {
   simdjson::dom::element element;

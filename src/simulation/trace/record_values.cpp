@@ -3,6 +3,8 @@
 #include <limits>
 #include <utility>
 
+#include "src/simulation/trace/digit.hpp"
+#include "src/simulation/trace/json_object_simdjson.hpp"
 #include "src/simulation/trace/record_values_simdjson.hpp"
 
 namespace rubicon::trace {
@@ -20,9 +22,6 @@ constexpr const char* kPose = "a pose, 12 numbers of a rotation and a translatio
 
 /// s, 126 years: nanoseconds of the sum of two still fit.
 constexpr std::int64_t kLongest = 4'000'000'000;
-
-/// How far a matrix may be from a rotation. Poses are written to the last digit.
-constexpr double kRotationSlack = 1e-6;
 
 template <typename T>
 T get(Value& from, const char* expected) {
@@ -56,8 +55,6 @@ void each_member(Value& from, Take take) {
     take(name, field.value());
   }
 }
-
-bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
 /// Whole nanoseconds of a decimal number without an exponent; digits beyond are cut off. Nothing
 /// for another text.
@@ -199,11 +196,7 @@ void RecordValues::read(Value& from, math::Pose& into) {
   if (count != rows.size()) throw WrongValue{kPose};
   into = math::Pose::Identity();
   for (int i = 0; i < 12; ++i) into.matrix()(i / 4, i % 4) = rows[static_cast<std::size_t>(i)];
-  const math::Mat3 R = into.linear();
-  if (!((R * R.transpose() - math::Mat3::Identity()).cwiseAbs().maxCoeff() <= kRotationSlack) ||
-      R.determinant() < 0) {
-    throw WrongValue{kPose};
-  }
+  if (!is_rotation(into.linear())) throw WrongValue{kPose};
 }
 
 }  // namespace rubicon::trace

@@ -92,6 +92,7 @@ void write_components(JsonBuilder& json, const PlanModel& plan, MeshTable& meshe
     write_holders(json, plan, "fixed_to", component.fixed_to, false);
     write_holders(json, plan, "braced_by", component.braced_by, false);
     write_holders(json, plan, "braced_by_crews", component.braced_by, true);
+    if (component.people) json.field("people", true);
     write_attributes(json, component.attributes);
     json.end_object();
   }
@@ -252,6 +253,26 @@ void write_clauses(JsonBuilder& json, const PlanModel& plan, int robot,
   json.end_array();
 }
 
+/// What guides keep on their ways; nothing where none keeps anything.
+void write_kept(JsonBuilder& json, const PlanModel& plan, int robot,
+                const std::vector<guides::GuideSpec>& guides) {
+  const auto keeps = [](const guides::GuideSpec& guide) { return !guide.keep.empty(); };
+  if (std::none_of(guides.begin(), guides.end(), keeps)) return;
+  const robot::RobotModel& model = plan.robots[static_cast<std::size_t>(robot)].robot->model;
+  json.key("guides").begin_array();
+  for (const guides::GuideSpec& guide : guides) {
+    if (!keeps(guide)) continue;
+    json.begin_object().field("name", guide.name).key("keep").begin_array();
+    for (const guides::KeptBound& bound : guide.keep) {
+      json.begin_object().key("sum");
+      write_values(json, model, bound.terms);
+      json.field("most", bound.most).end_object();
+    }
+    json.end_array().end_object();
+  }
+  json.end_array();
+}
+
 void write_task_motions(JsonBuilder& json, const PlanModel& plan,
                         const interpreter::TaskSpec& task) {
   if (task.move) {
@@ -267,6 +288,7 @@ void write_task_motions(JsonBuilder& json, const PlanModel& plan,
   if (task.robot >= 0) {
     write_within(json, plan, task.robot, task.within);
     write_clauses(json, plan, task.robot, task.clauses);
+    write_kept(json, plan, task.robot, task.guides);
   }
   if (!task.situations.empty()) json.key("situations").strings(task.situations);
 }
@@ -366,6 +388,10 @@ void write_tasks(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
     write_choices(json, plan, task);
     json.field("priority", task.priority).key("zones");
     write_shapes(json, task.zones, meshes);
+    if (!task.zones.empty()) {
+      json.key("zones_overhead");
+      write_shapes(json, task.zones_overhead, meshes);
+    }
     write_dates(json, task);
     json.key("after").begin_array();
     for (const interpreter::LinkSpec& link : task.after) {
@@ -449,6 +475,7 @@ std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sou
     if (plan.goal) write_goal(json.key("goal"), plan, 0, *plan.goal);
     write_within(json, plan, 0, plan.within);
     write_clauses(json, plan, 0, plan.clauses);
+    write_kept(json, plan, 0, plan.guides);
   }
   write_tasks(json, plan, meshes);
   write_beginning(json, plan);

@@ -164,7 +164,7 @@ const char* const kFullPlan = R"(plan unit {
   crew riggers { size 3; cost 165 per h; calendar site; }
   task set { by crane, riggers; move panel to trans(22, 14, 3) * rotz(90); hook 4 min by riggers;
              adjust 6 min by riggers; release 2 min; via x 30; situation night; within z 3 cm;
-             budget 100; priority 2; guide rrt; zone box(0, 0, 0, 1, 1, 1); }
+             budget 100; priority 2; guide rrt; zone box(0, 0, 0, 1, 1, 1); zone box(2, 0, 0, 3, 1, 1) up_to 5; }
   task home { by crane; go theta 0, x 20; after set, cure SS + 2 h; }
   task cure { takes 30 min; takes 1 h; after set FS - 10 min; remove slab; }
 })";
@@ -203,7 +203,10 @@ TEST(PlanCheck, ReadsTheFullForm) {
   EXPECT_EQ(set.release->crew, -1);
   EXPECT_EQ(set.within.values, (std::vector<std::pair<int, double>>{{2, 0.03}}));
   EXPECT_EQ(set.budget, 100);
-  EXPECT_EQ(set.zones.size(), 1u);
+  ASSERT_EQ(set.zones.size(), 2u);
+  ASSERT_EQ(set.zones_overhead.size(), 2u);
+  EXPECT_EQ(std::get<geometry::Box>(set.zones_overhead[0].solid).upper.z(), 1001);
+  EXPECT_EQ(std::get<geometry::Box>(set.zones_overhead[1].solid).upper.z(), 5);
   const interpreter::TaskSpec& home = plan.tasks[1];
   ASSERT_TRUE(home.go.has_value());
   ASSERT_EQ(home.after.size(), 2u);

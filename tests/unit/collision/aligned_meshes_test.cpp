@@ -6,14 +6,13 @@
 #include "src/motion/collision/sweep/body.hpp"
 #include "src/motion/math/angles.hpp"
 #include "tests/support/random_cases.hpp"
+#include "tests/unit/collision/random_scene.hpp"
 
 // Bodies that overlap although no surface of one crosses a surface of the other: faces lie in each
 // other, or one body is wholly inside the other.
 
 namespace rubicon::collision::test {
 namespace {
-
-constexpr double kTolerance = 1e-3;
 
 using Corner = std::array<double, 2>;
 

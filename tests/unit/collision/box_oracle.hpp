@@ -25,6 +25,12 @@ double swept_box_depth(const OracleBox& a, const Vec3& d, const OracleBox& b);
 
 enum class Truth { kFree, kHit, kNearBoundary };
 
+/// How many cases had which answer.
+struct Count {
+  int free = 0;
+  int hit = 0;
+};
+
 /// Whether the depth over s in [0, 1] stays below `tolerance` - `band` or exceeds `tolerance` +
 /// `band` somewhere, by branch and bound; `speed` bounds how far any point of one box moves against
 /// the other per unit of s.

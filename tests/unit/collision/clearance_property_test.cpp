@@ -33,18 +33,7 @@ Sampled sampled(const Distance& distance, double speed) {
   return result;
 }
 
-double speed_of(const Motion& motion, double reach) {
-  if (const auto* screw = std::get_if<geometry::ScrewMotion>(&motion.kind)) {
-    const double radius = screw->axis.cross(screw->X0.translation() - screw->point).norm() + reach;
-    return math::radians(std::fabs(screw->angle_deg)) * radius + screw->slide.norm();
-  }
-  const auto& crane = dynamic_cast<const TwoJointMotion&>(*std::get<1>(motion.kind));
-  return math::radians(std::fabs(crane.theta1 - crane.theta0)) *
-             (std::max(crane.place0.norm(), crane.place1.norm()) + reach) +
-         (crane.place1 - crane.place0).norm();
-}
-
-Motion any_motion(Random& random) {
+Motion any_short_motion(Random& random) {
   if (random.below(4)) return random_motion(random);
   TwoJointMotion crane;
   crane.theta0 = random.between(-5, 5);
@@ -73,7 +62,7 @@ TEST(ClearanceProperty, HoldsTheExactDistanceOfBoxes) {
   int apart = 0;
   for (int i = 0; i < rubicon::test::cases(250); ++i) {
     const Vec3 half = Vec3(0.3, 0.3, 0.3) + random.vector(0.25);
-    const Motion motion = any_motion(random);
+    const Motion motion = any_short_motion(random);
     const bool is_general = motion.kind.index() == 1;
     OracleBox wall{random.pose(1.5), Vec3(0.4, 0.4, 0.4) + random.vector(0.35)};
     if (is_general) wall.X_WC.translation().x() += 3;

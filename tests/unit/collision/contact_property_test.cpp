@@ -4,12 +4,11 @@
 #include "tests/support/random_cases.hpp"
 #include "tests/unit/collision/bodies.hpp"
 #include "tests/unit/collision/box_oracle.hpp"
+#include "tests/unit/collision/random_scene.hpp"
 #include "tests/unit/collision/two_joint_motion.hpp"
 
 namespace rubicon::collision::test {
 namespace {
-
-constexpr double kTolerance = 1e-3;
 
 struct Hit {
   BodyPtr a;

@@ -9,8 +9,6 @@
 namespace rubicon::collision::test {
 namespace {
 
-constexpr double kBand = 1e-4;
-
 TwoJointMotion random_crane(Random& random, double radius) {
   TwoJointMotion crane;
   crane.theta0 = random.between(-180, 180);
@@ -19,12 +17,6 @@ TwoJointMotion random_crane(Random& random, double radius) {
       Vec3(random.between(1, radius), random.between(-0.5, 0.5), random.between(-0.5, 0.5));
   crane.place1 = crane.place0 + random.vector(0.5);
   return crane;
-}
-
-double speed_of(const TwoJointMotion& crane, double reach) {
-  return math::radians(std::fabs(crane.theta1 - crane.theta0)) *
-             (std::max(crane.place0.norm(), crane.place1.norm()) + reach) +
-         (crane.place1 - crane.place0).norm();
 }
 
 TEST(GeneralMotion, AgreesWithBranchAndBound) {

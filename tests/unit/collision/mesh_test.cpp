@@ -10,9 +10,6 @@
 namespace rubicon::collision::test {
 namespace {
 
-constexpr double kTolerance = 1e-3;
-constexpr double kBand = 1e-4;
-
 /// The L mesh at X as the union of two boxes.
 std::vector<OracleBox> l_boxes(const Pose& X) {
   return {{X * at(1, 0.25, 0.5), Vec3(1, 0.25, 0.5)}, {X * at(0.25, 1, 0.5), Vec3(0.25, 1, 0.5)}};

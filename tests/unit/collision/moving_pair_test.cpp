@@ -8,26 +8,6 @@
 namespace rubicon::collision::test {
 namespace {
 
-constexpr double kBand = 1e-4;
-constexpr double kTolerance = 1e-3;
-
-double speed_of(const Motion& motion, double reach) {
-  if (const auto* screw = std::get_if<geometry::ScrewMotion>(&motion.kind)) {
-    return math::radians(std::fabs(screw->angle_deg)) *
-               (screw->axis.cross(screw->X0.translation() - screw->point).norm() + reach) +
-           screw->slide.norm();
-  }
-  const auto& crane = dynamic_cast<const TwoJointMotion&>(*std::get<1>(motion.kind));
-  return math::radians(std::fabs(crane.theta1 - crane.theta0)) *
-             (std::max(crane.place0.norm(), crane.place1.norm()) + reach) +
-         (crane.place1 - crane.place0).norm();
-}
-
-struct Count {
-  int free = 0;
-  int hit = 0;
-};
-
 void check(const Vec3& half_a, const Motion& a, const Vec3& half_b, const Motion& b, Count& count) {
   const double speed = speed_of(a, half_a.norm()) + speed_of(b, half_b.norm());
   const Truth truth = classify(

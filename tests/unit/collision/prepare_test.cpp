@@ -9,12 +9,10 @@ namespace rubicon::collision::test {
 namespace {
 
 using geometry::Shape;
-using geometry::Solid;
 
-const double kNan = std::numeric_limits<double>::quiet_NaN();
 const double kInfinity = std::numeric_limits<double>::infinity();
 
-void expect_refused(const Solid& solid, const std::string& part_of_message) {
+void expect_refused(const geometry::Solid& solid, const std::string& part_of_message) {
   try {
     prepare({Shape{solid, Pose::Identity()}});
     ADD_FAILURE() << "accepted; expected a message with \"" << part_of_message << '"';
@@ -23,7 +21,7 @@ void expect_refused(const Solid& solid, const std::string& part_of_message) {
   }
 }
 
-Solid mesh(std::vector<Vec3> vertices, std::vector<std::array<int, 3>> triangles) {
+geometry::Solid mesh(std::vector<Vec3> vertices, std::vector<std::array<int, 3>> triangles) {
   return geometry::Mesh{"part.stl", std::make_shared<geometry::TriangleMesh>(geometry::TriangleMesh{
                                         std::move(vertices), std::move(triangles), false})};
 }

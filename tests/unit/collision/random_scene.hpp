@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "src/motion/collision/swept_query.hpp"
@@ -9,6 +10,14 @@
 namespace rubicon::collision::test {
 
 using math::Mat3;
+
+/// Contact tolerance of most cases, and how far from it an answer must be to be judged (m).
+inline constexpr double kTolerance = 1e-3;
+inline constexpr double kBand = 1e-4;
+/// By how much swept volumes may be larger than what they are to hold (m).
+inline constexpr double kGrowth = 2.5e-4;
+
+inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Numbers from a seed, the same on every machine (std::uniform_real_distribution is not). `Engine`
 /// gives 32 bits a call.

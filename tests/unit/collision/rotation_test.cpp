@@ -7,14 +7,6 @@
 namespace rubicon::collision::test {
 namespace {
 
-/// Clearances and depths nearer to the tolerance than this (m) are not judged.
-constexpr double kBand = 1e-4;
-
-struct Count {
-  int free = 0;
-  int hit = 0;
-};
-
 void check(const Vec3& half, const Motion& motion, const OracleBox& b, double tolerance,
            Count& count) {
   const auto& screw = std::get<geometry::ScrewMotion>(motion.kind);

@@ -9,10 +9,6 @@ namespace {
 
 using Kind = FclSolid::Kind;
 
-/// Contact tolerance of these cases, and how far from it an answer must be to be judged (m).
-constexpr double kTolerance = 1e-3;
-constexpr double kBand = 1e-4;
-
 FclSolid random_solid(Random& random, Kind kind) {
   FclSolid solid;
   solid.kind = kind;

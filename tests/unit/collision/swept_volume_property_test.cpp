@@ -10,13 +10,11 @@
 #include "tests/support/random_cases.hpp"
 #include "tests/unit/collision/bodies.hpp"
 #include "tests/unit/collision/meshes.hpp"
+#include "tests/unit/collision/random_scene.hpp"
 #include "tests/unit/collision/two_joint_motion.hpp"
 
 namespace rubicon::collision::test {
 namespace {
-
-constexpr double kTolerance = 1e-3;
-constexpr double kGrowth = 2.5e-4;
 
 /// A body with points inside it, found without the engine.
 struct Solid {

@@ -12,8 +12,6 @@
 namespace rubicon::collision::test {
 namespace {
 
-constexpr double kTolerance = 1e-3;
-constexpr double kGrowth = 2.5e-4;
 const Vec3 kUp = Vec3::UnitZ();
 
 bool meets(const SweptVolume& volume, const BodyPtr& body, const Motion& motion,

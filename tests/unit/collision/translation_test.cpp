@@ -7,17 +7,12 @@ namespace rubicon::collision::test {
 namespace {
 
 /// Answers nearer to the tolerance than this (m) are left to rounding.
-constexpr double kBand = 1e-7;
-
-struct Count {
-  int free = 0;
-  int hit = 0;
-};
+constexpr double kRoundingBand = 1e-7;
 
 /// One box moves along d past another; the exact depth of the swept volume decides.
 void check(const OracleBox& a, const Vec3& d, const OracleBox& b, double tolerance, Count& count) {
   const double depth = swept_box_depth(a, d, b);
-  if (std::fabs(depth - tolerance) < kBand) return;
+  if (std::fabs(depth - tolerance) < kRoundingBand) return;
   const bool expected = depth > tolerance;
   ++(expected ? count.hit : count.free);
   const bool found =

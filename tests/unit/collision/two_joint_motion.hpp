@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <variant>
 
 #include "src/motion/geometry/motion.hpp"
 #include "src/motion/math/angles.hpp"
@@ -33,5 +35,21 @@ class TwoJointMotion : public geometry::GeneralMotion {
 
   geometry::Motion motion() const { return {std::make_shared<TwoJointMotion>(*this)}; }
 };
+
+/// Upper bound of the way (m per unit of s) of any point within `reach` of the moved origin.
+inline double speed_of(const TwoJointMotion& crane, double reach) {
+  return math::radians(std::fabs(crane.theta1 - crane.theta0)) *
+             (std::max(crane.place0.norm(), crane.place1.norm()) + reach) +
+         (crane.place1 - crane.place0).norm();
+}
+
+/// The same for a screw or a crane.
+inline double speed_of(const geometry::Motion& motion, double reach) {
+  if (const auto* screw = std::get_if<geometry::ScrewMotion>(&motion.kind)) {
+    const double radius = screw->axis.cross(screw->X0.translation() - screw->point).norm() + reach;
+    return math::radians(std::fabs(screw->angle_deg)) * radius + screw->slide.norm();
+  }
+  return speed_of(dynamic_cast<const TwoJointMotion&>(*std::get<1>(motion.kind)), reach);
+}
 
 }  // namespace rubicon::collision::test

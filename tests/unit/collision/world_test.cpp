@@ -11,8 +11,6 @@
 namespace rubicon::collision::test {
 namespace {
 
-const double kNan = std::numeric_limits<double>::quiet_NaN();
-
 SweptQuery one(const Body& body, const Motion& motion, double tolerance = 1e-3) {
   SweptQuery query;
   query.items = {item(body, motion)};
@@ -98,7 +96,7 @@ struct Part {
   Pose X;
 };
 
-std::vector<Part> random_site(Random& random, int count) {
+std::vector<Part> random_parts(Random& random, int count) {
   std::vector<Part> parts;
   const BodyPtr l = mesh_body(l_mesh());
   const BodyPtr ball = prepare({{geometry::Sphere{Vec3::Zero(), 0.3}, Pose::Identity()}});
@@ -109,7 +107,7 @@ std::vector<Part> random_site(Random& random, int count) {
   return parts;
 }
 
-Motion random_motion(Random& random) {
+Motion random_shift_or_turn(Random& random) {
   const Pose X = random.pose(4);
   return random.below(2)
              ? geometry::translating(X, random.vector(0.5))
@@ -118,7 +116,7 @@ Motion random_motion(Random& random) {
 
 TEST(CollisionWorld, TheOrderOfInsertionDoesNotMatterAndRemovalLeavesNoTrace) {
   Random random(71);
-  const std::vector<Part> parts = random_site(random, 40);
+  const std::vector<Part> parts = random_parts(random, 40);
   CollisionWorld forwards;
   CollisionWorld backwards;
   CollisionWorld busy;
@@ -134,7 +132,7 @@ TEST(CollisionWorld, TheOrderOfInsertionDoesNotMatterAndRemovalLeavesNoTrace) {
   const BodyPtr load = box(Vec3(0.3, 0.2, 0.6));
   int hits = 0;
   for (int i = 0; i < 1000; ++i) {
-    const SweptQuery query = one(*load, random_motion(random));
+    const SweptQuery query = one(*load, random_shift_or_turn(random));
     const SweptResult result = forwards.test(query);
     hits += result.hit.has_value();
     EXPECT_EQ(result.hit.has_value(), backwards.test(query).hit.has_value());
@@ -151,10 +149,10 @@ TEST(CollisionWorld, TheOrderOfInsertionDoesNotMatterAndRemovalLeavesNoTrace) {
 TEST(CollisionWorld, QueriesOnSeveralThreadsGiveTheSameAnswers) {
   Random random(72);
   CollisionWorld world;
-  for (const Part& part : random_site(random, 30)) world.insert(part.body, part.X);
+  for (const Part& part : random_parts(random, 30)) world.insert(part.body, part.X);
   const BodyPtr load = box(Vec3(0.3, 0.2, 0.6));
   std::vector<SweptQuery> queries;
-  for (int i = 0; i < 300; ++i) queries.push_back(one(*load, random_motion(random)));
+  for (int i = 0; i < 300; ++i) queries.push_back(one(*load, random_shift_or_turn(random)));
   const auto answers = [&] {
     std::vector<ObstacleId> result;
     for (const SweptQuery& query : queries) {

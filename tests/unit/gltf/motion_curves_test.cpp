@@ -47,7 +47,7 @@ replay::RobotTrack track(
   return track;
 }
 
-Vec3 at(const KeyCurve& curve, double time) {
+Vec3 interpolated(const KeyCurve& curve, double time) {
   std::size_t i = 1;
   while (i + 1 < curve.size() && curve[i].time < time) ++i;
   const double share = (time - curve[i - 1].time) / (curve[i].time - curve[i - 1].time);
@@ -68,8 +68,9 @@ TEST(MotionCurves, FollowWhatIsNoStraightLine) {
                                     : 190 + 35 * (time - 4);
     const double x = time < 2 ? 1.5 * time : time < 4 ? 3 : 3 - 2 * (time - 4);
     const Vec3 expected(5 * std::sin(math::radians(theta)), x * x, 1);
-    EXPECT_LT((at(moves, time) - expected).cwiseAbs().maxCoeff(), kCurveSlack) << time;
-    EXPECT_NEAR(at(turns, time).x(), 2 * theta, kTurnSlack) << time;  // over half a turn and on
+    EXPECT_LT((interpolated(moves, time) - expected).cwiseAbs().maxCoeff(), kCurveSlack) << time;
+    EXPECT_NEAR(interpolated(turns, time).x(), 2 * theta, kTurnSlack)
+        << time;  // over half a turn and on
   }
 }
 
@@ -108,8 +109,8 @@ TEST(MotionCurves, StandStillBetweenSteps) {
   steps.legs[1].from += 100 * kSecond;
   steps.legs[1].to += 100 * kSecond;
   const KeyCurve keys = motion_curves(turner(), steps)[0][0].keys;
-  EXPECT_NEAR(at(keys, 2.5).y(), 1, kCurveSlack);
-  EXPECT_NEAR(at(keys, 101.9).y(), 1, kCurveSlack);
+  EXPECT_NEAR(interpolated(keys, 2.5).y(), 1, kCurveSlack);
+  EXPECT_NEAR(interpolated(keys, 101.9).y(), 1, kCurveSlack);
   EXPECT_NEAR(keys.back().value.y(), 4, kCurveSlack);
 }
 

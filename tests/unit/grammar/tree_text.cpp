@@ -215,6 +215,7 @@ class Writer {
     for (const syntax::Number& entry : value.cost) number(entry);
     for (const syntax::QualifiedName& entry : value.fixed_to) name(entry);
     for (const syntax::QualifiedName& entry : value.braced_by) name(entry);
+    if (value.people) word("people");
     for (const syntax::AttributeItem& entry : value.attributes) item(entry);
   }
   void item(const syntax::SupportItem& value) {
@@ -280,7 +281,10 @@ class Writer {
     if (value.length) number(*value.length);
     values(value.values);
   }
-  void item(const syntax::ZoneItem& value) { shape(value.shape); }
+  void item(const syntax::ZoneItem& value) {
+    shape(value.shape);
+    if (value.up_to) number(*value.up_to);
+  }
   void item(const syntax::DateItem& value) {
     name(value.name);
     for (const syntax::Moment& moment : value.moments) {

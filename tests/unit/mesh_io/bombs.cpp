@@ -14,8 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Soup unit_box() { return box_soup({0, 0, 0}, {1, 1, 1}); }
-
 /// `text` with the first `from` exchanged.
 std::string with(std::string text, const std::string& from, const std::string& to) {
   const std::size_t place = text.find(from);

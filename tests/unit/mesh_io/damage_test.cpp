@@ -18,8 +18,6 @@ namespace {
 
 using geometry::Vec3;
 
-Soup unit_box() { return box_soup({0, 0, 0}, {1, 1, 1}); }
-
 /// The message for a file that must not be read; fails the test where it is read or takes long.
 std::string refused(const std::string& path, const MeshRequest& request = {}) {
   const auto begin = std::chrono::steady_clock::now();

@@ -35,7 +35,7 @@ std::variant<ReadMesh, MeshFailure> hull_of(const Soup& soup, bool hull = true) 
   return read_in_own_folder(folder.write("a.obj", as_obj(soup)), request);
 }
 
-const TriangleMesh& mesh_in(const std::variant<ReadMesh, MeshFailure>& result) {
+const TriangleMesh& hull_in(const std::variant<ReadMesh, MeshFailure>& result) {
   if (const auto* failure = std::get_if<MeshFailure>(&result)) {
     throw std::runtime_error(failure->message);
   }
@@ -83,19 +83,19 @@ TEST(Hull, OfTwoBoxesSpansTheGapBetweenThem) {
   const Soup second = box_soup({3, 0, 0}, {4, 1, 1});
   soup.insert(soup.end(), second.begin(), second.end());
   const auto plain = hull_of(soup, false);
-  EXPECT_NEAR(volume(mesh_in(plain)), 2, 1e-9);
+  EXPECT_NEAR(volume(hull_in(plain)), 2, 1e-9);
   const auto hull = hull_of(soup);
-  EXPECT_NEAR(volume(mesh_in(hull)), 4, 1e-9);
-  expect_hull(mesh_in(hull), mesh_in(plain).vertices);
+  EXPECT_NEAR(volume(hull_in(hull)), 4, 1e-9);
+  expect_hull(hull_in(hull), hull_in(plain).vertices);
   // Corners inside its faces have gone.
-  EXPECT_LE(mesh_in(hull).vertices.size(), 16U);
+  EXPECT_LE(hull_in(hull).vertices.size(), 16U);
 }
 
 TEST(Hull, OfAnOpenSheetThatIsBentIsASolid) {
   const auto hull =
       hull_of({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}});
-  EXPECT_NEAR(volume(mesh_in(hull)), 1.0 / 6, 1e-9);
-  EXPECT_EQ(mesh_in(hull).triangles.size(), 4U);
+  EXPECT_NEAR(volume(hull_in(hull)), 1.0 / 6, 1e-9);
+  EXPECT_EQ(hull_in(hull).triangles.size(), 4U);
 }
 
 TEST(Hull, OfAPartInItsUnitScaleAndAxis) {
@@ -106,9 +106,9 @@ TEST(Hull, OfAPartInItsUnitScaleAndAxis) {
   request.hull = true;
   const auto hull = read_in_own_folder(
       folder.write("a.dae", as_dae(box_soup({0, 0, 0}, {1, 1, 1}), "Y_UP", "2")), request);
-  EXPECT_NEAR(volume(mesh_in(hull)), 216, 1e-3);
-  EXPECT_LT((extent(mesh_in(hull)).lower - Vec3(60, -6, 0)).norm(), 1e-3);
-  EXPECT_EQ(mesh_in(hull).triangles.size(), 12U);
+  EXPECT_NEAR(volume(hull_in(hull)), 216, 1e-3);
+  EXPECT_LT((extent(hull_in(hull)).lower - Vec3(60, -6, 0)).norm(), 1e-3);
+  EXPECT_EQ(hull_in(hull).triangles.size(), 12U);
 }
 
 TEST(Hull, ContainsEveryCornerWhateverTheirOrder) {
@@ -144,7 +144,7 @@ TEST(Hull, ContainsEveryCornerWhateverTheirOrder) {
     const auto plain = hull_of(soup, false);
     const auto hull = hull_of(soup);
     SCOPED_TRACE(variant);
-    expect_hull(mesh_in(hull), mesh_in(plain).vertices);
+    expect_hull(hull_in(hull), hull_in(plain).vertices);
   }
 }
 
@@ -155,8 +155,8 @@ TEST(Hull, ItsCornersAreCornersOfTheMesh) {
   for (int i = 0; i < 60; ++i) points.emplace_back(place(random), place(random), place(random));
   const auto plain = hull_of(soup_of(points), false);
   const auto hull = hull_of(soup_of(points));
-  for (const Vec3& p : mesh_in(hull).vertices) {
-    const auto& all = mesh_in(plain).vertices;
+  for (const Vec3& p : hull_in(hull).vertices) {
+    const auto& all = hull_in(plain).vertices;
     EXPECT_NE(std::find(all.begin(), all.end(), p), all.end());
   }
 }
@@ -200,8 +200,8 @@ TEST(Hull, OfManyCornersTakesBoundedTime) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   EXPECT_LT(seconds.count(), 30);
   ASSERT_TRUE(std::holds_alternative<ReadMesh>(hull)) << std::get<MeshFailure>(hull).message;
-  EXPECT_GT(mesh_in(hull).vertices.size(), 30'000U);
-  EXPECT_TRUE(is_closed_surface(mesh_in(hull)));
+  EXPECT_GT(hull_in(hull).vertices.size(), 30'000U);
+  EXPECT_TRUE(is_closed_surface(hull_in(hull)));
 }
 
 TEST(HullCheck, FindsWhatSticksOut) {

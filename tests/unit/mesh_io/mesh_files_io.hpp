@@ -36,6 +36,7 @@ using Soup = std::vector<std::array<geometry::Vec3, 3>>;
 
 /// The twelve outward triangles of a box.
 Soup box_soup(const geometry::Vec3& lower, const geometry::Vec3& upper);
+inline Soup unit_box() { return box_soup({0, 0, 0}, {1, 1, 1}); }
 
 /// The soup in a format.
 std::string as_stl_text(const Soup& soup);

@@ -15,8 +15,6 @@ using math::rotation_y_deg;
 using math::rotation_z_deg;
 using math::translation;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// For goals whose orientation the machine cannot choose.
 constexpr PoseTolerance kAnyOrientation = {1e-6, 4};
 

@@ -20,8 +20,6 @@ Formula applied(const Formula& a, Kind kind) {
   return result;
 }
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 }  // namespace
 
 Formula number(double value) { return constant_formula(value); }

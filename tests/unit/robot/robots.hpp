@@ -1,11 +1,14 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "src/motion/robot/kinematics.hpp"
 
 namespace rubicon::robot {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Formulas, written as one would on paper.
 Formula number(double value);

@@ -13,9 +13,9 @@ constexpr int kQuestions = 60;
 constexpr Date kFirst{2026, 3, 5};
 
 /// Random rules and questions; whole numbers only, so that they are the same everywhere.
-class Dice {
+class CalendarDice {
  public:
-  explicit Dice(unsigned seed) : engine_(seed) {}
+  explicit CalendarDice(unsigned seed) : engine_(seed) {}
 
   std::int64_t below(std::int64_t count) {
     return static_cast<std::int64_t>(engine_() % static_cast<std::uint64_t>(count));
@@ -54,7 +54,7 @@ class Dice {
 };
 
 TEST(CalendarProperty, WorkNeverStopsBeforeTheEndOfAShift) {
-  Dice dice(7);
+  CalendarDice dice(7);
   for (int i = 0; i < kCalendars; ++i) {
     const WorkCalendar calendar = dice.calendar("a", dice.start());
     const WorkCalendar::Interval longest = calendar.longest_shift();
@@ -71,7 +71,7 @@ TEST(CalendarProperty, WorkNeverStopsBeforeTheEndOfAShift) {
 }
 
 TEST(CalendarProperty, FinishAndLatestStartAreTight) {
-  Dice dice(1);
+  CalendarDice dice(1);
   for (int i = 0; i < kCalendars; ++i) {
     const WorkCalendar calendar = dice.calendar("a", dice.start());
     for (int j = 0; j < kQuestions; ++j) {
@@ -88,7 +88,7 @@ TEST(CalendarProperty, FinishAndLatestStartAreTight) {
 }
 
 TEST(CalendarProperty, NextAndLastWorkingMomentsAreNearest) {
-  Dice dice(2);
+  CalendarDice dice(2);
   for (int i = 0; i < kCalendars; ++i) {
     const WorkCalendar calendar = dice.calendar("a", dice.start());
     for (int j = 0; j < kQuestions; ++j) {
@@ -107,7 +107,7 @@ TEST(CalendarProperty, NextAndLastWorkingMomentsAreNearest) {
 }
 
 TEST(CalendarProperty, MoreTimeIsNeverEarlier) {
-  Dice dice(3);
+  CalendarDice dice(3);
   for (int i = 0; i < kCalendars; ++i) {
     const WorkCalendar calendar = dice.calendar("a", dice.start());
     for (int j = 0; j < kQuestions; ++j) {
@@ -125,7 +125,7 @@ TEST(CalendarProperty, MoreTimeIsNeverEarlier) {
 }
 
 TEST(CalendarProperty, IntersectionCommutesAndAsksBoth) {
-  Dice dice(4);
+  CalendarDice dice(4);
   int met = 0;
   for (int i = 0; i < kCalendars; ++i) {
     const CivilTime start = dice.start();

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <random>
 
+#include "src/simulation/schedule/index.hpp"
+
 namespace rubicon::schedule {
 namespace {
 
 using Reach = std::vector<std::vector<bool>>;
-
-std::size_t at(int node) { return static_cast<std::size_t>(node); }
 
 /// Whether there is a way of at least one edge between two nodes (Warshall's algorithm).
 Reach reach_of(const Graph& graph) {

@@ -12,6 +12,16 @@ namespace rubicon::test {
 using schedule::Network;
 using schedule::NetworkMistakes;
 using schedule::NetworkTimes;
+using schedule::TaskTimes;
+
+NetworkTimes calculated(const Network& network) {
+  auto times = times_of(network);
+  if (const auto* mistakes = std::get_if<NetworkMistakes>(&times)) {
+    ADD_FAILURE() << mistakes->messages.front();
+    return {std::vector<TaskTimes>(network.tasks.size()), 0};
+  }
+  return std::get<NetworkTimes>(std::move(times));
+}
 
 NetworkBuilder& NetworkBuilder::crew(const std::string& name,
                                      const std::optional<schedule::CalendarRules>& rules) {
@@ -56,7 +66,7 @@ NetworkTimes NetworkBuilder::times() const {
   auto result = schedule::times_of(network());
   EXPECT_EQ(mistakes(), "");
   if (std::holds_alternative<NetworkMistakes>(result)) {
-    return {std::vector<schedule::TaskTimes>(network_.tasks.size()), 0};
+    return {std::vector<TaskTimes>(network_.tasks.size()), 0};
   }
   return std::get<NetworkTimes>(std::move(result));
 }

@@ -9,6 +9,9 @@
 
 namespace rubicon::test {
 
+/// The times of a network; the test fails where it has mistakes.
+schedule::NetworkTimes calculated(const schedule::Network& network);
+
 /// A network put together by names, for a plan that starts at `start`.
 class NetworkBuilder {
  public:

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "src/simulation/schedule/critical_chain.hpp"
+#include "src/simulation/schedule/index.hpp"
 #include "tests/unit/schedule/calendar_cases.hpp"
 #include "tests/unit/schedule/network_cases.hpp"
 #include "tests/unit/schedule/random_network.hpp"
@@ -15,11 +16,9 @@
 namespace rubicon::schedule {
 namespace {
 
-constexpr const char* kStart = test::kRandomStart;
 constexpr int kNetworks = 400;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
+using test::calculated;
 using test::Dice;
 using Wanted = test::RandomNetworkWanted;
 
@@ -31,15 +30,6 @@ WorkCalendar calendar_of(const Network& network, const NetworkTask& task) {
     common = std::get<WorkCalendar>(intersection(common, network.calendars[at(calendar)]));
   }
   return common;
-}
-
-NetworkTimes calculated(const Network& network) {
-  auto times = times_of(network);
-  if (const auto* mistakes = std::get_if<NetworkMistakes>(&times)) {
-    ADD_FAILURE() << mistakes->messages.front();
-    return {std::vector<TaskTimes>(network.tasks.size()), 0};
-  }
-  return std::get<NetworkTimes>(std::move(times));
 }
 
 Ticks event(const TaskTimes& times, TaskEnd end) {
@@ -282,7 +272,7 @@ TEST(NetworkProperty, IsTheEarliestWithoutSharedCrews) {
 TEST(NetworkProperty, GivesALongPlanItsTimes) {
   // As many tasks as a large plan has, in one chain and in one queue: must not run out of stack.
   Network network;
-  network.calendars = {test::calendar(test::weekday_shift(), kStart)};
+  network.calendars = {test::calendar(test::weekday_shift(), test::kRandomStart)};
   network.resources = {{"crew", 0}};
   constexpr int kTasks = 100000;
   network.tasks.resize(2 * kTasks);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "src/simulation/schedule/index.hpp"
 #include "tests/unit/schedule/calendar_cases.hpp"
 
 namespace rubicon::test {
@@ -17,7 +18,7 @@ using schedule::NetworkTask;
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using schedule::at;
 
 }  // namespace
 

@@ -9,14 +9,16 @@
 #include <variant>
 #include <vector>
 
+#include "src/simulation/schedule/index.hpp"
 #include "src/simulation/schedule/network.hpp"
 #include "tests/unit/schedule/calendar_cases.hpp"
+#include "tests/unit/schedule/network_cases.hpp"
 #include "tests/unit/schedule/random_network.hpp"
 
 namespace rubicon::schedule {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using test::calculated;
 
 const WorkCalendar kAlways;
 
@@ -103,12 +105,6 @@ Network random_network(test::Dice& dice, bool with_finishes) {
     }
   }
   return network;
-}
-
-NetworkTimes calculated(const Network& network) {
-  auto times = times_of(network);
-  EXPECT_TRUE(std::holds_alternative<NetworkTimes>(times));
-  return std::get<NetworkTimes>(std::move(times));
 }
 
 TEST(TaskFloat, IsHowMuchLaterATaskCanBegin) {

@@ -10,18 +10,15 @@
 #include "src/simulation/site/make_site.hpp"
 #include "src/simulation/site/robot_view.hpp"
 #include "tests/support/stand_at.hpp"
+#include "tests/unit/site/hit_text.hpp"
 #include "tests/unit/taskplan/crane_plan.hpp"
 
 namespace rubicon::site {
 namespace {
 
-using interpreter::HitPair;
 using math::translation;
+using test::hit_text;
 using Q = std::vector<double>;
-
-std::string names(const std::optional<HitPair>& pair) {
-  return pair ? pair->moved + " meets " + pair->met : "free";
-}
 
 /// The crane's hook at (10, 0, 3) with a panel of 6 m along x below it.
 struct Hung {
@@ -54,11 +51,11 @@ TEST(LoadTurn, SweepsAllOnTheWay) {
   // A sheet of 2 cm far from where the panel begins and ends.
   Hung hung({test::box_component("post", {0.02, 0.02, 5}, translation(10, 2, 0))});
   const RobotView view(*hung.site, 0);
-  EXPECT_EQ(names(view.turn_hit(80)), "free");
-  EXPECT_EQ(names(view.turn_hit(170)), "panel meets post");
-  EXPECT_EQ(names(view.turn_hit(-80)), "free");
-  EXPECT_EQ(names(view.turn_hit(-100)), "panel meets post");
-  EXPECT_EQ(names(view.turn_hit(350)), "panel meets post");
+  EXPECT_EQ(hit_text(view.turn_hit(80)), "free");
+  EXPECT_EQ(hit_text(view.turn_hit(170)), "panel meets post");
+  EXPECT_EQ(hit_text(view.turn_hit(-80)), "free");
+  EXPECT_EQ(hit_text(view.turn_hit(-100)), "panel meets post");
+  EXPECT_EQ(hit_text(view.turn_hit(350)), "panel meets post");
 }
 
 TEST(LoadTurn, MeetsTheMachinesOwnMastButNotItsHook) {
@@ -66,9 +63,9 @@ TEST(LoadTurn, MeetsTheMachinesOwnMastButNotItsHook) {
   const Q outside = {0, 10, 3, 0}, inside = {0, 3.2, 3, 0};
   hung.site->begin_step(0, {outside, inside, 0, 0}, inside);
   const RobotView view(*hung.site, 0);
-  EXPECT_EQ(names(view.turn_hit(5)), "panel meets crane.mast");
+  EXPECT_EQ(hit_text(view.turn_hit(5)), "panel meets crane.mast");
   hung.site->begin_step(0, {inside, outside, 0, 0}, outside);
-  EXPECT_EQ(names(view.turn_hit(359)), "free");
+  EXPECT_EQ(hit_text(view.turn_hit(359)), "free");
 }
 
 /// Many moments of the turn agree: what overlaps at one of them is never told free, and what is
@@ -115,7 +112,7 @@ TEST(LoadTurn, OwnsAllThatItSweepsWhileItLasts) {
   RobotView other(site, 1);
   // Its hook comes to (10, 2.4): free as the panel hangs at first, and as it hangs at last.
   const Q from = {-90, 5, 3, 0}, to = {-90, 9.6, 1, 0};
-  const auto meets = [&] { return names(other.propose({from, to, 0, 0})); };
+  const auto meets = [&] { return hit_text(other.propose({from, to, 0, 0})); };
   EXPECT_EQ(meets(), "free");
   const std::uint64_t before = site.version(1);
   const MachineState hanging = site.machine_state(0);

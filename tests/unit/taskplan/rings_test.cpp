@@ -24,12 +24,12 @@ constexpr const char* kOther = R"(
   task long_way { by far; go x 90; }
 )";
 
-struct Ran {
+struct RingRun {
   std::map<std::string, TaskOutcome> tasks;
   std::map<std::string, int> told;  ///< how often each was over
 };
 
-Ran run(const std::string& items) {
+RingRun run_ring(const std::string& items) {
   test::MemoryFiles files({{"site.plan", "plan site {\n" + items + kOther + "}\n"},
                            {"line.robot", kLine},
                            {"gantry.robot", kGantry}});
@@ -40,7 +40,7 @@ Ran run(const std::string& items) {
     for (const auto& each : diagnostics.sorted()) ADD_FAILURE() << each.code << each.message;
     return {};
   }
-  Ran ran;
+  RingRun ran;
   test::Lines lines;
   RunOptions options;
   options.on_task = [&](int, int, const TaskOutcome& task) { ++ran.told[task.task]; };
@@ -54,7 +54,7 @@ Ran run(const std::string& items) {
 }
 
 TEST(Rings, ThroughACrew) {
-  const Ran ran = run(R"(
+  const RingRun ran = run_ring(R"(
     crew riggers;
     robot hoist "gantry.robot" { start x 5, y 0, z 0; }
     robot truck "line.robot" { start x 20; }
@@ -70,7 +70,7 @@ TEST(Rings, ThroughACrew) {
 }
 
 TEST(Rings, ThroughAZoneAndACrew) {
-  const Ran ran = run(R"(
+  const RingRun ran = run_ring(R"(
     support off;
     crew riggers;
     robot hoist "gantry.robot" { start x 5, y 8, z 0; }
@@ -86,7 +86,7 @@ TEST(Rings, ThroughAZoneAndACrew) {
 }
 
 TEST(Rings, ThroughALinkThatHoldsAFinish) {
-  const Ran ran = run(R"(
+  const RingRun ran = run_ring(R"(
     robot guard "line.robot" { start x 0; }
     robot truck "line.robot" { start x 20; }
     task stand { by guard; go x 5; after drive FF; priority 1; }
@@ -99,7 +99,7 @@ TEST(Rings, ThroughALinkThatHoldsAFinish) {
 }
 
 TEST(Rings, ThroughAMachineThatStandsInAZone) {
-  const Ran ran = run(R"(
+  const RingRun ran = run_ring(R"(
     crew painters;
     robot guard "line.robot" { start x 0; }
     task paint { by painters; takes 1 min; zone box(4, -2, 0, 6, 2, 2); after stand SS + 10 s; }
@@ -113,7 +113,7 @@ TEST(Rings, ThroughAMachineThatStandsInAZone) {
 
 // To take the task away that would move the idle machine helps nobody.
 TEST(Rings, ThroughAMachineThatMovesOnlyLater) {
-  const Ran ran = run(R"(
+  const RingRun ran = run_ring(R"(
     robot truck "line.robot" { start x 20; }
     robot idle "line.robot" { start x 0; }
     task drive { by truck; go x -5; }
@@ -128,7 +128,7 @@ TEST(Rings, ThroughAMachineThatMovesOnlyLater) {
 
 // The one that may still move the idle machine is on its way: nobody is rejected.
 TEST(Rings, AreNoneWhereSomebodyMayHelp) {
-  const Ran ran = run(R"(
+  const RingRun ran = run_ring(R"(
     crew painters;
     robot truck "line.robot" { start x 20; }
     robot idle "line.robot" { start x 0; }
@@ -144,7 +144,7 @@ TEST(Rings, AreNoneWhereSomebodyMayHelp) {
 
 // Who was rejected for a ring with one that is not done in the end is let in again.
 TEST(Rings, WithATaskThatIsNotDoneEitherAreForgotten) {
-  const Ran ran = run(R"(
+  const RingRun ran = run_ring(R"(
     robot a "line.robot" { start x 0; park x -20; }
     robot b "line.robot" { start x 10; park x 30; }
     task east { by a; go x 10; priority 1; remove prop; after clear; }

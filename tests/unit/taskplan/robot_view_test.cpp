@@ -28,6 +28,7 @@ TEST(RobotView, NamesWhatMovedAndWhatItMet) {
   plan.site.push_back({geometry::Box{{-60, -60, -1}, {60, 60, 0}}, math::Pose::Identity()});
   SiteWorld site = make_site(plan);
   RobotView view(site, 0);
+  const Q at{0, 10, 3, 0};
   EXPECT_EQ(names(step(view, {0, 10, 20, 0}, {0, 10, 10, 0})), "free");
   EXPECT_EQ(names(step(view, {0, 10, 10, 0}, {0, 11.5, 10, 0})), "crane.hook meets wall");
   EXPECT_EQ(site.configuration(0), (Q{0, 10, 10, 0}));  // nothing changed
@@ -72,13 +73,14 @@ TEST(RobotView, SweepsTheLoadButNotAgainstItsHook) {
   plan.components.push_back(test::box_component("panel", {6, 0.2, 3}, translation(10, 0, 0)));
   SiteWorld site = make_site(plan);
   RobotView view(site, 0);
+  const Q at{0, 10, 3, 0};
   EXPECT_EQ(names(step(view, {0, 10, 20, 0}, {0, 10, 3, 0})), "free");
   EXPECT_EQ(names(view.blocked_at(Q{0, 10, 2.9, 0})), "crane.hook meets panel");
-  EXPECT_FALSE(view.situation("transport"));
+  EXPECT_FALSE(view.situation("transport", at, at));
   EXPECT_FALSE(view.loaded());
   site.attach(0, 1);
-  EXPECT_TRUE(view.situation("transport"));
-  EXPECT_FALSE(view.situation("place"));
+  EXPECT_TRUE(view.situation("transport", at, at));
+  EXPECT_FALSE(view.situation("place", at, at));
   EXPECT_TRUE(view.loaded());
   EXPECT_EQ(names(view.blocked_at(Q{0, 10, 3, 0})), "free");
   EXPECT_EQ(names(step(view, {0, 10, 3, 0}, {0, 10, 4, 0})), "free");

@@ -12,6 +12,7 @@ namespace {
 
 using math::translation;
 using nlohmann::ordered_json;
+using schedule::kSecond;
 using test::box_component;
 using test::chain;
 using test::crane_plan;
@@ -23,7 +24,7 @@ using test::move_to;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-struct Ran {
+struct TracedRun {
   Schedule schedule;
   std::vector<ordered_json> records;
   std::vector<std::string> lines;
@@ -37,17 +38,15 @@ struct Ran {
   }
 };
 
-Ran run(const interpreter::PlanModel& plan) {
+TracedRun run_traced(const interpreter::PlanModel& plan) {
   test::Lines lines;
   const interpreter::SourceMap sources = test::numbered_lines();
-  Ran ran;
+  TracedRun ran;
   ran.schedule = run_plan(plan, sources, &lines);
   for (const std::string& line : lines.lines) ran.records.push_back(ordered_json::parse(line));
   ran.lines = lines.lines;
   return ran;
 }
-
-constexpr Ticks kSecond = 1'000'000'000;
 
 /// A short plan: the crane turns from jib.theta 0 to 60 at x 20, with a wall at 30 degrees.
 interpreter::PlanModel over_the_wall(double wall_height) {
@@ -67,7 +66,7 @@ interpreter::PlanModel over_the_wall(double wall_height) {
 }
 
 TEST(ShortPlan, TheCraneRaisesItsLoadOverAWall) {
-  const Ran ran = run(over_the_wall(16.5));
+  const TracedRun ran = run_traced(over_the_wall(16.5));
   ASSERT_EQ(ran.schedule.tasks.size(), 1u);
   const TaskOutcome& task = ran.schedule.tasks[0];
   EXPECT_EQ(task.task, "site");
@@ -91,7 +90,7 @@ TEST(ShortPlan, TheCraneRaisesItsLoadOverAWall) {
 }
 
 TEST(ShortPlan, AWallTooHighIsNamedWithStepAndLine) {
-  const Ran ran = run(over_the_wall(43));
+  const TracedRun ran = run_traced(over_the_wall(43));
   const TaskOutcome& task = ran.schedule.tasks[0];
   EXPECT_EQ(task.result, TaskResult::ended_short);  // the script ended, short of its goal
   EXPECT_FALSE(ran.schedule.feasible);
@@ -106,7 +105,7 @@ TEST(ShortPlan, AWallTooHighIsNamedWithStepAndLine) {
 TEST(ShortPlan, WhatThePlanAllowsIsDone) {
   interpreter::PlanModel plan = over_the_wall(43);
   plan.within.values.push_back({0, 60});
-  const Ran ran = run(plan);
+  const TracedRun ran = run_traced(plan);
   EXPECT_EQ(ran.schedule.tasks[0].result, TaskResult::done) << ran.schedule.tasks[0].reason;
   EXPECT_TRUE(ran.schedule.feasible);
 }
@@ -114,7 +113,7 @@ TEST(ShortPlan, WhatThePlanAllowsIsDone) {
 TEST(ShortPlan, ImpossibleStartsAreRejected) {
   interpreter::PlanModel plan = over_the_wall(16.5);
   plan.robots[0].start = {30, 20, 6, 0};
-  const Ran ran = run(plan);
+  const TracedRun ran = run_traced(plan);
   EXPECT_EQ(ran.schedule.tasks[0].result, TaskResult::rejected);
   EXPECT_FALSE(ran.schedule.feasible);
   EXPECT_THAT(ran.schedule.tasks[0].reason, HasSubstr("start in collision"));
@@ -138,7 +137,7 @@ TEST(FullPlan, MovesAComponentAndCountsTheTime) {
   plan.tasks[0].adjust = interpreter::WorkSpec{360, 0, {}};
   plan.tasks[0].release = interpreter::WorkSpec{120, -1, {}};
   plan.tasks[0].takes = {{30, -1, {}}};
-  const Ran ran = run(plan);
+  const TracedRun ran = run_traced(plan);
   const TaskOutcome& task = ran.schedule.tasks[0];
   EXPECT_EQ(task.result, TaskResult::done) << task.reason;
   EXPECT_EQ(task.robot, "crane");
@@ -174,13 +173,13 @@ TEST(FullPlan, MovesAComponentAndCountsTheTime) {
 
 TEST(FullPlan, NeighboursMayTouchAndAPlacedOneIsInTheWay) {
   interpreter::PlanModel plan = two_blocks();
-  const Ran ran = run(plan);  // set_2 exactly beside block_1
+  const TracedRun ran = run_traced(plan);  // set_2 exactly beside block_1
   EXPECT_EQ(ran.schedule.tasks[0].result, TaskResult::done) << ran.schedule.tasks[0].reason;
   EXPECT_EQ(ran.schedule.tasks[1].result, TaskResult::done) << ran.schedule.tasks[1].reason;
   EXPECT_EQ(ran.schedule.tasks[1].start, ran.schedule.tasks[0].duration);
 
   plan.tasks[1].X_WO_goal = translation(1.5, 20, 0);  // half a metre into it
-  const Ran blocked = run(plan);
+  const TracedRun blocked = run_traced(plan);
   EXPECT_EQ(blocked.schedule.tasks[1].result, TaskResult::rejected);
   EXPECT_THAT(blocked.schedule.tasks[1].reason, HasSubstr("blocked by block_1 at step "));
   EXPECT_THAT(blocked.schedule.tasks[1].reason, HasSubstr("block_2 meets block_1"));
@@ -194,7 +193,7 @@ TEST(FullPlan, ARejectedTaskIsUndoneAndWhatDependsOnItIsNotReached) {
   plan.tasks.push_back(move_task("set_3", 1, translation(0, -20, 0)));
   plan.tasks[2].after = {{1, interpreter::LinkType::FS, 0, {}}};
   plan.tasks.push_back(move_task("set_4", 1, translation(0, -20, 0)));
-  const Ran ran = run(plan);
+  const TracedRun ran = run_traced(plan);
   const auto& tasks = ran.schedule.tasks;
   ASSERT_EQ(tasks.size(), 4u);
   EXPECT_EQ(tasks[0].result, TaskResult::rejected);
@@ -224,7 +223,7 @@ TEST(FullPlan, WhatStoppedTheCarryingIsTheReasonOfAPlacingThatFallsShort) {
       list(test::which("place", chain(list(move_to("z", goal_of("z"), 7)), 7),
                        chain(list(move_to("jib.theta", goal_of("jib.theta"), 9)), 9), 6)));
   plan.tasks[0].X_WO_goal = math::rotation_z_deg(90) * translation(10, 0, 0);
-  const Ran ran = run(plan);
+  const TracedRun ran = run_traced(plan);
   EXPECT_EQ(ran.schedule.tasks[0].result, TaskResult::rejected);
   const std::string& reason = ran.schedule.tasks[0].reason;
   EXPECT_THAT(reason, HasSubstr("(jib.theta, line 9): block_1 meets wall"));
@@ -235,7 +234,7 @@ TEST(FullPlan, ATaskThatFailsWithItsLoadPutsItBack) {
   interpreter::PlanModel plan = two_blocks();
   plan.components.push_back(box_component("tower", {2, 2, 3}, translation(0, 20, 0)));
   plan.tasks[0].hook = interpreter::WorkSpec{240, 0, {}};
-  const Ran ran = run(plan);  // set_1 would set block_1 into the tower
+  const TracedRun ran = run_traced(plan);  // set_1 would set block_1 into the tower
   EXPECT_EQ(ran.schedule.tasks[0].result, TaskResult::rejected);
   EXPECT_GT(ran.schedule.tasks[0].tried, 0);
   EXPECT_EQ(ran.of_type("task_end")[0].at("t"), 0);
@@ -248,7 +247,7 @@ TEST(FullPlan, ATaskThatFailsWithItsLoadPutsItBack) {
   plan.robots.push_back(plan.robots[0]);
   plan.robots[1].name = "other";
   plan.robots[1].X_WM = translation(0, -100, 0);
-  const Ran two = run(plan);
+  const TracedRun two = run_traced(plan);
   EXPECT_EQ(two.schedule.tasks[0].result, TaskResult::rejected);
   EXPECT_EQ(two.schedule.tasks[0].duration, 0);
   EXPECT_EQ(two.schedule.tasks[1].start, 0);
@@ -259,7 +258,7 @@ TEST(FullPlan, MotionsThatHoldMakeNoStep) {
   plan.robots[0].start = {0, 10, 3, 0};
   plan.tasks.resize(1);
   plan.tasks[0].X_WO_goal = plan.components[0].X_WO;
-  const Ran ran = run(plan);
+  const TracedRun ran = run_traced(plan);
   EXPECT_EQ(ran.schedule.tasks[0].result, TaskResult::done);
   EXPECT_EQ(ran.schedule.tasks[0].tried, 0);
   EXPECT_EQ(ran.of_type("end").size(), 3u);
@@ -283,7 +282,7 @@ TEST(FullPlan, CrewWorkGoAndRemove) {
   again.name = "again";
   again.after = {{1, interpreter::LinkType::FS, 0, {}}};
   plan.tasks = {strip, aside, again};
-  const Ran ran = run(plan);
+  const TracedRun ran = run_traced(plan);
   const auto& tasks = ran.schedule.tasks;
   EXPECT_EQ(tasks[0].result, TaskResult::done);
   EXPECT_EQ(tasks[0].duration, 600 * kSecond);
@@ -300,7 +299,7 @@ TEST(FullPlan, WayPointsApplyToTheCarryingMotion) {
   plan.tasks.resize(1);
   plan.tasks[0].via.emplace_back();
   plan.tasks[0].via[0].values = {{0, 45}};
-  const Ran ran = run(plan);
+  const TracedRun ran = run_traced(plan);
   EXPECT_EQ(ran.schedule.tasks[0].result, TaskResult::done) << ran.schedule.tasks[0].reason;
   const auto goals = ran.of_type("goal");
   ASSERT_EQ(goals.size(), 4u);
@@ -314,7 +313,7 @@ TEST(FullPlan, TooHeavyALoadIsNotLifted) {
   robot->model.capacity = {{5, 5000}, {10, 2000}, {50, 500}};
   plan.robots[0].robot = robot;
   plan.components[0].mass = 4000;
-  const Ran ran = run(plan);
+  const TracedRun ran = run_traced(plan);
   EXPECT_EQ(ran.schedule.tasks[0].result, TaskResult::rejected);
   EXPECT_EQ(ran.schedule.tasks[0].reason,
             "too heavy: block_1 has 4000 kg, the load chart of crane allows 2000 kg at 10 m, where "
@@ -329,7 +328,7 @@ TEST(FullPlan, TooHeavyWhereItIsSetDownIsToldBeforeAnythingMoves) {
   plan.robots[0].robot = robot;
   plan.components[0].mass = 1500;
   plan.tasks[0].X_WO_goal = translation(0, 30, 0);
-  const Ran ran = run(plan);
+  const TracedRun ran = run_traced(plan);
   EXPECT_EQ(ran.schedule.tasks[0].result, TaskResult::rejected);
   EXPECT_EQ(ran.schedule.tasks[0].reason,
             "too heavy: block_1 has 1500 kg, the load chart of crane allows 2000 kg at 10 m, where "
@@ -339,7 +338,7 @@ TEST(FullPlan, TooHeavyWhereItIsSetDownIsToldBeforeAnythingMoves) {
 
 TEST(FullPlan, SameInputSameBytes) {
   const interpreter::PlanModel plan = two_blocks();
-  EXPECT_EQ(run(plan).lines, run(plan).lines);
+  EXPECT_EQ(run_traced(plan).lines, run_traced(plan).lines);
 }
 
 }  // namespace

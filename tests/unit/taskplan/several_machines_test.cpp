@@ -17,9 +17,8 @@
 namespace rubicon::taskplan {
 namespace {
 
+using schedule::kSecond;
 using testing::HasSubstr;
-
-constexpr Ticks kSecond = 1'000'000'000;
 
 /// The same, which waits by itself when something is in the way.
 constexpr const char* kWaiting = R"(robot waiting {
@@ -44,12 +43,12 @@ constexpr const char* kPacing = R"(robot pacing {
 }
 )";
 
-struct Ran {
+struct SiteRun {
   std::map<std::string, TaskOutcome> tasks;
   Schedule schedule;
 };
 
-Ran run(const std::string& items) {
+SiteRun run_site(const std::string& items) {
   test::MemoryFiles files({{"site.plan", "plan site {\n" + items + "\n}\n"},
                            {"line.robot", kLine},
                            {"waiting.robot", kWaiting},
@@ -62,7 +61,7 @@ Ran run(const std::string& items) {
     for (const auto& each : diagnostics.sorted()) ADD_FAILURE() << each.code << each.message;
     return {};
   }
-  Ran ran;
+  SiteRun ran;
   test::Lines lines;
   ran.schedule = run_plan(*plan, sources, &lines);
   for (const TaskOutcome& task : ran.schedule.tasks) {
@@ -78,7 +77,7 @@ Ran run(const std::string& items) {
 }
 
 TEST(SeveralMachines, OneWaitsUntilTheOtherIsOutOfTheWay) {
-  const Ran ran = run(R"(
+  const SiteRun ran = run_site(R"(
     robot a "line.robot" { start x 0; }
     robot b "line.robot" { start x 5; }
     task follow { by a; go x 20; }
@@ -92,11 +91,11 @@ TEST(SeveralMachines, OneWaitsUntilTheOtherIsOutOfTheWay) {
 
 TEST(SeveralMachines, WhoWaitForEachOtherAreNamedAndTheLastGivesWay) {
   for (const char* robot : {"line.robot", "waiting.robot"}) {
-    const Ran ran = run(std::string(R"(
+    const SiteRun ran = run_site(std::string(R"(
       robot a ")") + robot +
-                        R"(" { start x 0; }
+                                 R"(" { start x 0; }
       robot b ")" + robot +
-                        R"(" { start x 10; park x 30; }
+                                 R"(" { start x 10; park x 30; }
       task east { by a; go x 10; }
       task west { by b; go x 0; })");
     EXPECT_EQ(ran.tasks.at("west").result, TaskResult::rejected);
@@ -110,7 +109,7 @@ TEST(SeveralMachines, WhoWaitForEachOtherAreNamedAndTheLastGivesWay) {
 }
 
 TEST(SeveralMachines, TheTaskOfLeastPriorityGivesWay) {
-  const Ran ran = run(R"(
+  const SiteRun ran = run_site(R"(
     robot a "line.robot" { start x 0; park x -20; }
     robot b "line.robot" { start x 10; }
     task east { by a; go x 10; }
@@ -120,7 +119,7 @@ TEST(SeveralMachines, TheTaskOfLeastPriorityGivesWay) {
 }
 
 TEST(SeveralMachines, AnIdleMachineWithoutAParkPositionIsInTheWayForEver) {
-  const Ran ran = run(R"(
+  const SiteRun ran = run_site(R"(
     robot a "line.robot" { start x 0; }
     robot b "line.robot" { start x 5; }
     crew riggers;
@@ -135,7 +134,7 @@ TEST(SeveralMachines, AnIdleMachineWithoutAParkPositionIsInTheWayForEver) {
 }
 
 TEST(SeveralMachines, KeepOutOfTheZonesOfPeople) {
-  const Ran ran = run(R"(
+  const SiteRun ran = run_site(R"(
     robot a "line.robot" { start x 0; }
     crew masons;
     task bricks { by masons; takes 5 min; zone box(10, -2, 0, 12, 2, 2); }
@@ -146,7 +145,7 @@ TEST(SeveralMachines, KeepOutOfTheZonesOfPeople) {
 }
 
 TEST(SeveralMachines, WhatStandsInAZoneIsNotTakenWhilePeopleWorkThere) {
-  const Ran ran = run(R"(
+  const SiteRun ran = run_site(R"(
     robot g "gantry.robot" { start x 0, z 5; }
     crew masons;
     component c { shape box(-1, -1, 0, 1, 1, 3); at trans(0, 0, 0); grip trans(0, 0, 3); mass 0.1 t; }
@@ -158,7 +157,7 @@ TEST(SeveralMachines, WhatStandsInAZoneIsNotTakenWhilePeopleWorkThere) {
 }
 
 TEST(SeveralMachines, AZoneWaitsUntilNoMachineIsInIt) {
-  const Ran ran = run(R"(
+  const SiteRun ran = run_site(R"(
     robot a "line.robot" { start x 11; park x 20; }
     crew masons;
     task bricks { by masons; takes 5 min; zone box(10, -2, 0, 12, 2, 2); })");
@@ -167,7 +166,7 @@ TEST(SeveralMachines, AZoneWaitsUntilNoMachineIsInIt) {
   EXPECT_GT(ran.tasks.at("bricks").start, 0);
   EXPECT_EQ(ran.tasks.at("bricks").waits.machine, ran.tasks.at("bricks").start);
 
-  const Ran stuck = run(R"(
+  const SiteRun stuck = run_site(R"(
     robot a "line.robot" { start x 11; }
     crew masons;
     task bricks { by masons; takes 5 min; zone box(10, -2, 0, 12, 2, 2); })");
@@ -186,9 +185,9 @@ TEST(SeveralMachines, WorkWhoseFinishIsToldTooLateForALagDoesNotCount) {
     task paint { by d; takes 1 h; after build - 1 h; })";
   const auto with = [&](const std::string& work) {
     std::string text = plan;
-    return run(text.replace(text.find("%s"), 2, work));
+    return run_site(text.replace(text.find("%s"), 2, work));
   };
-  const Ran ran = with("10 min");
+  const SiteRun ran = with("10 min");
   ASSERT_EQ(ran.schedule.critical.size(), 3U);
   EXPECT_TRUE(ran.schedule.critical[0].work_counts);
   EXPECT_FALSE(ran.schedule.critical[1].work_counts);
@@ -199,7 +198,7 @@ TEST(SeveralMachines, WorkWhoseFinishIsToldTooLateForALagDoesNotCount) {
 
 // A machine makes room for a task that is rejected then: it has not moved.
 TEST(SeveralMachines, WhoMadeRoomForATaskThatIsNotDoneHasNotMoved) {
-  const Ran ran = run(R"(
+  const SiteRun ran = run_site(R"(
     component gone { shape box(0, 0, 0, 1, 1, 1); at trans(0, 50, 0); }
     robot car "line.robot" { start x 0; park x 20; }
     crew c;
@@ -213,7 +212,7 @@ TEST(SeveralMachines, WhoMadeRoomForATaskThatIsNotDoneHasNotMoved) {
 
 // The painters look on while the fitters hook and release.
 TEST(SeveralMachines, WhoLooksOnIsHeldAndNotBusy) {
-  const Ran ran = run(R"(
+  const SiteRun ran = run_site(R"(
     component block { shape box(-0.2, -0.2, 0, 0.2, 0.2, 0.5); at trans(5, 0, 0); grip trans(0, 0, 0.5); mass 0.1 t; }
     robot hoist "gantry.robot" { start x 5, y 0, z 5; }
     crew fitters;
@@ -226,7 +225,7 @@ TEST(SeveralMachines, WhoLooksOnIsHeldAndNotBusy) {
 }
 
 TEST(SeveralMachines, ATaskThatIsNotDoneDoesNotMakeThePlanLonger) {
-  const Ran ran = run(R"(
+  const SiteRun ran = run_site(R"(
     component gone { shape box(0, 0, 0, 1, 1, 1); at trans(0, 50, 0); }
     crew c;
     task clear { by c; takes 1 min; remove gone; }
@@ -237,7 +236,7 @@ TEST(SeveralMachines, ATaskThatIsNotDoneDoesNotMakeThePlanLonger) {
 }
 
 TEST(SeveralMachines, ACrewServesTwoMachinesByTurns) {
-  const Ran ran = run(R"(
+  const SiteRun ran = run_site(R"(
     robot g "gantry.robot" { start x 0; }
     robot h "gantry.robot" { start x 40; }
     crew riggers;
@@ -254,7 +253,7 @@ TEST(SeveralMachines, ACrewServesTwoMachinesByTurns) {
 }
 
 TEST(SeveralMachines, AComponentThatIsMovedMeanwhileIsFetchedWhereItIs) {
-  const Ran ran = run(R"(
+  const SiteRun ran = run_site(R"(
     robot g "gantry.robot" { start x 9, z 5; }
     robot h "gantry.robot" { start x -60, z 9; }
     component c { shape box(-1, -1, 0, 1, 1, 1); at trans(10, 0, 0); grip trans(0, 0, 1); mass 0.1 t; }
@@ -269,7 +268,7 @@ TEST(SeveralMachines, AComponentThatIsMovedMeanwhileIsFetchedWhereItIs) {
 }
 
 TEST(SeveralMachines, AComponentThatIsRemovedWhileItIsHookedIsNotCarried) {
-  const Ran ran = run(R"(
+  const SiteRun ran = run_site(R"(
     robot g "gantry.robot" { start x 10, z 5; }
     crew riggers;
     component c { shape box(-1, -1, 0, 1, 1, 1); at trans(10, 0, 0); grip trans(0, 0, 1); mass 0.1 t; }
@@ -293,8 +292,8 @@ TEST(SeveralMachines, WhatAnUndoneTaskTookKeepsItsRank) {
     task clear { by c; takes 1 s; remove gone; }
     task drive { by car; go x 10; after clear + 2 min; }
   )";
-  const Ran alone = run(items);
-  const Ran beside = run(items + R"(
+  const SiteRun alone = run_site(items);
+  const SiteRun beside = run_site(items + R"(
     task undone { by hoist; move near_one to trans(5, -8, 0); remove gone; after clear; })");
   EXPECT_EQ(beside.tasks.at("undone").result, TaskResult::rejected);
   EXPECT_GT(beside.tasks.at("undone").motions.size(), 2U);
@@ -303,7 +302,7 @@ TEST(SeveralMachines, WhatAnUndoneTaskTookKeepsItsRank) {
 }
 
 TEST(SeveralMachines, WhatComesAfterARemovalThatFailsIsNotReached) {
-  const Ran ran = run(R"(
+  const SiteRun ran = run_site(R"(
     crew riggers;
     component c { shape box(-1, -1, 0, 1, 1, 1); at trans(10, 0, 0); mass 0.1 t; }
     task work { by riggers; takes 1 min; after gone FS - 30 s; }
@@ -319,17 +318,18 @@ TEST(SeveralMachines, MotionsFinishAfterTheShiftOrStopWithIt) {
     start_at "2026-03-02 11:59";
     robot a "line.robot" { start x 0; calendar site; cost 3600 per h; }
     task east { by a; go x 100; })";
-  const Ran through = run("calendar site { mon-fri 07:00-12:00, 13:00-16:00; }" + plan);
+  const SiteRun through = run_site("calendar site { mon-fri 07:00-12:00, 13:00-16:00; }" + plan);
   EXPECT_EQ(through.tasks.at("east").duration, 100 * kSecond);
   EXPECT_NEAR(through.schedule.cost, 100, 1e-9);  // a second costs 1
-  const Ran stops = run("calendar site { mon-fri 07:00-12:00, 13:00-16:00; carry_over; }" + plan);
+  const SiteRun stops =
+      run_site("calendar site { mon-fri 07:00-12:00, 13:00-16:00; carry_over; }" + plan);
   EXPECT_EQ(stops.tasks.at("east").duration, (100 + 3600) * kSecond);
   EXPECT_EQ(stops.tasks.at("east").waits.shift, 3600 * kSecond);
   EXPECT_NEAR(stops.schedule.cost, 100, 1e-9);
 }
 
 TEST(SeveralMachines, WaitingInAScriptDoesNotUseUpItsBudget) {
-  const Ran ran = run(R"(
+  const SiteRun ran = run_site(R"(
     budget 250;
     robot a "waiting.robot" { start x 0; }
     robot b "line.robot" { start x 5; }
@@ -342,7 +342,7 @@ TEST(SeveralMachines, WaitingInAScriptDoesNotUseUpItsBudget) {
 }
 
 TEST(SeveralMachines, WhoWaitedWithoutALoadGoesOnInItsShift) {
-  const Ran ran = run(R"(
+  const SiteRun ran = run_site(R"(
     start_at "2026-03-02 15:00";
     calendar site { mon-fri 07:00-16:00; }
     robot a "line.robot" { start x 0; calendar site; }
@@ -356,7 +356,7 @@ TEST(SeveralMachines, WhoWaitedWithoutALoadGoesOnInItsShift) {
 }
 
 TEST(SeveralMachines, ATaskHeldByOneThatIsRejectedIsLetGoAtOnce) {
-  const Ran ran = run(R"(
+  const SiteRun ran = run_site(R"(
     site box(20, -5, 0, 21, 5, 5);
     robot a "line.robot" { start x 0; }
     robot b "line.robot" at trans(0, 10, 0) { start x 0; }
@@ -399,7 +399,7 @@ TEST(Refusals, EveryReasonIsToldInItsWords) {
         "c is not on the site any more"}},
   };
   for (const auto& [name, given] : cases) {
-    const Ran ran = run(given.first);
+    const SiteRun ran = run_site(given.first);
     EXPECT_EQ(ran.tasks.at("t").result, TaskResult::rejected) << name;
     EXPECT_THAT(ran.tasks.at("t").reason, HasSubstr(given.second)) << name;
     EXPECT_EQ(ran.tasks.at("t").duration, 0) << name;

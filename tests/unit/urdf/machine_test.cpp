@@ -11,16 +11,17 @@ using ::testing::Not;
 
 constexpr const char* kTwoLinks = R"(<link name="base"/><link name="arm"/>)";
 
-std::string joint(const std::string& type, const std::string& inside,
-                  const std::string& name = "j") {
+std::string arm_joint(const std::string& type, const std::string& inside,
+                      const std::string& name = "j") {
   return "<joint name=\"" + name + "\" type=\"" + type +
          "\"><parent link=\"base\"/><child link=\"arm\"/>" + inside + "</joint>";
 }
 
 TEST(Machine, JointsBecomeParametersInTheUnitsOfTheLanguage) {
-  const std::string robot = robot_of(
-      kTwoLinks + joint("revolute",
-                        R"(<origin xyz="0 0 1.5" rpy="0 0 1.5707963267948966"/><axis xyz="0 -1 0"/>
+  const std::string robot =
+      robot_of(kTwoLinks +
+               arm_joint("revolute",
+                         R"(<origin xyz="0 0 1.5" rpy="0 0 1.5707963267948966"/><axis xyz="0 -1 0"/>
                            <limit lower="-0.5235987755982988" upper="1.0471975511965976" velocity="0.1"/>)"));
   EXPECT_THAT(robot,
               HasSubstr("param phi range(-30, 60) step(5) speed(5.72957795 deg/s);  # joint j"));
@@ -31,12 +32,13 @@ TEST(Machine, JointsBecomeParametersInTheUnitsOfTheLanguage) {
 }
 
 TEST(Machine, PrismaticAndContinuousJoints) {
-  const std::string slide = robot_of(
-      kTwoLinks +
-      joint("prismatic", R"(<axis xyz="1 0 0"/><limit lower="0" upper="0.25" velocity="0.5"/>)"));
+  const std::string slide =
+      robot_of(kTwoLinks +
+               arm_joint("prismatic",
+                         R"(<axis xyz="1 0 0"/><limit lower="0" upper="0.25" velocity="0.5"/>)"));
   EXPECT_THAT(slide, HasSubstr("param x range(0, 0.25) step(0.02) speed(0.5 m/s);"));
   EXPECT_THAT(slide, HasSubstr("frame trans(x, 0, 0);"));
-  const std::string wheel = robot_of(kTwoLinks + joint("continuous", R"(<axis xyz="0 0 1"/>)"));
+  const std::string wheel = robot_of(kTwoLinks + arm_joint("continuous", R"(<axis xyz="0 0 1"/>)"));
   EXPECT_THAT(
       wheel,
       HasSubstr("param theta cyclic step(5) speed(10 deg/s);  # joint j; the speed is assumed"));
@@ -45,11 +47,11 @@ TEST(Machine, PrismaticAndContinuousJoints) {
 }
 
 TEST(Machine, TheAxisIsXUnlessItIsSaid) {
-  EXPECT_THAT(robot_of(kTwoLinks + joint("continuous", "")), HasSubstr("frame rotx(psi);"));
+  EXPECT_THAT(robot_of(kTwoLinks + arm_joint("continuous", "")), HasSubstr("frame rotx(psi);"));
 }
 
 TEST(Machine, ObliqueAxesAreTurnedByFixedFrames) {
-  EXPECT_THAT(robot_of(kTwoLinks + joint("continuous", R"(<axis xyz="1 1 0"/>)")),
+  EXPECT_THAT(robot_of(kTwoLinks + arm_joint("continuous", R"(<axis xyz="1 1 0"/>)")),
               HasSubstr("frame rotz(45) * roty(90) * rotz(theta) * roty(-90) * rotz(-45);"));
 }
 
@@ -134,7 +136,7 @@ TEST(Machine, NoGuideWhereTurnsAreCounted) {
 TEST(Machine, LimitsThatForbidAllMotionAreAWarningAtTheirLine) {
   const Imported imported =
       import({"<robot name=\"r\"><link name=\"base\"/><link name=\"arm\"/>\n" +
-              joint("revolute", "\n<limit effort=\"1\" velocity=\"1\"/>") + "</robot>"});
+              arm_joint("revolute", "\n<limit effort=\"1\" velocity=\"1\"/>") + "</robot>"});
   ASSERT_TRUE(imported.machine);
   EXPECT_THAT(imported.said(),
               HasSubstr("I27 3: the limits of joint 'j' forbid all motion: 0 to 0\n"));

@@ -40,7 +40,7 @@ export class Overlay {
       if (!task) continue;
       if (zones && task.zones.length > 0) {
         elements.push(task.zones);
-        looks.push({ pose: new Matrix4(), colour: met === `the zone of ${task.name}` ? theme.met : theme.zone, goal: false });
+        looks.push({ pose: new Matrix4(), colour: [`the zone of ${task.name}`, `the air above the zone of ${task.name}`].includes(met) ? theme.met : theme.zone, goal: false });
       }
       const component = this.film.header.components[this.components.get(task.move ?? '') ?? -1];
       if (!component || !task.to || this.film.runs[run].robot < 0) continue;

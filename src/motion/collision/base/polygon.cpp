@@ -20,8 +20,6 @@ using Loop = std::vector<int>;
 /// 1e-10 m.
 constexpr double kStraight = 1e-12;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// Twice the area of the triangle, positive when it turns left.
 double turn(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
 

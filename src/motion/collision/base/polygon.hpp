@@ -7,6 +7,11 @@ namespace rubicon::collision {
 
 using Polygon = std::vector<Eigen::Vector2d>;
 
+/// Positive where b is to the left of a.
+inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
 /// A simple polygon ready to be split: counter-clockwise, without repeated corners or corners on a
 /// straight side. Throws std::invalid_argument where it is not finite, has no area, or crosses or
 /// touches itself.

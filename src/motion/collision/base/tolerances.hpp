@@ -80,6 +80,10 @@ inline constexpr int kHalvings = 8;
 /// Consequence: at 100 m extent a lost direction costs 1e-7 m of false depth, never a miss.
 inline constexpr double kSameDirection = 1e-9;
 
+/// Axes whose cross product is shorter than this count as parallel; over a metre of disc that is
+/// below 1e-12 m.
+inline constexpr double kParallel = 1e-12;
+
 /// Added around bounding boxes (m) so that rounding never hides a pair.
 inline constexpr double kBoundsMargin = 1e-6;
 

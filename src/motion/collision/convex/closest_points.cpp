@@ -9,13 +9,11 @@
 namespace rubicon::collision {
 namespace {
 
-/// Cores nearer than this (m) touch: the direction between them is noise.
-constexpr double kTouching = 1e-10;
 /// The bounds agree to this (m): nothing more can be gained.
-constexpr double kConverged = 1e-9;
+constexpr double kClosestConverged = 1e-9;
 /// Subtracted from certified distances (m): more than their rounding.
-constexpr double kRounding = 1e-12;
-constexpr int kMaxRounds = 128;
+constexpr double kDistanceRounding = 1e-12;
+constexpr int kMaxClosestRounds = 128;
 
 /// The corners of a simplex with the points they are the differences of.
 struct TwoSidedSimplex {
@@ -121,14 +119,14 @@ ClosestPoints closest_points(const SweptPair& pair) {
   Vec3 nearest = simplex.differences.points[0];
   SweptPair::Support sides = simplex.sides[0];
   double lower = 0;
-  for (int round = 0; round < kMaxRounds; ++round) {
+  for (int round = 0; round < kMaxClosestRounds; ++round) {
     const double distance = nearest.norm();
     if (distance < kTouching) return with_balls(pair, sides, 0);
     const Vec3 direction = -nearest / distance;
     const SweptPair::Support support = pair.support(direction);
     const double reach = direction.dot(support.moving - support.fixed);
-    lower = std::max(lower, -reach - pair.balls() - pair.growth(direction) - kRounding);
-    if (distance + reach <= kConverged) break;
+    lower = std::max(lower, -reach - pair.balls() - pair.growth(direction) - kDistanceRounding);
+    if (distance + reach <= kClosestConverged) break;
     const Vec3 difference = support.moving - support.fixed;
     const auto& points = simplex.differences.points;
     const bool known = std::any_of(points.begin(), points.begin() + simplex.differences.size,

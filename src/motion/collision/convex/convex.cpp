@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/motion/collision/base/tolerances.hpp"
+
 namespace rubicon::collision {
 namespace {
-
-/// Axes whose cross product is shorter than this count as parallel; over a metre of disc that is
-/// below 1e-12 m.
-constexpr double kParallel = 1e-12;
 
 double disc_extent(const Convex& convex, const Vec3& n) {
   return convex.disc * (n - n.dot(convex.disc_axis) * convex.disc_axis).norm();

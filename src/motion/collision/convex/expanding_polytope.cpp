@@ -11,10 +11,10 @@ namespace {
 /// A point counts as new when it is farther out than this (m).
 constexpr double kProgress = 1e-11;
 /// A difference set thinner than this (m) is flat.
-constexpr double kFlat = 1e-10;
+constexpr double kFlatDifference = 1e-10;
 /// Round shapes: the depth is known to about extent / rounds^1 near the end, far below a
 /// millimetre.
-constexpr int kMaxRounds = 256;
+constexpr int kMaxExpansions = 256;
 
 struct Facet {
   std::array<int, 3> corners{};
@@ -57,7 +57,7 @@ Vec3 some_perpendicular(const Vec3& direction) {
 bool Polytope::add_farthest_along(const Vec3& direction) {
   for (const Vec3& outward : {direction, Vec3(-direction)}) {
     const Vec3 candidate = support(outward);
-    if (outward.dot(candidate - points_.front()) > kFlat) {
+    if (outward.dot(candidate - points_.front()) > kFlatDifference) {
       points_.push_back(candidate);
       return true;
     }
@@ -70,13 +70,16 @@ bool Polytope::start(const Simplex& simplex) {
   points_.assign(simplex.points.begin(), simplex.points.begin() + simplex.size);
   if (points_.size() == 4) {
     const Vec3 normal = (points_[1] - points_[0]).cross(points_[2] - points_[0]);
-    if (std::fabs(normal.dot(points_[3] - points_[0])) <= kFlat * normal.norm()) points_.pop_back();
+    if (std::fabs(normal.dot(points_[3] - points_[0])) <= kFlatDifference * normal.norm())
+      points_.pop_back();
   }
   if (points_.size() == 3) {
     const Vec3 edge = points_[1] - points_[0];
-    if (edge.cross(points_[2] - points_[0]).norm() <= kFlat * edge.norm()) points_.pop_back();
+    if (edge.cross(points_[2] - points_[0]).norm() <= kFlatDifference * edge.norm())
+      points_.pop_back();
   }
-  if (points_.size() == 2 && (points_[1] - points_[0]).norm() <= kFlat) points_.pop_back();
+  if (points_.size() == 2 && (points_[1] - points_[0]).norm() <= kFlatDifference)
+    points_.pop_back();
   if (points_.size() == 1) {
     const bool grown = add_farthest_along(Vec3::UnitX()) || add_farthest_along(Vec3::UnitY()) ||
                        add_farthest_along(Vec3::UnitZ());
@@ -137,7 +140,7 @@ void Polytope::add_point(const Vec3& point) {
 }
 
 bool Polytope::expand_until_decided() {
-  for (int round = 0; round < kMaxRounds; ++round) {
+  for (int round = 0; round < kMaxExpansions; ++round) {
     const Facet* nearest = nullptr;
     for (const Facet& facet : facets_) {
       if (facet.alive && (nearest == nullptr || facet.distance < nearest->distance))

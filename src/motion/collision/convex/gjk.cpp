@@ -7,15 +7,12 @@
 namespace rubicon::collision {
 namespace {
 
-/// Cores nearer than this (m) are handed to the expanding polytope: the direction of so short a
-/// vector is noise.
-constexpr double kTouching = 1e-10;
 /// The lower and upper bound of the distance agree to this (m): nothing more can be gained.
-constexpr double kConverged = 1e-11;
+constexpr double kGjkConverged = 1e-11;
 /// A search that rounding stops nearer than this (m) is finished by the expanding polytope.
 constexpr double kNearlyTouching = 1e-6;
 /// Polytopes end after a few rounds; round shapes gain a constant factor a round.
-constexpr int kMaxRounds = 128;
+constexpr int kMaxGjkRounds = 128;
 
 void offer(Closest& best, const Vec3& point, std::initializer_list<int> kept) {
   const double distance_squared = point.squaredNorm();
@@ -90,7 +87,7 @@ GjkResult gjk(const SweptPair& pair) {
   simplex.points[0] = pair.difference_support(-first.normalized());
   simplex.size = 1;
   Vec3 nearest = simplex.points[0];
-  for (int round = 0; round < kMaxRounds; ++round) {
+  for (int round = 0; round < kMaxGjkRounds; ++round) {
     const double distance = nearest.norm();
     if (distance < kTouching) {
       result.cores_meet = true;
@@ -103,7 +100,7 @@ GjkResult gjk(const SweptPair& pair) {
       result.free = true;
       return result;
     }
-    if (distance + reach <= kConverged) return result;
+    if (distance + reach <= kGjkConverged) return result;
     result.cores_meet = distance < kNearlyTouching;  // the answer if the search can go no further
     if (holds(simplex, support)) return result;
     simplex.points[simplex.size++] = support;

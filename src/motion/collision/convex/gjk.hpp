@@ -7,6 +7,10 @@
 
 namespace rubicon::collision {
 
+/// Cores nearer than this (m) touch: the direction between them is noise. Their depth is left to
+/// the expanding polytope.
+inline constexpr double kTouching = 1e-10;
+
 /// Points of the difference set of a pair's cores: the last simplex of a search.
 struct Simplex {
   std::array<Vec3, 4> points;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "src/motion/collision/base/polygon.hpp"
+
 namespace rubicon::collision {
 namespace {
 
@@ -13,7 +15,6 @@ constexpr double kNegligibleShare = 1e-3;
 /// Sums of two unit vectors shorter than this have no direction.
 constexpr double kOpposite = 1e-6;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vec2 turned_right(const Vec2& a) { return {a.y(), -a.x()}; }
 
 /// A few corners, on the stack. A triangle has no more than seven between two heights, twice

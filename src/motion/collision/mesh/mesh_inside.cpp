@@ -21,7 +21,6 @@ constexpr double kThick = 0.25;
 constexpr double kNoNormal = 1e-6;
 /// The boxes around more parts than this are not compared.
 constexpr std::size_t kManyParts = 256;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// 1 if the normals of a closed soup point outwards, -1 if inwards.
 double side_of_normals(const TriangleSoup& soup) {
@@ -54,7 +53,7 @@ bool parts_may_overlap(const TriangleSoup& soup) {
 
 MeshInside::MeshInside(const TriangleSoup& soup) : soup_(&soup), grid_(soup) {
   const std::size_t count = soup.triangles().size();
-  widths_.assign(count, kInfinite);
+  widths_.assign(count, std::numeric_limits<double>::infinity());
   const double side = soup.closed() ? side_of_normals(soup) : 1;
   for (std::size_t i = 0; i < count; ++i) {
     const int triangle = static_cast<int>(i);
@@ -85,7 +84,8 @@ void MeshInside::look_under(int triangle, const Vec3& from, bool keep) {
   const Vec3 inwards = -outwards(triangle);
   double way = 0;
   // Surfaces may lie inside the solid where its parts overlap: as far as it goes on behind them.
-  for (const double next : ways_to_surface(*soup_, from, inwards, keep ? kInfinite : kThick)) {
+  for (const double next : ways_to_surface(
+           *soup_, from, inwards, keep ? std::numeric_limits<double>::infinity() : kThick)) {
     if (!holds(from + 0.5 * (way + next) * inwards)) break;
     if (way > 0) is_plain_ = false;
     way = next;

@@ -46,7 +46,7 @@ constexpr int kMostDeepLooks = 4000;
 /// A box is not under a plane if it is less under it than this share of what is allowed.
 constexpr double kNotUnder = 0.1;
 /// The product of unit normals of triangles of nearly one plane, and of planes that may be one.
-constexpr double kFlat = 0.99;
+constexpr double kNearlyOnePlane = 0.99;
 constexpr double kPerhapsOnePlane = 0.8;
 
 /// Where two surfaces lie in each other with both solids on one side, the point under them is
@@ -145,7 +145,7 @@ bool SurfaceSearch::is_flat(const TriangleSoup::Node& node) const {
     for (int i = here.first; i < here.first + here.count; ++i) {
       const Vec3 other = inner_.outwards(i);
       if (!normal) normal = other;
-      if (!(normal->dot(other) > kFlat)) return false;
+      if (!(normal->dot(other) > kNearlyOnePlane)) return false;
     }
   }
   return true;

@@ -16,7 +16,7 @@ constexpr double kUsefulSteps = 6;
 /// Where measuring was of no use, it is tried again after 1, 2, 4, ... queries, at most this many.
 constexpr int kLongestPause = 32;
 /// Taken off every distance (m): more than the rounding of displacements.
-constexpr double kRounding = 1e-9;
+constexpr double kDisplacementRounding = 1e-9;
 /// How far the pose moves any core point of the body from where `X` has it.
 double displacement(const Body& body, const Mat3& R, const Vec3& t, const Placement& X) {
   const double turned = (R - X.R).squaredNorm();
@@ -59,8 +59,8 @@ void ClearanceBudget::Impl::look_at(const WorldState& now) {
 bool ClearanceBudget::Impl::covers(std::size_t item, const Body& body, const Motion& motion) const {
   if (item >= items.size()) return false;
   const Known& known = items[item];
-  if (known.body.get() != &body || !(known.clear > kRounding)) return false;
-  const double allowed = known.clear - kRounding;
+  if (known.body.get() != &body || !(known.clear > kDisplacementRounding)) return false;
+  const double allowed = known.clear - kDisplacementRounding;
   const geometry::ScrewMotion* screw = screw_of(motion);
   if (screw != nullptr && screw->angle_deg == 0 && same_rotation(screw->X0, known.pose)) {
     // By far the most steps: no turn at all since the space was measured.

@@ -142,7 +142,7 @@ struct CollisionWorld::Impl {
 
 namespace {
 
-void require_valid(const SweptQuery& query) {
+void require_valid_query(const SweptQuery& query) {
   require_tolerance(query.contact_tolerance);
   const int count = static_cast<int>(query.items.size());
   for (const SweptQuery::Item& item : query.items) {
@@ -256,7 +256,7 @@ void CollisionWorld::remove(ObstacleId id) {
 
 SweptResult CollisionWorld::Impl::test(const SweptQuery& query,
                                        ClearanceBudget::Impl* budget) const {
-  require_valid(query);
+  require_valid_query(query);
   if (budget != nullptr) budget->look_at(state);
   Sweeps sweeps(query);
   for (int i = 0; i < static_cast<int>(query.items.size()); ++i) {
@@ -288,7 +288,7 @@ SweptResult CollisionWorld::test(const SweptQuery& query, ClearanceBudget& budge
 }
 
 Contact CollisionWorld::contact(const SweptQuery& query, const SweptHit& hit) const {
-  require_valid(query);
+  require_valid_query(query);
   const int count = static_cast<int>(query.items.size());
   if (hit.item < 0 || hit.item >= count || hit.obstacle.has_value() == hit.other_item.has_value() ||
       hit.other_item.value_or(0) < 0 || hit.other_item.value_or(0) >= count) {
@@ -304,7 +304,7 @@ Contact CollisionWorld::contact(const SweptQuery& query, const SweptHit& hit) co
 }
 
 std::vector<BlockingPair> CollisionWorld::explain(const SweptQuery& query) const {
-  require_valid(query);
+  require_valid_query(query);
   std::vector<BlockingPair> result;
   const auto add = [&](const SweptHit& hit) { result.push_back({hit, contact(query, hit)}); };
   Sweeps sweeps(query);
@@ -330,7 +330,7 @@ std::vector<BlockingPair> CollisionWorld::explain(const SweptQuery& query) const
 
 Clearance CollisionWorld::clearance(const SweptQuery& query, double range,
                                     double resolution) const {
-  require_valid(query);
+  require_valid_query(query);
   if (!(range >= 0) || !std::isfinite(range) || !(resolution > 0) || !std::isfinite(resolution)) {
     throw std::invalid_argument(
         fmt::format("a clearance needs a range of 0 m or more and a resolution above 0 m, "

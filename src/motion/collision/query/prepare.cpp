@@ -25,7 +25,7 @@ struct Parts {
   Bounds bounds;
 };
 
-void require_valid(const geometry::Mesh& mesh) {
+void require_valid_mesh(const geometry::Mesh& mesh) {
   const auto refuse = [&](const std::string& what) {
     throw std::invalid_argument(fmt::format("mesh \"{}\" {}", mesh.file, what));
   };
@@ -44,7 +44,7 @@ void require_valid(const geometry::Mesh& mesh) {
 }
 
 void add(Parts& parts, const geometry::Mesh& mesh, const Placement& X) {
-  require_valid(mesh);
+  require_valid_mesh(mesh);
   Parts::Triangles triangles;
   for (const Vec3& vertex : mesh.mesh->vertices) triangles.vertices.push_back(X * vertex);
   triangles.triangles = mesh.mesh->triangles;

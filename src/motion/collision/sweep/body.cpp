@@ -20,7 +20,6 @@ constexpr std::size_t kFewParts = 8;
 constexpr double kBoxCorners = 1e-10;
 /// Unit vectors whose product is below this are perpendicular for a box around a piece.
 constexpr double kPerpendicular = 1e-6;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// A point well inside a piece: from the mean of the corners, which may be near its rim, away from
 /// the nearest face, in ever smaller steps; within some percent of the deepest there is.
@@ -35,7 +34,7 @@ Vec3 deep_point(const ConvexPiece& piece) {
   for (const Vec3& normal : piece.normals) extents.push_back(convex.extent(normal));
   double step = 0.5 * piece.width;
   for (int round = 0; round < kDeepeningRounds; ++round) {
-    double nearest = kInfinite;
+    double nearest = std::numeric_limits<double>::infinity();
     Vec3 away = Vec3::Zero();
     for (std::size_t i = 0; i < extents.size(); ++i) {
       const double at = piece.normals[i].dot(point);
@@ -136,7 +135,8 @@ Body::Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, con
     for (const auto& triangle : soup.triangles()) {
       for (const int index : triangle) reach_to(soup.vertices()[index], 0);
     }
-    for (const Vec3& point : soup.probes()) probes_.push_back({point, kInfinite});
+    for (const Vec3& point : soup.probes())
+      probes_.push_back({point, std::numeric_limits<double>::infinity()});
     mesh_insides_.emplace_back(soup);
     for (const MeshInside::Middle& middle : mesh_insides_.back().middles()) {
       surface_probes_.push_back({middle.point, middle.width});

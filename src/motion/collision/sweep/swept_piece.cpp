@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "src/motion/collision/base/tolerances.hpp"
 #include "src/motion/collision/convex/convex_pieces.hpp"
 #include "src/motion/math/angles.hpp"
 
@@ -11,12 +12,10 @@ namespace rubicon::collision {
 namespace {
 
 /// Added to the chord deviation of points (m): more than the rounding of a piece of 1 km.
-constexpr double kRounding = 1e-12;
+constexpr double kChordRounding = 1e-12;
 /// A motion that does not bound itself sweeps everything: a ball of this radius (m) is more than
 /// any site.
 constexpr double kEverywhere = 1e7;
-/// Axes whose cross product is shorter than this are parallel.
-constexpr double kParallel = 1e-12;
 /// A disc that tilts is followed by a polygon around it of at least, and at most, so many corners.
 constexpr int kLeastCorners = 8;
 constexpr int kMostCorners = 1024;
@@ -35,7 +34,7 @@ struct AroundDisc {
 
 AroundDisc around_disc(const Vec3& axis, double radius, double excess) {
   // 1 / cos(180 / n) - 1 is at most 5.3 / n^2 from 8 corners on.
-  const double wanted = std::sqrt(5.3 * radius / std::max(excess, kRounding));
+  const double wanted = std::sqrt(5.3 * radius / std::max(excess, kChordRounding));
   const int count =
       static_cast<int>(std::ceil(std::clamp<double>(wanted, kLeastCorners, kMostCorners)));
   const double outer = radius / math::cos_deg(180.0 / count);
@@ -207,8 +206,8 @@ double PieceSlice::distance_from_axis(const Vec3& at_start) const {
 /// screw, or by how far they are from the origin of the body's frame.
 double PieceSlice::chord_deviation(double radius, double reach) const {
   if (screw_ != nullptr)
-    return unit_sagitta_of((s1_ - s0_) * screw_->angle_deg) * radius + kRounding;
-  const double deviation = general_of(motion_)->chord_deviation(s0_, s1_, reach) + kRounding;
+    return unit_sagitta_of((s1_ - s0_) * screw_->angle_deg) * radius + kChordRounding;
+  const double deviation = general_of(motion_)->chord_deviation(s0_, s1_, reach) + kChordRounding;
   return deviation >= 0 ? std::min(deviation, kEverywhere) : kEverywhere;
 }
 

@@ -17,9 +17,6 @@ constexpr double kNoEdge = 1e-12;
 /// 0.1 um.
 constexpr double kSameDirection = 1e-9;
 
-/// More directions than these together make the test by axes slower than the general one.
-constexpr std::size_t kMostDirections = 40;
-
 void add_direction(std::vector<Vec3>& list, const Vec3& direction) {
   const double length = direction.norm();
   if (!(length > kNoEdge)) return;

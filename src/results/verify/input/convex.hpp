@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "src/motion/math/pose.hpp"
@@ -8,6 +9,9 @@ namespace rubicon::verify {
 
 using math::Pose;
 using math::Vec3;
+
+/// More directions of faces and edges together make the test by axes slower than the general one.
+inline constexpr std::size_t kMostDirections = 40;
 
 /// A convex solid, or a flat triangle: the hull of its corners, grown by a ball, each corner by a
 /// disc across an axis. Metres, in the frame of its body.
@@ -27,6 +31,9 @@ struct Convex {
   Vec3 support(const Vec3& n) const;
   Vec3 centre() const;
 };
+
+/// m: boxes are grown by it so that rounding hides no pair.
+inline constexpr double kBoundsMargin = 1e-6;
 
 /// An axis-parallel box.
 struct Bounds {

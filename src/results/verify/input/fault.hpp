@@ -10,6 +10,9 @@ namespace rubicon::verify {
 /// Time in whole nanoseconds from the beginning of the plan.
 using Ticks = std::int64_t;
 inline constexpr Ticks kSecond = 1'000'000'000;
+inline constexpr Ticks kMinute = 60 * kSecond;
+inline constexpr Ticks kHour = 60 * kMinute;
+inline constexpr Ticks kDay = 24 * kHour;
 
 /// Times are compared to this (1 us). Reason: a double holds a time of a year to 4 ns, and the
 /// length of a step comes from values that are rounded themselves. Consequence: a clock that is off

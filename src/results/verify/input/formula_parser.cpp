@@ -13,7 +13,7 @@ namespace rubicon::verify {
 namespace {
 
 /// Brackets and signs within each other; keeps a hostile header from overflowing the stack.
-constexpr int kDeepest = 200;
+constexpr int kDeepestFormula = 200;
 
 bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' ||
@@ -69,7 +69,7 @@ Formula FormulaParser::formula() {
 }
 
 void FormulaParser::sum(Formula& out) {
-  if (++depth_ > kDeepest) fail("fewer brackets");
+  if (++depth_ > kDeepestFormula) fail("fewer brackets");
   product(out);
   while (next() == '+' || next() == '-') {
     const bool plus = take('+');
@@ -92,7 +92,7 @@ void FormulaParser::product(Formula& out) {
 }
 
 void FormulaParser::factor(Formula& out) {
-  if (++depth_ > kDeepest) fail("fewer signs");
+  if (++depth_ > kDeepestFormula) fail("fewer signs");
   const char c = next();
   if (take('-')) {
     factor(out);

@@ -10,7 +10,7 @@ namespace rubicon::verify {
 namespace {
 
 /// A trace is nested less than this; deeper text is hostile and would cost stack.
-constexpr int kDeepest = 32;
+constexpr int kDeepestJson = 32;
 
 /// s, 126 years: in nanoseconds the sum of two still fits.
 constexpr double kLongest = 4e9;
@@ -31,7 +31,7 @@ bool too_deep(const std::string& text) {
     } else if (c == '"') {
       in_string = true;
     } else if (c == '{' || c == '[') {
-      if (++depth > kDeepest) return true;
+      if (++depth > kDeepestJson) return true;
     } else if (c == '}' || c == ']') {
       --depth;
     }

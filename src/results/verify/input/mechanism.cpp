@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "src/motion/math/angles.hpp"
+#include "src/motion/math/index.hpp"
 
 namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 Pose element_pose(FrameElement::Kind kind, const Vec3& value) {
   switch (kind) {

@@ -17,10 +17,7 @@ constexpr double kDent = 1e-5;
 /// m: triangles with a smaller altitude are dropped, their neighbours cover the place.
 constexpr double kDegenerate = 1e-9;
 
-/// More directions than these together make the test by axes slower than the general one.
-constexpr std::size_t kMostDirections = 40;
-
-constexpr double kSameDirection = 1e-6;  ///< sine of the angle of two faces that are one
+constexpr double kSameFace = 1e-6;  ///< sine of the angle of two faces that are one
 
 using Triangle = std::array<int, 3>;
 
@@ -112,8 +109,7 @@ class MeshCutter {
     std::vector<Vec3> edges;
     for (const auto& [edge, n] : normal_of_edge) {
       const auto other = normal_of_edge.find({edge.second, edge.first});
-      const bool flat =
-          other != normal_of_edge.end() && other->second.cross(n).norm() < kSameDirection;
+      const bool flat = other != normal_of_edge.end() && other->second.cross(n).norm() < kSameFace;
       if (!flat) add_direction(edges, (vertex(edge.second) - vertex(edge.first)).normalized());
     }
     if (normals.size() + edges.size() <= kMostDirections) {
@@ -127,7 +123,7 @@ class MeshCutter {
   static void add_direction(std::vector<Vec3>& list, const Vec3& n) {
     if (list.size() > kMostDirections) return;
     const bool known = std::any_of(list.begin(), list.end(), [&](const Vec3& each) {
-      return each.cross(n).norm() < kSameDirection;
+      return each.cross(n).norm() < kSameFace;
     });
     if (!known) list.push_back(n);
   }

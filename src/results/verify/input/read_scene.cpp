@@ -171,6 +171,19 @@ SceneWithin read_within(const Json& value) {
   return within;
 }
 
+SceneGuides read_guides(const JsonFields& fields, const SceneRobot& robot) {
+  SceneGuides guides;
+  for (const Json& object : list_or_empty(fields, "guides")) {
+    const JsonFields guide(object, "a guide");
+    std::vector<SceneKept>& keep = guides[guide.text("name")];
+    for (const Json& bound : guide.array("keep")) {
+      const JsonFields kept(bound, "what a guide keeps");
+      keep.push_back({read_values(kept.object("sum"), robot), kept.number("most")});
+    }
+  }
+  return guides;
+}
+
 void read_clauses(const JsonFields& fields, const Scene& scene, SceneTask& task) {
   if (fields.has("free")) {
     static constexpr const char* kTurns[] = {"rotx", "roty", "rotz", "all"};
@@ -227,6 +240,9 @@ void read_task_work(const JsonFields& fields, const Scene& scene, SceneTask& tas
         index_in(scene.component_index, text_of(name, "'remove'"), "a component"));
   }
   if (fields.has("zones")) task.zones = read_shapes(fields.any("zones"), scene.meshes.size());
+  if (fields.has("zones_overhead")) {
+    task.zones_overhead = read_shapes(fields.any("zones_overhead"), scene.meshes.size());
+  }
 }
 
 /// Who does a task, and what.
@@ -258,7 +274,10 @@ void read_doing(const JsonFields& fields, const Scene& scene, SceneTask& task) {
     fields.fail("a robot for the motion");
   }
   if (fields.has("within")) task.within = read_within(fields.any("within"));
-  if (task.robot >= 0) read_clauses(fields, scene, task);
+  if (task.robot >= 0) {
+    read_clauses(fields, scene, task);
+    task.guides = read_guides(fields, scene.robots[static_cast<std::size_t>(task.robot)]);
+  }
 }
 
 SceneTask read_task(const JsonFields& fields, const Scene& scene) {
@@ -281,6 +300,7 @@ SceneTask read_task(const JsonFields& fields, const Scene& scene) {
     read_doing(choice, scene, spec);
     read_task_work(choice, scene, spec);
     spec.zones = task.zones;
+    spec.zones_overhead = task.zones_overhead;
     spec.not_before = task.not_before;
     spec.due = task.due;
     spec.baseline = task.baseline;
@@ -345,6 +365,7 @@ void add_short_task(const JsonFields& header, Scene& scene) {
   if (header.has("goal")) read_go(header.object("goal"), scene, task);
   if (header.has("within")) task.within = read_within(header.any("within"));
   read_clauses(header, scene, task);
+  task.guides = read_guides(header, scene.robots.front());
   add_name(scene.task_index, task.name);
   scene.tasks.push_back(std::move(task));
 }

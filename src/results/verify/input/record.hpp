@@ -43,6 +43,7 @@ struct Stop {};
 
 /// A guide planned a way; none: it found no way.
 struct GuidePlan {
+  std::string name;
   std::vector<std::vector<double>> way;  ///< where it begins, its way points; all parameters
   double motion_time = 0;                ///< s
 };

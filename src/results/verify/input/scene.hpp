@@ -171,6 +171,15 @@ struct SceneFile {
 inline constexpr int kNothingFree = -1;
 inline constexpr int kAllFree = 3;
 
+/// What a guide keeps: the sum of factors times parameters is at most a value.
+struct SceneKept {
+  std::vector<std::pair<int, double>> terms;  ///< parameter, factor
+  double most = 0;
+};
+
+/// By the name of the guide; of those that keep something.
+using SceneGuides = std::map<std::string, std::vector<SceneKept>>;
+
 struct SceneTask {
   std::string name;
   int robot = -1;
@@ -186,11 +195,13 @@ struct SceneTask {
   std::vector<int> locked;       ///< parameters that no step changes
   std::optional<SceneDeviation> deviation;
   std::vector<std::pair<std::string, int>> entered;  ///< body, component that it may cut into
+  SceneGuides guides = {};
   std::optional<SceneWork> hook, adjust, release;
   bool whole = false;  ///< nothing may hang on its hook out of working time
   std::vector<SceneWork> takes;
   std::vector<int> remove;
-  std::vector<ShapeData> zones;  ///< in {W}
+  std::vector<ShapeData> zones;           ///< in {W}
+  std::vector<ShapeData> zones_overhead;  ///< where no load may hang, in {W}
   std::vector<SceneLink> after;
   Ticks not_before = 0;  ///< after the beginning of the plan, as the next two
   std::optional<Ticks> due;

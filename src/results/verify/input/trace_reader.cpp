@@ -111,6 +111,7 @@ class RecordReader {
 
   GuidePlan read_guide() const {
     GuidePlan plan;
+    plan.name = fields_.text("name");
     const Json& values = fields_.array("way");
     const std::size_t width = robot().parameters.size();
     if (fields_.truth("found") == values.empty() || values.size() % width != 0) {

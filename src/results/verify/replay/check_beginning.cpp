@@ -14,9 +14,6 @@ namespace rubicon::verify {
 
 namespace {
 
-/// m: boxes are grown by it so that rounding hides no pair.
-constexpr double kBoundsMargin = 1e-6;
-
 struct StandingThing {
   std::string name;
   std::string owner;  ///< as waivers call it

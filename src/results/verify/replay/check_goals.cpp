@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/motion/math/turns.hpp"
 #include "src/results/verify/geometry/pose_miss.hpp"
 #include "src/results/verify/input/mechanism.hpp"
@@ -15,7 +16,7 @@ namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 /// m and degrees by which the goal frame may be from where the residual says: how exactly a
 /// configuration for it was found.

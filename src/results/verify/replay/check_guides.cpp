@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/motion/math/turns.hpp"
 #include "src/results/verify/replay/step_rules.hpp"
 
@@ -13,7 +14,7 @@ namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 class GuideCheck {
  public:
@@ -52,8 +53,33 @@ class GuideCheck {
   void begin(const GuidePlan& plan) {
     way_ = plan.way;
     next_ = 0;
+    check_kept(plan);
     // Where the robot stands then is judged with its track.
     if (!way_.empty()) q_ = way_.front();
+  }
+
+  /// Sums that are kept at both ends of a straight leg are kept all along it.
+  void check_kept(const GuidePlan& plan) {
+    if (run_.task < 0) return;
+    const SceneGuides& guides = trace_.scene.tasks[at(run_.task)].guides;
+    const auto guide = guides.find(plan.name);
+    if (guide == guides.end()) return;
+    for (std::size_t k = 0; k < plan.way.size(); ++k) {
+      for (const SceneKept& kept : guide->second) {
+        double sum = 0;
+        double slack = kValueSlack;
+        for (const auto& [parameter, factor] : kept.terms) {
+          sum += factor * plan.way[k][at(parameter)];
+          slack += std::fabs(factor) * kValueSlack;
+        }
+        if (sum <= kept.most + slack) continue;
+        fault(FaultKind::motion,
+              fmt::format("way point {} of {} does not keep what the guide has to: {:g} is more "
+                          "than {:g}",
+                          k, plan.way.size() - 1, sum, kept.most));
+        return;
+      }
+    }
   }
 
   void begin(const WayPoint& point) {

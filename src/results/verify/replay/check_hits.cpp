@@ -6,11 +6,14 @@
 #include <set>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
+#include "src/results/verify/replay/site_parts.hpp"
+
 namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 /// The load of a short plan.
 constexpr const char* kCarried = "load";
@@ -89,7 +92,8 @@ class HitCheck {
     return std::any_of(scene.robots.begin(), scene.robots.end(),
                        [&](const SceneRobot& each) { return has_body(each, name); }) ||
            std::any_of(scene.tasks.begin(), scene.tasks.end(), [&](const SceneTask& task) {
-             return !task.zones.empty() && name == "the zone of " + task.name;
+             return (!task.zones.empty() && name == "the zone of " + task.name) ||
+                    (!task.zones_overhead.empty() && name == overhead_name(task.name));
            });
   }
 

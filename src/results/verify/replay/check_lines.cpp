@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/motion/math/turns.hpp"
 #include "src/results/verify/geometry/pose_miss.hpp"
 #include "src/results/verify/input/mechanism.hpp"
@@ -24,7 +25,7 @@ constexpr double kSlack_deg = 1e-5;
 /// A way shorter than that (m) has no direction.
 constexpr double kNoWay = 1e-6;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 class LineCheck {
  public:

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/results/verify/geometry/depth.hpp"
 #include "src/results/verify/geometry/footing.hpp"
 #include "src/results/verify/input/box_tree.hpp"
@@ -21,7 +22,7 @@ using Vec2 = Eigen::Vector2d;
 /// m: gaps that are larger by less are no fault.
 constexpr double kGapSlack = 2.5e-4;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 /// Something that stands for a time: a stay of a component, or a shape of the site.
 struct Standing {

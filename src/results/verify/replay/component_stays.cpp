@@ -6,13 +6,14 @@
 #include <tuple>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/results/verify/geometry/pose_miss.hpp"
 
 namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 class StayBuilder {
  public:

@@ -8,14 +8,13 @@
 #include <tuple>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
+
 namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-/// m: boxes are grown by it so that rounding hides no pair.
-constexpr double kBoundsMargin = 1e-6;
+using math::at;
 
 const Solid& solid_in(const RobotPart& part, const PartState& state) {
   return state.solid ? *state.solid : *part.solid;
@@ -82,7 +81,7 @@ class ContactCheck {
         const Bounds box =
             solid_in(part, state).bounds.placed(state.X_WS).grown(reach + kBoundsMargin);
         whole.add(box);
-        if (reach > 0) check_obstacles(robot, frames, part, box);
+        if (reach > 0) check_obstacles(robot, frames, part, is_load(robot, parts, part), box);
       }
       boxes.push_back(whole);
       if (!moves(robot, each)) continue;
@@ -91,13 +90,19 @@ class ContactCheck {
     }
   }
 
-  void check_obstacles(int robot, const LegFrames& frames, const RobotPart& part,
+  /// What hangs on the robot comes after its bodies.
+  bool is_load(int robot, const std::vector<RobotPart>& parts, const RobotPart& part) const {
+    return static_cast<std::size_t>(&part - parts.data()) >= site_.robots[at(robot)].bodies.size();
+  }
+
+  void check_obstacles(int robot, const LegFrames& frames, const RobotPart& part, bool is_load,
                        const Bounds& box) {
     const Leg& each = frames.leg();
     const int load = each.hanging < 0 ? -1 : tracks_[at(robot)].loads[at(each.hanging)].component;
     tree_.meeting(box, [&](int index) {
       const Obstacle& obstacle = obstacles_[at(index)];
       if (obstacle.exempt == robot || (load >= 0 && obstacle.component == load)) return;
+      if (obstacle.for_loads && !is_load) return;
       if (may_enter(robot, each, part, obstacle)) return;
       const auto [s0, s1] = shares(each, obstacle.from, obstacle.to);
       if (!(s0 < s1)) return;
@@ -237,7 +242,9 @@ class ContactCheck {
 
   void check_standing(int robot, const Leg& each, const Obstacle& zone) {
     const LegFrames frames(*site_.robots[at(robot)].mechanism, each);
-    for (const RobotPart& part : parts_of(robot, each)) {
+    const std::vector<RobotPart> parts = parts_of(robot, each);
+    for (const RobotPart& part : parts) {
+      if (zone.for_loads && !is_load(robot, parts, part)) continue;
       const auto contact =
           sweep(*part.solid, LegPart(frames, part), *zone.solid, StandingPart(zone.X_WS));
       if (contact) report(each, 0, part.name, zone.name, *contact);

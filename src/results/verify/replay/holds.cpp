@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <set>
 
+#include "src/motion/math/index.hpp"
+
 namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 /// Nobody works in it, nothing moves or goes: a moment that others wait for.
 bool is_milestone(const SceneTask& task) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/motion/math/turns.hpp"
 #include "src/results/verify/geometry/pose_miss.hpp"
 #include "src/results/verify/replay/leg_motion.hpp"
@@ -15,7 +16,7 @@ namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 /// m or degrees by which a value may miss its goal where the header does not tell.
 constexpr double kGoalSlack = 1e-3;

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/results/verify/replay/step_rules.hpp"
 
 namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 bool meant_to_touch(const SceneRobot& robot, int a, int b) {
   if (robot.bodies[at(a)].parent == b || robot.bodies[at(b)].parent == a) return true;
@@ -59,6 +60,8 @@ RobotParts make_robot_parts(const SceneRobot& robot, const std::vector<MeshData>
 
 }  // namespace
 
+std::string overhead_name(const std::string& task) { return "the air above the zone of " + task; }
+
 SiteParts make_site_parts(const Trace& trace, const std::vector<TaskRun>& runs,
                           const std::vector<Stay>& stays, Ticks until) {
   const Scene& scene = trace.scene;
@@ -84,6 +87,9 @@ SiteParts make_site_parts(const Trace& trace, const std::vector<TaskRun>& runs,
     if (task.zones.empty()) continue;
     parts.zones.push_back({"the zone of " + task.name, make_solid(task.zones, scene.meshes),
                            Pose::Identity(), run.start, run.end, -1, run.robot});
+    if (task.zones_overhead.empty()) continue;
+    parts.zones.push_back({overhead_name(task.name), make_solid(task.zones_overhead, scene.meshes),
+                           Pose::Identity(), run.start, run.end, -1, run.robot, true});
   }
   for (const SceneRobot& robot : scene.robots) {
     parts.robots.push_back(make_robot_parts(robot, scene.meshes));

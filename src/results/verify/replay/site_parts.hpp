@@ -17,8 +17,9 @@ struct Obstacle {
   Pose X_WS = Pose::Identity();
   Ticks from = 0;
   Ticks to = 0;
-  int component = -1;  ///< -1: site or zone
-  int exempt = -1;     ///< robot that may be in it
+  int component = -1;      ///< -1: site or zone
+  int exempt = -1;         ///< robot that may be in it
+  bool for_loads = false;  ///< only loads must not meet it
 };
 
 /// A robot as it is tested: its bodies, and which of them against each other.
@@ -38,6 +39,9 @@ struct SiteParts {
   std::vector<Obstacle> obstacles;  ///< the site and the stays of components
   std::vector<Obstacle> zones;      ///< while their tasks last
 };
+
+/// What a load meets above the zone of a task.
+std::string overhead_name(const std::string& task);
 
 /// `until` is the end of the plan.
 SiteParts make_site_parts(const Trace& trace, const std::vector<TaskRun>& runs,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/motion/math/index.hpp"
 #include "src/motion/math/turns.hpp"
 
 namespace rubicon::verify {
@@ -17,7 +18,7 @@ constexpr double kStepShare = 1e-6;
 
 constexpr int kNewtonRounds = 8;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 /// All rules of a robot at once: the values after steps of some parameters.
 std::vector<double> apply_rules(const SceneRobot& robot, std::span<const double> before,

@@ -4,11 +4,13 @@
 #include <string_view>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
+
 namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 class RunSorter {
  public:

@@ -3,13 +3,14 @@
 #include <optional>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/results/verify/schedule/check_lifts.hpp"
 
 namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 class Bookkeeper {
  public:

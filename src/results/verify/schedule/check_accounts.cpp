@@ -8,13 +8,14 @@
 #include <set>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/results/verify/schedule/task_clock.hpp"
 
 namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 /// Numbers are compared to this, of their own size. Consequence: what is off by less is not seen.
 constexpr double kNumberSlack = 1e-9;

@@ -7,13 +7,14 @@
 #include <set>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/results/verify/replay/holds.hpp"
 
 namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 /// Whom a task has by its pools: what all its choices have in common it has anyway.
 std::set<int> members_of(const Scene& scene, const SceneTask& task) {

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/results/verify/schedule/civil_date.hpp"
 
 namespace rubicon::verify {
@@ -25,10 +26,7 @@ constexpr long double kRelativeSlack = 1e-12L;
 
 enum Kind : std::size_t { kUse, kOvertime, kRental, kMobilisation, kMaterial, kOverhead };
 
-constexpr std::int64_t kMinutesOfDay = 24 * 60;
-constexpr Ticks kDay = kMinutesOfDay * 60 * kSecond;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 std::int64_t cents(double amount) { return std::llround(amount * 100); }
 

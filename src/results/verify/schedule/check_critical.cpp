@@ -10,18 +10,17 @@
 #include <string_view>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/results/verify/replay/holds.hpp"
 
 namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 constexpr std::string_view kUncounted = "; its own work does not count";
 constexpr std::string_view kNextShift = " later: the next shift";
-constexpr Ticks kMinute = 60 * kSecond;
-constexpr Ticks kHour = 60 * kMinute;
 
 std::string duration_text(Ticks time) {
   if (time % kHour == 0) return fmt::format("{} h", time / kHour);

@@ -10,8 +10,6 @@ namespace rubicon::verify {
 
 namespace {
 
-constexpr Ticks kMinute = 60 * kSecond;
-
 /// Whole minutes, downwards.
 std::int64_t minutes_of(Ticks time) {
   return time >= 0 ? time / kMinute : -((-time + kMinute - 1) / kMinute);

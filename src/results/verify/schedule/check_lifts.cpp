@@ -6,13 +6,14 @@
 #include <cstdlib>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/results/verify/schedule/task_clock.hpp"
 
 namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 /// Adds up a lift, record by record.
 class LiftReader {

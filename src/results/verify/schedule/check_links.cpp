@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
+
 namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 const char* name_of(LinkType type) {
   switch (type) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/results/verify/replay/holds.hpp"
 #include "src/results/verify/schedule/task_clock.hpp"
 
@@ -15,7 +16,7 @@ namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 bool differ(Ticks a, Ticks b) { return std::llabs(a - b) > kTimeSlack; }
 

@@ -6,13 +6,14 @@
 #include <map>
 #include <vector>
 
+#include "src/motion/math/index.hpp"
 #include "src/results/verify/replay/holds.hpp"
 
 namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 class ResourceCheck {
  public:

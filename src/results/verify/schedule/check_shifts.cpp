@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/results/verify/schedule/check_lifts.hpp"
 #include "src/results/verify/schedule/task_clock.hpp"
 
@@ -14,7 +15,7 @@ namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 class ShiftCheck {
  public:

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
 #include "src/results/verify/schedule/check_lifts.hpp"
 #include "src/results/verify/schedule/task_clock.hpp"
 
@@ -13,7 +14,7 @@ namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 bool holds_finish(const SceneLink& link) {
   return link.type == LinkType::FF || link.type == LinkType::SF;

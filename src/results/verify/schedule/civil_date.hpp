@@ -5,6 +5,8 @@
 
 namespace rubicon::verify {
 
+inline constexpr std::int64_t kMinutesOfDay = 24 * 60;
+
 /// Days since 1970-01-01 of YYYY-MM-DD, whatever follows. Throws UnreadableInput for what is no
 /// date.
 std::int64_t day_number(std::string_view text);

@@ -6,11 +6,13 @@
 #include <cstdlib>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
+
 namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 std::string seconds_text(Ticks time) {
   return fmt::format("{:g} s", static_cast<double>(time) / static_cast<double>(kSecond));

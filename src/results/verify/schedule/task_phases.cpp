@@ -6,11 +6,13 @@
 #include <optional>
 #include <utility>
 
+#include "src/motion/math/index.hpp"
+
 namespace rubicon::verify {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using math::at;
 
 /// What a task does, one after the other.
 struct Phase {

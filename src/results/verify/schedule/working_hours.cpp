@@ -8,10 +8,6 @@ namespace rubicon::verify {
 
 namespace {
 
-constexpr Ticks kMinute = 60 * kSecond;
-constexpr std::int64_t kMinutesOfDay = 24 * 60;
-constexpr Ticks kDay = kMinutesOfDay * kMinute;
-
 /// 0 Monday; 1970-01-01 was a Thursday.
 std::size_t weekday(std::int64_t day) { return static_cast<std::size_t>(((day + 3) % 7 + 7) % 7); }
 
