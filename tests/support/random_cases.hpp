@@ -6,6 +6,12 @@ namespace rubicon::test {
 /// cases. They are the first of the same sequence.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr int kFewerCases = 10;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+inline constexpr int kFewerCases = 10;
+#else
+inline constexpr int kFewerCases = 1;
+#endif
 #else
 inline constexpr int kFewerCases = 1;
 #endif
