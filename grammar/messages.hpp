@@ -214,6 +214,7 @@ RUBICON_EXPECT(crew_end, "';' or '{'");
 RUBICON_EXPECT(crew_name, "a name after crew");
 RUBICON_EXPECT(pool_part, "pool", Explain::item, "of choose");
 RUBICON_EXPECT(pool_name, "a name after pool");
+RUBICON_EXPECT(storage_name, "a name after storage");
 RUBICON_EXPECT(choice_rule, "first, nearest or least_used");
 RUBICON_EXPECT(by_whom, "the name of a robot, a crew or a pool");
 RUBICON_EXPECT(same_as_task, "the name of a task");
@@ -255,7 +256,7 @@ RUBICON_EXPECT(import_end, "';' or '{' after import");
 RUBICON_EXPECT(short_start_values, "a parameter and its value");
 RUBICON_EXPECT(
     plan_item, "plan", Explain::item,
-    "component robot crew pool overhead task module place import site contact budget start_at "
+    "component robot crew pool overhead task module place import site storage contact budget start_at "
     "currency calendar situation start goal via carry within free near lock enter deviation "
     "touching "
     "guide "

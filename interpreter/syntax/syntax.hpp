@@ -331,6 +331,12 @@ struct SiteItem {
   Shape shape;
   Span span;
 };
+/// storage yard box(0, 0, 0, 10, 8, 3);   of a place with several shapes one item each
+struct StorageItem {
+  Name name;
+  Shape shape;
+  Span span;
+};
 /// contact 1 mm;  budget 500;
 struct NumberItem {
   Name name;
@@ -624,7 +630,7 @@ using PlanItem =
                  RobotUse, CrewItem, TaskItem, ModuleItem, PlaceItem, ImportItem, StartItem,
                  GoalItem, ViaItem, CarryItem, WithinItem, WaiverItem, PlanParameter, PoolItem,
                  OverheadItem, std::shared_ptr<const PlanBlock>, WholeItem, SupportItem,
-                 GuideDeclaration, GuideItem, MotionClause>;
+                 GuideDeclaration, GuideItem, MotionClause, StorageItem>;
 struct PlanBlock {
   BlockHead head;
   std::vector<PlanItem> items;

@@ -35,6 +35,7 @@ struct LoadTurn {
 struct Event {
   Ticks time = 0;  ///< when it is over
   int line = 0;    ///< of the trace
+  bool refused = false;  ///< an attempt that was not accepted
   /// Nothing: time passes and all stand still.
   std::variant<std::monostate, Step, LoadChange, LoadTurn> what;
 };
