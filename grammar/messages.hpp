@@ -105,6 +105,8 @@ RUBICON_EXPECT(capacity_point, "'(', a radius and a mass");
 RUBICON_EXPECT(capacity_number, "a number");
 RUBICON_EXPECT(capacity_comma, "',' and a mass");
 RUBICON_EXPECT(capacity_close, "')'");
+RUBICON_EXPECT(buffer_distance, "a distance");
+RUBICON_EXPECT(buffer_body, "the name of a body");
 RUBICON_EXPECT(rope_open, "'('");
 RUBICON_EXPECT(rope_radius, "the radius of the rope");
 RUBICON_EXPECT(rope_close, "')'");
@@ -132,7 +134,7 @@ RUBICON_EXPECT(used_guide, "the name of a guide");
 RUBICON_EXPECT(next_guide, "the name of a guide");
 RUBICON_EXPECT(plan_guide_end, "the kind of the guide, such as rrt_connect, or ';'");
 RUBICON_EXPECT(robot_item, "robot", Explain::item,
-               "time_step sensor body tool const touching capacity rope deviation guide behaviour");
+               "time_step sensor body tool const touching capacity rope buffer deviation guide behaviour");
 RUBICON_EXPECT(robot_key, "'robot' at the start of a robot file");
 RUBICON_EXPECT(robot_name, "a name after robot");
 RUBICON_EXPECT(text_finished, "the end of the file after the '}' of the robot");

@@ -101,6 +101,15 @@ struct rope_end : seq<rope_body, opt<rope_point>> {};
 struct rope_item : if_must<rope_key, opt<rope_name>, rope_open, rope_radius, rope_close,
                            rope_from_key, rope_end, rope_to_key, rope_end, item_semicolon> {};
 
+struct buffer_key : token<word<TAO_PEGTL_STRING("buffer")>> {};
+struct buffer_distance : signed_number {};
+struct buffer_of_key : token<word<TAO_PEGTL_STRING("of")>> {};
+struct buffer_body : name {};
+struct buffer_item
+    : if_must<buffer_key, buffer_distance,
+              opt<if_must<buffer_of_key, buffer_body, star<if_must<comma, buffer_body>>>>,
+              item_semicolon> {};
+
 struct deviation_number : signed_number {};
 struct deviation_item : if_must<deviation_key, deviation_number,
                                 opt<if_must<comma, deviation_number>>, item_semicolon> {};
@@ -112,7 +121,7 @@ struct behaviour_source : sor<behaviour_in_file, behaviour_in_place> {};
 struct behaviour_item : if_must<behaviour_item_key, behaviour_source> {};
 
 struct robot_item : sor<setting_item, body, tool_item, const_item, touching_item, capacity_item,
-                        rope_item, deviation_item, guide_declaration, behaviour_item> {};
+                        rope_item, buffer_item, deviation_item, guide_declaration, behaviour_item> {};
 struct whole_robot_item : must<robot_item> {};
 struct robot_items : nested<star<not_at<block_end>, recover<whole_robot_item, item_end>>> {};
 

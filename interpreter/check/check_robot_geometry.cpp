@@ -147,6 +147,7 @@ void check_geometry(Subject& subject, const std::string& path, FileProvider& fil
       check_capacity(subject, *chart);
     }
   }
+  check_buffers(subject);
 }
 
 }  // namespace rubicon::interpreter::robot_check

@@ -100,6 +100,9 @@ void check_rules(Subject& subject);
 /// Frames, shapes, tool, touching bodies, load chart: R03, R05, R17, R20, F02-F13.
 void check_geometry(Subject& subject, const std::string& path, FileProvider& files);
 
+/// How far bodies keep from what is not of their robot: R02, R05, R07, R20.
+void check_buffers(Subject& subject);
+
 /// Ropes, as bodies of their own after all others: R02, R03, R05, R07, R20, F09. Before the
 /// touching bodies are looked up.
 void declare_ropes(Subject& subject);

@@ -94,7 +94,8 @@ void check_settings(Subject& subject) {
                                               return std::vector<std::string>{
                                                   "time_step", "sensor",   "body",     "tool",
                                                   "const",     "touching", "capacity", "rope",
-                                                  "deviation", "guide",    "behaviour"};
+                                                  "buffer",    "deviation", "guide",
+                                                  "behaviour"};
                                             })));
     } else if (!is_new) {
       subject.twice(item->name.span, fmt::format("{} is given twice", item->name.text),

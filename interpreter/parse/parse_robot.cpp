@@ -26,6 +26,7 @@ class RobotState : public GuideState {
   syntax::CapacityItem capacity;
   syntax::Number radius;
   syntax::RopeItem rope;
+  syntax::BufferItem buffer;
   std::vector<syntax::RopeItem::End> rope_ends;
   std::vector<syntax::Name> names;
   syntax::MotionClause deviation;
@@ -139,6 +140,12 @@ RUBICON_ACTION(RobotAction, RobotState, rope_item) {
   st.rope.to = std::move(st.rope_ends[1]);
   st.add(std::move(st.rope), begin);
 }
+RUBICON_ACTION(RobotAction, RobotState, buffer_key) { st.buffer = {}; }
+RUBICON_ACTION(RobotAction, RobotState, buffer_distance) { st.buffer.distance = st.number; }
+RUBICON_ACTION(RobotAction, RobotState, buffer_body) {
+  st.buffer.bodies.push_back(st.take_name());
+}
+RUBICON_ACTION(RobotAction, RobotState, buffer_item) { st.add(std::move(st.buffer), begin); }
 RUBICON_ACTION(RobotAction, RobotState, deviation_key) {
   st.deviation = {};
   st.deviation.key = {std::string(begin, st.last_end), st.span_from(begin)};
@@ -157,7 +164,7 @@ syntax::Robot parse_robot(const SourceMap& sources, FileId file, Diagnostics& di
   RobotState state(
       sources, file, diagnostics, "R00",
       {"param", "rule", "frame", "shape", "behaviour", "behavior", "time_step", "sensor", "body",
-       "tool", "const", "touching", "capacity", "rope", "deviation", "guide"});
+       "tool", "const", "touching", "capacity", "rope", "buffer", "deviation", "guide"});
   const bool finished = run_parser<grammar::robot_file, RobotAction>(state);
   state.robot.broken = !finished || state.errors() > 0;
   state.robot.span = state.span_from(state.begin());

@@ -261,6 +261,13 @@ struct RopeItem {
   Span span;
 };
 
+/// buffer 0.3 m;   buffer 0.5 m of jib, mast;
+struct BufferItem {
+  Number distance;
+  std::vector<Name> bodies;  ///< none: all that have no buffer of their own
+  Span span;
+};
+
 /// seed 7;   weight x 20, boom.phi 2;
 struct GuideClause {
   struct Value {
@@ -307,6 +314,7 @@ struct MotionClause {
 
 using RobotItem =
     std::variant<SettingItem, BodyItem, ToolItem, ConstItem, TouchingItem, CapacityItem, RopeItem,
+                 BufferItem,
                  MotionClause /* deviation */, GuideDeclaration, BehaviourItem>;
 
 struct Robot {

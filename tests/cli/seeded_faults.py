@@ -820,6 +820,27 @@ def grow_a_body(good, rng):
     return None
 
 
+def widen_a_buffer(good, rng):
+    """A body that moves keeps so large a buffer that everything on the site is in it."""
+    if not good.header["site"] and not good.header["components"]:
+        return None
+    places = steps(good)
+    rng.shuffle(places)
+    for index in places[:20]:
+        record = good.records[index]
+        robot = good.robot(record["robot"])
+        body = rng.choice([each for each in robot["bodies"] if each["shapes"]])
+        before, _ = good.before(index)
+        relative = [body_pose(robot, body["name"], q) for q in (before, record["q"])]
+        if math.dist(sum(relative[0], []), sum(relative[1], [])) < 0.01:
+            continue  # the step does not move it
+        result = copy.deepcopy(good)
+        kept = result.robot(record["robot"])
+        next(each for each in kept["bodies"] if each["name"] == body["name"])["buffer"] = 1000
+        return Fault("widen a buffer", result, good.results(), words=f"the buffer of {robot['name']}.{body['name']} meets ")
+    return None
+
+
 def zone_round_a_robot(good, rng):
     """The zone of a task is where another robot stands or goes."""
     zoned = [task["name"] for task in good.header["tasks"] if task["zones"] and good.results()[task["name"]] == "done"]
@@ -1381,7 +1402,7 @@ KINDS = (shift_a_step, shift_the_rest_of_a_task, drop_a_wait, close_a_wait_up, s
          hide_an_overlap, sink_the_site, shift_what_carries, lengthen_work,
          take_a_day_off, shorten_a_shift, hang_a_load, invent_overtime, book_a_crew_twice, give_work_to_another, break_a_link,
          link_to_what_is_not_done, silence_a_refusal, call_it_done, hide_that_it_ended_short, call_it_not_reached, drop_a_task, cut_the_trace,
-         wall_in_the_way, thing_where_a_load_is_put, grow_a_body, zone_round_a_robot, people_under_a_load, edit_the_schedule,
+         wall_in_the_way, thing_where_a_load_is_put, grow_a_body, widen_a_buffer, zone_round_a_robot, people_under_a_load, edit_the_schedule,
          edit_the_table, change_the_speed, name_another_parameter, lengthen_a_part, give_a_part_to_another,
          hide_a_wait, wait_for_nothing, pause_for_nothing, edit_a_part_of_the_table, change_a_cost, change_a_rate, edit_a_use,
          drop_a_goal, double_a_goal, shift_a_date, end_in_a_livelock, change_a_checksum, change_a_residual,

@@ -40,7 +40,8 @@ export interface RobotData {
   pose: PoseRows;
   start: Record<string, number>;
   calendar: string;
-  bodies: { name: string; parent: string | null; frame: string; shapes: ShapeData[] }[];
+  /** `buffer`: so far (m) a body keeps from what is not of its machine. */
+  bodies: { name: string; parent: string | null; frame: string; shapes: ShapeData[]; buffer?: number }[];
   parameters: Parameter[];
   tool: { body: string; frame: string };
   /** Pairs of bodies that may meet. */

@@ -20,9 +20,11 @@ using geometry::Vec3;
 class Body;
 using BodyPtr = std::shared_ptr<const Body>;  // shared: a unit's panel stands 40 times on a site
 
-/// Prepares shapes for queries. Throws std::invalid_argument for geometry that is not finite or has
-/// no extent.
-BodyPtr prepare(const std::vector<geometry::Shape>& shapes);
+/// Prepares shapes for queries, grown on all sides by a ball of radius `grown_by` (m): what meets
+/// the result is nearer than that to the shapes. A mesh is then its surface only: test what might
+/// stand inside it against the shapes themselves. Throws std::invalid_argument for geometry that is
+/// not finite or has no extent.
+BodyPtr prepare(const std::vector<geometry::Shape>& shapes, double grown_by = 0);
 
 /// Bodies that stand in the world; ids stay valid until removed.
 using ObstacleId = std::uint32_t;

@@ -67,6 +67,7 @@ struct Body {
   std::vector<int> parameters;  ///< indices into RobotModel::parameters, in declaration order
   FrameFormula frame;           ///< X_PB, P the parent
   std::vector<geometry::Shape> shapes;
+  double buffer = 0;  ///< m: so far it keeps from all that is not of its robot and not its load
   std::optional<Rope> rope = {};  ///< instead of shapes; the frame is that of the parent
 };
 

@@ -189,6 +189,10 @@ void Scene::stand_machine(std::size_t robot) {
     const site::RopeVolume rope = site::standing_rope(machine, part, leg->q0);
     others_.insert(machine.body_names[index(part)], rope.body, rope.motion.pose(0));
   }
+  for (std::size_t i = 0; i < machine.buffers.size(); ++i) {
+    const site::Buffer& buffer = machine.buffers[i];
+    buffers_.insert(machine.buffer_names[i], buffer.grown, X_WB[index(buffer.body)]);
+  }
   if (leg->hanging < 0 || turns) return;
   const auto load = load_of(replay_.tracks[robot].loads[index(leg->hanging)]);
   const math::Pose X_WT = robot::tool_pose(*machine.model, machine.mounting, leg->q0);
@@ -198,6 +202,7 @@ void Scene::stand_machine(std::size_t robot) {
 /// Zones first, then machines, as the site tests them.
 void Scene::stand_others() {
   others_ = {};
+  buffers_ = {};
   over_people_ = {};
   for (const replay::TaskRun& run : replay_.runs) {
     if (!run.happened || run.task < 0 || run.robot == run_.robot) continue;
@@ -215,15 +220,14 @@ void Scene::stand_others() {
 
 // ---- questions
 
-/// Name of a moving part: a body, or after the last body the load.
 const std::string& Scene::part_name(int part) const {
-  const auto& names = robots_[index(run_.robot)].body_names;
-  return index(part) < names.size() ? names[index(part)] : load_->name;
+  const site::SiteRobot& robot = robots_[index(run_.robot)];
+  return part == robot.load_part() ? load_->name : robot.name_of(part);
 }
 
 std::vector<Blocked> Scene::blocking(const AskedStep& asked) const {
-  const site::StepQuery step(robots_[index(run_.robot)], load_, asked.q_from, asked.q_to,
-                             contact_tolerance(), true);
+  const site::SiteRobot& robot = robots_[index(run_.robot)];
+  const site::StepQuery step(robot, load_, asked.q_from, asked.q_to, contact_tolerance(), true);
   std::vector<Blocked> result;
   const auto add = [&](const collision::Contact& contact, const collision::MovingBody& moving,
                        const collision::MovingBody& other, const std::string& moved,
@@ -245,8 +249,7 @@ std::vector<Blocked> Scene::blocking(const AskedStep& asked) const {
     }
     const int other = pair.hit.other_item.value_or(0);
     int met = step.part_of(other);
-    const bool first_is_load = index(moved) == robots_[index(run_.robot)].bodies.size();
-    if (!first_is_load && !step.moves(moved)) std::swap(moved, met);
+    if (moved != robot.load_part() && !step.moves(moved)) std::swap(moved, met);
     add(pair.contact, step.query().items[index(pair.hit.item)].moving,
         step.query().items[index(other)].moving, part_name(moved), part_name(met));
   }
@@ -254,26 +257,34 @@ std::vector<Blocked> Scene::blocking(const AskedStep& asked) const {
   for (const collision::BlockingPair& pair : others_.bodies.explain(against_others)) {
     add_standing(others_, against_others, pair, step.part_of_mover(pair.hit.item));
   }
-  collision::SweptQuery of_load;
-  of_load.contact_tolerance = against_others.contact_tolerance;
-  for (std::size_t i = 0; i < against_others.items.size(); ++i) {
-    const bool is_load = step.part_of_mover(static_cast<int>(i)) == part_count() - 1;
-    if (is_load) of_load.items.push_back(against_others.items[i]);
-  }
-  for (const collision::BlockingPair& pair : over_people_.bodies.explain(of_load)) {
-    add_standing(over_people_, of_load, pair, part_count() - 1);
-  }
+  const auto add_some = [&](const World& world, const auto& is_tested) {
+    collision::SweptQuery some;
+    some.contact_tolerance = against_others.contact_tolerance;
+    std::vector<int> parts;
+    for (std::size_t i = 0; i < against_others.items.size(); ++i) {
+      const int part = step.part_of_mover(static_cast<int>(i));
+      if (!is_tested(part)) continue;
+      some.items.push_back(against_others.items[i]);
+      parts.push_back(part);
+    }
+    for (const collision::BlockingPair& pair : world.bodies.explain(some)) {
+      add_standing(world, some, pair, parts[index(pair.hit.item)]);
+    }
+  };
+  add_some(buffers_, [&](int part) { return !robot.is_buffer(part); });
+  add_some(over_people_, [&](int part) { return part == robot.load_part(); });
   return result;
 }
 
 bool Scene::look_for_miss(const AskedStep& asked, const Touches& except,
                           NearestMiss& nearest) const {
-  const site::StepQuery step(robots_[index(run_.robot)], load_, asked.q_from, asked.q_to,
-                             contact_tolerance(), true);
+  const site::SiteRobot& robot = robots_[index(run_.robot)];
+  const site::StepQuery step(robot, load_, asked.q_from, asked.q_to, contact_tolerance(), true);
   const collision::SweptQuery movers = step.against_others();
   bool nearer = false;
   for (std::size_t i = 0; i < movers.items.size(); ++i) {
     const int part = step.part_of_mover(static_cast<int>(i));
+    if (robot.is_buffer(part)) continue;
     for (const World* world : worlds()) {
       collision::SweptQuery query;
       query.contact_tolerance = movers.contact_tolerance;
@@ -364,8 +375,9 @@ std::optional<Origin> Scene::origin_of(const std::string& name) const {
     return origin;
   }
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    const auto& names = robots_[i].body_names;
-    if (std::find(names.begin(), names.end(), name) != names.end()) return machine_origin(i);
+    for (const auto* names : {&robots_[i].body_names, &robots_[i].buffer_names}) {
+      if (std::find(names->begin(), names->end(), name) != names->end()) return machine_origin(i);
+    }
   }
   for (const replay::TaskRun& run : replay_.runs) {
     if (!run.happened || run.task < 0 || !is_zone_of(name, task_name(run))) continue;

@@ -124,6 +124,7 @@ class Scene {
   Moment moment_;
   World obstacles_;
   World others_;
+  World buffers_;      ///< of other machines that stand still: not for buffers of this one
   World over_people_;  ///< what loads meet, and nothing else does
   std::optional<site::Load> load_;
 };

@@ -29,9 +29,9 @@ StartingRobot make_starting_robot(const interpreter::RobotSpec& spec, PreparedRo
   std::vector<double> q = spec.start;
   robot::update_derived(*model, mounting, q);
   robot::normalise(*model, q);
-  std::vector<collision::BodyPtr>& bodies = prepared[spec.robot.get()];
-  SiteRobot machine = make_site_robot(spec.name, model, mounting, bodies);
-  bodies = machine.bodies;
+  PreparedBodies& shared = prepared[spec.robot.get()];
+  SiteRobot machine = make_site_robot(spec.name, model, mounting, shared);
+  shared = {machine.bodies, machine.buffers};
   return {std::move(machine), std::move(q)};
 }
 

@@ -19,7 +19,7 @@ collision::BodyPtr prepare_named(const std::vector<geometry::Shape>& shapes,
 std::string site_shape_name(std::size_t i, std::size_t count);
 
 /// The bodies of robot files, each made ready once.
-using PreparedRobots = std::map<const interpreter::CheckedRobot*, std::vector<collision::BodyPtr>>;
+using PreparedRobots = std::map<const interpreter::CheckedRobot*, PreparedBodies>;
 
 /// A robot of a plan as it stands at the beginning: derived values computed, cyclic angles reduced.
 struct StartingRobot {

@@ -11,15 +11,18 @@ double reserved_growth(double contact_tolerance) {
 
 ReservedVolume::ReservedVolume(std::vector<ReservedPart> parts, double growth) {
   for (ReservedPart& part : parts) {
-    parts_.push_back({{std::move(part.body), std::move(part.motion), growth}, part.part});
+    parts_.push_back({{std::move(part.body), std::move(part.motion), growth}, part.part, part.is_buffer});
     bounds_.add(parts_.back().volume.bounds());
   }
 }
 
-std::optional<ReservedVolume::Hit> ReservedVolume::meets(collision::MovingBodies& bodies) const {
+std::optional<ReservedVolume::Hit> ReservedVolume::meets(
+    collision::MovingBodies& bodies, const std::vector<bool>& are_buffers) const {
   if (bodies.bounds().disjoint(bounds_)) return std::nullopt;
   for (int item = 0; item < bodies.count(); ++item) {
+    const bool is_buffer = !are_buffers.empty() && are_buffers[static_cast<std::size_t>(item)];
     for (const Part& part : parts_) {
+      if (is_buffer && part.is_buffer) continue;
       if (part.volume.meets(bodies, item)) return Hit{item, part.part};
     }
   }

@@ -21,6 +21,7 @@ struct ReservedPart {
   collision::BodyPtr body;
   geometry::Motion motion;
   int part = 0;  ///< the owner's number for it
+  bool is_buffer = false;
 };
 
 /// The volume that belongs to one owner: where a machine stands, all that it sweeps while a step of
@@ -34,13 +35,16 @@ class ReservedVolume {
     int item = 0;
     int part = 0;
   };
-  /// The first such pair: by the items of the query, then by the parts.
-  std::optional<Hit> meets(collision::MovingBodies& bodies) const;
+  /// The first such pair: by the items of the query, then by the parts. Items that are buffers
+  /// (`are_buffers`, by item; empty: none is) are not tested against buffers.
+  std::optional<Hit> meets(collision::MovingBodies& bodies,
+                           const std::vector<bool>& are_buffers = {}) const;
 
  private:
   struct Part {
     collision::SweptVolume volume;
     int part = 0;
+    bool is_buffer = false;
   };
   std::vector<Part> parts_;
   collision::Bounds bounds_;

@@ -84,11 +84,8 @@ std::optional<interpreter::HitPair> RobotView::overload(const interpreter::Motio
   return interpreter::HitPair{load->name, "the load chart of " + machine.name};
 }
 
-/// Name of a moving part: a body, or after the last body the load.
 const std::string& RobotView::part_name(int part) const {
-  const auto& names = robot().body_names;
-  return static_cast<std::size_t>(part) < names.size() ? names[static_cast<std::size_t>(part)]
-                                                       : site_.load(index_)->name;
+  return is_load(part) ? site_.load(index_)->name : robot().name_of(part);
 }
 
 std::optional<interpreter::HitPair> RobotView::swept_hit(
@@ -109,7 +106,7 @@ collision::SweptResult RobotView::entering_hit(const StepQuery& step) const {
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (!items[i].against_world) continue;
     std::vector<collision::ObstacleId> ignored =
-        site_.entered_by(index_, step.part_of(static_cast<int>(i)));
+        site_.entered_by(index_, robot().body_of(step.part_of(static_cast<int>(i))));
     if (ignored.empty()) continue;
     others.items[i].against_world = false;
     collision::SweptQuery& alone = entering.emplace_back(step.query());
@@ -134,8 +131,7 @@ std::optional<interpreter::HitPair> RobotView::own_hit(const StepQuery& step) co
     return interpreter::HitPair{part_name(moved), site_.obstacle_name(*result.hit->obstacle)};
   }
   int met = step.part_of(result.hit->other_item.value_or(0));
-  const bool first_is_load = static_cast<std::size_t>(moved) == robot().bodies.size();
-  if (!first_is_load && !step.moves(moved)) std::swap(moved, met);
+  if (!is_load(moved) && !step.moves(moved)) std::swap(moved, met);
   return interpreter::HitPair{part_name(moved), part_name(met)};
 }
 
@@ -149,7 +145,7 @@ std::optional<interpreter::HitPair> RobotView::turn_hit(double angle_deg) const 
   query.items.push_back(
       {{load.body.get(), turn_motion(site_.tool_pose(index_), load.X_TO, angle_deg)}, true});
   const collision::SweptQuery alone = query;
-  std::vector<int> part_of = {static_cast<int>(machine.bodies.size())};
+  std::vector<int> part_of = {machine.load_part()};
   for (const ReservedPart& part : parts) {
     const bool barred = std::any_of(machine.load_pairs.begin(), machine.load_pairs.end(),
                                     [&](const OwnPair& pair) { return pair.first == part.part; });
@@ -163,28 +159,35 @@ std::optional<interpreter::HitPair> RobotView::turn_hit(double angle_deg) const 
     const int met = std::max(hit->item, hit->other_item.value_or(0));
     return interpreter::HitPair{load.name, part_name(part_of[static_cast<std::size_t>(met)])};
   }
-  const auto others = other_met(alone, {true});
+  const auto others = other_met(alone, std::span(part_of).first(1));
   if (!others) return std::nullopt;
   return interpreter::HitPair{load.name, others->name, others->machine, others->zone_task};
 }
 
-/// Zones, what is above them, then other machines. `is_load`: by item of the query.
+std::vector<bool> RobotView::are_buffers(std::span<const int> parts) const {
+  if (robot().buffers.empty()) return {};
+  std::vector<bool> result;
+  for (const int part : parts) result.push_back(robot().is_buffer(part));
+  return result;
+}
+
+/// Zones, what is above them, then other machines. `parts`: by item of the query.
 std::optional<OtherMet> RobotView::other_met(const collision::SweptQuery& query,
-                                             const std::vector<bool>& is_load) const {
+                                             std::span<const int> parts) const {
   collision::MovingBodies bodies(query);
   if (auto met = site_.first_zone_met(index_, bodies)) return met;
-  if (auto met = zone_below(query, is_load)) return met;
-  return site_.first_machine_met(index_, bodies, false);
+  if (auto met = zone_below(query, parts)) return met;
+  return site_.first_machine_met(index_, bodies, false, are_buffers(parts));
 }
 
 std::optional<OtherMet> RobotView::zone_below(const collision::SweptQuery& query,
-                                              const std::vector<bool>& is_load) const {
+                                              std::span<const int> parts) const {
   if (!site_.has_people(index_)) return std::nullopt;
   collision::SweptQuery loads;
   loads.contact_tolerance = query.contact_tolerance;
   std::vector<int> items;
   for (std::size_t i = 0; i < query.items.size(); ++i) {
-    if (!is_load[i]) continue;
+    if (!is_load(parts[i])) continue;
     loads.items.push_back(query.items[i]);
     items.push_back(static_cast<int>(i));
   }
@@ -198,17 +201,17 @@ std::optional<OtherMet> RobotView::zone_below(const collision::SweptQuery& query
 std::optional<interpreter::HitPair> RobotView::others_hit(const StepQuery& step) const {
   if (!site_.has_others(index_)) return std::nullopt;
   const collision::SweptQuery movers = step.against_others();
-  std::vector<bool> is_load;
+  std::vector<int> moving;
   for (std::size_t i = 0; i < movers.items.size(); ++i) {
-    is_load.push_back(is_load_part(step.part_of_mover(static_cast<int>(i))));
+    moving.push_back(step.part_of_mover(static_cast<int>(i)));
   }
-  const auto met = other_met(movers, is_load);
+  const auto met = other_met(movers, moving);
   if (!met) return std::nullopt;
-  return interpreter::HitPair{part_name(step.part_of_mover(met->item)), met->name, met->machine,
-                              met->zone_task};
+  return interpreter::HitPair{part_name(moving[static_cast<std::size_t>(met->item)]), met->name,
+                              met->machine, met->zone_task};
 }
 
-/// The robot's bodies and its load, standing at q.
+/// The robot's bodies, its load and its buffers, standing at q.
 std::vector<ReservedPart> RobotView::parts_at(std::span<const double> q) const {
   const SiteRobot& machine = robot();
   std::vector<math::Pose> X_WB;
@@ -226,7 +229,12 @@ std::vector<ReservedPart> RobotView::parts_at(std::span<const double> q) const {
   if (load && load->body) {
     const math::Pose X_WT = robot::tool_pose(*machine.model, machine.mounting, q);
     parts.push_back({load->body, geometry::stationary(X_WT * load->X_TO),
-                     static_cast<int>(machine.bodies.size())});
+                     machine.load_part()});
+  }
+  for (std::size_t i = 0; i < machine.buffers.size(); ++i) {
+    const auto body = static_cast<std::size_t>(machine.buffers[i].body);
+    parts.push_back({machine.buffers[i].grown, geometry::stationary(X_WB[body]),
+                     machine.buffer_part(i), true});
   }
   return parts;
 }
@@ -240,14 +248,14 @@ double RobotView::free_distance(std::span<const double> q, double heading_deg, d
   const auto is_free = [&](double distance) {
     collision::SweptQuery query;
     query.contact_tolerance = site_.contact_tolerance();
-    std::vector<bool> is_load;
+    std::vector<int> moving;
     for (const ReservedPart& part : parts) {
       const math::Pose X = part.motion.pose(0);
       query.items.push_back(
           {{part.body.get(), geometry::translating(X, heading * distance)}, true});
-      is_load.push_back(is_load_part(part.part));
+      moving.push_back(part.part);
     }
-    return !site_.obstacles().test(query).hit && !(has_others && other_met(query, is_load));
+    return !site_.obstacles().test(query).hit && !(has_others && other_met(query, moving));
   };
   if (is_free(range)) return range;
   // The swept volume only grows with the distance, so halving finds where it first meets anything.
@@ -268,9 +276,9 @@ std::optional<interpreter::HitPair> RobotView::blocked_at(std::span<const double
   const std::vector<ReservedPart> parts = parts_at(q);
   std::vector<const ReservedPart*> by_number(machine.bodies.size() + 1, nullptr);
   for (const ReservedPart& part : parts) {
-    by_number[static_cast<std::size_t>(part.part)] = &part;
+    if (!part.is_buffer) by_number[static_cast<std::size_t>(part.part)] = &part;
     if (const auto id = site_.obstacles().blocked_at(*part.body, part.motion.pose(0), tolerance,
-                                                     site_.entered_by(index_, part.part))) {
+                                                     site_.entered_by(index_, machine.body_of(part.part)))) {
       return interpreter::HitPair{part_name(part.part), site_.obstacle_name(*id)};
     }
   }
@@ -284,7 +292,7 @@ std::optional<interpreter::HitPair> RobotView::blocked_at(std::span<const double
       return interpreter::HitPair{part_name(pair.first), part_name(pair.second)};
     }
   }
-  const int load_part = static_cast<int>(machine.bodies.size());
+  const int load_part = machine.load_part();
   if (by_number.back() != nullptr) {
     for (const OwnPair& pair : machine.load_pairs) {
       if (overlap(load_part, pair.first)) {
@@ -300,10 +308,13 @@ std::optional<interpreter::HitPair> RobotView::standing_machine_at(
     const std::vector<ReservedPart>& parts) const {
   collision::SweptQuery query;
   query.contact_tolerance = site_.contact_tolerance();
-  for (const ReservedPart& part : parts)
+  std::vector<bool> buffers;
+  for (const ReservedPart& part : parts) {
     query.items.push_back({{part.body.get(), part.motion}, true});
+    buffers.push_back(part.is_buffer);
+  }
   collision::MovingBodies bodies(query);
-  const auto met = site_.first_machine_met(index_, bodies, true);
+  const auto met = site_.first_machine_met(index_, bodies, true, buffers);
   if (!met) return std::nullopt;
   const ReservedPart& part = parts[static_cast<std::size_t>(met->item)];
   return interpreter::HitPair{part_name(part.part), met->name, met->machine};

@@ -42,13 +42,12 @@ class RobotView : public interpreter::World {
   collision::SweptResult entering_hit(const StepQuery& step) const;
   std::optional<interpreter::HitPair> own_hit(const StepQuery& step) const;
   std::optional<interpreter::HitPair> others_hit(const StepQuery& step) const;
-  bool is_load_part(int part) const {
-    return static_cast<std::size_t>(part) >= robot().bodies.size();
-  }
+  bool is_load(int part) const { return part == robot().load_part(); }
   std::optional<OtherMet> other_met(const collision::SweptQuery& query,
-                                    const std::vector<bool>& is_load) const;
+                                    std::span<const int> parts) const;
   std::optional<OtherMet> zone_below(const collision::SweptQuery& query,
-                                     const std::vector<bool>& is_load) const;
+                                     std::span<const int> parts) const;
+  std::vector<bool> are_buffers(std::span<const int> parts) const;
   bool nothing_to_meet() const;
   bool people_below(std::span<const double> q, std::span<const double> q_goal) const;
   std::vector<ReservedPart> parts_at(std::span<const double> q) const;

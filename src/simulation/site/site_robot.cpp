@@ -71,13 +71,14 @@ bool OwnPair::moves(std::span<const double> q0, std::span<const double> q1) cons
 }
 
 SiteRobot make_site_robot(std::string name, std::shared_ptr<const robot::RobotModel> model,
-                          robot::Mounting mounting, std::vector<collision::BodyPtr> bodies) {
+                          robot::Mounting mounting, PreparedBodies prepared) {
   SiteRobot site;
   site.name = std::move(name);
   site.model = std::move(model);
   site.mounting = std::move(mounting);
-  site.bodies = std::move(bodies);
+  site.bodies = std::move(prepared.bodies);
   const robot::RobotModel& m = *site.model;
+  site.buffers = std::move(prepared.buffers);
   if (site.bodies.empty()) {
     for (const robot::Body& body : m.bodies) {
       site.bodies.push_back(body.shapes.empty() ? nullptr : collision::prepare(body.shapes));
@@ -85,6 +86,17 @@ SiteRobot make_site_robot(std::string name, std::shared_ptr<const robot::RobotMo
   }
   for (const robot::Body& body : m.bodies) site.body_names.push_back(site.name + "." + body.name);
   const int count = static_cast<int>(m.bodies.size());
+  if (site.buffers.empty()) {
+    for (int part = 0; part < count; ++part) {
+      const robot::Body& body = m.bodies[static_cast<std::size_t>(part)];
+      if (body.buffer <= 0 || body.shapes.empty()) continue;
+      site.buffers.push_back({part, collision::prepare(body.shapes, body.buffer)});
+    }
+  }
+  for (const Buffer& buffer : site.buffers) {
+    site.buffer_names.push_back("the buffer of " +
+                                site.body_names[static_cast<std::size_t>(buffer.body)]);
+  }
   for (int part = 0; part < count; ++part) {
     const robot::Body& body = m.bodies[static_cast<std::size_t>(part)];
     if (!body.rope) continue;

@@ -24,6 +24,12 @@ struct OwnPair {
 
 class RopeBodies;
 
+/// What may come no nearer to a body of a robot, as a part of the robot: the body, grown.
+struct Buffer {
+  int body = 0;
+  collision::BodyPtr grown;
+};
+
 /// A machine made ready for the site: its bodies prepared, its own pairs listed. Immutable.
 struct SiteRobot {
   std::string name;  ///< as the plan calls it
@@ -34,20 +40,44 @@ struct SiteRobot {
   std::vector<int> ropes;                   ///< bodies of the model that are ropes
   std::shared_ptr<RopeBodies> rope_bodies;  // shared: copies of a robot are the same machine
   std::vector<std::string> body_names;      ///< robot.body
+  std::vector<std::string> buffer_names;    ///< the buffer of robot.body
   std::vector<OwnPair> own_pairs;   ///< bodies with shapes and ropes, neither parent and child nor
                                     ///< declared touching
   std::vector<OwnPair> load_pairs;  ///< bodies the load must not meet: all with shapes but the tool
                                     ///< body, its hook, and the ropes that hold it
 
+  /// The name of a part that is not the load.
+  const std::string& name_of(int part) const {
+    return is_buffer(part) ? buffer_names[static_cast<std::size_t>(part - load_part() - 1)]
+                           : body_names[static_cast<std::size_t>(part)];
+  }
+  /// Parts of the robot: the bodies of the model, then the load, then the buffers. A buffer is
+  /// tested against what is not of the robot and not its load, and not against another buffer.
+  std::vector<Buffer> buffers;
+
+  int load_part() const { return static_cast<int>(bodies.size()); }
+  bool is_buffer(int part) const { return part > load_part(); }
+  int buffer_part(std::size_t buffer) const { return load_part() + 1 + static_cast<int>(buffer); }
+  /// The body of the model that moves as the part does; the tool body for the load.
+  int body_of(int part) const {
+    if (is_buffer(part)) return buffers[static_cast<std::size_t>(part - load_part() - 1)].body;
+    return part == load_part() ? model->tool_body : part;
+  }
   bool is_rope(int part) const {
     return static_cast<std::size_t>(part) < model->bodies.size() &&
            model->bodies[static_cast<std::size_t>(part)].rope.has_value();
   }
 };
 
-/// Prepares a robot; `bodies` may come from another robot of the same model (empty: prepared here).
-/// Throws std::invalid_argument for shapes without extent.
+/// What robots of the same model share.
+struct PreparedBodies {
+  std::vector<collision::BodyPtr> bodies;
+  std::vector<Buffer> buffers;
+};
+
+/// Prepares a robot; `prepared` may come from another robot of the same model (empty: prepared
+/// here). Throws std::invalid_argument for shapes without extent.
 SiteRobot make_site_robot(std::string name, std::shared_ptr<const robot::RobotModel> model,
-                          robot::Mounting mounting, std::vector<collision::BodyPtr> bodies = {});
+                          robot::Mounting mounting, PreparedBodies prepared = {});
 
 }  // namespace rubicon::site

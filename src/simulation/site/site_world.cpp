@@ -260,11 +260,12 @@ bool SiteWorld::people_below(int robot, collision::MovingBodies& bodies) const {
 }
 
 std::optional<OtherMet> SiteWorld::first_machine_met(int robot, collision::MovingBodies& bodies,
-                                                     bool standing_only) const {
+                                                     bool standing_only,
+                                                     const std::vector<bool>& are_buffers) const {
   for (int i = 0; i < static_cast<int>(robots_.size()); ++i) {
     const RobotEntry& other = entry(i);
     if (i == robot || (standing_only && other.stepping)) continue;
-    if (const auto hit = reserved_volume(other).meets(bodies)) {
+    if (const auto hit = reserved_volume(other).meets(bodies, are_buffers)) {
       return OtherMet{hit->item, part_name(other, hit->part), i, -1};
     }
   }
@@ -355,7 +356,7 @@ void SiteWorld::changed(RobotEntry& robot) {
 }
 
 bool SiteWorld::is_load(const RobotEntry& robot, int part) {
-  return static_cast<std::size_t>(part) >= robot.robot.bodies.size();
+  return part == robot.robot.load_part();
 }
 
 const ReservedVolume& SiteWorld::reserved_volume(const RobotEntry& robot) const {
@@ -386,16 +387,18 @@ std::vector<ReservedPart> SiteWorld::reserved_parts(const RobotEntry& robot) con
       const math::Pose X_WT = robot::tool_pose(*machine.model, machine.mounting, to);
       motions[i] = turn_motion(X_WT, robot.turn->X_TO, robot.turn->angle_deg);
     }
-    if (body) parts.push_back({std::move(body), std::move(motions[i]), static_cast<int>(i)});
+    if (body) parts.push_back({std::move(body), motions[i], static_cast<int>(i)});
+  }
+  for (std::size_t i = 0; i < machine.buffers.size(); ++i) {
+    const Buffer& buffer = machine.buffers[i];
+    parts.push_back({buffer.grown, std::move(motions[static_cast<std::size_t>(buffer.body)]),
+                     machine.buffer_part(i), true});
   }
   return parts;
 }
 
-/// Name of a part: a body, or after the last body the load.
 const std::string& SiteWorld::part_name(const RobotEntry& robot, int part) {
-  const auto& names = robot.robot.body_names;
-  const auto i = static_cast<std::size_t>(part);
-  return i < names.size() ? names[i] : robot.load->name;
+  return is_load(robot, part) ? robot.load->name : robot.robot.name_of(part);
 }
 
 }  // namespace rubicon::site

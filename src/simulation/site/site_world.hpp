@@ -135,9 +135,11 @@ class SiteWorld {
   bool has_people(int robot) const;
   /// The first zone, by task, that bodies of the robot meet.
   std::optional<OtherMet> first_zone_met(int robot, collision::MovingBodies& bodies) const;
-  /// The first other machine, by index; with `standing_only` of those that stand.
+  /// The first other machine, by index; with `standing_only` of those that stand. `are_buffers`:
+  /// by item, or empty.
   std::optional<OtherMet> first_machine_met(int robot, collision::MovingBodies& bodies,
-                                            bool standing_only) const;
+                                            bool standing_only,
+                                            const std::vector<bool>& are_buffers = {}) const;
 
   /// Components in the order in which they came to stand or ceased to, going back included: who
   /// follows them remembers how far it has read.

@@ -42,6 +42,12 @@ StepQuery::StepQuery(const SiteRobot& robot, const std::optional<Load>& load,
     moves_[i] = motions_[i].moves();
     if (moves_[i]) item(part);
   }
+  for (std::size_t i = 0; i < robot.buffers.size(); ++i) {
+    const auto moving = static_cast<std::size_t>(robot.buffers[i].body);
+    if (!moves_[moving]) continue;
+    add_item(robot.buffers[i].grown.get(), motions_[moving], robot.buffer_part(i), against_world_,
+             true);
+  }
   add_pairs(robot.own_pairs, false);
   if (body(load_part_)) add_pairs(robot.load_pairs, true);
 }

@@ -17,8 +17,8 @@ std::vector<geometry::Motion> part_motions(const SiteRobot& robot, const std::op
                                            std::span<const double> q_from,
                                            std::span<const double> q_to);
 
-/// One step of a robot as a question to the collision world. Its parts are the robot's bodies and,
-/// after the last of them, the load. A rope is one item or several, each for a part of the step.
+/// One step of a robot as a question to the collision world. Its parts are the robot's bodies, the
+/// load, and the robot's buffers. A rope is one item or several, each for a part of the step.
 /// Robot, load and values must outlive it.
 class StepQuery {
  public:
@@ -33,6 +33,7 @@ class StepQuery {
   int part_of(int item) const { return part_of_[static_cast<std::size_t>(item)]; }
   /// The same of `against_others`.
   int part_of_mover(int item) const;
+  /// Of a body or the load.
   bool moves(int part) const { return moves_[static_cast<std::size_t>(part)]; }
 
  private:

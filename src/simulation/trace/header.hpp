@@ -68,6 +68,7 @@ struct HeaderBody {
   std::string parent;  ///< "": it stands on the mounting frame
   std::string frame;   ///< text, such as "trans(x, 0, z) * rotz(theta)"
   std::vector<geometry::Shape> shapes;
+  double buffer = 0;  ///< m: so far it keeps from all that is not of its robot; 0: none
   std::optional<HeaderRope> rope = {};
 };
 

@@ -116,6 +116,10 @@ std::vector<HeaderBody> read_bodies(const JsonObject& robot, const HeaderMeshes&
                      [&](const HeaderBody& each) { return each.name == body.parent; })) {
       object.at("parent").fail("a body before this one");
     }
+    if (object.has("buffer")) {
+      body.buffer = object.number("buffer");
+      if (!(body.buffer > 0)) object.at("buffer").fail("a number greater than 0");
+    }
     if (object.has("rope")) {
       const JsonObject rope = object.object("rope");
       body.rope = HeaderRope{rope.number("radius"), rope.text("from"), rope.point("p_from"),

@@ -118,6 +118,7 @@ void write_robot_model(JsonBuilder& json, const robot::RobotModel& model, MeshTa
     }
     json.field("frame", frame_text(model, body.frame)).key("shapes");
     write_shapes(json, body.shapes, meshes);
+    if (body.buffer > 0) json.field("buffer", body.buffer);
     if (body.rope) {
       json.key("rope").begin_object().field("radius", body.rope->radius);
       json.field("from", body_name(body.rope->from));

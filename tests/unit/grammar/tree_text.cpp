@@ -142,6 +142,10 @@ class Writer {
       for (const syntax::Number& each : end->point) number(each);
     }
   }
+  void item(const syntax::BufferItem& value) {
+    number(value.distance);
+    for (const syntax::Name& body : value.bodies) name(body);
+  }
   void item(const syntax::GuideDeclaration& value) {
     name(value.name);
     name(value.kind);

@@ -5,6 +5,7 @@ import { Mechanism, poseMatrix, poseRows } from '../kinematics';
 import type { Motion } from '../motion';
 import { Stock, turnLeft } from '../stock';
 import { Batch, type Light } from './batch';
+import { withBuffer } from './buffers';
 import { cornersOf, expandBy, Shapes } from './shapes';
 
 /** An element of one of the three batches. */
@@ -85,10 +86,11 @@ export class SiteModel {
     this.carry = header.carry.length > 0 && this.robots.length > 0 ? bodies.push(header.carry) - 1 : -1;
     this.machineBounds = this.shapes.surface(bodies).bounds;
     const roomy = this.robots.flatMap((machine) => envelopesOf(header.robots[machine.robot], machine, this.shapes));
-    const only = (wanted: boolean) =>
-      this.shapes.surface(bodies.map((shapes, i) => (roomy.includes(i) === wanted ? shapes : [])));
-    this.machines = new Batch(only(false), bodies.length, light, { pick: 1 + header.components.length });
-    this.envelopes = new Batch(only(true), bodies.length, light, { translucent: true });
+    const buffers = header.robots.flatMap((robot) => robot.bodies.map(({ shapes, buffer }) => this.buffersOf(shapes, buffer ?? 0)));
+    const solid = bodies.map((shapes, i) => (roomy.includes(i) ? [] : shapes));
+    const seenThrough = bodies.map((shapes, i) => [...(roomy.includes(i) ? shapes : []), ...(buffers[i] ?? [])]);
+    this.machines = new Batch(this.shapes.surface(solid), bodies.length, light, { pick: 1 + header.components.length });
+    this.envelopes = new Batch(this.shapes.surface(seenThrough), bodies.length, light, { translucent: true });
     this.envelopes.mesh.renderOrder = 4;
 
     this.stock.items.forEach((item, i) => this.components.setPose(i, item.pose));
@@ -169,8 +171,14 @@ export class SiteModel {
       if (this.carry >= 0) return [{ batch: 'machine', element: this.carry }];
       return this.loaded.map((element) => ({ batch: 'component', element }));
     }
-    const chart = 'the load chart of ';
-    return this.parts.get(name.startsWith(chart) ? name.slice(chart.length) : name) ?? [];
+    const prefix = ['the load chart of ', 'the buffer of '].find((text) => name.startsWith(text)) ?? '';
+    return this.parts.get(name.slice(prefix.length)) ?? [];
+  }
+
+  private buffersOf(shapes: ShapeData[], by: number): ShapeData[] {
+    if (by === 0) return [];
+    const { bounds } = this.shapes.surface(shapes.map((shape) => [shape]));
+    return shapes.map((shape, i) => withBuffer(shape, by, bounds[i]));
   }
 
   partsOfRobot(robot: number): Part[] {

@@ -70,9 +70,28 @@ Vec3 rounded_centre(const Bounds& bounds) {
   return Vec3(std::floor(scaled.x()), std::floor(scaled.y()), std::floor(scaled.z())) / 1024.0;
 }
 
+/// The triangles of a mesh as flat pieces.
+void add_triangles(const TriangleSoup& soup, std::vector<ConvexPiece>& pieces) {
+  for (int i = 0; i < static_cast<int>(soup.triangles().size()); ++i) {
+    const Vec3 &a = soup.corner(i, 0), &b = soup.corner(i, 1), &c = soup.corner(i, 2);
+    ConvexPiece& piece = pieces.emplace_back();
+    piece.vertices = {a, b, c};
+    piece.normals = {(b - a).cross(c - a).normalized()};
+    piece.edges = {(b - a).normalized(), (c - b).normalized(), (a - c).normalized()};
+  }
+}
+
+void grow(std::vector<ConvexPiece>& pieces, double by) {
+  for (ConvexPiece& piece : pieces) {
+    piece.ball += by;
+    piece.width += 2 * by;
+    piece.update_bounds();
+  }
+}
+
 }  // namespace
 
-BodyPtr prepare(const std::vector<geometry::Shape>& shapes) {
+BodyPtr prepare(const std::vector<geometry::Shape>& shapes, double grown_by) {
   if (shapes.empty()) throw std::invalid_argument("a body needs at least one shape");
   Parts parts;
   for (const geometry::Shape& shape : shapes) {
@@ -95,6 +114,11 @@ BodyPtr prepare(const std::vector<geometry::Shape>& shapes) {
   }
   if (parts.pieces.empty() && soups.empty()) {
     throw std::invalid_argument("a mesh has only triangles without area");
+  }
+  if (grown_by > 0) {
+    for (const TriangleSoup& soup : soups) add_triangles(soup, parts.pieces);
+    soups.clear();
+    grow(parts.pieces, grown_by);
   }
   return std::make_shared<const Body>(std::move(parts.pieces), std::move(soups), centre);
 }

@@ -55,6 +55,7 @@ void read_bodies(const JsonFields& fields, const std::vector<std::string>& names
     if (body.has("parent")) read.parent = body_index(robot, body.text("parent"));
     read.frame = parse_frame(body.text("frame"), names);
     read.shapes = read_shapes(body.array("shapes"), meshes);
+    if (body.has("buffer")) read.buffer = body.number("buffer");
     if (body.has("rope")) read.rope = read_rope(body.object("rope"), read, robot);
     robot.bodies.push_back(std::move(read));
   }

@@ -56,6 +56,7 @@ struct SceneBody {
   int parent = -1;  ///< -1: the mounting frame
   std::vector<FrameElement> frame;
   std::vector<ShapeData> shapes;
+  double buffer = 0;  ///< m; 0: none
   std::optional<SceneRope> rope = {};
 };
 

@@ -72,6 +72,21 @@ std::shared_ptr<const Solid> make_solid(const std::vector<ShapeData>& shapes,
   return solid;
 }
 
+std::shared_ptr<const Solid> grown(const Solid& solid, double by) {
+  auto larger = std::make_shared<Solid>();
+  for (Convex piece : solid.pieces) {
+    piece.ball += by;
+    piece.width += 2 * by;
+    // Round now: its own directions no longer tell how deep it is.
+    piece.normals.clear();
+    piece.edges.clear();
+    larger->pieces.push_back(std::move(piece));
+    larger->inner_points.push_back({larger->pieces.back().centre(), larger->pieces.back().width});
+  }
+  measure(*larger);
+  return larger;
+}
+
 std::shared_ptr<const Solid> make_capsule(const Vec3& a, const Vec3& b, double radius) {
   auto solid = std::make_shared<Solid>();
   solid->pieces.push_back(capsule_piece(a, b, radius));

@@ -29,4 +29,8 @@ std::shared_ptr<const Solid> make_capsule(const Vec3& a, const Vec3& b, double r
 std::shared_ptr<const Solid> make_solid(const std::vector<ShapeData>& shapes,
                                         const std::vector<MeshData>& meshes);
 
+/// All points nearer than `by` (m) to pieces of the solid; of a mesh that is not convex those near
+/// its surface.
+std::shared_ptr<const Solid> grown(const Solid& solid, double by);
+
 }  // namespace rubicon::verify

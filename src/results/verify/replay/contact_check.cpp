@@ -51,18 +51,22 @@ class ContactCheck {
            (leg.hanging >= 0 && tracks_[at(robot)].loads[at(leg.hanging)].turn_deg != 0);
   }
 
-  /// A robot's bodies, and last what hangs on its tool.
+  /// A robot's bodies, then what hangs on its tool, then the buffers.
   std::vector<RobotPart> parts_of(int robot, const Leg& leg) const {
     const RobotParts& machine = site_.robots[at(robot)];
     std::vector<RobotPart> parts = machine.bodies;
-    if (leg.hanging < 0) return parts;
-    const Hanging& load = tracks_[at(robot)].loads[at(leg.hanging)];
+    if (leg.hanging >= 0) add_load(tracks_[at(robot)].loads[at(leg.hanging)], machine, parts);
+    parts.insert(parts.end(), machine.buffers.begin(), machine.buffers.end());
+    return parts;
+  }
+
+  void add_load(const Hanging& load, const RobotParts& machine,
+                std::vector<RobotPart>& parts) const {
     const auto& solid = load.component < 0 ? site_.carry : site_.components[at(load.component)];
-    if (!solid) return parts;
+    if (!solid) return;
     parts.push_back({solid.get(), machine.mechanism->tool(), load.X_TO,
                      load.component < 0 ? "load" : trace_.scene.components[at(load.component)].name,
                      nullptr, load.turn_deg});
-    return parts;
   }
 
   void check_robot(int robot) {
@@ -92,7 +96,8 @@ class ContactCheck {
 
   /// What hangs on the robot comes after its bodies.
   bool is_load(int robot, const std::vector<RobotPart>& parts, const RobotPart& part) const {
-    return static_cast<std::size_t>(&part - parts.data()) >= site_.robots[at(robot)].bodies.size();
+    return !part.is_buffer &&
+           static_cast<std::size_t>(&part - parts.data()) >= site_.robots[at(robot)].bodies.size();
   }
 
   void check_obstacles(int robot, const LegFrames& frames, const RobotPart& part, bool is_load,
@@ -120,7 +125,8 @@ class ContactCheck {
     const std::string prefix = trace_.scene.robots[at(robot)].name + ".";
     return std::any_of(entered.begin(), entered.end(), [&](const auto& pair) {
       return pair.second == obstacle.component &&
-             (part.name == pair.first || part.name == prefix + pair.first);
+             (part.name == pair.first || part.name == prefix + pair.first ||
+              part.name == buffer_name(prefix + pair.first));
     });
   }
 
@@ -149,8 +155,8 @@ class ContactCheck {
   void check_own_pairs(int robot, const LegFrames& frames, const std::vector<RobotPart>& parts) {
     const RobotParts& machine = site_.robots[at(robot)];
     std::vector<std::pair<int, int>> pairs = machine.own_pairs;
-    if (parts.size() > machine.bodies.size()) {
-      const int load = static_cast<int>(parts.size()) - 1;
+    if (parts.size() > machine.bodies.size() + machine.buffers.size()) {
+      const int load = static_cast<int>(machine.bodies.size());
       for (int i = 0; i < load; ++i) {
         const int tool = trace_.scene.robots[at(robot)].tool_body;
         const RobotPart& part = parts[at(i)];
@@ -203,6 +209,7 @@ class ContactCheck {
     const bool b_is_later = moves(b, leg_b) && (!moves(a, leg_a) || leg_b.from > leg_a.from);
     for (const RobotPart& part_a : parts_of(a, leg_a)) {
       for (const RobotPart& part_b : parts_of(b, leg_b)) {
+        if (part_a.is_buffer && part_b.is_buffer) continue;
         const LegPart motion_a(frames_a, part_a, -1, a0, a1);
         const LegPart motion_b(frames_b, part_b, -1, b0, b1);
         const PartState state_a = motion_a.state(0, 1);

@@ -34,6 +34,7 @@ struct RobotPart {
   std::string name;
   const SceneRope* rope = nullptr;
   double turn_deg = 0;  ///< of a load that people turn meanwhile about the vertical
+  bool is_buffer = false;
 };
 
 /// A pose turned about the vertical through a point (world).

@@ -47,6 +47,12 @@ RobotParts make_robot_parts(const SceneRobot& robot, const std::vector<MeshData>
     parts.bodies.push_back(
         {parts.solids.back().get(), static_cast<int>(i), Pose::Identity(), name});
     parts.body_index.push_back(static_cast<int>(i));
+    if (!(body.buffer > 0)) continue;
+    parts.grown.push_back(grown(*parts.solids.back(), body.buffer));
+    RobotPart& buffer = parts.buffers.emplace_back(parts.bodies.back());
+    buffer.solid = parts.grown.back().get();
+    buffer.name = buffer_name(name);
+    buffer.is_buffer = true;
   }
   const int count = static_cast<int>(parts.bodies.size());
   for (int a = 0; a < count; ++a) {
@@ -59,6 +65,8 @@ RobotParts make_robot_parts(const SceneRobot& robot, const std::vector<MeshData>
 }
 
 }  // namespace
+
+std::string buffer_name(const std::string& body) { return "the buffer of " + body; }
 
 std::string overhead_name(const std::string& task) { return "the air above the zone of " + task; }
 

@@ -28,6 +28,8 @@ struct RobotParts {
   std::vector<std::shared_ptr<const Solid>> solids;  ///< by body; null: no shape
   std::vector<RobotPart> bodies;                     ///< those with a shape, and ropes
   std::vector<int> body_index;                       ///< of `bodies`, in the robot
+  std::vector<std::shared_ptr<const Solid>> grown;   ///< of `buffers`
+  std::vector<RobotPart> buffers;                    ///< not tested against buffers of others
   std::vector<std::pair<int, int>> own_pairs;        ///< in `bodies`
 };
 
@@ -39,6 +41,9 @@ struct SiteParts {
   std::vector<Obstacle> obstacles;  ///< the site and the stays of components
   std::vector<Obstacle> zones;      ///< while their tasks last
 };
+
+/// What is round a body with a buffer.
+std::string buffer_name(const std::string& body);
 
 /// What a load meets above the zone of a task.
 std::string overhead_name(const std::string& task);
