@@ -133,8 +133,9 @@ RUBICON_EXPECT(clause_semicolon, "';'");
 RUBICON_EXPECT(used_guide, "the name of a guide");
 RUBICON_EXPECT(next_guide, "the name of a guide");
 RUBICON_EXPECT(plan_guide_end, "the kind of the guide, such as rrt_connect, or ';'");
-RUBICON_EXPECT(robot_item, "robot", Explain::item,
-               "time_step sensor body tool const touching capacity rope buffer deviation guide behaviour");
+RUBICON_EXPECT(
+    robot_item, "robot", Explain::item,
+    "time_step sensor body tool const touching capacity rope buffer deviation guide behaviour");
 RUBICON_EXPECT(robot_key, "'robot' at the start of a robot file");
 RUBICON_EXPECT(robot_name, "a name after robot");
 RUBICON_EXPECT(text_finished, "the end of the file after the '}' of the robot");
@@ -258,7 +259,8 @@ RUBICON_EXPECT(import_end, "';' or '{' after import");
 RUBICON_EXPECT(short_start_values, "a parameter and its value");
 RUBICON_EXPECT(
     plan_item, "plan", Explain::item,
-    "component robot crew pool overhead task module place import site storage contact budget start_at "
+    "component robot crew pool overhead task module place import site storage contact budget "
+    "start_at "
     "currency calendar situation start goal via carry within free near lock enter deviation "
     "touching "
     "guide "

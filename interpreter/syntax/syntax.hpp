@@ -314,8 +314,7 @@ struct MotionClause {
 
 using RobotItem =
     std::variant<SettingItem, BodyItem, ToolItem, ConstItem, TouchingItem, CapacityItem, RopeItem,
-                 BufferItem,
-                 MotionClause /* deviation */, GuideDeclaration, BehaviourItem>;
+                 BufferItem, MotionClause /* deviation */, GuideDeclaration, BehaviourItem>;
 
 struct Robot {
   Name name;
