@@ -41,16 +41,14 @@ std::string components_table(const MaterialFlow& flow) {
                     clock_text(each.waiting), clock_text(each.carried),
                     fmt::format("{:.1f} m", each.distance), std::to_string(each.refused)});
     sum.lifts += each.lifts;
-    sum.waiting += each.waiting;
     sum.carried += each.carried;
     sum.distance += each.distance;
     sum.refused += each.refused;
   }
   const std::size_t moved = rows.size() - 1;
   if (moved == 0) return "Nothing was moved.\n";
-  rows.push_back({"together", "", "", std::to_string(sum.lifts), clock_text(sum.waiting),
-                  clock_text(sum.carried), fmt::format("{:.1f} m", sum.distance),
-                  std::to_string(sum.refused)});
+  rows.push_back({"together", "", "", std::to_string(sum.lifts), "", clock_text(sum.carried),
+                  fmt::format("{:.1f} m", sum.distance), std::to_string(sum.refused)});
   return report::columns(rows, {3, 4, 5, 6, 7});
 }
 

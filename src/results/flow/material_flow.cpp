@@ -47,7 +47,7 @@ class Storages {
 
   /// The first that holds the point (world); -1: none.
   int holding(const math::Vec3& p_W) const {
-    const math::Pose X_WP(Eigen::Translation3d(p_W));
+    const math::Pose X_WP = math::translation(p_W.x(), p_W.y(), p_W.z());
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       if (collision::overlaps(*bodies_[i], math::Pose::Identity(), *point_, X_WP, 0)) {
         return static_cast<int>(i);

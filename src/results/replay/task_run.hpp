@@ -35,9 +35,9 @@ struct LoadTurn {
 struct Event {
   Ticks time = 0;        ///< when it is over
   int line = 0;          ///< of the trace
-  bool refused = false;  ///< an attempt that was not accepted
   /// Nothing: time passes and all stand still.
   std::variant<std::monostate, Step, LoadChange, LoadTurn> what;
+  bool refused = false;  ///< an attempt that was not accepted
 };
 
 /// One task as the trace tells it, with the events of its records.
