@@ -133,8 +133,9 @@ RUBICON_EXPECT(clause_semicolon, "';'");
 RUBICON_EXPECT(used_guide, "the name of a guide");
 RUBICON_EXPECT(next_guide, "the name of a guide");
 RUBICON_EXPECT(plan_guide_end, "the kind of the guide, such as rrt_connect, or ';'");
-RUBICON_EXPECT(robot_item, "robot", Explain::item,
-               "time_step sensor body tool const touching capacity rope buffer deviation guide behaviour");
+RUBICON_EXPECT(
+    robot_item, "robot", Explain::item,
+    "time_step sensor body tool const touching capacity rope buffer deviation guide behaviour");
 RUBICON_EXPECT(robot_key, "'robot' at the start of a robot file");
 RUBICON_EXPECT(robot_name, "a name after robot");
 RUBICON_EXPECT(text_finished, "the end of the file after the '}' of the robot");
@@ -216,6 +217,7 @@ RUBICON_EXPECT(crew_end, "';' or '{'");
 RUBICON_EXPECT(crew_name, "a name after crew");
 RUBICON_EXPECT(pool_part, "pool", Explain::item, "of choose");
 RUBICON_EXPECT(pool_name, "a name after pool");
+RUBICON_EXPECT(storage_name, "a name after storage");
 RUBICON_EXPECT(choice_rule, "first, nearest or least_used");
 RUBICON_EXPECT(by_whom, "the name of a robot, a crew or a pool");
 RUBICON_EXPECT(same_as_task, "the name of a task");
@@ -257,7 +259,8 @@ RUBICON_EXPECT(import_end, "';' or '{' after import");
 RUBICON_EXPECT(short_start_values, "a parameter and its value");
 RUBICON_EXPECT(
     plan_item, "plan", Explain::item,
-    "component robot crew pool overhead task module place import site contact budget start_at "
+    "component robot crew pool overhead task module place import site storage contact budget "
+    "start_at "
     "currency calendar situation start goal via carry within free near lock enter deviation "
     "touching "
     "guide "

@@ -52,6 +52,10 @@ struct given_head : if_must<given_key, given_open, given_condition, given_close>
 struct site_key : token<word<TAO_PEGTL_STRING("site")>> {};
 struct site_item : if_must<site_key, shape, plan_semicolon> {};
 
+struct storage_key : token<word<TAO_PEGTL_STRING("storage")>> {};
+struct storage_name : name {};
+struct storage_item : if_must<storage_key, storage_name, shape, plan_semicolon> {};
+
 struct number_key
     : token<sor<word<TAO_PEGTL_STRING("contact")>, word<TAO_PEGTL_STRING("budget")>>> {};
 struct number_value : quantity {};
@@ -419,11 +423,11 @@ struct guides_of_motion : seq<star<if_must<comma, next_guide>>, clause_semicolon
 struct plan_guide_end : sor<guides_of_motion, guide_declared> {};
 struct plan_guide : if_must<guide_key, guide_name, plan_guide_end> {};
 
-struct plan_item
-    : sor<plan_block, parameter_item, component_item, robot_use, crew_item, pool_item,
-          overhead_item, task_item, module_item, place_item, import_item, waiver, site_item,
-          number_item, text_item, calendar_item, situation_item, short_start, short_goal, via_item,
-          carry_item, within_item, motion_clause, whole_item, support_item, plan_guide> {};
+struct plan_item : sor<plan_block, parameter_item, component_item, robot_use, crew_item, pool_item,
+                       overhead_item, task_item, module_item, place_item, import_item, waiver,
+                       site_item, storage_item, number_item, text_item, calendar_item,
+                       situation_item, short_start, short_goal, via_item, carry_item, within_item,
+                       motion_clause, whole_item, support_item, plan_guide> {};
 struct whole_plan_item : must<plan_item> {};
 struct plan_items : nested<star<not_at<block_end>, recover<whole_plan_item, item_end>>> {};
 struct plan_file_key : token<word<TAO_PEGTL_STRING("plan")>> {};

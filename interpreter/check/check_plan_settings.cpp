@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "interpreter/check/check_number.hpp"
@@ -99,6 +100,18 @@ std::optional<double> resolve_budget(Subject& subject, const syntax::Number& num
   return std::nullopt;
 }
 
+namespace {
+
+/// The shapes of the storage place, which has one or several.
+std::vector<geometry::Shape>& storage_of(PlanModel& model, const std::string& name) {
+  const auto found = std::find_if(model.storages.begin(), model.storages.end(),
+                                  [&](const StorageSpec& each) { return each.name == name; });
+  if (found != model.storages.end()) return found->shapes;
+  return model.storages.emplace_back(StorageSpec{name, {}}).shapes;
+}
+
+}  // namespace
+
 void check_settings(Subject& subject) {
   Settings settings(subject);
   for (const syntax::PlanItem& each : subject.plan.items) {
@@ -121,6 +134,9 @@ void check_settings(Subject& subject) {
     } else if (const auto* site = std::get_if<syntax::SiteItem>(&each)) {
       std::optional<geometry::Shape> shape = subject.shapes.resolve(site->shape);
       if (shape) subject.model.site.push_back(*std::move(shape));
+    } else if (const auto* storage = std::get_if<syntax::StorageItem>(&each)) {
+      std::optional<geometry::Shape> shape = subject.shapes.resolve(storage->shape);
+      if (shape) storage_of(subject.model, storage->name.text).push_back(*std::move(shape));
     }
   }
 }

@@ -17,9 +17,9 @@ bool check_distance(Subject& subject, const syntax::Number& distance) {
     return false;
   }
   if (distance.value >= 0 && distance.value <= kMaxBuffer) return true;
-  subject.diagnostics.error("R07", distance.span,
-                            fmt::format("a buffer must be between 0 and {} m, found {}", kMaxBuffer,
-                                        distance.value));
+  subject.diagnostics.error(
+      "R07", distance.span,
+      fmt::format("a buffer must be between 0 and {} m, found {}", kMaxBuffer, distance.value));
   return false;
 }
 

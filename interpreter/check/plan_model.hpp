@@ -211,6 +211,12 @@ struct SupportRules {
 /// "off", "warn", "on".
 const char* name_of(SupportRules::Mode mode);
 
+/// Where components lie until they are taken, or wait on their way (world frame).
+struct StorageSpec {
+  std::string name;
+  std::vector<geometry::Shape> shapes;
+};
+
 /// A plan that was read and checked, modules placed and every name resolved.
 struct PlanModel {
   std::string name;
@@ -220,6 +226,7 @@ struct PlanModel {
   double budget = 20000;                ///< attempts of a motion
   std::vector<std::string> situations;  ///< switched on for the whole plan
   std::vector<geometry::Shape> site;    ///< obstacles that are always there (world frame)
+  std::vector<StorageSpec> storages;
   std::vector<ComponentSpec> components;
   std::vector<RobotSpec> robots;
   std::vector<CrewSpec> crews;

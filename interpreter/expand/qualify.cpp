@@ -55,6 +55,10 @@ class Qualifier {
     for (syntax::Shape& shape : item.shapes) find_file(shape.file);
   }
   void rename(syntax::SiteItem& item) { find_file(item.shape.file); }
+  void rename(syntax::StorageItem& item) {
+    prefix(item.name);
+    find_file(item.shape.file);
+  }
   void rename(syntax::CalendarItem& item) { prefix(item.name); }
   void rename(syntax::RobotUse& item) {
     if (!item.name) {

@@ -167,6 +167,10 @@ RUBICON_ACTION(PlanAction, PlanState, parameter_item) { st.add(std::move(st.para
 RUBICON_ACTION(PlanAction, PlanState, site_item) {
   st.add(syntax::SiteItem{st.take_shape(), {}}, begin);
 }
+RUBICON_ACTION(PlanAction, PlanState, storage_name) { st.storage = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, storage_item) {
+  st.add(syntax::StorageItem{std::move(st.storage), st.take_shape(), {}}, begin);
+}
 RUBICON_ACTION(PlanAction, PlanState, number_key) { st.key = st.word(begin); }
 RUBICON_ACTION(PlanAction, PlanState, task_number_key) { st.key = st.word(begin); }
 RUBICON_ACTION(PlanAction, PlanState, number_value) { st.quantity = st.take_quantity(); }
@@ -529,16 +533,17 @@ RUBICON_ACTION(PlanAction, PlanState, plan_name) { st.plan.name = st.take_name()
 syntax::Plan parse_plan(const SourceMap& sources, FileId file, Diagnostics& diagnostics) {
   PlanState state(
       sources, file, diagnostics, "P00",
-      {"component", "robot",     "crew",      "task",       "module",   "place",     "import",
-       "site",      "contact",   "budget",    "start_at",   "currency", "calendar",  "situation",
-       "start",     "goal",      "via",       "carry",      "within",   "shape",     "at",
-       "grip",      "mass",      "cost",      "park",       "size",     "by",        "move",
-       "go",        "remove",    "hook",      "adjust",     "release",  "takes",     "guide",
-       "priority",  "zone",      "after",     "off",        "name",     "storey",    "type",
-       "guid",      "attribute", "parameter", "for",        "when",     "group",     "density",
-       "touching",  "pool",      "of",        "choose",     "needs",    "rental",    "mobilisation",
-       "overtime",  "overhead",  "whole",     "not_before", "due",      "baseline",  "support",
-       "fixed",     "braced",    "free",      "near",       "lock",     "deviation", "enter"});
+      {"component",    "robot",    "crew",      "task",      "module",     "place",    "import",
+       "site",         "contact",  "budget",    "start_at",  "currency",   "calendar", "situation",
+       "storage",      "start",    "goal",      "via",       "carry",      "within",   "shape",
+       "at",           "grip",     "mass",      "cost",      "park",       "size",     "by",
+       "move",         "go",       "remove",    "hook",      "adjust",     "release",  "takes",
+       "guide",        "priority", "zone",      "after",     "off",        "name",     "storey",
+       "type",         "guid",     "attribute", "parameter", "for",        "when",     "group",
+       "density",      "touching", "pool",      "of",        "choose",     "needs",    "rental",
+       "mobilisation", "overtime", "overhead",  "whole",     "not_before", "due",      "baseline",
+       "support",      "fixed",    "braced",    "free",      "near",       "lock",     "deviation",
+       "enter"});
   const bool finished = run_parser<grammar::plan_file, PlanAction>(state);
   state.plan.broken = !finished || state.errors() > 0;
   state.plan.span = state.span_from(state.begin());

@@ -110,6 +110,7 @@ class PlanState : public GuideState {
   bool lag_is_negative = false;
   std::vector<syntax::Name> names;
   syntax::Name key;
+  syntax::Name storage;
   syntax::Name name;
   syntax::QualifiedName component_name;
   syntax::QualifiedName second_name;

@@ -314,8 +314,7 @@ struct MotionClause {
 
 using RobotItem =
     std::variant<SettingItem, BodyItem, ToolItem, ConstItem, TouchingItem, CapacityItem, RopeItem,
-                 BufferItem,
-                 MotionClause /* deviation */, GuideDeclaration, BehaviourItem>;
+                 BufferItem, MotionClause /* deviation */, GuideDeclaration, BehaviourItem>;
 
 struct Robot {
   Name name;
@@ -336,6 +335,12 @@ struct Goal {
 
 /// site shape;
 struct SiteItem {
+  Shape shape;
+  Span span;
+};
+/// storage yard box(0, 0, 0, 10, 8, 3);   of a place with several shapes one item each
+struct StorageItem {
+  Name name;
   Shape shape;
   Span span;
 };
@@ -632,7 +637,7 @@ using PlanItem =
                  RobotUse, CrewItem, TaskItem, ModuleItem, PlaceItem, ImportItem, StartItem,
                  GoalItem, ViaItem, CarryItem, WithinItem, WaiverItem, PlanParameter, PoolItem,
                  OverheadItem, std::shared_ptr<const PlanBlock>, WholeItem, SupportItem,
-                 GuideDeclaration, GuideItem, MotionClause>;
+                 GuideDeclaration, GuideItem, MotionClause, StorageItem>;
 struct PlanBlock {
   BlockHead head;
   std::vector<PlanItem> items;

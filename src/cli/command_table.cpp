@@ -56,6 +56,14 @@ Action declare_guides(CLI::App& app) {
   return [options] { return run_guides(*options); };
 }
 
+Action declare_flow(CLI::App& app) {
+  const auto options = std::make_shared<FlowOptions>();
+  app.add_option("SOURCE", options->source)->required();
+  app.add_option("--format", options->format)->check(IsMember({"table", "json", "csv"}));
+  declare_set(app, options->set);
+  return [options] { return run_flow(*options); };
+}
+
 Action declare_report(CLI::App& app) {
   const auto options = std::make_shared<ReportOptions>();
   app.add_option("RESULT", options->result)->required();
@@ -146,6 +154,8 @@ const std::vector<Command>& command_table() {
        declare_why},
       {"guides", "PLAN [TASK]", "compare all kinds of guides on the motions of one task",
        pages::kGuides, declare_guides},
+      {"flow", "PLAN|RESULT", "tell what became of the components, and the stock of storage places",
+       pages::kFlow, declare_flow},
       {"report", "RESULT", "make the page that shows a result: the film, the Gantt, the tables",
        pages::kReport, declare_report},
       {"debug", "PLAN|RESULT [TASK]", "step through the behaviour of machines, forward and back",

@@ -68,6 +68,13 @@ struct GuidesOptions {
 };
 int run_guides(const GuidesOptions& options);
 
+struct FlowOptions {
+  std::string source;  ///< a plan, a result folder or a trace
+  std::string format = "table";
+  std::vector<std::string> set;
+};
+int run_flow(const FlowOptions& options);
+
 struct ReportOptions {
   std::string result;  ///< a result folder or a trace
   std::string out;

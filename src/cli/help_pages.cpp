@@ -124,6 +124,29 @@ examples:
   rubicon guides taskplans/unit.plan set_west_1 --format csv
 )";
 
+const std::string_view kFlow =
+    R"(rubicon flow - tell what became of the components, and the stock of storage places
+
+usage: rubicon flow PLAN|RESULT|TRACE [--format table|csv|json] [--set NAME=VALUE]...
+
+Of each component: the storage place where it stands at first and at the end, how often it was lifted, how long it
+lay before that (waited), how long and how far it hung on a machine (the way of the middle of the box round it), and
+how many steps with it were refused. Of each storage place (storage yard box(...); in the plan): what came and went,
+the greatest stock and when, and how long components lay there. What happened counts; rejected tasks do not.
+
+  --format FORMAT  table (the default); csv, a line for each component; json, with the stock over time
+  --set NAME=VALUE another value for a parameter of the PLAN
+
+Times in the table are hours, minutes and seconds, in CSV and JSON seconds; distances are metres. The result needs a
+trace of every step.
+
+Exit code: 0; 2 the input cannot be read, or has no trace of every step.
+
+examples:
+  rubicon flow taskplans/unit.plan
+  rubicon flow result --format json
+)";
+
 const std::string_view kReport =
     R"(rubicon report - make the page that shows a result
 

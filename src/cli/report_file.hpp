@@ -5,6 +5,7 @@
 
 #include "src/exchange/encoding/sha256.hpp"
 #include "src/results/film/film_writer.hpp"
+#include "src/results/replay/replay.hpp"
 
 namespace rubicon::cli {
 
@@ -17,7 +18,11 @@ class ReportWriter {
   std::string page(const std::string& schedule);
 
  private:
+  std::string flow_text();
+
   film::FilmWriter film_;
+  replay::ReplayReader replay_;
+  bool has_steps_ = true;  ///< what `replay_` can read
   encoding::Sha256 trace_;
 };
 

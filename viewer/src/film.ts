@@ -1,4 +1,4 @@
-import type { Header, ScheduleData } from './header';
+import type { FlowData, Header, ScheduleData } from './header';
 
 // Reads a film: docs/film.md.
 
@@ -42,6 +42,7 @@ interface Column {
 interface Head {
   header: Header;
   schedule: ScheduleData | null;
+  flow?: FlowData | null;
   end: number;
   strings: string[];
   places: [number, number, number][];
@@ -64,6 +65,7 @@ export class FilmError extends Error {}
 export class Film {
   readonly header: Header;
   readonly schedule: ScheduleData | null;
+  readonly flow: FlowData | null;
   readonly end: number;
   readonly runs: Run[];
   readonly tracks: Track[];
@@ -85,6 +87,7 @@ export class Film {
     this.bytes = raw.subarray(16 + length);
     ({ header: this.header, schedule: this.schedule, end: this.end, runs: this.runs, tracks: this.tracks,
       strings: this.strings } = this.head);
+    this.flow = this.head.flow ?? null;
     this.records = this.head.columns['record.kind']?.count ?? 0;
   }
 

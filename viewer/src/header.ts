@@ -34,6 +34,14 @@ export interface Parameter {
   derived?: string;
 }
 
+/** From a point of the body `from` to a point of the parent of the body that is the rope, each in its own frame (m). */
+export interface RopeData {
+  radius: number;
+  from: string;
+  p_from: number[];
+  p_to: number[];
+}
+
 export interface RobotData {
   name: string;
   type: string;
@@ -41,7 +49,7 @@ export interface RobotData {
   start: Record<string, number>;
   calendar: string;
   /** `buffer`: so far (m) a body keeps from what is not of its machine. */
-  bodies: { name: string; parent: string | null; frame: string; shapes: ShapeData[]; buffer?: number }[];
+  bodies: { name: string; parent: string | null; frame: string; shapes: ShapeData[]; buffer?: number; rope?: RopeData }[];
   parameters: Parameter[];
   tool: { body: string; frame: string };
   /** Pairs of bodies that may meet. */
@@ -126,6 +134,21 @@ export interface ScheduledTask {
   late?: number;
   /** What does not stand, where the plan only warns of it. */
   support?: string[];
+}
+
+/** So many components lie in a storage place from `t` on. */
+export interface Stock {
+  t: number;
+  count: number;
+  mass: number;
+}
+
+/** What `rubicon flow --format json` tells. */
+export interface FlowData {
+  end: number;
+  components: { name: string; from: string; to: string; removed: boolean; lifts: number; waited: number; carried: number;
+    distance: number; refused: number }[];
+  storages: { name: string; in: number; out: number; mean_stay: number | null; stock: Stock[] }[];
 }
 
 export interface ResourceData {

@@ -21,7 +21,7 @@ class FilmBuilder {
  public:
   void line(std::string_view text);
   bool has_header() const { return reader_.has_header(); }
-  Film finish(std::string_view schedule);
+  Film finish(std::string_view schedule, std::string_view flow);
 
  private:
   void record(const trace::Record& record);

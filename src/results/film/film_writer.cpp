@@ -78,7 +78,7 @@ std::string places_json(const PlaceTable& places) {
 
 }  // namespace
 
-Film FilmBuilder::finish(std::string_view schedule) {
+Film FilmBuilder::finish(std::string_view schedule, std::string_view flow) {
   Body body;
   for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
     body.add(fmt::format("mesh.{}.vertices", i), scene_.meshes[i].vertices);
@@ -89,6 +89,7 @@ Film FilmBuilder::finish(std::string_view schedule) {
 
   std::string head = "{\"header\":" + scene_.json;
   head += ",\"schedule\":" + (schedule.empty() ? std::string("null") : tidy_json(schedule));
+  head += ",\"flow\":" + (flow.empty() ? std::string("null") : tidy_json(flow));
   head += ",\"end\":";
   trace::append_number(head, runs_.end());
   head += ",\"strings\":" + strings_json(strings_);
@@ -113,6 +114,8 @@ FilmWriter::~FilmWriter() = default;
 void FilmWriter::line(std::string_view text) { builder_->line(text); }
 void FilmWriter::restart() { builder_ = std::make_unique<FilmBuilder>(); }
 bool FilmWriter::has_header() const { return builder_->has_header(); }
-Film FilmWriter::finish(std::string_view schedule) { return builder_->finish(schedule); }
+Film FilmWriter::finish(std::string_view schedule, std::string_view flow) {
+  return builder_->finish(schedule, flow);
+}
 
 }  // namespace rubicon::film

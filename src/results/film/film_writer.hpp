@@ -34,9 +34,9 @@ class FilmWriter : public trace::TraceSink {
   bool has_header() const;
 
   /// Once all lines are read; no line may follow but after `restart`. `schedule` is the text of
-  /// schedule.json, or "" where there is none. Throws std::invalid_argument if it is no JSON;
-  /// needs a header.
-  Film finish(std::string_view schedule);
+  /// schedule.json, `flow` what flow::flow_json tells, or "" where there is none. Throws
+  /// std::invalid_argument if one is no JSON; needs a header.
+  Film finish(std::string_view schedule, std::string_view flow = "");
 
  private:
   std::unique_ptr<FilmBuilder> builder_;

@@ -130,7 +130,11 @@ void ReplayReader::add(TaskRun& run, const trace::TaskStart& start) {
 }
 
 void ReplayReader::add(TaskRun& run, const trace::Attempt& attempt) {
-  if (!attempt.ok) return add_event(run, attempt.t, {});
+  if (!attempt.ok) {
+    add_event(run, attempt.t, {});
+    run.events.back().refused = true;
+    return;
+  }
   Step step{{}, values(run, attempt.q)};
   const Machine& machine = replay_.machines[static_cast<std::size_t>(run.robot)];
   for (const std::string_view name : attempt.parameters) {

@@ -33,10 +33,11 @@ struct LoadTurn {
 
 /// What a record says of where things are.
 struct Event {
-  Ticks time = 0;  ///< when it is over
-  int line = 0;    ///< of the trace
+  Ticks time = 0;        ///< when it is over
+  int line = 0;          ///< of the trace
   /// Nothing: time passes and all stand still.
   std::variant<std::monostate, Step, LoadChange, LoadTurn> what;
+  bool refused = false;  ///< an attempt that was not accepted
 };
 
 /// One task as the trace tells it, with the events of its records.

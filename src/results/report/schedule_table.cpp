@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "src/results/report/columns.hpp"
 #include "src/results/report/schedule_text.hpp"
 #include "src/simulation/schedule/civil_time.hpp"
 #include "src/simulation/trace/json_builder.hpp"
@@ -18,36 +19,10 @@ using taskplan::CostKind;
 using taskplan::ResourceUse;
 using taskplan::Schedule;
 using taskplan::TaskOutcome;
-using Row = std::vector<std::string>;
+using Row = TableRow;
 
 /// Of a longer critical chain the table shows only its end.
 constexpr std::size_t kShownChain = 12;
-
-/// How many characters a terminal shows: code points.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
-  }));
-}
-
-/// Columns side by side; `right` names those that are aligned to the right. The last is not padded.
-std::string columns(const std::vector<Row>& rows, const std::vector<std::size_t>& right) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const Row& row : rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
-  }
-  std::string text;
-  for (const Row& row : rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      const std::string padding(widths[c] - width(row[c]), ' ');
-      const bool to_the_right = std::find(right.begin(), right.end(), c) != right.end();
-      const bool last = c + 1 == row.size();
-      text += to_the_right ? padding + row[c] : row[c] + (last ? "" : padding);
-      text += last ? "\n" : "  ";
-    }
-  }
-  return text;
-}
 
 Ticks waited(const TaskOutcome& task) {
   return task.waits.resource + task.waits.machine + task.waits.shift;

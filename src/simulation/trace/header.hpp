@@ -148,6 +148,12 @@ struct HeaderTask {
   HeaderAttributes attributes;
 };
 
+/// Where components lie until they are taken, in {W}.
+struct HeaderStorage {
+  std::string name;
+  std::vector<geometry::Shape> shapes;
+};
+
 /// The first line of a trace (docs/trace.md): the whole scene. Names that it refers to are there
 /// where this says so: meshes of shapes, bodies and parameters of a robot.
 struct TraceHeader {
@@ -164,6 +170,7 @@ struct TraceHeader {
   std::vector<HeaderFile> files;
   std::vector<std::pair<std::string, std::string>> set;  ///< parameters of the plan, if given
   std::vector<geometry::Shape> site;                     ///< in {W}
+  std::vector<HeaderStorage> storages;
   std::vector<HeaderComponent> components;
   std::vector<HeaderRobot> robots;
   std::vector<geometry::Shape> carry;  ///< in {T}

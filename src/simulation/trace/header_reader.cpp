@@ -281,6 +281,11 @@ TraceHeader read_scene(const JsonObject& header) {
   read_plan(header, read);
   read.meshes = read_meshes(header);
   read.site = read_shapes(header, "site", read.meshes);
+  if (header.has("storages")) {
+    header.each_object("storages", [&](const JsonObject& object) {
+      read.storages.push_back({object.text("name"), read_shapes(object, "shapes", read.meshes)});
+    });
+  }
   header.each_object("components", [&](const JsonObject& object) {
     read.components.push_back({object.text("name"), object.pose("pose"), object.pose("grip"),
                                object.number("mass"), read_shapes(object, "shapes", read.meshes),

@@ -454,6 +454,15 @@ std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sou
   write_set(json, plan);
   json.key("site");
   write_shapes(json, plan.site, meshes);
+  if (!plan.storages.empty()) {
+    json.key("storages").begin_array();
+    for (const interpreter::StorageSpec& storage : plan.storages) {
+      json.begin_object().field("name", storage.name).key("shapes");
+      write_shapes(json, storage.shapes, meshes);
+      json.end_object();
+    }
+    json.end_array();
+  }
   write_components(json, plan, meshes);
   write_robots(json, plan, meshes);
   json.key("carry");

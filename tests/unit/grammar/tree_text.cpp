@@ -190,6 +190,10 @@ class Writer {
   void names(const std::vector<syntax::Name>& list) {
     for (const syntax::Name& entry : list) name(entry);
   }
+  void item(const syntax::StorageItem& value) {
+    name(value.name);
+    shape(value.shape);
+  }
   void item(const syntax::SiteItem& value) { shape(value.shape); }
   void item(const syntax::NumberItem& value) { name(value.name), number(value.value); }
   void item(const syntax::StringItem& value) { name(value.name), string(value.value); }

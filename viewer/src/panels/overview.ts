@@ -2,6 +2,7 @@ import { day, duration, money, number, roughly } from '../clock';
 import type { ScheduleData, Waited } from '../header';
 import { tallyText } from '../runs';
 import { button, cut, make, named } from './dom';
+import { materialOf } from './material';
 import { goToRun, goToStep, type Page } from './page';
 
 /** Longer lists are cut: the tables have them whole. */
@@ -19,7 +20,9 @@ export function mountOverview(host: HTMLElement, page: Page): { showRefusals(): 
   if (film.runs.length === 0) say(nothing(page));
   if (refusals) host.append(refusals);
   if (film.schedule) host.append(...lateOf(page, film.schedule), ...supportOf(page, film.schedule), ...resourcesOf(page, film.schedule), ...costsOf(page, film.schedule),
-    ...waitsOf(film.schedule), ...chainOf(page, film.schedule));
+    ...waitsOf(film.schedule));
+  if (film.flow) host.append(...materialOf(film.flow));
+  if (film.schedule) host.append(...chainOf(page, film.schedule));
   return {
     showRefusals: () => {
       refusals?.scrollIntoView({ block: 'start' });

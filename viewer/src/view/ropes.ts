@@ -1,7 +1,7 @@
 import { Vector3 } from 'three';
 import type { Light } from './batch';
 import { cornersOf } from './shapes';
-import type { Machine, SiteModel } from './site_model';
+import type { Machine, RopeOfMachine, SiteModel } from './site_model';
 import { Strokes } from './strokes';
 import type { Theme } from './theme';
 
@@ -10,8 +10,8 @@ const shortest = 1;
 const plumb = 1e-3;
 
 /**
- * What bodies leave out: ropes from a trolley to its hook, slings from the hook to the load, and where on the ground the hook
- * is.
+ * What bodies leave out: ropes, slings from the hook to the load, and where on the ground the hook is. The ropes are those of the
+ * robot file; of a machine that names none it is guessed.
  */
 export class Ropes {
   readonly strokes: Strokes;
@@ -23,14 +23,24 @@ export class Ropes {
   show(theme: Theme): void {
     this.strokes.clear();
     for (const machine of this.model.robots) {
-      const chain = machine.mechanism.chain();
-      if (chain.length < 2) continue;
-      const [above, hook] = chain.slice(-2).map((body) => new Vector3().setFromMatrixPosition(machine.mechanism.bodies[body]));
-      if (Math.hypot(above.x - hook.x, above.y - hook.y) > plumb || above.z - hook.z < shortest) continue;
-      this.strokes.add(above, hook, theme.rope);
-      this.slings(machine, theme);
+      const ropes = this.model.ropesOf(machine.robot);
+      const ends = ropes.length > 0 ? ropes.map((rope) => this.ends(machine, rope)) : this.plumbRope(machine);
+      for (const [above, below] of ends) this.strokes.add(above, below, theme.rope);
+      if (ropes.some(({ hangs }) => hangs) || (ropes.length === 0 && ends.length > 0)) this.slings(machine, theme);
     }
     this.strokes.flush();
+  }
+
+  private ends({ mechanism }: Machine, { from, to, p_from, p_to }: RopeOfMachine): [Vector3, Vector3] {
+    return [new Vector3(...p_from).applyMatrix4(mechanism.bodies[from]), new Vector3(...p_to).applyMatrix4(mechanism.bodies[to])];
+  }
+
+  /** Of a machine that names no rope: from the last body but one to the last, where that hangs plumb below it. */
+  private plumbRope({ mechanism }: Machine): [Vector3, Vector3][] {
+    const chain = mechanism.chain();
+    if (chain.length < 2) return [];
+    const [above, hook] = chain.slice(-2).map((body) => new Vector3().setFromMatrixPosition(mechanism.bodies[body]));
+    return Math.hypot(above.x - hook.x, above.y - hook.y) > plumb || above.z - hook.z < shortest ? [] : [[above, hook]];
   }
 
   /** From the hook to the upper corners of what hangs on it, and a plumb line from there to the ground. */

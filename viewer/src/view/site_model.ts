@@ -8,6 +8,15 @@ import { Batch, type Light } from './batch';
 import { withBuffer } from './buffers';
 import { cornersOf, expandBy, Shapes } from './shapes';
 
+/** A rope between two bodies of a machine, by their numbers; `hangs`: the tool hangs on it. */
+export interface RopeOfMachine {
+  from: number;
+  to: number;
+  p_from: [number, number, number];
+  p_to: [number, number, number];
+  hangs: boolean;
+}
+
 /** An element of one of the three batches. */
 export interface Part {
   batch: 'site' | 'component' | 'machine';
@@ -173,6 +182,13 @@ export class SiteModel {
     }
     const prefix = ['the load chart of ', 'the buffer of '].find((text) => name.startsWith(text)) ?? '';
     return this.parts.get(name.slice(prefix.length)) ?? [];
+  }
+
+  ropesOf(robot: number): RopeOfMachine[] {
+    const { bodies, tool } = this.film.header.robots[robot];
+    const number = (name: string | null) => bodies.findIndex((body) => body.name === name);
+    return bodies.flatMap(({ rope, parent }) => (rope ? [{ from: number(rope.from), to: number(parent), hangs: parent === tool.body,
+      p_from: rope.p_from as [number, number, number], p_to: rope.p_to as [number, number, number] }] : []));
   }
 
   private buffersOf(shapes: ShapeData[], by: number): ShapeData[] {

@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/results/flow/material_flow.hpp"
+#include "src/results/report/columns.hpp"
+#include "src/results/report/schedule_text.hpp"
+#include "src/simulation/schedule/time_text.hpp"
+#include "src/simulation/trace/json_builder.hpp"
+
+namespace rubicon::flow {
+
+namespace {
+
+using schedule::clock_text;
+
+bool was_moved(const ComponentFlow& component) { return component.lifts > 0 || component.removed; }
+
+std::string place_text(const std::string& storage) { return storage.empty() ? "-" : storage; }
+
+std::string end_text(const ComponentFlow& component) {
+  return component.removed ? "removed" : place_text(component.to);
+}
+
+/// A text of CSV, in quotes where it has to be.
+std::string csv_text(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string components_table(const MaterialFlow& flow) {
+  std::vector<report::TableRow> rows = {
+      {"component", "from", "to", "lifts", "waited", "carried", "distance", "refused"}};
+  ComponentFlow sum;
+  for (const ComponentFlow& each : flow.components) {
+    if (!was_moved(each)) continue;
+    rows.push_back({each.name, place_text(each.from), end_text(each), std::to_string(each.lifts),
+                    clock_text(each.waiting), clock_text(each.carried),
+                    fmt::format("{:.1f} m", each.distance), std::to_string(each.refused)});
+    sum.lifts += each.lifts;
+    sum.carried += each.carried;
+    sum.distance += each.distance;
+    sum.refused += each.refused;
+  }
+  const std::size_t moved = rows.size() - 1;
+  if (moved == 0) return "Nothing was moved.\n";
+  rows.push_back({"together", "", "", std::to_string(sum.lifts), "", clock_text(sum.carried),
+                  fmt::format("{:.1f} m", sum.distance), std::to_string(sum.refused)});
+  return report::columns(rows, {3, 4, 5, 6, 7});
+}
+
+std::string storages_table(const MaterialFlow& flow) {
+  std::vector<report::TableRow> rows = {
+      {"storage", "at start", "in", "out", "at end", "most", "when", "mean stay"}};
+  for (const StorageFlow& each : flow.storages) {
+    rows.push_back({each.name, std::to_string(each.stock.front().count), std::to_string(each.in),
+                    std::to_string(each.out), std::to_string(each.stock.back().count),
+                    std::to_string(each.most.count), clock_text(each.most.time),
+                    each.mean_stay ? clock_text(*each.mean_stay) : "-"});
+  }
+  return report::columns(rows, {1, 2, 3, 4, 5, 6, 7});
+}
+
+}  // namespace
+
+std::string flow_text(const MaterialFlow& flow) {
+  std::string text = fmt::format("{}: the flow of material\n\n", flow.plan);
+  text += components_table(flow);
+  const auto still = std::count_if(flow.components.begin(), flow.components.end(),
+                                   [](const ComponentFlow& each) { return !was_moved(each); });
+  if (still > 0)
+    text += fmt::format("{} more {} never moved.\n", still, still == 1 ? "was" : "were");
+  if (!flow.storages.empty()) text += '\n' + storages_table(flow);
+  return text;
+}
+
+std::string flow_csv(const MaterialFlow& flow) {
+  std::string text = "component,mass,from,to,lifts,waited,carried,distance,refused\n";
+  for (const ComponentFlow& each : flow.components) {
+    text += fmt::format("{},{},{},{},{},{},{},{:.3f},{}\n", csv_text(each.name), each.mass,
+                        csv_text(each.from), each.removed ? "removed" : csv_text(each.to),
+                        each.lifts, report::seconds_text(each.waiting),
+                        report::seconds_text(each.carried), each.distance, each.refused);
+  }
+  return text;
+}
+
+std::string flow_json(const MaterialFlow& flow) {
+  trace::JsonBuilder json;
+  json.begin_object().field("plan", flow.plan).key("end").seconds(flow.end);
+  json.key("components").begin_array();
+  for (const ComponentFlow& each : flow.components) {
+    json.begin_object().field("name", each.name).field("mass", each.mass);
+    json.field("from", each.from).field("to", each.to).field("removed", each.removed);
+    json.field("lifts", each.lifts).key("waited").seconds(each.waiting);
+    json.key("carried").seconds(each.carried);
+    // Rounded to 0.1 mm: the way is measured along chords.
+    json.field("distance", std::round(each.distance * 1e4) / 1e4);
+    json.field("refused", each.refused).end_object();
+  }
+  json.end_array().key("storages").begin_array();
+  for (const StorageFlow& each : flow.storages) {
+    json.begin_object().field("name", each.name).field("in", each.in).field("out", each.out);
+    json.key("mean_stay");
+    if (each.mean_stay) {
+      json.seconds(*each.mean_stay);
+    } else {
+      json.null();
+    }
+    json.key("stock").begin_array();
+    for (const Stock& stock : each.stock) {
+      json.begin_object().key("t").seconds(stock.time).field("count", stock.count);
+      json.field("mass", stock.mass).end_object();
+    }
+    json.end_array().end_object();
+  }
+  json.end_array().end_object();
+  return json.take() + '\n';
+}
+
+}  // namespace rubicon::flow

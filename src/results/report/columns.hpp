@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace rubicon::report {
+
+using TableRow = std::vector<std::string>;
+
+/// Columns side by side, two blanks apart; `right` names those that are aligned to the right. The
+/// last is not padded. All rows are as long as the first.
+std::string columns(const std::vector<TableRow>& rows, const std::vector<std::size_t>& right);
+
+}  // namespace rubicon::report
