@@ -4,7 +4,7 @@ import { make, named } from './dom';
 
 /** Longer lists are cut: `rubicon flow` has them whole. */
 const mostListed = 300;
-const chartWidth = 160;
+const chartWidth = 110;
 const chartHeight = 28;
 
 /** The stock over time as a stepped line, from the bottom (0) to the top (`most`) of the chart. */
