@@ -121,7 +121,8 @@ struct behaviour_source : sor<behaviour_in_file, behaviour_in_place> {};
 struct behaviour_item : if_must<behaviour_item_key, behaviour_source> {};
 
 struct robot_item : sor<setting_item, body, tool_item, const_item, touching_item, capacity_item,
-                        rope_item, buffer_item, deviation_item, guide_declaration, behaviour_item> {};
+                        rope_item, buffer_item, deviation_item, guide_declaration, behaviour_item> {
+};
 struct whole_robot_item : must<robot_item> {};
 struct robot_items : nested<star<not_at<block_end>, recover<whole_robot_item, item_end>>> {};
 

@@ -88,15 +88,14 @@ void check_settings(Subject& subject) {
     if (item == nullptr) continue;
     const auto [place, is_new] = given.emplace(item->name.text, item->name.span);
     if (item->name.text != "time_step" && item->name.text != "sensor") {
-      subject.diagnostics.error("R01", item->name.span,
-                                fmt::format("unknown setting '{}'{}", item->name.text,
-                                            subject.suggestions.ending(item->name.text, [] {
-                                              return std::vector<std::string>{
-                                                  "time_step", "sensor",   "body",     "tool",
-                                                  "const",     "touching", "capacity", "rope",
-                                                  "buffer",    "deviation", "guide",
-                                                  "behaviour"};
-                                            })));
+      subject.diagnostics.error(
+          "R01", item->name.span,
+          fmt::format("unknown setting '{}'{}", item->name.text,
+                      subject.suggestions.ending(item->name.text, [] {
+                        return std::vector<std::string>{
+                            "time_step", "sensor", "body",   "tool",      "const", "touching",
+                            "capacity",  "rope",   "buffer", "deviation", "guide", "behaviour"};
+                      })));
     } else if (!is_new) {
       subject.twice(item->name.span, fmt::format("{} is given twice", item->name.text),
                     place->second);

@@ -142,9 +142,7 @@ RUBICON_ACTION(RobotAction, RobotState, rope_item) {
 }
 RUBICON_ACTION(RobotAction, RobotState, buffer_key) { st.buffer = {}; }
 RUBICON_ACTION(RobotAction, RobotState, buffer_distance) { st.buffer.distance = st.number; }
-RUBICON_ACTION(RobotAction, RobotState, buffer_body) {
-  st.buffer.bodies.push_back(st.take_name());
-}
+RUBICON_ACTION(RobotAction, RobotState, buffer_body) { st.buffer.bodies.push_back(st.take_name()); }
 RUBICON_ACTION(RobotAction, RobotState, buffer_item) { st.add(std::move(st.buffer), begin); }
 RUBICON_ACTION(RobotAction, RobotState, deviation_key) {
   st.deviation = {};

@@ -168,7 +168,7 @@ class Guides(ResultCase):
                 place = f"rotz({rng.uniform(-180, 180):.3f}) * trans({rng.uniform(4, 9):.3f}, 0, {rng.uniform(0, 3):.3f})"
                 boxes += (f"  component b{i} {{ shape box({-size[0]:.3f}, {-size[1]:.3f}, 0, {size[0]:.3f}, {size[1]:.3f}, "
                           f"{2 * size[2]:.3f}); at {place} * roty({rng.uniform(-40, 40):.2f}); }}\n")
-            kind = rng.choice(("rrt_connect", "rrt_connect", "rrt_plus", "rrt_limcon", "astar", "prm"))
+            kind = rng.choice(("rrt_connect", "rrt_connect", "rrt_plus", "rrt_limcon", "astar", "prm", "drrt"))
             goal = f"theta {rng.uniform(-180, 180):.2f}, boom.phi {rng.uniform(20, 60):.2f}, stick.phi {rng.uniform(40, 140):.2f}"
             text = (f'plan p {{\n  robot e "{EXCAVATOR}";\n  support off;\n{boxes}  guide g {kind} {{ nodes 1500; }}\n'
                     f"  task go_there {{ by e; go {goal}, bucket.phi 100; guide g; }}\n}}\n")
@@ -186,7 +186,7 @@ class GuidesCommand(unittest.TestCase):
     def test_it_compares_all_kinds(self):
         told = rubicon("guides", SCENE, "--seeds", "2")
         self.assertEqual(told.returncode, 0, told.stderr)
-        for kind in ("rrt", "rrt_nonuniform", "rrt_plus", "rrt_limcon", "rrt_connect", "astar", "prm"):
+        for kind in ("rrt", "rrt_nonuniform", "rrt_plus", "rrt_limcon", "rrt_connect", "astar", "prm", "dstar_lite", "drrt"):
             self.assertRegex(told.stdout, rf"\n{kind} +\d/2 ")
 
     def test_csv_and_json_have_each_try_and_are_the_same_but_for_the_time(self):
@@ -195,11 +195,11 @@ class GuidesCommand(unittest.TestCase):
             self.assertEqual(told.returncode, 0, told.stderr)
             return [{key: value for key, value in row.items() if key != "ms"} for row in csv.DictReader(io.StringIO(told.stdout))]
         first = rows()
-        self.assertEqual(len(first), 14)
+        self.assertEqual(len(first), 18)
         self.assertEqual(first, rows())
         data = json.loads(rubicon("guides", SCENE, "--seeds", "2", "--format", "json").stdout)
         guides = data["motions"][0]["guides"]
-        self.assertEqual([len(guide["trials"]) for guide in guides], [2] * 7)
+        self.assertEqual([len(guide["trials"]) for guide in guides], [2] * 9)
         connect = next(guide for guide in guides if guide["kind"] == "rrt_connect")
         self.assertEqual(f'{connect["trials"][1]["nodes"]}',
                          next(row["nodes"] for row in first if row["guide"] == "rrt_connect" and row["seed"] == "2"))

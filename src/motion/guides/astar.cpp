@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <queue>
 #include <utility>
@@ -10,9 +9,6 @@
 namespace rubicon::guides {
 
 namespace {
-
-/// Legs of a way point the same way if they differ by no more, weighted: rounding.
-constexpr double kSameDirection = 1e-9;
 
 /// A* (Hart, Nilsson, Raphael 1968) that tests a leg only when nothing cheaper is left: the queue
 /// holds legs, not nodes, so that a refused one takes nothing away from the others (lazy A*: Cohen,
@@ -145,29 +141,7 @@ class LatticeSearch {
     }
     std::reverse(points.begin(), points.end());
     if (points.size() == 1) points.push_back(goal_);
-    std::vector<Point> result{points.front()};
-    for (std::size_t i = 0; i + 1 < points.size();) {
-      std::size_t end = i + 1;
-      while (end + 1 < points.size() && goes_on(points, i, end)) ++end;
-      if (end > i + 1 && !space_.leg_is_free(points[i], points[end])) end = i + 1;
-      result.push_back(points[end]);
-      i = end;
-    }
-    return result;
-  }
-
-  /// Whether the leg that begins at point `end` only lengthens that from `first` to there.
-  bool goes_on(const std::vector<Point>& points, std::size_t first, std::size_t end) const {
-    const double before = space_.distance(points[first], points[end]);
-    const double after = space_.distance(points[end], points[end + 1]);
-    for (std::size_t i = 0; i < space_.size(); ++i) {
-      const double done = space_.offset(points[first], points[end], i);
-      const double next = space_.offset(points[end], points[end + 1], i);
-      const double whole = space_.offset(points[first], points[end + 1], i);
-      if (std::fabs(done / before - next / after) > kSameDirection) return false;
-      if (std::fabs(done + next - whole) > kSameDirection * (1 + std::fabs(whole))) return false;
-    }
-    return true;
+    return joined_legs(space_, points);
   }
 
   Space& space_;

@@ -8,11 +8,14 @@ namespace rubicon::guides {
 namespace {
 
 constexpr unsigned bit(GuideKind kind) { return 1u << static_cast<unsigned>(kind); }
-constexpr unsigned kAll = 0x7f;
+constexpr unsigned kAll = 0x1ff;
 constexpr unsigned kAstar = bit(GuideKind::astar);
 constexpr unsigned kPrm = bit(GuideKind::prm);
 constexpr unsigned kConnect = bit(GuideKind::rrt_connect);
-constexpr unsigned kThesis = kAll & ~kConnect & ~kAstar & ~kPrm;
+constexpr unsigned kDstar = bit(GuideKind::dstar_lite);
+constexpr unsigned kDrrt = bit(GuideKind::drrt);
+constexpr unsigned kLattice = kAstar | kDstar;
+constexpr unsigned kThesis = kAll & ~kConnect & ~kLattice & ~kPrm & ~kDrrt;
 constexpr unsigned kPlus = bit(GuideKind::rrt_plus);
 constexpr unsigned kGathered = kPlus | bit(GuideKind::rrt_nonuniform);
 
@@ -29,7 +32,11 @@ constexpr std::array kKinds{
     KindInfo{GuideKind::astar, "astar",
              "the cheapest way over a lattice of two to four parameters (A*)"},
     KindInfo{GuideKind::prm, "prm",
-             "the shortest way over a roadmap of random configurations, tested where it is used"}};
+             "the shortest way over a roadmap of random configurations, tested where it is used"},
+    KindInfo{GuideKind::dstar_lite, "dstar_lite",
+             "as astar, but repaired after a change instead of searched again (D* Lite)"},
+    KindInfo{GuideKind::drrt, "drrt",
+             "a tree from the goal, cut where it is no longer free and grown again"}};
 
 // Reason for the upper bounds: with more a way takes minutes to look for.
 constexpr std::array kClauses{
@@ -41,9 +48,9 @@ constexpr std::array kClauses{
                "at most, of legs and configurations, for one way"},
     ClauseInfo{"step", &GuideSpec::step, false, 1e-3, 1e6, kAll & ~kPrm,
                "the longest leg of a tree, weighted (a degree counts 1, a metre 10); of "
-               "rrt_connect the shortest, of astar the pitch of its lattice"},
-    ClauseInfo{"goal_bias", &GuideSpec::goal_bias, false, 0, 1, kThesis,
-               "the share of samples that are the goal itself"},
+               "rrt_connect the shortest, of astar and dstar_lite the pitch of the lattice"},
+    ClauseInfo{"goal_bias", &GuideSpec::goal_bias, false, 0, 1, kThesis | kDrrt,
+               "the share of samples that are the goal itself; of drrt the start"},
     ClauseInfo{"uniform_nodes", &GuideSpec::uniform_nodes, true, 0, 1e6, kPlus,
                "nodes before its samples gather about the goal"},
     ClauseInfo{"rejections", &GuideSpec::rejections, true, 0, 1e6, kPlus,
@@ -53,7 +60,7 @@ constexpr std::array kClauses{
                "how closely samples gather about the goal"},
     ClauseInfo{"smooth", &GuideSpec::smooth, false, 0, 1000, kThesis,
                "the longest shortcut, in steps; 0: none"},
-    ClauseInfo{"improve", &GuideSpec::improve, true, 0, 1e6, kConnect | kAstar | kPrm,
+    ClauseInfo{"improve", &GuideSpec::improve, true, 0, 1e6, kConnect | kLattice | kPrm | kDrrt,
                "tests of shortcuts after a way is found"},
     ClauseInfo{"safety", &GuideSpec::safety, false, 0, 1000, kAstar,
                "a leg to where all about is blocked costs so many times its length more"},
@@ -69,7 +76,7 @@ constexpr std::array kChoices{
     ChoiceInfo{
         "neighbours", kNeighbourWords,
         [](GuideSpec& spec, std::size_t word) { spec.neighbours = static_cast<Neighbours>(word); },
-        kAstar, "which nodes are next to each other: one parameter apart, or all about"},
+        kLattice, "which nodes are next to each other: one parameter apart, or all about"},
     ChoiceInfo{
         "heuristic", kHeuristicWords,
         [](GuideSpec& spec, std::size_t word) { spec.heuristic = static_cast<Heuristic>(word); },
@@ -103,7 +110,7 @@ const ChoiceInfo* find_choice(std::string_view name) {
   return found == kChoices.end() ? nullptr : &*found;
 }
 
-bool has_over(GuideKind kind) { return (kAstar & bit(kind)) != 0; }
+bool has_over(GuideKind kind) { return (kLattice & bit(kind)) != 0; }
 
 bool is_admissible(const GuideSpec& spec) {
   return spec.heuristic != Heuristic::manhattan || spec.neighbours == Neighbours::straight;
@@ -116,7 +123,9 @@ GuideSpec default_guide(GuideKind kind) {
   const unsigned of = bit(kind);
   if ((of & kThesis) != 0) spec.nodes = 8000;
   if (kind == GuideKind::prm) spec.nodes = 500;
-  if (kind == GuideKind::astar) spec.step = 10;
+  if ((of & kLattice) != 0) spec.step = 10;
+  if (kind == GuideKind::dstar_lite) spec.nodes = 100000;
+  if (kind == GuideKind::drrt) spec.nodes = 8000;
   return spec;
 }
 

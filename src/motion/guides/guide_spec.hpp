@@ -18,7 +18,9 @@ enum class GuideKind : std::uint8_t {
   rrt_limcon,
   rrt_connect,
   astar,
-  prm
+  prm,
+  dstar_lite,
+  drrt
 };
 
 /// Which nodes of a lattice are neighbours: those that are a pitch apart in one parameter, or in

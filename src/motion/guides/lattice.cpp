@@ -177,6 +177,20 @@ std::vector<Lattice::Node> Lattice::next_to(const Node& node) const {
   return nodes;
 }
 
+std::vector<Lattice::Node> Lattice::leading_to(const Node& node) const {
+  std::vector<Node> nodes;
+  for (std::size_t d = 0; d < directions_.size(); ++d) {
+    if (heading_ >= 0 && static_cast<std::int32_t>(d) != node.facing) continue;
+    Node before = node;
+    bool there = true;
+    for (std::size_t a = 0; a < axes_.size() && there; ++a) {
+      there = directions_[d][a] == 0 || moved(before, a, -directions_[d][a]);
+    }
+    if (there) nodes.push_back(before);
+  }
+  return facing_all_ways(std::move(nodes));
+}
+
 std::vector<Lattice::Node> Lattice::beside(const Node& node) const {
   std::vector<Node> nodes;
   for (std::size_t a = 0; a < axes_.size(); ++a) {

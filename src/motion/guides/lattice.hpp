@@ -36,6 +36,10 @@ class Lattice {
   std::vector<Node> about_start() const;
   /// Where one leg of the lattice leads to.
   std::vector<Node> next_to(const Node& node) const;
+  /// From where one leg of the lattice leads to a node.
+  std::vector<Node> leading_to(const Node& node) const;
+  /// The nodes where the spanned parameters have the values of the goal.
+  std::vector<Node> at_goal() const { return facing_all_ways({goal_}); }
   /// A pitch away in one parameter, facing the same way.
   std::vector<Node> beside(const Node& node) const;
 

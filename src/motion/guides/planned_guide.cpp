@@ -20,7 +20,13 @@ Search search(Space& space, const GuideTask& task, const Point& start, const Poi
       found = search_lattice(space, start, goal);
       break;
     case GuideKind::prm:
-      found = search_roadmap(space, start, goal, memory);
+      found = search_roadmap(space, start, goal, memory.roadmap);
+      break;
+    case GuideKind::dstar_lite:
+      found = repair_lattice(space, start, goal, memory.lattice);
+      break;
+    case GuideKind::drrt:
+      found = search_tree(space, start, goal, memory.tree);
       break;
     default:
       return grow_to_goal(space, start, goal);

@@ -4,12 +4,9 @@
 #include <vector>
 
 #include "src/motion/guides/guide.hpp"
-#include "src/motion/guides/roadmap.hpp"
+#include "src/motion/guides/plan_memory.hpp"
 
 namespace rubicon::guides {
-
-/// What a planner of whole ways keeps from one way to the next.
-using PlanMemory = RoadmapMemory;
 
 /// Plans a way once, with what was learnt before and may be of use after.
 PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<const double> q,

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "src/motion/guides/plan_memory.hpp"
 #include "src/motion/guides/roadmap.hpp"
 #include "src/motion/guides/space.hpp"
 
@@ -32,6 +33,18 @@ Search search_lattice(Space& space, const Point& start, const Point& goal);
 
 /// The shortest way over the roadmap of the memory, which is made if there is none yet.
 Search search_roadmap(Space& space, const Point& start, const Point& goal, RoadmapMemory& memory);
+
+/// The same over a lattice that is kept and repaired (repaired_lattice.hpp); without `safety`.
+/// `nodes` of the result are expansions.
+Search repair_lattice(Space& space, const Point& start, const Point& goal,
+                      std::shared_ptr<const RepairedLattice>& memory);
+
+/// Along a tree that is kept, cut where it is no longer free, and grown again (`drrt`).
+Search search_tree(Space& space, const Point& start, const Point& goal,
+                   std::shared_ptr<const GoalTree>& memory);
+
+/// The way with as few legs as are free of those that only go on in the same direction.
+std::vector<Point> joined_legs(Space& space, const std::vector<Point>& points);
 
 /// Makes a way shorter, where that saves motion time, by legs between places of it: `improve`
 /// tests.

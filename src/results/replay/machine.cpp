@@ -45,8 +45,13 @@ robot::RobotModel make_model(const trace::HeaderRobot& header) {
   model.time_step = header.time_step;
   for (const trace::HeaderBody& body : header.bodies) {
     const int parent = body.parent.empty() ? -1 : model.find_body(body.parent);
-    model.bodies.push_back(
-        {body.name, parent, {}, trace::read_frame(body.frame, names), body.shapes, body.buffer, {}});
+    model.bodies.push_back({body.name,
+                            parent,
+                            {},
+                            trace::read_frame(body.frame, names),
+                            body.shapes,
+                            body.buffer,
+                            {}});
     if (!body.rope) continue;
     model.bodies.back().rope = robot::Rope{body.rope->radius, model.find_body(body.rope->from),
                                            body.rope->p_from, body.rope->p_to};

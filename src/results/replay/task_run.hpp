@@ -33,8 +33,8 @@ struct LoadTurn {
 
 /// What a record says of where things are.
 struct Event {
-  Ticks time = 0;        ///< when it is over
-  int line = 0;          ///< of the trace
+  Ticks time = 0;  ///< when it is over
+  int line = 0;    ///< of the trace
   /// Nothing: time passes and all stand still.
   std::variant<std::monostate, Step, LoadChange, LoadTurn> what;
   bool refused = false;  ///< an attempt that was not accepted

@@ -11,7 +11,8 @@ double reserved_growth(double contact_tolerance) {
 
 ReservedVolume::ReservedVolume(std::vector<ReservedPart> parts, double growth) {
   for (ReservedPart& part : parts) {
-    parts_.push_back({{std::move(part.body), std::move(part.motion), growth}, part.part, part.is_buffer});
+    parts_.push_back(
+        {{std::move(part.body), std::move(part.motion), growth}, part.part, part.is_buffer});
     bounds_.add(parts_.back().volume.bounds());
   }
 }

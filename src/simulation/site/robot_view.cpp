@@ -228,13 +228,12 @@ std::vector<ReservedPart> RobotView::parts_at(std::span<const double> q) const {
   const auto& load = site_.load(index_);
   if (load && load->body) {
     const math::Pose X_WT = robot::tool_pose(*machine.model, machine.mounting, q);
-    parts.push_back({load->body, geometry::stationary(X_WT * load->X_TO),
-                     machine.load_part()});
+    parts.push_back({load->body, geometry::stationary(X_WT * load->X_TO), machine.load_part()});
   }
   for (std::size_t i = 0; i < machine.buffers.size(); ++i) {
     const auto body = static_cast<std::size_t>(machine.buffers[i].body);
-    parts.push_back({machine.buffers[i].grown, geometry::stationary(X_WB[body]),
-                     machine.buffer_part(i), true});
+    parts.push_back(
+        {machine.buffers[i].grown, geometry::stationary(X_WB[body]), machine.buffer_part(i), true});
   }
   return parts;
 }
@@ -277,8 +276,9 @@ std::optional<interpreter::HitPair> RobotView::blocked_at(std::span<const double
   std::vector<const ReservedPart*> by_number(machine.bodies.size() + 1, nullptr);
   for (const ReservedPart& part : parts) {
     if (!part.is_buffer) by_number[static_cast<std::size_t>(part.part)] = &part;
-    if (const auto id = site_.obstacles().blocked_at(*part.body, part.motion.pose(0), tolerance,
-                                                     site_.entered_by(index_, machine.body_of(part.part)))) {
+    if (const auto id =
+            site_.obstacles().blocked_at(*part.body, part.motion.pose(0), tolerance,
+                                         site_.entered_by(index_, machine.body_of(part.part)))) {
       return interpreter::HitPair{part_name(part.part), site_.obstacle_name(*id)};
     }
   }

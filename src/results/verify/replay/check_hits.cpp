@@ -77,11 +77,10 @@ class HitCheck {
   }
 
   bool has_body(const SceneRobot& robot, const std::string& name) const {
-    return std::any_of(robot.bodies.begin(), robot.bodies.end(),
-                       [&](const SceneBody& body) {
-                         const std::string whole = robot.name + "." + body.name;
-                         return name == whole || (body.buffer > 0 && name == buffer_name(whole));
-                       });
+    return std::any_of(robot.bodies.begin(), robot.bodies.end(), [&](const SceneBody& body) {
+      const std::string whole = robot.name + "." + body.name;
+      return name == whole || (body.buffer > 0 && name == buffer_name(whole));
+    });
   }
 
   bool is_on_site(const std::string& name) const {
