@@ -237,17 +237,17 @@ Corner corner_before(const Composite& composite, int edge) {
   return {in.line_a, in.line_b, out.line_a, out.line_b};
 }
 
-bool Corner::opens_to(const LatticePoint& target) const {
-  const bool left_of_in = side(in_a, in_b, target) > 0;
-  const bool left_of_out = side(out_a, out_b, target) > 0;
+bool Corner::opens_to(const Aim& aim) const {
+  const bool left_of_in = side(in_a, in_b, aim) > 0;
+  const bool left_of_out = side(out_a, out_b, aim) > 0;
   // Where the walk turns left the free space is left of both edges, else left of either.
   return turn(in_a, in_b, out_a, out_b) > 0 ? left_of_in && left_of_out : left_of_in || left_of_out;
 }
 
-bool Corner::admits(const LatticePoint& target, bool backward) const {
+bool Corner::admits(const Aim& aim, bool backward) const {
   const int sense = backward ? -1 : 1;
-  const bool left_of_in = sense * side(in_a, in_b, target) >= 0;
-  const bool left_of_out = sense * side(out_a, out_b, target) >= 0;
+  const bool left_of_in = sense * side(in_a, in_b, aim) >= 0;
+  const bool left_of_out = sense * side(out_a, out_b, aim) >= 0;
   return turn(in_a, in_b, out_a, out_b) > 0 ? left_of_in && left_of_out : left_of_in || left_of_out;
 }
 

@@ -133,6 +133,10 @@ int turn(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
   return sign_of(cross(b.x - a.x, b.y - a.y, d.x - c.x, d.y - c.y));
 }
 
+int side(const LatticePoint& a, const LatticePoint& b, const Aim& aim) {
+  return aim.is_direction ? turn(a, b, LatticePoint{0, 0}, aim.to) : side(a, b, aim.to);
+}
+
 int compare(const ExactPoint& a, const ExactPoint& b) {
   const int by_x = compare_coordinate(a.p.x(), b.p.x(), a.x, a.w, b.x, b.w);
   return by_x != 0 ? by_x : compare_coordinate(a.p.y(), b.p.y(), a.y, a.w, b.y, b.w);

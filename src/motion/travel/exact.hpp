@@ -52,6 +52,16 @@ int side(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
 int turn(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
          const LatticePoint& d);
 
+/// Where a straight way leads: to a corner, or for ever along a direction (whose coordinates are
+/// not both 0).
+struct Aim {
+  LatticePoint to;
+  bool is_direction = false;
+};
+/// The sign of the cross product of b - a with the way to the aim from any point of the line a b: 1
+/// where it leads to the left.
+int side(const LatticePoint& a, const LatticePoint& b, const Aim& aim);
+
 /// Order by x, then y: -1, 0 or 1. Exact.
 int compare(const ExactPoint& a, const ExactPoint& b);
 

@@ -76,11 +76,12 @@ struct Corner {
   LatticePoint in_a, in_b;    ///< line of the edge that arrives
   LatticePoint out_a, out_b;  ///< line of the edge that leaves
 
-  /// Whether the way from the node to `target` starts in free space, not along an edge.
-  bool opens_to(const LatticePoint& target) const;
-  /// The same with the edges; `backward`: of the opposite direction.
-  bool admits(const LatticePoint& target, bool backward) const;
+  /// Whether the way from the node to the aim starts in free space, not along an edge.
+  bool opens_to(const Aim& aim) const;
+  /// The same, along an edge too; `backward`: of the opposite direction.
+  bool admits(const Aim& aim, bool backward = false) const;
 };
+/// At the node where an edge starts.
 Corner corner_before(const Composite& composite, int edge);
 
 /// The outlines of all obstacles. After a change only composites that it touches are built anew;

@@ -1,6 +1,9 @@
 #include "tests/unit/travel/travel_worlds.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 
@@ -101,12 +104,51 @@ std::vector<Corners> random_world(TestRandom& random, WorldKind kind, int obstac
   return world;
 }
 
+std::vector<Corners> wall_maze(TestRandom& random, int cells, double pitch, double density) {
+  std::vector<Corners> walls;
+  constexpr double kThick = 0.25;
+  for (int i = 0; i <= cells; ++i) {
+    for (int j = 0; j < cells; ++j) {
+      if (random.between(0, 1) < density) {
+        walls.push_back(
+            box(j * pitch - kThick, i * pitch - kThick, pitch + 2 * kThick, 2 * kThick));
+      }
+      if (random.between(0, 1) < density) {
+        walls.push_back(
+            box(i * pitch - kThick, j * pitch - kThick, 2 * kThick, pitch + 2 * kThick));
+      }
+    }
+  }
+  return walls;
+}
+
 std::vector<Piece> pieces_of(const std::vector<Corners>& world) {
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < world.size(); ++i) {
     pieces.push_back({ring_of(world[i]), static_cast<int>(i)});
   }
   return pieces;
+}
+
+TravelQuery query_of(const std::vector<Corners>& world, const Vec2& start,
+                     const Vec2& destination) {
+  TravelQuery query;
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    query.obstacles.push_back({std::string(1, static_cast<char>('a' + i % 26)), {world[i]}, {}});
+  }
+  query.start = start;
+  query.destination = destination;
+  return query;
+}
+
+std::string told(const TravelResult& result) {
+  std::string text;
+  for (const Event& event : result.events) {
+    text += fmt::format("{}{}({:.6g},{:.6g})", text.empty() ? "" : " ", name_of(event.kind),
+                        std::round(event.point.x() * 100) / 100 + 0.0,
+                        std::round(event.point.y() * 100) / 100 + 0.0);
+  }
+  return text;
 }
 
 bool is_free(const std::vector<Corners>& world, const Vec2& p) {

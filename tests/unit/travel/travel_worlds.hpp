@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "src/motion/travel/outline.hpp"
+#include "src/motion/travel/travel.hpp"
 
 namespace rubicon::travel {
 
@@ -40,8 +42,18 @@ Corners convex(TestRandom& random, const Vec2& centre, double radius, int corner
 enum class WorldKind { kBoxes, kStars, kLattice, kMixed };
 std::vector<Corners> random_world(TestRandom& random, WorldKind kind, int obstacles, double reach);
 
+/// A maze of walls on a grid with the given pitch: each wall between two cells stands with a chance
+/// of `density`. It starts at the origin.
+std::vector<Corners> wall_maze(TestRandom& random, int cells, double pitch, double density);
+
 /// One piece an obstacle.
 std::vector<Piece> pieces_of(const std::vector<Corners>& world);
+
+/// Obstacles named a, b, c ... that stand.
+TravelQuery query_of(const std::vector<Corners>& world, const Vec2& start, const Vec2& destination);
+
+/// Events as text: hit(0,0) leave(0,10) reached(0,30), with two decimals where needed.
+std::string told(const TravelResult& result);
 
 /// Whether no obstacle has p inside or on its border.
 bool is_free(const std::vector<Corners>& world, const Vec2& p);
