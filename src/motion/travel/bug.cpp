@@ -35,12 +35,12 @@ class Bug1 {
         default:
           return walker_.finish(Verdict::kLimit, EventKind::kLimit);
       }
-      walker_.log(EventKind::kHit);
+      walker_.note(EventKind::kHit);
       walker_.set_mode(Mode::kSearching);
       const Stop stop = go_round();
       if (stop.destination) return walker_.finish(Verdict::kReached, EventKind::kReached);
       if (stop.limit) return walker_.finish(Verdict::kLimit, EventKind::kLimit);
-      walker_.log(EventKind::kNearest);
+      walker_.note(EventKind::kNearest);
       if (!leaves()) return walker_.finish(Verdict::kUnreachable, EventKind::kBack);
       from = nearest_.along == 0
                  ? walker_.exact_position()
@@ -170,7 +170,7 @@ TravelResult travel_bug2(Walker walker) {
       leg = Leg(walker.exact_position(), walker.aim());
       continue;
     }
-    if (outcome == Walker::Outcome::kHit) walker.log(EventKind::kHit);
+    if (outcome == Walker::Outcome::kHit) walker.note(EventKind::kHit);
     walker.set_mode(Mode::kSearching);
     const Mark hit = walker.here();
     const LineWatch watch{line, walker.distance_to_destination()};
@@ -184,7 +184,7 @@ TravelResult travel_bug2(Walker walker) {
       if (stop.line) break;
       if (stop.mark) return walker.finish(Verdict::kUnreachable, EventKind::kBack);
     }
-    walker.log(EventKind::kLeave);
+    walker.note(EventKind::kLeave);
     leg = line;
   }
 }

@@ -139,7 +139,11 @@ int side(const LatticePoint& a, const LatticePoint& b, const Aim& aim) {
 
 int compare(const ExactPoint& a, const ExactPoint& b) {
   const int by_x = compare_coordinate(a.p.x(), b.p.x(), a.x, a.w, b.x, b.w);
-  return by_x != 0 ? by_x : compare_coordinate(a.p.y(), b.p.y(), a.y, a.w, b.y, b.w);
+  return by_x != 0 ? by_x : compare_y(a, b);
+}
+
+int compare_y(const ExactPoint& a, const ExactPoint& b) {
+  return compare_coordinate(a.p.y(), b.p.y(), a.y, a.w, b.y, b.w);
 }
 
 ExactPoint crossing(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,

@@ -64,6 +64,8 @@ int side(const LatticePoint& a, const LatticePoint& b, const Aim& aim);
 
 /// Order by x, then y: -1, 0 or 1. Exact.
 int compare(const ExactPoint& a, const ExactPoint& b);
+/// By y alone.
+int compare_y(const ExactPoint& a, const ExactPoint& b);
 
 /// Where the lines a b and c d, which are not parallel, cross.
 ExactPoint crossing(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,

@@ -88,7 +88,7 @@ Stop Walker::follow(const Watches& watches) {
       if (world_.any_moved()) {
         stop.slice = true;
         stop.squeezed = squeezed_;
-        if (squeezed_) log(EventKind::kSqueezed);
+        if (squeezed_) note(EventKind::kSqueezed);
         return stop;
       }
     }
@@ -145,6 +145,7 @@ Stop Walker::follow(const Watches& watches) {
       stop.mark = now(mark);
       stop.trail = now(trail.distance);
       stop.trail_part = trail.part;
+      stop.lap = stop.trail && trail_[trail.part].version == composite.version;
       return stop;
     }
     advance_to(to.p);
@@ -172,6 +173,7 @@ void Walker::look_at_node(const Watches& watches, Stop& stop) const {
         meet_trail(trail_, composite.version, node.p, edge().heading, -kSameSpot, kSameSpot);
     stop.trail = met.distance < kNowhere;
     stop.trail_part = met.part;
+    stop.lap = stop.trail && trail_[met.part].version == composite.version;
   }
 }
 

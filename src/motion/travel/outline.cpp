@@ -124,15 +124,29 @@ void Outline::rebuild(const std::vector<int>& stale) {
   }
 }
 
-int Outline::covering(const ExactPoint& p) const {
-  for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const Vec2 low = metres({boxes_[i].low_x, boxes_[i].low_y});
-    const Vec2 high = metres({boxes_[i].high_x, boxes_[i].high_y});
+int Outline::place_of(const ExactPoint& p) const {
+  for (const Composite& composite : composites_) {
+    if (composite.pieces.empty()) continue;
+    const Vec2 low = metres({composite.box.low_x, composite.box.low_y});
+    const Vec2 high = metres({composite.box.high_x, composite.box.high_y});
     // The margin covers the rounding of p; who is right on the border is asked exactly.
     constexpr double kMargin = 1e-6;
-    if ((p.p.array() < low.array() - kMargin).any() || (p.p.array() > high.array() + kMargin).any())
-      continue;
-    if (place_of_middle(p, p, pieces_[i].ring) > 0) return static_cast<int>(i);
+    if ((p.p.array() < low.array() - kMargin).any()) continue;
+    if ((p.p.array() > high.array() + kMargin).any()) continue;
+    bool inside = false;
+    for (const Edge& edge : composite.edges) {
+      const ExactPoint& from = composite.nodes[at_index(edge.from)];
+      const ExactPoint& to = composite.nodes[at_index(edge.to)];
+      const int above_from = compare_y(from, p);
+      const int above_to = compare_y(to, p);
+      if (above_from * above_to > 0) continue;
+      const int at = side(ExactPoint(edge.line_a), ExactPoint(edge.line_b), p);
+      if (at == 0 && compare(from, p) * compare(to, p) <= 0) return 0;
+      // Half-open in y: a node that the ray to the east meets counts once.
+      if ((above_from > 0) == (above_to > 0)) continue;
+      if ((at > 0) == (above_to > 0)) inside = !inside;
+    }
+    if (inside) return 1;
   }
   return -1;
 }

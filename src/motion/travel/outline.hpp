@@ -101,8 +101,9 @@ class Outline {
   /// The composite that a piece is part of.
   int composite_of(int piece) const { return composite_of_[static_cast<std::size_t>(piece)]; }
 
-  /// The piece with the lowest number that has `p` inside, its border not counted; -1: none.
-  int covering(const ExactPoint& p) const;
+  /// Where a point is: 1 inside the union of the pieces, 0 on the outline, -1 in free space. Exact.
+  int place_of(const ExactPoint& p) const;
+  bool covers(const ExactPoint& p) const { return place_of(p) > 0; }
 
   /// Contacts that were computed and composites that were built so far: what changes cost.
   struct Work {

@@ -41,7 +41,7 @@ TravelResult travel_pledge(Walker walker) {
         }
         break;
       case Walker::Outcome::kHit:
-        walker.log(EventKind::kHit);
+        walker.note(EventKind::kHit);
     }
     walker.set_mode(Mode::kSearching);
     const double zero = walker.turned() - angle_between(leg.direction(), walker.edge().heading);
@@ -51,7 +51,7 @@ TravelResult travel_pledge(Walker walker) {
       if (stop.limit) return walker.finish(Verdict::kLimit, EventKind::kLimit);
       if (walker.turned() - zero <= kNoTurn) break;
     }
-    walker.log(EventKind::kClear);
+    walker.note(EventKind::kClear);
     from = walker.exact_position();
   }
 }

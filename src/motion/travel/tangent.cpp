@@ -23,7 +23,7 @@ class Tangent {
         case Walker::Outcome::kArrived:
           return walker_.finish(Verdict::kReached, EventKind::kReached);
         case Walker::Outcome::kHit:
-          walker_.log(EventKind::kHit);
+          walker_.note(EventKind::kHit);
           break;
         case Walker::Outcome::kStruck:
           if (walker_.free_towards(walker_.aim())) {
@@ -136,7 +136,7 @@ class Tangent {
   Exit follow(Leg& leg) {
     if (method_ != Method::kSimple) keeps_to_line_ = stopped_again() || keeps_to_line_;
     if (keeps_to_line_ || trapped(true)) {
-      walker_.log(EventKind::kTrack);
+      walker_.note(EventKind::kTrack);
       return track(leg);
     }
     while (true) {
@@ -144,12 +144,12 @@ class Tangent {
       if (stop.destination) return Exit::kDestination;
       if (stop.limit) return Exit::kLimit;
       if (trapped(false)) {
-        walker_.log(EventKind::kTrack);
+        walker_.note(EventKind::kTrack);
         leg = Leg(walker_.exact_position(), walker_.aim());
         return track(leg);
       }
       if (clear(stop)) {
-        walker_.log(EventKind::kClear);
+        walker_.note(EventKind::kClear);
         end_search(false);
         return Exit::kClear;
       }
@@ -157,7 +157,7 @@ class Tangent {
   }
 
   Exit leave_track(EventKind why) {
-    walker_.log(why);
+    walker_.note(why);
     end_search(true);
     if (why == EventKind::kLeave) return Exit::kLine;
     keeps_to_line_ = false;
@@ -187,7 +187,10 @@ class Tangent {
         // What closed the line when tracking began has moved away since.
         return leave_track(EventKind::kLeave);
       }
-      if (stop.trail && clockwise_since(stop.trail_part)) return leave_track(EventKind::kRevisit);
+      if (!stop.trail) continue;
+      if (clockwise_since(stop.trail_part)) return leave_track(EventKind::kRevisit);
+      // Once round a room whose walls have not changed: it was closed after tracking began.
+      if (stop.lap) return Exit::kUnreachable;
     }
   }
 

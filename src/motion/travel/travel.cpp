@@ -43,7 +43,7 @@ void require_standing(Method method, const TravelQuery& query) {
 TravelResult run(Method method, const TravelQuery& query, const TravelSettings& settings) {
   Walker walker(query, settings);
   const ExactPoint start(walker.start());
-  if (walker.outline().covering(start) >= 0) {
+  if (walker.outline().covers(start)) {
     return walker.finish(Verdict::kUnreachable, EventKind::kCovered);
   }
   if (walker.start() == walker.destination()) {

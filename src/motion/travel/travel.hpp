@@ -11,8 +11,9 @@ namespace rubicon::travel {
 
 /// Ways to travel without a map. Sources and proofs: docs/travel.md.
 enum class Method { kBug1, kBug2, kVisBug21, kPledge, kSimple, kTangent, kAce };
-inline constexpr Method kMethods[] = {Method::kBug1,   Method::kBug2,    Method::kPledge,
-                                      Method::kSimple, Method::kTangent, Method::kAce};
+inline constexpr Method kMethods[] = {Method::kBug1,   Method::kBug2,   Method::kVisBug21,
+                                      Method::kPledge, Method::kSimple, Method::kTangent,
+                                      Method::kAce};
 /// As in files: "bug1", "visbug21".
 std::string_view name_of(Method method);
 

@@ -242,7 +242,7 @@ Walker::Outcome Walker::go(const Leg& leg) {
       begin_slice();
       if (struck_) {
         // Pushed from behind it just goes on; else it was run into and follows what did it.
-        if (!free_towards(leg.aim())) log(EventKind::kStruck);
+        if (!free_towards(leg.aim())) note(EventKind::kStruck);
         return Outcome::kStruck;
       }
     }
@@ -295,10 +295,18 @@ std::vector<std::string> Walker::names() const {
   return result;
 }
 
-void Walker::log(EventKind kind) { result_.events.push_back({kind, time_, position_, names()}); }
+void Walker::note(EventKind kind) { result_.events.push_back({kind, time_, position_, names()}); }
+
+void Walker::note_at(EventKind kind, const Vec2& point, int piece) {
+  Event event{kind, time_, point, {}};
+  if (piece >= 0) {
+    event.obstacles.push_back(world_.obstacles()[in(outline().pieces()[in(piece)].obstacle)].name);
+  }
+  result_.events.push_back(std::move(event));
+}
 
 TravelResult Walker::finish(Verdict verdict, EventKind last) {
-  log(last);
+  note(last);
   result_.verdict = verdict;
   result_.time = time_;
   return std::move(result_);

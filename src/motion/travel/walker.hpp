@@ -47,6 +47,7 @@ struct Stop {
   bool mark = false;   ///< at the mark, in its direction
   bool trail = false;  ///< on the trail
   std::size_t trail_part = 0;
+  bool lap = false;       ///< and that part was walked on the same outline, unchanged since
   bool node = false;      ///< on a new edge
   bool slice = false;     ///< obstacles have moved
   bool squeezed = false;  ///< and put the robot on another edge
@@ -109,7 +110,9 @@ class Walker {
   void stand_on(int composite, int edge, double along);
 
   void set_mode(Mode mode) { mode_ = mode; }
-  void log(EventKind kind);
+  void note(EventKind kind);
+  /// Of a place that the robot sees, on an edge of a piece; -1: on none.
+  void note_at(EventKind kind, const Vec2& point, int piece);
   bool at_limit();
   /// Leaves the result behind.
   TravelResult finish(Verdict verdict, EventKind last);

@@ -188,8 +188,10 @@ bool reachable_at(const TravelQuery& query, double time, const Vec2& point) {
   return true;
 }
 
-/// Whether at any time of its last tracking the robot was shut in where it began that.
+/// Whether at any time of its last tracking the robot was shut in where it began that, or at the
+/// end where it was.
 bool was_shut_in(const TravelQuery& query, const TravelResult& result) {
+  if (!reachable_at(query, result.time, result.way.back().point)) return true;
   const Event& tracked = result.events[result.events.size() - 2];
   for (double time = tracked.time; time <= result.time; time += 0.5) {
     if (!reachable_at(query, time, tracked.point)) return true;

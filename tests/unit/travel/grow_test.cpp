@@ -91,8 +91,8 @@ TEST(Grow, AShapeThatIsNotConvexKeepsItsFreeSpace) {
   EXPECT_EQ(outline.composites().size(), 1u);
   EXPECT_EQ(outline.composites()[0].loops.size(), 1u);
   EXPECT_NEAR(outline.composites()[0].loops[0].length, 2 * (11 + 9) + 2 * 6, 1e-9);
-  EXPECT_EQ(outline.covering(snap({5, 5})), -1);
-  EXPECT_GE(outline.covering(snap({2.4, 3})), 0);
+  EXPECT_FALSE(outline.covers(snap({5, 5})));
+  EXPECT_TRUE(outline.covers(snap({2.4, 3})));
 }
 
 }  // namespace

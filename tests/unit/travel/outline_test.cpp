@@ -59,6 +59,16 @@ TEST(Outline, ARoomHasAHole) {
   EXPECT_NE(room.loops[0].hole, room.loops[1].hole);
 }
 
+TEST(Outline, WhereObstaclesTouchNothingIsFree) {
+  const Outline outline(pieces_of({box(0, 0, 10, 10), box(10, 0, 10, 10)}));
+  EXPECT_EQ(outline.place_of(snap({10, 5})), 1);
+  EXPECT_EQ(outline.place_of(snap({10, 10})), 0);
+  EXPECT_EQ(outline.place_of(snap({0, 0})), 0);
+  EXPECT_EQ(outline.place_of(snap({20, 3})), 0);
+  EXPECT_EQ(outline.place_of(snap({-1, 0})), -1);
+  EXPECT_EQ(outline.place_of(snap({30, 10})), -1);
+}
+
 TEST(Outline, ManyEdgesThroughOnePointHaveOneNode) {
   // Eight triangles whose long sides all cross in the origin.
   std::vector<Corners> world;
@@ -90,8 +100,8 @@ TEST(Outline, RandomWorldsLinkAndKnowWhereSpaceIsFree) {
                              composite.nodes[static_cast<std::size_t>(edge.to)].p) /
                             2;
         const Vec2 left(-edge.heading.y(), edge.heading.x());
-        EXPECT_GE(outline.covering(nearby(middle - 1e-6 * left)), 0);
-        EXPECT_EQ(outline.covering(nearby(middle + 1e-6 * left)), -1);
+        EXPECT_TRUE(outline.covers(nearby(middle - 1e-6 * left)));
+        EXPECT_FALSE(outline.covers(nearby(middle + 1e-6 * left)));
       }
     }
   }
