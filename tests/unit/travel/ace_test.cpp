@@ -204,7 +204,7 @@ TEST(Ace, ReachesAmongMovingObstaclesOrIsShutIn) {
   int shut_in = 0;
   std::string names;
   int bug2_fails = 0;
-  const int count = cases(140);
+  const int count = cases(1000);
   for (int i = 0; i < count; ++i) {
     const TravelQuery query = busy_world(random);
     const TravelResult result = run(Method::kAce, query);

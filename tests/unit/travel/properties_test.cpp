@@ -30,7 +30,7 @@ TravelQuery maze_query(TestRandom& random) {
 TEST(Properties, BugsKeepTheirBoundsAndAgree) {
   TestRandom random(21);
   int reached = 0;
-  const int count = cases(200);
+  const int count = cases(1000);
   for (int i = 0; i < count; ++i) {
     SCOPED_TRACE(i);
     const TravelQuery query = any_query(random, i);
@@ -48,7 +48,7 @@ TEST(Properties, BugsKeepTheirBoundsAndAgree) {
 
 TEST(Properties, AmongConvexObstaclesBug2GoesRoundEachAtMostOnce) {
   TestRandom random(22);
-  for (int i = 0; i < cases(200); ++i) {
+  for (int i = 0; i < cases(1000); ++i) {
     SCOPED_TRACE(i);
     std::vector<Corners> world;
     for (int x = -2; x <= 2; ++x) {
@@ -67,7 +67,7 @@ TEST(Properties, AmongConvexObstaclesBug2GoesRoundEachAtMostOnce) {
 
 TEST(Properties, TangentAndAceDecideLikeBug2AmongStandingObstacles) {
   TestRandom random(23);
-  for (int i = 0; i < cases(500); ++i) {
+  for (int i = 0; i < cases(2000); ++i) {
     SCOPED_TRACE(i);
     const TravelQuery query = i % 2 == 0 ? maze_query(random) : any_query(random, i / 2);
     TravelSettings settings;

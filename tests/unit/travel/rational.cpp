@@ -121,7 +121,8 @@ double Rational::value() const {
   int above = 0;
   int below = 0;
   const double numerator = numerator_.mantissa(above);
-  return std::ldexp(numerator / denominator_.mantissa(below), above - below);
+  const double denominator = denominator_.mantissa(below);
+  return std::ldexp(numerator / denominator, above - below);
 }
 
 }  // namespace rubicon::travel

@@ -39,7 +39,7 @@ TEST(VisBug, DecidesLikeBug2WithAShorterWay) {
   TestRandom random(41);
   double bug2_sum = 0;
   double sums[2] = {0, 0};
-  for (int i = 0; i < cases(60); ++i) {
+  for (int i = 0; i < cases(1000); ++i) {
     SCOPED_TRACE(i);
     const auto world = random_world(random, static_cast<WorldKind>(i % 4), random.whole(3, 20), 20);
     const Vec2 start(random.whole(-30, 30), -40);
