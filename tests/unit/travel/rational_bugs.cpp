@@ -326,7 +326,57 @@ class Bug {
   double length_ = 0;
 };
 
+/// Whether the straight way between two points stays out of all interiors: between two points where
+/// it meets borders all of it is in or out.
+bool free_between(const std::vector<Ring>& rings, const Point& p, const Point& q) {
+  std::vector<Rational> cuts{kZero, kOne};
+  const Point pq = q - p;
+  for (const Ring& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = corner(ring[i]);
+      const Point b = corner(ring[(i + 1) % ring.size()]);
+      const Rational across = cross(pq, b - a);
+      if (across.sign() == 0) continue;
+      const Rational t = cross(a - p, b - a) / across;
+      if (kZero < t && t < kOne) cuts.push_back(t);
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const Point middle = along(p, q, (cuts[i] + cuts[i + 1]) / Rational(2));
+    for (const Ring& ring : rings) {
+      if (strictly_inside(ring, middle)) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
+
+double rational_shortest(const std::vector<Ring>& rings, const LatticePoint& start,
+                         const LatticePoint& destination) {
+  std::vector<Point> points{corner(start), corner(destination)};
+  for (const Ring& ring : rings) {
+    for (const LatticePoint& each : ring) points.push_back(corner(each));
+  }
+  const std::size_t size = points.size();
+  constexpr double kNone = 1e300;
+  std::vector<double> cost(size * size, kNone);
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = i; j < size; ++j) {
+      if (!free_between(rings, points[i], points[j])) continue;
+      cost[i * size + j] = cost[j * size + i] = distance(points[i], points[j]);
+    }
+  }
+  for (std::size_t k = 0; k < size; ++k) {
+    for (std::size_t i = 0; i < size; ++i) {
+      for (std::size_t j = 0; j < size; ++j) {
+        cost[i * size + j] = std::min(cost[i * size + j], cost[i * size + k] + cost[k * size + j]);
+      }
+    }
+  }
+  return cost[1] < kNone / 2 ? cost[1] : -1;
+}
 
 OracleResult rational_bug1(const std::vector<Ring>& rings, const LatticePoint& start,
                            const LatticePoint& destination) {

@@ -22,4 +22,9 @@ OracleResult rational_bug2(const std::vector<Ring>& rings, const LatticePoint& s
 /// The lengths of the loops of the outline, ascending.
 std::vector<double> rational_loops(const std::vector<Ring>& rings);
 
+/// The length of the shortest way from start to destination, by all ways over all corners, of
+/// obstacles that are apart from one another; negative: there is none.
+double rational_shortest(const std::vector<Ring>& rings, const LatticePoint& start,
+                         const LatticePoint& destination);
+
 }  // namespace rubicon::travel
