@@ -24,7 +24,8 @@ double TestRandom::between(double low, double high) {
 }
 
 int TestRandom::whole(int low, int high) {
-  return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1));
+  const auto span = static_cast<std::uint64_t>(std::int64_t{high} - low + 1);
+  return static_cast<int>(low + static_cast<std::int64_t>(bits() % span));
 }
 
 int cases(int few) {
