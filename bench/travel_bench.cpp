@@ -18,14 +18,15 @@ using namespace travel;
 /// The side of a square field, m, with one obstacle on 100 square metres.
 double side_of(std::int64_t obstacles) { return 10 * std::sqrt(static_cast<double>(obstacles)); }
 
-/// Obstacles of eight corners, about a third of them in contact with others.
-std::vector<std::vector<Vec2>> field(std::int64_t obstacles) {
+/// Obstacles of eight corners; `size` 1: many of them in contact with others; 4: nearly all are one
+/// heap.
+std::vector<std::vector<Vec2>> field(std::int64_t obstacles, double size = 1) {
   Random random(7);
   const double side = side_of(obstacles);
   std::vector<std::vector<Vec2>> shapes;
   for (std::int64_t i = 0; i < obstacles; ++i) {
     const Vec2 centre(random.between(0, side), random.between(0, side));
-    const double radius = random.between(1, 3);
+    const double radius = size * random.between(1, 3);
     std::vector<Vec2> corners;
     for (int k = 0; k < 8; ++k) {
       const double angle = 45.0 * k + random.between(0, 40);
@@ -36,9 +37,9 @@ std::vector<std::vector<Vec2>> field(std::int64_t obstacles) {
   return shapes;
 }
 
-std::vector<Piece> pieces_of(std::int64_t obstacles) {
+std::vector<Piece> pieces_of(std::int64_t obstacles, double size = 1) {
   std::vector<Piece> pieces;
-  for (const auto& corners : field(obstacles)) pieces.push_back({ring_of(corners), 0});
+  for (const auto& corners : field(obstacles, size)) pieces.push_back({ring_of(corners), 0});
   return pieces;
 }
 
@@ -49,21 +50,33 @@ void BM_OutlineBuild(benchmark::State& state) {
 }
 BENCHMARK(BM_OutlineBuild)->RangeMultiplier(2)->Range(250, 8000)->Complexity();
 
-/// One obstacle moves by half a metre, to and fro.
-void BM_OutlineMove(benchmark::State& state) {
-  const std::vector<Piece> pieces = pieces_of(state.range(0));
+/// The first obstacle of the largest heap moves by half a metre, to and fro: the heap is built
+/// anew.
+void move_one(benchmark::State& state, double size) {
+  const std::vector<Piece> pieces = pieces_of(state.range(0), size);
   Outline outline(pieces);
-  Ring moved = pieces[0].ring;
+  std::vector<int> heap;
+  for (const Composite& composite : outline.composites()) {
+    if (composite.pieces.size() > heap.size()) heap = composite.pieces;
+  }
+  state.counters["heap"] = static_cast<double>(heap.size());
+  const Ring& ring = pieces[static_cast<std::size_t>(heap.front())].ring;
+  Ring moved = ring;
   for (LatticePoint& corner : moved) corner.x += 1 << 19;
   bool away = false;
   for (auto _ : state) {
     away = !away;
-    const Outline::Change change{0, away ? moved : pieces[0].ring};
+    const Outline::Change change{heap.front(), away ? moved : ring};
     outline.replace({&change, 1});
   }
   state.SetComplexityN(state.range(0));
 }
+
+void BM_OutlineMove(benchmark::State& state) { move_one(state, 1); }
 BENCHMARK(BM_OutlineMove)->RangeMultiplier(2)->Range(250, 8000)->Complexity();
+
+void BM_OutlineMoveInAHeap(benchmark::State& state) { move_one(state, 4); }
+BENCHMARK(BM_OutlineMoveInAHeap)->RangeMultiplier(2)->Range(250, 8000)->Complexity();
 
 /// From corner to corner of the field, with the building of its outline.
 void BM_Bug2(benchmark::State& state) {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "src/motion/travel/travel.hpp"
 #include "tests/unit/travel/travel_worlds.hpp"
 
@@ -67,17 +69,25 @@ TEST(Properties, AmongConvexObstaclesBug2GoesRoundEachAtMostOnce) {
 
 TEST(Properties, TangentAndAceDecideLikeBug2AmongStandingObstacles) {
   TestRandom random(23);
+  double tangent_sum = 0;
+  double bug2_sum = 0;
   for (int i = 0; i < cases(2000); ++i) {
     SCOPED_TRACE(i);
     const TravelQuery query = i % 2 == 0 ? maze_query(random) : any_query(random, i / 2);
     TravelSettings settings;
     settings.most_length = 20'000;
     const TravelResult tangent = travel(Method::kTangent, query, settings);
-    EXPECT_EQ(tangent.verdict, travel(Method::kBug2, query).verdict) << told(tangent);
+    const TravelResult bug2 = travel(Method::kBug2, query);
+    EXPECT_EQ(tangent.verdict, bug2.verdict) << told(tangent);
+    if (bug2.verdict == Verdict::kReached) {
+      tangent_sum += tangent.length;
+      bug2_sum += bug2.length;
+    }
     const TravelResult ace = travel(Method::kAce, query, settings);
     EXPECT_EQ(told(ace), told(tangent));
     EXPECT_EQ(ace.length, tangent.length);
   }
+  RecordProperty("tangent_to_bug2", std::to_string(tangent_sum / bug2_sum));
 }
 
 TEST(Properties, TheLeftHandIsTheRightHandOfTheMirroredWorld) {
