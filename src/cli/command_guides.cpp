@@ -12,6 +12,7 @@
 #include "src/cli/load_runnable_plan.hpp"
 #include "src/cli/set_option.hpp"
 #include "src/results/comparison/compare_guides.hpp"
+#include "src/results/comparison/compare_travel.hpp"
 
 namespace rubicon::cli {
 
@@ -19,6 +20,21 @@ namespace {
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+int print_travel(const GuidesOptions& options, const interpreter::PlanModel& plan,
+                 const std::string& task) {
+  comparison::TravelComparison result;
+  try {
+    result = comparison::compare_travel(plan, task);
+  } catch (const std::invalid_argument& error) {
+    return fail(error.what());
+  }
+  const std::string text = options.format == "json"  ? comparison::travel_json(result)
+                           : options.format == "csv" ? comparison::travel_csv(result)
+                                                     : comparison::travel_text(result);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  return kFine;
 }
 
 }  // namespace
@@ -36,6 +52,7 @@ int run_guides(const GuidesOptions& options) {
     return fail(fmt::format("there is no task '{}' in {} that moves anything{}", task, options.plan,
                             suggestions.ending(task, [&] { return tasks; })));
   }
+  if (options.exact) return print_travel(options, *plan, task);
   comparison::GuideComparison result;
   try {
     result = comparison::compare_guides(*plan, sources, task, options.seeds, seconds_now);

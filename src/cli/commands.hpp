@@ -63,6 +63,7 @@ struct GuidesOptions {
   std::string plan;
   std::string task;  ///< "": the only one that moves
   int seeds = 10;
+  bool exact = false;
   std::string format = "table";
   std::vector<std::string> set;
 };

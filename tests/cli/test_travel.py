@@ -1,0 +1,103 @@
+"""rubicon guides --exact: travel without a map in the plan view of a plan; figures of PLANNERS 8 as ordinary plans."""
+
+import csv
+import io
+import json
+import math
+import os
+import unittest
+
+from result_case import ResultCase, rubicon
+
+CAR = """robot car {
+  body car {
+    param x step(0.5) speed(2 m/s) range(-100, 100);
+    param y step(0.5) speed(2 m/s) range(-100, 100);
+    frame trans(x, y, 0);
+    %s
+  }
+  tool car;
+  behaviour { chain { follow }; }
+}
+"""
+BLOCK = "component block { shape box(-10, 0, 0, 10, 10, 3); }"
+U = "component u { shape prism(0, 3, -10, 20, -10, 0, -9, 0, -9, 19, 9, 19, 9, 0, 10, 0, 10, 20); }"
+
+
+class Travel(ResultCase):
+    def travel(self, things, *options, shape="", task="task over { by car; go x 0, y 30; }"):
+        for name, text in (("car.robot", CAR % shape), ("site.plan", 'plan yard {\n  robot car "car.robot" { start x 0, y -20; }\n  support off;\n'
+                                                          f"  {things}\n  {task}\n}}\n")):
+            with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        return rubicon("guides", os.path.join(self.folder, "site.plan"), "--exact", *options)
+
+    def methods(self, things, **more):
+        told = self.travel(things, "--format", "json", **more)
+        self.assertEqual(told.returncode, 0, told.stderr)
+        data = json.loads(told.stdout)
+        return data, {each["method"]: each for each in data["methods"]}
+
+    def test_a_point_and_a_block(self):
+        data, methods = self.methods(BLOCK)
+        self.assertEqual((data["radius"], data["start"], data["destination"]), (0, [0, -20], [0, 30]))
+        self.assertAlmostEqual(data["shortest"], 10 + 2 * math.hypot(10, 20), 9)
+        self.assertAlmostEqual(methods["bug2"]["length"], 70, 9)
+        self.assertAlmostEqual(methods["bug2"]["time"], 35, 9)
+        self.assertAlmostEqual(methods["bug1"]["length"], 130, 9)
+        self.assertEqual([(event["kind"], event["at"], event["obstacles"]) for event in methods["bug2"]["events"]],
+                         [("hit", [0, 0], ["block"]), ("leave", [0, 10], ["block"]), ("reached", [0, 30], [])])
+        for each in methods.values():
+            self.assertEqual(each["verdict"], "reached", each["method"])
+            if "bound" in each:
+                self.assertLessEqual(each["length"], each["bound"]["length"] + 1e-9)
+
+    def test_a_machine_is_a_disc(self):
+        data, methods = self.methods(BLOCK, shape="shape box(-0.6, -0.3, 0, 0.6, 0.3, 1);")
+        self.assertAlmostEqual(data["radius"], math.hypot(0.6, 0.3), 9)
+        self.assertTrue(70 < methods["bug2"]["length"] < 70 + 4 * data["radius"], methods["bug2"]["length"])
+
+    def test_only_what_is_as_high_as_the_machine_is_in_the_way(self):
+        shape = "shape box(-0.5, -0.5, 0.2, 0.5, 0.5, 2);"
+        ground = "site box(-100, -100, -1, 100, 100, 0);"
+        for what in (ground, ground + " component bridge { shape box(-10, 0, 2.5, 10, 10, 3); }",
+                     "component kerb { shape box(-10, 0, 0, 10, 10, 0.15); }"):
+            _, methods = self.methods(what, shape=shape)
+            self.assertAlmostEqual(methods["bug2"]["length"], 50, 9)
+        _, methods = self.methods("component beam { shape box(-10, 0, 1.9, 10, 10, 3); }", shape=shape)
+        self.assertGreater(methods["bug2"]["length"], 60)
+        # What leans is in the way where it is low enough.
+        lean = "component lean { shape box(-10, -0.1, 0, 10, 0.1, 10); at trans(0, 0, 0) * rotx(-45); }"
+        data, methods = self.methods(lean)
+        self.assertTrue(data["shortest"] > 50 and methods["bug2"]["verdict"] == "reached")
+
+    def test_what_shuts_it_in(self):
+        ring = " ".join(f"component wall_{i} {{ shape box(-5, 4, 0, 5, 5, 1); at trans(0, 30, 0) * rotz({90 * i}); }}" for i in range(4))
+        data, methods = self.methods(ring)
+        self.assertIsNone(data["shortest"])
+        self.assertEqual({name: methods[name]["verdict"] for name in ("bug1", "bug2", "visbug21", "tangent", "ace")},
+                         dict.fromkeys(("bug1", "bug2", "visbug21", "tangent", "ace"), "unreachable"))
+
+    def test_a_trap(self):
+        _, methods = self.methods(U)
+        self.assertEqual({name for name, each in methods.items() if each["verdict"] != "reached"} - {"simple", "pledge"}, set())
+
+    def test_table_and_csv(self):
+        told = self.travel(BLOCK)
+        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertIn("over travels from (0.00, -20.00) to (0.00, 30.00), 50.00 m, without a map", told.stdout)
+        self.assertRegex(told.stdout, r"\nbug2 +reached +70\.00 +35\.0 +\d+\.\d\d +3\n")
+        self.assertIn("who knows the map goes 54.72 m\n", told.stdout)
+        rows = list(csv.DictReader(io.StringIO(self.travel(BLOCK, "--format", "csv").stdout)))
+        self.assertEqual([row["event"] for row in rows if row["method"] == "bug2"], ["hit", "leave", "reached"])
+
+    def test_what_does_not_travel(self):
+        told = self.travel(BLOCK, task="task over { by car; go at trans(0, 30, 0); }")
+        self.assertEqual(told.returncode, 2)
+        self.assertIn("go x 30, y 4;", told.stderr)
+        told = rubicon("guides", os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "taskplans", "trench.plan"), "--exact")
+        self.assertEqual(told.returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
