@@ -154,7 +154,7 @@ std::vector<Vec2> slice(const Balls& balls, const Heights& heights) {
 }
 
 bool stands_upright(const math::Pose& X) {
-  return std::hypot(X.linear()(0, 2), X.linear()(1, 2)) <= kUpright;
+  return X.linear().col(2).head<2>().norm() <= kUpright;
 }
 
 /// All corners, and of balls their poles.
