@@ -153,9 +153,7 @@ std::vector<Vec2> slice(const Balls& balls, const Heights& heights) {
   return hull(std::move(seen));
 }
 
-bool stands_upright(const math::Pose& X) {
-  return X.linear().col(2).head<2>().norm() <= kUpright;
-}
+bool stands_upright(const math::Pose& X) { return X.linear().col(2).head<2>().norm() <= kUpright; }
 
 /// All corners, and of balls their poles.
 Heights heights_of(const geometry::Shape& shape, const math::Pose& X_WB) {
