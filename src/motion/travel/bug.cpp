@@ -220,7 +220,8 @@ Bound bug2_bound(const Outline& outline, const LatticePoint& start,
       bound.perimeters += composite.loops[i].length;
       // Each time the line enters the outline there is at most one round: half of the crossings,
       // and one more where the destination or the start is enclosed.
-      bound.length += (crossings + 1) / 2 * composite.loops[i].length;
+      const int rounds = (crossings + 1) / 2;
+      bound.length += rounds * composite.loops[i].length;
     }
   }
   return bound;

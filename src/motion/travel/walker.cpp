@@ -291,6 +291,7 @@ std::vector<std::string> Walker::names() const {
     obstacles.insert(outline().pieces()[in(owner.piece)].obstacle);
   }
   std::vector<std::string> result;
+  result.reserve(obstacles.size());
   for (const int obstacle : obstacles) result.push_back(world_.obstacles()[in(obstacle)].name);
   return result;
 }
