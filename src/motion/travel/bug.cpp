@@ -166,11 +166,11 @@ TravelResult travel_bug2(Walker walker) {
     if (outcome == Walker::Outcome::kLimit) {
       return walker.finish(Verdict::kLimit, EventKind::kLimit);
     }
-    if (outcome == Walker::Outcome::kStruck && walker.free_towards(walker.aim())) {
+    if (outcome == Walker::Outcome::kPushed) {
       leg = Leg(walker.exact_position(), walker.aim());
       continue;
     }
-    if (outcome == Walker::Outcome::kHit) walker.note(EventKind::kHit);
+    walker.note(EventKind::kHit);
     walker.set_mode(Mode::kSearching);
     const Mark hit = walker.here();
     const LineWatch watch{line, walker.distance_to_destination()};

@@ -52,8 +52,8 @@ struct TravelSettings {
   double stride = 0.25;  ///< m; visbug21 looks round once a stride
   /// Pledge: the direction to keep, x east and y north; (0, 0): from the start to the destination.
   Vec2 compass{0, 0};
-  /// s; obstacles move once in so much time, the robot in between. What moves further in a slice
-  /// than it is thick may jump over the robot.
+  /// s; obstacles move once in so much time, the robot in between. A whole part of it is taken
+  /// where an obstacle would move by more than half of its thickness at once.
   double slice = 0.25;
   double most_length = 100'000;         ///< m of way, then the verdict is kLimit
   double most_time = 1e7;               ///< s, likewise
@@ -64,7 +64,7 @@ enum class Verdict { kReached, kUnreachable, kLimit };
 enum class Mode { kTowards, kSearching, kTracking };
 enum class EventKind {
   kCovered,       ///< an obstacle stands on the start
-  kHit,           ///< an obstacle is in the way; the robot begins to follow it
+  kHit,           ///< an obstacle is in the way, or ran into the robot, which begins to follow it
   kLeave,         ///< back on the line to the destination, nearer than before, and it goes on there
   kNearest,       ///< bug1: at the point of the outline that is nearest to the destination
   kClear,         ///< the direction to the destination (pledge: of the compass) is free again
@@ -72,7 +72,6 @@ enum class EventKind {
   kTrackedMoves,  ///< ace: what it follows moves
   kRevisit,       ///< ace: back on its own trail, clockwise
   kTarget,        ///< visbug21: sees the line to the destination beyond what it follows
-  kStruck,        ///< an obstacle ran into the robot on its way to the destination
   kSqueezed,      ///< an obstacle ran over the place where the robot follows another one
   kEscaped,       ///< pledge: nothing is in the direction of the compass any more
   kBack,          ///< back at the beginning of the loop: the verdict is kUnreachable
