@@ -114,8 +114,9 @@ struct TravelResult {
 };
 
 /// The way of a point robot that knows where it is, where the destination is, and what it touches.
-/// Exact among standing obstacles: every decision is that of rational arithmetic. The same query
-/// and settings give the same result, bit for bit. Throws std::invalid_argument for polygons that
+/// Among standing obstacles on which side of a line a corner is, and what a way enters, is decided
+/// exactly (docs/travel.md). The same query and settings give the same result, bit for bit.
+/// Throws std::invalid_argument for polygons that
 /// are not simple, places further than 524 km from the origin, settings that are not positive, and
 /// timetables for bug1 and visbug21, which their authors give for standing obstacles only.
 TravelResult travel(Method method, const TravelQuery& query, const TravelSettings& settings = {});
