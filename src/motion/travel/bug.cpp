@@ -166,11 +166,11 @@ TravelResult travel_bug2(Walker walker) {
     if (outcome == Walker::Outcome::kLimit) {
       return walker.finish(Verdict::kLimit, EventKind::kLimit);
     }
-    if (outcome == Walker::Outcome::kStruck && walker.free_towards(walker.aim())) {
+    if (outcome == Walker::Outcome::kPushed) {
       leg = Leg(walker.exact_position(), walker.aim());
       continue;
     }
-    if (outcome == Walker::Outcome::kHit) walker.note(EventKind::kHit);
+    walker.note(EventKind::kHit);
     walker.set_mode(Mode::kSearching);
     const Mark hit = walker.here();
     const LineWatch watch{line, walker.distance_to_destination()};
@@ -220,7 +220,8 @@ Bound bug2_bound(const Outline& outline, const LatticePoint& start,
       bound.perimeters += composite.loops[i].length;
       // Each time the line enters the outline there is at most one round: half of the crossings,
       // and one more where the destination or the start is enclosed.
-      bound.length += (crossings + 1) / 2 * composite.loops[i].length;
+      const int rounds = (crossings + 1) / 2;
+      bound.length += rounds * composite.loops[i].length;
     }
   }
   return bound;

@@ -27,14 +27,6 @@ std::vector<Vec2> from_lowest(std::vector<Vec2> corners) {
   return corners;
 }
 
-bool is_convex(const Ring& ring) {
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const LatticePoint& middle = next_corner(ring, i);
-    if (side(ring[i], middle, ring[(i + 2) % ring.size()]) < 0) return false;
-  }
-  return true;
-}
-
 std::vector<Vec2> in_metres(const Ring& ring) {
   std::vector<Vec2> corners;
   for (const LatticePoint& corner : ring) corners.push_back(metres(corner));

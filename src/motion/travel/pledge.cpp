@@ -34,12 +34,9 @@ TravelResult travel_pledge(Walker walker) {
         return walker.finish(Verdict::kReached, EventKind::kEscaped);
       case Walker::Outcome::kLimit:
         return walker.finish(Verdict::kLimit, EventKind::kLimit);
-      case Walker::Outcome::kStruck:
-        if (walker.free_towards(north)) {
-          from = walker.exact_position();
-          continue;
-        }
-        break;
+      case Walker::Outcome::kPushed:
+        from = walker.exact_position();
+        continue;
       case Walker::Outcome::kHit:
         walker.note(EventKind::kHit);
     }

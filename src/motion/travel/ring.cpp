@@ -1,6 +1,7 @@
 #include "src/motion/travel/ring.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace rubicon::travel {
@@ -64,7 +65,53 @@ bool clockwise(const Ring& ring) {
   return twice_area < 0;
 }
 
+double distance_to_edge(const LatticePoint& p, const LatticePoint& a, const LatticePoint& b) {
+  const Vec2 way = metres(b) - metres(a);
+  const Vec2 to = metres(p) - metres(a);
+  const double share = std::clamp(to.dot(way) / way.squaredNorm(), 0.0, 1.0);
+  return (to - share * way).norm();
+}
+
+/// Of two edges that do not meet the least distance is at one of their ends.
+double distance_of_edges(const Ring& ring, std::size_t i, std::size_t j) {
+  return std::min({distance_to_edge(ring[i], ring[j], next_corner(ring, j)),
+                   distance_to_edge(next_corner(ring, i), ring[j], next_corner(ring, j)),
+                   distance_to_edge(ring[j], ring[i], next_corner(ring, i)),
+                   distance_to_edge(next_corner(ring, j), ring[i], next_corner(ring, i))});
+}
+
 }  // namespace
+
+bool is_convex(const Ring& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const LatticePoint& middle = next_corner(ring, i);
+    if (side(ring[i], middle, ring[(i + 2) % ring.size()]) < 0) return false;
+  }
+  return true;
+}
+
+double thickness(const Ring& ring) {
+  const bool convex = is_convex(ring);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (convex) {
+      const Vec2 a = metres(ring[i]);
+      const Vec2 heading = (metres(next_corner(ring, i)) - a).normalized();
+      double width = 0;
+      for (const LatticePoint& corner : ring) {
+        const Vec2 to = metres(corner) - a;
+        width = std::max(width, heading.x() * to.y() - heading.y() * to.x());
+      }
+      least = std::min(least, width);
+      continue;
+    }
+    for (std::size_t j = i + 2; j < ring.size(); ++j) {
+      if (i == 0 && j + 1 == ring.size()) continue;
+      least = std::min(least, distance_of_edges(ring, i, j));
+    }
+  }
+  return least;
+}
 
 void Box::include(const Box& other) {
   low_x = std::min(low_x, other.low_x);

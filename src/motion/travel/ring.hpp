@@ -34,6 +34,11 @@ inline const LatticePoint& next_corner(const Ring& ring, std::size_t i) {
   return ring[i + 1 < ring.size() ? i + 1 : 0];
 }
 
+bool is_convex(const Ring& ring);
+/// m; how far a ring may at most move at once and still meet whatever it runs over: the least width
+/// of a convex one, else the least distance between edges that are not neighbours.
+double thickness(const Ring& ring);
+
 /// A point that lies on an edge of each of two rings.
 struct Meeting {
   int edge_a = 0;

@@ -25,12 +25,9 @@ class Tangent {
         case Walker::Outcome::kHit:
           walker_.note(EventKind::kHit);
           break;
-        case Walker::Outcome::kStruck:
-          if (walker_.free_towards(walker_.aim())) {
-            leg = Leg(walker_.exact_position(), walker_.aim());
-            continue;
-          }
-          break;
+        case Walker::Outcome::kPushed:
+          leg = Leg(walker_.exact_position(), walker_.aim());
+          continue;
         default:
           return walker_.finish(Verdict::kLimit, EventKind::kLimit);
       }

@@ -106,6 +106,25 @@ double MovingOutline::next_motion(double time) const {
   return next;
 }
 
+double MovingOutline::longest_slice() const {
+  double longest = kNever;
+  for (std::size_t i = 0; i < own_rings_.size(); ++i) {
+    const auto obstacle = static_cast<std::size_t>(outline_.pieces()[i].obstacle);
+    const auto& stops = obstacles_[obstacle].timetable;
+    double reach = 0;
+    for (const LatticePoint& corner : own_rings_[i]) reach = std::max(reach, metres(corner).norm());
+    double fastest = 0;
+    for (std::size_t k = 0; k + 1 < stops.size(); ++k) {
+      const double turn = short_way(stops[k + 1].heading_deg - stops[k].heading_deg);
+      const double way =
+          (stops[k + 1].place - stops[k].place).norm() + reach * math::radians(std::fabs(turn));
+      fastest = std::max(fastest, way / (stops[k + 1].time - stops[k].time));
+    }
+    if (fastest > 0) longest = std::min(longest, thickness(own_rings_[i]) / 2 / fastest);
+  }
+  return longest;
+}
+
 Ring MovingOutline::ring_at(std::size_t piece, const Placement& placement) const {
   Ring ring = own_rings_[piece];
   const LatticePoint by = snap(placement.place);

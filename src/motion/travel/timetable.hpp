@@ -19,6 +19,8 @@ class MovingOutline {
 
   /// The first time, not before `time`, from which on an obstacle moves; infinite: none will.
   double next_motion(double time) const;
+  /// s; in so much time no obstacle moves by more than half of its thickness. Infinite: none moves.
+  double longest_slice() const;
   /// Puts all obstacles where they are at `time`.
   void move_to(double time);
   /// Whether the last move_to moved an obstacle, or one of any.

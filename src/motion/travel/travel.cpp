@@ -86,8 +86,8 @@ std::string_view name_of(Method method) {
 
 std::string_view name_of(EventKind kind) {
   constexpr std::string_view kNames[] = {
-      "covered", "hit",    "leave",    "nearest", "clear", "track",   "tracked moves", "revisit",
-      "target",  "struck", "squeezed", "escaped", "back",  "reached", "limit"};
+      "covered", "hit",    "leave",    "nearest", "clear", "track",   "tracked moves",
+      "revisit", "target", "squeezed", "escaped", "back",  "reached", "limit"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -52,8 +52,8 @@ struct TravelSettings {
   double stride = 0.25;  ///< m; visbug21 looks round once a stride
   /// Pledge: the direction to keep, x east and y north; (0, 0): from the start to the destination.
   Vec2 compass{0, 0};
-  /// s; obstacles move once in so much time, the robot in between. What moves further in a slice
-  /// than it is thick may jump over the robot.
+  /// s; obstacles move once in so much time, the robot in between. A whole part of it is taken
+  /// where an obstacle would move by more than half of its thickness at once.
   double slice = 0.25;
   double most_length = 100'000;         ///< m of way, then the verdict is kLimit
   double most_time = 1e7;               ///< s, likewise
@@ -64,7 +64,7 @@ enum class Verdict { kReached, kUnreachable, kLimit };
 enum class Mode { kTowards, kSearching, kTracking };
 enum class EventKind {
   kCovered,       ///< an obstacle stands on the start
-  kHit,           ///< an obstacle is in the way; the robot begins to follow it
+  kHit,           ///< an obstacle is in the way, or ran into the robot, which begins to follow it
   kLeave,         ///< back on the line to the destination, nearer than before, and it goes on there
   kNearest,       ///< bug1: at the point of the outline that is nearest to the destination
   kClear,         ///< the direction to the destination (pledge: of the compass) is free again
@@ -72,7 +72,6 @@ enum class EventKind {
   kTrackedMoves,  ///< ace: what it follows moves
   kRevisit,       ///< ace: back on its own trail, clockwise
   kTarget,        ///< visbug21: sees the line to the destination beyond what it follows
-  kStruck,        ///< an obstacle ran into the robot on its way to the destination
   kSqueezed,      ///< an obstacle ran over the place where the robot follows another one
   kEscaped,       ///< pledge: nothing is in the direction of the compass any more
   kBack,          ///< back at the beginning of the loop: the verdict is kUnreachable
@@ -115,8 +114,9 @@ struct TravelResult {
 };
 
 /// The way of a point robot that knows where it is, where the destination is, and what it touches.
-/// Exact among standing obstacles: every decision is that of rational arithmetic. The same query
-/// and settings give the same result, bit for bit. Throws std::invalid_argument for polygons that
+/// Among standing obstacles on which side of a line a corner is, and what a way enters, is decided
+/// exactly (docs/travel.md). The same query and settings give the same result, bit for bit.
+/// Throws std::invalid_argument for polygons that
 /// are not simple, places further than 524 km from the origin, settings that are not positive, and
 /// timetables for bug1 and visbug21, which their authors give for standing obstacles only.
 TravelResult travel(Method method, const TravelQuery& query, const TravelSettings& settings = {});

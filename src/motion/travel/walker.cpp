@@ -36,6 +36,8 @@ Walker::Walker(const TravelQuery& query, const TravelSettings& settings)
       start_(snap(query.start)),
       destination_(snap(query.destination)),
       position_(metres(start_)) {
+  // Else what is thin and fast would jump over the robot.
+  settings_.slice /= std::max(1.0, std::ceil(settings_.slice / world_.longest_slice()));
   world_.move_to(0);
   result_.way.push_back({position_, 0, Mode::kTowards});
 }
@@ -241,9 +243,10 @@ Walker::Outcome Walker::go(const Leg& leg) {
       footing_.reset();
       begin_slice();
       if (struck_) {
-        // Pushed from behind it just goes on; else it was run into and follows what did it.
-        if (!free_towards(leg.aim())) note(EventKind::kStruck);
-        return Outcome::kStruck;
+        // Pushed from behind it just goes on. Else it has hit what ran into it: which of the two
+        // moved last hangs on the slices.
+        if (!free_towards(leg.aim())) return Outcome::kHit;
+        return Outcome::kPushed;
       }
     }
     const std::optional<Hit> hit = first_hit(outline(), leg, begin, departing);
@@ -291,6 +294,7 @@ std::vector<std::string> Walker::names() const {
     obstacles.insert(outline().pieces()[in(owner.piece)].obstacle);
   }
   std::vector<std::string> result;
+  result.reserve(obstacles.size());
   for (const int obstacle : obstacles) result.push_back(world_.obstacles()[in(obstacle)].name);
   return result;
 }

@@ -95,10 +95,10 @@ class Walker {
   void end_trail();
   const std::vector<TrailPart>& trail() const { return trail_; }
 
-  enum class Outcome { kArrived, kHit, kStruck, kLimit, kEndless };
+  enum class Outcome { kArrived, kHit, kPushed, kLimit, kEndless };
   /// Goes along `leg`, on which the robot is, to its end or to the first obstacle; that one it then
-  /// stands at. kStruck: an obstacle ran into it and the leg does not go on from there. kEndless:
-  /// along a direction nothing will ever be in the way.
+  /// stands at. kPushed: an obstacle ran into it and has set it aside, free to go on from there.
+  /// kEndless: along a direction nothing will ever be in the way.
   Outcome go(const Leg& leg);
   /// Follows the outline to the next thing to decide.
   Stop follow(const Watches& watches);

@@ -25,7 +25,7 @@ double area_of(const Ring& ring) {
 double distance_to(const Vec2& p, const Corners& corners) {
   double least = 1e300;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vec2 a = corners[i];
+    const Vec2& a = corners[i];
     const Vec2 along = corners[(i + 1) % corners.size()] - a;
     const double t = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
     least = std::min(least, (p - a - t * along).norm());

@@ -133,7 +133,9 @@ TEST(Outline, AChangeGivesWhatBuildingAnewGives) {
 
 TEST(Outline, OnlyWhatAMoveTouchesIsBuiltAnew) {
   std::vector<Corners> world;
-  for (int i = 0; i < 100; ++i) world.push_back(box(10 * (i % 10), 10 * (i / 10), 4, 4));
+  for (int y = 0; y < 100; y += 10) {
+    for (int x = 0; x < 100; x += 10) world.push_back(box(x, y, 4, 4));
+  }
   Outline outline(pieces_of(world));
   EXPECT_EQ(outline.work().built, 100);
   EXPECT_EQ(outline.work().pairs, 0);

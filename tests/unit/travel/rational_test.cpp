@@ -13,6 +13,7 @@ namespace {
 /// Boxes that touch in corners, along sides and along parts of sides, all on the lattice.
 std::vector<Corners> touching_world(TestRandom& random) {
   std::vector<Corners> world;
+  world.reserve(12);
   for (int i = 0; i < 12; ++i) {
     world.push_back(box(4 * random.whole(-4, 3), 4 * random.whole(-4, 3), 4 * random.whole(1, 2),
                         4 * random.whole(1, 2)));
@@ -30,6 +31,7 @@ TEST(Rational, BugsAndOutlinesAreThoseOfRationalArithmetic) {
                            ? touching_world(random)
                            : random_world(random, static_cast<WorldKind>(i % 5), 3 + i % 8, 15);
     std::vector<Ring> rings;
+    rings.reserve(world.size());
     for (const Corners& corners : world) rings.push_back(ring_of(corners));
     // On the lattice, so that lines to the destination go through corners and along edges.
     const Vec2 start = i % 2 == 0 ? Vec2(random.whole(-5, 5) * 4, -24)

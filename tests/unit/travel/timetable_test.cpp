@@ -80,9 +80,23 @@ TEST(Walker, IsStruckFromTheSideAndFollows) {
       ace({moving("M", box(-20, -3, 10, 6), 5, 15, {2, 0})}, {0, -10}, {0, 40});
   EXPECT_EQ(result.verdict, Verdict::kReached);
   ASSERT_GE(result.events.size(), 2u);
-  EXPECT_EQ(result.events[0].kind, EventKind::kStruck);
+  EXPECT_EQ(result.events[0].kind, EventKind::kHit);
   EXPECT_EQ(result.events[0].obstacles, std::vector<std::string>{"M"});
   EXPECT_EQ(result.events[1].kind, EventKind::kClear);
+}
+
+TEST(Walker, ThinAndFastObstaclesDoNotJumpOverIt) {
+  for (const double slice : {0.25, 1.0, 5.0}) {
+    TravelSettings settings;
+    settings.slice = slice;
+    const TravelResult result =
+        travel(Method::kAce,
+               {{moving("M", box(-30, 10, 60, 0.1), 0, 20, {0, -2})}, {0, -10}, {0, 40}}, settings);
+    EXPECT_EQ(result.verdict, Verdict::kReached);
+    EXPECT_GE(result.events.size(), 3u) << told(result);
+  }
+  EXPECT_DOUBLE_EQ(thickness(ring_of(box(0, 0, 60, 0.5))), 0.5);
+  EXPECT_DOUBLE_EQ(thickness(ring_of(u_shape(0, 0, 20, 20, 3))), 3);
 }
 
 TEST(Walker, IsCarriedByWhatItFollows) {

@@ -69,6 +69,7 @@ Corners star(TestRandom& random, const Vec2& centre, double least, double most, 
 
 Corners convex(TestRandom& random, const Vec2& centre, double radius, int corners) {
   std::vector<double> angles;
+  angles.reserve(static_cast<std::size_t>(corners));
   const double turn = random.between(0, 360);
   for (int i = 0; i < corners; ++i) {
     angles.push_back(turn + 360.0 * (i + random.between(0.1, 0.9)) / corners);

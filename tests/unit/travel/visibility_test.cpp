@@ -95,6 +95,7 @@ TEST(Visibility, EqualsAllWaysOverAllCorners) {
     }
     ++compared;
     std::vector<Ring> rings;
+    rings.reserve(world.size());
     for (const Corners& corners : world) rings.push_back(ring_of(corners));
     const VisibilityResult shortest = shortest_way(query_of(world, start, destination));
     EXPECT_TRUE(shortest.reached);
