@@ -1,10 +1,19 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "src/motion/guides/planners.hpp"
 #include "src/motion/guides/repaired_lattice.hpp"
 
 namespace rubicon::guides {
+
+namespace {
+
+/// Keys that are nearer to each other than this share are taken for equal: what the starts moved by
+/// is added up with rounding, and a vertex on the way may come out just above the start.
+constexpr double kSameKey = 1e-9;
+
+}  // namespace
 
 /// One search: the lattice as it lies about the start of now.
 class RepairedLattice::Repair {
@@ -207,7 +216,9 @@ class RepairedLattice::Repair {
     while (!kept_.queue_.empty()) {
       const auto [first, second, v] = *kept_.queue_.begin();
       const std::pair<double, double> top{first, second};
-      if (!(top < key_of(kStart)) && vertex(kStart).rhs == vertex(kStart).g) break;
+      const double needed = key_of(kStart).first;
+      const bool beyond = first > needed + kSameKey * (1 + std::fabs(needed));
+      if (beyond && vertex(kStart).rhs == vertex(kStart).g) break;
       if (static_cast<double>(kept_.expansions_) >= space_.spec().nodes) return false;
       const std::pair<double, double> now = key_of(v);
       leave_queue(v);
