@@ -5,11 +5,14 @@
 
 #include "src/motion/guides/planners.hpp"
 #include "src/motion/guides/random.hpp"
+#include "tests/support/random_cases.hpp"
 #include "tests/unit/guides/guide_machines.hpp"
 
 namespace rubicon::guides {
 namespace {
 
+using rubicon::test::at_least;
+using rubicon::test::cases;
 using Q = std::vector<double>;
 
 /// Rectangles of the plane in which nothing may be; one of them comes or goes at each change.
@@ -104,12 +107,14 @@ Totals compare(const robot::RobotModel& model, Neighbours neighbours, const Q& g
 }
 
 TEST(DStarLite, CostsWhatAStarCostsAfterEachOfAThousandChanges) {
-  const Totals all = compare(test::gantry(), Neighbours::all, {8.3, 7.6}, 500, 0);
-  const Totals straight = compare(test::gantry(), Neighbours::straight, {8.3, 7.6}, 500, 0);
-  EXPECT_GT(all.found, 200);
-  EXPECT_GT(all.none + straight.none, 5);
-  EXPECT_LT(all.repaired, all.searched);
-  EXPECT_LT(straight.repaired, straight.searched);
+  const Totals all = compare(test::gantry(), Neighbours::all, {8.3, 7.6}, cases(500), 0);
+  const Totals straight = compare(test::gantry(), Neighbours::straight, {8.3, 7.6}, cases(500), 0);
+  EXPECT_GT(all.found, at_least(200));
+  EXPECT_GT(all.none + straight.none, at_least(5));
+  if (rubicon::test::kFewerCases == 1) {
+    EXPECT_LT(all.repaired, all.searched);
+    EXPECT_LT(straight.repaired, straight.searched);
+  }
   RecordProperty("repaired", static_cast<int>(all.repaired));
   RecordProperty("searched", static_cast<int>(all.searched));
 }
@@ -144,16 +149,20 @@ TEST(DStarLite, AChangeNearTheRobotIsSoonRepaired) {
 }
 
 TEST(DStarLite, CostsTheSameWhereverTheRobotStands) {
-  EXPECT_GT(compare(test::gantry(), Neighbours::all, {8.3, 7.6}, 200, 10).found, 100);
+  EXPECT_GT(compare(test::gantry(), Neighbours::all, {8.3, 7.6}, cases(200), 10).found,
+            at_least(100));
   // Many small ways, whose lengths add up with rounding.
-  EXPECT_GT(compare(test::gantry(), Neighbours::all, {8.3, 7.6}, 500, 0.7, 0.7, 50, 0.9).found,
-            100);
+  EXPECT_GT(
+      compare(test::gantry(), Neighbours::all, {8.3, 7.6}, cases(500), 0.7, 0.7, 50, 0.9).found,
+      100);
 }
 
 TEST(DStarLite, CostsTheSameForAVehicle) {
-  const Totals totals = compare(test::vehicle(), Neighbours::all, {8, 7, 0}, 60, 0);
-  EXPECT_GT(totals.found, 20);
-  EXPECT_LT(totals.repaired, totals.searched);
+  const Totals totals = compare(test::vehicle(), Neighbours::all, {8, 7, 0}, cases(60), 0);
+  EXPECT_GT(totals.found, at_least(20));
+  if (rubicon::test::kFewerCases == 1) {
+    EXPECT_LT(totals.repaired, totals.searched);
+  }
 }
 
 TEST(DynamicTree, EveryLegIsFreeHoweverOftenTheSiteChanges) {
