@@ -110,8 +110,8 @@ TEST(DStarLite, CostsWhatAStarCostsAfterEachOfAThousandChanges) {
   const Totals all = compare(test::gantry(), Neighbours::all, {8.3, 7.6}, cases(500), 0);
   const Totals straight = compare(test::gantry(), Neighbours::straight, {8.3, 7.6}, cases(500), 0);
   EXPECT_GT(all.found, at_least(200));
-  EXPECT_GT(all.none + straight.none, at_least(5));
   if (rubicon::test::kFewerCases == 1) {
+    EXPECT_GT(all.none + straight.none, 5);
     EXPECT_LT(all.repaired, all.searched);
     EXPECT_LT(straight.repaired, straight.searched);
   }
@@ -154,7 +154,7 @@ TEST(DStarLite, CostsTheSameWhereverTheRobotStands) {
   // Many small ways, whose lengths add up with rounding.
   EXPECT_GT(
       compare(test::gantry(), Neighbours::all, {8.3, 7.6}, cases(500), 0.7, 0.7, 50, 0.9).found,
-      100);
+      at_least(100));
 }
 
 TEST(DStarLite, CostsTheSameForAVehicle) {
