@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "src/motion/geometry/extent.hpp"
 #include "src/motion/travel/grow.hpp"
 
 namespace rubicon::travel {
@@ -155,23 +156,9 @@ std::vector<Vec2> slice(const Balls& balls, const Heights& heights) {
 
 bool stands_upright(const math::Pose& X) { return X.linear().col(2).head<2>().norm() <= kUpright; }
 
-/// All corners, and of balls their poles.
 Heights heights_of(const geometry::Shape& shape, const math::Pose& X_WB) {
-  const math::Pose X = X_WB * shape.X_BS;
-  Heights heights{HUGE_VAL, -HUGE_VAL};
-  const auto add = [&](double low, double high) {
-    heights.low = std::min(heights.low, low);
-    heights.high = std::max(heights.high, high);
-  };
-  if (const auto balls = balls_of(shape.solid, X)) {
-    add(std::min(balls->a.z(), balls->b.z()) - balls->radius,
-        std::max(balls->a.z(), balls->b.z()) + balls->radius);
-    return heights;
-  }
-  Corners all(X);
-  std::visit(all, shape.solid);
-  for (const Vec3& corner : all.corners) add(corner.z(), corner.z());
-  return heights;
+  const Eigen::AlignedBox3d box = geometry::extent_of({shape.solid, X_WB * shape.X_BS});
+  return {box.min().z(), box.max().z()};
 }
 
 }  // namespace

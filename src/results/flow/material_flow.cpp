@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "src/motion/collision/sweep/body.hpp"
+#include "src/motion/collision/swept_query.hpp"
+#include "src/motion/geometry/extent.hpp"
+#include "src/motion/math/index.hpp"
 #include "src/motion/robot/kinematics.hpp"
 
 namespace rubicon::flow {
@@ -22,16 +23,14 @@ constexpr double kInStorage = 0.01;
 constexpr double kSameLength = 1e-4;
 constexpr int kMostChords = 1024;
 
-template <typename Index>
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
+using math::at;
 
 /// The middle of the box round some shapes, in their frame.
 math::Vec3 middle_of(const std::vector<geometry::Shape>& shapes) {
   if (shapes.empty()) return math::Vec3::Zero();
-  const collision::BodyPtr body = collision::prepare(shapes);
-  return body->extent().centre + body->bounds().centre();
+  Eigen::AlignedBox3d box;
+  for (const geometry::Shape& shape : shapes) box.extend(geometry::extent_of(shape));
+  return box.center();
 }
 
 class Storages {
