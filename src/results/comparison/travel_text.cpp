@@ -70,7 +70,7 @@ std::string travel_csv(const TravelComparison& comparison) {
       text += fmt::format("{},{},{},{},{},{},{},{}\n", travel::name_of(trial.method),
                           travel::name_of(trial.result.verdict), trial.result.length,
                           travel::name_of(event.kind), event.time, event.point.x(), event.point.y(),
-                          names_text(event, ";"));
+                          report::csv_field(names_text(event, ";")));
     }
   }
   return text;

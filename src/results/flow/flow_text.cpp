@@ -23,14 +23,6 @@ std::string end_text(const ComponentFlow& component) {
   return component.removed ? "removed" : place_text(component.to);
 }
 
-/// A text of CSV, in quotes where it has to be.
-std::string csv_text(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 std::string components_table(const MaterialFlow& flow) {
   std::vector<report::TableRow> rows = {
       {"component", "from", "to", "lifts", "waited", "carried", "distance", "refused"}};
@@ -80,10 +72,11 @@ std::string flow_text(const MaterialFlow& flow) {
 std::string flow_csv(const MaterialFlow& flow) {
   std::string text = "component,mass,from,to,lifts,waited,carried,distance,refused\n";
   for (const ComponentFlow& each : flow.components) {
-    text += fmt::format("{},{},{},{},{},{},{},{:.3f},{}\n", csv_text(each.name), each.mass,
-                        csv_text(each.from), each.removed ? "removed" : csv_text(each.to),
-                        each.lifts, report::seconds_text(each.waiting),
-                        report::seconds_text(each.carried), each.distance, each.refused);
+    text += fmt::format("{},{},{},{},{},{},{},{:.3f},{}\n", report::csv_field(each.name), each.mass,
+                        report::csv_field(each.from),
+                        each.removed ? "removed" : report::csv_field(each.to), each.lifts,
+                        report::seconds_text(each.waiting), report::seconds_text(each.carried),
+                        each.distance, each.refused);
   }
   return text;
 }

@@ -33,4 +33,14 @@ std::string columns(const std::vector<TableRow>& rows, const std::vector<std::si
   return text;
 }
 
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char byte : text) {
+    quoted += byte;
+    if (byte == '"') quoted += '"';
+  }
+  return quoted + "\"";
+}
+
 }  // namespace rubicon::report

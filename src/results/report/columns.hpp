@@ -12,4 +12,7 @@ using TableRow = std::vector<std::string>;
 /// last is not padded. All rows are as long as the first.
 std::string columns(const std::vector<TableRow>& rows, const std::vector<std::size_t>& right);
 
+/// A field of CSV (RFC 4180): in quotes where it has to be.
+std::string csv_field(const std::string& text);
+
 }  // namespace rubicon::report

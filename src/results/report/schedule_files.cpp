@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "src/results/report/columns.hpp"
 #include "src/results/report/schedule_text.hpp"
 #include "src/simulation/trace/json_builder.hpp"
 
@@ -20,16 +21,6 @@ using taskplan::CriticalTask;
 using taskplan::ResourceUse;
 using taskplan::Schedule;
 using taskplan::TaskOutcome;
-
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char byte : text) {
-    quoted += byte;
-    if (byte == '"') quoted += '"';
-  }
-  return quoted + "\"";
-}
 
 /// Nothing where there are none, so that results without attributes stay as they were.
 void write_attributes(trace::JsonBuilder& json, const Attributes& attributes) {
