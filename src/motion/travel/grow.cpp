@@ -27,12 +27,6 @@ std::vector<Vec2> from_lowest(std::vector<Vec2> corners) {
   return corners;
 }
 
-std::vector<Vec2> in_metres(const Ring& ring) {
-  std::vector<Vec2> corners;
-  for (const LatticePoint& corner : ring) corners.push_back(metres(corner));
-  return corners;
-}
-
 /// Whether the triangle about corner i may be cut off.
 bool is_ear(const Ring& ring, std::size_t i) {
   const LatticePoint& a = ring[i == 0 ? ring.size() - 1 : i - 1];

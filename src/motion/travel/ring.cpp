@@ -130,6 +130,12 @@ Box box_of(const Ring& ring) {
   return box;
 }
 
+std::vector<Vec2> in_metres(const Ring& ring) {
+  std::vector<Vec2> corners;
+  for (const LatticePoint& corner : ring) corners.push_back(metres(corner));
+  return corners;
+}
+
 Ring ring_of(std::span<const Vec2> corners) {
   Ring ring;
   for (const Vec2& corner : corners) ring.push_back(snap(corner));

@@ -16,6 +16,9 @@ using Ring = std::vector<LatticePoint>;
 /// corners remain or edges meet that are not neighbours.
 Ring ring_of(std::span<const Vec2> corners);
 
+/// The corners of a ring in metres, without error.
+std::vector<Vec2> in_metres(const Ring& ring);
+
 /// What encloses a ring, its border included, in pitches.
 struct Box {
   std::int64_t low_x = 0, low_y = 0, high_x = 0, high_y = 0;

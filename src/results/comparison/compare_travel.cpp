@@ -117,10 +117,8 @@ class PlanView {
       parts.push_back(outline);
       return;
     }
-    for (const travel::Ring& part : travel::convex_parts(travel::ring_of(outline))) {
-      std::vector<Vec2> corners;
-      for (const travel::LatticePoint& corner : part) corners.push_back(travel::metres(corner));
-      parts.push_back(travel::grow(corners, footprint_));
+    for (const travel::Piece& piece : travel::grown_pieces(outline, footprint_, 0)) {
+      parts.push_back(travel::in_metres(piece.ring));
     }
   }
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <random>
 
 #include "src/motion/travel/ring.hpp"
+#include "tests/unit/travel/travel_worlds.hpp"
 
 namespace rubicon::travel {
 namespace {
@@ -41,22 +41,13 @@ double area_of(const std::vector<Vec2>& polygon) {
   return std::fabs(sum) / 2;
 }
 
-/// A number in [low, high) that is the same everywhere.
-class Numbers {
- public:
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-  }
-  math::Pose pose() {
-    const Vec3 axis(between(-1, 1), between(-1, 1), between(-1, 1));
-    math::Pose X = math::translation(between(-3, 3), between(-3, 3), between(-1, 1));
-    X.rotate(Eigen::AngleAxisd(between(-3, 3), axis.normalized()));
-    return X;
-  }
-
- private:
-  std::mt19937_64 engine_{29};
-};
+math::Pose random_pose(TestRandom& random) {
+  const Vec3 axis(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+  math::Pose X =
+      math::translation(random.between(-3, 3), random.between(-3, 3), random.between(-1, 1));
+  X.rotate(Eigen::AngleAxisd(random.between(-3, 3), axis.normalized()));
+  return X;
+}
 
 geometry::Shape shape_of(int kind) {
   const math::Pose I = math::Pose::Identity();
@@ -95,18 +86,17 @@ bool is_in(const geometry::Solid& solid, const Vec3& p) {
 }
 
 TEST(PlanView, HoldsEveryPointOfAShapeThatIsBetweenTheHeights) {
-  Numbers numbers;
+  TestRandom random(29);
   int inside = 0;
   for (int i = 0; i < 400; ++i) {
     const geometry::Shape shape = shape_of(i % 5);
-    const math::Pose X = numbers.pose();
-    const double low = numbers.between(-2, 2);
-    const Heights heights{low, low + numbers.between(0.1, 2)};
+    const math::Pose X = random_pose(random);
+    const double low = random.between(-2, 2);
+    const Heights heights{low, low + random.between(0.1, 2)};
     const auto seen = plan_view(shape, X, heights);
     for (const std::vector<Vec2>& polygon : seen) EXPECT_NO_THROW(ring_of(polygon));
     for (int k = 0; k < 300; ++k) {
-      const Vec3 p(numbers.between(-1.6, 1.6), numbers.between(-1.6, 1.6),
-                   numbers.between(-1.6, 1.6));
+      const Vec3 p(random.between(-1.6, 1.6), random.between(-1.6, 1.6), random.between(-1.6, 1.6));
       if (!is_in(shape.solid, p)) continue;
       const Vec3 p_W = X * p;
       if (p_W.z() < heights.low + 0.002 || p_W.z() > heights.high - 0.002) continue;
