@@ -222,26 +222,31 @@ bool SiteWorld::has_others(int robot) const {
   return robots_.size() > 1 || std::any_of(zones_.begin(), zones_.end(), keeps_out);
 }
 
-std::optional<OtherMet> SiteWorld::first_zone_met(int robot,
-                                                  collision::MovingBodies& bodies) const {
-  for (const auto& [task, zone] : zones_) {
+namespace {
+
+/// The first zone, by task, that keeps the robot out and whose volume the bodies meet.
+template <typename Zones, typename Volume, typename Name>
+std::optional<OtherMet> first_zone(const Zones& zones, int robot, collision::MovingBodies& bodies,
+                                   Volume volume, Name name) {
+  for (const auto& [task, zone] : zones) {
     if (zone.exempt_robot == robot) continue;
-    if (const auto hit = zone.reserved.meets(bodies)) {
-      return OtherMet{hit->item, zone.name, -1, task};
+    if (const auto hit = (zone.*volume).meets(bodies)) {
+      return OtherMet{hit->item, zone.*name, -1, task};
     }
   }
   return std::nullopt;
 }
 
+}  // namespace
+
+std::optional<OtherMet> SiteWorld::first_zone_met(int robot,
+                                                  collision::MovingBodies& bodies) const {
+  return first_zone(zones_, robot, bodies, &Zone::reserved, &Zone::name);
+}
+
 std::optional<OtherMet> SiteWorld::first_zone_below(int robot,
                                                     collision::MovingBodies& loads) const {
-  for (const auto& [task, zone] : zones_) {
-    if (zone.exempt_robot == robot) continue;
-    if (const auto hit = zone.overhead.meets(loads)) {
-      return OtherMet{hit->item, zone.overhead_name, -1, task};
-    }
-  }
-  return std::nullopt;
+  return first_zone(zones_, robot, loads, &Zone::overhead, &Zone::overhead_name);
 }
 
 bool SiteWorld::has_people(int robot) const {
