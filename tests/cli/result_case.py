@@ -25,12 +25,16 @@ class ResultCase(unittest.TestCase):
     def tearDown(self):
         self.temporary.cleanup()
 
+    def write(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return path
+
     def run_plan(self, text, expected=0):
         """The schedule and its tasks by name; ROBOTS in the text is the folder of the tests' robots.
         `expected`: the exit code, None for a run that ends, whatever is rejected."""
-        path = os.path.join(self.folder, "p.plan")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text.replace("ROBOTS", ROBOTS))
+        path = self.write("p.plan", text.replace("ROBOTS", ROBOTS))
         self.run_result = rubicon("run", path, "--out", self.out)
         self.assertIn(self.run_result.returncode, (0, 1) if expected is None else (expected,), self.run_result.stdout + self.run_result.stderr)
         verified = rubicon("verify", self.out)

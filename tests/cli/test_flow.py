@@ -33,12 +33,6 @@ class Flow(ResultCase):
                 self.write(name, file.read())
         self.plan = self.write("site.plan", SITE)
 
-    def write(self, name, text):
-        path = os.path.join(self.folder, name)
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text)
-        return path
-
     def flow(self, source, *options):
         told = rubicon("flow", source, *options)
         self.assertEqual(told.returncode, 0, told.stderr)

@@ -26,11 +26,10 @@ U = "component u { shape prism(0, 3, -10, 20, -10, 0, -9, 0, -9, 19, 9, 19, 9, 0
 
 class Travel(ResultCase):
     def travel(self, things, *options, shape="", task="task over { by car; go x 0, y 30; }"):
-        for name, text in (("car.robot", CAR % shape), ("site.plan", 'plan yard {\n  robot car "car.robot" { start x 0, y -20; }\n  support off;\n'
-                                                          f"  {things}\n  {task}\n}}\n")):
-            with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
-                file.write(text)
-        return rubicon("guides", os.path.join(self.folder, "site.plan"), "--exact", *options)
+        self.write("car.robot", CAR % shape)
+        plan = self.write("site.plan", 'plan yard {\n  robot car "car.robot" { start x 0, y -20; }\n  support off;\n'
+                                       f"  {things}\n  {task}\n}}\n")
+        return rubicon("guides", plan, "--exact", *options)
 
     def methods(self, things, **more):
         told = self.travel(things, "--format", "json", **more)
