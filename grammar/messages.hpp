@@ -218,6 +218,9 @@ RUBICON_EXPECT(crew_name, "a name after crew");
 RUBICON_EXPECT(pool_part, "pool", Explain::item, "of choose");
 RUBICON_EXPECT(pool_name, "a name after pool");
 RUBICON_EXPECT(storage_name, "a name after storage");
+RUBICON_EXPECT(moving_name, "a name after moving");
+RUBICON_EXPECT(moving_part, "moving", Explain::item, "shape path repeat people");
+RUBICON_EXPECT(path_place, "a time and a frame such as 20 s trans(25, 2, 0)");
 RUBICON_EXPECT(choice_rule, "first, nearest or least_used");
 RUBICON_EXPECT(by_whom, "the name of a robot, a crew or a pool");
 RUBICON_EXPECT(same_as_task, "the name of a task");
@@ -259,7 +262,8 @@ RUBICON_EXPECT(import_end, "';' or '{' after import");
 RUBICON_EXPECT(short_start_values, "a parameter and its value");
 RUBICON_EXPECT(
     plan_item, "plan", Explain::item,
-    "component robot crew pool overhead task module place import site storage contact budget "
+    "component robot crew pool overhead task module place import site storage moving contact "
+    "budget "
     "start_at "
     "currency calendar situation start goal via carry within free near lock enter deviation "
     "touching "

@@ -172,6 +172,26 @@ struct component_name : indexed_name {};
 struct component_item
     : if_must<component_key, component_name, block_open, component_parts, block_close> {};
 
+// What moves by itself and keeps a timetable.
+struct moving_shape_key : token<word<TAO_PEGTL_STRING("shape")>> {};
+struct moving_shape : if_must<moving_shape_key, shape, plan_semicolon> {};
+struct path_key : token<word<TAO_PEGTL_STRING("path")>> {};
+struct path_time : quantity {};
+struct path_frame : frame {};
+struct path_place : seq<path_time, path_frame> {};
+struct moving_path
+    : if_must<path_key, path_place, star<if_must<comma, path_place>>, plan_semicolon> {};
+struct repeat_key : token<word<TAO_PEGTL_STRING("repeat")>> {};
+struct moving_repeat : if_must<repeat_key, plan_semicolon> {};
+struct moving_people_key : token<word<TAO_PEGTL_STRING("people")>> {};
+struct moving_people : if_must<moving_people_key, plan_semicolon> {};
+struct moving_part : sor<moving_shape, moving_path, moving_repeat, moving_people> {};
+struct whole_moving_part : must<moving_part> {};
+struct moving_parts : nested<star<not_at<block_end>, recover<whole_moving_part, item_end>>> {};
+struct moving_key : token<word<TAO_PEGTL_STRING("moving")>> {};
+struct moving_name : indexed_name {};
+struct moving_item : if_must<moving_key, moving_name, block_open, moving_parts, block_close> {};
+
 struct start_key : token<word<TAO_PEGTL_STRING("start")>> {};
 struct cost_key : token<word<TAO_PEGTL_STRING("cost")>> {};
 struct cost_amount : quantity {};
@@ -425,7 +445,7 @@ struct plan_guide : if_must<guide_key, guide_name, plan_guide_end> {};
 
 struct plan_item : sor<plan_block, parameter_item, component_item, robot_use, crew_item, pool_item,
                        overhead_item, task_item, module_item, place_item, import_item, waiver,
-                       site_item, storage_item, number_item, text_item, calendar_item,
+                       site_item, storage_item, moving_item, number_item, text_item, calendar_item,
                        situation_item, short_start, short_goal, via_item, carry_item, within_item,
                        motion_clause, whole_item, support_item, plan_guide> {};
 struct whole_plan_item : must<plan_item> {};

@@ -129,6 +129,9 @@ void check_same_as(Subject& subject);
 /// Components of the plan, and of modules where they are placed: P02, P09, P16, P17, P19.
 void check_components(Subject& subject);
 
+/// What keeps a timetable: P02, P09, P49.
+void check_movings(Subject& subject);
+
 /// Robots and components that stand too far apart for metres: P21.
 void check_scale(Subject& subject);
 

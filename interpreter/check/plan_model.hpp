@@ -11,6 +11,7 @@
 #include "interpreter/check/check.hpp"
 #include "interpreter/expand/expand.hpp"
 #include "src/motion/geometry/shape.hpp"
+#include "src/motion/geometry/timetable.hpp"
 #include "src/motion/guides/guide_spec.hpp"
 #include "src/simulation/schedule/calendar_rules.hpp"
 #include "src/simulation/schedule/civil_time.hpp"
@@ -217,6 +218,16 @@ struct StorageSpec {
   std::vector<geometry::Shape> shapes;
 };
 
+/// What moves by itself by a timetable, in the way of every machine (shapes in its own frame {O}).
+struct MovingSpec {
+  std::string name;
+  Span span;
+  std::vector<geometry::Shape> shapes;
+  geometry::Timetable timetable;
+  std::vector<geometry::Shape> overhead;  ///< with people: the shapes and the air above them, where
+                                          ///< no load may hang; else empty
+};
+
 /// A plan that was read and checked, modules placed and every name resolved.
 struct PlanModel {
   std::string name;
@@ -227,6 +238,7 @@ struct PlanModel {
   std::vector<std::string> situations;  ///< switched on for the whole plan
   std::vector<geometry::Shape> site;    ///< obstacles that are always there (world frame)
   std::vector<StorageSpec> storages;
+  std::vector<MovingSpec> movings;
   std::vector<ComponentSpec> components;
   std::vector<RobotSpec> robots;
   std::vector<CrewSpec> crews;

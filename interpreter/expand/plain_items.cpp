@@ -56,6 +56,14 @@ void PlainItems::item(syntax::ComponentItem& value) {
   each(value.attributes);
 }
 
+void PlainItems::item(syntax::MovingItem& value) {
+  name(value.name);
+  each(value.shapes);
+  for (auto& path : value.paths) {
+    for (syntax::MovingItem::Place& place : path) number(place.time), part(place.at);
+  }
+}
+
 void PlainItems::item(syntax::RobotUse& value) {
   each(value.name);
   text(value.file);

@@ -30,6 +30,7 @@ class PlainItems {
  private:
   void item(syntax::SiteItem& value) { shape(value.shape); }
   void item(syntax::StorageItem& value) { name(value.name), shape(value.shape); }
+  void item(syntax::MovingItem& value);
   void item(syntax::NumberItem& value) { name(value.name), number(value.value); }
   void item(syntax::StringItem& value) { name(value.name), text(value.value); }
   void item(syntax::SituationItem& value) { each(value.names); }

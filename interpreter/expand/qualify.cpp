@@ -59,6 +59,10 @@ class Qualifier {
     prefix(item.name);
     find_file(item.shape.file);
   }
+  void rename(syntax::MovingItem& item) {
+    prefix(item.name);
+    for (syntax::Shape& shape : item.shapes) find_file(shape.file);
+  }
   void rename(syntax::CalendarItem& item) { prefix(item.name); }
   void rename(syntax::RobotUse& item) {
     if (!item.name) {

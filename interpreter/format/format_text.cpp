@@ -40,6 +40,7 @@ class Printer {
     match_.assign(count, count);
     width_.assign(count + 1, 0);
     breaks_.assign(count + 1, 0);
+    depth_.assign(count + 1, 0);
     next_code_.assign(count + 1, count);
     std::vector<std::size_t> braces;
     std::vector<std::size_t> parentheses;
@@ -55,6 +56,9 @@ class Printer {
       if (token.is("}")) close(braces, i);
       if (token.is(")")) close(parentheses, i);
       width_[i + 1] = width_[i] + (token.space_before ? 1 : 0) + width_of(token.text);
+      const int opens = token.is("(") || token.is("[") ? 1 : 0;
+      const int closes = token.is(")") || token.is("]") ? 1 : 0;
+      depth_[i + 1] = depth_[i] + opens - closes;
       breaks_[i + 1] =
           breaks_[i] + (token.first_on_line || token.multi_line || token.ends_line() ? 1 : 0);
     }
@@ -91,6 +95,27 @@ class Printer {
     line_empty_ = false;
   }
 
+  /// How wide what stands between two commas is, from its first token, with the comma or semicolon
+  /// behind it.
+  std::size_t width_of_part(std::size_t i) const {
+    int parentheses = 0;
+    std::size_t end = i;
+    for (; end + 1 < tokens_.size() && !tokens_[end + 1].is_comment(); ++end) {
+      if (tokens_[end].is("(")) ++parentheses;
+      if (tokens_[end].is(")")) --parentheses;
+      if (parentheses == 0 && (tokens_[end].is(",") || tokens_[end].is(";"))) break;
+    }
+    return width_[end + 1] - width_[i] - (tokens_[i].space_before ? 1 : 0);
+  }
+
+  /// Whether a part of a list begins here that would not fit on this line, but on the next.
+  bool begins_line(std::size_t i, std::size_t indent) const {
+    // Inside of parentheses and brackets any blank will do.
+    if (i == 0 || !tokens_[i - 1].is(",") || depth_[i] > 0) return false;
+    const std::size_t width = width_of_part(i);
+    return column_ + 1 + width > kColumns && indent + kContinuation + width <= kColumns;
+  }
+
   /// A token inside a statement; goes to the next line where it would not fit and a blank allows
   /// it.
   void write_token(std::size_t i, std::size_t indent, bool at_start, bool may_wrap) {
@@ -98,7 +123,8 @@ class Printer {
     const bool separator_follows =
         i + 1 < tokens_.size() && (tokens_[i + 1].is(",") || tokens_[i + 1].is(";"));
     if (may_wrap && !line_empty_ && token.space_before &&
-        column_ + 1 + width_of(token.text) + (separator_follows ? 1 : 0) > kColumns) {
+        (begins_line(i, indent) ||
+         column_ + 1 + width_of(token.text) + (separator_follows ? 1 : 0) > kColumns)) {
       end_line();
     }
     write(token.text, at_start ? indent : indent + kContinuation, token.space_before);
@@ -246,6 +272,7 @@ class Printer {
 
   std::vector<FormatToken> tokens_;
   std::vector<std::size_t> match_;      ///< of '{' and '(': where it is closed
+  std::vector<int> depth_;              ///< parentheses and brackets open before the token
   std::vector<std::size_t> width_;      ///< columns of the tokens before, on one line
   std::vector<std::size_t> breaks_;     ///< tokens before that start or hold a new line
   std::vector<std::size_t> next_code_;  ///< the token here or behind that is no comment

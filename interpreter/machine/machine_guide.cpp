@@ -60,11 +60,11 @@ class Machine::GuideTests : public guides::MotionTests {
     return most;
   }
 
-  /// Pairs with other machines and with zones.
+  /// Pairs with what may leave: other machines, zones, what keeps a timetable.
   std::vector<HitPair> others() const {
     std::vector<HitPair> pairs;
     for (const auto& [names, meeting] : met_) {
-      if (meeting.pair.machine >= 0 || meeting.pair.zone_task >= 0) pairs.push_back(meeting.pair);
+      if (meeting.pair.may_leave()) pairs.push_back(meeting.pair);
     }
     return pairs;
   }

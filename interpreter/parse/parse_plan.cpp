@@ -280,6 +280,21 @@ RUBICON_ACTION(PlanAction, PlanState, component_people) { st.component.people = 
 RUBICON_ACTION(PlanAction, PlanState, component_item) {
   st.add_to_module(std::move(st.component), begin);
 }
+RUBICON_ACTION(PlanAction, PlanState, moving_key) {
+  st.moving = {};
+  st.announce("moving");
+}
+RUBICON_ACTION(PlanAction, PlanState, moving_name) { st.moving.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, moving_shape) { st.moving.shapes.push_back(st.take_shape()); }
+RUBICON_ACTION(PlanAction, PlanState, path_key) { st.path.clear(); }
+RUBICON_ACTION(PlanAction, PlanState, path_time) { st.path_time = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, path_frame) {
+  st.path.push_back({std::move(st.path_time), st.take_frame()});
+}
+RUBICON_ACTION(PlanAction, PlanState, moving_path) { st.moving.paths.push_back(st.path); }
+RUBICON_ACTION(PlanAction, PlanState, moving_repeat) { st.moving.repeat = true; }
+RUBICON_ACTION(PlanAction, PlanState, moving_people) { st.moving.people = true; }
+RUBICON_ACTION(PlanAction, PlanState, moving_item) { st.add(std::move(st.moving), begin); }
 RUBICON_ACTION(PlanAction, PlanState, start_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, park_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, cost_item) { st.set_cost(begin); }
@@ -543,7 +558,7 @@ syntax::Plan parse_plan(const SourceMap& sources, FileId file, Diagnostics& diag
        "density",      "touching", "pool",      "of",        "choose",     "needs",    "rental",
        "mobilisation", "overtime", "overhead",  "whole",     "not_before", "due",      "baseline",
        "support",      "fixed",    "braced",    "free",      "near",       "lock",     "deviation",
-       "enter"});
+       "enter",        "moving",   "path",      "repeat"});
   const bool finished = run_parser<grammar::plan_file, PlanAction>(state);
   state.plan.broken = !finished || state.errors() > 0;
   state.plan.span = state.span_from(state.begin());

@@ -133,6 +133,9 @@ class PlanState : public GuideState {
   syntax::String shift_from;
   syntax::CalendarItem calendar;
   syntax::ComponentItem component;
+  syntax::MovingItem moving;
+  std::vector<syntax::MovingItem::Place> path;
+  syntax::Number path_time;
   syntax::RobotUse robot;
   syntax::CrewItem crew;
   bool in_crew = false;

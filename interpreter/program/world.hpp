@@ -30,6 +30,10 @@ struct HitPair {
   std::string met;
   int machine = -1;    ///< index of the machine that was met
   int zone_task = -1;  ///< task whose zone was met
+  int moving = -1;     ///< index of the thing with a timetable that was met
+
+  /// Whether what was met may go out of the way.
+  bool may_leave() const { return machine >= 0 || zone_task >= 0 || moving >= 0; }
 };
 
 /// What the machine knows of the site: it accepts or refuses steps and says who is in the way.

@@ -399,6 +399,20 @@ struct ComponentItem {
   Span span;
 };
 
+/// moving NAME { shape ...; path 0 s frame, 20 s frame; repeat; people; }
+struct MovingItem {
+  struct Place {
+    Number time;
+    Frame at;
+  };
+  Name name;
+  std::vector<Shape> shapes;
+  std::vector<std::vector<Place>> paths;  ///< more than one is an error of the checker
+  bool repeat = false;
+  bool people = false;
+  Span span;
+};
+
 /// cost 180 per h;
 struct Cost {
   Number amount;
@@ -637,7 +651,7 @@ using PlanItem =
                  RobotUse, CrewItem, TaskItem, ModuleItem, PlaceItem, ImportItem, StartItem,
                  GoalItem, ViaItem, CarryItem, WithinItem, WaiverItem, PlanParameter, PoolItem,
                  OverheadItem, std::shared_ptr<const PlanBlock>, WholeItem, SupportItem,
-                 GuideDeclaration, GuideItem, MotionClause, StorageItem>;
+                 GuideDeclaration, GuideItem, MotionClause, StorageItem, MovingItem>;
 struct PlanBlock {
   BlockHead head;
   std::vector<PlanItem> items;

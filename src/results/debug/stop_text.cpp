@@ -157,6 +157,8 @@ std::string record_text(const Recording& recording, const TaskRun& run, const Ev
       return event.ok ? fmt::format("guide {} has a way ({} nodes, {} checks)", text, event.n,
                                     event.value)
                       : fmt::format("guide {}: {}", text, other);
+    case EventKind::moving:
+      break;
     case EventKind::way_point:
       return fmt::format("way point {} of {} of the guide begins", event.n, event.value);
   }

@@ -128,6 +128,7 @@ void apply(const Event& event, TaskState& state) {
     case EventKind::task_end:
     case EventKind::stop:
     case EventKind::guide:
+    case EventKind::moving:
       break;
   }
   state.t = event.t;

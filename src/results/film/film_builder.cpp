@@ -53,6 +53,11 @@ double FilmBuilder::time_of(const trace::Record& record, const FilmRun& run) con
 }
 
 void FilmBuilder::record(const trace::Record& record) {
+  if (const auto* moving = std::get_if<trace::Moving>(&record.what)) {
+    movings_.push_back({std::string(moving->name), std::string(moving->by),
+                        trace::seconds(moving->delay), trace::seconds(moving->t)});
+    return;
+  }
   const int run = run_of(record);
   const double t = time_of(record, runs_[run]);
   columns_.kind.add(static_cast<int>(record.kind()));

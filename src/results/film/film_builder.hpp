@@ -49,6 +49,7 @@ class FilmBuilder {
   void write(const trace::GuidePlan& plan, int run);
   void write(const trace::WayPoint& point, int run);
   void write(const trace::Turn& turn, int run);
+  void write(const trace::Moving&, int) {}  // of no run
 
   std::int64_t string(std::string_view text) { return strings_.number(text); }
   std::int64_t place(const trace::InText& place);
@@ -63,6 +64,12 @@ class FilmBuilder {
   PlaceTable places_;
   RecordColumns columns_;
   std::vector<double> q_;
+  /// Stops and starts of what keeps a timetable, as they happen; times in s.
+  struct MovingStop {
+    std::string name, by;
+    double delay = 0, t = 0;
+  };
+  std::vector<MovingStop> movings_;
 };
 
 }  // namespace rubicon::film

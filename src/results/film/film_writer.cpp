@@ -90,6 +90,15 @@ Film FilmBuilder::finish(std::string_view schedule, std::string_view flow) {
   std::string head = "{\"header\":" + scene_.json;
   head += ",\"schedule\":" + (schedule.empty() ? std::string("null") : tidy_json(schedule));
   head += ",\"flow\":" + (flow.empty() ? std::string("null") : tidy_json(flow));
+  if (!movings_.empty()) {
+    trace::JsonBuilder json;
+    json.begin_array();
+    for (const MovingStop& each : movings_) {
+      json.begin_object().field("name", each.name).field("by", each.by);
+      json.field("delay", each.delay).field("t", each.t).end_object();
+    }
+    head += ",\"movings\":" + json.end_array().take();
+  }
   head += ",\"end\":";
   trace::append_number(head, runs_.end());
   head += ",\"strings\":" + strings_json(strings_);

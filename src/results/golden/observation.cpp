@@ -119,6 +119,11 @@ struct GoldenMembers {
     event["result"] = end.result;
     event["reason"] = without_folders(std::string(end.reason));
   }
+  void operator()(const trace::Moving& moving) const {
+    event["name"] = moving.name;
+    event["by"] = moving.by;
+    event["time"] = time_json(moving.t);
+  }
   // Crew work, pauses and removals are in the schedule.
   void operator()(const trace::Work&) const {}
   void operator()(const trace::Pause&) const {}

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 #include "src/results/verify/input/check_files.hpp"
@@ -53,7 +54,15 @@ void check_motions(const Trace& trace, const std::vector<TaskRun>& runs, Verdict
   const SiteParts site = make_site_parts(trace, runs, stays, until);
   check_beginning(trace.scene, site, verdict.faults);
   check_support(trace, site, stays, until, verdict.faults);
-  const ContactCounts counts = check_contacts(trace, runs, tracks, site, verdict.faults);
+  std::vector<MovingPath> movings;
+  for (std::size_t i = 0; i < trace.scene.movings.size(); ++i) {
+    std::vector<MovingRecord> records;
+    std::copy_if(trace.movings.begin(), trace.movings.end(), std::back_inserter(records),
+                 [&](const MovingRecord& each) { return each.moving == static_cast<int>(i); });
+    movings.emplace_back(trace.scene.movings[i], records, trace.scene.meshes, until,
+                         verdict.faults);
+  }
+  const ContactCounts counts = check_contacts(trace, runs, tracks, site, movings, verdict.faults);
   verdict.steps = counts.steps;
   verdict.pairs = counts.pairs;
 }

@@ -47,6 +47,11 @@ SiteWorld make_site(const interpreter::PlanModel& plan) {
                            component.X_WO, component.mass);
     if (component.people) site.add_people(added, component.shapes);
   }
+  for (const interpreter::MovingSpec& moving : plan.movings) {
+    site.add_moving(moving.name, prepare_named(moving.shapes, moving.name),
+                    prepare_named(moving.overhead, "the air above " + moving.name),
+                    moving.timetable);
+  }
   PreparedRobots prepared;
   for (const interpreter::RobotSpec& spec : plan.robots) {
     StartingRobot robot = make_starting_robot(spec, prepared);

@@ -40,6 +40,9 @@ class ReservedVolume {
   std::optional<Hit> meets(collision::MovingBodies& bodies,
                            const std::vector<bool>& are_buffers = {}) const;
 
+  /// The box around it, world.
+  const collision::Bounds& bounds() const { return bounds_; }
+
  private:
   struct Part {
     collision::SweptVolume volume;

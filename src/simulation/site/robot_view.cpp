@@ -94,7 +94,7 @@ std::optional<interpreter::HitPair> RobotView::swept_hit(
                         site_.contact_tolerance(), site_.has_obstacles());
   if (query.query().items.empty()) return std::nullopt;
   if (auto pair = own_hit(query)) return pair;
-  return others_hit(query);
+  return others_hit(query, site_.now() + step.duration);
 }
 
 /// As a test of the query, but that bodies may cut into some components: these against all but what
@@ -135,7 +135,7 @@ std::optional<interpreter::HitPair> RobotView::own_hit(const StepQuery& step) co
   return interpreter::HitPair{part_name(moved), part_name(met)};
 }
 
-std::optional<interpreter::HitPair> RobotView::turn_hit(double angle_deg) const {
+std::optional<interpreter::HitPair> RobotView::turn_hit(double angle_deg, Ticks until) const {
   const Load& load = *site_.load(index_);
   if (!load.body) return std::nullopt;
   const SiteRobot& machine = robot();
@@ -159,9 +159,10 @@ std::optional<interpreter::HitPair> RobotView::turn_hit(double angle_deg) const 
     const int met = std::max(hit->item, hit->other_item.value_or(0));
     return interpreter::HitPair{load.name, part_name(part_of[static_cast<std::size_t>(met)])};
   }
-  const auto others = other_met(alone, std::span(part_of).first(1));
+  const auto others = other_met(alone, std::span(part_of).first(1), until);
   if (!others) return std::nullopt;
-  return interpreter::HitPair{load.name, others->name, others->machine, others->zone_task};
+  return interpreter::HitPair{load.name, others->name, others->machine, others->zone_task,
+                              others->moving};
 }
 
 std::vector<bool> RobotView::are_buffers(std::span<const int> parts) const {
@@ -171,17 +172,20 @@ std::vector<bool> RobotView::are_buffers(std::span<const int> parts) const {
   return result;
 }
 
-/// Zones, what is above them, then other machines. `parts`: by item of the query.
+/// Zones, what is above them and above moving people, other machines, what keeps a timetable.
+/// `parts`: by item of the query; `until`: when the bodies have made their way.
 std::optional<OtherMet> RobotView::other_met(const collision::SweptQuery& query,
-                                             std::span<const int> parts) const {
+                                             std::span<const int> parts, Ticks until) const {
   collision::MovingBodies bodies(query);
   if (auto met = site_.first_zone_met(index_, bodies)) return met;
-  if (auto met = zone_below(query, parts)) return met;
-  return site_.first_machine_met(index_, bodies, false, are_buffers(parts));
+  if (auto met = people_under_load(query, parts, until)) return met;
+  if (auto met = site_.first_machine_met(index_, bodies, false, are_buffers(parts))) return met;
+  return site_.first_moving_met(index_, bodies, until, false);
 }
 
-std::optional<OtherMet> RobotView::zone_below(const collision::SweptQuery& query,
-                                              std::span<const int> parts) const {
+std::optional<OtherMet> RobotView::people_under_load(const collision::SweptQuery& query,
+                                                     std::span<const int> parts,
+                                                     Ticks until) const {
   if (!site_.has_people(index_)) return std::nullopt;
   collision::SweptQuery loads;
   loads.contact_tolerance = query.contact_tolerance;
@@ -194,21 +198,23 @@ std::optional<OtherMet> RobotView::zone_below(const collision::SweptQuery& query
   if (items.empty()) return std::nullopt;
   collision::MovingBodies hanging(loads);
   auto met = site_.first_zone_below(index_, hanging);
+  if (!met) met = site_.first_moving_met(index_, hanging, until, true);
   if (met) met->item = items[static_cast<std::size_t>(met->item)];
   return met;
 }
 
-std::optional<interpreter::HitPair> RobotView::others_hit(const StepQuery& step) const {
+std::optional<interpreter::HitPair> RobotView::others_hit(const StepQuery& step,
+                                                          Ticks until) const {
   if (!site_.has_others(index_)) return std::nullopt;
   const collision::SweptQuery movers = step.against_others();
   std::vector<int> moving;
   for (std::size_t i = 0; i < movers.items.size(); ++i) {
     moving.push_back(step.part_of_mover(static_cast<int>(i)));
   }
-  const auto met = other_met(movers, moving);
+  const auto met = other_met(movers, moving, until);
   if (!met) return std::nullopt;
   return interpreter::HitPair{part_name(moving[static_cast<std::size_t>(met->item)]), met->name,
-                              met->machine, met->zone_task};
+                              met->machine, met->zone_task, met->moving};
 }
 
 /// The robot's bodies, its load and its buffers, standing at q.
@@ -254,7 +260,8 @@ double RobotView::free_distance(std::span<const double> q, double heading_deg, d
           {{part.body.get(), geometry::translating(X, heading * distance)}, true});
       moving.push_back(part.part);
     }
-    return !site_.obstacles().test(query).hit && !(has_others && other_met(query, moving));
+    return !site_.obstacles().test(query).hit &&
+           !(has_others && other_met(query, moving, site_.now()));
   };
   if (is_free(range)) return range;
   // The swept volume only grows with the distance, so halving finds where it first meets anything.
@@ -314,10 +321,11 @@ std::optional<interpreter::HitPair> RobotView::standing_machine_at(
     buffers.push_back(part.is_buffer);
   }
   collision::MovingBodies bodies(query);
-  const auto met = site_.first_machine_met(index_, bodies, true, buffers);
+  auto met = site_.first_machine_met(index_, bodies, true, buffers);
+  if (!met) met = site_.first_moving_met(index_, bodies, site_.now(), false);
   if (!met) return std::nullopt;
   const ReservedPart& part = parts[static_cast<std::size_t>(met->item)];
-  return interpreter::HitPair{part_name(part.part), met->name, met->machine};
+  return interpreter::HitPair{part_name(part.part), met->name, met->machine, -1, met->moving};
 }
 
 }  // namespace rubicon::site

@@ -33,7 +33,8 @@ class RobotView : public interpreter::World {
   /// What the load would meet that people turn by the angle about the vertical through the tool's
   /// origin, over all that it sweeps: what stands, the robot's own bodies but the hook, zones, and
   /// what belongs to other machines. Something must hang there.
-  std::optional<interpreter::HitPair> turn_hit(double angle_deg) const;
+  /// `until`: when they are done.
+  std::optional<interpreter::HitPair> turn_hit(double angle_deg, Ticks until) const;
 
  private:
   const SiteRobot& robot() const { return site_.robot(index_); }
@@ -41,12 +42,12 @@ class RobotView : public interpreter::World {
   std::optional<interpreter::HitPair> overload(const interpreter::MotionStep& step) const;
   collision::SweptResult entering_hit(const StepQuery& step) const;
   std::optional<interpreter::HitPair> own_hit(const StepQuery& step) const;
-  std::optional<interpreter::HitPair> others_hit(const StepQuery& step) const;
+  std::optional<interpreter::HitPair> others_hit(const StepQuery& step, Ticks until) const;
   bool is_load(int part) const { return part == robot().load_part(); }
-  std::optional<OtherMet> other_met(const collision::SweptQuery& query,
-                                    std::span<const int> parts) const;
-  std::optional<OtherMet> zone_below(const collision::SweptQuery& query,
-                                     std::span<const int> parts) const;
+  std::optional<OtherMet> other_met(const collision::SweptQuery& query, std::span<const int> parts,
+                                    Ticks until) const;
+  std::optional<OtherMet> people_under_load(const collision::SweptQuery& query,
+                                            std::span<const int> parts, Ticks until) const;
   std::vector<bool> are_buffers(std::span<const int> parts) const;
   bool nothing_to_meet() const;
   bool people_below(std::span<const double> q, std::span<const double> q_goal) const;

@@ -34,6 +34,7 @@ int SiteWorld::add_robot(SiteRobot robot, std::vector<double> q) {
 }
 
 void SiteWorld::set_time(Ticks now) {
+  now_ = now;
   for (RobotEntry& robot : robots_) {
     if (robot.turn && robot.turn->end <= now) {
       robot.turn.reset();
@@ -124,6 +125,7 @@ void SiteWorld::set_machine_state(int robot, MachineState state) {
   machine.stepping = state.step.has_value();
   if (state.step) machine.step = std::move(*state.step);
   machine.reserved.reset();
+  note_machine_change();
   ++changes_;
 }
 
@@ -198,10 +200,7 @@ std::optional<int> SiteWorld::machine_in(const PeopleZone& zone, int exempt_robo
   for (int i = 0; i < static_cast<int>(robots_.size()); ++i) {
     const RobotEntry& other = entry(i);
     if (i == exempt_robot || !other.load || !other.load->body) continue;
-    std::vector<ReservedPart> parts = reserved_parts(other);
-    std::erase_if(parts, [&](const ReservedPart& part) { return !is_load(other, part.part); });
-    const ReservedVolume load(std::move(parts), reserved_growth(contact_tolerance_));
-    if (load.meets(overhead)) return i;
+    if (load_volume(other)->meets(overhead)) return i;
   }
   return std::nullopt;
 }
@@ -219,7 +218,8 @@ std::optional<OtherMet> SiteWorld::zone_around(int component, int robot) const {
 
 bool SiteWorld::has_others(int robot) const {
   const auto keeps_out = [robot](const auto& zone) { return zone.second.exempt_robot != robot; };
-  return robots_.size() > 1 || std::any_of(zones_.begin(), zones_.end(), keeps_out);
+  return robots_.size() > 1 || !movings_.empty() ||
+         std::any_of(zones_.begin(), zones_.end(), keeps_out);
 }
 
 namespace {
@@ -250,6 +250,10 @@ std::optional<OtherMet> SiteWorld::first_zone_below(int robot,
 }
 
 bool SiteWorld::has_people(int robot) const {
+  if (std::any_of(movings_.begin(), movings_.end(),
+                  [](const MovingThing& each) { return each.has_people(); })) {
+    return true;
+  }
   return std::any_of(zones_.begin(), zones_.end(),
                      [&](const auto& zone) { return zone.second.exempt_robot != robot; }) ||
          std::any_of(with_people_.begin(), with_people_.end(),
@@ -258,6 +262,10 @@ bool SiteWorld::has_people(int robot) const {
 
 bool SiteWorld::people_below(int robot, collision::MovingBodies& bodies) const {
   if (first_zone_met(robot, bodies) || first_zone_below(robot, bodies)) return true;
+  for (const MovingThing& each : movings_) {
+    if (!each.has_people() || !each.is_present(now_)) continue;
+    if (each.volume(now_).meets(bodies) || each.overhead(now_).meets(bodies)) return true;
+  }
   return std::any_of(with_people_.begin(), with_people_.end(), [&](int component) {
     const Component& each = components_[static_cast<std::size_t>(component)];
     return each.standing && each.people_above && each.people_above->meets(bodies);
@@ -299,6 +307,7 @@ std::uint64_t SiteWorld::version(int robot) const {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     if (static_cast<int>(i) != robot) version += robots_[i].changes;
   }
+  if (entry(robot).near_moving) version += movings_gone_on();
   return version;
 }
 
@@ -358,6 +367,7 @@ void SiteWorld::lift(Component& component) {
 void SiteWorld::changed(RobotEntry& robot) {
   ++robot.changes;
   robot.reserved.reset();
+  note_machine_change();
 }
 
 bool SiteWorld::is_load(const RobotEntry& robot, int part) {

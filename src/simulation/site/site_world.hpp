@@ -10,6 +10,7 @@
 #include "interpreter/program/world.hpp"
 #include "src/motion/collision/swept_query.hpp"
 #include "src/simulation/site/load.hpp"
+#include "src/simulation/site/moving_thing.hpp"
 #include "src/simulation/site/reserved_volume.hpp"
 #include "src/simulation/site/site_robot.hpp"
 
@@ -53,12 +54,21 @@ struct PeopleZone {
   const std::vector<geometry::Shape>& overhead;
 };
 
-/// Another machine, or a zone, that a query meets.
+/// Another machine, a zone, or something with a timetable, that a query meets.
 struct OtherMet {
   int item = 0;      ///< of the query
-  std::string name;  ///< the machine's body or load, or the zone's name
+  std::string name;  ///< the machine's body or load, or the name of the zone or the thing
   int machine = -1;
   int zone_task = -1;
+  int moving = -1;
+};
+
+/// Something with a timetable stops, or goes on.
+struct MovingEvent {
+  int moving = 0;
+  Ticks time = 0;
+  std::optional<MovingStop> stop;  ///< nothing: it goes on,
+  Ticks delay = 0;                 ///< so much later than its timetable says
 };
 
 /// The site as it stands at a moment: what was built and lies about (the obstacles), the machines
@@ -79,8 +89,32 @@ class SiteWorld {
   /// A robot that stands at q; its index.
   int add_robot(SiteRobot robot, std::vector<double> q);
 
+  /// Something that moves by a timetable, from its first time on; its index. `overhead`: with
+  /// people, where no load may hang; else null.
+  int add_moving(std::string name, collision::BodyPtr body, collision::BodyPtr overhead,
+                 geometry::Timetable timetable);
+
   /// Steps that end at `now` or before are over: their machines stand.
   void set_time(Ticks now);
+
+  Ticks now() const { return now_; }
+
+  // site_movings.cpp: what keeps a timetable
+  int movings() const { return static_cast<int>(movings_.size()); }
+  const MovingThing& moving(int index) const { return movings_[static_cast<std::size_t>(index)]; }
+  void set_moving_state(int index, MovingState state);
+  /// Those whose next second begins now look whether it is free, and stop or go on, in their order.
+  /// To be called whenever time went on. Who stopped and who goes on.
+  std::vector<MovingEvent> look_at_movings();
+  /// When the next of them must look: before that nothing is near its way. The end of time: never,
+  /// unless a machine moves.
+  Ticks next_moving_look();
+  /// Until then it may be of use to wait for things with a timetable: since the last change of a
+  /// machine each that repeats has come by once, and all others are gone.
+  Ticks movings_worth_waiting() const;
+  /// How long they have gone on (ns), each round of a repeating one counted once since the last
+  /// change of a machine: who waits longer waits for nothing.
+  std::uint64_t movings_gone_on() const;
 
   /// The component leaves the world and hangs on the tool from now on as it stands to it. It must
   /// stand, and the tool must be free.
@@ -125,8 +159,12 @@ class SiteWorld {
   /// The zone, by task, that the component stands in and the robot has to keep out of.
   std::optional<OtherMet> zone_around(int component, int robot) const;
 
-  /// Whether there is anyone else to meet for the robot: machines, zones.
+  /// Whether there is anyone else to meet for the robot: machines, zones, what keeps a timetable.
   bool has_others(int robot) const;
+  /// The first thing with a timetable, by index, that bodies of the robot meet in a step that ends
+  /// at `until`; with `overhead` what is above people.
+  std::optional<OtherMet> first_moving_met(int robot, collision::MovingBodies& bodies, Ticks until,
+                                           bool overhead) const;
   /// The first zone, by task, over which the bodies hang, loads of the robot.
   std::optional<OtherMet> first_zone_below(int robot, collision::MovingBodies& loads) const;
   /// Whether people are under the bodies: in a zone, or in a component that says so.
@@ -181,6 +219,7 @@ class SiteWorld {
     std::optional<LoadTurn> turn;              ///< the one in progress
     std::vector<std::pair<int, int>> entered;  ///< body, component
     std::uint64_t changes = 0;                 ///< of what belongs to it
+    mutable bool near_moving = false;          ///< it was where something with a timetable goes
     mutable std::unique_ptr<ReservedVolume>
         reserved;  ///< of what belongs to it now; made when asked for
   };
@@ -200,7 +239,17 @@ class SiteWorld {
   void note_change(const Component& component);
   void stand(Component& component, const math::Pose& X_WO);
   void lift(Component& component);
-  static void changed(RobotEntry& robot);
+  void changed(RobotEntry& robot);
+  void note_machine_change();
+  std::uint64_t all_changes() const { return changes_ + machine_changes_; }
+  std::uint64_t changes_of(const MovingStop& stop) const;
+  std::optional<MovingStop> what_stops(int moving, int window) const;
+  bool is_free_of_obstacles(const MovingThing& thing, int window) const;
+  std::optional<MovingStop> machine_on_way(const collision::SweptQuery& query,
+                                           bool has_people) const;
+  bool has_to_look(int moving, int window) const;
+  Ticks find_next_look(int moving) const;
+  std::optional<ReservedVolume> load_volume(const RobotEntry& robot) const;
   ReservedVolume standing(const std::vector<geometry::Shape>& shapes_W) const;
   void look_up(Component& component) const;
   static bool is_load(const RobotEntry& robot, int part);
@@ -216,6 +265,17 @@ class SiteWorld {
   std::vector<int> component_changes_;
   std::vector<RobotEntry> robots_;
   std::map<int, Zone> zones_;  ///< by task
+  Ticks now_ = 0;
+  std::vector<MovingThing> movings_;
+  /// When a machine changed last, and for how long things with a timetable had gone on before (ns).
+  Ticks quiet_since_ = 0;
+  std::uint64_t moved_before_ = 0;
+  std::uint64_t machine_changes_ = 0;
+  /// To each thing with a timetable: when it looks next, and at what all changes this was found; if
+  /// it stands, at what changes it looked last.
+  std::vector<Ticks> looks_;
+  std::uint64_t looks_at_ = 0;
+  std::vector<std::uint64_t> looked_at_;
   std::uint64_t changes_ = 0;
 };
 

@@ -14,10 +14,11 @@ struct Phase;
 class Stage;
 
 /// Something happened that others may wait for: a machine moved or stands still for good, people
-/// left a zone.
+/// left a zone, something with a timetable stopped or goes on.
 struct SiteEvent {
   int robot = -1;      ///< the machine
   int zone_task = -1;  ///< the task whose people left
+  int moving = -1;     ///< the thing with a timetable
 };
 
 /// How an activity stands when it has begun or resumed.
@@ -53,7 +54,7 @@ class Activity {
   /// Whether it is to resume since this happened.
   virtual bool wakes_at(const ActiveTask&, const Stage&, const SiteEvent&) const { return false; }
   /// The machines it waits for to move, in the order in which it met them.
-  virtual std::vector<int> robots_in_the_way() const { return {}; }
+  virtual std::vector<int> robots_in_the_way(const Stage&) const { return {}; }
   /// Where what it waits for never comes: whether what it has reached is enough. If so it is over.
   virtual bool settle(ActiveTask&, Stage&) { return false; }
 

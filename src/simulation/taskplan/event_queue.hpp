@@ -32,6 +32,11 @@ class EventQueue {
     event_of_.erase(event);
   }
   bool is_set(int task) const { return event_of_.contains(task); }
+  /// Whether its event is at the present time.
+  bool is_due(int task) const {
+    const auto event = event_of_.find(task);
+    return event != event_of_.end() && event->second.first <= now_;
+  }
 
   /// When the next event is; nothing if none is set.
   std::optional<Ticks> next() const {

@@ -115,11 +115,7 @@ Step HandlingActivity::resume(ActiveTask& task, Stage& stage) {
   wait_.blockers.clear();
   const Step step = attach(task, stage);
   if (wait_.blockers.empty() || stage.rejection) {
-    const Blocker& first = before.blockers.front();
-    if (stage.now() > before.since) {
-      stage.links->add_mid_wait(
-          task.task, {stage.now(), schedule::Held::machine, first.robot, first.zone_task});
-    }
+    before.note_wait(stage, task.task);
     return step;
   }
   wait_.since = before.since;
@@ -168,7 +164,7 @@ Step HandlingActivity::attach(ActiveTask& task, Stage& stage) {
   const int component = task.now().component;
   // Hanging on a machine it would be part of that, where people keep machines out.
   if (const auto zone = stage.site.zone_around(component, robot)) {
-    wait_ = {{{-1, zone->zone_task, stage.site.component_name(component), zone->name}},
+    wait_ = {{{-1, zone->zone_task, -1, stage.site.component_name(component), zone->name}},
              stage.now(),
              0,
              false,

@@ -57,7 +57,7 @@ void HitRecorder::attempt(const interpreter::Attempt& attempt) {
                           attempt.span,
                           *attempt.hit,
                           way_point_};
-    if (hit.pair.machine >= 0 || hit.pair.zone_task >= 0) given_way_.push_back(hit);
+    if (hit.pair.may_leave()) given_way_.push_back(hit);
     note(hit.pair);
     open_.push_back(hit);
   }

@@ -21,13 +21,13 @@ std::string text_of_way(double angle_deg, const interpreter::HitPair& hit) {
 
 }  // namespace
 
-LoadTurning load_turning(Stage& stage, int task) {
+LoadTurning load_turning(Stage& stage, int task, Ticks duration) {
   const interpreter::TaskSpec& spec = stage.spec(task);
   LoadTurning turning;
   const double shorter = way_to_goal(spec, stage.site).angle_deg;
   if (std::fabs(shorter) < kNoTurn_deg) return turning;
   for (const double angle : {shorter, shorter - std::copysign(360.0, shorter)}) {
-    const auto hit = stage.view(spec.robot).turn_hit(angle);
+    const auto hit = stage.view(spec.robot).turn_hit(angle, stage.now() + duration);
     turning.angle_deg = angle;
     if (!hit) {
       if (!turning.hits.empty()) turning.refused = turning.hits.front();

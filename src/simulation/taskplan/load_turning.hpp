@@ -18,8 +18,8 @@ struct LoadTurning {
 };
 
 /// The turn that brings the load to how it is to stand where it is set down; the shorter way, or
-/// the longer one if that is barred. It must hang.
-LoadTurning load_turning(Stage& stage, int task);
+/// the longer one if that is barred. It must hang; people need `duration` for it.
+LoadTurning load_turning(Stage& stage, int task, Ticks duration);
 
 /// Why no turn about the vertical brings the load to how it is to stand; nothing if one does.
 std::optional<std::string> why_not_by_turning(const Stage& stage, int task);

@@ -17,8 +17,8 @@ std::string meeting(const Blocker& blocker) {
 std::vector<Blocker> blockers_of(const std::vector<RecordedHit>& hits) {
   std::vector<Blocker> blockers;
   for (const RecordedHit& hit : hits) {
-    const Blocker blocker{hit.pair.machine, hit.pair.zone_task, hit.pair.moved, hit.pair.met};
-    if (blocker.robot < 0 && blocker.zone_task < 0) continue;
+    if (!hit.pair.may_leave()) continue;
+    const Blocker blocker = Blocker::of(hit.pair);
     const bool known = std::any_of(blockers.begin(), blockers.end(),
                                    [&](const Blocker& other) { return other.same_as(blocker); });
     if (!known) blockers.push_back(blocker);
@@ -26,7 +26,38 @@ std::vector<Blocker> blockers_of(const std::vector<RecordedHit>& hits) {
   return blockers;
 }
 
+namespace {
+
+const site::MovingThing& moving_of(const Stage& stage, const Blocker& blocker) {
+  return stage.site.moving(blocker.moving);
+}
+
+/// Whose machine, if any, holds up something with a timetable: -1 for none. Such things may wait
+/// for each other; that ends with the first one met again.
+int machine_before(const Stage& stage, int moving) {
+  for (int i = 0; i <= stage.site.movings() && moving >= 0; ++i) {
+    const auto& stop = stage.site.moving(moving).state().stop;
+    if (!stop) return -1;
+    if (stop->machine >= 0) return stop->machine;
+    moving = stop->moving;
+  }
+  return -1;
+}
+
+std::string text_of_stop(const Stage& stage, const Blocker& blocker) {
+  const auto& stop = moving_of(stage, blocker).state().stop;
+  return stop ? fmt::format(", and {} waits for {}", moving_of(stage, blocker).name(), stop->by)
+              : std::string();
+}
+
+}  // namespace
+
 std::string text_of_way(const Stage& stage, int task, const Blocker& blocker) {
+  if (blocker.moving >= 0) {
+    return fmt::format("{} waits for {}: {}{}", stage.who_is(task),
+                       moving_of(stage, blocker).name(), meeting(blocker),
+                       text_of_stop(stage, blocker));
+  }
   if (blocker.robot < 0) {
     return fmt::format("{} waits for the people of {}: {}", stage.who_is(task),
                        stage.spec(blocker.zone_task).name, meeting(blocker));
@@ -42,6 +73,12 @@ WaitSet MachineWait::waits(const Stage& stage) const {
   for (std::size_t i = 0; i < blockers.size(); ++i) {
     const Blocker& blocker = blockers[i];
     const int number = static_cast<int>(i);
+    if (blocker.moving >= 0) {
+      const int robot = machine_before(stage, blocker.moving);
+      waits.targets.push_back(robot >= 0 ? stage.move_of(robot, kKind, number)
+                                         : WaitTarget{kKind, number, {}, false, false});
+      continue;
+    }
     waits.targets.push_back(blocker.robot >= 0
                                 ? stage.move_of(blocker.robot, kKind, number)
                                 : WaitTarget{kKind, number, {blocker.zone_task}, false, false});
@@ -52,19 +89,50 @@ WaitSet MachineWait::waits(const Stage& stage) const {
 bool MachineWait::wakes_at(const Stage& stage, const SiteEvent& event) const {
   const bool met = std::any_of(blockers.begin(), blockers.end(), [&](const Blocker& blocker) {
     return (event.robot >= 0 && blocker.robot == event.robot) ||
+           (event.moving >= 0 && blocker.moving == event.moving) ||
            (event.zone_task >= 0 && blocker.zone_task == event.zone_task);
   });
   return met && !(stubborn && progress_of(stage, blockers) == others);
 }
 
-std::vector<int> MachineWait::robots() const {
+std::vector<int> MachineWait::robots(const Stage& stage) const {
   std::vector<int> robots;
-  for (const Blocker& blocker : blockers) robots.push_back(blocker.robot);
+  for (const Blocker& blocker : blockers) {
+    robots.push_back(blocker.moving >= 0 ? machine_before(stage, blocker.moving) : blocker.robot);
+  }
   return robots;
+}
+
+void MachineWait::wait_for_timetables(Stage& stage, int task) const {
+  const bool any = std::any_of(blockers.begin(), blockers.end(),
+                               [](const Blocker& each) { return each.moving >= 0; });
+  if (!any) return;
+  stage.begins_to_wait(task);
+  if (stage.now() >= stage.site.movings_worth_waiting()) return;
+  Ticks next = schedule::kEndOfTime;
+  for (const Blocker& blocker : blockers) {
+    if (blocker.moving < 0 || moving_of(stage, blocker).state().stop) continue;
+    const site::MovingThing& moving = moving_of(stage, blocker);
+    next = std::min({next, moving.next_window(stage.now()), moving.last_time()});
+  }
+  if (next < schedule::kEndOfTime) stage.events.set(task, std::max(next, stage.now() + 1));
+}
+
+void MachineWait::note_wait(Stage& stage, int task) const {
+  const Blocker& first = blockers.front();
+  if (first.moving >= 0 || stage.now() <= since) return;
+  const int holder = first.robot >= 0 ? stage.allocator->state(first.robot).last : first.zone_task;
+  stage.links->add_mid_wait(task, {stage.now(), schedule::Held::machine, first.robot, holder});
 }
 
 std::string MachineWait::standstill_reason(const Stage& stage) const {
   const Blocker& blocker = blockers.front();
+  if (blocker.moving >= 0) {
+    const std::string stop = text_of_stop(stage, blocker);
+    return fmt::format(
+        "blocked for ever: {}{}", meeting(blocker),
+        stop.empty() ? ", which comes by again and again, and no machine moves" : stop);
+  }
   std::string reason =
       fmt::format("blocked for ever: {}, which does not move any more", meeting(blocker));
   if (blocker.robot >= 0 && !stage.robot_spec(blocker.robot).park) {
@@ -75,6 +143,7 @@ std::string MachineWait::standstill_reason(const Stage& stage) const {
 
 std::string MachineWait::first_name(const Stage& stage) const {
   const Blocker& first = blockers.front();
+  if (first.moving >= 0) return moving_of(stage, first).name();
   return first.robot >= 0 ? stage.robot_spec(first.robot).name
                           : "the zone of " + stage.spec(first.zone_task).name;
 }
@@ -82,6 +151,10 @@ std::string MachineWait::first_name(const Stage& stage) const {
 std::uint64_t progress_of(const Stage& stage, const std::vector<Blocker>& blockers) {
   std::uint64_t sum = 0;
   for (const Blocker& blocker : blockers) {
+    if (blocker.moving >= 0) {
+      sum = sum * 1'000'003 + stage.site.movings_gone_on();
+      continue;
+    }
     const int task =
         blocker.robot >= 0 ? stage.allocator->state(blocker.robot).holder() : blocker.zone_task;
     const ActiveTask* const other = stage.active.look_at(task);

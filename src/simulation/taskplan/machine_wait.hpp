@@ -10,15 +10,19 @@
 
 namespace rubicon::taskplan {
 
-/// Who is in the way: a machine, or a task with a zone of people.
+/// Who is in the way: a machine, a task with a zone of people, something with a timetable.
 struct Blocker {
   int robot = -1;
   int zone_task = -1;
+  int moving = -1;
   std::string moved;  ///< the part that met it
   std::string met;    ///< what it met
 
+  static Blocker of(const interpreter::HitPair& pair) {
+    return {pair.machine, pair.zone_task, pair.moving, pair.moved, pair.met};
+  }
   bool same_as(const Blocker& other) const {
-    return robot == other.robot && zone_task == other.zone_task;
+    return robot == other.robot && zone_task == other.zone_task && moving == other.moving;
   }
 };
 
@@ -39,7 +43,12 @@ struct MachineWait {
 
   WaitSet waits(const Stage& stage) const;
   bool wakes_at(const Stage& stage, const SiteEvent& event) const;
-  std::vector<int> robots() const;
+  /// The machines that are in the way, or in the way of what is.
+  std::vector<int> robots(const Stage& stage) const;
+  /// Things with a timetable go on without anybody's doing: sets when the task looks again.
+  void wait_for_timetables(Stage& stage, int task) const;
+  /// Where it is known that the task waited for a machine or a zone, for the critical chain.
+  void note_wait(Stage& stage, int task) const;
   std::string standstill_reason(const Stage& stage) const;
   /// Whom the trace names.
   std::string first_name(const Stage& stage) const;

@@ -37,14 +37,14 @@ std::size_t first_way_point(const HitRecorder& hits) {
   return static_cast<std::size_t>(std::max(first - 1, 0));
 }
 
-/// Whether other machines or people are at work beside the task.
+/// Whether other machines or people are at work beside the task, or something keeps a timetable.
 bool has_others(const Stage& stage, int task) {
   for (std::size_t i = 0; i < stage.active.size(); ++i) {
     const int other = stage.active[i].task;
     if (other == task) continue;
     if (stage.spec(other).robot >= 0 || !stage.spec(other).zones.empty()) return true;
   }
-  return false;
+  return stage.now() < stage.site.movings_worth_waiting();
 }
 
 }  // namespace
@@ -291,6 +291,7 @@ void MotionActivity::wait_for_machine(ActiveTask& task, Stage& stage, std::vecto
   wait_ = {std::move(blockers), stage.now(), 0, false, enough};
   wait_.others = progress_of(stage, wait_.blockers);
   stage.begins_to_wait(task.task);
+  wait_.wait_for_timetables(stage, task.task);
   const std::vector<double>& q = stage.site.configuration(stage.spec(task.task).robot);
   for (WaitPlace& place : places_) {
     if (place.q != q) continue;
@@ -326,19 +327,13 @@ Step MotionActivity::retry(ActiveTask& task, Stage& stage) {
   const ActiveTask::Account account = task.account;
   const TraceOutput::Mark mark = stage.trace.mark();
   task.account.outcome.waits.machine += stage.now() - wait_.since;
-  const Blocker first = wait_.blockers.front();
   stage.pause(task.task, "machine", wait_.first_name(stage), wait_.since);
   task.hits.forget();
   const Step step = start_machine(task, stage);
   const bool fruitless = doing_ == Doing::waiting_for_machine && !stage.rejection &&
                          task.account.outcome.accepted == account.outcome.accepted;
   if (!fruitless) {
-    const int holder =
-        first.robot >= 0 ? stage.allocator->state(first.robot).last : first.zone_task;
-    if (stage.now() > before.wait_.since) {
-      stage.links->add_mid_wait(task.task,
-                                {stage.now(), schedule::Held::machine, first.robot, holder});
-    }
+    before.wait_.note_wait(stage, task.task);
     return step;
   }
   std::vector<Blocker> blockers = std::move(wait_.blockers);
@@ -347,6 +342,7 @@ Step MotionActivity::retry(ActiveTask& task, Stage& stage) {
   task.account = account;
   stage.events.cancel(task.task);
   stage.trace.forget_since(mark);
+  wait_.wait_for_timetables(stage, task.task);
   return Step::pending;
 }
 
@@ -367,8 +363,8 @@ bool MotionActivity::wakes_at(const ActiveTask&, const Stage& stage, const SiteE
   return doing_ == Doing::waiting_for_machine && wait_.wakes_at(stage, event);
 }
 
-std::vector<int> MotionActivity::robots_in_the_way() const {
-  return doing_ == Doing::waiting_for_machine ? wait_.robots() : std::vector<int>();
+std::vector<int> MotionActivity::robots_in_the_way(const Stage& stage) const {
+  return doing_ == Doing::waiting_for_machine ? wait_.robots(stage) : std::vector<int>();
 }
 
 /// Near enough to the goal: it goes on as it is (carrying may end short).

@@ -24,7 +24,7 @@ class MotionActivity : public Activity {
                       const WaitTarget& target) const override;
   std::string standstill_reason(const ActiveTask& task, const Stage& stage) const override;
   bool wakes_at(const ActiveTask& task, const Stage& stage, const SiteEvent& event) const override;
-  std::vector<int> robots_in_the_way() const override;
+  std::vector<int> robots_in_the_way(const Stage& stage) const override;
   bool settle(ActiveTask& task, Stage& stage) override;
   std::unique_ptr<Activity> snapshot() const override {
     return std::make_unique<MotionActivity>(*this);

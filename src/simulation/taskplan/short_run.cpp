@@ -38,8 +38,19 @@ Schedule run_short(const interpreter::PlanModel& plan, const interpreter::Source
   motion.mounting = site.robot(0).mounting;
   if (options.on_motion) options.on_motion(plan.name, MotionPurpose::go, program, motion, view);
   interpreter::Machine machine(program, std::move(motion));
+  const auto advance_to = [&](Ticks time) {
+    site.set_time(time);
+    for (const site::MovingEvent& event : site.look_at_movings()) {
+      if (!trace) continue;
+      trace->moving(site.moving(event.moving).name(),
+                    event.stop ? std::string_view(event.stop->by) : std::string_view(), event.delay,
+                    event.time);
+    }
+  };
+  advance_to(0);
   do {
-    site.set_time(machine.time());
+    while (site.next_moving_look() < machine.time()) advance_to(site.next_moving_look());
+    advance_to(machine.time());
   } while (machine.advance(view, &hits));
   const interpreter::MotionEnd& end = machine.end();
 

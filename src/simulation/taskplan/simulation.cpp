@@ -40,15 +40,19 @@ Simulation::Simulation(const interpreter::PlanModel& plan, const interpreter::So
 }
 
 std::optional<Schedule> Simulation::run() {
+  look_at_movings();
   start_plan();
   while (!must_restart_) {
     if (apply_rejection() || repeat_lift()) continue;
     if (process_event() || hand_out() || park_idle_machines() || find_deadlock()) continue;
     const std::optional<Ticks> next = stage_.events.next();
     const Ticks chance = stage_.allocator->next_chance(stage_.now());
-    if (next || chance < schedule::kEndOfTime) {
-      stage_.events.advance_to(std::min(next.value_or(schedule::kEndOfTime), chance));
+    Ticks time = std::min(next.value_or(schedule::kEndOfTime), chance);
+    time = std::min(time, next_look_of_movings(time));
+    if (time < schedule::kEndOfTime) {
+      stage_.events.advance_to(time);
       stage_.site.set_time(stage_.now());
+      look_at_movings();
       ask_again_for_zones();
     } else if (!resolve_standstill()) {
       break;
@@ -76,6 +80,26 @@ void Simulation::start_plan() {
     }
   }
   propagate();
+}
+
+/// When something with a timetable has to look next. Where nothing else is to come: as long as
+/// anything may come of it, while a task is under way and not all of these things have come by
+/// since a machine moved.
+Ticks Simulation::next_look_of_movings(Ticks other) {
+  site::SiteWorld& site = stage_.site;
+  if (site.movings() == 0) return schedule::kEndOfTime;
+  const Ticks look = site.next_moving_look();
+  if (other < schedule::kEndOfTime) return look;
+  const bool may_help = !stage_.active.empty() && look < site.movings_worth_waiting();
+  return may_help ? look : schedule::kEndOfTime;
+}
+
+/// What keeps a timetable stops or goes on, and whoever waits for it is told.
+void Simulation::look_at_movings() {
+  for (const site::MovingEvent& event : stage_.site.look_at_movings()) {
+    stage_.trace.moving(event, stage_.site.moving(event.moving).name());
+    stage_.announce({-1, -1, event.moving});
+  }
 }
 
 /// Lets the first task whose event has come go on; false if there is none.

@@ -77,6 +77,8 @@ class Simulation : private LinkState::Listener {
 
   // simulation.cpp: the loop; tasks begin and finish
   void start_plan();
+  Ticks next_look_of_movings(Ticks other);
+  void look_at_movings();
   bool process_event();
   bool hand_out();
   bool zone_is_free(const ResourceAllocator::Grant& grant);

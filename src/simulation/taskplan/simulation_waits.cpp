@@ -54,7 +54,7 @@ void Simulation::look_again_who_waits_for(int robot) {
   for (std::size_t i = 0; i < stage_.active.size(); ++i) {
     const ActiveTask& active = stage_.active[i];
     if (!active.activity) continue;
-    const std::vector<int> robots = active.activity->robots_in_the_way();
+    const std::vector<int> robots = active.activity->robots_in_the_way(stage_);
     if (std::find(robots.begin(), robots.end(), robot) != robots.end()) {
       stage_.begins_to_wait(active.task);
     }
@@ -117,7 +117,7 @@ std::string Simulation::text_of_wait(const WaitLink& wait) const {
       const ActiveTask& active = *stage_.active.look_at(task);
       std::string text = active.activity->text_of(active, stage_, target);
       if (target.idle) {
-        text += idle(active.activity->robots_in_the_way()[index(target.number)]);
+        text += idle(active.activity->robots_in_the_way(stage_)[index(target.number)]);
       }
       return text;
     }
@@ -203,7 +203,7 @@ bool Simulation::park_idle_machines() {
   for (std::size_t i = 0; i < stage_.active.size(); ++i) {
     const ActiveTask& active = stage_.active[i];
     if (!active.activity) continue;
-    for (const int robot : active.activity->robots_in_the_way()) {
+    for (const int robot : active.activity->robots_in_the_way(stage_)) {
       in_the_way.emplace_back(robot, active.task);
     }
   }

@@ -46,6 +46,9 @@ SiteChanges::Moment SiteChanges::moment(int robots) const {
   for (int robot = 0; robot < robots; ++robot) {
     moment.machines.push_back(site_.machine_state(robot));
   }
+  for (int moving = 0; moving < site_.movings(); ++moving) {
+    moment.movings.push_back(site_.moving(moving).state());
+  }
   return moment;
 }
 
@@ -54,6 +57,9 @@ void SiteChanges::go_back(const Moment& moment, Ticks now) {
   site_.set_time(now);
   for (std::size_t robot = 0; robot < moment.machines.size(); ++robot) {
     site_.set_machine_state(static_cast<int>(robot), moment.machines[robot]);
+  }
+  for (std::size_t moving = 0; moving < moment.movings.size(); ++moving) {
+    site_.set_moving_state(static_cast<int>(moving), moment.movings[moving]);
   }
 }
 

@@ -34,10 +34,12 @@ class SiteChanges {
   void release_zone(int task, const std::string& task_name, const site::PeopleZone& zone,
                     int exempt_robot);
 
-  /// What is copied to go back to: where the machines are, and how many changes there were.
+  /// What is copied to go back to: where the machines are and what keeps a timetable, and how many
+  /// changes there were.
   struct Moment {
     Journal::Mark mark = 0;
     std::vector<site::MachineState> machines;
+    std::vector<site::MovingState> movings;
   };
   Moment moment(int robots) const;
   void go_back(const Moment& moment, Ticks now);

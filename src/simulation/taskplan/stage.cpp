@@ -185,7 +185,9 @@ void Stage::made_progress() {
 void Stage::announce(const SiteEvent& event) {
   for (std::size_t i = 0; i < active.size(); ++i) {
     const ActiveTask& task = active[i];
-    if (!task.activity || events.is_set(task.task)) continue;
+    // Who waits for something with a timetable has an event of its own.
+    if (!task.activity || (events.is_set(task.task) && site.movings() == 0)) continue;
+    if (events.is_due(task.task)) continue;
     if (task.activity->wakes_at(task, *this, event)) events.set(task.task, now());
   }
 }

@@ -17,6 +17,14 @@ trace::TraceWriter* TraceOutput::of(int task, const interpreter::TaskSpec& spec)
   return &*writer_;
 }
 
+void TraceOutput::moving(const site::MovingEvent& event, const std::string& name) {
+  if (!writer_) return;
+  buffer_->set_owner(-1);
+  writer_->set_task("", -1);
+  writer_->moving(name, event.stop ? std::string_view(event.stop->by) : std::string_view(),
+                  event.delay, event.time);
+}
+
 void TraceOutput::keep(const std::function<void()>& write) {
   if (!buffer_) return;
   buffer_->set_kept(true);

@@ -8,6 +8,7 @@
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/program/events.hpp"
 #include "interpreter/syntax/source.hpp"
+#include "src/simulation/site/site_world.hpp"
 #include "src/simulation/taskplan/trace_buffer.hpp"
 #include "src/simulation/trace/trace_writer.hpp"
 
@@ -27,6 +28,9 @@ class TraceOutput {
   trace::TraceWriter* of(int task, const interpreter::TaskSpec& spec);
   /// For the events of motions; null if there is no trace.
   interpreter::EventSink* events() { return writer_ ? &*writer_ : nullptr; }
+
+  /// Something with a timetable stops or goes on.
+  void moving(const site::MovingEvent& event, const std::string& name);
 
   /// What `write` writes stays, whatever the run goes back to.
   void keep(const std::function<void()>& write);

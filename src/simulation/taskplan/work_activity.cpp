@@ -57,12 +57,13 @@ Step WorkActivity::resume(ActiveTask& task, Stage& stage) {
 /// How people can turn the load now; true if they can, or if nobody who is in their way will leave:
 /// then the task is rejected.
 bool WorkActivity::finds_a_turn(ActiveTask& task, Stage& stage) {
-  turning_ = load_turning(stage, task.task);
+  const Ticks duration = interpreter::ticks_from_seconds(task.now().work->duration);
+  turning_ = load_turning(stage, task.task, duration);
   wait_.blockers.clear();
   for (const interpreter::HitPair& hit : turning_.hits) {
     task.hits.note(hit);
-    if (hit.machine < 0 && hit.zone_task < 0) continue;
-    const Blocker blocker{hit.machine, hit.zone_task, hit.moved, hit.met};
+    if (!hit.may_leave()) continue;
+    const Blocker blocker = Blocker::of(hit);
     const auto same = [&](const Blocker& other) { return other.same_as(blocker); };
     if (std::any_of(wait_.blockers.begin(), wait_.blockers.end(), same)) continue;
     wait_.blockers.push_back(blocker);
@@ -82,6 +83,7 @@ bool WorkActivity::may_turn(ActiveTask& task, Stage& stage) {
   wait_.since = stage.now();
   wait_.others = progress_of(stage, wait_.blockers);
   stage.begins_to_wait(task.task);
+  wait_.wait_for_timetables(stage, task.task);
   if (crew_ >= 0) stage.allocator->release(crew_, task.task, stage.now(), true, 0);
   crew_ = -1;
   return false;
@@ -95,14 +97,13 @@ Step WorkActivity::try_again(ActiveTask& task, Stage& stage) {
     return Step::pending;
   }
   const MachineWait before = wait_;
-  if (!finds_a_turn(task, stage) || stage.rejection) return Step::pending;
+  if (!finds_a_turn(task, stage) || stage.rejection) {
+    if (!stage.rejection) wait_.wait_for_timetables(stage, task.task);
+    return Step::pending;
+  }
   task.account.outcome.waits.machine += stage.now() - before.since;
   stage.pause(task.task, "machine", before.first_name(stage), before.since);
-  const Blocker& first = before.blockers.front();
-  if (stage.now() > before.since) {
-    stage.links->add_mid_wait(task.task,
-                              {stage.now(), schedule::Held::machine, first.robot, first.zone_task});
-  }
+  before.note_wait(stage, task.task);
   return ask(task, stage);
 }
 
@@ -242,8 +243,8 @@ bool WorkActivity::wakes_at(const ActiveTask&, const Stage& stage, const SiteEve
   return doing_ == Doing::waiting_for_machine && wait_.wakes_at(stage, event);
 }
 
-std::vector<int> WorkActivity::robots_in_the_way() const {
-  return doing_ == Doing::waiting_for_machine ? wait_.robots() : std::vector<int>();
+std::vector<int> WorkActivity::robots_in_the_way(const Stage& stage) const {
+  return doing_ == Doing::waiting_for_machine ? wait_.robots(stage) : std::vector<int>();
 }
 
 }  // namespace rubicon::taskplan

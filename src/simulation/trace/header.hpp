@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/motion/geometry/shape.hpp"
+#include "src/motion/geometry/timetable.hpp"
 #include "src/motion/math/pose.hpp"
 
 namespace rubicon::trace {
@@ -154,6 +155,14 @@ struct HeaderStorage {
   std::vector<geometry::Shape> shapes;
 };
 
+/// What moves by a timetable (times in ns, poses X_WO).
+struct HeaderMoving {
+  std::string name;
+  geometry::Timetable timetable;
+  std::vector<geometry::Shape> shapes;    ///< in {O}
+  std::vector<geometry::Shape> overhead;  ///< with people: they and the air above them, in {O}
+};
+
 /// The first line of a trace (docs/trace.md): the whole scene. Names that it refers to are there
 /// where this says so: meshes of shapes, bodies and parameters of a robot.
 struct TraceHeader {
@@ -171,6 +180,7 @@ struct TraceHeader {
   std::vector<std::pair<std::string, std::string>> set;  ///< parameters of the plan, if given
   std::vector<geometry::Shape> site;                     ///< in {W}
   std::vector<HeaderStorage> storages;
+  std::vector<HeaderMoving> movings;
   std::vector<HeaderComponent> components;
   std::vector<HeaderRobot> robots;
   std::vector<geometry::Shape> carry;  ///< in {T}

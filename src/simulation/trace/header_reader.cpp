@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "src/simulation/schedule/ticks.hpp"
 #include "src/simulation/trace/header.hpp"
 #include "src/simulation/trace/shape_reader_simdjson.hpp"
 #include "src/simulation/trace/trace_reader.hpp"
@@ -276,6 +277,25 @@ void read_plan(const JsonObject& header, TraceHeader& read) {
   read.set = read_texts(header, "set");
 }
 
+HeaderMoving read_moving(const JsonObject& object, const HeaderMeshes& meshes) {
+  HeaderMoving moving;
+  moving.name = object.text("name");
+  object.each_object("path", [&](const JsonObject& place) {
+    const std::int64_t time = schedule::ticks_from_seconds(place.number("t"));
+    if (!moving.timetable.places.empty() && time <= moving.timetable.end()) {
+      throw std::invalid_argument("the times of a path do not ascend");
+    }
+    moving.timetable.places.push_back({time, place.pose("pose")});
+  });
+  if (moving.timetable.places.size() < 2) {
+    throw std::invalid_argument("a path has fewer than two places");
+  }
+  moving.timetable.repeat = object.truth("repeat");
+  moving.shapes = read_shapes(object, "shapes", meshes);
+  if (object.has("overhead")) moving.overhead = read_shapes(object, "overhead", meshes);
+  return moving;
+}
+
 TraceHeader read_scene(const JsonObject& header) {
   TraceHeader read;
   read_plan(header, read);
@@ -284,6 +304,11 @@ TraceHeader read_scene(const JsonObject& header) {
   if (header.has("storages")) {
     header.each_object("storages", [&](const JsonObject& object) {
       read.storages.push_back({object.text("name"), read_shapes(object, "shapes", read.meshes)});
+    });
+  }
+  if (header.has("movings")) {
+    header.each_object("movings", [&](const JsonObject& object) {
+      read.movings.push_back(read_moving(object, read.meshes));
     });
   }
   header.each_object("components", [&](const JsonObject& object) {

@@ -199,12 +199,20 @@ struct Turn {
   std::optional<Hit> hit;  ///< what the shorter way would have met
 };
 
+/// Something with a timetable stops where it is, or goes on; of no task.
+struct Moving {
+  std::string_view name;
+  std::string_view by;  ///< what it would have entered; "": it goes on
+  Ticks delay = 0;      ///< by how much its timetable has shifted up to then
+  Ticks t = 0;
+};
+
 /// One record of a trace. Its texts and lists belong to the reader that gave it.
 struct Record {
   /// In the order of RecordKind.
   using What = std::variant<TaskStart, GoalStart, Assignment, LoopStart, LoopEnd, Choice, Attempt,
                             Wait, Work, Pause, Attach, Detach, Removal, MotionEnd, TaskEnd, Stop,
-                            GuidePlan, WayPoint, Turn>;
+                            GuidePlan, WayPoint, Turn, Moving>;
 
   std::string_view task;
   std::string_view robot;  ///< "": crew work

@@ -193,6 +193,14 @@ struct RecordFields<Turn> {
                  required<&Turn::t>("t"), optional<&Turn::hit>("hit"));
 };
 
+template <>
+struct RecordFields<Moving> {
+  static constexpr RecordKind kKind = RecordKind::moving;
+  static constexpr auto kFields =
+      std::tuple(required<&Moving::name>("name"), required<&Moving::by>("by"),
+                 required<&Moving::delay>("delay"), required<&Moving::t>("t"));
+};
+
 /// What a member is in the text.
 enum class FieldType {
   text,

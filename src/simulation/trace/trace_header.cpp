@@ -438,6 +438,23 @@ void write_support(JsonBuilder& json, const PlanModel& plan) {
   json.end_object();
 }
 
+void write_movings(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
+  if (plan.movings.empty()) return;
+  json.key("movings").begin_array();
+  for (const interpreter::MovingSpec& moving : plan.movings) {
+    json.begin_object().field("name", moving.name).key("path").begin_array();
+    for (const geometry::TimedPlace& place : moving.timetable.places) {
+      json.begin_object().field("t", interpreter::seconds_from_ticks(place.time)).key("pose");
+      json.pose(place.X_WO).end_object();
+    }
+    json.end_array().field("repeat", moving.timetable.repeat).key("shapes");
+    write_shapes(json, moving.shapes, meshes);
+    if (!moving.overhead.empty()) write_shapes(json.key("overhead"), moving.overhead, meshes);
+    json.end_object();
+  }
+  json.end_array();
+}
+
 }  // namespace
 
 std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sources,
@@ -463,6 +480,7 @@ std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sou
     }
     json.end_array();
   }
+  write_movings(json, plan, meshes);
   write_components(json, plan, meshes);
   write_robots(json, plan, meshes);
   json.key("carry");

@@ -31,6 +31,7 @@ struct TaskEnd;
 struct Stop;
 struct GuidePlan;
 struct WayPoint;
+struct Moving;
 struct Turn;
 
 /// Reads the first line of a trace. Throws std::invalid_argument, with a message for the user, for

@@ -211,6 +211,21 @@ void TraceWriter::pause(std::string_view why, std::string_view whom, interpreter
   finish();
 }
 
+void TraceWriter::moving(std::string_view name, std::string_view by, interpreter::Ticks delay,
+                         interpreter::Ticks time) {
+  if (detail_ == TraceDetail::none) return;
+  begin("moving");
+  line_ += ",\"name\":";
+  append_string(line_, name);
+  line_ += ",\"by\":";
+  append_string(line_, by);
+  line_ += ",\"delay\":";
+  append_seconds(line_, delay);
+  line_ += ",\"t\":";
+  append_seconds(line_, time);
+  finish();
+}
+
 void TraceWriter::motion_end(const interpreter::MotionEnd& end) {
   if (detail_ == TraceDetail::none) return;
   begin("end");

@@ -53,6 +53,10 @@ class TraceWriter : public interpreter::EventSink {
   /// The task stood still; `why` is machine, crew, shift, held or lift.
   void pause(std::string_view why, std::string_view whom, interpreter::Ticks from,
              interpreter::Ticks to);
+  /// Something with a timetable stops before `by`, or goes on (""); `delay`: by how much its
+  /// timetable has shifted up to then.
+  void moving(std::string_view name, std::string_view by, interpreter::Ticks delay,
+              interpreter::Ticks time);
   void motion_end(const interpreter::MotionEnd& end);
 
   void goal(int k, int n) override;

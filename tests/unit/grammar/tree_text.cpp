@@ -194,6 +194,17 @@ class Writer {
     name(value.name);
     shape(value.shape);
   }
+  void item(const syntax::MovingItem& value) {
+    name(value.name);
+    for (const syntax::Shape& entry : value.shapes) shape(entry);
+    for (const auto& path : value.paths) {
+      open("path");
+      for (const syntax::MovingItem::Place& place : path) number(place.time), frame(place.at);
+      close();
+    }
+    if (value.repeat) word("repeat");
+    if (value.people) word("people");
+  }
   void item(const syntax::SiteItem& value) { shape(value.shape); }
   void item(const syntax::NumberItem& value) { name(value.name), number(value.value); }
   void item(const syntax::StringItem& value) { name(value.name), string(value.value); }

@@ -51,11 +51,11 @@ TEST(LoadTurn, SweepsAllOnTheWay) {
   // A sheet of 2 cm far from where the panel begins and ends.
   Hung hung({test::box_component("post", {0.02, 0.02, 5}, translation(10, 2, 0))});
   const RobotView view(*hung.site, 0);
-  EXPECT_EQ(hit_text(view.turn_hit(80)), "free");
-  EXPECT_EQ(hit_text(view.turn_hit(170)), "panel meets post");
-  EXPECT_EQ(hit_text(view.turn_hit(-80)), "free");
-  EXPECT_EQ(hit_text(view.turn_hit(-100)), "panel meets post");
-  EXPECT_EQ(hit_text(view.turn_hit(350)), "panel meets post");
+  EXPECT_EQ(hit_text(view.turn_hit(80, 0)), "free");
+  EXPECT_EQ(hit_text(view.turn_hit(170, 0)), "panel meets post");
+  EXPECT_EQ(hit_text(view.turn_hit(-80, 0)), "free");
+  EXPECT_EQ(hit_text(view.turn_hit(-100, 0)), "panel meets post");
+  EXPECT_EQ(hit_text(view.turn_hit(350, 0)), "panel meets post");
 }
 
 TEST(LoadTurn, MeetsTheMachinesOwnMastButNotItsHook) {
@@ -63,9 +63,9 @@ TEST(LoadTurn, MeetsTheMachinesOwnMastButNotItsHook) {
   const Q outside = {0, 10, 3, 0}, inside = {0, 3.2, 3, 0};
   hung.site->begin_step(0, {outside, inside, 0, 0}, inside);
   const RobotView view(*hung.site, 0);
-  EXPECT_EQ(hit_text(view.turn_hit(5)), "panel meets crane.mast");
+  EXPECT_EQ(hit_text(view.turn_hit(5, 0)), "panel meets crane.mast");
   hung.site->begin_step(0, {inside, outside, 0, 0}, outside);
-  EXPECT_EQ(hit_text(view.turn_hit(359)), "free");
+  EXPECT_EQ(hit_text(view.turn_hit(359, 0)), "free");
 }
 
 /// Many moments of the turn agree: what overlaps at one of them is never told free, and what is
@@ -80,7 +80,7 @@ TEST(LoadTurn, AgreesWithManyMomentsOfIt) {
     Hung hung({test::box_component("post", {0.05, 0.05, 4}, translation(x, y, 0))});
     const RobotView view(*hung.site, 0);
     const double by = angle(random);
-    const bool hit = view.turn_hit(by).has_value();
+    const bool hit = view.turn_hit(by, 0).has_value();
     const Load& load = *hung.site->load(0);
     const geometry::Motion motion = turn_motion(hung.site->tool_pose(0), load.X_TO, by);
     const collision::BodyPtr post = collision::prepare({geometry::Shape{

@@ -90,6 +90,12 @@ interpreter::PlanModel rich_plan() {
   plan.components.back().attributes = {{"storey", "2"}};
   task.attributes = {{"fire", "60 min"}};
   plan.site = {shapes.front()};
+  interpreter::MovingSpec& gate = plan.movings.emplace_back();
+  gate.name = "gate";
+  gate.shapes = gate.overhead = {shapes.front()};
+  gate.timetable.repeat = true;
+  gate.timetable.places.push_back({0, math::Pose::Identity()});
+  gate.timetable.places.push_back({kSecond, math::translation(1, 0, 0)});
   return plan;
 }
 
@@ -136,6 +142,8 @@ std::vector<std::string> written_records() {
   writer.way_point(1, 2);
   writer.turn("slab", -90, math::translation(1, 2, 3), kSecond, 2 * kSecond,
               interpreter::HitPair{"slab", "wall"});
+  writer.set_task("", -1);
+  writer.moving("gate", "crane.hook", kSecond, 3 * kSecond);
   return lines.lines;
 }
 

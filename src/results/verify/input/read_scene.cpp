@@ -354,6 +354,24 @@ SceneBeginning read_beginning(const JsonFields& fields) {
   return beginning;
 }
 
+SceneMoving read_moving(const JsonFields& fields, std::size_t meshes) {
+  SceneMoving moving;
+  moving.name = fields.text("name");
+  for (const Json& object : fields.array("path")) {
+    const JsonFields place(object, "a place of a path");
+    moving.path.push_back({place.time("t"), place.pose("pose")});
+    const std::size_t count = moving.path.size();
+    if (count > 1 && moving.path[count - 2].time >= moving.path[count - 1].time) {
+      fields.fail("times that ascend in 'path'");
+    }
+  }
+  if (moving.path.size() < 2) fields.fail("two or more places in 'path'");
+  moving.repeat = fields.truth("repeat");
+  moving.shapes = read_shapes(fields.array("shapes"), meshes);
+  if (fields.has("overhead")) moving.overhead = read_shapes(fields.any("overhead"), meshes);
+  return moving;
+}
+
 /// The one motion of a short plan is a task without goal here: it may end short.
 void add_short_task(const JsonFields& header, Scene& scene) {
   if (scene.robots.size() != 1) throw UnreadableInput("expected one robot in a short plan");
@@ -396,6 +414,9 @@ Scene read_scene(const std::string& line) {
   scene.meshes = read_meshes(header.array("meshes"));
   scene.site = read_shapes(header.array("site"), scene.meshes.size());
   scene.carry = read_shapes(header.array("carry"), scene.meshes.size());
+  for (const Json& object : list_or_empty(header, "movings")) {
+    scene.movings.push_back(read_moving(JsonFields(object, "a moving"), scene.meshes.size()));
+  }
   if (header.has("beginning")) {
     scene.beginning = read_beginning(JsonFields(header.any("beginning"), "'beginning'"));
   }

@@ -118,12 +118,22 @@ struct Record {
       what;
 };
 
+/// Something with a timetable stops before `by`, or goes on ("").
+struct MovingRecord {
+  int line = 0;
+  int moving = -1;
+  Ticks time = 0;
+  std::string by;
+  Ticks delay = 0;  ///< by how much its timetable has shifted up to then
+};
+
 /// A trace as it was read.
 struct Trace {
   Scene scene;
   std::vector<std::string>
       runs;  ///< names of tasks, also of those that no plan has, such as `park`
   std::vector<Record> records;
+  std::vector<MovingRecord> movings;  ///< in the order of the lines
   int lines = 0;
 };
 

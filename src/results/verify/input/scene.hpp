@@ -120,6 +120,20 @@ struct SceneComponent {
   bool has_brace_crew = false;
 };
 
+/// What moves by a timetable: its frame is at each place at its time, in between it goes straight
+/// and turns evenly the short way.
+struct SceneMoving {
+  struct Place {
+    Ticks time = 0;
+    Pose X_WO = Pose::Identity();
+  };
+  std::string name;
+  std::vector<Place> path;  ///< two or more, times ascending
+  bool repeat = false;
+  std::vector<ShapeData> shapes;
+  std::vector<ShapeData> overhead;  ///< where no load may hang; in its frame, too
+};
+
 /// Hours of the week, and days off.
 struct SceneCalendar {
   struct Shift {
@@ -245,6 +259,7 @@ struct Scene {
   std::vector<MeshData> meshes;
   std::vector<ShapeData> site;
   std::vector<ShapeData> carry;
+  std::vector<SceneMoving> movings;
   std::vector<SceneComponent> components;
   std::vector<SceneCalendar> calendars;
   std::vector<SceneRobot> robots;

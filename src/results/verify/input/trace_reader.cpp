@@ -228,6 +228,10 @@ void TraceReader::line(const std::string& text) {
     const JsonFields fields(json, "a record");
     const std::string& type = fields.text("type");
     if (is_script_record(type)) return;
+    if (type == "moving") {
+      trace_.movings.push_back(read_moving(fields));
+      return;
+    }
     Record record;
     record.line = trace_.lines;
     record.run = run_of(fields.text("task"));
@@ -246,6 +250,20 @@ void TraceReader::line(const std::string& text) {
   } catch (const UnreadableInput& error) {
     throw UnreadableInput(fmt::format("{}: {}", trace_.lines, error.what()));
   }
+}
+
+MovingRecord TraceReader::read_moving(const JsonFields& fields) const {
+  MovingRecord record;
+  record.line = trace_.lines;
+  const std::string& name = fields.text("name");
+  for (std::size_t i = 0; i < trace_.scene.movings.size(); ++i) {
+    if (trace_.scene.movings[i].name == name) record.moving = static_cast<int>(i);
+  }
+  if (record.moving < 0) fields.fail("something of the header that moves by a timetable");
+  record.time = fields.time("t");
+  record.by = fields.text("by");
+  record.delay = fields.time("delay");
+  return record;
 }
 
 Trace TraceReader::finish() {

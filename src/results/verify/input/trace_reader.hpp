@@ -8,6 +8,8 @@
 
 namespace rubicon::verify {
 
+class JsonFields;
+
 /// Reads a trace line by line. What is no trace throws UnreadableInput, with the line.
 class TraceReader {
  public:
@@ -17,6 +19,7 @@ class TraceReader {
 
  private:
   int run_of(const std::string& task);
+  MovingRecord read_moving(const JsonFields& fields) const;
 
   Trace trace_;
   std::map<std::string, int> run_index_;

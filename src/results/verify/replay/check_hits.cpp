@@ -91,6 +91,10 @@ class HitCheck {
       if (name == (scene.site.size() == 1 ? "site" : fmt::format("site {}", i + 1))) return true;
     }
     if (name == "the load chart of " + robot_.name) return true;
+    const auto is_moving = [&](const SceneMoving& each) {
+      return name == each.name || (!each.overhead.empty() && name == air_above(each.name));
+    };
+    if (std::any_of(scene.movings.begin(), scene.movings.end(), is_moving)) return true;
     return std::any_of(scene.robots.begin(), scene.robots.end(),
                        [&](const SceneRobot& each) { return has_body(each, name); }) ||
            std::any_of(scene.tasks.begin(), scene.tasks.end(), [&](const SceneTask& task) {

@@ -23,8 +23,14 @@ const Solid& solid_in(const RobotPart& part, const PartState& state) {
 class ContactCheck {
  public:
   ContactCheck(const Trace& trace, const std::vector<TaskRun>& runs,
-               const std::vector<RobotTrack>& tracks, const SiteParts& site, Faults& faults)
-      : trace_(trace), runs_(runs), tracks_(tracks), site_(site), faults_(faults) {
+               const std::vector<RobotTrack>& tracks, const SiteParts& site,
+               const std::vector<MovingPath>& movings, Faults& faults)
+      : trace_(trace),
+        runs_(runs),
+        tracks_(tracks),
+        site_(site),
+        movings_(movings),
+        faults_(faults) {
     obstacles_ = site.obstacles;
     obstacles_.insert(obstacles_.end(), site.zones.begin(), site.zones.end());
     std::vector<Bounds> boxes;
@@ -39,6 +45,7 @@ class ContactCheck {
       for (int b = a + 1; b < robots; ++b) check_robots(a, b);
     }
     check_zones();
+    for (const MovingPath& moving : movings_) check_moving(moving);
     return counts_;
   }
 
@@ -258,6 +265,72 @@ class ContactCheck {
     }
   }
 
+  static Bounds box_of(const Solid& solid, const PartMotion& motion) {
+    const PartState state = motion.state(0, 1);
+    return solid.bounds.placed(state.X_WS).grown(state.reach.most() + kBoundsMargin);
+  }
+
+  /// Something with a timetable against every robot at the same time, what is above its people
+  /// against their loads, and itself against all that stands meanwhile.
+  void check_moving(const MovingPath& moving) {
+    if (moving.solid() == nullptr) return;
+    for (int robot = 0; robot < static_cast<int>(tracks_.size()); ++robot) {
+      const auto& legs = tracks_[at(robot)].legs;
+      for (std::size_t i = 0; i < legs.size(); ++i) {
+        const Leg& each = legs[i];
+        moving.stretches(each.from, each.to, !moves(robot, each),
+                         [&](const MovingStretch& stretch) {
+                           check_beside(robot, each, leg_boxes_[at(robot)][i], moving, stretch);
+                         });
+      }
+    }
+    for (const Obstacle& obstacle : site_.obstacles) {
+      const Bounds box = obstacle.solid->bounds.placed(obstacle.X_WS);
+      moving.stretches(obstacle.from, obstacle.to, true, [&](const MovingStretch& stretch) {
+        const MovingPart part(*moving.solid(), stretch);
+        if (!box_of(*moving.solid(), part).meets(box)) return;
+        const auto contact =
+            sweep(*moving.solid(), part, *obstacle.solid, StandingPart(obstacle.X_WS));
+        if (!contact || !reported_.emplace(-1, moving.name(), obstacle.name).second) return;
+        faults_.push_back(
+            {FaultKind::contact, ResultFile::trace, 0, "",
+             stretch.from +
+                 static_cast<Ticks>(contact->u * static_cast<double>(stretch.to - stretch.from)),
+             fmt::format("{} meets {}", moving.name(), obstacle.name)});
+      });
+    }
+  }
+
+  void check_beside(int robot, const Leg& each, const Bounds& leg_box, const MovingPath& moving,
+                    const MovingStretch& stretch) {
+    const auto [s0, s1] =
+        each.from < each.to ? shares(each, stretch.from, stretch.to) : std::pair(0.0, 1.0);
+    if (!(s0 < s1)) return;
+    for (const Solid* solid : {moving.solid(), moving.overhead()}) {
+      if (solid == nullptr) continue;
+      const MovingPart motion_b(*solid, stretch);
+      const Bounds box = box_of(*solid, motion_b);
+      if (!box.meets(leg_box)) continue;
+      const LegFrames frames(*site_.robots[at(robot)].mechanism, each);
+      const std::vector<RobotPart> parts = parts_of(robot, each);
+      for (const RobotPart& part : parts) {
+        if (solid == moving.overhead() && !is_load(robot, parts, part)) continue;
+        const LegPart motion_a(frames, part, -1, s0, s1);
+        const PartState state = motion_a.state(0, 1);
+        if (!solid_in(part, state)
+                 .bounds.placed(state.X_WS)
+                 .grown(state.reach.most() + kBoundsMargin)
+                 .meets(box)) {
+          continue;
+        }
+        const auto contact = sweep(*part.solid, motion_a, *solid, motion_b);
+        if (!contact) continue;
+        report(each, s0 + contact->u * (s1 - s0), part.name,
+               solid == moving.solid() ? moving.name() : air_above(moving.name()), *contact);
+      }
+    }
+  }
+
   /// Once for each pair and task: what comes after the first contact follows from it.
   void report(const Leg& each, double share, const std::string& moved, const std::string& met,
               const Contact& contact) {
@@ -279,6 +352,7 @@ class ContactCheck {
   const std::vector<TaskRun>& runs_;
   const std::vector<RobotTrack>& tracks_;
   const SiteParts& site_;
+  const std::vector<MovingPath>& movings_;
   Faults& faults_;
   std::vector<Obstacle> obstacles_;
   BoxTree tree_;
@@ -291,8 +365,8 @@ class ContactCheck {
 
 ContactCounts check_contacts(const Trace& trace, const std::vector<TaskRun>& runs,
                              const std::vector<RobotTrack>& tracks, const SiteParts& site,
-                             Faults& faults) {
-  return ContactCheck(trace, runs, tracks, site, faults).check();
+                             const std::vector<MovingPath>& movings, Faults& faults) {
+  return ContactCheck(trace, runs, tracks, site, movings, faults).check();
 }
 
 }  // namespace rubicon::verify

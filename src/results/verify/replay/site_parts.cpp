@@ -68,6 +68,8 @@ RobotParts make_robot_parts(const SceneRobot& robot, const std::vector<MeshData>
 
 std::string buffer_name(const std::string& body) { return "the buffer of " + body; }
 
+std::string air_above(const std::string& moving) { return "the air above " + moving; }
+
 std::string overhead_name(const std::string& task) { return "the air above the zone of " + task; }
 
 SiteParts make_site_parts(const Trace& trace, const std::vector<TaskRun>& runs,

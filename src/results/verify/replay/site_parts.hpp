@@ -45,6 +45,9 @@ struct SiteParts {
 /// What is round a body with a buffer.
 std::string buffer_name(const std::string& body);
 
+/// What a load meets above people that move by a timetable.
+std::string air_above(const std::string& moving);
+
 /// What a load meets above the zone of a task.
 std::string overhead_name(const std::string& task);
 
