@@ -26,7 +26,9 @@ int print_travel(const GuidesOptions& options, const interpreter::PlanModel& pla
                  const std::string& task) {
   comparison::TravelComparison result;
   try {
-    result = comparison::compare_travel(plan, task);
+    travel::TravelSettings settings;
+    if (options.slice > 0) settings.slice = options.slice;
+    result = comparison::compare_travel(plan, task, settings);
   } catch (const std::invalid_argument& error) {
     return fail(error.what());
   }

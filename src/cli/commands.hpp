@@ -64,6 +64,7 @@ struct GuidesOptions {
   std::string task;  ///< "": the only one that moves
   int seeds = 10;
   bool exact = false;
+  double slice = 0;  ///< s; 0: as travel has it
   std::string format = "table";
   std::vector<std::string> set;
 };

@@ -103,7 +103,7 @@ examples:
 const std::string_view kGuides =
     R"(rubicon guides - compare all kinds of guides on the motions of one task
 
-usage: rubicon guides PLAN [TASK] [--seeds N | --exact] [--format table|csv|json] [--set NAME=VALUE]...
+usage: rubicon guides PLAN [TASK] [--seeds N | --exact [--dt S]] [--format table|csv|json] [--set NAME=VALUE]...
 
 Runs the plan up to the task. Where a motion of it begins, each kind of guide plans a way to its first goal, once for
 each seed from 1 to N, on the site as it stands then; nothing is moved by that. A guide that the task names stands for its
@@ -115,7 +115,9 @@ milliseconds, these also as 95th percentile; of the ways found the medians of ro
 
   --exact          instead, travel without a map (docs/travel.md): from where the machine starts to the x and y that the
                    task goes to, by Bug1, Bug2, VisBug-21, Pledge, Simple, Tangent and ACE, in the plan view of the site
-                   as it is at the beginning; the machine is the disc that holds it however it is turned
+                   as it is at the beginning; the machine is the disc that holds it however it is turned. What moves
+                   keeps its timetable, whatever is in its way
+  --dt S           in slices of so many seconds, 0.25 if not given
   --seeds N        tries of each kind, 10 if not given
   --format FORMAT  table (the default), csv or json (each try by itself), on standard output
   --set NAME=VALUE another value for a parameter of the PLAN

@@ -97,6 +97,42 @@ class Travel(ResultCase):
         told = rubicon("guides", os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "taskplans", "trench.plan"), "--exact")
         self.assertEqual(told.returncode, 2)
 
+    def around_a_wall(self, *options):
+        """The ACE paper's Figure 3: the slab in whose way one of two walls begins to move at 70 s."""
+        self.write("car.robot", (CAR % "").replace("2 m/s", "1 m/s"))
+        plan = self.write("site.plan", """plan figure_3 {
+  robot car "car.robot" { start x 0, y -40; }
+  support off;
+  component s { shape box(-20, 0, 0, 20, 4, 3); }
+  component m2 { shape box(19, -20, 0, 26, 2, 3); }
+  moving m1 { shape box(-26, -20, 0, -19, 2, 3); path 0 s trans(0, 0, 0), 70 s trans(0, 0, 0), 1070 s trans(-1000, 0, 0); }
+  task over { by car; go x 0, y 60; }
+}
+""")
+        told = rubicon("guides", plan, "--exact", *options)
+        self.assertEqual(told.returncode, 0, told.stderr)
+        return told.stdout
+
+    def test_what_moves_keeps_its_timetable(self):
+        for slices in ("0.125", "1", "5"):
+            told = json.loads(self.around_a_wall("--format", "json", "--dt", slices))
+            methods = {each["method"]: each for each in told["methods"]}
+            self.assertEqual(sorted(methods), ["ace", "bug2", "pledge", "simple", "tangent"])
+            self.assertEqual([methods[name]["verdict"] for name in ("bug2", "tangent", "ace")], ["limit", "limit", "reached"])
+            self.assertAlmostEqual(methods["ace"]["length"], 148.9, delta=0.1 + float(slices))
+            self.assertEqual([event["kind"] for event in methods["ace"]["events"]],
+                             ["hit", "track", "tracked moves", "hit", "clear", "reached"])
+        table = self.around_a_wall()
+        self.assertIn("obstacles as they stand at the beginning: 3, of which 1 keep a timetable", table)
+        self.assertIn("bug1      for standing obstacles only", table)
+        self.assertIn("more: --format csv has all", table)
+        self.assertNotIn("who knows the map", table)
+
+    def test_a_time_slice_is_for_exact_ways(self):
+        told = rubicon("guides", "x.plan", "--dt", "1")
+        self.assertEqual(told.returncode, 2)
+        self.assertIn("--exact", told.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -3,7 +3,7 @@ import type { FlowData, Header, ScheduleData } from './header';
 // Reads a film: docs/film.md.
 
 export const kinds = ['task_start', 'goal', 'set', 'enter', 'exit', 'which', 'try', 'wait', 'work', 'pause', 'attach', 'detach',
-  'remove', 'end', 'task_end', 'stop', 'guide', 'way_point', 'turn'] as const;
+  'remove', 'end', 'task_end', 'stop', 'guide', 'way_point', 'turn', 'moving'] as const;
 export type Kind = (typeof kinds)[number];
 
 /** A task that began, or was not reached. */
@@ -20,6 +20,14 @@ export interface Run {
   after: string;
   /** What the records of a rejected run tell did not happen. */
   happened: boolean;
+}
+
+/** Something with a timetable stops before `by`, or goes on (''); by `delay` its timetable has shifted up to then. */
+export interface MovingStop {
+  name: string;
+  by: string;
+  delay: number;
+  t: number;
 }
 
 /** How a robot moved; docs/film.md says how its keys stand in the columns. */
@@ -43,6 +51,7 @@ interface Head {
   header: Header;
   schedule: ScheduleData | null;
   flow?: FlowData | null;
+  movings?: MovingStop[];
   end: number;
   strings: string[];
   places: [number, number, number][];
@@ -66,6 +75,8 @@ export class Film {
   readonly header: Header;
   readonly schedule: ScheduleData | null;
   readonly flow: FlowData | null;
+  /** In the order in which they happened. */
+  readonly movingStops: MovingStop[];
   readonly end: number;
   readonly runs: Run[];
   readonly tracks: Track[];
@@ -88,6 +99,7 @@ export class Film {
     ({ header: this.header, schedule: this.schedule, end: this.end, runs: this.runs, tracks: this.tracks,
       strings: this.strings } = this.head);
     this.flow = this.head.flow ?? null;
+    this.movingStops = this.head.movings ?? [];
     this.records = this.head.columns['record.kind']?.count ?? 0;
   }
 

@@ -85,6 +85,15 @@ export interface TaskData {
   attributes?: Record<string, string>;
 }
 
+/** What moves by a timetable: its frame at times (s). With people `overhead`, where no load may hang. */
+export interface MovingData {
+  name: string;
+  path: { t: number; pose: PoseRows }[];
+  repeat: boolean;
+  shapes: ShapeData[];
+  overhead?: ShapeData[];
+}
+
 export interface Header {
   plan: string;
   path: string;
@@ -95,6 +104,7 @@ export interface Header {
   calendars: CalendarData[];
   files: { path: string; text: string }[];
   site: ShapeData[];
+  movings?: MovingData[];
   components: ComponentData[];
   robots: RobotData[];
   carry: ShapeData[];

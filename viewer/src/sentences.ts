@@ -58,6 +58,7 @@ export function sentence(film: Film, record: number): string {
       const tries = `${number('end.tries')} steps tried, ${number('end.accepted')} accepted`;
       return `motion ended: ${status}, ${tries}${message && ` (${message})`}`;
     }
+    case 'moving': return '';  // of no run
     case 'task_end': return `${run.result || 'over'}${run.reason && `: ${run.reason}`}`;
   }
 }

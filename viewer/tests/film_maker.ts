@@ -1,4 +1,4 @@
-import { Film, kinds, type Kind, type Run } from '../src/film';
+import { Film, kinds, type Kind, type MovingStop, type Run } from '../src/film';
 import type { Header, RobotData, ScheduleData } from '../src/header';
 
 // Writes films as docs/film.md says, for tests; nothing of it comes from the code that reads them.
@@ -25,6 +25,7 @@ export interface FilmData {
   end: number;
   runs: (Partial<Run> & { task: string })[];
   records?: RecordData[];
+  movings?: MovingStop[];
   /** Keys of the robot of that number (or, with a run, of what it tried): times and rows of values. */
   tracks?: { robot: number; run?: number; t: number[]; q: number[][] }[];
 }
@@ -43,7 +44,7 @@ export function makeFilm(data: FilmData): Film {
   return new Film(encodeFilm(data));
 }
 
-export function encodeFilm({ header, schedule = null, end, runs, records = [], tracks = [] }: FilmData): Uint8Array {
+export function encodeFilm({ header, schedule = null, end, runs, records = [], movings, tracks = [] }: FilmData): Uint8Array {
   const strings = [''];
   const stringOf = (text: string) => {
     if (!strings.includes(text)) strings.push(text);
@@ -96,6 +97,7 @@ export function encodeFilm({ header, schedule = null, end, runs, records = [], t
     }
   }
   const head = {
+    ...(movings ? { movings } : {}),
     header: { plan: 'p', path: 'p.plan', form: 'full', detail: 'steps', start_at: null, currency: '', calendars: [], files: [],
       site: [],
       components: [], robots: [], carry: [], crews: [], tasks: [], meshes: [], ...header },

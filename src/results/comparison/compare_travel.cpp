@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "src/motion/math/angles.hpp"
 #include "src/motion/robot/kinematics.hpp"
 #include "src/motion/travel/grow.hpp"
 #include "src/motion/travel/plan_view.hpp"
@@ -18,6 +19,9 @@ namespace rubicon::comparison {
 namespace {
 
 using travel::Vec2;
+
+/// Sine of how far something upright may lean: only rounding is meant.
+constexpr double kUpright = 1e-9;
 
 /// A vehicle in the plan view: the body that its parameters x and y move.
 class Vehicle {
@@ -109,6 +113,27 @@ class PlanView {
     if (!obstacle.parts.empty()) obstacles.push_back(std::move(obstacle));
   }
 
+  void add(const interpreter::MovingSpec& moving) {
+    const auto& places = moving.timetable.places;
+    const double height = places.front().X_WO.translation().z();
+    const std::size_t before = obstacles.size();
+    add(moving.name, moving.shapes, math::translation(0, 0, height));
+    if (obstacles.size() == before) return;
+    travel::Obstacle& obstacle = obstacles.back();
+    obstacle.repeat = moving.timetable.repeat;
+    for (const geometry::TimedPlace& place : places) {
+      const math::Pose& X = place.X_WO;
+      if (X.translation().z() != height || !(X.linear()(2, 2) > 1 - kUpright)) {
+        throw std::invalid_argument(fmt::format(
+            "moving '{}' leans or goes up or down; --exact is for what stays upright at its height",
+            moving.name));
+      }
+      obstacle.timetable.push_back({schedule::seconds_from_ticks(place.time),
+                                    X.translation().head<2>(),
+                                    math::atan2_deg(X.linear()(1, 0), X.linear()(0, 0))});
+    }
+  }
+
   std::vector<travel::Obstacle> obstacles;
 
  private:
@@ -145,6 +170,7 @@ std::vector<travel::Obstacle> obstacles_of(const interpreter::PlanModel& plan, i
       view.add(robot.name + "." + model.bodies[body].name, model.bodies[body].shapes, X_WB[body]);
     }
   }
+  for (const interpreter::MovingSpec& moving : plan.movings) view.add(moving);
   return view.obstacles;
 }
 
@@ -177,9 +203,18 @@ TravelComparison compare_travel(const interpreter::PlanModel& plan, const std::s
   comparison.obstacles = query.obstacles.size();
   travel::TravelSettings own = settings;
   if (vehicle.speed() > 0) own.speed = vehicle.speed();
+  comparison.movings = static_cast<std::size_t>(
+      std::count_if(query.obstacles.begin(), query.obstacles.end(),
+                    [](const travel::Obstacle& each) { return !each.timetable.empty(); }));
   for (const travel::Method method : travel::kMethods) {
-    comparison.trials.push_back({method, travel::travel(method, query, own)});
+    const bool stands_only = method == travel::Method::kBug1 || method == travel::Method::kVisBug21;
+    if (comparison.movings > 0 && stands_only) {
+      comparison.trials.push_back({method, std::nullopt});
+    } else {
+      comparison.trials.push_back({method, travel::travel(method, query, own)});
+    }
   }
+  if (comparison.movings > 0) return comparison;
   const travel::VisibilityResult shortest = travel::shortest_way(query);
   if (shortest.reached) comparison.shortest = shortest.length;
   return comparison;

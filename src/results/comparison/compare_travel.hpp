@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace rubicon::comparison {
 /// One method on the way of a task.
 struct TravelTrial {
   travel::Method method = travel::Method::kBug2;
-  travel::TravelResult result;
+  /// Nothing where the method is for standing obstacles only, and some move.
+  std::optional<travel::TravelResult> result;
 };
 
 /// The ways of all methods from where a vehicle starts to where a task sends it.
@@ -22,15 +24,18 @@ struct TravelComparison {
   travel::Vec2 start{0, 0};
   travel::Vec2 destination{0, 0};
   std::size_t obstacles = 0;
+  std::size_t movings = 0;  ///< of these
   std::vector<TravelTrial> trials;
   double shortest = -1;  ///< m: for whoever knows all obstacles; negative: there is no way
 };
 
 /// Runs a point through the plan view of the site as it is at the beginning: every site shape and
 /// component at the heights of the vehicle, grown by the disc about its place that holds it however
-/// it is turned. `task` must be one that `moving_tasks` tells. Throws std::invalid_argument, with a
-/// message for the user, where the machine has no parameters x and y, the task does not `go` to
-/// values of them or a frame, or an outline is no polygon.
+/// it is turned. What moves by a timetable keeps it, whatever is in its way; before its first time
+/// it stands at its first place, after its last one at its last. `task` must be one that
+/// `moving_tasks` tells. Throws std::invalid_argument, with a message for the user, where the
+/// machine has no parameters x and y, the task does not `go` to values of them or a frame, an
+/// outline is no polygon, or something with a timetable leans or goes up or down.
 TravelComparison compare_travel(const interpreter::PlanModel& plan, const std::string& task,
                                 const travel::TravelSettings& settings = {});
 

@@ -13,6 +13,9 @@ namespace {
 using travel::Event;
 using travel::Vec2;
 
+/// So many events of a way are in the table.
+constexpr std::size_t kMostEvents = 30;
+
 std::string place_text(const Vec2& p) { return fmt::format("({:.2f}, {:.2f})", p.x(), p.y()); }
 
 std::string names_text(const Event& event, const char* separator) {
@@ -29,9 +32,11 @@ std::string travel_text(const TravelComparison& comparison) {
   const double distance = (comparison.destination - comparison.start).norm();
   std::string text = fmt::format(
       "{}: {} travels from {} to {}, {:.2f} m, without a map; obstacles as they stand at the "
-      "beginning: {}\n",
+      "beginning: {}{}\n",
       comparison.plan, comparison.task, place_text(comparison.start),
-      place_text(comparison.destination), distance, comparison.obstacles);
+      place_text(comparison.destination), distance, comparison.obstacles,
+      comparison.movings > 0 ? fmt::format(", of which {} keep a timetable", comparison.movings)
+                             : std::string());
   text += comparison.radius > 0
               ? fmt::format(
                     "the machine is a disc of {:.2f} m, which holds it however it is turned\n\n",
@@ -40,7 +45,12 @@ std::string travel_text(const TravelComparison& comparison) {
   std::vector<report::TableRow> rows = {
       {"method", "verdict", "length m", "time s", "at most m", "events"}};
   for (const TravelTrial& trial : comparison.trials) {
-    const travel::TravelResult& result = trial.result;
+    if (!trial.result) {
+      rows.push_back({std::string(travel::name_of(trial.method)), "for standing obstacles only",
+                      "-", "-", "-", "-"});
+      continue;
+    }
+    const travel::TravelResult& result = *trial.result;
     rows.push_back({std::string(travel::name_of(trial.method)),
                     std::string(travel::name_of(result.verdict)),
                     fmt::format("{:.2f}", result.length), fmt::format("{:.1f}", result.time),
@@ -48,12 +58,21 @@ std::string travel_text(const TravelComparison& comparison) {
                     std::to_string(result.events.size())});
   }
   text += report::columns(rows, {2, 3, 4, 5});
-  text += comparison.shortest >= 0
-              ? fmt::format("who knows the map goes {:.2f} m\n", comparison.shortest)
-              : std::string("there is no way\n");
+  if (comparison.movings == 0) {
+    text += comparison.shortest >= 0
+                ? fmt::format("who knows the map goes {:.2f} m\n", comparison.shortest)
+                : std::string("there is no way\n");
+  }
   for (const TravelTrial& trial : comparison.trials) {
+    if (!trial.result) continue;
     text += fmt::format("\n{}\n", travel::name_of(trial.method));
-    for (const Event& event : trial.result.events) {
+    std::size_t shown = 0;
+    for (const Event& event : trial.result->events) {
+      if (++shown > kMostEvents) {
+        text += fmt::format("  ... and {} more: --format csv has all\n",
+                            trial.result->events.size() - kMostEvents);
+        break;
+      }
       text += fmt::format("  {:>9.2f} s  {:<14} {}", event.time, travel::name_of(event.kind),
                           place_text(event.point));
       if (!event.obstacles.empty()) text += "  " + names_text(event, ", ");
@@ -66,9 +85,10 @@ std::string travel_text(const TravelComparison& comparison) {
 std::string travel_csv(const TravelComparison& comparison) {
   std::string text = "method,verdict,length,event,time,x,y,obstacles\n";
   for (const TravelTrial& trial : comparison.trials) {
-    for (const Event& event : trial.result.events) {
+    if (!trial.result) continue;
+    for (const Event& event : trial.result->events) {
       text += fmt::format("{},{},{},{},{},{},{},{}\n", travel::name_of(trial.method),
-                          travel::name_of(trial.result.verdict), trial.result.length,
+                          travel::name_of(trial.result->verdict), trial.result->length,
                           travel::name_of(event.kind), event.time, event.point.x(), event.point.y(),
                           report::csv_field(names_text(event, ";")));
     }
@@ -90,7 +110,8 @@ std::string travel_json(const TravelComparison& comparison) {
   }
   json.key("methods").begin_array();
   for (const TravelTrial& trial : comparison.trials) {
-    const travel::TravelResult& result = trial.result;
+    if (!trial.result) continue;
+    const travel::TravelResult& result = *trial.result;
     json.begin_object().field("method", travel::name_of(trial.method));
     json.field("verdict", travel::name_of(result.verdict)).field("length", result.length);
     json.field("time", result.time);

@@ -49,6 +49,7 @@ export class Looks {
     this.site(model.ground.element);
     film.header.components.forEach((_, i) => this.component(i));
     film.header.robots.forEach((robot, r) => robot.bodies.forEach((_, i) => this.body(r, i)));
+    model.movingPoses.forEach((_, i) => this.moving(i));
     if (model.carry >= 0) this.put({ batch: 'machine', element: model.carry }, this.theme.carried, 'plain');
   }
 
@@ -58,6 +59,14 @@ export class Looks {
     const colour = state === 'carried' ? theme.carried : state === 'waiting' ? theme.waiting
       : theme.components[this.kinds[element] % theme.components.length];
     this.put({ batch: 'component', element }, colour, state === 'removed' ? 'hidden' : 'plain');
+  }
+
+  /** What keeps a timetable: people as their zones are, else as what stands. */
+  moving(element: number): void {
+    const { theme, model } = this;
+    const people = this.film.header.movings?.[element].overhead !== undefined;
+    const colour = people ? theme.zone : mixed(theme.fixture, [0, 0, 0], 0.35);
+    this.put({ batch: 'moving', element }, colour, model.movingPoses[element] ? 'plain' : 'hidden');
   }
 
   selectedParts(): Part[] {
@@ -92,7 +101,7 @@ export class Looks {
   private put(part: Part, colour: Colour, style: Style): void {
     const { model, theme } = this;
     const load = part.batch === 'component' ? model.loaded.indexOf(part.element) : -1;
-    const batch = part.batch === 'site' ? model.site : part.batch === 'component' ? model.components : model.machines;
+    const batch = { site: model.site, component: model.components, machine: model.machines, moving: model.movings }[part.batch];
     const marked = this.picked.has(key(part));
     let shown = marked ? mixed(colour, theme.selected, part.batch === 'component' ? 0.45 : 0.18) : colour;
     let drawn = style === 'plain' && marked ? 'marked' : style;

@@ -4,6 +4,7 @@ import type { RobotData, ShapeData } from '../header';
 import { Mechanism, poseMatrix, poseRows } from '../kinematics';
 import type { Motion } from '../motion';
 import { Stock, turnLeft } from '../stock';
+import { Timetables } from '../timetable';
 import { Batch, type Light } from './batch';
 import { withBuffer } from './buffers';
 import { cornersOf, expandBy, Shapes } from './shapes';
@@ -17,9 +18,9 @@ export interface RopeOfMachine {
   hangs: boolean;
 }
 
-/** An element of one of the three batches. */
+/** An element of one of the batches. */
 export interface Part {
-  batch: 'site' | 'component' | 'machine';
+  batch: 'site' | 'component' | 'machine' | 'moving';
   element: number;
 }
 
@@ -55,6 +56,9 @@ export class SiteModel {
   readonly machines: Batch;
   /** Elements as in `machines`: those that stand for the room a machine keeps for itself. */
   readonly envelopes: Batch;
+  /** What keeps a timetable, and where it is; null: not on the site. */
+  readonly movings: Batch;
+  readonly movingPoses: (Matrix4 | null)[];
   readonly robots: Machine[];
   readonly stock: Stock;
   /** In its own frame, by component. */
@@ -74,6 +78,8 @@ export class SiteModel {
   loads: Batch | null = null;
   loaded: number[] = [];
   private readonly shapes: Shapes;
+  private readonly timetables: Timetables;
+  private readonly movingBounds: Box3[];
   private readonly parts = new Map<string, Part[]>();
 
   constructor(private readonly film: Film, private readonly motion: Motion, private readonly light: Light) {
@@ -81,6 +87,12 @@ export class SiteModel {
     this.shapes = new Shapes(film);
     this.stock = new Stock(film);
     this.poses = this.stock.items.map((item) => item.pose.clone());
+
+    const movings = this.shapes.surface((header.movings ?? []).map(({ shapes }) => shapes));
+    this.timetables = new Timetables(film);
+    this.movingPoses = (header.movings ?? []).map(() => null);
+    this.movingBounds = movings.bounds;
+    this.movings = new Batch(movings, this.movingPoses.length, light);
 
     const components = this.shapes.surface(header.components.map((component) => component.shapes));
     this.componentBounds = components.bounds;
@@ -127,12 +139,12 @@ export class SiteModel {
     if (longest(bounds[ground]) <= longest(this.extent)) this.addOutline(bounds[ground], new Matrix4());
     this.extent.setFromPoints(this.outline);
     this.still.add(this.site.mesh, this.components.mesh);
-    this.moving.add(this.machines.mesh, this.envelopes.mesh);
+    this.moving.add(this.machines.mesh, this.envelopes.mesh, this.movings.mesh);
     this.nameParts();
   }
 
   get batches(): Batch[] {
-    return [this.site, this.components, this.machines, this.envelopes, ...(this.loads ? [this.loads] : [])];
+    return [this.site, this.components, this.machines, this.envelopes, this.movings, ...(this.loads ? [this.loads] : [])];
   }
 
   /** Brings everything to a moment (s); `tried` as in Stock. Returns the components that are not as they were. */
@@ -144,6 +156,11 @@ export class SiteModel {
         machine.mechanism.bodies.forEach((pose, i) => batch.setPose(machine.first + i, pose));
       }
     }
+    this.movingPoses.forEach((_, i) => {
+      const pose = this.timetables.poseAt(i, time);
+      this.movingPoses[i] = pose;
+      if (pose) this.movings.setPose(i, pose);
+    });
     if (this.carry >= 0) this.machines.setPose(this.carry, this.robots[0].mechanism.tool);
     const changed = this.stock.seek(time, tried);
     if (changed.size > 0) this.load();
@@ -180,7 +197,7 @@ export class SiteModel {
       if (this.carry >= 0) return [{ batch: 'machine', element: this.carry }];
       return this.loaded.map((element) => ({ batch: 'component', element }));
     }
-    const prefix = ['the load chart of ', 'the buffer of '].find((text) => name.startsWith(text)) ?? '';
+    const prefix = ['the load chart of ', 'the buffer of ', 'the air above '].find((text) => name.startsWith(text)) ?? '';
     return this.parts.get(name.slice(prefix.length)) ?? [];
   }
 
@@ -208,7 +225,10 @@ export class SiteModel {
     const bodies = this.robots.flatMap((machine) => machine.mechanism.bodies);
     for (const { batch, element } of parts) {
       if (batch === 'component') expandBy(box, this.componentBounds[element], this.poses[element]);
-      else if (batch === 'machine') expandBy(box, this.machineBounds[element], bodies[element] ?? this.robots[0].mechanism.tool);
+      else if (batch === 'moving') {
+        const pose = this.movingPoses[element];
+        if (pose) expandBy(box, this.movingBounds[element], pose);
+      } else if (batch === 'machine') expandBy(box, this.machineBounds[element], bodies[element] ?? this.robots[0].mechanism.tool);
     }
     return box;
   }
@@ -220,6 +240,9 @@ export class SiteModel {
       const component = numbers.get(task.move ?? '');
       if (component !== undefined && task.to) this.addOutline(this.componentBounds[component], poseMatrix(task.to));
     }
+    (this.film.header.movings ?? []).forEach(({ path }, i) => {
+      for (const { pose } of path) this.addOutline(this.movingBounds[i], poseMatrix(pose));
+    });
     for (const track of this.film.tracks) this.addWay(track);
     for (const { mechanism, first } of this.robots) {
       mechanism.bodies.forEach((pose, i) => this.addOutline(this.machineBounds[first + i], pose));
@@ -260,6 +283,7 @@ export class SiteModel {
         add(`${robot.name}.${robot.bodies[part.element - this.robots[i].first].name}`, part);
       }
     });
+    (header.movings ?? []).forEach(({ name }, element) => add(name, { batch: 'moving', element }));
     header.site.forEach((_, i) => add(header.site.length > 1 ? `site ${i + 1}` : 'site', { batch: 'site', element: i }));
   }
 }

@@ -198,7 +198,10 @@ export class SiteView {
       const tried = player.triedRun;
       const changed = model.move(player.time, tried);
       if (this.repainted) looks.all();
-      else for (const component of [...changed, ...model.loaded]) looks.component(component);
+      else {
+        for (const component of [...changed, ...model.loaded]) looks.component(component);
+        model.movingPoses.forEach((_, i) => looks.moving(i));
+      }
       if (this.repainted || changed.size > 0) this.stage.touchStill();
       const { record } = player;
       const met = record !== null && film.kind(record) === 'try' ? film.text(record, 'try.met') : '';
