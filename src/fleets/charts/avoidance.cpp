@@ -1,6 +1,7 @@
 #include "src/fleets/charts/avoidance.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -8,6 +9,8 @@
 
 namespace rubicon::charts {
 namespace {
+
+constexpr std::size_t kNoGroup = static_cast<std::size_t>(-1);
 
 std::size_t at(RobotIndex robot) { return static_cast<std::size_t>(robot); }
 
@@ -49,7 +52,7 @@ class Avoidance {
 
  private:
   struct Visit {
-    NodeIndex node;
+    Nanoseconds arrival;
     RobotIndex robot;
     std::size_t stop;
   };
@@ -66,16 +69,54 @@ class Avoidance {
     }
   };
 
+  // All visits to one node, by arrival, and their first conflict.
+  struct Group {
+    NodeIndex node = kNone;
+    std::vector<Visit> visits;
+    std::optional<Meeting> earliest;
+  };
+
   void group_by_node() {
+    std::map<NodeIndex, std::size_t> group_of;
+    group_of_stop_.resize(charts_.size());
     for (std::size_t i = 0; i < charts_.size(); ++i) {
-      for (std::size_t k = 0; k < charts_[i].stops.size(); ++k) {
-        const NodeIndex node = charts_[i].stops[k].node;
-        if (node != kNone) visits_.push_back({node, static_cast<RobotIndex>(i), k});
+      const std::vector<Stop>& stops = charts_[i].stops;
+      group_of_stop_[i].assign(stops.size(), kNoGroup);
+      for (std::size_t k = 0; k < stops.size(); ++k) {
+        if (stops[k].node == kNone) continue;
+        const auto [found, is_new] = group_of.try_emplace(stops[k].node, groups_.size());
+        if (is_new) groups_.push_back({stops[k].node, {}, std::nullopt});
+        groups_[found->second].visits.push_back({0, static_cast<RobotIndex>(i), k});
+        group_of_stop_[i][k] = found->second;
       }
     }
-    std::sort(visits_.begin(), visits_.end(), [](const Visit& a, const Visit& b) {
-      return std::tie(a.node, a.robot, a.stop) < std::tie(b.node, b.robot, b.stop);
-    });
+    for (Group& group : groups_) update(group);
+  }
+
+  // Arrivals and the first conflict of a group, after a move. The visits are nearly in order, so
+  // they are put in order by insertion.
+  void update(Group& group) {
+    std::vector<Visit>& visits = group.visits;
+    for (Visit& visit : visits) visit.arrival = stop_of(visit.robot, visit.stop).arrival;
+    for (std::size_t i = 1; i < visits.size(); ++i) {
+      for (std::size_t k = i; k > 0 && visits[k].arrival < visits[k - 1].arrival; --k) {
+        std::swap(visits[k], visits[k - 1]);
+      }
+    }
+    group.earliest.reset();
+    for (std::size_t i = 0; i < visits.size(); ++i) {
+      if (group.earliest && group.earliest->time != visits[i].arrival) break;
+      for (std::size_t k = i + 1; k < visits.size(); ++k) {
+        if (visits[k].arrival - visits[i].arrival >= settings_.tolerance) break;
+        if (visits[k].robot == visits[i].robot) continue;
+        const bool i_first = rank_[at(visits[i].robot)] < rank_[at(visits[k].robot)];
+        const Visit& keeps = i_first ? visits[i] : visits[k];
+        const Visit& yields = i_first ? visits[k] : visits[i];
+        const Meeting meeting{visits[i].arrival, group.node, rank_[at(keeps.robot)],
+                              rank_[at(yields.robot)], yields.stop};
+        if (!group.earliest || meeting < *group.earliest) group.earliest = meeting;
+      }
+    }
   }
 
   Stop& stop_of(RobotIndex robot, std::size_t stop) { return charts_[at(robot)].stops[stop]; }
@@ -93,7 +134,7 @@ class Avoidance {
     record.stop = static_cast<std::int32_t>(stop);
     record.before = stop_of(robot, stop).arrival;
     record.after = record.before + by;
-    if (static_cast<std::int64_t>(moves_) >= settings_.most_moves ||
+    if (moves_ >= settings_.most_moves ||
         charts_[at(robot)].stops.back().arrival > lanes::kEndOfTime - by) {
       is_within_limits_ = false;
       return;
@@ -101,24 +142,16 @@ class Avoidance {
     ++moves_;
     apply_yield(record, charts_);
     records_.push_back(record);
+    const std::vector<std::size_t>& groups = group_of_stop_[at(robot)];
+    for (std::size_t i = stop; i < groups.size(); ++i) {
+      if (groups[i] != kNoGroup) update(groups_[groups[i]]);
+    }
   }
 
-  std::optional<Meeting> earliest_meeting() {
+  std::optional<Meeting> earliest_meeting() const {
     std::optional<Meeting> earliest;
-    for (std::size_t a = 0; a < visits_.size(); ++a) {
-      for (std::size_t b = a + 1; b < visits_.size() && visits_[b].node == visits_[a].node; ++b) {
-        if (visits_[a].robot == visits_[b].robot) continue;
-        const Nanoseconds first = stop_of(visits_[a].robot, visits_[a].stop).arrival;
-        const Nanoseconds second = stop_of(visits_[b].robot, visits_[b].stop).arrival;
-        const Nanoseconds apart = first < second ? second - first : first - second;
-        if (apart >= settings_.tolerance) continue;
-        const bool a_first = rank_[at(visits_[a].robot)] < rank_[at(visits_[b].robot)];
-        const Visit& keeps = a_first ? visits_[a] : visits_[b];
-        const Visit& yields = a_first ? visits_[b] : visits_[a];
-        const Meeting meeting{std::min(first, second), keeps.node, rank_[at(keeps.robot)],
-                              rank_[at(yields.robot)], yields.stop};
-        if (!earliest || meeting < *earliest) earliest = meeting;
-      }
+    for (const Group& group : groups_) {
+      if (group.earliest && (!earliest || *group.earliest < *earliest)) earliest = group.earliest;
     }
     return earliest;
   }
@@ -227,7 +260,8 @@ class Avoidance {
   std::vector<Record>& records_;
   std::vector<RobotIndex> order_;
   std::vector<std::size_t> rank_;  // by robot: its place in the order
-  std::vector<Visit> visits_;      // by node
+  std::vector<Group> groups_;
+  std::vector<std::vector<std::size_t>> group_of_stop_;  // by robot and stop
   std::int64_t moves_ = 0;
   bool is_within_limits_ = true;
 };
@@ -268,13 +302,13 @@ std::vector<RobotIndex> right_of_way(const std::vector<Robot>& robots,
 
 bool avoid_conflicts(const std::vector<Robot>& robots, std::vector<Chart>& charts,
                      const AvoidanceSettings& settings, std::vector<Record>& records) {
-  constexpr Nanoseconds kMost = lanes::kEndOfTime / 4;
+  constexpr Nanoseconds kMost = 366 * 24 * 3600 * kSecond;
   if (settings.tolerance < 0 || settings.tolerance > kMost) {
-    throw std::invalid_argument("charts: expected a tolerance of 0 s or more");
+    throw std::invalid_argument("charts: expected a tolerance of 0 s or more, up to a year");
   }
   if (settings.delay <= 0 || settings.delay > kMost || settings.clearance <= 0 ||
       settings.clearance > kMost) {
-    throw std::invalid_argument("charts: expected a delay and a clearance above 0 s");
+    throw std::invalid_argument("charts: expected a delay and a clearance above 0 s, up to a year");
   }
   if (robots.size() != charts.size()) {
     throw std::invalid_argument("charts: expected one chart for each robot");

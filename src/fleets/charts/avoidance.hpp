@@ -31,7 +31,8 @@ std::vector<RobotIndex> right_of_way(const std::vector<Robot>& robots,
 ///
 /// Adds a record of kind kYields for each move. False where `most_moves` did not suffice, or times
 /// went beyond 285 years; the charts are then not free of conflicts. Throws std::invalid_argument
-/// for a tolerance below 0, a delay or a clearance that is not above 0.
+/// for a tolerance below 0, a delay or a clearance that is not above 0, and any of them beyond a
+/// year.
 bool avoid_conflicts(const std::vector<Robot>& robots, std::vector<Chart>& charts,
                      const AvoidanceSettings& settings, std::vector<Record>& records);
 

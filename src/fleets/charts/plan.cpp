@@ -19,6 +19,11 @@ bool is_closed(const Plan& plan, LaneIndex lane) {
   return std::binary_search(plan.closed.begin(), plan.closed.end(), lane);
 }
 
+// A sum that ends at the end of time.
+Nanoseconds later(Nanoseconds time, Nanoseconds by) {
+  return by < lanes::kEndOfTime - time ? time + by : lanes::kEndOfTime;
+}
+
 // How many stops of a chart stay as they are when its robot plans again: the node where it stands
 // or starts, the one to which it drives, and a bypass to its end.
 std::size_t committed_stops(const Chart& chart) {
@@ -52,6 +57,7 @@ class Step {
   Plan blocked(const LaneReport& report) {
     begin(report.robot, report.lane, report.time);
     close(report.robot, report.lane);
+    turn_back_from_bypasses(report.lane);
     plan_again_round(report.lane);
     return finish();
   }
@@ -68,11 +74,8 @@ class Step {
 
   Plan pass(const BypassReport& report) {
     begin(report.robot, report.lane, report.time);
-    Chart& chart = plan_.charts[place(report.robot)];
-    const bool is_in_lane = !chart.stops.empty() && chart.stops.front().node == kNone &&
-                            chart.stops.front().lane == report.lane &&
-                            chart.stops.front().leg == Leg::kAlong;
-    if (!is_in_lane) {
+    const bool on_bypass = report.way == BypassWay::kReverse && is_passing(report);
+    if (!is_in_lane(plan_.charts[place(report.robot)], report.lane) && !on_bypass) {
       throw std::invalid_argument(
           fmt::format("bypass: {} is not on {} at {} s", plan_.robots[place(report.robot)].name,
                       network_.name_of(report.lane),
@@ -86,12 +89,19 @@ class Step {
     }
     close(report.robot, report.lane);
     if (report.way == BypassWay::kRightInLane || report.way == BypassWay::kLeftInLane) {
-      add(RecordKind::kPassesInLane, report.robot, report.lane, kNone);
+      stay_in_lane(report);
     } else if (report.way == BypassWay::kLeftLane && can_borrow(report)) {
       borrow(report);
     } else {
       go_back(report);
     }
+    if (on_bypass) {
+      const LaneIndex beside = network_.lane(report.lane).beside;
+      close(report.robot, beside);
+      turn_back_from_bypasses(beside);
+      plan_again_round(beside);
+    }
+    turn_back_from_bypasses(report.lane);
     plan_again_round(report.lane);
     return finish();
   }
@@ -161,8 +171,8 @@ class Step {
   void append(Chart& chart, const std::vector<LaneIndex>& way, double speed) const {
     for (const LaneIndex lane : way) {
       const Nanoseconds travel = network_.time(lane, speed);
-      chart.stops.push_back(
-          {network_.lane(lane).to, chart.stops.back().arrival + travel, lane, Leg::kAlong, travel});
+      chart.stops.push_back({network_.lane(lane).to, later(chart.stops.back().arrival, travel),
+                             lane, Leg::kAlong, travel});
     }
   }
 
@@ -226,8 +236,16 @@ class Step {
     const Chart& chart = plan_.charts[i];
     if (chart.stops.empty()) return;
     const std::size_t kept = committed_stops(chart);
-    const std::optional<lanes::Way> way = way_of(robot, node_before(chart, kept), robot.goal);
-    if (!way) return;
+    const NodeIndex from = node_before(chart, kept);
+    const std::optional<lanes::Way> way = way_of(robot, from, robot.goal);
+    if (!way) {
+      // Still not to its goal, but perhaps back.
+      const bool was_stranded = plan_.errands[i] == Errand::kStranded && from != robot.from;
+      if (was_stranded && way_of(robot, from, robot.from)) {
+        plan_again(static_cast<RobotIndex>(i), true);
+      }
+      return;
+    }
     if (plan_.errands[i] == Errand::kToGoal) {
       std::vector<LaneIndex> rest;
       for (std::size_t k = kept; k < chart.stops.size(); ++k) rest.push_back(chart.stops[k].lane);
@@ -250,22 +268,71 @@ class Step {
            network_.distance(begins, lane.to) < network_.distance(begins, lane.from);
   }
 
+  static bool is_in_lane(const Chart& chart, LaneIndex lane) {
+    return chart.stops.size() > 1 && chart.stops.front().node == kNone &&
+           chart.stops.front().lane == lane && chart.stops.front().leg == Leg::kAlong;
+  }
+
+  // Still waiting to drive against the direction of a lane: the one beside, or back in its own.
+  static bool is_about_to_take(const Chart& chart, LaneIndex lane) {
+    return chart.stops[1].lane == lane && chart.stops[1].leg == Leg::kAgainst;
+  }
+
+  // In the lane beside, round an obstacle in the lane of the report.
+  bool is_passing(const BypassReport& report) const {
+    const Chart& chart = plan_.charts[place(report.robot)];
+    return is_out_of_lane(chart) && chart.stops.front().leg == Leg::kAgainst &&
+           chart.stops.front().lane == network_.lane(report.lane).beside &&
+           chart.passed == network_.lane(report.lane).from;
+  }
+
+  // From the end of the lane on as the old chart has it, but without its waits; a new way if the
+  // robot was about to go back.
+  void go_on(RobotIndex index, const Chart& old) {
+    Chart& chart = plan_.charts[place(index)];
+    const std::size_t ahead = committed_stops(old);
+    if (old.stops[ahead - 1].node != chart.stops.back().node) {
+      plan_again(index, true);
+      return;
+    }
+    std::vector<LaneIndex> rest;
+    for (std::size_t i = ahead; i < old.stops.size(); ++i) rest.push_back(old.stops[i].lane);
+    append(chart, rest, plan_.robots[place(index)].speed);
+  }
+
+  Nanoseconds rest_of_lane(const BypassReport& report) const {
+    return network_.time_of_part(report.lane, network_.length(report.lane) - report.travelled,
+                                 plan_.robots[place(report.robot)].speed);
+  }
+
+  void stay_in_lane(const BypassReport& report) {
+    Chart& chart = plan_.charts[place(report.robot)];
+    add(RecordKind::kPassesInLane, report.robot, report.lane, kNone);
+    if (chart.stops[1].leg == Leg::kAlong) return;
+    // It was about to leave the lane, and need not.
+    const Chart old = chart;
+    const Nanoseconds travel = rest_of_lane(report);
+    chart.stops.resize(1);
+    chart.stops.front().arrival = plan_.now;
+    chart.stops.push_back({network_.lane(report.lane).to, later(plan_.now, travel), report.lane,
+                           Leg::kAlong, travel});
+    go_on(report.robot, old);
+  }
+
   void borrow(const BypassReport& report) {
     const Robot& robot = plan_.robots[place(report.robot)];
     Chart& chart = plan_.charts[place(report.robot)];
     const LaneIndex beside = network_.lane(report.lane).beside;
     const NodeIndex node = network_.lane(beside).from;
     const NodeIndex next = network_.lane(report.lane).to;
-    std::vector<LaneIndex> rest;
-    for (std::size_t i = 2; i < chart.stops.size(); ++i) rest.push_back(chart.stops[i].lane);
+    const Chart old = chart;
     chart.stops.resize(1);
+    chart.stops.front().arrival = plan_.now;
 
     const auto push = [&chart](NodeIndex to, LaneIndex lane, Leg leg, Nanoseconds travel) {
-      chart.stops.push_back({to, chart.stops.back().arrival + travel, lane, leg, travel});
+      chart.stops.push_back({to, later(chart.stops.back().arrival, travel), lane, leg, travel});
     };
-    push(node, beside, Leg::kAgainst,
-         network_.time_of_part(report.lane, network_.length(report.lane) - report.travelled,
-                               robot.speed));
+    push(node, beside, Leg::kAgainst, rest_of_lane(report));
     if (node != next) {
       const LaneIndex with = network_.find_lane(node, next);
       const LaneIndex against = network_.find_lane(next, node);
@@ -278,31 +345,47 @@ class Step {
              network_.time_of_part(report.lane, network_.distance(node, next), robot.speed));
       }
     }
-    append(chart, rest, robot.speed);
     add(RecordKind::kBypasses, report.robot, beside, node);
+    go_on(report.robot, old);
   }
 
+  // The robot of the report, and those behind it in the lane.
   void go_back(const BypassReport& report) {
-    const LaneIndex lane = report.lane;
     const Nanoseconds entered = plan_.charts[place(report.robot)].entered;
+    const bool is_in_it = is_in_lane(plan_.charts[place(report.robot)], report.lane);
     for (std::size_t i = 0; i < plan_.charts.size(); ++i) {
       const auto index = static_cast<RobotIndex>(i);
-      Chart& chart = plan_.charts[i];
-      const bool in_lane = chart.stops.size() > 1 && chart.stops.front().node == kNone &&
-                           chart.stops.front().lane == lane &&
-                           chart.stops.front().leg == Leg::kAlong &&
-                           chart.stops[1].leg == Leg::kAlong;
-      if (index != report.robot && (!in_lane || chart.entered <= entered)) continue;
+      const Chart& chart = plan_.charts[i];
       const double speed = plan_.robots[i].speed;
-      const Nanoseconds back =
-          index == report.robot
-              ? network_.time_of_part(lane, report.travelled, speed)
-              : std::max<Nanoseconds>(1, network_.time(lane, speed) - chart.stops[1].travel);
-      const NodeIndex node = network_.lane(lane).from;
-      chart.stops.resize(1);
-      chart.stops.push_back({node, chart.stops.front().arrival + back, lane, Leg::kAgainst, back});
-      add(RecordKind::kGoesBack, index, lane, node);
-      plan_again(index, true);
+      if (index == report.robot) {
+        turn_back(index, report.lane, network_.time_of_part(report.lane, report.travelled, speed));
+      } else if (is_in_it && is_in_lane(chart, report.lane) && chart.entered > entered &&
+                 !is_about_to_take(chart, report.lane)) {
+        turn_back(index, report.lane, network_.time(report.lane, speed) - chart.stops[1].travel);
+      }
+    }
+  }
+
+  void turn_back(RobotIndex index, LaneIndex lane, Nanoseconds driven) {
+    const NodeIndex node = network_.lane(lane).from;
+    const Nanoseconds back = std::max<Nanoseconds>(1, driven);
+    Chart& chart = plan_.charts[place(index)];
+    chart.stops.resize(1);
+    chart.stops.front().arrival = plan_.now;
+    chart.stops.push_back({node, later(plan_.now, back), lane, Leg::kAgainst, back});
+    add(RecordKind::kGoesBack, index, lane, node);
+    plan_again(index, true);
+  }
+
+  // Those that were about to take this lane against its direction, round an obstacle in the one
+  // beside it, find no way there either.
+  void turn_back_from_bypasses(LaneIndex lane) {
+    const LaneIndex own = network_.lane(lane).beside;
+    for (std::size_t i = 0; own != kNone && i < plan_.charts.size(); ++i) {
+      const Chart& chart = plan_.charts[i];
+      if (!is_in_lane(chart, own) || !is_about_to_take(chart, lane)) continue;
+      turn_back(static_cast<RobotIndex>(i), own,
+                network_.time(own, plan_.robots[i].speed) - chart.stops[1].travel);
     }
   }
 

@@ -52,8 +52,8 @@ struct LaneReport {
 /// Alternate planning: nobody enters the lane any more. Robots whose way led there, the reporting
 /// one too, plan again from the node where they stand or to which they drive; without a way to the
 /// goal they return to their start. Who is already in the lane keeps its chart: its own sensors
-/// decide. Then general avoidance. Throws std::invalid_argument for an unknown robot or lane and a
-/// time before that of the plan.
+/// decide. Who was about to take it against its direction goes back. Then general avoidance. Throws
+/// std::invalid_argument for an unknown robot or lane and a time before that of the plan.
 Plan lane_blocked(const LaneNetwork& network, const Plan& plan, const LaneReport& report,
                   const PlanSettings& settings = {});
 
@@ -76,9 +76,11 @@ struct BypassReport {
 /// lane beside it drives to the node where that lane begins, the bypass node, from there to the
 /// node that it was bound for, and on as before. Where no lane beside runs the other way, or that
 /// one is blocked or too narrow, and where the report says so, it goes back to the node where it
-/// entered the lane, with all that followed it, and they plan again from there. Then avoidance, at
-/// nodes and head-on. Throws std::invalid_argument as lane_blocked does, and if by its chart the
-/// robot is not in the lane at that time.
+/// entered the lane, with all that followed it, and they plan again from there. So it does from the
+/// lane beside, where it finds no way on there: `lane` and `travelled` are then still those of its
+/// own lane, and both lanes are closed. Then avoidance, at nodes and head-on. Throws
+/// std::invalid_argument as lane_blocked does, and if by its chart the robot is not in the lane at
+/// that time.
 Plan bypass(const LaneNetwork& network, const Plan& plan, const BypassReport& report,
             const PlanSettings& settings = {});
 

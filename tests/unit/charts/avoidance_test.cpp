@@ -187,5 +187,51 @@ TEST_F(Avoidance, AHigherPriorityOnTheWayAcrossIsLetThrough) {
   EXPECT_EQ(records_.at(0).conflict, Conflict::kAcross);
 }
 
+TEST_F(Avoidance, TheWayAcrossIsLookedAtFirst) {
+  const LaneIndex borrowed = 8;
+  const LaneIndex across = 9;
+  add(2, 0, {{kNone, 35}, {4, 60}, {5, 80}});
+  charts_[0].stops[0].lane = 7;
+  charts_[0].stops[1].lane = borrowed;
+  charts_[0].stops[2].lane = across;
+  charts_[0].stops[1].leg = charts_[0].stops[2].leg = Leg::kAgainst;
+  // It would meet the other one on both.
+  add(1, 0, {{6, 20}, {5, 50}, {4, 66}, {3, 90}});
+  charts_[1].stops[2].lane = across;
+  charts_[1].stops[3].lane = borrowed;
+  settings_.tolerance = 0;
+  EXPECT_TRUE(avoid());
+  ASSERT_EQ(records_.size(), 1U);
+  EXPECT_EQ(records_[0].conflict, Conflict::kAcross);
+  EXPECT_THAT(seconds(1), ElementsAre(20, 85, 101, 125));
+}
+
+TEST_F(Avoidance, WhoIsAheadInALaneIsNotInTheWayOfOneThatGoesBack) {
+  add(1, 0, {{kNone, 35}, {2, 50}});
+  charts_[0].stops[0].lane = charts_[0].stops[1].lane = 7;
+  add(3, 0, {{kNone, 35}, {4, 60}});  // goes back in the same lane, behind the other
+  charts_[1].stops[0].lane = charts_[1].stops[1].lane = 7;
+  charts_[1].stops[1].leg = Leg::kAgainst;
+  EXPECT_THAT(right_of_way(robots_, charts_), ElementsAre(1, 0));
+  EXPECT_TRUE(avoid());
+  EXPECT_THAT(records_, IsEmpty());
+}
+
+TEST_F(Avoidance, WhoTurnsRoundAtANodeWaitsForThoseThatStillComeBack) {
+  const LaneIndex lane = 7;
+  // Back at node 4 at 45, and into the lane again; it has right of way, yet it is the one to wait.
+  add(3, 0, {{kNone, 35}, {4, 45}, {5, 75}});
+  add(1, 0, {{kNone, 35}, {4, 60}});
+  for (Chart& one : charts_) {
+    one.stops[0].lane = one.stops[1].lane = lane;
+    one.stops[1].leg = Leg::kAgainst;
+  }
+  charts_[0].stops[2].lane = lane;
+  charts_[0].stops[2].travel = 30 * kSecond;
+  EXPECT_TRUE(avoid());
+  EXPECT_THAT(seconds(0), ElementsAre(35, 45, 95));
+  EXPECT_THAT(seconds(1), ElementsAre(35, 60));
+}
+
 }  // namespace
 }  // namespace rubicon::charts

@@ -231,6 +231,108 @@ TEST_F(Planning, ABypassIsDrivenToItsEndWhateverIsReportedMeanwhile) {
   EXPECT_THAT(chart(after), HasSubstr("Cur-Pos 20, B8 40, B3B5 60, B8 80"));
 }
 
+TEST_F(Planning, ABypassThatIsBlockedEndsAtTheNodeWhereTheLaneBegan) {
+  const Plan plan =
+      make_plan(network_, {one("R1", 1, 0, "B3", "B7"), one("R2", 1, 10, "B6", "B10")});
+  const Plan bypassing =
+      bypass(network_, plan, met(0, "B3", "B3B5", 10, 0.25, BypassWay::kLeftLane));
+  ASSERT_EQ(chart(bypassing, 0).substr(0, 26), "Cur-Pos 10, B8 40, B3B5 60");
+  const Plan after =
+      bypass(network_, bypassing, met(0, "B3", "B3B5", 20, 0.5, BypassWay::kReverse));
+  EXPECT_THAT(chart(after, 0), HasSubstr("Cur-Pos 20, B3 40, C8C10 60"));
+  EXPECT_EQ(after.closed.size(), 2U);
+  EXPECT_THAT(told(network_, after), Contains("B8 to B8B10 is closed to all"));
+  EXPECT_THAT(told(network_, after), Contains("R2 has a new way from B6B8"));
+  // On its way back it has nothing to report from there.
+  EXPECT_THROW(bypass(network_, after, met(0, "B3", "B3B5", 21, 0.5, BypassWay::kLeftLane)),
+               std::invalid_argument);
+}
+
+// R2 comes through the lane that R1 is to borrow until 30 s; R1 waits until 35 s.
+class WaitingToBypass : public Planning {
+ protected:
+  WaitingToBypass()
+      : plan_(bypass(
+            network_,
+            make_plan(network_, {one("R1", 1, 0, "B3", "B7"), one("R2", 2, -0, "B8", "B10")}),
+            met(0, "B3", "B3B5", 10, 0.25, BypassWay::kLeftLane))) {}
+  Plan plan_;
+};
+
+TEST_F(WaitingToBypass, IsAsTheseTestsWantIt) {
+  EXPECT_EQ(chart(plan_), "Cur-Pos 45, B8 75, B3B5 95, B5 115, B5B7 155, B7 175");
+  EXPECT_EQ(told(network_, chart_at(plan_.charts[0], 20 * kSecond)), chart(plan_));
+}
+
+TEST_F(WaitingToBypass, GoesBackWhenTheLaneBesideIsBlockedToo) {
+  const Plan after = lane_blocked(network_, plan_, seen(1, "B8", "B8B10", 20));
+  EXPECT_THAT(told(network_, after), Contains("R1 goes back to B3"));
+  EXPECT_THAT(chart(after), HasSubstr("Cur-Pos 20, B3 30, C8C10 50"));
+}
+
+TEST_F(WaitingToBypass, MayFindThatItNeedNotLeaveItsLane) {
+  const Plan after =
+      bypass(network_, plan_, met(0, "B3", "B3B5", 20, 0.25, BypassWay::kRightInLane));
+  EXPECT_EQ(chart(after), "Cur-Pos 20, B3B5 50, B5 70, B5B7 110, B7 130");
+}
+
+TEST_F(WaitingToBypass, MayReportAgain) {
+  const Plan after = bypass(network_, plan_, met(0, "B3", "B3B5", 20, 0.25, BypassWay::kLeftLane));
+  EXPECT_EQ(chart(after), chart(plan_));
+}
+
+TEST_F(WaitingToBypass, GoesBackWithTheOneAheadOfIt) {
+  Plan plan = make_plan(network_, {one("R1", 1, 10, "B3", "B7"), one("R2", 2, 0, "B8", "B10"),
+                                   one("R3", 1, 0, "B3", "B7")});
+  plan = bypass(network_, plan, met(0, "B3", "B3B5", 20, 0.25, BypassWay::kLeftLane));
+  plan = bypass(network_, plan, met(2, "B3", "B3B5", 22, 0.55, BypassWay::kReverse));
+  EXPECT_THAT(told(network_, plan), Contains("R1 goes back to B3"));
+  EXPECT_THAT(told(network_, plan), Contains("R3 goes back to B3"));
+  // A second report of the one ahead leaves the one behind on its way back.
+  const std::string before = chart(plan, 0);
+  plan = bypass(network_, plan, met(2, "B3", "B3B5", 22, 0.55, BypassWay::kReverse));
+  EXPECT_EQ(chart(plan, 0), before);
+}
+
+TEST(PlanningOnALine, AStrandedRobotReturnsWhenTheWayBackIsFree) {
+  const LaneNetwork network(lanes::grid({3, 1, 10}));
+  Plan plan = make_plan(network, {robot(network, "R1", 1, 0, "x0y0", "x2y0")});
+  const LaneIndex ahead = lane(network, "x1y0", "x2y0");
+  const LaneIndex back = lane(network, "x1y0", "x0y0");
+  plan = lane_blocked(network, plan, {0, back, 5 * kSecond});
+  plan = lane_blocked(network, plan, {0, ahead, 5 * kSecond});
+  EXPECT_EQ(plan.errands[0], Errand::kStranded);
+  plan = lane_free(network, plan, {0, back, 20 * kSecond});
+  EXPECT_EQ(plan.errands[0], Errand::kBack);
+  EXPECT_EQ(told(network, plan.charts[0]), "Cur-Pos 20, x0y0 30");
+}
+
+TEST(PlanningOnALine, AWayAcrossWithoutEndIsNotSettledAndNothingOverflows) {
+  const LaneNetwork network({{{"lane", 1, 4, 1}},
+                             {{"a", 0, 0}, {"b", 10, 0}, {"c", 1e300, 0}, {"d", -1e300, 0}},
+                             {{0, 1, 0, 10.0, 1}, {2, 3, 0, 10.0}}});
+  const Plan plan = make_plan(network, {robot(network, "R1", 1, 0, "a", "b")});
+  const Plan after = bypass(network, plan, {0, 0, 5 * kSecond, 5, BypassWay::kReverse});
+  EXPECT_EQ(after.errands[0], Errand::kStranded);
+  // Both distances are infinite, so neither end is nearer: the lane is not borrowed.
+  EXPECT_THAT(told(network, bypass(network, plan, {0, 0, 5 * kSecond, 5, BypassWay::kLeftLane})),
+              Contains("R1 goes back to a"));
+}
+
+TEST_F(Planning, ChartsKnowWhenARobotEnteredItsLane) {
+  // It waits at B3 until 110, and only then enters the lane.
+  Chart chart = make_plan(network_, {one("R1", 1, 0, "B3", "B7")}).charts[0];
+  for (std::size_t i = 1; i < chart.stops.size(); ++i) chart.stops[i].arrival += 100 * kSecond;
+  Chart waiting = chart_at(chart, 60 * kSecond);
+  for (std::size_t i = 1; i < waiting.stops.size(); ++i) waiting.stops[i].arrival += 10 * kSecond;
+  EXPECT_EQ(chart_at(waiting, 120 * kSecond).entered, 110 * kSecond);
+  // On a bypass it has entered the lane beside when it left its own.
+  const Plan plan = make_plan(network_, {one("R1", 1, 0, "B3", "B7")});
+  const Plan bypassing =
+      bypass(network_, plan, met(0, "B3", "B3B5", 10, 0.25, BypassWay::kLeftLane));
+  EXPECT_EQ(chart_at(bypassing.charts[0], 20 * kSecond).entered, 10 * kSecond);
+}
+
 TEST_F(Planning, ChartsAtLaterTimesKeepWhatIsAhead) {
   const Plan plan = make_plan(network_, {one("R1", 1, 10, "B3", "B7")});
   const Chart& whole = plan.charts[0];

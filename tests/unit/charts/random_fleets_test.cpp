@@ -54,14 +54,23 @@ std::vector<Robot> random_robots(ChartRandom& random, const LaneNetwork& network
 
 // A robot that is in a lane with another one beside it.
 std::optional<BypassReport> random_report(ChartRandom& random, const LaneNetwork& network,
-                                          const Plan& plan, int from, int to) {
+                                          const Plan& plan, int from, int to,
+                                          bool any_state = false) {
   for (int attempt = 0; attempt < 50; ++attempt) {
     const Nanoseconds time = random.whole(from, to) * kSecond + 500'000'000;
     const RobotIndex robot = random.whole(0, static_cast<int>(plan.robots.size()) - 1);
     const Chart chart = chart_at(plan.charts[static_cast<std::size_t>(robot)], time);
     const Stop& now = chart.stops.front();
-    if (now.node != kNone || now.lane == kNone || now.leg != Leg::kAlong) continue;
-    if (chart.stops[1].leg != Leg::kAlong || network.lane(now.lane).beside == kNone) continue;
+    if (now.node != kNone || now.lane == kNone || network.lane(now.lane).beside == kNone) continue;
+    if (any_state && now.leg == Leg::kAgainst && chart.stops[1].lane == now.lane &&
+        chart.stops[1].node == network.lane(now.lane).from) {
+      // On a bypass, or on its way back; only the first may report that there is no way on.
+      const LaneIndex own = network.lane(now.lane).beside;
+      if (chart.passed != network.lane(own).from) continue;
+      return BypassReport{robot, own, time, network.length(own) / 2, BypassWay::kReverse};
+    }
+    if (now.leg != Leg::kAlong) continue;
+    if (chart.stops[1].leg != Leg::kAlong && !any_state) continue;
     const double rest =
         static_cast<double>(chart.stops[1].travel) / static_cast<double>(network.time(now.lane));
     return BypassReport{robot, now.lane, time,
@@ -279,7 +288,7 @@ TEST(RandomFleets, SeveralReportsInARowEndWithoutAHeadOn) {
   ChartRandom random(9);
   const LaneNetwork network = small_warehouse();
   int several = 0;
-  int unsettled = 0;
+  int ended_bypasses = 0;
   for (int i = 0; i < test::cases(1500); ++i) {
     SCOPED_TRACE(i);
     PlanSettings settings;
@@ -296,16 +305,17 @@ TEST(RandomFleets, SeveralReportsInARowEndWithoutAHeadOn) {
         plan = lane_blocked(network, plan, {robot, any, now * kSecond}, settings);
       } else if (kind == 1 && !plan.closed.empty()) {
         plan = lane_free(network, plan, {robot, plan.closed.front(), now * kSecond}, settings);
-      } else if (auto report = random_report(random, network, plan, now, now + 20)) {
-        if (kind == 2) report->way = BypassWay::kReverse;
+      } else if (auto report = random_report(random, network, plan, now, now + 20, true)) {
+        if (kind == 2 && report->way == BypassWay::kLeftLane) {
+          report->way = static_cast<BypassWay>(random.whole(0, 3));
+        }
+        const Chart& before = plan.charts[static_cast<std::size_t>(report->robot)];
+        ended_bypasses += is_out_of_lane(chart_at(before, report->time)) ? 1 : 0;
         plan = bypass(network, plan, *report, settings);
         now += 21;
         ++bypasses;
       }
-      if (!plan.settled) {
-        ++unsettled;
-        break;
-      }
+      ASSERT_TRUE(plan.settled);
       EXPECT_EQ(opposed(plan), 0);
       EXPECT_EQ(node_conflicts(plan, settings.avoidance.tolerance), 0);
       expect_drivable(network, plan);
@@ -314,7 +324,7 @@ TEST(RandomFleets, SeveralReportsInARowEndWithoutAHeadOn) {
     if (HasFailure()) return;
   }
   EXPECT_GT(several, test::at_least(500));
-  EXPECT_EQ(unsettled, 0);
+  EXPECT_GT(ended_bypasses, test::at_least(100));
 }
 
 }  // namespace
