@@ -196,14 +196,14 @@ TEST_F(Avoidance, TheWayAcrossIsLookedAtFirst) {
   charts_[0].stops[2].lane = across;
   charts_[0].stops[1].leg = charts_[0].stops[2].leg = Leg::kAgainst;
   // It would meet the other one on both.
-  add(1, 0, {{6, 20}, {5, 50}, {4, 66}, {3, 90}});
+  add(1, 0, {{6, 20}, {5, 50}, {4, 60}, {3, 90}});
   charts_[1].stops[2].lane = across;
   charts_[1].stops[3].lane = borrowed;
   settings_.tolerance = 0;
   EXPECT_TRUE(avoid());
   ASSERT_EQ(records_.size(), 1U);
   EXPECT_EQ(records_[0].conflict, Conflict::kAcross);
-  EXPECT_THAT(seconds(1), ElementsAre(20, 85, 101, 125));
+  EXPECT_THAT(seconds(1), ElementsAre(20, 85, 95, 125));
 }
 
 TEST_F(Avoidance, WhoIsAheadInALaneIsNotInTheWayOfOneThatGoesBack) {

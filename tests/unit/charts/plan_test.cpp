@@ -165,7 +165,7 @@ TEST(PlanningOnALine, ABypassWhereLanesShareTheirNodesHasNoWayAcross) {
 TEST_F(Planning, WhoPassesInsideItsLaneKeepsItsChartAndOthersAvoidTheLane) {
   const Plan plan = make_plan(network_, {one("R1", 1, 0, "B3", "B7"), one("R2", 1, 0, "B1", "B5")});
   for (const BypassWay way : {BypassWay::kRightInLane, BypassWay::kLeftInLane}) {
-    const Plan after = bypass(network_, plan, met(0, "B3", "B3B5", 10, 0.25, way));
+    const Plan after = bypass(network_, plan, met(0, "B3", "B3B5", 10, 0.5, way));
     EXPECT_EQ(chart(after, 0), "Cur-Pos 10, B3B5 40, B5 60, B5B7 100, B7 120");
     EXPECT_THAT(told(network_, after), Contains("R1 passes inside its lane, B3 to B3B5"));
     EXPECT_THAT(told(network_, after), Contains("R2 has a new way from B1B3"));
@@ -243,7 +243,9 @@ TEST_F(Planning, ABypassThatIsBlockedEndsAtTheNodeWhereTheLaneBegan) {
   EXPECT_EQ(after.closed.size(), 2U);
   EXPECT_THAT(told(network_, after), Contains("B8 to B8B10 is closed to all"));
   EXPECT_THAT(told(network_, after), Contains("R2 has a new way from B6B8"));
-  // On its way back it has nothing to report from there.
+  // On its way back it has nothing to report, also not as if it were on a bypass there.
+  EXPECT_THROW(bypass(network_, after, met(0, "B8", "B8B10", 21, 0.5, BypassWay::kReverse)),
+               std::invalid_argument);
   EXPECT_THROW(bypass(network_, after, met(0, "B3", "B3B5", 21, 0.5, BypassWay::kLeftLane)),
                std::invalid_argument);
 }
@@ -292,6 +294,27 @@ TEST_F(WaitingToBypass, GoesBackWithTheOneAheadOfIt) {
   const std::string before = chart(plan, 0);
   plan = bypass(network_, plan, met(2, "B3", "B3B5", 22, 0.55, BypassWay::kReverse));
   EXPECT_EQ(chart(plan, 0), before);
+}
+
+TEST_F(Planning, WhoWaitsForTheSameBypassGoesBackWhenItIsBlocked) {
+  Plan plan = make_plan(network_, {one("R1", 2, 0, "B3", "B7"), one("R2", 1, 5, "B3", "B7")});
+  plan = bypass(network_, plan, met(0, "B3", "B3B5", 10, 0.25, BypassWay::kLeftLane));
+  plan = bypass(network_, plan, met(1, "B3", "B3B5", 12, 0.25, BypassWay::kLeftLane));
+  EXPECT_THAT(chart(plan, 1), HasSubstr("Cur-Pos 17, B8 47"));
+  plan = bypass(network_, plan, met(0, "B3", "B3B5", 14, 0.35, BypassWay::kReverse));
+  EXPECT_THAT(told(network_, plan), Contains("R2 goes back to B3"));
+}
+
+TEST_F(Planning, WhoWaitsToGoBackMayFindThatItNeedNot) {
+  Plan plan = make_plan(network_, {one("R1", 1, 40, "B3", "B7"), one("R2", 2, 0, "B1", "C3")});
+  plan = bypass(network_, plan, met(0, "B3", "B3B5", 50, 0.25, BypassWay::kReverse));
+  EXPECT_THAT(chart(plan), HasSubstr("Cur-Pos 55, B3 65"));  // R2 is there at 60
+  for (const BypassWay way : {BypassWay::kRightInLane, BypassWay::kLeftLane}) {
+    const Plan after = bypass(network_, plan, met(0, "B3", "B3B5", 52, 0.25, way));
+    EXPECT_EQ(chart(after), way == BypassWay::kRightInLane
+                                ? "Cur-Pos 52, B3B5 82, B5 102, B5B7 142, B7 162"
+                                : "Cur-Pos 52, B8 82, B3B5 102, B5 122, B5B7 162, B7 182");
+  }
 }
 
 TEST(PlanningOnALine, AStrandedRobotReturnsWhenTheWayBackIsFree) {
