@@ -302,7 +302,7 @@ std::vector<RobotIndex> right_of_way(const std::vector<Robot>& robots,
 
 bool avoid_conflicts(const std::vector<Robot>& robots, std::vector<Chart>& charts,
                      const AvoidanceSettings& settings, std::vector<Record>& records) {
-  constexpr Nanoseconds kMost = 366 * 24 * 3600 * kSecond;
+  constexpr Nanoseconds kMost = Nanoseconds{366} * 24 * 3600 * kSecond;
   if (settings.tolerance < 0 || settings.tolerance > kMost) {
     throw std::invalid_argument("charts: expected a tolerance of 0 s or more, up to a year");
   }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -59,11 +58,15 @@ class Builder {
     return static_cast<LaneIndex>(result_.lanes.size()) - 1;
   }
 
+  struct Ends {
+    std::string from;
+    std::string to;
+  };
+
   // The two lanes of a travelway, one beside the other.
-  void add_pair(std::pair<std::string, std::string> one, std::pair<std::string, std::string> other,
-                Class its_class, double seconds) {
-    const LaneIndex first = add_lane(one.first, one.second, its_class, seconds);
-    const LaneIndex second = add_lane(other.first, other.second, its_class, seconds);
+  void add_pair(const Ends& one, const Ends& other, Class its_class, double seconds) {
+    const LaneIndex first = add_lane(one.from, one.to, its_class, seconds);
+    const LaneIndex second = add_lane(other.from, other.to, its_class, seconds);
     result_.lanes[static_cast<std::size_t>(first)].beside = second;
   }
 

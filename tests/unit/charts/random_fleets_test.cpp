@@ -256,6 +256,39 @@ TEST(RandomFleets, OrderOfTheRobotsMakesNoDifference) {
   EXPECT_GT(bypasses, test::at_least(500));
 }
 
+TEST(RandomFleets, HundredsOfRobotsEndWithoutAConflict) {
+  lanes::WarehouseQuery query;
+  query.corridors = 10;
+  query.rows = 10;
+  const LaneNetwork network(lanes::warehouse(query));
+  const auto fleet = [&](int count, bool spread) {
+    ChartRandom random(10);
+    std::vector<Robot> robots;
+    for (int i = 0; i < count; ++i) {
+      Robot robot;
+      robot.name = "R" + std::to_string(i + 1);
+      robot.priority = random.whole(0, 4);
+      robot.start = spread ? random.whole(0, 59) * kSecond : 0;
+      robot.from = spread ? random.whole(0, network.node_count() - 1) : 0;
+      robot.goal = random.whole(0, network.node_count() - 1);
+      robots.push_back(robot);
+    }
+    return make_plan(network, robots);
+  };
+  const int many = test::cases(400);
+  const Plan spread = fleet(many, true);
+  EXPECT_TRUE(spread.settled);
+  EXPECT_EQ(node_conflicts(spread, 5 * kSecond), 0);
+  RecordProperty("yields_of_400_spread", static_cast<int>(spread.records.size()));
+  // Each of those that start together yields once to each that goes before it.
+  const int together = test::cases(200);
+  const Plan from_gate = fleet(together, false);
+  EXPECT_TRUE(from_gate.settled);
+  EXPECT_EQ(node_conflicts(from_gate, 5 * kSecond), 0);
+  EXPECT_EQ(from_gate.records.size(),
+            static_cast<std::size_t>(together) * static_cast<std::size_t>(together - 1) / 2);
+}
+
 // Whether anybody drives along a lane while another drives against it, by charts of one plan.
 int opposed(const Plan& plan) {
   int count = 0;
