@@ -42,7 +42,8 @@ struct Plan {
 Plan make_plan(const LaneNetwork& network, std::vector<Robot> robots,
                const PlanSettings& settings = {}, std::vector<LaneIndex> closed = {});
 
-/// A robot at a landmark that found the lane ahead blocked, or free again.
+/// A robot at a landmark that found the lane ahead blocked, or free again. With each report all
+/// robots are taken to be where their charts say.
 struct LaneReport {
   RobotIndex robot = kNone;
   LaneIndex lane = kNone;

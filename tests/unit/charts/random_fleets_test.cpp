@@ -173,6 +173,24 @@ void expect_drivable(const LaneNetwork& network, const Plan& plan) {
   }
 }
 
+// Before any bypass: who yields has the lower priority, or started later. Who goes before all never
+// waits.
+void expect_right_of_way(const Plan& plan) {
+  const auto goes_before = [](const Robot& one, const Robot& other) {
+    return one.priority != other.priority ? one.priority > other.priority : one.start < other.start;
+  };
+  for (const Record& record : plan.records) {
+    if (record.kind != RecordKind::kYields) continue;
+    EXPECT_TRUE(goes_before(plan.robots[static_cast<std::size_t>(record.other)],
+                            plan.robots[static_cast<std::size_t>(record.robot)]));
+  }
+  const auto first = std::min_element(plan.robots.begin(), plan.robots.end(), goes_before);
+  for (const Stay& stay :
+       stays_of(plan.charts[static_cast<std::size_t>(std::distance(plan.robots.begin(), first))])) {
+    EXPECT_EQ(stay.arrival, stay.departure);
+  }
+}
+
 TEST(RandomFleets, EndWithoutAHeadOnOrAConflict) {
   ChartRandom random(7);
   const LaneNetwork network = small_warehouse();
@@ -191,6 +209,7 @@ TEST(RandomFleets, EndWithoutAHeadOnOrAConflict) {
     ASSERT_TRUE(plan.settled);
     EXPECT_EQ(node_conflicts(plan, settings.avoidance.tolerance), 0);
     expect_drivable(network, plan);
+    expect_right_of_way(plan);
     const std::optional<BypassReport> report = random_report(random, network, plan, 0, 150);
     if (!report) continue;
     ++bypasses;
