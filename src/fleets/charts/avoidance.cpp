@@ -55,6 +55,7 @@ class Avoidance {
     Nanoseconds arrival;
     RobotIndex robot;
     std::size_t stop;
+    bool is_fixed;  // out of its lane until there: it cannot wait before it
   };
 
   struct Meeting {
@@ -86,7 +87,9 @@ class Avoidance {
         if (stops[k].node == kNone) continue;
         const auto [found, is_new] = group_of.try_emplace(stops[k].node, groups_.size());
         if (is_new) groups_.push_back({stops[k].node, {}, std::nullopt});
-        groups_[found->second].visits.push_back({0, static_cast<RobotIndex>(i), k});
+        const auto robot = static_cast<RobotIndex>(i);
+        const bool is_fixed = stops[k].leg != Leg::kAlong && waits_before(robot, k) == k;
+        groups_[found->second].visits.push_back({0, robot, k, is_fixed});
         group_of_stop_[i][k] = found->second;
       }
     }
@@ -109,7 +112,9 @@ class Avoidance {
       for (std::size_t k = i + 1; k < visits.size(); ++k) {
         if (visits[k].arrival - visits[i].arrival >= settings_.tolerance) break;
         if (visits[k].robot == visits[i].robot) continue;
-        const bool i_first = rank_[at(visits[i].robot)] < rank_[at(visits[k].robot)];
+        const bool i_first = visits[i].is_fixed != visits[k].is_fixed
+                                 ? visits[i].is_fixed
+                                 : rank_[at(visits[i].robot)] < rank_[at(visits[k].robot)];
         const Visit& keeps = i_first ? visits[i] : visits[k];
         const Visit& yields = i_first ? visits[k] : visits[i];
         const Meeting meeting{visits[i].arrival, group.node, rank_[at(keeps.robot)],
@@ -212,17 +217,17 @@ class Avoidance {
     return false;
   }
 
-  // Whether the robot came back out of this very lane before it enters it again.
-  static bool turns_round(const std::vector<Stop>& stops, std::size_t end) {
-    return stops[end - 1].leg == Leg::kAgainst && stops[end - 1].lane == stops[end].lane;
+  // Whether the robot comes to the stop before against the direction of a lane. There it waits at
+  // the node: others may have to come out of that lane behind it, or want to enter it.
+  static bool waits_at_node(const std::vector<Stop>& stops, std::size_t end) {
+    return stops[end - 1].leg == Leg::kAgainst;
   }
 
   // From when on a robot may be on its way to this stop: as in the paper from its arrival at the
-  // stop before. One that turns round has others behind it that still have to come out: it waits at
-  // the node, so its departure counts.
+  // stop before, unless it waits at that node; then from its departure.
   static Nanoseconds begin_of(const std::vector<Stop>& stops, std::size_t end) {
-    return turns_round(stops, end) ? stops[end].arrival - stops[end].travel
-                                   : stops[end - 1].arrival;
+    return waits_at_node(stops, end) ? stops[end].arrival - stops[end].travel
+                                     : stops[end - 1].arrival;
   }
 
   void resolve(RobotIndex bypassing, std::size_t leg, RobotIndex other, std::size_t end) {
@@ -234,14 +239,10 @@ class Avoidance {
     record.time = std::max(stop_of(other, end - 1).arrival, stop_of(bypassing, leg - 1).arrival);
     record.node = in_lane ? borrowed.node : stop_of(bypassing, leg - 1).node;
     const std::vector<Stop>& stops = charts_[at(other)].stops;
-    if (turns_round(stops, end)) {
-      record.other = bypassing;
-      const Nanoseconds by = borrowed.arrival + settings_.clearance - begin_of(stops, end);
-      move(other, end, by, record);
-      return;
-    }
+    // Back out of this very lane, and in again.
+    const bool turns_round = waits_at_node(stops, end) && stops[end - 1].lane == stops[end].lane;
     const bool can_wait = waits_before(bypassing, leg) < leg;
-    if (can_wait && rank_[at(other)] < rank_[at(bypassing)]) {
+    if (can_wait && !turns_round && rank_[at(other)] < rank_[at(bypassing)]) {
       record.other = other;
       const Nanoseconds by =
           stop_of(other, end).arrival + settings_.clearance - stop_of(bypassing, leg - 1).arrival;
@@ -249,8 +250,13 @@ class Avoidance {
       return;
     }
     record.other = bypassing;
+    if (waits_at_node(stops, end)) {
+      move(other, end, borrowed.arrival + settings_.clearance - begin_of(stops, end), record);
+      return;
+    }
     // In the lane: it waits one node earlier, so that the bypassing robot finds the node free.
-    const std::size_t stop = in_lane && end >= 2 ? end - 2 : end - 1;
+    const bool one_earlier = in_lane && end >= 2 && !waits_at_node(stops, end - 1);
+    const std::size_t stop = one_earlier ? end - 2 : end - 1;
     const Nanoseconds by = borrowed.arrival + settings_.clearance - stop_of(other, stop).arrival;
     move(other, waits_before(other, stop), by, record);
   }

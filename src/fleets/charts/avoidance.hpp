@@ -29,6 +29,9 @@ std::vector<RobotIndex> right_of_way(const std::vector<Robot>& robots,
 /// way is never moved by who has not, so this ends. Which robot is named first makes no difference
 /// where priorities or starts differ.
 ///
+/// A robot that is out of its lane is not asked to wait before it is in a lane again. One that
+/// comes to a node against the direction of a lane waits at the node, for it has to clear the lane.
+///
 /// Adds a record of kind kYields for each move. False where `most_moves` did not suffice, or times
 /// went beyond 285 years; the charts are then not free of conflicts. Throws std::invalid_argument
 /// for a tolerance below 0, a delay or a clearance that is not above 0, and any of them beyond a

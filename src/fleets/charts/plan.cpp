@@ -28,9 +28,10 @@ Nanoseconds later(Nanoseconds time, Nanoseconds by) {
 // or starts, the one to which it drives, and a bypass to its end.
 std::size_t committed_stops(const Chart& chart) {
   const std::vector<Stop>& stops = chart.stops;
-  const bool on_lane = stops.front().node == kNone && stops.front().lane != kNone;
-  if (!on_lane && (stops.front().node != kNone || stops.front().leg == Leg::kAlong)) return 1;
-  std::size_t count = std::min<std::size_t>(2, stops.size());
+  const bool on_its_way = stops.front().node == kNone &&
+                          (stops.front().lane != kNone || stops.front().leg != Leg::kAlong);
+  std::size_t count = std::min<std::size_t>(on_its_way ? 2 : 1, stops.size());
+  // It may stand at the node in the middle of a bypass.
   while (count < stops.size() && stops[count].leg != Leg::kAlong) ++count;
   return count;
 }

@@ -217,6 +217,37 @@ TEST_F(Avoidance, WhoIsAheadInALaneIsNotInTheWayOfOneThatGoesBack) {
   EXPECT_THAT(records_, IsEmpty());
 }
 
+TEST_F(Avoidance, TwoThatAreOutOfTheirLanesLetEachOtherThrough) {
+  // The first is in the lane beside and will cross to node 5; the second comes back to node 5 from
+  // lane 6, and then goes where the first one crosses. The first then wants to enter lane 6.
+  const LaneIndex across = 9;
+  add(2, 0, {{kNone, 35}, {4, 45}, {5, 65}, {3, 85}});
+  charts_[0].stops[0].lane = charts_[0].stops[1].lane = 8;
+  charts_[0].stops[0].leg = charts_[0].stops[1].leg = charts_[0].stops[2].leg = Leg::kAgainst;
+  charts_[0].stops[2].lane = across;
+  charts_[0].stops[3].lane = 6;
+  add(1, 0, {{kNone, 35}, {5, 40}, {4, 60}});
+  charts_[1].stops[0].lane = charts_[1].stops[1].lane = 6;
+  charts_[1].stops[0].leg = charts_[1].stops[1].leg = Leg::kAgainst;
+  charts_[1].stops[2].lane = across;
+  EXPECT_TRUE(avoid());
+  EXPECT_THAT(seconds(0), ElementsAre(35, 45, 65, 85));
+  EXPECT_THAT(seconds(1), ElementsAre(35, 40, 80));  // leaves node 5 at 70
+}
+
+TEST_F(Avoidance, WhoCannotWaitIsNotAskedTo) {
+  // Both are out of their lanes, but the first one until node 4, and the second only until node 6.
+  add(1, 0, {{kNone, 35}, {4, 45}});
+  charts_[0].stops[0].leg = charts_[0].stops[1].leg = Leg::kAgainst;
+  charts_[0].stops[0].lane = charts_[0].stops[1].lane = 7;
+  add(3, 0, {{kNone, 35}, {6, 38}, {4, 48}});
+  charts_[1].stops[0].leg = charts_[1].stops[1].leg = Leg::kAgainst;
+  charts_[1].stops[0].lane = charts_[1].stops[1].lane = 8;
+  EXPECT_TRUE(avoid());
+  EXPECT_THAT(seconds(0), ElementsAre(35, 45));
+  EXPECT_THAT(seconds(1), ElementsAre(35, 38, 53));
+}
+
 TEST_F(Avoidance, WhoTurnsRoundAtANodeWaitsForThoseThatStillComeBack) {
   const LaneIndex lane = 7;
   // Back at node 4 at 45, and into the lane again; it has right of way, yet it is the one to wait.

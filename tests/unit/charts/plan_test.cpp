@@ -231,6 +231,16 @@ TEST_F(Planning, ABypassIsDrivenToItsEndWhateverIsReportedMeanwhile) {
   EXPECT_THAT(chart(after), HasSubstr("Cur-Pos 20, B8 40, B3B5 60, B8 80"));
 }
 
+TEST_F(Planning, WhoStandsInTheMiddleOfABypassGoesOnWithIt) {
+  const Plan plan = make_plan(network_, {one("R1", 1, 0, "B3", "B7")});
+  const Plan bypassing =
+      bypass(network_, plan, met(0, "B3", "B3B5", 10, 0.25, BypassWay::kLeftLane));
+  const Plan after = lane_blocked(network_, bypassing, seen(0, "B3B5", "B5", 40));
+  EXPECT_EQ(after.charts[0].passed, node(network_, "B8"));
+  EXPECT_THAT(chart(after), HasSubstr("Cur-Pos 40, B3B5 60, B8 80"));
+  EXPECT_THAT(told(network_, after), Contains("R1 has a new way from B3B5"));
+}
+
 TEST_F(Planning, ABypassThatIsBlockedEndsAtTheNodeWhereTheLaneBegan) {
   const Plan plan =
       make_plan(network_, {one("R1", 1, 0, "B3", "B7"), one("R2", 1, 10, "B6", "B10")});

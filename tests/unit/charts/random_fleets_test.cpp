@@ -321,9 +321,8 @@ int opposed(const Plan& plan) {
           if (other[k].lane != one[i].lane || other[k].leg == Leg::kAgainst) continue;
           // In one lane already: the one that goes back is behind.
           if (i == 1 && k == 1 && other[0].lane == one[0].lane) continue;
-          // Back out of the lane, at its node, and in again: it is in the lane when it has left.
-          const bool turns =
-              other[k - 1].leg == Leg::kAgainst && other[k - 1].lane == other[k].lane;
+          // Out of another lane against its direction: it is under way when it has left the node.
+          const bool turns = other[k - 1].leg == Leg::kAgainst;
           const Nanoseconds begin =
               turns ? other[k].arrival - other[k].travel : other[k - 1].arrival;
           if (begin <= one[i].arrival && one[i - 1].arrival <= other[k].arrival) {
