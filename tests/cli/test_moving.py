@@ -69,6 +69,8 @@ class Moving(ResultCase):
         schedule, _ = self.run_plan(car_plan(ACROSS, start=1))
         self.assertEqual(schedule["process_time"], 11)
         self.assertEqual(self.stops(), [(5, "left.car", 0), (6, "", 1)])
+        self.assertEqual(schedule["timetables"], [{"name": "visitor", "stops": 1, "late": 1, "stands_before": ""}])
+        self.assertRegex(self.run_result.stdout, r"timetable +stops +late by +stands before\nvisitor +1 +0:00:01 +-\n")
 
     def test_a_step_is_tested_over_its_whole_duration(self):
         # One step of 12 s: the visitor would be in it after five.
@@ -161,6 +163,7 @@ class Moving(ResultCase):
         self.run_plan(car_plan(ACROSS, more="site box(3, 2, 0, 9, 2.2, 3);"))
         # From y = 1 on it would be at the wall within a second.
         self.assertEqual(self.stops(), [(7, "site", 0)])
+        self.assertRegex(self.run_result.stdout, r"visitor +1 +0:00:07 +site\n")
 
     def test_what_is_undone_leaves_no_mark(self):
         self.run_plan(car_plan(ACROSS, start=1))

@@ -184,4 +184,5 @@ export interface ScheduleData {
   cost_by_kind?: Record<string, number>;
   resources: ResourceData[];
   critical: { task: string; work_counts: boolean; text: string }[];
+  timetables?: { name: string; stops: number; late: number; stands_before: string }[];
 }

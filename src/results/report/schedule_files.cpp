@@ -21,6 +21,7 @@ using taskplan::CriticalTask;
 using taskplan::ResourceUse;
 using taskplan::Schedule;
 using taskplan::TaskOutcome;
+using taskplan::TimetableOutcome;
 
 /// Nothing where there are none, so that results without attributes stay as they were.
 void write_attributes(trace::JsonBuilder& json, const Attributes& attributes) {
@@ -127,6 +128,14 @@ std::string component_json(const ComponentAttributes& component) {
   return json.take();
 }
 
+std::string timetable_json(const TimetableOutcome& timetable) {
+  trace::JsonBuilder json;
+  json.begin_object().field("name", std::string_view(timetable.name));
+  json.field("stops", timetable.stops).key("late").seconds(timetable.late);
+  json.field("stands_before", std::string_view(timetable.stands)).end_object();
+  return json.take();
+}
+
 /// The attributes that have a column of their own.
 constexpr std::array<std::string_view, 4> kOwnColumns = {"name", "storey", "type", "guid"};
 
@@ -217,6 +226,9 @@ std::string schedule_json(const Schedule& schedule) {
   text += ",\n" + list_text("resources", schedule.resources,
                             [&](const ResourceUse& use) { return use_json(schedule, use); });
   text += ",\n" + list_text("critical", schedule.critical, critical_json);
+  if (!schedule.timetables.empty()) {
+    text += ",\n" + list_text("timetables", schedule.timetables, timetable_json);
+  }
   if (!schedule.components.empty()) {
     text += ",\n" + list_text("components", schedule.components, component_json);
   }

@@ -163,6 +163,12 @@ Schedule schedule_from_json(std::string_view text) {
   for (const ExactJson& task : json.at("critical").elements()) {
     schedule.critical.push_back(read_critical(task));
   }
+  if (json.has("timetables")) {
+    for (const ExactJson& each : json.at("timetables").elements()) {
+      schedule.timetables.push_back({each.at("name").text(), each.at("stops").integer(),
+                                     each.at("late").ticks(), each.at("stands_before").text()});
+    }
+  }
   if (json.has("components")) {
     for (const ExactJson& component : json.at("components").elements()) {
       schedule.components.push_back({component.at("component").text(), read_attributes(component)});

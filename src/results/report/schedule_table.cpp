@@ -125,6 +125,17 @@ std::string use_table(const Schedule& schedule) {
   return columns(rows, {1, 2, 3, 4, 5});
 }
 
+/// Things with a timetable that stopped; nothing where none did.
+std::string timetable_table(const Schedule& schedule) {
+  std::vector<Row> rows = {{"timetable", "stops", "late by", "stands before"}};
+  for (const taskplan::TimetableOutcome& each : schedule.timetables) {
+    if (each.stops == 0) continue;
+    rows.push_back({each.name, fmt::format("{}", each.stops), clock_text(each.late),
+                    each.stands.empty() ? "-" : each.stands});
+  }
+  return rows.size() > 1 ? columns(rows, {1, 2}) : std::string();
+}
+
 /// Lifts that waited for a shift into which they fit, or went on after one.
 std::string lift_table(const Schedule& schedule) {
   std::vector<Row> rows = {{"lift", "from", "to", "why"}};
@@ -290,6 +301,8 @@ std::string schedule_table(const Schedule& schedule) {
   const std::string support = support_text(schedule);
   if (!support.empty()) text += "\n" + support;
   if (!schedule.resources.empty()) text += "\n" + use_table(schedule);
+  const std::string timetables = timetable_table(schedule);
+  if (!timetables.empty()) text += "\n" + timetables;
   if (schedule.has_kinds) text += "\n" + cost_table(schedule);
   if (!schedule.critical.empty()) text += "\n" + chain_text(schedule);
   return text;

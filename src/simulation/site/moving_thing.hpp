@@ -25,6 +25,7 @@ struct MovingStop {
 /// How far a thing with a timetable is: by how much the timetable has shifted, and whether it
 /// stands. All else follows from the time.
 struct MovingState {
+  int stops = 0;  ///< so far
   Ticks delay = 0;
   std::optional<MovingStop> stop;
 };
@@ -47,7 +48,10 @@ class MovingThing {
   Ticks period() const { return timetable_.period(); }
 
   /// Stands where the present window begins, from now on.
-  void stop(MovingStop stop) { state_.stop = std::move(stop); }
+  void stop(MovingStop stop) {
+    if (!state_.stop) ++state_.stops;
+    state_.stop = std::move(stop);
+  }
   /// Goes on now; its timetable has shifted by how long it stood.
   void go_on(Ticks now);
 

@@ -47,6 +47,17 @@ void count_uses(Schedule& schedule) {
 
 }  // namespace
 
+std::vector<TimetableOutcome> timetables_of(const site::SiteWorld& site, Ticks now) {
+  std::vector<TimetableOutcome> all;
+  for (int i = 0; i < site.movings(); ++i) {
+    const site::MovingState& state = site.moving(i).state();
+    const Ticks stood = state.stop ? now - state.stop->since : 0;
+    all.push_back({site.moving(i).name(), state.stops, state.delay + stood,
+                   state.stop ? state.stop->by : std::string()});
+  }
+  return all;
+}
+
 Schedule Simulation::make_schedule() {
   Schedule schedule;
   schedule.start_at = plan_.start_at;
@@ -87,6 +98,7 @@ Schedule Simulation::make_schedule() {
     use.size = crew.size;
     use.rate = crew.cost_per_hour;
   }
+  schedule.timetables = timetables_of(stage_.site, stage_.now());
   // A machine may still be on its way out of the way when the last task is done.
   Ticks end = schedule.process_time;
   for (const TaskOutcome& task : schedule.tasks) {

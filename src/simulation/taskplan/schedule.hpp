@@ -139,6 +139,14 @@ struct ComponentAttributes {
   interpreter::Attributes attributes;
 };
 
+/// How something with a timetable kept it.
+struct TimetableOutcome {
+  std::string name;
+  int stops = 0;
+  Ticks late = 0;      ///< by so much its timetable had shifted when the last task was done
+  std::string stands;  ///< what it stood before then; "": it went, or was not on the site
+};
+
 /// A plan as it went: tasks in the order in which they started, of several at a moment as in the
 /// file.
 struct Schedule {
@@ -156,6 +164,7 @@ struct Schedule {
   std::array<double, kCostKinds> cost_by_kind = {};
   bool has_kinds = false;                       ///< the plan says more than rates for use
   std::vector<ComponentAttributes> components;  ///< those that have attributes, as in the file
+  std::vector<TimetableOutcome> timetables;     ///< as in the file
 };
 
 /// Adds what the plan says of tasks and components: what moves, dates, attributes.

@@ -8,6 +8,7 @@
 #include "src/simulation/site/robot_view.hpp"
 #include "src/simulation/taskplan/hit_recorder.hpp"
 #include "src/simulation/taskplan/reason.hpp"
+#include "src/simulation/taskplan/simulation.hpp"
 #include "src/simulation/trace/trace_writer.hpp"
 
 namespace rubicon::taskplan {
@@ -74,6 +75,7 @@ Schedule run_short(const interpreter::PlanModel& plan, const interpreter::Source
   schedule.process_time = end.time;
   schedule.feasible = outcome.result == TaskResult::done;
   schedule.tasks.push_back(std::move(outcome));
+  schedule.timetables = timetables_of(site, end.time);
   return schedule;
 }
 

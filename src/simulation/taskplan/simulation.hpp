@@ -51,6 +51,9 @@ struct Verdicts {
   std::map<int, std::vector<FailedChoice>> failed_choices;
 };
 
+/// How things with a timetable have kept it up to now.
+std::vector<TimetableOutcome> timetables_of(const site::SiteWorld& site, Ticks now);
+
 /// A discrete-event simulation of a full plan: tasks start when their links, robots, crews and
 /// shifts allow, several machines move in one timeline, and events happen in the order of (time,
 /// sequence). A task that cannot be done is rejected: the run goes back to the moment when it

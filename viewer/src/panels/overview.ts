@@ -20,7 +20,7 @@ export function mountOverview(host: HTMLElement, page: Page): { showRefusals(): 
   if (film.runs.length === 0) say(nothing(page));
   if (refusals) host.append(refusals);
   if (film.schedule) host.append(...lateOf(page, film.schedule), ...supportOf(page, film.schedule), ...resourcesOf(page, film.schedule), ...costsOf(page, film.schedule),
-    ...waitsOf(film.schedule));
+    ...waitsOf(film.schedule), ...timetablesOf(film.schedule));
   if (film.flow) host.append(...materialOf(film.flow));
   if (film.schedule) host.append(...chainOf(page, film.schedule));
   return {
@@ -123,6 +123,18 @@ function supportOf(page: Page, schedule: ScheduleData): HTMLElement[] {
 
 function head(...names: string[]): HTMLElement {
   return make('thead', {}, make('tr', {}, ...names.map((name) => make('th', { scope: 'col' }, name))));
+}
+
+/** What keeps a timetable, where it had to stop. */
+function timetablesOf(schedule: ScheduleData): HTMLElement[] {
+  const stopped = (schedule.timetables ?? []).filter(({ stops }) => stops > 0);
+  if (stopped.length === 0) return [];
+  const body = make('tbody');
+  for (const each of stopped) {
+    const cells = [String(each.stops), duration(each.late), each.stands_before || '-'];
+    body.append(make('tr', {}, make('th', { scope: 'row' }, named(each.name)), ...cells.map((text) => make('td', {}, text))));
+  }
+  return [make('h2', {}, 'Timetables'), make('table', {}, head('Name', 'Stops', 'Late by', 'Stands before'), body)];
 }
 
 function resourcesOf({ film }: Page, schedule: ScheduleData): HTMLElement[] {
