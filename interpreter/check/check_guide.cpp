@@ -10,6 +10,7 @@
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/check/resolve_keep.hpp"
 #include "src/motion/guides/leg.hpp"
+#include "src/motion/guides/vehicle.hpp"
 
 namespace rubicon::interpreter {
 
@@ -222,6 +223,12 @@ void resolve_over(const syntax::GuideClause& clause, const robot::RobotModel& ro
 /// Whether a lattice can span what it shall: G07. That of a vehicle spans its place.
 void check_spanned(const syntax::GuideDeclaration& guide, const robot::RobotModel& robot,
                    const guides::GuideSpec& spec, Diagnostics& diagnostics) {
+  if (guides::is_travel(spec.kind) && !guides::Vehicle(robot, {}).travels()) {
+    diagnostics.error("G07", guide.kind.span,
+                      fmt::format("{} is for machines that travel, and no body of '{}' has "
+                                  "parameters x and y",
+                                  guides::name_of(spec.kind), robot.name));
+  }
   if (!guides::has_over(spec.kind)) return;
   const guides::Leg leg = leg_of(robot);
   const std::string kind = guides::name_of(spec.kind);

@@ -255,6 +255,7 @@ class Machine {
   WayPoint target_;
   guides::GuideValue guide_;    ///< of the goal under way; none: it is not guided
   bool leads_to_goal_ = false;  ///< its way point is the last
+  int guide_point_ = 0;         ///< its number, from 1, on the way planned last
   std::size_t guide_index_ = 0;
   int idle_way_points_ = 0;  ///< in a row, at which no step was made
   int accepted_at_way_point_ = 0;

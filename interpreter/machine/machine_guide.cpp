@@ -49,6 +49,8 @@ class Machine::GuideTests : public guides::MotionTests {
     return true;
   }
 
+  std::vector<guides::Thing> things() const override { return world_.things(); }
+
   /// The pair that was met most; of equals the one met first. Null: nothing was.
   const Meeting* most() const {
     const Meeting* most = nullptr;
@@ -189,6 +191,7 @@ void Machine::set_target(const GuideAnswer& answer) {
   // Of a frame the guide may have taken another configuration than the nearest.
   if (answer.leads_to_goal() && goal_.X_WG) goal_.q = target_.q;
   leads_to_goal_ = answer.leads_to_goal();
+  guide_point_ = answer.k;
   accepted_at_way_point_ = accepted_;
   begin_script();
 }
@@ -248,6 +251,8 @@ std::string Machine::cause_of(const PlanReport& report, const GuideTests& tests)
       return "no way: what the guide keeps does not hold at the goal";
     case Outcome::not_certified:
       return "no way: none of the ways found could be followed step by step";
+    case Outcome::no_way:
+      return "no way: " + report.cause;
     case Outcome::out_of_nodes:
     case Outcome::out_of_checks:
       break;

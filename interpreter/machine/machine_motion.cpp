@@ -229,6 +229,9 @@ bool Machine::may_attempt(std::int32_t index, const World& world) {
     if (frame.kind == Frame::Kind::loop) coarse.add(static_cast<std::uint64_t>(frame.index));
   }
   if (guide_) {
+    // A way may lead twice over the same place.
+    exact.add(static_cast<std::uint64_t>(guide_point_));
+    coarse.add(static_cast<std::uint64_t>(guide_point_));
     for (const double value : target_.q) exact.add(value), coarse.add(value);
   }
   for (std::size_t i = 0; i < q_.size(); ++i) {

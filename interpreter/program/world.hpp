@@ -4,7 +4,9 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "src/motion/guides/space.hpp"
 #include "src/simulation/schedule/ticks.hpp"
 
 namespace rubicon::interpreter {
@@ -61,6 +63,9 @@ class World {
 
   /// Changes whenever anything but this robot's own steps changed what would be accepted.
   virtual std::uint64_t version() const = 0;
+
+  /// All that is on the site but the robot, as it stands now, for guides that go by the plan view.
+  virtual std::vector<guides::Thing> things() const { return {}; }
 
   /// Whether a situation is on by itself now (such as `safety`), besides those given to the motion,
   /// for the robot that stands at q on its way to `q_goal`.

@@ -97,6 +97,72 @@ class Travel(ResultCase):
         told = rubicon("guides", os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "taskplans", "trench.plan"), "--exact")
         self.assertEqual(told.returncode, 2)
 
+    def drive(self, guide, things=BLOCK, expected=0):
+        """A vehicle that turns and drives follows a guide; the plan is verified."""
+        self.write("truck.robot", """robot truck {
+  time_step 1;
+  body truck {
+    param x step(0.5) speed(1 m/s) range(-200, 200);
+    param y range(-200, 200);
+    param theta cyclic step(10) speed(30 deg/s);
+    rule theta <- theta + theta_s;
+    rule x <- x + x_s * cos(theta) - y_s * sin(theta);
+    rule y <- y + x_s * sin(theta) + y_s * cos(theta);
+    frame trans(x, y, 0) * rotz(theta);
+    shape box(-0.6, -0.4, 0.05, 0.6, 0.4, 1);
+  }
+  tool truck;
+  behaviour { chain { follow } }
+}
+""")
+        return self.run_plan('plan yard {\n  robot car "%s" { start x 0, y -20, theta 90; }\n  support off;\n  %s\n  guide way %s\n'
+                             "  task over { by car; go x 0, y 30, theta 90; guide way; }\n}\n"
+                             % (os.path.join(self.folder, "truck.robot"), things, guide), expected)
+
+    def way_of(self):
+        with open(os.path.join(self.out, "trace.jsonl"), encoding="utf-8") as file:
+            record = next(record for record in map(json.loads, file) if record["type"] == "guide")
+        self.assertTrue(record["found"], record.get("cause"))
+        numbers = record["way"]
+        return [tuple(numbers[i:i + 2]) for i in range(0, len(numbers), 3)]
+
+    def test_machines_follow_the_methods(self):
+        lengths = {}
+        for kind in ("bug1", "bug2", "visbug21", "simple", "tangent", "ace", "visibility"):
+            _, tasks = self.drive(kind + ";")
+            self.assertEqual(tasks["over"]["result"], "done", kind)
+            way = self.way_of()
+            self.assertEqual((way[0], way[-1]), ((0, -20), (0, 30)))
+            lengths[kind] = sum(math.dist(a, b) for a, b in zip(way, way[1:]))
+        # The disc has a radius of 0.72 m: the block grown by it, and what the exact walker says of a point round it.
+        self.assertAlmostEqual(lengths["bug2"], 70, delta=4)
+        self.assertAlmostEqual(lengths["bug1"], 130, delta=9)
+        for kind, length in lengths.items():
+            self.assertGreaterEqual(length, lengths["visibility"] - 1e-6, kind)
+
+    def test_the_hand_says_on_which_side(self):
+        sides = []
+        for hand in ("right", "left"):
+            self.drive("bug2 { hand %s; }" % hand)
+            sides.append(min(self.way_of(), key=lambda p: abs(p[1] - 5))[0])
+        self.assertLess(sides[0], -10)
+        self.assertGreater(sides[1], 10)
+
+    def test_a_goal_that_is_shut_in_is_no_way(self):
+        ring = "component ring { shape box(-5, 20, 0, 5, 22, 3); shape box(-5, 38, 0, 5, 40, 3); shape box(-5, 20, 0, -3, 40, 3); shape box(3, 20, 0, 5, 40, 3); }"
+        for kind in ("bug1", "bug2", "visbug21", "tangent", "ace", "visibility"):
+            _, tasks = self.drive(kind + ";", ring, expected=1)
+            self.assertIn("no way", tasks["over"]["reason"], kind)
+        self.assertIn("there is none round what stands", tasks["over"]["reason"])
+
+    def test_only_machines_that_travel(self):
+        self.write("arm.robot", "robot arm { body b { param theta cyclic step(5) speed(5 deg/s); frame rotz(theta); shape box(0, 0, 0, 2, 0.1, 1); } tool b;"
+                                " behaviour { chain { follow } } }")
+        plan = self.write("arm.plan", 'plan p { robot arm "arm.robot"; guide way bug2; task t { by arm; go theta 30; guide way; } }')
+        told = rubicon("check", plan)
+        self.assertEqual(told.returncode, 2)
+        self.assertIn("bug2 is for machines that travel, and no body of 'arm' has parameters x and y", told.stderr)
+
     def around_a_wall(self, *options):
         """The ACE paper's Figure 3: the slab in whose way one of two walls begins to move at 70 s."""
         self.write("car.robot", (CAR % "").replace("2 m/s", "1 m/s"))

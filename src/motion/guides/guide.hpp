@@ -33,10 +33,12 @@ struct PlanReport {
     goal_not_kept,
     out_of_nodes,
     out_of_checks,
-    not_certified  ///< a way was found that `follow` could not make
+    not_certified,  ///< a way was found that `follow` could not make
+    no_way          ///< and `cause` says why
   };
   Outcome outcome = Outcome::found;
-  double seed = 0;  ///< with which it was planned
+  std::string cause;  ///< of no_way
+  double seed = 0;    ///< with which it was planned
   std::size_t nodes = 0;
   std::size_t checks = 0;
   std::size_t refused = 0;

@@ -8,14 +8,17 @@ namespace rubicon::guides {
 namespace {
 
 constexpr unsigned bit(GuideKind kind) { return 1u << static_cast<unsigned>(kind); }
-constexpr unsigned kAll = 0x1ff;
+constexpr unsigned kPlanners = 0x1ff;
+constexpr unsigned kVisibility = bit(GuideKind::visibility);
+constexpr unsigned kTravel = 0x1ffff & ~kPlanners & ~kVisibility;
+constexpr unsigned kAll = kPlanners | kTravel | kVisibility;
 constexpr unsigned kAstar = bit(GuideKind::astar);
 constexpr unsigned kPrm = bit(GuideKind::prm);
 constexpr unsigned kConnect = bit(GuideKind::rrt_connect);
 constexpr unsigned kDstar = bit(GuideKind::dstar_lite);
 constexpr unsigned kDrrt = bit(GuideKind::drrt);
 constexpr unsigned kLattice = kAstar | kDstar;
-constexpr unsigned kThesis = kAll & ~kConnect & ~kLattice & ~kPrm & ~kDrrt;
+constexpr unsigned kThesis = kPlanners & ~kConnect & ~kLattice & ~kPrm & ~kDrrt;
 constexpr unsigned kPlus = bit(GuideKind::rrt_plus);
 constexpr unsigned kGathered = kPlus | bit(GuideKind::rrt_nonuniform);
 
@@ -36,17 +39,32 @@ constexpr std::array kKinds{
     KindInfo{GuideKind::dstar_lite, "dstar_lite",
              "as astar, but repaired after a change instead of searched again (D* Lite)"},
     KindInfo{GuideKind::drrt, "drrt",
-             "a tree from the goal, cut where it is no longer free and grown again"}};
+             "a tree from the goal, cut where it is no longer free and grown again"},
+    KindInfo{GuideKind::bug1, "bug1",
+             "without a map: once round each obstacle, then on from its nearest point"},
+    KindInfo{GuideKind::bug2, "bug2",
+             "without a map: round each obstacle until the line to the goal is met again"},
+    KindInfo{GuideKind::visbug21, "visbug21", "as bug2, but it looks ahead and cuts corners"},
+    KindInfo{GuideKind::pledge, "pledge",
+             "out of a maze: one direction, round what is in it; finds a goal only ahead of it"},
+    KindInfo{GuideKind::simple, "simple",
+             "without a map: round each obstacle until the way is clear; loops in a trap"},
+    KindInfo{GuideKind::tangent, "tangent", "as simple, and as bug2 where that is a trap"},
+    KindInfo{GuideKind::ace, "ace", "as tangent, for obstacles that move"},
+    KindInfo{GuideKind::visibility, "visibility",
+             "the shortest way round all that stands, with a map (visibility graph)"}};
 
 // Reason for the upper bounds: with more a way takes minutes to look for.
 constexpr std::array kClauses{
-    ClauseInfo{"seed", &GuideSpec::seed, true, 0, 9007199254740991.0, kAll,
+    ClauseInfo{"seed", &GuideSpec::seed, true, 0, 9007199254740991.0, kPlanners,
                "of its random numbers"},
-    ClauseInfo{"nodes", &GuideSpec::nodes, true, 1, 1e5, kAll,
-               "at most, of its trees or its lattice; of prm those of its roadmap"},
+    ClauseInfo{
+        "nodes", &GuideSpec::nodes, true, 1, 1e5, kAll,
+        "at most, of its trees or its lattice; of prm those of its roadmap; without a map the "
+        "stretches between two decisions"},
     ClauseInfo{"checks", &GuideSpec::checks, true, 1, 1e7, kAll,
                "at most, of legs and configurations, for one way"},
-    ClauseInfo{"step", &GuideSpec::step, false, 1e-3, 1e6, kAll & ~kPrm,
+    ClauseInfo{"step", &GuideSpec::step, false, 1e-3, 1e6, kPlanners & ~kPrm,
                "the longest leg of a tree, weighted (a degree counts 1, a metre 10); of "
                "rrt_connect the shortest, of astar and dstar_lite the pitch of the lattice"},
     ClauseInfo{"goal_bias", &GuideSpec::goal_bias, false, 0, 1, kThesis | kDrrt,
@@ -66,10 +84,13 @@ constexpr std::array kClauses{
                "a leg to where all about is blocked costs so many times its length more"},
     ClauseInfo{"nearest", &GuideSpec::nearest, true, 1, 1000, kPrm,
                "each node of the roadmap is joined to so many"},
+    ClauseInfo{"vision", &GuideSpec::vision, false, 0, 1e4, bit(GuideKind::visbug21),
+               "how far it sees, m; 0: as far as the robot's sensor, or 10 m"},
     ClauseInfo{"replans", &GuideSpec::replans, true, 0, 1000, kAll,
                "ways planned again in one motion"}};
 
 constexpr std::array kNeighbourWords{"straight", "all"};
+constexpr std::array kHandWords{"right", "left"};
 constexpr std::array kHeuristicWords{"manhattan", "octile", "euclid"};
 
 constexpr std::array kChoices{
@@ -80,7 +101,10 @@ constexpr std::array kChoices{
     ChoiceInfo{
         "heuristic", kHeuristicWords,
         [](GuideSpec& spec, std::size_t word) { spec.heuristic = static_cast<Heuristic>(word); },
-        kAstar, "how it estimates what is left to the goal"}};
+        kAstar, "how it estimates what is left to the goal"},
+    ChoiceInfo{"hand", kHandWords,
+               [](GuideSpec& spec, std::size_t word) { spec.left_hand = word == 1; }, kTravel,
+               "on which side it keeps what it follows"}};
 
 }  // namespace
 

@@ -20,8 +20,20 @@ enum class GuideKind : std::uint8_t {
   astar,
   prm,
   dstar_lite,
-  drrt
+  drrt,
+  // of vehicles, without a map
+  bug1,
+  bug2,
+  visbug21,
+  pledge,
+  simple,
+  tangent,
+  ace,
+  visibility  ///< with one
 };
+
+/// Whether it goes round outlines in the plan view: for machines that travel.
+constexpr bool is_travel(GuideKind kind) { return kind >= GuideKind::bug1; }
 
 /// Which nodes of a lattice are neighbours: those that are a pitch apart in one parameter, or in
 /// any number of them.
@@ -57,6 +69,8 @@ struct GuideSpec {
   double improve = 200;         ///< tests of shortcuts after a way was found
   double safety = 0;            ///< astar: what the nearness of obstacles costs
   double nearest = 10;          ///< prm: each node is joined to so many
+  double vision = 0;            ///< visbug21: how far it sees, m; 0: as the robot's sensor
+  bool left_hand = false;       ///< of travel: what it follows is on its left
   double replans = 10;          ///< ways planned again in one motion
   std::vector<KeptBound> keep;  ///< all of them
   std::vector<std::pair<int, double>> weights;  ///< by parameter; else 1 a degree, 10 a metre

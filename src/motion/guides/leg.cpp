@@ -115,6 +115,17 @@ bool Leg::turns_with_heading() const {
   return true;
 }
 
+double Leg::heading_along(std::span<const double> q, const Eigen::Vector2d& direction_W) const {
+  const math::Mat3 R_MW = mounting_.X_WM.linear().transpose();
+  const math::Vec3 wanted = R_MW * math::Vec3(direction_W.x(), direction_W.y(), 0);
+  double x = 0;
+  double y = 0;
+  direction(q, x, y);
+  const double beside = x * wanted.y() - y * wanted.x();
+  const double ahead = x * wanted.x() + y * wanted.y();
+  return robot::reduced(parameter(heading_), q[at(heading_)] + math::atan2_deg(beside, ahead));
+}
+
 double Leg::missing(int index, std::span<const double> q, std::span<const double> target) const {
   const robot::Parameter& p = parameter(index);
   const double off = robot::way_between(p, q[at(index)], target[at(index)]);

@@ -42,6 +42,9 @@ class Leg {
   std::vector<std::vector<double>> corners(std::span<const double> q,
                                            std::span<const double> target) const;
 
+  /// The heading of a vehicle that drives along a direction of the plan (world), from q.
+  double heading_along(std::span<const double> q, const Eigen::Vector2d& direction_W) const;
+
   bool is_there(std::span<const double> q, std::span<const double> target) const;
 
  private:

@@ -77,8 +77,13 @@ PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<cons
   // Then legs are tested as they are stepped.
   for (const bool by_steps : {false, true}) {
     if (by_steps) space.test_by_steps();
-    Search found = search(space, task, start, target, memory);
+    Search found = is_travel(spec.kind) ? travel_way(space, task, q, target, tests)
+                                        : search(space, task, start, target, memory);
     report.nodes += found.nodes;
+    if (found.way.empty() && !found.cause.empty()) {
+      report.cause = std::move(found.cause);
+      return end(Outcome::no_way);
+    }
     if (found.way.empty()) {
       return end(found.out_of_nodes ? Outcome::out_of_nodes : Outcome::out_of_checks);
     }

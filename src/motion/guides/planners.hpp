@@ -1,7 +1,10 @@
 #pragma once
 
+#include <span>
+#include <string>
 #include <vector>
 
+#include "src/motion/guides/guide.hpp"
 #include "src/motion/guides/plan_memory.hpp"
 #include "src/motion/guides/roadmap.hpp"
 #include "src/motion/guides/space.hpp"
@@ -14,6 +17,7 @@ struct Search {
   std::vector<Point> way;
   double cost = 0;  ///< of a way over a lattice, before legs are joined
   std::size_t nodes = 0;
+  std::string cause;          ///< of no way, where it is not that the search was too short
   bool out_of_nodes = false;  ///< it stopped at the limit of nodes or had no more, else at that of
                               ///< checks
 };
@@ -42,6 +46,12 @@ Search repair_lattice(Space& space, const Point& start, const Point& goal,
 /// Along a tree that is kept, cut where it is no longer free, and grown again (`drrt`).
 Search search_tree(Space& space, const Point& start, const Point& goal,
                    std::shared_ptr<const GoalTree>& memory);
+
+/// The way of a vehicle in the plan view of what stands on the site: without a map (travel.hpp), or
+/// the shortest (`visibility`). The machine is the disc about its place that holds it. `nodes` of
+/// the result are the events of the way, or the nodes of the visibility graph.
+Search travel_way(Space& space, const GuideTask& task, std::span<const double> q, const Point& goal,
+                  MotionTests& tests);
 
 /// The way with as few legs as are free of those that only go on in the same direction.
 std::vector<Point> joined_legs(Space& space, const std::vector<Point>& points);

@@ -96,6 +96,10 @@ Point Space::moved(std::span<const double> a, std::span<const double> offsets) c
   return result;
 }
 
+double Space::heading_along(std::span<const double> q, const Eigen::Vector2d& direction_W) const {
+  return leg_.heading_along(q, direction_W);
+}
+
 double Space::lower(std::size_t i) const { return parameter(i).cyclic ? -180 : parameter(i).lower; }
 double Space::upper(std::size_t i) const { return parameter(i).cyclic ? 180 : parameter(i).upper; }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "src/motion/guides/guide_spec.hpp"
@@ -9,6 +10,13 @@
 #include "src/motion/guides/random.hpp"
 
 namespace rubicon::guides {
+
+/// Something that stands on the site: shapes (m) in a frame of their own, which must outlive it.
+struct Thing {
+  std::string name;
+  const std::vector<geometry::Shape>* shapes = nullptr;
+  math::Pose X_W = math::Pose::Identity();
+};
 
 /// What a guide asks of the site; configurations have all parameters of the robot.
 class MotionTests {
@@ -18,6 +26,8 @@ class MotionTests {
   virtual bool stands(std::span<const double> q) = 0;
   /// Whether all that it sweeps is free while q runs straight from one value to the other.
   virtual bool sweeps_free(std::span<const double> q_from, std::span<const double> q_to) = 0;
+  /// All that is on the site but the robot, as it stands now: for ways in the plan view.
+  virtual std::vector<Thing> things() const { return {}; }
 };
 
 /// A configuration as planners see it: the parameters of a leg, in their order.
@@ -41,6 +51,8 @@ class Space {
     return model_.parameters[static_cast<std::size_t>(leg_.parameters()[i])];
   }
   double weight(std::size_t i) const { return weights_[i]; }
+  /// Of a vehicle: its heading parameter when it drives along a direction of the plan (world).
+  double heading_along(std::span<const double> q, const Eigen::Vector2d& direction_W) const;
   /// The range of a coordinate; of a cyclic angle from -180 to 180.
   double lower(std::size_t i) const;
   double upper(std::size_t i) const;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "src/motion/guides/vehicle.hpp"
 #include "src/simulation/site/make_site.hpp"
 #include "src/simulation/site/robot_view.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
@@ -74,10 +75,13 @@ class FirstPlan : public interpreter::EventSink {
   std::optional<GuideTrial> trial_;
 };
 
-/// The guide that the task names of each kind, else that kind as it is by default.
-std::vector<guides::GuideSpec> specs_for(const std::vector<guides::GuideSpec>& named) {
+/// The guide that the task names of each kind, else that kind as it is by default; those of travel
+/// for machines that travel.
+std::vector<guides::GuideSpec> specs_for(const std::vector<guides::GuideSpec>& named,
+                                         bool travels) {
   std::vector<guides::GuideSpec> specs;
   for (const guides::KindInfo& info : guides::guide_kinds()) {
+    if (guides::is_travel(info.kind) && !travels) continue;
     const auto found = std::find_if(named.begin(), named.end(), [&](const guides::GuideSpec& spec) {
       return spec.kind == info.kind;
     });
@@ -95,9 +99,12 @@ class Comparer {
                                    const interpreter::World& world) {
     std::vector<GuideTrials> all;
     const std::vector<guides::GuideSpec> named = std::move(motion.guides);
-    for (const guides::GuideSpec& spec : specs_for(named)) {
+    const guides::Vehicle vehicle(program.robot->model, motion.mounting);
+    for (const guides::GuideSpec& spec : specs_for(named, vehicle.travels())) {
       GuideTrials trials{spec, {}};
-      for (int seed = 1; seed <= seeds_; ++seed) {
+      // These draw nothing: each try would be the same.
+      const int seeds = guides::is_travel(spec.kind) ? 1 : seeds_;
+      for (int seed = 1; seed <= seeds; ++seed) {
         guides::GuideSpec seeded = spec;
         seeded.seed = seed;
         motion.guides = {seeded};

@@ -41,16 +41,19 @@ SiteWorld make_site(const interpreter::PlanModel& plan) {
     const std::string name = site_shape_name(i, plan.site.size());
     site.add_obstacle(name, prepare_named({plan.site[i]}, name), math::Pose::Identity());
   }
+  if (!plan.site.empty()) site.show_obstacle("site", plan.site);
   for (const interpreter::ComponentSpec& component : plan.components) {
     const int added =
         site.add_component(component.name, prepare_named(component.shapes, component.name),
                            component.X_WO, component.mass);
+    site.show_component(added, component.shapes);
     if (component.people) site.add_people(added, component.shapes);
   }
   for (const interpreter::MovingSpec& moving : plan.movings) {
-    site.add_moving(moving.name, prepare_named(moving.shapes, moving.name),
-                    prepare_named(moving.overhead, "the air above " + moving.name),
-                    moving.timetable);
+    const int added = site.add_moving(
+        moving.name, prepare_named(moving.shapes, moving.name),
+        prepare_named(moving.overhead, "the air above " + moving.name), moving.timetable);
+    site.show_moving(added, moving.shapes);
   }
   PreparedRobots prepared;
   for (const interpreter::RobotSpec& spec : plan.robots) {

@@ -64,6 +64,9 @@ class MovingThing {
   /// Site time at which it leaves for good; the end of time where it repeats.
   Ticks last_time() const;
 
+  /// Where its frame is, on the site or not.
+  math::Pose pose(Ticks now) const { return geometry::pose_at(timetable_, own_time(now)); }
+
   /// The box around all that it ever sweeps, what is above people included.
   const collision::Bounds& reach() const { return reach_; }
   /// Windows of a passage, from 0; the one that it is in, or stands before.

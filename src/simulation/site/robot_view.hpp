@@ -28,6 +28,7 @@ class RobotView : public interpreter::World {
   /// the tool, would be over people on the straight way to the goal (1995 paper, 3.2 and 4.2).
   bool situation(const std::string& name, std::span<const double> q,
                  std::span<const double> q_goal) const override;
+  std::vector<guides::Thing> things() const override { return site_.things(index_); }
   bool loaded() const override { return site_.load(index_).has_value(); }
 
   /// What the load would meet that people turn by the angle about the vertical through the tool's

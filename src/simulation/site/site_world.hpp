@@ -179,6 +179,14 @@ class SiteWorld {
                                             bool standing_only,
                                             const std::vector<bool>& are_buffers = {}) const;
 
+  /// What guides in the plan view are told: shapes of an obstacle, of a component and of something
+  /// with a timetable, in their own frames. They must outlive the site.
+  void show_obstacle(std::string name, const std::vector<geometry::Shape>& shapes);
+  void show_component(int component, const std::vector<geometry::Shape>& shapes);
+  void show_moving(int moving, const std::vector<geometry::Shape>& shapes);
+  /// All of it but the robot and what hangs on it, where it is now.
+  std::vector<guides::Thing> things(int robot) const;
+
   /// Components in the order in which they came to stand or ceased to, going back included: who
   /// follows them remembers how far it has read.
   const std::vector<int>& component_changes() const { return component_changes_; }
@@ -264,7 +272,10 @@ class SiteWorld {
   std::vector<int> with_people_;  ///< components in or on which people are
   std::vector<int> component_changes_;
   std::vector<RobotEntry> robots_;
-  std::map<int, Zone> zones_;  ///< by task
+  std::map<int, Zone> zones_;                                          ///< by task
+  std::vector<guides::Thing> shown_;                                   ///< obstacles
+  std::vector<const std::vector<geometry::Shape>*> shown_components_;  ///< null: not shown
+  std::vector<const std::vector<geometry::Shape>*> shown_movings_;
   Ticks now_ = 0;
   std::vector<MovingThing> movings_;
   /// When a machine changed last, and for how long things with a timetable had gone on before (ns).

@@ -55,6 +55,7 @@ const Q kGoal{9, 8};
 
 TEST(Planners, AllFindTheWayOverTheWallAndKeepOutOfIt) {
   for (const KindInfo& info : guide_kinds()) {
+    if (is_travel(info.kind)) continue;
     for (double seed = 1; seed <= 10; ++seed) {
       test::PredicateTests tests(in_wall);
       const Search found = search(test::gantry(), spec_of(info.kind, seed), tests, {1, 1}, kGoal);
@@ -70,6 +71,7 @@ TEST(Planners, AllFindTheWayOverTheWallAndKeepOutOfIt) {
 
 TEST(Planners, TheSameSeedGivesTheSameWayAndAnotherAnother) {
   for (const KindInfo& info : guide_kinds()) {
+    if (is_travel(info.kind)) continue;
     std::set<std::vector<Point>> ways;
     for (double seed = 1; seed <= 4; ++seed) {
       test::PredicateTests tests(in_wall);
@@ -98,6 +100,7 @@ TEST(Planners, ConnectGoesStraightWhereNothingIsInTheWay) {
 TEST(Planners, LimitsOfNodesAndChecksEndASearchWithoutAWay) {
   const auto closed = [](std::span<const double> q) { return q[0] > 4 && q[0] < 6; };
   for (const KindInfo& info : guide_kinds()) {
+    if (is_travel(info.kind)) continue;
     GuideSpec spec = spec_of(info.kind, 1);
     spec.nodes = 60;
     test::PredicateTests tests(closed);
@@ -133,6 +136,7 @@ TEST(Planners, WhatIsKeptHoldsOnTheWholeWay) {
     return q[0] > 4.5 && q[0] < 5.5 && q[1] < 5.2;
   };
   for (const KindInfo& info : guide_kinds()) {
+    if (is_travel(info.kind)) continue;
     GuideSpec spec = spec_of(info.kind, 2);
     spec.keep = {{{{0, 1.0}, {1, 1.0}}, 11}, {{{0, -1.0}, {1, -1.0}}, -9}};
     test::PredicateTests tests(low_wall);

@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cmath>
+
+#include "src/motion/guides/planners.hpp"
+#include "src/motion/guides/vehicle.hpp"
+#include "src/motion/math/angles.hpp"
+#include "src/motion/math/index.hpp"
+#include "src/motion/travel/grown_view.hpp"
+#include "src/motion/travel/visibility.hpp"
+
+namespace rubicon::guides {
+
+namespace {
+
+using math::at;
+using travel::Vec2;
+
+/// m by which a disc is larger than the machine: corners of outlines lie on a lattice of 1 um, and
+/// a leg along an edge must be free for the engine, too.
+constexpr double kRoom = 1e-4;
+
+/// m; corners nearer to a straight line than this are none.
+constexpr double kStraight = 1e-7;
+
+/// What is seen without a setting: neither the guide nor the robot says how far.
+constexpr double kUsualVision = 10;
+
+travel::Method method_of(GuideKind kind) {
+  switch (kind) {
+    case GuideKind::bug1:
+      return travel::Method::kBug1;
+    case GuideKind::visbug21:
+      return travel::Method::kVisBug21;
+    case GuideKind::pledge:
+      return travel::Method::kPledge;
+    case GuideKind::simple:
+      return travel::Method::kSimple;
+    case GuideKind::tangent:
+      return travel::Method::kTangent;
+    case GuideKind::ace:
+      return travel::Method::kAce;
+    default:
+      return travel::Method::kBug2;
+  }
+}
+
+/// The corners of a way, without those that are none.
+std::vector<Vec2> corners_of(const std::vector<Vec2>& way) {
+  std::vector<Vec2> corners;
+  for (const Vec2& p : way) {
+    if (!corners.empty() && (p - corners.back()).norm() <= kStraight) continue;
+    while (corners.size() > 1) {
+      const Vec2 before = corners.back() - corners[corners.size() - 2];
+      const Vec2 after = p - corners.back();
+      const double beside = before.x() * after.y() - before.y() * after.x();
+      if (std::fabs(beside) > kStraight * before.norm() || before.dot(after) < 0) break;
+      corners.pop_back();
+    }
+    corners.push_back(p);
+  }
+  return corners;
+}
+
+std::string text_of(const travel::Event& event) {
+  std::string text =
+      fmt::format("{} at ({:.2f}, {:.2f})", name_of(event.kind), event.point.x(), event.point.y());
+  if (!event.obstacles.empty()) text += fmt::format(" by {}", fmt::join(event.obstacles, ", "));
+  return text;
+}
+
+}  // namespace
+
+Search travel_way(Space& space, const GuideTask& task, std::span<const double> q, const Point& goal,
+                  MotionTests& tests) {
+  const GuideSpec& spec = space.spec();
+  const Vehicle vehicle(*task.model, task.mounting);
+  const std::vector<double> q_goal = space.configuration(goal);
+  Search search;
+  travel::TravelQuery query;
+  query.start = vehicle.place(q);
+  query.destination = vehicle.place(q_goal);
+  travel::GrownView view(vehicle.heights(q), vehicle.radius(q) + kRoom);
+  for (const Thing& thing : tests.things()) view.add(thing.name, *thing.shapes, thing.X_W);
+  query.obstacles = std::move(view.obstacles());
+  std::vector<Vec2> way;
+  if (spec.kind == GuideKind::visibility) {
+    travel::VisibilityResult shortest = travel::shortest_way(query);
+    search.nodes = shortest.nodes.size();
+    if (!shortest.reached) {
+      search.cause = "there is none round what stands, for a disc that holds the machine";
+      return search;
+    }
+    way = std::move(shortest.way);
+  } else {
+    travel::TravelSettings settings;
+    settings.hand = spec.left_hand ? travel::Hand::kLeft : travel::Hand::kRight;
+    settings.vision = spec.vision > 0          ? spec.vision
+                      : task.model->sensor > 0 ? task.model->sensor
+                                               : kUsualVision;
+    settings.most_steps = static_cast<std::int64_t>(spec.nodes);
+    const travel::TravelResult result = travel::travel(method_of(spec.kind), query, settings);
+    search.nodes = result.events.size();
+    const bool there =
+        !result.way.empty() && (result.way.back().point - query.destination).norm() <= kStraight;
+    if (result.verdict != travel::Verdict::kReached || !there) {
+      search.cause = result.verdict == travel::Verdict::kUnreachable
+                         ? "as far as it was seen the goal cannot be reached"
+                     : result.verdict == travel::Verdict::kLimit
+                         ? fmt::format("{} stretches were not enough", settings.most_steps)
+                         : std::string("it got out, and seeks no goal");
+      if (!result.events.empty()) search.cause += "; last " + text_of(result.events.back());
+      return search;
+    }
+    for (const travel::WayPoint& point : result.way) way.push_back(point.point);
+  }
+  const std::vector<Vec2> corners = corners_of(way);
+  std::vector<double> at_corner(q.begin(), q.end());
+  search.way.push_back(space.point(q));
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const bool is_last = i + 1 == corners.size();
+    if (is_last) at_corner = q_goal;
+    const int heading = space.leg().heading();
+    vehicle.set_place(corners[i], at_corner);
+    if (heading >= 0 && !is_last) {
+      // The heading of arrival: that of the leg, as the vehicle turns to drive it.
+      const Vec2 along = corners[i] - corners[i - 1];
+      at_corner[at(heading)] = space.heading_along(q, along);
+    }
+    search.way.push_back(space.point(at_corner));
+  }
+  if (corners.size() < 2) search.way.push_back(goal);
+  return search;
+}
+
+}  // namespace rubicon::guides
