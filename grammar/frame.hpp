@@ -13,7 +13,11 @@ struct frame_argument : expression {};
 struct frame_close : close_parenthesis {};
 struct frame_element : if_must<frame_word, frame_open, frame_argument,
                                star<if_must<comma, frame_argument>>, frame_close> {};
-struct frame : seq<frame_element, star<if_must<star_sign, frame_element>>> {};
+/// Of a plan: the place of a node, such as yard.bay[7].
+struct frame_node : seq<ask<Query::computes_numbers>, at<name, one<'.'>>, qualified_indexed_name> {
+};
+struct frame_factor : sor<frame_element, frame_node> {};
+struct frame : seq<frame_factor, star<if_must<star_sign, frame_factor>>> {};
 
 // Shapes.
 struct at_key : token<word<TAO_PEGTL_STRING("at")>> {};

@@ -39,7 +39,7 @@ RUBICON_EXPECT(disjunct, "a condition");
 inline constexpr const char* kFrameWords = "trans rotx roty rotz";
 inline constexpr const char* kFrame = "a frame such as trans(x, y, z) or rotz(theta)";
 RUBICON_EXPECT(frame, kFrame, Explain::expected, kFrameWords);
-RUBICON_EXPECT(frame_element, kFrame, Explain::expected, kFrameWords);
+RUBICON_EXPECT(frame_factor, kFrame, Explain::expected, kFrameWords);
 RUBICON_EXPECT(frame_open, "'('");
 RUBICON_EXPECT(frame_argument, "a value");
 RUBICON_EXPECT(frame_close, "',' or ')'");
@@ -222,6 +222,31 @@ RUBICON_EXPECT(moving_name, "a name after moving");
 RUBICON_EXPECT(moving_part, "moving", Explain::item, "shape path repeat people");
 RUBICON_EXPECT(path_place, "a time and a frame such as 20 s trans(25, 2, 0)");
 RUBICON_EXPECT(choice_rule, "first, nearest or least_used");
+RUBICON_EXPECT(network_name, "a name after network");
+RUBICON_EXPECT(network_part, "network", Explain::item, "policy class node lane for when");
+RUBICON_EXPECT(policy_name, "order");
+RUBICON_EXPECT(class_name, "a name after class");
+RUBICON_EXPECT(class_part, "class", Explain::item, "speed width");
+RUBICON_EXPECT(class_speed_value, "a speed such as 2 m/s");
+RUBICON_EXPECT(class_width_value, "a width such as 3 m");
+RUBICON_EXPECT(node_name, "a name after node");
+RUBICON_EXPECT(node_at, "'at' and a frame");
+RUBICON_EXPECT(node_frame, kFrame, Explain::expected, kFrameWords);
+RUBICON_EXPECT(lane_from, "the node where the lane begins");
+RUBICON_EXPECT(lane_to_key, "'to' and a node");
+RUBICON_EXPECT(lane_end, "the node where the lane ends");
+RUBICON_EXPECT(beside_from, "the node where the lane beside begins");
+RUBICON_EXPECT(beside_to_key, "'to' and a node");
+RUBICON_EXPECT(beside_end, "the node where the lane beside ends");
+RUBICON_EXPECT(lane_length_value, "a length such as 40 m");
+RUBICON_EXPECT(fleet_name, "a name after fleet");
+RUBICON_EXPECT(fleet_part, "fleet", Explain::item,
+               "robot size on at choose cost rental mobilisation overtime calendar");
+RUBICON_EXPECT(fleet_file, "the robot's file in quotes");
+RUBICON_EXPECT(fleet_size_value, "a number");
+RUBICON_EXPECT(fleet_network, "the name of a network");
+RUBICON_EXPECT(fleet_place, "the name of a node");
+RUBICON_EXPECT(fleet_rule, "first, nearest or least_used");
 RUBICON_EXPECT(by_whom, "the name of a robot, a crew or a pool");
 RUBICON_EXPECT(same_as_task, "the name of a task");
 RUBICON_EXPECT(all_of_pool, "the name of a pool");
@@ -262,7 +287,8 @@ RUBICON_EXPECT(import_end, "';' or '{' after import");
 RUBICON_EXPECT(short_start_values, "a parameter and its value");
 RUBICON_EXPECT(
     plan_item, "plan", Explain::item,
-    "component robot crew pool overhead task module place import site storage moving contact "
+    "component robot crew pool overhead task module place import site storage moving network fleet "
+    "contact "
     "budget "
     "start_at "
     "currency calendar situation start goal via carry within free near lock enter deviation "

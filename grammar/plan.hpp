@@ -6,6 +6,7 @@
 namespace rubicon::grammar {
 
 struct plan_semicolon : semicolon {};
+struct to_word : token<word<TAO_PEGTL_STRING("to")>> {};
 
 // Values, goals, links.
 struct value_name : qualified_name {};
@@ -274,6 +275,78 @@ struct pool_key : token<word<TAO_PEGTL_STRING("pool")>> {};
 struct pool_name : indexed_name {};
 struct pool_item : if_must<pool_key, pool_name, block_open, pool_parts, block_close> {};
 
+// Networks: nodes and lanes between them.
+struct policy_key : token<word<TAO_PEGTL_STRING("policy")>> {};
+struct policy_name : name {};
+struct network_policy : if_must<policy_key, policy_name, plan_semicolon> {};
+struct class_speed_key : token<word<TAO_PEGTL_STRING("speed")>> {};
+struct class_speed_value : quantity {};
+struct class_speed : if_must<class_speed_key, class_speed_value, plan_semicolon> {};
+struct class_width_key : token<word<TAO_PEGTL_STRING("width")>> {};
+struct class_width_value : quantity {};
+struct class_width : if_must<class_width_key, class_width_value, plan_semicolon> {};
+struct class_part : sor<class_speed, class_width> {};
+struct whole_class_part : must<class_part> {};
+struct class_parts : nested<star<not_at<block_end>, recover<whole_class_part, item_end>>> {};
+struct class_key : token<word<TAO_PEGTL_STRING("class")>> {};
+struct class_name : name {};
+struct lane_class : if_must<class_key, class_name, block_open, class_parts, block_close> {};
+struct node_key : token<word<TAO_PEGTL_STRING("node")>> {};
+struct node_name : indexed_name {};
+struct node_frame : frame {};
+struct node_at : at_key {};
+struct network_node : if_must<node_key, node_name, node_at, node_frame, plan_semicolon> {};
+struct lane_key : token<word<TAO_PEGTL_STRING("lane")>> {};
+struct lane_from : indexed_name {};
+struct lane_end : indexed_name {};
+struct beside_from : indexed_name {};
+struct beside_end : indexed_name {};
+struct lane_to_key : to_word {};
+struct beside_to_key : to_word {};
+struct lane_both : token<word<TAO_PEGTL_STRING("both")>> {};
+struct beside_key : token<word<TAO_PEGTL_STRING("beside")>> {};
+struct lane_beside : if_must<beside_key, beside_from, beside_to_key, beside_end> {};
+struct length_key : token<word<TAO_PEGTL_STRING("length")>> {};
+struct lane_length_value : quantity {};
+struct lane_length : if_must<length_key, lane_length_value> {};
+struct lane_class_name : name {};
+struct lane_option : sor<lane_both, lane_beside, lane_length, lane_class_name> {};
+struct network_lane
+    : if_must<lane_key, lane_from, lane_to_key, lane_end, star<lane_option>, plan_semicolon> {};
+struct network_parts;
+struct network_repetition : if_must<for_head, block_open, network_parts, block_close> {};
+struct network_choice : if_must<given_head, block_open, network_parts, block_close> {};
+struct network_block : sor<network_repetition, network_choice> {};
+struct network_part : sor<network_block, network_policy, lane_class, network_node, network_lane> {};
+struct whole_network_part : must<network_part> {};
+struct network_parts : nested<star<not_at<block_end>, recover<whole_network_part, item_end>>> {};
+struct network_key : token<word<TAO_PEGTL_STRING("network")>> {};
+struct network_name : name {};
+struct network_item : if_must<network_key, network_name, block_open, network_parts, block_close> {};
+
+// Fleets: machines alike on a network, of which a task has one.
+struct fleet_robot_key : token<word<TAO_PEGTL_STRING("robot")>> {};
+struct fleet_file : string_literal {};
+struct fleet_robot : if_must<fleet_robot_key, fleet_file, plan_semicolon> {};
+struct fleet_size_value : quantity {};
+struct fleet_size : if_must<size_key, fleet_size_value, plan_semicolon> {};
+struct fleet_on_key : token<word<TAO_PEGTL_STRING("on")>> {};
+struct fleet_network : name {};
+struct fleet_on : if_must<fleet_on_key, fleet_network, plan_semicolon> {};
+struct fleet_places_key : token<word<TAO_PEGTL_STRING("at")>> {};
+struct fleet_place : indexed_name {};
+struct fleet_places
+    : if_must<fleet_places_key, fleet_place, star<if_must<comma, fleet_place>>, plan_semicolon> {};
+struct fleet_rule : token<identifier_text> {};
+struct fleet_choice : if_must<choose_key, fleet_rule, plan_semicolon> {};
+struct fleet_part : sor<fleet_robot, fleet_size, fleet_on, fleet_places, fleet_choice, charge_item,
+                        uses_calendar> {};
+struct whole_fleet_part : must<fleet_part> {};
+struct fleet_parts : nested<star<not_at<block_end>, recover<whole_fleet_part, item_end>>> {};
+struct fleet_key : token<word<TAO_PEGTL_STRING("fleet")>> {};
+struct fleet_name : name {};
+struct fleet_item : if_must<fleet_key, fleet_name, block_open, fleet_parts, block_close> {};
+
 // Tasks.
 struct by_key : token<word<TAO_PEGTL_STRING("by")>> {};
 struct same_as_key
@@ -292,7 +365,7 @@ struct need : if_must<needed_units, needed_crew> {};
 struct needs_item : if_must<needs_key, need, star<if_must<comma, need>>, plan_semicolon> {};
 struct move_key : token<word<TAO_PEGTL_STRING("move")>> {};
 struct moved_component : qualified_indexed_name {};
-struct to_key : token<word<TAO_PEGTL_STRING("to")>> {};
+struct to_key : to_word {};
 struct move_item : if_must<move_key, moved_component, to_key, frame, plan_semicolon> {};
 struct go_key : token<word<TAO_PEGTL_STRING("go")>> {};
 struct go_item : if_must<go_key, goal, plan_semicolon> {};
@@ -443,11 +516,12 @@ struct guides_of_motion : seq<star<if_must<comma, next_guide>>, clause_semicolon
 struct plan_guide_end : sor<guides_of_motion, guide_declared> {};
 struct plan_guide : if_must<guide_key, guide_name, plan_guide_end> {};
 
-struct plan_item : sor<plan_block, parameter_item, component_item, robot_use, crew_item, pool_item,
-                       overhead_item, task_item, module_item, place_item, import_item, waiver,
-                       site_item, storage_item, moving_item, number_item, text_item, calendar_item,
-                       situation_item, short_start, short_goal, via_item, carry_item, within_item,
-                       motion_clause, whole_item, support_item, plan_guide> {};
+struct plan_item
+    : sor<plan_block, parameter_item, component_item, robot_use, crew_item, pool_item,
+          overhead_item, task_item, module_item, place_item, import_item, waiver, site_item,
+          storage_item, moving_item, network_item, fleet_item, number_item, text_item,
+          calendar_item, situation_item, short_start, short_goal, via_item, carry_item, within_item,
+          motion_clause, whole_item, support_item, plan_guide> {};
 struct whole_plan_item : must<plan_item> {};
 struct plan_items : nested<star<not_at<block_end>, recover<whole_plan_item, item_end>>> {};
 struct plan_file_key : token<word<TAO_PEGTL_STRING("plan")>> {};

@@ -50,6 +50,12 @@ FormMark mark_of(const syntax::PlanItem& item) {
   if (const auto* pool = std::get_if<syntax::PoolItem>(&item)) {
     return {Form::full, "a pool", pool->name.span};
   }
+  if (const auto* network = std::get_if<syntax::NetworkItem>(&item)) {
+    return {Form::full, "a network", network->name.span};
+  }
+  if (const auto* fleet = std::get_if<syntax::FleetItem>(&item)) {
+    return {Form::full, "a fleet", fleet->name.span};
+  }
   if (const auto* overhead = std::get_if<syntax::OverheadItem>(&item)) {
     return {Form::full, "overhead", overhead->span};
   }

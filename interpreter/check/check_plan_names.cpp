@@ -63,6 +63,7 @@ class Declaration {
     std::map<std::string, Span> component_spans, task_spans;
     for (const auto& inner : item.items) {
       if (const auto* component = std::get_if<syntax::ComponentItem>(&inner)) {
+        refuse_nodes(*component);
         if (declare(subject_, info.component_index, component_spans, component->name, "component",
                     static_cast<int>(info.components.size()))) {
           info.components.push_back(component);
@@ -75,6 +76,17 @@ class Declaration {
       }
     }
     subject_.module_infos.push_back(std::move(info));
+  }
+
+  /// A module is placed, a node is where it is.
+  void refuse_nodes(const syntax::ComponentItem& component) {
+    for (const syntax::Frame& frame : component.at) {
+      if (frame.elements.front().kind != syntax::FrameElement::Kind::node) continue;
+      subject_.error("P50", frame.span,
+                     fmt::format("component '{}' stands where its module is placed, not at a node",
+                                 component.name.text),
+                     "declare it in the plan itself");
+    }
   }
 
   void declare_import(const syntax::ImportItem& item) {
@@ -234,6 +246,13 @@ math::Pose resolve_frame_or_identity(Subject& subject, const syntax::Frame& fram
   const std::optional<math::Pose> X =
       resolve_constant_frame(frame, subject.names, subject.diagnostics);
   return X ? *X : math::Pose::Identity();
+}
+
+math::Pose resolve_placed_frame(Subject& subject, const syntax::Frame& frame,
+                                const math::Pose& X_WP) {
+  const math::Pose X = resolve_frame_or_identity(subject, frame);
+  const bool is_node = frame.elements.front().kind == syntax::FrameElement::Kind::node;
+  return is_node ? X : X_WP * X;
 }
 
 }  // namespace rubicon::interpreter::plan_check

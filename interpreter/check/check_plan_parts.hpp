@@ -116,6 +116,28 @@ Charges resolve_charges(Subject& subject, const syntax::Charges& charges, const 
 std::optional<double> resolve_money(Subject& subject, const syntax::Number& amount,
                                     const std::string& what);
 
+/// The places of the nodes of a plan's networks.
+class NodePlaces : public NoFormulaNames {
+ public:
+  explicit NodePlaces(const std::vector<NetworkSpec>& networks) : networks_(networks) {}
+  /// P01 at a name that is unknown.
+  std::optional<math::Pose> place_of(const syntax::QualifiedName& node,
+                                     Diagnostics& diagnostics) override;
+
+ private:
+  const std::vector<NetworkSpec>& networks_;
+};
+
+/// Networks with their nodes and lanes: P01, P02, P09, P50. Before all that has frames.
+void check_networks(Subject& subject);
+
+/// The robots of a fleet as they would be written one by one; none after P02, P09, P51.
+std::vector<syntax::RobotUse> members_of(Subject& subject, const syntax::FleetItem& item);
+/// Fleets whose robots are there: where they stand, and their pools: P01, P02, P51, G04.
+void check_fleets(Subject& subject);
+/// One pool: P01, P02, P40.
+void add_pool(Subject& subject, const syntax::PoolItem& item);
+
 /// Pools of robots or crews, which are declared before: P01, P02, P40.
 void check_pools(Subject& subject);
 
@@ -238,6 +260,10 @@ void resolve_within(Subject& subject, const RobotSpec* robot, const syntax::With
 
 /// A frame of the plan; identity after reporting what is wrong.
 math::Pose resolve_frame_or_identity(Subject& subject, const syntax::Frame& frame);
+
+/// A frame relative to `X_WP`, or the place of a node, in the world.
+math::Pose resolve_placed_frame(Subject& subject, const syntax::Frame& frame,
+                                const math::Pose& X_WP);
 
 /// A number with a unit of that kind within bounds; nothing after reporting F09 or P09.
 std::optional<double> bounded(Subject& subject, const syntax::Number& number, syntax::UnitKind unit,

@@ -115,36 +115,38 @@ std::vector<int> pools_of(Subject& subject, const Scope& scope, const syntax::Ta
 
 }  // namespace
 
+void add_pool(Subject& subject, const syntax::PoolItem& item) {
+  PoolSpec pool;
+  pool.name = item.name.text;
+  pool.span = item.name.span;
+  subject.use("pool", item.span);
+  std::set<std::string> seen;
+  for (const syntax::Name& name : item.of) add_member(subject, name, seen, pool);
+  if (item.of.empty()) {
+    subject.error("P40", pool.span, fmt::format("pool '{}' has no members", pool.name),
+                  "write of NAME, NAME;");
+  }
+  set_choice(subject, item, pool);
+  const auto other = [&](const std::map<std::string, int>& index, const char* what) {
+    if (index.count(pool.name) == 0) return false;
+    subject.error("P02", pool.span,
+                  fmt::format("'{}' is the name of a {} already", pool.name, what));
+    return true;
+  };
+  if (other(subject.robots, "robot") || other(subject.crews, "crew")) return;
+  const auto [place, is_new] =
+      subject.pools.emplace(pool.name, static_cast<int>(subject.model.pools.size()));
+  if (!is_new) {
+    subject.twice(pool.span, fmt::format("pool '{}' is declared twice", pool.name),
+                  subject.model.pools[at(place->second)].span);
+    return;
+  }
+  subject.model.pools.push_back(std::move(pool));
+}
+
 void check_pools(Subject& subject) {
   for (const syntax::PlanItem& each : subject.plan.items) {
-    const auto* item = std::get_if<syntax::PoolItem>(&each);
-    if (item == nullptr) continue;
-    PoolSpec pool;
-    pool.name = item->name.text;
-    pool.span = item->name.span;
-    subject.use("pool", item->span);
-    std::set<std::string> seen;
-    for (const syntax::Name& name : item->of) add_member(subject, name, seen, pool);
-    if (item->of.empty()) {
-      subject.error("P40", pool.span, fmt::format("pool '{}' has no members", pool.name),
-                    "write of NAME, NAME;");
-    }
-    set_choice(subject, *item, pool);
-    const auto other = [&](const std::map<std::string, int>& index, const char* what) {
-      if (index.count(pool.name) == 0) return false;
-      subject.error("P02", pool.span,
-                    fmt::format("'{}' is the name of a {} already", pool.name, what));
-      return true;
-    };
-    if (other(subject.robots, "robot") || other(subject.crews, "crew")) continue;
-    const auto [place, is_new] =
-        subject.pools.emplace(pool.name, static_cast<int>(subject.model.pools.size()));
-    if (!is_new) {
-      subject.twice(pool.span, fmt::format("pool '{}' is declared twice", pool.name),
-                    subject.model.pools[at(place->second)].span);
-      continue;
-    }
-    subject.model.pools.push_back(std::move(pool));
+    if (const auto* item = std::get_if<syntax::PoolItem>(&each)) add_pool(subject, *item);
   }
 }
 

@@ -150,6 +150,13 @@ void check_robots(Subject& subject, const std::vector<std::string>& situations) 
   RobotLoader loader(subject, situations);
   for (const syntax::PlanItem& each : subject.plan.items) {
     if (const auto* item = std::get_if<syntax::RobotUse>(&each)) loader.load(*item);
+    const auto* fleet = std::get_if<syntax::FleetItem>(&each);
+    if (fleet == nullptr) continue;
+    const int errors = subject.diagnostics.errors();
+    for (const syntax::RobotUse& member : members_of(subject, *fleet)) {
+      // What is wrong with one is wrong with all.
+      if (subject.diagnostics.errors() == errors) loader.load(member);
+    }
   }
 }
 

@@ -219,7 +219,7 @@ class TaskChecker {
     task_.move_span = item.span;
     task_.move = find_component(subject_, scope_, item.component);
     if (task_.move) check_grip(item);
-    task_.X_WO_goal = scope_.X_WP * resolve_frame_or_identity(subject_, item.to);
+    task_.X_WO_goal = resolve_placed_frame(subject_, item.to, scope_.X_WP);
     if (go_ != nullptr) refuse_both(item.span);
   }
 
@@ -276,6 +276,9 @@ class TaskChecker {
   }
 
   void check_robot() {
+    if (moves() && robot() != nullptr && robot()->fleet >= 0) {
+      task_.guides = {subject_.model.fleets[static_cast<std::size_t>(robot()->fleet)].guide};
+    }
     if (!moves() || task_.robot >= 0 || !all_known_) return;
     const Span span = move_ != nullptr ? move_->span : go_->span;
     subject_.error("P05", span,
@@ -368,6 +371,11 @@ class TaskChecker {
     needs_motion(item.span, "guide");
     once("guide", item.span);
     task_.guides = resolve_guides(subject_, robot(), item);
+    if (robot() == nullptr || robot()->fleet < 0) return;
+    subject_.error("P51", item.span,
+                   fmt::format("{} is of a fleet and drives by its network: a task of it has no "
+                               "guide",
+                               robot()->name));
   }
 
   void check_part(const syntax::SituationItem& item) {

@@ -6,6 +6,7 @@
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
 #include "interpreter/check/meant_parameters.hpp"
+#include "src/motion/guides/vehicle.hpp"
 #include "src/motion/math/angles.hpp"
 #include "src/motion/robot/turns.hpp"
 
@@ -162,9 +163,18 @@ GoalSpec resolve_goal(Subject& subject, const RobotSpec* robot, const syntax::Go
                       ValueUse use, const math::Pose& X_WP) {
   GoalSpec result;
   result.span = goal.span;
-  if (goal.at) {
-    result.X_WG = X_WP * resolve_frame_or_identity(subject, *goal.at);
+  const bool is_node = goal.at && goal.at->elements.size() == 1 &&
+                       goal.at->elements.front().kind == syntax::FrameElement::Kind::node;
+  if (is_node && robot != nullptr && robot->fleet >= 0) {
+    // A vehicle drives to a node; its tool may be anywhere on it.
+    result.values = guides::values_at(robot->robot->model, {robot->X_WM, robot->start},
+                                      robot->start, resolve_placed_frame(subject, *goal.at, X_WP));
+    for (auto& value : resolve_values(subject, robot, goal.values, use)) {
+      result.values.push_back(std::move(value));
+    }
+    return result;
   }
+  if (goal.at) result.X_WG = resolve_placed_frame(subject, *goal.at, X_WP);
   result.values = resolve_values(subject, robot, goal.values, use);
   return result;
 }

@@ -10,6 +10,7 @@
 
 #include "interpreter/check/check.hpp"
 #include "interpreter/expand/expand.hpp"
+#include "src/fleets/lanes/lane_network.hpp"
 #include "src/motion/geometry/shape.hpp"
 #include "src/motion/geometry/timetable.hpp"
 #include "src/motion/guides/guide_spec.hpp"
@@ -99,6 +100,7 @@ struct RobotSpec {
   std::optional<std::vector<std::pair<int, double>>> park;
   Span span;
   Charges charges = {};
+  int fleet = -1;  ///< index into fleets, -1: it is in none
 };
 
 struct CrewSpec {
@@ -118,6 +120,26 @@ struct PoolSpec {
   std::vector<int> members;  ///< indices into robots or crews, as listed
   Choice choice = Choice::first;
   Span span;
+};
+
+/// Nodes and lanes that the vehicles of fleets drive on (world frame).
+struct NetworkSpec {
+  std::string name;
+  Span span;
+  lanes::NetworkDescription description;
+  std::vector<math::Pose> X_WN;  ///< by node
+};
+
+/// Vehicles alike that drive on a network; a pool of the same name gives one of them to a task.
+struct FleetSpec {
+  std::string name;
+  Span span;
+  int network = -1;
+  std::vector<int> robots;              ///< indices into robots
+  std::vector<lanes::NodeIndex> nodes;  ///< to each: where it begins, and parks
+  double speed = 1;                     ///< m/s, of each at most
+  double width = 0;                     ///< m, between the sides of each, without a load
+  guides::GuideSpec guide;              ///< by which each drives
 };
 
 /// So many people of a crew.
@@ -243,6 +265,8 @@ struct PlanModel {
   std::vector<RobotSpec> robots;
   std::vector<CrewSpec> crews;
   std::vector<PoolSpec> pools;
+  std::vector<NetworkSpec> networks;
+  std::vector<FleetSpec> fleets;
   std::optional<double> overhead_per_day;
   std::vector<CalendarSpec> calendars;
   std::vector<TaskSpec> tasks;  ///< file order

@@ -229,6 +229,12 @@ class FormulaResolver {
 
 }  // namespace
 
+std::optional<math::Pose> FormulaNames::place_of(const syntax::QualifiedName& node,
+                                                 Diagnostics& diagnostics) {
+  diagnostics.error("F12", node.span, "the place of a node stands in plans only");
+  return std::nullopt;
+}
+
 std::optional<ResolvedFormula> NoFormulaNames::resolve(const syntax::QualifiedName& name,
                                                        Diagnostics& diagnostics) {
   diagnostics.error(

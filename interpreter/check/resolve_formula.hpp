@@ -23,6 +23,9 @@ class FormulaNames {
   /// What `name` stands for; nothing after reporting why it cannot stand there.
   virtual std::optional<ResolvedFormula> resolve(const syntax::QualifiedName& name,
                                                  Diagnostics& diagnostics) = 0;
+  /// The place of a node in a plan; nothing after reporting why there is none.
+  virtual std::optional<math::Pose> place_of(const syntax::QualifiedName& node,
+                                             Diagnostics& diagnostics);
 };
 
 /// No names at all: the frames of plans.

@@ -28,6 +28,10 @@ constexpr std::array<ElementForm, 4> kForms = {{{"trans", FrameElement::Kind::tr
 
 std::optional<FrameElement> resolve_element(const syntax::FrameElement& element,
                                             FormulaNames& names, Diagnostics& diagnostics) {
+  if (element.kind == syntax::FrameElement::Kind::node) {
+    diagnostics.error("F12", element.span, "the place of a node stands in plans only");
+    return std::nullopt;
+  }
   const ElementForm& form = kForms[static_cast<std::size_t>(element.kind)];
   const bool moves = form.kind == FrameElement::Kind::trans;
   const std::size_t wanted = moves ? 3 : 1;
@@ -78,36 +82,54 @@ std::optional<robot::FrameFormula> resolve_frame(const syntax::Frame& frame, For
   return result;
 }
 
+namespace {
+
+/// What an element that does not move does; nothing after reporting F12.
+std::optional<math::Pose> constant_pose(const FrameElement& element, Span span,
+                                        Diagnostics& diagnostics) {
+  const auto a = folded_value(element.a);
+  const auto b = folded_value(element.b);
+  const auto c = folded_value(element.c);
+  if (!a || (element.kind == FrameElement::Kind::trans && (!b || !c))) {
+    diagnostics.error("F12", span,
+                      "this frame does not move: only numbers and constants can stand here");
+    return std::nullopt;
+  }
+  switch (element.kind) {
+    case FrameElement::Kind::rotx:
+      return math::rotation_x_deg(*a);
+    case FrameElement::Kind::roty:
+      return math::rotation_y_deg(*a);
+    case FrameElement::Kind::rotz:
+      return math::rotation_z_deg(*a);
+    case FrameElement::Kind::trans:
+      break;
+  }
+  return math::translation(*a, *b, *c);
+}
+
+}  // namespace
+
 std::optional<math::Pose> resolve_constant_frame(const syntax::Frame& frame, FormulaNames& names,
                                                  Diagnostics& diagnostics) {
-  const std::optional<robot::FrameFormula> elements = resolve_frame(frame, names, diagnostics);
-  if (!elements) return std::nullopt;
   math::Pose X = math::Pose::Identity();
-  for (std::size_t i = 0; i < elements->size(); ++i) {
-    const FrameElement& element = (*elements)[i];
-    const auto a = folded_value(element.a);
-    const auto b = folded_value(element.b);
-    const auto c = folded_value(element.c);
-    if (!a || (element.kind == FrameElement::Kind::trans && (!b || !c))) {
-      diagnostics.error("F12", frame.elements[i].span,
-                        "this frame does not move: only numbers and constants can stand here");
-      return std::nullopt;
+  bool complete = true;
+  for (const syntax::FrameElement& element : frame.elements) {
+    std::optional<math::Pose> factor;
+    if (element.kind == syntax::FrameElement::Kind::node) {
+      factor = names.place_of(element.node, diagnostics);
+      if (&element != &frame.elements.front()) {
+        diagnostics.error("F12", element.span, "the place of a node stands first in a frame",
+                          "write NETWORK.NODE * trans(...)");
+        complete = false;
+      }
+    } else if (const auto resolved = resolve_element(element, names, diagnostics)) {
+      factor = constant_pose(*resolved, element.span, diagnostics);
     }
-    switch (element.kind) {
-      case FrameElement::Kind::trans:
-        X = X * math::translation(*a, *b, *c);
-        break;
-      case FrameElement::Kind::rotx:
-        X = X * math::rotation_x_deg(*a);
-        break;
-      case FrameElement::Kind::roty:
-        X = X * math::rotation_y_deg(*a);
-        break;
-      case FrameElement::Kind::rotz:
-        X = X * math::rotation_z_deg(*a);
-        break;
-    }
+    complete = complete && factor.has_value();
+    if (complete) X = X * *factor;
   }
+  if (!complete) return std::nullopt;
   if (!(X.translation().norm() <= kMaxLength)) {
     diagnostics.error("F07", frame.span,
                       fmt::format("this frame is farther than {} m away", kMaxLength));

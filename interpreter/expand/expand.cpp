@@ -42,6 +42,10 @@ struct BlockOf<syntax::ModulePart> {
   using Type = syntax::ModuleBlock;
 };
 template <>
+struct BlockOf<syntax::NetworkPart> {
+  using Type = syntax::NetworkBlock;
+};
+template <>
 struct BlockOf<syntax::PlanItem> {
   using Type = syntax::PlanBlock;
 };
@@ -106,6 +110,11 @@ class Expansion {
   bool make_plain(syntax::ModuleItem& item) {
     if (!plain_items_.make_plain(item)) return false;
     item.items = expanded(std::move(item.items));
+    return true;
+  }
+  bool make_plain(syntax::NetworkItem& item) {
+    if (!plain_items_.make_plain(item)) return false;
+    item.parts = expanded(std::move(item.parts));
     return true;
   }
   // Seen to before.

@@ -64,6 +64,30 @@ void PlainItems::item(syntax::MovingItem& value) {
   }
 }
 
+void PlainItems::item(syntax::LaneClassItem& value) {
+  name(value.name);
+  each(value.speed);
+  each(value.width);
+}
+
+void PlainItems::item(syntax::LaneItem& value) {
+  name(value.from);
+  name(value.to);
+  for (syntax::Name& lane_class : value.lane_class) mark(lane_class.span);
+  for (auto& [from, to] : value.beside) name(from), name(to);
+  each(value.length);
+}
+
+void PlainItems::item(syntax::FleetItem& value) {
+  name(value.name);
+  for (syntax::String& file : value.file) text(file);
+  each(value.size);
+  each(value.on);
+  each(value.at);
+  for (syntax::Name& rule : value.choose) mark(rule.span);
+  item(value.member);
+}
+
 void PlainItems::item(syntax::RobotUse& value) {
   each(value.name);
   text(value.file);
@@ -190,6 +214,7 @@ void PlainItems::part(syntax::Frame& value) {
   mark(value.span);
   for (syntax::FrameElement& element : value.elements) {
     mark(element.span);
+    if (element.kind == syntax::FrameElement::Kind::node) name(element.node);
     for (syntax::ExpressionPtr& each : element.arguments) argument(each, element);
   }
 }

@@ -31,6 +31,12 @@ class PlainItems {
   void item(syntax::SiteItem& value) { shape(value.shape); }
   void item(syntax::StorageItem& value) { name(value.name), shape(value.shape); }
   void item(syntax::MovingItem& value);
+  void item(syntax::NetworkItem& value) { name(value.name); }
+  void item(syntax::PolicyItem& value) { mark(value.name.span); }
+  void item(syntax::LaneClassItem& value);
+  void item(syntax::NodeItem& value) { name(value.name), part(value.at); }
+  void item(syntax::LaneItem& value);
+  void item(syntax::FleetItem& value);
   void item(syntax::NumberItem& value) { name(value.name), number(value.value); }
   void item(syntax::StringItem& value) { name(value.name), text(value.value); }
   void item(syntax::SituationItem& value) { each(value.names); }

@@ -83,6 +83,8 @@ class Qualifier {
     prefix(item.name);
     for (syntax::Name& each : item.of) refer(each, workers_);
   }
+  void rename(syntax::NetworkItem& item) { refuse(item.name.span, "a network"); }
+  void rename(syntax::FleetItem& item) { refuse(item.name.span, "a fleet"); }
   void rename(syntax::OverheadItem& item) { refuse(item.span, "overhead"); }
   void rename(syntax::TaskItem& item) {
     prefix(item.name);

@@ -262,6 +262,7 @@ class Machine {
   std::string guide_cause_;  ///< why the first guide gave up
   bool guide_found_no_way_ = false;
   std::shared_ptr<const guides::Leg> leg_;       // shared: it does not change
+  std::shared_ptr<const guides::Leg> lane_leg_;  // from node to node: forks and booms stay
   std::shared_ptr<const robot::ToolLine> line_;  // so does this
 
   // counts, and what was seen

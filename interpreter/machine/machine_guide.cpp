@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "interpreter/machine/machine.hpp"
+#include "src/motion/guides/lane_guide.hpp"
 #include "src/motion/robot/turns.hpp"
 
 namespace rubicon::interpreter {
@@ -33,7 +34,7 @@ struct Meeting {
 /// What a guide asks of the world, with all that was met.
 class Machine::GuideTests : public guides::MotionTests {
  public:
-  GuideTests(const Machine& machine, const World& world) : machine_(machine), world_(world) {}
+  GuideTests(const Machine& machine, World& world) : machine_(machine), world_(world) {}
 
   bool stands(std::span<const double> q) override {
     const int limit = machine_.first_out_of_range(q);
@@ -50,6 +51,13 @@ class Machine::GuideTests : public guides::MotionTests {
   }
 
   std::vector<guides::Thing> things() const override { return world_.things(); }
+
+  guides::LaneAnswer next_node(const guides::LaneQuestion& question) override {
+    std::optional<HitPair> before;
+    guides::LaneAnswer answer = world_.next_node(question, before);
+    if (before) note(*before);
+    return answer;
+  }
 
   /// The pair that was met most; of equals the one met first. Null: nothing was.
   const Meeting* most() const {
@@ -85,12 +93,21 @@ class Machine::GuideTests : public guides::MotionTests {
   }
 
   const Machine& machine_;
-  const World& world_;
+  World& world_;
   std::map<std::pair<std::string, std::string>, Meeting> met_;
   std::size_t checks_ = 0;
 };
 
 const guides::Leg& Machine::leg() {
+  const bool on_lanes =
+      guide_ && !leads_to_goal_ && task_.guides[guide_index_].kind == guides::GuideKind::lanes;
+  if (on_lanes) {
+    if (!lane_leg_) {
+      lane_leg_ = std::make_shared<const guides::Leg>(
+          guides::leg_between_nodes(*model_, task_.mounting, task_.clauses));
+    }
+    return *lane_leg_;
+  }
   if (!leg_) leg_ = std::make_shared<const guides::Leg>(*model_, task_.mounting, task_.clauses);
   return *leg_;
 }
@@ -178,6 +195,7 @@ bool Machine::take(GuideAnswer answer, const GuideTests& tests, EventSink* event
 
 void Machine::set_target(const GuideAnswer& answer) {
   target_ = goal_;
+  leads_to_goal_ = answer.leads_to_goal();
   target_.via = goal_.via || !answer.leads_to_goal();
   target_.q = answer.q;
   // Values run on from where the robot stands, as those of goals do.
@@ -190,7 +208,6 @@ void Machine::set_target(const GuideAnswer& answer) {
   }
   // Of a frame the guide may have taken another configuration than the nearest.
   if (answer.leads_to_goal() && goal_.X_WG) goal_.q = target_.q;
-  leads_to_goal_ = answer.leads_to_goal();
   guide_point_ = answer.k;
   accepted_at_way_point_ = accepted_;
   begin_script();

@@ -25,6 +25,13 @@ class FrameState : public ExpressionState {
                     : word == "roty" ? Kind::roty
                                      : Kind::rotz;
   }
+  /// The node whose name was read last.
+  void add_frame_node(const char* from) {
+    element_ = {};
+    element_.kind = syntax::FrameElement::Kind::node;
+    element_.node = take_qualified_name();
+    end_frame_element(from);
+  }
   void add_frame_argument() { element_.arguments.push_back(take_expression()); }
   void end_frame_element(const char* from) {
     element_.span = span_from(from);
@@ -71,6 +78,7 @@ struct FrameAction : ExpressionAction<Rule> {};
 
 RUBICON_ACTION(FrameAction, FrameState, frame_word) { st.begin_frame_element(begin); }
 RUBICON_ACTION(FrameAction, FrameState, frame_argument) { st.add_frame_argument(); }
+RUBICON_ACTION(FrameAction, FrameState, frame_node) { st.add_frame_node(begin); }
 RUBICON_ACTION(FrameAction, FrameState, frame_element) { st.end_frame_element(begin); }
 
 RUBICON_ACTION(FrameAction, FrameState, mesh_name) {

@@ -43,6 +43,8 @@ void PlanState::add_heading() {
 void PlanState::open_block(std::string_view word) {
   if (in_task) {
     task_blocks.push_back({std::move(head), {}, {}});
+  } else if (in_network) {
+    network_blocks.push_back({std::move(head), {}, {}});
   } else if (in_module) {
     module_blocks.push_back({std::move(head), {}, {}});
   } else {
@@ -65,6 +67,13 @@ void PlanState::close_module_block(const char* from) {
   module_items().emplace_back(std::move(block));
 }
 
+void PlanState::close_network_block(const char* from) {
+  auto block = std::make_shared<syntax::NetworkBlock>(std::move(network_blocks.back()));
+  network_blocks.pop_back();
+  block->span = span_from(from);
+  network_parts().emplace_back(std::move(block));
+}
+
 void PlanState::close_plan_block(const char* from) {
   auto block = std::make_shared<syntax::PlanBlock>(std::move(plan_blocks.back()));
   plan_blocks.pop_back();
@@ -76,6 +85,8 @@ void PlanState::roll_back(const Checkpoint& checkpoint) {
   ScriptState::roll_back(checkpoint);
   in_task = checkpoint.in_task;
   in_module = checkpoint.in_module;
+  in_network = checkpoint.in_network;
+  network_blocks.resize(checkpoint.network_blocks);
   task_blocks.resize(checkpoint.task_blocks);
   module_blocks.resize(checkpoint.module_blocks);
   plan_blocks.resize(checkpoint.plan_blocks);
@@ -150,6 +161,7 @@ RUBICON_ACTION(PlanAction, PlanState, given_condition) { st.head.condition = st.
 RUBICON_ACTION(PlanAction, PlanState, given_head) { st.open_block("when"); }
 RUBICON_ACTION(PlanAction, PlanState, task_block) { st.close_task_block(begin); }
 RUBICON_ACTION(PlanAction, PlanState, module_block) { st.close_module_block(begin); }
+RUBICON_ACTION(PlanAction, PlanState, network_block) { st.close_network_block(begin); }
 RUBICON_ACTION(PlanAction, PlanState, plan_block) { st.close_plan_block(begin); }
 
 // parameters
@@ -361,6 +373,76 @@ RUBICON_ACTION(PlanAction, PlanState, pool_members) {
 }
 RUBICON_ACTION(PlanAction, PlanState, choice_rule) { st.pool.choose.push_back(st.word(begin)); }
 RUBICON_ACTION(PlanAction, PlanState, pool_item) { st.add(std::move(st.pool), begin); }
+
+// networks and fleets
+RUBICON_ACTION(PlanAction, PlanState, network_key) {
+  st.network = {};
+  st.in_network = true;
+  st.announce("network");
+}
+RUBICON_ACTION(PlanAction, PlanState, network_name) { st.network.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, policy_name) { st.key = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, network_policy) {
+  st.add_to_network(syntax::PolicyItem{std::move(st.key), {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, class_key) {
+  st.lane_class = {};
+  st.announce("class");
+}
+RUBICON_ACTION(PlanAction, PlanState, class_name) { st.lane_class.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, class_speed_value) {
+  st.lane_class.speed.push_back(st.take_quantity());
+}
+RUBICON_ACTION(PlanAction, PlanState, class_width_value) {
+  st.lane_class.width.push_back(st.take_quantity());
+}
+RUBICON_ACTION(PlanAction, PlanState, lane_class) {
+  st.add_to_network(std::move(st.lane_class), begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, node_name) { st.node.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, node_frame) { st.node.at = st.take_frame(); }
+RUBICON_ACTION(PlanAction, PlanState, network_node) {
+  st.add_to_network(std::move(st.node), begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, lane_key) { st.lane = {}; }
+RUBICON_ACTION(PlanAction, PlanState, lane_from) { st.lane.from = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, lane_end) { st.lane.to = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, lane_both) { st.lane.both.push_back(st.word(begin)); }
+RUBICON_ACTION(PlanAction, PlanState, beside_from) {
+  st.lane.beside.push_back({st.take_name(), {}});
+}
+RUBICON_ACTION(PlanAction, PlanState, beside_end) { st.lane.beside.back().second = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, lane_length_value) {
+  st.lane.length.push_back(st.take_quantity());
+}
+RUBICON_ACTION(PlanAction, PlanState, lane_class_name) {
+  st.lane.lane_class.push_back(st.take_name());
+}
+RUBICON_ACTION(PlanAction, PlanState, network_lane) {
+  st.add_to_network(std::move(st.lane), begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, network_item) {
+  st.in_network = false;
+  st.add(std::move(st.network), begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, fleet_key) {
+  st.fleet = {};
+  st.robot = {};
+  st.in_crew = false;
+  st.announce("fleet");
+}
+RUBICON_ACTION(PlanAction, PlanState, fleet_name) { st.fleet.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, fleet_file) { st.fleet.file.push_back(st.string); }
+RUBICON_ACTION(PlanAction, PlanState, fleet_size_value) {
+  st.fleet.size.push_back(st.take_quantity());
+}
+RUBICON_ACTION(PlanAction, PlanState, fleet_network) { st.fleet.on.push_back(st.take_name()); }
+RUBICON_ACTION(PlanAction, PlanState, fleet_place) { st.fleet.at.push_back(st.take_name()); }
+RUBICON_ACTION(PlanAction, PlanState, fleet_rule) { st.fleet.choose.push_back(st.word(begin)); }
+RUBICON_ACTION(PlanAction, PlanState, fleet_item) {
+  st.fleet.member = std::move(st.robot);
+  st.add(std::move(st.fleet), begin);
+}
 
 // tasks
 RUBICON_ACTION(PlanAction, PlanState, task_key) {

@@ -18,13 +18,21 @@ class PlanState : public GuideState {
   struct Checkpoint : ScriptState::Checkpoint {
     bool in_task = false;
     bool in_module = false;
+    bool in_network = false;
+    std::size_t network_blocks = 0;
     std::size_t task_blocks = 0;
     std::size_t module_blocks = 0;
     std::size_t plan_blocks = 0;
   };
   Checkpoint checkpoint() const {
-    return {ScriptState::checkpoint(), in_task,           in_module, task_blocks.size(),
-            module_blocks.size(),      plan_blocks.size()};
+    return {ScriptState::checkpoint(),
+            in_task,
+            in_module,
+            in_network,
+            network_blocks.size(),
+            task_blocks.size(),
+            module_blocks.size(),
+            plan_blocks.size()};
   }
   void roll_back(const Checkpoint& checkpoint);
 
@@ -38,10 +46,19 @@ class PlanState : public GuideState {
   std::vector<syntax::TaskPart>& task_parts() {
     return task_blocks.empty() ? task.parts : task_blocks.back().items;
   }
+  std::vector<syntax::NetworkPart>& network_parts() {
+    return network_blocks.empty() ? network.parts : network_blocks.back().items;
+  }
+  template <typename Part>
+  void add_to_network(Part part, const char* from) {
+    part.span = span_from(from);
+    network_parts().emplace_back(std::move(part));
+  }
   /// The '{' of a `for` or `when` comes next; `head` is its head.
   void open_block(std::string_view word);
   void close_task_block(const char* from);
   void close_module_block(const char* from);
+  void close_network_block(const char* from);
   void close_plan_block(const char* from);
 
   template <typename Item>
@@ -100,6 +117,7 @@ class PlanState : public GuideState {
   syntax::BlockHead head;
   std::vector<syntax::TaskBlock> task_blocks;  ///< open ones, the innermost last
   std::vector<syntax::ModuleBlock> module_blocks;
+  std::vector<syntax::NetworkBlock> network_blocks;
   std::vector<syntax::PlanBlock> plan_blocks;
   syntax::PlanParameter parameter;
 
@@ -144,6 +162,12 @@ class PlanState : public GuideState {
   syntax::Rental rental;
   syntax::Overtime overtime;
   syntax::PoolItem pool;
+  syntax::NetworkItem network;
+  bool in_network = false;
+  syntax::LaneClassItem lane_class;
+  syntax::NodeItem node;
+  syntax::LaneItem lane;
+  syntax::FleetItem fleet;
   syntax::ByItem by;
   syntax::NeedsItem needs;
   syntax::PlaceItem place;

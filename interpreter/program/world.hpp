@@ -33,6 +33,9 @@ struct HitPair {
   int machine = -1;    ///< index of the machine that was met
   int zone_task = -1;  ///< task whose zone was met
   int moving = -1;     ///< index of the thing with a timetable that was met
+  /// Nothing was touched: the machine has its turn before the other at `met`, a node; `moved` is
+  /// "is at" or "goes first at".
+  bool turn = false;
 
   /// Whether what was met may go out of the way.
   bool may_leave() const { return machine >= 0 || zone_task >= 0 || moving >= 0; }
@@ -67,6 +70,10 @@ class World {
   /// All that is on the site but the robot, as it stands now, for guides that go by the plan view.
   virtual std::vector<guides::Thing> things() const { return {}; }
 
+  /// The next node for a vehicle of a fleet; nothing changes for one that is in none. `before`: who
+  /// has to leave it first, where it waits.
+  virtual guides::LaneAnswer next_node(const guides::LaneQuestion&, std::optional<HitPair>& before);
+
   /// Whether a situation is on by itself now (such as `safety`), besides those given to the motion,
   /// for the robot that stands at q on its way to `q_goal`.
   virtual bool situation(const std::string& name, std::span<const double> q,
@@ -76,5 +83,11 @@ class World {
   /// form).
   virtual bool loaded() const = 0;
 };
+
+inline guides::LaneAnswer World::next_node(const guides::LaneQuestion&, std::optional<HitPair>&) {
+  guides::LaneAnswer answer;
+  answer.reason = "it drives on no network";
+  return answer;
+}
 
 }  // namespace rubicon::interpreter

@@ -150,11 +150,12 @@ struct Script {
 // -----------------------------------------------------------------------------------------
 
 struct FrameElement {
-  enum class Kind { trans, rotx, roty, rotz };
+  enum class Kind { trans, rotx, roty, rotz, node };
   Kind kind = Kind::trans;
   std::vector<ExpressionPtr>
       arguments;  ///< three for trans, one for a rotation (the checker counts)
   Span span;
+  QualifiedName node = {};  ///< yard.bay[7]
 };
 struct Frame {
   std::vector<FrameElement> elements;
@@ -413,6 +414,43 @@ struct MovingItem {
   Span span;
 };
 
+/// policy order;
+struct PolicyItem {
+  Name name;
+  Span span;
+};
+/// class NAME { speed 3 m/s; width 4 m; }
+struct LaneClassItem {
+  Name name;
+  std::vector<Number> speed;
+  std::vector<Number> width;
+  Span span;
+};
+/// node NAME at frame;
+struct NodeItem {
+  Name name;
+  Frame at;
+  Span span;
+};
+/// lane a to b [CLASS] [both] [beside c to d] [length 40 m];
+struct LaneItem {
+  Name from, to;
+  std::vector<Name> lane_class;
+  std::vector<Name> both;
+  std::vector<std::pair<Name, Name>> beside;
+  std::vector<Number> length;
+  Span span;
+};
+struct NetworkBlock;
+using NetworkPart = std::variant<PolicyItem, LaneClassItem, NodeItem, LaneItem,
+                                 std::shared_ptr<const NetworkBlock>>;
+/// network NAME { class ...; node ...; lane ...; }
+struct NetworkItem {
+  Name name;
+  std::vector<NetworkPart> parts;
+  Span span;
+};
+
 /// cost 180 per h;
 struct Cost {
   Number amount;
@@ -464,6 +502,17 @@ struct PoolItem {
   Name name;
   std::vector<Name> of;
   std::vector<Name> choose;
+  Span span;
+};
+/// fleet NAME { robot "FILE"; size 3; on yard; at bay[1], bay[2], bay[3]; choose nearest; }
+struct FleetItem {
+  Name name;
+  std::vector<String> file;
+  std::vector<Number> size;
+  std::vector<Name> on;
+  std::vector<Name> at;
+  std::vector<Name> choose;
+  RobotUse member;  ///< what is said of each: cost, calendar, charges
   Span span;
 };
 /// overhead 850 per day;
@@ -575,6 +624,11 @@ struct BlockHead {
 struct TaskBlock;
 struct ModuleBlock;
 struct PlanBlock;
+struct NetworkBlock {
+  BlockHead head;
+  std::vector<NetworkPart> items;
+  Span span;
+};
 
 using TaskPart =
     std::variant<ByItem, MoveItem, GoItem, RemoveItem, WorkItem, ViaItem, GuideItem, SituationItem,
@@ -651,7 +705,8 @@ using PlanItem =
                  RobotUse, CrewItem, TaskItem, ModuleItem, PlaceItem, ImportItem, StartItem,
                  GoalItem, ViaItem, CarryItem, WithinItem, WaiverItem, PlanParameter, PoolItem,
                  OverheadItem, std::shared_ptr<const PlanBlock>, WholeItem, SupportItem,
-                 GuideDeclaration, GuideItem, MotionClause, StorageItem, MovingItem>;
+                 GuideDeclaration, GuideItem, MotionClause, StorageItem, MovingItem, NetworkItem,
+                 FleetItem>;
 struct PlanBlock {
   BlockHead head;
   std::vector<PlanItem> items;

@@ -94,6 +94,14 @@ export interface MovingData {
   overhead?: ShapeData[];
 }
 
+/** Nodes and lanes between them, by their numbers. */
+export interface NetworkData {
+  name: string;
+  classes: { name: string; speed: number; width: number }[];
+  nodes: { name: string; pose: PoseRows }[];
+  lanes: { from: number; to: number; class: number; length?: number }[];
+}
+
 export interface Header {
   plan: string;
   path: string;
@@ -105,6 +113,7 @@ export interface Header {
   files: { path: string; text: string }[];
   site: ShapeData[];
   movings?: MovingData[];
+  networks?: NetworkData[];
   components: ComponentData[];
   robots: RobotData[];
   carry: ShapeData[];

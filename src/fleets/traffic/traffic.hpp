@@ -25,10 +25,9 @@ struct Wait {
 /// What became of the wish to drive somewhere.
 struct PlanResult {
   enum class Outcome : std::uint8_t {
-    planned,    ///< it has a way there, this one or from before
-    gives_way,  ///< it drives elsewhere first, so that one who waits for it gets by
-    waits,      ///< somebody stands in the way for good
-    no_way      ///< no lanes that are wide enough lead there
+    planned,  ///< it has a way, this one or from before
+    waits,    ///< somebody stands in the way for good
+    no_way    ///< no lanes that are wide enough lead there
   };
   Outcome outcome = Outcome::planned;
   Wait wait = {};  ///< waits
@@ -68,6 +67,14 @@ class Traffic {
   /// It has reached the node that it had entered, and with all its bodies left the one before.
   void arrived(int vehicle, Nanoseconds now);
 
+  /// Brings a vehicle that waits to its goal where others stand in the way who may be moved: those
+  /// get ways, too, out of its way and out of each other's. `movable`, by vehicle: it waits itself,
+  /// or has nothing to do. The fewest moves, one vehicle after the other, of those that a search of
+  /// so many steps finds; false and nothing changed if it finds none.
+  bool untangle(int vehicle, const std::vector<bool>& movable, Nanoseconds now);
+  /// Whether `plan` last found somebody in its way.
+  bool waits(int vehicle) const { return states_[at(vehicle)].wants != lanes::kNone; }
+
   /// Counts what may let others go on: ways that were found, nodes that were left.
   std::uint64_t changes() const { return changes_; }
 
@@ -86,7 +93,6 @@ class Traffic {
     std::int64_t first = 0;          ///< number of stays.front(), counted up
     bool drives = false;             ///< it has entered stays[1]
     NodeIndex wants = lanes::kNone;  ///< waits to have a way there
-    int waits_for = -1;              ///< who stands in the way
     bool operator==(const State&) const = default;
   };
   /// A stay in the order of its node.
@@ -103,9 +109,7 @@ class Traffic {
   TimedWays ways_from(int vehicle, Nanoseconds now);
   void take(int vehicle, const std::vector<TimedNode>& way);
   PlanResult blocked(int vehicle, NodeIndex goal) const;
-  bool closes_ring(int vehicle) const;
-  bool give_way(int vehicle, Nanoseconds now);
-
+  std::vector<int> lanes_to(NodeIndex goal, double width) const;
   std::shared_ptr<const LaneNetwork> network_;
   std::vector<Vehicle> vehicles_;
   std::vector<State> states_;

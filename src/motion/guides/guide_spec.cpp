@@ -111,7 +111,9 @@ constexpr std::array kChoices{
 std::span<const KindInfo> guide_kinds() { return kKinds; }
 std::span<const ClauseInfo> guide_clauses() { return kClauses; }
 
-const char* name_of(GuideKind kind) { return kKinds[static_cast<std::size_t>(kind)].name; }
+const char* name_of(GuideKind kind) {
+  return kind == GuideKind::lanes ? "lanes" : kKinds[static_cast<std::size_t>(kind)].name;
+}
 
 std::optional<GuideKind> find_kind(std::string_view name) {
   for (const KindInfo& info : kKinds) {

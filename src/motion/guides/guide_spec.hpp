@@ -29,11 +29,14 @@ enum class GuideKind : std::uint8_t {
   simple,
   tangent,
   ace,
-  visibility  ///< with one
+  visibility,  ///< with one
+  lanes        ///< of the vehicles of a fleet; plans do not name it
 };
 
 /// Whether it goes round outlines in the plan view: for machines that travel.
-constexpr bool is_travel(GuideKind kind) { return kind >= GuideKind::bug1; }
+constexpr bool is_travel(GuideKind kind) {
+  return kind >= GuideKind::bug1 && kind <= GuideKind::visibility;
+}
 
 /// Which nodes of a lattice are neighbours: those that are a pitch apart in one parameter, or in
 /// any number of them.

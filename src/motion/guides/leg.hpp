@@ -31,6 +31,8 @@ class Leg {
   const std::vector<int>& stepped() const { return stepped_; }
   /// Of a vehicle: the angle that it drives along, else -1; and the two that driving changes.
   int heading() const { return heading_; }
+  /// Of a vehicle: the parameter that drives it, else -1.
+  int drive() const { return drive_; }
   std::span<const int, 2> place() const { return place_; }
 
   /// The steps, per parameter, of the next motion step from `q` to `target`; false: it is there.

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "src/motion/guides/lane_guide.hpp"
 #include "src/motion/guides/planners.hpp"
 
 namespace rubicon::guides {
@@ -98,6 +99,7 @@ PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<cons
 }
 
 std::unique_ptr<Guide> make_guide(const GuideSpec& spec, GuideTask task) {
+  if (spec.kind == GuideKind::lanes) return std::make_unique<LaneGuide>(spec, std::move(task));
   return std::make_unique<PlannedGuide>(spec, std::move(task));
 }
 

@@ -18,6 +18,25 @@ struct Thing {
   math::Pose X_W = math::Pose::Identity();
 };
 
+/// What a vehicle on a network is told when it asks where to drive next.
+struct LaneAnswer {
+  enum class Kind { node, goal, waits, no_way };
+  Kind kind = Kind::no_way;
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< node: where it is (world, m)
+  int left = 0;                                     ///< node: how many come after it
+  std::string reason = {};                          ///< waits, no_way
+  /// It begins to drive, or a way was just found: then the places of all nodes ahead.
+  bool tells_way = false;
+  std::vector<Eigen::Vector2d> way = {};
+};
+
+/// What it says of itself when it asks.
+struct LaneQuestion {
+  Eigen::Vector2d place;  ///< where it is (world, m)
+  Eigen::Vector2d goal;   ///< where it wants to be
+  bool reached = false;   ///< it has come to the node that it was sent to last
+};
+
 /// What a guide asks of the site; configurations have all parameters of the robot.
 class MotionTests {
  public:
@@ -28,6 +47,12 @@ class MotionTests {
   virtual bool sweeps_free(std::span<const double> q_from, std::span<const double> q_to) = 0;
   /// All that is on the site but the robot, as it stands now: for ways in the plan view.
   virtual std::vector<Thing> things() const { return {}; }
+  /// The next node for a vehicle of a fleet, which it may enter now and holds from now on.
+  virtual LaneAnswer next_node(const LaneQuestion&) {
+    LaneAnswer answer;
+    answer.reason = "it drives on no network";
+    return answer;
+  }
 };
 
 /// A configuration as planners see it: the parameters of a leg, in their order.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/motion/guides/leg.hpp"
 #include "src/motion/math/index.hpp"
+#include "src/motion/robot/turns.hpp"
 
 namespace rubicon::guides {
 
@@ -64,6 +66,18 @@ double Vehicle::radius(std::span<const double> q) const {
   return radius;
 }
 
+double Vehicle::width_across(const Vec2& direction, std::span<const double> q) const {
+  const std::vector<math::Pose> X_WB = poses(q);
+  const Vec2 across(-direction.y(), direction.x());
+  travel::Heights all{HUGE_VAL, -HUGE_VAL};
+  for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
+    const travel::Heights each = travel::extent_along(across, model_.bodies[i].shapes, X_WB[i]);
+    all.low = std::min(all.low, each.low);
+    all.high = std::max(all.high, each.high);
+  }
+  return std::max(all.high - all.low, 0.0);
+}
+
 travel::Heights Vehicle::heights(std::span<const double> q) const {
   const std::vector<math::Pose> X_WB = poses(q);
   travel::Heights all{HUGE_VAL, -HUGE_VAL};
@@ -73,6 +87,25 @@ travel::Heights Vehicle::heights(std::span<const double> q) const {
     all.high = std::max(all.high, each.high);
   }
   return all.low < all.high ? all : travel::Heights{-HUGE_VAL, HUGE_VAL};
+}
+
+std::vector<std::pair<int, double>> values_at(const robot::RobotModel& model,
+                                              const robot::Mounting& mounting,
+                                              std::span<const double> q, const math::Pose& X_W) {
+  const Vehicle vehicle(model, mounting);
+  const Leg leg(model, mounting);
+  std::vector<double> stands(q.begin(), q.end());
+  std::vector<int> moved = {vehicle.x(), vehicle.y()};
+  if (leg.heading() >= 0) {
+    const Eigen::Vector2d ahead = X_W.linear().col(0).head<2>();
+    moved.push_back(leg.heading());
+    stands[at(leg.heading())] =
+        robot::reduced(model.parameters[at(leg.heading())], leg.heading_along(q, ahead));
+  }
+  vehicle.set_place(X_W.translation().head<2>(), stands);
+  std::vector<std::pair<int, double>> values;
+  for (const int parameter : moved) values.emplace_back(parameter, stands[at(parameter)]);
+  return values;
 }
 
 }  // namespace rubicon::guides

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "src/motion/robot/kinematics.hpp"
@@ -26,6 +27,8 @@ class Vehicle {
   void set_place(const travel::Vec2& p, std::vector<double>& q) const;
   /// Of the disc about its place that holds all its bodies, however it is turned about it.
   double radius(std::span<const double> q) const;
+  /// Between its sides (m), as it drives along a direction of the plan (unit vector).
+  double width_across(const travel::Vec2& direction, std::span<const double> q) const;
   /// That its bodies take up; of a machine without a shape all.
   travel::Heights heights(std::span<const double> q) const;
 
@@ -39,5 +42,11 @@ class Vehicle {
   int x_ = -1;
   int y_ = -1;
 };
+
+/// The parameters that bring such a machine to a pose in the plan view (world), all others as in q:
+/// x and y, and the heading of one that drives along it.
+std::vector<std::pair<int, double>> values_at(const robot::RobotModel& model,
+                                              const robot::Mounting& mounting,
+                                              std::span<const double> q, const math::Pose& X_W);
 
 }  // namespace rubicon::guides

@@ -196,12 +196,12 @@ Heights heights_of(const std::vector<geometry::Shape>& shapes, const math::Pose&
   return all;
 }
 
-double reach_about(const Vec2& axis, const std::vector<geometry::Shape>& shapes,
-                   const math::Pose& X_WB) {
-  double reach = 0;
-  const auto add = [&](const Vec3& p, double radius) {
-    reach = std::max(reach, (p.head<2>() - axis).norm() + radius);
-  };
+namespace {
+
+/// Calls `add` with points and the radii of balls about them, whose hull holds the shapes.
+template <typename Add>
+void for_each_ball(const std::vector<geometry::Shape>& shapes, const math::Pose& X_WB,
+                   const Add& add) {
   for (const geometry::Shape& shape : shapes) {
     const math::Pose X = X_WB * shape.X_BS;
     if (const auto balls = balls_of(shape.solid, X)) {
@@ -213,7 +213,28 @@ double reach_about(const Vec2& axis, const std::vector<geometry::Shape>& shapes,
     std::visit(all, shape.solid);
     for (const Vec3& corner : all.corners) add(corner, 0);
   }
+}
+
+}  // namespace
+
+double reach_about(const Vec2& axis, const std::vector<geometry::Shape>& shapes,
+                   const math::Pose& X_WB) {
+  double reach = 0;
+  for_each_ball(shapes, X_WB, [&](const Vec3& p, double radius) {
+    reach = std::max(reach, (p.head<2>() - axis).norm() + radius);
+  });
   return reach;
+}
+
+Heights extent_along(const Vec2& direction, const std::vector<geometry::Shape>& shapes,
+                     const math::Pose& X_WB) {
+  Heights extent{HUGE_VAL, -HUGE_VAL};
+  for_each_ball(shapes, X_WB, [&](const Vec3& p, double radius) {
+    const double along = direction.dot(p.head<2>());
+    extent.low = std::min(extent.low, along - radius);
+    extent.high = std::max(extent.high, along + radius);
+  });
+  return extent;
 }
 
 }  // namespace rubicon::travel

@@ -7,7 +7,8 @@
 
 namespace rubicon::travel {
 
-/// A slab of heights, m in the frame that is looked at from above.
+/// From a least to a greatest value: a slab of heights, m in the frame that is looked at from
+/// above.
 struct Heights {
   double low = 0;
   double high = 0;
@@ -28,5 +29,10 @@ Heights heights_of(const std::vector<geometry::Shape>& shapes, const math::Pose&
 /// The radius of the smallest disc about a vertical axis through a point that holds the shapes (m).
 double reach_about(const Vec2& axis, const std::vector<geometry::Shape>& shapes,
                    const math::Pose& X_WB);
+
+/// How far shapes reach along a horizontal unit vector, as places on it (m): low > high where there
+/// are none.
+Heights extent_along(const Vec2& direction, const std::vector<geometry::Shape>& shapes,
+                     const math::Pose& X_WB);
 
 }  // namespace rubicon::travel

@@ -60,6 +60,21 @@ SiteWorld make_site(const interpreter::PlanModel& plan) {
     StartingRobot robot = make_starting_robot(spec, prepared);
     site.add_robot(std::move(robot.machine), std::move(robot.q));
   }
+  for (std::size_t i = 0; i < plan.networks.size(); ++i) {
+    std::vector<traffic::Vehicle> vehicles;
+    std::vector<int> robots;
+    for (const interpreter::FleetSpec& fleet : plan.fleets) {
+      if (fleet.network != static_cast<int>(i)) continue;
+      for (std::size_t k = 0; k < fleet.robots.size(); ++k) {
+        vehicles.push_back({fleet.speed, fleet.width, fleet.nodes[k]});
+        robots.push_back(fleet.robots[k]);
+      }
+    }
+    if (vehicles.empty()) continue;
+    auto network = std::make_shared<const lanes::LaneNetwork>(plan.networks[i].description);
+    site.add_network(plan.networks[i].name,
+                     traffic::Traffic(std::move(network), std::move(vehicles)), std::move(robots));
+  }
   if (!plan.carry.empty() && !plan.robots.empty()) {
     site.attach_carry(0, prepare_named(plan.carry, "the load"));
   }

@@ -29,6 +29,10 @@ class RobotView : public interpreter::World {
   bool situation(const std::string& name, std::span<const double> q,
                  std::span<const double> q_goal) const override;
   std::vector<guides::Thing> things() const override { return site_.things(index_); }
+  guides::LaneAnswer next_node(const guides::LaneQuestion& question,
+                               std::optional<interpreter::HitPair>& before) override {
+    return site_.next_node(index_, question, before);
+  }
   bool loaded() const override { return site_.load(index_).has_value(); }
 
   /// What the load would meet that people turn by the angle about the vertical through the tool's

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "interpreter/program/world.hpp"
+#include "src/fleets/traffic/traffic.hpp"
 #include "src/motion/collision/swept_query.hpp"
 #include "src/simulation/site/load.hpp"
 #include "src/simulation/site/moving_thing.hpp"
@@ -187,6 +188,29 @@ class SiteWorld {
   /// All of it but the robot and what hangs on it, where it is now.
   std::vector<guides::Thing> things(int robot) const;
 
+  // site_traffic.cpp: the vehicles of fleets
+  /// The traffic of a network and the robots that drive there, to each vehicle.
+  void add_network(std::string name, traffic::Traffic traffic, std::vector<int> robots);
+  /// The next node of the robot, as `World::next_node`.
+  guides::LaneAnswer next_node(int robot, const guides::LaneQuestion& question,
+                               std::optional<interpreter::HitPair>& before);
+  /// How far (m) the robot has from its node over the lanes to the node nearest to a place, and
+  /// from there to it; infinite where no lanes lead there. Nothing of a robot on no network.
+  std::optional<double> lane_distance(int robot, const Eigen::Vector2d& place) const;
+  /// Lets a robot that waits for its turn get by where others stand in the way who wait too or are
+  /// idle (`idle`, by robot): those get ways, too. False: there is no way out, or there was none
+  /// when it was looked for last and nothing has changed.
+  bool untangle(int robot, const std::vector<bool>& idle);
+  /// All robots of the network of a robot but it; nothing of one on no network.
+  std::vector<int> robots_beside(int robot) const;
+  /// Where the way of a robot ends; nothing of one that has none ahead.
+  std::optional<lanes::Node> end_of_way(int robot) const;
+  /// Counts what may let vehicles go on that wait for their turn.
+  std::uint64_t traffic_changes() const;
+  /// The traffic of each network, to go back to.
+  std::vector<traffic::Traffic> traffic() const;
+  void set_traffic(std::vector<traffic::Traffic> traffic);
+
   /// Components in the order in which they came to stand or ceased to, going back included: who
   /// follows them remembers how far it has read.
   const std::vector<int>& component_changes() const { return component_changes_; }
@@ -264,6 +288,16 @@ class SiteWorld {
   std::vector<ReservedPart> reserved_parts(const RobotEntry& robot) const;
   const ReservedVolume& reserved_volume(const RobotEntry& robot) const;
   static const std::string& part_name(const RobotEntry& robot, int part);
+
+  /// A network and who drives there.
+  struct Network {
+    std::string name;
+    traffic::Traffic traffic;
+    std::vector<int> robots;  ///< to each vehicle
+    /// By vehicle: who was idle, and what had changed, when no way out was found for it last.
+    std::map<int, std::pair<std::uint64_t, std::vector<bool>>> tangled = {};
+  };
+  std::vector<Network> networks_;
 
   double contact_tolerance_;
   collision::CollisionWorld obstacles_;

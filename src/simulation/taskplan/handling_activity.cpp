@@ -166,6 +166,7 @@ Step HandlingActivity::attach(ActiveTask& task, Stage& stage) {
   if (const auto zone = stage.site.zone_around(component, robot)) {
     wait_ = {{{-1, zone->zone_task, -1, stage.site.component_name(component), zone->name}},
              stage.now(),
+             stage.site.traffic_changes(),
              0,
              false,
              false};

@@ -9,6 +9,7 @@ namespace rubicon::taskplan {
 namespace {
 
 std::string meeting(const Blocker& blocker) {
+  if (blocker.turn) return fmt::format("it {} {}", blocker.moved, blocker.met);
   return fmt::format("{} meets {}", blocker.moved, blocker.met);
 }
 
@@ -66,7 +67,7 @@ std::string text_of_way(const Stage& stage, int task, const Blocker& blocker) {
                      stage.robot_spec(blocker.robot).name, meeting(blocker));
 }
 
-WaitSet MachineWait::waits(const Stage& stage) const {
+WaitSet MachineWait::waits(const Stage& stage, int own) const {
   constexpr auto kKind = WaitTarget::Kind::activity;
   WaitSet waits;
   waits.any = true;
@@ -82,13 +83,22 @@ WaitSet MachineWait::waits(const Stage& stage) const {
     waits.targets.push_back(blocker.robot >= 0
                                 ? stage.move_of(blocker.robot, kKind, number)
                                 : WaitTarget{kKind, number, {blocker.zone_task}, false, false});
+    if (!blocker.turn) continue;
+    // Any that drives on the network, or is at work there, may make room when it goes on.
+    for (const int robot : stage.site.robots_beside(blocker.robot)) {
+      if (robot == own || stage.allocator->state(robot).holder() < 0) continue;
+      waits.targets.push_back(stage.move_of(robot, kKind, number));
+    }
   }
   return waits;
 }
 
 bool MachineWait::wakes_at(const Stage& stage, const SiteEvent& event) const {
+  const bool turn = std::any_of(blockers.begin(), blockers.end(),
+                                [](const Blocker& blocker) { return blocker.turn; });
+  if (turn && stage.site.traffic_changes() != traffic) return true;
   const bool met = std::any_of(blockers.begin(), blockers.end(), [&](const Blocker& blocker) {
-    return (event.robot >= 0 && blocker.robot == event.robot) ||
+    return (event.robot >= 0 && blocker.robot == event.robot && !blocker.turn) ||
            (event.moving >= 0 && blocker.moving == event.moving) ||
            (event.zone_task >= 0 && blocker.zone_task == event.zone_task);
   });
@@ -134,7 +144,10 @@ std::string MachineWait::standstill_reason(const Stage& stage) const {
         stop.empty() ? ", which comes by again and again, and no machine moves" : stop);
   }
   std::string reason =
-      fmt::format("blocked for ever: {}, which does not move any more", meeting(blocker));
+      blocker.turn
+          ? fmt::format("blocked for ever: {} is at {} and does not move any more",
+                        stage.robot_spec(blocker.robot).name, blocker.met)
+          : fmt::format("blocked for ever: {}, which does not move any more", meeting(blocker));
   if (blocker.robot >= 0 && !stage.robot_spec(blocker.robot).park) {
     reason += fmt::format("; give {} a park position", stage.robot_spec(blocker.robot).name);
   }

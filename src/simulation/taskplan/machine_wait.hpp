@@ -16,10 +16,11 @@ struct Blocker {
   int zone_task = -1;
   int moving = -1;
   std::string moved;  ///< the part that met it
-  std::string met;    ///< what it met
+  std::string met;    ///< what it met; with `turn` the node where the robot goes first
+  bool turn = false;
 
   static Blocker of(const interpreter::HitPair& pair) {
-    return {pair.machine, pair.zone_task, pair.moving, pair.moved, pair.met};
+    return {pair.machine, pair.zone_task, pair.moving, pair.moved, pair.met, pair.turn};
   }
   bool same_as(const Blocker& other) const {
     return robot == other.robot && zone_task == other.zone_task && moving == other.moving;
@@ -36,12 +37,14 @@ std::string text_of_way(const Stage& stage, int task, const Blocker& blocker);
 struct MachineWait {
   std::vector<Blocker> blockers;
   Ticks since = 0;
-  std::uint64_t others = 0;  ///< how far those in the way had come when it began
+  std::uint64_t traffic = 0;  ///< what had changed on networks when it looked last
+  std::uint64_t others = 0;   ///< how far those in the way had come when it began
   /// It waits where it waited before, and who is in the way came no further: until one does.
   bool stubborn = false;
   bool is_enough = false;  ///< what it has reached is enough for the task
 
-  WaitSet waits(const Stage& stage) const;
+  /// `own`: the robot that waits, -1: none.
+  WaitSet waits(const Stage& stage, int own = -1) const;
   bool wakes_at(const Stage& stage, const SiteEvent& event) const;
   /// The machines that are in the way, or in the way of what is.
   std::vector<int> robots(const Stage& stage) const;

@@ -158,6 +158,7 @@ Step MotionActivity::move_on(ActiveTask& task, Stage& stage) {
     count_time(task, stage, machine.time(), false);
   }
   refund_waits(stage);
+  const std::uint64_t traffic = stage.site.traffic_changes();
   while (machine.time() == stage.now()) {
     const std::vector<double> before = machine.q();
     const int tries = machine.tries();
@@ -171,6 +172,9 @@ Step MotionActivity::move_on(ActiveTask& task, Stage& stage) {
     if (stops) version_at_stop_ = stage.view(stage.spec(task.task).robot).version();
     if (!stops) count_step(task, stage, machine.time(), waits);
     if (stops) count_time(task, stage, machine.time(), false);
+  }
+  if (stage.site.traffic_changes() != traffic) {
+    stage.announce({stage.spec(task.task).robot, -1});
   }
   // A motion that was stopped may reach its way points again: only the first time is progress.
   const std::size_t behind = goals_dropped_ + machine.way_point();
@@ -288,7 +292,7 @@ Step MotionActivity::end_motion(ActiveTask& task, Stage& stage) {
 void MotionActivity::wait_for_machine(ActiveTask& task, Stage& stage, std::vector<Blocker> blockers,
                                       bool enough) {
   doing_ = Doing::waiting_for_machine;
-  wait_ = {std::move(blockers), stage.now(), 0, false, enough};
+  wait_ = {std::move(blockers), stage.now(), stage.site.traffic_changes(), 0, false, enough};
   wait_.others = progress_of(stage, wait_.blockers);
   stage.begins_to_wait(task.task);
   wait_.wait_for_timetables(stage, task.task);
@@ -337,8 +341,10 @@ Step MotionActivity::retry(ActiveTask& task, Stage& stage) {
     return step;
   }
   std::vector<Blocker> blockers = std::move(wait_.blockers);
+  const std::uint64_t traffic = wait_.traffic;
   *this = before;
   wait_.blockers = std::move(blockers);
+  wait_.traffic = traffic;
   task.account = account;
   stage.events.cancel(task.task);
   stage.trace.forget_since(mark);
@@ -346,8 +352,9 @@ Step MotionActivity::retry(ActiveTask& task, Stage& stage) {
   return Step::pending;
 }
 
-WaitSet MotionActivity::waits(const ActiveTask&, const Stage& stage) const {
-  return doing_ == Doing::waiting_for_machine ? wait_.waits(stage) : WaitSet();
+WaitSet MotionActivity::waits(const ActiveTask& task, const Stage& stage) const {
+  return doing_ == Doing::waiting_for_machine ? wait_.waits(stage, stage.spec(task.task).robot)
+                                              : WaitSet();
 }
 
 std::string MotionActivity::text_of(const ActiveTask& task, const Stage& stage,

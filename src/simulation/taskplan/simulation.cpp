@@ -44,7 +44,8 @@ std::optional<Schedule> Simulation::run() {
   start_plan();
   while (!must_restart_) {
     if (apply_rejection() || repeat_lift()) continue;
-    if (process_event() || hand_out() || park_idle_machines() || find_deadlock()) continue;
+    if (process_event() || hand_out() || untangle_fleets()) continue;
+    if (park_idle_machines() || find_deadlock()) continue;
     const std::optional<Ticks> next = stage_.events.next();
     const Ticks chance = stage_.allocator->next_chance(stage_.now());
     Ticks time = std::min(next.value_or(schedule::kEndOfTime), chance);
@@ -245,7 +246,7 @@ void Simulation::begin_task(const ResourceAllocator::Grant& grant) {
     const std::string& choice = active.account.outcome.choice;
     if (!choice.empty()) because += "; " + choice;
     trace->task_start(now, because, step.task_before < 0 ? "" : stage_.spec(step.task_before).name,
-                      interpreter::member_names(plan_, each));
+                      interpreter::member_names(plan_, each), stage_.place_of_park(task));
   }
   if (!each.zones.empty()) {
     stage_.site_changes.hold_zone(task, each.name, zone_of(each), each.robot);

@@ -120,6 +120,8 @@ class Simulation : private LinkState::Listener {
   bool resolve_standstill();
   std::string standstill_reason(int task) const;
   bool lets_one_go_on(const std::vector<int>& tasks);
+  bool untangle_fleets();
+  void choose_park(int robot);
   bool park_idle_machines();
   bool may_park(int robot, bool now) const;
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "src/motion/robot/kinematics.hpp"
@@ -19,7 +20,7 @@ using Choice = interpreter::PoolSpec::Choice;
 std::string rank_text(Choice rule, double rank) {
   switch (rule) {
     case Choice::nearest:
-      return fmt::format("{:.2f} m", rank);
+      return std::isinf(rank) ? "without a way over its lanes" : fmt::format("{:.2f} m", rank);
     case Choice::least_used:
       return schedule::clock_text(static_cast<Ticks>(rank));
     case Choice::first:
@@ -106,13 +107,17 @@ double Simulation::rank_of(const interpreter::TaskSpec& choice,
       goals_of(plan_, choice, moves ? MotionPurpose::grip : MotionPurpose::go, stage_.site);
   const interpreter::GoalSpec& goal = goals.front();
   const math::Vec3 p_WT = stage_.site.tool_pose(resource).translation();
-  if (goal.X_WG) return (goal.X_WG->translation() - p_WT).norm();
+  const auto distance = [&](const math::Vec3& p_WG) {
+    const auto over_lanes = stage_.site.lane_distance(resource, p_WG.head<2>());
+    return over_lanes.value_or((p_WG - p_WT).norm());
+  };
+  if (goal.X_WG) return distance(goal.X_WG->translation());
   const robot::RobotModel& model = stage_.robot_spec(resource).robot->model;
   const robot::Mounting& mounting = stage_.site.robot(resource).mounting;
   std::vector<double> q = stage_.site.configuration(resource);
   for (const auto& [parameter, value] : goal.values) q[index(parameter)] = value;
   robot::update_derived(model, mounting, q);
-  return (robot::tool_pose(model, mounting, q).translation() - p_WT).norm();
+  return distance(robot::tool_pose(model, mounting, q).translation());
 }
 
 /// The task has the members it was given; those of a group are kept for it.

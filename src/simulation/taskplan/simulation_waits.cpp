@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "src/motion/guides/vehicle.hpp"
 #include "src/simulation/taskplan/goal_holds.hpp"
 #include "src/simulation/taskplan/simulation.hpp"
 
@@ -197,6 +198,37 @@ bool Simulation::may_park(int robot, bool now) const {
                      {});
 }
 
+/// Where vehicles of fleets stand in each other's way, those that wait or are idle get out of it.
+bool Simulation::untangle_fleets() {
+  if (plan_.fleets.empty()) return false;
+  std::vector<bool> idle;
+  for (int robot = 0; robot < stage_.robots(); ++robot) {
+    idle.push_back(stage_.allocator->state(robot).holder() < 0 && !stage_.site.load(robot));
+  }
+  bool any = false;
+  for (std::size_t i = 0; i < stage_.active.size(); ++i) {
+    const ActiveTask& active = stage_.active[i];
+    const int robot = stage_.spec(active.task).robot;
+    if (!active.activity || robot < 0 || stage_.robot_spec(robot).fleet < 0) continue;
+    if (active.activity->robots_in_the_way(stage_).empty()) continue;
+    if (!stage_.site.untangle(robot, idle)) continue;
+    any = true;
+    stage_.announce({robot, -1});
+  }
+  return any;
+}
+
+/// An idle vehicle of a fleet that has a way goes to its end.
+void Simulation::choose_park(int robot) {
+  const interpreter::RobotSpec& machine = stage_.robot_spec(robot);
+  const auto node = stage_.site.end_of_way(robot);
+  if (machine.fleet < 0 || !node || stage_.allocator->state(robot).holder() >= 0) return;
+  const math::Pose X_WN =
+      math::translation(node->x, node->y, 0) * math::rotation_z_deg(node->heading_deg);
+  stage_.set_park(robot, guides::values_at(machine.robot->model, stage_.site.robot(robot).mounting,
+                                           stage_.site.configuration(robot), X_WN));
+}
+
 /// Asks idle machines that are in somebody's way to their park position; whether one was asked.
 bool Simulation::park_idle_machines() {
   std::vector<std::pair<int, int>> in_the_way;  // the robot, the task that waits for it
@@ -209,7 +241,9 @@ bool Simulation::park_idle_machines() {
   }
   for (const ZoneWait& wait : zone_waits_.all()) in_the_way.emplace_back(wait.robot, wait.task);
   for (const auto& [robot, asking] : in_the_way) {
-    if (robot < 0 || !may_park(robot, true)) continue;
+    if (robot < 0) continue;
+    choose_park(robot);
+    if (!may_park(robot, true)) continue;
     const int task = stage_.park_task(robot);
     ResourceAllocator::Grant grant;
     grant.task = task;

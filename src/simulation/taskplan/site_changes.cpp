@@ -49,6 +49,7 @@ SiteChanges::Moment SiteChanges::moment(int robots) const {
   for (int moving = 0; moving < site_.movings(); ++moving) {
     moment.movings.push_back(site_.moving(moving).state());
   }
+  moment.traffic = site_.traffic();
   return moment;
 }
 
@@ -61,6 +62,7 @@ void SiteChanges::go_back(const Moment& moment, Ticks now) {
   for (std::size_t moving = 0; moving < moment.movings.size(); ++moving) {
     site_.set_moving_state(static_cast<int>(moving), moment.movings[moving]);
   }
+  site_.set_traffic(moment.traffic);
 }
 
 }  // namespace rubicon::taskplan

@@ -40,6 +40,7 @@ class SiteChanges {
     Journal::Mark mark = 0;
     std::vector<site::MachineState> machines;
     std::vector<site::MovingState> movings;
+    std::vector<traffic::Traffic> traffic;
   };
   Moment moment(int robots) const;
   void go_back(const Moment& moment, Ticks now);

@@ -33,6 +33,9 @@ Stage::Stage(const interpreter::PlanModel& the_plan, const interpreter::SourceMa
     if (!robot_spec(robot).park) continue;
     park.go.emplace();
     park.go->values = *robot_spec(robot).park;
+    if (const int fleet = robot_spec(robot).fleet; fleet >= 0) {
+      park.guides = {plan.fleets[at(fleet)].guide};
+    }
   }
   for (const interpreter::TaskSpec& task : plan.tasks) specs_.push_back(&task);
   for (const interpreter::TaskSpec& park : parks_) specs_.push_back(&park);

@@ -82,6 +82,15 @@ class Stage {
   int crew_resource(int crew) const { return robots() + crew; }
   int park_task(int robot) const { return plan_tasks() + robot; }
   bool is_park(int task) const { return task >= plan_tasks(); }
+  /// Where the robot parks from now on.
+  void set_park(int robot, std::vector<std::pair<int, double>> values) {
+    parks_[at(robot)].go->values = std::move(values);
+  }
+  /// Where the task parks a vehicle of a fleet; nothing of other tasks.
+  std::vector<std::pair<int, double>> place_of_park(int task) const {
+    if (!is_park(task) || robot_spec(spec(task).robot).fleet < 0) return {};
+    return spec(task).go->values;
+  }
   /// "left (go_right)", or the name of a task without a robot.
   std::string who_is(int task) const;
 

@@ -58,6 +58,9 @@ struct TaskStart {
   std::string_view because;
   std::string_view after;
   std::string_view chosen;
+  /// Of a vehicle of a fleet that gives way: values of the parameters of its `park`, in their
+  /// order.
+  Numbers to;
 };
 
 struct GoalStart {

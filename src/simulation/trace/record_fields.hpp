@@ -36,7 +36,8 @@ struct RecordFields<TaskStart> {
   static constexpr RecordKind kKind = RecordKind::task_start;
   static constexpr auto kFields =
       std::tuple(required<&TaskStart::t>("t"), optional<&TaskStart::because>("because"),
-                 optional<&TaskStart::after>("after"), optional<&TaskStart::chosen>("chosen"));
+                 optional<&TaskStart::after>("after"), optional<&TaskStart::chosen>("chosen"),
+                 optional<&TaskStart::to>("to"));
 };
 
 template <>

@@ -455,6 +455,46 @@ void write_movings(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) 
   json.end_array();
 }
 
+/// Nodes with their poses, lanes by the numbers of their nodes and their class; who drives there.
+void write_networks(JsonBuilder& json, const PlanModel& plan) {
+  if (plan.networks.empty()) return;
+  json.key("networks").begin_array();
+  for (const interpreter::NetworkSpec& network : plan.networks) {
+    json.begin_object().field("name", network.name).key("classes").begin_array();
+    for (const lanes::LaneClass& each : network.description.classes) {
+      json.begin_object().field("name", each.name).field("speed", each.speed);
+      json.field("width", each.width).end_object();
+    }
+    json.end_array().key("nodes").begin_array();
+    for (std::size_t i = 0; i < network.X_WN.size(); ++i) {
+      json.begin_object().field("name", network.description.nodes[i].name).key("pose");
+      json.pose(network.X_WN[i]).end_object();
+    }
+    json.end_array().key("lanes").begin_array();
+    for (const lanes::Lane& lane : network.description.lanes) {
+      json.begin_object().field("from", lane.from).field("to", lane.to);
+      json.field("class", lane.lane_class);
+      if (lane.length) json.field("length", *lane.length);
+      json.end_object();
+    }
+    json.end_array().end_object();
+  }
+  json.end_array();
+  json.key("fleets").begin_array();
+  for (const interpreter::FleetSpec& fleet : plan.fleets) {
+    json.begin_object().field("name", fleet.name);
+    json.field("network", plan.networks[static_cast<std::size_t>(fleet.network)].name);
+    json.key("robots").begin_array();
+    for (const int robot : fleet.robots) {
+      json.value(std::string_view(plan.robots[static_cast<std::size_t>(robot)].name));
+    }
+    json.end_array().key("nodes").begin_array();
+    for (const lanes::NodeIndex node : fleet.nodes) json.value(node);
+    json.end_array().end_object();
+  }
+  json.end_array();
+}
+
 }  // namespace
 
 std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sources,
@@ -481,6 +521,7 @@ std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sou
     json.end_array();
   }
   write_movings(json, plan, meshes);
+  write_networks(json, plan);
   write_components(json, plan, meshes);
   write_robots(json, plan, meshes);
   json.key("carry");

@@ -86,7 +86,8 @@ void TraceWriter::configuration(std::span<const double> q) {
 }
 
 void TraceWriter::task_start(interpreter::Ticks time, std::string_view because,
-                             std::string_view after, std::string_view chosen) {
+                             std::string_view after, std::string_view chosen,
+                             const std::vector<std::pair<int, double>>& to) {
   if (detail_ == TraceDetail::none) return;
   begin("task_start");
   line_ += ",\"t\":";
@@ -100,6 +101,14 @@ void TraceWriter::task_start(interpreter::Ticks time, std::string_view because,
   if (!chosen.empty()) {
     line_ += ",\"chosen\":";
     append_string(line_, chosen);
+  }
+  if (!to.empty()) {
+    line_ += ",\"to\":[";
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      if (i > 0) line_ += ',';
+      append_number(line_, to[i].second);
+    }
+    line_ += ']';
   }
   finish();
 }

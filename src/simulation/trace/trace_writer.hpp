@@ -27,9 +27,11 @@ class TraceWriter : public interpreter::EventSink {
   void set_task(std::string_view task, int robot);
 
   /// `because`: a sentence why it starts now; `after`: the task it waited for, "" for none;
-  /// `chosen`: whom it has of its pools.
+  /// `chosen`: whom it has of its pools; `to`: where a vehicle of a fleet goes out of the way, as
+  /// values of the parameters of its park.
   void task_start(interpreter::Ticks time, std::string_view because = {},
-                  std::string_view after = {}, std::string_view chosen = {});
+                  std::string_view after = {}, std::string_view chosen = {},
+                  const std::vector<std::pair<int, double>>& to = {});
   /// `result` is done, short, rejected or "not reached"; `time` the clock from which the plan goes
   /// on.
   void task_end(interpreter::Ticks time, std::string_view result, std::string_view reason);

@@ -76,6 +76,7 @@ class Writer {
     open("frame");
     for (const syntax::FrameElement& element : value.elements) {
       open(fmt::format("f{}", static_cast<int>(element.kind)));
+      if (element.kind == syntax::FrameElement::Kind::node) name(element.node);
       for (const syntax::ExpressionPtr& argument : element.arguments) expression(argument);
       close();
     }
@@ -204,6 +205,31 @@ class Writer {
     }
     if (value.repeat) word("repeat");
     if (value.people) word("people");
+  }
+  void item(const syntax::NetworkItem& value) {
+    name(value.name);
+    variants(value.parts);
+  }
+  void item(const syntax::PolicyItem& value) { name(value.name); }
+  void item(const syntax::LaneClassItem& value) {
+    name(value.name);
+    for (const syntax::Number& entry : value.speed) number(entry);
+    for (const syntax::Number& entry : value.width) number(entry);
+  }
+  void item(const syntax::NodeItem& value) { name(value.name), frame(value.at); }
+  void item(const syntax::LaneItem& value) {
+    name(value.from), name(value.to);
+    names(value.lane_class);
+    names(value.both);
+    for (const auto& [from, to] : value.beside) name(from), name(to);
+    for (const syntax::Number& entry : value.length) number(entry);
+  }
+  void item(const syntax::FleetItem& value) {
+    name(value.name);
+    for (const syntax::String& entry : value.file) string(entry);
+    for (const syntax::Number& entry : value.size) number(entry);
+    names(value.on), names(value.at), names(value.choose);
+    item(value.member);
   }
   void item(const syntax::SiteItem& value) { shape(value.shape); }
   void item(const syntax::NumberItem& value) { name(value.name), number(value.value); }

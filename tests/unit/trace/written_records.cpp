@@ -110,7 +110,7 @@ std::vector<std::string> written_records() {
   trace::TraceWriter writer(lines, plan, sources, trace::TraceDetail::steps);
   writer.set_task("set_slab", 0);
   writer.task_start(0);
-  writer.task_start(0, "the crane is free", "set_wall", "crane");
+  writer.task_start(0, "the crane is free", "set_wall", "crane", {{0, 20}, {1, 8.5}});
   writer.goal(1, 2);
   writer.set("height", 2.5, kLine3);
   writer.enter(interpreter::LoopKind::cycle, kLine3);

@@ -55,6 +55,7 @@ class Drive {
         traffic_.arrived(next, now_);
         went = true;
       }
+      if (!went) went = untangle();
       check_holds();
       ASSERT_LT(++events_, 100000);
     }
@@ -63,22 +64,20 @@ class Drive {
   bool all_done() const {
     return std::all_of(jobs_.begin(), jobs_.end(), [](const auto& jobs) { return jobs.empty(); });
   }
-  /// Whether whoever is not done waits for one that has nothing more to do, or for who waits so.
-  bool all_wait_for_idle() {
-    for (int v = 0; v < traffic_.vehicles(); ++v) {
-      int other = v;
-      for (int i = 0; i <= traffic_.vehicles() && !jobs_[static_cast<std::size_t>(other)].empty();
-           ++i) {
-        const NodeIndex goal = jobs_[static_cast<std::size_t>(other)].front();
-        other = traffic_.plan(other, goal, now_).wait.vehicle;
-        if (other < 0) return false;
-      }
-      if (!jobs_[static_cast<std::size_t>(other)].empty()) return false;
-    }
-    return true;
-  }
 
  private:
+  /// When all stand: lets the first that waits get by. Who has nothing more to do may be moved.
+  bool untangle() {
+    std::vector<bool> movable;
+    for (int v = 0; v < traffic_.vehicles(); ++v) {
+      movable.push_back(traffic_.waits(v) || jobs_[static_cast<std::size_t>(v)].empty());
+    }
+    for (int v = 0; v < traffic_.vehicles(); ++v) {
+      if (traffic_.waits(v) && traffic_.untangle(v, movable, now_)) return true;
+    }
+    return false;
+  }
+
   bool start(int v) {
     auto& jobs = jobs_[static_cast<std::size_t>(v)];
     auto& arrival = arrival_[static_cast<std::size_t>(v)];
@@ -202,7 +201,7 @@ lanes::NetworkDescription yard(int bays, bool one_way) {
 }
 
 TEST(Traffic, BringsAllToTheirBaysWhateverIsLate) {
-  const int runs = test::cases(1000);
+  const int runs = test::cases(400);
   for (int run = 0; run < runs; ++run) {
     TestRandom random(static_cast<std::uint64_t>(run));
     const int bays = 6 + run % 10;
@@ -234,7 +233,6 @@ std::vector<NodeIndex> shuffled(int count, TestRandom& random) {
 
 TEST(Traffic, MeetsNobodyOnAnyGrid) {
   const int runs = test::cases(1000);
-  int stuck = 0;
   for (int run = 0; run < runs; ++run) {
     TestRandom random(static_cast<std::uint64_t>(run));
     lanes::GridQuery query;
@@ -251,10 +249,9 @@ TEST(Traffic, MeetsNobodyOnAnyGrid) {
     }
     Drive drive(Traffic(network, fleet), jobs, static_cast<unsigned>(run), 20);
     drive.run();
-    // Who has arrived stays; the others get there unless such a one is in the way.
-    stuck += drive.all_done() || drive.all_wait_for_idle() ? 0 : 1;
+    // Who has arrived may be moved again.
+    ASSERT_TRUE(drive.all_done()) << "run " << run;
   }
-  EXPECT_LE(stuck, runs / 100);
 }
 
 TEST(Traffic, GivesTheSameAnswersAgain) {

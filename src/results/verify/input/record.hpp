@@ -13,7 +13,8 @@
 namespace rubicon::verify {
 
 struct TaskStart {
-  std::string chosen;  ///< of pools
+  std::string chosen;           ///< of pools
+  std::vector<double> to = {};  ///< of who parks elsewhere: values in the order of its park
 };
 
 /// The script begins for way point k of the n that are left of a motion.

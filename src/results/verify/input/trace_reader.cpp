@@ -39,7 +39,14 @@ class RecordReader {
     }
     record_.time = fields_.time("t");
     if (type == "task_start") {
-      record_.what = TaskStart{fields_.text_or("chosen", "")};
+      TaskStart start{fields_.text_or("chosen", "")};
+      if (fields_.has("to")) {
+        for (const Json& value : fields_.array("to")) {
+          if (!value.is_number()) fields_.fail("numbers in 'to'");
+          start.to.push_back(value.get<double>());
+        }
+      }
+      record_.what = std::move(start);
     } else if (type == "try") {
       record_.what = read_try();
     } else if (type == "wait") {

@@ -33,7 +33,7 @@ std::vector<PlannedMotion> planned_motions(const Trace& trace, const TaskRun& ru
   // A goal without values is a frame that the header does not give.
   const SceneGoal frame{{}, Pose::Identity()};
   if (run.task < 0) {
-    return {{{SceneGoal{trace.scene.robots[at(run.robot)].park, std::nullopt}}, false}};
+    return {{{SceneGoal{park_of(trace, run), std::nullopt}}, false}};
   }
   const SceneTask& task = trace.scene.tasks[at(run.task)];
   std::vector<PlannedMotion> motions;

@@ -167,7 +167,7 @@ class TrackBuilder {
     if (end.result != TaskResult::done) return;
     const int task = runs_[at(run_)].task;
     if (task < 0) {
-      expect_goal(robot_.park, {});
+      expect_goal(park_of(trace_, runs_[at(run_)]), {});
       return;
     }
     const SceneTask& planned = trace_.scene.tasks[at(task)];

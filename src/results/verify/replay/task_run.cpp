@@ -116,6 +116,19 @@ class RunSorter {
 
 }  // namespace
 
+std::vector<std::pair<int, double>> park_of(const Trace& trace, const TaskRun& run) {
+  std::vector<std::pair<int, double>> park = trace.scene.robots[at(run.robot)].park;
+  for (const int index : run.records) {
+    const auto* start = std::get_if<TaskStart>(&trace.records[at(index)].what);
+    if (start == nullptr) continue;
+    for (std::size_t i = 0; i < park.size() && i < start->to.size(); ++i) {
+      park[i].second = start->to[i];
+    }
+    break;
+  }
+  return park;
+}
+
 std::vector<TaskRun> task_runs(const Trace& trace, Faults& faults) {
   return RunSorter(trace, faults).sort();
 }

@@ -24,6 +24,10 @@ struct TaskRun {
   std::vector<int> records;  ///< indices into Trace::records, in order, with start and end
 };
 
+/// Where a run that parks its robot takes it: what the run says of a vehicle that gives way, else
+/// the park of the robot.
+std::vector<std::pair<int, double>> park_of(const Trace& trace, const TaskRun& run);
+
 /// Sorts the records by task, and reports tasks that begin or end twice or not at all, records
 /// outside of their task, tasks that were not reached and yet ran, and refusals without a reason.
 std::vector<TaskRun> task_runs(const Trace& trace, Faults& faults);

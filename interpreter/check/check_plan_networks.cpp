@@ -1,0 +1,243 @@
+#include <fmt/format.h>
+
+#include <map>
+#include <utility>
+
+#include "interpreter/check/check_plan_parts.hpp"
+#include "interpreter/syntax/name_suggestion.hpp"
+#include "src/motion/math/angles.hpp"
+#include "src/motion/math/index.hpp"
+
+namespace rubicon::interpreter::plan_check {
+
+namespace {
+
+using math::at;
+using syntax::UnitKind;
+
+/// m/s and m: more is a slip of the pen.
+constexpr double kMostSpeed = 1000;
+constexpr double kMostWidth = 1000;
+constexpr double kMostLength = 1e6;
+
+/// Sine of how far a node may lean: only rounding is meant.
+constexpr double kLeastUpright = 1 - 1e-9;
+
+class NetworkCheck {
+ public:
+  NetworkCheck(Subject& subject, const syntax::NetworkItem& item)
+      : subject_(subject), item_(item), who_("network '" + item.name.text + "'") {}
+
+  NetworkSpec run() {
+    network_.name = item_.name.text;
+    network_.span = item_.name.span;
+    for (const syntax::NetworkPart& part : item_.parts) {
+      if (const auto* policy = std::get_if<syntax::PolicyItem>(&part)) add_policy(*policy);
+      if (const auto* lane_class = std::get_if<syntax::LaneClassItem>(&part)) add(*lane_class);
+      if (const auto* node = std::get_if<syntax::NodeItem>(&part)) add(*node);
+    }
+    for (const syntax::NetworkPart& part : item_.parts) {
+      if (const auto* lane = std::get_if<syntax::LaneItem>(&part)) add(*lane);
+    }
+    for (const auto& [lane, written] : beside_) set_beside(lane, *written);
+    if (network_.description.nodes.empty() && !subject_.plan.broken) {
+      wrong(network_.span, who_ + " has no node", "write node NAME at trans(x, y, 0);");
+    }
+    if (is_whole_) report_faults();
+    return std::move(network_);
+  }
+
+ private:
+  void wrong(Span span, std::string message, std::string hint = {}) {
+    subject_.error("P50", span, std::move(message), std::move(hint));
+    is_whole_ = false;
+  }
+
+  void add_policy(const syntax::PolicyItem& item) {
+    if (policy_) subject_.twice(item.span, "the policy of " + who_ + " is given twice", *policy_);
+    policy_ = item.span;
+    if (item.name.text == "order") return;
+    wrong(item.name.span, fmt::format("unknown policy '{}'; expected order", item.name.text),
+          "order: each node is entered in the order of the plan, whatever is late");
+  }
+
+  void add(const syntax::LaneClassItem& item) {
+    const std::string who = "class '" + item.name.text + "'";
+    const auto [place, is_new] =
+        classes_.emplace(item.name.text, static_cast<int>(network_.description.classes.size()));
+    if (!is_new) {
+      subject_.twice(item.name.span, fmt::format("{} is declared twice", who),
+                     class_spans_[at(place->second)]);
+      return;
+    }
+    class_spans_.push_back(item.name.span);
+    lanes::LaneClass lane_class;
+    lane_class.name = item.name.text;
+    lane_class.width = kMostWidth;
+    const auto span_of = [](const syntax::Number& number) { return number.span; };
+    if (const auto* speed = only_one(subject_, item.speed, "the speed of " + who, span_of)) {
+      const auto value =
+          bounded(subject_, *speed, UnitKind::speed, "the speed of " + who, 1e-6, kMostSpeed);
+      if (value) lane_class.speed = *value;
+      is_whole_ = is_whole_ && value;
+    } else if (!subject_.plan.broken) {
+      wrong(item.name.span, who + " has no speed", "write speed 2 m/s;");
+    }
+    if (const auto* width = only_one(subject_, item.width, "the width of " + who, span_of)) {
+      const auto value =
+          bounded(subject_, *width, UnitKind::length, "the width of " + who, 1e-3, kMostWidth);
+      if (value) lane_class.width = *value;
+      is_whole_ = is_whole_ && value;
+    }
+    network_.description.classes.push_back(std::move(lane_class));
+  }
+
+  void add(const syntax::NodeItem& item) {
+    const auto [place, is_new] =
+        nodes_.emplace(item.name.text, static_cast<int>(network_.description.nodes.size()));
+    if (!is_new) {
+      subject_.twice(item.name.span,
+                     fmt::format("node '{}' of {} is declared twice", item.name.text, who_),
+                     node_spans_[at(place->second)]);
+      return;
+    }
+    node_spans_.push_back(item.name.span);
+    const math::Pose X_WN = resolve_frame_or_identity(subject_, item.at);
+    if (X_WN.linear()(2, 2) < kLeastUpright) {
+      wrong(item.at.span, fmt::format("node '{}' leans: vehicles stand upright", item.name.text),
+            "turn it with rotz only");
+    }
+    lanes::Node node;
+    node.name = item.name.text;
+    node.x = X_WN.translation().x();
+    node.y = X_WN.translation().y();
+    node.heading_deg = math::atan2_deg(X_WN.linear()(1, 0), X_WN.linear()(0, 0));
+    network_.description.nodes.push_back(std::move(node));
+    network_.X_WN.push_back(X_WN);
+  }
+
+  int node_of(const syntax::Name& name) {
+    const auto found = nodes_.find(name.text);
+    if (found != nodes_.end()) return found->second;
+    subject_.unknown(name.span, "node", name.text, {&nodes_}, " of " + who_);
+    is_whole_ = false;
+    return -1;
+  }
+
+  void add(const syntax::LaneItem& item) {
+    lanes::Lane lane;
+    lane.from = node_of(item.from);
+    lane.to = node_of(item.to);
+    const auto span_of_name = [](const syntax::Name& name) { return name.span; };
+    const auto span_of_number = [](const syntax::Number& number) { return number.span; };
+    const auto span_of_pair = [](const auto& names) { return names.first.span; };
+    only_one(subject_, item.both, "both", span_of_name);
+    if (const auto* name =
+            only_one(subject_, item.lane_class, "the class of a lane", span_of_name)) {
+      lane.lane_class = subject_.find(classes_, *name, "class");
+      is_whole_ = is_whole_ && lane.lane_class >= 0;
+    } else if (network_.description.classes.size() != 1) {
+      wrong(item.span,
+            network_.description.classes.empty()
+                ? who_ + " has no class of lanes"
+                : std::string("expected the class of this lane: the network has several"),
+            network_.description.classes.empty() ? "write class road { speed 2 m/s; }"
+                                                 : "write lane A to B CLASS;");
+      lane.lane_class = -1;
+    }
+    if (const auto* length = only_one(subject_, item.length, "length", span_of_number)) {
+      lane.length =
+          bounded(subject_, *length, UnitKind::length, "the length of a lane", 1e-3, kMostLength);
+      is_whole_ = is_whole_ && lane.length;
+    }
+    if (only_one(subject_, item.beside, "beside", span_of_pair) != nullptr) {
+      beside_.emplace_back(network_.description.lanes.size(), &item);
+    }
+    network_.description.lanes.push_back(lane);
+    lane_spans_.push_back(item.span);
+    if (item.both.empty()) return;
+    std::swap(lane.from, lane.to);
+    network_.description.lanes.push_back(lane);
+    lane_spans_.push_back(item.span);
+  }
+
+  void set_beside(std::size_t lane, const syntax::LaneItem& item) {
+    const int from = node_of(item.beside.front().first);
+    const int to = node_of(item.beside.front().second);
+    if (from < 0 || to < 0) return;
+    auto& all = network_.description.lanes;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i].from != from || all[i].to != to) continue;
+      all[lane].beside = static_cast<int>(i);
+      return;
+    }
+    wrong(item.beside.front().first.span,
+          fmt::format("there is no lane from {} to {} that this one could lie beside",
+                      item.beside.front().first.text, item.beside.front().second.text));
+  }
+
+  /// What the network itself finds.
+  void report_faults() {
+    for (const lanes::NetworkFault& fault : lanes::faults_of(network_.description)) {
+      const Span span = fault.lane >= 0   ? lane_spans_[at(fault.lane)]
+                        : fault.node >= 0 ? node_spans_[at(fault.node)]
+                                          : network_.span;
+      wrong(span, fault.message);
+    }
+  }
+
+  Subject& subject_;
+  const syntax::NetworkItem& item_;
+  std::string who_;
+  NetworkSpec network_;
+  std::map<std::string, int> classes_, nodes_;
+  std::vector<Span> class_spans_, node_spans_, lane_spans_;
+  std::vector<std::pair<std::size_t, const syntax::LaneItem*>> beside_;
+  std::optional<Span> policy_;
+  bool is_whole_ = true;
+};
+
+}  // namespace
+
+std::optional<math::Pose> NodePlaces::place_of(const syntax::QualifiedName& node,
+                                               Diagnostics& diagnostics) {
+  const std::string network = node.body ? node.body->text : std::string();
+  std::vector<std::string> known;
+  for (const NetworkSpec& each : networks_) {
+    known.push_back(each.name);
+    if (each.name != network) continue;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < each.X_WN.size(); ++i) {
+      if (each.description.nodes[i].name == node.name.text) return each.X_WN[i];
+      names.push_back(each.description.nodes[i].name);
+    }
+    const std::string near = did_you_mean(node.name.text, names);
+    diagnostics.error("P01", node.name.span,
+                      fmt::format("unknown node '{}' of network '{}'{}", node.name.text, network,
+                                  near.empty() ? "" : fmt::format("; did you mean {}?", near)));
+    return std::nullopt;
+  }
+  const std::string near = did_you_mean(network, known);
+  diagnostics.error("P01", node.span,
+                    fmt::format("unknown network '{}'{}", network,
+                                near.empty() ? "" : fmt::format("; did you mean {}?", near)));
+  return std::nullopt;
+}
+
+void check_networks(Subject& subject) {
+  std::map<std::string, Span> seen;
+  for (const syntax::PlanItem& each : subject.plan.items) {
+    const auto* item = std::get_if<syntax::NetworkItem>(&each);
+    if (item == nullptr) continue;
+    const auto [place, is_new] = seen.emplace(item->name.text, item->name.span);
+    if (!is_new) {
+      subject.twice(item->name.span, fmt::format("network '{}' is declared twice", item->name.text),
+                    place->second);
+      continue;
+    }
+    NetworkSpec network = NetworkCheck(subject, *item).run();
+    subject.model.networks.push_back(std::move(network));
+  }
+}
+
+}  // namespace rubicon::interpreter::plan_check

@@ -1,0 +1,135 @@
+"""Fleets on networks: ways and times against those worked out by hand, whom they wait for, and random yards judged by
+verify."""
+
+import json
+import os
+import random
+import unittest
+
+from result_case import ResultCase
+
+CART = """robot cart {
+  time_step 1;
+  body cart {
+    param x step(0.5) speed(1 m/s) range(-500, 500);
+    param y range(-500, 500);
+    param theta cyclic step(10) speed(90 deg/s);
+    rule theta <- theta + theta_s;
+    rule x <- x + x_s * cos(theta) - y_s * sin(theta);
+    rule y <- y + x_s * sin(theta) + y_s * cos(theta);
+    frame trans(x, y, 0) * rotz(theta);
+    shape box(-1, -0.5, 0, 1, 0.5, 1);
+  }
+  tool cart;
+  behaviour { chain { follow } }
+}
+"""
+# Bays 8 m beside a road of nodes 10 m apart.
+YARD = """
+  network yard {
+    class road { speed 2 m/s; }
+    node gate at trans(0, 0, 0);
+    for i from 1 to %d { node r[i] at trans(10 * i, 0, 0); node bay[i] at trans(10 * i, 8, 0) * rotz(90); lane r[i] to bay[i] both; }
+    lane gate to r[1] both;
+    for i from 1 to %d { lane r[i] to r[i + 1] both; }
+  }
+"""
+
+
+def yard(bays):
+    return YARD % (bays, bays - 1)
+
+
+def plan(network, fleet, tasks):
+    return "plan p {%s  fleet carts { robot \"cart.robot\"; on yard; %s }\n%s\n}\n" % (network, fleet, tasks)
+
+
+class Fleet(ResultCase):
+    def setUp(self):
+        super().setUp()
+        self.write("cart.robot", CART)
+
+    def records(self, *types):
+        with open(os.path.join(self.out, "trace.jsonl"), encoding="utf-8") as file:
+            return [record for record in map(json.loads, file) if record["type"] in types]
+
+    def task(self, schedule, name):
+        return next(task for task in schedule["tasks"] if task["task"] == name)
+
+    def test_one_drives_the_lanes(self):
+        # 8 m back to the road after half a turn (2 s), 10 m, 8 m; two quarter turns at 1 s each, and it looks along bay 2 then.
+        schedule, _ = self.run_plan(plan(yard(3), "at bay[1];", "task go { by carts; go at yard.bay[2]; }"))
+        self.assertAlmostEqual(schedule["process_time"], 26 + 4, 6)
+        way = self.records("guide")[0]
+        self.assertEqual((way["kind"], way["found"], way["nodes"]), ("lanes", True, 3))
+        self.assertEqual(way["way"][0:9:3] + way["way"][9::3], [10, 10, 20, 20, 20])
+
+    def test_a_goal_beside_the_lanes_is_reached_from_the_nearest_node(self):
+        schedule, _ = self.run_plan(plan(yard(3), "at bay[1];", "task go { by carts; go x 20, y 13, theta 90; }"))
+        self.assertAlmostEqual(schedule["process_time"], 31 + 4, 6)
+
+    def test_who_was_planned_first_goes_first(self):
+        schedule, _ = self.run_plan(plan(yard(4), "at bay[1], bay[2];", "task a { by carts_1; go at yard.bay[4]; } task b { by carts_2; go at yard.gate; }"))
+        for name in "ab":
+            self.assertEqual(self.task(schedule, name)["result"], "done")
+        pauses = [(each["task"], each["for"]) for each in self.records("pause")]
+        self.assertEqual({task for task, _ in pauses}, {"b"})
+        self.assertEqual({whom for _, whom in pauses}, {"carts_1"})
+
+    def test_two_pass_each_other_by_a_bay(self):
+        # Each wants to be where the other is: one of them waits in a bay meanwhile.
+        schedule, _ = self.run_plan(plan(yard(3), "at gate, bay[3];", "task a { by carts_1; go at yard.bay[3]; } task b { by carts_2; go at yard.gate; }"))
+        self.assertTrue(all(task["result"] == "done" for task in schedule["tasks"]))
+
+    def test_an_idle_one_in_the_way_goes_elsewhere(self):
+        schedule, _ = self.run_plan(plan(yard(3), "at bay[1], bay[2];", "task a { by carts_1; go at yard.bay[2]; }"))
+        self.assertEqual([(task["task"], task["result"]) for task in schedule["tasks"]], [("a", "done"), ("park carts_2", "done")])
+
+    def test_without_a_way_past_it_says_who_stands_where(self):
+        corridor = "network yard { class road { speed 1 m/s; } for i from 1 to 3 { node r[i] at trans(10 * i, 0, 0); } lane r[1] to r[2] both; lane r[2] to r[3] both; }"
+        schedule, _ = self.run_plan(plan(corridor, "at r[1], r[3];", "task a { by carts_1; go at yard.r[3]; } task b { by carts_2; go at yard.r[1]; }"), expected=1)
+        self.assertEqual([task["reason"] for task in schedule["tasks"]],
+                         ["blocked for ever: carts_2 is at yard.r_3 and does not move any more", "blocked for ever: carts_1 is at yard.r_1 and does not move any more"])
+
+    def test_no_lanes_lead_there(self):
+        one_way = "network yard { class road { speed 1 m/s; } node a at trans(0, 0, 0); node b at trans(10, 0, 0); lane a to b; }"
+        schedule, _ = self.run_plan(plan(one_way, "at b;", "task t { by carts; go at yard.a; }"), expected=1)
+        self.assertIn("no lanes of yard that are wide enough lead from b to a", schedule["tasks"][0]["reason"])
+
+    def test_what_is_undone_leaves_no_mark(self):
+        tasks = "task a { by carts_1; go at yard.bay[4]; }"
+        alone, _ = self.run_plan(plan(yard(4), "at bay[1], bay[2];", tasks))
+        both, _ = self.run_plan(plan(yard(4) + "site box(5, -6, 0, 7, -4, 2);", "at bay[1], bay[2];",
+                                     tasks + "task vain { by carts_2; go x 6, y -5, theta 0; priority 1; }"), expected=1)
+        self.assertEqual(self.task(both, "vain")["result"], "rejected")
+        self.assertEqual([self.task(both, "a")[what] for what in ("start", "duration")], [self.task(alone, "a")[what] for what in ("start", "duration")])
+
+    def test_the_page_has_the_network(self):
+        self.run_plan(plan(yard(2), "at bay[1];", "task go { by carts; go at yard.bay[2]; }"))
+        header = self.records("header")[0]
+        self.assertEqual(len(header["networks"][0]["lanes"]), 8)
+        self.assertEqual(header["fleets"], [{"name": "carts", "network": "yard", "robots": ["carts_1"], "nodes": [2]}])
+
+    def test_random_yards(self):
+        rng = random.Random(20261124)
+        for _ in range(40):
+            bays = rng.randint(4, 8)
+            size = rng.randint(1, bays - 2)
+            homes = rng.sample(range(1, bays + 1), size)
+            tasks = []
+            for i in range(rng.randint(3, 9)):
+                where = rng.choice(["yard.bay[%d]" % rng.randint(1, bays), "yard.gate"])
+                whom = "carts" if i == 0 or rng.random() < 0.8 else "same as t%d" % rng.randrange(i)
+                after = "after %s;" % whom[8:] if whom.startswith("same") else ""
+                tasks.append("task t%d { by %s; go at %s; takes %d s; %s }" % (i, whom, where, rng.choice((5, 20)), after))
+            fleet = "at %s; choose %s;" % (", ".join("bay[%d]" % home for home in homes), rng.choice(("first", "nearest", "least_used")))
+            schedule, _ = self.run_plan(plan(yard(bays), fleet, "\n".join(tasks)), expected=None)
+            self.assertEqual({task["result"] for task in schedule["tasks"]}, {"done"}, self.plan_text())
+
+    def plan_text(self):
+        with open(os.path.join(self.folder, "p.plan"), encoding="utf-8") as file:
+            return file.read()
+
+
+if __name__ == "__main__":
+    unittest.main()
