@@ -20,7 +20,20 @@ struct goal_with_values : values {};
 struct goal : sor<if_must<at_key, goal_frame, opt<if_must<comma, goal_with_values>>>, goal_values> {
 };
 
-struct duration : quantity {};
+struct law_key
+    : token<seq<sor<word<TAO_PEGTL_STRING("uniform")>, word<TAO_PEGTL_STRING("triangular")>,
+                    word<TAO_PEGTL_STRING("pert")>, word<TAO_PEGTL_STRING("normal")>,
+                    word<TAO_PEGTL_STRING("lognormal")>, word<TAO_PEGTL_STRING("gamma")>,
+                    word<TAO_PEGTL_STRING("exponential")>>,
+                at<star<blank>, one<'('>>>> {};
+struct law_open : open_parenthesis {};
+struct law_value : quantity {};
+struct law_close : close_parenthesis {};
+/// A duration that is not certain.
+struct duration_law
+    : if_must<law_key, law_open, law_value, star<if_must<comma, law_value>>, law_close> {};
+struct certain_duration : quantity {};
+struct duration : sor<duration_law, certain_duration> {};
 struct link_name : qualified_indexed_name {};
 struct link_type : name {};
 struct later : plus_sign {};

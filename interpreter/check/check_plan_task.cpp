@@ -304,8 +304,13 @@ class TaskChecker {
   void check_part(const syntax::WorkItem& item) {
     WorkSpec work;
     work.span = item.span;
-    const auto duration = resolve_duration(subject_, item.duration, item.name.text);
-    if (duration) work.duration = *duration;
+    if (item.law) {
+      work.law = resolve_law(*item.law);
+      if (work.law) work.duration = work.law->mean();
+    } else {
+      const auto duration = resolve_duration(subject_, item.duration, item.name.text);
+      if (duration) work.duration = *duration;
+    }
     if (item.by) work.crew = crew(*item.by, item.name.text);
     if (item.turning) work.turning = turns(item, *item.turning, work.duration);
     if (item.name.text == "takes") {
@@ -323,6 +328,21 @@ class TaskChecker {
                                                                    : task_.release;
     if (target) subject_.twice(item.name.span, item.name.text + " is given twice", target->span);
     target = work;
+  }
+
+  /// The law of a duration; nothing after P09, P52.
+  std::optional<sampling::DurationLaw> resolve_law(const syntax::DurationLaw& written) {
+    sampling::DurationLaw law;
+    law.law = *sampling::find_law(written.name.text);
+    for (const syntax::Number& value : written.values) {
+      const auto seconds = resolve_duration(subject_, value, "a value of " + written.name.text);
+      if (!seconds) return std::nullopt;
+      law.values.push_back(*seconds);
+    }
+    const std::string fault = law.fault();
+    if (fault.empty()) return law;
+    subject_.error("P52", written.span, fault);
+    return std::nullopt;
   }
 
   /// Whether the work turns the load: only adjusting does, about the vertical, and not at once.

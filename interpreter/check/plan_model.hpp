@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "src/motion/geometry/shape.hpp"
 #include "src/motion/geometry/timetable.hpp"
 #include "src/motion/guides/guide_spec.hpp"
+#include "src/simulation/sampling/duration_law.hpp"
 #include "src/simulation/schedule/calendar_rules.hpp"
 #include "src/simulation/schedule/civil_time.hpp"
 #include "src/simulation/schedule/link.hpp"
@@ -168,6 +170,8 @@ struct WorkSpec {
   int crew = -1;        ///< index into crews; -1: whoever holds the task
   Span span;
   bool turning = false;  ///< people turn the load about the vertical, to how it is to stand
+  /// Of one that is not certain; then `duration` is its mean, or what was drawn.
+  std::optional<sampling::DurationLaw> law = {};
 };
 
 /// When a client or a schedule of others wants a task: ticks after the beginning of the plan.
@@ -250,9 +254,16 @@ struct MovingSpec {
                                           ///< no load may hang; else empty
 };
 
+/// What draws are made by.
+struct SampleSpec {
+  std::uint64_t seed = 1;
+  std::uint64_t run = 0;
+};
+
 /// A plan that was read and checked, modules placed and every name resolved.
 struct PlanModel {
   std::string name;
+  std::optional<SampleSpec> sample = {};  ///< by which its durations were drawn
   std::string path;
   bool short_form = false;
   double contact = 1e-3;                ///< m
@@ -306,6 +317,13 @@ bool held_whole(const PlanModel& plan, const TaskSpec& task);
 
 /// The crews that a lift needs from hook to release: those of `by`, then of hook, adjust, release.
 std::vector<int> crews_of_lift(const TaskSpec& task);
+
+/// Draws all durations that are not certain, each by the name of its place ("set_3.hook",
+/// "pour.takes", of several "pour.takes_2"): the same place has the same draw whatever else the
+/// plan has.
+void draw_durations(PlanModel& plan, const SampleSpec& sample);
+/// How many durations are not certain.
+int count_uncertain(const PlanModel& plan);
 
 /// "first", "nearest", "least_used".
 const char* name_of(PoolSpec::Choice choice);

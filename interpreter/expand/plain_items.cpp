@@ -144,6 +144,11 @@ void PlainItems::item(syntax::WithinItem& value) {
 void PlainItems::item(syntax::WorkItem& value) {
   mark(value.name.span);
   number(value.duration);
+  if (value.law) {
+    mark(value.law->span);
+    mark(value.law->name.span);
+    each(value.law->values);
+  }
   each(value.by);
   if (value.turning) mark(value.turning->span);
 }

@@ -125,8 +125,22 @@ RUBICON_ACTION(PlanAction, PlanState, goal_with_values) {
   st.goal.values = st.take_values();
   st.goal.span.end = st.goal.values.span.end;
 }
-RUBICON_ACTION(PlanAction, PlanState, duration) {
+RUBICON_ACTION(PlanAction, PlanState, law_key) {
+  st.law.emplace();
+  st.law->name = st.word(begin);
+  st.law->name.text.erase(st.law->name.text.find_last_not_of(" \t") + 1);
+}
+RUBICON_ACTION(PlanAction, PlanState, law_value) { st.law->values.push_back(st.take_quantity()); }
+RUBICON_ACTION(PlanAction, PlanState, duration_law) {
+  st.law->span = st.span_from(begin);
+  st.duration = {};
+  st.duration.span = st.law->span;
+}
+RUBICON_ACTION(PlanAction, PlanState, certain_duration) {
+  st.law.reset();
   st.duration = st.take_quantity();
+}
+RUBICON_ACTION(PlanAction, PlanState, duration) {
   st.crew_of_work.reset();
   st.turned.reset();
 }
@@ -498,10 +512,11 @@ RUBICON_ACTION(PlanAction, PlanState, takes_key) { st.key = st.word(begin); }
 RUBICON_ACTION(PlanAction, PlanState, work_crew) { st.crew_of_work = st.take_dotted_name(); }
 RUBICON_ACTION(PlanAction, PlanState, turned_parameter) { st.turned = st.take_name(); }
 RUBICON_ACTION(PlanAction, PlanState, crew_work_item) {
-  st.add_to_task(syntax::WorkItem{st.key, st.duration, st.crew_of_work, st.turned, {}}, begin);
+  st.add_to_task(syntax::WorkItem{st.key, st.duration, st.crew_of_work, st.turned, {}, st.law},
+                 begin);
 }
 RUBICON_ACTION(PlanAction, PlanState, takes_item) {
-  st.add_to_task(syntax::WorkItem{st.key, st.duration, {}, {}, {}}, begin);
+  st.add_to_task(syntax::WorkItem{st.key, st.duration, {}, {}, {}, st.law}, begin);
 }
 RUBICON_ACTION(PlanAction, PlanState, via_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, via_item) {

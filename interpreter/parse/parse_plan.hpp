@@ -135,6 +135,7 @@ class PlanState : public GuideState {
   std::optional<syntax::Name> crew_of_work;
   std::optional<syntax::Name> turned;  ///< by crew work
   syntax::Number duration;
+  std::optional<syntax::DurationLaw> law;  ///< in place of the duration
   syntax::Number quantity;
   syntax::String headings;  ///< of a group, joined
   syntax::WithinItem within;

@@ -529,6 +529,12 @@ struct Link {
   Span span;
 };
 
+/// triangular(2 min, 3 min, 7 min)
+struct DurationLaw {
+  Name name;
+  std::vector<Number> values;
+  Span span;
+};
 /// hook 4 min by riggers;   takes 2 h;
 struct WorkItem {
   Name name;  ///< hook, adjust, release or takes
@@ -536,6 +542,7 @@ struct WorkItem {
   std::optional<Name> by;
   std::optional<Name> turning;  ///< theta: how people turn the load
   Span span;
+  std::optional<DurationLaw> law = {};  ///< in place of the duration
 };
 /// by crane, riggers;   by all of cranes;   by same as TASK;
 struct ByItem {

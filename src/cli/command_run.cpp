@@ -180,6 +180,7 @@ int run_plan_command(const RunOptions& options) {
   SourceMap sources;
   const auto plan = load_runnable_plan(options.plan, sources, parameter_texts(options.set));
   if (!plan) return kWrongInput;
+  if (const auto sample = sample_spec(options.sample)) draw_durations(*plan, *sample);
 
   TraceFiles trace_files;
   if (!options.trace.empty()) {

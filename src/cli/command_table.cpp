@@ -33,6 +33,7 @@ Action declare_run(CLI::App& app) {
   app.add_option("--out", options->out);
   app.add_flag("--compress", options->compress);
   declare_set(app, options->set);
+  declare_sample(app, options->sample);
   return [options] { return run_plan_command(*options); };
 }
 

@@ -38,6 +38,7 @@ struct RunOptions {
   std::string out;
   bool compress = false;
   std::vector<std::string> set;
+  std::string sample;  ///< SEED or SEED:RUN; "": means
 };
 int run_plan_command(const RunOptions& options);
 

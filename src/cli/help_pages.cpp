@@ -46,7 +46,7 @@ const std::string_view kRun =
     R"(rubicon run - simulate a plan
 
 usage: rubicon run PLAN [--format table|json|csv] [--trace FILE] [--trace-detail steps|tasks|none]
-                        [--out DIR [--compress]] [--set NAME=VALUE]...
+                        [--out DIR [--compress]] [--set NAME=VALUE]... [--sample SEED[:RUN]]
 
 Checks the plan, then simulates it: tasks start when their links, robots, crews and shifts allow, several machines move in
 one timeline, and every motion step is tested over the whole volume it sweeps, with the load, also against what other
@@ -62,6 +62,8 @@ reached; the rest goes on.
   --out DIR              write schedule.csv, schedule.json, trace.jsonl and report.html, the page that shows it all, into DIR
   --compress             write trace.jsonl.gz there, packed to a tenth or less; every command reads it as it is
   --set NAME=VALUE       another value for a parameter of the plan: --set bays=6 --set "pitch=4.2 m"; the trace keeps it
+  --sample SEED[:RUN]    draw the durations that are not certain, such as triangular(2 min, 3 min, 7 min), instead of taking
+                         their means; the same seed and run (a whole number, 0 if it is left out) draw the same
 
 Files appear whole or not at all, and the files of --out all at once: a stop at any moment leaves the old result or the
 new one. Other files in DIR stay. Paths in what is written are relative to the folder of the plan.

@@ -194,4 +194,7 @@ export interface ScheduleData {
   resources: ResourceData[];
   critical: { task: string; work_counts: boolean; text: string }[];
   timetables?: { name: string; stops: number; late: number; stands_before: string }[];
+  /** Durations that are not certain; drawn by `sample`, else they stand for their means. */
+  uncertain?: number;
+  sample?: { seed: number; run: number };
 }

@@ -7,9 +7,13 @@
 
 #include "src/motion/guides/guide_spec.hpp"
 #include "src/motion/guides/leg.hpp"
-#include "src/motion/guides/random.hpp"
+#include "src/motion/math/random.hpp"
 
 namespace rubicon::guides {
+
+using math::exp_of;
+using math::log_of;
+using math::Random;
 
 /// Something that stands on the site: shapes (m) in a frame of their own, which must outlive it.
 struct Thing {

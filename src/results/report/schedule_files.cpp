@@ -208,6 +208,18 @@ std::string schedule_json(const Schedule& schedule) {
     const std::string both = dates.take();
     text += "," + both.substr(1, both.size() - 2);
   }
+  if (schedule.uncertain > 0) {
+    trace::JsonBuilder sample;
+    sample.begin_object().field("uncertain", schedule.uncertain);
+    if (schedule.sample) {
+      sample.key("sample").begin_object();
+      sample.field("seed", static_cast<std::int64_t>(schedule.sample->seed));
+      sample.field("run", static_cast<std::int64_t>(schedule.sample->run)).end_object();
+    }
+    sample.end_object();
+    const std::string both = sample.take();
+    text += "," + both.substr(1, both.size() - 2);
+  }
   if (schedule.costed) {
     trace::JsonBuilder cost;
     cost.begin_object().field("cost", schedule.cost);

@@ -163,6 +163,12 @@ Schedule schedule_from_json(std::string_view text) {
   for (const ExactJson& task : json.at("critical").elements()) {
     schedule.critical.push_back(read_critical(task));
   }
+  if (json.has("uncertain")) schedule.uncertain = json.at("uncertain").integer();
+  if (json.has("sample")) {
+    const ExactJson& sample = json.at("sample");
+    schedule.sample = {static_cast<std::uint64_t>(sample.at("seed").integer()),
+                       static_cast<std::uint64_t>(sample.at("run").integer())};
+  }
   if (json.has("timetables")) {
     for (const ExactJson& each : json.at("timetables").elements()) {
       schedule.timetables.push_back({each.at("name").text(), each.at("stops").integer(),

@@ -103,6 +103,19 @@ std::string total_line(const Schedule& schedule) {
   return text + "\n";
 }
 
+/// What the times stand on where durations are not certain.
+std::string sample_text(const Schedule& schedule) {
+  if (schedule.uncertain == 0) return {};
+  const std::string durations = schedule.uncertain == 1
+                                    ? "1 duration is"
+                                    : fmt::format("{} durations are", schedule.uncertain);
+  if (!schedule.sample) {
+    return durations + " not certain, and stand for their means; --sample SEED draws them\n";
+  }
+  return fmt::format("{} not certain, and drawn with seed {}, run {}\n", durations,
+                     schedule.sample->seed, schedule.sample->run);
+}
+
 std::string use_table(const Schedule& schedule) {
   const std::string cost = schedule.currency.empty() ? "cost" : "cost " + schedule.currency;
   std::vector<Row> rows = {{"used", "tasks", "held", "of it busy", "of its shifts"}};
@@ -292,7 +305,7 @@ std::string moment_text(const schedule::CivilTime& start_at, Ticks time) {
 }
 
 std::string schedule_table(const Schedule& schedule) {
-  std::string text = task_table(schedule) + "\n" + total_line(schedule);
+  std::string text = task_table(schedule) + "\n" + total_line(schedule) + sample_text(schedule);
   const std::string lifts = lift_table(schedule);
   if (!lifts.empty()) text += "\n" + lifts;
   for (const std::string& dates : {due_table(schedule), baseline_table(schedule)}) {

@@ -15,6 +15,8 @@ Schedule run_plan(const interpreter::PlanModel& plan, const interpreter::SourceM
     Simulation simulation(plan, sources, sink, options, std::move(known));
     if (auto schedule = simulation.run()) {
       add_attributes(plan, *schedule);
+      schedule->uncertain = interpreter::count_uncertain(plan);
+      schedule->sample = plan.sample;
       return *std::move(schedule);
     }
     known = simulation.verdicts();

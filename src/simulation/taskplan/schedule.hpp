@@ -162,9 +162,11 @@ struct Schedule {
   /// The same by kind. Tasks have use, overtime and material, robots and crews use, overtime,
   /// rental and mobilisation.
   std::array<double, kCostKinds> cost_by_kind = {};
-  bool has_kinds = false;                       ///< the plan says more than rates for use
-  std::vector<ComponentAttributes> components;  ///< those that have attributes, as in the file
-  std::vector<TimetableOutcome> timetables;     ///< as in the file
+  bool has_kinds = false;                         ///< the plan says more than rates for use
+  std::vector<ComponentAttributes> components;    ///< those that have attributes, as in the file
+  std::vector<TimetableOutcome> timetables;       ///< as in the file
+  int uncertain = 0;                              ///< durations of the plan that are not certain
+  std::optional<interpreter::SampleSpec> sample;  ///< by which they were drawn; nothing: means
 };
 
 /// Adds what the plan says of tasks and components: what moves, dates, attributes.

@@ -204,6 +204,11 @@ void write_work(JsonBuilder& json, const PlanModel& plan, const interpreter::Wor
     json.value(std::string_view(plan.crews[static_cast<std::size_t>(work.crew)].name));
   }
   if (work.turning) json.key("turning").value(std::string_view("theta"));
+  if (work.law) {
+    json.field("law", sampling::info_of(work.law->law).name).key("values").begin_array();
+    for (const double value : work.law->values) json.value(value);
+    json.end_array();
+  }
   json.end_object();
 }
 
@@ -509,6 +514,11 @@ std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sou
   write_calendars(json, plan);
   write_files(json, sources);
   write_set(json, plan);
+  if (plan.sample) {
+    json.key("sample").begin_object();
+    json.field("seed", static_cast<std::int64_t>(plan.sample->seed));
+    json.field("run", static_cast<std::int64_t>(plan.sample->run)).end_object();
+  }
   json.key("site");
   write_shapes(json, plan.site, meshes);
   if (!plan.storages.empty()) {

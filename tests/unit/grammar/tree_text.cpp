@@ -309,6 +309,10 @@ class Writer {
   }
   void item(const syntax::WorkItem& value) {
     name(value.name), number(value.duration);
+    if (value.law) {
+      name(value.law->name);
+      for (const syntax::Number& entry : value.law->values) number(entry);
+    }
     if (value.by) name(*value.by);
     if (value.turning) name(*value.turning);
   }

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "src/motion/guides/planners.hpp"
-#include "src/motion/guides/random.hpp"
+#include "src/motion/math/random.hpp"
 #include "tests/unit/guides/guide_machines.hpp"
 
 namespace rubicon::guides {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "src/motion/guides/planners.hpp"
-#include "src/motion/guides/random.hpp"
+#include "src/motion/math/random.hpp"
 #include "tests/unit/guides/guide_machines.hpp"
 
 namespace rubicon::guides {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "src/motion/guides/planners.hpp"
-#include "src/motion/guides/random.hpp"
+#include "src/motion/math/random.hpp"
 #include "tests/support/random_cases.hpp"
 #include "tests/unit/guides/guide_machines.hpp"
 

@@ -49,6 +49,10 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
   const long = schedule?.process_time ?? film.end;
   if (clock.dated) add('Finishes', clock.short(long), `${clock.dayName(long)}, begins ${clock.short(0)}`);
   add('Process time', duration(long), long < day ? roughly(long) : 'from beginning to end');
+  if (schedule?.uncertain) {
+    const { sample, uncertain } = schedule;
+    add('Uncertain durations', uncertain.toLocaleString('en-GB'), sample ? `drawn: seed ${sample.seed}, run ${sample.run}` : 'stand for their means');
+  }
   if (schedule?.cost !== undefined) add('Cost', money(schedule.cost, ''), cut(schedule.currency ?? header.currency, 12));
   const tally = runs.tally();
   add('Tasks done', `${tally.done} of ${tally.tasks}`, tallyText(tally));

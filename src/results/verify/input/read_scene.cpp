@@ -150,6 +150,12 @@ SceneWork read_work(const Json& object, const char* what, const Scene& scene) {
   work.time = fields.time("duration");
   if (fields.has("crew")) work.crew = index_in(scene.crew_index, fields.text("crew"), "a crew");
   work.turning = fields.has("turning");
+  if (fields.has("law")) {
+    work.law = fields.text("law");
+    for (const Json& value : fields.array("values")) {
+      work.values.push_back(number_of(value, "a value of a law"));
+    }
+  }
   return work;
 }
 
@@ -403,6 +409,7 @@ Scene read_scene(const std::string& line) {
   Scene scene;
   scene.plan = header.text("plan");
   scene.short_form = header.text("form") == "short";
+  scene.sampled = header.has("sample");
   scene.contact = header.number("contact");
   scene.start_at = header.text_or("start_at", "");
   scene.currency = header.text_or("currency", "");

@@ -165,8 +165,10 @@ struct SceneLink {
 struct SceneWork {
   std::string what;  ///< hook, adjust, release, takes
   Ticks time = 0;
-  int crew = -1;         ///< -1: whoever holds the task
-  bool turning = false;  ///< people turn the load about the vertical
+  int crew = -1;                    ///< -1: whoever holds the task
+  bool turning = false;             ///< people turn the load about the vertical
+  std::string law = {};             ///< of a duration that is not certain; "": it is
+  std::vector<double> values = {};  ///< of the law, s
 };
 
 /// What a motion is to reach: values by parameter, or a pose X_WT.
@@ -251,6 +253,7 @@ struct SceneSupport {
 struct Scene {
   std::string plan;
   bool short_form = false;
+  bool sampled = false;  ///< durations were drawn
   double contact = 0;    ///< m
   std::string start_at;  ///< "": none
   std::string currency;

@@ -1,8 +1,8 @@
-#include "src/motion/guides/random.hpp"
+#include "src/motion/math/random.hpp"
 
 #include <cmath>
 
-namespace rubicon::guides {
+namespace rubicon::math {
 
 namespace {
 
@@ -76,4 +76,4 @@ double Random::beta(double a, double b) {
   return x / (x + gamma(b));
 }
 
-}  // namespace rubicon::guides
+}  // namespace rubicon::math

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace rubicon::guides {
+namespace rubicon::math {
 
 /// Random numbers that are the same with every compiler, library and processor: SplitMix64 (Steele,
 /// Lea, Flood, OOPSLA 2014) and distributions of our own, which call no function of the C library
@@ -33,4 +33,4 @@ class Random {
 double log_of(double x);
 double exp_of(double x);
 
-}  // namespace rubicon::guides
+}  // namespace rubicon::math

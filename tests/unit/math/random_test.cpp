@@ -1,10 +1,10 @@
-#include "src/motion/guides/random.hpp"
+#include "src/motion/math/random.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace rubicon::guides {
+namespace rubicon::math {
 namespace {
 
 TEST(Random, LogarithmAndExponentialAreThoseOfTheLibrary) {
@@ -42,4 +42,4 @@ TEST(Random, BetaHasItsMeanAndVariance) {
 }
 
 }  // namespace
-}  // namespace rubicon::guides
+}  // namespace rubicon::math

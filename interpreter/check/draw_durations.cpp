@@ -1,0 +1,48 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "interpreter/check/plan_model.hpp"
+
+namespace rubicon::interpreter {
+
+namespace {
+
+/// Calls `use` with each work of a task that is not certain, and the name of its place.
+template <typename Task, typename Use>
+void for_each_uncertain(Task& task, const Use& use) {
+  const auto one = [&](auto& work, const char* name) {
+    if (work && work->law) use(*work, fmt::format("{}.{}", task.name, name));
+  };
+  one(task.hook, "hook");
+  one(task.adjust, "adjust");
+  one(task.release, "release");
+  for (std::size_t i = 0; i < task.takes.size(); ++i) {
+    if (!task.takes[i].law) continue;
+    use(task.takes[i],
+        i == 0 ? fmt::format("{}.takes", task.name) : fmt::format("{}.takes_{}", task.name, i + 1));
+  }
+}
+
+}  // namespace
+
+void draw_durations(PlanModel& plan, const SampleSpec& sample) {
+  plan.sample = sample;
+  const auto draw = [&](WorkSpec& work, const std::string& place) {
+    work.duration = sampling::draw(*work.law, {sample.seed, sample.run, place});
+  };
+  for (TaskSpec& task : plan.tasks) {
+    for_each_uncertain(task, draw);
+    for (TaskSpec& choice : task.choices) for_each_uncertain(choice, draw);
+  }
+}
+
+int count_uncertain(const PlanModel& plan) {
+  int count = 0;
+  for (const TaskSpec& task : plan.tasks) {
+    for_each_uncertain(task, [&](const WorkSpec&, const std::string&) { ++count; });
+  }
+  return count;
+}
+
+}  // namespace rubicon::interpreter
