@@ -1,6 +1,7 @@
 """The shipped plans with several machines and with people: each runs through, machines really meet, and at no moment is one
 in another or in a zone of people, as an independent calculation from the trace says."""
 
+import json
 import os
 import re
 import tempfile
@@ -94,6 +95,23 @@ class ThreeTowMotors(Shipped):
         for other in ("brick", "tile", "mortar")
         if one != other
     ]
+
+
+class PalletYard(unittest.TestCase):
+    """Twenty machines are too many for the replay above; verify has its own geometry."""
+
+    def run_with(self, motors):
+        with tempfile.TemporaryDirectory() as folder:
+            run = scene.rubicon("run", os.path.join(PLANS, "pallet_yard.plan"), "--set", f"motors={motors}", "--out", folder, "--format", "json")
+            self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+            verified = scene.rubicon("verify", folder)
+            self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
+        return round(json.loads(run.stdout)["process_time"])
+
+    def test_more_motors_take_less_time(self):
+        self.assertEqual(self.run_with(20), promised_times()["pallet_yard"])
+        for motors, seconds in {1: 12192, 2: 6409, 4: 3356, 8: 2187}.items():
+            self.assertEqual(self.run_with(motors), seconds)
 
 
 class TwoCranes(Shipped):
