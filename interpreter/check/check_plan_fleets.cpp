@@ -192,7 +192,7 @@ std::vector<syntax::RobotUse> members_of(Subject& subject, const syntax::FleetIt
     }
   }
   std::vector<syntax::RobotUse> members;
-  if (subject.diagnostics.errors() != errors) return members;
+  if (subject.diagnostics.errors() != errors || file == nullptr || item.at.empty()) return members;
   for (int i = 1; i <= static_cast<int>(size); ++i) {
     syntax::RobotUse member = item.member;
     member.name = syntax::Name{fmt::format("{}_{}", item.name.text, i), item.name.span};
