@@ -173,6 +173,11 @@ class Moving(ResultCase):
         self.assertEqual([stop for stop in self.stops() if stop[1] != "other.car"][-1][1], "")
         self.assertEqual(alone, [(5, "left.car", 0), (6, "", 1)])
 
+    def test_what_was_undone_lasted_longer_than_the_rest(self):
+        # It would go through the car at 36 s. The plan is over at 12 s, but for a task that is undone.
+        self.run_plan(car_plan("path 0 s trans(12, -6, 0), 30 s trans(12, -6, 0), 42 s trans(12, 6, 0);",
+                               more='robot other "car.robot" at trans(0, -20, 0); task vain { by other; go x 60; } component block { shape box(-1, -1, 0, 1, 1, 2); at trans(50, -20, 0); }'), expected=1)
+
     def test_a_year_beside_a_machine_writes_nothing(self):
         text = car_plan("path 0 s trans(13.2, -6, 0), 12 s trans(13.2, 6, 0), 24 s trans(13.2, -6, 0); repeat;", more="task long { takes 365 h; after go; }")
         self.run_plan(text)

@@ -35,15 +35,21 @@ namespace rubicon::verify {
 
 namespace {
 
-/// When everything is over, and a second more, so that what happens last lasts.
-Ticks end_of(const Trace& trace) {
+/// When all that happened is over, and a second more, so that what happens last lasts. What was
+/// undone may have gone on for longer: nobody kept the timetables of things up to then.
+Ticks end_of(const Trace& trace, const std::vector<TaskRun>& runs) {
   Ticks last = 0;
-  for (const Record& record : trace.records) last = std::max(last, record.time);
+  for (const TaskRun& run : runs) {
+    for (const int index : run.records) {
+      if (run.happened) last = std::max(last, trace.records[at(index)].time);
+    }
+  }
+  for (const MovingRecord& record : trace.movings) last = std::max(last, record.time);
   return last + kSecond;
 }
 
 void check_motions(const Trace& trace, const std::vector<TaskRun>& runs, Verdict& verdict) {
-  const Ticks until = end_of(trace);
+  const Ticks until = end_of(trace, runs);
   std::vector<RobotTrack> tracks;
   std::vector<LoadEvent> events;
   for (std::size_t robot = 0; robot < trace.scene.robots.size(); ++robot) {
