@@ -17,9 +17,6 @@ constexpr double kHalfTurn = 180 - 1e-6;
 constexpr double kSamePlace = 1e-9;
 constexpr double kSameTurn = 1e-7;
 
-/// Sine of how far what carries people may lean: only rounding is meant.
-constexpr double kUpright = 1e-9;
-
 bool same_place(const math::Pose& X_first, const math::Pose& X_second) {
   return (X_first.translation() - X_second.translation()).norm() <= kSamePlace &&
          geometry::turn_between_deg(X_first, X_second) <= kSameTurn;
@@ -85,7 +82,7 @@ class MovingCheck {
       }
       geometry::TimedPlace place{schedule::ticks_from_seconds(*seconds), X_WO};
       if (!timetable.places.empty()) check_step(timetable.places.back(), place, each);
-      if (item_.people && X_WO.linear()(2, 2) < 1 - kUpright) {
+      if (item_.people && !geometry::stands_upright(X_WO)) {
         wrong(each.at.span, who_ + " has people, and leans here: what is over them must be clear",
               "turn it with rotz only");
       }

@@ -5,6 +5,7 @@
 
 #include "interpreter/check/check_plan_parts.hpp"
 #include "interpreter/syntax/name_suggestion.hpp"
+#include "src/motion/geometry/above.hpp"
 #include "src/motion/math/angles.hpp"
 #include "src/motion/math/index.hpp"
 
@@ -19,9 +20,6 @@ using syntax::UnitKind;
 constexpr double kMostSpeed = 1000;
 constexpr double kMostWidth = 1000;
 constexpr double kMostLength = 1e6;
-
-/// Sine of how far a node may lean: only rounding is meant.
-constexpr double kLeastUpright = 1 - 1e-9;
 
 class NetworkCheck {
  public:
@@ -103,7 +101,7 @@ class NetworkCheck {
     }
     node_spans_.push_back(item.name.span);
     const math::Pose X_WN = resolve_frame_or_identity(subject_, item.at);
-    if (X_WN.linear()(2, 2) < kLeastUpright) {
+    if (!geometry::stands_upright(X_WN)) {
       wrong(item.at.span, fmt::format("node '{}' leans: vehicles stand upright", item.name.text),
             "turn it with rotz only");
     }

@@ -110,6 +110,21 @@ class Fleet(ResultCase):
         self.assertEqual(len(header["networks"][0]["lanes"]), 8)
         self.assertEqual(header["fleets"], [{"name": "carts", "network": "yard", "robots": ["carts_1"], "nodes": [2]}])
 
+    def test_a_parking_that_failed_and_was_undone_leaves_no_mark(self):
+        # The parking under way when the run goes back had another one after it, which failed.
+        tasks = """
+task t0 { by carts; go at yard.r[2]; takes 5 s; } task t1 { by carts_3; go at yard.gate; } task t2 { by carts; go at yard.bay[1]; }
+task t3 { by carts; go at yard.gate; } task t4 { by carts; go x 38.522, y 4; after t3; } task t5 { by carts_1; go at yard.bay[4]; takes 5 s; }
+task t6 { by carts; go at yard.r[3]; takes 5 s; after t3; priority -1; } task t7 { by carts; go at yard.bay[4]; }
+task t8 { by carts_2; go at yard.gate; takes 5 s; after t7; } task t9 { by carts; go at yard.gate; zone box(5.01054, -2, 0, 9.01054, 2, 2); }
+"""
+        self.run_plan(plan(yard(5), "at bay[2], bay[1], bay[3], bay[5], bay[4];", tasks), expected=None)
+
+    def test_all_of_a_fleet_work_in_their_shifts(self):
+        text = plan(yard(3), "at bay[1], bay[2]; calendar c;", "task clean { by all of carts; takes 4 min; }")
+        schedule, _ = self.run_plan(text.replace("plan p {", 'plan p { start_at "2026-03-02 07:00"; calendar c { mon-fri 07:00-07:02, 07:05-16:00; }'))
+        self.assertEqual(schedule["process_time"], 7 * 60)
+
     def test_random_yards(self):
         rng = random.Random(20261124)
         for _ in range(40):

@@ -19,6 +19,11 @@ Shape upright_box(Eigen::AlignedBox3d box, double top) {
 
 double highest_point(const Shape& shape) { return extent_of(shape).max().z(); }
 
+bool stands_upright(const math::Pose& X_W) {
+  constexpr double kRounding = 1e-9;
+  return X_W.linear()(2, 2) > 1 - kRounding;
+}
+
 Shape with_what_is_above(const Shape& shape, double top) {
   if (highest_point(shape) >= top) return shape;
   Shape raised = shape;

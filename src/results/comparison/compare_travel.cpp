@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "src/motion/geometry/above.hpp"
 #include "src/motion/guides/vehicle.hpp"
 #include "src/motion/math/angles.hpp"
 #include "src/motion/robot/kinematics.hpp"
@@ -16,9 +17,6 @@ namespace rubicon::comparison {
 
 namespace {
 
-/// Sine of how far something upright may lean: only rounding is meant.
-constexpr double kUpright = 1e-9;
-
 /// What keeps a timetable, in the frame in which its shapes are, at its height.
 void add_moving(const interpreter::MovingSpec& moving, travel::GrownView& view) {
   const auto& places = moving.timetable.places;
@@ -29,7 +27,7 @@ void add_moving(const interpreter::MovingSpec& moving, travel::GrownView& view) 
   obstacle->repeat = moving.timetable.repeat;
   for (const geometry::TimedPlace& place : places) {
     const math::Pose& X = place.X_WO;
-    if (X.translation().z() != height || !(X.linear()(2, 2) > 1 - kUpright)) {
+    if (X.translation().z() != height || !geometry::stands_upright(X)) {
       throw std::invalid_argument(fmt::format(
           "moving '{}' leans or goes up or down; --exact is for what stays upright at its height",
           moving.name));

@@ -58,6 +58,11 @@ bool Checkpoints::go_back(int task, bool keeps_lines) {
   stage_.progress = point.progress;
   zone_waits_ = std::move(point.zone_waits);
   stage_.site_changes.go_back(point.site, stage_.now());
+  // A parking that is under way again: one of the same robot that failed later never was.
+  for (std::size_t i = 0; i < stage_.active.size(); ++i) {
+    const int active = stage_.active[i].task;
+    if (stage_.is_park(active)) stage_.trace.drop_kept(point.trace, active);
+  }
   return true;
 }
 

@@ -128,6 +128,7 @@ class Simulation : private LinkState::Listener {
   // simulation_undo.cpp: tasks that are not done, and going back
   bool apply_rejection();
   bool repeat_lift();
+  bool go_back(int task, bool keeps_lines);
   void exclude(int task, TaskOutcome outcome, int cause);
   void exclude_followers(int task, int cause);
   void give_second_chances(int cause);

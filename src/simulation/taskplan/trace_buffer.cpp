@@ -1,5 +1,6 @@
 #include "src/simulation/taskplan/trace_buffer.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,13 @@ void TraceBuffer::keep_only(Mark mark, int owner) {
     line->kept = true;
     lines_.push_back(std::move(*line));
   }
+}
+
+void TraceBuffer::drop_kept(Mark mark, int owner) {
+  const auto first = lines_.begin() + static_cast<std::ptrdiff_t>(mark - written_);
+  lines_.erase(std::remove_if(first, lines_.end(),
+                              [&](const Line& line) { return line.kept && line.owner == owner; }),
+               lines_.end());
 }
 
 std::vector<std::string> TraceBuffer::kept_of(int owner) const {

@@ -34,6 +34,8 @@ class TraceBuffer : public trace::TraceSink {
 
   /// Takes out the lines since `mark`, but puts those of `owner` back at the end, for good.
   void keep_only(Mark mark, int owner);
+  /// Drops what is kept of an owner since the mark.
+  void drop_kept(Mark mark, int owner);
 
   /// The lines of `owner` that are kept for good and not written yet.
   std::vector<std::string> kept_of(int owner) const;

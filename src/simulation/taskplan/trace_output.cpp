@@ -50,6 +50,10 @@ void TraceOutput::keep_only(Mark mark, int task) {
   if (buffer_) buffer_->keep_only(mark, task);
 }
 
+void TraceOutput::drop_kept(Mark mark, int task) {
+  if (buffer_) buffer_->drop_kept(mark, task);
+}
+
 void TraceOutput::release_before(Mark mark) {
   if (buffer_) buffer_->release_before(mark);
 }

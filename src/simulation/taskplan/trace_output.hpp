@@ -44,6 +44,7 @@ class TraceOutput {
   void forget_since(Mark mark);
   /// The same, but the lines of `task` are put back at the end, for good.
   void keep_only(Mark mark, int task);
+  void drop_kept(Mark mark, int task);
   /// Nobody will go back to before `mark`.
   void release_before(Mark mark);
 

@@ -1,25 +1,16 @@
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "src/fleets/charts/plan.hpp"
 #include "src/fleets/lanes/warehouse.hpp"
+#include "tests/unit/lanes/lane_fixtures.hpp"
 
 namespace rubicon::charts {
 
-inline NodeIndex node(const LaneNetwork& network, const std::string& name) {
-  const NodeIndex found = network.find_node(name);
-  if (found == kNone) throw std::invalid_argument("test: no node " + name);
-  return found;
-}
-
-inline LaneIndex lane(const LaneNetwork& network, const std::string& from, const std::string& to) {
-  const LaneIndex found = network.find_lane(node(network, from), node(network, to));
-  if (found == kNone) throw std::invalid_argument("test: no lane " + from + " to " + to);
-  return found;
-}
+using lanes::lane;
+using lanes::node;
 
 /// A robot between two nodes by their names; start in s.
 inline Robot robot(const LaneNetwork& network, const std::string& name, int priority, int start,

@@ -113,6 +113,8 @@ void check_same_as(const Trace& trace, const std::vector<TaskRun>& runs, Faults&
             hold.to > own.start + kTimeSlack) {
           continue;
         }
+        // Of what takes no time, at the same moment, the order of the records counts.
+        if (other.end_line < before.start_line || other.start_line > own.start_line) continue;
         if (first_of(other.task) == first_of(static_cast<int>(i))) continue;
         fault(fmt::format("{} is in {} before, and was kept for it", name,
                           scene.tasks[at(other.task)].name));

@@ -25,6 +25,7 @@ class ShiftCheck {
     if (run.task < 0) return;
     const SceneTask& task = trace.scene.tasks[at(run.task)];
     for (const int crew : task.crews) add(trace.scene.crews[at(crew)].calendar, held_);
+    for (const int robot : task.also_robots) add(trace.scene.robots[at(robot)].calendar, held_);
     if (run.robot >= 0) return;
     for (const SceneWork& work : task.takes) {
       if (work.crew >= 0) add(trace.scene.crews[at(work.crew)].calendar, held_);
