@@ -95,6 +95,31 @@ std::optional<std::pair<std::size_t, std::size_t>> self_meeting(const Ring& ring
   return std::nullopt;
 }
 
+/// Whether edges of two rings meet.
+bool rings_meet(const Buckets& edges, const Ring& ring, const Ring& other) {
+  for (std::size_t k = 0; k < other.size(); ++k) {
+    const Point& a = other[k];
+    const Point& b = next_corner(other, k);
+    if (edges.any_near(a, b, [&](int item) {
+          return segments_meet(a, b, ring[at(item)], next_corner(ring, at(item)));
+        })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether two rings have a point in common, inside or on them.
+bool rings_overlap(const Ring& a, const Ring& b) {
+  if (!box_of(a).meets(box_of(b))) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      if (segments_meet(a[i], next_corner(a, i), b[j], next_corner(b, j))) return true;
+    }
+  }
+  return place_in(a, b[0]) > 0 || place_in(b, a[0]) > 0;
+}
+
 class FloorCheck {
  public:
   FloorCheck(const FloorDescription& floor, const CoverageOptions& options)
@@ -198,7 +223,7 @@ class FloorCheck {
     const Buckets edges = buckets_of_edges(outline_);
     for (std::size_t i = 0; i < shafts_.size(); ++i) {
       const Ring& shaft = shafts_[i];
-      if (meets_edges(edges, outline_, shaft)) {
+      if (rings_meet(edges, outline_, shaft)) {
         fault("{} touches or crosses the outline", shaft_name(i));
       } else if (place_in(outline_, shaft[0]) < 0) {
         fault("{} lies outside the outline", shaft_name(i));
@@ -210,7 +235,7 @@ class FloorCheck {
       const Box box = box_of(shafts_[i]);
       std::vector<std::size_t> met;
       boxes.any_in(box, [&](int item) {
-        if (meet(shafts_[at(item)], shafts_[i])) met.push_back(at(item));
+        if (rings_overlap(shafts_[at(item)], shafts_[i])) met.push_back(at(item));
         return false;
       });
       if (!met.empty()) {
@@ -219,29 +244,6 @@ class FloorCheck {
       }
       boxes.add(static_cast<int>(i), box);
     }
-  }
-
-  static bool meets_edges(const Buckets& edges, const Ring& ring, const Ring& other) {
-    for (std::size_t k = 0; k < other.size(); ++k) {
-      const Point& a = other[k];
-      const Point& b = next_corner(other, k);
-      if (edges.any_near(a, b, [&](int item) {
-            return segments_meet(a, b, ring[at(item)], next_corner(ring, at(item)));
-          })) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  static bool meet(const Ring& a, const Ring& b) {
-    if (!box_of(a).meets(box_of(b))) return false;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      for (std::size_t j = 0; j < b.size(); ++j) {
-        if (segments_meet(a[i], next_corner(a, i), b[j], next_corner(b, j))) return true;
-      }
-    }
-    return place_in(a, b[0]) > 0 || place_in(b, a[0]) > 0;
   }
 
   Box column_box(std::size_t i) const {
@@ -368,6 +370,27 @@ std::int64_t Floor::twice_area_of_slab() const {
     if (hole.is_shaft) area -= twice_area(hole.ring);
   }
   return area;
+}
+
+bool is_sound(const Floor& floor) {
+  const auto is_simple = [](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (cross(corner_before(ring, i), ring[i], next_corner(ring, i)) == 0) return false;
+    }
+    return twice_area(ring) > 0 && !self_meeting(ring);
+  };
+  if (!is_simple(floor.outline)) return false;
+  const Buckets edges = buckets_of_edges(floor.outline);
+  std::vector<Ring> shafts;
+  for (const Hole& hole : floor.holes) {
+    if (!hole.is_shaft) continue;
+    if (!is_simple(hole.ring) || rings_meet(edges, floor.outline, hole.ring)) return false;
+    for (const Ring& other : shafts) {
+      if (rings_overlap(other, hole.ring)) return false;
+    }
+    shafts.push_back(hole.ring);
+  }
+  return true;
 }
 
 Floor make_floor(const FloorDescription& description, const CoverageOptions& options) {

@@ -97,6 +97,10 @@ struct Floor {
   std::int64_t twice_area_of_slab() const;
 };
 
+/// Whether the rings of a floor are still simple and apart: turning one to another direction rounds
+/// its corners.
+bool is_sound(const Floor& floor);
+
 /// The floor of a description without faults; throws std::invalid_argument with the first fault.
 Floor make_floor(const FloorDescription& description, const CoverageOptions& options = {});
 

@@ -5,15 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/unit/coverage/random_floors.hpp"
+
 namespace rubicon::coverage {
 namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-std::vector<Place> box(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
 
 FloorDescription slab() {
   FloorDescription floor;

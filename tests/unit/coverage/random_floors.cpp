@@ -94,6 +94,10 @@ int try_from(std::vector<std::vector<bool>>& open, int used, int best) {
 
 }  // namespace
 
+std::vector<Place> box(double x0, double y0, double x1, double y1) {
+  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
+
 Chequer random_chequer(FloorRandom& random, int columns, int rows, double most_pitch) {
   while (true) {
     Chequer chequer;

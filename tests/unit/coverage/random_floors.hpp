@@ -7,6 +7,9 @@
 
 namespace rubicon::coverage {
 
+/// The corners of a rectangle.
+std::vector<Place> box(double x0, double y0, double x1, double y1);
+
 /// Numbers from a seed, the same on every machine.
 class FloorRandom {
  public:
