@@ -59,7 +59,10 @@ CellGraph cells_of(const Floor& floor, const CoverageOptions& options) {
   return graph;
 }
 
-void finish(Draft& draft, const CoverageOptions& options) {
+/// Lines, order and way of a draft that has its cells.
+void finish(Draft& draft, const CoverageOptions& options, int tries) {
+  draft.way.clear();
+  draft.length = 0;
   const FreeSpace space(draft.floor, options.clearance);
   draft.lines = lines_of(draft.cells.cells, draft.floor.outline, space, in_units(options.width));
   OrderQuery query;
@@ -68,6 +71,7 @@ void finish(Draft& draft, const CoverageOptions& options) {
   query.space = &space;
   query.rule = options.order;
   query.whole_cells = options.whole_cells;
+  query.tries = tries;
   if (options.from) query.from = draft.frame.turned(*options.from);
   if (options.inlet) query.inlet = draft.frame.turned(*options.inlet);
   draft.order = order_lines(query);
@@ -125,18 +129,19 @@ Draft best_draft(const Floor& floor, const CoverageOptions& options) {
   const auto fewest =
       static_cast<std::size_t>(std::min_element(counts.begin(), counts.end()) - counts.begin());
   if (options.lines == LineRule::kFewestTurns || counts[fewest] > kMostToCompare) {
-    finish(drafts[fewest], options);
+    finish(drafts[fewest], options, options.tries);
     return std::move(drafts[fewest]);
   }
   std::size_t best = drafts.size();
   for (std::size_t i = 0; i < drafts.size(); ++i) {
     if (counts[i] > 2 * counts[fewest] + 20) continue;
-    finish(drafts[i], options);
+    finish(drafts[i], options, 0);
     if (best == drafts.size() || std::pair(drafts[i].order.cut_off, drafts[i].length) <
                                      std::pair(drafts[best].order.cut_off, drafts[best].length)) {
       best = i;
     }
   }
+  if (options.tries > 0) finish(drafts[best], options, options.tries);
   return std::move(drafts[best]);
 }
 

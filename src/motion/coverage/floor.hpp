@@ -65,6 +65,9 @@ struct CoverageOptions {
   /// Every cell is finished before the next is begun, as a pour without cold joints wants it. Else
   /// lines of different cells may follow each other where that makes the way shorter.
   bool whole_cells = false;
+  /// How many random changes of the order are tried at the end, from a fixed seed, where there are
+  /// no more than 120 lines: counted work, so that every machine finds the same way.
+  int tries = 1000;
   std::optional<Place> from;   ///< where the way begins; else where it is shortest
   std::optional<Place> inlet;  ///< where what is placed comes from: the way begins far from it
 };

@@ -294,7 +294,7 @@ class LineOrderer {
     }
     tour.between = [&](int a, int b) { return between(a, b); };
     if (start_) tour.from_start = [&](int end) { return from_start(end); };
-    tour.kicks = kept_.size() <= kMostForKicks ? 1000 : 0;
+    tour.kicks = kept_.size() <= kMostForKicks ? query_.tries : 0;
     improve_tour(tour, result_.lines);
   }
 

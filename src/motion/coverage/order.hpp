@@ -19,6 +19,7 @@ struct OrderQuery {
   const FreeSpace* space = nullptr;
   OrderRule rule = OrderRule::kAuto;
   bool whole_cells = false;
+  int tries = 0;  ///< random changes at the end
   std::optional<Point> from;
   std::optional<Point> inlet;  ///< the first cell is the one farthest from it
 };
