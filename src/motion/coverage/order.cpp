@@ -13,10 +13,9 @@ namespace {
 
 using math::at;
 
-constexpr double kFar = 1e15;               ///< units; in place of "no way"
-constexpr std::size_t kMostExact = 12;      ///< cells
-constexpr std::size_t kCorners = 4;         ///< where a cell may be begun
-constexpr std::size_t kMostForKicks = 120;  ///< lines
+constexpr double kFar = 1e15;           ///< units; in place of "no way"
+constexpr std::size_t kMostExact = 12;  ///< cells
+constexpr std::size_t kCorners = 4;     ///< where a cell may be begun
 
 class LineOrderer {
  public:
@@ -294,7 +293,7 @@ class LineOrderer {
     }
     tour.between = [&](int a, int b) { return between(a, b); };
     if (start_) tour.from_start = [&](int end) { return from_start(end); };
-    tour.kicks = kept_.size() <= kMostForKicks ? query_.tries : 0;
+    tour.kicks = kept_.size() <= kMostLinesForTries ? query_.tries : 0;
     improve_tour(tour, result_.lines);
   }
 
