@@ -112,9 +112,22 @@ class CellLines {
     if (under) add_across(grown.low.y, gap_from, gap_to);
   }
 
+  /// At x, or right at the obstacle where something else is in the way there, or both in parts.
   void add_side(std::int64_t x, std::int64_t low, std::int64_t high, std::int64_t border,
                 bool is_left) {
-    for (const Stretch& range : space_.stretches_along_y(x, low, high)) {
+    const auto is_whole = [&](const std::vector<Stretch>& ranges) {
+      return ranges.size() == 1 && ranges[0].low == low && ranges[0].high == high;
+    };
+    const std::vector<Stretch> far = space_.stretches_along_y(x, low, high);
+    if (is_whole(far) || x == border) return add_sides(x, far, border, is_left);
+    const std::vector<Stretch> near = space_.stretches_along_y(border, low, high);
+    if (!is_whole(near)) add_sides(x, far, border, is_left);
+    add_sides(border, near, border, is_left);
+  }
+
+  void add_sides(std::int64_t x, const std::vector<Stretch>& ranges, std::int64_t border,
+                 bool is_left) {
+    for (const Stretch& range : ranges) {
       const Point a{x, range.low};
       const Point b{x, range.high};
       if (!space_.allows(a) || !space_.sees(a, b)) continue;
