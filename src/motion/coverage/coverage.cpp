@@ -16,7 +16,7 @@ namespace {
 
 using math::at;
 
-/// Up to so many lines every direction is planned to the end.
+/// Up to so many lines and obstacles every direction is planned to the end.
 constexpr std::int64_t kMostToCompare = 150;
 
 bool is_orthogonal_floor(const Floor& floor) {
@@ -128,7 +128,8 @@ Draft best_draft(const Floor& floor, const CoverageOptions& options) {
   }
   const auto fewest =
       static_cast<std::size_t>(std::min_element(counts.begin(), counts.end()) - counts.begin());
-  if (options.lines == LineRule::kFewestTurns || counts[fewest] > kMostToCompare) {
+  if (options.lines == LineRule::kFewestTurns ||
+      counts[fewest] + static_cast<std::int64_t>(floor.holes.size()) > kMostToCompare) {
     finish(drafts[fewest], options, options.tries);
     return std::move(drafts[fewest]);
   }
@@ -141,7 +142,9 @@ Draft best_draft(const Floor& floor, const CoverageOptions& options) {
       best = i;
     }
   }
-  if (options.tries > 0) finish(drafts[best], options, options.tries);
+  if (options.tries > 0 && drafts[best].lines.size() <= kMostLinesForTries) {
+    finish(drafts[best], options, options.tries);
+  }
   return std::move(drafts[best]);
 }
 

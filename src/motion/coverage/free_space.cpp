@@ -163,25 +163,27 @@ FreeSpace::FreeSpace(const Floor& floor, double clearance)
   for (std::size_t i = 0; i < outline_.size(); ++i) {
     const bool is_reflex =
         cross(corner_before(outline_, i), outline_[i], next_corner(outline_, i)) < 0;
-    if (is_reflex) nodes_.push_back(outline_[i]);
+    if (is_reflex && is_clear(outline_[i])) nodes_.push_back(outline_[i]);
   }
   for (const Obstacle& obstacle : obstacles_) {
-    for (const Point& p : obstacle.grown) nodes_.push_back(p);
+    for (const Point& p : obstacle.grown) {
+      if (allows(p)) nodes_.push_back(p);
+    }
   }
   std::sort(nodes_.begin(), nodes_.end());
   nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
-  std::erase_if(nodes_, [&](const Point& p) { return !allows(p); });
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     node_buckets_.add(static_cast<int>(i), nodes_[i], nodes_[i]);
   }
   if (nodes_.size() <= kMostKept) seen_.assign(nodes_.size() * nodes_.size(), 0);
 }
 
-bool FreeSpace::allows(const Point& p) const {
-  const bool inside_one = obstacle_buckets_.any_near(
+bool FreeSpace::is_clear(const Point& p) const {
+  return !obstacle_buckets_.any_near(
       p, p, [&](int item) { return enters_convex(obstacles_[at(item)].grown, p, p); });
-  return !inside_one && place_in(outline_, p) >= 0;
 }
+
+bool FreeSpace::allows(const Point& p) const { return is_clear(p) && place_in(outline_, p) >= 0; }
 
 bool FreeSpace::leaves_floor(const Point& a, const Point& b) const {
   // Whether the direction from p, on corner i, to q starts outside the floor.
@@ -264,6 +266,8 @@ double FreeSpace::search(const Point& a, const Point& b, double bound,
     double cost;
     int before;
     bool done;
+    bool is_sure;  ///< the stretch that leads here was found free
+    bool hidden_from_a;
   };
   const auto spare = static_cast<std::int64_t>((bound - distance(a, b)) / 2) + 1;
   Box box = box_of(a, b);
@@ -272,13 +276,24 @@ double FreeSpace::search(const Point& a, const Point& b, double bound,
   node_buckets_.any_in(box, [&](int item) {
     const Point& p = nodes_[at(item)];
     const double to_b = distance(p, b);
-    if (distance(a, p) + to_b <= bound) candidates.push_back({item, to_b, kNoWay, -1, false});
+    if (distance(a, p) + to_b <= bound)
+      candidates.push_back({item, to_b, kNoWay, -1, false, false, false});
     return false;
   });
+  // Whether a stretch is free is asked only when it would be taken: most never are.
   for (Candidate& candidate : candidates) {
-    const Point& p = nodes_[at(candidate.node)];
-    if (sees(a, p)) candidate.cost = distance(a, p);
+    candidate.cost = distance(a, nodes_[at(candidate.node)]);
   }
+  std::vector<int> done;
+  const auto is_free = [&](int from, const Candidate& to) {
+    return from < 0 ? sees(a, nodes_[at(to.node)]) : nodes_see(candidates[at(from)].node, to.node);
+  };
+  const auto cost_from = [&](int from, const Candidate& to) {
+    const Point& p = nodes_[at(to.node)];
+    return from < 0
+               ? distance(a, p)
+               : candidates[at(from)].cost + distance(nodes_[at(candidates[at(from)].node)], p);
+  };
   double best = kNoWay;
   int last = -1;
   while (true) {
@@ -292,17 +307,37 @@ double FreeSpace::search(const Point& a, const Point& b, double bound,
     }
     if (next < 0) break;
     Candidate& from = candidates[at(next)];
+    if (!from.is_sure && !is_free(from.before, from)) {
+      // The cheapest of the other stretches that lead here and are free.
+      std::vector<std::pair<double, int>> others;
+      for (const int other : done) {
+        if (other != from.before) others.emplace_back(cost_from(other, from), other);
+      }
+      if (from.before >= 0 && !from.hidden_from_a) others.emplace_back(cost_from(-1, from), -1);
+      from.hidden_from_a = from.hidden_from_a || from.before < 0;
+      std::sort(others.begin(), others.end());
+      from.cost = kNoWay;
+      from.is_sure = true;
+      for (const auto& [cost, other] : others) {
+        if (!is_free(other, from)) continue;
+        from.cost = cost;
+        from.before = other;
+        break;
+      }
+      continue;
+    }
     from.done = true;
-    const Point& p = nodes_[at(from.node)];
-    if (sees(p, b)) {
+    done.push_back(next);
+    if (sees(nodes_[at(from.node)], b)) {
       best = from.cost + from.to_b;
       last = next;
       continue;
     }
     for (Candidate& to : candidates) {
       if (to.done) continue;
-      const double cost = from.cost + distance(p, nodes_[at(to.node)]);
-      if (cost >= to.cost || cost + to.to_b >= best || !nodes_see(from.node, to.node)) continue;
+      const double cost = cost_from(next, to);
+      if (cost >= to.cost || cost + to.to_b >= best) continue;
+      if (to.is_sure && !is_free(next, to)) continue;
       to.cost = cost;
       to.before = next;
     }
@@ -321,7 +356,7 @@ double FreeSpace::search(const Point& a, const Point& b, double bound,
 std::vector<Point> FreeSpace::shortest_way(const Point& a, const Point& b) const {
   if (sees(a, b)) return {a, b};
   const double straight = distance(a, b);
-  double bound = 1.25 * straight + 2.0 * static_cast<double>(kUnitsPerMetre);
+  double bound = 1.25 * straight + static_cast<double>(kUnitsPerMetre);
   while (true) {
     std::vector<Point> way;
     const double length = search(a, b, bound, way);

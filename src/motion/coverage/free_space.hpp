@@ -33,6 +33,8 @@ class FreeSpace {
 
   const std::vector<Obstacle>& obstacles() const { return obstacles_; }
   bool allows(const Point& p) const;
+  /// Whether a place is inside no grown obstacle.
+  bool is_clear(const Point& p) const;
   /// Whether the straight way between two allowed places is allowed.
   bool sees(const Point& a, const Point& b) const;
   /// The stretches of a line along x (along y) from a to b, which runs on the slab, that are in no

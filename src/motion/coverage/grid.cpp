@@ -14,12 +14,6 @@ bool lies_on(const Point& a, const Point& b, const Point& p) {
 
 }  // namespace
 
-double distance(const Point& a, const Point& b) {
-  const auto x = static_cast<double>(b.x - a.x);
-  const auto y = static_cast<double>(b.y - a.y);
-  return std::sqrt(x * x + y * y);
-}
-
 std::int64_t twice_area(const Ring& ring) {
   std::int64_t sum = 0;
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum += cross(ring[0], ring[i], ring[i + 1]);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <compare>
 #include <cstdint>
 #include <vector>
@@ -49,7 +50,11 @@ inline std::int64_t dot(const Point& a, const Point& b, const Point& c) {
 }
 
 /// Straight distance in units.
-double distance(const Point& a, const Point& b);
+inline double distance(const Point& a, const Point& b) {
+  const auto x = static_cast<double>(b.x - a.x);
+  const auto y = static_cast<double>(b.y - a.y);
+  return std::sqrt(x * x + y * y);
+}
 
 /// The corners of a polygon, counter-clockwise where nothing else is said.
 using Ring = std::vector<Point>;

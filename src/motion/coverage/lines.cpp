@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "src/motion/math/index.hpp"
 
@@ -111,9 +112,22 @@ class CellLines {
     if (under) add_across(grown.low.y, gap_from, gap_to);
   }
 
+  /// At x, or right at the obstacle where something else is in the way there, or both in parts.
   void add_side(std::int64_t x, std::int64_t low, std::int64_t high, std::int64_t border,
                 bool is_left) {
-    for (const Stretch& range : space_.stretches_along_y(x, low, high)) {
+    const auto is_whole = [&](const std::vector<Stretch>& ranges) {
+      return ranges.size() == 1 && ranges[0].low == low && ranges[0].high == high;
+    };
+    const std::vector<Stretch> far = space_.stretches_along_y(x, low, high);
+    if (is_whole(far) || x == border) return add_sides(x, far, border, is_left);
+    const std::vector<Stretch> near = space_.stretches_along_y(border, low, high);
+    if (!is_whole(near)) add_sides(x, far, border, is_left);
+    add_sides(border, near, border, is_left);
+  }
+
+  void add_sides(std::int64_t x, const std::vector<Stretch>& ranges, std::int64_t border,
+                 bool is_left) {
+    for (const Stretch& range : ranges) {
       const Point a{x, range.low};
       const Point b{x, range.high};
       if (!space_.allows(a) || !space_.sees(a, b)) continue;
@@ -176,14 +190,14 @@ std::optional<Point> nudged(const FreeSpace& space, const Point& p) {
 /// Passes along the edges a to b of a border that follow each other, cut where obstacles are.
 class BorderPasses {
  public:
-  BorderPasses(const FreeSpace& space, int cell, std::vector<WorkLine>& result)
-      : space_(space), cell_(cell), result_(result) {}
+  BorderPasses(const FreeSpace& space, int cell, std::vector<WorkLine>& result, bool on_outline)
+      : space_(space), cell_(cell), result_(result), on_outline_(on_outline) {}
   ~BorderPasses() { finish(); }
   BorderPasses(const BorderPasses&) = delete;
   BorderPasses& operator=(const BorderPasses&) = delete;
 
   void add(const Point& a, const Point& b) {
-    if (space_.sees(a, b) && space_.allows(a) && space_.allows(b)) {
+    if (is_free(a) && is_free(b) && space_.sees(a, b)) {
       if (!points_.empty() && (points_.back() != a || is_sharp(b))) finish();
       if (points_.empty()) points_.push_back(a);
       points_.push_back(b);
@@ -193,10 +207,13 @@ class BorderPasses {
     // Halve it until what is left is free or shorter than 5 cm.
     if (distance(a, b) < 0.05 * static_cast<double>(kUnitsPerMetre)) return;
     const std::optional<Point> middle = nudged(space_, {(a.x + b.x) / 2, (a.y + b.y) / 2});
+    // The middle, rounded, may lie just off the floor: not on the outline any more.
     const Point m = middle.value_or(Point{(a.x + b.x) / 2, (a.y + b.y) / 2});
     if (m == a || m == b) return;
+    const bool kept = std::exchange(on_outline_, false);
     add(a, m);
     add(m, b);
+    on_outline_ = kept;
   }
   void finish() {
     if (points_.size() > 1) result_.push_back({points_, cell_, true});
@@ -204,6 +221,8 @@ class BorderPasses {
   }
 
  private:
+  /// Corners of the outline lie on the floor; those of an obstacle may lie outside.
+  bool is_free(const Point& p) const { return on_outline_ ? space_.is_clear(p) : space_.allows(p); }
   bool is_sharp(const Point& next) const {
     const Point& before = points_[points_.size() - 2];
     const Point& p = points_.back();
@@ -214,6 +233,7 @@ class BorderPasses {
   const FreeSpace& space_;
   int cell_;
   std::vector<WorkLine>& result_;
+  bool on_outline_;
   std::vector<Point> points_;
 };
 
@@ -255,7 +275,7 @@ std::vector<WorkLine> lines_of(const std::vector<Cell>& cells, const Ring& outli
       if (cell != last) run.reset();
       last = cell;
       if (cell < 0) continue;
-      if (!run) run.emplace(space, cell, passes[at(cell)]);
+      if (!run) run.emplace(space, cell, passes[at(cell)], true);
       run->add(a, b);
     }
   };
@@ -273,7 +293,7 @@ std::vector<WorkLine> lines_of(const std::vector<Cell>& cells, const Ring& outli
     const Obstacle& obstacle = space.obstacles()[i];
     const int cell = cell_of_obstacle[i];
     if (obstacle.is_box || cell < 0) continue;
-    BorderPasses run(space, cell, passes[at(cell)]);
+    BorderPasses run(space, cell, passes[at(cell)], false);
     for (std::size_t k = 0; k < obstacle.grown.size(); ++k) {
       run.add(obstacle.grown[k], next_corner(obstacle.grown, k));
     }

@@ -13,10 +13,9 @@ namespace {
 
 using math::at;
 
-constexpr double kFar = 1e15;               ///< units; in place of "no way"
-constexpr std::size_t kMostExact = 12;      ///< cells
-constexpr std::size_t kCorners = 4;         ///< where a cell may be begun
-constexpr std::size_t kMostForKicks = 120;  ///< lines
+constexpr double kFar = 1e15;           ///< units; in place of "no way"
+constexpr std::size_t kMostExact = 12;  ///< cells
+constexpr std::size_t kCorners = 4;     ///< where a cell may be begun
 
 class LineOrderer {
  public:
@@ -71,23 +70,21 @@ class LineOrderer {
   /// Keeps the lines that are reached from the start, or else the most that reach each other.
   void drop_cut_off() {
     std::vector<std::vector<int>> parts;
-    int last = -1;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const Point& p = lines_[i].points.front();
-      const auto reaches = [&](int part) {
-        const Point& q = lines_[at(parts[at(part)].back())].points.front();
-        return std::isfinite(query_.space->shortest_length(q, p));
-      };
-      int home = last >= 0 && reaches(last) ? last : -1;
-      for (std::size_t k = 0; k < parts.size() && home < 0; ++k) {
-        if (static_cast<int>(k) != last && reaches(static_cast<int>(k))) home = static_cast<int>(k);
+      // The search ends soon where it begins in a small part, so it begins at the new line; the
+      // largest part stands first.
+      std::size_t home = 0;
+      while (home < parts.size() && !std::isfinite(query_.space->shortest_length(
+                                        p, lines_[at(parts[home].back())].points.front()))) {
+        ++home;
       }
-      if (home < 0) {
-        home = static_cast<int>(parts.size());
-        parts.emplace_back();
+      if (home == parts.size()) parts.emplace_back();
+      parts[home].push_back(static_cast<int>(i));
+      while (home > 0 && parts[home].size() > parts[home - 1].size()) {
+        std::swap(parts[home], parts[home - 1]);
+        --home;
       }
-      parts[at(home)].push_back(static_cast<int>(i));
-      last = home;
     }
     double most = -1;
     for (const std::vector<int>& part : parts) {
@@ -294,7 +291,7 @@ class LineOrderer {
     }
     tour.between = [&](int a, int b) { return between(a, b); };
     if (start_) tour.from_start = [&](int end) { return from_start(end); };
-    tour.kicks = kept_.size() <= kMostForKicks ? query_.tries : 0;
+    tour.kicks = kept_.size() <= kMostLinesForTries ? query_.tries : 0;
     improve_tour(tour, result_.lines);
   }
 

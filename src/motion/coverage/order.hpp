@@ -13,6 +13,9 @@ struct DirectedLine {
   bool reversed = false;
 };
 
+/// With more lines no random changes are tried.
+inline constexpr std::size_t kMostLinesForTries = 120;
+
 struct OrderQuery {
   const std::vector<WorkLine>* lines = nullptr;  ///< those of a cell stand together
   std::size_t cell_count = 0;

@@ -64,6 +64,11 @@ class Tour {
     if (end < 0) return query_.from_start ? query_.from_start(next) : 0;
     return query_.between(end, next);
   }
+  /// No more than the cost, and quick to find.
+  double least_cost(int end, int next) const {
+    if (next < 0 || end < 0) return 0;
+    return distance(query_.ends[at(end)], query_.ends[at(next)]);
+  }
   int back_or_none(int p) const { return p < 0 ? -1 : back(p); }
   int front_or_none(int p) const { return p >= size() ? -1 : front(p); }
   double gap(int p) const { return cost(back_or_none(p - 1), front_or_none(p)); }
@@ -178,8 +183,13 @@ class Tour {
   /// Turns the block of places low to high round, where that helps.
   bool reverse(int low, int high) {
     if (low < 0 || high >= size() || low > high || !same_group(low, high)) return false;
-    const double gain = gap(low) + gap(high + 1) - cost(back_or_none(low - 1), back(high)) -
-                        cost(front(low), front_or_none(high + 1));
+    const double saved = gap(low) + gap(high + 1);
+    const int before = back_or_none(low - 1);
+    const int after = front_or_none(high + 1);
+    if (saved - least_cost(before, back(high)) - least_cost(front(low), after) <= kLeastGain) {
+      return false;
+    }
+    const double gain = saved - cost(before, back(high)) - cost(front(low), after);
     if (gain <= kLeastGain) return false;
     turn(low, high);
     done(gain, {low - 1, low, high, high + 1});
@@ -200,9 +210,15 @@ class Tour {
     if (!same_group(std::min(low, to), std::max(high, to - 1))) return false;
     const int first = turned ? back(high) : front(low);
     const int last = turned ? front(low) : back(high);
-    const double gain = gap(low) + gap(high + 1) + gap(to) -
-                        cost(back_or_none(low - 1), front_or_none(high + 1)) -
-                        cost(back_or_none(to - 1), first) - cost(last, front_or_none(to));
+    const double saved = gap(low) + gap(high + 1) + gap(to);
+    const int joins[3][2] = {{back_or_none(low - 1), front_or_none(high + 1)},
+                             {back_or_none(to - 1), first},
+                             {last, front_or_none(to)}};
+    double gain = saved;
+    for (const auto& [end, next] : joins) gain -= least_cost(end, next);
+    if (gain <= kLeastGain) return false;
+    gain = saved;
+    for (const auto& [end, next] : joins) gain -= cost(end, next);
     if (gain <= kLeastGain) return false;
     if (turned) turn(low, high);
     const int from = std::min(low, to);
