@@ -72,7 +72,7 @@ TEST(Coverage, BeginsWhereItIsTold) {
   EXPECT_EQ(measure(anchor(), options, way.points).coverage, 1);
   options.from.reset();
   options.inlet = Place{0, 0};
-  const Place& far = plan_coverage(anchor(), options).points[0].place;
+  const Place far = plan_coverage(anchor(), options).points[0].place;
   EXPECT_GT(far.x + far.y, 30);
 }
 
