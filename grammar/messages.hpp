@@ -3,6 +3,7 @@
 #include "grammar/expectation.hpp"
 #include "grammar/plan.hpp"
 #include "grammar/robot.hpp"
+#include "grammar/study.hpp"
 
 /// What is said where a rule that must match does not. Only commit points have an entry.
 namespace rubicon::grammar {
@@ -301,6 +302,35 @@ RUBICON_EXPECT(
 RUBICON_EXPECT(plan_file_key, "'plan' at the start of a plan");
 RUBICON_EXPECT(plan_name, "a name after plan");
 RUBICON_EXPECT(plan_finished, "the end of the file after the '}' of the plan");
+
+// studies
+RUBICON_EXPECT(study_semicolon, "';'");
+RUBICON_EXPECT(studied_plan, "the name of a plan in quotes");
+RUBICON_EXPECT(varied_name, "the name of a parameter of the plan");
+inline constexpr const char* kVaried = "a value such as 4, 3.6 m or \"a text\"";
+RUBICON_EXPECT(varied_value, kVaried);
+RUBICON_EXPECT(next_varied_value, kVaried);
+RUBICON_EXPECT(varied_last, "the last value of the range");
+RUBICON_EXPECT(varied_step, "the step of the range");
+RUBICON_EXPECT(design_kind, "full, latin or one_at_a_time", Explain::expected,
+               "full latin one_at_a_time");
+inline constexpr const char* kMeasure = "what is asked, such as makespan or p80(finish)";
+RUBICON_EXPECT(asked, kMeasure);
+RUBICON_EXPECT(measure_argument, "a name");
+RUBICON_EXPECT(measure_close, "')'");
+RUBICON_EXPECT(chosen_measure, kMeasure);
+RUBICON_EXPECT(required_limit, kMeasure);
+RUBICON_EXPECT(choose_limit, kMeasure);
+RUBICON_EXPECT(limit_operator, "<=, >=, < or >");
+RUBICON_EXPECT(limit_value, "a number or a date in quotes");
+RUBICON_EXPECT(runs_most, "most (runs at most 500)", Explain::expected, "most");
+RUBICON_EXPECT(runs_count, "the number of runs");
+RUBICON_EXPECT(seed_value, "a whole number");
+RUBICON_EXPECT(choose_direction, "least or most", Explain::expected, "least most");
+RUBICON_EXPECT(study_item, "study", Explain::item, "plan vary design runs seed ask choose");
+RUBICON_EXPECT(study_file_key, "'study' at the start of a study");
+RUBICON_EXPECT(study_name, "a name after study");
+RUBICON_EXPECT(study_finished, "the end of the file after the '}' of the study");
 
 #undef RUBICON_EXPECT
 

@@ -37,12 +37,18 @@ void draw_durations(PlanModel& plan, const SampleSpec& sample) {
   }
 }
 
-int count_uncertain(const PlanModel& plan) {
-  int count = 0;
+std::vector<UncertainDuration> uncertain_durations(const PlanModel& plan) {
+  std::vector<UncertainDuration> result;
   for (const TaskSpec& task : plan.tasks) {
-    for_each_uncertain(task, [&](const WorkSpec&, const std::string&) { ++count; });
+    for_each_uncertain(task, [&](const WorkSpec& work, const std::string& place) {
+      result.push_back({place, &*work.law});
+    });
   }
-  return count;
+  return result;
+}
+
+int count_uncertain(const PlanModel& plan) {
+  return static_cast<int>(uncertain_durations(plan).size());
 }
 
 }  // namespace rubicon::interpreter

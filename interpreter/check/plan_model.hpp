@@ -325,6 +325,14 @@ void draw_durations(PlanModel& plan, const SampleSpec& sample);
 /// How many durations are not certain.
 int count_uncertain(const PlanModel& plan);
 
+/// A duration that is not certain.
+struct UncertainDuration {
+  std::string place;  ///< "set_3.hook"
+  const sampling::DurationLaw* law = nullptr;
+};
+/// All of a plan, in the order of its tasks.
+std::vector<UncertainDuration> uncertain_durations(const PlanModel& plan);
+
 /// "first", "nearest", "least_used".
 const char* name_of(PoolSpec::Choice choice);
 

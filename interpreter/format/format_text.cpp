@@ -293,6 +293,9 @@ bool parses(const SourceMap& sources, FileId file, TextKind kind) {
     case TextKind::plan:
       parse_plan(sources, file, diagnostics);
       break;
+    case TextKind::study:
+      parse_study(sources, file, diagnostics);
+      break;
   }
   return !diagnostics.has_errors();
 }

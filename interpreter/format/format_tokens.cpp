@@ -138,6 +138,7 @@ class Spacer {
     if (!is_operand_end(before)) return true;
     if (parentheses_ > 0 || before.kind != Kind::name) return false;
     if (kind_ == TextKind::plan) return begins_number(before);
+    if (kind_ == TextKind::study) return true;
     return before.text == first_word_ && kind_ == TextKind::robot;
   }
 

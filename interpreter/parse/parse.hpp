@@ -1,6 +1,7 @@
 #pragma once
 
 #include "interpreter/syntax/diagnostic.hpp"
+#include "interpreter/syntax/study.hpp"
 #include "interpreter/syntax/syntax.hpp"
 
 namespace rubicon::interpreter {
@@ -17,11 +18,12 @@ inline constexpr std::size_t kMaxTextBytes = 256u << 20;
 syntax::Script parse_script(const SourceMap& sources, FileId file, Diagnostics& diagnostics);
 syntax::Robot parse_robot(const SourceMap& sources, FileId file, Diagnostics& diagnostics);
 syntax::Plan parse_plan(const SourceMap& sources, FileId file, Diagnostics& diagnostics);
+syntax::Study parse_study(const SourceMap& sources, FileId file, Diagnostics& diagnostics);
 
-/// One way to write it: the text of a script, robot or plan with canonical indentation, spacing and
-/// line breaks, comments kept. Idempotent. Only for texts that parse without errors; returns the
-/// text unchanged otherwise.
-enum class TextKind { script, robot, plan };
+/// One way to write it: the text of a script, robot, plan or study with canonical indentation,
+/// spacing and line breaks, comments kept. Idempotent. Only for texts that parse without errors;
+/// returns the text unchanged otherwise.
+enum class TextKind { script, robot, plan, study };
 std::string format_text(std::string_view text, TextKind kind);
 
 }  // namespace rubicon::interpreter

@@ -12,6 +12,7 @@
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/parse/parse.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/load_study.hpp"
 #include "src/cli/set_option.hpp"
 #include "src/cli/text_kind.hpp"
 #include "src/exchange/files/disk_io.hpp"
@@ -91,13 +92,15 @@ int run_check(const CheckOptions& options) {
   for (const std::string& path : options.files) {
     const std::optional<interpreter::TextKind> kind = kind_of(path);
     if (!kind) {
-      add_failure(run, path, "expected a .robot, .motion or .plan file");
+      add_failure(run, path, "expected a .robot, .motion, .plan or .study file");
     } else if (already_read(run.sources, path)) {
       continue;
     } else if (*kind == interpreter::TextKind::robot) {
       load_robot(path, run.sources, run.disk, nullptr, run.diagnostics);
     } else if (*kind == interpreter::TextKind::plan) {
       check_plan(run, path, parameter_texts(options.set));
+    } else if (*kind == interpreter::TextKind::study) {
+      load_study(path, run.sources, run.diagnostics);
     } else if (options.robot.empty() || robot) {
       check_motion(run, path, robot.get());
     }

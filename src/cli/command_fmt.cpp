@@ -40,6 +40,9 @@ std::optional<std::string> canonical(const std::string& path, const std::string&
     case TextKind::plan:
       parse_plan(sources, file, diagnostics);
       break;
+    case TextKind::study:
+      parse_study(sources, file, diagnostics);
+      break;
   }
   if (diagnostics.has_errors()) {
     const std::string errors =
@@ -76,7 +79,7 @@ int run_format(const FormatOptions& options) {
     }
     const auto kind = kind_of(path);
     if (!kind) {
-      complain(path, "expected a .robot, .motion or .plan file");
+      complain(path, "expected a .robot, .motion, .plan or .study file");
       code = kWrongInput;
       continue;
     }

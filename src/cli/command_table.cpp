@@ -84,6 +84,16 @@ Action declare_debug(CLI::App& app) {
   return [options] { return run_debug(*options); };
 }
 
+Action declare_study(CLI::App& app) {
+  const auto options = std::make_shared<StudyOptions>();
+  app.add_option("STUDY", options->study)->required();
+  app.add_option("--format", options->format)->check(IsMember({"table", "json", "csv"}));
+  CLI::Option* const out = app.add_option("--out", options->out);
+  app.add_flag("--resume", options->resume)->needs(out);
+  app.add_option("--jobs", options->jobs)->check(CLI::Range(1, 256));
+  return [options] { return run_study_command(*options); };
+}
+
 Action declare_test(CLI::App& app) {
   const auto options = std::make_shared<TestOptions>();
   app.add_option("DIR", options->folders)->required();
@@ -132,7 +142,7 @@ Action declare_export(CLI::App& app) {
 Action declare_fmt(CLI::App& app) {
   const auto options = std::make_shared<FormatOptions>();
   app.add_flag("--check", options->check);
-  app.add_option("--kind", options->kind)->check(IsMember({"motion", "robot", "plan"}));
+  app.add_option("--kind", options->kind)->check(IsMember({"motion", "robot", "plan", "study"}));
   app.add_option("FILE", options->files)->required();
   return [options] { return run_format(*options); };
 }
@@ -153,6 +163,8 @@ const std::vector<Command>& command_table() {
        pages::kCheck, declare_check},
       {"run", "PLAN", "simulate a plan: process time, cost, refused tasks with the reason, trace",
        pages::kRun, declare_run},
+      {"study", "STUDY", "run many variants of a plan and compare their time, cost and risk",
+       pages::kStudy, declare_study},
       {"why", "PLAN|RESULT TASK", "tell why a task failed, took long or came late", pages::kWhy,
        declare_why},
       {"guides", "PLAN [TASK]", "compare all kinds of guides on the motions of one task",

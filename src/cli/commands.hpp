@@ -42,6 +42,15 @@ struct RunOptions {
 };
 int run_plan_command(const RunOptions& options);
 
+struct StudyOptions {
+  std::string study;
+  std::string format = "table";
+  std::string out;
+  bool resume = false;
+  int jobs = 0;
+};
+int run_study_command(const StudyOptions& options);
+
 struct TestOptions {
   std::vector<std::string> folders;
   std::string filter;

@@ -12,7 +12,8 @@ usage: rubicon COMMAND ...
 const std::string_view kOverviewEnd = R"(
   --version                      print the version
 
-Files: NAME.robot describes a machine, NAME.motion its behaviour, NAME.plan what is to be built.
+Files: NAME.robot describes a machine, NAME.motion its behaviour, NAME.plan what is to be built,
+NAME.study what is tried with a plan.
 Exit codes: 0 fine; 1 the plan cannot be done as a whole, a test failed or a result has faults; 2 the input or the call
 is wrong; 3 an internal fault.
 
@@ -24,7 +25,7 @@ const std::string_view kCheck =
 
 usage: rubicon check [--robot FILE] [--set NAME=VALUE]... [--format text|json] FILE...
 
-Reads each FILE (.robot, .motion or .plan) and reports all its mistakes in one run: where, what was expected, what was
+Reads each FILE (.robot, .motion, .plan or .study) and reports all its mistakes in one run: where, what was expected, what was
 found, what to do. A plan checks its robots, a robot its behaviours. A behaviour on its own gets only the checks that
 need no robot; name one with --robot and it gets them all. Of a plan it also says what is in each other at the beginning.
 
@@ -75,6 +76,33 @@ examples:
   rubicon run taskplans/unit.plan
   rubicon run taskplans/unit.plan --format csv > unit.csv
   rubicon run site.plan --trace trace.jsonl
+)";
+
+const std::string_view kStudy =
+    R"(rubicon study - run many variants of a plan and compare their time, cost and risk
+
+usage: rubicon study STUDY [--out DIR [--resume]] [--jobs N] [--format table|json|csv]
+
+Runs the plan of a study (NAME.study, docs/studies.md) with every combination of the values that it varies, each as often
+as it says, with the durations drawn that are not certain. Run number 7 of each variant has the same draws, so that
+variants are compared draw by draw. Prints what the study asks for: means and quantiles, the tasks that are critical, the
+durations that drive the time, what was rejected and how often, and the variant that its rule chooses. A run in which
+anything is rejected never finishes: it counts in quantiles, and a variant with such runs is not chosen unless the rule
+allows it.
+
+  --out DIR        write study.json, variants.csv, runs.csv and study.html, the page that shows it all, into DIR
+  --resume         go on where a study that was stopped had come to; its runs are kept in DIR/study.progress
+  --jobs N         threads; by default as many as there are processors; the result is the same
+  --format FORMAT  table (the default), json or csv (a row a variant), on standard output; times in seconds
+
+Any single run can be made again: rubicon run PLAN --set NAME=VALUE --sample SEED:RUN.
+
+Exit code: 0 the study was made, and its rule, if it has one, chose a variant; 1 it chose none, or no variant can run;
+2 the input is wrong.
+
+examples:
+  rubicon study taskplans/studies/crews.study
+  rubicon study taskplans/studies/crews.study --out crews --jobs 4
 )";
 
 const std::string_view kWhy =

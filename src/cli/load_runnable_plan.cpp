@@ -28,30 +28,42 @@ void look_at_beginning(interpreter::PlanModel& plan, interpreter::Diagnostics& d
 
 }  // namespace
 
+ReadPlan read_runnable_plan(const std::string& plan, interpreter::FileProvider& files,
+                            interpreter::SourceMap& sources,
+                            const interpreter::ParameterTexts& set) {
+  ReadPlan result;
+  interpreter::Diagnostics diagnostics;
+  result.plan = load_plan(plan, sources, files, diagnostics, set);
+  if (result.plan) {
+    for (auto& mistake : taskplan::preflight_errors(*result.plan)) {
+      diagnostics.add(std::move(mistake));
+    }
+  }
+  if (result.plan && !diagnostics.has_errors()) look_at_beginning(*result.plan, diagnostics);
+  if (diagnostics.has_errors()) result.plan.reset();
+  result.found = diagnostics.sorted();
+  return result;
+}
+
 std::unique_ptr<interpreter::PlanModel> load_runnable_plan(const std::string& path,
                                                            interpreter::SourceMap& sources,
                                                            const interpreter::ParameterTexts& set) {
   files::PlanFiles disk(path);
-  interpreter::Diagnostics diagnostics;
-  std::unique_ptr<interpreter::PlanModel> plan;
+  ReadPlan read;
   const auto text = disk.read_text(disk.plan());
   if (const auto* failure = std::get_if<interpreter::FileFailure>(&text)) {
+    interpreter::Diagnostics diagnostics;
     diagnostics.error("F01", {}, fmt::format("'{}': {}", path, failure->message));
+    read.found = diagnostics.sorted();
   } else {
-    plan = load_plan(disk.plan(), sources, disk, diagnostics, set);
+    read = read_runnable_plan(disk.plan(), disk, sources, set);
   }
-  if (plan) {
-    for (auto& mistake : taskplan::preflight_errors(*plan)) diagnostics.add(std::move(mistake));
-  }
-  if (plan && !diagnostics.has_errors()) look_at_beginning(*plan, diagnostics);
-  const auto found = diagnostics.sorted();
-  if (!found.empty()) {
+  if (!read.found.empty()) {
     const std::string messages =
-        report::print_text(found, disk.typed(sources), files::wants_colour(stderr));
+        report::print_text(read.found, disk.typed(sources), files::wants_colour(stderr));
     std::fwrite(messages.data(), 1, messages.size(), stderr);
   }
-  if (diagnostics.has_errors()) plan.reset();
-  return plan;
+  return std::move(read.plan);
 }
 
 }  // namespace rubicon::cli

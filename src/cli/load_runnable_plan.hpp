@@ -2,10 +2,23 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "interpreter/check/plan_model.hpp"
+#include "interpreter/syntax/file_provider.hpp"
 
 namespace rubicon::cli {
+
+/// A plan that was read to be run, and what is to be said of it.
+struct ReadPlan {
+  std::unique_ptr<interpreter::PlanModel> plan;  ///< null if it cannot be run
+  std::vector<interpreter::Diagnostic> found;    ///< sorted
+};
+
+/// Reads and checks a plan that is to be run, with `set` for its parameters.
+ReadPlan read_runnable_plan(const std::string& plan, interpreter::FileProvider& files,
+                            interpreter::SourceMap& sources,
+                            const interpreter::ParameterTexts& set);
 
 /// Reads and checks a plan that is to be run, with `set` for its parameters, and prints what is
 /// wrong with it; null if it cannot be run. Paths in the plan and in `sources` are relative to the

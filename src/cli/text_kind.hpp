@@ -16,6 +16,7 @@ inline std::optional<interpreter::TextKind> kind_of(const std::string& path) {
   if (ends(".motion")) return interpreter::TextKind::script;
   if (ends(".robot")) return interpreter::TextKind::robot;
   if (ends(".plan")) return interpreter::TextKind::plan;
+  if (ends(".study")) return interpreter::TextKind::study;
   return std::nullopt;
 }
 

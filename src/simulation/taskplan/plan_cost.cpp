@@ -178,22 +178,27 @@ bool says_more(const interpreter::Charges& charges) {
   return charges.rental_per_day || charges.mobilisation || charges.overtime != 1;
 }
 
+/// Whether the plan says more than rates for use.
+bool has_cost_kinds(const interpreter::PlanModel& plan) {
+  const auto charges_more = [](const auto& each) { return says_more(each.charges); };
+  return plan.overhead_per_day ||
+         std::any_of(plan.robots.begin(), plan.robots.end(), charges_more) ||
+         std::any_of(plan.crews.begin(), plan.crews.end(), charges_more) ||
+         std::any_of(plan.components.begin(), plan.components.end(),
+                     [](const interpreter::ComponentSpec& component) { return component.cost; });
+}
+
 }  // namespace
 
+bool is_costed(const interpreter::PlanModel& plan) {
+  const auto has_rate = [](const auto& each) { return each.cost_per_hour.has_value(); };
+  return has_cost_kinds(plan) || std::any_of(plan.robots.begin(), plan.robots.end(), has_rate) ||
+         std::any_of(plan.crews.begin(), plan.crews.end(), has_rate);
+}
+
 void add_costs(const interpreter::PlanModel& plan, Schedule& schedule) {
-  for (const interpreter::RobotSpec& robot : plan.robots) {
-    schedule.costed = schedule.costed || robot.cost_per_hour;
-    schedule.has_kinds = schedule.has_kinds || says_more(robot.charges);
-  }
-  for (const interpreter::CrewSpec& crew : plan.crews) {
-    schedule.costed = schedule.costed || crew.cost_per_hour;
-    schedule.has_kinds = schedule.has_kinds || says_more(crew.charges);
-  }
-  schedule.has_kinds =
-      schedule.has_kinds || plan.overhead_per_day ||
-      std::any_of(plan.components.begin(), plan.components.end(),
-                  [](const interpreter::ComponentSpec& component) { return component.cost; });
-  schedule.costed = schedule.costed || schedule.has_kinds;
+  schedule.has_kinds = has_cost_kinds(plan);
+  schedule.costed = is_costed(plan);
   if (!schedule.costed) return;
 
   std::vector<Wide> kinds(kCostKinds), tasks(schedule.tasks.size()),

@@ -1,0 +1,241 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "src/cli/commands.hpp"
+#include "src/cli/fail.hpp"
+#include "src/cli/load_runnable_plan.hpp"
+#include "src/cli/load_study.hpp"
+#include "src/exchange/encoding/sha256.hpp"
+#include "src/exchange/files/append_file_io.hpp"
+#include "src/exchange/files/result_folder_io.hpp"
+#include "src/results/report/diagnostic_printer.hpp"
+#include "src/simulation/schedule/time_text.hpp"
+#include "src/studies/answers/study_answers.hpp"
+#include "src/studies/answers/study_text.hpp"
+#include "src/studies/study/runner.hpp"
+
+namespace rubicon::cli {
+
+namespace {
+
+using interpreter::SourceMap;
+
+constexpr std::chrono::milliseconds kBetweenStudyProgress{200};
+
+/// "1234/5000 runs, 0:03:20 left" on one line of a terminal.
+class StudyProgress {
+ public:
+  void show(std::int64_t done, std::int64_t planned) {
+    if (!terminal_) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (first_ < 0) first_ = done;
+    if (now - last_ < kBetweenStudyProgress) return;
+    last_ = now;
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    const auto made = static_cast<double>(done - first_);
+    std::string left;
+    if (seconds > 1 && made > 0) {
+      const double rest = seconds / made * static_cast<double>(planned - done);
+      left = ", " + schedule::clock_text(schedule::ticks_from_seconds(rest)) + " left";
+    }
+    fmt::print(stderr, "\r\x1b[K{}/{} runs{}", done, planned, left);
+    std::fflush(stderr);
+    shown_ = true;
+  }
+  ~StudyProgress() {
+    if (shown_) fmt::print(stderr, "\r\x1b[K");
+  }
+
+ private:
+  bool terminal_ = ::isatty(STDERR_FILENO) != 0;
+  bool shown_ = false;
+  std::int64_t first_ = -1;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point last_ = start_;
+};
+
+/// The runs that a study has made so far, in a file: what one that was stopped goes on from.
+class StudyLog {
+ public:
+  StudyLog(files::AppendFile file, std::string digest)
+      : file_(std::move(file)), head_("study\t" + std::move(digest) + "\t.") {}
+
+  /// What is there already; a message if it is of another study.
+  std::optional<std::string> read(const study::StudyModel& study, std::size_t variants) {
+    const std::vector<std::string>& lines = file_.lines();
+    if (!lines.empty() && lines.front() != head_) {
+      return "the runs in this folder are of another study, or of another version of this one; "
+             "without --resume it begins again";
+    }
+    for (const std::string& line : lines) {
+      if (auto run = study::read_line(line, study.questions.size())) {
+        if (run->variant < variants) known_.push_back(std::move(*run));
+      } else if (line.starts_with("variant\t") && line.ends_with("\t.")) {
+        const std::size_t tab = line.find('\t', 8);
+        digests_[line.substr(8, tab - 8)] = line;
+      }
+    }
+    if (lines.empty()) append(head_);
+    file_.forget_lines();
+    return failure_;
+  }
+
+  std::vector<study::LoggedRun> take_known() { return std::move(known_); }
+
+  /// False if it could not be written.
+  bool append(const std::string& line) {
+    if (!failure_) failure_ = file_.append(line);
+    return !failure_;
+  }
+
+  /// Notes what a variant was read from; false if it was read from something else before.
+  bool note(std::size_t variant, const std::string& digest) {
+    const std::string number = fmt::format("{}", variant);
+    const std::string line = fmt::format("variant\t{}\t{}\t.", number, digest);
+    const auto known = digests_.find(number);
+    if (known == digests_.end()) {
+      return append(line);
+    }
+    if (known->second == line) return true;
+    if (!failure_) {
+      failure_ =
+          "the plan or one of its files has changed since the runs in this folder were made; "
+          "without --resume the study begins again";
+    }
+    return false;
+  }
+
+  const std::optional<std::string>& failure() const { return failure_; }
+  void remove() { file_.remove(); }
+
+ private:
+  files::AppendFile file_;
+  std::string head_;
+  std::vector<study::LoggedRun> known_;
+  std::map<std::string, std::string> digests_;  ///< the lines of variants, by number
+  std::optional<std::string> failure_;
+};
+
+std::string digest_of(const SourceMap& sources) {
+  std::string all;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const auto& file = sources.file(static_cast<interpreter::FileId>(i));
+    all += fmt::format("{}\n{}\n", file.path, encoding::sha256_hex(file.text));
+  }
+  return encoding::sha256_hex(all);
+}
+
+study::LoadedVariant load_variant(LoadedStudy& study, std::size_t variant) {
+  study::LoadedVariant result;
+  const files::PlanFiles& files = study.files->plan_files();
+  ReadPlan read =
+      read_runnable_plan(files.plan(), *study.files, result.sources, study.variants[variant]);
+  result.plan = std::move(read.plan);
+  result.digest = digest_of(result.sources);
+  for (const interpreter::Diagnostic& each : read.found) {
+    if (each.severity != interpreter::Severity::error) continue;
+    if (each.span.file < result.sources.size()) {
+      const auto at = result.sources.position(each.span);
+      result.fault =
+          fmt::format("{}:{}:{}: ", result.sources.file(each.span.file).path, at.line, at.column);
+    }
+    result.fault += each.message;
+    break;
+  }
+  return result;
+}
+
+std::optional<std::string> write_study(files::ResultFolder& folder, const study::StudyModel& study,
+                                       const std::vector<study::VariantRuns>& variants,
+                                       const study::StudyAnswers& answers) {
+  const std::string json = study_json(study, variants, answers);
+  if (auto failure = folder.write("study.json", json)) return failure;
+  if (auto failure = folder.write("variants.csv", variants_csv(study, variants, answers))) {
+    return failure;
+  }
+  if (auto failure = folder.write("runs.csv", runs_csv(study, variants))) return failure;
+  return folder.commit();
+}
+
+int exit_code(const std::vector<study::VariantRuns>& variants, const study::StudyAnswers& answers) {
+  if (answers.choice && !answers.choice->chosen) return kInfeasible;
+  for (const study::VariantRuns& each : variants) {
+    if (each.fault.empty()) return kFine;
+  }
+  return kInfeasible;
+}
+
+}  // namespace
+
+int run_study_command(const StudyOptions& options) {
+  SourceMap sources;
+  interpreter::Diagnostics diagnostics;
+  LoadedStudy study = load_study(options.study, sources, diagnostics);
+  const auto found = diagnostics.sorted();
+  if (!found.empty()) {
+    const std::string messages = report::print_text(found, sources, files::wants_colour(stderr));
+    std::fwrite(messages.data(), 1, messages.size(), stderr);
+  }
+  if (!study.model) return kWrongInput;
+
+  std::optional<StudyLog> log;
+  std::optional<files::ResultFolder> folder;
+  if (!options.out.empty()) {
+    auto file = files::AppendFile::open(options.out + "/study.progress", options.resume);
+    if (auto* message = std::get_if<std::string>(&file)) return fail(*message);
+    log.emplace(std::get<files::AppendFile>(std::move(file)),
+                encoding::sha256_hex(study.text + RUBICON_VERSION));
+    if (const auto failure = log->read(*study.model, study.variants.size())) {
+      return fail(fmt::format("'{}': {}", options.out, *failure));
+    }
+  }
+
+  study::RunnerOptions runner;
+  runner.threads = options.jobs > 0
+                       ? options.jobs
+                       : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  runner.load = [&](std::size_t variant) { return load_variant(study, variant); };
+  if (log) {
+    runner.known = log->take_known();
+    runner.on_run = [&](const study::LoggedRun& run) { return log->append(write_line(run)); };
+    runner.on_load = [&](std::size_t variant, const study::LoadedVariant& loaded) {
+      return log->note(variant, loaded.digest);
+    };
+  }
+  std::optional<std::vector<study::VariantRuns>> variants;
+  {
+    StudyProgress progress;
+    runner.on_progress = [&](std::int64_t done, std::int64_t planned) {
+      progress.show(done, planned);
+    };
+    variants = study::run_study(*study.model, study.variants, runner);
+  }
+  if (log && log->failure()) return fail(fmt::format("'{}': {}", options.out, *log->failure()));
+  const study::StudyAnswers answers = study::answers_of(*study.model, *variants);
+  if (log) {
+    auto opened = files::ResultFolder::open(options.out);
+    if (auto* message = std::get_if<std::string>(&opened)) return fail(*message);
+    folder.emplace(std::get<files::ResultFolder>(std::move(opened)));
+    if (const auto failure = write_study(*folder, *study.model, *variants, answers)) {
+      return fail(*failure);
+    }
+    log->remove();
+  }
+  const std::string text = options.format == "json" ? study_json(*study.model, *variants, answers)
+                           : options.format == "csv"
+                               ? variants_csv(*study.model, *variants, answers)
+                               : study_table(*study.model, *variants, answers);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  return exit_code(*variants, answers);
+}
+
+}  // namespace rubicon::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "interpreter/syntax/diagnostic.hpp"
+#include "interpreter/syntax/source.hpp"
+#include "src/exchange/files/cached_files_io.hpp"
+#include "src/studies/study/study_model.hpp"
+
+namespace rubicon::cli {
+
+/// A study that was read, with the files of its plan.
+struct LoadedStudy {
+  std::unique_ptr<study::StudyModel> model;
+  std::vector<interpreter::ParameterTexts> variants;
+  std::unique_ptr<files::CachedPlanFiles> files;
+  std::string text;  ///< of the study itself
+};
+
+/// Reads a study, and its plan with the settings of the first variant, which must have all that the
+/// study names. What is wrong goes to `diagnostics`; the model is null then.
+LoadedStudy load_study(const std::string& path, interpreter::SourceMap& sources,
+                       interpreter::Diagnostics& diagnostics);
+
+}  // namespace rubicon::cli

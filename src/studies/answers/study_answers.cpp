@@ -1,0 +1,308 @@
+#include "src/studies/answers/study_answers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "src/simulation/schedule/ticks.hpp"
+#include "src/studies/answers/value_text.hpp"
+#include "src/studies/statistics/bootstrap.hpp"
+#include "src/studies/statistics/pareto.hpp"
+#include "src/studies/statistics/quantile.hpp"
+#include "src/studies/statistics/rank.hpp"
+
+namespace rubicon::study {
+
+namespace {
+
+constexpr std::size_t kBins = 40;
+constexpr std::size_t kFewestForTenths = 20;
+constexpr std::size_t kMakespan = 0;  // the first three questions of every study
+constexpr std::size_t kCost = 1;
+
+std::vector<double> finite_of(const std::vector<double>& values) {
+  std::vector<double> result;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(result),
+               [](double value) { return std::isfinite(value); });
+  return result;
+}
+
+Answer answer_of(const std::vector<double>& values) {
+  Answer answer;
+  const bool missing =
+      std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
+  answer.there = !values.empty() && !missing;
+  if (!answer.there) return answer;
+  std::vector<double> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  const std::vector<double> finite = finite_of(values);
+  answer.mean = statistics::mean_of(finite);
+  if (!finite.empty()) {
+    answer.least = sorted.front();
+    answer.most = sorted[finite.size() - 1];
+  }
+  for (const double p : kQuantiles) {
+    answer.quantiles.push_back(
+        {p, statistics::quantile(sorted, p), statistics::quantile_interval(sorted, p)});
+  }
+  return answer;
+}
+
+std::vector<TaskShare> critical_tasks(const VariantRuns& runs, std::int64_t finished) {
+  std::vector<TaskShare> result;
+  for (std::size_t i = 0; i < runs.critical.size() && i < runs.tasks.size(); ++i) {
+    if (runs.critical[i] == 0 || finished == 0) continue;
+    result.push_back({runs.tasks[i], runs.critical[i],
+                      static_cast<double>(runs.critical[i]) / static_cast<double>(finished)});
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const TaskShare& a, const TaskShare& b) { return a.runs > b.runs; });
+  return result;
+}
+
+/// The mean of `values` over the runs that `draws` puts in its first or last tenth.
+double mean_at_end(const std::vector<double>& values, const std::vector<std::size_t>& order,
+                   bool last) {
+  const std::size_t tenth = order.size() / 10;
+  std::vector<double> some;
+  for (std::size_t i = 0; i < tenth; ++i) {
+    some.push_back(values[order[last ? order.size() - 1 - i : i]]);
+  }
+  return statistics::mean_of(some).mean;
+}
+
+std::vector<Driver> drivers_of(const StudyModel& study, const VariantRuns& runs) {
+  if (!study.sampled || runs.values.empty()) return {};
+  std::vector<std::uint64_t> numbers;
+  std::vector<double> times;
+  const std::vector<double>& all = runs.values[kMakespan];
+  for (std::size_t i = 0; i < std::min(all.size(), kRunsForDrivers); ++i) {
+    if (!std::isfinite(all[i])) continue;
+    numbers.push_back(i);
+    times.push_back(all[i]);
+  }
+  if (times.size() < 3) return {};
+  std::vector<Driver> result;
+  for (const UncertainPlace& each : runs.uncertain) {
+    std::vector<double> draws;
+    for (const std::uint64_t run : numbers) {
+      draws.push_back(sampling::draw(each.law, {study.seed, run, each.place}));
+    }
+    Driver driver{each.place, statistics::rank_correlation(draws, times), 0, 0};
+    if (times.size() >= kFewestForTenths) {
+      std::vector<std::size_t> order(draws.size());
+      for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+      std::stable_sort(order.begin(), order.end(),
+                       [&](std::size_t a, std::size_t b) { return draws[a] < draws[b]; });
+      driver.low = mean_at_end(times, order, false);
+      driver.high = mean_at_end(times, order, true);
+    }
+    result.push_back(driver);
+  }
+  std::stable_sort(result.begin(), result.end(), [](const Driver& a, const Driver& b) {
+    return std::abs(a.correlation) > std::abs(b.correlation);
+  });
+  return result;
+}
+
+std::optional<ProgressBand> progress_of(const VariantRuns& runs) {
+  ProgressBand band;
+  for (std::size_t point = 0; point < kCurvePoints; ++point) {
+    std::vector<double> times;
+    for (const auto& curve : runs.curves) {
+      if (curve.size() == kCurvePoints) times.push_back(curve[point]);
+    }
+    if (times.empty()) return std::nullopt;
+    std::sort(times.begin(), times.end());
+    band.p10.push_back(statistics::quantile(times, 0.1));
+    band.p50.push_back(statistics::quantile(times, 0.5));
+    band.p90.push_back(statistics::quantile(times, 0.9));
+  }
+  return band;
+}
+
+VariantAnswers answers_of_variant(const StudyModel& study, const VariantRuns& runs) {
+  VariantAnswers result;
+  if (!runs.fault.empty() || runs.values.empty()) {
+    result.answers.resize(study.questions.size());
+    return result;
+  }
+  result.runs = runs.runs();
+  for (const double value : runs.values[kMakespan]) {
+    if (!std::isfinite(value)) ++result.unfinished;
+  }
+  for (const auto& values : runs.values) result.answers.push_back(answer_of(values));
+  if (!runs.costed) result.answers[kCost].there = false;
+  result.critical = critical_tasks(runs, result.runs - result.unfinished);
+  result.drivers = drivers_of(study, runs);
+  for (const auto& [task, rejection] : runs.rejections) {
+    result.rejections.push_back({runs.tasks[static_cast<std::size_t>(task)], rejection.runs,
+                                 rejection.first_run, rejection.reason});
+  }
+  std::stable_sort(result.rejections.begin(), result.rejections.end(),
+                   [](const TaskRejection& a, const TaskRejection& b) { return a.runs > b.runs; });
+  result.progress = progress_of(runs);
+  return result;
+}
+
+/// Bins of equal width over the process times of all variants.
+void add_histograms(const std::vector<VariantRuns>& variants, StudyAnswers& answers) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (const VariantAnswers& each : answers.variants) {
+    const Answer& makespan = each.answers[kMakespan];
+    if (!makespan.there || makespan.mean.count == 0) continue;
+    least = std::min(least, makespan.least);
+    most = std::max(most, makespan.most);
+  }
+  if (!(most > least)) return;
+  for (std::size_t i = 0; i <= kBins; ++i) {
+    answers.bins.push_back(least + (most - least) * static_cast<double>(i) / kBins);
+  }
+  for (std::size_t v = 0; v < variants.size(); ++v) {
+    if (variants[v].values.empty()) continue;
+    std::vector<std::int64_t>& counts = answers.variants[v].histogram;
+    counts.assign(kBins, 0);
+    for (const double value : variants[v].values[kMakespan]) {
+      if (!std::isfinite(value)) continue;
+      const double place = (value - least) / (most - least) * kBins;
+      ++counts[std::min(static_cast<std::size_t>(place), kBins - 1)];
+    }
+  }
+}
+
+std::vector<std::size_t> front_of(const std::vector<VariantAnswers>& variants) {
+  std::vector<statistics::Costs> points;
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  bool any = false;
+  for (const VariantAnswers& each : variants) {
+    const bool counts = each.runs > 0 && each.unfinished == 0 && each.answers[kCost].there;
+    any = any || counts;
+    points.push_back(
+        counts ? statistics::Costs{each.answers[kMakespan].mean.mean, each.answers[kCost].mean.mean}
+               : statistics::Costs{kNever, kNever});
+  }
+  return any ? statistics::pareto_front(points) : std::vector<std::size_t>();
+}
+
+/// Judges the variants by the rule of a study.
+class Chooser {
+ public:
+  Chooser(const StudyModel& study, const std::vector<VariantRuns>& runs,
+          const std::vector<VariantAnswers>& variants)
+      : study_(study), rule_(*study.choice), runs_(runs), variants_(variants) {}
+
+  ChoiceAnswer choose() {
+    for (std::size_t i = 0; i < variants_.size(); ++i) {
+      const std::string why = why_not(i);
+      if (!why.empty()) {
+        result_.passed.push_back({i, why});
+        continue;
+      }
+      result_.judged.push_back({i, *value_of(rule_.statistic, variants_[i], runs_[i]), {}});
+    }
+    if (result_.judged.empty()) return std::move(result_);
+    const auto better = [&](const auto& a, const auto& b) {
+      return rule_.least ? a.value < b.value : a.value > b.value;
+    };
+    const auto best = *std::min_element(result_.judged.begin(), result_.judged.end(), better);
+    for (ChoiceAnswer::Difference& each : result_.judged) {
+      const bool same = each.variant == best.variant || each.value == best.value;
+      if (!same) each.interval = difference(best.variant, each.variant);
+      if (same || (each.interval && each.interval->holds(0))) {
+        result_.equal.push_back(each.variant);
+      }
+    }
+    result_.chosen = result_.equal.front();
+    return std::move(result_);
+  }
+
+ private:
+  std::string why_not(std::size_t i) const {
+    const VariantAnswers& variant = variants_[i];
+    if (!runs_[i].fault.empty()) return "cannot run";
+    bool allows_rejections = false;
+    for (const Condition& each : rule_.with) {
+      const Asked asked = study_.questions[static_cast<std::size_t>(each.statistic.question)].asked;
+      allows_rejections = allows_rejections || asked == Asked::rejected;
+    }
+    if (variant.unfinished > 0 && !allows_rejections) {
+      return fmt::format("something is rejected in {} of {} runs", variant.unfinished,
+                         variant.runs);
+    }
+    for (const Condition& each : rule_.with) {
+      const auto value = value_of(each.statistic, variant, runs_[i]);
+      if (!value) return fmt::format("{} is not known", each.statistic.text);
+      double limit = each.limit;
+      if (each.date && runs_[i].start_at) {
+        const auto ticks = schedule::ticks_between(*runs_[i].start_at, *each.date);
+        limit =
+            ticks ? schedule::seconds_from_ticks(*ticks) : std::numeric_limits<double>::infinity();
+      }
+      if (each.holds(*value, limit)) continue;
+      return fmt::format("{} is {}, not {}", each.statistic.text,
+                         value_text(study_, each.statistic, *value, runs_[i]),
+                         each.text.substr(each.statistic.text.size() + 1));
+    }
+    const auto value = value_of(rule_.statistic, variant, runs_[i]);
+    if (!value) return fmt::format("{} is not known", rule_.statistic.text);
+    if (!std::isfinite(*value)) return fmt::format("{} is never", rule_.statistic.text);
+    return {};
+  }
+
+  /// 95 % interval of the statistic of `other` less that of `best`, run by run.
+  std::optional<statistics::Interval> difference(std::size_t best, std::size_t other) const {
+    const auto question = static_cast<std::size_t>(rule_.statistic.question);
+    const std::vector<double>& a = runs_[best].values[question];
+    const std::vector<double>& b = runs_[other].values[question];
+    if (rule_.statistic.quantile) {
+      return statistics::quantile_difference(a, b, *rule_.statistic.quantile);
+    }
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+      if (std::isfinite(a[i]) && std::isfinite(b[i])) differences.push_back(b[i] - a[i]);
+    }
+    return statistics::mean_of(differences).interval;
+  }
+
+  const StudyModel& study_;
+  const Choice& rule_;
+  const std::vector<VariantRuns>& runs_;
+  const std::vector<VariantAnswers>& variants_;
+  ChoiceAnswer result_;
+};
+
+}  // namespace
+
+std::optional<double> value_of(const Statistic& statistic, const VariantAnswers& variant,
+                               const VariantRuns& runs) {
+  const auto question = static_cast<std::size_t>(statistic.question);
+  const Answer& answer = variant.answers[question];
+  if (!answer.there) return std::nullopt;
+  if (!statistic.quantile) {
+    if (answer.mean.count == 0) return std::nullopt;
+    if (!statistic.width) return answer.mean.mean;
+    if (!answer.mean.interval) return std::nullopt;
+    return answer.mean.interval->width();
+  }
+  std::vector<double> sorted = runs.values[question];
+  std::sort(sorted.begin(), sorted.end());
+  if (!statistic.width) return statistics::quantile(sorted, *statistic.quantile);
+  return statistics::quantile_interval(sorted, *statistic.quantile).width();
+}
+
+StudyAnswers answers_of(const StudyModel& study, const std::vector<VariantRuns>& variants) {
+  StudyAnswers result;
+  for (const VariantRuns& each : variants) {
+    result.variants.push_back(answers_of_variant(study, each));
+  }
+  result.pareto = front_of(result.variants);
+  if (study.choice) result.choice = Chooser(study, variants, result.variants).choose();
+  add_histograms(variants, result);
+  return result;
+}
+
+}  // namespace rubicon::study

@@ -1,0 +1,240 @@
+#include "src/studies/study/run_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <numeric>
+
+#include "src/simulation/schedule/ticks.hpp"
+#include "src/simulation/taskplan/plan_cost.hpp"
+
+namespace rubicon::study {
+
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kNotThere = std::numeric_limits<double>::quiet_NaN();
+
+double seconds(taskplan::Ticks ticks) {
+  return static_cast<double>(ticks) / static_cast<double>(schedule::kSecond);
+}
+
+double waited(const taskplan::Schedule& schedule, const std::string& cause) {
+  taskplan::Ticks sum = 0;
+  for (const taskplan::TaskOutcome& task : schedule.tasks) {
+    const taskplan::WaitTimes& waits = task.waits;
+    if (cause.empty()) sum += waits.machine + waits.resource + waits.shift;
+    if (cause == "machine") sum += waits.machine;
+    if (cause == "resource") sum += waits.resource;
+    if (cause == "shift") sum += waits.shift;
+    if (cause == "predecessor") sum += waits.predecessor;
+  }
+  return seconds(sum);
+}
+
+double value_of(const Question& question, const taskplan::Schedule& schedule) {
+  const auto of_task = [&](const auto& use) {
+    for (const taskplan::TaskOutcome& task : schedule.tasks) {
+      if (task.task == question.of && !task.parking) return seconds(use(task));
+    }
+    return kNotThere;
+  };
+  switch (question.asked) {
+    case Asked::makespan:
+    case Asked::finish:
+      return seconds(schedule.process_time);
+    case Asked::cost:
+      return schedule.cost;
+    case Asked::rejected:
+      return 0;
+    case Asked::utilisation:
+      for (const taskplan::ResourceUse& each : schedule.resources) {
+        if (each.name == question.of) return each.utilisation();
+      }
+      return kNotThere;
+    case Asked::waiting:
+      return waited(schedule, question.of);
+    case Asked::task_start:
+      return of_task([](const taskplan::TaskOutcome& task) { return task.start; });
+    case Asked::task_finish:
+      return of_task([](const taskplan::TaskOutcome& task) { return task.start + task.duration; });
+    case Asked::task_duration:
+      break;
+  }
+  return of_task([](const taskplan::TaskOutcome& task) { return task.duration; });
+}
+
+std::vector<double> curve_of(const taskplan::Schedule& schedule) {
+  std::vector<std::pair<taskplan::Ticks, double>> steps;
+  double total = 0;
+  for (const taskplan::TaskOutcome& task : schedule.tasks) total += task.cost;
+  const bool by_cost = total > 0;
+  for (const taskplan::TaskOutcome& task : schedule.tasks) {
+    if (task.parking && !by_cost) continue;
+    steps.emplace_back(task.start + task.duration, by_cost ? task.cost : 1.0);
+  }
+  std::stable_sort(steps.begin(), steps.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  if (!by_cost) total = static_cast<double>(steps.size());
+  std::vector<double> curve(kCurvePoints, 0.0);
+  double done = 0;
+  std::size_t point = 1;
+  for (const auto& [time, share] : steps) {
+    done += share;
+    while (point < kCurvePoints &&
+           done >= total * static_cast<double>(point) / (kCurvePoints - 1) - 1e-6) {
+      curve[point++] = seconds(time);
+    }
+  }
+  while (point < kCurvePoints) curve[point++] = seconds(schedule.process_time);
+  return curve;
+}
+
+int task_index(const interpreter::PlanModel& plan, const std::string& name) {
+  for (std::size_t i = 0; i < plan.tasks.size(); ++i) {
+    if (plan.tasks[i].name == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+// The log.
+template <typename Values>
+void write_list(std::string& line, const Values& values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    fmt::format_to(std::back_inserter(line), "{}{}", i == 0 ? "" : " ", values[i]);
+  }
+  line += '\t';
+}
+
+std::string_view next_field(std::string_view& rest) {
+  const std::size_t tab = rest.find('\t');
+  const std::string_view field = rest.substr(0, tab);
+  rest.remove_prefix(tab == std::string_view::npos ? rest.size() : tab + 1);
+  return field;
+}
+
+template <typename Number>
+bool read_number(std::string_view text, Number& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+template <typename Number>
+bool read_list(std::string_view text, std::vector<Number>& values) {
+  while (!text.empty()) {
+    const std::size_t blank = text.find(' ');
+    Number value{};
+    if (!read_number(text.substr(0, blank), value)) return false;
+    values.push_back(value);
+    text.remove_prefix(blank == std::string_view::npos ? text.size() : blank + 1);
+  }
+  return true;
+}
+
+}  // namespace
+
+RunRecord record_of(const StudyModel& study, const interpreter::PlanModel& plan,
+                    const taskplan::Schedule& schedule, bool with_curve) {
+  RunRecord result;
+  for (const Question& each : study.questions) {
+    if (schedule.feasible) {
+      result.values.push_back(value_of(each, schedule));
+    } else {
+      result.values.push_back(each.asked == Asked::rejected ? 1 : kNever);
+    }
+  }
+  if (schedule.feasible) {
+    for (const taskplan::CriticalTask& each : schedule.critical) {
+      const int task = task_index(plan, each.task);
+      if (task >= 0) result.critical.push_back(task);
+    }
+    std::sort(result.critical.begin(), result.critical.end());
+    if (with_curve) result.curve = curve_of(schedule);
+    return result;
+  }
+  for (const taskplan::TaskOutcome& each : schedule.tasks) {
+    if (each.parking || each.result == taskplan::TaskResult::done ||
+        each.result == taskplan::TaskResult::not_reached) {
+      continue;
+    }
+    const int task = task_index(plan, each.task);
+    if (task < 0) continue;
+    if (result.rejected.empty() || task < result.rejected.front()) result.reason = each.reason;
+    result.rejected.insert(std::upper_bound(result.rejected.begin(), result.rejected.end(), task),
+                           task);
+  }
+  for (char& c : result.reason) {
+    if (c == '\t' || c == '\n' || c == '\r') c = ' ';
+  }
+  return result;
+}
+
+void VariantRuns::resize(const StudyModel& study, std::int64_t runs) {
+  values.resize(study.questions.size());
+  for (auto& each : values) each.resize(static_cast<std::size_t>(runs), kNotThere);
+  curves.resize(static_cast<std::size_t>(std::min(runs, kCurves)));
+}
+
+void VariantRuns::describe(const interpreter::PlanModel& plan) {
+  tasks.clear();
+  for (const interpreter::TaskSpec& each : plan.tasks) tasks.push_back(each.name);
+  critical.resize(tasks.size(), 0);
+  uncertain.clear();
+  for (const interpreter::UncertainDuration& each : uncertain_durations(plan)) {
+    uncertain.push_back({each.place, *each.law});
+  }
+  start_at = plan.start_at;
+  currency = plan.currency;
+  costed = taskplan::is_costed(plan);
+}
+
+void VariantRuns::take(std::int64_t run, const RunRecord& record) {
+  const auto at = static_cast<std::size_t>(run);
+  for (std::size_t i = 0; i < record.values.size(); ++i) values[i][at] = record.values[i];
+  for (const int task : record.critical) {
+    const auto index = static_cast<std::size_t>(task);
+    if (index >= critical.size()) critical.resize(index + 1, 0);
+    ++critical[index];
+  }
+  if (at < curves.size()) curves[at] = record.curve;
+  for (std::size_t i = 0; i < record.rejected.size(); ++i) {
+    const auto [place, is_new] = rejections.try_emplace(record.rejected[i]);
+    Rejection& each = place->second;
+    ++each.runs;
+    if (!is_new && each.first_run < run) continue;
+    each.first_run = run;
+    each.reason = i == 0 ? record.reason : std::string();
+  }
+}
+
+std::string write_line(const LoggedRun& run) {
+  std::string line = fmt::format("run\t{}\t{}\t", run.variant, run.run);
+  write_list(line, run.record.values);
+  write_list(line, run.record.critical);
+  write_list(line, run.record.curve);
+  write_list(line, run.record.rejected);
+  line += run.record.reason;
+  line += "\t.";
+  return line;
+}
+
+std::optional<LoggedRun> read_line(std::string_view line, std::size_t questions) {
+  LoggedRun run;
+  if (!line.ends_with("\t.") || next_field(line) != "run") return std::nullopt;
+  if (!read_number(next_field(line), run.variant)) return std::nullopt;
+  if (!read_number(next_field(line), run.run) || run.run < 0) return std::nullopt;
+  RunRecord& record = run.record;
+  if (!read_list(next_field(line), record.values) || record.values.size() != questions) {
+    return std::nullopt;
+  }
+  if (!read_list(next_field(line), record.critical) || !read_list(next_field(line), record.curve) ||
+      !read_list(next_field(line), record.rejected)) {
+    return std::nullopt;
+  }
+  record.reason = next_field(line);
+  return line == "." ? std::optional(std::move(run)) : std::nullopt;
+}
+
+}  // namespace rubicon::study

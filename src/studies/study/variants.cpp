@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "src/motion/math/random.hpp"
+#include "src/studies/study/study_model.hpp"
+
+namespace rubicon::study {
+
+namespace {
+
+std::vector<interpreter::ParameterTexts> every_combination(const StudyModel& study) {
+  std::vector<interpreter::ParameterTexts> result;
+  std::vector<std::size_t> at(study.variables.size(), 0);
+  while (true) {
+    interpreter::ParameterTexts set;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      set.emplace_back(study.variables[i].name, study.variables[i].values[at[i]]);
+    }
+    result.push_back(std::move(set));
+    std::size_t i = at.size();
+    while (i > 0 && ++at[i - 1] == study.variables[i - 1].values.size()) at[--i] = 0;
+    if (i == 0) return result;
+  }
+}
+
+std::vector<interpreter::ParameterTexts> one_at_a_time(const StudyModel& study) {
+  interpreter::ParameterTexts first;
+  for (const Variable& each : study.variables) first.emplace_back(each.name, each.values.front());
+  std::vector<interpreter::ParameterTexts> result{first};
+  for (std::size_t i = 0; i < study.variables.size(); ++i) {
+    for (std::size_t k = 1; k < study.variables[i].values.size(); ++k) {
+      result.push_back(first);
+      result.back()[i].second = study.variables[i].values[k];
+    }
+  }
+  return result;
+}
+
+/// Each variable takes each of `latin` equal parts of its range once, in an order of its own.
+std::vector<interpreter::ParameterTexts> latin_hypercube(const StudyModel& study) {
+  const auto count = static_cast<std::size_t>(study.latin);
+  std::vector<interpreter::ParameterTexts> result(count);
+  math::Random random(study.seed);
+  for (const Variable& each : study.variables) {
+    std::vector<std::size_t> part(count);
+    std::iota(part.begin(), part.end(), std::size_t{0});
+    for (std::size_t i = count; i > 1; --i) std::swap(part[i - 1], part[random.index(i)]);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double share =
+          (static_cast<double>(part[i]) + random.uniform()) / static_cast<double>(count);
+      if (each.range) {
+        // To six digits of the range, so that people can read and type it.
+        const double step = (each.range->high - each.range->low) * share;
+        const std::string text = fmt::format("{:.6g}", each.range->low + step);
+        result[i].emplace_back(each.name,
+                               each.range->unit.empty() ? text : text + " " + each.range->unit);
+        continue;
+      }
+      const auto value = static_cast<std::size_t>(share * static_cast<double>(each.values.size()));
+      result[i].emplace_back(each.name, each.values[std::min(value, each.values.size() - 1)]);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::size_t count_variants(const StudyModel& study) {
+  if (study.design == Design::latin) return static_cast<std::size_t>(study.latin);
+  std::size_t count = 1;
+  for (const Variable& each : study.variables) {
+    if (study.design == Design::one_at_a_time) {
+      count += each.values.size() - 1;
+    } else if (count <= kMostVariants) {
+      count *= each.values.size();
+    }
+  }
+  return count;
+}
+
+std::vector<interpreter::ParameterTexts> variants_of(const StudyModel& study) {
+  switch (study.design) {
+    case Design::latin:
+      return latin_hypercube(study);
+    case Design::one_at_a_time:
+      return one_at_a_time(study);
+    case Design::full:
+      break;
+  }
+  return every_combination(study);
+}
+
+}  // namespace rubicon::study
