@@ -215,7 +215,7 @@ class Printer {
           at_start = line_due = true;
         continue;
       }
-      if (token.is("until")) in_until = true;
+      if (token.is("until")) in_until = code_is(i + 1, "(");
       if (token.is("(")) ++parentheses;
       if (token.is(")")) --parentheses;
       write_token(i, indent, at_start, !at_start);

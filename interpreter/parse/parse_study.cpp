@@ -20,12 +20,14 @@ class StudyState : public ScriptState {
 
   /// The last number as it stands from `from`.
   syntax::Literal take_literal(const char* from) const {
-    syntax::Literal result{number, number.value, std::string(from, last_end)};
+    syntax::Literal result{number, number.value, {}};
     const char* at = from;
     const bool negative = *at == '-';
     while (*at == '-' || *at == '+' || *at == ' ' || *at == '\t') ++at;
-    std::from_chars(at, last_end, result.written);
+    const char* const end = std::from_chars(at, last_end, result.written).ptr;
     if (negative) result.written = -result.written;
+    result.text = (negative ? "-" : "") + std::string(at, end);
+    if (!number.unit_text.empty()) result.text += " " + number.unit_text;
     result.number.span = span_from(from);
     return result;
   }

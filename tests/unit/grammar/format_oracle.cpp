@@ -21,6 +21,9 @@ std::string parsed_tree(std::string_view text, TextKind kind) {
     case TextKind::plan:
       tree = tree_text(interpreter::parse_plan(sources, file, diagnostics));
       break;
+    case TextKind::study:
+      tree = tree_text(interpreter::parse_study(sources, file, diagnostics));
+      break;
   }
   return diagnostics.has_errors() ? std::string() : "tree" + tree;
 }

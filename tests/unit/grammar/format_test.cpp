@@ -199,5 +199,24 @@ TEST(Format, LineEndsAndMarksAreMadeOne) {
   EXPECT_EQ(formatted(""), "");
 }
 
+TEST(Format, Studies) {
+  EXPECT_EQ(
+      formatted(
+          "study   s{plan \"p.plan\";vary a 1 , -2 to 3 by .5,\"x\";vary yard.b[2]  3m;# why\n"
+          "runs at most 500 until width( p80(finish) )<4h;seed 1;\n"
+          "ask makespan,start ( set [ 3 ] );choose least mean(cost) with p80(finish)<="
+          "\"2026-03-27\",rejected<.02;}",
+          TextKind::study),
+      "study s {\n"
+      "  plan \"p.plan\";\n"
+      "  vary a 1, -2 to 3 by .5, \"x\";\n"
+      "  vary yard.b[2] 3 m;  # why\n"
+      "  runs at most 500 until width(p80(finish)) < 4 h;\n"
+      "  seed 1;\n"
+      "  ask makespan, start(set[3]);\n"
+      "  choose least mean(cost) with p80(finish) <= \"2026-03-27\", rejected < .02;\n"
+      "}\n");
+}
+
 }  // namespace
 }  // namespace rubicon

@@ -22,6 +22,9 @@ std::vector<std::string> mistakes(std::string_view text, TextKind kind) {
     case TextKind::plan:
       interpreter::parse_plan(sources, file, diagnostics);
       break;
+    case TextKind::study:
+      interpreter::parse_study(sources, file, diagnostics);
+      break;
   }
   std::vector<std::string> lines;
   for (const interpreter::Diagnostic& diagnostic : diagnostics.sorted()) {

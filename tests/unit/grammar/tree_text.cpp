@@ -384,6 +384,57 @@ class Writer {
     }
   }
 
+  void measure(const syntax::Measure& value) {
+    open("measure");
+    for (const syntax::QualifiedName& word : value.words) name(word);
+    close();
+  }
+  void literal(const syntax::Literal& value) {
+    word(value.text);
+    number(value.number);
+  }
+  void limit(const syntax::Limit& value) {
+    measure(value.measure);
+    word(value.comparison.text.substr(0, 2));
+    if (value.text) {
+      string(*value.text);
+    } else {
+      literal(value.number);
+    }
+  }
+  void study(const syntax::Study& value) {
+    open("study");
+    name(value.name);
+    for (const auto& each : value.plans) string(each.file);
+    for (const syntax::VaryItem& each : value.vary) {
+      open("vary");
+      name(each.name);
+      for (const syntax::VariedValue& one : each.values) {
+        if (one.text) string(*one.text);
+        if (!one.text) literal(one.first);
+        if (one.last) literal(*one.last);
+        if (one.step) literal(*one.step);
+      }
+      close();
+    }
+    for (const syntax::DesignItem& each : value.designs) {
+      name(each.kind);
+      if (each.count) number(*each.count);
+    }
+    for (const syntax::RunsItem& each : value.runs) {
+      number(each.count);
+      if (each.until) limit(*each.until);
+    }
+    for (const syntax::SeedItem& each : value.seeds) number(each.value);
+    for (const syntax::Measure& each : value.asks) measure(each);
+    for (const syntax::ChooseItem& each : value.chooses) {
+      name(each.direction);
+      measure(each.measure);
+      for (const syntax::Limit& one : each.with) limit(one);
+    }
+    close();
+  }
+
  private:
   void word(const std::string& value) { text_ += ' ' + value; }
   void open(const std::string& value) { text_ += " (" + value; }
@@ -417,6 +468,12 @@ std::string tree_text(const syntax::Plan& plan) {
   Writer writer;
   writer.name(plan.name);
   writer.variants(plan.items);
+  return writer.take();
+}
+
+std::string tree_text(const syntax::Study& study) {
+  Writer writer;
+  writer.study(study);
   return writer.take();
 }
 

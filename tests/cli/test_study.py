@@ -1,0 +1,168 @@
+"""Studies: many runs of a plan, the same whatever the threads and however often they were killed."""
+
+import csv
+import io
+import json
+import os
+import random
+import signal
+import subprocess
+import time
+import unittest
+
+from result_case import RUBICON, ResultCase, rubicon
+
+PLAN = """plan house {
+  start_at "2026-03-02 08:00";
+  currency "EUR";
+  parameter floors = 3;
+  parameter gang = 2;
+  crew masons { size gang; cost 40 per h; }
+  crew carpenters { cost 45 per h; }
+  for i from 1 to floors {
+    task wall[i] { by masons; takes pert(4 h, 6 h, 14 h); when (i > 1) { after slab[i - 1]; } }
+    task form[i] { by carpenters; takes triangular(2 h, 3 h, 7 h); after wall[i]; }
+    task slab[i] { by masons; needs 2 masons; takes lognormal(5 h, 1.5 h); after form[i]; }
+  }
+}
+"""
+
+
+class Study(ResultCase):
+    def setUp(self):
+        super().setUp()
+        self.write("house.plan", PLAN)
+
+    def study(self, items, *arguments, expected=0, name="s.study"):
+        path = self.write(name, 'study s { plan "house.plan"; %s }' % items)
+        self.result = rubicon("study", path, *arguments)
+        self.assertEqual(self.result.returncode, expected, self.result.stdout + self.result.stderr)
+        return self.result.stdout
+
+    def json_of(self, items, *arguments, expected=0):
+        return json.loads(self.study(items, "--format", "json", *arguments, expected=expected))
+
+    def files(self, folder):
+        result = {}
+        for name in sorted(os.listdir(folder)):
+            with open(os.path.join(folder, name), "rb") as file:
+                result[name] = file.read()
+        return result
+
+    def test_a_run_of_a_study_is_the_run_that_its_row_names(self):
+        out = os.path.join(self.folder, "out")
+        self.study("vary floors 2, 3; vary gang 2, 3; runs 12; seed 5; ask makespan, cost, finish(slab[2]);", "--out", out)
+        self.assertEqual(sorted(os.listdir(out)), ["runs.csv", "study.html", "study.json", "variants.csv"])
+        with open(os.path.join(out, "runs.csv"), encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 48)
+        for row in random.Random(1).sample(rows, 6):
+            run = rubicon("run", os.path.join(self.folder, "house.plan"), "--set", "floors=" + row["floors"], "--set", "gang=" + row["gang"],
+                          "--sample", row["seed"] + ":" + row["run"], "--format", "json")
+            schedule = json.loads(run.stdout)
+            self.assertEqual(schedule["process_time"], float(row["makespan"]))
+            self.assertEqual(schedule["cost"], float(row["cost"]))
+            slab = [task for task in schedule["tasks"] if task["task"] == "slab_2"][0]
+            self.assertAlmostEqual(slab["start"] + slab["duration"], float(row["finish(slab_2)"]), 6)
+
+    def test_draws_are_the_same_in_all_variants(self):
+        study = self.json_of("vary gang 2, 3; runs 50; choose least mean(makespan);")
+        self.assertEqual(*[variant["answers"][0]["mean"] for variant in study["variants"]])
+        self.assertEqual(study["choice"]["equal"], [1, 2])
+        self.assertEqual(study["choice"]["chosen"], 1)
+
+    def test_without_runs_durations_stand_for_their_means(self):
+        text = self.study("vary floors 1 to 3;")
+        self.assertIn("3 variants of house.plan, durations at their means", text)
+        plain = json.loads(rubicon("run", os.path.join(self.folder, "house.plan"), "--format", "json").stdout)
+        study = self.json_of("vary floors 1 to 3;")
+        self.assertEqual(study["variants"][2]["answers"][0]["mean"], plain["process_time"])
+
+    def test_the_rule_passes_over_what_is_late(self):
+        study = self.json_of('vary floors 1 to 3; runs 100; choose most mean(cost) with p80(finish) <= "2026-03-03";')
+        self.assertEqual(study["choice"]["chosen"], 2)
+        self.assertEqual([each["variant"] for each in study["choice"]["passed_over"]], [3])
+        self.study('vary floors 1 to 3; runs 100; choose most mean(cost) with p80(finish) <= "2026-03-01";', expected=1)
+        self.assertIn("chosen: none", self.result.stdout)
+
+    def test_the_same_bytes_with_any_number_of_threads(self):
+        items = "vary floors 2 to 5; runs at most 300 until width(p80(finish)) < 2 h; seed 3; choose least p95(cost);"
+        texts, folders = set(), []
+        for jobs in (1, 2, 4, 9):
+            out = os.path.join(self.folder, "out%d" % jobs)
+            texts.add(self.study(items, "--out", out, "--jobs", str(jobs)))
+            folders.append(self.files(out))
+        self.assertEqual(len(texts), 1)
+        self.assertTrue(all(each == folders[0] for each in folders))
+
+    def test_killed_ten_times_it_ends_with_the_same_bytes(self):
+        items = "vary floors 2 to 5; runs 2000; seed 3; ask makespan, cost, waiting; choose least p95(cost);"
+        whole = os.path.join(self.folder, "whole")
+        expected = self.study(items, "--out", whole)
+        out = os.path.join(self.folder, "killed")
+        path = os.path.join(self.folder, "s.study")
+        kills, delay = 0, random.Random(2)
+        progress = os.path.join(out, "study.progress")
+        sizes = []
+        for _ in range(60):
+            process = subprocess.Popen([RUBICON, "study", path, "--out", out, "--resume"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            before = os.path.getsize(progress) if os.path.exists(progress) else 0
+            if kills < 10:
+                # Killed once it has written more, somewhere in the middle of a line as a rule.
+                deadline = time.monotonic() + 5
+                while time.monotonic() < deadline and process.poll() is None:
+                    if os.path.exists(progress) and os.path.getsize(progress) > before + delay.randrange(1, 40000):
+                        break
+                process.send_signal(signal.SIGKILL)
+            text, _ = process.communicate(timeout=120)
+            if process.returncode == 0:
+                break
+            kills += 1
+            sizes.append(os.path.getsize(progress))
+        self.assertGreaterEqual(kills, 5)
+        self.assertEqual(text, expected)
+        self.assertEqual(self.files(out), self.files(whole))
+        self.assertEqual(sizes, sorted(sizes), "no run that was finished is lost")
+
+    def test_it_does_not_go_on_from_another_study_or_plan(self):
+        out = os.path.join(self.folder, "out")
+        os.mkdir(out)
+        self.study("vary floors 2, 3; runs 5;", "--out", out)
+        with open(os.path.join(out, "study.progress"), "w", encoding="utf-8") as file:
+            file.write("study\tabc\t.\n")
+        self.study("vary floors 2, 3; runs 5;", "--out", out, "--resume", expected=2)
+        self.assertIn("are of another study", self.result.stderr)
+        self.assertIn("without --resume it begins again", self.result.stderr)
+        self.study("vary floors 2, 3; runs 5;", "--out", out)
+        self.assertNotIn("study.progress", os.listdir(out))
+
+    def test_one_that_cannot_run_is_told_and_the_others_go_on(self):
+        study = self.json_of("vary gang 2, 1, 3; runs 20; choose least mean(cost);")
+        self.assertIn("fault", study["variants"][1])
+        self.assertEqual([variant.get("runs") for variant in study["variants"]], [20, None, 20])
+        self.assertEqual(study["choice"]["passed_over"], [{"variant": 2, "why": "cannot run"}])
+
+    def test_mistakes_are_told_at_their_places(self):
+        for items, message in (("vary flors 2;", "s.study:1:35: error: the plan has no parameter 'flors'; did you mean floors?"),
+                               ("ask utilisation(mason);", "the plan has no robot or crew 'mason'; did you mean masons?"),
+                               ("ask finish(slab[9]);", "the plan has no task 'slab_9'"),
+                               ("vary floors 3 to 2;", "the range 3 to 2 is empty"),
+                               ("vary floors 2 m;", "the parameter is"),
+                               ('plan "no.plan";', "a study says 'plan' once")):
+            self.study(items, expected=2)
+            self.assertIn(message, self.result.stderr)
+        checked = rubicon("check", os.path.join(self.folder, "s.study"))
+        self.assertEqual(checked.returncode, 2)
+
+    def test_tables_and_csv_have_a_row_a_variant(self):
+        items = "vary floors 2, 3; runs 30; ask makespan, utilisation(masons), waiting(resource), rejected;"
+        rows = list(csv.DictReader(io.StringIO(self.study(items, "--format", "csv"))))
+        self.assertEqual([row["floors"] for row in rows], ["2", "3"])
+        self.assertLess(float(rows[0]["makespan p10"]), float(rows[0]["makespan p95"]))
+        text = self.study(items)
+        for part in ("makespan", "utilisation(masons)", "waiting(resource)", "what drives the makespan of variant 1", "critical in most runs"):
+            self.assertIn(part, text)
+
+
+if __name__ == "__main__":
+    unittest.main()
