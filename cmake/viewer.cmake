@@ -2,6 +2,7 @@
 # `rubicon` works but for the page.
 option(RUBICON_VIEWER "build the report page (needs node 18 or later and npm)" ON)
 set(RUBICON_VIEWER_PAGE ${PROJECT_BINARY_DIR}/viewer/index.html)
+set(RUBICON_STUDY_PAGE ${PROJECT_BINARY_DIR}/viewer/study.html)
 
 find_program(NODE_PROGRAM NAMES node nodejs)
 find_program(NPM_PROGRAM npm)
@@ -23,16 +24,16 @@ endif()
 
 if(why_no_page)
   add_custom_command(
-    OUTPUT ${RUBICON_VIEWER_PAGE}
+    OUTPUT ${RUBICON_VIEWER_PAGE} ${RUBICON_STUDY_PAGE}
     COMMAND ${CMAKE_COMMAND} -E echo "warning: rubicon is built without the report page: ${why_no_page}"
     COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/viewer
-    COMMAND ${CMAKE_COMMAND} -E rm -f ${RUBICON_VIEWER_PAGE}
-    COMMAND ${CMAKE_COMMAND} -E touch ${RUBICON_VIEWER_PAGE}
+    COMMAND ${CMAKE_COMMAND} -E rm -f ${RUBICON_VIEWER_PAGE} ${RUBICON_STUDY_PAGE}
+    COMMAND ${CMAKE_COMMAND} -E touch ${RUBICON_VIEWER_PAGE} ${RUBICON_STUDY_PAGE}
     COMMENT "Leaving out the report page"
     VERBATIM)
 else()
   add_custom_command(
-    OUTPUT ${RUBICON_VIEWER_PAGE}
+    OUTPUT ${RUBICON_VIEWER_PAGE} ${RUBICON_STUDY_PAGE}
     COMMAND ${PROJECT_SOURCE_DIR}/cmake/build_viewer ${PROJECT_SOURCE_DIR}/viewer ${PROJECT_BINARY_DIR}/viewer
             ${NPM_PROGRAM}
     DEPENDS ${PROJECT_SOURCE_DIR}/cmake/build_viewer ${PROJECT_SOURCE_DIR}/viewer/package-lock.json

@@ -14,11 +14,11 @@ export function paletteCss(): string {
     + `@media (prefers-color-scheme: dark) { :root:not([data-theme='light']) { ${properties('dark')} } }\n`;
 }
 
-/** Puts them behind what styles.css imports. */
+/** Puts them behind what styles.css and study.css import. */
 export function paletteStyles(): Plugin {
   return {
     name: 'palette',
     enforce: 'pre',
-    transform: (code, id) => (id.endsWith('/src/styles.css') ? code + paletteCss() : null),
+    transform: (code, id) => (/\/src\/(styles|study)\.css$/.test(id) ? code + paletteCss() : null),
   };
 }

@@ -17,6 +17,7 @@
 #include "src/exchange/encoding/sha256.hpp"
 #include "src/exchange/files/append_file_io.hpp"
 #include "src/exchange/files/result_folder_io.hpp"
+#include "src/results/page/report_page.hpp"
 #include "src/results/report/diagnostic_printer.hpp"
 #include "src/simulation/schedule/time_text.hpp"
 #include "src/studies/answers/study_answers.hpp"
@@ -163,6 +164,12 @@ std::optional<std::string> write_study(files::ResultFolder& folder, const study:
     return failure;
   }
   if (auto failure = folder.write("runs.csv", runs_csv(study, variants))) return failure;
+  if (page::empty_study_page().empty()) {
+    fmt::print(stderr, "rubicon: note: there is no study.html: {}\n", page::kNoViewerPage);
+  } else if (auto failure = folder.write(
+                 "study.html", page::study_page(page::empty_study_page(), json, study.name))) {
+    return failure;
+  }
   return folder.commit();
 }
 

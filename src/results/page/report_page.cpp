@@ -74,4 +74,29 @@ std::string report_page(std::string_view viewer_page, const film::Film& film,
   return page;
 }
 
+std::string study_page(std::string_view empty_study_page, std::string_view json,
+                       std::string_view name) {
+  constexpr std::string_view kStudyTitle = "<title>RUBICON study</title>";
+  constexpr std::string_view kStudyBegin = R"(<script type="application/json" id="study">)";
+  const std::size_t title = only_place(empty_study_page, kStudyTitle);
+  const std::size_t place = only_place(empty_study_page, kStudyBegin) + kStudyBegin.size();
+  const std::size_t after_title = title + kStudyTitle.size();
+  if (place < after_title) {
+    throw std::logic_error("the page should have its title before the study");
+  }
+  std::string page(empty_study_page.substr(0, title));
+  page += "<title>" + escaped(name) + " - RUBICON</title>";
+  page += empty_study_page.substr(after_title, place - after_title);
+  for (const char letter : json) {
+    // No text of a plan can become markup.
+    if (letter == '<') {
+      page += "\\u003c";
+    } else {
+      page += letter;
+    }
+  }
+  page += empty_study_page.substr(place);
+  return page;
+}
+
 }  // namespace rubicon::page

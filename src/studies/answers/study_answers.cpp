@@ -45,8 +45,9 @@ Answer answer_of(const std::vector<double>& values) {
     answer.most = sorted[finite.size() - 1];
   }
   for (const double p : kQuantiles) {
-    answer.quantiles.push_back(
-        {p, statistics::quantile(sorted, p), statistics::quantile_interval(sorted, p)});
+    const double value = statistics::quantile(sorted, p);
+    const auto run = std::find(values.begin(), values.end(), value) - values.begin();
+    answer.quantiles.push_back({p, value, statistics::quantile_interval(sorted, p), run});
   }
   return answer;
 }

@@ -21,6 +21,7 @@ struct QuantileAnswer {
   double p = 0;
   double value = 0;  ///< infinite: never
   statistics::Interval interval;
+  std::int64_t run = 0;  ///< the first with this value
 };
 
 /// One question, answered by the runs of one variant.

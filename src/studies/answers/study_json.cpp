@@ -88,7 +88,7 @@ class Json {
       for (const QuantileAnswer& each : answer.quantiles) {
         json_.begin_object().field("p", each.p).field("value", each.value);
         interval("interval", each.interval);
-        json_.end_object();
+        json_.field("run", each.run).end_object();
       }
       json_.end_array();
     }
