@@ -272,7 +272,7 @@ examples:
 const std::string_view kFmt = R"(rubicon fmt - write files in the one canonical form
 
 usage: rubicon fmt [--check] FILE...
-       rubicon fmt [--kind motion|robot|plan] -
+       rubicon fmt [--kind motion|robot|plan|study] -
 
 Rewrites .robot, .motion and .plan files in place: indentation, spaces, line breaks. Comments stay. A file with errors
 is left alone and its errors are printed. Writing it twice changes nothing.

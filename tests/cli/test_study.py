@@ -151,6 +151,9 @@ class Study(ResultCase):
                                ('plan "no.plan";', "a study says 'plan' once")):
             self.study(items, expected=2)
             self.assertIn(message, self.result.stderr)
+        self.write("house.plan", PLAN.replace('start_at "2026-03-02 08:00";', ""))
+        self.study('choose least mean(cost) with p80(finish) <= "2026-03-03";', expected=2)
+        self.assertIn("the plan does not say when it begins", self.result.stderr)
         checked = rubicon("check", os.path.join(self.folder, "s.study"))
         self.assertEqual(checked.returncode, 2)
 

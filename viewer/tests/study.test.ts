@@ -11,7 +11,7 @@ const variant = (number: number, floors: string, mean: number, p80: number | nul
 });
 const study = (variants: Variant[], more: Partial<Study> = {}): Study => ({
   study: 's', plan: 'p.plan', design: 'full', sampled: true, runs: 50, seed: 7, questions: [{ text: 'makespan', unit: 's' }], asked: [0],
-  parameters: ['floors', 'crane'], bins: [], variants, pareto: [], ...more,
+  parameters: ['floors', 'crane'], variants, pareto: [], ...more,
 });
 
 test('numbers are written as in the table of the command', () => {

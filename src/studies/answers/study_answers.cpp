@@ -18,8 +18,9 @@ namespace rubicon::study {
 
 namespace {
 
-constexpr std::size_t kBins = 40;
+constexpr std::size_t kBins = 30;
 constexpr std::size_t kFewestForTenths = 20;
+constexpr double kDeviationsOfChance = 3;
 constexpr std::size_t kMakespan = 0;  // the first three questions of every study
 constexpr std::size_t kCost = 1;
 
@@ -103,6 +104,10 @@ std::vector<Driver> drivers_of(const StudyModel& study, const VariantRuns& runs)
     }
     result.push_back(driver);
   }
+  // What chance alone gives: the deviation of the correlation of independent numbers is 1 / root of
+  // n.
+  const double chance = kDeviationsOfChance / std::sqrt(static_cast<double>(times.size()));
+  std::erase_if(result, [&](const Driver& each) { return std::abs(each.correlation) < chance; });
   std::stable_sort(result.begin(), result.end(), [](const Driver& a, const Driver& b) {
     return std::abs(a.correlation) > std::abs(b.correlation);
   });
@@ -123,6 +128,19 @@ std::optional<ProgressBand> progress_of(const VariantRuns& runs) {
     band.p90.push_back(statistics::quantile(times, 0.9));
   }
   return band;
+}
+
+/// Counts by bins of equal width.
+std::vector<std::int64_t> histogram_of(const std::vector<double>& values, const Answer& answer) {
+  const double width = answer.most - answer.least;
+  if (!answer.there || answer.mean.count == 0 || !(width > 0)) return {};
+  std::vector<std::int64_t> counts(kBins, 0);
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    const double place = (value - answer.least) / width * static_cast<double>(kBins);
+    ++counts[std::min(static_cast<std::size_t>(place), kBins - 1)];
+  }
+  return counts;
 }
 
 VariantAnswers answers_of_variant(const StudyModel& study, const VariantRuns& runs) {
@@ -146,33 +164,8 @@ VariantAnswers answers_of_variant(const StudyModel& study, const VariantRuns& ru
   std::stable_sort(result.rejections.begin(), result.rejections.end(),
                    [](const TaskRejection& a, const TaskRejection& b) { return a.runs > b.runs; });
   result.progress = progress_of(runs);
+  result.histogram = histogram_of(runs.values[kMakespan], result.answers[kMakespan]);
   return result;
-}
-
-/// Bins of equal width over the process times of all variants.
-void add_histograms(const std::vector<VariantRuns>& variants, StudyAnswers& answers) {
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
-  for (const VariantAnswers& each : answers.variants) {
-    const Answer& makespan = each.answers[kMakespan];
-    if (!makespan.there || makespan.mean.count == 0) continue;
-    least = std::min(least, makespan.least);
-    most = std::max(most, makespan.most);
-  }
-  if (!(most > least)) return;
-  for (std::size_t i = 0; i <= kBins; ++i) {
-    answers.bins.push_back(least + (most - least) * static_cast<double>(i) / kBins);
-  }
-  for (std::size_t v = 0; v < variants.size(); ++v) {
-    if (variants[v].values.empty()) continue;
-    std::vector<std::int64_t>& counts = answers.variants[v].histogram;
-    counts.assign(kBins, 0);
-    for (const double value : variants[v].values[kMakespan]) {
-      if (!std::isfinite(value)) continue;
-      const double place = (value - least) / (most - least) * kBins;
-      ++counts[std::min(static_cast<std::size_t>(place), kBins - 1)];
-    }
-  }
 }
 
 std::vector<std::size_t> front_of(const std::vector<VariantAnswers>& variants) {
@@ -302,7 +295,6 @@ StudyAnswers answers_of(const StudyModel& study, const std::vector<VariantRuns>&
   }
   result.pareto = front_of(result.variants);
   if (study.choice) result.choice = Chooser(study, variants, result.variants).choose();
-  add_histograms(variants, result);
   return result;
 }
 

@@ -67,10 +67,13 @@ struct VariantAnswers {
   std::int64_t unfinished = 0;      ///< runs in which something was rejected
   std::vector<Answer> answers;      ///< by question
   std::vector<TaskShare> critical;  ///< most often first
-  std::vector<Driver> drivers;      ///< the strongest first
+  /// The strongest first; without those whose correlation is no more than chance (3 standard
+  /// deviations).
+  std::vector<Driver> drivers;
   std::vector<TaskRejection> rejections;
   std::optional<ProgressBand> progress;
-  std::vector<std::int64_t> histogram;  ///< of process times, by StudyAnswers::bins
+  /// Process times in bins of equal width from the least to the greatest; empty if all are equal.
+  std::vector<std::int64_t> histogram;
 
   double rejected_share() const {
     return runs == 0 ? 0 : static_cast<double>(unfinished) / static_cast<double>(runs);
@@ -98,7 +101,6 @@ struct StudyAnswers {
   std::vector<VariantAnswers> variants;
   std::vector<std::size_t> pareto;  ///< of mean process time and cost, by time
   std::optional<ChoiceAnswer> choice;
-  std::vector<double> bins;  ///< edges of the histograms (s)
 };
 
 /// What the runs of a study say. `variants` as run_study gives them.

@@ -55,8 +55,6 @@ class Json {
     for (const int each : study_.asked) json_.value(each);
     json_.end_array().key("parameters").begin_array();
     for (const Variable& each : study_.variables) json_.value(each.name);
-    json_.end_array().key("bins").begin_array();
-    for (const double edge : answers_.bins) json_.value(edge);
     json_.end_array().key("variants").begin_array();
     for (std::size_t v = 0; v < variants_.size(); ++v) variant(v);
     json_.end_array().key("pareto").begin_array();

@@ -147,18 +147,23 @@ class Table {
   void rejections() {
     bool first = true;
     for (std::size_t v = 0; v < variants_.size(); ++v) {
+      std::size_t others = 0;
       for (const TaskRejection& each : answers_.variants[v].rejections) {
-        if (each.reason.empty() && !study_.sampled) continue;
+        if (each.reason.empty()) {
+          ++others;  // after another in the same run
+          continue;
+        }
         if (first) text_ += "\nrejected\n";
         first = false;
-        const std::string why = each.reason.empty() ? "" : ": " + each.reason;
         if (study_.sampled) {
-          line("  variant {}: {} in {} of {} runs, first in run {}{}", v + 1, each.task, each.runs,
-               answers_.variants[v].runs, each.first_run, why);
+          line("  variant {}: {} in {} of {} runs; in run {}: {}", v + 1, each.task, each.runs,
+               answers_.variants[v].runs, each.first_run, each.reason);
         } else {
-          line("  variant {}: {}{}", v + 1, each.task, why);
+          line("  variant {}: {}: {}", v + 1, each.task, each.reason);
         }
       }
+      if (others > 0)
+        line("  variant {}: and {} more task{}", v + 1, others, others == 1 ? "" : "s");
     }
   }
 

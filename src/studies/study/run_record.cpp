@@ -151,6 +151,9 @@ RunRecord record_of(const StudyModel& study, const interpreter::PlanModel& plan,
       if (task >= 0) result.critical.push_back(task);
     }
     std::sort(result.critical.begin(), result.critical.end());
+    // The chain may lead through a task more than once: on its way it waited for another.
+    result.critical.erase(std::unique(result.critical.begin(), result.critical.end()),
+                          result.critical.end());
     if (with_curve) result.curve = curve_of(schedule);
     return result;
   }

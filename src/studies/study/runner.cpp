@@ -273,6 +273,14 @@ std::optional<std::vector<VariantRuns>> run_study(
 
 void check_names(const StudyModel& study, const interpreter::PlanModel& plan,
                  interpreter::Diagnostics& diagnostics) {
+  if (study.choice && !plan.start_at) {
+    for (const Condition& each : study.choice->with) {
+      if (!each.date) continue;
+      diagnostics.error("U11", each.statistic.span,
+                        "the limit is a date, and the plan does not say when it begins",
+                        "start_at \"2026-03-02 07:00\"; in the plan, or a limit such as 30 h");
+    }
+  }
   const auto look = [&](const Question& question, const char* what,
                         const std::vector<std::string>& names) {
     if (std::find(names.begin(), names.end(), question.of) != names.end()) return;

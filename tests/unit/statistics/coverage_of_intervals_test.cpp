@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "src/simulation/sampling/duration_law.hpp"
@@ -45,6 +46,7 @@ TEST(IntervalOfTheMean, HoldsTheMeanOfThreeTasksInARow) {
   for (int seed = 1; seed <= kRepetitions; ++seed) {
     if (mean_of(three_in_a_row(seed, 100)).interval->holds(mean)) ++held;
   }
+  RecordProperty("held", held);
   EXPECT_NEAR(static_cast<double>(held) / kRepetitions, 0.95, kTolerance);
 }
 
@@ -63,6 +65,7 @@ TEST(IntervalOfAQuantile, HoldsThatOfTwoTasksSideBySide) {
       std::sort(times.begin(), times.end());
       if (quantile_interval(times, p).holds(known)) ++held;
     }
+    RecordProperty("held_" + std::to_string(p), held);
     EXPECT_NEAR(static_cast<double>(held) / kRepetitions, 0.95, kTolerance) << p;
   }
 }
@@ -87,6 +90,7 @@ TEST(IntervalOfAQuantile, StillHoldsWhereItsWidthEndedTheRuns) {
     runs += static_cast<double>(times.size());
     if (interval.holds(known)) ++held;
   }
+  RecordProperty("held", held);
   EXPECT_GE(static_cast<double>(held) / kRepetitions, 0.92 - (kTolerance - 0.02));
   EXPECT_GT(runs / kRepetitions, 100) << "the rule should matter";
   EXPECT_LT(runs / kRepetitions, 900);

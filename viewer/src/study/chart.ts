@@ -29,7 +29,7 @@ export function ticks(low: number, high: number, most: number, seconds: boolean)
   if (!(high > low)) return [low];
   const by = step(high - low, most, seconds);
   const result: number[] = [];
-  for (let i = Math.ceil(low / by - 1e-9); i * by <= high + by * 1e-9; ++i) result.push(i * by);
+  for (let i = Math.ceil(low / by - 1e-9) + 0; i * by <= high + by * 1e-9; ++i) result.push(i * by);
   return result;
 }
 

@@ -52,7 +52,6 @@ export interface Study {
   questions: { text: string; unit: Unit }[];
   asked: number[];
   parameters: string[];
-  bins: number[];
   variants: Variant[];
   pareto: number[];
   choice?: Choice;

@@ -57,19 +57,20 @@ export function sureness(study: Study, variant: Variant): SVGElement | null {
   const total = variant.runs ?? 0;
   if (!study.sampled || !counts.length || !total) return null;
   const most = Math.max(...counts) / total;
-  const low = study.bins[0];
-  const high = study.bins[study.bins.length - 1];
-  const { svg, x, y, bottom } = chart(WIDTH, HEIGHT, { low, high, label: 'process time', text: axisTime, seconds: true },
+  const { least, most: high } = variant.answers![MAKESPAN];
+  const low = least!;
+  const edge = (i: number) => low + (high! - low) * i / counts.length;
+  const { svg, x, y, bottom } = chart(WIDTH, HEIGHT, { low, high: high!, label: 'process time', text: axisTime, seconds: true },
     { low: 0, high: 1, label: 'share of runs done by then', text: (value) => `${Math.round(100 * value)} %`, seconds: false },
     'How sure the process time is');
   const line: [number, number][] = [[x(low), y(0)]];
   let done = 0;
   counts.forEach((count, i) => {
-    const [from, to] = [x(study.bins[i]), x(study.bins[i + 1])];
+    const [from, to] = [x(edge(i)), x(edge(i + 1))];
     const height = (bottom - y(1)) * 0.6 * (count / total) / most;
     if (count) {
       svg.append(draw('rect', { x: from + 0.5, y: bottom - height, width: Math.max(to - from - 1, 0.5), height, class: 'bin' },
-        draw('title', {}, `${clock(study.bins[i])} to ${clock(study.bins[i + 1])}: ${count} of ${total} runs`)));
+        draw('title', {}, `${clock(edge(i))} to ${clock(edge(i + 1))}: ${count} of ${total} runs`)));
     }
     done += count;
     line.push([to, y(done / total)]);
