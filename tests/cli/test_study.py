@@ -158,7 +158,7 @@ class Study(ResultCase):
         self.assertEqual(checked.returncode, 2)
 
     def test_tables_and_csv_have_a_row_a_variant(self):
-        items = "vary floors 2, 3; runs 30; ask makespan, utilisation(masons), waiting(resource), rejected;"
+        items = "vary floors 2, 3; runs 150; ask makespan, utilisation(masons), waiting(resource), rejected;"
         rows = list(csv.DictReader(io.StringIO(self.study(items, "--format", "csv"))))
         self.assertEqual([row["floors"] for row in rows], ["2", "3"])
         self.assertLess(float(rows[0]["makespan p10"]), float(rows[0]["makespan p95"]))
