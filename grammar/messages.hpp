@@ -222,6 +222,21 @@ RUBICON_EXPECT(crew_name, "a name after crew");
 RUBICON_EXPECT(pool_part, "pool", Explain::item, "of choose");
 RUBICON_EXPECT(pool_name, "a name after pool");
 RUBICON_EXPECT(storage_name, "a name after storage");
+RUBICON_EXPECT(floor_place, "a place in parentheses, such as (4, 2.5)");
+RUBICON_EXPECT(place_x, "a number");
+RUBICON_EXPECT(place_comma, "',' and y");
+RUBICON_EXPECT(place_y, "a number");
+RUBICON_EXPECT(place_close, "')'");
+RUBICON_EXPECT(area_height_value, "a length");
+RUBICON_EXPECT(area_column_comma, "',' and the size of the column");
+RUBICON_EXPECT(area_column_size, "a length");
+RUBICON_EXPECT(area_name, "a name after area");
+RUBICON_EXPECT(area_part, "area", Explain::item, "height outline shaft column round_column beam");
+RUBICON_EXPECT(cover_number_value, "a number");
+RUBICON_EXPECT(cover_word_value, "a word");
+RUBICON_EXPECT(cover_area, "the name of an area after cover");
+RUBICON_EXPECT(cover_part, "cover", Explain::item,
+               "width clearance above thickness rate partition order from inlet");
 RUBICON_EXPECT(moving_name, "a name after moving");
 RUBICON_EXPECT(moving_part, "moving", Explain::item, "shape path repeat people");
 RUBICON_EXPECT(path_place, "a time and a frame such as 20 s trans(25, 2, 0)");
@@ -291,7 +306,8 @@ RUBICON_EXPECT(import_end, "';' or '{' after import");
 RUBICON_EXPECT(short_start_values, "a parameter and its value");
 RUBICON_EXPECT(
     plan_item, "plan", Explain::item,
-    "component robot crew pool overhead task module place import site storage moving network fleet "
+    "component robot crew pool overhead task module place import site storage moving area network "
+    "fleet "
     "contact "
     "budget "
     "start_at "

@@ -206,6 +206,53 @@ struct moving_key : token<word<TAO_PEGTL_STRING("moving")>> {};
 struct moving_name : indexed_name {};
 struct moving_item : if_must<moving_key, moving_name, block_open, moving_parts, block_close> {};
 
+// A floor, and work over all of it.
+struct place_open : open_parenthesis {};
+struct place_x : quantity {};
+struct place_comma : comma {};
+struct place_y : quantity {};
+struct place_close : close_parenthesis {};
+struct floor_place : if_must<place_open, place_x, place_comma, place_y, place_close> {};
+struct area_height_key : token<word<TAO_PEGTL_STRING("height")>> {};
+struct area_height_value : quantity {};
+struct area_height : if_must<area_height_key, area_height_value, plan_semicolon> {};
+struct area_line_key : token<sor<word<TAO_PEGTL_STRING("outline")>, word<TAO_PEGTL_STRING("shaft")>,
+                                 word<TAO_PEGTL_STRING("beam")>>> {};
+struct area_line
+    : if_must<area_line_key, floor_place, star<if_must<comma, floor_place>>, plan_semicolon> {};
+struct area_column_key
+    : token<sor<word<TAO_PEGTL_STRING("column")>, word<TAO_PEGTL_STRING("round_column")>>> {};
+struct area_column_comma : comma {};
+struct area_column_size : quantity {};
+struct area_column
+    : if_must<area_column_key, floor_place, area_column_comma, area_column_size, plan_semicolon> {};
+struct area_part : sor<area_height, area_line, area_column> {};
+struct whole_area_part : must<area_part> {};
+struct area_parts : nested<star<not_at<block_end>, recover<whole_area_part, item_end>>> {};
+struct area_key : token<word<TAO_PEGTL_STRING("area")>> {};
+struct area_name : indexed_name {};
+struct area_item : if_must<area_key, area_name, block_open, area_parts, block_close> {};
+
+struct cover_number_key
+    : token<sor<word<TAO_PEGTL_STRING("width")>, word<TAO_PEGTL_STRING("clearance")>,
+                word<TAO_PEGTL_STRING("above")>, word<TAO_PEGTL_STRING("thickness")>,
+                word<TAO_PEGTL_STRING("rate")>>> {};
+struct cover_number_value : quantity {};
+struct cover_number : if_must<cover_number_key, cover_number_value, plan_semicolon> {};
+struct cover_place_key
+    : token<sor<word<TAO_PEGTL_STRING("from")>, word<TAO_PEGTL_STRING("inlet")>>> {};
+struct cover_place : if_must<cover_place_key, floor_place, plan_semicolon> {};
+struct cover_word_key
+    : token<sor<word<TAO_PEGTL_STRING("partition")>, word<TAO_PEGTL_STRING("order")>>> {};
+struct cover_word_value : name {};
+struct cover_word : if_must<cover_word_key, cover_word_value, plan_semicolon> {};
+struct cover_part : sor<cover_number, cover_place, cover_word> {};
+struct whole_cover_part : must<cover_part> {};
+struct cover_parts : nested<star<not_at<block_end>, recover<whole_cover_part, item_end>>> {};
+struct cover_key : token<word<TAO_PEGTL_STRING("cover")>> {};
+struct cover_area : indexed_name {};
+struct cover_item : if_must<cover_key, cover_area, block_open, cover_parts, block_close> {};
+
 struct start_key : token<word<TAO_PEGTL_STRING("start")>> {};
 struct cost_key : token<word<TAO_PEGTL_STRING("cost")>> {};
 struct cost_amount : quantity {};
@@ -438,7 +485,7 @@ struct task_parts;
 struct task_repetition : if_must<for_head, block_open, task_parts, block_close> {};
 struct task_choice : if_must<given_head, block_open, task_parts, block_close> {};
 struct task_block : sor<task_repetition, task_choice> {};
-struct task_part : sor<task_block, by_item, needs_item, move_item, go_item, remove_item,
+struct task_part : sor<task_block, by_item, needs_item, move_item, cover_item, go_item, remove_item,
                        crew_work_item, takes_item, via_item, guide_use, situation_item, within_item,
                        motion_clause, task_number_item, date_item, zone_item, after_item,
                        task_attribute, group_item, free_attribute, whole_item> {};
@@ -532,7 +579,7 @@ struct plan_guide : if_must<guide_key, guide_name, plan_guide_end> {};
 struct plan_item
     : sor<plan_block, parameter_item, component_item, robot_use, crew_item, pool_item,
           overhead_item, task_item, module_item, place_item, import_item, waiver, site_item,
-          storage_item, moving_item, network_item, fleet_item, number_item, text_item,
+          storage_item, moving_item, area_item, network_item, fleet_item, number_item, text_item,
           calendar_item, situation_item, short_start, short_goal, via_item, carry_item, within_item,
           motion_clause, whole_item, support_item, plan_guide> {};
 struct whole_plan_item : must<plan_item> {};

@@ -29,8 +29,8 @@ inline constexpr const char* kFollow = "follow";
 inline constexpr const char* kLine = "line";
 
 /// Situations every plan may meet without naming them.
-inline constexpr const char* kBuiltInSituations[] = {"transport", "place", "via", "safety",
-                                                     "guided"};
+inline constexpr const char* kBuiltInSituations[] = {"transport", "place",   "via",       "safety",
+                                                     "guided",    "working", "travelling"};
 
 /// All static checks of LANGUAGE section 10 on one script (S05-S14, W01-W08, N01, N02). Broken
 /// statements are passed over.

@@ -74,6 +74,7 @@ std::unique_ptr<PlanModel> load_plan(const std::string& path, SourceMap& sources
   plan_check::check_guides(subject);
   plan_check::check_components(subject);
   plan_check::check_movings(subject);
+  plan_check::check_areas(subject);
   plan_check::check_tasks(subject);
   plan_check::check_scale(subject);
   plan_check::check_short_form(subject);

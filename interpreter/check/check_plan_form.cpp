@@ -53,6 +53,9 @@ FormMark mark_of(const syntax::PlanItem& item) {
   if (const auto* network = std::get_if<syntax::NetworkItem>(&item)) {
     return {Form::full, "a network", network->name.span};
   }
+  if (const auto* area = std::get_if<syntax::AreaItem>(&item)) {
+    return {Form::full, "an area", area->name.span};
+  }
   if (const auto* fleet = std::get_if<syntax::FleetItem>(&item)) {
     return {Form::full, "a fleet", fleet->name.span};
   }

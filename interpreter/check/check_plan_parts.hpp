@@ -154,6 +154,16 @@ void check_components(Subject& subject);
 /// What keeps a timetable: P02, P09, P49.
 void check_movings(Subject& subject);
 
+/// Floors: P02, P09, P53.
+void check_areas(Subject& subject);
+/// What a task does that covers a floor, and the way of its tool, `via` and `go`; nothing after
+/// P01, P02, P09, P54.
+struct CoverWay {
+  CoverSpec cover;
+  std::vector<GoalSpec> goals;
+};
+std::optional<CoverWay> resolve_cover(Subject& subject, const syntax::CoverItem& item);
+
 /// Robots and components that stand too far apart for metres: P21.
 void check_scale(Subject& subject);
 

@@ -32,12 +32,14 @@ class TaskChecker {
     for (const syntax::TaskPart& part : item_.parts) {
       if (const auto* move = std::get_if<syntax::MoveItem>(&part)) check_move(*move);
       if (const auto* go = std::get_if<syntax::GoItem>(&part)) note_go(*go);
+      if (const auto* cover = std::get_if<syntax::CoverItem>(&part)) note_cover(*cover);
     }
     for (const syntax::TaskPart& part : item_.parts) {
       if (const auto* by = std::get_if<syntax::ByItem>(&part)) check_by(*by);
     }
     if (go_ != nullptr)
       task_.go = resolve_goal(subject_, robot(), go_->goal, ValueUse::goal, scope_.X_WP);
+    if (cover_ != nullptr) check_cover();
     for (const syntax::TaskPart& part : item_.parts) {
       std::visit([&](const auto& each) { check_part(each); }, part);
     }
@@ -57,7 +59,7 @@ class TaskChecker {
     return task_.robot < 0 ? nullptr
                            : &subject_.model.robots[static_cast<std::size_t>(task_.robot)];
   }
-  bool moves() const { return move_ != nullptr || go_ != nullptr; }
+  bool moves() const { return move_ != nullptr || go_ != nullptr || cover_ != nullptr; }
 
   void check_by(const syntax::ByItem& item) {
     by_ = &item;
@@ -269,6 +271,33 @@ class TaskChecker {
     if (move_ != nullptr) refuse_both(item.span);
   }
 
+  void note_cover(const syntax::CoverItem& item) {
+    if (cover_ != nullptr) {
+      subject_.twice(item.span, "cover is given twice", cover_->span);
+      return;
+    }
+    cover_ = &item;
+  }
+
+  /// Its way stands in the place of `via` and `go`. The tool works alike whichever way it is
+  /// turned.
+  void check_cover() {
+    if (move_ != nullptr || go_ != nullptr) {
+      subject_.error("P05", cover_->span, "a task that covers an area neither moves nor goes",
+                     "make it two tasks");
+      return;
+    }
+    auto way = resolve_cover(subject_, *cover_);
+    if (!way) return;
+    task_.cover = way->cover;
+    task_.go = std::move(way->goals.back());
+    way->goals.pop_back();
+    task_.via = std::move(way->goals);
+    task_.clauses.free = robot::FreeTurn::z;
+  }
+
+  void check_part(const syntax::CoverItem& /*item*/) {}
+
   void refuse_both(Span span) {
     subject_.error("P07", span,
                    fmt::format("task '{}' has move and go; expected one of them", item_.name.text),
@@ -384,6 +413,10 @@ class TaskChecker {
 
   void check_part(const syntax::ViaItem& item) {
     needs_motion(item.span, "via");
+    if (cover_ != nullptr) {
+      subject_.error("P05", item.span, "a task that covers an area has its waypoints from that");
+      return;
+    }
     task_.via.push_back(resolve_goal(subject_, robot(), item.goal, ValueUse::via, scope_.X_WP));
   }
 
@@ -509,6 +542,7 @@ class TaskChecker {
   const syntax::ByItem* by_ = nullptr;
   const syntax::MoveItem* move_ = nullptr;
   const syntax::GoItem* go_ = nullptr;
+  const syntax::CoverItem* cover_ = nullptr;
   bool all_known_ = true;
   Span robot_span_;
   std::map<std::string, Span> by_spans_;

@@ -12,6 +12,7 @@
 #include "interpreter/check/check.hpp"
 #include "interpreter/expand/expand.hpp"
 #include "src/fleets/lanes/lane_network.hpp"
+#include "src/motion/coverage/floor.hpp"
 #include "src/motion/geometry/shape.hpp"
 #include "src/motion/geometry/timetable.hpp"
 #include "src/motion/guides/guide_spec.hpp"
@@ -27,6 +28,11 @@ struct GoalSpec {
   std::vector<std::pair<int, double>> values;  ///< parameter index, value
   std::optional<math::Pose> X_WG;              ///< with values both hold
   Span span;
+  /// Of a task that covers a floor: whether the tool works on the way to it, or goes on to where it
+  /// works next.
+  enum class Work : std::uint8_t { none, travelling, working };
+  Work work = Work::none;
+  double pace = 0;  ///< m/s of the tool on the way to it, at most; 0: as fast as the machine goes
 };
 
 /// How near is near enough. Negative: not given (0 + epsilon for values; 1e-6 m and rad for
@@ -180,6 +186,28 @@ struct Baseline {
   schedule::Ticks finish = 0;
 };
 
+/// A floor in the plan view.
+struct AreaSpec {
+  std::string name;
+  Span span;
+  double height = 0;  ///< m, of its surface
+  coverage::FloorDescription floor;
+};
+
+/// How a task covers a floor. Where its tool goes is in `via` and `go`.
+struct CoverSpec {
+  int area = 0;
+  double width = 1;      ///< m
+  double thickness = 0;  ///< m; 0: not given
+  double pace = 0;     ///< m/s of the tool where it works, at most; 0: as fast as the machine goes
+  double volume = 0;   ///< m3 of what it lays, 0: not known
+  double covered = 0;  ///< share of what the tool can reach
+  double covered_area = 0;  ///< m2
+  double length = 0;        ///< m, the way of the tool
+  int turns = 0;
+  int cut_off = 0;  ///< lines that no allowed way leads to
+};
+
 struct TaskSpec {
   std::string name;
   int robot = -1;                                 ///< index into robots, -1 none
@@ -187,7 +215,8 @@ struct TaskSpec {
   std::optional<int> move;                        ///< component index
   math::Pose X_WO_goal = math::Pose::Identity();  ///< where the component's frame {O} shall stand
   std::optional<GoalSpec> go;
-  std::vector<int> remove;  ///< component indices
+  std::optional<CoverSpec> cover = {};  ///< then `via` and `go` are its way
+  std::vector<int> remove;              ///< component indices
   std::optional<WorkSpec> hook, adjust, release;
   std::vector<WorkSpec> takes;
   std::vector<GoalSpec> via;
@@ -272,6 +301,7 @@ struct PlanModel {
   std::vector<geometry::Shape> site;    ///< obstacles that are always there (world frame)
   std::vector<StorageSpec> storages;
   std::vector<MovingSpec> movings;
+  std::vector<AreaSpec> areas;
   std::vector<ComponentSpec> components;
   std::vector<RobotSpec> robots;
   std::vector<CrewSpec> crews;

@@ -64,6 +64,27 @@ void PlainItems::item(syntax::MovingItem& value) {
   }
 }
 
+void PlainItems::item(syntax::AreaItem& value) {
+  name(value.name);
+  each(value.height);
+  for (syntax::AreaItem::Part& part : value.parts) {
+    mark(part.key.span);
+    mark(part.span);
+    for (syntax::FloorPlace& place : part.places) number(place.x), number(place.y);
+    each(part.size);
+  }
+}
+
+void PlainItems::item(syntax::CoverItem& value) {
+  name(value.area);
+  for (syntax::CoverItem::Clause& clause : value.clauses) {
+    mark(clause.key.span);
+    each(clause.number);
+    if (clause.place) number(clause.place->x), number(clause.place->y);
+    each(clause.word);
+  }
+}
+
 void PlainItems::item(syntax::LaneClassItem& value) {
   name(value.name);
   each(value.speed);

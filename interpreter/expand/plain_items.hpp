@@ -31,6 +31,8 @@ class PlainItems {
   void item(syntax::SiteItem& value) { shape(value.shape); }
   void item(syntax::StorageItem& value) { name(value.name), shape(value.shape); }
   void item(syntax::MovingItem& value);
+  void item(syntax::AreaItem& value);
+  void item(syntax::CoverItem& value);
   void item(syntax::NetworkItem& value) { name(value.name); }
   void item(syntax::PolicyItem& value) { mark(value.name.span); }
   void item(syntax::LaneClassItem& value);

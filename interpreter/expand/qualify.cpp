@@ -83,6 +83,7 @@ class Qualifier {
     prefix(item.name);
     for (syntax::Name& each : item.of) refer(each, workers_);
   }
+  void rename(syntax::AreaItem& item) { refuse(item.name.span, "an area"); }
   void rename(syntax::NetworkItem& item) { refuse(item.name.span, "a network"); }
   void rename(syntax::FleetItem& item) { refuse(item.name.span, "a fleet"); }
   void rename(syntax::OverheadItem& item) { refuse(item.span, "overhead"); }

@@ -111,6 +111,7 @@ bool Machine::go_on(World& world, EventSink* events) {
       if (guide_ && next_way_point(world, events)) continue;
       if (end_) return false;
       guide_.reset();
+      if (!may_leave_way_point()) return false;
       way_point_begun_ = false;
       if (++way_point_ == task_.goals.size()) {
         --way_point_;
@@ -122,6 +123,18 @@ bool Machine::go_on(World& world, EventSink* events) {
     finish(MotionStatus::error, error.message, error.span);
     return false;
   }
+}
+
+/// Whether the next waypoint may begin. One that a tool works towards, or from, is not left out:
+/// the floor would not be covered.
+bool Machine::may_leave_way_point() {
+  if (task_.goals[way_point_].work == GoalSpec::Work::none) return true;
+  if (way_point_ + 1 == task_.goals.size()) return true;
+  if (is_near_goal()) return true;
+  finish(MotionStatus::done);
+  end_->message = fmt::format("waypoint {} of {} over the floor is not reached: {}", way_point_ + 1,
+                              task_.goals.size(), end_->message);
+  return false;
 }
 
 bool Machine::begin_way_point(World& world, EventSink* events) {

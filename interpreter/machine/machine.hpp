@@ -145,6 +145,7 @@ class Machine {
 
   // machine.cpp: way points and the end of a motion
   bool go_on(World& world, EventSink* events);
+  bool may_leave_way_point();
   bool begin_way_point(World& world, EventSink* events);
   bool resolve_goal(const GoalSpec& spec);
   void name_values(const GoalSpec& spec);

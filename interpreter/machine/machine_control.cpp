@@ -278,6 +278,9 @@ bool Machine::situation_on(std::int32_t situation, const World& world) const {
   const std::string& name = program_->situations[static_cast<std::size_t>(situation)];
   if (target_.via && name == "via") return true;
   if (guide_ && name == "guided") return true;
+  const GoalSpec::Work work = task_.goals[way_point_].work;
+  if (work == GoalSpec::Work::working && name == "working") return true;
+  if (work == GoalSpec::Work::travelling && name == "travelling") return true;
   return std::find(task_.situations.begin(), task_.situations.end(), name) !=
              task_.situations.end() ||
          world.situation(name, q_, target_.q);

@@ -196,7 +196,12 @@ Ticks Machine::plan_run(bool loaded) {
     ++next;
   }
   if (!accelerates) run_next_.clear();
-  return duration;
+  const double pace = task_.goals[way_point_].pace;
+  if (pace <= 0) return duration;
+  // The tool works no faster than what it lays comes.
+  const math::Vec3 from = robot::tool_pose(*model_, task_.mounting, q_).translation();
+  const math::Vec3 to = robot::tool_pose(*model_, task_.mounting, q_next_).translation();
+  return std::max(duration, ticks_from_seconds((to - from).norm() / pace));
 }
 
 /// Whether the planned step begins another run than the one that goes on, and would be accepted: a

@@ -321,6 +321,68 @@ RUBICON_ACTION(PlanAction, PlanState, moving_path) { st.moving.paths.push_back(s
 RUBICON_ACTION(PlanAction, PlanState, moving_repeat) { st.moving.repeat = true; }
 RUBICON_ACTION(PlanAction, PlanState, moving_people) { st.moving.people = true; }
 RUBICON_ACTION(PlanAction, PlanState, moving_item) { st.add(std::move(st.moving), begin); }
+
+// a floor, and work over all of it
+RUBICON_ACTION(PlanAction, PlanState, place_x) { st.place_x = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, place_y) {
+  st.places.push_back({std::move(st.place_x), st.take_quantity()});
+}
+RUBICON_ACTION(PlanAction, PlanState, area_key) {
+  st.area = {};
+  st.announce("area");
+}
+RUBICON_ACTION(PlanAction, PlanState, area_name) { st.area.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, area_height_value) {
+  st.area.height.push_back(st.take_quantity());
+}
+RUBICON_ACTION(PlanAction, PlanState, area_line_key) {
+  st.places.clear();
+  st.area_part = {st.word(begin), {}, {}, {}};
+}
+RUBICON_ACTION(PlanAction, PlanState, area_line) {
+  st.area_part.places = std::move(st.places);
+  st.area_part.span = st.span_from(begin);
+  st.area.parts.push_back(std::move(st.area_part));
+}
+RUBICON_ACTION(PlanAction, PlanState, area_column_key) {
+  st.places.clear();
+  st.area_part = {st.word(begin), {}, {}, {}};
+}
+RUBICON_ACTION(PlanAction, PlanState, area_column_size) { st.area_part.size = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, area_column) {
+  st.area_part.places = std::move(st.places);
+  st.area_part.span = st.span_from(begin);
+  st.area.parts.push_back(std::move(st.area_part));
+}
+RUBICON_ACTION(PlanAction, PlanState, area_item) { st.add(std::move(st.area), begin); }
+RUBICON_ACTION(PlanAction, PlanState, cover_key) {
+  st.cover = {};
+  st.announce("cover");
+}
+RUBICON_ACTION(PlanAction, PlanState, cover_area) { st.cover.area = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, cover_number_key) {
+  st.cover_clause = {st.word(begin), {}, {}, {}};
+}
+RUBICON_ACTION(PlanAction, PlanState, cover_number) {
+  st.cover_clause.number = st.take_quantity();
+  st.cover.clauses.push_back(std::move(st.cover_clause));
+}
+RUBICON_ACTION(PlanAction, PlanState, cover_place_key) {
+  st.places.clear();
+  st.cover_clause = {st.word(begin), {}, {}, {}};
+}
+RUBICON_ACTION(PlanAction, PlanState, cover_place) {
+  st.cover_clause.place = std::move(st.places.back());
+  st.cover.clauses.push_back(std::move(st.cover_clause));
+}
+RUBICON_ACTION(PlanAction, PlanState, cover_word_key) {
+  st.cover_clause = {st.word(begin), {}, {}, {}};
+}
+RUBICON_ACTION(PlanAction, PlanState, cover_word_value) { st.cover_clause.word = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, cover_word) {
+  st.cover.clauses.push_back(std::move(st.cover_clause));
+}
+RUBICON_ACTION(PlanAction, PlanState, cover_item) { st.add_to_task(std::move(st.cover), begin); }
 RUBICON_ACTION(PlanAction, PlanState, start_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, park_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, cost_item) { st.set_cost(begin); }
@@ -655,7 +717,8 @@ syntax::Plan parse_plan(const SourceMap& sources, FileId file, Diagnostics& diag
        "density",      "touching", "pool",      "of",        "choose",     "needs",    "rental",
        "mobilisation", "overtime", "overhead",  "whole",     "not_before", "due",      "baseline",
        "support",      "fixed",    "braced",    "free",      "near",       "lock",     "deviation",
-       "enter",        "moving",   "path",      "repeat"});
+       "enter",        "moving",   "path",      "repeat",    "area",       "outline",  "shaft",
+       "cover"});
   const bool finished = run_parser<grammar::plan_file, PlanAction>(state);
   state.plan.broken = !finished || state.errors() > 0;
   state.plan.span = state.span_from(state.begin());

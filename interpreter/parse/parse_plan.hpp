@@ -155,6 +155,12 @@ class PlanState : public GuideState {
   syntax::MovingItem moving;
   std::vector<syntax::MovingItem::Place> path;
   syntax::Number path_time;
+  syntax::Number place_x;
+  std::vector<syntax::FloorPlace> places;
+  syntax::AreaItem area;
+  syntax::AreaItem::Part area_part;
+  syntax::CoverItem cover;
+  syntax::CoverItem::Clause cover_clause;
   syntax::RobotUse robot;
   syntax::CrewItem crew;
   bool in_crew = false;

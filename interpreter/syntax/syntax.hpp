@@ -414,6 +414,37 @@ struct MovingItem {
   Span span;
 };
 
+/// (4 m, 2.5 m)
+struct FloorPlace {
+  Number x, y;
+};
+/// area NAME { height 3 m; outline (0, 0), ...; shaft ...; column (20, 10), 0.5 m; beam ...; }
+struct AreaItem {
+  /// outline, shaft, beam; column, round_column
+  struct Part {
+    Name key;
+    std::vector<FloorPlace> places;
+    std::optional<Number> size;
+    Span span;
+  };
+  Name name;
+  std::vector<Number> height;  ///< more than one is an error of the checker
+  std::vector<Part> parts;
+  Span span;
+};
+/// cover NAME { width 1 m; rate 40 m3 per h; partition beams; from (0, 0); }
+struct CoverItem {
+  struct Clause {
+    Name key;
+    std::optional<Number> number;
+    std::optional<FloorPlace> place;
+    std::optional<Name> word;
+  };
+  Name area;
+  std::vector<Clause> clauses;
+  Span span;
+};
+
 /// policy order;
 struct PolicyItem {
   Name name;
@@ -640,7 +671,8 @@ struct NetworkBlock {
 using TaskPart =
     std::variant<ByItem, MoveItem, GoItem, RemoveItem, WorkItem, ViaItem, GuideItem, SituationItem,
                  WithinItem, NumberItem /* budget, priority */, ZoneItem, AfterItem, AttributeItem,
-                 NeedsItem, std::shared_ptr<const TaskBlock>, WholeItem, DateItem, MotionClause>;
+                 NeedsItem, std::shared_ptr<const TaskBlock>, WholeItem, DateItem, MotionClause,
+                 CoverItem>;
 struct TaskBlock {
   BlockHead head;
   std::vector<TaskPart> items;
@@ -713,7 +745,7 @@ using PlanItem =
                  GoalItem, ViaItem, CarryItem, WithinItem, WaiverItem, PlanParameter, PoolItem,
                  OverheadItem, std::shared_ptr<const PlanBlock>, WholeItem, SupportItem,
                  GuideDeclaration, GuideItem, MotionClause, StorageItem, MovingItem, NetworkItem,
-                 FleetItem>;
+                 FleetItem, AreaItem>;
 struct PlanBlock {
   BlockHead head;
   std::vector<PlanItem> items;

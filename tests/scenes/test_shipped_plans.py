@@ -173,6 +173,24 @@ class Trench(Shipped):
         self.assertTrue(all(r["ok"] for r in self.run_1.of_type("try")))
 
 
+class Pour(Shipped):
+    plan = "pour"
+    is_upright = False
+    test_every_component_ends_where_its_last_task_puts_it = None
+    test_no_machine_is_ever_in_another = None
+    test_no_machine_is_ever_in_a_zone = None
+    test_no_load_is_ever_above_people = None
+
+    def test_it_takes_as_long_as_the_concrete_comes(self):
+        pour = self.run_1.tasks["pour"]
+        cover = pour["cover"]
+        self.assertAlmostEqual(cover["covered"], 1, 6)
+        # 28.8 x 12 m less the stair, 4 x 2.4 m, and six columns of 0.4 m; 0.3 m of it; 45 m3 an hour.
+        self.assertAlmostEqual(cover["covered_area"], 28.8 * 12 - 4 * 2.4 - 6 * 0.16, 2)
+        self.assertGreater(pour["duration"], cover["volume"] / 45 * 3600)
+        self.assertLess(pour["duration"], cover["length"] * 0.3 / 45 * 3600)
+
+
 class Ceiling(Shipped):
     plan = "ceiling"
     is_upright = False

@@ -87,6 +87,12 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   write_plan_dates(json, schedule, task);
   if (task.lift) write_lift(json, *task.lift);
   if (!task.support.empty()) json.key("support").strings(task.support);
+  if (task.cover) {
+    json.key("cover").begin_object().field("area", std::string_view(task.area));
+    json.field("covered_area", task.cover->covered_area).field("covered", task.cover->covered);
+    if (task.cover->thickness > 0) json.field("volume", task.cover->volume);
+    json.field("length", task.cover->length).field("turns", task.cover->turns).end_object();
+  }
   if (!task.choice.empty()) json.field("choice", std::string_view(task.choice));
   json.end_object();
   return json.take();

@@ -160,6 +160,21 @@ std::string lift_table(const Schedule& schedule) {
   return rows.size() == 1 ? std::string() : columns(rows, {1, 2});
 }
 
+/// Floors that were covered.
+std::string cover_table(const Schedule& schedule) {
+  std::vector<Row> rows = {
+      {"covers", "area", "m2", "of what it can reach", "m3", "way m", "turns"}};
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (!task.cover || task.result != taskplan::TaskResult::done) continue;
+    rows.push_back({task.task, task.area, fmt::format("{:.1f}", task.cover->covered_area),
+                    fmt::format("{:.1f} %", 100 * task.cover->covered),
+                    task.cover->thickness > 0 ? fmt::format("{:.2f}", task.cover->volume) : "-",
+                    fmt::format("{:.1f}", task.cover->length),
+                    fmt::format("{}", task.cover->turns)});
+  }
+  return rows.size() == 1 ? std::string() : columns(rows, {2, 3, 4, 5, 6});
+}
+
 /// Tasks that are due, and by how much each is late.
 std::string due_table(const Schedule& schedule) {
   std::vector<Row> rows = {{"due", "by", "finish", "late"}};
@@ -314,6 +329,8 @@ std::string schedule_table(const Schedule& schedule) {
   const std::string support = support_text(schedule);
   if (!support.empty()) text += "\n" + support;
   if (!schedule.resources.empty()) text += "\n" + use_table(schedule);
+  const std::string covers = cover_table(schedule);
+  if (!covers.empty()) text += "\n" + covers;
   const std::string timetables = timetable_table(schedule);
   if (!timetables.empty()) text += "\n" + timetables;
   if (schedule.has_kinds) text += "\n" + cost_table(schedule);

@@ -94,9 +94,15 @@ TaskTimes LinkState::ready_times(int task, int before, Ticks now) const {
   }
   if (before >= 0 && earliest.wanted < now) {
     const std::vector<Link>& links = links_of(task);
-    const auto last = std::find_if(links.begin(), links.end(), [&](const Link& link) {
+    // Of several links from it the one that became known now.
+    const bool by_finish = is_known(before, TaskEnd::finish) && times_[at(before)].finish == now;
+    const auto leads = [&](const Link& link) {
       return link.task == before && waits_to_start(task, link.type);
+    };
+    auto last = std::find_if(links.begin(), links.end(), [&](const Link& link) {
+      return leads(link) && (end_before(link.type) == TaskEnd::finish) == by_finish;
     });
+    if (last == links.end()) last = std::find_if(links.begin(), links.end(), leads);
     times.held = Held::link;
     times.link = static_cast<int>(last - links.begin());
     times.known_late = true;

@@ -73,6 +73,11 @@ void add_attributes(const interpreter::PlanModel& plan, Schedule& schedule) {
     task.attributes = spec.attributes;
     task.due = spec.due;
     task.baseline = spec.baseline;
+    const interpreter::TaskSpec& way = spec.choices.empty() ? spec : spec.choices.front();
+    if (way.cover) {
+      task.cover = way.cover;
+      task.area = plan.areas[static_cast<std::size_t>(way.cover->area)].name;
+    }
     if (spec.move) task.component = plan.components[static_cast<std::size_t>(*spec.move)].name;
   }
   for (const interpreter::ComponentSpec& component : plan.components) {

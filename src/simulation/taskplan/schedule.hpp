@@ -89,6 +89,8 @@ struct TaskOutcome {
   /// Where the plan only warns: what it puts down that does not stand, what does not without what
   /// it takes.
   std::vector<std::string> support;
+  std::optional<interpreter::CoverSpec> cover;  ///< of a task that covers a floor
+  std::string area;                             ///< this floor
 
   /// How much later than `due` it was done; nothing if it is not done or not due.
   std::optional<Ticks> late() const;

@@ -278,6 +278,24 @@ void write_kept(JsonBuilder& json, const PlanModel& plan, int robot,
   json.end_array();
 }
 
+/// What a task that covers a floor lays, and on which ways to its waypoints its tool works.
+void write_cover(JsonBuilder& json, const PlanModel& plan, const interpreter::TaskSpec& task) {
+  const interpreter::CoverSpec& cover = *task.cover;
+  json.key("cover").begin_object();
+  json.field("area", plan.areas[static_cast<std::size_t>(cover.area)].name);
+  json.field("width", cover.width);
+  if (cover.thickness > 0) json.field("thickness", cover.thickness);
+  json.field("covered", cover.covered).field("covered_area", cover.covered_area);
+  json.field("length", cover.length).field("turns", cover.turns);
+  if (cover.pace > 0) json.field("pace", cover.pace);
+  json.key("working").begin_array();
+  const auto works = [](const interpreter::GoalSpec& goal) {
+    return goal.work == interpreter::GoalSpec::Work::working;
+  };
+  for (const interpreter::GoalSpec& goal : task.via) json.value(works(goal));
+  json.value(works(*task.go)).end_array().end_object();
+}
+
 void write_task_motions(JsonBuilder& json, const PlanModel& plan,
                         const interpreter::TaskSpec& task) {
   if (task.move) {
@@ -285,6 +303,7 @@ void write_task_motions(JsonBuilder& json, const PlanModel& plan,
     json.key("to").pose(task.X_WO_goal);
   }
   if (task.go) write_goal(json.key("go"), plan, task.robot, *task.go);
+  if (task.cover) write_cover(json, plan, task);
   if (!task.via.empty()) {
     json.key("via").begin_array();
     for (const interpreter::GoalSpec& goal : task.via) write_goal(json, plan, task.robot, goal);

@@ -195,6 +195,33 @@ class Writer {
     name(value.name);
     shape(value.shape);
   }
+  void places(const std::vector<syntax::FloorPlace>& value) {
+    for (const syntax::FloorPlace& place : value) number(place.x), number(place.y);
+  }
+  void item(const syntax::AreaItem& value) {
+    open("area");
+    name(value.name);
+    for (const syntax::Number& height : value.height) number(height);
+    for (const syntax::AreaItem::Part& part : value.parts) {
+      open(part.key.text);
+      places(part.places);
+      if (part.size) number(*part.size);
+      close();
+    }
+    close();
+  }
+  void item(const syntax::CoverItem& value) {
+    open("cover");
+    name(value.area);
+    for (const syntax::CoverItem::Clause& clause : value.clauses) {
+      open(clause.key.text);
+      if (clause.number) number(*clause.number);
+      if (clause.place) places({*clause.place});
+      if (clause.word) name(*clause.word);
+      close();
+    }
+    close();
+  }
   void item(const syntax::MovingItem& value) {
     name(value.name);
     for (const syntax::Shape& entry : value.shapes) shape(entry);

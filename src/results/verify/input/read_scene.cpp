@@ -226,6 +226,17 @@ void read_via(const Json& list, const Scene& scene, SceneTask& task) {
   }
 }
 
+void read_cover(const JsonFields& cover, SceneTask& task) {
+  if (cover.has("pace")) task.pace = cover.number("pace");
+  for (const Json& works : cover.array("working")) {
+    if (!works.is_boolean()) cover.fail("true or false in 'working'");
+    task.working.push_back(works.get<bool>());
+  }
+  if (task.working.size() != task.via.size() + 1) {
+    cover.fail("one value in 'working' for each waypoint and the goal");
+  }
+}
+
 /// Values by parameter, or a pose of the tool.
 void read_go(const JsonFields& goal, const Scene& scene, SceneTask& task) {
   task.goes = true;
@@ -275,6 +286,7 @@ void read_doing(const JsonFields& fields, const Scene& scene, SceneTask& task) {
     }
   }
   read_via(list_or_empty(fields, "via"), scene, task);
+  if (fields.has("cover")) read_cover(fields.object("cover"), task);
   const bool has_choices = fields.has("choices");
   if ((task.move >= 0 || task.goes) && task.robot < 0 && !has_choices) {
     fields.fail("a robot for the motion");

@@ -213,6 +213,8 @@ struct SceneTask {
   std::optional<SceneDeviation> deviation;
   std::vector<std::pair<std::string, int>> entered;  ///< body, component that it may cut into
   SceneGuides guides = {};
+  double pace = 0;  ///< m/s of the tool where it works over a floor, at most; 0: none
+  std::vector<bool> working = {};  ///< of a task that covers a floor: by waypoint, the goal last
   std::optional<SceneWork> hook, adjust, release;
   bool whole = false;  ///< nothing may hang on its hook out of working time
   std::vector<SceneWork> takes;

@@ -133,7 +133,13 @@ class TrackBuilder {
       return;
     }
     stand_until(now_);
-    StepQuery query{q_, attempt.q, attempt.moved, hanging_ >= 0, record_->time - now_, moving_};
+    StepQuery query{q_,
+                    attempt.q,
+                    attempt.moved,
+                    hanging_ >= 0,
+                    record_->time - now_,
+                    moving_,
+                    least_time(attempt.q)};
     StepResult result = check_step(robot_, query);
     if (!result.goes_on) expect_standing("a step of another run begins");
     if (!stopped_.parts.empty() && result.run.is_of_same_parts(stopped_)) {
@@ -149,7 +155,35 @@ class TrackBuilder {
     stands_since_ = std::max(stands_since_, record_->time);
   }
 
-  void follow(const Goal&) { q_at_way_point_ = q_; }
+  void follow(const Goal& goal) {
+    if (goal.k > 1) expect_covered();
+    q_at_way_point_ = q_;
+    left_ = goal.n - goal.k;
+  }
+
+  /// A tool that covers a floor is at each of its waypoints before it goes on to the next.
+  void expect_covered() {
+    const int task = runs_[at(run_)].task;
+    if (task < 0) return;
+    const SceneTask& planned = trace_.scene.tasks[at(task)];
+    const int passed = static_cast<int>(planned.via.size()) - left_;
+    if (planned.working.empty() || passed < 0 || left_ <= 0) return;
+    const SceneGoal& goal = planned.via[at(passed)];
+    if (goal.pose) expect_pose(*goal.pose, planned, "it goes on");
+  }
+
+  /// How long a step takes at least, where its tool works over a floor.
+  Ticks least_time(const std::vector<double>& after) const {
+    const int task = runs_[at(run_)].task;
+    if (task < 0) return 0;
+    const SceneTask& planned = trace_.scene.tasks[at(task)];
+    const int count = static_cast<int>(planned.working.size());
+    if (!(planned.pace > 0) || left_ >= count) return 0;
+    if (!planned.working[at(count - 1 - left_)]) return 0;
+    const Vec3 from = mechanism_.pose(mechanism_.tool(), q_).translation();
+    const Vec3 to = mechanism_.pose(mechanism_.tool(), after).translation();
+    return static_cast<Ticks>((to - from).norm() / planned.pace * kSecond + 0.5);
+  }
 
   void follow(const MotionEnd& end) {
     expect_standing("a motion ends");
@@ -172,7 +206,7 @@ class TrackBuilder {
     }
     const SceneTask& planned = trace_.scene.tasks[at(task)];
     expect_goal(planned.go, planned.within);
-    if (planned.go_pose) expect_pose(*planned.go_pose, planned.within, planned.free_axis);
+    if (planned.go_pose) expect_pose(*planned.go_pose, planned, "the task is done");
   }
 
   void expect_short_result(TaskResult told);
@@ -193,7 +227,7 @@ class TrackBuilder {
     }
   }
 
-  void expect_pose(const Pose& X_WG, const std::optional<SceneWithin>& within, int free_axis);
+  void expect_pose(const Pose& X_WG, const SceneTask& task, const char* what);
 
   void follow(const LoadChange& change) {
     expect_standing("a load changes");
@@ -299,6 +333,7 @@ class TrackBuilder {
   Faults& faults_;
   RobotTrack track_;
   std::vector<double> q_;
+  int left_ = 0;                        ///< waypoints of the motion after the one under way
   std::vector<double> q_at_way_point_;  ///< when the last way point began
   std::string last_status_;             ///< of its last motion
   MotionRun moving_;                    ///< the run that goes on
@@ -310,13 +345,11 @@ class TrackBuilder {
   const Record* record_ = nullptr;
 };
 
-void TrackBuilder::expect_pose(const Pose& X_WG, const std::optional<SceneWithin>& within,
-                               int free_axis) {
-  const GoalTolerance allowed = goal_tolerance(robot_, within);
-  const PoseMiss off = pose_miss(mechanism_.pose(mechanism_.tool(), q_), X_WG, free_axis);
+void TrackBuilder::expect_pose(const Pose& X_WG, const SceneTask& task, const char* what) {
+  const GoalTolerance allowed = goal_tolerance(robot_, task.within);
+  const PoseMiss off = pose_miss(mechanism_.pose(mechanism_.tool(), q_), X_WG, task.free_axis);
   if (off.within(allowed)) return;
-  fault(FaultKind::motion,
-        fmt::format("the task is done with the tool {} from its goal", text_of(off)));
+  fault(FaultKind::motion, fmt::format("{} with the tool {} from its goal", what, text_of(off)));
 }
 
 /// Whether the robot stands at the goal of a short plan: by `share` of what `within` allows, and

@@ -250,6 +250,7 @@ class StepSolver {
       accelerates = accelerates || robot_.parameters[p].acceleration > 0;
     }
     if (!accelerates) result_.run.parts.clear();
+    if (query_.least > longest.time) longest = {query_.least, kTimeSlack};
     if (std::llabs(longest.time - query_.duration) <= longest.slack) return;
     const auto text = [](Ticks time) {
       return fmt::format("{:g} s", static_cast<double>(time) / static_cast<double>(kSecond));

@@ -16,6 +16,7 @@ struct StepQuery {
   bool loaded = false;
   Ticks duration = 0;
   MotionRun run = {};  ///< that goes on when the step begins
+  Ticks least = 0;     ///< it lasts so long at least: where the tool works it goes no faster
 };
 
 struct StepResult {
@@ -28,9 +29,9 @@ struct StepResult {
 
 /// Checks a step against the rules of the header: there are steps of the moved parameters, none
 /// longer than allowed, for which the rules give all values after it, all within range; and it
-/// lasts as long as the slowest of them, from where in its run each begins. The steps are found
-/// from the values by Newton's method (one round for the rules robots have, which are linear in the
-/// steps).
+/// lasts as long as the slowest of them, or `least`, from where in its run each begins. The steps
+/// are found from the values by Newton's method (one round for the rules robots have, which are
+/// linear in the steps).
 StepResult check_step(const SceneRobot& robot, const StepQuery& query);
 
 /// The values a robot starts with: derived ones computed, angles within half a turn.

@@ -1,0 +1,297 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "interpreter/check/check_number.hpp"
+#include "interpreter/check/check_plan_parts.hpp"
+#include "src/motion/coverage/coverage.hpp"
+
+namespace rubicon::interpreter::plan_check {
+
+namespace {
+
+constexpr double kMostWidth = 100;     // m
+constexpr double kMostThickness = 10;  // m
+constexpr double kMostRate = 1e6;      // m3 per h
+constexpr double kSecondsPerHour = 3600;
+/// Waypoints of one task.
+constexpr std::size_t kMostPoints = 20'000;
+
+std::optional<double> length(Subject& subject, const syntax::Number& number,
+                             const std::string& what, double least, double most) {
+  return bounded(subject, number, UnitKind::length, what, least, most);
+}
+
+std::optional<coverage::Place> place_of(Subject& subject, const syntax::FloorPlace& place,
+                                        const std::string& what) {
+  const auto x = length(subject, place.x, "x of " + what, -kMaxLength, kMaxLength);
+  const auto y = length(subject, place.y, "y of " + what, -kMaxLength, kMaxLength);
+  if (!x || !y) return std::nullopt;
+  return coverage::Place{*x, *y};
+}
+
+class AreaCheck {
+ public:
+  AreaCheck(Subject& subject, const syntax::AreaItem& item)
+      : subject_(subject), item_(item), who_("area '" + item.name.text + "'") {}
+
+  /// Nothing after an error.
+  std::optional<AreaSpec> run() {
+    const int errors = subject_.diagnostics.errors();
+    area_.name = item_.name.text;
+    area_.span = item_.name.span;
+    if (item_.height.size() > 1) {
+      subject_.twice(item_.height[1].span, "the height of " + who_ + " is given twice",
+                     item_.height[0].span);
+    }
+    if (!item_.height.empty()) {
+      const auto height =
+          length(subject_, item_.height.front(), "the height of " + who_, -kMaxLength, kMaxLength);
+      if (height) area_.height = *height;
+    }
+    for (const syntax::AreaItem::Part& each : item_.parts) add(each);
+    if (outline_ == nullptr) {
+      subject_.error("P53", item_.name.span, who_ + " has no outline",
+                     "outline (0, 0), (8, 0), (8, 5), (0, 5);");
+    }
+    if (subject_.diagnostics.errors() != errors) return std::nullopt;
+    // What the floor is by itself; the tool comes with the task.
+    coverage::CoverageOptions narrow;
+    narrow.width = 1e-3;
+    for (const std::string& each : faults_of(area_.floor, narrow)) {
+      subject_.error("P53", item_.name.span, who_ + ": " + each);
+    }
+    if (subject_.diagnostics.errors() != errors) return std::nullopt;
+    return std::move(area_);
+  }
+
+ private:
+  void add(const syntax::AreaItem::Part& part) {
+    const std::string& key = part.key.text;
+    std::vector<coverage::Place> places;
+    for (const syntax::FloorPlace& each : part.places) {
+      const auto place = place_of(subject_, each, "the " + key + " of " + who_);
+      if (!place) return;
+      places.push_back(*place);
+    }
+    if (key == "outline") {
+      if (outline_ != nullptr) {
+        subject_.twice(part.span, "the outline of " + who_ + " is given twice", outline_->span);
+        return;
+      }
+      outline_ = &part;
+      area_.floor.outline = std::move(places);
+    } else if (key == "shaft") {
+      area_.floor.shafts.push_back({"", std::move(places)});
+    } else if (key == "beam") {
+      if (places.size() != 2) {
+        subject_.error("P53", part.span,
+                       fmt::format("a beam goes from one place to another, found {} place{}",
+                                   places.size(), places.size() == 1 ? "" : "s"));
+        return;
+      }
+      area_.floor.beams.push_back({"", places[0], places[1]});
+    } else {
+      const auto size =
+          length(subject_, *part.size, "the size of a column of " + who_, 1e-3, kMaxLength);
+      if (size) area_.floor.columns.push_back({"", places[0], *size, key == "round_column"});
+    }
+  }
+
+  Subject& subject_;
+  const syntax::AreaItem& item_;
+  const std::string who_;
+  const syntax::AreaItem::Part* outline_ = nullptr;
+  AreaSpec area_;
+};
+
+/// What the clauses of a `cover` say.
+class CoverCheck {
+ public:
+  CoverCheck(Subject& subject, const syntax::CoverItem& item) : subject_(subject), item_(item) {}
+
+  std::optional<CoverWay> run() {
+    const int errors = subject_.diagnostics.errors();
+    const AreaSpec* const area = find_area();
+    for (const syntax::CoverItem::Clause& each : item_.clauses) take(each);
+    if (given_.count("width") == 0) {
+      wrong(item_.area.span, "cover does not say how wide the tool works", "width 1 m;");
+    }
+    if (given_.count("rate") != 0 && given_.count("thickness") == 0) {
+      wrong(given_["rate"], "a rate needs the thickness of what is laid", "thickness 0.25 m;");
+    }
+    if (area == nullptr || subject_.diagnostics.errors() != errors) return std::nullopt;
+    for (const std::string& each : faults_of(area->floor, options_)) wrong(item_.area.span, each);
+    if (subject_.diagnostics.errors() != errors) return std::nullopt;
+    try {
+      return way_over(*area, plan_coverage(area->floor, options_));
+    } catch (const std::invalid_argument& error) {
+      wrong(item_.area.span, error.what());
+      return std::nullopt;
+    }
+  }
+
+ private:
+  void wrong(Span span, std::string message, std::string hint = {}) {
+    subject_.error("P54", span, std::move(message), std::move(hint));
+  }
+
+  const AreaSpec* find_area() {
+    std::map<std::string, int> areas;
+    for (std::size_t i = 0; i < subject_.model.areas.size(); ++i) {
+      areas.emplace(subject_.model.areas[i].name, static_cast<int>(i));
+    }
+    const auto found = areas.find(item_.area.text);
+    if (found == areas.end()) {
+      // One that was wrong was told of.
+      for (const syntax::PlanItem& each : subject_.plan.items) {
+        const auto* area = std::get_if<syntax::AreaItem>(&each);
+        if (area != nullptr && area->name.text == item_.area.text) return nullptr;
+      }
+      if (subject_.judges_names()) {
+        subject_.unknown(item_.area.span, "area", item_.area.text, {&areas});
+      }
+      return nullptr;
+    }
+    area_ = found->second;
+    return &subject_.model.areas[static_cast<std::size_t>(found->second)];
+  }
+
+  void take(const syntax::CoverItem::Clause& clause) {
+    const std::string& key = clause.key.text;
+    const auto [first, is_new] = given_.emplace(key, clause.key.span);
+    if (!is_new) {
+      subject_.twice(clause.key.span, key + " is given twice", first->second);
+      return;
+    }
+    if (clause.number) {
+      take_number(key, *clause.number);
+    } else if (clause.place) {
+      const auto place = place_of(subject_, *clause.place, key);
+      (key == "from" ? options_.from : options_.inlet) = place;
+    } else if (key == "partition") {
+      take_partition(*clause.word);
+    } else {
+      take_order(*clause.word);
+    }
+  }
+
+  void take_number(const std::string& key, const syntax::Number& number) {
+    if (key == "rate") {
+      take_rate(number);
+      return;
+    }
+    const bool is_width = key == "width";
+    const double most = key == "thickness" ? kMostThickness : kMostWidth;
+    const auto value = length(subject_, number, key, is_width ? 1e-3 : 0, most);
+    if (!value) return;
+    if (is_width) options_.width = *value;
+    if (key == "clearance") options_.clearance = *value;
+    if (key == "above") above_ = *value;
+    if (key == "thickness") thickness_ = *value;
+  }
+
+  void take_rate(const syntax::Number& number) {
+    const bool is_rate = number.dimension == syntax::Dimension{3, 0, -1, 0};
+    const double rate = number.value * kSecondsPerHour;
+    if (!is_rate || !(rate > 0 && rate <= kMostRate)) {
+      wrong(number.span,
+            fmt::format("expected a volume per time up to {:.0f} m3 per h as rate", kMostRate),
+            "rate 40 m3 per h;");
+      return;
+    }
+    rate_ = number.value;
+  }
+
+  void take_partition(const syntax::Name& word) {
+    if (word.text == "beams" || word.text == "min") {
+      options_.partition =
+          word.text == "beams" ? coverage::Partition::kBeams : coverage::Partition::kMinimum;
+      return;
+    }
+    wrong(word.span, fmt::format("partition is beams or min, found '{}'", word.text));
+  }
+
+  void take_order(const syntax::Name& word) {
+    if (word.text == "cells" || word.text == "shortest") {
+      options_.whole_cells = word.text == "cells";
+      return;
+    }
+    wrong(word.span, fmt::format("order is shortest or cells, found '{}'", word.text),
+          "cells: each is finished before the next is begun");
+  }
+
+  std::optional<CoverWay> way_over(const AreaSpec& area, const coverage::CoverageWay& found) {
+    if (found.points.size() < 2 || found.points.size() > kMostPoints) {
+      wrong(item_.area.span, found.points.size() < 2
+                                 ? "the tool has no room to work anywhere on the area"
+                                 : fmt::format("the way has {} points; a task has up to {}",
+                                               found.points.size(), kMostPoints));
+      return std::nullopt;
+    }
+    CoverWay way;
+    const coverage::Measures measures = measure(area.floor, options_, found.points);
+    way.cover.area = area_;
+    way.cover.width = options_.width;
+    way.cover.thickness = thickness_;
+    way.cover.covered = measures.coverage;
+    way.cover.covered_area = measures.coverage * measures.reachable_area;
+    way.cover.volume = way.cover.covered_area * thickness_;
+    way.cover.length = measures.length;
+    way.cover.turns = measures.turns;
+    way.cover.cut_off = found.cut_off;
+    const double pace = rate_ > 0 && thickness_ > 0 ? rate_ / (options_.width * thickness_) : 0;
+    way.cover.pace = pace;
+    for (std::size_t i = 0; i < found.points.size(); ++i) {
+      const coverage::WayPoint& point = found.points[i];
+      GoalSpec goal;
+      goal.span = item_.area.span;
+      math::Pose X_WG = math::Pose::Identity();
+      X_WG.translation() = math::Vec3(point.place.x, point.place.y, area.height + above_);
+      goal.X_WG = X_WG;
+      // What leads to the first point is no work yet.
+      const bool works = i > 0 && point.working;
+      goal.work = works ? GoalSpec::Work::working : GoalSpec::Work::travelling;
+      if (works) goal.pace = pace;
+      way.goals.push_back(std::move(goal));
+    }
+    return way;
+  }
+
+  Subject& subject_;
+  const syntax::CoverItem& item_;
+  int area_ = -1;
+  coverage::CoverageOptions options_;
+  double above_ = 0;
+  double thickness_ = 0;
+  double rate_ = 0;  // m3/s
+  std::map<std::string, Span> given_;
+};
+
+}  // namespace
+
+void check_areas(Subject& subject) {
+  std::map<std::string, Span> names;
+  for (const syntax::PlanItem& each : subject.plan.items) {
+    const auto* item = std::get_if<syntax::AreaItem>(&each);
+    if (item == nullptr) continue;
+    const auto [first, is_new] = names.emplace(item->name.text, item->name.span);
+    if (!is_new) {
+      subject.twice(item->name.span, fmt::format("area '{}' is declared twice", item->name.text),
+                    first->second);
+      continue;
+    }
+    if (auto area = AreaCheck(subject, *item).run()) {
+      subject.model.areas.push_back(*std::move(area));
+    }
+  }
+}
+
+std::optional<CoverWay> resolve_cover(Subject& subject, const syntax::CoverItem& item) {
+  return CoverCheck(subject, item).run();
+}
+
+}  // namespace rubicon::interpreter::plan_check
