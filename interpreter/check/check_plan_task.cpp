@@ -287,6 +287,12 @@ class TaskChecker {
                      "make it two tasks");
       return;
     }
+    if (robot() != nullptr && robot()->fleet >= 0) {
+      subject_.error("P51", cover_->span,
+                     fmt::format("{} is of a fleet and drives by its network: it covers no area",
+                                 robot()->name));
+      return;
+    }
     auto way = resolve_cover(subject_, *cover_);
     if (!way) return;
     task_.cover = way->cover;
@@ -309,11 +315,13 @@ class TaskChecker {
       task_.guides = {subject_.model.fleets[static_cast<std::size_t>(robot()->fleet)].guide};
     }
     if (!moves() || task_.robot >= 0 || !all_known_) return;
-    const Span span = move_ != nullptr ? move_->span : go_->span;
+    const Span span = move_ != nullptr ? move_->span : go_ != nullptr ? go_->span : cover_->span;
     subject_.error("P05", span,
                    fmt::format("{} needs a robot, but task '{}' is done by {}",
-                               move_ != nullptr ? "move" : "go", item_.name.text,
-                               by_ == nullptr ? "nobody" : "crews alone"),
+                               move_ != nullptr ? "move"
+                               : go_ != nullptr ? "go"
+                                                : "cover",
+                               item_.name.text, by_ == nullptr ? "nobody" : "crews alone"),
                    "write by ROBOT;");
   }
 
@@ -423,6 +431,11 @@ class TaskChecker {
   void check_part(const syntax::GuideItem& item) {
     needs_motion(item.span, "guide");
     once("guide", item.span);
+    if (cover_ != nullptr) {
+      subject_.error("P54", item.span,
+                     "a task that covers an area has its way from that: no guide");
+      return;
+    }
     task_.guides = resolve_guides(subject_, robot(), item);
     if (robot() == nullptr || robot()->fleet < 0) return;
     subject_.error("P51", item.span,

@@ -125,13 +125,38 @@ bool Machine::go_on(World& world, EventSink* events) {
   }
 }
 
+/// Takes note of how far the accepted step leads the tool beside its strip: at its middle and end.
+void Machine::note_aside() {
+  const GoalSpec& goal = task_.goals[way_point_];
+  if (goal.work != GoalSpec::Work::working || !goal.X_WG) return;
+  const math::Vec3 along = goal.X_WG->translation() - strip_from_;
+  const double length = along.norm();
+  std::vector<double> middle(q_.size());
+  for (std::size_t i = 0; i < q_.size(); ++i) middle[i] = (q_[i] + q_next_[i]) / 2;
+  for (const std::vector<double>* q : {&middle, &q_next_}) {
+    const math::Vec3 gone =
+        robot::tool_pose(*model_, task_.mounting, *q).translation() - strip_from_;
+    const double share = length > 0 ? std::clamp(gone.dot(along) / (length * length), 0.0, 1.0) : 0;
+    aside_ = std::max(aside_, (gone - share * along).norm());
+  }
+}
+
 /// Whether the next waypoint may begin. One that a tool works towards, or from, is not left out:
 /// the floor would not be covered.
 bool Machine::may_leave_way_point() {
   if (task_.goals[way_point_].work == GoalSpec::Work::none) return true;
-  if (way_point_ + 1 == task_.goals.size()) return true;
-  if (is_near_goal()) return true;
+  if (way_point_ + 1 == task_.goals.size() && aside_ <= kMostAside) return true;
+  const bool strays = aside_ > kMostAside;
+  if (is_near_goal() && !strays) return true;
   finish(MotionStatus::done);
+  if (strays) {
+    end_->reached = false;
+    end_->message = fmt::format(
+        "the tool went {:.0f} mm beside its strip on the way to waypoint "
+        "{} of {} over the floor; take line where it is working",
+        aside_ * 1000, way_point_ + 1, task_.goals.size());
+    return false;
+  }
   end_->message = fmt::format("waypoint {} of {} over the floor is not reached: {}", way_point_ + 1,
                               task_.goals.size(), end_->message);
   return false;
@@ -146,6 +171,10 @@ bool Machine::begin_way_point(World& world, EventSink* events) {
   visited_.clear();
   world_version_ = world.version();
   way_point_begun_ = true;
+  aside_ = 0;
+  if (task_.goals[way_point_].work == GoalSpec::Work::working) {
+    strip_from_ = robot::tool_pose(*model_, task_.mounting, q_).translation();
+  }
   target_ = goal_;
   if (!task_.guides.empty() && !leg().is_there(q_, goal_.q)) return begin_guides(0, world, events);
   begin_script();

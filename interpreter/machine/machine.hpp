@@ -80,6 +80,9 @@ struct MotionEnd {
 /// proposed motion step and no further. It reads no clock and no file and sees the site only
 /// through `World`. Its whole state is a value: copy it to keep a point of a run, and go on from
 /// the copy. Program and robot model must outlive it.
+/// m: what of a floor a tool may leave beside its strip and still have covered it.
+inline constexpr double kMostAside = 0.02;
+
 class Machine {
  public:
   Machine(const Program& program, MotionTask task);
@@ -146,6 +149,7 @@ class Machine {
   // machine.cpp: way points and the end of a motion
   bool go_on(World& world, EventSink* events);
   bool may_leave_way_point();
+  void note_aside();
   bool begin_way_point(World& world, EventSink* events);
   bool resolve_goal(const GoalSpec& spec);
   void name_values(const GoalSpec& spec);
@@ -244,6 +248,8 @@ class Machine {
   std::vector<Variable> variables_;
   Ticks time_ = 0;
   std::size_t way_point_ = 0;
+  math::Vec3 strip_from_ = math::Vec3::Zero();  ///< where the tool was when the way point began
+  double aside_ = 0;  ///< m: how far a tool that works has been beside its strip since then
   bool way_point_begun_ = false;
   bool started_ = false;
   /// What moves, by parameter, where any of it has an acceleration; empty: the machine stands, or

@@ -53,6 +53,7 @@ bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
   }
   switch (refusal) {
     case Refusal::none:
+      note_aside();
       std::copy(q_next_.begin(), q_next_.end(), q_.begin());
       robot::normalise(*model_, q_);
       time_ += duration;

@@ -105,6 +105,34 @@ class Cover(ResultCase):
         self.assertRegex(reason, "^blocked by stones at step .*: g.beam meets stones; waypoint [0-9]+ of [0-9]+ over the floor is not reached: ")
         self.assertNotIn("covers", self.run_result.stdout)
 
+    def test_a_tool_that_leaves_its_strip_has_not_covered_it(self):
+        # One axis after the other is no strip where the strips are at a slant.
+        area = "area deck { outline (1, 1), (9, 5), (7, 9), (-1, 5); }"
+        cover = "cover deck { width 1 m; above 0.1 m; thickness 0.06 m; rate 30 m3 per h; }"
+        gantry = GANTRY.replace("range(-1, 41)", "range(-5, 41)")
+        self.plan()
+        self.write("gantry.robot", gantry.replace("move_to(y, goal(y)), move_to(x, goal(x))", "line"))
+        text = "plan p { robot g \"gantry.robot\"; %s task lay { by g; %s } }" % (area, cover)
+        self.run_plan(text)
+        path = os.path.join(self.out, "trace.jsonl")
+        with open(path, encoding="utf-8") as file:
+            lines = file.read().splitlines()
+        self.write("gantry.robot", gantry.replace("working: chain { line }", "working: chain { move_to(x, goal(x)), move_to(y, goal(y)) }"))
+        schedule, _ = self.run_plan(text, expected=1)
+        self.assertRegex(self.of(schedule, "lay")["reason"], "the tool went [0-9]+ mm beside its strip on the way to waypoint .*; take line where it is working")
+        # verify looks by itself: a strip that its trace does not follow.
+        header = json.loads(lines[0])
+        task = header["tasks"][0]
+        first = task["cover"]["working"].index(True)
+        records = [json.loads(line) for line in lines]
+        steps = [i for i, record in enumerate(records) if record["type"] == "try" and record["ok"] and record["command"] == "line"]
+        middle = records[steps[len(steps) // 2]]
+        middle["q"]["bridge.x" if "bridge.x" in middle["q"] else "x"] += 0.05
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("\n".join(json.dumps(record) for record in records) + "\n")
+        self.assertIn("beside its strip", rubicon("verify", self.out).stdout)
+        self.assertGreaterEqual(first, 1)
+
     def test_random_floors_are_covered_and_verified(self):
         chance = random.Random(17)
         for trial in range(12):

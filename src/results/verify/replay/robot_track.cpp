@@ -30,6 +30,8 @@ constexpr double kSureShare = 0.01;
 constexpr double kSureSlack = 1e-9;
 /// kg: a load at the limit of its chart is within it.
 constexpr double kMassSlack = 1e-6;
+/// m: how far a tool that works over a floor may be beside its strip.
+constexpr double kMostAside = 0.02;
 /// m: rounding of the radius of a load that keeps its distance.
 constexpr double kRadiusSlack = 1e-7;
 
@@ -149,6 +151,7 @@ class TrackBuilder {
     moving_ = std::move(result.run);
     for (std::string& text : result.faults) fault(FaultKind::motion, std::move(text));
     check_load_chart(attempt.q);
+    note_aside(attempt.q);
     track_.legs.push_back(
         {now_, record_->time, q_, std::move(result.reached), hanging_, run_, record_->line});
     q_ = attempt.q;
@@ -157,6 +160,7 @@ class TrackBuilder {
 
   void follow(const Goal& goal) {
     if (goal.k > 1) expect_covered();
+    aside_ = 0;
     q_at_way_point_ = q_;
     left_ = goal.n - goal.k;
   }
@@ -170,6 +174,31 @@ class TrackBuilder {
     if (planned.working.empty() || passed < 0 || left_ <= 0) return;
     const SceneGoal& goal = planned.via[at(passed)];
     if (goal.pose) expect_pose(*goal.pose, planned, "it goes on");
+    expect_on_strip();
+  }
+
+  void expect_on_strip() {
+    if (aside_ <= kMostAside) return;
+    fault(FaultKind::motion, fmt::format("the tool is {:.1f} mm beside its strip, of {:g} mm that "
+                                         "it may be",
+                                         aside_ * 1000, kMostAside * 1000));
+  }
+
+  /// How far a step leads a tool that works beside the line to its waypoint.
+  void note_aside(const std::vector<double>& after) {
+    const int task = runs_[at(run_)].task;
+    if (task < 0) return;
+    const SceneTask& planned = trace_.scene.tasks[at(task)];
+    const int index = static_cast<int>(planned.via.size()) - left_;
+    if (planned.working.empty() || index < 0 || !planned.working[at(index)]) return;
+    const std::optional<Pose>& goal = left_ == 0 ? planned.go_pose : planned.via[at(index)].pose;
+    if (!goal || q_at_way_point_.empty()) return;
+    const Vec3 from = mechanism_.pose(mechanism_.tool(), q_at_way_point_).translation();
+    const Vec3 along = goal->translation() - from;
+    const Vec3 gone = mechanism_.pose(mechanism_.tool(), after).translation() - from;
+    const double length = along.norm();
+    const double share = length > 0 ? std::clamp(gone.dot(along) / (length * length), 0.0, 1.0) : 0;
+    aside_ = std::max(aside_, (gone - share * along).norm());
   }
 
   /// How long a step takes at least, where its tool works over a floor.
@@ -207,6 +236,7 @@ class TrackBuilder {
     const SceneTask& planned = trace_.scene.tasks[at(task)];
     expect_goal(planned.go, planned.within);
     if (planned.go_pose) expect_pose(*planned.go_pose, planned, "the task is done");
+    if (!planned.working.empty()) expect_on_strip();
   }
 
   void expect_short_result(TaskResult told);
@@ -333,7 +363,9 @@ class TrackBuilder {
   Faults& faults_;
   RobotTrack track_;
   std::vector<double> q_;
-  int left_ = 0;                        ///< waypoints of the motion after the one under way
+  double aside_ =
+      0;          ///< m: how far a tool that works was beside its strip since its way point began
+  int left_ = 0;  ///< waypoints of the motion after the one under way
   std::vector<double> q_at_way_point_;  ///< when the last way point began
   std::string last_status_;             ///< of its last motion
   MotionRun moving_;                    ///< the run that goes on
