@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "interpreter/parse/parse.hpp"
+#include "src/motion/math/random.hpp"
 #include "src/studies/study/study_model.hpp"
+#include "tests/support/random_cases.hpp"
 
 namespace rubicon::study {
 namespace {
@@ -146,6 +148,95 @@ TEST(Variants, OfALatinHypercubeTakeEachPartOnce) {
   EXPECT_EQ(parts.size(), 40u);
   EXPECT_EQ(of_a, 20);
   EXPECT_EQ(variants, variants_of(*checked.model));
+}
+
+TEST(Study, MutatedTextsAreRefusedOrHaveVariants) {
+  const std::vector<std::string> words = {"plan",
+                                          "vary",
+                                          "design",
+                                          "runs",
+                                          "seed",
+                                          "ask",
+                                          "choose",
+                                          "until",
+                                          "with",
+                                          "by",
+                                          "to",
+                                          "at",
+                                          "most",
+                                          "least",
+                                          "latin",
+                                          "full",
+                                          "one_at_a_time",
+                                          "width",
+                                          "p80",
+                                          "mean",
+                                          "finish",
+                                          "cost",
+                                          "rejected",
+                                          "\"p.plan\"",
+                                          "\"2026-03-01\"",
+                                          "x",
+                                          "y",
+                                          "4",
+                                          "-3",
+                                          "1e300",
+                                          "0.5 m",
+                                          "2 h",
+                                          "(",
+                                          ")",
+                                          "[",
+                                          "]",
+                                          "{",
+                                          "}",
+                                          ",",
+                                          ";",
+                                          "<=",
+                                          "<",
+                                          "7.5 s"};
+  const std::vector<std::string> start = {
+      "plan", "\"p.plan\"", ";",     "vary",     "x",        "1",      "to",     "5",    ";",
+      "vary", "y",          "\"a\"", ",",        "\"b\"",    ";",      "runs",   "at",   "most",
+      "500",  "until",      "width", "(",        "p80",      "(",      "finish", ")",    ")",
+      "<",    "4 h",        ";",     "ask",      "makespan", ",",      "start",  "(",    "t",
+      "[",    "3",          "]",     ")",        ";",        "choose", "least",  "mean", "(",
+      "cost", ")",          "with",  "rejected", "<=",       "0.5",    ";"};
+  math::Random random(9);
+  int usable = 0;
+  for (int round = 0; round < test::cases(20000); ++round) {
+    std::vector<std::string> text = start;
+    const std::size_t changes = random.index(4);  // 0: as it is
+    for (std::size_t i = 0; i < changes; ++i) {
+      const std::size_t at = random.index(text.size());
+      const std::string& word = words[random.index(words.size())];
+      switch (random.index(3)) {
+        case 0:
+          text[at] = word;
+          break;
+        case 1:
+          text.insert(text.begin() + static_cast<std::ptrdiff_t>(at), word);
+          break;
+        default:
+          text.erase(text.begin() + static_cast<std::ptrdiff_t>(at));
+      }
+    }
+    std::string items;
+    for (const std::string& each : text) items += each + " ";
+    const Checked checked = check(items);
+    bool errors = false;
+    for (const auto& each : checked.found) {
+      errors = errors || each.severity == interpreter::Severity::error;
+    }
+    ASSERT_EQ(checked.model == nullptr, errors) << items;
+    if (!checked.model) continue;
+    ++usable;
+    const std::size_t count = count_variants(*checked.model);
+    ASSERT_GE(count, 1u) << items;
+    ASSERT_LE(count, kMostVariants) << items;
+    ASSERT_EQ(variants_of(*checked.model).size(), count) << items;
+    ASSERT_FALSE(checked.model->asked.empty()) << items;
+  }
+  EXPECT_GT(usable, test::at_least(3000));
 }
 
 }  // namespace
