@@ -80,7 +80,8 @@ export function toTheSecond(seconds: number): string {
   return `${Math.floor(seconds / day)} d ${hours(seconds % day).padStart(8, '0')}`;
 }
 
-function hours(seconds: number): string {
+/** `4:10:07`, `52:10:07` of whole seconds, however many hours. */
+export function hours(seconds: number): string {
   return `${Math.floor(seconds / 3600)}:${two(Math.floor(seconds / 60) % 60)}:${two(seconds % 60)}`;
 }
 

@@ -7,7 +7,8 @@ export interface Tick {
   major: boolean;
 }
 
-const steps = [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 10800, 21600, 43200,
+/** Round steps of time (s). */
+export const steps = [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 10800, 21600, 43200,
   day, 2 * day, 7 * day, 14 * day, 28 * day, 56 * day, 182 * day, 364 * day, 1820 * day];
 /** Longer steps are whole months where there are dates. */
 const longestStep = 14 * day;

@@ -1,3 +1,5 @@
+import { steps } from '../ticks';
+
 /** A drawing of SVG with axes. Its looks are classes of study.css: the page's policy refuses styles of elements. */
 const SPACE = 'http://www.w3.org/2000/svg';
 
@@ -15,12 +17,8 @@ export function draw(tag: string, attributes: Attributes = {}, ...children: (Nod
 /** Round steps of an axis: 1, 2 or 5 of a power of ten; of seconds: of minutes, hours, days. */
 export function step(span: number, most: number, seconds: boolean): number {
   const rough = span / most;
-  if (seconds) {
-    const round = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 10800, 21600, 43200, 86400, 172800, 432000,
-      604800, 1209600, 2592000, 7776000, 15552000, 31536000];
-    const found = round.find((each) => each >= rough);
-    if (found && rough >= 1) return found;
-  }
+  const found = seconds && rough >= 1 ? steps.find((each) => each >= rough) : undefined;
+  if (found) return found;
   const power = 10 ** Math.floor(Math.log10(rough));
   return [1, 2, 5, 10].map((each) => each * power).find((each) => each >= rough * (1 - 1e-9)) ?? 10 * power;
 }

@@ -1,3 +1,5 @@
+import { Clock, hours, money } from '../clock';
+
 /** A study as `rubicon study --format json` writes it (docs/studies.md). Numbers that are not finite are null. */
 export interface Interval { 0: number | null; 1: number | null }
 
@@ -65,22 +67,20 @@ export const REJECTED = 2;
 /** h:mm:ss, rounded. */
 export function clock(seconds: number): string {
   const whole = Math.round(Math.abs(seconds));
-  const two = (value: number) => String(value).padStart(2, '0');
-  return `${seconds < 0 && whole > 0 ? '-' : ''}${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}`;
+  return (seconds < 0 && whole > 0 ? '-' : '') + hours(whole);
 }
 
 /** The date so many seconds after "YYYY-MM-DD HH:MM", down to its minute; there are no time zones. */
 export function moment(start: string, seconds: number): string {
-  const [date, time] = start.split(' ');
-  const at = Date.parse(`${date}T${time}:00Z`) + Math.floor(seconds / 60 + 1e-9) * 60000;
-  return new Date(at).toISOString().slice(0, 16).replace('T', ' ');
+  const at = new Clock(start).epoch / 60 + Math.floor(seconds / 60 + 1e-9);
+  return new Date(at * 60000).toISOString().slice(0, 16).replace('T', ' ');
 }
 
 /** A number for people. */
 export function shown(unit: Unit, value: number | null | undefined, variant: Variant): string {
   if (value === undefined) return '–';
   if (value === null) return 'never';
-  if (unit === 'money') return value.toLocaleString('en', { minimumFractionDigits: 2, maximumFractionDigits: 2 });
+  if (unit === 'money') return money(value, '');
   if (unit === 'share') return `${(100 * value).toFixed(1)} %`;
   if (unit === 'moment' && variant.start_at) return moment(variant.start_at, value);
   return clock(value);

@@ -30,7 +30,9 @@ export function paretoPicture(study: Study, selected: Variant, select: (variant:
   if (front.length > 1) {
     svg.append(draw('path', { d: path(front.map((each) => [x(mean(each, MAKESPAN)), y(mean(each, COST))])), class: 'front' }));
   }
-  for (const each of points) {
+  // What matters most is drawn last, over the others.
+  const rank = (each: Variant) => (each === selected ? 2 : study.pareto.includes(each.variant) ? 1 : 0);
+  for (const each of [...points].sort((a, b) => rank(a) - rank(b))) {
     const [px, py] = [x(mean(each, MAKESPAN)), y(mean(each, COST))];
     const group = draw('g', { class: 'point', tabindex: '0', role: 'button', 'aria-label': `variant ${each.variant}: ${settings(each)}` });
     const ends = [quantile(each, MAKESPAN, 0.1), quantile(each, MAKESPAN, 0.95), quantile(each, COST, 0.1), quantile(each, COST, 0.95)];
