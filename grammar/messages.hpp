@@ -323,9 +323,7 @@ RUBICON_EXPECT(plan_finished, "the end of the file after the '}' of the plan");
 RUBICON_EXPECT(study_semicolon, "';'");
 RUBICON_EXPECT(studied_plan, "the name of a plan in quotes");
 RUBICON_EXPECT(varied_name, "the name of a parameter of the plan");
-inline constexpr const char* kVaried = "a value such as 4, 3.6 m or \"a text\"";
-RUBICON_EXPECT(varied_value, kVaried);
-RUBICON_EXPECT(next_varied_value, kVaried);
+RUBICON_EXPECT(varied_value, "a value such as 4, 3.6 m or \"a text\"");
 RUBICON_EXPECT(varied_last, "the last value of the range");
 RUBICON_EXPECT(varied_step, "the step of the range");
 RUBICON_EXPECT(design_kind, "full, latin or one_at_a_time", Explain::expected,

@@ -24,9 +24,8 @@ struct varied_range
     : seq<varied_first,
           opt<if_must<varied_to, varied_last, opt<if_must<varied_by, varied_step>>>>> {};
 struct varied_value : sor<varied_text, varied_range> {};
-struct next_varied_value : varied_value {};
-struct vary_item : if_must<vary_key, varied_name, varied_value,
-                           star<if_must<comma, next_varied_value>>, study_semicolon> {};
+struct vary_item : if_must<vary_key, varied_name, varied_value, star<if_must<comma, varied_value>>,
+                           study_semicolon> {};
 
 struct design_key : token<word<TAO_PEGTL_STRING("design")>> {};
 struct design_kind : name {};
@@ -52,8 +51,7 @@ struct limit_operator
 struct limit_text : string_literal {};
 struct limit_number : signed_number {};
 struct limit_value : sor<limit_text, limit_number> {};
-struct limited : seq<limited_measure, must<limit_operator, limit_value>> {};
-struct required_limit : limited {};
+struct required_limit : seq<limited_measure, must<limit_operator, limit_value>> {};
 
 struct runs_key : token<word<TAO_PEGTL_STRING("runs")>> {};
 struct runs_at : token<word<TAO_PEGTL_STRING("at")>> {};

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -140,24 +139,8 @@ class CoverCheck {
   }
 
   const AreaSpec* find_area() {
-    std::map<std::string, int> areas;
-    for (std::size_t i = 0; i < subject_.model.areas.size(); ++i) {
-      areas.emplace(subject_.model.areas[i].name, static_cast<int>(i));
-    }
-    const auto found = areas.find(item_.area.text);
-    if (found == areas.end()) {
-      // One that was wrong was told of.
-      for (const syntax::PlanItem& each : subject_.plan.items) {
-        const auto* area = std::get_if<syntax::AreaItem>(&each);
-        if (area != nullptr && area->name.text == item_.area.text) return nullptr;
-      }
-      if (subject_.judges_names()) {
-        subject_.unknown(item_.area.span, "area", item_.area.text, {&areas});
-      }
-      return nullptr;
-    }
-    area_ = found->second;
-    return &subject_.model.areas[static_cast<std::size_t>(found->second)];
+    area_ = subject_.find(subject_.areas, item_.area, "area");
+    return area_ < 0 ? nullptr : &subject_.model.areas[static_cast<std::size_t>(area_)];
   }
 
   void take(const syntax::CoverItem::Clause& clause) {
@@ -186,7 +169,8 @@ class CoverCheck {
     }
     const bool is_width = key == "width";
     const double most = key == "thickness" ? kMostThickness : kMostWidth;
-    const auto value = length(subject_, number, key, is_width ? 1e-3 : 0, most);
+    const bool is_size = is_width || key == "thickness";
+    const auto value = length(subject_, number, key, is_size ? 1e-3 : 0, most);
     if (!value) return;
     if (is_width) options_.width = *value;
     if (key == "clearance") options_.clearance = *value;
@@ -242,8 +226,7 @@ class CoverCheck {
     way.cover.volume = way.cover.covered_area * thickness_;
     way.cover.length = measures.length;
     way.cover.turns = measures.turns;
-    way.cover.cut_off = found.cut_off;
-    const double pace = rate_ > 0 && thickness_ > 0 ? rate_ / (options_.width * thickness_) : 0;
+    const double pace = rate_ > 0 ? rate_ / (options_.width * thickness_) : 0;
     way.cover.pace = pace;
     for (std::size_t i = 0; i < found.points.size(); ++i) {
       const coverage::WayPoint& point = found.points[i];
@@ -284,9 +267,10 @@ void check_areas(Subject& subject) {
                     first->second);
       continue;
     }
-    if (auto area = AreaCheck(subject, *item).run()) {
-      subject.model.areas.push_back(*std::move(area));
-    }
+    auto area = AreaCheck(subject, *item).run();
+    subject.areas.emplace(item->name.text,
+                          area ? static_cast<int>(subject.model.areas.size()) : -1);
+    if (area) subject.model.areas.push_back(*std::move(area));
   }
 }
 

@@ -54,7 +54,7 @@ struct Subject {
   std::map<std::string, Span> component_spans = {}, task_spans = {};
   std::map<std::string, int> components = {}, tasks = {};  ///< of the plan itself: model index
   std::map<std::string, int> robots = {}, crews = {}, calendars = {}, modules = {}, places = {},
-                             pools = {};
+                             pools = {}, areas = {};  ///< areas: -1 of one that is wrong
   std::map<std::string, const syntax::TaskItem*> task_items = {};  ///< of the plan itself
   GuideDeclarations guides = {};
   std::map<std::string, Span> import_spans = {};

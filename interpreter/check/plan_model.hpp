@@ -205,7 +205,6 @@ struct CoverSpec {
   double covered_area = 0;  ///< m2
   double length = 0;        ///< m, the way of the tool
   int turns = 0;
-  int cut_off = 0;  ///< lines that no allowed way leads to
 };
 
 struct TaskSpec {

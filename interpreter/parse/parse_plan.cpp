@@ -335,53 +335,30 @@ RUBICON_ACTION(PlanAction, PlanState, area_name) { st.area.name = st.take_name()
 RUBICON_ACTION(PlanAction, PlanState, area_height_value) {
   st.area.height.push_back(st.take_quantity());
 }
-RUBICON_ACTION(PlanAction, PlanState, area_line_key) {
-  st.places.clear();
-  st.area_part = {st.word(begin), {}, {}, {}};
-}
-RUBICON_ACTION(PlanAction, PlanState, area_line) {
-  st.area_part.places = std::move(st.places);
-  st.area_part.span = st.span_from(begin);
-  st.area.parts.push_back(std::move(st.area_part));
-}
-RUBICON_ACTION(PlanAction, PlanState, area_column_key) {
-  st.places.clear();
-  st.area_part = {st.word(begin), {}, {}, {}};
-}
+RUBICON_ACTION(PlanAction, PlanState, area_line_key) { st.begin_area_part(begin); }
+RUBICON_ACTION(PlanAction, PlanState, area_line) { st.add_area_part(begin); }
+RUBICON_ACTION(PlanAction, PlanState, area_column_key) { st.begin_area_part(begin); }
 RUBICON_ACTION(PlanAction, PlanState, area_column_size) { st.area_part.size = st.take_quantity(); }
-RUBICON_ACTION(PlanAction, PlanState, area_column) {
-  st.area_part.places = std::move(st.places);
-  st.area_part.span = st.span_from(begin);
-  st.area.parts.push_back(std::move(st.area_part));
-}
+RUBICON_ACTION(PlanAction, PlanState, area_column) { st.add_area_part(begin); }
 RUBICON_ACTION(PlanAction, PlanState, area_item) { st.add(std::move(st.area), begin); }
 RUBICON_ACTION(PlanAction, PlanState, cover_key) {
   st.cover = {};
   st.announce("cover");
 }
 RUBICON_ACTION(PlanAction, PlanState, cover_area) { st.cover.area = st.take_name(); }
-RUBICON_ACTION(PlanAction, PlanState, cover_number_key) {
-  st.cover_clause = {st.word(begin), {}, {}, {}};
-}
-RUBICON_ACTION(PlanAction, PlanState, cover_number) {
+RUBICON_ACTION(PlanAction, PlanState, cover_number_key) { st.begin_cover_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, cover_number_value) {
   st.cover_clause.number = st.take_quantity();
-  st.cover.clauses.push_back(std::move(st.cover_clause));
 }
-RUBICON_ACTION(PlanAction, PlanState, cover_place_key) {
-  st.places.clear();
-  st.cover_clause = {st.word(begin), {}, {}, {}};
-}
+RUBICON_ACTION(PlanAction, PlanState, cover_number) { st.add_cover_clause(); }
+RUBICON_ACTION(PlanAction, PlanState, cover_place_key) { st.begin_cover_clause(begin); }
 RUBICON_ACTION(PlanAction, PlanState, cover_place) {
   st.cover_clause.place = std::move(st.places.back());
-  st.cover.clauses.push_back(std::move(st.cover_clause));
+  st.add_cover_clause();
 }
-RUBICON_ACTION(PlanAction, PlanState, cover_word_key) {
-  st.cover_clause = {st.word(begin), {}, {}, {}};
-}
+RUBICON_ACTION(PlanAction, PlanState, cover_word_key) { st.begin_cover_clause(begin); }
 RUBICON_ACTION(PlanAction, PlanState, cover_word_value) { st.cover_clause.word = st.take_name(); }
-RUBICON_ACTION(PlanAction, PlanState, cover_word) {
-  st.cover.clauses.push_back(std::move(st.cover_clause));
-}
+RUBICON_ACTION(PlanAction, PlanState, cover_word) { st.add_cover_clause(); }
 RUBICON_ACTION(PlanAction, PlanState, cover_item) { st.add_to_task(std::move(st.cover), begin); }
 RUBICON_ACTION(PlanAction, PlanState, start_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, park_key) { st.values = {}; }

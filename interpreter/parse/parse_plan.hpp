@@ -140,6 +140,21 @@ class PlanState : public GuideState {
   syntax::String headings;  ///< of a group, joined
   syntax::WithinItem within;
   syntax::MotionClause clause_of_motion;
+  /// A part of an area, or a clause of a cover, begins with its word.
+  void begin_area_part(const char* from) {
+    places.clear();
+    area_part = {word(from), {}, {}, {}};
+  }
+  void add_area_part(const char* from) {
+    area_part.places = std::move(places);
+    area_part.span = span_from(from);
+    area.parts.push_back(std::move(area_part));
+  }
+  void begin_cover_clause(const char* from) {
+    places.clear();
+    cover_clause = {word(from), {}, {}, {}};
+  }
+  void add_cover_clause() { cover.clauses.push_back(std::move(cover_clause)); }
   void begin_clause(const char* from) {
     clause_of_motion = {};
     clause_of_motion.key = word(from);

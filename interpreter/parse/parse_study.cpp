@@ -68,10 +68,6 @@ RUBICON_ACTION(StudyAction, StudyState, varied_value) {
   st.value.span = st.span_from(begin);
   st.vary.values.push_back(std::move(st.value));
 }
-RUBICON_ACTION(StudyAction, StudyState, next_varied_value) {
-  st.value.span = st.span_from(begin);
-  st.vary.values.push_back(std::move(st.value));
-}
 RUBICON_ACTION(StudyAction, StudyState, vary_item) {
   st.vary.span = st.span_from(begin);
   st.study.vary.push_back(std::move(st.vary));

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -15,6 +14,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/fail.hpp"
 #include "src/cli/load_runnable_plan.hpp"
+#include "src/cli/progress_line.hpp"
 #include "src/cli/report_file.hpp"
 #include "src/cli/set_option.hpp"
 #include "src/exchange/encoding/gzip.hpp"
@@ -129,28 +129,6 @@ class TraceFiles : public trace::TraceSink {
   std::vector<TraceFile> files_;
 };
 
-/// "12/36 set_floor_12" on one line of a terminal, once the work is long.
-class Progress {
- public:
-  void show(int done, int total, const std::string& task) {
-    if (::isatty(STDERR_FILENO) == 0) return;
-    const auto now = std::chrono::steady_clock::now();
-    if (now - start_ < kQuiet || now - last_ < kBetweenProgress) return;
-    last_ = now;
-    shown_ = true;
-    fmt::print(stderr, "\r\x1b[K{}/{} {}", done, total, task);
-    std::fflush(stderr);
-  }
-  ~Progress() {
-    if (shown_) fmt::print(stderr, "\r\x1b[K");
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point last_ = start_;
-  bool shown_ = false;
-};
-
 /// What --out asks for, beside the trace, and all of it to its place. A message on failure.
 std::optional<std::string> write_result(files::ResultFolder& folder,
                                         const taskplan::Schedule& schedule,
@@ -204,11 +182,11 @@ int run_plan_command(const RunOptions& options) {
 
   taskplan::Schedule schedule;
   {
-    Progress progress;
+    ProgressLine progress(kQuiet, kBetweenProgress);
     taskplan::RunOptions run;
     run.detail = detail_of(options.trace_detail);
     run.on_task = [&](int done, int total, const taskplan::TaskOutcome& last) {
-      progress.show(done, total, last.task);
+      if (progress.is_due()) progress.show(fmt::format("{}/{} {}", done, total, last.task));
     };
     schedule = run_plan(*plan, sources, trace_files.wanted() ? &trace_files : nullptr, run);
   }

@@ -1,19 +1,18 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
 #include <map>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "src/cli/commands.hpp"
 #include "src/cli/fail.hpp"
-#include "src/cli/load_runnable_plan.hpp"
 #include "src/cli/load_study.hpp"
+#include "src/cli/progress_line.hpp"
+#include "src/cli/thread_count.hpp"
 #include "src/exchange/encoding/sha256.hpp"
 #include "src/exchange/files/append_file_io.hpp"
 #include "src/exchange/files/result_folder_io.hpp"
@@ -22,7 +21,6 @@
 #include "src/simulation/schedule/time_text.hpp"
 #include "src/studies/answers/study_answers.hpp"
 #include "src/studies/answers/study_text.hpp"
-#include "src/studies/study/runner.hpp"
 
 namespace rubicon::cli {
 
@@ -30,38 +28,25 @@ namespace {
 
 using interpreter::SourceMap;
 
-constexpr std::chrono::milliseconds kBetweenStudyProgress{200};
-
-/// "1234/5000 runs, 0:03:20 left" on one line of a terminal.
+/// "1234/5000 runs, 0:03:20 left".
 class StudyProgress {
  public:
   void show(std::int64_t done, std::int64_t planned) {
-    if (!terminal_) return;
-    const auto now = std::chrono::steady_clock::now();
     if (first_ < 0) first_ = done;
-    if (now - last_ < kBetweenStudyProgress) return;
-    last_ = now;
-    const double seconds = std::chrono::duration<double>(now - start_).count();
+    if (!line_.is_due()) return;
+    const double seconds = line_.seconds();
     const auto made = static_cast<double>(done - first_);
     std::string left;
     if (seconds > 1 && made > 0) {
       const double rest = seconds / made * static_cast<double>(planned - done);
       left = ", " + schedule::clock_text(schedule::ticks_from_seconds(rest)) + " left";
     }
-    fmt::print(stderr, "\r\x1b[K{}/{} runs{}", done, planned, left);
-    std::fflush(stderr);
-    shown_ = true;
-  }
-  ~StudyProgress() {
-    if (shown_) fmt::print(stderr, "\r\x1b[K");
+    line_.show(fmt::format("{}/{} runs{}", done, planned, left));
   }
 
  private:
-  bool terminal_ = ::isatty(STDERR_FILENO) != 0;
-  bool shown_ = false;
+  ProgressLine line_{std::chrono::milliseconds(200), std::chrono::milliseconds(200)};
   std::int64_t first_ = -1;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point last_ = start_;
 };
 
 /// The runs that a study has made so far, in a file: what one that was stopped goes on from.
@@ -126,35 +111,6 @@ class StudyLog {
   std::optional<std::string> failure_;
 };
 
-std::string digest_of(const SourceMap& sources) {
-  std::string all;
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    const auto& file = sources.file(static_cast<interpreter::FileId>(i));
-    all += fmt::format("{}\n{}\n", file.path, encoding::sha256_hex(file.text));
-  }
-  return encoding::sha256_hex(all);
-}
-
-study::LoadedVariant load_variant(LoadedStudy& study, std::size_t variant) {
-  study::LoadedVariant result;
-  const files::PlanFiles& files = study.files->plan_files();
-  ReadPlan read =
-      read_runnable_plan(files.plan(), *study.files, result.sources, study.variants[variant]);
-  result.plan = std::move(read.plan);
-  result.digest = digest_of(result.sources);
-  for (const interpreter::Diagnostic& each : read.found) {
-    if (each.severity != interpreter::Severity::error) continue;
-    if (each.span.file < result.sources.size()) {
-      const auto at = result.sources.position(each.span);
-      result.fault =
-          fmt::format("{}:{}:{}: ", result.sources.file(each.span.file).path, at.line, at.column);
-    }
-    result.fault += each.message;
-    break;
-  }
-  return result;
-}
-
 std::optional<std::string> write_study(files::ResultFolder& folder, const study::StudyModel& study,
                                        const std::vector<study::VariantRuns>& variants,
                                        const study::StudyAnswers& answers) {
@@ -207,9 +163,7 @@ int run_study_command(const StudyOptions& options) {
   }
 
   study::RunnerOptions runner;
-  runner.threads = options.jobs > 0
-                       ? options.jobs
-                       : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  runner.threads = thread_count(options.jobs);
   runner.load = [&](std::size_t variant) { return load_variant(study, variant); };
   if (log) {
     runner.known = log->take_known();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "src/cli/commands.hpp"
+#include "src/cli/thread_count.hpp"
 #include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/results/golden/golden_case.hpp"
@@ -49,8 +50,7 @@ std::vector<golden::CaseResult> run_all(const std::vector<std::string>& cases, i
   const auto work = [&] {
     for (std::size_t i = next++; i < cases.size(); i = next++) results[i] = run_one(cases[i]);
   };
-  const auto wanted = static_cast<std::size_t>(
-      jobs > 0 ? jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+  const auto wanted = static_cast<std::size_t>(thread_count(jobs));
   std::vector<std::thread> threads;
   for (std::size_t i = 1; i < std::min(wanted, cases.size()); ++i) threads.emplace_back(work);
   work();

@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
 #include "interpreter/parse/parse.hpp"
 #include "src/cli/load_runnable_plan.hpp"
+#include "src/exchange/encoding/sha256.hpp"
 #include "src/exchange/files/disk_io.hpp"
-#include "src/studies/study/runner.hpp"
 
 namespace rubicon::cli {
 
@@ -22,37 +24,68 @@ const study::Variable* variable_of(const study::StudyModel& study, const std::st
   return nullptr;
 }
 
+/// "file:line:column: " of what is said; "" where it has no place.
+std::string place_text(const interpreter::SourceMap& sources, const interpreter::Span& span) {
+  if (span.file >= sources.size()) return {};
+  const auto at = sources.position(span);
+  return fmt::format("{}:{}:{}: ", sources.file(span.file).path, at.line, at.column);
+}
+
+std::string digest_of(const interpreter::SourceMap& sources) {
+  std::string all;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const auto& file = sources.file(static_cast<interpreter::FileId>(i));
+    all += fmt::format("{}\n{}\n", file.path, encoding::sha256_hex(file.text));
+  }
+  return encoding::sha256_hex(all);
+}
+
+struct ReadVariant {
+  study::LoadedVariant loaded;
+  std::vector<interpreter::Diagnostic> errors;
+};
+
+ReadVariant read_variant(LoadedStudy& study, std::size_t variant) {
+  ReadVariant result;
+  study::LoadedVariant& loaded = result.loaded;
+  try {
+    ReadPlan read = read_runnable_plan(study.files->plan_files().plan(), *study.files,
+                                       loaded.sources, study.variants[variant]);
+    loaded.plan = std::move(read.plan);
+    std::copy_if(read.found.begin(), read.found.end(), std::back_inserter(result.errors),
+                 [](const interpreter::Diagnostic& each) {
+                   return each.severity == interpreter::Severity::error;
+                 });
+    if (!result.errors.empty()) {
+      const interpreter::Diagnostic& first = result.errors.front();
+      loaded.fault = place_text(loaded.sources, first.span) + first.message;
+    }
+  } catch (const std::invalid_argument& error) {
+    loaded.fault = error.what();
+  }
+  loaded.digest = digest_of(loaded.sources);
+  return result;
+}
+
 /// What is wrong with the plan, told of the study's `plan` clause: with the first variant, which
 /// nobody typed, a place in the plan alone would not be understood.
 void check_first_variant(LoadedStudy& study, interpreter::Diagnostics& diagnostics) {
-  interpreter::SourceMap sources;
-  const files::PlanFiles& files = study.files->plan_files();
-  ReadPlan read;
-  try {
-    read = read_runnable_plan(files.plan(), *study.files, sources, study.variants.front());
-  } catch (const std::invalid_argument& error) {
-    diagnostics.error("U12", study.model->plan_span, error.what());
+  ReadVariant read = read_variant(study, 0);
+  if (read.loaded.plan) {
+    check_names(*study.model, *read.loaded.plan, diagnostics);
+    study.first = std::move(read.loaded);
     return;
   }
-  if (read.plan) {
-    check_names(*study.model, *read.plan, diagnostics);
-    return;
-  }
-  const interpreter::SourceMap typed = files.typed(sources);
-  for (const interpreter::Diagnostic& each : read.found) {
-    if (each.severity != interpreter::Severity::error) continue;
+  if (read.errors.empty()) diagnostics.error("U12", study.model->plan_span, read.loaded.fault);
+  const interpreter::SourceMap typed = study.files->plan_files().typed(read.loaded.sources);
+  for (const interpreter::Diagnostic& each : read.errors) {
     if (const auto* variable = variable_of(*study.model, each.message)) {
       diagnostics.error("U04", variable->span, each.message.substr(each.message.find(": ") + 2));
       continue;
     }
-    std::string place;
-    if (each.span.file < typed.size()) {
-      const auto at = typed.position(each.span);
-      place = fmt::format("{}:{}:{}: ", typed.file(each.span.file).path, at.line, at.column);
-    }
-    diagnostics.error(
-        "U12", study.model->plan_span,
-        fmt::format("the plan cannot run with the first values: {}{}", place, each.message));
+    diagnostics.error("U12", study.model->plan_span,
+                      fmt::format("the plan cannot run with the first values: {}{}",
+                                  place_text(typed, each.span), each.message));
   }
 }
 
@@ -78,6 +111,11 @@ LoadedStudy load_study(const std::string& path, interpreter::SourceMap& sources,
   check_first_variant(result, diagnostics);
   if (diagnostics.errors() != before) result.model.reset();
   return result;
+}
+
+study::LoadedVariant load_variant(LoadedStudy& study, std::size_t variant) {
+  if (variant == 0 && study.first) return std::move(*study.first);
+  return read_variant(study, variant).loaded;
 }
 
 }  // namespace rubicon::cli

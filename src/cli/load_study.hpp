@@ -1,11 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "interpreter/syntax/diagnostic.hpp"
 #include "interpreter/syntax/source.hpp"
 #include "src/exchange/files/cached_files_io.hpp"
+#include "src/studies/study/runner.hpp"
 #include "src/studies/study/study_model.hpp"
 
 namespace rubicon::cli {
@@ -15,12 +18,17 @@ struct LoadedStudy {
   std::unique_ptr<study::StudyModel> model;
   std::vector<interpreter::ParameterTexts> variants;
   std::unique_ptr<files::CachedPlanFiles> files;
-  std::string text;  ///< of the study itself
+  std::string text;                           ///< of the study itself
+  std::optional<study::LoadedVariant> first;  ///< read to check the study
 };
 
 /// Reads a study, and its plan with the settings of the first variant, which must have all that the
 /// study names. What is wrong goes to `diagnostics`; the model is null then.
 LoadedStudy load_study(const std::string& path, interpreter::SourceMap& sources,
                        interpreter::Diagnostics& diagnostics);
+
+/// The plan of a study with the settings of a variant; each is asked for once, also from several
+/// threads at a time.
+study::LoadedVariant load_variant(LoadedStudy& study, std::size_t variant);
 
 }  // namespace rubicon::cli

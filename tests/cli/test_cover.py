@@ -164,6 +164,7 @@ class Cover(ResultCase):
                 (DECK, "cover deck { width 0 m; }", "width must be between"),
                 (DECK, "cover deck { width 1 m; rate 30 m3 per h; }", "needs the thickness"),
                 (DECK, "cover deck { width 1 m; thickness 0.1 m; rate 30; }", "30; }"),
+                (DECK, "cover deck { width 1 m; thickness 0 m; rate 30 m3 per h; }", "thickness must be between"),
                 (DECK, "cover deck { width 1 m; inlet (5.5, 2.5); }", "inlet"),
                 (DECK, "cover deck { width 1 m; partition rooms; }", "partition is beams or min"),
                 (DECK, COVER + " go x 1;", "neither moves nor goes"),

@@ -124,6 +124,26 @@ class Study(ResultCase):
         self.assertEqual(self.files(out), self.files(whole))
         self.assertEqual(sizes, sorted(sizes), "no run that was finished is lost")
 
+    def test_a_damaged_log_costs_the_runs_that_are_damaged(self):
+        items = "vary floors 2, 3; runs 4000;"
+        whole, out = os.path.join(self.folder, "whole"), os.path.join(self.folder, "out")
+        expected = self.study(items, "--out", whole)
+        # Killed as soon as it has written something; then lines of tasks that are not there, and nonsense.
+        path, progress = os.path.join(self.folder, "s.study"), os.path.join(out, "study.progress")
+        process = subprocess.Popen([RUBICON, "study", path, "--out", out], stdout=subprocess.DEVNULL)
+        deadline = time.monotonic() + 5
+        while time.monotonic() < deadline and process.poll() is None and not (os.path.exists(progress) and os.path.getsize(progress)):
+            pass
+        process.kill()
+        process.wait()
+        with open(progress, encoding="utf-8") as file:
+            head = file.readline()
+        with open(progress, "w", encoding="utf-8") as file:
+            file.write(head)
+            file.write("run\t0\t0\t1 1 0\t99999999\t\t\t\t.\nrun\t1\t3\tinf inf 1\t\t\t-7\tno\t.\nrun\t0\t1\t1 1\t.\n\0\0\nvariant\t.\n")
+        self.assertEqual(self.study(items, "--out", out, "--resume"), expected)
+        self.assertEqual(self.files(out), self.files(whole))
+
     def test_it_does_not_go_on_from_another_study_or_plan(self):
         out = os.path.join(self.folder, "out")
         os.mkdir(out)

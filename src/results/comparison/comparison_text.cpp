@@ -5,6 +5,7 @@
 
 #include "src/results/comparison/compare_guides.hpp"
 #include "src/simulation/trace/json_builder.hpp"
+#include "src/studies/statistics/quantile.hpp"
 
 namespace rubicon::comparison {
 
@@ -14,9 +15,7 @@ namespace {
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
-  const auto count = static_cast<double>(values.size());
-  const auto rank = static_cast<std::size_t>(std::max(std::ceil(share * count), 1.0));
-  return values[rank - 1];
+  return statistics::quantile(values, share);
 }
 
 template <typename Member>

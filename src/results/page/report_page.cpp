@@ -10,10 +10,12 @@ namespace rubicon::page {
 
 namespace {
 
-// The page has each of them once (viewer/index.html).
+// A page has each of its own once (viewer/index.html, viewer/study.html).
 constexpr std::string_view kTitle = "<title>RUBICON</title>";
-constexpr std::string_view kFilmBegin = R"(<script type="text/plain" id="film">)";
-constexpr std::string_view kFilmEnd = "</script>";
+constexpr std::string_view kFilm = R"(<script type="text/plain" id="film">)";
+constexpr std::string_view kStudyTitle = "<title>RUBICON study</title>";
+constexpr std::string_view kStudy = R"(<script type="application/json" id="study">)";
+constexpr std::string_view kSlotEnd = "</script>";
 
 /// Where the only `text` begins in `page`.
 std::size_t only_place(std::string_view page, std::string_view text) {
@@ -52,51 +54,48 @@ std::string mark(std::string_view name, std::string_view digest) {
   return line;
 }
 
+/// A page with `head` behind its title, which names `name`, and `content` behind `slot`, which ends
+/// its empty element. Throws std::logic_error if the page has no place for them.
+std::string filled(std::string_view page, std::string_view title, std::string_view slot,
+                   std::string_view name, std::string_view head, std::string_view content) {
+  const std::size_t title_at = only_place(page, title);
+  const std::size_t after_title = title_at + title.size();
+  const std::size_t place =
+      only_place(page, std::string(slot) + std::string(kSlotEnd)) + slot.size();
+  if (place < after_title) throw std::logic_error("the page should begin with its title");
+  std::string result;
+  result.reserve(page.size() + name.size() + head.size() + content.size());
+  result += page.substr(0, title_at);
+  result += "<title>" + escaped(name) + " - RUBICON</title>";
+  result += head;
+  result += page.substr(after_title, place - after_title);
+  result += content;
+  result += page.substr(place);
+  return result;
+}
+
 }  // namespace
 
 std::string report_page(std::string_view viewer_page, const film::Film& film,
                         const PageOrigin& origin) {
-  const std::string empty_film = std::string(kFilmBegin) + std::string(kFilmEnd);
-  const std::size_t title = only_place(viewer_page, kTitle);
-  const std::size_t place = only_place(viewer_page, empty_film) + kFilmBegin.size();
-  const std::size_t after_title = title + kTitle.size();
-  if (place < after_title) throw std::logic_error("the page should have its title before the film");
-  const std::string packed = encoding::base64(encoding::gzip(film.bytes));
-
-  std::string page;
-  page.reserve(viewer_page.size() + packed.size() + film.plan.size());
-  page += viewer_page.substr(0, title);
-  page += "<title>" + escaped(film.plan) + " - RUBICON</title>";
-  page += mark("rubicon-trace", origin.trace) + mark("rubicon-schedule", origin.schedule);
-  page += viewer_page.substr(after_title, place - after_title);
-  page += packed;
-  page += viewer_page.substr(place);
-  return page;
+  return filled(viewer_page, kTitle, kFilm, film.plan,
+                mark("rubicon-trace", origin.trace) + mark("rubicon-schedule", origin.schedule),
+                encoding::base64(encoding::gzip(film.bytes)));
 }
 
 std::string study_page(std::string_view empty_study_page, std::string_view json,
                        std::string_view name) {
-  constexpr std::string_view kStudyTitle = "<title>RUBICON study</title>";
-  constexpr std::string_view kStudyBegin = R"(<script type="application/json" id="study">)";
-  const std::size_t title = only_place(empty_study_page, kStudyTitle);
-  const std::size_t place = only_place(empty_study_page, kStudyBegin) + kStudyBegin.size();
-  const std::size_t after_title = title + kStudyTitle.size();
-  if (place < after_title) {
-    throw std::logic_error("the page should have its title before the study");
-  }
-  std::string page(empty_study_page.substr(0, title));
-  page += "<title>" + escaped(name) + " - RUBICON</title>";
-  page += empty_study_page.substr(after_title, place - after_title);
+  // No text of a plan can become markup.
+  std::string safe;
+  safe.reserve(json.size());
   for (const char letter : json) {
-    // No text of a plan can become markup.
     if (letter == '<') {
-      page += "\\u003c";
+      safe += "\\u003c";
     } else {
-      page += letter;
+      safe += letter;
     }
   }
-  page += empty_study_page.substr(place);
-  return page;
+  return filled(empty_study_page, kStudyTitle, kStudy, name, {}, safe);
 }
 
 }  // namespace rubicon::page

@@ -55,7 +55,7 @@ Answer answer_of(const std::vector<double>& values) {
 
 std::vector<TaskShare> critical_tasks(const VariantRuns& runs, std::int64_t finished) {
   std::vector<TaskShare> result;
-  for (std::size_t i = 0; i < runs.critical.size() && i < runs.tasks.size(); ++i) {
+  for (std::size_t i = 0; i < runs.critical.size(); ++i) {
     if (runs.critical[i] == 0 || finished == 0) continue;
     result.push_back({runs.tasks[i], runs.critical[i],
                       static_cast<double>(runs.critical[i]) / static_cast<double>(finished)});
@@ -196,7 +196,7 @@ class Chooser {
         result_.passed.push_back({i, why});
         continue;
       }
-      result_.judged.push_back({i, *value_of(rule_.statistic, variants_[i], runs_[i]), {}});
+      result_.judged.push_back({i, *measured(rule_.statistic, i), {}});
     }
     if (result_.judged.empty()) return std::move(result_);
     const auto better = [&](const auto& a, const auto& b) {
@@ -215,6 +215,13 @@ class Chooser {
   }
 
  private:
+  /// Nothing where the plan has no such thing, as a cost where nothing costs.
+  std::optional<double> measured(const Statistic& statistic, std::size_t i) const {
+    const auto question = static_cast<std::size_t>(statistic.question);
+    if (!variants_[i].answers[question].there) return std::nullopt;
+    return value_of(statistic, runs_[i].values[question]);
+  }
+
   std::string why_not(std::size_t i) const {
     const VariantAnswers& variant = variants_[i];
     if (!runs_[i].fault.empty()) return "cannot run";
@@ -228,7 +235,7 @@ class Chooser {
                          variant.runs);
     }
     for (const Condition& each : rule_.with) {
-      const auto value = value_of(each.statistic, variant, runs_[i]);
+      const auto value = measured(each.statistic, i);
       if (!value) return fmt::format("{} is not known", each.statistic.text);
       double limit = each.limit;
       if (each.date && runs_[i].start_at) {
@@ -241,7 +248,7 @@ class Chooser {
                          value_text(study_, each.statistic, *value, runs_[i]),
                          each.text.substr(each.statistic.text.size() + 1));
     }
-    const auto value = value_of(rule_.statistic, variant, runs_[i]);
+    const auto value = measured(rule_.statistic, i);
     if (!value) return fmt::format("{} is not known", rule_.statistic.text);
     if (!std::isfinite(*value)) return fmt::format("{} is never", rule_.statistic.text);
     return {};
@@ -270,23 +277,6 @@ class Chooser {
 };
 
 }  // namespace
-
-std::optional<double> value_of(const Statistic& statistic, const VariantAnswers& variant,
-                               const VariantRuns& runs) {
-  const auto question = static_cast<std::size_t>(statistic.question);
-  const Answer& answer = variant.answers[question];
-  if (!answer.there) return std::nullopt;
-  if (!statistic.quantile) {
-    if (answer.mean.count == 0) return std::nullopt;
-    if (!statistic.width) return answer.mean.mean;
-    if (!answer.mean.interval) return std::nullopt;
-    return answer.mean.interval->width();
-  }
-  std::vector<double> sorted = runs.values[question];
-  std::sort(sorted.begin(), sorted.end());
-  if (!statistic.width) return statistics::quantile(sorted, *statistic.quantile);
-  return statistics::quantile_interval(sorted, *statistic.quantile).width();
-}
 
 StudyAnswers answers_of(const StudyModel& study, const std::vector<VariantRuns>& variants) {
   StudyAnswers result;

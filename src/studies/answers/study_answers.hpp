@@ -106,8 +106,4 @@ struct StudyAnswers {
 /// What the runs of a study say. `variants` as run_study gives them.
 StudyAnswers answers_of(const StudyModel& study, const std::vector<VariantRuns>& variants);
 
-/// A statistic of the runs of one variant: infinite where it is never; nothing where there is none.
-std::optional<double> value_of(const Statistic& statistic, const VariantAnswers& variant,
-                               const VariantRuns& runs);
-
 }  // namespace rubicon::study

@@ -15,9 +15,7 @@ constexpr std::size_t kFewestPairs = 20;
 constexpr std::uint64_t kSeed = 20261124;
 
 double quantile_of(std::vector<double>& values, double p) {
-  const double n = static_cast<double>(values.size());
-  const auto rank = static_cast<std::size_t>(std::clamp(std::ceil(n * p - 1e-9), 1.0, n));
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank - 1);
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(quantile_rank(values.size(), p) - 1);
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }

@@ -57,11 +57,14 @@ QuantileRanks quantile_ranks(std::size_t count, double p) {
   return result;
 }
 
-double quantile(std::span<const double> sorted, double p) {
-  const double n = static_cast<double>(sorted.size());
+std::size_t quantile_rank(std::size_t count, double p) {
+  const double n = static_cast<double>(count);
   // A share such as 0.8 of 10 numbers is 8 of them, not 8.0000000000000002.
-  const double rank = std::ceil(n * p - 1e-9);
-  return sorted[static_cast<std::size_t>(std::clamp(rank, 1.0, n)) - 1];
+  return static_cast<std::size_t>(std::clamp(std::ceil(n * p - 1e-9), 1.0, n));
+}
+
+double quantile(std::span<const double> sorted, double p) {
+  return sorted[quantile_rank(sorted.size(), p) - 1];
 }
 
 Interval quantile_interval(std::span<const double> sorted, double p) {

@@ -17,6 +17,9 @@ struct QuantileRanks {
 };
 QuantileRanks quantile_ranks(std::size_t count, double p);
 
+/// Which of n numbers in order, counted from 1, is their p-quantile. count > 0, 0 < p <= 1.
+std::size_t quantile_rank(std::size_t count, double p);
+
 /// The p-quantile of numbers in ascending order, not empty: the least of them below or at which a
 /// share of p or more lies. 0 < p <= 1.
 double quantile(std::span<const double> sorted, double p);

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
-#include <numeric>
+#include <string_view>
+#include <unordered_map>
 
 #include "src/simulation/schedule/ticks.hpp"
 #include "src/simulation/taskplan/plan_cost.hpp"
+#include "src/studies/statistics/mean.hpp"
+#include "src/studies/statistics/quantile.hpp"
 
 namespace rubicon::study {
 
@@ -16,10 +20,6 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kNotThere = std::numeric_limits<double>::quiet_NaN();
-
-double seconds(taskplan::Ticks ticks) {
-  return static_cast<double>(ticks) / static_cast<double>(schedule::kSecond);
-}
 
 double waited(const taskplan::Schedule& schedule, const std::string& cause) {
   taskplan::Ticks sum = 0;
@@ -31,20 +31,20 @@ double waited(const taskplan::Schedule& schedule, const std::string& cause) {
     if (cause == "shift") sum += waits.shift;
     if (cause == "predecessor") sum += waits.predecessor;
   }
-  return seconds(sum);
+  return schedule::seconds_from_ticks(sum);
 }
 
 double value_of(const Question& question, const taskplan::Schedule& schedule) {
   const auto of_task = [&](const auto& use) {
     for (const taskplan::TaskOutcome& task : schedule.tasks) {
-      if (task.task == question.of && !task.parking) return seconds(use(task));
+      if (task.task == question.of && !task.parking) return schedule::seconds_from_ticks(use(task));
     }
     return kNotThere;
   };
   switch (question.asked) {
     case Asked::makespan:
     case Asked::finish:
-      return seconds(schedule.process_time);
+      return schedule::seconds_from_ticks(schedule.process_time);
     case Asked::cost:
       return schedule.cost;
     case Asked::rejected:
@@ -85,19 +85,30 @@ std::vector<double> curve_of(const taskplan::Schedule& schedule) {
     done += share;
     while (point < kCurvePoints &&
            done >= total * static_cast<double>(point) / (kCurvePoints - 1) - 1e-6) {
-      curve[point++] = seconds(time);
+      curve[point++] = schedule::seconds_from_ticks(time);
     }
   }
-  while (point < kCurvePoints) curve[point++] = seconds(schedule.process_time);
+  while (point < kCurvePoints) curve[point++] = schedule::seconds_from_ticks(schedule.process_time);
   return curve;
 }
 
-int task_index(const interpreter::PlanModel& plan, const std::string& name) {
-  for (std::size_t i = 0; i < plan.tasks.size(); ++i) {
-    if (plan.tasks[i].name == name) return static_cast<int>(i);
+/// The tasks of a plan by their names.
+class TaskIndex {
+ public:
+  explicit TaskIndex(const interpreter::PlanModel& plan) {
+    for (const interpreter::TaskSpec& each : plan.tasks) {
+      index_.emplace(each.name, static_cast<int>(index_.size()));
+    }
   }
-  return -1;
-}
+  /// -1: none, such as what was done beside the plan.
+  int operator()(const std::string& name) const {
+    const auto found = index_.find(name);
+    return found == index_.end() ? -1 : found->second;
+  }
+
+ private:
+  std::unordered_map<std::string_view, int> index_;
+};
 
 // The log.
 template <typename Values>
@@ -138,6 +149,7 @@ bool read_list(std::string_view text, std::vector<Number>& values) {
 RunRecord record_of(const StudyModel& study, const interpreter::PlanModel& plan,
                     const taskplan::Schedule& schedule, bool with_curve) {
   RunRecord result;
+  const TaskIndex task_index(plan);
   for (const Question& each : study.questions) {
     if (schedule.feasible) {
       result.values.push_back(value_of(each, schedule));
@@ -147,7 +159,7 @@ RunRecord record_of(const StudyModel& study, const interpreter::PlanModel& plan,
   }
   if (schedule.feasible) {
     for (const taskplan::CriticalTask& each : schedule.critical) {
-      const int task = task_index(plan, each.task);
+      const int task = task_index(each.task);
       if (task >= 0) result.critical.push_back(task);
     }
     std::sort(result.critical.begin(), result.critical.end());
@@ -162,7 +174,7 @@ RunRecord record_of(const StudyModel& study, const interpreter::PlanModel& plan,
         each.result == taskplan::TaskResult::not_reached) {
       continue;
     }
-    const int task = task_index(plan, each.task);
+    const int task = task_index(each.task);
     if (task < 0) continue;
     if (result.rejected.empty() || task < result.rejected.front()) result.reason = each.reason;
     result.rejected.insert(std::upper_bound(result.rejected.begin(), result.rejected.end(), task),
@@ -175,6 +187,7 @@ RunRecord record_of(const StudyModel& study, const interpreter::PlanModel& plan,
 }
 
 void VariantRuns::resize(const StudyModel& study, std::int64_t runs) {
+  critical.resize(tasks.size(), 0);
   values.resize(study.questions.size());
   for (auto& each : values) each.resize(static_cast<std::size_t>(runs), kNotThere);
   curves.resize(static_cast<std::size_t>(std::min(runs, kCurves)));
@@ -183,7 +196,6 @@ void VariantRuns::resize(const StudyModel& study, std::int64_t runs) {
 void VariantRuns::describe(const interpreter::PlanModel& plan) {
   tasks.clear();
   for (const interpreter::TaskSpec& each : plan.tasks) tasks.push_back(each.name);
-  critical.resize(tasks.size(), 0);
   uncertain.clear();
   for (const interpreter::UncertainDuration& each : uncertain_durations(plan)) {
     uncertain.push_back({each.place, *each.law});
@@ -193,14 +205,18 @@ void VariantRuns::describe(const interpreter::PlanModel& plan) {
   costed = taskplan::is_costed(plan);
 }
 
+bool VariantRuns::fits(const RunRecord& record) const {
+  const auto is_there = [&](int task) {
+    return task >= 0 && static_cast<std::size_t>(task) < tasks.size();
+  };
+  return std::all_of(record.critical.begin(), record.critical.end(), is_there) &&
+         std::all_of(record.rejected.begin(), record.rejected.end(), is_there);
+}
+
 void VariantRuns::take(std::int64_t run, const RunRecord& record) {
   const auto at = static_cast<std::size_t>(run);
   for (std::size_t i = 0; i < record.values.size(); ++i) values[i][at] = record.values[i];
-  for (const int task : record.critical) {
-    const auto index = static_cast<std::size_t>(task);
-    if (index >= critical.size()) critical.resize(index + 1, 0);
-    ++critical[index];
-  }
+  for (const int task : record.critical) ++critical[static_cast<std::size_t>(task)];
   if (at < curves.size()) curves[at] = record.curve;
   for (std::size_t i = 0; i < record.rejected.size(); ++i) {
     const auto [place, is_new] = rejections.try_emplace(record.rejected[i]);
@@ -210,6 +226,22 @@ void VariantRuns::take(std::int64_t run, const RunRecord& record) {
     each.first_run = run;
     each.reason = i == 0 ? record.reason : std::string();
   }
+}
+
+std::optional<double> value_of(const Statistic& statistic, std::vector<double> values) {
+  if (values.empty() ||
+      std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); })) {
+    return std::nullopt;
+  }
+  if (statistic.quantile) {
+    std::sort(values.begin(), values.end());
+    return statistic.width ? statistics::quantile_interval(values, *statistic.quantile).width()
+                           : statistics::quantile(values, *statistic.quantile);
+  }
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  const statistics::Mean mean = statistics::mean_of(values);
+  if (mean.count == 0 || (statistic.width && !mean.interval)) return std::nullopt;
+  return statistic.width ? mean.interval->width() : mean.mean;
 }
 
 std::string write_line(const LoggedRun& run) {

@@ -68,8 +68,14 @@ struct VariantRuns {
   void resize(const StudyModel& study, std::int64_t runs);
   /// What the variant is, before its first run.
   void describe(const interpreter::PlanModel& plan);
+  /// Whether all tasks of a record are there: not so in a log that was damaged.
+  bool fits(const RunRecord& record) const;
   void take(std::int64_t run, const RunRecord& record);
 };
+
+/// A statistic of the values of one question: infinite where it is never, nothing where the plan
+/// has no such thing or there are too few runs.
+std::optional<double> value_of(const Statistic& statistic, std::vector<double> values);
 
 /// One line of the log of a study, without its end: read_line(write_line(x)) is x.
 struct LoggedRun {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -12,8 +11,6 @@
 #include <utility>
 
 #include "src/simulation/taskplan/run_plan.hpp"
-#include "src/studies/statistics/mean.hpp"
-#include "src/studies/statistics/quantile.hpp"
 
 namespace rubicon::study {
 
@@ -23,17 +20,9 @@ constexpr std::int64_t kMostRunsAtOnce = 64;
 
 /// Whether the rule that ends the runs of a variant is met by those that were made.
 bool is_met(const Condition& until, const VariantRuns& variant) {
-  std::vector<double> values = variant.values[static_cast<std::size_t>(until.statistic.question)];
-  double width = 0;
-  if (until.statistic.quantile) {
-    std::sort(values.begin(), values.end());
-    width = statistics::quantile_interval(values, *until.statistic.quantile).width();
-  } else {
-    std::erase_if(values, [](double value) { return !std::isfinite(value); });
-    const auto interval = statistics::mean_of(values).interval;
-    width = interval ? interval->width() : std::nan("");
-  }
-  return until.holds(width, until.limit);
+  const auto width =
+      value_of(until.statistic, variant.values[static_cast<std::size_t>(until.statistic.question)]);
+  return width && until.holds(*width, until.limit);
 }
 
 /// The runs of a study, handed out to threads. Variants are opened in order, as many at a time as
@@ -192,7 +181,10 @@ class Runner {
     result.resize(study_, each.planned);
     std::int64_t taken = 0;
     for (const LoggedRun* known : each.known) {
-      if (known->run >= each.planned || each.made[static_cast<std::size_t>(known->run)]) continue;
+      if (known->run >= each.planned || each.made[static_cast<std::size_t>(known->run)] ||
+          !result.fits(known->record)) {
+        continue;
+      }
       each.made[static_cast<std::size_t>(known->run)] = true;
       result.take(known->run, known->record);
       ++taken;

@@ -165,15 +165,26 @@ class TrackBuilder {
     left_ = goal.n - goal.k;
   }
 
+  /// The task under way if it covers a floor, else null.
+  const SceneTask* covering() const {
+    const int task = runs_[at(run_)].task;
+    if (task < 0) return nullptr;
+    const SceneTask& planned = trace_.scene.tasks[at(task)];
+    return planned.working.size() > at(left_) ? &planned : nullptr;
+  }
+  /// The waypoint under way, by its place in `working`.
+  std::size_t waypoint(const SceneTask& task) const { return task.working.size() - 1 - at(left_); }
+
+  Vec3 tool_at(const std::vector<double>& q) const {
+    return mechanism_.pose(mechanism_.tool(), q).translation();
+  }
+
   /// A tool that covers a floor is at each of its waypoints before it goes on to the next.
   void expect_covered() {
-    const int task = runs_[at(run_)].task;
-    if (task < 0) return;
-    const SceneTask& planned = trace_.scene.tasks[at(task)];
-    const int passed = static_cast<int>(planned.via.size()) - left_;
-    if (planned.working.empty() || passed < 0 || left_ <= 0) return;
-    const SceneGoal& goal = planned.via[at(passed)];
-    if (goal.pose) expect_pose(*goal.pose, planned, "it goes on");
+    const SceneTask* const task = covering();
+    if (task == nullptr || left_ == 0) return;
+    const SceneGoal& goal = task->via[waypoint(*task)];
+    if (goal.pose) expect_pose(*goal.pose, *task, "it goes on");
     expect_on_strip();
   }
 
@@ -186,16 +197,13 @@ class TrackBuilder {
 
   /// How far a step leads a tool that works beside the line to its waypoint.
   void note_aside(const std::vector<double>& after) {
-    const int task = runs_[at(run_)].task;
-    if (task < 0) return;
-    const SceneTask& planned = trace_.scene.tasks[at(task)];
-    const int index = static_cast<int>(planned.via.size()) - left_;
-    if (planned.working.empty() || index < 0 || !planned.working[at(index)]) return;
-    const std::optional<Pose>& goal = left_ == 0 ? planned.go_pose : planned.via[at(index)].pose;
-    if (!goal || q_at_way_point_.empty()) return;
-    const Vec3 from = mechanism_.pose(mechanism_.tool(), q_at_way_point_).translation();
+    const SceneTask* const task = covering();
+    if (task == nullptr || !task->working[waypoint(*task)] || q_at_way_point_.empty()) return;
+    const std::optional<Pose>& goal = left_ == 0 ? task->go_pose : task->via[waypoint(*task)].pose;
+    if (!goal) return;
+    const Vec3 from = tool_at(q_at_way_point_);
     const Vec3 along = goal->translation() - from;
-    const Vec3 gone = mechanism_.pose(mechanism_.tool(), after).translation() - from;
+    const Vec3 gone = tool_at(after) - from;
     const double length = along.norm();
     const double share = length > 0 ? std::clamp(gone.dot(along) / (length * length), 0.0, 1.0) : 0;
     aside_ = std::max(aside_, (gone - share * along).norm());
@@ -203,15 +211,9 @@ class TrackBuilder {
 
   /// How long a step takes at least, where its tool works over a floor.
   Ticks least_time(const std::vector<double>& after) const {
-    const int task = runs_[at(run_)].task;
-    if (task < 0) return 0;
-    const SceneTask& planned = trace_.scene.tasks[at(task)];
-    const int count = static_cast<int>(planned.working.size());
-    if (!(planned.pace > 0) || left_ >= count) return 0;
-    if (!planned.working[at(count - 1 - left_)]) return 0;
-    const Vec3 from = mechanism_.pose(mechanism_.tool(), q_).translation();
-    const Vec3 to = mechanism_.pose(mechanism_.tool(), after).translation();
-    return static_cast<Ticks>((to - from).norm() / planned.pace * kSecond + 0.5);
+    const SceneTask* const task = covering();
+    if (task == nullptr || !(task->pace > 0) || !task->working[waypoint(*task)]) return 0;
+    return static_cast<Ticks>((tool_at(after) - tool_at(q_)).norm() / task->pace * kSecond + 0.5);
   }
 
   void follow(const MotionEnd& end) {
@@ -363,9 +365,9 @@ class TrackBuilder {
   Faults& faults_;
   RobotTrack track_;
   std::vector<double> q_;
-  double aside_ =
-      0;          ///< m: how far a tool that works was beside its strip since its way point began
-  int left_ = 0;  ///< waypoints of the motion after the one under way
+  /// m: how far a tool that works was beside its strip since its way point began
+  double aside_ = 0;
+  int left_ = 0;                        ///< waypoints of the motion after the one under way
   std::vector<double> q_at_way_point_;  ///< when the last way point began
   std::string last_status_;             ///< of its last motion
   MotionRun moving_;                    ///< the run that goes on
