@@ -1,8 +1,10 @@
 #include "src/simulation/sampling/duration_law.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "src/motion/math/random.hpp"
 
@@ -10,8 +12,8 @@ namespace rubicon::sampling {
 
 namespace {
 
-const std::array<LawInfo, 7>& all_laws() {
-  static const std::array<LawInfo, 7> kLaws = {{
+const std::array<LawInfo, 8>& all_laws() {
+  static const std::array<LawInfo, 8> kLaws = {{
       {Law::uniform, "uniform", {"low", "high"}, "anything between"},
       {Law::triangular,
        "triangular",
@@ -22,6 +24,7 @@ const std::array<LawInfo, 7>& all_laws() {
       {Law::lognormal, "lognormal", {"mean", "deviation"}, "of the time itself"},
       {Law::gamma, "gamma", {"mean", "deviation"}, "of the time itself"},
       {Law::exponential, "exponential", {"mean"}, "as of arrivals by chance"},
+      {Law::sequence, "sequence", {"first", "second", "..."}, "listed, each in its turn"},
   }};
   return kLaws;
 }
@@ -36,7 +39,9 @@ std::uint64_t hash_of(std::string_view text) {
 math::Random random_of(const Place& place) {
   const std::uint64_t by_seed = math::Random(place.seed).bits();
   const std::uint64_t by_run = math::Random(by_seed ^ place.run).bits();
-  return math::Random(by_run ^ hash_of(place.name));
+  const std::uint64_t first = by_run ^ hash_of(place.name);
+  if (place.use == 0) return math::Random(first);
+  return math::Random(math::Random(first).bits() ^ place.use);
 }
 
 bool has_three(Law law) { return law == Law::triangular || law == Law::pert; }
@@ -69,6 +74,9 @@ double DurationLaw::mean() const {
       return (values[0] + values[1] + values[2]) / 3;
     case Law::pert:
       return (values[0] + 4 * values[1] + values[2]) / 6;
+    case Law::sequence:
+      return std::accumulate(values.begin(), values.end(), 0.0) /
+             static_cast<double>(values.size());
     case Law::normal:
     case Law::lognormal:
     case Law::gamma:
@@ -78,9 +86,13 @@ double DurationLaw::mean() const {
   return values[0];
 }
 
-double DurationLaw::least() const { return law == Law::uniform || has_three(law) ? values[0] : 0; }
+double DurationLaw::least() const {
+  if (law == Law::sequence) return *std::min_element(values.begin(), values.end());
+  return law == Law::uniform || has_three(law) ? values[0] : 0;
+}
 
 double DurationLaw::most() const {
+  if (law == Law::sequence) return *std::max_element(values.begin(), values.end());
   if (law == Law::uniform) return values[1];
   if (has_three(law)) return values[2];
   if (law == Law::normal) return 2 * values[0];
@@ -89,6 +101,11 @@ double DurationLaw::most() const {
 
 std::string DurationLaw::fault() const {
   const LawInfo& info = info_of(law);
+  if (law == Law::sequence) {
+    const bool fine = std::all_of(values.begin(), values.end(), [](double v) { return v >= 0; });
+    if (values.empty()) return "a sequence has at least one value";
+    return fine ? "" : "a value of the sequence is below 0";
+  }
   if (values.size() != info.values.size()) {
     std::string wanted;
     for (const char* each : info.values) wanted += (wanted.empty() ? "" : ", ") + std::string(each);
@@ -117,6 +134,7 @@ std::string DurationLaw::fault() const {
 }
 
 double draw(const DurationLaw& law, const Place& place) {
+  if (law.law == Law::sequence) return law.values[place.use % law.values.size()];
   math::Random random = random_of(place);
   const std::vector<double>& v = law.values;
   switch (law.law) {
@@ -152,6 +170,7 @@ double draw(const DurationLaw& law, const Place& place) {
       return gamma_draw(random, shape) * v[1] * v[1] / v[0];
     }
     case Law::exponential:
+    case Law::sequence:
       break;
   }
   return -v[0] * math::log_of(1 - random.uniform());

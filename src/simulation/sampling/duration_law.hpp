@@ -10,7 +10,16 @@
 namespace rubicon::sampling {
 
 /// How a duration that is not certain is spread.
-enum class Law : std::uint8_t { uniform, triangular, pert, normal, lognormal, gamma, exponential };
+enum class Law : std::uint8_t {
+  uniform,
+  triangular,
+  pert,
+  normal,
+  lognormal,
+  gamma,
+  exponential,
+  sequence
+};
 
 /// A law as plans write it: its name, what its values are, and what it is.
 struct LawInfo {
@@ -29,12 +38,15 @@ std::optional<Law> find_law(std::string_view name);
 /// with shapes 1 + 4 (likely - low) / (high - low) and 1 + 4 (high - likely) / (high - low)
 /// (Malcolm and others, Operations Research 7(5), 1959); normal(mean, deviation), cut at 0 and at
 /// twice the mean, so that the mean stays; lognormal(mean, deviation) and gamma(mean, deviation) of
-/// the time itself; exponential(mean).
+/// the time itself; exponential(mean). sequence(first, second, ...) leaves nothing to chance: the
+/// uses of a place have these durations in turn, and again from the first.
 struct DurationLaw {
   Law law = Law::uniform;
   std::vector<double> values;
 
+  /// Of a sequence that of its values.
   double mean() const;
+  bool is_certain() const { return law == Law::sequence; }
   /// The least and the greatest duration, s.
   double least() const;
   double most() const;
@@ -48,6 +60,7 @@ struct Place {
   std::uint64_t seed = 1;
   std::uint64_t run = 0;
   std::string_view name;  ///< such as "set_3.hook"
+  std::uint64_t use = 0;  ///< how often it was used before
 };
 
 /// A duration (s) by the law, which must have no fault; the same for the same place on every
