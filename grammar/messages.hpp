@@ -232,6 +232,13 @@ RUBICON_EXPECT(area_column_comma, "',' and the size of the column");
 RUBICON_EXPECT(area_column_size, "a length");
 RUBICON_EXPECT(area_name, "a name after area");
 RUBICON_EXPECT(area_part, "area", Explain::item, "height outline shaft column round_column beam");
+RUBICON_EXPECT(dig_volume, "the volume of soil to dig, such as 10000 m3");
+RUBICON_EXPECT(dig_number_value, "a number");
+RUBICON_EXPECT(dig_trucks, "the name of the crew of trucks after load");
+RUBICON_EXPECT(dig_stage_takes, "takes");
+RUBICON_EXPECT(dig_server, "a name after by");
+RUBICON_EXPECT(dig_part, "dig", Explain::item,
+               "load swell density bed payload bucket fill_factor efficiency loaded limit");
 RUBICON_EXPECT(cover_number_value, "a number");
 RUBICON_EXPECT(cover_word_value, "a word");
 RUBICON_EXPECT(cover_area, "the name of an area after cover");
@@ -286,10 +293,11 @@ RUBICON_EXPECT(deviation_quantity, "a length, then an angle if you like");
 RUBICON_EXPECT(moment, "a date and time in quotes, or a duration after the plan begins");
 RUBICON_EXPECT(up_to_height, "the height that it reaches");
 RUBICON_EXPECT(baseline_to, "'to' and the end of the baseline");
-RUBICON_EXPECT(task_part, "task", Explain::item,
-               "by needs move go remove hook adjust release takes via guide situation within free "
-               "near lock enter deviation budget "
-               "priority not_before due baseline zone after name group attribute for when whole");
+RUBICON_EXPECT(
+    task_part, "task", Explain::item,
+    "by needs move go remove hook adjust release takes dig via guide situation within free "
+    "near lock enter deviation budget "
+    "priority not_before due baseline zone after name group attribute for when whole");
 RUBICON_EXPECT(task_name, "a name after task");
 RUBICON_EXPECT(module_part, "module", Explain::item, "component task touching within for when");
 RUBICON_EXPECT(module_name, "a name after module");

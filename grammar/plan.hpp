@@ -24,7 +24,7 @@ struct law_key
     : token<seq<sor<word<TAO_PEGTL_STRING("uniform")>, word<TAO_PEGTL_STRING("triangular")>,
                     word<TAO_PEGTL_STRING("pert")>, word<TAO_PEGTL_STRING("normal")>,
                     word<TAO_PEGTL_STRING("lognormal")>, word<TAO_PEGTL_STRING("gamma")>,
-                    word<TAO_PEGTL_STRING("exponential")>>,
+                    word<TAO_PEGTL_STRING("exponential")>, word<TAO_PEGTL_STRING("sequence")>>,
                 at<star<blank>, one<'('>>>> {};
 struct law_open : open_parenthesis {};
 struct law_value : quantity {};
@@ -441,6 +441,33 @@ struct crew_work_item : if_must<crew_work_key, duration, opt<if_must<by_key, wor
                                 opt<if_must<turning_key, turned_parameter>>, plan_semicolon> {};
 struct takes_key : token<word<TAO_PEGTL_STRING("takes")>> {};
 struct takes_item : if_must<takes_key, duration, plan_semicolon> {};
+
+// Soil: diggers load trucks, whose rounds have stages.
+struct dig_volume : quantity {};
+struct dig_number_key
+    : token<sor<word<TAO_PEGTL_STRING("swell")>, word<TAO_PEGTL_STRING("density")>,
+                word<TAO_PEGTL_STRING("bed")>, word<TAO_PEGTL_STRING("payload")>,
+                word<TAO_PEGTL_STRING("bucket")>, word<TAO_PEGTL_STRING("fill_factor")>,
+                word<TAO_PEGTL_STRING("efficiency")>, word<TAO_PEGTL_STRING("loaded")>,
+                word<TAO_PEGTL_STRING("limit")>>> {};
+struct dig_number_value : quantity {};
+struct dig_number : if_must<dig_number_key, dig_number_value, plan_semicolon> {};
+struct dig_load_key : token<word<TAO_PEGTL_STRING("load")>> {};
+struct dig_trucks : qualified_indexed_name {};
+struct dig_load_takes : token<word<TAO_PEGTL_STRING("takes")>> {};
+struct dig_load
+    : if_must<dig_load_key, dig_trucks, opt<if_must<dig_load_takes, duration>>, plan_semicolon> {};
+/// A stage has a name of its own, which is followed by takes.
+struct dig_stage_key : token<seq<name_text, at<space, word<TAO_PEGTL_STRING("takes")>>>> {};
+struct dig_stage_takes : token<word<TAO_PEGTL_STRING("takes")>> {};
+struct dig_server : qualified_indexed_name {};
+struct dig_stage : if_must<dig_stage_key, dig_stage_takes, duration,
+                           opt<if_must<by_key, dig_server>>, plan_semicolon> {};
+struct dig_part : sor<dig_load, dig_number, dig_stage> {};
+struct whole_dig_part : must<dig_part> {};
+struct dig_parts : nested<star<not_at<block_end>, recover<whole_dig_part, item_end>>> {};
+struct dig_key : token<word<TAO_PEGTL_STRING("dig")>> {};
+struct dig_item : if_must<dig_key, dig_volume, block_open, dig_parts, block_close> {};
 struct via_key : token<word<TAO_PEGTL_STRING("via")>> {};
 struct via_item : if_must<via_key, goal, plan_semicolon> {};
 // What a motion asks beside its goals.
@@ -486,9 +513,9 @@ struct task_repetition : if_must<for_head, block_open, task_parts, block_close> 
 struct task_choice : if_must<given_head, block_open, task_parts, block_close> {};
 struct task_block : sor<task_repetition, task_choice> {};
 struct task_part : sor<task_block, by_item, needs_item, move_item, cover_item, go_item, remove_item,
-                       crew_work_item, takes_item, via_item, guide_use, situation_item, within_item,
-                       motion_clause, task_number_item, date_item, zone_item, after_item,
-                       task_attribute, group_item, free_attribute, whole_item> {};
+                       crew_work_item, takes_item, dig_item, via_item, guide_use, situation_item,
+                       within_item, motion_clause, task_number_item, date_item, zone_item,
+                       after_item, task_attribute, group_item, free_attribute, whole_item> {};
 struct whole_task_part : must<task_part> {};
 struct task_parts : nested<star<not_at<block_end>, recover<whole_task_part, item_end>>> {};
 struct task_key : token<word<TAO_PEGTL_STRING("task")>> {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -163,6 +164,20 @@ struct CoverWay {
   std::vector<GoalSpec> goals;
 };
 std::optional<CoverWay> resolve_cover(Subject& subject, const syntax::CoverItem& item);
+
+/// How a task digs whose crews of `by` are `diggers`, each with how many of it there are; nothing
+/// after P01, P02, P05, P09, P52, P55. Before that `crews_of_dig` gives the crews that it names.
+std::vector<int> crews_of_dig(Subject& subject, const syntax::DigItem& item);
+struct CrewUnits {
+  int crew = -1;
+  int units = 0;
+};
+std::optional<DigSpec> resolve_dig(Subject& subject, const syntax::DigItem& item,
+                                   const std::vector<CrewUnits>& diggers,
+                                   const std::function<int(int crew)>& units_of);
+/// The law of a duration; nothing after P09, P52.
+std::optional<sampling::DurationLaw> resolve_law(Subject& subject,
+                                                 const syntax::DurationLaw& written);
 
 /// Robots and components that stand too far apart for metres: P21.
 void check_scale(Subject& subject);

@@ -33,10 +33,13 @@ class TaskChecker {
       if (const auto* move = std::get_if<syntax::MoveItem>(&part)) check_move(*move);
       if (const auto* go = std::get_if<syntax::GoItem>(&part)) note_go(*go);
       if (const auto* cover = std::get_if<syntax::CoverItem>(&part)) note_cover(*cover);
+      if (const auto* dig = std::get_if<syntax::DigItem>(&part)) note_dig(*dig);
     }
     for (const syntax::TaskPart& part : item_.parts) {
       if (const auto* by = std::get_if<syntax::ByItem>(&part)) check_by(*by);
     }
+    const std::vector<int> diggers = task_.crews;
+    if (dig_ != nullptr) add_dig_crews();
     if (go_ != nullptr)
       task_.go = resolve_goal(subject_, robot(), go_->goal, ValueUse::goal, scope_.X_WP);
     if (cover_ != nullptr) check_cover();
@@ -49,6 +52,7 @@ class TaskChecker {
     std::vector<GoalSpec> goals = task_.via;
     if (task_.go) goals.push_back(*task_.go);
     check_clauses(subject_, robot(), task_.clauses, goals, move_ != nullptr, given_);
+    if (dig_ != nullptr) check_dig(diggers);
     check_robot();
   }
 
@@ -303,6 +307,62 @@ class TaskChecker {
   }
 
   void check_part(const syntax::CoverItem& /*item*/) {}
+  void check_part(const syntax::DigItem& /*item*/) {}
+
+  void note_dig(const syntax::DigItem& item) {
+    if (dig_ != nullptr) {
+      subject_.twice(item.span, "dig is given twice", dig_->span);
+      return;
+    }
+    dig_ = &item;
+  }
+
+  /// Those who haul and serve are held from start to finish, as those who dig.
+  void add_dig_crews() {
+    for (const int crew : crews_of_dig(subject_, *dig_)) {
+      if (std::find(task_.crews.begin(), task_.crews.end(), crew) == task_.crews.end()) {
+        task_.crews.push_back(crew);
+      }
+    }
+  }
+
+  int units_of(int crew) const {
+    for (const NeedSpec& need : task_.needs) {
+      if (need.crew == crew) return need.people;
+    }
+    return static_cast<int>(subject_.model.crews[static_cast<std::size_t>(crew)].size);
+  }
+
+  /// Its rounds are one work of all whom it holds.
+  void check_dig(const std::vector<int>& diggers) {
+    if (moves()) {
+      subject_.error("P05", dig_->volume.span, "a task that digs neither moves nor goes nor covers",
+                     "make it two tasks");
+      return;
+    }
+    if (robot() != nullptr || !task_.also_robots.empty()) {
+      const int first = task_.robot >= 0 ? task_.robot : task_.also_robots.front();
+      subject_.error("P55", by_ == nullptr ? dig_->volume.span : by_->span,
+                     fmt::format("dig goes by durations, and '{}' is a robot, which moves",
+                                 name_of_robot(first)),
+                     "write diggers and trucks as crews: crew trucks { size 4; cost 85 per h; }");
+      return;
+    }
+    if (!task_.takes.empty()) {
+      subject_.error("P55", task_.takes.front().span,
+                     "a task that digs takes as long as its rounds: no takes beside dig");
+      return;
+    }
+    if (!all_known_) return;
+    std::vector<CrewUnits> units;
+    for (const int crew : diggers) units.push_back({crew, units_of(crew)});
+    task_.dig = resolve_dig(subject_, *dig_, units, [&](int crew) { return units_of(crew); });
+    if (!task_.dig) return;
+    WorkSpec work;
+    work.span = dig_->span;
+    work.duration = static_cast<double>(task_.dig->result.time) / hauling::kPerSecond;
+    task_.takes.push_back(work);
+  }
 
   void refuse_both(Span span) {
     subject_.error("P07", span,
@@ -342,7 +402,13 @@ class TaskChecker {
     WorkSpec work;
     work.span = item.span;
     if (item.law) {
-      work.law = resolve_law(*item.law);
+      work.law = resolve_law(subject_, *item.law);
+      if (work.law && work.law->is_certain()) {
+        subject_.error("P52", item.law->span,
+                       fmt::format("{} lists a duration for each use, and {} is done once",
+                                   item.law->name.text, item.name.text),
+                       "write the duration itself; lists are for the stages of a dig");
+      }
       if (work.law) work.duration = work.law->mean();
     } else {
       const auto duration = resolve_duration(subject_, item.duration, item.name.text);
@@ -365,21 +431,6 @@ class TaskChecker {
                                                                    : task_.release;
     if (target) subject_.twice(item.name.span, item.name.text + " is given twice", target->span);
     target = work;
-  }
-
-  /// The law of a duration; nothing after P09, P52.
-  std::optional<sampling::DurationLaw> resolve_law(const syntax::DurationLaw& written) {
-    sampling::DurationLaw law;
-    law.law = *sampling::find_law(written.name.text);
-    for (const syntax::Number& value : written.values) {
-      const auto seconds = resolve_duration(subject_, value, "a value of " + written.name.text);
-      if (!seconds) return std::nullopt;
-      law.values.push_back(*seconds);
-    }
-    const std::string fault = law.fault();
-    if (fault.empty()) return law;
-    subject_.error("P52", written.span, fault);
-    return std::nullopt;
   }
 
   /// Whether the work turns the load: only adjusting does, about the vertical, and not at once.
@@ -556,6 +607,7 @@ class TaskChecker {
   const syntax::MoveItem* move_ = nullptr;
   const syntax::GoItem* go_ = nullptr;
   const syntax::CoverItem* cover_ = nullptr;
+  const syntax::DigItem* dig_ = nullptr;
   bool all_known_ = true;
   Span robot_span_;
   std::map<std::string, Span> by_spans_;

@@ -24,6 +24,16 @@ void for_each_uncertain(Task& task, const Use& use) {
   }
 }
 
+/// Stages of a dig, loading included, that are not certain.
+int uncertain_stages(const DigSpec& dig) {
+  const auto is_uncertain = [](const hauling::StageTime& time) {
+    return time.law && !time.law->is_certain();
+  };
+  int count = is_uncertain(dig.operation.loading) ? 1 : 0;
+  for (const hauling::Stage& stage : dig.operation.stages) count += is_uncertain(stage.time);
+  return count;
+}
+
 }  // namespace
 
 void draw_durations(PlanModel& plan, const SampleSpec& sample) {
@@ -31,9 +41,19 @@ void draw_durations(PlanModel& plan, const SampleSpec& sample) {
   const auto draw = [&](WorkSpec& work, const std::string& place) {
     work.duration = sampling::draw(*work.law, {sample.seed, sample.run, place});
   };
+  const auto draw_dig = [&](TaskSpec& task) {
+    if (!task.dig || uncertain_stages(*task.dig) == 0) return;
+    task.dig->result =
+        simulate(task.dig->operation, hauling::Draws{sample.seed, sample.run, task.name});
+    task.takes.front().duration = static_cast<double>(task.dig->result.time) / hauling::kPerSecond;
+  };
   for (TaskSpec& task : plan.tasks) {
     for_each_uncertain(task, draw);
-    for (TaskSpec& choice : task.choices) for_each_uncertain(choice, draw);
+    draw_dig(task);
+    for (TaskSpec& choice : task.choices) {
+      for_each_uncertain(choice, draw);
+      draw_dig(choice);
+    }
   }
 }
 
@@ -48,7 +68,11 @@ std::vector<UncertainDuration> uncertain_durations(const PlanModel& plan) {
 }
 
 int count_uncertain(const PlanModel& plan) {
-  return static_cast<int>(uncertain_durations(plan).size());
+  int count = static_cast<int>(uncertain_durations(plan).size());
+  for (const TaskSpec& task : plan.tasks) {
+    if (task.dig) count += uncertain_stages(*task.dig);
+  }
+  return count;
 }
 
 }  // namespace rubicon::interpreter

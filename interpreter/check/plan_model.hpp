@@ -11,6 +11,7 @@
 
 #include "interpreter/check/check.hpp"
 #include "interpreter/expand/expand.hpp"
+#include "src/earth/hauling/hauling.hpp"
 #include "src/fleets/lanes/lane_network.hpp"
 #include "src/motion/coverage/floor.hpp"
 #include "src/motion/geometry/shape.hpp"
@@ -207,6 +208,15 @@ struct CoverSpec {
   int turns = 0;
 };
 
+/// How a task digs, loads and hauls soil by the durations of its stages. How long that takes is its
+/// work in `takes`.
+struct DigSpec {
+  hauling::Operation operation;
+  double swell = 0;        ///< loose volume is (1 + swell) x bank volume
+  int trucks = -1;         ///< index into crews
+  hauling::Result result;  ///< with the means, or as its durations were drawn
+};
+
 struct TaskSpec {
   std::string name;
   int robot = -1;                                 ///< index into robots, -1 none
@@ -215,7 +225,8 @@ struct TaskSpec {
   math::Pose X_WO_goal = math::Pose::Identity();  ///< where the component's frame {O} shall stand
   std::optional<GoalSpec> go;
   std::optional<CoverSpec> cover = {};  ///< then `via` and `go` are its way
-  std::vector<int> remove;              ///< component indices
+  std::optional<DigSpec> dig = {};
+  std::vector<int> remove;  ///< component indices
   std::optional<WorkSpec> hook, adjust, release;
   std::vector<WorkSpec> takes;
   std::vector<GoalSpec> via;

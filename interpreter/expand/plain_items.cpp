@@ -85,6 +85,25 @@ void PlainItems::item(syntax::CoverItem& value) {
   }
 }
 
+void PlainItems::item(syntax::DigItem& value) {
+  number(value.volume);
+  for (syntax::DigItem::Clause& clause : value.clauses) {
+    mark(clause.key.span);
+    each(clause.number);
+    each(clause.trucks);
+    each(clause.duration);
+    law(clause.law);
+    each(clause.by);
+  }
+}
+
+void PlainItems::law(std::optional<syntax::DurationLaw>& value) {
+  if (!value) return;
+  mark(value->span);
+  mark(value->name.span);
+  each(value->values);
+}
+
 void PlainItems::item(syntax::LaneClassItem& value) {
   name(value.name);
   each(value.speed);
@@ -165,11 +184,7 @@ void PlainItems::item(syntax::WithinItem& value) {
 void PlainItems::item(syntax::WorkItem& value) {
   mark(value.name.span);
   number(value.duration);
-  if (value.law) {
-    mark(value.law->span);
-    mark(value.law->name.span);
-    each(value.law->values);
-  }
+  law(value.law);
   each(value.by);
   if (value.turning) mark(value.turning->span);
 }

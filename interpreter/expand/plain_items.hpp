@@ -33,6 +33,8 @@ class PlainItems {
   void item(syntax::MovingItem& value);
   void item(syntax::AreaItem& value);
   void item(syntax::CoverItem& value);
+  void item(syntax::DigItem& value);
+  void law(std::optional<syntax::DurationLaw>& value);
   void item(syntax::NetworkItem& value) { name(value.name); }
   void item(syntax::PolicyItem& value) { mark(value.name.span); }
   void item(syntax::LaneClassItem& value);

@@ -164,6 +164,11 @@ class Qualifier {
         for (syntax::NeedsItem::Need& need : needs->needs) refer(need.crew, workers_);
       } else if (auto* work = std::get_if<syntax::WorkItem>(&part)) {
         if (work->by) refer(*work->by, workers_);
+      } else if (auto* dig = std::get_if<syntax::DigItem>(&part)) {
+        for (syntax::DigItem::Clause& clause : dig->clauses) {
+          if (clause.trucks) refer(*clause.trucks, workers_);
+          if (clause.by) refer(*clause.by, workers_);
+        }
       } else if (auto* move = std::get_if<syntax::MoveItem>(&part)) {
         refer(move->component, components_, inner_components_);
       } else if (auto* remove = std::get_if<syntax::RemoveItem>(&part)) {

@@ -557,6 +557,39 @@ RUBICON_ACTION(PlanAction, PlanState, crew_work_item) {
 RUBICON_ACTION(PlanAction, PlanState, takes_item) {
   st.add_to_task(syntax::WorkItem{st.key, st.duration, {}, {}, {}, st.law}, begin);
 }
+
+// soil
+RUBICON_ACTION(PlanAction, PlanState, dig_key) {
+  st.dig = {};
+  st.announce("dig");
+}
+RUBICON_ACTION(PlanAction, PlanState, dig_volume) { st.dig.volume = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, dig_number_key) { st.begin_dig_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, dig_number_value) {
+  st.dig_clause.number = st.take_quantity();
+}
+RUBICON_ACTION(PlanAction, PlanState, dig_number) { st.add_dig_clause(); }
+RUBICON_ACTION(PlanAction, PlanState, dig_load_key) {
+  st.begin_dig_clause(begin);
+  st.duration = {};
+  st.law.reset();
+}
+RUBICON_ACTION(PlanAction, PlanState, dig_trucks) { st.dig_clause.trucks = st.take_dotted_name(); }
+RUBICON_ACTION(PlanAction, PlanState, dig_load_takes) { st.dig_clause.is_timed = true; }
+RUBICON_ACTION(PlanAction, PlanState, dig_load) {
+  if (st.dig_clause.is_timed) st.take_dig_duration();
+  st.add_dig_clause();
+}
+RUBICON_ACTION(PlanAction, PlanState, dig_stage_key) {
+  st.begin_dig_clause(begin);
+  st.dig_clause.is_stage = true;
+}
+RUBICON_ACTION(PlanAction, PlanState, dig_server) { st.dig_clause.by = st.take_dotted_name(); }
+RUBICON_ACTION(PlanAction, PlanState, dig_stage) {
+  st.take_dig_duration();
+  st.add_dig_clause();
+}
+RUBICON_ACTION(PlanAction, PlanState, dig_item) { st.add_to_task(std::move(st.dig), begin); }
 RUBICON_ACTION(PlanAction, PlanState, via_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, via_item) {
   st.add_to_task(syntax::ViaItem{std::move(st.goal), {}}, begin);
@@ -695,7 +728,7 @@ syntax::Plan parse_plan(const SourceMap& sources, FileId file, Diagnostics& diag
        "mobilisation", "overtime", "overhead",  "whole",     "not_before", "due",      "baseline",
        "support",      "fixed",    "braced",    "free",      "near",       "lock",     "deviation",
        "enter",        "moving",   "path",      "repeat",    "area",       "outline",  "shaft",
-       "cover"});
+       "cover",        "dig"});
   const bool finished = run_parser<grammar::plan_file, PlanAction>(state);
   state.plan.broken = !finished || state.errors() > 0;
   state.plan.span = state.span_from(state.begin());

@@ -154,6 +154,15 @@ class PlanState : public GuideState {
     places.clear();
     cover_clause = {word(from), {}, {}, {}};
   }
+  void begin_dig_clause(const char* from) {
+    dig_clause = {};
+    dig_clause.key = word(from);
+  }
+  void add_dig_clause() { dig.clauses.push_back(std::move(dig_clause)); }
+  void take_dig_duration() {
+    dig_clause.duration = duration;
+    dig_clause.law = law;
+  }
   void add_cover_clause() { cover.clauses.push_back(std::move(cover_clause)); }
   void begin_clause(const char* from) {
     clause_of_motion = {};
@@ -176,6 +185,8 @@ class PlanState : public GuideState {
   syntax::AreaItem::Part area_part;
   syntax::CoverItem cover;
   syntax::CoverItem::Clause cover_clause;
+  syntax::DigItem dig;
+  syntax::DigItem::Clause dig_clause;
   syntax::RobotUse robot;
   syntax::CrewItem crew;
   bool in_crew = false;

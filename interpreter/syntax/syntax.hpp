@@ -575,6 +575,24 @@ struct WorkItem {
   Span span;
   std::optional<DurationLaw> law = {};  ///< in place of the duration
 };
+/// dig 10000 m3 { load trucks takes 4 min; swell 0.25; bed 12 m3; haul takes 6 min; tip takes 1 min
+/// by dozer; }
+struct DigItem {
+  /// load, a number by its word, or a stage by its own name.
+  struct Clause {
+    Name key;
+    std::optional<Number> number;    ///< of swell, bed, ...
+    std::optional<Name> trucks;      ///< of load
+    std::optional<Number> duration;  ///< of load and of stages
+    std::optional<DurationLaw> law;  ///< in place of the duration
+    std::optional<Name> by;          ///< of stages: who serves
+    bool is_stage = false;
+    bool is_timed = false;  ///< load takes ...
+  };
+  Number volume;
+  std::vector<Clause> clauses;
+  Span span;
+};
 /// by crane, riggers;   by all of cranes;   by same as TASK;
 struct ByItem {
   std::vector<Name> names;
@@ -672,7 +690,7 @@ using TaskPart =
     std::variant<ByItem, MoveItem, GoItem, RemoveItem, WorkItem, ViaItem, GuideItem, SituationItem,
                  WithinItem, NumberItem /* budget, priority */, ZoneItem, AfterItem, AttributeItem,
                  NeedsItem, std::shared_ptr<const TaskBlock>, WholeItem, DateItem, MotionClause,
-                 CoverItem>;
+                 CoverItem, DigItem>;
 struct TaskBlock {
   BlockHead head;
   std::vector<TaskPart> items;

@@ -21,6 +21,7 @@
 #include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/result_folder_io.hpp"
 #include "src/results/page/report_page.hpp"
+#include "src/results/report/earthwork.hpp"
 #include "src/results/report/schedule_text.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
 
@@ -131,11 +132,16 @@ class TraceFiles : public trace::TraceSink {
 
 /// What --out asks for, beside the trace, and all of it to its place. A message on failure.
 std::optional<std::string> write_result(files::ResultFolder& folder,
+                                        const interpreter::PlanModel& plan,
                                         const taskplan::Schedule& schedule,
                                         TraceFiles& trace_files) {
   const std::string json = report::schedule_json(schedule);
   if (auto failure = folder.write("schedule.json", json)) return failure;
   if (auto failure = folder.write("schedule.csv", report::schedule_csv(schedule))) return failure;
+  const std::string loads = report::loads_csv(plan, schedule);
+  if (!loads.empty()) {
+    if (auto failure = folder.write("loads.csv", loads)) return failure;
+  }
   if (page::viewer_page().empty()) {
     fmt::print(stderr, "rubicon: note: there is no report.html: {}\n", page::kNoViewerPage);
   } else if (auto failure = trace_files.write_page(folder, json)) {
@@ -192,7 +198,8 @@ int run_plan_command(const RunOptions& options) {
   }
   if (const auto failure = trace_files.commit()) return fail(*failure);
   if (folder) {
-    if (const auto failure = write_result(*folder, schedule, trace_files)) return fail(*failure);
+    if (const auto failure = write_result(*folder, *plan, schedule, trace_files))
+      return fail(*failure);
   }
   const std::string text = options.format == "json"  ? report::schedule_json(schedule)
                            : options.format == "csv" ? report::schedule_csv(schedule)

@@ -31,11 +31,11 @@ class ResultCase(unittest.TestCase):
             file.write(text)
         return path
 
-    def run_plan(self, text, expected=0):
+    def run_plan(self, text, expected=0, options=()):
         """The schedule and its tasks by name; ROBOTS in the text is the folder of the tests' robots.
         `expected`: the exit code, None for a run that ends, whatever is rejected."""
         path = self.write("p.plan", text.replace("ROBOTS", ROBOTS))
-        self.run_result = rubicon("run", path, "--out", self.out)
+        self.run_result = rubicon("run", path, "--out", self.out, *options)
         self.assertIn(self.run_result.returncode, (0, 1) if expected is None else (expected,), self.run_result.stdout + self.run_result.stderr)
         verified = rubicon("verify", self.out)
         self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)

@@ -10,7 +10,8 @@ namespace rubicon::hauling {
 
 namespace {
 
-constexpr Nanoseconds kNever = INT64_MAX;
+/// Of one stage, s.
+constexpr double kMostSeconds = 2e9;
 
 /// Draws of one stage, one after the other.
 class Clock {
@@ -30,7 +31,7 @@ class Clock {
       seconds = sampling::draw(*time_.law, {seed_, run_, place_, uses_});
     }
     ++uses_;
-    return std::llround(seconds * kPerSecond / efficiency_);
+    return std::llround(std::min(seconds / efficiency_, kMostSeconds) * kPerSecond);
   }
 
  private:
@@ -61,7 +62,7 @@ class Run {
       : operation_(operation),
         on_load_(on_load),
         loading_(operation.loading, draws, "load", operation.efficiency),
-        end_(operation.until.value_or(kNever)),
+        end_(std::min(operation.until.value_or(kLongest), kLongest)),
         soil_(operation.volume),
         trucks_(static_cast<std::size_t>(operation.trucks)) {
     for (const Diggers& each : operation.diggers) add_station("load", each.name, each.count);
@@ -89,7 +90,7 @@ class Run {
       if (result_.tipped == operation_.volume) break;
     }
     result_.is_complete = result_.tipped == operation_.volume;
-    if (!result_.is_complete) now_ = operation_.until.value_or(now_);
+    if (!result_.is_complete) now_ = end_;
     close();
     return std::move(result_);
   }

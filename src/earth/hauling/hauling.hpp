@@ -69,6 +69,9 @@ struct Operation {
 /// The most loads of an operation.
 inline constexpr std::int64_t kMostLoads = 20'000'000;
 
+/// The longest operation: it ends then, and is not complete. 1e8 s, some three years.
+inline constexpr Nanoseconds kLongest = 100'000'000'000'000'000;
+
 /// By what draws are made; the place of a stage is "TASK.STAGE", that of loading "TASK.load".
 struct Draws {
   std::uint64_t seed = 1;

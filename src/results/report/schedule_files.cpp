@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "src/results/report/columns.hpp"
+#include "src/results/report/earthwork.hpp"
 #include "src/results/report/schedule_text.hpp"
 #include "src/simulation/trace/json_builder.hpp"
 
@@ -92,6 +93,9 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
     json.field("covered_area", task.cover->covered_area).field("covered", task.cover->covered);
     if (task.cover->thickness > 0) json.field("volume", task.cover->volume);
     json.field("length", task.cover->length).field("turns", task.cover->turns).end_object();
+  }
+  if (task.dig && task.result == taskplan::TaskResult::done) {
+    write_dig(json, task, schedule.costed);
   }
   if (!task.choice.empty()) json.field("choice", std::string_view(task.choice));
   json.end_object();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/results/report/columns.hpp"
+#include "src/results/report/earthwork.hpp"
 #include "src/results/report/schedule_text.hpp"
 #include "src/simulation/schedule/civil_time.hpp"
 #include "src/simulation/trace/json_builder.hpp"
@@ -331,6 +332,8 @@ std::string schedule_table(const Schedule& schedule) {
   if (!schedule.resources.empty()) text += "\n" + use_table(schedule);
   const std::string covers = cover_table(schedule);
   if (!covers.empty()) text += "\n" + covers;
+  const std::string earthwork = earthwork_table(schedule);
+  if (!earthwork.empty()) text += "\n" + earthwork;
   const std::string timetables = timetable_table(schedule);
   if (!timetables.empty()) text += "\n" + timetables;
   if (schedule.has_kinds) text += "\n" + cost_table(schedule);

@@ -19,6 +19,7 @@
 #include "src/results/verify/schedule/check_costs.hpp"
 #include "src/results/verify/schedule/check_critical.hpp"
 #include "src/results/verify/schedule/check_dates.hpp"
+#include "src/results/verify/schedule/check_digs.hpp"
 #include "src/results/verify/schedule/check_durations.hpp"
 #include "src/results/verify/schedule/check_lifts.hpp"
 #include "src/results/verify/schedule/check_links.hpp"
@@ -120,6 +121,7 @@ Verdict verify(const Result& result) {
   const WorkingHours hours(trace.scene);
   const WaitCheck waits(trace, runs, hours);
   check_durations(trace, verdict.faults);
+  check_digs(trace, verdict.faults);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const TaskRun& run = runs[i];
     check_clock(trace, run, verdict.faults);

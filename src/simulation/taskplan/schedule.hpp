@@ -91,6 +91,7 @@ struct TaskOutcome {
   std::vector<std::string> support;
   std::optional<interpreter::CoverSpec> cover;  ///< of a task that covers a floor
   std::string area;                             ///< this floor
+  std::optional<interpreter::DigSpec> dig;      ///< of a task that digs
 
   /// How much later than `due` it was done; nothing if it is not done or not due.
   std::optional<Ticks> late() const;

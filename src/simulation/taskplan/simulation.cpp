@@ -192,6 +192,7 @@ ActiveTask& Simulation::activate(int task) {
   if (each.robot >= 0) outcome.robot = stage_.robot_spec(each.robot).name;
   outcome.crews = crew_names(plan_, each);
   outcome.start = stage_.now();
+  outcome.dig = each.dig;
   if (stage_.has_choices(task)) outcome.choice = choice_text(task);
   stage_.active.add(std::move(active));
   return *stage_.active.find(task);

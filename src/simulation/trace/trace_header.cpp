@@ -317,6 +317,44 @@ void write_task_motions(JsonBuilder& json, const PlanModel& plan,
   if (!task.situations.empty()) json.key("situations").strings(task.situations);
 }
 
+void write_stage_time(JsonBuilder& json, const hauling::StageTime& time) {
+  json.field("seconds", time.seconds);
+  if (!time.law) return;
+  json.field("law", sampling::info_of(time.law->law).name).key("values").begin_array();
+  for (const double value : time.law->values) json.value(value);
+  json.end_array();
+}
+
+/// How a task digs, with whole mm3 of bank volume, and what came of it.
+void write_dig(JsonBuilder& json, const PlanModel& plan, const interpreter::DigSpec& dig) {
+  const hauling::Operation& operation = dig.operation;
+  json.key("dig").begin_object().field("volume", operation.volume).field("load", operation.load);
+  if (operation.bucket > 0) json.field("bucket", operation.bucket);
+  if (dig.swell > 0) json.field("swell", dig.swell);
+  json.key("loading").begin_object();
+  write_stage_time(json, operation.loading);
+  json.end_object().key("diggers").begin_array();
+  for (const hauling::Diggers& each : operation.diggers) {
+    json.begin_object().field("crew", each.name).field("count", each.count).end_object();
+  }
+  json.end_array();
+  json.field("hauled_by", plan.crews[static_cast<std::size_t>(dig.trucks)].name);
+  json.field("trucks", operation.trucks);
+  if (operation.loaded > 0) json.field("loaded", operation.loaded);
+  json.key("stages").begin_array();
+  for (const hauling::Stage& stage : operation.stages) {
+    json.begin_object().field("name", stage.name);
+    write_stage_time(json, stage.time);
+    if (stage.servers > 0) json.field("by", stage.by).field("servers", stage.servers);
+    json.end_object();
+  }
+  json.end_array().field("tip", operation.stages[operation.tip].name);
+  if (operation.efficiency < 1) json.field("efficiency", operation.efficiency);
+  if (operation.until) json.key("limit").seconds(*operation.until);
+  json.field("loads", dig.result.loads).field("tipped", dig.result.tipped);
+  json.key("time").seconds(dig.result.time).end_object();
+}
+
 void write_task_work(JsonBuilder& json, const PlanModel& plan, const interpreter::TaskSpec& task) {
   if (task.hook) write_work(json.key("hook"), plan, *task.hook);
   if (task.adjust) write_work(json.key("adjust"), plan, *task.adjust);
@@ -326,6 +364,7 @@ void write_task_work(JsonBuilder& json, const PlanModel& plan, const interpreter
     for (const interpreter::WorkSpec& work : task.takes) write_work(json, plan, work);
     json.end_array();
   }
+  if (task.dig) write_dig(json, plan, *task.dig);
   if (!task.remove.empty()) {
     json.key("remove").begin_array();
     for (const int component : task.remove) {

@@ -14,6 +14,8 @@ const char* name_of(Unit unit) {
       return "moment";
     case Unit::money:
       return "money";
+    case Unit::number:
+      return "number";
     case Unit::share:
       return "share";
     case Unit::seconds:

@@ -41,6 +41,8 @@ std::string value_text(Unit unit, double value, const VariantRuns& variant) {
   switch (unit) {
     case Unit::money:
       return fmt::format("{:.2f}", value);
+    case Unit::number:
+      return fmt::format("{:.3f}", value);
     case Unit::share:
       return fmt::format("{:.1f} %", 100 * value);
     case Unit::moment:

@@ -30,6 +30,8 @@ constexpr std::array kAskedNames = {
     AskedName{"finish", Asked::finish, "a task"},
     AskedName{"start", Asked::task_start, "a task"},
     AskedName{"duration", Asked::task_duration, "a task"},
+    AskedName{"production", Asked::production, "a task that digs"},
+    AskedName{"unit_cost", Asked::unit_cost, "a task that digs"},
     AskedName{"utilisation", Asked::utilisation, "a robot or crew"},
     AskedName{"waiting", Asked::waiting, "machine, resource, shift or predecessor"},
 };
@@ -503,6 +505,9 @@ Unit unit_of(Asked asked) {
     case Asked::task_start:
     case Asked::task_finish:
       return Unit::moment;
+    case Asked::production:
+    case Asked::unit_cost:
+      return Unit::number;
     case Asked::makespan:
     case Asked::waiting:
     case Asked::task_duration:

@@ -41,6 +41,12 @@ double value_of(const Question& question, const taskplan::Schedule& schedule) {
     }
     return kNotThere;
   };
+  const auto of_dig = [&](const auto& use) {
+    for (const taskplan::TaskOutcome& task : schedule.tasks) {
+      if (task.task == question.of && task.dig && task.dig->result.tipped > 0) return use(task);
+    }
+    return kNotThere;
+  };
   switch (question.asked) {
     case Asked::makespan:
     case Asked::finish:
@@ -60,6 +66,12 @@ double value_of(const Question& question, const taskplan::Schedule& schedule) {
       return of_task([](const taskplan::TaskOutcome& task) { return task.start; });
     case Asked::task_finish:
       return of_task([](const taskplan::TaskOutcome& task) { return task.start + task.duration; });
+    case Asked::production:
+      return of_dig([](const taskplan::TaskOutcome& task) { return task.dig->result.per_hour(); });
+    case Asked::unit_cost:
+      return of_dig([](const taskplan::TaskOutcome& task) {
+        return task.cost / (static_cast<double>(task.dig->result.tipped) / hauling::kPerCubicMetre);
+      });
     case Asked::task_duration:
       break;
   }

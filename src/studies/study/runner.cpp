@@ -282,7 +282,12 @@ void check_names(const StudyModel& study, const interpreter::PlanModel& plan,
                                   near.empty() ? "" : "; did you mean " + near + "?"));
   };
   std::vector<std::string> tasks;
-  for (const auto& each : plan.tasks) tasks.push_back(each.name);
+  std::vector<std::string> digs;
+  for (const auto& each : plan.tasks) {
+    tasks.push_back(each.name);
+    const bool by_choice = !each.choices.empty() && each.choices.front().dig;
+    if (each.dig || by_choice) digs.push_back(each.name);
+  }
   std::vector<std::string> resources;
   for (const auto& each : plan.robots) resources.push_back(each.name);
   for (const auto& each : plan.crews) resources.push_back(each.name);
@@ -291,6 +296,8 @@ void check_names(const StudyModel& study, const interpreter::PlanModel& plan,
     const bool task = each.asked == Asked::task_start || each.asked == Asked::task_finish ||
                       each.asked == Asked::task_duration;
     if (task) look(each, "task", tasks);
+    const bool dig = each.asked == Asked::production || each.asked == Asked::unit_cost;
+    if (dig) look(each, "task that digs", digs);
   }
 }
 

@@ -51,7 +51,9 @@ enum class Asked : std::uint8_t {
   waiting,
   task_start,
   task_finish,
-  task_duration
+  task_duration,
+  production,  ///< m3 per h of a task that digs
+  unit_cost    ///< cost per m3 of such a task
 };
 
 /// One number of a run. Times are in s after the beginning of the plan.
@@ -65,7 +67,7 @@ struct Question {
 };
 
 /// How numbers of a kind are written.
-enum class Unit : std::uint8_t { seconds, moment, money, share };
+enum class Unit : std::uint8_t { seconds, moment, money, share, number };
 Unit unit_of(Asked asked);
 
 /// One number of many runs.

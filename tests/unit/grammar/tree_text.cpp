@@ -334,12 +334,32 @@ class Writer {
   void item(const syntax::NeedsItem& value) {
     for (const syntax::NeedsItem::Need& need : value.needs) number(need.units), name(need.crew);
   }
+  void law(const std::optional<syntax::DurationLaw>& value) {
+    if (!value) return;
+    name(value->name);
+    for (const syntax::Number& entry : value->values) number(entry);
+  }
+  void item(const syntax::DigItem& value) {
+    open("dig");
+    number(value.volume);
+    for (const syntax::DigItem::Clause& clause : value.clauses) {
+      open(clause.is_stage ? "stage" : "clause");
+      name(clause.key);
+      if (clause.number) number(*clause.number);
+      if (clause.trucks) name(*clause.trucks);
+      if (clause.law) {
+        law(clause.law);
+      } else if (clause.duration) {
+        number(*clause.duration);
+      }
+      if (clause.by) name(*clause.by);
+      close();
+    }
+    close();
+  }
   void item(const syntax::WorkItem& value) {
     name(value.name), number(value.duration);
-    if (value.law) {
-      name(value.law->name);
-      for (const syntax::Number& entry : value.law->values) number(entry);
-    }
+    law(value.law);
     if (value.by) name(*value.by);
     if (value.turning) name(*value.turning);
   }

@@ -32,7 +32,7 @@ export interface Variant {
   histogram?: number[];
 }
 
-export type Unit = 's' | 'moment' | 'money' | 'share';
+export type Unit = 's' | 'moment' | 'money' | 'share' | 'number';
 
 export interface Choice {
   direction: string;
@@ -81,6 +81,7 @@ export function shown(unit: Unit, value: number | null | undefined, variant: Var
   if (value === undefined) return '–';
   if (value === null) return 'never';
   if (unit === 'money') return money(value, '');
+  if (unit === 'number') return value.toFixed(3);
   if (unit === 'share') return `${(100 * value).toFixed(1)} %`;
   if (unit === 'moment' && variant.start_at) return moment(variant.start_at, value);
   return clock(value);

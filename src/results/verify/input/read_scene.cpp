@@ -245,6 +245,60 @@ void read_go(const JsonFields& goal, const Scene& scene, SceneTask& task) {
   task.go = read_values(goal, scene.robots[static_cast<std::size_t>(task.robot)]);
 }
 
+std::int64_t volume_of(const JsonFields& fields, const char* name, std::int64_t least) {
+  const Json& value = fields.any(name);
+  const bool fits = value.is_number_integer() && value.get<std::int64_t>() >= least &&
+                    value.get<std::int64_t>() <= 2'000'000'000'000'000'000;
+  if (!fits) fields.fail(fmt::format("whole mm3 as '{}'", name));
+  return value.get<std::int64_t>();
+}
+
+SceneStage read_stage(const JsonFields& fields, std::string name) {
+  SceneStage stage;
+  stage.name = std::move(name);
+  stage.seconds = fields.number("seconds");
+  stage.law = fields.text_or("law", "");
+  for (const Json& value : list_or_empty(fields, "values")) {
+    stage.values.push_back(number_of(value, "a value of a law"));
+  }
+  if (stage.law == "sequence" && stage.values.empty()) fields.fail("values of a sequence");
+  if (fields.has("servers"))
+    stage.servers = integer_of(fields.any("servers"), "'servers'", 1, 1000000);
+  return stage;
+}
+
+SceneDig read_dig(const JsonFields& fields) {
+  SceneDig dig;
+  dig.volume = volume_of(fields, "volume", 1);
+  dig.load = volume_of(fields, "load", 1);
+  if (fields.has("bucket")) dig.bucket = volume_of(fields, "bucket", 1);
+  dig.loading = read_stage(fields.object("loading"), "load");
+  for (const Json& object : fields.array("diggers")) {
+    const JsonFields crew(object, "a crew that digs");
+    dig.diggers.push_back(integer_of(crew.any("count"), "'count'", 1, 1000000));
+  }
+  dig.trucks = integer_of(fields.any("trucks"), "'trucks'", 1, 1000000);
+  if (fields.has("loaded"))
+    dig.loaded = integer_of(fields.any("loaded"), "'loaded'", 0, dig.trucks);
+  bool tips = false;
+  for (const Json& object : fields.array("stages")) {
+    const JsonFields stage(object, "a stage of a dig");
+    dig.stages.push_back(read_stage(stage, stage.text("name")));
+    if (dig.stages.back().name != fields.text("tip")) continue;
+    dig.tip = dig.stages.size() - 1;
+    tips = true;
+  }
+  if (!tips || dig.diggers.empty()) fields.fail("diggers, and the stage that tips");
+  if (fields.has("efficiency")) dig.efficiency = fields.number("efficiency");
+  if (!(dig.efficiency > 0)) fields.fail("an efficiency above 0");
+  if (fields.has("limit")) dig.limit = fields.time("limit");
+  dig.loads =
+      fields.any("loads").is_number_integer() ? fields.any("loads").get<std::int64_t>() : -1;
+  dig.tipped = volume_of(fields, "tipped", 0);
+  dig.time = fields.time("time");
+  return dig;
+}
+
 void read_task_work(const JsonFields& fields, const Scene& scene, SceneTask& task) {
   if (fields.has("hook")) task.hook = read_work(fields.any("hook"), "hook", scene);
   if (fields.has("adjust")) task.adjust = read_work(fields.any("adjust"), "adjust", scene);
@@ -252,6 +306,7 @@ void read_task_work(const JsonFields& fields, const Scene& scene, SceneTask& tas
   for (const Json& work : list_or_empty(fields, "takes")) {
     task.takes.push_back(read_work(work, "takes", scene));
   }
+  if (fields.has("dig")) task.dig = read_dig(fields.object("dig"));
   for (const Json& name : list_or_empty(fields, "remove")) {
     task.remove.push_back(
         index_in(scene.component_index, text_of(name, "'remove'"), "a component"));

@@ -171,6 +171,30 @@ struct SceneWork {
   std::vector<double> values = {};  ///< of the law, s
 };
 
+/// A stage of the rounds of trucks: loading, haul, tip, ...
+struct SceneStage {
+  std::string name;
+  double seconds = 0;  ///< the mean of a law
+  std::string law = {};
+  std::vector<double> values = {};
+  int servers = 0;
+};
+
+/// How a task digs; volumes in whole mm3.
+struct SceneDig {
+  std::int64_t volume = 0, load = 1, bucket = 0;
+  SceneStage loading;
+  std::vector<int> diggers;  ///< machines of each crew
+  int trucks = 1;
+  int loaded = 0;
+  std::vector<SceneStage> stages;
+  std::size_t tip = 0;
+  double efficiency = 1;
+  Ticks limit = 0;  ///< 0: none
+  std::int64_t loads = 0, tipped = 0;
+  Ticks time = 0;
+};
+
 /// What a motion is to reach: values by parameter, or a pose X_WT.
 struct SceneGoal {
   std::vector<std::pair<int, double>> values;
@@ -218,6 +242,7 @@ struct SceneTask {
   std::optional<SceneWork> hook, adjust, release;
   bool whole = false;  ///< nothing may hang on its hook out of working time
   std::vector<SceneWork> takes;
+  std::optional<SceneDig> dig;
   std::vector<int> remove;
   std::vector<ShapeData> zones;           ///< in {W}
   std::vector<ShapeData> zones_overhead;  ///< where no load may hang, in {W}

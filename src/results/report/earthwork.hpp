@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "interpreter/check/plan_model.hpp"
+#include "src/simulation/taskplan/schedule.hpp"
+#include "src/simulation/trace/json_builder.hpp"
+
+namespace rubicon::report {
+
+/// What was dug, how fast and at which cost, and the queues of the trucks; "" where nobody dug.
+std::string earthwork_table(const taskplan::Schedule& schedule);
+
+/// The same of one task that digs, as member "dig" of its object.
+void write_dig(trace::JsonBuilder& json, const taskplan::TaskOutcome& task, bool is_costed);
+
+/// loads.csv: each load of each task that is done, from the arrival of its truck in the queue to
+/// where it was tipped (s of working time since the task began, m3 of bank volume); "" where nobody
+/// dug.
+std::string loads_csv(const interpreter::PlanModel& plan, const taskplan::Schedule& schedule);
+
+}  // namespace rubicon::report
