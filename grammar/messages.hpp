@@ -233,6 +233,17 @@ RUBICON_EXPECT(area_column_size, "a length");
 RUBICON_EXPECT(area_name, "a name after area");
 RUBICON_EXPECT(area_part, "area", Explain::item, "height outline shaft column round_column beam");
 RUBICON_EXPECT(dig_volume, "the volume of soil to dig, such as 10000 m3");
+RUBICON_EXPECT(dig_shape,
+               "the shape of the pit, such as prism(-3.2, 0, 4, -1.3, 9, -1.3, 9, 1.3, 4, 1.3)");
+RUBICON_EXPECT(earth_columns, "how many columns of cells");
+RUBICON_EXPECT(earth_comma, "',' and how many rows of cells");
+RUBICON_EXPECT(earth_rows, "how many rows of cells");
+RUBICON_EXPECT(earth_file, "the file of heights in quotes");
+RUBICON_EXPECT(earth_height_value, "a height, or from and a file in quotes");
+RUBICON_EXPECT(earth_number_value, "a number");
+RUBICON_EXPECT(earth_at_frame, "a frame");
+RUBICON_EXPECT(earth_name, "a name after earth");
+RUBICON_EXPECT(earth_part, "earth", Explain::item, "grid cell height at stands swell density");
 RUBICON_EXPECT(dig_number_value, "a number");
 RUBICON_EXPECT(dig_trucks, "the name of the crew of trucks after load");
 RUBICON_EXPECT(dig_stage_takes, "takes");
@@ -314,7 +325,8 @@ RUBICON_EXPECT(import_end, "';' or '{' after import");
 RUBICON_EXPECT(short_start_values, "a parameter and its value");
 RUBICON_EXPECT(
     plan_item, "plan", Explain::item,
-    "component robot crew pool overhead task module place import site storage moving area network "
+    "component robot crew pool overhead task module place import site storage moving area earth "
+    "network "
     "fleet "
     "contact "
     "budget "

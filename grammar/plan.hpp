@@ -233,6 +233,34 @@ struct area_key : token<word<TAO_PEGTL_STRING("area")>> {};
 struct area_name : indexed_name {};
 struct area_item : if_must<area_key, area_name, block_open, area_parts, block_close> {};
 
+// The ground.
+struct earth_grid_key : token<word<TAO_PEGTL_STRING("grid")>> {};
+struct earth_columns : quantity {};
+struct earth_comma : comma {};
+struct earth_rows : quantity {};
+struct earth_grid
+    : if_must<earth_grid_key, earth_columns, earth_comma, earth_rows, plan_semicolon> {};
+struct earth_height_key : token<word<TAO_PEGTL_STRING("height")>> {};
+struct earth_from : token<word<TAO_PEGTL_STRING("from")>> {};
+struct earth_file : string_literal {};
+struct earth_height_value : quantity {};
+struct earth_height
+    : if_must<earth_height_key, sor<if_must<earth_from, earth_file>, earth_height_value>,
+              plan_semicolon> {};
+struct earth_number_key
+    : token<sor<word<TAO_PEGTL_STRING("cell")>, word<TAO_PEGTL_STRING("stands")>,
+                word<TAO_PEGTL_STRING("swell")>, word<TAO_PEGTL_STRING("density")>>> {};
+struct earth_number_value : quantity {};
+struct earth_number : if_must<earth_number_key, earth_number_value, plan_semicolon> {};
+struct earth_at_frame : frame {};
+struct earth_at : if_must<at_key, earth_at_frame, plan_semicolon> {};
+struct earth_part : sor<earth_grid, earth_height, earth_number, earth_at> {};
+struct whole_earth_part : must<earth_part> {};
+struct earth_parts : nested<star<not_at<block_end>, recover<whole_earth_part, item_end>>> {};
+struct earth_key : token<word<TAO_PEGTL_STRING("earth")>> {};
+struct earth_name : name {};
+struct earth_item : if_must<earth_key, earth_name, block_open, earth_parts, block_close> {};
+
 struct cover_number_key
     : token<sor<word<TAO_PEGTL_STRING("width")>, word<TAO_PEGTL_STRING("clearance")>,
                 word<TAO_PEGTL_STRING("above")>, word<TAO_PEGTL_STRING("thickness")>,
@@ -467,7 +495,11 @@ struct dig_part : sor<dig_load, dig_number, dig_stage> {};
 struct whole_dig_part : must<dig_part> {};
 struct dig_parts : nested<star<not_at<block_end>, recover<whole_dig_part, item_end>>> {};
 struct dig_key : token<word<TAO_PEGTL_STRING("dig")>> {};
-struct dig_item : if_must<dig_key, dig_volume, block_open, dig_parts, block_close> {};
+/// An earth is followed by to; all else is a volume.
+struct dig_earth : token<seq<name_text, at<space, word<TAO_PEGTL_STRING("to")>>>> {};
+struct dig_shape : shape {};
+struct dig_pit : if_must<dig_earth, to_word, dig_shape> {};
+struct dig_item : if_must<dig_key, sor<dig_pit, dig_volume>, block_open, dig_parts, block_close> {};
 struct via_key : token<word<TAO_PEGTL_STRING("via")>> {};
 struct via_item : if_must<via_key, goal, plan_semicolon> {};
 // What a motion asks beside its goals.
@@ -606,9 +638,9 @@ struct plan_guide : if_must<guide_key, guide_name, plan_guide_end> {};
 struct plan_item
     : sor<plan_block, parameter_item, component_item, robot_use, crew_item, pool_item,
           overhead_item, task_item, module_item, place_item, import_item, waiver, site_item,
-          storage_item, moving_item, area_item, network_item, fleet_item, number_item, text_item,
-          calendar_item, situation_item, short_start, short_goal, via_item, carry_item, within_item,
-          motion_clause, whole_item, support_item, plan_guide> {};
+          storage_item, moving_item, area_item, earth_item, network_item, fleet_item, number_item,
+          text_item, calendar_item, situation_item, short_start, short_goal, via_item, carry_item,
+          within_item, motion_clause, whole_item, support_item, plan_guide> {};
 struct whole_plan_item : must<plan_item> {};
 struct plan_items : nested<star<not_at<block_end>, recover<whole_plan_item, item_end>>> {};
 struct plan_file_key : token<word<TAO_PEGTL_STRING("plan")>> {};

@@ -75,7 +75,9 @@ std::unique_ptr<PlanModel> load_plan(const std::string& path, SourceMap& sources
   plan_check::check_components(subject);
   plan_check::check_movings(subject);
   plan_check::check_areas(subject);
+  plan_check::check_earths(subject);
   plan_check::check_tasks(subject);
+  plan_check::finish_earths(subject);
   plan_check::check_scale(subject);
   plan_check::check_short_form(subject);
   plan_check::check_waivers(subject);

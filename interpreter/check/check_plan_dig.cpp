@@ -17,8 +17,6 @@ using syntax::UnitKind;
 /// Largest volume of soil, m3; below it whole mm3 add up within 64 bits.
 constexpr double kMostSoil = 1e9;
 constexpr double kLeastSoil = 1e-6;
-constexpr double kMostSwell = 10;
-constexpr double kMostDensity = 1e5;  // kg/m3
 constexpr double kMostPayload = 1e7;  // kg
 
 /// m3; nothing after P55.
@@ -42,28 +40,34 @@ hauling::CubicMillimetres in_mm3(double cubic_metres) {
 /// One task that digs.
 class DigCheck {
  public:
-  DigCheck(Subject& subject, const syntax::DigItem& item, const std::vector<CrewUnits>& diggers,
-           const std::function<int(int crew)>& units_of)
-      : subject_(subject), item_(item), diggers_(diggers), units_of_(units_of) {}
+  DigCheck(Subject& subject, const syntax::DigItem& item, const std::optional<DugSoil>& soil,
+           const std::vector<CrewUnits>& diggers, const std::function<int(int crew)>& units_of)
+      : subject_(subject), item_(item), soil_(soil), diggers_(diggers), units_of_(units_of) {}
 
   std::optional<DigSpec> run() {
     const int errors = subject_.diagnostics.errors();
-    const auto soil = volume(subject_, item_.volume, "what is dug");
-    if (soil) operation().volume = in_mm3(*soil);
+    take_volume();
     for (const syntax::DigItem::Clause& clause : item_.clauses) take(clause);
     check_who();
     check_stages();
     check_load();
     if (subject_.diagnostics.errors() != errors) return std::nullopt;
     if (operation().loads() > hauling::kMostLoads) {
-      wrong(item_.volume.span, fmt::format("these are {} loads; a task has up to {}",
-                                           operation().loads(), hauling::kMostLoads));
+      wrong(item_.place(), fmt::format("these are {} loads; a task has up to {}",
+                                       operation().loads(), hauling::kMostLoads));
+      return std::nullopt;
+    }
+    const std::int64_t passes = operation().loads() * operation().passes(operation().load);
+    if (passes > hauling::kMostPasses) {
+      wrong(place_of("bucket"),
+            fmt::format("these are {} passes; a task has up to {}", passes, hauling::kMostPasses),
+            "load CREW takes, the time for a whole truck");
       return std::nullopt;
     }
     if (!takes_time()) return std::nullopt;
     dig_.result = simulate(operation(), std::nullopt);
     if (!dig_.result.is_complete && !operation().until) {
-      wrong(item_.volume.span, "digging takes longer than 1e8 s of working time, some three years",
+      wrong(item_.place(), "digging takes longer than 1e8 s of working time, some three years",
             "more diggers and trucks; or limit 40 h; for what is done in that time");
       return std::nullopt;
     }
@@ -72,6 +76,21 @@ class DigCheck {
 
  private:
   using Clause = syntax::DigItem::Clause;
+
+  /// Of an earth come the volume, and swell and density unless they are given.
+  void take_volume() {
+    if (!soil_) {
+      const auto given = volume(subject_, *item_.volume, "what is dug");
+      if (given) operation().volume = in_mm3(*given);
+      return;
+    }
+    const EarthSpec& earth = subject_.model.earths[static_cast<std::size_t>(soil_->earth)];
+    operation().volume = soil_->volume;
+    dig_.earth = soil_->earth;
+    dig_.soil = soil_->component;
+    dig_.swell = earth.swell;
+    density_ = earth.density;
+  }
 
   hauling::Operation& operation() { return dig_.operation; }
 
@@ -153,6 +172,7 @@ class DigCheck {
       const auto seconds = resolve_duration(subject_, value, key);
       if (!seconds) return;
       operation().until = std::llround(*seconds * hauling::kPerSecond);
+      if (soil_) wrong(value.span, "what is dug of an earth is dug to its end: no limit");
       if (*seconds <= 0) wrong(value.span, "the limit of a dig is 0: nothing is done");
     } else if (key == "loaded") {
       const auto count = number(value, UnitKind::none, key, 0, 1e6);
@@ -167,16 +187,16 @@ class DigCheck {
 
   Span place_of(const std::string& key) const {
     const auto found = given_.find(key);
-    return found == given_.end() ? item_.volume.span : found->second;
+    return found == given_.end() ? item_.place() : found->second;
   }
   bool is_given(const std::string& key) const { return given_.count(key) != 0; }
 
   void check_who() {
     if (!is_given("load")) {
-      wrong(item_.volume.span, "dig does not say who hauls the soil", "load trucks takes 4 min;");
+      wrong(item_.place(), "dig does not say who hauls the soil", "load trucks takes 4 min;");
     }
     if (diggers_.empty()) {
-      wrong(item_.volume.span, "nobody digs: by names the crew of diggers", "by excavator;");
+      wrong(item_.place(), "nobody digs: by names the crew of diggers", "by excavator;");
     }
     if (dig_.trucks >= 0) operation().trucks = units_of_(dig_.trucks);
     for (const CrewUnits& each : diggers_) {
@@ -208,7 +228,7 @@ class DigCheck {
 
   void check_stages() {
     if (!is_given("tip")) {
-      wrong(item_.volume.span, "the trucks never tip: a stage of their round is called tip",
+      wrong(item_.place(), "the trucks never tip: a stage of their round is called tip",
             "haul takes 6 min; tip takes 1 min; return takes 5 min;");
     }
     const bool is_timed = std::any_of(item_.clauses.begin(), item_.clauses.end(),
@@ -235,10 +255,10 @@ class DigCheck {
   /// By volume and by mass, whichever is full first.
   void check_load() {
     if (!is_given("bed") && !is_given("payload")) {
-      wrong(item_.volume.span, "dig does not say how much a truck takes",
+      wrong(item_.place(), "dig does not say how much a truck takes",
             "bed 12 m3; or payload 20 t; density 1.8 t per m3;");
     }
-    if (is_given("payload") != is_given("density")) {
+    if (is_given("payload") ? !density_ : is_given("density")) {
       wrong(is_given("payload") ? place_of("payload") : place_of("density"),
             is_given("payload") ? "payload needs the density of the soil as it lies"
                                 : "density is for the payload of trucks, and dig has none",
@@ -251,9 +271,6 @@ class DigCheck {
     operation().load = std::max<hauling::CubicMillimetres>(in_mm3(load), 1);
     if (!bucket_) return;
     operation().bucket = std::max<hauling::CubicMillimetres>(in_mm3(*bucket_ * fill_ / loose), 1);
-    if (operation().load / operation().bucket > kMostPasses) {
-      wrong(place_of("bucket"), fmt::format("a truck takes more than {} buckets", kMostPasses));
-    }
   }
 
   /// Rounds that take no time would never end before the limit.
@@ -263,14 +280,13 @@ class DigCheck {
     };
     bool found = takes(operation().loading);
     for (const hauling::Stage& stage : operation().stages) found = found || takes(stage.time);
-    if (!found) wrong(item_.volume.span, "nothing in the rounds of the trucks takes time");
+    if (!found) wrong(item_.place(), "nothing in the rounds of the trucks takes time");
     return found;
   }
 
-  static constexpr int kMostPasses = 10000;
-
   Subject& subject_;
   const syntax::DigItem& item_;
+  const std::optional<DugSoil>& soil_;
   const std::vector<CrewUnits>& diggers_;
   const std::function<int(int crew)>& units_of_;
   DigSpec dig_;
@@ -318,9 +334,10 @@ std::vector<int> crews_of_dig(Subject& subject, const syntax::DigItem& item) {
 }
 
 std::optional<DigSpec> resolve_dig(Subject& subject, const syntax::DigItem& item,
+                                   const std::optional<DugSoil>& soil,
                                    const std::vector<CrewUnits>& diggers,
                                    const std::function<int(int crew)>& units_of) {
-  return DigCheck(subject, item, diggers, units_of).run();
+  return DigCheck(subject, item, soil, diggers, units_of).run();
 }
 
 }  // namespace rubicon::interpreter::plan_check

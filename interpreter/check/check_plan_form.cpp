@@ -56,6 +56,9 @@ FormMark mark_of(const syntax::PlanItem& item) {
   if (const auto* area = std::get_if<syntax::AreaItem>(&item)) {
     return {Form::full, "an area", area->name.span};
   }
+  if (const auto* earth = std::get_if<syntax::EarthItem>(&item)) {
+    return {Form::full, "an earth", earth->name.span};
+  }
   if (const auto* fleet = std::get_if<syntax::FleetItem>(&item)) {
     return {Form::full, "a fleet", fleet->name.span};
   }

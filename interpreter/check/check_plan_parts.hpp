@@ -20,6 +20,10 @@ namespace rubicon::interpreter::plan_check {
 /// Most components and most tasks of a plan, placed modules counted as often as they are placed.
 inline constexpr std::size_t kMaxElements = 200000;
 
+/// Bounds of soil: density as it lies, kg/m3, and swell.
+inline constexpr double kMostDensity = 1e5;
+inline constexpr double kMostSwell = 10;
+
 /// The names of a module, and its elements in file order.
 struct ModuleInfo {
   const syntax::ModuleItem* item = nullptr;
@@ -41,6 +45,23 @@ struct PlaceInfo {
   int first_task = 0;
 };
 
+/// Soil that a task takes from an earth.
+struct DugSoil {
+  int earth = -1;
+  int component = -1;
+  soil::CubicMillimetres volume = 0;
+};
+
+/// Who digs in an earth.
+struct EarthWork {
+  struct Dig {
+    const syntax::TaskItem* task = nullptr;
+    std::set<int> after;  ///< digs of it that must be done before
+  };
+  std::vector<Dig> digs = {};
+  std::vector<int> last_dig = {};  ///< by cell, -1: nobody
+};
+
 /// One plan on its way from syntax to model.
 struct Subject {
   const syntax::Plan& plan;
@@ -55,8 +76,11 @@ struct Subject {
   std::map<std::string, Span> component_spans = {}, task_spans = {};
   std::map<std::string, int> components = {}, tasks = {};  ///< of the plan itself: model index
   std::map<std::string, int> robots = {}, crews = {}, calendars = {}, modules = {}, places = {},
-                             pools = {}, areas = {};  ///< areas: -1 of one that is wrong
+                             pools = {}, areas = {},
+                             earths = {};  ///< areas, earths: -1 of one that is wrong
   std::map<std::string, const syntax::TaskItem*> task_items = {};  ///< of the plan itself
+  std::vector<EarthWork> earth_works = {};                         ///< as the earths of the model
+  std::map<const syntax::DigItem*, std::optional<DugSoil>> dug = {};
   GuideDeclarations guides = {};
   std::map<std::string, Span> import_spans = {};
   std::set<std::uint32_t> without_grip = {};  ///< components, by where their names stand
@@ -172,7 +196,17 @@ struct CrewUnits {
   int crew = -1;
   int units = 0;
 };
+/// The ground: P01, P02, P09, P56.
+void check_earths(Subject& subject);
+/// What the dig of a task takes from its earth; nothing after P01, P56. The same whenever it is
+/// asked.
+std::optional<DugSoil> take_soil(Subject& subject, const Scope& scope, const syntax::DigItem& item,
+                                 const syntax::TaskItem& task);
+/// When all tasks are checked: what is left of the ground is part of the site. P56.
+void finish_earths(Subject& subject);
+
 std::optional<DigSpec> resolve_dig(Subject& subject, const syntax::DigItem& item,
+                                   const std::optional<DugSoil>& soil,
                                    const std::vector<CrewUnits>& diggers,
                                    const std::function<int(int crew)>& units_of);
 /// The law of a duration; nothing after P09, P52.

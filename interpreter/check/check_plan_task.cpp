@@ -336,13 +336,13 @@ class TaskChecker {
   /// Its rounds are one work of all whom it holds.
   void check_dig(const std::vector<int>& diggers) {
     if (moves()) {
-      subject_.error("P05", dig_->volume.span, "a task that digs neither moves nor goes nor covers",
+      subject_.error("P05", dig_->place(), "a task that digs neither moves nor goes nor covers",
                      "make it two tasks");
       return;
     }
     if (robot() != nullptr || !task_.also_robots.empty()) {
       const int first = task_.robot >= 0 ? task_.robot : task_.also_robots.front();
-      subject_.error("P55", by_ == nullptr ? dig_->volume.span : by_->span,
+      subject_.error("P55", by_ == nullptr ? dig_->place() : by_->span,
                      fmt::format("dig goes by durations, and '{}' is a robot, which moves",
                                  name_of_robot(first)),
                      "write diggers and trucks as crews: crew trucks { size 4; cost 85 per h; }");
@@ -356,8 +356,11 @@ class TaskChecker {
     if (!all_known_) return;
     std::vector<CrewUnits> units;
     for (const int crew : diggers) units.push_back({crew, units_of(crew)});
-    task_.dig = resolve_dig(subject_, *dig_, units, [&](int crew) { return units_of(crew); });
+    const auto soil = take_soil(subject_, scope_, *dig_, item_);
+    if (dig_->earth && !soil) return;
+    task_.dig = resolve_dig(subject_, *dig_, soil, units, [&](int crew) { return units_of(crew); });
     if (!task_.dig) return;
+    if (soil) task_.remove.push_back(soil->component);
     WorkSpec work;
     work.span = dig_->span;
     work.duration = static_cast<double>(task_.dig->result.time) / hauling::kPerSecond;

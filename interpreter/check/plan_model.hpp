@@ -12,6 +12,7 @@
 #include "interpreter/check/check.hpp"
 #include "interpreter/expand/expand.hpp"
 #include "src/earth/hauling/hauling.hpp"
+#include "src/earth/soil/terrain.hpp"
 #include "src/fleets/lanes/lane_network.hpp"
 #include "src/motion/coverage/floor.hpp"
 #include "src/motion/geometry/shape.hpp"
@@ -208,12 +209,27 @@ struct CoverSpec {
   int turns = 0;
 };
 
+/// The ground as a height field. What is never dug of it is part of the site; what a task digs is a
+/// component that leaves with it.
+struct EarthSpec {
+  std::string name;
+  Span span;
+  math::Pose X_WE = math::Pose::Identity();  ///< upright; see soil::Terrain for {E}
+  soil::Terrain before;                      ///< as it is at the beginning
+  soil::Terrain after;                       ///< when all that is to be dug of it is dug
+  double stands_deg = 90;                    ///< undisturbed soil stands so steep
+  double swell = 0;
+  std::optional<double> density = {};  ///< kg/m3, as it lies
+};
+
 /// How a task digs, loads and hauls soil by the durations of its stages. How long that takes is its
 /// work in `takes`.
 struct DigSpec {
   hauling::Operation operation;
   double swell = 0;        ///< loose volume is (1 + swell) x bank volume
   int trucks = -1;         ///< index into crews
+  int earth = -1;          ///< index into earths, -1: only a volume is given
+  int soil = -1;           ///< then the component that it takes away
   hauling::Result result;  ///< with the means, or as its durations were drawn
 };
 
@@ -309,9 +325,13 @@ struct PlanModel {
   double budget = 20000;                ///< attempts of a motion
   std::vector<std::string> situations;  ///< switched on for the whole plan
   std::vector<geometry::Shape> site;    ///< obstacles that are always there (world frame)
+  /// To each shape of the site whose it is, "" by itself; may be shorter. The earths are at its
+  /// end.
+  std::vector<std::string> site_names = {};
   std::vector<StorageSpec> storages;
   std::vector<MovingSpec> movings;
   std::vector<AreaSpec> areas;
+  std::vector<EarthSpec> earths;
   std::vector<ComponentSpec> components;
   std::vector<RobotSpec> robots;
   std::vector<CrewSpec> crews;

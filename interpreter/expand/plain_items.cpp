@@ -85,8 +85,20 @@ void PlainItems::item(syntax::CoverItem& value) {
   }
 }
 
+void PlainItems::item(syntax::EarthItem& value) {
+  name(value.name);
+  for (syntax::EarthItem::Clause& clause : value.clauses) {
+    mark(clause.key.span);
+    each(clause.numbers);
+    if (clause.file) text(*clause.file);
+    each(clause.at);
+  }
+}
+
 void PlainItems::item(syntax::DigItem& value) {
-  number(value.volume);
+  each(value.volume);
+  if (value.earth) mark(value.earth->span);
+  each(value.shape);
   for (syntax::DigItem::Clause& clause : value.clauses) {
     mark(clause.key.span);
     each(clause.number);

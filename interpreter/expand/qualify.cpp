@@ -84,6 +84,7 @@ class Qualifier {
     for (syntax::Name& each : item.of) refer(each, workers_);
   }
   void rename(syntax::AreaItem& item) { refuse(item.name.span, "an area"); }
+  void rename(syntax::EarthItem& item) { refuse(item.name.span, "an earth"); }
   void rename(syntax::NetworkItem& item) { refuse(item.name.span, "a network"); }
   void rename(syntax::FleetItem& item) { refuse(item.name.span, "a fleet"); }
   void rename(syntax::OverheadItem& item) { refuse(item.span, "overhead"); }

@@ -559,10 +559,42 @@ RUBICON_ACTION(PlanAction, PlanState, takes_item) {
 }
 
 // soil
+RUBICON_ACTION(PlanAction, PlanState, earth_key) {
+  st.earth = {};
+  st.announce("earth");
+}
+RUBICON_ACTION(PlanAction, PlanState, earth_name) { st.earth.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, earth_grid_key) { st.begin_earth_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, earth_columns) {
+  st.earth_clause.numbers.push_back(st.take_quantity());
+}
+RUBICON_ACTION(PlanAction, PlanState, earth_rows) {
+  st.earth_clause.numbers.push_back(st.take_quantity());
+}
+RUBICON_ACTION(PlanAction, PlanState, earth_grid) { st.add_earth_clause(); }
+RUBICON_ACTION(PlanAction, PlanState, earth_height_key) { st.begin_earth_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, earth_file) { st.earth_clause.file = st.string; }
+RUBICON_ACTION(PlanAction, PlanState, earth_height_value) {
+  st.earth_clause.numbers.push_back(st.take_quantity());
+}
+RUBICON_ACTION(PlanAction, PlanState, earth_height) { st.add_earth_clause(); }
+RUBICON_ACTION(PlanAction, PlanState, earth_number_key) { st.begin_earth_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, earth_number_value) {
+  st.earth_clause.numbers.push_back(st.take_quantity());
+}
+RUBICON_ACTION(PlanAction, PlanState, earth_number) { st.add_earth_clause(); }
+RUBICON_ACTION(PlanAction, PlanState, earth_at_frame) {
+  st.begin_earth_clause(begin);
+  st.earth_clause.at = st.take_frame();
+}
+RUBICON_ACTION(PlanAction, PlanState, earth_at) { st.add_earth_clause(); }
+RUBICON_ACTION(PlanAction, PlanState, earth_item) { st.add(std::move(st.earth), begin); }
 RUBICON_ACTION(PlanAction, PlanState, dig_key) {
   st.dig = {};
   st.announce("dig");
 }
+RUBICON_ACTION(PlanAction, PlanState, dig_earth) { st.dig.earth = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, dig_shape) { st.dig.shape = st.take_shape(); }
 RUBICON_ACTION(PlanAction, PlanState, dig_volume) { st.dig.volume = st.take_quantity(); }
 RUBICON_ACTION(PlanAction, PlanState, dig_number_key) { st.begin_dig_clause(begin); }
 RUBICON_ACTION(PlanAction, PlanState, dig_number_value) {
@@ -728,7 +760,7 @@ syntax::Plan parse_plan(const SourceMap& sources, FileId file, Diagnostics& diag
        "mobilisation", "overtime", "overhead",  "whole",     "not_before", "due",      "baseline",
        "support",      "fixed",    "braced",    "free",      "near",       "lock",     "deviation",
        "enter",        "moving",   "path",      "repeat",    "area",       "outline",  "shaft",
-       "cover",        "dig"});
+       "cover",        "dig",      "earth"});
   const bool finished = run_parser<grammar::plan_file, PlanAction>(state);
   state.plan.broken = !finished || state.errors() > 0;
   state.plan.span = state.span_from(state.begin());

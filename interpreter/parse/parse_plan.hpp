@@ -154,6 +154,11 @@ class PlanState : public GuideState {
     places.clear();
     cover_clause = {word(from), {}, {}, {}};
   }
+  void begin_earth_clause(const char* from) {
+    earth_clause = {};
+    earth_clause.key = word(from);
+  }
+  void add_earth_clause() { earth.clauses.push_back(std::move(earth_clause)); }
   void begin_dig_clause(const char* from) {
     dig_clause = {};
     dig_clause.key = word(from);
@@ -185,6 +190,8 @@ class PlanState : public GuideState {
   syntax::AreaItem::Part area_part;
   syntax::CoverItem cover;
   syntax::CoverItem::Clause cover_clause;
+  syntax::EarthItem earth;
+  syntax::EarthItem::Clause earth_clause;
   syntax::DigItem dig;
   syntax::DigItem::Clause dig_clause;
   syntax::RobotUse robot;

@@ -432,6 +432,19 @@ struct AreaItem {
   std::vector<Part> parts;
   Span span;
 };
+/// earth NAME { grid 60, 40; cell 0.25 m; at trans(-20, -10, 0); height from "site.csv"; stands 60
+/// deg; }
+struct EarthItem {
+  struct Clause {
+    Name key;
+    std::vector<Number> numbers;  ///< of a grid two
+    std::optional<String> file;
+    std::optional<Frame> at;
+  };
+  Name name;
+  std::vector<Clause> clauses;
+  Span span;
+};
 /// cover NAME { width 1 m; rate 40 m3 per h; partition beams; from (0, 0); }
 struct CoverItem {
   struct Clause {
@@ -589,9 +602,14 @@ struct DigItem {
     bool is_stage = false;
     bool is_timed = false;  ///< load takes ...
   };
-  Number volume;
+  std::optional<Number> volume;
+  std::optional<Name> earth;   ///< in place of a volume,
+  std::optional<Shape> shape;  ///< with what is to be dug from it
   std::vector<Clause> clauses;
   Span span;
+
+  /// Where its volume or its earth stands.
+  Span place() const { return volume ? volume->span : earth->span; }
 };
 /// by crane, riggers;   by all of cranes;   by same as TASK;
 struct ByItem {
@@ -763,7 +781,7 @@ using PlanItem =
                  GoalItem, ViaItem, CarryItem, WithinItem, WaiverItem, PlanParameter, PoolItem,
                  OverheadItem, std::shared_ptr<const PlanBlock>, WholeItem, SupportItem,
                  GuideDeclaration, GuideItem, MotionClause, StorageItem, MovingItem, NetworkItem,
-                 FleetItem, AreaItem>;
+                 FleetItem, AreaItem, EarthItem>;
 struct PlanBlock {
   BlockHead head;
   std::vector<PlanItem> items;

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import os
 import random
 import unittest
@@ -18,6 +19,16 @@ def plan(dig, diggers=1, trucks=4, more="", by="digger"):
 def rounds(volume="40 m3", load="load trucks takes 7 min;", stages="haul takes 17 min; tip takes 3 min; return takes 13 min;",
            more="bed 1 m3;"):
     return "dig %s { %s %s %s }" % (volume, load, stages, more)
+
+
+GANTRY = """robot gantry {
+  body bridge { param x range(-5, 15) step(0.5) speed(0.5 m/s) start(9); frame trans(x, 0, 0); shape box(-0.1, -1, 6, 0.1, 11, 6.2); }
+  body trolley on bridge { param y range(0, 10) step(0.5) speed(0.5 m/s) start(9); frame trans(0, y, 0); shape box(-0.1, -0.1, 5.8, 0.1, 0.1, 6); }
+  body hook on trolley { param z range(-3, 5) step(0.25) speed(0.25 m/s) start(3); frame trans(0, 0, z); shape box(-0.1, -0.1, 0, 0.1, 0.1, 0.3); }
+  tool hook;
+  behaviour { chain { move_to(z, max(z)) }; chain { move_to(x, goal(x)), move_to(y, goal(y)) }; chain { move_to(z, goal(z)) }; }
+}
+"""
 
 
 class Earthwork(ResultCase):
@@ -134,6 +145,65 @@ class Earthwork(ResultCase):
                          r"(?s)n.{0,8}[45]")
         wrong = self.write("w.study", "study s { plan \"p.plan\"; vary n 1 to 2; ask production(dig_pot); }")
         self.assertIn("did you mean dig_pit?", rubicon("study", wrong).stderr)
+
+    def pit(self, dig="dig ground to box(3, 3, -1, 7, 7, 1)", more="", earth="height 0 m; stands 60 deg;", after="after dig_pit;"):
+        self.write("gantry.robot", GANTRY)
+        return ("plan p { %s earth ground { grid 40, 40; cell 0.25 m; %s } robot gantry \"gantry.robot\";"
+                "component footing { shape box(-0.5, -0.5, 0, 0.5, 0.5, 0.5); at trans(9, 9, 0); grip trans(0, 0, 0.5); }"
+                "task dig_pit { by digger; %s { load trucks takes 2 min; bed 8 m3; haul takes 5 min; tip takes 1 min; } }"
+                "task place { by gantry; move footing to trans(5, 5, -1); %s } %s }" % (CREWS % (1, 2, 40), earth, dig, after, more))
+
+    def test_soil_is_in_the_way_until_it_is_dug(self):
+        schedule, tasks = self.run_plan(self.pit())
+        dig = tasks["dig_pit"]["dig"]
+        # 4 x 4 m, 1 m deep; slopes of 60 degrees round it, by cells of 0.25 m.
+        run = 1 / math.tan(math.radians(60))
+        self.assertAlmostEqual(dig["volume"], 16 + 16 * run / 2 + math.pi * run * run / 3, delta=0.6)
+        self.assertEqual(tasks["place"]["result"], "done")
+        _, tasks = self.run_plan(self.pit(after=""), 1)
+        self.assertIn("footing meets dig_pit.soil", tasks["place"]["reason"])
+        _, tasks = self.run_plan(self.pit("dig ground to box(3, 3, -0.75, 7, 7, 1)"), 1)
+        self.assertIn("footing meets ground", tasks["place"]["reason"])
+
+    def test_pits_that_meet_share_the_soil(self):
+        deeper = "task deeper { by digger; %s dig ground to box(4, 4, -2, 6, 6, 1) { load trucks takes 2 min; bed 8 m3; tip takes 1 min; } }"
+        # Nobody digs under what stands.
+        _, tasks = self.run_plan(self.pit(more=deeper % "after dig_pit;"), 1)
+        self.assertIn("without it footing does not stand", tasks["deeper"]["reason"])
+        _, tasks = self.run_plan(self.pit(more=deeper % "after dig_pit;", after="after deeper;"), 1)
+        both = tasks["dig_pit"]["dig"]["volume"] + tasks["deeper"]["dig"]["volume"]
+        _, tasks = self.run_plan(self.pit("dig ground to box(4, 4, -2, 6, 6, 1)"), 1)
+        alone = tasks["dig_pit"]["dig"]["volume"]
+        self.assertGreater(both, alone)
+        path = self.write("p.plan", self.pit(more=deeper % ""))
+        checked = rubicon("check", path)
+        self.assertEqual(checked.returncode, 2)
+        self.assertIn("'deeper' digs where 'dig_pit' digs, and does not come after it", checked.stderr)
+
+    def test_heights_from_a_file(self):
+        self.write("heights.csv", "# m\n" + "\n".join(", ".join("%.1f" % (row * 0.05) for _ in range(40)) for row in range(39, -1, -1)))
+        _, tasks = self.run_plan(self.pit("dig ground to box(3, 3, -1, 7, 7, 3)", earth="height from \"heights.csv\"; stands 90 deg;", after="after dig_pit;"), None)
+        # Rows 12 to 27 of 0.0, 0.05, ... as 0.0, 0.1, 0.1 (or 0.2), ...: what the file says, in whole mm.
+        heights = [round(float("%.1f" % (row * 0.05)) * 1000) for row in range(12, 28)]
+        self.assertAlmostEqual(tasks["dig_pit"]["dig"]["volume"], sum((h + 1000) * 16 * 0.0625 / 1000 for h in heights), 9)
+        self.write("heights.csv", "1, 2, 3\n")
+        checked = rubicon("check", self.write("p.plan", self.pit(earth="height from \"heights.csv\"; stands 90 deg;")))
+        self.assertEqual(checked.returncode, 2)
+        self.assertIn("line 1: expected 40 heights, found 3", checked.stderr)
+
+    def test_verify_finds_soil_that_was_not_hauled(self):
+        self.run_plan(self.pit())
+        path = os.path.join(self.out, "trace.jsonl")
+        with open(path, encoding="utf-8") as file:
+            lines = file.read().splitlines(keepends=True)
+        header = json.loads(lines[0])
+        soil = [each for each in header["components"] if each["name"] == "dig_pit.soil"][0]
+        soil["shapes"] = soil["shapes"][1:]
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(json.dumps(header) + "\n" + "".join(lines[1:]))
+        found = rubicon("verify", self.out)
+        self.assertEqual(found.returncode, 1)
+        self.assertIn("not the soil that it takes away", found.stdout)
 
     def test_mistakes_are_told_at_their_places(self):
         fine = rounds()

@@ -80,6 +80,9 @@ export interface TaskData {
   crews: string[];
   move?: string;
   to?: PoseRows;
+  /** Of a task that digs in an earth: the component that it takes away. */
+  dig?: { soil?: string };
+  choices?: { dig?: { soil?: string } }[];
   zones: ShapeData[];
   after: { task: string; type: string; lag: number }[];
   attributes?: Record<string, string>;
@@ -112,6 +115,8 @@ export interface Header {
   calendars: CalendarData[];
   files: { path: string; text: string }[];
   site: ShapeData[];
+  /** Whose they are, "" for those of the site itself. */
+  site_names?: string[];
   movings?: MovingData[];
   networks?: NetworkData[];
   components: ComponentData[];
@@ -153,6 +158,20 @@ export interface ScheduledTask {
   late?: number;
   /** What does not stand, where the plan only warns of it. */
   support?: string[];
+  dig?: DigData;
+}
+
+/** What a task dug (m3 of bank volume), and the queues of its trucks (s). */
+export interface DigData {
+  volume: number;
+  tipped: number;
+  loads: number;
+  working: number;
+  per_hour: number;
+  cost_per_m3?: number;
+  trucks: number;
+  match_factor: number;
+  queues: { stage: string; by: string; servers: number; served: number; mean_wait: number; longest_wait: number; mean_length: number; utilisation: number }[];
 }
 
 /** So many components lie in a storage place from `t` on. */

@@ -66,8 +66,9 @@ struct Operation {
   double match_factor() const;
 };
 
-/// The most loads of an operation.
-inline constexpr std::int64_t kMostLoads = 20'000'000;
+/// The most loads of an operation, and the most passes of all of them.
+inline constexpr std::int64_t kMostLoads = 2'000'000;
+inline constexpr std::int64_t kMostPasses = 20'000'000;
 
 /// The longest operation: it ends then, and is not complete. 1e8 s, some three years.
 inline constexpr Nanoseconds kLongest = 100'000'000'000'000'000;

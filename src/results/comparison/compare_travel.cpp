@@ -41,7 +41,8 @@ void add_moving(const interpreter::MovingSpec& moving, travel::GrownView& view) 
 std::vector<travel::Obstacle> obstacles_of(const interpreter::PlanModel& plan, int own,
                                            travel::GrownView view) {
   for (std::size_t i = 0; i < plan.site.size(); ++i) {
-    view.add(site::site_shape_name(i, plan.site.size()), {plan.site[i]}, math::Pose::Identity());
+    view.add(site::site_shape_name(plan.site_names, i, plan.site.size()), {plan.site[i]},
+             math::Pose::Identity());
   }
   for (const interpreter::ComponentSpec& component : plan.components) {
     view.add(component.name, component.shapes, component.X_WO);

@@ -111,7 +111,10 @@ std::string sample_text(const Schedule& schedule) {
                                     ? "1 duration is"
                                     : fmt::format("{} durations are", schedule.uncertain);
   if (!schedule.sample) {
-    return durations + " not certain, and stand for their means; --sample SEED draws them\n";
+    return durations +
+           (schedule.uncertain == 1 ? " not certain, and stands for its mean"
+                                    : " not certain, and stand for their means") +
+           "; --sample SEED draws them\n";
   }
   return fmt::format("{} not certain, and drawn with seed {}, run {}\n", durations,
                      schedule.sample->seed, schedule.sample->run);

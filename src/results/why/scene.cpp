@@ -61,8 +61,8 @@ Scene::Scene(const replay::Replay& replay, const replay::TaskRun& run)
       components_(replay.header.components.size()) {
   const auto& shapes = replay.header.site;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    obstacles_.insert(site::site_shape_name(i, shapes.size()), prepared({shapes[i]}),
-                      math::Pose::Identity());
+    obstacles_.insert(site::site_shape_name(replay.header.site_names, i, shapes.size()),
+                      prepared({shapes[i]}), math::Pose::Identity());
   }
   add_machines();
   add_changes();
@@ -362,7 +362,7 @@ std::optional<Origin> Scene::machine_origin(std::size_t robot) const {
 std::optional<Origin> Scene::origin_of(const std::string& name) const {
   const auto& shapes = replay_.header.site;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (site::site_shape_name(i, shapes.size()) == name) return Origin{};
+    if (site::site_shape_name(replay_.header.site_names, i, shapes.size()) == name) return Origin{};
   }
   for (std::size_t i = 0; i < components_.size(); ++i) {
     if (!components_[i].id || replay_.header.components[i].name != name) continue;

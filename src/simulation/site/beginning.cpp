@@ -50,7 +50,7 @@ class BeginningSearch {
   Beginning run() {
     using Kind = ThingRef::Kind;
     for (std::size_t i = 0; i < plan_.site.size(); ++i) {
-      const std::string name = site_shape_name(i, plan_.site.size());
+      const std::string name = site_shape_name(plan_.site_names, i, plan_.site.size());
       stand({name,
              "site",
              {Kind::site, -1},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -19,8 +20,12 @@ collision::BodyPtr prepare_named(const std::vector<geometry::Shape>& shapes,
   }
 }
 
-std::string site_shape_name(std::size_t i, std::size_t count) {
-  return count == 1 ? "site" : fmt::format("site {}", i + 1);
+std::string site_shape_name(const std::vector<std::string>& names, std::size_t i,
+                            std::size_t count) {
+  if (i < names.size() && !names[i].empty()) return names[i];
+  const auto named = std::count_if(names.begin(), names.end(),
+                                   [](const std::string& name) { return !name.empty(); });
+  return count - static_cast<std::size_t>(named) == 1 ? "site" : fmt::format("site {}", i + 1);
 }
 
 StartingRobot make_starting_robot(const interpreter::RobotSpec& spec, PreparedRobots& prepared) {
@@ -38,7 +43,7 @@ StartingRobot make_starting_robot(const interpreter::RobotSpec& spec, PreparedRo
 SiteWorld make_site(const interpreter::PlanModel& plan) {
   SiteWorld site(plan.contact);
   for (std::size_t i = 0; i < plan.site.size(); ++i) {
-    const std::string name = site_shape_name(i, plan.site.size());
+    const std::string name = site_shape_name(plan.site_names, i, plan.site.size());
     site.add_obstacle(name, prepare_named({plan.site[i]}, name), math::Pose::Identity());
   }
   if (!plan.site.empty()) site.show_obstacle("site", plan.site);

@@ -14,9 +14,11 @@ namespace rubicon::site {
 collision::BodyPtr prepare_named(const std::vector<geometry::Shape>& shapes,
                                  const std::string& name);
 
-/// What site shape `i` of `count` is called: "site", or "site 1", "site 2" ... where there are
-/// several.
-std::string site_shape_name(std::size_t i, std::size_t count);
+/// What site shape `i` of `count` is called: whose it is by `names`, which may be shorter and has
+/// "" for those of the site itself, which are first; these are "site", or "site 1", "site 2" ...
+/// where there are several.
+std::string site_shape_name(const std::vector<std::string>& names, std::size_t i,
+                            std::size_t count);
 
 /// The bodies of robot files, each made ready once.
 using PreparedRobots = std::map<const interpreter::CheckedRobot*, PreparedBodies>;

@@ -65,7 +65,7 @@ Support::Support(const interpreter::PlanModel& plan, const SiteWorld& site)
 std::string Support::name_of(Thing thing) const {
   if (is_component(thing)) return plan_.components[at(thing)].name;
   if (thing == ground_) return "the ground (z = 0)";
-  return site_shape_name(at(thing - components()), plan_.site.size());
+  return site_shape_name(plan_.site_names, at(thing - components()), plan_.site.size());
 }
 
 /// What was put down or taken since.

@@ -179,6 +179,7 @@ struct TraceHeader {
   std::vector<HeaderFile> files;
   std::vector<std::pair<std::string, std::string>> set;  ///< parameters of the plan, if given
   std::vector<geometry::Shape> site;                     ///< in {W}
+  std::vector<std::string> site_names;                   ///< whose they are, as in the plan
   std::vector<HeaderStorage> storages;
   std::vector<HeaderMoving> movings;
   std::vector<HeaderComponent> components;

@@ -301,6 +301,7 @@ TraceHeader read_scene(const JsonObject& header) {
   read_plan(header, read);
   read.meshes = read_meshes(header);
   read.site = read_shapes(header, "site", read.meshes);
+  if (header.has("site_names")) read.site_names = header.texts("site_names");
   if (header.has("storages")) {
     header.each_object("storages", [&](const JsonObject& object) {
       read.storages.push_back({object.text("name"), read_shapes(object, "shapes", read.meshes)});

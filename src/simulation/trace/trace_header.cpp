@@ -338,6 +338,10 @@ void write_dig(JsonBuilder& json, const PlanModel& plan, const interpreter::DigS
     json.begin_object().field("crew", each.name).field("count", each.count).end_object();
   }
   json.end_array();
+  if (dig.soil >= 0) {
+    json.field("earth", plan.earths[static_cast<std::size_t>(dig.earth)].name);
+    json.field("soil", plan.components[static_cast<std::size_t>(dig.soil)].name);
+  }
   json.field("hauled_by", plan.crews[static_cast<std::size_t>(dig.trucks)].name);
   json.field("trucks", operation.trucks);
   if (operation.loaded > 0) json.field("loaded", operation.loaded);
@@ -579,6 +583,7 @@ std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sou
   }
   json.key("site");
   write_shapes(json, plan.site, meshes);
+  if (!plan.site_names.empty()) json.key("site_names").strings(plan.site_names);
   if (!plan.storages.empty()) {
     json.key("storages").begin_array();
     for (const interpreter::StorageSpec& storage : plan.storages) {

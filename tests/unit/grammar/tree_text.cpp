@@ -210,6 +210,18 @@ class Writer {
     }
     close();
   }
+  void item(const syntax::EarthItem& value) {
+    open("earth");
+    name(value.name);
+    for (const syntax::EarthItem::Clause& clause : value.clauses) {
+      open(clause.key.text);
+      for (const syntax::Number& entry : clause.numbers) number(entry);
+      if (clause.file) string(*clause.file);
+      if (clause.at) frame(*clause.at);
+      close();
+    }
+    close();
+  }
   void item(const syntax::CoverItem& value) {
     open("cover");
     name(value.area);
@@ -341,7 +353,9 @@ class Writer {
   }
   void item(const syntax::DigItem& value) {
     open("dig");
-    number(value.volume);
+    if (value.volume) number(*value.volume);
+    if (value.earth) name(*value.earth);
+    if (value.shape) shape(*value.shape);
     for (const syntax::DigItem::Clause& clause : value.clauses) {
       open(clause.is_stage ? "stage" : "clause");
       name(clause.key);

@@ -19,7 +19,7 @@ export function mountOverview(host: HTMLElement, page: Page): { showRefusals(): 
   if (!film.schedule) say('There is no schedule: cost, utilisation, waits and the critical chain are missing.');
   if (film.runs.length === 0) say(nothing(page));
   if (refusals) host.append(refusals);
-  if (film.schedule) host.append(...lateOf(page, film.schedule), ...supportOf(page, film.schedule), ...resourcesOf(page, film.schedule), ...costsOf(page, film.schedule),
+  if (film.schedule) host.append(...lateOf(page, film.schedule), ...supportOf(page, film.schedule), ...resourcesOf(page, film.schedule), ...earthworkOf(page, film.schedule), ...costsOf(page, film.schedule),
     ...waitsOf(film.schedule), ...timetablesOf(film.schedule));
   if (film.flow) host.append(...materialOf(film.flow));
   if (film.schedule) host.append(...chainOf(page, film.schedule));
@@ -127,6 +127,31 @@ function supportOf(page: Page, schedule: ScheduleData): HTMLElement[] {
 
 function head(...names: string[]): HTMLElement {
   return make('thead', {}, make('tr', {}, ...names.map((name) => make('th', { scope: 'col' }, name))));
+}
+
+/** What tasks dug, how fast, and who waited for whom. */
+function earthworkOf(page: Page, schedule: ScheduleData): HTMLElement[] {
+  const digs = schedule.tasks.flatMap(({ task, dig }) => (dig ? [{ task, dig }] : []));
+  if (digs.length === 0) return [];
+  const byName = runsByName(page);
+  const isCosted = digs.some(({ dig }) => dig.cost_per_m3 !== undefined);
+  const production = make('tbody');
+  const queues = make('tbody');
+  for (const { task, dig } of digs.slice(0, mostListed)) {
+    const cells = [number(dig.tipped, 1), dig.loads.toLocaleString('en-GB'), number(dig.per_hour, 1), number(dig.match_factor, 2)];
+    if (isCosted) cells.push(dig.cost_per_m3 === undefined ? '' : number(dig.cost_per_m3, 2));
+    production.append(make('tr', {}, make('th', { scope: 'row' }, taskButton(page, byName, task)), ...cells.map((text) => make('td', {}, text))));
+    for (const queue of dig.queues) {
+      const by = queue.servers > 1 ? `${queue.by} (${queue.servers})` : queue.by;
+      const times = [duration(queue.mean_wait), duration(queue.longest_wait), number(queue.mean_length, 2), `${number(100 * queue.utilisation, 0)} %`];
+      queues.append(make('tr', {}, make('th', { scope: 'row' }, named(`${task}.${queue.stage}`), make('small', {}, ` before ${by}`)), ...times.map((text) => make('td', {}, text))));
+    }
+  }
+  const unit = schedule.currency ?? page.film.header.currency;
+  const note = 'Match factor below 1: diggers wait for trucks; above 1: trucks queue. m3 are of the volume in the ground, hours are worked.';
+  return [make('h2', {}, 'Earthwork'), make('p', { class: 'muted' }, note),
+    make('table', {}, head('Task', 'm3', 'Loads', 'm3 per h', 'Match factor', ...(isCosted ? [unit ? `${cut(unit, 12)} per m3` : 'Cost per m3'] : [])), production),
+    make('table', {}, head('Queue', 'Mean wait', 'Longest', 'Trucks in it', 'Busy'), queues)];
 }
 
 /** What keeps a timetable, where it had to stop. */

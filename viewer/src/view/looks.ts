@@ -22,6 +22,8 @@ export class Looks {
   /** Of the refused step shown, by batch and element. */
   private pair = new Map<string, Colour>();
   private picked = new Set<string>();
+  /** Components that tasks dig away. */
+  private readonly soils: Set<string>;
 
   constructor(private readonly film: Film, private readonly model: SiteModel, private readonly player: Player) {
     const numbers = new Map<string, number>();
@@ -30,6 +32,8 @@ export class Looks {
       if (!numbers.has(kind)) numbers.set(kind, numbers.size);
       return numbers.get(kind) ?? 0;
     });
+    const digs = film.header.tasks.flatMap(({ dig, choices }) => [dig, ...(choices ?? []).map((choice) => choice.dig)]);
+    this.soils = new Set(digs.flatMap((dig) => dig?.soil ?? []));
   }
 
   setTheme(theme: Theme): void {
@@ -56,7 +60,8 @@ export class Looks {
   component(element: number): void {
     const { state } = this.model.stock.items[element];
     const { theme } = this;
-    const colour = state === 'carried' ? theme.carried : state === 'waiting' ? theme.waiting
+    const isSoil = this.soils.has(this.film.header.components[element].name);
+    const colour = isSoil ? theme.soil : state === 'carried' ? theme.carried : state === 'waiting' ? theme.waiting
       : theme.components[this.kinds[element] % theme.components.length];
     this.put({ batch: 'component', element }, colour, state === 'removed' ? 'hidden' : 'plain');
   }
@@ -89,7 +94,8 @@ export class Looks {
 
   private site(element: number): void {
     const { theme, model } = this;
-    this.put({ batch: 'site', element }, element === model.ground.element ? theme.ground : theme.fixture, 'plain');
+    const isEarth = Boolean(this.film.header.site_names?.[element]);
+    this.put({ batch: 'site', element }, isEarth ? theme.earth : element === model.ground.element ? theme.ground : theme.fixture, 'plain');
   }
 
   private body(robot: number, body: number): void {

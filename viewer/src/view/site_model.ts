@@ -284,7 +284,9 @@ export class SiteModel {
       }
     });
     (header.movings ?? []).forEach(({ name }, element) => add(name, { batch: 'moving', element }));
-    header.site.forEach((_, i) => add(header.site.length > 1 ? `site ${i + 1}` : 'site', { batch: 'site', element: i }));
+    const names = header.site_names ?? [];
+    const unnamed = header.site.length - names.filter((name) => name).length;
+    header.site.forEach((_, i) => add(names[i] || (unnamed > 1 ? `site ${i + 1}` : 'site'), { batch: 'site', element: i }));
   }
 }
 

@@ -16,6 +16,9 @@ export interface Theme {
   ground: Colour;
   /** Site shapes other than the ground. */
   fixture: Colour;
+  /** Ground that is dug in, and what is dug of it. */
+  earth: Colour;
+  soil: Colour;
   grid: Colour;
   label: Colour;
   /** Edges of shapes. */
@@ -37,6 +40,7 @@ function themeOn(ground: Ground): Theme {
   const { page, site } = palette[ground];
   return {
     dark: ground === 'dark', skyTop: hex(site.skyTop), skyBelow: hex(site.skyBelow), ground: hex(site.ground), fixture: hex(site.fixture),
+    earth: hex(site.earth), soil: hex(site.soil),
     grid: hex(site.grid), label: hex(site.label), edge: hex(site.edge), waiting: hex(site.waiting), carried: hex(site.carried),
     selected: hex(site.selected), moved: hex(page.moved), met: hex(page.met), zone: hex(site.zone), goal: hex(site.goal),
     rope: hex(site.rope), machines: site.machines.map(hex), components: site.components.map(hex),

@@ -267,6 +267,17 @@ SceneStage read_stage(const JsonFields& fields, std::string name) {
   return stage;
 }
 
+}  // namespace
+
+std::string Scene::site_name(std::size_t i) const {
+  if (i < site_names.size() && !site_names[i].empty()) return site_names[i];
+  std::size_t unnamed = site.size();
+  for (const std::string& each : site_names) unnamed -= each.empty() ? 0 : 1;
+  return unnamed == 1 ? "site" : fmt::format("site {}", i + 1);
+}
+
+namespace {
+
 SceneDig read_dig(const JsonFields& fields) {
   SceneDig dig;
   dig.volume = volume_of(fields, "volume", 1);
@@ -291,6 +302,7 @@ SceneDig read_dig(const JsonFields& fields) {
   if (!tips || dig.diggers.empty()) fields.fail("diggers, and the stage that tips");
   if (fields.has("efficiency")) dig.efficiency = fields.number("efficiency");
   if (!(dig.efficiency > 0)) fields.fail("an efficiency above 0");
+  dig.soil = fields.text_or("soil", "");
   if (fields.has("limit")) dig.limit = fields.time("limit");
   dig.loads =
       fields.any("loads").is_number_integer() ? fields.any("loads").get<std::int64_t>() : -1;
@@ -487,6 +499,9 @@ Scene read_scene(const std::string& line) {
   }
   scene.meshes = read_meshes(header.array("meshes"));
   scene.site = read_shapes(header.array("site"), scene.meshes.size());
+  for (const Json& name : list_or_empty(header, "site_names")) {
+    scene.site_names.push_back(name.is_string() ? name.get<std::string>() : "");
+  }
   scene.carry = read_shapes(header.array("carry"), scene.meshes.size());
   for (const Json& object : list_or_empty(header, "movings")) {
     scene.movings.push_back(read_moving(JsonFields(object, "a moving"), scene.meshes.size()));

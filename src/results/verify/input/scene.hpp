@@ -190,7 +190,8 @@ struct SceneDig {
   std::vector<SceneStage> stages;
   std::size_t tip = 0;
   double efficiency = 1;
-  Ticks limit = 0;  ///< 0: none
+  Ticks limit = 0;   ///< 0: none
+  std::string soil;  ///< the component that it takes away; "": only a volume is given
   std::int64_t loads = 0, tipped = 0;
   Ticks time = 0;
 };
@@ -288,6 +289,10 @@ struct Scene {
   std::vector<SceneFile> files;
   std::vector<MeshData> meshes;
   std::vector<ShapeData> site;
+  std::vector<std::string> site_names;  ///< whose they are; may be shorter
+
+  /// What a shape of the site is called.
+  std::string site_name(std::size_t i) const;
   std::vector<ShapeData> carry;
   std::vector<SceneMoving> movings;
   std::vector<SceneComponent> components;

@@ -88,7 +88,7 @@ class HitCheck {
     if (scene.component_index.contains(name)) return true;
     if (!scene.carry.empty() && name == kCarried) return true;
     for (std::size_t i = 0; i < scene.site.size(); ++i) {
-      if (name == (scene.site.size() == 1 ? "site" : fmt::format("site {}", i + 1))) return true;
+      if (name == scene.site_name(i)) return true;
     }
     if (name == "the load chart of " + robot_.name) return true;
     const auto is_moving = [&](const SceneMoving& each) {

@@ -77,7 +77,7 @@ SiteParts make_site_parts(const Trace& trace, const std::vector<TaskRun>& runs,
   const Scene& scene = trace.scene;
   SiteParts parts;
   for (std::size_t i = 0; i < scene.site.size(); ++i) {
-    const std::string name = scene.site.size() == 1 ? "site" : fmt::format("site {}", i + 1);
+    const std::string name = scene.site_name(i);
     parts.obstacles.push_back(
         {name, make_solid({scene.site[i]}, scene.meshes), Pose::Identity(), 0, until, -1, -1});
   }

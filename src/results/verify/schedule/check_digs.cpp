@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 namespace rubicon::verify {
@@ -233,6 +234,18 @@ std::string fault_of(const SceneDig& dig, bool sampled) {
                      least / static_cast<double>(kSecond));
 }
 
+/// m3 of the boxes of the soil that a dig takes away; nothing where there is no such component.
+std::optional<double> soil_volume(const Scene& scene, const std::string& soil) {
+  const auto found = scene.component_index.find(soil);
+  if (found == scene.component_index.end()) return std::nullopt;
+  double sum = 0;
+  for (const ShapeData& shape : scene.components[static_cast<std::size_t>(found->second)].shapes) {
+    if (shape.kind != ShapeData::Kind::box) return std::nullopt;
+    sum += (shape.b - shape.a).prod();
+  }
+  return sum;
+}
+
 }  // namespace
 
 void check_digs(const Trace& trace, Faults& faults) {
@@ -244,6 +257,13 @@ void check_digs(const Trace& trace, Faults& faults) {
     const bool is_its_work =
         task.takes.size() == 1 && std::llabs(task.takes.front().time - task.dig->time) <= slack;
     if (text.empty() && !is_its_work) text = "its work is not as long as its rounds";
+    if (text.empty() && !task.dig->soil.empty()) {
+      const double volume = static_cast<double>(task.dig->volume) * 1e-9;
+      const auto soil = soil_volume(trace.scene, task.dig->soil);
+      if (!soil || std::fabs(*soil - volume) > 1e-9 * volume) {
+        text = fmt::format("it hauls {:.3f} m3, which is not the soil that it takes away", volume);
+      }
+    }
     if (text.empty()) continue;
     faults.push_back({FaultKind::schedule, ResultFile::trace, 1, task.name, -1, "dig: " + text});
   }
