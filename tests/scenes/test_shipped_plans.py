@@ -2,6 +2,7 @@
 in another or in a zone of people, as an independent calculation from the trace says."""
 
 import json
+import math
 import os
 import re
 import tempfile
@@ -189,6 +190,34 @@ class Pour(Shipped):
         self.assertAlmostEqual(cover["covered_area"], 28.8 * 12 - 4 * 2.4 - 6 * 0.16, 2)
         self.assertGreater(pour["duration"], cover["volume"] / 45 * 3600)
         self.assertLess(pour["duration"], cover["length"] * 0.3 / 45 * 3600)
+
+
+class FoundationPit(Shipped):
+    plan = "foundation_pit"
+    is_upright = False
+    test_no_machine_is_ever_in_another = None
+    test_no_machine_is_ever_in_a_zone = None
+    test_no_load_is_ever_above_people = None
+
+    def test_the_volume_is_that_of_the_pit_with_its_slopes(self):
+        heights = [[float(each) for each in line.split(",")]
+                   for line in read(os.path.join(PLANS, "foundation_pit.csv")).decode().splitlines() if not line.startswith("#")]
+        volume = 0
+        for row, line in enumerate(reversed(heights)):
+            for column, height in enumerate(line):
+                x, y = -8 + 0.5 * (column + 0.5), -6 + 0.5 * (row + 0.5)
+                off = math.hypot(max(12 - x, x - 36, 0), max(4 - y, y - 18, 0))
+                volume += 0.25 * max(height - (-1.4 + off * math.tan(math.radians(60))), 0)
+        dig = self.run_1.tasks["dig_pit"]["dig"]
+        self.assertAlmostEqual(dig["volume"], volume, delta=0.1)  # heights are whole mm
+        self.assertEqual(dig["tipped"], dig["volume"])
+        self.assertEqual(dig["loads"], math.ceil(dig["volume"] / 10))
+
+    def test_no_footing_goes_before_the_soil(self):
+        dug = self.run_1.tasks["dig_pit"]["start"] + self.run_1.tasks["dig_pit"]["duration"]
+        for name, task in self.run_1.tasks.items():
+            if name.startswith("set_"):
+                self.assertGreaterEqual(task["start"], dug, name)
 
 
 class Ceiling(Shipped):
