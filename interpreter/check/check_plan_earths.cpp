@@ -20,6 +20,9 @@ using syntax::UnitKind;
 
 constexpr double kLeastCell = 0.01;  // m
 constexpr double kMostCell = 100;    // m
+constexpr double kMostExtent = 1e5;  // m, of an earth along a side
+/// Soil above the bottom of a pit, all over its earth, m3: sums of mm3 stay within 64 bits.
+constexpr double kMostAbove = 4e9;
 /// Boxes of which the ground and the soil of a plan are made, at most.
 constexpr std::size_t kMostBlocks = 20'000;
 /// Below the lowest of the ground there is so much of it still, mm.
@@ -52,6 +55,10 @@ class EarthCheck {
             fmt::format("{} has {:.0f} cells; expected up to {}", who_, columns_ * rows_,
                         soil::kMostCells),
             "larger cells");
+      return std::nullopt;
+    }
+    if (std::max(columns_, rows_) * static_cast<double>(cell_) * 1e-3 > kMostExtent) {
+      wrong(given_["grid"], fmt::format("{} is more than {:g} m long", who_, kMostExtent));
       return std::nullopt;
     }
     const int columns = static_cast<int>(columns_);
@@ -217,6 +224,13 @@ class SoilTaker {
     EarthSpec& earth = subject_.model.earths[at(index)];
     const auto pit = pit_in(earth);
     if (!pit) return std::nullopt;
+    if (above(earth.after, pit->bottom) > kMostAbove) {
+      wrong(item_.shape->span,
+            fmt::format("more than {:g} m3 of earth '{}' lie above the bottom of this shape",
+                        kMostAbove, earth.name),
+            "a smaller earth, or a pit that is not so deep");
+      return std::nullopt;
+    }
     const soil::Excavation dug = excavate(earth.after, *pit, earth.stands_deg);
     if (dug.reaches_border) {
       wrong(item_.shape->span,
@@ -252,6 +266,15 @@ class SoilTaker {
 
   void wrong(Span span, std::string message, std::string hint = {}) {
     subject_.error("P56", span, std::move(message), std::move(hint));
+  }
+
+  /// m3, at most.
+  static double above(const soil::Terrain& ground, soil::Millimetres bottom) {
+    const soil::Millimetres highest =
+        *std::max_element(ground.heights.begin(), ground.heights.end());
+    const double side = static_cast<double>(ground.cell) * 1e-3;
+    return static_cast<double>(ground.heights.size()) * side * side *
+           static_cast<double>(std::max<soil::Millimetres>(highest - bottom, 0)) * 1e-3;
   }
 
   std::optional<soil::Pit> pit_in(const EarthSpec& earth) {

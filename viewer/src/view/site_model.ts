@@ -1,4 +1,5 @@
 import { Box3, Group, Matrix4, Vector3 } from 'three';
+import { Digs } from '../digs';
 import type { Film, Track } from '../film';
 import type { RobotData, ShapeData } from '../header';
 import { Mechanism, poseMatrix, poseRows } from '../kinematics';
@@ -79,6 +80,7 @@ export class SiteModel {
   loaded: number[] = [];
   private readonly shapes: Shapes;
   private readonly timetables: Timetables;
+  private readonly digs: Digs;
   private readonly movingBounds: Box3[];
   private readonly parts = new Map<string, Part[]>();
 
@@ -86,6 +88,7 @@ export class SiteModel {
     const { header } = film;
     this.shapes = new Shapes(film);
     this.stock = new Stock(film);
+    this.digs = new Digs(film);
     this.poses = this.stock.items.map((item) => item.pose.clone());
 
     const movings = this.shapes.surface((header.movings ?? []).map(({ shapes }) => shapes));
@@ -166,6 +169,10 @@ export class SiteModel {
     if (changed.size > 0) this.load();
     for (const i of changed) {
       if (!this.loaded.includes(i)) this.components.setPose(i, this.poses[i].copy(this.stock.items[i].pose));
+    }
+    for (const [i, shrunk] of this.digs.seek(time, changed)) {
+      changed.add(i);
+      this.components.setPose(i, this.stock.items[i].pose.clone().multiply(shrunk));
     }
     this.loaded.forEach((component, i) => {
       const { pose, robot, turn } = this.stock.items[component];
