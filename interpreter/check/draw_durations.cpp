@@ -24,16 +24,6 @@ void for_each_uncertain(Task& task, const Use& use) {
   }
 }
 
-/// Stages of a dig, loading included, that are not certain.
-int uncertain_stages(const DigSpec& dig) {
-  const auto is_uncertain = [](const hauling::StageTime& time) {
-    return time.law && !time.law->is_certain();
-  };
-  int count = is_uncertain(dig.operation.loading) ? 1 : 0;
-  for (const hauling::Stage& stage : dig.operation.stages) count += is_uncertain(stage.time);
-  return count;
-}
-
 }  // namespace
 
 void draw_durations(PlanModel& plan, const SampleSpec& sample) {
@@ -42,7 +32,7 @@ void draw_durations(PlanModel& plan, const SampleSpec& sample) {
     work.duration = sampling::draw(*work.law, {sample.seed, sample.run, place});
   };
   const auto draw_dig = [&](TaskSpec& task) {
-    if (!task.dig || uncertain_stages(*task.dig) == 0) return;
+    if (!task.dig || task.dig->operation.uncertain_stages() == 0) return;
     task.dig->result =
         simulate(task.dig->operation, hauling::Draws{sample.seed, sample.run, task.name});
     task.takes.front().duration = static_cast<double>(task.dig->result.time) / hauling::kPerSecond;
@@ -70,7 +60,7 @@ std::vector<UncertainDuration> uncertain_durations(const PlanModel& plan) {
 int count_uncertain(const PlanModel& plan) {
   int count = static_cast<int>(uncertain_durations(plan).size());
   for (const TaskSpec& task : plan.tasks) {
-    if (task.dig) count += uncertain_stages(*task.dig);
+    if (task.dig) count += task.dig->operation.uncertain_stages();
   }
   return count;
 }

@@ -180,6 +180,17 @@ class Earthwork(ResultCase):
         self.assertEqual(checked.returncode, 2)
         self.assertIn("'deeper' digs where 'dig_pit' digs, and does not come after it", checked.stderr)
 
+    def test_nobody_digs_under_a_machine(self):
+        crane = ("robot crane { body mast { shape box(-0.5, -0.5, 0, 0.5, 0.5, 3); } body jib on mast { param theta range(-90, 90) step(5) speed(10 deg/s);"
+                 "frame rotz(theta); shape box(0.6, -0.1, 2.6, 2, 0.1, 2.8); } tool jib; behaviour { chain { move_to(theta, goal(theta)) } } }")
+        self.write("crane.robot", crane)
+        stands = "robot crane \"crane.robot\" at trans(%s, 0);"
+        for place, result in (("3.5, 3.5", "rejected"), ("2.8, 5", "rejected"), ("1.5, 5", "done")):
+            _, tasks = self.run_plan(self.pit(more=stands % place), None)
+            self.assertEqual(tasks["dig_pit"]["result"], result, place)
+            if result == "rejected":
+                self.assertIn("dig_pit.soil cannot be taken away: crane stands on it", tasks["dig_pit"]["reason"])
+
     def test_heights_from_a_file(self):
         self.write("heights.csv", "# m\n" + "\n".join(", ".join("%.1f" % (row * 0.05) for _ in range(40)) for row in range(39, -1, -1)))
         _, tasks = self.run_plan(self.pit("dig ground to box(3, 3, -1, 7, 7, 3)", earth="height from \"heights.csv\"; stands 90 deg;", after="after dig_pit;"), None)

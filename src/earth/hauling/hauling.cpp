@@ -287,6 +287,12 @@ int Operation::digger_count() const {
   return sum;
 }
 
+int Operation::uncertain_stages() const {
+  int count = loading.is_certain() ? 0 : 1;
+  for (const Stage& each : stages) count += each.time.is_certain() ? 0 : 1;
+  return count;
+}
+
 double Operation::mean_loading() const { return passes(load) * loading.seconds / efficiency; }
 
 double Operation::mean_round() const {

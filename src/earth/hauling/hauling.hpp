@@ -23,6 +23,8 @@ inline constexpr double kPerSecond = 1e9;
 struct StageTime {
   double seconds = 0;
   std::optional<sampling::DurationLaw> law = {};
+
+  bool is_certain() const { return !law || law->is_certain(); }
 };
 
 /// What a truck does after it was loaded, such as to haul, be weighed, tip, return.
@@ -58,6 +60,8 @@ struct Operation {
   int passes(CubicMillimetres load) const;
   std::int64_t loads() const;
   int digger_count() const;
+  /// Stages, loading included, whose durations are not certain.
+  int uncertain_stages() const;
   /// Seconds of a round without waiting, and of loading, of a full truck by the means.
   double mean_loading() const;
   double mean_round() const;

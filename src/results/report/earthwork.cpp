@@ -19,16 +19,6 @@ using hauling::Result;
 using taskplan::TaskOutcome;
 using Row = TableRow;
 
-bool is_uncertain(const interpreter::DigSpec& dig) {
-  const auto by_chance = [](const hauling::StageTime& time) {
-    return time.law && !time.law->is_certain();
-  };
-  const std::vector<hauling::Stage>& stages = dig.operation.stages;
-  return by_chance(dig.operation.loading) ||
-         std::any_of(stages.begin(), stages.end(),
-                     [&](const hauling::Stage& stage) { return by_chance(stage.time); });
-}
-
 bool dug(const TaskOutcome& task) { return task.dig && task.result == taskplan::TaskResult::done; }
 
 double cubic_metres(hauling::CubicMillimetres volume) {
@@ -105,7 +95,7 @@ std::string earthwork_table(const taskplan::Schedule& schedule) {
   if (std::none_of(schedule.tasks.begin(), schedule.tasks.end(), dug)) return {};
   std::string text = production_table(schedule) + "\n" + queue_table(schedule);
   const auto by_means = [](const TaskOutcome& task) {
-    return dug(task) && is_uncertain(*task.dig);
+    return dug(task) && task.dig->operation.uncertain_stages() > 0;
   };
   if (!schedule.sample && std::any_of(schedule.tasks.begin(), schedule.tasks.end(), by_means)) {
     text +=

@@ -62,6 +62,30 @@ bool leaves_others(ActiveTask& task, Stage& stage, int component) {
       std::move(involved));
 }
 
+/// Whether the task is rejected because a machine stands on the soil that it has dug.
+bool undermines(ActiveTask& task, Stage& stage, int component) {
+  constexpr double kStandsWithin = 0.05;  // m above the soil
+  const interpreter::TaskSpec& spec = stage.spec(task.task);
+  if (!stage.support || !spec.dig || spec.dig->soil != component) return false;
+  std::vector<geometry::Shape> above =
+      stage.plan.components[static_cast<std::size_t>(component)].shapes;
+  for (geometry::Shape& shape : above) {
+    shape.X_BS = stage.site.X_WO(component) * shape.X_BS;
+    shape.X_BS.translation().z() += kStandsWithin;
+  }
+  const std::optional<int> robot = stage.site.machine_in({above, {}}, -1);
+  if (!robot) return false;
+  std::vector<int> involved;
+  for (int other = 0; other < stage.plan_tasks(); ++other) {
+    if (stage.spec(other).robot == *robot && stage.has_begun(other)) involved.push_back(other);
+  }
+  return tell_support(
+      task, stage,
+      fmt::format("{} cannot be taken away: {} stands on it", stage.site.component_name(component),
+                  stage.robot_spec(*robot).name),
+      std::move(involved));
+}
+
 /// Whether the task is rejected because the component does not stand at X_WO.
 bool does_not_stand(ActiveTask& task, Stage& stage, int component, const math::Pose& X_WO,
                     const char* where) {
@@ -212,7 +236,9 @@ Step HandlingActivity::remove(ActiveTask& task, Stage& stage) {
     stage.reject(task.task, stage.gone(component), stage.users_of(component));
     return Step::pending;
   }
-  if (leaves_others(task, stage, component)) return Step::pending;
+  if (leaves_others(task, stage, component) || undermines(task, stage, component)) {
+    return Step::pending;
+  }
   stage.site_changes.remove(component);
   if (auto* const trace = stage.trace_of(task.task)) {
     trace->remove(stage.site.component_name(component), stage.now());

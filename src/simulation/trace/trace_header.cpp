@@ -196,6 +196,12 @@ void write_goal(JsonBuilder& json, const PlanModel& plan, int robot,
   json.end_object();
 }
 
+void write_law(JsonBuilder& json, const sampling::DurationLaw& law) {
+  json.field("law", sampling::info_of(law.law).name).key("values").begin_array();
+  for (const double value : law.values) json.value(value);
+  json.end_array();
+}
+
 void write_work(JsonBuilder& json, const PlanModel& plan, const interpreter::WorkSpec& work) {
   json.begin_object().field("duration", work.duration).key("crew");
   if (work.crew < 0) {
@@ -204,11 +210,7 @@ void write_work(JsonBuilder& json, const PlanModel& plan, const interpreter::Wor
     json.value(std::string_view(plan.crews[static_cast<std::size_t>(work.crew)].name));
   }
   if (work.turning) json.key("turning").value(std::string_view("theta"));
-  if (work.law) {
-    json.field("law", sampling::info_of(work.law->law).name).key("values").begin_array();
-    for (const double value : work.law->values) json.value(value);
-    json.end_array();
-  }
+  if (work.law) write_law(json, *work.law);
   json.end_object();
 }
 
@@ -319,10 +321,7 @@ void write_task_motions(JsonBuilder& json, const PlanModel& plan,
 
 void write_stage_time(JsonBuilder& json, const hauling::StageTime& time) {
   json.field("seconds", time.seconds);
-  if (!time.law) return;
-  json.field("law", sampling::info_of(time.law->law).name).key("values").begin_array();
-  for (const double value : time.law->values) json.value(value);
-  json.end_array();
+  if (time.law) write_law(json, *time.law);
 }
 
 /// How a task digs, with whole mm3 of bank volume, and what came of it.
