@@ -350,7 +350,7 @@ schedule has no word for (motions, zones, priorities) is listed as warnings.
                  name ends in .glb, else one text; needs a trace with all steps
   --speed-up N   the animation shows N seconds of the plan in one of its own; without it so many that it lasts a minute,
                  as on the report page, but never fewer than 1: a plan of 20 s takes 20 s
-  --svg FILE     a Gantt chart: what each machine and crew did, tasks, the critical chain, shifts, what was not done
+  --svg FILE     a Gantt chart: what each machine and crew did, tasks, the critical path, shifts, what was not done
   --mspdi FILE   the schedule as Microsoft Project XML
   --csv FILE     the table of tasks, as rubicon run --format csv gives it
   --set NAME=VALUE  another value for a parameter of the PLAN

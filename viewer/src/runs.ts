@@ -43,7 +43,7 @@ export class Runs {
   private readonly tasks: Map<string, TaskData>;
   private readonly movers: Map<string, number[]>;
   private spans: Span[][] | null = null;
-  /** Tasks of the critical chain. */
+  /** Tasks of the critical path. */
   private readonly chain: Set<string>;
 
   constructor(readonly film: Film) {

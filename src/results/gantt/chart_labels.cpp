@@ -77,7 +77,7 @@ std::string task_label(const Schedule& schedule, const TaskOutcome& task, bool c
     text += fmt::format("\ntotal float {}, free float {}", duration_label(task.floats->total),
                         duration_label(task.floats->free));
   }
-  if (critical) text += "\non the critical chain";
+  if (critical) text += "\non the critical path";
   if (task.result != TaskResult::done) text += fmt::format("\n{}", name_of(task.result));
   if (!task.reason.empty()) text += ": " + task.reason;
   return text;

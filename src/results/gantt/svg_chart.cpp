@@ -112,7 +112,7 @@ class SvgWriter {
     entry(fmt::format("fill=\"{}\"", kColours.crew), "crew works");
     entry(fmt::format("fill=\"{}\"", kColours.wait), "waiting");
     entry(fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"2\"", kColours.critical),
-          "critical chain");
+          "critical path");
     if (chart_.has_baselines) {
       entry(fmt::format("fill=\"{}\"", kColours.muted), "baseline");
     }

@@ -22,7 +22,7 @@ using taskplan::Schedule;
 using taskplan::TaskOutcome;
 using Row = TableRow;
 
-/// Of a longer critical chain the table shows only its end.
+/// Of a longer critical path the table shows only its end.
 constexpr std::size_t kShownChain = 12;
 
 Ticks waited(const TaskOutcome& task) {
@@ -262,7 +262,7 @@ std::string cost_table(const Schedule& schedule) {
 
 std::string chain_text(const Schedule& schedule) {
   const std::size_t count = schedule.critical.size();
-  std::string text = fmt::format("critical chain, {} tasks:\n", count);
+  std::string text = fmt::format("critical path, {} tasks:\n", count);
   std::size_t first = 0;
   if (count > kShownChain) {
     first = count - kShownChain;

@@ -11,7 +11,7 @@ namespace rubicon::report {
 
 /// For people: a table of the tasks (robot, crew, start, duration, of it motion and crew work, time
 /// waited, steps tried and accepted, result with the reason), the process time, the use and cost
-/// of robots and crews, and the critical chain.
+/// of robots and crews, and the critical path.
 std::string schedule_table(const taskplan::Schedule& schedule);
 
 /// Everything of a schedule as JSON (docs/commands/run.md); times in seconds.

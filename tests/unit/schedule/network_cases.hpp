@@ -44,7 +44,7 @@ class NetworkBuilder {
   /// "START .. FINISH" of a task.
   std::string when(const std::string& task) const;
 
-  /// The critical chain in sentences.
+  /// The critical path in sentences.
   std::vector<std::string> chain() const;
 
   int index(const std::string& task) const;

@@ -17,7 +17,7 @@ const boldWidth = 7.2;
 const stripTop = 14;
 /** What a lane has besides the strip. */
 const aroundStrip = 17;
-/** Bars of the critical chain that are narrower have a line below, no frame around (px). */
+/** Bars of the critical path that are narrower have a line below, no frame around (px). */
 const narrow = 16;
 
 export interface Scene {

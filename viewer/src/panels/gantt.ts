@@ -165,7 +165,7 @@ export function mountGantt(host: HTMLElement, page: Page, shown: Shown): void {
       ?? runs.spansOf(run).find((span) => span.kind === 'wait');
     if (wait) lines.push(`${wait.text}: ${duration(wait.to - wait.from)}`);
     if (because) lines.push(because);
-    if (runs.isCritical(run)) lines.push('in the critical chain');
+    if (runs.isCritical(run)) lines.push('on the critical path');
     return lines;
   }
 

@@ -8,7 +8,7 @@ import { goToRun, goToStep, type Page } from './page';
 /** Longer lists are cut: the tables have them whole. */
 const mostListed = 300;
 
-/** Numbers, machines and crews, costs, waits, refusals, critical chain. */
+/** Numbers, machines and crews, costs, waits, refusals, critical path. */
 export function mountOverview(host: HTMLElement, page: Page): { showRefusals(): void } {
   const { film } = page;
   host.classList.add('scrolls');
@@ -16,7 +16,7 @@ export function mountOverview(host: HTMLElement, page: Page): { showRefusals(): 
   const refusals = refusalsOf(page);
   host.append(numbersOf(page));
   const say = (text: string) => host.append(make('p', { class: 'muted' }, text));
-  if (!film.schedule) say('There is no schedule: cost, utilisation, waits and the critical chain are missing.');
+  if (!film.schedule) say('There is no schedule: cost, utilisation, waits and the critical path are missing.');
   if (film.runs.length === 0) say(nothing(page));
   if (refusals) host.append(refusals);
   if (film.schedule) host.append(...lateOf(page, film.schedule), ...supportOf(page, film.schedule), ...resourcesOf(page, film.schedule), ...earthworkOf(page, film.schedule), ...costsOf(page, film.schedule),
@@ -238,5 +238,5 @@ function chainOf(page: Page, schedule: ScheduleData): HTMLElement[] {
     list.append(item);
   }
   const more = schedule.critical.length - mostListed;
-  return [make('h2', {}, 'Critical chain'), list, ...(more > 0 ? [make('p', { class: 'muted' }, `and ${more} more`)] : [])];
+  return [make('h2', {}, 'Critical path'), list, ...(more > 0 ? [make('p', { class: 'muted' }, `and ${more} more`)] : [])];
 }
