@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@
 #include "src/simulation/schedule/time_text.hpp"
 #include "src/studies/answers/study_answers.hpp"
 #include "src/studies/answers/study_text.hpp"
+#include "src/studies/search/optimiser_process_io.hpp"
+#include "src/studies/search/search.hpp"
 
 namespace rubicon::cli {
 
@@ -129,6 +132,40 @@ std::optional<std::string> write_study(files::ResultFolder& folder, const study:
   return folder.commit();
 }
 
+/// Makes the runs of a search, which finds its variants as it goes.
+study::SearchResult search(LoadedStudy& study, study::RunnerOptions& runner) {
+  const study::StudyModel& model = *study.model;
+  study::VariantRuns first;
+  first.describe(*study.first->plan);
+  std::map<std::size_t, std::vector<study::LoggedRun>> known;
+  for (study::LoggedRun& each : runner.known) known[each.variant].push_back(std::move(each));
+  StudyProgress progress;
+  std::int64_t done_before = 0;
+  std::int64_t done_now = 0;
+  runner.on_progress = [&](std::int64_t done, std::int64_t) {
+    done_now = done;
+    progress.show(done_before + done, model.budget * model.most_runs);
+  };
+  study.variants.clear();
+  study::SearchTools tools;
+  tools.open = study::open_optimiser;
+  tools.run = [&](const std::vector<interpreter::ParameterTexts>& next) {
+    runner.first_variant = study.variants.size();
+    study.variants.insert(study.variants.end(), next.begin(), next.end());
+    runner.known.clear();
+    for (std::size_t i = runner.first_variant; i < study.variants.size(); ++i) {
+      if (auto found = known.extract(i)) {
+        std::move(found.mapped().begin(), found.mapped().end(), std::back_inserter(runner.known));
+      }
+    }
+    auto made = study::run_study(model, next, runner);
+    done_before += done_now;
+    done_now = 0;
+    return made;
+  };
+  return search_study(model, first.costed, tools);
+}
+
 int exit_code(const std::vector<study::VariantRuns>& variants, const study::StudyAnswers& answers) {
   if (answers.choice && !answers.choice->chosen) return kInfeasible;
   for (const study::VariantRuns& each : variants) {
@@ -157,7 +194,7 @@ int run_study_command(const StudyOptions& options) {
     if (auto* message = std::get_if<std::string>(&file)) return fail(*message);
     log.emplace(std::get<files::AppendFile>(std::move(file)),
                 encoding::sha256_hex(study.text + RUBICON_VERSION));
-    if (const auto failure = log->read(*study.model, study.variants.size())) {
+    if (const auto failure = log->read(*study.model, study::count_variants(*study.model))) {
       return fail(fmt::format("'{}': {}", options.out, *failure));
     }
   }
@@ -173,7 +210,12 @@ int run_study_command(const StudyOptions& options) {
     };
   }
   std::optional<std::vector<study::VariantRuns>> variants;
-  {
+  std::string failure;
+  if (must_search(*study.model)) {
+    study::SearchResult found = search(study, runner);
+    variants = std::move(found.variants);
+    failure = std::move(found.failure);
+  } else {
     StudyProgress progress;
     runner.on_progress = [&](std::int64_t done, std::int64_t planned) {
       progress.show(done, planned);
@@ -181,6 +223,7 @@ int run_study_command(const StudyOptions& options) {
     variants = study::run_study(*study.model, study.variants, runner);
   }
   if (log && log->failure()) return fail(fmt::format("'{}': {}", options.out, *log->failure()));
+  if (!variants) return fail(fmt::format("the search cannot go on: {}", failure));
   const study::StudyAnswers answers = study::answers_of(*study.model, *variants);
   if (log) {
     auto opened = files::ResultFolder::open(options.out);

@@ -1,14 +1,12 @@
 #include "src/studies/answers/study_answers.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
-#include "src/simulation/schedule/ticks.hpp"
-#include "src/studies/answers/value_text.hpp"
+#include "src/studies/answers/judgement.hpp"
 #include "src/studies/statistics/bootstrap.hpp"
 #include "src/studies/statistics/pareto.hpp"
 #include "src/studies/statistics/quantile.hpp"
@@ -21,8 +19,6 @@ namespace {
 constexpr std::size_t kBins = 30;
 constexpr std::size_t kFewestForTenths = 20;
 constexpr double kDeviationsOfChance = 3;
-constexpr std::size_t kMakespan = 0;  // the first three questions of every study
-constexpr std::size_t kCost = 1;
 
 std::vector<double> finite_of(const std::vector<double>& values) {
   std::vector<double> result;
@@ -185,18 +181,17 @@ std::vector<std::size_t> front_of(const std::vector<VariantAnswers>& variants) {
 /// Judges the variants by the rule of a study.
 class Chooser {
  public:
-  Chooser(const StudyModel& study, const std::vector<VariantRuns>& runs,
-          const std::vector<VariantAnswers>& variants)
-      : study_(study), rule_(*study.choice), runs_(runs), variants_(variants) {}
+  Chooser(const StudyModel& study, const std::vector<VariantRuns>& runs)
+      : study_(study), rule_(*study.choice), runs_(runs) {}
 
   ChoiceAnswer choose() {
-    for (std::size_t i = 0; i < variants_.size(); ++i) {
-      const std::string why = why_not(i);
-      if (!why.empty()) {
-        result_.passed.push_back({i, why});
-        continue;
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      Judgement judged = judge(study_, rule_, runs_[i]);
+      if (judged.why_not.empty()) {
+        result_.judged.push_back({i, judged.value, {}});
+      } else {
+        result_.passed.push_back({i, std::move(judged.why_not)});
       }
-      result_.judged.push_back({i, *measured(rule_.statistic, i), {}});
     }
     if (result_.judged.empty()) return std::move(result_);
     const auto better = [&](const auto& a, const auto& b) {
@@ -215,45 +210,6 @@ class Chooser {
   }
 
  private:
-  /// Nothing where the plan has no such thing, as a cost where nothing costs.
-  std::optional<double> measured(const Statistic& statistic, std::size_t i) const {
-    const auto question = static_cast<std::size_t>(statistic.question);
-    if (!variants_[i].answers[question].there) return std::nullopt;
-    return value_of(statistic, runs_[i].values[question]);
-  }
-
-  std::string why_not(std::size_t i) const {
-    const VariantAnswers& variant = variants_[i];
-    if (!runs_[i].fault.empty()) return "cannot run";
-    bool allows_rejections = false;
-    for (const Condition& each : rule_.with) {
-      const Asked asked = study_.questions[static_cast<std::size_t>(each.statistic.question)].asked;
-      allows_rejections = allows_rejections || asked == Asked::rejected;
-    }
-    if (variant.unfinished > 0 && !allows_rejections) {
-      return fmt::format("something is rejected in {} of {} runs", variant.unfinished,
-                         variant.runs);
-    }
-    for (const Condition& each : rule_.with) {
-      const auto value = measured(each.statistic, i);
-      if (!value) return fmt::format("{} is not known", each.statistic.text);
-      double limit = each.limit;
-      if (each.date && runs_[i].start_at) {
-        const auto ticks = schedule::ticks_between(*runs_[i].start_at, *each.date);
-        limit =
-            ticks ? schedule::seconds_from_ticks(*ticks) : std::numeric_limits<double>::infinity();
-      }
-      if (each.holds(*value, limit)) continue;
-      return fmt::format("{} is {}, not {}", each.statistic.text,
-                         value_text(study_, each.statistic, *value, runs_[i]),
-                         each.text.substr(each.statistic.text.size() + 1));
-    }
-    const auto value = measured(rule_.statistic, i);
-    if (!value) return fmt::format("{} is not known", rule_.statistic.text);
-    if (!std::isfinite(*value)) return fmt::format("{} is never", rule_.statistic.text);
-    return {};
-  }
-
   /// 95 % interval of the statistic of `other` less that of `best`, run by run.
   std::optional<statistics::Interval> difference(std::size_t best, std::size_t other) const {
     const auto question = static_cast<std::size_t>(rule_.statistic.question);
@@ -272,7 +228,6 @@ class Chooser {
   const StudyModel& study_;
   const Choice& rule_;
   const std::vector<VariantRuns>& runs_;
-  const std::vector<VariantAnswers>& variants_;
   ChoiceAnswer result_;
 };
 
@@ -284,7 +239,7 @@ StudyAnswers answers_of(const StudyModel& study, const std::vector<VariantRuns>&
     result.variants.push_back(answers_of_variant(study, each));
   }
   result.pareto = front_of(result.variants);
-  if (study.choice) result.choice = Chooser(study, variants, result.variants).choose();
+  if (study.choice) result.choice = Chooser(study, variants).choose();
   return result;
 }
 

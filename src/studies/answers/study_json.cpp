@@ -28,6 +28,8 @@ const char* name_of(Design design) {
   switch (design) {
     case Design::latin:
       return "latin";
+    case Design::search:
+      return "search";
     case Design::one_at_a_time:
       return "one_at_a_time";
     case Design::full:

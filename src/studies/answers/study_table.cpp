@@ -15,12 +15,14 @@ namespace {
 constexpr std::size_t kShownDrivers = 5;
 constexpr std::size_t kShownTasks = 8;
 constexpr std::size_t kShownPassed = 12;
+constexpr std::size_t kShownSearched = 20;
+constexpr std::size_t kShownFaults = 5;  // of a search
 
 class Table {
  public:
   Table(const StudyModel& study, const std::vector<VariantRuns>& variants,
         const StudyAnswers& answers)
-      : study_(study), variants_(variants), answers_(answers) {}
+      : study_(study), variants_(variants), answers_(answers), shown_(shown_variants()) {}
 
   std::string text() {
     head();
@@ -55,6 +57,49 @@ class Table {
     }
     line("study {}: {} variant{} of {}, {}", study_.name, count, count == 1 ? "" : "s", study_.plan,
          runs);
+    if (is_cut()) {
+      line("{} shown; --format csv tells all", shown_.size() == 1
+                                                   ? std::string("the best is")
+                                                   : fmt::format("the {} best are", shown_.size()));
+    }
+  }
+
+  /// A search tries many variants, of which only the best are of interest.
+  bool is_cut() const {
+    return study_.design == Design::search && variants_.size() > kShownSearched;
+  }
+
+  /// All, in order; of a search the best by its rule, the best first, or the front of time and
+  /// cost.
+  std::vector<std::size_t> shown_variants() const {
+    std::vector<std::size_t> result;
+    if (!is_cut()) {
+      for (std::size_t v = 0; v < variants_.size(); ++v) result.push_back(v);
+    } else if (answers_.choice) {
+      auto judged = answers_.choice->judged;
+      std::stable_sort(judged.begin(), judged.end(), [&](const auto& a, const auto& b) {
+        return study_.choice->least ? a.value < b.value : a.value > b.value;
+      });
+      for (const auto& each : judged) result.push_back(each.variant);
+    } else {
+      result = answers_.pareto;
+      if (result.empty()) result = by_makespan();
+    }
+    if (is_cut() && result.size() > kShownSearched) result.resize(kShownSearched);
+    return result;
+  }
+
+  /// Those in which nothing is rejected.
+  std::vector<std::size_t> by_makespan() const {
+    std::vector<std::size_t> result;
+    const auto mean = [&](std::size_t v) { return answers_.variants[v].answers[0].mean.mean; };
+    for (std::size_t v = 0; v < variants_.size(); ++v) {
+      if (answers_.variants[v].runs > 0 && answers_.variants[v].unfinished == 0)
+        result.push_back(v);
+    }
+    std::stable_sort(result.begin(), result.end(),
+                     [&](std::size_t a, std::size_t b) { return mean(a) < mean(b); });
+    return result;
   }
 
   std::vector<std::string> names() const {
@@ -86,7 +131,7 @@ class Table {
     for (const int question : study_.asked) {
       rows.front().push_back(study_.questions[static_cast<std::size_t>(question)].text);
     }
-    for (std::size_t v = 0; v < variants_.size(); ++v) {
+    for (const std::size_t v : shown_) {
       if (!variants_[v].fault.empty()) continue;
       rows.push_back(settings(v));
       for (const int asked : study_.asked) {
@@ -109,7 +154,7 @@ class Table {
     const std::size_t first_number = rows.front().size();
     for (const char* each : {"runs", "rejected", "mean", "+-"}) rows.front().emplace_back(each);
     for (const double p : kQuantiles) rows.front().push_back(fmt::format("P{:g}", 100 * p));
-    for (std::size_t v = 0; v < variants_.size(); ++v) {
+    for (const std::size_t v : shown_) {
       if (!variants_[v].fault.empty()) continue;
       const VariantAnswers& variant = answers_.variants[v];
       const Answer& answer = variant.answers[question];
@@ -134,19 +179,20 @@ class Table {
   }
 
   void faults() {
-    bool first = true;
+    std::size_t told = 0;
     for (std::size_t v = 0; v < variants_.size(); ++v) {
       if (variants_[v].fault.empty()) continue;
-      if (first) text_ += "\n";
-      first = false;
+      if (told++ == 0) text_ += "\n";
+      if (is_cut() && told > kShownFaults) continue;
       line("variant {} ({}) cannot run: {}", v + 1, settings_text(variants_[v].set),
            variants_[v].fault);
     }
+    if (is_cut() && told > kShownFaults) line("and {} more cannot run", told - kShownFaults);
   }
 
   void rejections() {
     bool first = true;
-    for (std::size_t v = 0; v < variants_.size(); ++v) {
+    for (const std::size_t v : shown_) {
       std::size_t others = 0;
       for (const TaskRejection& each : answers_.variants[v].rejections) {
         if (each.reason.empty()) {
@@ -171,8 +217,9 @@ class Table {
   void drivers() {
     std::size_t shown = variants_.size();
     if (answers_.choice && answers_.choice->chosen) shown = *answers_.choice->chosen;
-    for (std::size_t v = 0; v < variants_.size() && shown == variants_.size(); ++v) {
-      if (answers_.variants[v].runs > answers_.variants[v].unfinished) shown = v;
+    for (const std::size_t v : shown_) {
+      if (shown == variants_.size() && answers_.variants[v].runs > answers_.variants[v].unfinished)
+        shown = v;
     }
     if (!study_.sampled || shown == variants_.size()) return;
     const VariantAnswers& variant = answers_.variants[shown];
@@ -246,6 +293,7 @@ class Table {
   const StudyModel& study_;
   const std::vector<VariantRuns>& variants_;
   const StudyAnswers& answers_;
+  std::vector<std::size_t> shown_;  ///< variants, in the order of the table
   std::string text_;
 };
 

@@ -176,14 +176,14 @@ class Checker {
     }
     const bool whole =
         first.written == std::floor(first.written) && last.written == std::floor(last.written);
-    if (!value.step && alone && wants_ranges()) {
+    if (!value.step && alone && wants_ranges(whole && unit.empty())) {
       variable.range = Variable::Range{first.written, last.written, unit};
       return true;
     }
     if (!value.step && !(whole && unit.empty())) {
       error("U05", value.span, fmt::format("{} to {}: say in which steps", first.text, last.text),
-            fmt::format("{} to {} by 0.5{}; or design latin 20;", first.text, last.text,
-                        unit.empty() ? "" : " " + unit));
+            fmt::format("{} to {} by 0.5{}; or design latin 20; or design search 200;", first.text,
+                        last.text, unit.empty() ? "" : " " + unit));
       return false;
     }
     const double step = value.step ? value.step->written : 1;
@@ -202,8 +202,26 @@ class Checker {
     return true;
   }
 
-  bool wants_ranges() const {
-    return !study_.designs.empty() && study_.designs.front().kind.text == "latin";
+  /// Whether a range without a step is any number in it. A search takes 2 to 5 for 2, 3, 4, 5, as
+  /// the other designs do.
+  bool wants_ranges(bool whole) const {
+    if (study_.designs.empty()) return false;
+    const std::string& kind = study_.designs.front().kind.text;
+    return kind == "latin" || (kind == "search" && !whole);
+  }
+
+  /// The number of variants of a design that needs it.
+  std::optional<std::int64_t> count_of(const syntax::DesignItem& design, const char* what,
+                                       const char* example) {
+    const double count = design.count ? design.count->value : 0;
+    if (count >= 2 && count == std::floor(count) && count <= static_cast<double>(kMostVariants) &&
+        design.count->unit == syntax::UnitKind::none) {
+      return static_cast<std::int64_t>(count);
+    }
+    error("U06", design.span,
+          fmt::format("design {}: expected {}, 2 to {}", design.kind.text, what, kMostVariants),
+          example);
+    return std::nullopt;
   }
 
   void check_design() {
@@ -211,23 +229,26 @@ class Checker {
     if (design != nullptr) {
       const std::string& kind = design->kind.text;
       if (kind == "latin") {
+        const auto count = count_of(*design, "how many variants", "design latin 50;");
+        if (!count) return;
         model_.design = Design::latin;
-        const double count = design->count ? design->count->value : 0;
-        if (!(count >= 2) || count != std::floor(count) ||
-            count > static_cast<double>(kMostVariants)) {
-          error("U06", design->span,
-                fmt::format("design latin: expected how many variants, 2 to {}", kMostVariants),
-                "design latin 50;");
-          return;
+        model_.latin = *count;
+      } else if (kind == "search") {
+        const auto count = count_of(*design, "how many variants at most", "design search 200;");
+        if (!count) return;
+        model_.design = Design::search;
+        model_.budget = *count;
+        if (model_.variables.empty()) {
+          error("U06", design->span, "design search: there is nothing to search among",
+                "vary cranes 1, 2;");
         }
-        model_.latin = static_cast<std::int64_t>(count);
       } else if (kind == "one_at_a_time") {
         model_.design = Design::one_at_a_time;
       } else if (kind != "full") {
         error("U06", design->kind.span,
-              fmt::format("unknown design '{}': full, latin or one_at_a_time", kind));
+              fmt::format("unknown design '{}': full, latin, one_at_a_time or search", kind));
       }
-      if (kind != "latin" && design->count) {
+      if (kind != "latin" && kind != "search" && design->count) {
         error("U06", design->span, fmt::format("design {} takes no number", kind));
       }
     }
@@ -235,7 +256,8 @@ class Checker {
     if (count > kMostVariants) {
       error("U06", study_.name.span,
             fmt::format("these values make more than {} variants", kMostVariants),
-            "design latin 200; tries as many of them as are asked");
+            "design latin 200; tries as many of them as are asked, design search 200; those "
+            "that look best");
     }
   }
 

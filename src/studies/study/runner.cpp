@@ -34,7 +34,8 @@ class Runner {
       : study_(study), options_(options), results_(variants.size()), open_(variants.size()) {
     for (std::size_t i = 0; i < variants.size(); ++i) results_[i].set = variants[i];
     for (const LoggedRun& each : options.known) {
-      if (each.variant < open_.size()) open_[each.variant].known.push_back(&each);
+      const std::size_t variant = each.variant - options.first_variant;
+      if (variant < open_.size()) open_[variant].known.push_back(&each);
     }
     planned_ = static_cast<std::int64_t>(variants.size()) * study.most_runs;
   }
@@ -140,11 +141,11 @@ class Runner {
   }
 
   void load(std::size_t variant) {
-    auto loaded = std::make_shared<LoadedVariant>(options_.load(variant));
+    auto loaded = std::make_shared<LoadedVariant>(options_.load(options_.first_variant + variant));
     const std::lock_guard lock(mutex_);
     Open& each = open_[variant];
     VariantRuns& result = results_[variant];
-    if (options_.on_load && !options_.on_load(variant, *loaded)) {
+    if (options_.on_load && !options_.on_load(options_.first_variant + variant, *loaded)) {
       stop();
       return;
     }
@@ -219,7 +220,8 @@ class Runner {
       try {
         const taskplan::Schedule schedule = taskplan::run_plan(plan, piece.loaded->sources, nullptr,
                                                                {trace::TraceDetail::none, {}, {}});
-        made.push_back({piece.variant, run, record_of(study_, plan, schedule, run < kCurves)});
+        made.push_back({options_.first_variant + piece.variant, run,
+                        record_of(study_, plan, schedule, run < kCurves)});
       } catch (const std::invalid_argument& error) {
         fault = error.what();
         break;

@@ -22,6 +22,8 @@ struct LoadedVariant {
 
 struct RunnerOptions {
   int threads = 1;
+  /// The number in the study of the first of these variants: all below counts from it.
+  std::size_t first_variant = 0;
   /// Reads the plan with these settings. Called once for each variant, from several threads at a
   /// time.
   std::function<LoadedVariant(std::size_t variant)> load;

@@ -25,7 +25,7 @@ inline constexpr std::int64_t kRunsBetweenLooks = 50;
 struct Variable {
   std::string name;
   std::vector<std::string> values;  ///< as texts of --set, in the order of the study
-  /// Any number from `low` to `high`, in place of values: for `design latin`.
+  /// Any number from `low` to `high`, in place of values: for `design latin` and `design search`.
   struct Range {
     double low = 0;
     double high = 0;
@@ -39,6 +39,7 @@ enum class Design : std::uint8_t {
   full,           ///< every combination, the last variable fastest
   latin,          ///< Latin hypercube
   one_at_a_time,  ///< the first value of all; then each other value alone
+  search,         ///< those that an optimiser asks for: see src/studies/search
 };
 
 /// What is looked at in a run.
@@ -104,7 +105,8 @@ struct StudyModel {
   Span plan_span;
   std::vector<Variable> variables;
   Design design = Design::full;
-  std::int64_t latin = 0;
+  std::int64_t latin = 0;      ///< variants of a Latin hypercube
+  std::int64_t budget = 0;     ///< most variants of a search
   bool sampled = false;        ///< durations are drawn; else each stands for its mean, in one run
   std::int64_t most_runs = 1;  ///< of a variant
   std::optional<Condition> until;
@@ -122,8 +124,13 @@ std::unique_ptr<StudyModel> check_study(const syntax::Study& study,
                                         interpreter::Diagnostics& diagnostics);
 
 /// The settings of every variant, in order: texts for the parameters, in the order of the study.
+/// Of a search the first alone, or every combination where these are no more than its budget.
 std::vector<interpreter::ParameterTexts> variants_of(const StudyModel& study);
-/// How many there would be.
+/// Whether a search has to choose what to try: there are more combinations than its budget.
+bool must_search(const StudyModel& study);
+/// The value so far along a range, 0 to 1, as people write it: to six digits of the range.
+std::string value_at(const Variable::Range& range, double share);
+/// How many there would be; of a search at most.
 std::size_t count_variants(const StudyModel& study);
 
 }  // namespace rubicon::study

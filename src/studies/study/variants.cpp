@@ -25,9 +25,13 @@ std::vector<interpreter::ParameterTexts> every_combination(const StudyModel& stu
   }
 }
 
+std::string first_value(const Variable& variable) {
+  return variable.range ? value_at(*variable.range, 0) : variable.values.front();
+}
+
 std::vector<interpreter::ParameterTexts> one_at_a_time(const StudyModel& study) {
   interpreter::ParameterTexts first;
-  for (const Variable& each : study.variables) first.emplace_back(each.name, each.values.front());
+  for (const Variable& each : study.variables) first.emplace_back(each.name, first_value(each));
   std::vector<interpreter::ParameterTexts> result{first};
   for (std::size_t i = 0; i < study.variables.size(); ++i) {
     for (std::size_t k = 1; k < study.variables[i].values.size(); ++k) {
@@ -51,11 +55,7 @@ std::vector<interpreter::ParameterTexts> latin_hypercube(const StudyModel& study
       const double share =
           (static_cast<double>(part[i]) + random.uniform()) / static_cast<double>(count);
       if (each.range) {
-        // To six digits of the range, so that people can read and type it.
-        const double step = (each.range->high - each.range->low) * share;
-        const std::string text = fmt::format("{:.6g}", each.range->low + step);
-        result[i].emplace_back(each.name,
-                               each.range->unit.empty() ? text : text + " " + each.range->unit);
+        result[i].emplace_back(each.name, value_at(*each.range, share));
         continue;
       }
       const auto value = static_cast<std::size_t>(share * static_cast<double>(each.values.size()));
@@ -67,8 +67,25 @@ std::vector<interpreter::ParameterTexts> latin_hypercube(const StudyModel& study
 
 }  // namespace
 
+std::string value_at(const Variable::Range& range, double share) {
+  const std::string text = fmt::format("{:.6g}", range.low + (range.high - range.low) * share);
+  return range.unit.empty() ? text : text + " " + range.unit;
+}
+
+bool must_search(const StudyModel& study) {
+  if (study.design != Design::search) return false;
+  std::size_t count = 1;
+  for (const Variable& each : study.variables) {
+    if (each.range) return true;
+    count *= each.values.size();
+    if (count > static_cast<std::size_t>(study.budget)) return true;
+  }
+  return false;
+}
+
 std::size_t count_variants(const StudyModel& study) {
   if (study.design == Design::latin) return static_cast<std::size_t>(study.latin);
+  if (must_search(study)) return static_cast<std::size_t>(study.budget);
   std::size_t count = 1;
   for (const Variable& each : study.variables) {
     if (study.design == Design::one_at_a_time) {
@@ -86,6 +103,12 @@ std::vector<interpreter::ParameterTexts> variants_of(const StudyModel& study) {
       return latin_hypercube(study);
     case Design::one_at_a_time:
       return one_at_a_time(study);
+    case Design::search: {
+      if (!must_search(study)) break;
+      interpreter::ParameterTexts first;
+      for (const Variable& each : study.variables) first.emplace_back(each.name, first_value(each));
+      return {first};
+    }
     case Design::full:
       break;
   }
