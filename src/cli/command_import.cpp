@@ -24,6 +24,10 @@ bool is_machine(const std::string& path) {
   return path.ends_with(".urdf") || path.ends_with(".xacro");
 }
 
+bool is_drawing(const std::string& path) {
+  return path.ends_with(".dxf") || path.ends_with(".DXF");
+}
+
 int import_schedule(const ImportOptions& options) {
   files::DiskFiles disk;
   interpreter::SourceMap sources;
@@ -58,6 +62,23 @@ int import_schedule(const ImportOptions& options) {
 }  // namespace
 
 int run_import(const ImportOptions& options) {
+  std::size_t drawings = 0;
+  for (const std::string& file : options.files) drawings += is_drawing(file) ? 1U : 0U;
+  if (drawings > 0) {
+    if (options.files.size() > 1) return fail("one drawing at a time, without other files");
+    if (options.level || options.baseline || !options.match.empty() || !options.schedule.empty() ||
+        !options.up.empty() || !options.packages.empty() || !options.arguments.empty() ||
+        !options.tool.empty()) {
+      return fail("a drawing takes --area, --layer, --unit, --tolerance, --height and --out only");
+    }
+    if (options.area && !options.area->empty())
+      return fail("a drawing has no storeys; expected --area alone");
+    return import_drawing(options);
+  }
+  if (!options.layers.empty() || !options.height.empty()) {
+    return fail("--layer and --height go with a drawing (.dxf)");
+  }
+  if (!options.area && !options.tolerance.empty()) return fail("--tolerance goes with --area");
   std::size_t machines = 0;
   for (const std::string& file : options.files) machines += is_machine(file) ? 1U : 0U;
   if (machines > 0) {
@@ -73,7 +94,16 @@ int run_import(const ImportOptions& options) {
   }
   std::size_t models = 0;
   for (const std::string& file : options.files) models += mesh_io::format_of(file) ? 1U : 0U;
+  if (options.area && models != options.files.size()) {
+    return fail("--area goes with building models (.ifc) or a drawing (.dxf)");
+  }
   if (models == options.files.size()) {
+    if (options.area && (!options.schedule.empty() || !options.match.empty())) {
+      return fail("--area makes a floor; --schedule and --match make tasks: one at a time");
+    }
+    if (options.area && options.area->empty()) {
+      return fail("--area takes the name of a storey: --area \"01*\"");
+    }
     if (options.level && options.schedule.empty()) {
       return fail("--level goes with a schedule: it lets tasks wait for their resources");
     }

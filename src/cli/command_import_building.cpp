@@ -12,6 +12,8 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/fail.hpp"
 #include "src/cli/import_schedule.hpp"
+#include "src/cli/length_option.hpp"
+#include "src/exchange/area_io/storey_floor.hpp"
 #include "src/exchange/building_io/building_plan.hpp"
 #include "src/exchange/building_io/match_file.hpp"
 #include "src/exchange/building_io/names.hpp"
@@ -35,6 +37,8 @@ class BuildingImport {
   explicit BuildingImport(const ImportOptions& options) : options_(options) {
     const fs::path out = options.out.empty() ? fs::path("building.plan") : fs::path(options.out);
     folder_ = out.parent_path().empty() ? "." : out.parent_path().string();
+    // A floor names no model, so these may lie anywhere.
+    if (options_.area) folder_ = "/";
     stem_ = building_io::clean(out.stem().string());
     std::replace(stem_.begin(), stem_.end(), '"', '_');  // the plan quotes it
   }
@@ -42,6 +46,11 @@ class BuildingImport {
   int run() {
     if (options_.schedule.empty() != options_.match.empty()) {
       return fail("--schedule and --match go together: the match file joins elements to tasks");
+    }
+    constexpr double kMostTolerance = 1;  // m
+    if (const auto wrong =
+            take_length("--tolerance", options_.tolerance, 1e-4, kMostTolerance, tolerance_)) {
+      return fail(*wrong);
     }
     const std::optional<building_io::BuildingPlan> plan = make_plan();
     const std::string messages =
@@ -55,21 +64,45 @@ class BuildingImport {
 
  private:
   std::optional<building_io::BuildingPlan> make_plan() {
-    std::vector<building_io::ModelFile> models;
+    std::vector<building_io::ModelFile>& models = models_;
     for (const std::string& path : options_.files) {
       if (auto model = read_model(path)) models.push_back(std::move(*model));
     }
     if (diagnostics_.has_errors()) return std::nullopt;
     building_io::ModelTerms terms;
     terms.folder = folder_;
+    terms.keep_meshes = options_.area.has_value();
     terms.unit = options_.unit;
     terms.up = options_.up.empty() ? '\0' : options_.up.front();
     const building_io::Elements elements =
         building_io::read_elements(models, terms, disk_.meshes(), diagnostics_);
     if (diagnostics_.has_errors()) return std::nullopt;
+    if (options_.area) return make_floors(elements);
     building_io::PlanNames names{stem_, stem_ + "_meshes"};
     if (options_.match.empty()) return building_io::standing_building(elements, names);
     return make_work(elements, names);
+  }
+
+  /// The floors of a storey.
+  std::optional<building_io::BuildingPlan> make_floors(const building_io::Elements& elements) {
+    std::vector<std::string> made;
+    const auto areas =
+        area_io::floors_of_storey(elements, {*options_.area, tolerance_}, made, diagnostics_);
+    if (diagnostics_.has_errors()) return std::nullopt;
+    area_io::AreaTerms head;
+    head.name = options_.out.empty() ? "floor " + *options_.area : stem_;
+    for (const building_io::ModelFile& model : models_) {
+      head.notes.push_back(fs::path(model.path).filename().string());
+    }
+    head.notes.insert(head.notes.end(), made.begin(), made.end());
+    if (elements.origin != building_io::Vec3::Zero()) {
+      head.notes.push_back(
+          fmt::format("The point {}, {}, {} of the model is the origin of this plan",
+                      elements.origin.x(), elements.origin.y(), elements.origin.z()));
+    }
+    building_io::BuildingPlan plan;
+    plan.plan = area_io::area_text(areas, head);
+    return plan;
   }
 
   std::optional<building_io::BuildingPlan> make_work(const building_io::Elements& elements,
@@ -157,13 +190,19 @@ class BuildingImport {
         return fail(*failure);
       }
     }
+    if (options_.area) return finish(plan);
     const std::string table = base + stem_ + "_elements.csv";
     if (const auto failure = files::write_file(table, plan.elements)) return fail(*failure);
+    return finish(plan);
+  }
+  int finish(const building_io::BuildingPlan& plan) const {
     if (const auto failure = files::write_file(options_.out, plan.plan)) return fail(*failure);
     return kFine;
   }
 
   const ImportOptions& options_;
+  double tolerance_ = area_io::StoreyTerms{}.tolerance;  ///< m, of floors
+  std::vector<building_io::ModelFile> models_;
   std::string folder_;  ///< of the plan
   std::string stem_;    ///< its name without ending
   files::DiskFiles disk_;

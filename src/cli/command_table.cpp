@@ -123,6 +123,10 @@ Action declare_import(CLI::App& app) {
   app.add_option("--package", options->packages)->take_all();
   app.add_option("--arg", options->arguments)->take_all();
   app.add_option("--tool", options->tool);
+  app.add_option("--area", options->area)->expected(0, 1)->default_str("");
+  app.add_option("--layer", options->layers)->take_all();
+  app.add_option("--tolerance", options->tolerance);
+  app.add_option("--height", options->height);
   app.add_option("--out", options->out);
   return [options] { return run_import(*options); };
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -120,10 +121,15 @@ struct ImportOptions {
   std::vector<std::string> packages;   ///< NAME=FOLDER, of a machine; likewise below
   std::vector<std::string> arguments;  ///< NAME=VALUE, of xacro
   std::string tool;                    ///< the link of the tool frame
+  std::optional<std::string> area;     ///< floors are wanted: of this storey, of a drawing ""
+  std::vector<std::string> layers;     ///< PART=LAYER, of a drawing
+  std::string tolerance;               ///< a length: gaps that are closed
+  std::string height;                  ///< a length: of the floor of a drawing
 };
 int run_import(const ImportOptions& options);
-/// Of models and of machines: run_import's other parts.
+/// Of models, drawings and machines: run_import's other parts.
 int import_building(const ImportOptions& options);
+int import_drawing(const ImportOptions& options);
 int import_machine(const ImportOptions& options);
 
 struct ExportOptions {

@@ -290,10 +290,12 @@ examples:
 )";
 
 const std::string_view kImport =
-    R"(rubicon import - make a plan of a schedule, of a building model, or of both; or a robot file of a URDF
+    R"(rubicon import - make a plan of a schedule, of a building model, or of both; floors of a model or a drawing; or a robot file of a URDF
 
 usage: rubicon import SCHEDULE [--level] [--baseline] [--out PLAN]
        rubicon import MODEL... [--schedule SCHEDULE --match FILE [--level] [--baseline]] [--unit mm|cm|m] [--up y|z] [--out PLAN]
+       rubicon import MODEL.ifc... --area STOREY [--tolerance LENGTH] [--out PLAN]
+       rubicon import DRAWING.dxf [--area] [--layer PART=NAME]... [--unit mm|cm|m] [--tolerance LENGTH] [--height LENGTH] [--out PLAN]
        rubicon import MACHINE.urdf|MACHINE.xacro [--package NAME=FOLDER]... [--arg NAME=VALUE]... [--tool LINK] [--out ROBOT]
 
 SCHEDULE is Microsoft Project XML (in Project: save as XML) or a Primavera XER file; its content tells which. Tasks become
@@ -308,6 +310,11 @@ which task and who lifts it, the elements wait in a stock area and the tasks put
 without partner are listed. Beside PLAN a table PLAN_elements.csv tells what became of each element:
 docs/import_building.md.
 
+With --area the plan holds the floor instead, as an area: of the slabs of a STOREY ("01*" will do) of IFC models, with their
+openings, the columns and walls that stand through it, and the beams below; or of a DRAWING, an ASCII DXF file whose lines stand
+on layers called outline, shafts, columns and beams. Lines that miss each other by no more than the tolerance are joined; where
+others do not close, the error names the place and the line of the file: docs/import_area.md.
+
 MACHINE is a robot description (URDF), or a xacro file that makes one. Links become bodies, joints their parameters with
 limits and speeds; a mimic joint becomes a derived parameter. The shapes are those of <collision>, else of <visual>; meshes
 are copied into the folder ROBOT_meshes beside the robot file. What was assumed, mended or not taken over is listed. No file is
@@ -319,8 +326,12 @@ read outside of the folder of MACHINE and of its packages: docs/machines_from_ur
   --level              a resource does one task at a time, and tasks wait for it; without, links and calendars alone decide,
                        as in Project and Primavera; how many tasks wait, and how long at most, is said
   --baseline           tasks say when the schedule has them (baseline) and their deadlines (due); a run is then compared with that
-  --unit UNIT          mm, cm or m: what the numbers of OBJ, STL and PLY files are
+  --unit UNIT          mm, cm or m: what the numbers of OBJ, STL and PLY files are, and of a drawing that does not say it
   --up AXIS            y or z: which axis of the model points up, where it does not say so rightly
+  --area STOREY        the floor of this storey as an area; of a drawing --area alone
+  --layer PART=NAME    which layer has the outline, shafts, columns or beams; * and ? stand for letters
+  --tolerance LENGTH   gaps that are closed: 5 mm in a drawing, 20 mm between slabs
+  --height LENGTH      of the floor of a drawing: 0 m
   --package NAME=FOLDER  where package://NAME/... of a machine lies; without, the nearest folder above MACHINE that has the file
   --arg NAME=VALUE     an argument of the xacro file
   --tool LINK          the link whose frame is the tool; without, the last of the longest chain
@@ -332,6 +343,8 @@ examples:
   rubicon import planning.xer --out building.plan && rubicon check building.plan
   rubicon import walls.ifc floors.ifc --out building.plan
   rubicon import walls.ifc floors.ifc --schedule planning.xml --match building.match --out building.plan
+  rubicon import floors.ifc columns.ifc --area "01*" --out deck.plan
+  rubicon import floor.dxf --area --layer outline=SLAB --height 3m --out deck.plan
   rubicon import excavator.xacro --package excavator_description=.. --arg bucket=wide --out excavator.robot
 )";
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -33,6 +34,8 @@ struct Element {
   std::string name;       ///< as the model has it
   std::string guid;       ///< GlobalId, of IFC
   ElementFrame frame;
+  /// The mesh in the coordinates of the model, where the terms asked to keep it.
+  std::shared_ptr<const geometry::TriangleMesh> world;
 };
 
 }  // namespace rubicon::building_io

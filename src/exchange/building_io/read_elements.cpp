@@ -189,6 +189,9 @@ class ElementReader {
     element.unit = terms_.unit;
     element.up = terms_.up;
     element.frame = frame_of(node.mesh);
+    if (terms_.keep_meshes) {
+      element.world = std::make_shared<const geometry::TriangleMesh>(node.mesh);
+    }
     if (part) {
       element.part = *part;
     } else {

@@ -18,9 +18,10 @@ struct ModelFile {
 
 /// How models without unit (OBJ, STL, PLY) are to be understood, and where the plan will be.
 struct ModelTerms {
-  std::string folder;  ///< of the plan; the models must lie in it
-  std::string unit;    ///< mm, cm, m; empty: as the file declares
-  char up = 0;         ///< 'y', 'z', 0: as the file declares
+  std::string folder;        ///< of the plan; the models must lie in it
+  std::string unit;          ///< mm, cm, m; empty: as the file declares
+  char up = 0;               ///< 'y', 'z', 0: as the file declares
+  bool keep_meshes = false;  ///< each element with its mesh
 };
 
 /// Everything in the models that has a shape.
