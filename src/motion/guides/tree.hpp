@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/motion/guides/space.hpp"
+#include "src/motion/math/turns.hpp"
 
 namespace rubicon::guides {
 
@@ -13,9 +14,17 @@ namespace rubicon::guides {
 /// looking at all: of the trees that guides grow (some thousand nodes) that is fast.
 class Tree {
  public:
-  Tree(const Space& space, Point root) : space_(space) { add(std::move(root), -1); }
+  Tree(const Space& space, Point root) : space_(space) {
+    for (std::size_t d = 0; d < root.size(); ++d) {
+      weights_.push_back(space.weight(d));
+      straight_.push_back(space.parameter(d).cyclic ? math::kHalfTurn_deg
+                                                    : std::numeric_limits<double>::infinity());
+    }
+    add(std::move(root), -1);
+  }
 
   int add(Point point, int parent) {
+    coordinates_.insert(coordinates_.end(), point.begin(), point.end());
     points_.push_back(std::move(point));
     parents_.push_back(parent);
     return static_cast<int>(points_.size()) - 1;
@@ -28,10 +37,13 @@ class Tree {
   int nearest(std::span<const double> point) const {
     int best = 0;
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < points_.size(); ++i) {
+    const double* own = coordinates_.data();
+    for (std::size_t i = 0; i < points_.size(); ++i, own += point.size()) {
       double sum = 0;
       for (std::size_t d = 0; d < point.size() && sum < least; ++d) {
-        const double off = space_.offset(points_[i], point, d);
+        const double way = point[d] - own[d];
+        const bool straight = way > -straight_[d] && way < straight_[d];
+        const double off = straight ? way * weights_[d] : space_.offset(points_[i], point, d);
         sum += off * off;
       }
       if (sum >= least) continue;
@@ -50,6 +62,9 @@ class Tree {
 
  private:
   const Space& space_;
+  std::vector<double> weights_;
+  std::vector<double> straight_;     ///< differences below this need no whole turns taken away
+  std::vector<double> coordinates_;  ///< of all points, one after the other
   std::vector<Point> points_;
   std::vector<int> parents_;
 };

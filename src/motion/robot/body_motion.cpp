@@ -2,7 +2,10 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
+#include "src/motion/robot/chain_bound.hpp"
 #include "src/motion/robot/chain_motion.hpp"
 #include "src/motion/robot/enclosure.hpp"
 #include "src/motion/robot/frame_chain.hpp"
@@ -59,8 +62,8 @@ class StepClassifier {
   /// How much a formula grows over the step; nothing if it does not grow linearly.
   std::optional<double> linear_growth(const Formula& formula) const {
     if (!changes(formula)) return 0.0;
-    const bool plain = formula.code.size() == 1;
-    if (!plain && !is_zero(formula.enclose(q0_, q1_, mounting_.starts, 0, 1).second))
+    if (!linear_value(formula, q0_, q1_, mounting_.starts) &&
+        !is_zero(formula.enclose(q0_, q1_, mounting_.starts, 0, 1).second))
       return std::nullopt;
     return formula.evaluate(end_) - formula.evaluate(start_);
   }
@@ -121,24 +124,51 @@ geometry::Motion screw(const FrameMotion& motion) {
   return geometry::Motion{result};
 }
 
+/// The motions of a step that are no screws.
+class GeneralMotions {
+ public:
+  GeneralMotions(const RobotModel& model, const Mounting& mounting, std::span<const double> q0,
+                 std::span<const double> q1)
+      : bounds_(model.bodies.size() + 1) {
+    StepPath path{&model, mounting, {q0.begin(), q0.end()}, {q1.begin(), q1.end()}, {}, {}};
+    for (auto [q, X] : {std::pair(q0, &path.X0), std::pair(q1, &path.X1)}) {
+      X->reserve(model.bodies.size() + 1);
+      body_poses(model, mounting, q, *X);
+      X->push_back(model.bodies.empty() ? mounting.X_WM
+                                        : (*X)[static_cast<std::size_t>(model.tool_body)]);
+      robot::append(X->back(), model.tool_frame, {q, {}, mounting.starts});
+    }
+    const auto append_all = [&](ChainBound& bound, const FrameFormula& frame) {
+      for (const FrameElement& each : frame) bound.append(each, q0, q1, mounting.starts);
+    };
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+      const Body& body = model.bodies[i];
+      if (body.parent >= 0) bounds_[i] = bounds_[static_cast<std::size_t>(body.parent)];
+      append_all(bounds_[i], body.frame);
+    }
+    if (!model.bodies.empty()) bounds_.back() = bounds_[static_cast<std::size_t>(model.tool_body)];
+    append_all(bounds_.back(), model.tool_frame);
+    path_ = std::make_shared<const StepPath>(std::move(path));
+  }
+
+  /// `body` -1: the tool.
+  geometry::Motion of(int body) const {
+    const ChainBound& bound = body < 0 ? bounds_.back() : bounds_[static_cast<std::size_t>(body)];
+    return geometry::Motion{std::make_shared<const ChainMotion>(path_, body, bound.bound())};
+  }
+
+ private:
+  std::vector<ChainBound> bounds_;        ///< of all bodies, and last of the tool
+  std::shared_ptr<const StepPath> path_;  // shared: one step, several bodies
+};
+
 }  // namespace
 
 std::vector<geometry::Motion> step_motions(const RobotModel& model, const Mounting& mounting,
                                            std::span<const double> q0, std::span<const double> q1) {
   const StepClassifier classifier(mounting, q0, q1);
-  std::shared_ptr<const StepPath> path;
-  const auto motion_of = [&](const FrameMotion& motion, int body) {
-    if (motion.kind != FrameMotion::Kind::general) return screw(motion);
-    if (!path) {
-      path = std::make_shared<const StepPath>(
-          StepPath{&model, mounting, {q0.begin(), q0.end()}, {q1.begin(), q1.end()}});
-    }
-    return geometry::Motion{std::make_shared<const ChainMotion>(path, body)};
-  };
-
-  std::vector<geometry::Motion> motions;
-  motions.reserve(model.bodies.size() + 1);
   std::vector<FrameMotion> frames(model.bodies.size());
+  bool general = false;
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     const Body& body = model.bodies[i];
     if (body.parent < 0) {
@@ -147,13 +177,24 @@ std::vector<geometry::Motion> step_motions(const RobotModel& model, const Mounti
       frames[i] = frames[static_cast<std::size_t>(body.parent)];
     }
     classifier.append(frames[i], body.frame);
-    motions.push_back(motion_of(frames[i], static_cast<int>(i)));
+    general = general || frames[i].kind == FrameMotion::Kind::general;
   }
   FrameMotion tool;
   tool.X0 = mounting.X_WM;
   if (!frames.empty()) tool = frames[static_cast<std::size_t>(model.tool_body)];
   classifier.append(tool, model.tool_frame);
-  motions.push_back(motion_of(tool, -1));
+  general = general || tool.kind == FrameMotion::Kind::general;
+
+  std::optional<GeneralMotions> generals;
+  if (general) generals.emplace(model, mounting, q0, q1);
+  std::vector<geometry::Motion> motions;
+  motions.reserve(model.bodies.size() + 1);
+  const auto add = [&](const FrameMotion& motion, int body) {
+    motions.push_back(motion.kind == FrameMotion::Kind::general ? generals->of(body)
+                                                                : screw(motion));
+  };
+  for (std::size_t i = 0; i < frames.size(); ++i) add(frames[i], static_cast<int>(i));
+  add(tool, -1);
   return motions;
 }
 

@@ -9,6 +9,7 @@
 #include "src/motion/math/angles.hpp"
 #include "src/motion/robot/enclosed_point.hpp"
 #include "src/motion/robot/frame_chain.hpp"
+#include "src/motion/robot/inline_buffer.hpp"
 
 namespace rubicon::robot {
 namespace {
@@ -62,17 +63,29 @@ AccelerationBound acceleration_bound(std::span<const FrameElement* const> elemen
   return bound;
 }
 
-ChainMotion::ChainMotion(std::shared_ptr<const StepPath> path, int body)
+ChainMotion::ChainMotion(std::shared_ptr<const StepPath> path, int body,
+                         const std::optional<AccelerationBound>& known)
     : path_(std::move(path)), body_(body) {
+  if (known) {
+    acceleration_ = *known;
+    return;
+  }
   const auto elements =
       body_ < 0 ? elements_to_tool(*path_->model) : elements_to_body(*path_->model, body_);
   acceleration_ = acceleration_bound(elements, path_->q0, path_->q1, path_->mounting.starts);
 }
 
 Pose ChainMotion::pose(double s) const {
-  const std::vector<double> q = configuration_at(path_->q0, path_->q1, s);
-  return body_ < 0 ? tool_pose(*path_->model, path_->mounting, q)
-                   : body_pose(*path_->model, path_->mounting, q, body_);
+  const StepPath& path = *path_;
+  if (s == 0 || s == 1) {
+    const std::vector<Pose>& ends = s == 0 ? path.X0 : path.X1;
+    return body_ < 0 ? ends.back() : ends[static_cast<std::size_t>(body_)];
+  }
+  InlineBuffer<double> buffer(path.q0.size());
+  const std::span<double> q = buffer.span();
+  configuration_at(path.q0, path.q1, s, q);
+  return body_ < 0 ? tool_pose(*path.model, path.mounting, q)
+                   : body_pose(*path.model, path.mounting, q, body_);
 }
 
 double ChainMotion::chord_deviation(double s0, double s1, double reach) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct StepPath {
   const RobotModel* model = nullptr;  ///< must outlive the motions
   Mounting mounting;
   std::vector<double> q0, q1;
+  std::vector<Pose> X0, X1;  ///< of all bodies and last of the tool, at q0 and q1
 };
 
 /// Bound of the acceleration d2x/ds2 of a point of a body, by its distance from the body's origin:
@@ -34,7 +36,9 @@ AccelerationBound acceleration_bound(std::span<const FrameElement* const> elemen
 /// Motion of a body or of the tool frame (body = -1) that is no screw.
 class ChainMotion : public geometry::GeneralMotion {
  public:
-  ChainMotion(std::shared_ptr<const StepPath> path, int body);
+  /// `known`: a bound that was found more cheaply; else it is found by `acceleration_bound`.
+  ChainMotion(std::shared_ptr<const StepPath> path, int body,
+              const std::optional<AccelerationBound>& known = {});
 
   Pose pose(double s) const override;
   double chord_deviation(double s0, double s1, double reach) const override;

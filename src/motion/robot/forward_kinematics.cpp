@@ -8,10 +8,15 @@ namespace rubicon::robot {
 std::vector<double> configuration_at(std::span<const double> q0, std::span<const double> q1,
                                      double s) {
   std::vector<double> q(q0.size());
+  configuration_at(q0, q1, s, q);
+  return q;
+}
+
+void configuration_at(std::span<const double> q0, std::span<const double> q1, double s,
+                      std::span<double> q) {
   for (std::size_t i = 0; i < q.size(); ++i) {
     q[i] = s == 1 || q0[i] == q1[i] ? q1[i] : (1 - s) * q0[i] + s * q1[i];
   }
-  return q;
 }
 
 void body_poses(const RobotModel& model, const Mounting& mounting, std::span<const double> q,

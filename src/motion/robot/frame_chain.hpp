@@ -7,6 +7,10 @@
 
 namespace rubicon::robot {
 
+/// `configuration_at` of kinematics.hpp, into `q`.
+void configuration_at(std::span<const double> q0, std::span<const double> q1, double s,
+                      std::span<double> q);
+
 /// X <- X * element.
 void append(Pose& X, const FrameElement& element, const FormulaInput& input);
 

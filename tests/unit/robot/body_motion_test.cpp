@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "src/motion/math/angles.hpp"
+#include "src/motion/robot/chain_bound.hpp"
+#include "src/motion/robot/frame_chain.hpp"
 #include "tests/unit/robot/robots.hpp"
 
 namespace rubicon::robot {
@@ -165,7 +169,9 @@ struct RandomChain {
   std::vector<double> q0, q1;
 };
 
-RandomChain random_chain(std::mt19937_64& random) {
+enum class Elements { any, linear };
+
+RandomChain random_chain(std::mt19937_64& random, Elements elements) {
   std::uniform_real_distribution<double> length(-6, 6);
   std::uniform_real_distribution<double> angle(-180, 180);
   const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
@@ -182,9 +188,9 @@ RandomChain random_chain(std::mt19937_64& random) {
     chain.q1.push_back(chain.q0.back() + (pick(3) == 0 ? 0 : length(random) / 5));
     FrameFormula& frame = chain.model.bodies.back().frame;
     for (int i = 0; i < 3; ++i) {
-      const Formula turn = pick(3) == 0   ? number(angle(random))
-                           : pick(4) == 0 ? number(20) * sin_of(of(theta))
-                                          : of(theta);
+      const Formula uneven = elements == Elements::linear ? number(180) - of(theta) * number(0.5)
+                                                          : number(20) * sin_of(of(theta));
+      const Formula turn = pick(3) == 0 ? number(angle(random)) : pick(4) == 0 ? uneven : of(theta);
       switch (pick(5)) {
         case 0:
           frame.push_back(rotx(turn));
@@ -199,8 +205,11 @@ RandomChain random_chain(std::mt19937_64& random) {
           frame.push_back(trans(of(x), number(length(random)), number(0)));
           break;
         default:
-          frame.push_back(
-              trans(number(length(random)), of(x) * cos_of(of(theta)), number(length(random))));
+          frame.push_back(trans(number(length(random)),
+                                elements == Elements::linear
+                                    ? of(x) * number(-0.7) + of(theta) * number(0.01)
+                                    : of(x) * cos_of(of(theta)),
+                                number(length(random))));
       }
     }
   }
@@ -208,13 +217,13 @@ RandomChain random_chain(std::mt19937_64& random) {
   return chain;
 }
 
-TEST(ChordDeviation, BoundsEveryPointOfRandomChainsByDenseSampling) {
+void expect_bounds_every_point(Elements elements) {
   std::mt19937_64 random(21);
   std::uniform_real_distribution<double> unit(0, 1);
   int generals = 0;
   double closest = 0;
   for (int i = 0; i < 1500; ++i) {
-    const RandomChain chain = random_chain(random);
+    const RandomChain chain = random_chain(random, elements);
     const Mounting mounting =
         mounting_of(chain.model, math::translation(3, 4, 5) * math::rotation_x_deg(20));
     const auto motions = step_motions(chain.model, mounting, chain.q0, chain.q1);
@@ -243,6 +252,38 @@ TEST(ChordDeviation, BoundsEveryPointOfRandomChainsByDenseSampling) {
   }
   EXPECT_GT(generals, 1500);
   EXPECT_GT(closest, 0.5) << "the bound is uselessly loose";
+}
+
+TEST(ChordDeviation, BoundsEveryPointOfRandomChainsByDenseSampling) {
+  expect_bounds_every_point(Elements::any);
+}
+
+TEST(ChordDeviation, BoundsEveryPointOfLinearChainsByDenseSampling) {
+  expect_bounds_every_point(Elements::linear);
+}
+
+/// The bound of linear chains is read off the chain, that of others is found by intervals.
+TEST(ChordDeviation, IsNotMuchLooserForLinearChainsThanByIntervals) {
+  std::mt19937_64 random(22);
+  std::vector<double> ratios;
+  for (int i = 0; i < 500; ++i) {
+    const RandomChain chain = random_chain(random, Elements::linear);
+    const Mounting mounting = mounting_of(chain.model, Pose::Identity());
+    ChainBound chain_bound;
+    const auto elements = elements_to_tool(chain.model);
+    for (const FrameElement* each : elements) {
+      chain_bound.append(*each, chain.q0, chain.q1, mounting.starts);
+    }
+    const auto bound = chain_bound.bound();
+    ASSERT_TRUE(bound.has_value());
+    const AccelerationBound by_intervals =
+        acceleration_bound(elements, chain.q0, chain.q1, mounting.starts);
+    EXPECT_LE(bound->turning, by_intervals.turning * (1 + 1e-9) + 1e-12);
+    if (by_intervals.origin > 0) ratios.push_back(bound->origin / by_intervals.origin);
+  }
+  ASSERT_GT(ratios.size(), 300U);
+  std::sort(ratios.begin(), ratios.end());
+  EXPECT_LT(ratios[ratios.size() / 2], 3);
 }
 
 TEST(ChordDeviation, ShrinksWithTheSquareOfTheIntervalAndIsTightForACircle) {
