@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -16,15 +17,17 @@ class Tree {
  public:
   Tree(const Space& space, Point root) : space_(space) {
     for (std::size_t d = 0; d < root.size(); ++d) {
+      const bool cyclic = space.parameter(d).cyclic;
       weights_.push_back(space.weight(d));
-      straight_.push_back(space.parameter(d).cyclic ? math::kHalfTurn_deg
-                                                    : std::numeric_limits<double>::infinity());
+      half_turns_.push_back(cyclic ? math::kHalfTurn_deg : std::numeric_limits<double>::infinity());
+      turns_.push_back(cyclic ? math::kTurn_deg : 0);
     }
     add(std::move(root), -1);
   }
 
   int add(Point point, int parent) {
     coordinates_.insert(coordinates_.end(), point.begin(), point.end());
+    reduced_ = reduced_ && is_reduced(point);
     points_.push_back(std::move(point));
     parents_.push_back(parent);
     return static_cast<int>(points_.size()) - 1;
@@ -37,15 +40,9 @@ class Tree {
   int nearest(std::span<const double> point) const {
     int best = 0;
     double least = std::numeric_limits<double>::infinity();
-    const double* own = coordinates_.data();
-    for (std::size_t i = 0; i < points_.size(); ++i, own += point.size()) {
-      double sum = 0;
-      for (std::size_t d = 0; d < point.size() && sum < least; ++d) {
-        const double way = point[d] - own[d];
-        const bool straight = way > -straight_[d] && way < straight_[d];
-        const double off = straight ? way * weights_[d] : space_.offset(points_[i], point, d);
-        sum += off * off;
-      }
+    const bool quick = reduced_ && is_reduced(point);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const double sum = quick ? square_of_way(i, point) : square_of_any_way(i, point);
       if (sum >= least) continue;
       least = sum;
       best = static_cast<int>(i);
@@ -61,10 +58,44 @@ class Tree {
   }
 
  private:
+  /// Whether all angles that turn freely are within half a turn.
+  bool is_reduced(std::span<const double> point) const {
+    for (std::size_t d = 0; d < point.size(); ++d) {
+      if (!(std::fabs(point[d]) <= half_turns_[d])) return false;
+    }
+    return true;
+  }
+
+  /// The square of the distance from a node, both reduced: what `Space::offset` says, without
+  /// branches.
+  double square_of_way(std::size_t node, std::span<const double> point) const {
+    const double* own = coordinates_.data() + node * point.size();
+    double sum = 0;
+    for (std::size_t d = 0; d < point.size(); ++d) {
+      double way = point[d] - own[d];
+      way -= way > half_turns_[d] ? turns_[d] : 0.0;
+      way += way <= -half_turns_[d] ? turns_[d] : 0.0;
+      const double off = way * weights_[d];
+      sum += off * off;
+    }
+    return sum;
+  }
+
+  double square_of_any_way(std::size_t node, std::span<const double> point) const {
+    double sum = 0;
+    for (std::size_t d = 0; d < point.size(); ++d) {
+      const double off = space_.offset(points_[node], point, d);
+      sum += off * off;
+    }
+    return sum;
+  }
+
   const Space& space_;
   std::vector<double> weights_;
-  std::vector<double> straight_;     ///< differences below this need no whole turns taken away
+  std::vector<double> half_turns_;   ///< of an angle that turns freely; else infinite
+  std::vector<double> turns_;        ///< else 0
   std::vector<double> coordinates_;  ///< of all points, one after the other
+  bool reduced_ = true;              ///< all points are
   std::vector<Point> points_;
   std::vector<int> parents_;
 };
