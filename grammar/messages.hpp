@@ -346,8 +346,8 @@ RUBICON_EXPECT(varied_name, "the name of a parameter of the plan");
 RUBICON_EXPECT(varied_value, "a value such as 4, 3.6 m or \"a text\"");
 RUBICON_EXPECT(varied_last, "the last value of the range");
 RUBICON_EXPECT(varied_step, "the step of the range");
-RUBICON_EXPECT(design_kind, "full, latin or one_at_a_time", Explain::expected,
-               "full latin one_at_a_time");
+RUBICON_EXPECT(design_kind, "full, latin, one_at_a_time or search", Explain::expected,
+               "full latin one_at_a_time search");
 inline constexpr const char* kMeasure = "what is asked, such as makespan or p80(finish)";
 RUBICON_EXPECT(asked, kMeasure);
 RUBICON_EXPECT(measure_argument, "a name");
