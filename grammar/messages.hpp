@@ -231,7 +231,10 @@ RUBICON_EXPECT(area_height_value, "a length");
 RUBICON_EXPECT(area_column_comma, "',' and the size of the column");
 RUBICON_EXPECT(area_column_size, "a length");
 RUBICON_EXPECT(area_name, "a name after area");
-RUBICON_EXPECT(area_part, "area", Explain::item, "height outline shaft column round_column beam");
+RUBICON_EXPECT(area_part, "area", Explain::item,
+               "height outline shaft column round_column beam obstacles");
+RUBICON_EXPECT(area_obstacles_from, "from components after obstacles");
+RUBICON_EXPECT(area_obstacles_components, "components after obstacles from");
 RUBICON_EXPECT(dig_volume, "the volume of soil to dig, such as 10000 m3");
 RUBICON_EXPECT(dig_shape,
                "the shape of the pit, such as prism(-3.2, 0, 4, -1.3, 9, -1.3, 9, 1.3, 4, 1.3)");

@@ -226,7 +226,13 @@ struct area_column_comma : comma {};
 struct area_column_size : quantity {};
 struct area_column
     : if_must<area_column_key, floor_place, area_column_comma, area_column_size, plan_semicolon> {};
-struct area_part : sor<area_height, area_line, area_column> {};
+struct area_obstacles_key : token<word<TAO_PEGTL_STRING("obstacles")>> {};
+struct area_obstacles_from : token<word<TAO_PEGTL_STRING("from")>> {};
+struct area_obstacles_components : token<word<TAO_PEGTL_STRING("components")>> {};
+struct area_obstacles
+    : if_must<area_obstacles_key, area_obstacles_from, area_obstacles_components, plan_semicolon> {
+};
+struct area_part : sor<area_height, area_line, area_column, area_obstacles> {};
 struct whole_area_part : must<area_part> {};
 struct area_parts : nested<star<not_at<block_end>, recover<whole_area_part, item_end>>> {};
 struct area_key : token<word<TAO_PEGTL_STRING("area")>> {};

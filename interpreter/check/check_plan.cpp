@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "interpreter/check/check_plan_obstacles.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
 #include "interpreter/expand/imports.hpp"
 #include "interpreter/parse/parse.hpp"
@@ -78,6 +79,7 @@ std::unique_ptr<PlanModel> load_plan(const std::string& path, SourceMap& sources
   plan_check::check_earths(subject);
   plan_check::check_tasks(subject);
   plan_check::finish_earths(subject);
+  plan_check::finish_covers(subject);
   plan_check::check_scale(subject);
   plan_check::check_short_form(subject);
   plan_check::check_waivers(subject);

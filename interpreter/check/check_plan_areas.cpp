@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "interpreter/check/check_number.hpp"
+#include "interpreter/check/check_plan_obstacles.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
 #include "src/motion/coverage/coverage.hpp"
 
@@ -21,7 +22,7 @@ constexpr std::size_t kMostPoints = 20'000;
 
 std::optional<double> length(Subject& subject, const syntax::Number& number,
                              const std::string& what, double least, double most) {
-  return bounded(subject, number, UnitKind::length, what, least, most);
+  return bounded(subject, number, syntax::UnitKind::length, what, least, most);
 }
 
 std::optional<coverage::Place> place_of(Subject& subject, const syntax::FloorPlace& place,
@@ -70,6 +71,13 @@ class AreaCheck {
  private:
   void add(const syntax::AreaItem::Part& part) {
     const std::string& key = part.key.text;
+    if (key == "obstacles") {
+      if (obstacles_ != nullptr) {
+        subject_.twice(part.span, "obstacles of " + who_ + " are given twice", obstacles_->span);
+      }
+      obstacles_ = &part;
+      return;
+    }
     std::vector<coverage::Place> places;
     for (const syntax::FloorPlace& each : part.places) {
       const auto place = place_of(subject_, each, "the " + key + " of " + who_);
@@ -104,6 +112,7 @@ class AreaCheck {
   const syntax::AreaItem& item_;
   const std::string who_;
   const syntax::AreaItem::Part* outline_ = nullptr;
+  const syntax::AreaItem::Part* obstacles_ = nullptr;
   AreaSpec area_;
 };
 
@@ -112,7 +121,8 @@ class CoverCheck {
  public:
   CoverCheck(Subject& subject, const syntax::CoverItem& item) : subject_(subject), item_(item) {}
 
-  std::optional<CoverWay> run() {
+  /// Over `floor` instead of that of the area, if it is given.
+  std::optional<CoverWay> run(const coverage::FloorDescription* floor = nullptr) {
     const int errors = subject_.diagnostics.errors();
     const AreaSpec* const area = find_area();
     for (const syntax::CoverItem::Clause& each : item_.clauses) take(each);
@@ -123,10 +133,11 @@ class CoverCheck {
       wrong(given_["rate"], "a rate needs the thickness of what is laid", "thickness 0.25 m;");
     }
     if (area == nullptr || subject_.diagnostics.errors() != errors) return std::nullopt;
-    for (const std::string& each : faults_of(area->floor, options_)) wrong(item_.area.span, each);
+    if (floor == nullptr) floor = &area->floor;
+    for (const std::string& each : faults_of(*floor, options_)) wrong(item_.area.span, each);
     if (subject_.diagnostics.errors() != errors) return std::nullopt;
     try {
-      return way_over(*area, plan_coverage(area->floor, options_));
+      return way_over(*area, *floor, plan_coverage(*floor, options_));
     } catch (const std::invalid_argument& error) {
       wrong(item_.area.span, error.what());
       return std::nullopt;
@@ -208,7 +219,8 @@ class CoverCheck {
           "cells: each is finished before the next is begun");
   }
 
-  std::optional<CoverWay> way_over(const AreaSpec& area, const coverage::CoverageWay& found) {
+  std::optional<CoverWay> way_over(const AreaSpec& area, const coverage::FloorDescription& floor,
+                                   const coverage::CoverageWay& found) {
     if (found.points.size() < 2 || found.points.size() > kMostPoints) {
       wrong(item_.area.span, found.points.size() < 2
                                  ? "the tool has no room to work anywhere on the area"
@@ -217,7 +229,7 @@ class CoverCheck {
       return std::nullopt;
     }
     CoverWay way;
-    const coverage::Measures measures = measure(area.floor, options_, found.points);
+    const coverage::Measures measures = measure(floor, options_, found.points);
     way.cover.area = area_;
     way.cover.width = options_.width;
     way.cover.thickness = thickness_;
@@ -276,6 +288,11 @@ void check_areas(Subject& subject) {
 
 std::optional<CoverWay> resolve_cover(Subject& subject, const syntax::CoverItem& item) {
   return CoverCheck(subject, item).run();
+}
+
+std::optional<CoverWay> resolve_cover_over(Subject& subject, const syntax::CoverItem& item,
+                                           const coverage::FloorDescription& floor) {
+  return CoverCheck(subject, item).run(&floor);
 }
 
 }  // namespace rubicon::interpreter::plan_check

@@ -340,6 +340,8 @@ RUBICON_ACTION(PlanAction, PlanState, area_line) { st.add_area_part(begin); }
 RUBICON_ACTION(PlanAction, PlanState, area_column_key) { st.begin_area_part(begin); }
 RUBICON_ACTION(PlanAction, PlanState, area_column_size) { st.area_part.size = st.take_quantity(); }
 RUBICON_ACTION(PlanAction, PlanState, area_column) { st.add_area_part(begin); }
+RUBICON_ACTION(PlanAction, PlanState, area_obstacles_key) { st.begin_area_part(begin); }
+RUBICON_ACTION(PlanAction, PlanState, area_obstacles) { st.add_area_part(begin); }
 RUBICON_ACTION(PlanAction, PlanState, area_item) { st.add(std::move(st.area), begin); }
 RUBICON_ACTION(PlanAction, PlanState, cover_key) {
   st.cover = {};

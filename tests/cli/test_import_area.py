@@ -288,6 +288,19 @@ class RealBuilding(InAFolder):
         area = float(re.search(r"// ([\d.]+) m2", plan).group(1))
         self.assertGreater(area, 250)
         self.assertLess(area, 21.3 * 20.89)
+        # The topping of that floor, by a screed that reaches all of it.
+        with open(os.path.join(ROOT, "examples", "18_cover_a_floor", "screed.robot"), encoding="utf-8") as file:
+            self.write("screed.robot", re.sub(r"range\(0, \d\)", "range(-1, 23)", file.read()))
+        self.write("lay.plan", plan.rstrip()[:-1] + """
+  robot screed "screed.robot" at trans(0, 0, -0.09) { start x 1, y 15; }
+  task lay { by screed; cover deck { width 1 m; clearance 0.25 m; above 0.1 m; thickness 0.05 m; rate 30 m3 per h; } }
+}
+""")
+        ran = rubicon("run", "lay.plan", cwd=self.folder)
+        self.assertEqual(ran.returncode, 0, ran.stdout + ran.stderr)
+        covered, share = re.search(r"lay +deck +([\d.]+) +([\d.]+) %", ran.stdout).groups()
+        self.assertAlmostEqual(float(covered), area, delta=0.01 * area)
+        self.assertGreaterEqual(float(share), 99.5)
         ran = rubicon("import", models[0], "--area", "05")
         self.assertEqual(ran.returncode, 2)
         self.assertIn("there is no storey '05'; the model has '00 begane grond'", ran.stderr)

@@ -109,4 +109,13 @@ std::vector<Region> difference(const std::vector<Region>& regions, const std::ve
   return combined(paths, paths_of(rings), ClipperLib::ctDifference, ClipperLib::pftNonZero);
 }
 
+std::vector<Region> inside_outline(const std::vector<Ring>& rings, const Region& region,
+                                   std::int64_t inset) {
+  ClipperLib::ClipperOffset offset;
+  offset.AddPath(path_of(region.outline), ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
+  ClipperLib::Paths inner;
+  offset.Execute(inner, -static_cast<double>(inset));
+  return combined(paths_of(rings), inner, ClipperLib::ctIntersection, ClipperLib::pftNonZero);
+}
+
 }  // namespace rubicon::coverage

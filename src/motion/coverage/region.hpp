@@ -24,6 +24,10 @@ std::vector<Region> nested(const std::vector<Ring>& rings);
 /// What of the regions lies in none of the rings.
 std::vector<Region> difference(const std::vector<Region>& regions, const std::vector<Ring>& rings);
 
+/// What of the rings lies in the outline of a region, `inset` units or more from it.
+std::vector<Region> inside_outline(const std::vector<Ring>& rings, const Region& region,
+                                   std::int64_t inset);
+
 // Found by the library Clipper (A. Johnson), on the grid: corners of crossings are rounded to it.
 
 }  // namespace rubicon::coverage
