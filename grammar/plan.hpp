@@ -372,7 +372,32 @@ struct pool_item : if_must<pool_key, pool_name, block_open, pool_parts, block_cl
 // Networks: nodes and lanes between them.
 struct policy_key : token<word<TAO_PEGTL_STRING("policy")>> {};
 struct policy_name : name {};
-struct network_policy : if_must<policy_key, policy_name, plan_semicolon> {};
+struct policy_number_key : name {};
+struct policy_number_value : quantity {};
+struct policy_number : seq<policy_number_key, must<policy_number_value, plan_semicolon>> {};
+struct policy_part : sor<policy_number> {};
+struct whole_policy_part : must<policy_part> {};
+struct policy_parts : nested<star<not_at<block_end>, recover<whole_policy_part, item_end>>> {};
+struct policy_block : if_must<block_open, policy_parts, block_close> {};
+struct policy_end : sor<semicolon, policy_block> {};
+struct network_policy : if_must<policy_key, policy_name, policy_end> {};
+// Of a network of cells: its map, and who goes from where to where.
+struct grid_file_key
+    : token<sor<word<TAO_PEGTL_STRING("map")>, word<TAO_PEGTL_STRING("scenario")>>> {};
+struct grid_file_name : string_literal {};
+struct grid_file : if_must<grid_file_key, grid_file_name, plan_semicolon> {};
+struct grid_count_key : token<word<TAO_PEGTL_STRING("agents")>> {};
+struct grid_count_value : quantity {};
+struct grid_count : if_must<grid_count_key, grid_count_value, plan_semicolon> {};
+struct grid_agent_key : token<word<TAO_PEGTL_STRING("agent")>> {};
+struct grid_agent_name : name {};
+struct grid_from_key : token<word<TAO_PEGTL_STRING("from")>> {};
+struct grid_from : seq<floor_place> {};
+struct grid_to_key : to_word {};
+struct grid_to : seq<floor_place> {};
+struct grid_agent : if_must<grid_agent_key, grid_agent_name, grid_from_key, grid_from, grid_to_key,
+                            grid_to, plan_semicolon> {};
+struct grid_part : sor<grid_file, grid_count, grid_agent> {};
 struct class_speed_key : token<word<TAO_PEGTL_STRING("speed")>> {};
 struct class_speed_value : quantity {};
 struct class_speed : if_must<class_speed_key, class_speed_value, plan_semicolon> {};
@@ -411,7 +436,8 @@ struct network_parts;
 struct network_repetition : if_must<for_head, block_open, network_parts, block_close> {};
 struct network_choice : if_must<given_head, block_open, network_parts, block_close> {};
 struct network_block : sor<network_repetition, network_choice> {};
-struct network_part : sor<network_block, network_policy, lane_class, network_node, network_lane> {};
+struct network_part
+    : sor<network_block, network_policy, lane_class, network_node, network_lane, grid_part> {};
 struct whole_network_part : must<network_part> {};
 struct network_parts : nested<star<not_at<block_end>, recover<whole_network_part, item_end>>> {};
 struct network_key : token<word<TAO_PEGTL_STRING("network")>> {};

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "interpreter/check/check_plan_networks.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
 
 namespace rubicon::interpreter::plan_check {
@@ -141,6 +142,8 @@ void check_form(Subject& subject) {
     has_work = has_work || std::holds_alternative<syntax::TaskItem>(item) ||
                std::holds_alternative<syntax::PlaceItem>(item) ||
                std::holds_alternative<syntax::ImportItem>(item);
+    const auto* network = std::get_if<syntax::NetworkItem>(&item);
+    has_work = has_work || (network != nullptr && is_of_cells(*network));
   }
   if (!has_work) {
     subject.diagnostics.warning(

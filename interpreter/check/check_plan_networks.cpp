@@ -1,9 +1,14 @@
+#include "interpreter/check/check_plan_networks.hpp"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
+#include "interpreter/check/check_grid.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
+#include "interpreter/parse/parse_grid.hpp"
 #include "interpreter/syntax/name_suggestion.hpp"
 #include "src/motion/geometry/above.hpp"
 #include "src/motion/math/angles.hpp"
@@ -55,8 +60,10 @@ class NetworkCheck {
     if (policy_) subject_.twice(item.span, "the policy of " + who_ + " is given twice", *policy_);
     policy_ = item.span;
     if (item.name.text == "order") return;
-    wrong(item.name.span, fmt::format("unknown policy '{}'; expected order", item.name.text),
-          "order: each node is entered in the order of the plan, whatever is late");
+    wrong(item.name.span,
+          fmt::format("unknown policy '{}'; expected order or grid", item.name.text),
+          "order: each node is entered in the order of the plan, whatever is late; grid: agents on "
+          "the cells of a map, one cell a tick");
   }
 
   void add(const syntax::LaneClassItem& item) {
@@ -222,8 +229,74 @@ std::optional<math::Pose> NodePlaces::place_of(const syntax::QualifiedName& node
   return std::nullopt;
 }
 
+namespace {
+
+const syntax::PolicyItem* grid_policy(const syntax::NetworkItem& item) {
+  for (const syntax::NetworkPart& part : item.parts) {
+    const auto* policy = std::get_if<syntax::PolicyItem>(&part);
+    if (policy != nullptr && policy->name.text == "grid") return policy;
+  }
+  return nullptr;
+}
+
+/// A network of cells. It stands alone: nothing has a body there.
+void check_cells(Subject& subject, const syntax::NetworkItem& item,
+                 const syntax::PolicyItem& policy, const syntax::GridItem& grid) {
+  subject.use("policy grid", policy.span);
+  if (subject.plan.items.size() > 1) {
+    subject.error(
+        "P57", policy.span,
+        "a plan with policy grid has this network and nothing else: its agents are points "
+        "on cells",
+        "vehicles with bodies drive the lanes of a network with policy order");
+  }
+  for (const syntax::NetworkPart& part : item.parts) {
+    const auto* other = std::get_if<syntax::PolicyItem>(&part);
+    if (other == &policy) continue;
+    if (other != nullptr) {
+      subject.twice(other->span, "the policy of network '" + item.name.text + "' is given twice",
+                    policy.span);
+      continue;
+    }
+    subject.error("P57",
+                  std::visit(
+                      [](const auto& each) {
+                        if constexpr (requires { each.span; }) {
+                          return each.span;
+                        } else {
+                          return each->span;
+                        }
+                      },
+                      part),
+                  "classes, nodes and lanes do not go with policy grid: its cells are those of the "
+                  "map");
+  }
+  if (subject.plan.broken) return;
+  check_grid(grid, subject.model.path, subject.sources, subject.files, subject.diagnostics);
+}
+
+/// What only a network of cells may have.
+void refuse_cells(Subject& subject, const syntax::GridItem& grid) {
+  const auto wrong = [&](Span span, const std::string& what) {
+    subject.error("P57", span, what + " goes with policy grid", "write policy grid;");
+  };
+  for (const auto& number : grid.numbers) wrong(number.span, number.name.text);
+  for (const auto& file : grid.files) wrong(file.key.span, file.key.text);
+  for (const auto& number : grid.agents) wrong(number.span, "agents");
+  for (const auto& agent : grid.named) wrong(agent.span, "agent");
+}
+
+}  // namespace
+
+bool is_of_cells(const syntax::NetworkItem& item) { return grid_policy(item) != nullptr; }
+
 void check_networks(Subject& subject) {
   std::map<std::string, Span> seen;
+  std::vector<syntax::GridItem> grids;
+  const bool has_network = std::any_of(
+      subject.plan.items.begin(), subject.plan.items.end(),
+      [](const auto& each) { return std::holds_alternative<syntax::NetworkItem>(each); });
+  if (has_network) grids = parse_grids(subject.sources, subject.plan.name.span.file);
   for (const syntax::PlanItem& each : subject.plan.items) {
     const auto* item = std::get_if<syntax::NetworkItem>(&each);
     if (item == nullptr) continue;
@@ -233,6 +306,15 @@ void check_networks(Subject& subject) {
                     place->second);
       continue;
     }
+    const auto grid = std::find_if(grids.begin(), grids.end(), [&](const auto& each_grid) {
+      return each_grid.network.span.begin == item->name.span.begin;
+    });
+    const syntax::PolicyItem* policy = grid_policy(*item);
+    if (policy != nullptr && grid != grids.end()) {
+      check_cells(subject, *item, *policy, *grid);
+      continue;
+    }
+    if (grid != grids.end()) refuse_cells(subject, *grid);
     NetworkSpec network = NetworkCheck(subject, *item).run();
     subject.model.networks.push_back(std::move(network));
   }

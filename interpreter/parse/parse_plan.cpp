@@ -1,5 +1,7 @@
 #include "interpreter/parse/parse_plan.hpp"
 
+#include "interpreter/parse/parse_grid.hpp"
+
 namespace rubicon::interpreter {
 
 void PlanState::set_cost(const char* from) {
@@ -432,13 +434,40 @@ RUBICON_ACTION(PlanAction, PlanState, pool_item) { st.add(std::move(st.pool), be
 // networks and fleets
 RUBICON_ACTION(PlanAction, PlanState, network_key) {
   st.network = {};
+  st.grid = {};
   st.in_network = true;
   st.announce("network");
 }
 RUBICON_ACTION(PlanAction, PlanState, network_name) { st.network.name = st.take_name(); }
-RUBICON_ACTION(PlanAction, PlanState, policy_name) { st.key = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, policy_name) {
+  st.policy = st.take_name();
+  st.announce("policy");
+}
+RUBICON_ACTION(PlanAction, PlanState, policy_number_key) { st.key = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, policy_number) {
+  st.add_to_grid(begin).numbers.push_back({st.key, st.take_quantity(), st.span_from(begin)});
+}
 RUBICON_ACTION(PlanAction, PlanState, network_policy) {
-  st.add_to_network(syntax::PolicyItem{std::move(st.key), {}}, begin);
+  st.grid.policies.push_back(st.policy);
+  st.add_to_network(syntax::PolicyItem{std::move(st.policy), {}}, begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, grid_file_key) { st.key = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, grid_file) {
+  st.add_to_grid(begin).files.push_back({st.key, st.string});
+}
+RUBICON_ACTION(PlanAction, PlanState, grid_count) {
+  st.add_to_grid(begin).agents.push_back(st.take_quantity());
+}
+RUBICON_ACTION(PlanAction, PlanState, grid_agent_key) { st.places.clear(); }
+RUBICON_ACTION(PlanAction, PlanState, grid_agent_name) { st.grid_agent.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, grid_agent) {
+  st.grid_agent.span = st.span_from(begin);
+  if (st.places.size() == 2) {
+    st.grid_agent.from = st.places[0];
+    st.grid_agent.to = st.places[1];
+    st.add_to_grid(begin).named.push_back(st.grid_agent);
+  }
+  st.places.clear();
 }
 RUBICON_ACTION(PlanAction, PlanState, class_key) {
   st.lane_class = {};
@@ -478,6 +507,8 @@ RUBICON_ACTION(PlanAction, PlanState, network_lane) {
 }
 RUBICON_ACTION(PlanAction, PlanState, network_item) {
   st.in_network = false;
+  st.grid.network = st.network.name;
+  st.grids.push_back(std::move(st.grid));
   st.add(std::move(st.network), begin);
 }
 RUBICON_ACTION(PlanAction, PlanState, fleet_key) {
@@ -746,27 +777,37 @@ RUBICON_ACTION(PlanAction, PlanState, carry_item) {
 RUBICON_ACTION(PlanAction, PlanState, plan_file_key) { st.announce("plan"); }
 RUBICON_ACTION(PlanAction, PlanState, plan_name) { st.plan.name = st.take_name(); }
 
+std::vector<std::string_view> plan_words() {
+  return {
+      "component",    "robot",    "crew",      "task",      "module",     "place",    "import",
+      "site",         "contact",  "budget",    "start_at",  "currency",   "calendar", "situation",
+      "storage",      "start",    "goal",      "via",       "carry",      "within",   "shape",
+      "at",           "grip",     "mass",      "cost",      "park",       "size",     "by",
+      "move",         "go",       "remove",    "hook",      "adjust",     "release",  "takes",
+      "guide",        "priority", "zone",      "after",     "off",        "name",     "storey",
+      "type",         "guid",     "attribute", "parameter", "for",        "when",     "group",
+      "density",      "touching", "pool",      "of",        "choose",     "needs",    "rental",
+      "mobilisation", "overtime", "overhead",  "whole",     "not_before", "due",      "baseline",
+      "support",      "fixed",    "braced",    "free",      "near",       "lock",     "deviation",
+      "enter",        "moving",   "path",      "repeat",    "area",       "outline",  "shaft",
+      "cover",        "dig",      "earth"};
+}
+
 }  // namespace
 
 syntax::Plan parse_plan(const SourceMap& sources, FileId file, Diagnostics& diagnostics) {
-  PlanState state(
-      sources, file, diagnostics, "P00",
-      {"component",    "robot",    "crew",      "task",      "module",     "place",    "import",
-       "site",         "contact",  "budget",    "start_at",  "currency",   "calendar", "situation",
-       "storage",      "start",    "goal",      "via",       "carry",      "within",   "shape",
-       "at",           "grip",     "mass",      "cost",      "park",       "size",     "by",
-       "move",         "go",       "remove",    "hook",      "adjust",     "release",  "takes",
-       "guide",        "priority", "zone",      "after",     "off",        "name",     "storey",
-       "type",         "guid",     "attribute", "parameter", "for",        "when",     "group",
-       "density",      "touching", "pool",      "of",        "choose",     "needs",    "rental",
-       "mobilisation", "overtime", "overhead",  "whole",     "not_before", "due",      "baseline",
-       "support",      "fixed",    "braced",    "free",      "near",       "lock",     "deviation",
-       "enter",        "moving",   "path",      "repeat",    "area",       "outline",  "shaft",
-       "cover",        "dig",      "earth"});
+  PlanState state(sources, file, diagnostics, "P00", plan_words());
   const bool finished = run_parser<grammar::plan_file, PlanAction>(state);
   state.plan.broken = !finished || state.errors() > 0;
   state.plan.span = state.span_from(state.begin());
   return std::move(state.plan);
+}
+
+std::vector<syntax::GridItem> parse_grids(const SourceMap& sources, FileId file) {
+  Diagnostics diagnostics;
+  PlanState state(sources, file, diagnostics, "P00", plan_words());
+  run_parser<grammar::plan_file, PlanAction>(state);
+  return std::move(state.grids);
 }
 
 }  // namespace rubicon::interpreter

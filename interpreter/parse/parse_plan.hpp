@@ -2,6 +2,7 @@
 
 #include "grammar/plan.hpp"
 #include "interpreter/parse/parse_guide.hpp"
+#include "interpreter/syntax/grid.hpp"
 
 /// The state of a plan's parse. Only for the parse_plan*.cpp files.
 namespace rubicon::interpreter {
@@ -204,6 +205,15 @@ class PlanState : public GuideState {
   syntax::PoolItem pool;
   syntax::NetworkItem network;
   bool in_network = false;
+  syntax::Name policy;
+  syntax::GridItem grid;
+  std::vector<syntax::GridItem> grids;
+  syntax::GridItem::Agent grid_agent;
+  /// The grid that is being read; what is in a block is noted.
+  syntax::GridItem& add_to_grid(const char* from) {
+    if (!network_blocks.empty()) grid.in_blocks.push_back(span_from(from));
+    return grid;
+  }
   syntax::LaneClassItem lane_class;
   syntax::NodeItem node;
   syntax::LaneItem lane;

@@ -8,6 +8,7 @@
 #include "src/cli/check_import.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/fail.hpp"
+#include "src/cli/import_grid.hpp"
 #include "src/cli/import_schedule.hpp"
 #include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/disk_io.hpp"
@@ -91,6 +92,13 @@ int run_import(const ImportOptions& options) {
   }
   if (!options.packages.empty() || !options.arguments.empty() || !options.tool.empty()) {
     return fail("--package, --arg and --tool go with a machine (.urdf, .xacro)");
+  }
+  if (is_grid_file(options.files.front())) {
+    if (options.level || options.baseline || !options.match.empty() || !options.schedule.empty() ||
+        !options.unit.empty() || !options.up.empty()) {
+      return fail("a map takes --out only");
+    }
+    return import_grid(options);
   }
   std::size_t models = 0;
   for (const std::string& file : options.files) models += mesh_io::format_of(file) ? 1U : 0U;

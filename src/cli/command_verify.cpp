@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -10,6 +11,7 @@
 #include "src/cli/input_file.hpp"
 #include "src/exchange/encoding/sha256.hpp"
 #include "src/exchange/files/result_folder_io.hpp"
+#include "src/results/verify/grid/check_ways.hpp"
 #include "src/results/verify/input/trace_reader.hpp"
 #include "src/results/verify/schedule/check_report.hpp"
 #include "src/results/verify/verdict_text.hpp"
@@ -63,12 +65,37 @@ verify::Result read_result(const std::string& path, verify::ResultNames& names) 
   return result;
 }
 
+/// The ways over cells that a result is of; nothing for what tasks left.
+std::optional<std::string> grid_result(const std::string& result, std::string& text) {
+  std::error_code error;
+  const std::string path = std::filesystem::is_directory(result, error)
+                               ? files::result_path(result, "ways.json")
+                               : result;
+  if (!path.ends_with(".json") || !std::filesystem::is_regular_file(path, error)) {
+    return std::nullopt;
+  }
+  text = read_input(path);
+  return verify::is_grid_result(text) ? std::optional(path) : std::nullopt;
+}
+
+int verify_grid(const std::string& path, const std::string& text, const std::string& format) {
+  const verify::WaysVerdict verdict = verify::check_ways(text);
+  const std::string said =
+      format == "json" ? verify::ways_json(verdict) : verify::ways_text(verdict, path);
+  std::fwrite(said.data(), 1, said.size(), stdout);
+  return verdict.faults.empty() ? kFine : kInfeasible;
+}
+
 }  // namespace
 
 int run_verify(const VerifyOptions& options) {
   verify::ResultNames names;
   verify::Verdict verdict;
   try {
+    std::string text;
+    if (const auto path = grid_result(options.result, text)) {
+      return verify_grid(*path, text, options.format);
+    }
     verdict = verify::verify(read_result(options.result, names));
   } catch (const UnreadableInput& error) {
     return fail(error.what());

@@ -54,13 +54,15 @@ one timeline, and every motion step is tested over the whole volume it sweeps, w
 machines sweep at the time. Prints a table of the tasks (robot, crew, start, duration, of it motion and crew work, time
 waited, steps tried and accepted, result), the process time, the use and cost of robots and crews, and the critical
 chain. A task that cannot be done is rejected with the reason and undone; what depends on it is reported as not
-reached; the rest goes on.
+reached; the rest goes on. A plan with a network of cells (policy grid) has no tasks: its agents get their ways, and the sum of
+their ticks, its ratio to the bound that no ways can be below, and the last tick are printed.
 
   --format FORMAT        table (the default), json or csv, on standard output; times in seconds
   --trace FILE           write what happened, one JSON object a line (docs/trace.md); - is standard output; packed if the name
                          ends in .gz
   --trace-detail DETAIL  steps (the default: everything), tasks (no single attempts), none (header and results only)
-  --out DIR              write schedule.csv, schedule.json, trace.jsonl and report.html, the page that shows it all, into DIR
+  --out DIR              write schedule.csv, schedule.json, trace.jsonl and report.html, the page that shows it all, into DIR; of a
+                         network of cells ways.json and ways.csv
   --compress             write trace.jsonl.gz there, packed to a tenth or less; every command reads it as it is
   --set NAME=VALUE       another value for a parameter of the plan: --set bays=6 --set "pitch=4.2 m"; the trace keeps it
   --sample SEED[:RUN]    draw the durations that are not certain, such as triangular(2 min, 3 min, 7 min), instead of taking
@@ -70,7 +72,7 @@ Files appear whole or not at all, and the files of --out all at once: a stop at 
 new one. Other files in DIR stay. Paths in what is written are relative to the folder of the plan.
 What the command does not execute is refused at its place before anything runs.
 
-Exit code: 0 every task was done (a short plan: its motion is at its goal), 1 otherwise, 2 the input is wrong.
+Exit code: 0 every task was done (a short plan: its motion is at its goal; cells: all have ways), 1 otherwise, 2 the input is wrong.
 
 examples:
   rubicon run taskplans/unit.plan
@@ -257,7 +259,8 @@ RESULT is the folder that rubicon run --out wrote, or a trace of a run with all 
 second, simpler and slower method, which shares nothing with the one that made it: whether the clock has gaps, whether
 each step is one that the robot's rules allow, whether anything meets anything at any moment, where loads are taken and put
 down, whether a robot or crew is in two places at once, shifts, links, whether the schedules tell the same, and whether
-report.html was made of them. What is checked, how and how exactly: docs/verify.md.
+report.html was made of them. The ways of a network of cells (ways.json, or what rubicon run --format json printed of it) are
+walked tick by tick: walls, starts, goals, two in one cell, two through each other, and the sums. What is checked, how and how exactly: docs/verify.md.
 
   --format text    one line if all is well, else one line a fault, at most 50: file:line: task, time: what (the default)
   --format json    one object with all faults
@@ -290,13 +293,14 @@ examples:
 )";
 
 const std::string_view kImport =
-    R"(rubicon import - make a plan of a schedule, of a building model, or of both; floors of a model or a drawing; or a robot file of a URDF
+    R"(rubicon import - make a plan of a schedule, of a building model, or of both; floors of a model or a drawing; a robot file of a URDF; or a plan of a map of cells
 
 usage: rubicon import SCHEDULE [--level] [--baseline] [--out PLAN]
        rubicon import MODEL... [--schedule SCHEDULE --match FILE [--level] [--baseline]] [--unit mm|cm|m] [--up y|z] [--out PLAN]
        rubicon import MODEL.ifc... --area STOREY [--tolerance LENGTH] [--out PLAN]
        rubicon import DRAWING.dxf [--area] [--layer PART=NAME]... [--unit mm|cm|m] [--tolerance LENGTH] [--height LENGTH] [--out PLAN]
        rubicon import MACHINE.urdf|MACHINE.xacro [--package NAME=FOLDER]... [--arg NAME=VALUE]... [--tool LINK] [--out ROBOT]
+       rubicon import FILE.map [FILE.scen] [--out PLAN]
 
 SCHEDULE is Microsoft Project XML (in Project: save as XML) or a Primavera XER file; its content tells which. Tasks become
 crew work (takes), milestones take no time, resources become crews, links keep their type and lag, calendars their week
@@ -319,6 +323,10 @@ MACHINE is a robot description (URDF), or a xacro file that makes one. Links bec
 limits and speeds; a mimic joint becomes a derived parameter. The shapes are those of <collision>, else of <visual>; meshes
 are copied into the folder ROBOT_meshes beside the robot file. What was assumed, mended or not taken over is listed. No file is
 read outside of the folder of MACHINE and of its packages: docs/machines_from_urdf.md.
+
+FILE.map is a map of the MovingAI benchmarks, FILE.scen one of its scenarios. The plan has a network with policy grid: agents
+that are points move from cell to cell, one a tick. The files stay where they are, and the plan names them from its folder:
+docs/fleets.md.
 
   --out FILE           write the plan or the robot there instead of standard output
   --schedule SCHEDULE  the schedule whose tasks put the model up
@@ -346,6 +354,7 @@ examples:
   rubicon import floors.ifc columns.ifc --area "01*" --out deck.plan
   rubicon import floor.dxf --area --layer outline=SLAB --height 3m --out deck.plan
   rubicon import excavator.xacro --package excavator_description=.. --arg bucket=wide --out excavator.robot
+  rubicon import warehouse.map warehouse.scen --out warehouse.plan && rubicon run warehouse.plan
 )";
 
 const std::string_view kExport =
