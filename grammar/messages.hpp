@@ -171,7 +171,7 @@ RUBICON_EXPECT(listed_name, "a name");
 RUBICON_EXPECT(listed_names, "a name");
 RUBICON_EXPECT(number_value, "a number");
 RUBICON_EXPECT(text_value, "a text in quotes");
-RUBICON_EXPECT(support_content, "on, warn, off, or gap and a length");
+RUBICON_EXPECT(support_content, "on, warn, off, equilibrium, or gap and a length");
 RUBICON_EXPECT(support_gap, "a length");
 RUBICON_EXPECT(within_limit, "a length, or a parameter and its value");
 RUBICON_EXPECT(shift_dash, "'-' and the end of the shift");

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "interpreter/check/check_number.hpp"
@@ -16,6 +19,32 @@ constexpr double kMaxDensity = 25000;
 bool has_chart(const Subject& subject, int robot) {
   const RobotSpec& spec = subject.model.robots[static_cast<std::size_t>(robot)];
   return spec.robot && !spec.robot->model.capacity.empty();
+}
+
+/// What can turn must have a mass, so that forces can be balanced.
+void check_equilibrium_masses(Subject& subject, std::map<int, Span>& said) {
+  std::set<int> soils;
+  for (const TaskSpec& task : subject.model.tasks) {
+    if (task.dig) soils.insert(task.dig->soil);
+  }
+  for (std::size_t i = 0; i < subject.model.components.size(); ++i) {
+    const ComponentSpec& component = subject.model.components[i];
+    const bool held_by_site =
+        std::any_of(component.fixed_to.begin(), component.fixed_to.end(),
+                    [](const ThingRef& each) { return each.kind == ThingRef::Kind::site; });
+    if (component.mass > 0 || held_by_site || component.shapes.empty() || component.name.empty() ||
+        soils.contains(static_cast<int>(i))) {
+      continue;
+    }
+    // A module's component is said once, however often it is placed.
+    const auto first = static_cast<int>(component.span.begin);
+    if (!said.emplace(first, component.span).second) continue;
+    subject.error(
+        "P32", component.span,
+        fmt::format("component '{}' has no mass, which support equilibrium needs", component.name),
+        "write mass 2.5 t; or density 2400 kg/m3; where its shapes are closed; or fixed "
+        "to site;");
+  }
 }
 
 }  // namespace
@@ -71,6 +100,7 @@ void check_masses(Subject& subject) {
     diagnostic.hint = "write mass 2.5 t; or density 2400 kg/m3; where its shapes are closed";
     subject.diagnostics.add(std::move(diagnostic));
   }
+  if (subject.model.support.equilibrium) check_equilibrium_masses(subject, said);
 }
 
 }  // namespace rubicon::interpreter::plan_check

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <map>
+#include <string>
+
 #include "interpreter/check/check_plan_parts.hpp"
 
 namespace rubicon::interpreter {
@@ -25,35 +28,50 @@ using Mode = SupportRules::Mode;
 /// m: what is farther below is another storey, not bedding.
 constexpr double kMaxGap = 0.5;
 
+constexpr const char* kEquilibrium = "equilibrium";
+
+/// What a clause says, for "is given twice".
+std::string clause_of(const syntax::SupportItem& item) {
+  if (item.gap) return "support gap";
+  if (item.mode && item.mode->text == kEquilibrium) return "support equilibrium";
+  return "support";
+}
+
 void set_rules(Subject& subject) {
   SupportRules& rules = subject.model.support;
   const bool has_tasks = !subject.model.short_form && !subject.model.tasks.empty();
   rules.mode = has_tasks ? Mode::on : Mode::off;
-  const syntax::SupportItem* mode = nullptr;
-  const syntax::SupportItem* gap = nullptr;
+  std::map<std::string, const syntax::SupportItem*> given;
   for (const syntax::PlanItem& each : subject.plan.items) {
     const auto* item = std::get_if<syntax::SupportItem>(&each);
     if (item == nullptr) continue;
-    const syntax::SupportItem*& first = item->gap ? gap : mode;
-    if (first != nullptr) {
-      subject.twice(item->span, item->gap ? "support gap is given twice" : "support is given twice",
-                    first->span);
+    const std::string clause = clause_of(*item);
+    const auto [first, is_new] = given.emplace(clause, item);
+    if (!is_new) {
+      subject.twice(item->span, clause + " is given twice", first->second->span);
       continue;
     }
-    first = item;
     if (item->gap) {
-      const auto value =
-          bounded(subject, *item->gap, syntax::UnitKind::length, "support gap", 0, kMaxGap);
+      const auto value = bounded(subject, *item->gap, syntax::UnitKind::length, clause, 0, kMaxGap);
       if (value) rules.gap = *value;
+    } else if (clause == "support equilibrium") {
+      rules.equilibrium = has_tasks;
     } else if (item->mode) {
       const std::string& text = item->mode->text;
       if (text != "on" && text != "warn" && text != "off") {
         subject.error("P09", item->mode->span,
-                      fmt::format("support is on, warn or off, found '{}'", text));
+                      fmt::format("support is on, warn, off or equilibrium, found '{}'", text));
       } else if (has_tasks) {
         rules.mode = text == "on" ? Mode::on : text == "warn" ? Mode::warn : Mode::off;
       }
     }
+  }
+  const auto equilibrium = given.find("support equilibrium");
+  if (rules.mode == Mode::off && rules.equilibrium) {
+    subject.error("P09", equilibrium->second->span,
+                  "support off and support equilibrium contradict each other",
+                  "leave one of them out");
+    rules.equilibrium = false;
   }
 }
 

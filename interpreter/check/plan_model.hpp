@@ -287,8 +287,12 @@ struct OverlapSpec {
 /// Whether what stands must be carried by what is below it.
 struct SupportRules {
   enum class Mode { off, warn, on };
+  /// Friction where things rest on each other, when forces have to balance: of concrete and timber
+  /// on each other, dry, about the least.
+  static constexpr double kFriction = 0.5;
   Mode mode = Mode::off;
-  double gap = 0.01;  ///< m: what is no farther below carries
+  bool equilibrium = false;  ///< forces between all that stands must be able to balance
+  double gap = 0.01;         ///< m: what is no farther below carries
 };
 /// "off", "warn", "on".
 const char* name_of(SupportRules::Mode mode);

@@ -125,9 +125,72 @@ class Support(unittest.TestCase):
         self.assertEqual(check.returncode, 0)
         self.assertIn("P45", self.rubicon("check", "--format", "json", "site.plan").stdout)
 
+    EQUILIBRIUM = "  support equilibrium;\n  crew c;\n"
+
+    def test_a_load_turns_what_it_is_put_on(self):
+        # A plank on a block; the middle of the load is over the plank, but not over the block.
+        plank = box("block", 10, width=2, height=1, more="mass 5 t;") + box("plank", 10.5, z=1, width=3, height=0.2, more="mass 0.2 t;")
+        load = box("load", 0, width=0.6, height=0.5, more="mass 2 t;") + move("set", "load", 11.6, 1.2)
+        self.assertEqual(self.run_plan(plank, load)["set"]["result"], "done")
+        rows = self.run_plan(plank, load, self.EQUILIBRIUM, exit_code=1)
+        self.assertEqual(rows["set"]["reason"], "load cannot be let go: plank would turn on block, and load with it")
+        rows = self.run_plan(plank, load, self.EQUILIBRIUM, "  support warn;\n")
+        self.assertEqual(rows["set"]["support"], ["load cannot be let go: plank would turn on block, and load with it"])
+        counter = box("counter", -5, width=0.6, height=0.5, more="mass 4 t;") + move("first_counter", "counter", 9.5, 1.2)
+        rows = self.run_plan(plank, counter, load.replace("move load", "after first_counter; move load"), self.EQUILIBRIUM)
+        self.assertEqual(rows["set"]["result"], "done")
+
+    def test_what_is_taken_away_turns_what_it_held(self):
+        # A cantilever with a counterweight, and one on a prop.
+        held = (box("wall", 10, height=1, more="mass 3 t;") + box("beam", 11.2, z=1, width=3, height=0.2, more="mass 1 t;")
+                + box("weight", 9.9, z=1.2, width=0.2, height=1, more="mass 4 t;"))
+        rows = self.run_plan(held, "  task look { by crane; go x 20; }\n", warns="at the beginning beam does not stand")
+        self.assertIn("beam does not stand: its centre of mass is 700 mm outside", self.rubicon("check", "site.plan").stderr)
+        rows = self.run_plan(held, self.EQUILIBRIUM, move("take", "weight", 30, 0), exit_code=1)
+        self.assertEqual(rows["take"]["reason"], "weight cannot be taken away: without it beam would turn on wall")
+        propped = (box("wall", 10, height=1, more="mass 3 t;") + box("lintel", 11.2, z=1, width=3, height=0.2, more="mass 1 t;")
+                   + box("prop", 12.5, width=0.1, height=1, more="mass 20 kg;"))
+        rows = self.run_plan(propped, self.EQUILIBRIUM, "  task strike { by c; remove prop; takes 1 min; }\n", exit_code=1)
+        self.assertEqual(rows["strike"]["reason"], "prop cannot be taken away: without it lintel would turn on wall")
+
+    def test_what_cannot_balance_at_the_beginning(self):
+        tower = (box("foot", 10, height=1, more="mass 1 t;") + box("middle", 10.4, z=1, height=1, more="mass 1 t;")
+                 + box("top", 10.8, z=2, height=1, more="mass 1 t;"))
+        look = "  task look { by c; takes 1 min; }\n"
+        self.run_plan(tower, look.replace("by c; ", ""))
+        rows = self.run_plan(tower, look, self.EQUILIBRIUM, box("b", 0, more="mass 1 t;"), move("on_top", "b", 10.8, 3), exit_code=1,
+                             warns="at the beginning middle does not stand: middle would turn on foot, and top with it")
+        self.assertEqual(rows["on_top"]["reason"], "b does not stand: it rests on top, which does not stand")
+
+    def test_friction_and_the_second_opinion(self):
+        # The coefficient is 0.5; its pyramid holds up to 0.35 in the direction where it is weakest.
+        for slope, words in ((0.3, ""), (0.6, "at the beginning sheet does not stand: sheet would slide on ramp")):
+            ramp = (f"  component ramp {{ shape prism(-0.5, 0.5, 0, 0, 4, 0, 4, {4 * slope}) at rotx(90); at trans(10, 0, 0); "
+                    f"mass 8 t; }}\n  component sheet {{ shape prism(-0.4, 0.4, 0, 0, 1, {slope}, 1, {slope + 0.2}, 0, 0.2) "
+                    f"at rotx(90); at trans(11, 0, {slope + 0.001}); mass 1 t; }}\n")
+            self.run_plan(ramp, self.EQUILIBRIUM, "  task look { by c; takes 1 min; }\n", warns=words)
+        # What verify is told to be heavier than it was.
+        self.run_plan(box("wall", 10, height=1, more="mass 3 t;") + box("beam", 10.4, z=1, width=3, height=0.2, more="mass 1 t;"),
+                      box("load", 0, width=0.4, height=0.5, more="mass 60 kg;") + move("set", "load", 11.5, 1.2), self.EQUILIBRIUM)
+        trace = os.path.join(self.folder, "out", "trace.jsonl")
+        with open(trace, encoding="utf-8") as file:
+            text = file.read()
+        with open(trace, "w", encoding="utf-8") as file:
+            header, rest = text.split("\n", 1)
+            header = json.loads(header)
+            next(each for each in header["components"] if each["name"] == "load")["mass"] = 5000
+            file.write(json.dumps(header) + "\n" + rest)
+        verdict = self.rubicon("verify", "out")
+        self.assertEqual(verdict.returncode, 1)
+        self.assertIn("do not stand: their weights cannot be balanced", verdict.stdout)
+
     def test_mistakes(self):
-        for text, words in (("  support maybe;\n", "support is on, warn or off, found 'maybe'"),
+        for text, words in (("  support maybe;\n", "support is on, warn, off or equilibrium, found 'maybe'"),
                             ("  support on;\n  support off;\n", "support is given twice"),
+                            ("  support off;\n  support equilibrium;\n",
+                             "support off and support equilibrium contradict each other"),
+                            ("  support equilibrium;\n" + box("b", 0),
+                             "component 'b' has no mass, which support equilibrium needs"),
                             ("  support gap 2 m;\n", "support gap must be between 0 and 0.5, found 2"),
                             (box("b", 0, more="fixed to walls;"), "unknown component 'walls'"),
                             (box("b", 0, more="fixed to c;"), "a component is fixed to a component or to site; 'c' is a crew"),

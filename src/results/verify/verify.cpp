@@ -6,6 +6,7 @@
 #include <iterator>
 #include <tuple>
 
+#include "src/motion/math/index.hpp"
 #include "src/results/verify/input/check_files.hpp"
 #include "src/results/verify/replay/check_beginning.hpp"
 #include "src/results/verify/replay/check_goals.hpp"
@@ -35,6 +36,8 @@
 namespace rubicon::verify {
 
 namespace {
+
+using math::at;
 
 /// When all that happened is over, and a second more, so that what happens last lasts. What was
 /// undone may have gone on for longer: nobody kept the timetables of things up to then.

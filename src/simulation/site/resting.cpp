@@ -120,13 +120,16 @@ StandingSurface looking_up(const SupportSurface& surface, const math::Pose& X_WS
   return looking(surface, X_WS, 1);
 }
 
-Resting rest(const StandingSurface& upper_body, const StandingSurface& lower_body, double gap,
-             double depth, double narrow) {
-  Resting result;
+namespace {
+
+/// Calls `each(common, over, under)` with the outline that two facets have in common.
+template <typename Each>
+void for_common(const StandingSurface& upper_body, const StandingSurface& lower_body,
+                const Each& each) {
   const std::vector<const StandingSurface::Facet*> under_it = near(lower_body, upper_body);
   for (const StandingSurface::Facet& over : upper_body.facets) {
-    for (const StandingSurface::Facet* each : under_it) {
-      const StandingSurface::Facet& under = *each;
+    for (const StandingSurface::Facet* candidate : under_it) {
+      const StandingSurface::Facet& under = *candidate;
       if (under.lower.x() > over.upper.x()) break;
       if (under.upper.x() < over.lower.x() || over.lower.y() > under.upper.y() ||
           under.lower.y() > over.upper.y()) {
@@ -134,30 +137,84 @@ Resting rest(const StandingSurface& upper_body, const StandingSurface& lower_bod
       }
       const Points common = common_outline(over, under);
       if (common.size() < 3 || area_of(common) < kNoArea) continue;
-      const auto above = [&](const Point& p) { return over.height(p) - under.height(p); };
-      double least = std::numeric_limits<double>::infinity();
-      double most = -least;
-      for (const Point& p : common) {
-        least = std::min(least, above(p));
-        most = std::max(most, above(p));
-      }
-      if (least > gap) {
-        result.distance = std::min(result.distance, least);
-      } else if (most < -depth) {
-        result.below = std::min(result.below, -most);
-      } else {
-        Points contact = clipped(common, [&](const Point& p) { return gap - above(p); });
-        contact = clipped(contact, [&](const Point& p) { return above(p) + depth; });
-        if (contact.size() < 3 || area_of(contact) < kNoArea) continue;
-        result.points.insert(result.points.end(), contact.begin(), contact.end());
-      }
+      each(common, over, under);
     }
   }
+}
+
+/// What of the outline is in contact; less than three points: nothing.
+Points in_contact(const Points& common, const StandingSurface::Facet& over,
+                  const StandingSurface::Facet& under, double gap, double depth) {
+  const auto above = [&](const Point& p) { return over.height(p) - under.height(p); };
+  Points contact = clipped(common, [&](const Point& p) { return gap - above(p); });
+  contact = clipped(contact, [&](const Point& p) { return above(p) + depth; });
+  if (contact.size() < 3 || area_of(contact) < kNoArea) contact.clear();
+  return contact;
+}
+
+}  // namespace
+
+Resting rest(const StandingSurface& upper_body, const StandingSurface& lower_body, double gap,
+             double depth, double narrow) {
+  Resting result;
+  for_common(upper_body, lower_body,
+             [&](const Points& common, const auto& over, const auto& under) {
+               double least = std::numeric_limits<double>::infinity();
+               double most = -least;
+               for (const Point& p : common) {
+                 const double above = over.height(p) - under.height(p);
+                 least = std::min(least, above);
+                 most = std::max(most, above);
+               }
+               if (least > gap) {
+                 result.distance = std::min(result.distance, least);
+               } else if (most < -depth) {
+                 result.below = std::min(result.below, -most);
+               } else {
+                 const Points contact = in_contact(common, over, under, gap, depth);
+                 result.points.insert(result.points.end(), contact.begin(), contact.end());
+               }
+             });
   if (!result.points.empty()) {
     result.points = convex_hull(std::move(result.points));
     if (width_of(result.points) <= narrow) result.points.clear();
   }
   return result;
+}
+
+std::vector<ContactPatch> contact_patches(const StandingSurface& upper_body,
+                                          const StandingSurface& lower_body, double gap,
+                                          double depth, double narrow) {
+  /// Facets of the lower body in one plane, with slopes and heights equal to so much.
+  constexpr double kSame = 1e-6;
+  struct Plane {
+    const StandingSurface::Facet* facet;
+    Points points;
+  };
+  std::vector<Plane> planes;
+  Points all;
+  for_common(
+      upper_body, lower_body, [&](const Points& common, const auto& over, const auto& under) {
+        const Points contact = in_contact(common, over, under, gap, depth);
+        if (contact.empty()) return;
+        all.insert(all.end(), contact.begin(), contact.end());
+        const auto same = std::find_if(planes.begin(), planes.end(), [&](const Plane& plane) {
+          return (plane.facet->slope - under.slope).norm() < kSame &&
+                 std::abs(plane.facet->height(under.origin) - under.z0) < kSame;
+        });
+        Plane& plane = same == planes.end() ? planes.emplace_back(Plane{&under, {}}) : *same;
+        plane.points.insert(plane.points.end(), contact.begin(), contact.end());
+      });
+  std::vector<ContactPatch> patches;
+  if (all.empty() || width_of(convex_hull(std::move(all))) <= narrow) return patches;
+  for (Plane& plane : planes) {
+    ContactPatch& patch = patches.emplace_back();
+    for (const Point& p : convex_hull(std::move(plane.points))) {
+      patch.corners.emplace_back(p.x(), p.y(), plane.facet->height(p));
+    }
+    patch.normal = math::Vec3(-plane.facet->slope.x(), -plane.facet->slope.y(), 1).normalized();
+  }
+  return patches;
 }
 
 std::vector<Point> convex_hull(std::vector<Point> points) {

@@ -38,6 +38,16 @@ struct Resting {
 Resting rest(const StandingSurface& upper_body, const StandingSurface& lower_body, double gap,
              double depth, double narrow);
 
+/// A part of where one body rests on another that lies in one plane.
+struct ContactPatch {
+  std::vector<math::Vec3> corners;          ///< of its convex hull, {W}, metres
+  math::Vec3 normal = math::Vec3::UnitZ();  ///< unit, towards the upper body
+};
+/// The same contact in three dimensions, on the upper surface of the lower body.
+std::vector<ContactPatch> contact_patches(const StandingSurface& upper_body,
+                                          const StandingSurface& lower_body, double gap,
+                                          double depth, double narrow);
+
 /// The corners of the convex hull, counter-clockwise (Andrew's monotone chain).
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points);
 

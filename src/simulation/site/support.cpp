@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "src/simulation/site/equilibrium.hpp"
 #include "src/simulation/site/make_site.hpp"
 
 namespace rubicon::site {
@@ -194,6 +195,17 @@ std::optional<Support::Thing> Support::holder(const std::vector<ThingRef>& holde
   return std::nullopt;
 }
 
+/// The ground, as far as it is below a box.
+StandingSurface Support::ground_under(const math::Vec3& lower, const math::Vec3& upper) {
+  SupportSurface plane;
+  plane.facets.push_back({{{lower.x() - 1, lower.y() - 1, 0},
+                           {upper.x() + 1, lower.y() - 1, 0},
+                           {upper.x() + 1, upper.y() + 1, 0},
+                           {lower.x() - 1, upper.y() + 1, 0}},
+                          math::Vec3::UnitZ()});
+  return looking_up(plane, math::Pose::Identity());
+}
+
 /// Whether the thing says that it is fixed to the component.
 bool Support::hangs_on(Thing thing, int component) const {
   if (!is_component(thing)) return false;
@@ -238,13 +250,7 @@ Support::Answer Support::judge(int component, const math::Pose& X_WO, Thing with
     rest_on(thing, top_of(thing));
   }
   if (ground_ >= 0) {
-    SupportSurface plane;
-    plane.facets.push_back({{{lower.x() - 1, lower.y() - 1, 0},
-                             {upper.x() + 1, lower.y() - 1, 0},
-                             {upper.x() + 1, upper.y() + 1, 0},
-                             {lower.x() - 1, upper.y() + 1, 0}},
-                            math::Vec3::UnitZ()});
-    rest_on(ground_, looking_up(plane, math::Pose::Identity()));
+    rest_on(ground_, ground_under(lower, upper));
   }
   const interpreter::ComponentSpec& spec = plan_.components[at(component)];
   if (const auto held = holder(spec.fixed_to, component, X_WO, without)) {
@@ -252,7 +258,7 @@ Support::Answer Support::judge(int component, const math::Pose& X_WO, Thing with
   }
   const Vec2 centre = (X_WO * surface->centre_of_mass).head<2>();
   const double inside = depth_in_polygon(convex_hull(points), centre);
-  answer.stands = inside >= kMargin;
+  answer.stands = plan_.support.equilibrium ? !points.empty() : inside >= kMargin;
   if (answer.stands) return answer;
   if (!points.empty()) {
     if (const auto brace = holder(spec.braced_by, component, X_WO, without)) {
@@ -361,6 +367,7 @@ std::vector<std::pair<int, std::string>> Support::find_floating() {
   std::vector<std::pair<int, std::string>> found;
   for (const int each : open)
     found.emplace_back(each, judge(each, placed_[at(each)].X_WO, -1).reason);
+  if (plan_.support.equilibrium) Equilibrium(*this).find_collapsing(found);
   return found;
 }
 

@@ -16,7 +16,9 @@ namespace rubicon::site {
 /// Whether what stands on a site is carried: a component stands if its centre of mass is over the
 /// hull of where it is in contact with what is below it, within the plan's gap, or if it touches
 /// what it is fixed to; one that is braced needs contact below and the brace. Sites without shapes
-/// have the ground, z = 0. Machines carry nothing. How: docs/support.md.
+/// have the ground, z = 0. Machines carry nothing. With `support equilibrium` the centre of mass
+/// may be anywhere, and the forces between all that stands must be able to balance. How:
+/// docs/support.md.
 class Support {
  public:
   /// Both must outlive it.
@@ -31,7 +33,18 @@ class Support {
   /// Those that stand now and would not without the component.
   std::vector<int> left_without(int component);
 
+  /// What begins to move when forces cannot balance.
+  struct Collapse {
+    std::vector<int> components;  ///< that move; first those that leave what stays
+    std::string text;             ///< "beam would turn on wall, and tip with it"
+  };
+  /// Nothing: the forces balance with the component at X_WO, or the plan does not ask.
+  std::optional<Collapse> collapse_with(int component, const math::Pose& X_WO);
+  /// The same when the component has been taken away.
+  std::optional<Collapse> collapse_without(int component);
+
  private:
+  friend class Equilibrium;
   using Vec2 = Eigen::Vector2d;
   /// A component by its index, then the shapes of the site, then the ground.
   using Thing = int;
@@ -61,12 +74,14 @@ class Support {
   const StandingSurface& top_of(Thing thing);
   bool carries(Thing thing, Thing without) const;
   Answer judge(int component, const math::Pose& X_WO, Thing without, bool is_first = true);
+  static StandingSurface ground_under(const math::Vec3& lower, const math::Vec3& upper);
   bool hangs_on(Thing thing, int component) const;
   std::string reason_below(int component, const StandingSurface& bottom, Thing without);
   bool touches(int component, const math::Pose& X_WO, Thing thing);
   std::optional<Thing> holder(const std::vector<interpreter::ThingRef>& holders, int component,
                               const math::Pose& X_WO, Thing without);
   const collision::BodyPtr& body_of(Thing thing);
+  std::optional<Collapse> only_new(Collapse collapse, const std::vector<Thing>& around);
 
   const interpreter::PlanModel& plan_;
   const SiteWorld& site_;

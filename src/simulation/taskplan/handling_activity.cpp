@@ -37,22 +37,38 @@ bool tell_support(ActiveTask& task, Stage& stage, std::string what, std::vector<
   return true;
 }
 
-/// Whether the task is rejected because others do not stand without the component.
-bool leaves_others(ActiveTask& task, Stage& stage, int component) {
-  if (!stage.support) return false;
-  const std::vector<int> others = stage.support->left_without(component);
-  if (others.empty()) return false;
-  constexpr std::size_t kMostNames = 5;
-  std::vector<std::string> names;
+/// Other tasks that put these components where they are.
+std::vector<int> others_who_used(const ActiveTask& task, const Stage& stage,
+                                 const std::vector<int>& components) {
   std::vector<int> involved;
-  for (const int other : others) {
-    if (names.size() < kMostNames) names.push_back(stage.site.component_name(other));
-    const std::vector<int> users = stage.users_of(other);
+  for (const int each : components) {
+    const std::vector<int> users = stage.users_of(each);
     involved.insert(involved.end(), users.begin(), users.end());
   }
   std::sort(involved.begin(), involved.end());
   involved.erase(std::unique(involved.begin(), involved.end()), involved.end());
   std::erase(involved, task.task);
+  return involved;
+}
+
+/// Whether the task is rejected because others do not stand without the component.
+bool leaves_others(ActiveTask& task, Stage& stage, int component) {
+  if (!stage.support) return false;
+  const std::vector<int> others = stage.support->left_without(component);
+  if (others.empty()) {
+    const auto collapse = stage.support->collapse_without(component);
+    return collapse &&
+           tell_support(task, stage,
+                        fmt::format("{} cannot be taken away: without it {}",
+                                    stage.site.component_name(component), collapse->text),
+                        others_who_used(task, stage, collapse->components));
+  }
+  constexpr std::size_t kMostNames = 5;
+  std::vector<std::string> names;
+  for (const int other : others) {
+    if (names.size() < kMostNames) names.push_back(stage.site.component_name(other));
+  }
+  std::vector<int> involved = others_who_used(task, stage, others);
   std::string list = fmt::format("{}", fmt::join(names, ", "));
   if (others.size() > kMostNames) list += fmt::format(" and {} more", others.size() - kMostNames);
   return tell_support(
@@ -96,6 +112,16 @@ bool does_not_stand(ActiveTask& task, Stage& stage, int component, const math::P
       task, stage,
       fmt::format("{} does not stand{}: {}", stage.site.component_name(component), where, *reason),
       {});
+}
+
+/// Whether the task is rejected because the forces do not balance with the component at X_WO.
+bool unbalances(ActiveTask& task, Stage& stage, int component, const math::Pose& X_WO) {
+  if (!stage.support) return false;
+  const auto collapse = stage.support->collapse_with(component, X_WO);
+  return collapse && tell_support(task, stage,
+                                  fmt::format("{} cannot be let go: {}",
+                                              stage.site.component_name(component), collapse->text),
+                                  others_who_used(task, stage, collapse->components));
 }
 
 }  // namespace
@@ -219,7 +245,10 @@ Step HandlingActivity::detach(ActiveTask& task, Stage& stage) {
   const int robot = stage.spec(task.task).robot;
   const int component = task.now().component;
   const math::Pose X_WO = stage.site.tool_pose(robot) * stage.site.load(robot)->X_TO;
-  if (does_not_stand(task, stage, component, X_WO, "")) return Step::pending;
+  if (does_not_stand(task, stage, component, X_WO, "") ||
+      unbalances(task, stage, component, X_WO)) {
+    return Step::pending;
+  }
   stage.site_changes.detach(robot);
   if (auto* const trace = stage.trace_of(task.task)) {
     const std::optional<LiftOutcome>& lift = task.account.outcome.lift;

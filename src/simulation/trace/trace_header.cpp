@@ -494,6 +494,7 @@ void write_support(JsonBuilder& json, const PlanModel& plan) {
   if (plan.short_form || plan.tasks.empty()) return;
   json.key("support").begin_object().field("mode", name_of(plan.support.mode));
   json.field("gap", plan.support.gap);
+  if (plan.support.equilibrium) json.field("friction", interpreter::SupportRules::kFriction);
   if (plan.floating) {
     json.key("floating").begin_array();
     for (const int component : *plan.floating) {

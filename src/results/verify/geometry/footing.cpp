@@ -207,7 +207,8 @@ Faces faces_looking(const Hull& hull, const Pose& X_WS, bool up) {
   return faces;
 }
 
-std::vector<Vec2> footing(const Faces& over, const Faces& under, double gap, double depth) {
+std::vector<FootingPoint> footing_points(const Faces& over, const Faces& under, double gap,
+                                         double depth) {
   struct Extent {
     double least_x, most_x, least_y, most_y;
   };
@@ -228,15 +229,28 @@ std::vector<Vec2> footing(const Faces& over, const Faces& under, double gap, dou
     all = {std::min(all.least_x, its.least_x), std::max(all.most_x, its.most_x),
            std::min(all.least_y, its.least_y), std::max(all.most_y, its.most_y)};
   }
-  std::vector<Vec2> points;
+  std::vector<FootingPoint> found;
   for (const auto& face : under) {
     const Extent its = extent_of(face);
     if (are_apart(its, all)) continue;
     for (std::size_t i = 0; i < over.size(); ++i) {
       if (are_apart(its, extents[i])) continue;
+      std::vector<Vec2> points;
       add_sides(over[i], face, -depth, gap, points);
       add_sides(face, over[i], -gap, depth, points);
+      const Vec3 across = (face[1] - face[0]).cross(face[2] - face[0]).normalized();
+      for (const Vec2& p : points) {
+        found.push_back({{p.x(), p.y(), height(face, p)}, across.z() < 0 ? Vec3(-across) : across});
+      }
     }
+  }
+  return found;
+}
+
+std::vector<Vec2> footing(const Faces& over, const Faces& under, double gap, double depth) {
+  std::vector<Vec2> points;
+  for (const FootingPoint& each : footing_points(over, under, gap, depth)) {
+    points.push_back(each.point.head<2>());
   }
   return points;
 }

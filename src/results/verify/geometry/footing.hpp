@@ -28,6 +28,13 @@ Faces faces_looking(const Hull& hull, const Pose& X_WS, bool up);
 std::vector<Eigen::Vector2d> footing(const Faces& over, const Faces& under, double gap,
                                      double depth);
 
+/// The same, on the lower face, with its normal (unit, upwards).
+struct FootingPoint {
+  Vec3 point, normal;
+};
+std::vector<FootingPoint> footing_points(const Faces& over, const Faces& under, double gap,
+                                         double depth);
+
 /// Whether no line through p has all points on one side of it.
 bool is_between(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& points);
 

@@ -514,6 +514,7 @@ Scene read_scene(const std::string& line) {
     SceneSupport& support = scene.support.emplace();
     support.mode = fields.text("mode");
     support.gap = fields.number("gap");
+    if (fields.has("friction")) support.friction = fields.number("friction");
     for (const Json& name : list_or_empty(fields, "floating")) {
       support.floating.push_back(text_of(name, "a name"));
     }

@@ -272,8 +272,9 @@ struct SceneBeginning {
 
 /// What must stand, as the header tells.
 struct SceneSupport {
-  std::string mode;  ///< on, warn, off
-  double gap = 0;    ///< m
+  std::string mode;                ///< on, warn, off
+  double gap = 0;                  ///< m
+  std::optional<double> friction;  ///< given: forces must be able to balance
   std::vector<std::string> floating;
 };
 

@@ -3,12 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "src/motion/math/index.hpp"
+#include "src/results/verify/geometry/balance.hpp"
 #include "src/results/verify/geometry/depth.hpp"
 #include "src/results/verify/geometry/footing.hpp"
 #include "src/results/verify/input/box_tree.hpp"
@@ -77,6 +82,9 @@ class SupportCheck {
            {},
            {}});
     }
+    for (const SceneTask& task : scene_.tasks) {
+      if (task.dig) soils_.insert(task.dig->soil);
+    }
     std::vector<Bounds> boxes;
     for (const Standing& each : standing_) boxes.push_back(each.bounds);
     tree_ = BoxTree(boxes);
@@ -86,7 +94,9 @@ class SupportCheck {
     for (int i = 0; i < components_; ++i) {
       const Standing& each = standing_[at(i)];
       check(i, each.from);
+      check_balance({i}, each.from);
       if (each.to >= until_) continue;
+      check_balance(near(i), each.to);
       // Those that are left when it is taken.
       for (const int other : near(i)) {
         const Standing& left = standing_[at(other)];
@@ -159,6 +169,7 @@ class SupportCheck {
       rest_on(under.top);
     }
     if (scene_.site.empty()) rest_on(ground(each.bounds));
+    if (scene_.support->friction && !points.empty()) return;
     if (is_between((each.X_WS * each.hull->centre_of_mass).head<2>(), points)) return;
     if (is_held(each, component.fixed_to, carriers)) return;
     if (!points.empty() &&
@@ -171,6 +182,117 @@ class SupportCheck {
                      points.empty() ? fmt::format("nothing within {:.1f} mm below carries it",
                                                   scene_.support->gap * 1000)
                                     : "its centre of mass is outside of what carries it")});
+  }
+
+  bool stands(const Standing& each, Ticks time) const {
+    return each.from <= time && time < each.to && !floats(each);
+  }
+
+  /// Carried by what is outside: the ground, soil, what is fixed to the site.
+  bool is_anchored(int index) const {
+    const Standing& each = standing_[at(index)];
+    if (each.component < 0) return true;
+    const SceneComponent& component = scene_.components[at(each.component)];
+    if (soils_.contains(component.name)) return true;
+    const auto is_site = [](const std::string& name) { return name == kSite; };
+    if (std::none_of(component.fixed_to.begin(), component.fixed_to.end(), is_site)) return false;
+    return is_held(each, {kSite}, near(index));
+  }
+
+  /// Points at which one that stands rests on another, once each. Neither moves while it stands.
+  const std::vector<FootingPoint>& bearing(int over, int under) {
+    const auto [known, is_new] = bearings_.try_emplace({over, under});
+    if (!is_new) return known->second;
+    Standing& lower = standing_[at(under)];
+    if (lower.top.empty()) lower.top = faces_looking(*lower.hull, lower.X_WS, true);
+    known->second = distinct(lower.top, over);
+    return known->second;
+  }
+  std::vector<FootingPoint> distinct(const Faces& top, int over) const {
+    const Standing& upper = standing_[at(over)];
+    std::vector<FootingPoint> points;
+    std::set<std::array<std::int64_t, 6>> seen;
+    for (const FootingPoint& each :
+         footing_points(faces_looking(*upper.hull, upper.X_WS, false), top, gap_, depth_)) {
+      std::array<std::int64_t, 6> key;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<Eigen::Index>(axis);
+        key[axis] = std::llround(each.point[i] * 1e6);
+        key[axis + 3] = std::llround(each.normal[i] * 1e6);
+      }
+      if (seen.insert(key).second) points.push_back(each);
+    }
+    return points;
+  }
+
+  /// Whether the weights of all that has forces with these can be balanced just after `time`.
+  void check_balance(const std::vector<int>& first, Ticks time) {
+    if (!scene_.support->friction) return;
+    std::vector<int> members;
+    std::map<int, int> body_of;
+    const auto take = [&](int index) {
+      const Standing& each = standing_[at(index)];
+      if (each.component < 0 || !stands(each, time) || is_anchored(index)) return;
+      if (body_of.emplace(index, static_cast<int>(members.size())).second) {
+        members.push_back(index);
+      }
+    };
+    for (const int index : first) take(index);
+    std::vector<BalancedBody> bodies;
+    std::vector<std::pair<int, int>> rests;
+    std::vector<std::pair<int, int>> joints;
+    for (std::size_t next = 0; next < members.size(); ++next) {
+      const int index = members[next];
+      const Standing& each = standing_[at(index)];
+      const SceneComponent& component = scene_.components[at(each.component)];
+      std::vector<int> around;
+      for (const int other : near(index)) {
+        if (stands(standing_[at(other)], time)) around.push_back(other);
+      }
+      for (const int other : around) {
+        if (!bearing(index, other).empty()) {
+          rests.emplace_back(index, other);
+          take(other);
+        }
+        const Standing& its = standing_[at(other)];
+        if (its.component < 0) continue;
+        if (!bearing(other, index).empty()) take(other);
+        const SceneComponent& named = scene_.components[at(its.component)];
+        if (is_held(each, component.fixed_to, {other})) {
+          joints.emplace_back(index, other);
+          take(other);
+        }
+        if (is_held(its, named.fixed_to, {index})) take(other);
+      }
+      bodies.push_back({each.X_WS * each.hull->centre_of_mass, component.mass,
+                        component.has_brace_crew || is_held(each, component.braced_by, around)});
+    }
+    if (members.empty() || !balanced_.emplace(members, time).second) return;
+    std::vector<BalancePoint> points;
+    for (const auto& [over, under] : rests) {
+      const auto lower = body_of.find(under);
+      for (const FootingPoint& each : bearing(over, under)) {
+        points.push_back({body_of[over], lower == body_of.end() ? -1 : lower->second, each});
+      }
+    }
+    if (scene_.site.empty()) {
+      for (const int index : members) {
+        for (const FootingPoint& each : distinct(ground(standing_[at(index)].bounds), index)) {
+          points.push_back({body_of[index], -1, each});
+        }
+      }
+    }
+    std::vector<BalanceJoint> fixed;
+    for (const auto& [one, other] : joints) {
+      const auto second = body_of.find(other);
+      fixed.push_back({body_of[one], second == body_of.end() ? -1 : second->second});
+    }
+    if (balance_of(bodies, points, fixed, *scene_.support->friction) != Balance::fails) return;
+    const std::string& name = scene_.components[at(standing_[at(members[0])].component)].name;
+    faults_.push_back({FaultKind::support, ResultFile::trace, 0, "", time,
+                       fmt::format("{} and what it rests on do not stand: their weights cannot be "
+                                   "balanced",
+                                   name)});
   }
 
   static Faces ground(const Bounds& box) {
@@ -193,6 +315,9 @@ class SupportCheck {
   int components_ = 0;  ///< of `standing_` so many are of components
   BoxTree tree_;
   std::set<std::pair<int, Ticks>> checked_;
+  std::set<std::string> soils_;
+  std::map<std::pair<int, int>, std::vector<FootingPoint>> bearings_;
+  std::set<std::pair<std::vector<int>, Ticks>> balanced_;
 };
 
 }  // namespace

@@ -1,0 +1,289 @@
+#include "src/simulation/site/block_equilibrium.hpp"
+
+#include <coin/Clp_C_Interface.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace rubicon::site {
+
+namespace {
+
+using math::Vec3;
+
+/// m: so far inside of its patch a corner carries, as for single components.
+constexpr double kInset = 1e-3;
+/// What comes down with more than this share of the heaviest weight is no rounding. The programme
+/// keeps its rows to a hundredth of it.
+constexpr double kPower = 1e-7;
+constexpr double kTolerance = 1e-9;
+constexpr double kNothing = 1e-9;
+/// An answer is believed if its certificate holds to so much: forces balance, a motion is free.
+constexpr double kUnbalanced = 1e-6;
+constexpr double kHindered = 1e-8;
+/// Of the largest part of a motion: less is none.
+constexpr double kStill = 1e-5;
+constexpr int kMostIterations = 1'000'000;
+/// m: the least size of a block.
+constexpr double kLeastSize = 0.05;
+
+/// Rows of a programme, row by row.
+struct Rows {
+  std::vector<CoinBigIndex> starts = {0};
+  std::vector<int> columns;
+  std::vector<double> values;
+  std::vector<double> lower, upper;
+
+  void add(int column, double value) {
+    // What rounding leaves of nothing misleads the library: it answered 0 for a beam that turns.
+    if (std::abs(value) < kNothing) return;
+    columns.push_back(column);
+    values.push_back(value);
+  }
+  void end(double least, double most) {
+    starts.push_back(static_cast<CoinBigIndex>(columns.size()));
+    lower.push_back(least);
+    upper.push_back(most);
+  }
+};
+
+struct Optimum {
+  std::vector<double> x;
+  std::vector<double> prices;  ///< of the rows
+};
+
+/// minimise cost * x, with bounds on x and on the rows; nothing: not solved.
+std::optional<Optimum> minimum(const Rows& rows, const std::vector<double>& cost,
+                               const std::vector<double>& least, const std::vector<double>& most,
+                               bool by_primal) {
+  const std::unique_ptr<Clp_Simplex, decltype(&Clp_deleteModel)> model(Clp_newModel(),
+                                                                       &Clp_deleteModel);
+  Clp_setLogLevel(model.get(), 0);
+  Clp_resize(model.get(), 0, static_cast<int>(cost.size()));
+  Clp_chgColumnLower(model.get(), least.data());
+  Clp_chgColumnUpper(model.get(), most.data());
+  Clp_chgObjCoefficients(model.get(), cost.data());
+  Clp_addRows(model.get(), static_cast<int>(rows.lower.size()), rows.lower.data(),
+              rows.upper.data(), rows.starts.data(), rows.columns.data(), rows.values.data());
+  Clp_setPrimalTolerance(model.get(), kTolerance);
+  Clp_setDualTolerance(model.get(), kTolerance);
+  Clp_setMaximumIterations(model.get(), kMostIterations);
+  Clp_scaling(model.get(), 0);  // lengths and weights are shares already
+  by_primal ? Clp_primal(model.get(), 0) : Clp_dual(model.get(), 0);
+  if (Clp_status(model.get()) != 0) return std::nullopt;
+  const double* const x = Clp_getColSolution(model.get());
+  const double* const prices = Clp_getRowPrice(model.get());
+  return Optimum{{x, x + cost.size()}, {prices, prices + rows.lower.size()}};
+}
+
+class Collapse {
+ public:
+  Collapse(const std::vector<RigidBlock>& blocks, const std::vector<BlockContact>& contacts,
+           const std::vector<BlockJoint>& joints, double friction)
+      : blocks_(blocks), sizes_(blocks.size(), kLeastSize) {
+    for (const RigidBlock& block : blocks) heaviest_ = std::max(heaviest_, block.mass);
+    for (const BlockContact& contact : contacts) {
+      for (const Vec3& corner : contact.corners) {
+        grow(contact.upper, corner);
+        if (contact.lower >= 0) grow(contact.lower, corner);
+      }
+    }
+    for (const BlockContact& contact : contacts) add_contact(contact, friction);
+    for (const BlockJoint& joint : joints) add_joint(joint);
+  }
+
+  std::optional<std::vector<BlockMotion>> find() const {
+    std::vector<BlockMotion> none;
+    if (!(heaviest_ > 0)) return none;
+    std::vector<double> cost(unknowns(), 0);
+    for (std::size_t i = 0; i < blocks_.size(); ++i) cost[6 * i + 2] = weight(i);
+    std::vector<double> most(unknowns(), 1);
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      if (!blocks_[i].braced) continue;
+      for (const std::size_t axis : {0, 1, 3, 4, 5}) most[6 * i + axis] = 0;
+    }
+    std::vector<double> least;
+    for (const double each : most) least.push_back(-each);
+    for (const bool by_primal : {false, true}) {
+      const auto down = minimum(rows_, cost, least, most, by_primal);
+      if (!down) continue;
+      double power = 0;
+      for (std::size_t i = 0; i < down->x.size(); ++i) power -= cost[i] * down->x[i];
+      if (power <= kPower) {
+        if (forces_balance(down->prices, cost, most)) return none;
+      } else if (is_free(down->x)) {
+        const auto fewest = with_fewest_parts(cost, most, power);
+        return moving(fewest ? *fewest : down->x);
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::size_t unknowns() const { return 6 * blocks_.size(); }
+  double weight(std::size_t block) const { return blocks_[block].mass / heaviest_; }
+
+  void grow(int block, const Vec3& corner) {
+    const auto i = static_cast<std::size_t>(block);
+    sizes_[i] = std::max(sizes_[i], (corner - blocks_[i].centre).norm());
+  }
+
+  /// The speed of a block's point along a direction, as part of a row: its moves are unknowns, its
+  /// turns as well, times its size.
+  void add_speed(int block, const Vec3& point, const Vec3& direction, double factor) {
+    const auto i = static_cast<std::size_t>(block);
+    const Vec3 turn = (point - blocks_[i].centre).cross(direction) / sizes_[i];
+    for (int axis = 0; axis < 3; ++axis) {
+      rows_.add(6 * block + axis, factor * direction[axis]);
+      rows_.add(6 * block + 3 + axis, factor * turn[axis]);
+    }
+  }
+
+  /// No motion against any of the four edges of the pyramid of forces.
+  void add_contact(const BlockContact& contact, double friction) {
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& corner : contact.corners) {
+      middle += corner / static_cast<double>(contact.corners.size());
+    }
+    const Vec3 first =
+        contact.normal
+            .cross(std::abs(contact.normal.x()) < 0.5 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY()))
+            .normalized();
+    const Vec3 second = contact.normal.cross(first);
+    const double share = friction / std::sqrt(2.0);
+    for (const Vec3& corner : contact.corners) {
+      const Vec3 inwards = middle - corner;
+      const double way = inwards.norm();
+      const Vec3 point =
+          way > 0 ? Vec3(corner + inwards * (std::min(kInset, way / 2) / way)) : corner;
+      for (const Vec3& along : {Vec3(first + second), Vec3(first - second), Vec3(second - first),
+                                Vec3(-first - second)}) {
+        const Vec3 force = contact.normal + share * along;
+        add_speed(contact.upper, point, force, 1);
+        if (contact.lower >= 0) add_speed(contact.lower, point, force, -1);
+        rows_.end(0, std::numeric_limits<double>::infinity());
+        if (share == 0) break;
+      }
+    }
+  }
+
+  /// The centre of the first moves with the second, and both turn alike.
+  void add_joint(const BlockJoint& joint) {
+    const auto first = static_cast<std::size_t>(joint.first);
+    const Vec3& centre = blocks_[first].centre;
+    for (int axis = 0; axis < 3; ++axis) {
+      add_speed(joint.first, centre, Vec3::Unit(axis), 1);
+      if (joint.second >= 0) add_speed(joint.second, centre, Vec3::Unit(axis), -1);
+      rows_.end(0, 0);
+      rows_.add(6 * joint.first + 3 + axis, 1);
+      if (joint.second >= 0) {
+        rows_.add(6 * joint.second + 3 + axis,
+                  -sizes_[first] / sizes_[static_cast<std::size_t>(joint.second)]);
+      }
+      rows_.end(0, 0);
+    }
+  }
+
+  /// Whether the prices of the rows, as forces along the edges of the pyramids, carry all weights.
+  bool forces_balance(const std::vector<double>& prices, const std::vector<double>& cost,
+                      const std::vector<double>& bound) const {
+    std::vector<double> left = cost;
+    for (std::size_t row = 0; row < prices.size(); ++row) {
+      const bool pushes_only = rows_.upper[row] > 0;
+      const double force = pushes_only ? std::max(prices[row], 0.0) : prices[row];
+      for (auto i = rows_.starts[row]; i < rows_.starts[row + 1]; ++i) {
+        const auto entry = static_cast<std::size_t>(i);
+        left[static_cast<std::size_t>(rows_.columns[entry])] -= force * rows_.values[entry];
+      }
+    }
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      if (bound[i] > 0 && std::abs(left[i]) > kUnbalanced) return false;
+    }
+    return true;
+  }
+
+  /// Whether no contact and no joint forbids the motion.
+  bool is_free(const std::vector<double>& motion) const {
+    for (std::size_t row = 0; row < rows_.lower.size(); ++row) {
+      double speed = 0;
+      for (auto i = rows_.starts[row]; i < rows_.starts[row + 1]; ++i) {
+        const auto entry = static_cast<std::size_t>(i);
+        speed += rows_.values[entry] * motion[static_cast<std::size_t>(rows_.columns[entry])];
+      }
+      if (speed < -kHindered || speed > rows_.upper[row] + kHindered) return false;
+    }
+    return true;
+  }
+
+  /// Of the motions that come down as fast the one with the least sum of all parts.
+  std::optional<std::vector<double>> with_fewest_parts(const std::vector<double>& cost,
+                                                       const std::vector<double>& bound,
+                                                       double power) const {
+    // Each unknown is the difference of two that are not negative.
+    Rows rows;
+    const auto count = static_cast<int>(unknowns());
+    for (std::size_t row = 0; row < rows_.lower.size(); ++row) {
+      for (auto i = rows_.starts[row]; i < rows_.starts[row + 1]; ++i) {
+        const auto entry = static_cast<std::size_t>(i);
+        rows.add(rows_.columns[entry], rows_.values[entry]);
+        rows.add(count + rows_.columns[entry], -rows_.values[entry]);
+      }
+      rows.end(rows_.lower[row], rows_.upper[row]);
+    }
+    for (int i = 0; i < count; ++i) {
+      rows.add(i, -cost[static_cast<std::size_t>(i)] / power);
+      rows.add(count + i, cost[static_cast<std::size_t>(i)] / power);
+    }
+    rows.end(1, std::numeric_limits<double>::infinity());
+    std::vector<double> most;
+    for (int twice = 0; twice < 2; ++twice) {
+      for (const double each : bound) {
+        most.push_back(each == 0 ? 0 : std::numeric_limits<double>::infinity());
+      }
+    }
+    const auto both = minimum(rows, std::vector<double>(2 * unknowns(), 1),
+                              std::vector<double>(2 * unknowns(), 0), most, false);
+    if (!both) return std::nullopt;
+    std::vector<double> motion;
+    for (std::size_t i = 0; i < unknowns(); ++i) {
+      motion.push_back(both->x[i] - both->x[unknowns() + i]);
+    }
+    return motion;
+  }
+
+  std::vector<BlockMotion> moving(const std::vector<double>& motion) const {
+    double largest = 0;
+    for (const double each : motion) largest = std::max(largest, std::abs(each));
+    std::vector<BlockMotion> found;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      BlockMotion one{static_cast<int>(i), {}, {}, sizes_[i]};
+      double most = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        one.move[static_cast<Eigen::Index>(axis)] = motion[6 * i + axis] / largest;
+        one.turn[static_cast<Eigen::Index>(axis)] = motion[6 * i + 3 + axis] / sizes_[i] / largest;
+        most = std::max({most, std::abs(motion[6 * i + axis]), std::abs(motion[6 * i + 3 + axis])});
+      }
+      if (most > kStill * largest) found.push_back(one);
+    }
+    return found;
+  }
+
+  const std::vector<RigidBlock>& blocks_;
+  std::vector<double> sizes_;  ///< m
+  double heaviest_ = 0;        ///< kg
+  Rows rows_;
+};
+
+}  // namespace
+
+std::optional<std::vector<BlockMotion>> find_collapse(const std::vector<RigidBlock>& blocks,
+                                                      const std::vector<BlockContact>& contacts,
+                                                      const std::vector<BlockJoint>& joints,
+                                                      double friction) {
+  return Collapse(blocks, contacts, joints, friction).find();
+}
+
+}  // namespace rubicon::site
