@@ -189,7 +189,7 @@ Ticks SiteWorld::next_moving_look() {
 bool SiteWorld::is_on_its_way(int moving) const {
   const MovingThing& thing = this->moving(moving);
   if (thing.state().stop || !thing.is_present(now_)) return false;
-  const Ticks soon = now_ + schedule::kTicksPerSecond / 1000;
+  const Ticks soon = now_ + schedule::kSecond / 1000;
   return !thing.pose(now_).isApprox(thing.pose(soon), 1e-9);
 }
 
