@@ -57,6 +57,9 @@ RUBICON_EXPECT(mesh_up, "y or z");
 RUBICON_EXPECT(mesh_part, "the name of a part in quotes");
 
 // statements
+RUBICON_EXPECT(stop_open, "'(' after stop");
+RUBICON_EXPECT(stop_reason, "unreachable");
+RUBICON_EXPECT(stop_close, "')'");
 RUBICON_EXPECT(block_open, "'{' after {of}");
 RUBICON_EXPECT(command_open, "'(' after the command");
 RUBICON_EXPECT(command_parameter, "a control parameter");

@@ -30,6 +30,16 @@ struct assignment : if_must<assigned_key, assigned_open, assigned_name, assigned
 
 struct wait_key : token<wait_word> {};
 
+/// The only outcome that a script may name is `unreachable`. No reserved word: what counts is the
+/// parenthesis behind it.
+struct stop_word : word<TAO_PEGTL_STRING("stop")> {};
+struct stop_ahead : at<stop_word, space, one<'('>> {};
+struct stop_key : token<stop_word> {};
+struct stop_open : open_parenthesis {};
+struct stop_reason : name {};
+struct stop_close : close_parenthesis {};
+struct stop : if_must<seq<stop_ahead, stop_key>, stop_open, stop_reason, stop_close> {};
+
 /// A name alone runs a named behaviour.
 struct used_name : name {};
 struct use_follows : sor<one<';', ',', '}'>, eof> {};
@@ -44,7 +54,7 @@ struct together_parts : seq<must<together_part>, star<comma, next_together_part>
 struct together_close : close_brace {};
 struct together : if_must<together_key, block_open, together_parts, together_close> {};
 
-struct simple : sor<move_command, assignment, together, wait_key, use> {};
+struct simple : sor<move_command, assignment, together, wait_key, stop, use> {};
 
 // Loops and each.
 /// Where a list of elements ends: '}', or where it should be.

@@ -183,6 +183,7 @@ class AssignmentChecker {
   }
 
   void walk_use(const Statement& statement) {
+    if (statement.value) return;  // stop
     const auto found = subject_.behaviours.index.find(statement.name.text());
     if (found == subject_.behaviours.index.end()) return;
     const Summary& summary = summaries_[found->second];

@@ -76,6 +76,10 @@ class BehaviourChecker {
 
   void resolve(const Statement& statement, int user, bool in_loop) {
     const std::string name = statement.name.text();
+    if (statement.value) {
+      check_stop(*statement.value);
+      return;
+    }
     const auto found = result_.index.find(name);
     if (found != result_.index.end()) {
       result_.uses.push_back({user, found->second, in_loop, statement.keyword});
@@ -111,6 +115,13 @@ class BehaviourChecker {
       if (!near.empty()) message += "; did you mean " + near + "?";
     }
     diagnostics_.error("S05", statement.keyword, std::move(message));
+  }
+
+  void check_stop(const syntax::Expression& reason) {
+    const std::string name = reason.name.text();
+    if (name == "unreachable") return;
+    diagnostics_.error("S05", reason.span, "a script cannot stop with '" + name + "'",
+                       "write stop(unreachable); a script that ends at its goal needs no stop");
   }
 
   /// `follow`, which every robot has whose rules allow legs, and `line`.

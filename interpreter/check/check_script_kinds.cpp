@@ -36,7 +36,9 @@ std::string counts_text(const std::string& name) {
 
 /// The kind of value that an argument needs where the function names no parameter.
 ValueKind wanted_kind(Argument argument) {
-  return argument == Argument::angle ? ValueKind::angle : ValueKind::unknown;
+  return argument == Argument::angle   ? ValueKind::angle
+         : argument == Argument::place ? ValueKind::place
+                                       : ValueKind::unknown;
 }
 
 /// `like`: the kind of the parameter, or of the argument.
@@ -56,6 +58,8 @@ ValueKind result_kind(Result result, ValueKind like) {
       return ValueKind::length;
     case Result::time:
       return ValueKind::time;
+    case Result::place:
+      return ValueKind::place;
   }
   return ValueKind::unknown;
 }
@@ -272,9 +276,10 @@ class KindChecker {
   }
 
   bool numbers_only(const Expression& expression, ValueKind kind) {
-    if (kind != ValueKind::condition) return true;
+    if (kind != ValueKind::condition && kind != ValueKind::place) return true;
     diagnostics_.error("S12", operator_span(expression),
-                       fmt::format("'{}' needs numbers, not conditions", symbol_of(expression)));
+                       fmt::format("'{}' needs numbers, not {}", symbol_of(expression),
+                                   kind == ValueKind::place ? "places" : "conditions"));
     return false;
   }
 

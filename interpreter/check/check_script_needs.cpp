@@ -13,6 +13,12 @@ bool ValueNeeds::value(ValueKind wanted, const syntax::Expression& value, ValueK
     return false;
   }
   if (fits(kind, wanted)) return true;
+  if (wanted == ValueKind::place) {
+    diagnostics_.error("S12", value.span,
+                       fmt::format("{} needs a place on the way, not {}", who, kind_text(kind)),
+                       "keep one in a variable: var(hit) = here();");
+    return false;
+  }
   if (const syntax::Expression* literal = misfit_literal(value, wanted)) {
     wrong_unit(*literal, fmt::format("{} needs {}", who, kind_text(wanted)));
   } else {

@@ -22,7 +22,11 @@ bool is_loop(const Statement& statement) {
          statement.kind == StatementKind::first;
 }
 
-bool is_command(const Statement& statement) { return statement.kind != StatementKind::assignment; }
+/// Not what is done in passing: an assignment, or stop(unreachable).
+bool is_command(const Statement& statement) {
+  const bool stops = statement.kind == StatementKind::use && statement.value;
+  return statement.kind != StatementKind::assignment && !stops;
+}
 
 bool has_commands(const Statement& statement) {
   return std::any_of(statement.elements.begin(), statement.elements.end(), is_command);

@@ -28,6 +28,8 @@ std::string kind_text(ValueKind kind) {
       return "an hourly rate";
     case ValueKind::direction:
       return "a direction";
+    case ValueKind::place:
+      return "a place on the way";
     case ValueKind::condition:
       return "a condition";
   }
@@ -105,6 +107,8 @@ ValueKind quotient_kind(ValueKind a, ValueKind b) {
 }
 
 bool fits(ValueKind kind, ValueKind wanted) {
+  const bool known = kind != ValueKind::unknown && wanted != ValueKind::unknown;
+  if (known && (kind == ValueKind::place || wanted == ValueKind::place)) return kind == wanted;
   return kind == wanted || kind == ValueKind::unknown || kind == ValueKind::number ||
          wanted == ValueKind::unknown;
 }

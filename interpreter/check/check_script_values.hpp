@@ -21,6 +21,7 @@ enum class ValueKind {
   turn_rate,
   rate,
   direction,  ///< a number whose sign matters
+  place,      ///< on the way, as here() gives it: fits nowhere else
   condition
 };
 

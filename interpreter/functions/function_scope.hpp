@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "interpreter/functions/way_log.hpp"
 #include "src/motion/robot/kinematics.hpp"
 
 namespace rubicon::interpreter {
@@ -26,6 +27,10 @@ class FunctionScope {
   /// How far the robot, as it stands, can be pushed along a horizontal heading of the world, at
   /// most the range of its sensor.
   virtual double free_distance(double heading_deg) const = 0;
+  /// Whether what it would touch there first is moving.
+  virtual bool is_met_moving(double heading_deg) const = 0;
+  /// The way since the script began; places by their numbers, which `here` gives.
+  virtual const WayLog& way() const = 0;
 
  protected:
   ~FunctionScope() = default;

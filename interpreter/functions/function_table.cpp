@@ -32,6 +32,20 @@ double direction_to(const FunctionScope& motion, int index, double value) {
   return way > 0 ? 1 : -1;
 }
 
+int place(double value) { return static_cast<int>(value); }
+
+/// The heading less the bearing of the goal: within half a turn at the place, then unwrapped
+/// (Lee and Adams, ACE, restarted at each hit).
+double off_course(const FunctionScope& motion, int index, int from) {
+  const WayLog& way = motion.way();
+  const double facing =
+      robot::relative_goal(motion.model(), motion.mounting(), motion.q(), index, motion.p_WG());
+  // What is off now, up to whole turns; the log knows how many.
+  const double now = robot::way_between(parameter(motion, index), facing, q(motion, index));
+  const double then = now - way.changed(index, from) + way.bearing_turned(from);
+  return now - 360 * std::ceil(then / 360 - 0.5);
+}
+
 constexpr Function kFunctions[] = {
     {.name = "goal",
      .arguments = {Argument::parameter},
@@ -121,6 +135,54 @@ constexpr Function kFunctions[] = {
      .evaluate = [](FunctionScope& motion, int, Values values) -> double {
        return motion.free_distance(values[0]);
      }},
+    {.name = "moving",
+     .arguments = {Argument::angle},
+     .result = Result::condition,
+     .reads = Reads::sensor,
+     .text = "whether what the robot would touch first along heading a, as far as it senses, moves",
+     .evaluate = [](FunctionScope& motion, int, Values values) -> double {
+       return motion.is_met_moving(values[0]) ? 1 : 0;
+     }},
+    {.name = "here",
+     .result = Result::place,
+     .text = "this place on the way, to be kept in a variable: var(hit) = here()",
+     .evaluate = [](FunctionScope& motion, int, Values) -> double { return motion.way().here(); }},
+    {.name = "back_at",
+     .arguments = {Argument::place},
+     .result = Result::condition,
+     .text = "whether the robot is back at w, within half a step of all its parameters",
+     .evaluate = [](FunctionScope& motion, int, Values values) -> double {
+       return motion.way().is_at(motion.model(), place(values[0])) ? 1 : 0;
+     }},
+    {.name = "turned",
+     .arguments = {Argument::rotation, Argument::place},
+     .result = Result::of_parameter,
+     .text = "by how much p has turned since w, whole turns counted",
+     .evaluate = [](FunctionScope& motion, int p, Values values) -> double {
+       return motion.way().changed(p, place(values[0]));
+     }},
+    {.name = "off_course",
+     .arguments = {Argument::rotation, Argument::place},
+     .result = Result::of_parameter,
+     .text = "by how much p is turned from facing the goal, turns since w counted",
+     .evaluate = [](FunctionScope& motion, int p, Values values) -> double {
+       return off_course(motion, p, place(values[0]));
+     }},
+    {.name = "crossed",
+     .arguments = {Argument::place},
+     .result = Result::condition,
+     .text = "whether the last step crossed the line from w to the goal, nearer to it than w",
+     .evaluate = [](FunctionScope& motion, int, Values values) -> double {
+       return motion.way().crossed(place(values[0]), motion.p_WG()) ? 1 : 0;
+     }},
+    {.name = "circled",
+     .arguments = {Argument::place},
+     .result = Result::number,
+     .text =
+         "1 if the last step closed a loop of the way since w anticlockwise, -1 clockwise, or 0",
+     .evaluate = [](FunctionScope& motion, int, Values values) -> double {
+       return motion.way().circled(place(values[0]));
+     }},
     {.name = "time",
      .result = Result::time,
      .reads = Reads::clock,
@@ -159,6 +221,8 @@ char letter(Argument argument) {
       return 'd';
     case Argument::angle:
       return 'a';
+    case Argument::place:
+      return 'w';
     default:
       return 'p';
   }

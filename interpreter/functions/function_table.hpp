@@ -26,6 +26,7 @@ enum class Argument : std::uint8_t {
   value_of_parameter,      ///< of the kind of the parameter before
   direction_of_parameter,  ///< a sign
   angle,
+  place,  ///< on the way: what here() gave
   value,  ///< of any kind
 };
 
@@ -38,6 +39,7 @@ enum class Result : std::uint8_t {
   number,
   length,
   time,
+  place,  ///< on the way; only kept in a variable and handed to functions
 };
 
 /// What the value depends on beside the arguments. What the motion does not change is `fixed`.
@@ -75,7 +77,8 @@ const Function* find_function(std::string_view name, std::size_t arguments);
 /// Each name once, in the order of the table.
 std::vector<std::string> function_names();
 
-/// As people write it: `min(p, v)`. p is a parameter, v a value, d a direction, a an angle.
+/// As people write it: `min(p, v)`. p is a parameter, v a value, d a direction, a an angle, w a
+/// place on the way.
 std::string signature(const Function& function);
 
 }  // namespace rubicon::interpreter

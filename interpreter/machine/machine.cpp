@@ -185,6 +185,8 @@ void Machine::begin_script() {
   std::fill(variables_.begin(), variables_.end(), Variable{});
   stack_.clear();
   actives_.clear();
+  way_.clear();
+  if (program_->uses_way) way_.begin(q_, tool_place(q_), target_.p_WG);
   push_sequence(program_->main);
 }
 
@@ -333,8 +335,12 @@ std::string Machine::shortfall() const {
   return text;
 }
 
+math::Vec3 Machine::tool_place(std::span<const double> q) const {
+  return robot::tool_pose(*model_, task_.mounting, q).translation();
+}
+
 double Machine::tool_distance(const math::Vec3& p_WG) const {
-  return (p_WG - robot::tool_pose(*model_, task_.mounting, q_).translation()).norm();
+  return (p_WG - tool_place(q_)).norm();
 }
 
 }  // namespace rubicon::interpreter

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "interpreter/check/plan_model.hpp"
+#include "interpreter/functions/way_log.hpp"
 #include "interpreter/machine/motion_run.hpp"
 #include "interpreter/machine/state_table.hpp"
 #include "interpreter/program/events.hpp"
@@ -120,6 +121,7 @@ class Machine {
     double number = 0;
     std::int32_t direction_of = -1;
     bool negated = false;
+    bool is_place = false;  ///< on the way: `number` steps lie before it
   };
   struct Variable {
     Value value;
@@ -185,6 +187,7 @@ class Machine {
   void choose_module(std::int32_t node, const World& world, EventSink* events);
   void push_sequence(std::int32_t node);
   void next_of_sequence();
+  void pass(std::int32_t node, const World& world, EventSink* events);
   void assign(std::int32_t node, const World& world, EventSink* events);
   std::int32_t forward(const Node& loop, std::int32_t from, const World& world, EventSink* events);
   std::int32_t backward(const Node& loop, std::int32_t element) const;
@@ -219,6 +222,7 @@ class Machine {
   std::string describe_next(std::int32_t command) const;
   bool would_accept(int parameter, double direction, const World& world);
   void hash_stack(StateHasher& hasher, std::int32_t command) const;
+  void hash_variables(StateHasher& exact, StateHasher& coarse) const;
 
   // machine_evaluate.cpp: values
   Value evaluate(const Code& code, const World& world);
@@ -230,6 +234,7 @@ class Machine {
   bool at(int parameter, double value) const;
   Value stored(const Value& value) const;
   double tool_distance(const math::Vec3& p_WG) const;
+  math::Vec3 tool_place(std::span<const double> q) const;
   const robot::Parameter& parameter(int index) const {
     return model_->parameters[static_cast<std::size_t>(index)];
   }
@@ -250,6 +255,7 @@ class Machine {
   std::size_t way_point_ = 0;
   math::Vec3 strip_from_ = math::Vec3::Zero();  ///< where the tool was when the way point began
   double aside_ = 0;  ///< m: how far a tool that works has been beside its strip since then
+  WayLog way_;        ///< only of scripts that ask for it
   bool way_point_begun_ = false;
   bool started_ = false;
   /// What moves, by parameter, where any of it has an acceleration; empty: the machine stands, or

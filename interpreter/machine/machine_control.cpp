@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "interpreter/machine/machine.hpp"
@@ -28,7 +30,8 @@ bool Machine::run(std::int32_t index, World& world, EventSink* events) {
   const Node& node = node_at(index);
   switch (node.kind) {
     case Node::Kind::assignment:
-      assign(index, world, events);
+    case Node::Kind::stop:
+      pass(index, world, events);
       pending_ = -1;
       result_ = false;
       return false;
@@ -208,6 +211,19 @@ void Machine::choose_module(std::int32_t index, const World& world, EventSink* e
   pending_ = -1;
 }
 
+/// What is no command: done on the way to the next one.
+void Machine::pass(std::int32_t index, const World& world, EventSink* events) {
+  const Node& node = node_at(index);
+  if (node.kind == Node::Kind::assignment) {
+    assign(index, world, events);
+    return;
+  }
+  finish(MotionStatus::no_way,
+         fmt::format("the script stops: unreachable, as far as it was seen, after {} steps",
+                     accepted_),
+         node.span);
+}
+
 void Machine::assign(std::int32_t index, const World& world, EventSink* events) {
   const Node& node = node_at(index);
   Variable& variable = variables_[static_cast<std::size_t>(node.target)];
@@ -220,7 +236,7 @@ void Machine::assign(std::int32_t index, const World& world, EventSink* events) 
   }
 }
 
-/// First element at or after `from` that is not an assignment, running the assignments passed; -1
+/// First element at or after `from` that is a command, doing what is passed; -1
 /// past the end.
 std::int32_t Machine::forward(const Node& loop, std::int32_t from, const World& world,
                               EventSink* events) {
@@ -232,17 +248,18 @@ std::int32_t Machine::forward(const Node& loop, std::int32_t from, const World& 
       i -= loop.count;
     }
     const std::int32_t element = child_at(loop, i);
-    if (node_at(element).kind != Node::Kind::assignment) return i;
-    assign(element, world, events);
+    if (!is_passed(node_at(element).kind)) return i;
+    pass(element, world, events);
+    if (end_) return -1;
   }
   return -1;
 }
 
-/// Last element before `element` that is not an assignment; chain: stays if there is none; cycle:
+/// Last element before `element` that is a command; chain: stays if there is none; cycle:
 /// goes on from the end; first: the first command.
 std::int32_t Machine::backward(const Node& loop, std::int32_t element) const {
   const auto is_command = [&](std::int32_t i) {
-    return node_at(child_at(loop, i)).kind != Node::Kind::assignment;
+    return !is_passed(node_at(child_at(loop, i)).kind);
   };
   if (loop.loop == LoopKind::first) {
     std::int32_t i = 0;

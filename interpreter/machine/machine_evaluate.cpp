@@ -38,6 +38,10 @@ class Machine::Scope final : public FunctionScope {
   double free_distance(double heading_deg) const override {
     return world_.free_distance(machine_.q_, heading_deg, machine_.model_->sensor);
   }
+  bool is_met_moving(double heading_deg) const override {
+    return world_.is_met_moving(machine_.q_, heading_deg, machine_.model_->sensor);
+  }
+  const WayLog& way() const override { return machine_.way_; }
 
  private:
   Machine& machine_;
@@ -52,7 +56,7 @@ Machine::Value Machine::evaluate(const Code& code, const World& world) {
     operands_.pop_back();
     return value;
   };
-  const auto push = [&](double value) { operands_.push_back({value, -1, false}); };
+  const auto push = [&](double value) { operands_.push_back({value, -1, false, false}); };
   for (std::int32_t i = code.begin; i < code.end; ++i) {
     const ExpressionOp& op = program_->code[static_cast<std::size_t>(i)];
     const auto slot = static_cast<std::size_t>(op.index);
@@ -78,6 +82,7 @@ Machine::Value Machine::evaluate(const Code& code, const World& world) {
       case OpKind::negate:
         operands_.back().number = -operands_.back().number;
         operands_.back().negated = !operands_.back().negated;
+        operands_.back().is_place = false;
         break;
       case OpKind::plus:
         break;
@@ -157,13 +162,22 @@ void Machine::call(const ExpressionOp& op, const World& world) {
   std::array<double, kMostArguments> values{};
   const std::size_t count = function.argument_count() - (function.takes_parameter() ? 1 : 0);
   for (std::size_t i = count; i > 0; --i) {
-    values[i - 1] = operands_.back().number;
+    const Value& operand = operands_.back();
+    const std::size_t argument = i - 1 + (function.takes_parameter() ? 1 : 0);
+    if (function.arguments[argument] == Argument::place && !operand.is_place) {
+      throw RunTimeError{fmt::format("{} needs a place on the way: var(hit) = here(); and then "
+                                     "var(hit)",
+                                     function.name),
+                         op.span};
+    }
+    values[i - 1] = operand.number;
     operands_.pop_back();
   }
   Scope scope(*this, world);
   const double number = function.evaluate(scope, op.index, {values.data(), count});
   const bool is_direction = function.result == Result::direction;
-  operands_.push_back({number, is_direction ? op.index : -1, false});
+  operands_.push_back(
+      {number, is_direction ? op.index : -1, false, function.result == Result::place});
 }
 
 double Machine::delta(int index, double value) const {

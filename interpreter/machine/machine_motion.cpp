@@ -54,6 +54,7 @@ bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
   switch (refusal) {
     case Refusal::none:
       note_aside();
+      if (way_.begun()) way_.add(q_, q_next_, tool_place(q_next_), target_.p_WG);
       std::copy(q_next_.begin(), q_next_.end(), q_.begin());
       robot::normalise(*model_, q_);
       time_ += duration;
@@ -245,13 +246,7 @@ bool Machine::may_attempt(std::int32_t index, const World& world) {
     exact.add(std::floor(q_[i] / (kEpsilon * quantum) + 0.5));
     coarse.add(std::floor(q_[i] / (0.5 * quantum) + 0.5));
   }
-  for (const Variable& variable : variables_) {
-    const double value = variable.set ? variable.value.number : 0;
-    exact.add(static_cast<std::uint64_t>(variable.set));
-    exact.add(value);
-    coarse.add(static_cast<std::uint64_t>(variable.set));
-    coarse.add(value);
-  }
+  hash_variables(exact, coarse);
   if (program_->uses_time) exact.add(static_cast<std::uint64_t>(time_));
 
   bool inserted = false;
@@ -298,6 +293,24 @@ std::string Machine::describe_next(std::int32_t index) const {
   return text;
 }
 
+/// Of a place on the way counts where it is and what was gone since, not how many steps lie before
+/// it: else no state would ever come again.
+void Machine::hash_variables(StateHasher& exact, StateHasher& coarse) const {
+  for (const Variable& variable : variables_) {
+    exact.add(static_cast<std::uint64_t>(variable.set));
+    coarse.add(static_cast<std::uint64_t>(variable.set));
+    if (variable.set && variable.value.is_place) {
+      const int place = static_cast<int>(variable.value.number);
+      exact.add(way_.hash_since(*model_, place));
+      coarse.add(way_.hash_of(*model_, place));
+      continue;
+    }
+    const double value = variable.set ? variable.value.number : 0;
+    exact.add(value);
+    coarse.add(value);
+  }
+}
+
 void Machine::hash_stack(StateHasher& hasher, std::int32_t command) const {
   hasher.add(static_cast<std::uint64_t>(command));
   for (const Frame& frame : stack_) {
@@ -319,6 +332,9 @@ Hash128 Machine::state_hash(const World& world) const {
     hasher.add(variable.value.number);
     hasher.add(static_cast<std::uint64_t>(variable.value.direction_of));
     hasher.add(static_cast<std::uint64_t>(variable.value.negated));
+    if (variable.set && variable.value.is_place) {
+      hasher.add(way_.hash_since(*model_, static_cast<int>(variable.value.number)));
+    }
   }
   hasher.add(static_cast<std::uint64_t>(time_));
   for (const MotionRun& part : run_) hasher.add(static_cast<std::uint64_t>(part.rest()));

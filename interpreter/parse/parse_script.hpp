@@ -89,6 +89,15 @@ RUBICON_ACTION(ScriptAction, ScriptState, used_name) {
   st.begin_statement(syntax::Statement::Kind::use, begin);
   st.statement().name = st.take_qualified_name();
 }
+// stop(unreachable): a behaviour that every robot has, used with a value.
+RUBICON_ACTION(ScriptAction, ScriptState, stop_key) {
+  st.begin_statement(syntax::Statement::Kind::use, begin);
+}
+RUBICON_ACTION(ScriptAction, ScriptState, stop_reason) {
+  st.push_name(syntax::Expression::Kind::parameter, begin);
+  st.statement().value = st.take_expression();
+  st.statement().name.name = {"stop", st.statement().keyword};
+}
 RUBICON_ACTION(ScriptAction, ScriptState, together_key) {
   st.begin_statement(syntax::Statement::Kind::together, begin);
   st.announce("together");

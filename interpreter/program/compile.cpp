@@ -152,6 +152,7 @@ class Compiler {
       case Statement::Kind::use: {
         const auto found = behaviours_.find(statement.name.text());
         const std::string name = statement.name.text();
+        if (statement.value) return add_node(Node::Kind::stop, statement.keyword);
         if (found == behaviours_.end() && (name == kFollow || name == kLine) &&
             !has_body_behaviour(name)) {
           return compile_built_in(statement, name);
@@ -242,7 +243,7 @@ class Compiler {
     Node& loop = at(node);
     loop.loop = kind;
     for (const std::int32_t element : elements) {
-      if (at(element).kind != Node::Kind::assignment) ++loop.commands;
+      if (!is_passed(at(element).kind)) ++loop.commands;
     }
     loop.goals_first = static_cast<std::int32_t>(program_.children.size());
     loop.goals_count = static_cast<std::int32_t>(goals.size());
@@ -352,6 +353,7 @@ class Compiler {
     add_op(OpKind::call, index, call.span).function =
         static_cast<std::uint8_t>(function - functions().data());
     if (function->reads == Reads::clock) program_.uses_time = true;
+    if (function->result == Result::place) program_.uses_way = true;
   }
 
   ExpressionOp& add_op(OpKind kind, std::int32_t index, Span span) {

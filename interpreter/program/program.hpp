@@ -58,6 +58,7 @@ struct Node {
     follow,
     line,
     wait,
+    stop,  ///< ends the motion: unreachable
     loop,
     each,
     which,
@@ -71,12 +72,17 @@ struct Node {
   Code value;                ///< argument; for loops the until
   std::int32_t first = 0;    ///< children: Program::children[first, first + count)
   std::int32_t count = 0;
-  std::int32_t commands = 0;  ///< loop: elements that are not assignments
+  std::int32_t commands = 0;  ///< loop: elements that are commands
   std::int32_t goals_first =
       0;  ///< loop: own move_to nodes: Program::children[goals_first, +goals_count)
   std::int32_t goals_count = 0;
   std::int32_t each_index = -1;  ///< each: its number in the program
 };
+
+/// Whether it is done in passing: no command, tries nothing, and moves nothing.
+constexpr bool is_passed(Node::Kind kind) {
+  return kind == Node::Kind::assignment || kind == Node::Kind::stop;
+}
 
 /// `which`: each child is a sequence; its labels stand in Program::labels[first_label, +count) of
 /// its module.
@@ -109,6 +115,7 @@ struct Program {
   std::int32_t main = -1;  ///< the sequence that is the script
   int each_count = 0;
   bool uses_time = false;
+  bool uses_way = false;  ///< it asks for places on the way
 };
 
 /// Compiles the behaviour of a usable robot; without a script of its own, its bodies' behaviours

@@ -61,6 +61,10 @@ class World {
   virtual double free_distance(std::span<const double> q, double heading_deg,
                                double range) const = 0;
 
+  /// Whether what it would meet there first moves now: a machine in a step, or a thing with a
+  /// timetable on its way. False: nothing within `range`, or it stands.
+  virtual bool is_met_moving(std::span<const double>, double, double) const { return false; }
+
   /// The pair that overlaps where the robot stands at q, if any.
   virtual std::optional<HitPair> blocked_at(std::span<const double> q) const = 0;
 

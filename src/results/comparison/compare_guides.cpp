@@ -28,6 +28,9 @@ class LookedAt : public interpreter::World {
   double free_distance(std::span<const double> q, double heading_deg, double range) const override {
     return world_.free_distance(q, heading_deg, range);
   }
+  bool is_met_moving(std::span<const double> q, double heading_deg, double range) const override {
+    return world_.is_met_moving(q, heading_deg, range);
+  }
   std::optional<HitPair> blocked_at(std::span<const double> q) const override {
     return world_.blocked_at(q);
   }

@@ -20,6 +20,12 @@ constexpr double kFreeDistanceResolution = 1e-6;
 /// be allowed to turn.
 constexpr double kRadiusRounding = 1e-9;
 
+std::vector<int> numbers_of(const std::vector<ReservedPart>& parts) {
+  std::vector<int> numbers;
+  for (const ReservedPart& part : parts) numbers.push_back(part.part);
+  return numbers;
+}
+
 }  // namespace
 
 std::optional<interpreter::HitPair> RobotView::propose(const interpreter::MotionStep& step) {
@@ -244,22 +250,40 @@ std::vector<ReservedPart> RobotView::parts_at(std::span<const double> q) const {
   return parts;
 }
 
+collision::SweptQuery RobotView::pushed(const std::vector<ReservedPart>& parts, double heading_deg,
+                                        double distance) const {
+  const math::Vec3 heading(math::cos_deg(heading_deg), math::sin_deg(heading_deg), 0);
+  collision::SweptQuery query;
+  query.contact_tolerance = site_.contact_tolerance();
+  for (const ReservedPart& part : parts) {
+    const math::Pose X = part.motion.pose(0);
+    query.items.push_back({{part.body.get(), geometry::translating(X, heading * distance)}, true});
+  }
+  return query;
+}
+
+bool RobotView::is_met_moving(std::span<const double> q, double heading_deg, double range) const {
+  if (!(range > 0) || !site_.has_others(index_)) return false;
+  const double free = free_distance(q, heading_deg, range);
+  if (free >= range) return false;
+  const std::vector<ReservedPart> parts = parts_at(q);
+  const collision::SweptQuery query =
+      pushed(parts, heading_deg, std::min(range, free + 2 * kFreeDistanceResolution));
+  if (site_.obstacles().test(query).hit) return false;
+  const auto met = other_met(query, numbers_of(parts), site_.now());
+  if (!met) return false;
+  if (met->machine >= 0) return site_.is_in_step(met->machine);
+  return met->moving >= 0 && site_.is_on_its_way(met->moving);
+}
+
 double RobotView::free_distance(std::span<const double> q, double heading_deg, double range) const {
   if (!(range > 0)) return 0;
   const bool has_others = site_.has_others(index_);
   if (!site_.has_obstacles() && !has_others) return range;
   const std::vector<ReservedPart> parts = parts_at(q);
-  const math::Vec3 heading(math::cos_deg(heading_deg), math::sin_deg(heading_deg), 0);
+  const std::vector<int> moving = numbers_of(parts);
   const auto is_free = [&](double distance) {
-    collision::SweptQuery query;
-    query.contact_tolerance = site_.contact_tolerance();
-    std::vector<int> moving;
-    for (const ReservedPart& part : parts) {
-      const math::Pose X = part.motion.pose(0);
-      query.items.push_back(
-          {{part.body.get(), geometry::translating(X, heading * distance)}, true});
-      moving.push_back(part.part);
-    }
+    const collision::SweptQuery query = pushed(parts, heading_deg, distance);
     return !site_.obstacles().test(query).hit &&
            !(has_others && other_met(query, moving, site_.now()));
   };

@@ -22,6 +22,7 @@ class RobotView : public interpreter::World {
   std::optional<interpreter::HitPair> propose(const interpreter::MotionStep& step) override;
   std::optional<interpreter::HitPair> refusal(const interpreter::MotionStep& step) const override;
   double free_distance(std::span<const double> q, double heading_deg, double range) const override;
+  bool is_met_moving(std::span<const double> q, double heading_deg, double range) const override;
   std::optional<interpreter::HitPair> blocked_at(std::span<const double> q) const override;
   std::uint64_t version() const override { return site_.version(index_); }
   /// `transport`, while a component is attached; `safety`, while what hangs on the tool, or else
@@ -55,6 +56,8 @@ class RobotView : public interpreter::World {
                                             std::span<const int> parts, Ticks until) const;
   std::vector<bool> are_buffers(std::span<const int> parts) const;
   bool nothing_to_meet() const;
+  collision::SweptQuery pushed(const std::vector<ReservedPart>& parts, double heading_deg,
+                               double distance) const;
   bool people_below(std::span<const double> q, std::span<const double> q_goal) const;
   std::vector<ReservedPart> parts_at(std::span<const double> q) const;
   std::optional<interpreter::HitPair> standing_machine_at(

@@ -186,6 +186,13 @@ Ticks SiteWorld::next_moving_look() {
   return next;
 }
 
+bool SiteWorld::is_on_its_way(int moving) const {
+  const MovingThing& thing = this->moving(moving);
+  if (thing.state().stop || !thing.is_present(now_)) return false;
+  const Ticks soon = now_ + schedule::kSecond / 1000;
+  return !thing.pose(now_).isApprox(thing.pose(soon), 1e-9);
+}
+
 std::optional<OtherMet> SiteWorld::first_moving_met(int robot, collision::MovingBodies& bodies,
                                                     Ticks until, bool overhead) const {
   for (int i = 0; i < movings(); ++i) {

@@ -104,6 +104,8 @@ class SiteWorld {
   int movings() const { return static_cast<int>(movings_.size()); }
   const MovingThing& moving(int index) const { return movings_[static_cast<std::size_t>(index)]; }
   void set_moving_state(int index, MovingState state);
+  /// It is there, does not stand before anything, and its window is no stay.
+  bool is_on_its_way(int moving) const;
   /// Those whose next second begins now look whether it is free, and stop or go on, in their order.
   /// To be called whenever time went on. Who stopped and who goes on.
   std::vector<MovingEvent> look_at_movings();
@@ -141,6 +143,8 @@ class SiteWorld {
   /// The obstacles, of components that stand, which the body of the robot may cut into.
   std::vector<collision::ObstacleId> entered_by(int robot, int body) const;
   bool may_enter(int robot) const { return !entry(robot).entered.empty(); }
+
+  bool is_in_step(int robot) const { return entry(robot).stepping; }
 
   MachineState machine_state(int robot) const;
   void set_machine_state(int robot, MachineState state);

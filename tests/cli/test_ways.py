@@ -1,0 +1,53 @@
+"""The picture and the table of docs/travel.md are what taskplans/draw_ways.py makes of the results of this program."""
+
+import importlib.util
+import os
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.join(HERE, "..", "..")
+spec = importlib.util.spec_from_file_location("draw_ways", os.path.join(ROOT, "taskplans", "draw_ways.py"))
+draw = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(draw)
+
+
+def read(*path):
+    with open(os.path.join(ROOT, *path), encoding="utf-8") as file:
+        return file.read()
+
+
+class Ways(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.rubicon = os.environ["RUBICON"]
+        cls.data = draw.exact(cls.rubicon)
+
+    def test_the_picture_is_drawn_from_these_results(self):
+        self.assertEqual(draw.draw(self.data), read("docs", "pictures", "ways.svg"))
+
+    def test_the_table_holds_these_results(self):
+        text = read("docs", "travel.md")
+        for line in draw.table(self.data, self.rubicon):
+            self.assertIn(line + "\n", text)
+
+    def test_a_way_is_as_long_as_it_says_and_goes_through_nothing(self):
+        for method in self.data["methods"]:
+            way = method["way"]
+            length = sum(((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2) ** 0.5 for a, b in zip(way, way[1:]))
+            self.assertAlmostEqual(length, method["length"], delta=1e-6 * method["length"], msg=method["method"])
+            for name, (x0, y0, x1, y1) in draw.boxes():
+                inside = [p for p in way if x0 < p[0] < x1 and y0 < p[1] < y1]
+                self.assertEqual(inside, [], f"{method['method']} in {name}")
+
+    def test_stretches_are_the_way(self):
+        for method in self.data["methods"]:
+            if method["verdict"] == "limit":
+                continue
+            joined = []
+            for _, points in draw.stretches(method):
+                joined += points if not joined else points[1:]
+            self.assertEqual([tuple(p) for p in method["way"]], joined, method["method"])
+
+
+if __name__ == "__main__":
+    unittest.main()
