@@ -4,7 +4,7 @@
 #include "grammar/recovery.hpp"
 #include "grammar/script.hpp"
 
-/// Guides, in robot files and in plans: where the way points of a motion come from.
+/// Guides, in robot files and in plans: where the waypoints of a motion come from.
 namespace rubicon::grammar {
 
 struct guide_key : token<word<TAO_PEGTL_STRING("guide")>> {};

@@ -22,7 +22,7 @@ struct ScriptContext {
   bool has_plan = false;                     ///< W08 is given only with a plan
 };
 
-/// The behaviour that every robot has: the next step of the leg to the way point.
+/// The behaviour that every robot has: the next step of the leg to the waypoint.
 inline constexpr const char* kFollow = "follow";
 
 /// The behaviour that every robot has: the next step of the straight way of its tool.

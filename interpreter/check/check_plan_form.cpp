@@ -117,7 +117,7 @@ void check_form(Subject& subject) {
     if (const auto* given = std::get_if<syntax::GoalItem>(&item)) {
       if (goal != nullptr) {
         subject.error("P04", given->span, "the short form of a plan has one goal",
-                      "way points before it are written with via");
+                      "waypoints before it are written with via");
       } else {
         goal = given;
       }

@@ -309,7 +309,7 @@ void check_clauses(Subject& subject, const RobotSpec* robot, const MotionClauses
                    std::span<const GoalSpec> goals, bool moves_component,
                    const std::map<std::string, Span>& given);
 
-/// A goal or way point; frames are relative to `X_WP`.
+/// A goal or waypoint; frames are relative to `X_WP`.
 GoalSpec resolve_goal(Subject& subject, const RobotSpec* robot, const syntax::Goal& goal,
                       ValueUse use, const math::Pose& X_WP);
 

@@ -19,9 +19,9 @@
 
 namespace rubicon::interpreter {
 
-/// One motion: from where the robot is over way points to one goal.
+/// One motion: from where the robot is over waypoints to one goal.
 struct MotionTask {
-  std::vector<GoalSpec> goals;  ///< way points, the last is the goal; at least one
+  std::vector<GoalSpec> goals;  ///< waypoints, the last is the goal; at least one
   std::vector<std::string>
       situations;  ///< on during the whole motion (besides `via` and what the world switches on)
   std::vector<guides::GuideSpec> guides;  ///< tried in this order; none: unguided
@@ -107,11 +107,11 @@ class Machine {
   const std::vector<double>& q() const { return q_; }
   Ticks time() const { return time_; }
   int tries() const { return tries_; }
-  /// Way points behind it.
+  /// Waypoints behind it.
   std::size_t way_point() const { return way_point_; }
 
   /// 128-bit hash of the state that decides what comes next: stack, configuration (in millionths of
-  /// a step), variables, situations, way point. Equal states have equal hashes on every machine.
+  /// a step), variables, situations, waypoint. Equal states have equal hashes on every machine.
   Hash128 state_hash(const World& world) const;
 
  private:
@@ -137,7 +137,7 @@ class Machine {
     std::int32_t successes = 0;
     std::int32_t actives = 0;  ///< loop: where its A begins in actives_
   };
-  /// The goal of the current way point, fixed when it begins.
+  /// The goal of the current waypoint, fixed when it begins.
   struct WayPoint {
     std::vector<double> q;
     std::vector<std::uint8_t> named;  ///< per parameter: takes part in reached and residual
@@ -148,7 +148,7 @@ class Machine {
 
   class GuideTests;
 
-  // machine.cpp: way points and the end of a motion
+  // machine.cpp: waypoints and the end of a motion
   bool go_on(World& world, EventSink* events);
   bool may_leave_way_point();
   void note_aside();
@@ -164,7 +164,7 @@ class Machine {
   double tolerance_of(int parameter) const;
   std::string shortfall() const;
 
-  // machine_guide.cpp: way points of guides
+  // machine_guide.cpp: waypoints of guides
   const guides::Leg& leg();
   bool begin_guides(std::size_t first, World& world, EventSink* events);
   void add_goals(const guides::GuideSpec& spec, guides::MotionTests& tests,
@@ -253,7 +253,7 @@ class Machine {
   std::vector<Variable> variables_;
   Ticks time_ = 0;
   std::size_t way_point_ = 0;
-  math::Vec3 strip_from_ = math::Vec3::Zero();  ///< where the tool was when the way point began
+  math::Vec3 strip_from_ = math::Vec3::Zero();  ///< where the tool was when the waypoint began
   double aside_ = 0;  ///< m: how far a tool that works has been beside its strip since then
   WayLog way_;        ///< only of scripts that ask for it
   bool way_point_begun_ = false;
@@ -264,10 +264,10 @@ class Machine {
   std::vector<MotionRun> run_;
   bool stopped_ = false;  ///< for the pending command, which has been planned: its `steps_`
   WayPoint goal_;
-  /// What scripts are told: the goal, or the way point that a guide gave for it.
+  /// What scripts are told: the goal, or the waypoint that a guide gave for it.
   WayPoint target_;
   guides::GuideValue guide_;    ///< of the goal under way; none: it is not guided
-  bool leads_to_goal_ = false;  ///< its way point is the last
+  bool leads_to_goal_ = false;  ///< its waypoint is the last
   int guide_point_ = 0;         ///< its number, from 1, on the way planned last
   std::size_t guide_index_ = 0;
   int idle_way_points_ = 0;  ///< in a row, at which no step was made

@@ -15,7 +15,7 @@ namespace {
 using guides::GuideAnswer;
 using guides::PlanReport;
 
-/// Way points in a row without any step before the guide is given up.
+/// Waypoints in a row without any step before the guide is given up.
 constexpr int kIdleWayPoints = 2;
 
 /// Where a goal frame cannot be stood at as it is reached first, it is solved from so many other
@@ -112,7 +112,7 @@ const guides::Leg& Machine::leg() {
   return *leg_;
 }
 
-/// Asks the guides for a first way point, from guide `first` on. False: the motion has ended.
+/// Asks the guides for a first waypoint, from guide `first` on. False: the motion has ended.
 bool Machine::begin_guides(std::size_t first, World& world, EventSink* events) {
   for (guide_index_ = first; guide_index_ < task_.guides.size(); ++guide_index_) {
     const guides::GuideSpec& spec = task_.guides[guide_index_];
@@ -213,7 +213,7 @@ void Machine::set_target(const GuideAnswer& answer) {
   begin_script();
 }
 
-/// The script has ended under a guide. True: it begins again, at the next way point; false: at its
+/// The script has ended under a guide. True: it begins again, at the next waypoint; false: at its
 /// goal, or the motion has ended.
 bool Machine::next_way_point(World& world, EventSink* events) {
   const bool there = leg().is_there(q_, target_.q);
@@ -226,8 +226,7 @@ bool Machine::next_way_point(World& world, EventSink* events) {
   } else if (idle_way_points_ < kIdleWayPoints) {
     answer = guide_->ended_short(q_, tests);
   } else {
-    answer.reason =
-        fmt::format("at {} way points in a row the script made no step", kIdleWayPoints);
+    answer.reason = fmt::format("at {} waypoints in a row the script made no step", kIdleWayPoints);
   }
   return take(std::move(answer), tests, events) || begin_guides(guide_index_ + 1, world, events);
 }

@@ -47,10 +47,10 @@ struct GuidePlan {
 class EventSink {
  public:
   virtual ~EventSink() = default;
-  virtual void goal(int k, int n) = 0;  ///< way point k of n begins
+  virtual void goal(int k, int n) = 0;  ///< waypoint k of n begins
   /// A guide planned a way for the goal that has begun, or found none.
   virtual void guide(const GuidePlan& plan) = 0;
-  /// The script begins at way point k of the n that its guide has for the goal.
+  /// The script begins at waypoint k of the n that its guide has for the goal.
   virtual void way_point(int k, int n) = 0;
   virtual void set(const std::string& variable, double value, Span span) = 0;
   virtual void enter(LoopKind kind, Span span) = 0;

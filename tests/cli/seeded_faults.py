@@ -1121,7 +1121,7 @@ def name_another_parameter(good, rng):
 
 
 def goals_with_attempts(good):
-    """Way points that are followed by an attempt of their task."""
+    """Waypoints that are followed by an attempt of their task."""
     return [index for index in good.places("goal")
             if next((r["type"] for r in good.records[index + 1:] if r["task"] == good.records[index]["task"]
                      and r["type"] in ("try", "wait", "goal", "end")), "") in ("try", "wait")]
@@ -1134,8 +1134,8 @@ def drop_a_goal(good, rng):
     index = rng.choice(places)
     result = copy.deepcopy(good)
     del result.records[index]
-    # Of several way points the next one shows it, or the end of the motion.
-    return Fault("drop a goal", result, [good.records[index]["task"]], words="way point")
+    # Of several waypoints the next one shows it, or the end of the motion.
+    return Fault("drop a goal", result, [good.records[index]["task"]], words="waypoint")
 
 
 def double_a_goal(good, rng):
@@ -1145,7 +1145,7 @@ def double_a_goal(good, rng):
     index = rng.choice(places)
     result = copy.deepcopy(good)
     result.records.insert(index, copy.deepcopy(result.records[index]))
-    return Fault("double a goal", result, [good.records[index]["task"]], index + 2, words="way point")
+    return Fault("double a goal", result, [good.records[index]["task"]], index + 2, words="waypoint")
 
 
 def shift_a_date(good, rng):

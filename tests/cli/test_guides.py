@@ -127,8 +127,8 @@ class Guides(ResultCase):
             guide["way"] = guide["way"][:-1]
 
         self.assertIn("of the guide begins where", self.faults_of(way_point_left_out))
-        self.assertIn("off the way to way point 1", self.faults_of(way_bent))
-        self.assertRegex(self.faults_of(last_points_left_out), "off the way|is done at way point")
+        self.assertIn("off the way to waypoint 1", self.faults_of(way_bent))
+        self.assertRegex(self.faults_of(last_points_left_out), "off the way|is done at waypoint")
         with self.assertRaises(AssertionError):
             self.faults_of(way_half)  # unreadable: exit code 2, not 1
         self.run_plan(ROUND_THE_WALL.replace("task over", "task before { by car; go x 1, y 0; }\n  task over")

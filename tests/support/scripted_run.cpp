@@ -27,10 +27,10 @@ void EventLog::guide(const interpreter::GuidePlan& plan) {
   const guides::PlanReport& report = *plan.report;
   seeds.push_back(plan.seed);
   lines.push_back(report.found()
-                      ? fmt::format("guide {}: {} way points", plan.name, report.way.size() - 1)
+                      ? fmt::format("guide {}: {} waypoints", plan.name, report.way.size() - 1)
                       : fmt::format("guide {}: {}", plan.name, plan.cause));
 }
-void EventLog::way_point(int k, int n) { lines.push_back(fmt::format("way point {} of {}", k, n)); }
+void EventLog::way_point(int k, int n) { lines.push_back(fmt::format("waypoint {} of {}", k, n)); }
 void EventLog::set(const std::string& variable, double value, Span) {
   lines.push_back(fmt::format("var({}) = {:g}", variable, value));
 }

@@ -16,11 +16,11 @@ export interface BehaviourState {
   loops: OpenLoop[];
   /** By name: the value as JSON text, and the record that set it. */
   variables: Map<string, { value: string; record: number }>;
-  /** Way point k of n; null before the first. */
+  /** Waypoint k of n; null before the first. */
   goal: { k: number; n: number } | null;
 }
 
-/** How the script of a run stands after its record number `upto` (counted in the run): every way point begins anew. */
+/** How the script of a run stands after its record number `upto` (counted in the run): every waypoint begins anew. */
 export function behaviourAt(film: Film, run: number, upto: number): BehaviourState {
   const records = film.recordsOf(run);
   const state: BehaviourState = { loops: [], variables: new Map(), goal: null };

@@ -14,13 +14,13 @@ export function sentence(film: Film, record: number): string {
   const run = film.runs[film.run(record)];
   switch (film.kind(record)) {
     case 'task_start': return run.because || 'begins';
-    case 'goal': return `way point ${number('goal.k')} of ${number('goal.n')}`;
+    case 'goal': return `waypoint ${number('goal.k')} of ${number('goal.n')}`;
     case 'guide': {
       const cause = text('guide.cause');
       const way = `${number('guide.nodes')} nodes, ${number('guide.checks')} checks`;
       return `guide ${text('guide.name')} (${text('guide.kind')}) ${cause ? `found no way: ${cause}` : `has a way: ${way}`}`;
     }
-    case 'way_point': return `way point ${number('way_point.k')} of ${number('way_point.n')} of the guide`;
+    case 'way_point': return `waypoint ${number('way_point.k')} of ${number('way_point.n')} of the guide`;
     case 'set': return `var(${text('set.var')}) = ${text('set.value')}`;
     case 'enter': return `${text('enter.kind')} {`;
     case 'exit': {

@@ -42,7 +42,7 @@ struct PlanReport {
   std::size_t nodes = 0;
   std::size_t checks = 0;
   std::size_t refused = 0;
-  std::vector<std::vector<double>> way;  ///< where it begins, its way points, the goal last
+  std::vector<std::vector<double>> way;  ///< where it begins, its waypoints, the goal last
   WayMetrics metrics = {};
   bool found() const { return outcome == Outcome::found; }
 };
@@ -60,19 +60,19 @@ struct GuideAnswer {
   bool leads_to_goal() const { return k == n; }
 };
 
-/// A source of way points for one goal of a motion. Its state is a value: `copy`. The script makes
-/// the steps; the guide is asked when a way point is reached, and when the script ended short of
+/// A source of waypoints for one goal of a motion. Its state is a value: `copy`. The script makes
+/// the steps; the guide is asked when a waypoint is reached, and when the script ended short of
 /// one.
 class Guide {
  public:
   virtual ~Guide() = default;
   virtual std::unique_ptr<Guide> copy() const = 0;
 
-  /// The first way point for a robot that stands at q.
+  /// The first waypoint for a robot that stands at q.
   virtual GuideAnswer begin(std::span<const double> q, MotionTests& tests) = 0;
-  /// The way point was reached and is not the last: the next one.
+  /// The waypoint was reached and is not the last: the next one.
   virtual GuideAnswer reached(std::span<const double> q, MotionTests& tests) = 0;
-  /// The script ended short of the way point, at q: another one, or no more.
+  /// The script ended short of the waypoint, at q: another one, or no more.
   virtual GuideAnswer ended_short(std::span<const double> q, MotionTests& tests) = 0;
 };
 

@@ -6,7 +6,7 @@ namespace rubicon::guides {
 
 namespace {
 
-/// Legs of a way point the same way if they differ by no more, weighted: rounding.
+/// Legs of a waypoint the same way if they differ by no more, weighted: rounding.
 constexpr double kSameDirection = 1e-9;
 
 /// Whether the leg that begins at point `end` only lengthens that from `first` to there.

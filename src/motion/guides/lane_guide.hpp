@@ -24,7 +24,7 @@ class LaneGuide : public Guide {
 
   GuideSpec spec_;
   GuideTask task_;
-  int given_ = 0;        ///< way points
+  int given_ = 0;        ///< waypoints
   int short_ = 0;        ///< how often the script ended short of one
   bool beside_ = false;  ///< it has left the last node for the goal
 };

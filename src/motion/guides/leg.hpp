@@ -24,7 +24,7 @@ class Leg {
   /// Why robots with these rules make no legs; empty: this one does.
   const std::string& refusal() const { return refusal_; }
 
-  /// Parameters that a leg brings to their values: what a way point is made of. Those that are
+  /// Parameters that a leg brings to their values: what a waypoint is made of. Those that are
   /// derived follow.
   const std::vector<int>& parameters() const { return parameters_; }
   /// Parameters that its steps step where none is locked, ascending.

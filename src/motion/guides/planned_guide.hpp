@@ -28,9 +28,9 @@ class PlannedGuide : public Guide {
 
   GuideSpec spec_;
   GuideTask task_;
-  /// Where it begins, its way points, the goal last; shared: it does not change.
+  /// Where it begins, its waypoints, the goal last; shared: it does not change.
   std::shared_ptr<const std::vector<std::vector<double>>> way_;
-  std::size_t next_ = 0;  ///< index of the way point that was given last
+  std::size_t next_ = 0;  ///< index of the waypoint that was given last
   int planned_ = 0;
   PlanMemory memory_;
 };

@@ -115,7 +115,7 @@ std::string record_text(const Recording& recording, const TaskRun& run, const Ev
     case EventKind::task_start:
       return "the task begins";
     case EventKind::goal:
-      return fmt::format("way point {} of {} begins", event.n, event.value);
+      return fmt::format("waypoint {} of {} begins", event.n, event.value);
     case EventKind::set:
       return fmt::format("var({}) = {}", text, number_text(event.value));
     case EventKind::enter:
@@ -160,7 +160,7 @@ std::string record_text(const Recording& recording, const TaskRun& run, const Ev
     case EventKind::moving:
       break;
     case EventKind::way_point:
-      return fmt::format("way point {} of {} of the guide begins", event.n, event.value);
+      return fmt::format("waypoint {} of {} of the guide begins", event.n, event.value);
   }
   return {};
 }
@@ -196,7 +196,7 @@ std::string situation_text(const Recording& recording, const TaskRun& run, const
   } else if (!moves.empty()) {
     what = "on the way to " + moves;
   }
-  return fmt::format("motion {} of {}: {}; way point {}", state.motion, run.motions(), what,
+  return fmt::format("motion {} of {}: {}; waypoint {}", state.motion, run.motions(), what,
                      state.way_point);
 }
 

@@ -18,7 +18,7 @@ std::string record_text(const Recording& recording, const TaskRun& run, const Ev
 std::string stop_text(const Recording& recording, const TaskRun& run, const TaskState& state,
                       const Paint& paint);
 
-/// "motion 2 of 3: carrying wall_1, way point 1"; what is done, if no motion goes on.
+/// "motion 2 of 3: carrying wall_1, waypoint 1"; what is done, if no motion goes on.
 std::string situation_text(const Recording& recording, const TaskRun& run, const TaskState& state);
 
 }  // namespace rubicon::debug

@@ -69,7 +69,7 @@ void end_motion(const Event& event, TaskState& state) {
   if (state.carries != kNone) ++state.carried;
 }
 
-/// A way point begins: the script runs anew (docs/trace.md), nothing is remembered.
+/// A waypoint begins: the script runs anew (docs/trace.md), nothing is remembered.
 void restart_script(TaskState& state) {
   state.loops.clear();
   state.variables.clear();

@@ -11,7 +11,7 @@ namespace rubicon::debug {
 /// No real trace has more; one that somebody made up must not take time and memory by the square
 /// of its length, since every state is kept and copied.
 inline constexpr std::size_t kMostLoops = 1000;       ///< in one another
-inline constexpr std::size_t kMostVariables = 4000;   ///< of a way point
+inline constexpr std::size_t kMostVariables = 4000;   ///< of a waypoint
 inline constexpr std::size_t kMostParameters = 1000;  ///< of a robot
 /// So many places of loops are told apart by how often they begin; those of longer scripts are not
 /// counted.
@@ -22,7 +22,7 @@ struct LoopState {
   TextId kind = kNone;          ///< chain, cycle, first
   std::uint32_t place = kNone;  ///< where it stands
   std::size_t entered = 0;      ///< the event that began it
-  int visit = 0;  ///< how often it has begun since the way point began; 0 where it is not counted
+  int visit = 0;  ///< how often it has begun since the waypoint began; 0 where it is not counted
   std::uint32_t first = kNone;  ///< the place that was tried or begun first in it
   int rounds = 0;               ///< how often that place was
   int tried = 0;                ///< attempts in it, loops inside it too

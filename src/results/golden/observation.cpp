@@ -260,7 +260,7 @@ void Observation::write_event(const trace::Record&, const trace::GuidePlan& plan
 
 void Observation::write_event(const trace::Record&, const trace::WayPoint& point) {
   depth_ = 0;
-  write(fmt::format("way point {} of {}", point.k, point.n));
+  write(fmt::format("waypoint {} of {}", point.k, point.n));
 }
 
 void Observation::write_event(const trace::Record&, const trace::Attach& attach) {

@@ -262,7 +262,7 @@ std::string cost_table(const Schedule& schedule) {
 
 std::string chain_text(const Schedule& schedule) {
   const std::size_t count = schedule.critical.size();
-  std::string text = fmt::format("critical path, {} tasks:\n", count);
+  std::string text = fmt::format("critical path, {} task{}:\n", count, count == 1 ? "" : "s");
   std::size_t first = 0;
   if (count > kShownChain) {
     first = count - kShownChain;

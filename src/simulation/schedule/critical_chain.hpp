@@ -7,7 +7,7 @@
 
 namespace rubicon::schedule {
 
-/// One link of the critical chain: a task, and what it waited for.
+/// One link of the critical path: a task, and what it waited for.
 struct ChainStep {
   int task = -1;
   bool work_counts = false;  ///< the task's own work is part of what makes the whole so long

@@ -30,7 +30,7 @@ class LinkState {
   };
 
   int size() const { return static_cast<int>(times_.size()); }
-  /// Names, work and links, for texts and the critical chain.
+  /// Names, work and links, for texts and the critical path.
   const Network& network() const { return network_; }
   const std::vector<Link>& links_of(int task) const { return network_.tasks[at(task)].after; }
   const std::vector<Follower>& followers_of(int task) const { return followers_[at(task)]; }

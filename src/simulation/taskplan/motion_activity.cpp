@@ -28,7 +28,7 @@ bool may_try_again(MotionStatus status) {
          status == MotionStatus::circling || status == MotionStatus::no_way;
 }
 
-/// The way point at which a machine was met first.
+/// The waypoint at which a machine was met first.
 std::size_t first_way_point(const HitRecorder& hits) {
   int first = 0;
   for (const RecordedHit& hit : hits.given_way()) {
@@ -176,7 +176,7 @@ Step MotionActivity::move_on(ActiveTask& task, Stage& stage) {
   if (stage.site.traffic_changes() != traffic) {
     stage.announce({stage.spec(task.task).robot, -1});
   }
-  // A motion that was stopped may reach its way points again: only the first time is progress.
+  // A motion that was stopped may reach its waypoints again: only the first time is progress.
   const std::size_t behind = goals_dropped_ + machine.way_point();
   if (behind > way_points_) {
     way_points_ = behind;

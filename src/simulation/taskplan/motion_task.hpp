@@ -10,7 +10,7 @@
 
 namespace rubicon::taskplan {
 
-/// Where a motion of a task goes: its way points, if it has any, and its goal, as the component
+/// Where a motion of a task goes: its waypoints, if it has any, and its goal, as the component
 /// stands or hangs now (LANGUAGE section 12).
 std::vector<interpreter::GoalSpec> goals_of(const interpreter::PlanModel& plan,
                                             const interpreter::TaskSpec& task,

@@ -155,7 +155,7 @@ struct TimetableOutcome {
 struct Schedule {
   std::vector<TaskOutcome> tasks;
   std::vector<ResourceUse> resources;  ///< robots, then crews, as in the file
-  std::vector<CriticalTask> critical;  ///< the critical chain, first to last
+  std::vector<CriticalTask> critical;  ///< the critical path, first to last
   Ticks process_time = 0;
   bool feasible = true;  ///< every task is done
   std::optional<schedule::CivilTime> start_at;

@@ -35,7 +35,7 @@ struct Rejection {
   std::vector<int> involved;  ///< other tasks without which it may be done
 };
 
-/// What all tasks have done that is not done twice: loads taken and set down, work, way points
+/// What all tasks have done that is not done twice: loads taken and set down, work, waypoints
 /// reached for the first time. A script's own waits count since the last of it.
 struct SiteProgress {
   std::uint64_t count = 0;

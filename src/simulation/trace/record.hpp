@@ -177,7 +177,7 @@ struct GuidePlan {
   int nodes = 0;
   int checks = 0;
   int refused = 0;
-  /// Where it begins and its way points, the goal last: of each all parameters of the robot, in
+  /// Where it begins and its waypoints, the goal last: of each all parameters of the robot, in
   /// their order (m, degrees).
   Numbers way;
   double roughness = 0;
@@ -186,7 +186,7 @@ struct GuidePlan {
   Ticks t = 0;
 };
 
-/// The script begins at way point k of the n of its guide's way.
+/// The script begins at waypoint k of the n of its guide's way.
 struct WayPoint {
   int k = 0;
   int n = 0;

@@ -33,7 +33,7 @@ TEST(Session, TellsEachStep) {
   debug::Session session = session_of(short_trace());
   EXPECT_EQ(session.opening(), "plan p. 'help' tells the commands.\np  begins  t 0 s\n");
   EXPECT_EQ(session.execute("step"),
-            "  way point 1 of 1 begins\n"
+            "  waypoint 1 of 1 begins\n"
             "  var(side) = -1\n"
             "  chain begins  s.motion:1\n"
             "p  try 1/5  t 1 s\n"
@@ -83,7 +83,7 @@ TEST(Session, ShowsLoopsVariablesAndConfiguration) {
             "p  try 2/5  t 1 s\n"
             "  s.motion:2  move_to(x, 3),\n"
             "  move_to x  1  refused: arm of r meets wall\n"
-            "  r: motion 1 of 1: going; way point 1\n"
+            "  r: motion 1 of 1: going; waypoint 1\n"
             "  2 tried so far, 1 made, 0 waits; record 5 of 10\n"
             "  in s.motion:2\n");
 }

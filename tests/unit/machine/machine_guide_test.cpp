@@ -65,7 +65,7 @@ TEST_F(GuidedMotion, FollowIsRefusedNothingOnAWayThatWasFound) {
   EXPECT_TRUE(end.reached) << end.message;
   EXPECT_EQ(end.rejected.hit, 0);
   EXPECT_THAT(log_.lines, Contains(StartsWith("guide way: ")));
-  EXPECT_THAT(log_.lines, Contains(StartsWith("way point 1 of ")));
+  EXPECT_THAT(log_.lines, Contains(StartsWith("waypoint 1 of ")));
 }
 
 TEST_F(GuidedMotion, WithoutAGuideFollowGoesStraightToTheGoal) {
@@ -125,7 +125,7 @@ TEST_F(GuidedMotion, TheSecondGuideIsAskedWhereTheFirstFindsNothing) {
 }
 
 TEST_F(GuidedMotion, AScriptThatEndsShortIsPlannedForAgainFromThere) {
-  // Two steps for each way point: the guide plans on from where they lead.
+  // Two steps for each waypoint: the guide plans on from where they lead.
   const Scenario setup = set_up(kGantry, "follow; follow;");
   MotionTask motion = task(setup);
   motion.guides.front().replans = 100;
@@ -141,7 +141,7 @@ TEST_F(GuidedMotion, AScriptThatNeverStepsIsGivenUp) {
   const MotionEnd end = run(setup, task(setup), world_);
   EXPECT_EQ(end.status, MotionStatus::done);
   EXPECT_FALSE(end.reached);
-  EXPECT_THAT(end.message, HasSubstr("at 2 way points in a row the script made no step"));
+  EXPECT_THAT(end.message, HasSubstr("at 2 waypoints in a row the script made no step"));
 }
 
 TEST_F(GuidedMotion, ReplansAreCountedAndTheMotionEnds) {

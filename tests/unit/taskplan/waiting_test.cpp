@@ -162,7 +162,7 @@ TEST(WaitingForAnHour, EndsWhenNobodyMakesProgress) {
   EXPECT_EQ(tasks.at("long_work").result, TaskResult::done);
 }
 
-// To go over the same way points again is no progress.
+// To go over the same waypoints again is no progress.
 TEST(WaitingBetweenWayPoints, Ends) {
   const auto tasks = run(R"(
     budget 60;

@@ -216,7 +216,7 @@ void read_clauses(const JsonFields& fields, const Scene& scene, SceneTask& task)
 
 void read_via(const Json& list, const Scene& scene, SceneTask& task) {
   for (const Json& object : list) {
-    const JsonFields fields(object, "a way point");
+    const JsonFields fields(object, "a waypoint");
     SceneGoal goal;
     if (fields.has("pose")) goal.pose = fields.pose("pose");
     if (task.robot >= 0) {

@@ -17,7 +17,7 @@ struct TaskStart {
   std::vector<double> to = {};  ///< of who parks elsewhere: values in the order of its park
 };
 
-/// The script begins for way point k of the n that are left of a motion.
+/// The script begins for waypoint k of the n that are left of a motion.
 struct Goal {
   int k = 0;
   int n = 0;
@@ -26,7 +26,7 @@ struct Goal {
 /// One attempt.
 struct Try {
   bool ok = false;
-  bool follows = false;  ///< it is a step of the leg to the way point
+  bool follows = false;  ///< it is a step of the leg to the waypoint
   bool lines = false;    ///< it is a step of the tool's straight way
   int n = 0;
   std::vector<int> moved;                                  ///< parameters of the command
@@ -45,11 +45,11 @@ struct Stop {};
 /// A guide planned a way; none: it found no way.
 struct GuidePlan {
   std::string name;
-  std::vector<std::vector<double>> way;  ///< where it begins, its way points; all parameters
+  std::vector<std::vector<double>> way;  ///< where it begins, its waypoints; all parameters
   double motion_time = 0;                ///< s
 };
 
-/// The script begins for way point k of the n of its guide.
+/// The script begins for waypoint k of the n of its guide.
 struct WayPoint {
   int k = 0;
   int n = 0;

@@ -248,7 +248,7 @@ void TraceReader::line(const std::string& text) {
       if (found == trace_.scene.robot_index.end()) fields.fail("a robot of the header");
       record.robot = found->second;
     }
-    // A way point has no moment of its own: it begins when what comes before it is over.
+    // A waypoint has no moment of its own: it begins when what comes before it is over.
     Ticks& last = last_time_[record.run];
     record.time = last;
     RecordReader(fields, trace_.scene, record).read(type);

@@ -23,7 +23,7 @@ using math::at;
 constexpr double kFoundWithin = 1e-5;
 constexpr double kFoundWithin_deg = 1e-3;
 
-/// A motion that the plan asks for: its way points, the goal last.
+/// A motion that the plan asks for: its waypoints, the goal last.
 struct PlannedMotion {
   std::vector<SceneGoal> goals;
   bool may_end_short = false;  ///< carrying
@@ -71,7 +71,7 @@ class GoalCheck {
         if (!begin(*goal)) return;
       } else if (std::holds_alternative<Try>(record_->what) ||
                  std::holds_alternative<Wait>(record_->what)) {
-        if (goals_.empty()) return fault("an attempt before the way point of its motion begins");
+        if (goals_.empty()) return fault("an attempt before the waypoint of its motion begins");
       } else if (const auto* end = std::get_if<MotionEnd>(&record_->what)) {
         if (!finish(*end)) return;
       } else if (std::holds_alternative<Work>(record_->what) ||
@@ -84,7 +84,7 @@ class GoalCheck {
   }
 
  private:
-  /// A motion that may begin, or go on, with `least` to `most` way points left.
+  /// A motion that may begin, or go on, with `least` to `most` waypoints left.
   struct State {
     std::size_t motion = 0;
     int least = 0;
@@ -108,7 +108,7 @@ class GoalCheck {
     const bool same = goals_.empty() || goals_.front().n == goal.n;
     if (goal.k != expected || !same || goal.k > goal.n) {
       fault(
-          fmt::format("way point {} of {} begins where {} was expected", goal.k, goal.n, expected));
+          fmt::format("waypoint {} of {} begins where {} was expected", goal.k, goal.n, expected));
       return false;
     }
     goals_.push_back(goal);
@@ -147,8 +147,8 @@ class GoalCheck {
         check_residual(end, motion.goals[motion.goals.size() - at(n - k) - 1]);
     }
     if (!fits) {
-      fault(goals.empty() ? "a motion ends and no way point of it has begun"
-                          : fmt::format("a motion ends with '{}' at way point {} of {}", end.status,
+      fault(goals.empty() ? "a motion ends and no waypoint of it has begun"
+                          : fmt::format("a motion ends with '{}' at waypoint {} of {}", end.status,
                                         k, goals.front().n));
       return false;
     }
@@ -159,7 +159,7 @@ class GoalCheck {
   /// What follows is no motion: the one before is over.
   bool leave() {
     if (!goals_.empty()) {
-      fault("a way point begins and its motion does not end");
+      fault("a waypoint begins and its motion does not end");
       return false;
     }
     std::erase_if(states_, [](const State& state) { return !state.begins; });

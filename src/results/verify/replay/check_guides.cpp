@@ -74,7 +74,7 @@ class GuideCheck {
         }
         if (sum <= kept.most + slack) continue;
         fault(FaultKind::motion,
-              fmt::format("way point {} of {} does not keep what the guide has to: {:g} is more "
+              fmt::format("waypoint {} of {} does not keep what the guide has to: {:g} is more "
                           "than {:g}",
                           k, plan.way.size() - 1, sum, kept.most));
         return;
@@ -86,7 +86,7 @@ class GuideCheck {
     ++next_;
     const auto count = static_cast<int>(way_.size()) - 1;
     if (point.k == next_ && point.n == count && point.k <= point.n) return;
-    fault(FaultKind::order, fmt::format("way point {} of {} of the guide begins where {} of {} was "
+    fault(FaultKind::order, fmt::format("waypoint {} of {} of the guide begins where {} of {} was "
                                         "expected",
                                         point.k, point.n, next_, std::max(count, 0)));
     way_.clear();
@@ -123,7 +123,7 @@ class GuideCheck {
     double share = -1;
     for (const int moved : attempt.moved) {
       const std::size_t i = at(moved);
-      // Of an angle that has a range any turn of the way point may be meant.
+      // Of an angle that has a range any turn of the waypoint may be meant.
       const double left = off(i, q_[i], target[i]);
       const double made = off(i, q_[i], attempt.q[i]);
       const double slack = kValueSlack + kStepShare * robot_.parameters[i].step;
@@ -143,16 +143,16 @@ class GuideCheck {
   }
 
   void stray(std::size_t parameter) {
-    fault(FaultKind::motion, fmt::format("the step of follow takes {} off the way to way point {}",
+    fault(FaultKind::motion, fmt::format("the step of follow takes {} off the way to waypoint {}",
                                          robot_.parameters[parameter].name, next_));
   }
 
-  /// What is reached under a guide ends at the last of its way points.
+  /// What is reached under a guide ends at the last of its waypoints.
   void finish(const MotionEnd& end) {
     if (!q_.empty()) q_ = end.q;
     const bool under_way = next_ >= 1 && next_ + 1 < static_cast<int>(way_.size());
     if (end.reached && under_way && !is_at(way_.back(), end.q)) {
-      fault(FaultKind::order, fmt::format("the motion is done at way point {} of {} of its guide",
+      fault(FaultKind::order, fmt::format("the motion is done at waypoint {} of {} of its guide",
                                           next_, way_.size() - 1));
     }
     way_.clear();
@@ -178,7 +178,7 @@ class GuideCheck {
   Faults& faults_;
   const SceneRobot& robot_;
   std::vector<std::vector<double>> way_;
-  int next_ = 0;  ///< the way point that has begun
+  int next_ = 0;  ///< the waypoint that has begun
   double spread_ = 0;
   std::vector<double> q_;  ///< once it is known
   const Record* record_ = nullptr;

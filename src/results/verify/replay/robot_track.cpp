@@ -365,10 +365,10 @@ class TrackBuilder {
   Faults& faults_;
   RobotTrack track_;
   std::vector<double> q_;
-  /// m: how far a tool that works was beside its strip since its way point began
+  /// m: how far a tool that works was beside its strip since its waypoint began
   double aside_ = 0;
   int left_ = 0;                        ///< waypoints of the motion after the one under way
-  std::vector<double> q_at_way_point_;  ///< when the last way point began
+  std::vector<double> q_at_way_point_;  ///< when the last waypoint began
   std::string last_status_;             ///< of its last motion
   MotionRun moving_;                    ///< the run that goes on
   MotionRun stopped_;  ///< the run of the stop just before, if nothing was tried since

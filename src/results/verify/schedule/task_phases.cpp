@@ -104,7 +104,7 @@ class PhaseCheck {
 
   bool follow(const Goal&) { return true; }
   bool follow(const GuidePlan&) { return in_motion("the plan of a guide"); }
-  bool follow(const WayPoint&) { return in_motion("a way point"); }
+  bool follow(const WayPoint&) { return in_motion("a waypoint"); }
   bool follow(const Pause&) { return true; }
   bool follow(const Try&) { return in_motion("an attempt"); }
   bool follow(const Wait&) { return in_motion("an attempt"); }
