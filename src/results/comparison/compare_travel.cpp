@@ -17,6 +17,11 @@ namespace rubicon::comparison {
 
 namespace {
 
+/// Among things with a timetable a way may be waited out for ever; each second of it costs work.
+/// It has its limit after an hour, or after this many times the straight line if that is longer.
+constexpr double kLongestSeconds = 3600;
+constexpr double kLongestDetour = 50;
+
 /// What keeps a timetable, in the frame in which its shapes are, at its height.
 void add_moving(const interpreter::MovingSpec& moving, travel::GrownView& view) {
   const auto& places = moving.timetable.places;
@@ -110,6 +115,10 @@ TravelComparison compare_travel(const interpreter::PlanModel& plan, const std::s
   comparison.movings = static_cast<std::size_t>(
       std::count_if(query.obstacles.begin(), query.obstacles.end(),
                     [](const travel::Obstacle& each) { return !each.timetable.empty(); }));
+  if (comparison.movings > 0) {
+    const double straight = (comparison.destination - comparison.start).norm() / own.speed;
+    own.most_time = std::min(own.most_time, std::max(kLongestSeconds, kLongestDetour * straight));
+  }
   for (const travel::Method method : travel::kMethods) {
     const bool stands_only = method == travel::Method::kBug1 || method == travel::Method::kVisBug21;
     if (comparison.movings > 0 && stands_only) {
