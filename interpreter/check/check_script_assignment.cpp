@@ -183,7 +183,12 @@ class AssignmentChecker {
   }
 
   void walk_use(const Statement& statement) {
-    if (statement.value) return;  // stop
+    if (statement.value) {  // stop: what follows is not reached
+      for (std::size_t i = 0; i < is_target_.size(); ++i) {
+        if (is_target_[i]) set(static_cast<int>(i));
+      }
+      return;
+    }
     const auto found = subject_.behaviours.index.find(statement.name.text());
     if (found == subject_.behaviours.index.end()) return;
     const Summary& summary = summaries_[found->second];

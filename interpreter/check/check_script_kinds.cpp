@@ -382,6 +382,10 @@ class KindChecker {
       const ValueKind kind = kind_of(argument);
       const ValueKind wanted = wanted_kind(function.arguments[i]);
       const bool fits = needs_.value(wanted, argument, kind, who, call.span);
+      if (function.arguments[i] != Argument::place && kind == ValueKind::place) {
+        diagnostics_.error("S12", argument.span, who + " needs a number, not a place on the way");
+        continue;
+      }
       if (i == 0 && fits) first = kind;
     }
     if (function.reads == Reads::sensor) check_sensor(call, function);

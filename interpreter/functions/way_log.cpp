@@ -150,7 +150,9 @@ int WayLog::circled(int place) const {
     const Step& a = at(k);
     const Step& b = at(k + 1);
     area += (a.x - now.x) * (b.y - now.y) - (a.y - now.y) * (b.x - now.x);
-    if (distance(k, last) > near + kSamePoint) continue;
+    const double x = a.x - now.x;
+    const double y = a.y - now.y;
+    if (x * x + y * y > (near + kSamePoint) * (near + kSamePoint)) continue;
     if (std::fabs(area) > 2 * near * near) return area > 0 ? 1 : -1;
   }
   return 0;

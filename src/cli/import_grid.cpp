@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "interpreter/syntax/token.hpp"
 #include "src/cli/check_import.hpp"
 #include "src/cli/fail.hpp"
 #include "src/exchange/files/atomic_file_io.hpp"
@@ -29,6 +30,7 @@ std::string plan_name(const std::string& path) {
   if (name.empty() || std::isalpha(static_cast<unsigned char>(name.front())) == 0) {
     name = "map_" + name;
   }
+  if (interpreter::is_reserved(name)) name += "_";
   return name;
 }
 

@@ -135,7 +135,10 @@ class GridTest(ResultCase):
         changed = json.loads(good)
         changed["agents"][0]["shortest"] = 5
         self.assertIn("is said to have 5 ticks, and has 6", faults(changed))
-        for text in ('{"format": "rubicon-grid"}', good[: len(good) // 2]):
+        changed = json.loads(good)
+        changed["outcome"] = "no_solution"
+        self.assertIn("has a way, though nothing was solved", faults(changed))
+        for text in (good.replace('"solved"', '"perhaps"'), '{"format": "rubicon-grid"}', good[: len(good) // 2]):
             self.write("ways.json", text)
             self.assertEqual(rubicon("verify", path).returncode, 2)
 

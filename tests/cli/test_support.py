@@ -162,6 +162,21 @@ class Support(unittest.TestCase):
                              warns="at the beginning middle does not stand: middle would turn on foot, and top with it")
         self.assertEqual(rows["on_top"]["reason"], "b does not stand: it rests on top, which does not stand")
 
+    def test_what_did_not_stand_at_the_beginning_is_judged_where_it_is_put(self):
+        walls = box("wall", 10, height=1, more="mass 3 t;") + box("pier", 20, height=1, more="mass 3 t;")
+        beam = box("beam", 11.2, z=1, width=3, height=0.2, more="mass 1 t;")
+        warns = "at the beginning beam does not stand: beam would turn on wall"
+        rows = self.run_plan(walls, beam, self.EQUILIBRIUM, move("again", "beam", 21.2, 1), exit_code=1, warns=warns)
+        self.assertEqual(rows["again"]["reason"], "beam cannot be let go: beam would turn on pier")
+        rows = self.run_plan(walls, beam, self.EQUILIBRIUM, move("flat", "beam", 20, 1), box("b", 0, more="mass 1 t;"),
+                             move("on_top", "b", 20, 1.2, "after flat;"), warns=warns)
+        self.assertEqual([rows["flat"]["result"], rows["on_top"]["result"]], ["done", "done"])
+
+    def test_what_has_no_weight_is_judged_by_its_middle(self):
+        panel = box("stack", 10, height=1, more="mass 3 t;") + box("panel", 0, width=3, height=0.2, more="fixed to site;")
+        rows = self.run_plan(panel, self.EQUILIBRIUM, move("store", "panel", 11.9, 1), exit_code=1)
+        self.assertIn("its centre of mass is", rows["store"]["reason"])
+
     def test_friction_and_the_second_opinion(self):
         # The coefficient is 0.5; its pyramid holds up to 0.35 in the direction where it is weakest.
         for slope, words in ((0.3, ""), (0.6, "at the beginning sheet does not stand: sheet would slide on ramp")):

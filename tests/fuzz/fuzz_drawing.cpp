@@ -1,9 +1,11 @@
 #include <cstdint>
+#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "interpreter/parse/parse.hpp"
 #include "src/exchange/area_io/floor_drawing.hpp"
 
 /// Any bytes as a drawing: no crash, no hang, and what is made of it is a plan that parses.
@@ -19,6 +21,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   interpreter::Diagnostics diagnostics;
   std::vector<std::string> notes;
   const auto areas = area_io::floors_of_drawing(*drawing, terms, notes, diagnostics);
-  if (!areas.empty()) area_io::area_text(areas, {"deck", notes});
+  if (areas.empty()) return 0;
+  interpreter::SourceMap sources;
+  interpreter::Diagnostics found;
+  const auto file = sources.add("deck.plan", area_io::area_text(areas, {"deck", notes}));
+  interpreter::parse_plan(sources, file, found);
+  if (found.has_errors()) std::abort();
   return 0;
 }

@@ -52,7 +52,6 @@ class DxfReader {
   Drawing read() {
     refuse_other_formats();
     while (next()) {
-      if (group_.code == kComment) continue;
       if (group_.code != kKind) {
         fail("expected 0 and SECTION, found group code " + std::to_string(group_.code));
       }
@@ -97,17 +96,20 @@ class DxfReader {
       held_ = false;
       return true;
     }
-    const auto code = next_line();
-    if (!code || (code->empty() && at_ >= text_.size())) return false;
-    int number = 0;
-    const auto [end, error] = std::from_chars(code->data(), code->data() + code->size(), number);
-    if (error != std::errc() || end != code->data() + code->size()) {
-      fail(fmt::format("expected a group code, found '{}'", shown(*code)));
+    while (true) {
+      const auto code = next_line();
+      if (!code || (code->empty() && at_ >= text_.size())) return false;
+      int number = 0;
+      const auto [end, error] = std::from_chars(code->data(), code->data() + code->size(), number);
+      if (error != std::errc() || end != code->data() + code->size()) {
+        fail(fmt::format("expected a group code, found '{}'", shown(*code)));
+      }
+      const auto value = next_line();
+      if (!value) fail("the file ends behind a group code: it may be cut off");
+      if (number == kComment) continue;
+      group_ = {number, *value, line_};
+      return true;
     }
-    const auto value = next_line();
-    if (!value) fail("the file ends behind a group code: it may be cut off");
-    group_ = {number, *value, line_};
-    return true;
   }
 
   double real() const {
@@ -164,7 +166,8 @@ class DxfReader {
     DrawnLine drawn;
     std::vector<double> x, y;
     std::vector<std::pair<std::size_t, double>> bulges;  ///< of the corner before
-    double end_x = 0, end_y = 0, radius = 0, from = 0, to = 360, normal = 1;
+    std::optional<double> end_x, end_y;
+    double radius = 0, from = 0, to = 360, normal = 1;
     bool sheet = false;
     int flags = 0;
   };
@@ -288,7 +291,8 @@ class DxfReader {
     }
     DrawnLine& drawn = entity.drawn;
     if (kind == "LINE") {
-      drawn.points = {{entity.x[0], entity.y[0]}, {entity.end_x, entity.end_y}};
+      if (!entity.end_x || !entity.end_y) fail_at(line, "LINE has no end");
+      drawn.points = {{entity.x[0], entity.y[0]}, {*entity.end_x, *entity.end_y}};
       return;
     }
     if (kind == "CIRCLE" || kind == "ARC") {
@@ -313,6 +317,9 @@ class DxfReader {
       if (corner > 0) bulges[corner - 1] = bulge;
     }
     for (std::size_t i = 0; i < count; ++i) {
+      if (points_ + drawn.points.size() > kMostDrawnPoints) {
+        fail_at(line, fmt::format("the drawing has more than {} points", kMostDrawnPoints));
+      }
       const Place from{entity.x[i], entity.y[i]};
       const bool last = i + 1 == count;
       const std::size_t next = last ? 0 : i + 1;

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 
+#include "src/fleets/grid/cell_graph.hpp"
+#include "src/fleets/grid/distances.hpp"
+
 namespace rubicon::grid {
 
 namespace {
@@ -86,6 +89,17 @@ std::vector<GridFault> faults_of(const GridProblem& problem) {
       faults.push_back({index, -1, true,
                         fmt::format("agent '{}' cannot reach {} from {}: walls lie between",
                                     agent.name, text(agent.to), text(agent.from))});
+    }
+  }
+  if (faults.empty() && map.open.size() > static_cast<std::size_t>(kLongestWay)) {
+    const CellGraph graph(map);
+    for (std::size_t i = 0; i < problem.agents.size(); ++i) {
+      const GridAgent& agent = problem.agents[i];
+      Distances ways(graph, {graph.id(agent.to)});
+      if (ways.of(0, graph.id(agent.from)) < kLongestWay) continue;
+      faults.push_back({static_cast<int>(i), -1, true,
+                        fmt::format("the way of agent '{}' has {} steps or more; expected fewer",
+                                    agent.name, kLongestWay)});
     }
   }
   return faults;

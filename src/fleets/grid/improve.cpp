@@ -23,6 +23,8 @@ constexpr int kWalks = 10;
 constexpr double kMemory = 0.95;
 /// Least weight of a kind of group, as a share of the largest, so that each is tried now and then.
 constexpr double kLeastShare = 0.02;
+/// Gain for work below which all kinds are alike.
+constexpr double kLeastRate = 1e-9;
 
 /// What is believed of each kind at first, for each agent of the group.
 constexpr double kFirstGain = 1;
@@ -80,7 +82,8 @@ class Improver {
   std::int64_t spent() const { return finder_.expansions() + looks_; }
 
   Choice& choose() {
-    double best = 0, all = 0;
+    // What decays to 0 would be chosen for ever.
+    double best = kLeastRate, all = 0;
     for (const Choice& each : choices_) best = std::max(best, each.gain / each.work);
     const auto weight = [&](const Choice& each) {
       return std::max(each.gain / each.work, kLeastShare * best);

@@ -59,7 +59,7 @@ class Search {
 
   LacamResult run(std::int64_t limit) {
     LacamResult result;
-    while (!open_.empty() && spent() < limit) {
+    while (!open_.empty() && spent() < limit && kept_ < kMostKept) {
       const int top = open_.back();
       if (nodes_[at(top)].cells == goals_) {
         result.end = LacamResult::End::solved;
@@ -102,6 +102,9 @@ class Search {
 
  private:
   static constexpr float kFar = 1e6F;
+  /// Bytes of all configurations that are kept at most, and of one without its agents, about.
+  static constexpr std::int64_t kMostKept = 2'000'000'000;
+  static constexpr std::int64_t kKeptBeside = 350;
 
   std::int64_t spent() const { return moves_.expansions() + looks_ * kLook; }
 
@@ -115,6 +118,7 @@ class Search {
 
   void add(Configuration cells, int parent, std::vector<float> priorities) {
     const int index = static_cast<int>(nodes_.size());
+    kept_ += kKeptBeside + 8 * static_cast<std::int64_t>(cells.size());
     known_.emplace(hash_of(cells), index);
     std::int64_t away = 0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -193,6 +197,7 @@ class Search {
   int nearest_ = 0;
   std::int64_t least_away_ = std::numeric_limits<std::int64_t>::max();
   std::int64_t looks_ = 0;
+  std::int64_t kept_ = 0;
 };
 
 }  // namespace

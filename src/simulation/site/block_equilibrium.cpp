@@ -19,6 +19,8 @@ constexpr double kInset = 1e-3;
 /// What comes down with more than this share of the heaviest weight is no rounding. The programme
 /// keeps its rows to a hundredth of it.
 constexpr double kPower = 1e-7;
+/// The least weight, as a share of the heaviest: a light part must not tip within the rounding.
+constexpr double kLightest = 1e-4;
 constexpr double kTolerance = 1e-9;
 constexpr double kNothing = 1e-9;
 /// An answer is believed if its certificate holds to so much: forces balance, a motion is free.
@@ -124,7 +126,11 @@ class Collapse {
 
  private:
   std::size_t unknowns() const { return 6 * blocks_.size(); }
-  double weight(std::size_t block) const { return blocks_[block].mass / heaviest_; }
+  /// Of the heaviest. What is lighter than kLightest is judged as if it were so heavy.
+  double weight(std::size_t block) const {
+    const double mass = blocks_[block].mass;
+    return mass > 0 ? std::max(mass / heaviest_, kLightest) : 0;
+  }
 
   void grow(int block, const Vec3& corner) {
     const auto i = static_cast<std::size_t>(block);

@@ -75,8 +75,8 @@ const Equilibrium::Holding& Equilibrium::holding_of(Thing component) {
 
 /// What cannot move, or is taken to stand as it is.
 bool Equilibrium::is_anchored(Thing thing) {
-  return !support_.is_component(thing) || soils_.contains(thing) ||
-         support_.floating_[Support::at(thing)] || holding_of(thing).is_fixed;
+  return !support_.is_component(thing) || soils_.contains(thing) || support_.floats(thing) ||
+         holding_of(thing).is_fixed;
 }
 
 bool Equilibrium::may_move(Thing thing) {

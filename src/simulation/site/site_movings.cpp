@@ -190,7 +190,8 @@ bool SiteWorld::is_on_its_way(int moving) const {
   const MovingThing& thing = this->moving(moving);
   if (thing.state().stop || !thing.is_present(now_)) return false;
   const Ticks soon = now_ + schedule::kSecond / 1000;
-  return !thing.pose(now_).isApprox(thing.pose(soon), 1e-9);
+  constexpr double kStands = 1e-9;  // m, and of directions
+  return (thing.pose(now_).matrix() - thing.pose(soon).matrix()).cwiseAbs().maxCoeff() > kStands;
 }
 
 std::optional<OtherMet> SiteWorld::first_moving_met(int robot, collision::MovingBodies& bodies,

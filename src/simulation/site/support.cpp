@@ -160,10 +160,16 @@ const collision::BodyPtr& Support::body_of(Thing thing) {
   return body;
 }
 
+bool Support::floats(Thing thing) const {
+  return floating_[at(thing)] &&
+         (!is_component(thing) ||
+          placed_[at(thing)].X_WO.matrix() == plan_.components[at(thing)].X_WO.matrix());
+}
+
 /// In warned plans also what does not stand itself.
 bool Support::carries(Thing thing, Thing without) const {
   const bool strict = plan_.support.mode == interpreter::SupportRules::Mode::on;
-  return thing != without && placed_[at(thing)].stands && !(strict && floating_[at(thing)]);
+  return thing != without && placed_[at(thing)].stands && !(strict && floats(thing));
 }
 
 bool Support::touches(int component, const math::Pose& X_WO, Thing thing) {
@@ -258,7 +264,9 @@ Support::Answer Support::judge(int component, const math::Pose& X_WO, Thing with
   }
   const Vec2 centre = (X_WO * surface->centre_of_mass).head<2>();
   const double inside = depth_in_polygon(convex_hull(points), centre);
-  answer.stands = plan_.support.equilibrium ? !points.empty() : inside >= kMargin;
+  // What has no weight turns nothing in the balance of forces: it is judged by its middle.
+  const bool balances = plan_.support.equilibrium && spec.mass > 0;
+  answer.stands = balances ? !points.empty() : inside >= kMargin;
   if (answer.stands) return answer;
   if (!points.empty()) {
     if (const auto brace = holder(spec.braced_by, component, X_WO, without)) {
@@ -384,7 +392,7 @@ std::vector<int> Support::left_without(int component) {
   std::vector<int> left;
   const Placed& taken = placed_[at(component)];
   for (const Thing each : near(taken.lower, taken.upper)) {
-    if (each == component || !is_component(each) || floating_[at(each)]) continue;
+    if (each == component || !is_component(each) || floats(each)) continue;
     const Placed& other = placed_[at(each)];
     if ((other.lower.array() > taken.upper.array() + gap_ + kResolution).any() ||
         (other.upper.array() < taken.lower.array() - gap_ - kResolution).any()) {

@@ -83,6 +83,9 @@ class Support {
   const collision::BodyPtr& body_of(Thing thing);
   std::optional<Collapse> only_new(Collapse collapse, const std::vector<Thing>& around);
 
+  /// It did not stand at the beginning, and is still where it was then.
+  bool floats(Thing thing) const;
+
   const interpreter::PlanModel& plan_;
   const SiteWorld& site_;
   Thing ground_ = -1;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "src/motion/math/random.hpp"
@@ -68,7 +69,14 @@ std::vector<interpreter::ParameterTexts> latin_hypercube(const StudyModel& study
 }  // namespace
 
 std::string value_at(const Variable::Range& range, double share) {
-  const std::string text = fmt::format("{:.6g}", range.low + (range.high - range.low) * share);
+  // Six digits of the range, whatever its values are, and never beyond its ends.
+  const double width = range.high - range.low;
+  const double largest = std::max(std::fabs(range.low), std::fabs(range.high));
+  const int more = width > 0 ? static_cast<int>(std::ceil(std::log10(largest / width))) : 0;
+  std::string text = fmt::format("{:.{}g}", range.low + width * share, std::clamp(5 + more, 6, 17));
+  const double value = std::stod(text);
+  if (value < range.low) text = fmt::format("{}", range.low);
+  if (value > range.high) text = fmt::format("{}", range.high);
   return range.unit.empty() ? text : text + " " + range.unit;
 }
 

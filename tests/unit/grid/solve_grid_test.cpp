@@ -147,6 +147,16 @@ TEST(SolveGrid, EndsWithItsBudget) {
   EXPECT_LE(solution.expansions, 520);
 }
 
+TEST(SolveGrid, RefusesWaysThatAreTooLong) {
+  GridProblem problem{drawn_map({std::string(static_cast<std::size_t>(kLongestWay) + 1, '.')}), {}};
+  problem.agents.push_back({"a", {0, 0}, {kLongestWay - 1, 0}});
+  EXPECT_TRUE(faults_of(problem).empty());
+  problem.agents[0].to.x = kLongestWay;
+  ASSERT_EQ(faults_of(problem).size(), 1U);
+  EXPECT_EQ(faults_of(problem)[0].message,
+            "the way of agent 'a' has 65000 steps or more; expected fewer");
+}
+
 TEST(SolveGrid, NobodyToMove) {
   const GridSolution solution = solve({drawn_map({"..."}), {}}, {});
   EXPECT_EQ(solution.end, GridSolution::End::solved);

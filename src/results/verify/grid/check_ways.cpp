@@ -36,7 +36,18 @@ class WaysCheck {
     read_walkers();
     check_least_cost();
     verdict_.agents = static_cast<int>(walkers_.size());
-    if (fields_.text("outcome") != "solved") return std::move(verdict_);
+    const std::string outcome = fields_.text("outcome");
+    if (outcome != "solved") {
+      if (outcome != "no_solution" && outcome != "out_of_expansions") {
+        throw UnreadableInput("the outcome is none that a grid has");
+      }
+      for (const Walker& walker : walkers_) {
+        if (!walker.way.empty()) {
+          fault("agent '" + walker.name + "' has a way, though nothing was solved");
+        }
+      }
+      return std::move(verdict_);
+    }
     verdict_.solved = true;
     walk();
     for (const Walker& walker : walkers_) {

@@ -169,7 +169,7 @@ class SupportCheck {
       rest_on(under.top);
     }
     if (scene_.site.empty()) rest_on(ground(each.bounds));
-    if (scene_.support->friction && !points.empty()) return;
+    if (scene_.support->friction && component.mass > 0 && !points.empty()) return;
     if (is_between((each.X_WS * each.hull->centre_of_mass).head<2>(), points)) return;
     if (is_held(each, component.fixed_to, carriers)) return;
     if (!points.empty() &&
