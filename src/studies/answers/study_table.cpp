@@ -58,15 +58,22 @@ class Table {
     line("study {}: {} variant{} of {}, {}", study_.name, count, count == 1 ? "" : "s", study_.plan,
          runs);
     if (is_cut()) {
-      line("{} shown; --format csv tells all", shown_.size() == 1
-                                                   ? std::string("the best is")
-                                                   : fmt::format("the {} best are", shown_.size()));
+      const std::string which = !has_good() ? "none is good; the first are"
+                                : shown_.size() == 1
+                                    ? "the best is"
+                                    : fmt::format("the {} best are", shown_.size());
+      line("{} shown; --format csv tells all", which);
     }
   }
 
   /// A search tries many variants, of which only the best are of interest.
   bool is_cut() const {
     return study_.design == Design::search && variants_.size() > kShownSearched;
+  }
+
+  /// Whether a search found a variant that may be chosen.
+  bool has_good() const {
+    return answers_.choice ? !answers_.choice->judged.empty() : !by_makespan().empty();
   }
 
   /// All, in order; of a search the best by its rule, the best first, or the front of time and
@@ -84,6 +91,10 @@ class Table {
     } else {
       result = answers_.pareto;
       if (result.empty()) result = by_makespan();
+    }
+    // Where none is good, the first tell why not.
+    for (std::size_t v = 0; is_cut() && !has_good() && v < kShownSearched; ++v) {
+      result.push_back(v);
     }
     if (is_cut() && result.size() > kShownSearched) result.resize(kShownSearched);
     return result;
