@@ -72,8 +72,12 @@ std::string value_at(const Variable::Range& range, double share) {
   // Six digits of the range, whatever its values are, and never beyond its ends.
   const double width = range.high - range.low;
   const double largest = std::max(std::fabs(range.low), std::fabs(range.high));
-  const int more = width > 0 ? static_cast<int>(std::ceil(std::log10(largest / width))) : 0;
-  std::string text = fmt::format("{:.{}g}", range.low + width * share, std::clamp(5 + more, 6, 17));
+  constexpr int kLeastDigits = 6;
+  constexpr int kMostDigits = 17;
+  int digits = kLeastDigits - 1;
+  for (double reach = width; reach < largest && digits < kMostDigits; reach *= 10) ++digits;
+  digits = std::max(digits, kLeastDigits);
+  std::string text = fmt::format("{:.{}g}", range.low + width * share, digits);
   const double value = std::stod(text);
   if (value < range.low) text = fmt::format("{}", range.low);
   if (value > range.high) text = fmt::format("{}", range.high);
