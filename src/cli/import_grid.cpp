@@ -37,8 +37,12 @@ std::string plan_name(const std::string& path) {
 /// A file as the plan names it: from the folder of the plan.
 std::string named_from(const std::string& file, const std::string& plan) {
   std::error_code error;
-  const auto folder = std::filesystem::weakly_canonical(plan, error).parent_path();
-  const auto path = std::filesystem::weakly_canonical(file, error);
+  // The plan is not there yet: of a name alone weakly_canonical would make no absolute path.
+  const auto place = [&](const std::string& name) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
+  };
+  const auto folder = place(plan).parent_path();
+  const auto path = place(file);
   if (error) return file;
   return path.lexically_relative(folder).generic_string();
 }

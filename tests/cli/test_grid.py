@@ -3,9 +3,10 @@ the file format only; what is wrong in strangers' files is said with its place."
 
 import json
 import os
+import subprocess
 import unittest
 
-from result_case import ResultCase, rubicon
+from result_case import RUBICON, ResultCase, rubicon
 
 MAP = "type octile\nheight 3\nwidth 7\nmap\n@@@.@@@\n.......\n@@@.@@@\n"
 SCEN = (
@@ -178,6 +179,15 @@ class GridTest(ResultCase):
         self.assertIn("map goes with policy grid", self.said("check", mixed))
         self.assertIn("has no tasks", self.said("flow", self.plan('scenario "lane.scen";')))
         self.assertIn("go with tasks", self.said("run", self.plan(""), "--trace", self.path("t.jsonl")))
+
+    def test_files_are_named_from_the_folder_of_the_plan(self):
+        os.mkdir(self.path("plans"))
+        for out, name in (("here.plan", "lane.map"), (os.path.join("plans", "there.plan"), "../lane.map")):
+            done = subprocess.run([RUBICON, "import", "lane.map", "lane.scen", "--out", out], capture_output=True, text=True, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(self.path(out)) as file:
+                self.assertIn(f'map "{name}";', file.read())
+            self.assertEqual(rubicon("run", self.path(out)).returncode, 0)
 
     def test_wrong_imports(self):
         lane = self.path("lane.map")
