@@ -212,9 +212,9 @@ int run_study_command(const StudyOptions& options) {
   std::optional<std::vector<study::VariantRuns>> variants;
   std::string failure;
   if (must_search(*study.model)) {
-    study::SearchResult found = search(study, runner);
-    variants = std::move(found.variants);
-    failure = std::move(found.failure);
+    study::SearchResult result = search(study, runner);
+    variants = std::move(result.variants);
+    failure = std::move(result.failure);
   } else {
     StudyProgress progress;
     runner.on_progress = [&](std::int64_t done, std::int64_t planned) {
@@ -229,8 +229,8 @@ int run_study_command(const StudyOptions& options) {
     auto opened = files::ResultFolder::open(options.out);
     if (auto* message = std::get_if<std::string>(&opened)) return fail(*message);
     folder.emplace(std::get<files::ResultFolder>(std::move(opened)));
-    if (const auto failure = write_study(*folder, *study.model, *variants, answers)) {
-      return fail(*failure);
+    if (const auto unwritten = write_study(*folder, *study.model, *variants, answers)) {
+      return fail(*unwritten);
     }
     log->remove();
   }

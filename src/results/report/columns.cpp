@@ -4,16 +4,11 @@
 
 namespace rubicon::report {
 
-namespace {
-
-/// How many characters a terminal shows: code points.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
   }));
 }
-
-}  // namespace
 
 std::string columns(const std::vector<TableRow>& rows, const std::vector<std::size_t>& right) {
   std::vector<std::size_t> widths(rows.front().size(), 0);
