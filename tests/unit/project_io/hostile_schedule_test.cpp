@@ -172,15 +172,16 @@ std::string large(int count) {
 }
 
 TEST(HostileSchedule, a_hundred_thousand_tasks_take_seconds_and_grow_in_line) {
-  const std::string small = large(25000), big = large(100000);
+  const std::string small = large(6250), big = large(100000);
   const auto work = [](const std::string& text) {
     const Reading reading = read_schedule(text);
     ASSERT_TRUE(reading.project);
     const Planned planned = plan_of(*reading.project);
     EXPECT_EQ(planned.mistakes, "");
   };
+  // 16 is linear, 256 quadratic.
   EXPECT_TRUE(grows_at_most(
-      8, [&] { work(small); }, [&] { work(big); }));
+      64, [&] { work(small); }, [&] { work(big); }));
 }
 
 }  // namespace
