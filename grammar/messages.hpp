@@ -197,6 +197,7 @@ RUBICON_EXPECT(component_part, "component", Explain::item,
                "shape at grip mass density cost fixed braced people name storey type guid "
                "attribute");
 RUBICON_EXPECT(fixed_thing, "the name of a component, or site");
+RUBICON_EXPECT(fixed_after, "the name of a task after 'after'");
 RUBICON_EXPECT(brace, "the name of a component or a crew");
 RUBICON_EXPECT(component_name, "a name after component");
 RUBICON_EXPECT(cost_amount, "an amount per h");

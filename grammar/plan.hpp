@@ -168,7 +168,11 @@ struct component_cost : if_must<material_key, material_amount, plan_semicolon> {
 struct fixed_key
     : token<seq<word<TAO_PEGTL_STRING("fixed")>, plus<blank>, word<TAO_PEGTL_STRING("to")>>> {};
 struct fixed_thing : qualified_indexed_name {};
-struct component_fixed : if_must<fixed_key, fixed_thing, plan_semicolon> {};
+struct fixed_after_key : token<word<TAO_PEGTL_STRING("after")>> {};
+struct fixed_after : qualified_indexed_name {};
+struct component_fixed
+    : if_must<fixed_key, fixed_thing, opt<if_must<fixed_after_key, fixed_after>>, plan_semicolon> {
+};
 struct braced_key
     : token<seq<word<TAO_PEGTL_STRING("braced")>, plus<blank>, word<TAO_PEGTL_STRING("by")>>> {};
 struct brace : qualified_indexed_name {};

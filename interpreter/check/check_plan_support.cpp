@@ -107,21 +107,31 @@ std::optional<ThingRef> find_holder(Subject& subject, const Scope& scope,
   return std::nullopt;
 }
 
+/// The same; nothing too after reporting that it is the component itself.
+std::optional<ThingRef> find_other_holder(Subject& subject, const Scope& scope,
+                                          const syntax::ComponentItem& item,
+                                          const syntax::QualifiedName& name, bool is_brace) {
+  if (name.body || name.name.text != item.name.text) {
+    return find_holder(subject, scope, name, is_brace);
+  }
+  subject.error("P05", name.span,
+                fmt::format("component '{}' is {} itself", item.name.text,
+                            is_brace ? "braced by" : "fixed to"));
+  return std::nullopt;
+}
+
 /// `component` is null where a module is not placed: only names are looked up.
 void resolve_holders(Subject& subject, const Scope& scope, const syntax::ComponentItem& item,
                      ComponentSpec* component) {
-  for (const bool is_brace : {false, true}) {
-    for (const syntax::QualifiedName& name : is_brace ? item.braced_by : item.fixed_to) {
-      if (!name.body && name.name.text == item.name.text) {
-        subject.error("P05", name.span,
-                      fmt::format("component '{}' is {} itself", item.name.text,
-                                  is_brace ? "braced by" : "fixed to"));
-        continue;
-      }
-      const auto holder = find_holder(subject, scope, name, is_brace);
-      if (!holder || component == nullptr) continue;
-      (is_brace ? component->braced_by : component->fixed_to).push_back(*holder);
-    }
+  for (const syntax::Fixing& fixing : item.fixed_to) {
+    const auto holder = find_other_holder(subject, scope, item, fixing.to, false);
+    const std::optional<int> after =
+        fixing.after ? find_task(subject, scope, *fixing.after) : std::optional<int>(-1);
+    if (holder && after && component != nullptr) component->fixed_to.push_back({*holder, *after});
+  }
+  for (const syntax::QualifiedName& name : item.braced_by) {
+    const auto holder = find_other_holder(subject, scope, item, name, true);
+    if (holder && component != nullptr) component->braced_by.push_back(*holder);
   }
 }
 

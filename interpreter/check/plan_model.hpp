@@ -77,6 +77,12 @@ struct ThingRef {
   auto operator<=>(const ThingRef&) const = default;
 };
 
+/// What a component is fixed to: a component or the site.
+struct Fixing {
+  ThingRef to;
+  int after = -1;  ///< the task that must be done first; -1: it holds wherever they touch
+};
+
 struct ComponentSpec {
   std::string name;  ///< unique in the plan, placed modules' as PLACE.NAME
   std::vector<geometry::Shape> shapes;
@@ -86,7 +92,7 @@ struct ComponentSpec {
   Span span;
   Attributes attributes = {};
   std::optional<double> cost = {};       ///< of its material
-  std::vector<ThingRef> fixed_to = {};   ///< components, the site: what it touches carries it
+  std::vector<Fixing> fixed_to = {};     ///< what of it the component touches carries it
   std::vector<ThingRef> braced_by = {};  ///< components, crews: keep it from turning over
   bool people = false;                   ///< people are in or on it
 };

@@ -85,6 +85,7 @@ class PlainItems {
   void part(syntax::Values& value);
   void part(syntax::Cost& value) { mark(value.span), number(value.amount); }
   void part(syntax::QualifiedName& value) { name(value); }
+  void part(syntax::Fixing& value) { name(value.to), each(value.after); }
   void part(syntax::Charges& value);
   void part(syntax::AttributeItem& value) { mark(value.span), item(value); }
   template <typename Part>

@@ -144,14 +144,17 @@ class Qualifier {
   void rename(Item&) {}
 
   void rename_holders(syntax::ComponentItem& item) {
-    for (auto* holders : {&item.fixed_to, &item.braced_by}) {
-      for (syntax::QualifiedName& each : *holders) {
-        if (!each.body && workers_.count(each.name.text) != 0) {
-          prefix(each.name);
-        } else {
-          refer(each, components_, inner_components_);
-        }
-      }
+    for (syntax::Fixing& each : item.fixed_to) {
+      rename_holder(each.to);
+      if (each.after) refer(*each.after, tasks_, inner_tasks_);
+    }
+    for (syntax::QualifiedName& each : item.braced_by) rename_holder(each);
+  }
+  void rename_holder(syntax::QualifiedName& holder) {
+    if (!holder.body && workers_.count(holder.name.text) != 0) {
+      prefix(holder.name);
+    } else {
+      refer(holder, components_, inner_components_);
     }
   }
 

@@ -112,6 +112,7 @@ bool Machine::go_on(World& world, EventSink* events) {
       if (end_) return false;
       guide_.reset();
       if (!may_leave_way_point()) return false;
+      note_missed();
       way_point_begun_ = false;
       if (++way_point_ == task_.goals.size()) {
         --way_point_;
@@ -160,6 +161,21 @@ bool Machine::may_leave_way_point() {
   end_->message = fmt::format("waypoint {} of {} over the floor is not reached: {}", way_point_ + 1,
                               task_.goals.size(), end_->message);
   return false;
+}
+
+/// A script may leave a waypoint without reaching it; it is told at the end of the motion.
+void Machine::note_missed() {
+  if (!goal_.via || is_near_goal()) return;
+  std::vector<double> there = goal_.q;
+  if (!goal_.X_WG) {
+    // What the waypoint does not name is anywhere.
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      if (!goal_.named[i]) there[i] = q_[i];
+    }
+    robot::update_derived(*model_, task_.mounting, there);
+  }
+  const math::Vec3 p_WG = goal_.X_WG ? goal_.p_WG : tool_place(there);
+  missed_.push_back({static_cast<int>(way_point_) + 1, tool_distance(p_WG)});
 }
 
 bool Machine::begin_way_point(World& world, EventSink* events) {
@@ -275,6 +291,7 @@ void Machine::finish(MotionStatus status, std::string message, Span span) {
   end_->message = std::move(message);
   end_->span = span;
   end_->hit = last_hit_;
+  end_->missed = missed_;
   for (std::size_t i = 0; i < variables_.size(); ++i) {
     if (variables_[i].set) {
       end_->variables.emplace_back(program_->variables[i], variables_[i].value.number);

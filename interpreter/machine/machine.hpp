@@ -55,6 +55,12 @@ struct RefusalCounts {
   int total() const { return at_goal + no_direction + limit + hit; }
 };
 
+/// A waypoint that the script left without reaching it.
+struct MissedWayPoint {
+  int k = 0;       ///< its number among the waypoints of the motion, from 1
+  double off = 0;  ///< m, of the tool from where it is at the waypoint
+};
+
 /// How a motion ended.
 struct MotionEnd {
   MotionStatus status = MotionStatus::done;
@@ -75,6 +81,7 @@ struct MotionEnd {
   std::string message;         ///< in words, for all but done-and-reached
   Span span;                   ///< the script line it speaks of, if any
   std::optional<HitPair> hit;  ///< start_blocked: the pair; livelock and others: the last refusal's
+  std::vector<MissedWayPoint> missed;  ///< in order; the goal is none of them
 };
 
 /// The abstract machine of LANGUAGE section 8. Deterministic; `advance` goes on to the next
@@ -151,6 +158,7 @@ class Machine {
   // machine.cpp: waypoints and the end of a motion
   bool go_on(World& world, EventSink* events);
   bool may_leave_way_point();
+  void note_missed();
   void note_aside();
   bool begin_way_point(World& world, EventSink* events);
   bool resolve_goal(const GoalSpec& spec);
@@ -255,6 +263,7 @@ class Machine {
   std::size_t way_point_ = 0;
   math::Vec3 strip_from_ = math::Vec3::Zero();  ///< where the tool was when the waypoint began
   double aside_ = 0;  ///< m: how far a tool that works has been beside its strip since then
+  std::vector<MissedWayPoint> missed_;
   WayLog way_;        ///< only of scripts that ask for it
   bool way_point_begun_ = false;
   bool started_ = false;

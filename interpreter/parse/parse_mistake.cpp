@@ -137,7 +137,9 @@ void ParseState::fail(const char* at, const grammar::Expectation& expectation) {
   } else {
     ++errors_;
   }
-  throw ParseFailure{bad.begin};
+  const bool no_brace =
+      expectation.what != nullptr && std::string_view(expectation.what).starts_with("'{'");
+  throw ParseFailure{bad.begin, nullptr, no_brace};
 }
 
 // Remarks without '#'.

@@ -299,7 +299,10 @@ RUBICON_ACTION(PlanAction, PlanState, material_amount) {
   st.component.cost.push_back(st.take_quantity());
 }
 RUBICON_ACTION(PlanAction, PlanState, fixed_thing) {
-  st.component.fixed_to.push_back(st.take_qualified_name());
+  st.component.fixed_to.push_back({st.take_qualified_name(), {}});
+}
+RUBICON_ACTION(PlanAction, PlanState, fixed_after) {
+  st.component.fixed_to.back().after = st.take_qualified_name();
 }
 RUBICON_ACTION(PlanAction, PlanState, brace) {
   st.component.braced_by.push_back(st.take_qualified_name());

@@ -142,10 +142,18 @@ const char* ParseState::skip(grammar::Resume resume, const char* begin,
   const char* at = failure.at;
   int parentheses = open_parentheses_before(begin, at);
   int braces = abandoned_braces_;
+  const bool no_brace = failure.no_brace && resume == Resume::item && braces == 0;
+  if (no_brace) ++braces;  // its parts are passed over, as far as it seems to reach
+  const std::ptrdiff_t column = no_brace ? column_of(begin) : 0;
   while (true) {
     const Token next = token(at);
     if (next.kind == Token::Kind::end) return end_;
     const bool moved = next.begin != begin;
+    if (no_brace && braces == 1 && moved && is_first_on_line(next.begin)) {
+      const bool is_item = next.kind == Token::Kind::name && is_item_word(next.text());
+      if (is_item && column_of(next.begin) <= column) return next.begin;
+      if (next.is_symbol('}') && column_of(next.begin) < column) return next.begin;
+    }
     if (braces == 0) {
       if (next.is_symbol('}') && !braces_.empty()) return next.begin;
       if (next.is_symbol(';')) {
@@ -180,6 +188,12 @@ const char* ParseState::skip(grammar::Resume resume, const char* begin,
 bool ParseState::is_first_on_line(const char* at) const {
   while (at != begin_ && (at[-1] == ' ' || at[-1] == '\t')) --at;
   return at == begin_ || at[-1] == '\n';
+}
+
+std::ptrdiff_t ParseState::column_of(const char* at) const {
+  const char* line = at;
+  while (line != begin_ && line[-1] != '\n') --line;
+  return at - line;
 }
 
 bool ParseState::ask(grammar::Query query, const char* at) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@ namespace rubicon::interpreter {
 struct ParseFailure {
   const char* at = nullptr;      ///< where the mistake stands
   const char* resume = nullptr;  ///< where to go on, if that is known: behind a remark
+  bool no_brace = false;         ///< the '{' of a block is missing: what follows may be its parts
 };
 
 /// Too many mistakes: the rest of the file is not read.
@@ -142,6 +144,7 @@ class ParseState {
   const char* const end_;
 
   bool is_first_on_line(const char* at) const;
+  std::ptrdiff_t column_of(const char* at) const;
 
   int errors_ = 0;
   int reported_ = 0;

@@ -3,6 +3,8 @@
 
 #include <charconv>
 #include <numbers>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "interpreter/parse/parse_state.hpp"
@@ -47,6 +49,40 @@ constexpr Unit kUnits[] = {
     {"rad/s2", {0, 1, -2, 0}, kDegreesPerRadian, 1},
     {"rpm", {0, 1, -1, 0}, 6, 1},  // 360 degrees in 60 seconds
 };
+
+/// Units as people write them, and what to write instead.
+constexpr std::pair<std::string_view, std::string_view> kUnitWords[] = {
+    {"ton", "t"},         {"tons", "t"},      {"tonne", "t"},       {"tonnes", "t"},
+    {"to", "t"},          {"kilo", "kg"},     {"kilos", "kg"},      {"kilogram", "kg"},
+    {"kilograms", "kg"},  {"meter", "m"},     {"meters", "m"},      {"metre", "m"},
+    {"metres", "m"},      {"sec", "s"},       {"secs", "s"},        {"second", "s"},
+    {"seconds", "s"},     {"mins", "min"},    {"minute", "min"},    {"minutes", "min"},
+    {"hr", "h"},          {"hrs", "h"},       {"hour", "h"},        {"hours", "h"},
+    {"degree", "deg"},    {"degrees", "deg"}, {"radian", "rad"},    {"radians", "rad"},
+    {"kph", "km/h"},      {"kmh", "km/h"},    {"mps", "m/s"},       {"sqm", "m2"},
+    {"cbm", "m3"},
+};
+/// Units that there are not, and what one of them is.
+constexpr std::pair<std::string_view, std::string_view> kForeignUnits[] = {
+    {"d", "a day of 24 h is 24 h, a working day what its shifts are"},
+    {"day", "a day of 24 h is 24 h, a working day what its shifts are"},
+    {"days", "a day of 24 h is 24 h, a working day what its shifts are"},
+    {"kN", "a mass of 1 t weighs 9.81 kN; write the mass"},
+    {"ft", "1 ft is 0.3048 m"},
+    {"feet", "1 ft is 0.3048 m"},
+    {"inch", "1 inch is 25.4 mm"},
+    {"inches", "1 inch is 25.4 mm"},
+    {"lb", "1 lb is 0.45359237 kg"},
+    {"lbs", "1 lb is 0.45359237 kg"},
+};
+
+std::string_view look_up(std::span<const std::pair<std::string_view, std::string_view>> words,
+                         std::string_view word) {
+  for (const auto& [each, meaning] : words) {
+    if (each == word) return meaning;
+  }
+  return {};
+}
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
@@ -150,7 +186,14 @@ void ParseState::unknown_unit(const char* from, const char* to) {
       names.emplace_back(unit.text);
     }
   }
-  const std::string near = did_you_mean(std::string(from, to), names);
+  const std::string word(from, to);
+  const std::string_view foreign = look_up(kForeignUnits, word);
+  if (!foreign.empty()) {
+    report(code_, from, to, fmt::format("unknown unit {}", found(from)), std::string(foreign));
+    return;
+  }
+  const std::string_view meant = look_up(kUnitWords, word);
+  const std::string near = meant.empty() ? did_you_mean(word, names) : std::string(meant);
   report(code_, from, to,
          near.empty() ? fmt::format("unknown unit {}", found(from))
                       : fmt::format("unknown unit {}; did you mean {}?", found(from), near),

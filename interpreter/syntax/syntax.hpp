@@ -385,6 +385,12 @@ struct AttributeItem {
   Span span;
 };
 
+/// fixed to slab;   fixed to slab after grout;
+struct Fixing {
+  QualifiedName to;
+  std::optional<QualifiedName> after;  ///< a task: until it is done nothing is fixed
+};
+
 struct ComponentItem {
   Name name;
   std::vector<Shape> shapes;
@@ -394,7 +400,7 @@ struct ComponentItem {
   std::vector<Number> density;
   std::vector<AttributeItem> attributes;
   std::vector<Number> cost;  ///< of its material
-  std::vector<QualifiedName> fixed_to;
+  std::vector<Fixing> fixed_to;
   std::vector<QualifiedName> braced_by;
   bool people = false;
   Span span;

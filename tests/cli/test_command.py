@@ -160,6 +160,9 @@ class Help(Case):
         self.assertTrue(luffer)
         wrong = self.write("wrong.plan", 'plan p { robot r "lufer.robot"; task t { by r; go x 1; } }\n')
         self.assertIn('there is no such file; did you mean "luffer.robot"?', rubicon("check", wrong).stderr)
+        os.mkdir(os.path.join(self.folder, "machines"))
+        lost = self.write("lost.plan", 'plan p { robot r "machine/luffer.robot"; task t { by r; go x 1; } }\n')
+        self.assertIn('there is no folder "machine"; did you mean "machines"?', rubicon("check", lost).stderr)
         far = self.write("far.plan", 'plan p { robot r "nothing_like_it.robot"; task t { by r; go x 1; } }\n')
         self.assertRegex(rubicon("check", far).stderr, "there is no such file\n")
 
@@ -294,6 +297,31 @@ class Run(Case):
         result = rubicon("run", self.plan)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("1 of 1 tasks done", result.stdout)
+
+    def test_a_waypoint_that_is_not_reached_is_told(self):
+        self.write("b.motion", "which { via: chain { move_to(x, 1) }; default: chain { move_to(x, goal(x)) } };\n")
+        self.write("site.plan", PLAN.replace("goal x 3", "via x -2; via x 1; goal x 3"))
+        out = os.path.join(self.folder, "result")
+        result = rubicon("run", self.plan, "--out", out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("waypoints not reached:\n  p: waypoint 1 is not reached: the tool was 3.000 m from it\n", result.stdout)
+        self.assertEqual(result.stdout.count("is not reached"), 1)
+        with open(os.path.join(out, "schedule.json"), encoding="utf-8") as file:
+            self.assertEqual(len(json.load(file)["tasks"][0]["missed"]), 1)
+        trace = os.path.join(out, "trace.jsonl")
+        with open(trace, encoding="utf-8") as file:
+            text = file.read()
+        self.assertIn('"missed":[1],"missed_by":[3]', text)
+        self.assertEqual(rubicon("verify", out).returncode, 0)
+        for there, words in (('', "waypoint 1 was left with the tool 3 m from it and is not told as missed"),
+                             (',"missed":[1],"missed_by":[2.9]', "waypoint 1 is told as missed by 2.9 m, not by 3 m"),
+                             (',"missed":[1,2],"missed_by":[3,1]', "waypoint 2 was reached and is told as missed"),
+                             (',"missed":[1,7],"missed_by":[3,1]', "waypoint 7 is told as missed, and the motion never left it")):
+            with open(trace, "w", encoding="utf-8") as file:
+                file.write(text.replace(',"missed":[1],"missed_by":[3]', there))
+            verdict = rubicon("verify", out)
+            self.assertEqual(verdict.returncode, 1, there)
+            self.assertIn(words, verdict.stdout)
 
     def test_wrong_input_exits_with_2_before_anything_is_written(self):
         self.write("b.motion", "chain { move_to(x) };\n")

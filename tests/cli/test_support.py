@@ -114,6 +114,44 @@ class Support(unittest.TestCase):
         self.assertEqual(rows["set"]["result"], "done")
         self.assertEqual(rows["strike"]["reason"], "prop cannot be taken away: without it plate does not stand")
 
+    def test_what_is_fixed_only_after_a_task(self):
+        # A plate that leans over is held by a prop until it is bolted to the block.
+        leaning = ("  crew bolters;\n" + box("block", 10, height=1)
+                   + box("plate", 0, height=1, more="fixed to block after bolt; braced by prop;")
+                   + box("prop", 11.2, width=0.2, height=2.1) + move("set", "plate", 10.6, 1)
+                   + "  task bolt { by bolters; takes 10 min; after set; }\n")
+        rows = self.run_plan(leaning, move("strike", "prop", 30, 0, "after set;"), exit_code=1)
+        self.assertEqual([rows[name]["result"] for name in ("set", "bolt", "strike")], ["done", "done", "rejected"])
+        self.assertEqual(rows["strike"]["reason"], "prop cannot be taken away: without it plate does not stand; "
+                                                   "it is fixed to block only after bolt")
+        rows = self.run_plan(leaning, move("strike", "prop", 30, 0, "after bolt;"))
+        self.assertEqual({row["result"] for row in rows.values()}, {"done"})
+        self.assertEqual(self.faults_with(lambda header: header["components"][1].update(fixed_after=["strike"])), 1)
+        # Forces: a bracket on a post turns until it is fixed.
+        bracket = ("  support equilibrium;\n  crew welders;\n" + box("post", 10, height=2, more="mass 1 t; fixed to site;")
+                   + box("bracket", 10.9, z=2, width=2, height=0.2, more="mass 0.1 t; fixed to post after weld;")
+                   + box("stand", 11.7, width=0.2, height=2, more="mass 50 kg;")
+                   + "  task weld { by welders; takes 30 min; }\n")
+        strike = "  task strike {{ by welders; remove stand; takes 1 min; {} }}\n"
+        self.assertEqual(self.run_plan(bracket, strike.format("after weld;"))["strike"]["result"], "done")
+        rows = self.run_plan(bracket.replace("{ by welders; takes 30 min; }", "{ by welders; takes 30 min; after strike; }"),
+                             strike.format(""), exit_code=1)
+        self.assertIn("without it bracket would turn on post", rows["strike"]["reason"])
+        self.assertEqual(rows["weld"]["result"], "not reached")
+
+    def faults_with(self, change):
+        """The exit code of verify after a change of the header."""
+        path = os.path.join(self.folder, "out", "trace.jsonl")
+        with open(path, encoding="utf-8") as file:
+            first, rest = file.readline(), file.read()
+        header = json.loads(first)
+        change(header)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(json.dumps(header) + "\n" + rest)
+        verdict = self.rubicon("verify", "out")
+        self.assertIn("plate does not stand", verdict.stdout)
+        return verdict.returncode
+
     def test_the_beginning(self):
         lid = box("lid", 10, z=2, height=1)
         rows = self.run_plan(lid, box("b", 0), move("on_lid", "b", 10, 3), move("take", "lid", 20, 0), exit_code=1,
@@ -208,6 +246,8 @@ class Support(unittest.TestCase):
                              "component 'b' has no mass, which support equilibrium needs"),
                             ("  support gap 2 m;\n", "support gap must be between 0 and 0.5, found 2"),
                             (box("b", 0, more="fixed to walls;"), "unknown component 'walls'"),
+                            (box("b", 0, more="fixed to site after T;"), "unknown task 'T'"),
+                            (box("b", 0, more="fixed to site after;"), "expected the name of a task after 'after'"),
                             (box("b", 0, more="fixed to c;"), "a component is fixed to a component or to site; 'c' is a crew"),
                             (box("b", 0, more="braced by b;"), "component 'b' is braced by itself")):
             self.write("site.plan", "plan site {\n" + HEAD + "  crew c;\n  task t { by c; takes 1 s; }\n" + text + "}\n")

@@ -158,6 +158,8 @@ export interface ScheduledTask {
   late?: number;
   /** What does not stand, where the plan only warns of it. */
   support?: string[];
+  /** Waypoints that its motions left without reaching them. */
+  missed?: string[];
   dig?: DigData;
 }
 

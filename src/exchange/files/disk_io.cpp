@@ -59,7 +59,35 @@ std::string nearest_file(const std::filesystem::path& path) {
   return {};
 }
 
+/// The first folder on the way to the file that is not there, and the one beside it whose name is
+/// nearest; nothing where all of them are there.
+std::optional<std::string> no_such_folder(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::path there;
+  for (const std::filesystem::path& part : path.parent_path()) {
+    const std::filesystem::path next = there / part;
+    if (std::filesystem::exists(next, error) || error) {
+      there = next;
+      continue;
+    }
+    std::vector<std::string> folders;
+    const std::filesystem::path around = there.empty() ? "." : there;
+    int count = 0;
+    for (std::filesystem::directory_iterator at(around, error), end; !error && at != end;
+         at.increment(error)) {
+      if (++count > kMostSuggested) break;
+      if (at->is_directory(error)) folders.push_back(at->path().filename().string());
+    }
+    std::sort(folders.begin(), folders.end());
+    const std::string near = interpreter::did_you_mean(part.string(), folders);
+    return fmt::format("there is no folder \"{}\"{}", part.string(),
+                       near.empty() ? std::string() : fmt::format("; did you mean \"{}\"?", near));
+  }
+  return std::nullopt;
+}
+
 std::string no_such_file(const std::string& path) {
+  if (auto folder = no_such_folder(path)) return *std::move(folder);
   const std::string near = nearest_file(path);
   return near.empty() ? "there is no such file"
                       : fmt::format("there is no such file; did you mean \"{}\"?", near);

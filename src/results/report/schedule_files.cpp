@@ -88,6 +88,7 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   write_plan_dates(json, schedule, task);
   if (task.lift) write_lift(json, *task.lift);
   if (!task.support.empty()) json.key("support").strings(task.support);
+  if (!task.missed.empty()) json.key("missed").strings(task.missed);
   if (task.cover) {
     json.key("cover").begin_object().field("area", std::string_view(task.area));
     json.field("covered_area", task.cover->covered_area).field("covered", task.cover->covered);

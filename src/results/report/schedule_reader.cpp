@@ -101,6 +101,9 @@ TaskOutcome read_task(const ExactJson& json) {
   if (json.has("support")) {
     for (const ExactJson& each : json.at("support").elements()) task.support.push_back(each.text());
   }
+  if (json.has("missed")) {
+    for (const ExactJson& each : json.at("missed").elements()) task.missed.push_back(each.text());
+  }
   if (json.has("choice")) task.choice = json.at("choice").text();
   if (task.start < 0 || task.duration < 0) {
     throw std::invalid_argument(fmt::format("expected times from 0 on of task '{}'", task.task));

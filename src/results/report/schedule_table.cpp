@@ -249,6 +249,20 @@ std::string support_text(const Schedule& schedule) {
   return text.empty() ? text : "support:\n" + text;
 }
 
+/// Waypoints that scripts left without reaching them.
+std::string missed_text(const Schedule& schedule) {
+  constexpr std::size_t kMostShown = 10;
+  std::string text;
+  std::size_t count = 0;
+  for (const TaskOutcome& task : schedule.tasks) {
+    for (const std::string& each : task.missed) {
+      if (++count <= kMostShown) text += fmt::format("  {}: {}\n", task.task, each);
+    }
+  }
+  if (count > kMostShown) text += fmt::format("  and {} more\n", count - kMostShown);
+  return text.empty() ? text : "waypoints not reached:\n" + text;
+}
+
 /// What the money goes for.
 std::string cost_table(const Schedule& schedule) {
   std::vector<Row> rows = {{schedule.currency.empty() ? "cost" : "cost " + schedule.currency, ""}};
@@ -332,6 +346,8 @@ std::string schedule_table(const Schedule& schedule) {
   }
   const std::string support = support_text(schedule);
   if (!support.empty()) text += "\n" + support;
+  const std::string missed = missed_text(schedule);
+  if (!missed.empty()) text += "\n" + missed;
   if (!schedule.resources.empty()) text += "\n" + use_table(schedule);
   const std::string covers = cover_table(schedule);
   if (!covers.empty()) text += "\n" + covers;

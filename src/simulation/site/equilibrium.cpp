@@ -59,7 +59,7 @@ const Equilibrium::Holding& Equilibrium::holding_of(Thing component) {
   }
   if (support_.ground_ >= 0)
     rest_on(support_.ground_, support_.ground_under(placed.lower, placed.upper));
-  for (const ThingRef& each : support_.plan_.components[Support::at(component)].fixed_to) {
+  for (const ThingRef& each : support_.fixings_of(component)) {
     if (each.kind == ThingRef::Kind::component) {
       const bool stands = support_.surfaces_[Support::at(each.index)] &&
                           support_.placed_[Support::at(each.index)].stands;

@@ -212,10 +212,31 @@ StandingSurface Support::ground_under(const math::Vec3& lower, const math::Vec3&
   return looking_up(plane, math::Pose::Identity());
 }
 
+/// What the component is fixed to by now.
+std::vector<ThingRef> Support::fixings_of(int component) const {
+  std::vector<ThingRef> fixings;
+  for (const interpreter::Fixing& each : plan_.components[at(component)].fixed_to) {
+    if (each.after < 0 || (is_done_ && is_done_(each.after))) fixings.push_back(each.to);
+  }
+  return fixings;
+}
+
+/// "; it is fixed to slab only after grout"; "" if nothing is left to do.
+std::string Support::pending_fixings(int component) const {
+  std::vector<std::string> texts;
+  for (const interpreter::Fixing& each : plan_.components[at(component)].fixed_to) {
+    if (each.after < 0 || (is_done_ && is_done_(each.after))) continue;
+    const bool is_site = each.to.kind == ThingRef::Kind::site;
+    texts.push_back(fmt::format("{} only after {}", is_site ? "site" : name_of(each.to.index),
+                                plan_.tasks[at(each.after)].name));
+  }
+  return texts.empty() ? "" : fmt::format("; it is fixed to {}", fmt::join(texts, ", to "));
+}
+
 /// Whether the thing says that it is fixed to the component.
 bool Support::hangs_on(Thing thing, int component) const {
   if (!is_component(thing)) return false;
-  const std::vector<ThingRef>& fixed = plan_.components[at(thing)].fixed_to;
+  const std::vector<ThingRef> fixed = fixings_of(thing);
   return std::find(fixed.begin(), fixed.end(), ThingRef{ThingRef::Kind::component, component}) !=
          fixed.end();
 }
@@ -259,7 +280,7 @@ Support::Answer Support::judge(int component, const math::Pose& X_WO, Thing with
     rest_on(ground_, ground_under(lower, upper));
   }
   const interpreter::ComponentSpec& spec = plan_.components[at(component)];
-  if (const auto held = holder(spec.fixed_to, component, X_WO, without)) {
+  if (const auto held = holder(fixings_of(component), component, X_WO, without)) {
     return {true, {*held}, {}};
   }
   const Vec2 centre = (X_WO * surface->centre_of_mass).head<2>();
@@ -288,6 +309,7 @@ Support::Answer Support::judge(int component, const math::Pose& X_WO, Thing with
   } else {
     answer.reason = reason_below(component, bottom, without);
   }
+  answer.reason += pending_fixings(component);
   return answer;
 }
 
@@ -384,6 +406,20 @@ std::optional<std::string> Support::why_not(int component, const math::Pose& X_W
   Answer answer = judge(component, X_WO, -1);
   if (answer.stands) return std::nullopt;
   return std::move(answer.reason);
+}
+
+std::string Support::left_text(const std::vector<int>& left) const {
+  constexpr std::size_t kMostLeft = 5;
+  std::vector<std::string> names;
+  std::string pending;
+  for (const int each : left) {
+    if (names.size() < kMostLeft) names.push_back(name_of(each));
+    if (pending.empty()) pending = pending_fixings(each);
+  }
+  std::string text = fmt::format("{}", fmt::join(names, ", "));
+  if (left.size() > kMostLeft) text += fmt::format(" and {} more", left.size() - kMostLeft);
+  text += left.size() == 1 ? " does not stand" : " do not stand";
+  return text + pending;
 }
 
 std::vector<int> Support::left_without(int component) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -24,6 +25,9 @@ class Support {
   /// Both must outlive it.
   Support(const interpreter::PlanModel& plan, const SiteWorld& site);
 
+  /// Fixings that need a task hold once it is done; without this none of them does.
+  void set_done(std::function<bool(int task)> is_done) { is_done_ = std::move(is_done); }
+
   /// Looks which components do not stand where they are now, and why: nothing stands on these. By
   /// index.
   std::vector<std::pair<int, std::string>> find_floating();
@@ -32,6 +36,8 @@ class Support {
   std::optional<std::string> why_not(int component, const math::Pose& X_WO);
   /// Those that stand now and would not without the component.
   std::vector<int> left_without(int component);
+  /// "wall does not stand; it is fixed to slab only after grout"
+  std::string left_text(const std::vector<int>& left) const;
 
   /// What begins to move when forces cannot balance.
   struct Collapse {
@@ -75,6 +81,8 @@ class Support {
   bool carries(Thing thing, Thing without) const;
   Answer judge(int component, const math::Pose& X_WO, Thing without, bool is_first = true);
   static StandingSurface ground_under(const math::Vec3& lower, const math::Vec3& upper);
+  std::vector<interpreter::ThingRef> fixings_of(int component) const;
+  std::string pending_fixings(int component) const;
   bool hangs_on(Thing thing, int component) const;
   std::string reason_below(int component, const StandingSurface& bottom, Thing without);
   bool touches(int component, const math::Pose& X_WO, Thing thing);
@@ -88,6 +96,7 @@ class Support {
 
   const interpreter::PlanModel& plan_;
   const SiteWorld& site_;
+  std::function<bool(int)> is_done_;
   Thing ground_ = -1;
   double gap_, depth_;
   std::size_t read_ = 0;  ///< changes of components that are known

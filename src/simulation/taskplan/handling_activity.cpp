@@ -63,19 +63,11 @@ bool leaves_others(ActiveTask& task, Stage& stage, int component) {
                                     stage.site.component_name(component), collapse->text),
                         others_who_used(task, stage, collapse->components));
   }
-  constexpr std::size_t kMostNames = 5;
-  std::vector<std::string> names;
-  for (const int other : others) {
-    if (names.size() < kMostNames) names.push_back(stage.site.component_name(other));
-  }
-  std::vector<int> involved = others_who_used(task, stage, others);
-  std::string list = fmt::format("{}", fmt::join(names, ", "));
-  if (others.size() > kMostNames) list += fmt::format(" and {} more", others.size() - kMostNames);
-  return tell_support(
-      task, stage,
-      fmt::format("{} cannot be taken away: without it {} {} not stand",
-                  stage.site.component_name(component), list, others.size() == 1 ? "does" : "do"),
-      std::move(involved));
+  return tell_support(task, stage,
+                      fmt::format("{} cannot be taken away: without it {}",
+                                  stage.site.component_name(component),
+                                  stage.support->left_text(others)),
+                      others_who_used(task, stage, others));
 }
 
 /// Whether the task is rejected because a machine stands on the soil that it has dug.

@@ -266,18 +266,26 @@ Step MotionActivity::end_motion(ActiveTask& task, Stage& stage) {
     blockers = blockers_of(enough ? task.hits.open() : task.hits.given_way());
   }
   outcome.motions.push_back(std::move(made));
+  const interpreter::MotionEnd& end = outcome.motions.back().end;
+  const std::size_t behind = blockers.empty()
+                                 ? goals_.size()
+                                 : std::min(first_way_point(task.hits), goals_.size() - 1);
+  // What it tries again may yet be reached.
+  for (const interpreter::MissedWayPoint& each : end.missed) {
+    if (static_cast<std::size_t>(each.k) > behind) break;
+    outcome.missed.push_back(missed_text(static_cast<int>(goals_dropped_) + each.k, each.off));
+  }
   if (blockers.empty()) {
     if (enough) return Step::over;
     const interpreter::TaskSpec& spec = stage.spec(task.task);
     const std::string component = spec.move ? stage.site.component_name(*spec.move) : std::string();
     std::string reason =
         task_reason(outcome.motions.back(), task.hits.last(), component, stage.sources);
-    const bool spent = outcome.motions.back().end.status == MotionStatus::budget;
+    const bool spent = end.status == MotionStatus::budget;
     if (spent && waits_ > 0) reason += "; " + text_of_waits(task, stage);
     stage.reject(task.task, std::move(reason), stage.in_the_way_of(task));
     return Step::pending;
   }
-  const std::size_t behind = std::min(first_way_point(task.hits), goals_.size() - 1);
   goals_.erase(goals_.begin(), goals_.begin() + static_cast<std::ptrdiff_t>(behind));
   goals_dropped_ += behind;
   wait_for_machine(task, stage, std::move(blockers), enough);

@@ -1,5 +1,7 @@
 #include "src/simulation/taskplan/motion_task.hpp"
 
+#include <fmt/format.h>
+
 namespace rubicon::taskplan {
 
 namespace {
@@ -70,6 +72,14 @@ interpreter::Within within_of(const interpreter::PlanModel& plan, const interpre
 bool is_enough(MotionPurpose purpose, const interpreter::MotionEnd& end) {
   return end.reached ||
          (purpose == MotionPurpose::carry && end.status == interpreter::MotionStatus::done);
+}
+
+std::string missed_text(int number, double off) {
+  if (off < 0.0005) {
+    return fmt::format("waypoint {} is not reached: the tool was there, otherwise turned or posed",
+                       number);
+  }
+  return fmt::format("waypoint {} is not reached: the tool was {:.3f} m from it", number, off);
 }
 
 }  // namespace rubicon::taskplan

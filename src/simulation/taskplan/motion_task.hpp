@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "interpreter/check/plan_model.hpp"
@@ -32,5 +33,8 @@ interpreter::Within within_of(const interpreter::PlanModel& plan, const interpre
 /// Whether a motion did what its task needs: carrying may end short on purpose, all others must
 /// reach.
 bool is_enough(MotionPurpose purpose, const interpreter::MotionEnd& end);
+
+/// Says that the script left waypoint `number` (from 1) with the tool `off` m from it.
+std::string missed_text(int number, double off);
 
 }  // namespace rubicon::taskplan

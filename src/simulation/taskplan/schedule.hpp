@@ -89,6 +89,7 @@ struct TaskOutcome {
   /// Where the plan only warns: what it puts down that does not stand, what does not without what
   /// it takes.
   std::vector<std::string> support;
+  std::vector<std::string> missed;  ///< waypoints that its motions left without reaching them
   std::optional<interpreter::CoverSpec> cover;  ///< of a task that covers a floor
   std::string area;                             ///< this floor
   std::optional<interpreter::DigSpec> dig;      ///< of a task that digs

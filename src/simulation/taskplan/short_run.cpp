@@ -66,6 +66,9 @@ Schedule run_short(const interpreter::PlanModel& plan, const interpreter::Source
     outcome.result = ended ? TaskResult::ended_short : TaskResult::rejected;
     outcome.reason = reason_of(end, hits.last(), sources);
   }
+  for (const interpreter::MissedWayPoint& each : end.missed) {
+    outcome.missed.push_back(missed_text(each.k, each.off));
+  }
   outcome.motions.push_back({MotionPurpose::go, 0, end});
   if (trace) {
     trace->motion_end(end);

@@ -150,6 +150,8 @@ struct MotionEnd : InText {
   Configuration q;
   NamedValues variables;
   Ticks t = 0;
+  Numbers missed;     ///< waypoints left without reaching them, by number from 1
+  Numbers missed_by;  ///< m, of the tool, for each of them
   std::string_view message;
 };
 

@@ -147,6 +147,7 @@ struct RecordFields<MotionEnd> {
       optional<&MotionEnd::position_error>("position_error"),
       optional<&MotionEnd::orientation_error>("orientation_error"), required<&MotionEnd::q>("q"),
       required<&MotionEnd::variables>("vars"), required<&MotionEnd::t>("t"),
+      optional<&MotionEnd::missed>("missed"), optional<&MotionEnd::missed_by>("missed_by"),
       optional<&MotionEnd::file>("file"), optional<&MotionEnd::line>("line"),
       optional<&MotionEnd::column>("column"), optional<&MotionEnd::message>("message"));
 };

@@ -80,6 +80,21 @@ void write_holders(JsonBuilder& json, const PlanModel& plan, const char* key,
   if (!names.empty()) json.key(key).strings(names);
 }
 
+void write_fixings(JsonBuilder& json, const PlanModel& plan,
+                   const std::vector<interpreter::Fixing>& fixings) {
+  std::vector<interpreter::ThingRef> holders;
+  std::vector<std::string> tasks;
+  bool is_any = false;
+  for (const interpreter::Fixing& each : fixings) {
+    holders.push_back(each.to);
+    is_any = is_any || each.after >= 0;
+    tasks.push_back(each.after < 0 ? std::string()
+                                   : plan.tasks[static_cast<std::size_t>(each.after)].name);
+  }
+  write_holders(json, plan, "fixed_to", holders, false);
+  if (is_any) json.key("fixed_after").strings(tasks);
+}
+
 void write_components(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
   json.key("components").begin_array();
   for (const interpreter::ComponentSpec& component : plan.components) {
@@ -89,7 +104,7 @@ void write_components(JsonBuilder& json, const PlanModel& plan, MeshTable& meshe
     if (component.cost) json.field("cost", *component.cost);
     json.key("shapes");
     write_shapes(json, component.shapes, meshes);
-    write_holders(json, plan, "fixed_to", component.fixed_to, false);
+    write_fixings(json, plan, component.fixed_to);
     write_holders(json, plan, "braced_by", component.braced_by, false);
     write_holders(json, plan, "braced_by_crews", component.braced_by, true);
     if (component.people) json.field("people", true);

@@ -282,6 +282,23 @@ void TraceWriter::motion_end(const interpreter::MotionEnd& end) {
   }
   line_ += "},\"t\":";
   append_seconds(line_, end.time);
+  if (!end.missed.empty()) {
+    line_ += ",\"missed\":[";
+    comma = "";
+    for (const interpreter::MissedWayPoint& each : end.missed) {
+      line_ += comma;
+      append_integer(line_, each.k);
+      comma = ",";
+    }
+    line_ += "],\"missed_by\":[";
+    comma = "";
+    for (const interpreter::MissedWayPoint& each : end.missed) {
+      line_ += comma;
+      append_number(line_, each.off);
+      comma = ",";
+    }
+    line_ += ']';
+  }
   if (!end.reached) {
     place(end.span);
     line_ += ",\"message\":";

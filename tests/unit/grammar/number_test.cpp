@@ -92,6 +92,10 @@ TEST(Number, MistakesAreNamed) {
             std::vector<std::string>{"1:12: error: unknown unit 'foo'"});
   EXPECT_EQ(mistakes("var(a) = 3 degg;", TextKind::script),
             std::vector<std::string>{"1:12: error: unknown unit 'degg'; did you mean deg?"});
+  EXPECT_EQ(mistakes("var(a) = 3 tons;", TextKind::script),
+            std::vector<std::string>{"1:12: error: unknown unit 'tons'; did you mean t?"});
+  EXPECT_EQ(mistakes("var(a) = 3 feet;", TextKind::script),
+            std::vector<std::string>{"1:12: error: unknown unit 'feet'"});
   EXPECT_EQ(mistakes("var(a) = 1e999;", TextKind::script),
             std::vector<std::string>{"1:10: error: number '1e999' is out of range"});
 }

@@ -340,5 +340,28 @@ TEST(Recovery, Plans) {
                   "7:34: error: expected '-' and the end of the shift, found ';'"));
 }
 
+TEST(Recovery, AMissingBraceIsOneMistake) {
+  EXPECT_THAT(in_plan("plan p {\n"
+                      "  component a\n"
+                      "    shape box(0, 0, 0, 1, 1, 1); at trans(0, 0, 0);\n"
+                      "  }\n"
+                      "  task t\n"
+                      "    by c;\n"
+                      "    dig 3 m3 { load trucks takes 3 min; }\n"
+                      "    takes 5 min;\n"
+                      "  }\n"
+                      "  task u { by c; takes 5 min; after t }\n"
+                      "  task v by c; takes 5 min;\n"
+                      "  task w { by c; takes 5; foo; }\n"
+                      "  task x by c; takes 5 min;\n"
+                      "}\n"),
+              ElementsAre("3:5: error: expected '{' after component, found 'shape'",
+                          "6:5: error: expected '{' after task, found 'by'",
+                          "10:39: error: expected ';', found '}'",
+                          "11:10: error: expected '{' after task, found 'by'",
+                          "12:27: error: unknown item 'foo' in this task",
+                          "13:10: error: expected '{' after task, found 'by'"));
+}
+
 }  // namespace
 }  // namespace rubicon

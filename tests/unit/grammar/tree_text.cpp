@@ -297,7 +297,10 @@ class Writer {
     for (const syntax::Number& entry : value.mass) number(entry);
     for (const syntax::Number& entry : value.density) number(entry);
     for (const syntax::Number& entry : value.cost) number(entry);
-    for (const syntax::QualifiedName& entry : value.fixed_to) name(entry);
+    for (const syntax::Fixing& entry : value.fixed_to) {
+      name(entry.to);
+      if (entry.after) name(*entry.after);
+    }
     for (const syntax::QualifiedName& entry : value.braced_by) name(entry);
     if (value.people) word("people");
     for (const syntax::AttributeItem& entry : value.attributes) item(entry);

@@ -128,11 +128,11 @@ TEST_F(SupportTest, WhatIsFixedTouchesAndWhatIsBracedRests) {
   spec(shelf).braced_by = {component_ref(wall)};
   EXPECT_NE(why_not(shelf), "");
   spec(shelf).braced_by.clear();
-  spec(shelf).fixed_to = {component_ref(panel)};
+  spec(shelf).fixed_to = {Fixing{component_ref(panel)}};
   EXPECT_NE(why_not(shelf), "");
-  spec(shelf).fixed_to = {component_ref(wall)};
+  spec(shelf).fixed_to = {Fixing{component_ref(wall)}};
   EXPECT_EQ(why_not(shelf), "");
-  spec(shelf).fixed_to = {{ThingRef::Kind::site, -1}};
+  spec(shelf).fixed_to = {Fixing{{ThingRef::Kind::site, -1}}};
   EXPECT_NE(why_not(shelf), "");
 
   // Its foot is under its side: it turns over unless somebody holds it.
@@ -150,7 +150,7 @@ TEST_F(SupportTest, WhatOthersStandOnCannotBeTakenAway) {
   const int middle = add_box("middle", {1.2, 0, 0}, {1.4, 4, 1});
   const int slab = add_box("slab", {0, 0, 1}, {2.2, 4, 1.2});
   const int lamp = add_box("lamp", {1, 1, 0.5}, {1.1, 1.1, 1});
-  spec(lamp).fixed_to = {component_ref(slab)};
+  spec(lamp).fixed_to = {Fixing{component_ref(slab)}};
   SiteWorld site = make_site(plan_);
   Support support(plan_, site);
   EXPECT_TRUE(support.find_floating().empty());
@@ -171,8 +171,8 @@ TEST_F(SupportTest, TheBeginningTellsWhatDoesNotStandAndWhatRestsOnThat) {
   // Each says that the other holds it.
   const int one = add_box("one", {10, 0, 2}, {11, 1, 3});
   const int two = add_box("two", {11, 0, 2}, {12, 1, 3});
-  spec(one).fixed_to = {component_ref(two)};
-  spec(two).fixed_to = {component_ref(one)};
+  spec(one).fixed_to = {Fixing{component_ref(two)}};
+  spec(two).fixed_to = {Fixing{component_ref(one)}};
   const auto floating = look_at_beginning(plan_).floating;
   ASSERT_EQ(floating.size(), 4u);
   EXPECT_EQ(floating[0].first, lid);

@@ -1,5 +1,5 @@
 import { day, duration, money, number, roughly } from '../clock';
-import type { ScheduleData, Waited } from '../header';
+import type { ScheduleData, ScheduledTask, Waited } from '../header';
 import { tallyText } from '../runs';
 import { button, cut, make, named } from './dom';
 import { materialOf } from './material';
@@ -19,7 +19,7 @@ export function mountOverview(host: HTMLElement, page: Page): { showRefusals(): 
   if (!film.schedule) say('There is no schedule: cost, utilisation, waits and the critical path are missing.');
   if (film.runs.length === 0) say(nothing(page));
   if (refusals) host.append(refusals);
-  if (film.schedule) host.append(...lateOf(page, film.schedule), ...supportOf(page, film.schedule), ...resourcesOf(page, film.schedule), ...earthworkOf(page, film.schedule), ...costsOf(page, film.schedule),
+  if (film.schedule) host.append(...lateOf(page, film.schedule), ...supportOf(page, film.schedule), ...missedOf(page, film.schedule), ...resourcesOf(page, film.schedule), ...earthworkOf(page, film.schedule), ...costsOf(page, film.schedule),
     ...waitsOf(film.schedule), ...timetablesOf(film.schedule));
   if (film.flow) host.append(...materialOf(film.flow));
   if (film.schedule) host.append(...chainOf(page, film.schedule));
@@ -112,17 +112,29 @@ function lateOf(page: Page, schedule: ScheduleData): HTMLElement[] {
 
 /** What does not stand, where the plan only warns. */
 function supportOf(page: Page, schedule: ScheduleData): HTMLElement[] {
-  const warned = schedule.tasks.filter((task) => task.support !== undefined);
-  if (warned.length === 0) return [];
+  return remarksOf(page, schedule, (task) => task.support,
+    (count) => `Support: ${count} ${count === 1 ? 'task leaves' : 'tasks leave'} something that does not stand`);
+}
+
+/** Waypoints that scripts left without reaching them. */
+function missedOf(page: Page, schedule: ScheduleData): HTMLElement[] {
+  return remarksOf(page, schedule, (task) => task.missed,
+    (count) => `Waypoints not reached in ${count} ${count === 1 ? 'task' : 'tasks'}`);
+}
+
+/** A heading over the tasks of which something is to be said, each with its texts. */
+function remarksOf(page: Page, schedule: ScheduleData, textsOf: (task: ScheduledTask) => string[] | undefined,
+  title: (count: number) => string): HTMLElement[] {
+  const concerned = schedule.tasks.filter((task) => textsOf(task) !== undefined);
+  if (concerned.length === 0) return [];
   const byName = runsByName(page);
   const list = make('ul', { class: 'refusals' });
-  for (const task of warned.slice(0, mostListed)) {
+  for (const task of concerned.slice(0, mostListed)) {
     list.append(make('li', {}, taskButton(page, byName, task.task),
-      ...(task.support ?? []).map((text) => make('div', { class: 'reason' }, named(text, 600)))));
+      ...(textsOf(task) ?? []).map((text) => make('div', { class: 'reason' }, named(text, 600)))));
   }
-  const more = warned.length - mostListed;
-  return [make('h2', {}, `Support: ${warned.length} ${warned.length === 1 ? 'task leaves' : 'tasks leave'} something that does not stand`),
-    list, ...(more > 0 ? [make('p', { class: 'muted' }, `and ${more} more`)] : [])];
+  const more = concerned.length - mostListed;
+  return [make('h2', {}, title(concerned.length)), list, ...(more > 0 ? [make('p', { class: 'muted' }, `and ${more} more`)] : [])];
 }
 
 function head(...names: string[]): HTMLElement {

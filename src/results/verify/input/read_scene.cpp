@@ -82,6 +82,10 @@ void read_components(const JsonFields& header, Scene& scene) {
                                      std::pair("braced_by", &component.braced_by)}) {
       for (const Json& name : list_or_empty(fields, key)) names->push_back(text_of(name, "a name"));
     }
+    for (const Json& name : list_or_empty(fields, "fixed_after")) {
+      component.fixed_after.push_back(text_of(name, "a name"));
+    }
+    component.fixed_after.resize(component.fixed_to.size());
     component.has_brace_crew = fields.has("braced_by_crews");
     component.shapes = read_shapes(fields.array("shapes"), scene.meshes.size());
     add_name(scene.component_index, component.name);

@@ -100,6 +100,7 @@ struct MotionEnd {
   std::vector<std::pair<int, double>> residual;  ///< parameter, goal - q
   std::optional<double> position_error;          ///< m
   std::optional<double> orientation_error;       ///< degrees
+  std::vector<std::pair<int, double>> missed;    ///< waypoint, from 1, and m of the tool from it
 };
 
 enum class TaskResult { done, ended_short, rejected, not_reached };

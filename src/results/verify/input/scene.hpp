@@ -116,6 +116,8 @@ struct SceneComponent {
   double cost = 0;
   std::vector<ShapeData> shapes;
   std::vector<std::string> fixed_to = {};   ///< components, site
+  /// For each of these the task without which it does not hold yet; "": none. Empty: all of them.
+  std::vector<std::string> fixed_after = {};
   std::vector<std::string> braced_by = {};  ///< components
   bool has_brace_crew = false;
 };

@@ -199,6 +199,15 @@ class RecordReader {
     if (fields_.has("orientation_error")) {
       end.orientation_error = fields_.number("orientation_error");
     }
+    if (fields_.has("missed")) {
+      const Json& missed = fields_.array("missed");
+      const Json& off = fields_.array("missed_by");
+      if (missed.size() != off.size()) fields_.fail("a distance for each missed waypoint");
+      for (std::size_t i = 0; i < missed.size(); ++i) {
+        end.missed.emplace_back(integer_of(missed[i], "'missed'", 1, 10'000'000),
+                                number_of(off[i], "'missed_by'"));
+      }
+    }
     return end;
   }
 

@@ -85,6 +85,12 @@ class SupportCheck {
     for (const SceneTask& task : scene_.tasks) {
       if (task.dig) soils_.insert(task.dig->soil);
     }
+    for (const Record& record : trace.records) {
+      const auto* end = std::get_if<TaskEnd>(&record.what);
+      if (end != nullptr && end->result == TaskResult::done && record.run >= 0) {
+        done_.emplace(trace.runs[at(record.run)], record.time);
+      }
+    }
     std::vector<Bounds> boxes;
     for (const Standing& each : standing_) boxes.push_back(each.bounds);
     tree_ = BoxTree(boxes);
@@ -147,6 +153,18 @@ class SupportCheck {
     });
   }
 
+  /// What a component is fixed to just after `time`.
+  std::vector<std::string> fixed_by(const SceneComponent& component, Ticks time) const {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < component.fixed_to.size(); ++i) {
+      const auto done = done_.find(component.fixed_after[i]);
+      const bool holds =
+          component.fixed_after[i].empty() || (done != done_.end() && done->second <= time);
+      if (holds) names.push_back(component.fixed_to[i]);
+    }
+    return names;
+  }
+
   /// Whether it stands by what else stands just after `time`.
   void check(int index, Ticks time) {
     Standing& each = standing_[at(index)];
@@ -171,7 +189,7 @@ class SupportCheck {
     if (scene_.site.empty()) rest_on(ground(each.bounds));
     if (scene_.support->friction && component.mass > 0 && !points.empty()) return;
     if (is_between((each.X_WS * each.hull->centre_of_mass).head<2>(), points)) return;
-    if (is_held(each, component.fixed_to, carriers)) return;
+    if (is_held(each, fixed_by(component, time), carriers)) return;
     if (!points.empty() &&
         (component.has_brace_crew || is_held(each, component.braced_by, carriers))) {
       return;
@@ -189,13 +207,14 @@ class SupportCheck {
   }
 
   /// Carried by what is outside: the ground, soil, what is fixed to the site.
-  bool is_anchored(int index) const {
+  bool is_anchored(int index, Ticks time) const {
     const Standing& each = standing_[at(index)];
     if (each.component < 0) return true;
     const SceneComponent& component = scene_.components[at(each.component)];
     if (soils_.contains(component.name)) return true;
     const auto is_site = [](const std::string& name) { return name == kSite; };
-    if (std::none_of(component.fixed_to.begin(), component.fixed_to.end(), is_site)) return false;
+    const std::vector<std::string> fixed = fixed_by(component, time);
+    if (std::none_of(fixed.begin(), fixed.end(), is_site)) return false;
     return is_held(each, {kSite}, near(index));
   }
 
@@ -232,7 +251,7 @@ class SupportCheck {
     std::map<int, int> body_of;
     const auto take = [&](int index) {
       const Standing& each = standing_[at(index)];
-      if (each.component < 0 || !stands(each, time) || is_anchored(index)) return;
+      if (each.component < 0 || !stands(each, time) || is_anchored(index, time)) return;
       if (body_of.emplace(index, static_cast<int>(members.size())).second) {
         members.push_back(index);
       }
@@ -258,11 +277,11 @@ class SupportCheck {
         if (its.component < 0) continue;
         if (!bearing(other, index).empty()) take(other);
         const SceneComponent& named = scene_.components[at(its.component)];
-        if (is_held(each, component.fixed_to, {other})) {
+        if (is_held(each, fixed_by(component, time), {other})) {
           joints.emplace_back(index, other);
           take(other);
         }
-        if (is_held(its, named.fixed_to, {index})) take(other);
+        if (is_held(its, fixed_by(named, time), {index})) take(other);
       }
       bodies.push_back({each.X_WS * each.hull->centre_of_mass, component.mass,
                         component.has_brace_crew || is_held(each, component.braced_by, around)});
@@ -316,6 +335,7 @@ class SupportCheck {
   BoxTree tree_;
   std::set<std::pair<int, Ticks>> checked_;
   std::set<std::string> soils_;
+  std::map<std::string, Ticks> done_;  ///< when tasks were done
   std::map<std::pair<int, int>, std::vector<FootingPoint>> bearings_;
   std::set<std::pair<std::vector<int>, Ticks>> balanced_;
 };

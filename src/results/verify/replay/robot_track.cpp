@@ -34,6 +34,17 @@ constexpr double kMassSlack = 1e-6;
 constexpr double kMostAside = 0.02;
 /// m: rounding of the radius of a load that keeps its distance.
 constexpr double kRadiusSlack = 1e-7;
+/// m: rounding of how far the tool is from a waypoint.
+constexpr double kMissedSlack = 1e-6;
+
+/// A waypoint that the motion under way has left. Neither `reached` nor `missed`: it is at the
+/// limit of what is allowed.
+struct LeftWayPoint {
+  int k = 0;  ///< its number, from 1
+  bool reached = false;
+  bool missed = false;
+  double off = 0;  ///< m, of the tool
+};
 
 class TrackBuilder {
  public:
@@ -159,7 +170,12 @@ class TrackBuilder {
   }
 
   void follow(const Goal& goal) {
-    if (goal.k > 1) expect_covered();
+    if (goal.k > 1) {
+      expect_covered();
+      judge_way_point(goal.k - 1);
+    } else {
+      left_behind_.clear();
+    }
     aside_ = 0;
     q_at_way_point_ = q_;
     left_ = goal.n - goal.k;
@@ -219,6 +235,7 @@ class TrackBuilder {
   void follow(const MotionEnd& end) {
     expect_standing("a motion ends");
     expect_values(end.q, "the end of a motion");
+    expect_missed(end);
     last_status_ = end.status;
   }
 
@@ -242,7 +259,10 @@ class TrackBuilder {
   }
 
   void expect_short_result(TaskResult told);
-  bool is_at_goal(double share, double slack) const;
+  bool is_at(const SceneGoal& goal, const SceneTask& task, double share, double slack) const;
+  std::vector<double> values_at(const SceneGoal& goal, std::vector<double> q) const;
+  void judge_way_point(int k);
+  void expect_missed(const MotionEnd& end);
 
   void expect_goal(const std::vector<std::pair<int, double>>& goal,
                    const std::optional<SceneWithin>& within) {
@@ -369,6 +389,7 @@ class TrackBuilder {
   double aside_ = 0;
   int left_ = 0;                        ///< waypoints of the motion after the one under way
   std::vector<double> q_at_way_point_;  ///< when the last waypoint began
+  std::vector<LeftWayPoint> left_behind_;  ///< of the motion under way
   std::string last_status_;             ///< of its last motion
   MotionRun moving_;                    ///< the run that goes on
   MotionRun stopped_;  ///< the run of the stop just before, if nothing was tried since
@@ -386,31 +407,37 @@ void TrackBuilder::expect_pose(const Pose& X_WG, const SceneTask& task, const ch
   fault(FaultKind::motion, fmt::format("{} with the tool {} from its goal", what, text_of(off)));
 }
 
-/// Whether the robot stands at the goal of a short plan: by `share` of what `within` allows, and
-/// `slack` (m, degrees) beyond.
-bool TrackBuilder::is_at_goal(double share, double slack) const {
-  const SceneTask& task = trace_.scene.tasks.front();
+/// The configuration `q` with the values that a goal names.
+std::vector<double> TrackBuilder::values_at(const SceneGoal& goal, std::vector<double> q) const {
+  for (const auto& [index, value] : goal.values) q[at(index)] = value;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    if (!robot_.parameters[i].derived) continue;
+    q[i] = robot_.parameters[i].rule.value(FormulaValues{q, {}, robot_.starts});
+  }
+  return q;
+}
+
+/// Whether the robot stands at a goal or waypoint of a task: by `share` of what `within` allows,
+/// and `slack` (m, degrees) beyond.
+bool TrackBuilder::is_at(const SceneGoal& goal, const SceneTask& task, double share,
+                         double slack) const {
   const SceneWithin within = task.within.value_or(SceneWithin{});
-  if (task.go_pose) {
+  if (goal.pose) {
     GoalTolerance allowed = goal_tolerance(robot_, within);
     allowed.off = share * allowed.off + slack;
     allowed.turned_deg = share * allowed.turned_deg + slack;
     const PoseMiss off =
-        pose_miss(mechanism_.pose(mechanism_.tool(), q_), *task.go_pose, task.free_axis);
+        pose_miss(mechanism_.pose(mechanism_.tool(), q_), *goal.pose, task.free_axis);
     if (!off.within(allowed)) return false;
-    if (task.go.empty()) return true;
+    if (goal.values.empty()) return true;
   }
-  std::vector<double> there = q_at_way_point_.empty() ? q_ : q_at_way_point_;
-  for (const auto& [index, value] : task.go) there[at(index)] = value;
-  for (std::size_t i = 0; i < there.size(); ++i) {
-    if (!robot_.parameters[i].derived) continue;
-    there[i] = robot_.parameters[i].rule.value(FormulaValues{there, {}, robot_.starts});
-  }
+  const std::vector<double> there =
+      values_at(goal, q_at_way_point_.empty() ? q_ : q_at_way_point_);
   // Within a length of it the tool may be anywhere; turned as the goal says.
   const bool near = within.length >= 0 && pose_miss(mechanism_.pose(mechanism_.tool(), q_),
                                                     mechanism_.pose(mechanism_.tool(), there))
                                                   .off <= share * within.length + slack;
-  return std::all_of(task.go.begin(), task.go.end(), [&](const auto& named) {
+  return std::all_of(goal.values.begin(), goal.values.end(), [&](const auto& named) {
     const SceneParameter& p = robot_.parameters[at(named.first)];
     double allowed = kGoalShare * p.step;
     for (const auto& [name, value] : within.values) {
@@ -422,11 +449,57 @@ bool TrackBuilder::is_at_goal(double share, double slack) const {
   });
 }
 
+/// What is sure, beyond rounding, of a waypoint that the script has left.
+void TrackBuilder::judge_way_point(int k) {
+  const int index = runs_[at(run_)].task;
+  if (index < 0) return;
+  const SceneTask& task = trace_.scene.tasks[at(index)];
+  if (left_ < 1 || at(left_) > task.via.size()) return;
+  const SceneGoal& goal = task.via[task.via.size() - at(left_)];
+  const Vec3 place = goal.pose ? goal.pose->translation() : tool_at(values_at(goal, q_));
+  LeftWayPoint left;
+  left.k = k;
+  left.reached = is_at(goal, task, 1 - kSureShare, kSureSlack);
+  left.missed = !is_at(goal, task, 1, kJudgedSlack);
+  left.off = (place - tool_at(q_)).norm();
+  left_behind_.push_back(left);
+}
+
+/// The end of a motion tells the waypoints that it left without reaching them, and no others.
+void TrackBuilder::expect_missed(const MotionEnd& end) {
+  for (const LeftWayPoint& left : left_behind_) {
+    const auto told = std::find_if(end.missed.begin(), end.missed.end(),
+                                   [&](const auto& each) { return each.first == left.k; });
+    if (told == end.missed.end()) {
+      if (!left.missed) continue;
+      fault(FaultKind::motion,
+            fmt::format("waypoint {} was left with the tool {:g} m from it and is not told as missed",
+                        left.k, left.off));
+    } else if (left.reached) {
+      fault(FaultKind::motion,
+            fmt::format("waypoint {} was reached and is told as missed", left.k));
+    } else if (std::fabs(told->second - left.off) > kMissedSlack) {
+      fault(FaultKind::motion, fmt::format("waypoint {} is told as missed by {:g} m, not by {:g} m",
+                                           left.k, told->second, left.off));
+    }
+  }
+  for (const auto& [k, off] : end.missed) {
+    const bool left = std::any_of(left_behind_.begin(), left_behind_.end(),
+                                  [k = k](const auto& each) { return each.k == k; });
+    if (!left) {
+      fault(FaultKind::motion,
+            fmt::format("waypoint {} is told as missed, and the motion never left it", k));
+    }
+  }
+  left_behind_.clear();
+}
+
 /// The motion of a short plan is done at its goal and short anywhere else; one that did not end by
 /// its script is rejected. Where neither is sure by rounding both pass.
 void TrackBuilder::expect_short_result(TaskResult told) {
   const SceneTask& task = trace_.scene.tasks.front();
   if (!task.within || (!task.go_pose && task.go.empty())) return;
+  const SceneGoal goal{task.go, task.go_pose};
   if (last_status_ != "done") {
     if (told != TaskResult::rejected) {
       fault(FaultKind::motion,
@@ -434,9 +507,10 @@ void TrackBuilder::expect_short_result(TaskResult told) {
     }
   } else if (told == TaskResult::rejected) {
     fault(FaultKind::motion, "its script ended, and it is told as rejected");
-  } else if (told == TaskResult::done && !is_at_goal(1, kJudgedSlack)) {
+  } else if (told == TaskResult::done && !is_at(goal, task, 1, kJudgedSlack)) {
     fault(FaultKind::motion, "it is told as done and ended short of its goal");
-  } else if (told == TaskResult::ended_short && is_at_goal(1 - kSureShare, kSureSlack)) {
+  } else if (told == TaskResult::ended_short &&
+             is_at(goal, task, 1 - kSureShare, kSureSlack)) {
     fault(FaultKind::motion, "it is told as short and stands at its goal");
   }
 }
