@@ -7,6 +7,7 @@ import unittest
 
 from result_case import ResultCase, rubicon
 
+RANDOM_PLANS = int(os.environ.get("RUBICON_RANDOM_PLANS", "12"))
 GANTRY = """robot gantry {
   body bridge { param x range(-1, 41) step(0.5) speed(0.5 m/s); frame trans(x, 0, 0); shape box(-0.1, -1, 2, 0.1, 31, 2.2); }
   body beam on bridge { param y range(0, 30) step(0.5) speed(0.5 m/s) start(0.5); frame trans(0, y, 0.1);
@@ -135,7 +136,7 @@ class Cover(ResultCase):
 
     def test_random_floors_are_covered_and_verified(self):
         chance = random.Random(17)
-        for trial in range(12):
+        for trial in range(RANDOM_PLANS):
             wide, deep = chance.randrange(6, 15), chance.randrange(5, 12)
             area = "area deck { outline (0, 0), (%d, 0), (%d, %d), (0, %d);" % (wide, wide, deep, deep)
             stones = ""

@@ -9,6 +9,7 @@ import unittest
 
 from result_case import ResultCase, rubicon
 
+RANDOM_PLANS = int(os.environ.get("RUBICON_RANDOM_PLANS", "25"))
 CREWS = "crew digger { size %d; cost 40 per h; } crew trucks { size %d; cost %d per h; } crew scale; crew dozer; "
 
 
@@ -100,7 +101,7 @@ class Earthwork(ResultCase):
 
     def test_random_fleets_are_verified(self):
         chance = random.Random(16)
-        for _ in range(25):
+        for _ in range(RANDOM_PLANS):
             seconds = lambda: "%d s" % chance.randrange(10, 900)
             some = lambda: chance.choice((seconds(), "sequence(%s, %s, %s)" % (seconds(), seconds(), seconds())))
             stages = "haul takes %s;" % some()

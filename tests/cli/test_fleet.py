@@ -8,6 +8,7 @@ import unittest
 
 from result_case import ResultCase
 
+RANDOM_PLANS = int(os.environ.get("RUBICON_RANDOM_PLANS", "40"))
 CART = """robot cart {
   time_step 1;
   body cart {
@@ -127,7 +128,7 @@ task t8 { by carts_2; go at yard.gate; takes 5 s; after t7; } task t9 { by carts
 
     def test_random_yards(self):
         rng = random.Random(20261124)
-        for _ in range(40):
+        for _ in range(RANDOM_PLANS):
             bays = rng.randint(4, 8)
             size = rng.randint(1, bays - 2)
             homes = rng.sample(range(1, bays + 1), size)

@@ -8,6 +8,7 @@ import unittest
 
 from result_case import ResultCase, rubicon
 
+RANDOM_PLANS = int(os.environ.get("RUBICON_RANDOM_PLANS", "25"))
 CAR = """robot car {
   time_step 1;
   body car {
@@ -186,7 +187,7 @@ class Moving(ResultCase):
 
     def test_random_plans(self):
         rng = random.Random(20261124)
-        for _ in range(25):
+        for _ in range(RANDOM_PLANS):
             movings = []
             for name in ("one", "two"):
                 time, places = rng.choice((0, 0, 4)), []

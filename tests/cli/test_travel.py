@@ -140,6 +140,17 @@ class Travel(ResultCase):
         for kind, length in lengths.items():
             self.assertGreaterEqual(length, lengths["visibility"] - 1e-6, kind)
 
+    def test_what_happens_on_the_way_is_told(self):
+        self.drive("bug2;")
+        with open(os.path.join(self.out, "trace.jsonl"), encoding="utf-8") as file:
+            record = next(record for record in map(json.loads, file) if record["type"] == "guide")
+        self.assertEqual([event.split(" at ")[0] for event in record["events"]], ["hit", "leave", "reached"])
+        self.assertRegex(record["events"][0], r"^hit at \(0\.00, -0\.7\d\) by block$")
+        why = rubicon("why", self.out, "over").stdout
+        self.assertRegex(why, r"    guide way \(bug2\): \d+ waypoints, \d+\.\d\d m, \d+ tests of legs\n      hit at ")
+        why = json.loads(rubicon("why", self.out, "over", "--format", "json").stdout)
+        self.assertEqual(why["motions"][0]["guides"][0]["events"], record["events"])
+
     def test_the_hand_says_on_which_side(self):
         sides = []
         for hand in ("right", "left"):

@@ -18,7 +18,7 @@ export function sentence(film: Film, record: number): string {
     case 'guide': {
       const cause = text('guide.cause');
       const way = `${number('guide.nodes')} nodes, ${number('guide.checks')} checks`;
-      return `guide ${text('guide.name')} (${text('guide.kind')}) ${cause ? `found no way: ${cause}` : `has a way: ${way}`}`;
+      return `guide ${text('guide.name')} (${text('guide.kind')}) ${cause ? `found no way: ${cause}` : `has a way: ${way}`}${text('guide.events') && `; ${text('guide.events')}`}`;
     }
     case 'way_point': return `waypoint ${number('way_point.k')} of ${number('way_point.n')} of the guide`;
     case 'set': return `var(${text('set.var')}) = ${text('set.value')}`;

@@ -44,6 +44,8 @@ struct PlanReport {
   std::size_t refused = 0;
   std::vector<std::vector<double>> way;  ///< where it begins, its waypoints, the goal last
   WayMetrics metrics = {};
+  /// Of guides that travel without a map, in words: "hit at (4.28, 22.00) by ring, fence".
+  std::vector<std::string> events = {};
   bool found() const { return outcome == Outcome::found; }
 };
 

@@ -81,6 +81,7 @@ PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<cons
     Search found = is_travel(spec.kind) ? travel_way(space, task, q, target, tests)
                                         : search(space, task, start, target, memory);
     report.nodes += found.nodes;
+    report.events = std::move(found.events);
     if (found.way.empty() && !found.cause.empty()) {
       report.cause = std::move(found.cause);
       return end(Outcome::no_way);

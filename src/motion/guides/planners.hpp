@@ -17,6 +17,7 @@ struct Search {
   std::vector<Point> way;
   double cost = 0;  ///< of a way over a lattice, before legs are joined
   std::size_t nodes = 0;
+  std::vector<std::string> events = {};  ///< see PlanReport
   std::string cause;          ///< of no way, where it is not that the search was too short
   bool out_of_nodes = false;  ///< it stopped at the limit of nodes or had no more, else at that of
                               ///< checks

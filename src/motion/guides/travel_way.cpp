@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -71,6 +72,17 @@ std::string text_of(const travel::Event& event) {
   return text;
 }
 
+/// The first of very many, and how many more there are.
+std::vector<std::string> texts_of(const std::vector<travel::Event>& events) {
+  constexpr std::size_t kMostTold = 200;
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < std::min(events.size(), kMostTold); ++i) {
+    texts.push_back(text_of(events[i]));
+  }
+  if (events.size() > kMostTold) texts.push_back(fmt::format("{} more", events.size() - kMostTold));
+  return texts;
+}
+
 }  // namespace
 
 Search travel_way(Space& space, const GuideTask& task, std::span<const double> q, const Point& goal,
@@ -103,6 +115,7 @@ Search travel_way(Space& space, const GuideTask& task, std::span<const double> q
     settings.most_steps = static_cast<std::int64_t>(spec.nodes);
     const travel::TravelResult result = travel::travel(method_of(spec.kind), query, settings);
     search.nodes = result.events.size();
+    search.events = texts_of(result.events);
     const bool there =
         !result.way.empty() && (result.way.back().point - query.destination).norm() <= kStraight;
     if (result.verdict != travel::Verdict::kReached || !there) {

@@ -1,6 +1,7 @@
 #include "src/results/film/film_builder.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/Geometry>
 #include <array>
@@ -199,6 +200,8 @@ void FilmBuilder::write(const trace::GuidePlan& plan, int) {
   columns_.guide_name.add(string(plan.name));
   columns_.guide_kind.add(string(plan.kind));
   columns_.guide_cause.add(string(plan.cause));
+  columns_.guide_events.add(
+      string(fmt::format("{}", fmt::join(plan.events.begin(), plan.events.end(), "; "))));
   columns_.guide_nodes.add(plan.nodes);
   columns_.guide_checks.add(plan.checks);
 }

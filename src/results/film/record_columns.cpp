@@ -26,6 +26,7 @@ std::vector<std::pair<std::string_view, Column>> RecordColumns::take() {
   give("guide.name", guide_name);
   give("guide.kind", guide_kind);
   give("guide.cause", guide_cause);
+  give("guide.events", guide_events);
   give("guide.nodes", guide_nodes);
   give("guide.checks", guide_checks);
   give("way_point.k", way_point_k);

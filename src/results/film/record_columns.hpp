@@ -26,7 +26,7 @@ struct PoseColumn {
 struct RecordColumns {
   Column kind, run{1, true}, t{kMillionth, true};
   Column goal_k, goal_n;
-  Column guide_name, guide_kind, guide_cause, guide_nodes, guide_checks;
+  Column guide_name, guide_kind, guide_cause, guide_events, guide_nodes, guide_checks;
   Column way_point_k, way_point_n;
   Column set_var, set_value;
   Column enter_kind, enter_place;

@@ -93,6 +93,15 @@ ordered_json motion_json(const Motion& motion) {
       {"what", motion.what},     {"from", motion.from},         {"to", motion.to},
       {"tries", motion.tries},   {"accepted", motion.accepted}, {"reached", motion.reached},
       {"status", motion.status}, {"message", motion.message},   {"hits", motion.hits}};
+  for (const GuideStory& guide : motion.guides) {
+    ordered_json each = {{"name", guide.name}, {"kind", guide.kind}};
+    if (!guide.cause.empty()) each["cause"] = guide.cause;
+    each["waypoints"] = guide.waypoints;
+    each["checks"] = guide.checks;
+    each["length"] = guide.length;
+    if (!guide.events.empty()) each["events"] = guide.events;
+    result["guides"].push_back(std::move(each));
+  }
   if (motion.first_hit) {
     result["first_hit"] = attempt_json(*motion.first_hit);
     result["first_hit"]["q"] = pose_json(motion.first_hit->q);

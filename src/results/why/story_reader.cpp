@@ -29,7 +29,8 @@ const trace::RecordKinds kWanted = {
     trace::RecordKind::task_start, trace::RecordKind::attempt, trace::RecordKind::wait,
     trace::RecordKind::work,       trace::RecordKind::pause,   trace::RecordKind::attach,
     trace::RecordKind::detach,     trace::RecordKind::remove,  trace::RecordKind::end,
-    trace::RecordKind::task_end,   trace::RecordKind::stop,    trace::RecordKind::turn};
+    trace::RecordKind::task_end,   trace::RecordKind::stop,    trace::RecordKind::turn,
+    trace::RecordKind::guide};
 
 }  // namespace
 
@@ -55,6 +56,9 @@ void StoryReader::read_header(const trace::TraceHeader& header) {
     if (task.name != task_) continue;
     story_.attributes = task.attributes;
     story_.component = task.move.value_or("");
+  }
+  for (const trace::HeaderRobot& robot : header.robots) {
+    widths_[robot.name] = robot.parameters.size();
   }
   for (const trace::HeaderComponent& component : header.components) {
     if (component.name == story_.component) story_.component_attributes = component.attributes;
@@ -129,6 +133,18 @@ void StoryReader::follow(const trace::MotionEnd& end) {
   }
   in_motion_ = false;
   if (carries_) ++carried_motions_;
+}
+
+void StoryReader::follow(const trace::GuidePlan& plan) {
+  GuideStory& guide = motion(time_).guides.emplace_back();
+  guide.name = plan.name;
+  guide.kind = plan.kind;
+  guide.cause = plan.cause;
+  guide.checks = plan.checks;
+  guide.length = plan.length;
+  const std::size_t width = widths_[story_.robot];
+  if (plan.found && width > 0) guide.waypoints = static_cast<int>(plan.way.size() / width) - 1;
+  guide.events.assign(plan.events.begin(), plan.events.end());
 }
 
 void StoryReader::follow(const trace::Attach&) { carries_ = true; }

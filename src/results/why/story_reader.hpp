@@ -38,6 +38,7 @@ class StoryReader : public trace::TraceSink {
   void follow(const trace::Attempt& attempt);
   void follow(const trace::Wait& wait);
   void follow(const trace::MotionEnd& end);
+  void follow(const trace::GuidePlan& plan);
   void follow(const trace::Attach& attach);
   void follow(const trace::Turn& turn);
   void follow(const trace::Detach& detach);
@@ -53,6 +54,7 @@ class StoryReader : public trace::TraceSink {
   TaskStory story_;
   std::map<std::string, TaskRun> runs_;
   std::vector<std::string> order_;
+  std::map<std::string, std::size_t> widths_;  ///< of each robot the number of its parameters
   bool carries_ = false;
   int carried_motions_ = 0;
   bool in_motion_ = false;

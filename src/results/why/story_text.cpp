@@ -160,14 +160,42 @@ std::string attributes_text(const std::string& whose, const Attributes& attribut
   return fmt::format("  {}: {}\n", whose, text);
 }
 
+/// What guides planned for the motion: the last ones, with what a travelling one met.
+std::string guides_text(const Motion& motion) {
+  constexpr std::size_t kShownPlans = 3;
+  constexpr std::size_t kShownEvents = 12;
+  std::string text;
+  const std::size_t count = motion.guides.size();
+  const std::size_t first = count > kShownPlans ? count - kShownPlans : 0;
+  if (first > 0) text += fmt::format("    guides planned {} times, the last are:\n", count);
+  for (std::size_t i = first; i < count; ++i) {
+    const GuideStory& guide = motion.guides[i];
+    if (!guide.cause.empty()) {
+      text += fmt::format("    guide {} ({}) found no way: {}\n", guide.name, guide.kind, guide.cause);
+    } else {
+      text += fmt::format("    guide {} ({}): {} waypoint{}, {:.2f} m, {} tests of legs\n", guide.name,
+                          guide.kind, guide.waypoints, guide.waypoints == 1 ? "" : "s",
+                          guide.length, guide.checks);
+    }
+    for (std::size_t k = 0; k < std::min(guide.events.size(), kShownEvents); ++k) {
+      text += "      " + guide.events[k] + "\n";
+    }
+    if (guide.events.size() > kShownEvents) {
+      text += fmt::format("      and {} more\n", guide.events.size() - kShownEvents);
+    }
+  }
+  return text;
+}
+
 std::string motion_text(const TaskStory& story, const Motion& motion) {
   std::string text = fmt::format("  {}, from {} to {}: {} steps tried, {} accepted", motion.what,
                                  moment(story, motion.from), moment(story, motion.to), motion.tries,
                                  motion.accepted);
-  if (motion.reached) return text + ", reached\n";
+  if (motion.reached) return text + ", reached\n" + guides_text(motion);
   const bool on_purpose = story.run.result == "done" && motion.status == "done";
   text += fmt::format("; {}{}\n", on_purpose ? "it ended short, as it may: " : "",
                       motion.message.empty() ? motion.status : motion.message);
+  text += guides_text(motion);
   if (motion.first_hit) {
     text += fmt::format("    first blocked at step {}: {}: {}\n      there {}\n",
                         motion.first_hit->n, command_text(*motion.first_hit),

@@ -34,6 +34,17 @@ struct Attempt {
   std::optional<Origin> origin;          ///< of what it met
 };
 
+/// A way that a guide planned for a motion, or found none.
+struct GuideStory {
+  std::string name;
+  std::string kind;
+  std::string cause;  ///< of no way
+  int waypoints = 0;
+  int checks = 0;
+  double length = 0;  ///< m
+  std::vector<std::string> events;
+};
+
 /// One motion of the task. Of the attempts those are kept that tell why it ended: all since what
 /// was blocked last has not moved any more, steps of other parameters among them.
 struct Motion {
@@ -45,6 +56,7 @@ struct Motion {
   bool reached = false;
   std::string status;
   std::string message;
+  std::vector<GuideStory> guides;  ///< in the order in which they planned
   std::optional<Attempt> first_hit;
   std::vector<InTheWay> way;  ///< all that the command of the first hit meets up to the goal
   int hits = 0;

@@ -174,7 +174,8 @@ struct RecordFields<GuidePlan> {
                  required<&GuidePlan::seed>("seed"), required<&GuidePlan::found>("found"),
                  optional<&GuidePlan::cause>("cause"), required<&GuidePlan::nodes>("nodes"),
                  required<&GuidePlan::checks>("checks"), required<&GuidePlan::refused>("refused"),
-                 required<&GuidePlan::way>("way"), required<&GuidePlan::roughness>("roughness"),
+                 required<&GuidePlan::way>("way"), optional<&GuidePlan::events>("events"),
+                 required<&GuidePlan::roughness>("roughness"),
                  required<&GuidePlan::length>("length"),
                  required<&GuidePlan::motion_time>("motion_time"), required<&GuidePlan::t>("t"));
 };

@@ -339,7 +339,17 @@ void TraceWriter::guide(const interpreter::GuidePlan& plan) {
       append_number(line_, value);
     }
   }
-  line_ += "],\"roughness\":";
+  line_ += ']';
+  if (!report.events.empty()) {
+    line_ += ",\"events\":[";
+    first = true;
+    for (const std::string& event : report.events) {
+      if (!std::exchange(first, false)) line_ += ',';
+      append_string(line_, event);
+    }
+    line_ += ']';
+  }
+  line_ += ",\"roughness\":";
   append_number(line_, report.metrics.roughness);
   line_ += ",\"length\":";
   append_number(line_, report.metrics.length);

@@ -129,6 +129,7 @@ std::vector<std::string> written_records() {
   guides::PlanReport report;
   report.way = {{1, 2}, {3, 4.5}};
   report.metrics = {0.5, 2.5, 12};
+  report.events = {"hit at (1.00, 2.00) by wall"};
   interpreter::GuidePlan guide;
   guide.name = "way";
   guide.kind = "rrt";
