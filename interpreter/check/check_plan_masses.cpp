@@ -29,11 +29,9 @@ void check_equilibrium_masses(Subject& subject, std::map<int, Span>& said) {
   }
   for (std::size_t i = 0; i < subject.model.components.size(); ++i) {
     const ComponentSpec& component = subject.model.components[i];
-    const bool held_by_site =
-        std::any_of(component.fixed_to.begin(), component.fixed_to.end(),
-                    [](const Fixing& each) {
-                      return each.to.kind == ThingRef::Kind::site && each.after < 0;
-                    });
+    const bool held_by_site = std::any_of(
+        component.fixed_to.begin(), component.fixed_to.end(),
+        [](const Fixing& each) { return each.to.kind == ThingRef::Kind::site && each.after < 0; });
     if (component.mass > 0 || held_by_site || component.shapes.empty() || component.name.empty() ||
         soils.contains(static_cast<int>(i))) {
       continue;

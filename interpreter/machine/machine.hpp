@@ -264,7 +264,7 @@ class Machine {
   math::Vec3 strip_from_ = math::Vec3::Zero();  ///< where the tool was when the waypoint began
   double aside_ = 0;  ///< m: how far a tool that works has been beside its strip since then
   std::vector<MissedWayPoint> missed_;
-  WayLog way_;        ///< only of scripts that ask for it
+  WayLog way_;  ///< only of scripts that ask for it
   bool way_point_begun_ = false;
   bool started_ = false;
   /// What moves, by parameter, where any of it has an acceleration; empty: the machine stands, or

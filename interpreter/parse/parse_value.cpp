@@ -52,14 +52,14 @@ constexpr Unit kUnits[] = {
 
 /// Units as people write them, and what to write instead.
 constexpr std::pair<std::string_view, std::string_view> kUnitWords[] = {
-    {"ton", "t"},         {"tons", "t"},      {"tonne", "t"},       {"tonnes", "t"},
-    {"to", "t"},          {"kilo", "kg"},     {"kilos", "kg"},      {"kilogram", "kg"},
-    {"kilograms", "kg"},  {"meter", "m"},     {"meters", "m"},      {"metre", "m"},
-    {"metres", "m"},      {"sec", "s"},       {"secs", "s"},        {"second", "s"},
-    {"seconds", "s"},     {"mins", "min"},    {"minute", "min"},    {"minutes", "min"},
-    {"hr", "h"},          {"hrs", "h"},       {"hour", "h"},        {"hours", "h"},
-    {"degree", "deg"},    {"degrees", "deg"}, {"radian", "rad"},    {"radians", "rad"},
-    {"kph", "km/h"},      {"kmh", "km/h"},    {"mps", "m/s"},       {"sqm", "m2"},
+    {"ton", "t"},        {"tons", "t"},      {"tonne", "t"},    {"tonnes", "t"},
+    {"to", "t"},         {"kilo", "kg"},     {"kilos", "kg"},   {"kilogram", "kg"},
+    {"kilograms", "kg"}, {"meter", "m"},     {"meters", "m"},   {"metre", "m"},
+    {"metres", "m"},     {"sec", "s"},       {"secs", "s"},     {"second", "s"},
+    {"seconds", "s"},    {"mins", "min"},    {"minute", "min"}, {"minutes", "min"},
+    {"hr", "h"},         {"hrs", "h"},       {"hour", "h"},     {"hours", "h"},
+    {"degree", "deg"},   {"degrees", "deg"}, {"radian", "rad"}, {"radians", "rad"},
+    {"kph", "km/h"},     {"kmh", "km/h"},    {"mps", "m/s"},    {"sqm", "m2"},
     {"cbm", "m3"},
 };
 /// Units that there are not, and what one of them is.

@@ -171,10 +171,11 @@ std::string guides_text(const Motion& motion) {
   for (std::size_t i = first; i < count; ++i) {
     const GuideStory& guide = motion.guides[i];
     if (!guide.cause.empty()) {
-      text += fmt::format("    guide {} ({}) found no way: {}\n", guide.name, guide.kind, guide.cause);
+      text +=
+          fmt::format("    guide {} ({}) found no way: {}\n", guide.name, guide.kind, guide.cause);
     } else {
-      text += fmt::format("    guide {} ({}): {} waypoint{}, {:.2f} m, {} tests of legs\n", guide.name,
-                          guide.kind, guide.waypoints, guide.waypoints == 1 ? "" : "s",
+      text += fmt::format("    guide {} ({}): {} waypoint{}, {:.2f} m, {} tests of legs\n",
+                          guide.name, guide.kind, guide.waypoints, guide.waypoints == 1 ? "" : "s",
                           guide.length, guide.checks);
     }
     for (std::size_t k = 0; k < std::min(guide.events.size(), kShownEvents); ++k) {

@@ -63,11 +63,11 @@ bool leaves_others(ActiveTask& task, Stage& stage, int component) {
                                     stage.site.component_name(component), collapse->text),
                         others_who_used(task, stage, collapse->components));
   }
-  return tell_support(task, stage,
-                      fmt::format("{} cannot be taken away: without it {}",
-                                  stage.site.component_name(component),
-                                  stage.support->left_text(others)),
-                      others_who_used(task, stage, others));
+  return tell_support(
+      task, stage,
+      fmt::format("{} cannot be taken away: without it {}", stage.site.component_name(component),
+                  stage.support->left_text(others)),
+      others_who_used(task, stage, others));
 }
 
 /// Whether the task is rejected because a machine stands on the soil that it has dug.

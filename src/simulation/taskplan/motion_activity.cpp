@@ -267,9 +267,8 @@ Step MotionActivity::end_motion(ActiveTask& task, Stage& stage) {
   }
   outcome.motions.push_back(std::move(made));
   const interpreter::MotionEnd& end = outcome.motions.back().end;
-  const std::size_t behind = blockers.empty()
-                                 ? goals_.size()
-                                 : std::min(first_way_point(task.hits), goals_.size() - 1);
+  const std::size_t behind =
+      blockers.empty() ? goals_.size() : std::min(first_way_point(task.hits), goals_.size() - 1);
   // What it tries again may yet be reached.
   for (const interpreter::MissedWayPoint& each : end.missed) {
     if (static_cast<std::size_t>(each.k) > behind) break;

@@ -23,8 +23,7 @@ Simulation::Simulation(const interpreter::PlanModel& plan, const interpreter::So
   parking_failed_.resize(plan.robots.size());
   stage_.on_motion = options.on_motion;
   if (stage_.support) {
-    stage_.support->set_done(
-        [this](int task) { return records_.status(task) == Status::done; });
+    stage_.support->set_done([this](int task) { return records_.status(task) == Status::done; });
   }
   stage_.may_park_some_day = [this](int robot) { return may_park(robot, false); };
   stage_.is_over = [this](int task) { return is_over(task); };

@@ -169,15 +169,14 @@ struct RecordFields<Stop> {
 template <>
 struct RecordFields<GuidePlan> {
   static constexpr RecordKind kKind = RecordKind::guide;
-  static constexpr auto kFields =
-      std::tuple(required<&GuidePlan::name>("name"), required<&GuidePlan::kind>("kind"),
-                 required<&GuidePlan::seed>("seed"), required<&GuidePlan::found>("found"),
-                 optional<&GuidePlan::cause>("cause"), required<&GuidePlan::nodes>("nodes"),
-                 required<&GuidePlan::checks>("checks"), required<&GuidePlan::refused>("refused"),
-                 required<&GuidePlan::way>("way"), optional<&GuidePlan::events>("events"),
-                 required<&GuidePlan::roughness>("roughness"),
-                 required<&GuidePlan::length>("length"),
-                 required<&GuidePlan::motion_time>("motion_time"), required<&GuidePlan::t>("t"));
+  static constexpr auto kFields = std::tuple(
+      required<&GuidePlan::name>("name"), required<&GuidePlan::kind>("kind"),
+      required<&GuidePlan::seed>("seed"), required<&GuidePlan::found>("found"),
+      optional<&GuidePlan::cause>("cause"), required<&GuidePlan::nodes>("nodes"),
+      required<&GuidePlan::checks>("checks"), required<&GuidePlan::refused>("refused"),
+      required<&GuidePlan::way>("way"), optional<&GuidePlan::events>("events"),
+      required<&GuidePlan::roughness>("roughness"), required<&GuidePlan::length>("length"),
+      required<&GuidePlan::motion_time>("motion_time"), required<&GuidePlan::t>("t"));
 };
 
 template <>

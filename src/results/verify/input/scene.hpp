@@ -115,7 +115,7 @@ struct SceneComponent {
   double mass = 0;
   double cost = 0;
   std::vector<ShapeData> shapes;
-  std::vector<std::string> fixed_to = {};   ///< components, site
+  std::vector<std::string> fixed_to = {};  ///< components, site
   /// For each of these the task without which it does not hold yet; "": none. Empty: all of them.
   std::vector<std::string> fixed_after = {};
   std::vector<std::string> braced_by = {};  ///< components

@@ -387,11 +387,11 @@ class TrackBuilder {
   std::vector<double> q_;
   /// m: how far a tool that works was beside its strip since its waypoint began
   double aside_ = 0;
-  int left_ = 0;                        ///< waypoints of the motion after the one under way
-  std::vector<double> q_at_way_point_;  ///< when the last waypoint began
+  int left_ = 0;                           ///< waypoints of the motion after the one under way
+  std::vector<double> q_at_way_point_;     ///< when the last waypoint began
   std::vector<LeftWayPoint> left_behind_;  ///< of the motion under way
-  std::string last_status_;             ///< of its last motion
-  MotionRun moving_;                    ///< the run that goes on
+  std::string last_status_;                ///< of its last motion
+  MotionRun moving_;                       ///< the run that goes on
   MotionRun stopped_;  ///< the run of the stop just before, if nothing was tried since
   int hanging_ = -1;
   int run_ = -1;
@@ -431,8 +431,7 @@ bool TrackBuilder::is_at(const SceneGoal& goal, const SceneTask& task, double sh
     if (!off.within(allowed)) return false;
     if (goal.values.empty()) return true;
   }
-  const std::vector<double> there =
-      values_at(goal, q_at_way_point_.empty() ? q_ : q_at_way_point_);
+  const std::vector<double> there = values_at(goal, q_at_way_point_.empty() ? q_ : q_at_way_point_);
   // Within a length of it the tool may be anywhere; turned as the goal says.
   const bool near = within.length >= 0 && pose_miss(mechanism_.pose(mechanism_.tool(), q_),
                                                     mechanism_.pose(mechanism_.tool(), there))
@@ -472,9 +471,10 @@ void TrackBuilder::expect_missed(const MotionEnd& end) {
                                    [&](const auto& each) { return each.first == left.k; });
     if (told == end.missed.end()) {
       if (!left.missed) continue;
-      fault(FaultKind::motion,
-            fmt::format("waypoint {} was left with the tool {:g} m from it and is not told as missed",
-                        left.k, left.off));
+      fault(
+          FaultKind::motion,
+          fmt::format("waypoint {} was left with the tool {:g} m from it and is not told as missed",
+                      left.k, left.off));
     } else if (left.reached) {
       fault(FaultKind::motion,
             fmt::format("waypoint {} was reached and is told as missed", left.k));
@@ -509,8 +509,7 @@ void TrackBuilder::expect_short_result(TaskResult told) {
     fault(FaultKind::motion, "its script ended, and it is told as rejected");
   } else if (told == TaskResult::done && !is_at(goal, task, 1, kJudgedSlack)) {
     fault(FaultKind::motion, "it is told as done and ended short of its goal");
-  } else if (told == TaskResult::ended_short &&
-             is_at(goal, task, 1 - kSureShare, kSureSlack)) {
+  } else if (told == TaskResult::ended_short && is_at(goal, task, 1 - kSureShare, kSureSlack)) {
     fault(FaultKind::motion, "it is told as short and stands at its goal");
   }
 }
