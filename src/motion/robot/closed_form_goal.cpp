@@ -26,6 +26,7 @@ constexpr int kNone = -1;
 struct Joint {
   bool rotation = false;                                  ///< about z; else a translation
   std::array<int, 3> parameters = {kNone, kNone, kNone};  ///< a rotation has its parameter first
+  std::array<double, 3> slopes = {1, 1, 1};               ///< m or degrees per file unit of each
   Pose after = Pose::Identity();
 };
 
@@ -34,25 +35,83 @@ struct JointChain {
   std::vector<Joint> joints;
 };
 
-/// What a formula is to the solver: constant, one free parameter and nothing else, or anything
-/// more.
+/// What a formula is to the solver: constant; slope * parameter + offset of one free parameter; or
+/// anything more.
 struct Argument {
   enum class Kind { constant, parameter, other };
   Kind kind = Kind::constant;
   int parameter = kNone;
+  double slope = 1;
+  double offset = 0;
 };
 
+/// One value on the stack of a formula: slope * parameter + offset.
+struct Term {
+  double slope = 0;
+  double offset = 0;
+  bool moves = false;
+};
+
+std::optional<Term> product(const Term& a, const Term& b) {
+  if (a.moves && b.moves) return std::nullopt;
+  const Term& moving = b.moves ? b : a;
+  const double factor = b.moves ? a.offset : b.offset;
+  return Term{moving.slope * factor, moving.offset * factor, moving.moves};
+}
+
 Argument argument_of(const GoalProblem& problem, const Formula& formula) {
+  constexpr Argument kOther{Argument::Kind::other};
+  using Kind = FormulaOp::Kind;
   Argument argument;
   for (const FormulaOp& op : formula.code) {
-    if (op.kind != FormulaOp::Kind::parameter) continue;
+    if (op.kind != Kind::parameter) continue;
     const Parameter& parameter = problem.model().parameters[static_cast<std::size_t>(op.index)];
-    if (parameter.derived) return {Argument::Kind::other, kNone};
+    if (parameter.derived) return kOther;
     if (!parameter.free) continue;
-    if (formula.code.size() != 1) return {Argument::Kind::other, kNone};
-    argument = {Argument::Kind::parameter, op.index};
+    if (argument.parameter != kNone && argument.parameter != op.index) return kOther;
+    argument.parameter = op.index;
   }
-  return argument;
+  if (argument.parameter == kNone) return argument;
+  argument.kind = Argument::Kind::parameter;
+  std::vector<Term> stack;
+  const auto pop = [&stack] {
+    const Term term = stack.back();
+    stack.pop_back();
+    return term;
+  };
+  for (const FormulaOp& op : formula.code) {
+    if (op.kind == Kind::constant) {
+      stack.push_back({0, op.value, false});
+    } else if (op.kind == Kind::parameter) {
+      const auto index = static_cast<std::size_t>(op.index);
+      stack.push_back(op.index == argument.parameter ? Term{1, 0, true}
+                                                     : Term{0, problem.q_now()[index], false});
+    } else if (op.kind == Kind::start) {
+      stack.push_back({0, problem.mounting().starts[static_cast<std::size_t>(op.index)], false});
+    } else if (op.kind == Kind::negate) {
+      const Term a = pop();
+      stack.push_back({-a.slope, -a.offset, a.moves});
+    } else if (op.kind == Kind::add || op.kind == Kind::subtract) {
+      const Term b = pop();
+      const Term a = pop();
+      const double sign = op.kind == Kind::add ? 1 : -1;
+      stack.push_back(
+          {a.slope + sign * b.slope, a.offset + sign * b.offset, a.moves || b.moves});
+    } else if (op.kind == Kind::multiply) {
+      const Term b = pop();
+      const Term a = pop();
+      const std::optional<Term> both = product(a, b);
+      if (!both) return kOther;
+      stack.push_back(*both);
+    } else {
+      return kOther;
+    }
+  }
+  argument.slope = stack.back().slope;
+  argument.offset = stack.back().offset;
+  const bool is_usable = std::isfinite(argument.slope) && argument.slope != 0 &&
+                         std::isfinite(argument.offset);
+  return is_usable ? argument : kOther;
 }
 
 /// The chain with its constant elements gathered, neighbouring translations joined; nothing if some
@@ -72,8 +131,14 @@ std::optional<JointChain> joint_chain(const GoalProblem& problem) {
       const Argument argument = argument_of(problem, *formulas[i]);
       if (argument.kind == Argument::Kind::other) return std::nullopt;
       if (argument.kind == Argument::Kind::constant) continue;
+      // A turn with a gear is left to the search.
+      if (rotation && argument.slope != 1) return std::nullopt;
       joint.parameters[i] = argument.parameter;
+      joint.slopes[i] = argument.slope;
       formulas[i]->code.clear();
+      if (argument.offset != 0) {
+        formulas[i]->code.push_back({FormulaOp::Kind::constant, 0, argument.offset});
+      }
       moving = true;
     }
     Pose& behind = chain.joints.empty() ? chain.before : chain.joints.back().after;
@@ -94,6 +159,7 @@ std::optional<JointChain> joint_chain(const GoalProblem& problem) {
       if (joint.parameters[i] == kNone) continue;
       if (previous->parameters[i] != kNone) return std::nullopt;
       previous->parameters[i] = joint.parameters[i];
+      previous->slopes[i] = joint.slopes[i];
     }
     append(previous->after, constant, now);
   }
@@ -133,6 +199,12 @@ bool set(const GoalProblem& problem, std::vector<double>& q, int parameter, doub
   return true;
 }
 
+/// The same for the length by which a joint is to slide along one of its axes.
+bool set_slide(const GoalProblem& problem, std::vector<double>& q, const Joint& joint,
+               std::size_t axis, double length) {
+  return set(problem, q, joint.parameters[axis], length / joint.slopes[axis]);
+}
+
 /// A vehicle or a gantry with a hook that turns: translations, then a turn; without the turn a
 /// plain gantry.
 std::vector<std::vector<double>> vehicle_solutions(const GoalProblem& problem,
@@ -153,7 +225,7 @@ std::vector<std::vector<double>> vehicle_solutions(const GoalProblem& problem,
   const Vec3 t = H.translation() - rest.translation();
   for (std::size_t i = 0; i < 3; ++i) {
     if (slide.parameters[i] != kNone &&
-        !set(problem, q, slide.parameters[i], t[static_cast<Eigen::Index>(i)])) {
+        !set_slide(problem, q, slide, i, t[static_cast<Eigen::Index>(i)])) {
       return {};
     }
   }
@@ -200,8 +272,8 @@ std::vector<std::vector<double>> crane_solutions(const GoalProblem& problem,
           math::atan2_deg(target.y(), target.x()) - math::atan2_deg(at_rest.y(), at_rest.x());
       if (!set(problem, q, boom.parameters[0], bearing_deg)) continue;
     }
-    if (!set(problem, q, trolley.parameters[along_x ? 0 : 1], radius)) continue;
-    if (trolley.parameters[2] != kNone && !set(problem, q, trolley.parameters[2], height)) continue;
+    if (!set_slide(problem, q, trolley, along_x ? 0 : 1, radius)) continue;
+    if (trolley.parameters[2] != kNone && !set_slide(problem, q, trolley, 2, height)) continue;
     if (hook != nullptr) {
       const double others_deg =
           q[theta] + yaw_deg(boom.after.linear()) + yaw_deg(trolley.after.linear());

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "src/motion/math/angles.hpp"
+#include "src/motion/robot/closed_form_goal.hpp"
 #include "tests/unit/robot/robots.hpp"
 
 namespace rubicon::robot {
@@ -166,6 +167,46 @@ TEST(SolveGoal, CraneWithTurningHookRoundTrips) {
     expect_meets(model, mounting, solution, goal);
     for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(solution.q[k], q[k], 1e-7) << k;
   }
+}
+
+/// Heights that count from elsewhere, ropes with two falls, a trolley that counts inwards.
+TEST(SolveGoal, WhereParametersStandInSumsTheFormulaHoldsToo) {
+  RobotModel model = crane_with_turning_hook();
+  const auto scaled = [](int parameter, double slope, double offset) {
+    return number(slope) * of(parameter) + number(offset);
+  };
+  std::mt19937_64 random(35);
+  for (int i = 0; i < 300; ++i) {
+    const double x_slope = i % 2 == 0 ? 1 : -1;
+    const double z_slope = i % 3 == 0 ? 1 : 0.5;
+    model.parameters[1].lower = x_slope > 0 ? 0 : -50;
+    model.parameters[1].upper = x_slope > 0 ? 50 : 0;
+    model.bodies[1].frame[0] = rotz(of(0) + number(uniform(random, -90, 90)));
+    model.bodies[2].frame = {trans(scaled(1, x_slope, 4), number(0.2), number(-1))};
+    model.bodies[3].frame = {trans(number(0), number(0), of(2) - number(31.2)), rotz(of(3))};
+    if (z_slope != 1) model.bodies[3].frame[0] = trans(number(0), number(0), scaled(2, z_slope, 2));
+    const Mounting mounting =
+        mounting_of(model, translation(-8, 10, 1) * rotation_z_deg(uniform(random, -180, 180)));
+    const auto any = [&] {
+      const double theta = uniform(random, -179, 180);
+      const double x = uniform(random, model.parameters[1].lower, model.parameters[1].upper);
+      const double z = uniform(random, -30, 0);
+      return std::vector<double>{theta, x, z, uniform(random, -179, 180)};
+    };
+    const std::vector<double> q = any();
+    const std::vector<double> now = any();
+    const Pose goal = tool_pose(model, mounting, q);
+    const auto by_formula = closed_form_goal(GoalProblem(model, mounting, now, goal, {}));
+    ASSERT_TRUE(by_formula.has_value()) << i;
+    const auto solution = solve_goal(model, mounting, now, goal, {});
+    expect_meets(model, mounting, solution, goal);
+    EXPECT_EQ(solution.q, by_formula->q);
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(solution.q[k], q[k], 1e-7) << k;
+  }
+  model.bodies[3].frame[0] = trans(number(0), number(0), of(2) * of(2));
+  const std::vector<double> now = {0, model.parameters[1].start, -5, 0};
+  EXPECT_FALSE(
+      closed_form_goal(GoalProblem(model, mounting_of(model), now, translation(20, 0, 0), {})));
 }
 
 TEST(SolveGoal, OfTwoCraneSolutionsTheJibTurnsLess) {
