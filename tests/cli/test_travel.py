@@ -151,6 +151,15 @@ class Travel(ResultCase):
         why = json.loads(rubicon("why", self.out, "over", "--format", "json").stdout)
         self.assertEqual(why["motions"][0]["guides"][0]["events"], record["events"])
 
+    def test_what_is_nearer_than_the_disc_where_it_stands_is_no_obstacle_to_leaving(self):
+        kerb = BLOCK + " component kerb { shape box(0.5, -22, 0, 1.5, -18, 1); } component post { shape box(-0.7, 29.9, 0, -0.55, 30.1, 1); }"
+        for kind in ("bug2", "tangent", "visibility"):
+            _, tasks = self.drive(kind + ";", kerb)  # and verify finds nothing in contact
+            self.assertEqual(tasks["over"]["result"], "done", kind)
+        # Where it must turn at once, the kerb is in the way.
+        _, tasks = self.drive("bug2;", kerb.replace("BLOCK", "") + " component gate { shape box(-3, -18.9, 0, 3, -18.5, 1); }", expected=1)
+        self.assertEqual(tasks["over"]["result"], "rejected")
+
     def test_the_hand_says_on_which_side(self):
         sides = []
         for hand in ("right", "left"):
