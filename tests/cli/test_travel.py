@@ -157,7 +157,7 @@ class Travel(ResultCase):
             _, tasks = self.drive(kind + ";", kerb)  # and verify finds nothing in contact
             self.assertEqual(tasks["over"]["result"], "done", kind)
         # Where it must turn at once, the kerb is in the way.
-        _, tasks = self.drive("bug2;", kerb.replace("BLOCK", "") + " component gate { shape box(-3, -18.9, 0, 3, -18.5, 1); }", expected=1)
+        _, tasks = self.drive("bug2;", kerb + " component gate { shape box(-3, -18.9, 0, 3, -18.5, 1); }", expected=1)
         self.assertEqual(tasks["over"]["result"], "rejected")
 
     def test_the_hand_says_on_which_side(self):
