@@ -7,6 +7,7 @@
 #include "src/simulation/site/make_site.hpp"
 #include "src/simulation/site/robot_view.hpp"
 #include "src/simulation/taskplan/hit_recorder.hpp"
+#include "src/simulation/taskplan/motion_task.hpp"
 #include "src/simulation/taskplan/reason.hpp"
 #include "src/simulation/taskplan/simulation.hpp"
 #include "src/simulation/trace/trace_writer.hpp"
