@@ -95,7 +95,8 @@ Search travel_way(Space& space, const GuideTask& task, std::span<const double> q
   query.start = vehicle.place(q);
   query.destination = vehicle.place(q_goal);
   travel::GrownView view(vehicle.heights(q), vehicle.radius(q) + kRoom);
-  // The machine stands there, if only turned so: what is nearer than the disc is tested step by step.
+  // The machine stands there, if only turned so: what is nearer than the disc is tested step by
+  // step.
   view.keep_free(query.start);
   view.keep_free(query.destination);
   for (const Thing& thing : tests.things()) view.add(thing.name, *thing.shapes, thing.X_W);

@@ -95,8 +95,7 @@ Argument argument_of(const GoalProblem& problem, const Formula& formula) {
       const Term b = pop();
       const Term a = pop();
       const double sign = op.kind == Kind::add ? 1 : -1;
-      stack.push_back(
-          {a.slope + sign * b.slope, a.offset + sign * b.offset, a.moves || b.moves});
+      stack.push_back({a.slope + sign * b.slope, a.offset + sign * b.offset, a.moves || b.moves});
     } else if (op.kind == Kind::multiply) {
       const Term b = pop();
       const Term a = pop();
@@ -109,8 +108,8 @@ Argument argument_of(const GoalProblem& problem, const Formula& formula) {
   }
   argument.slope = stack.back().slope;
   argument.offset = stack.back().offset;
-  const bool is_usable = std::isfinite(argument.slope) && argument.slope != 0 &&
-                         std::isfinite(argument.offset);
+  const bool is_usable =
+      std::isfinite(argument.slope) && argument.slope != 0 && std::isfinite(argument.offset);
   return is_usable ? argument : kOther;
 }
 

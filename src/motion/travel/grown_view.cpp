@@ -26,8 +26,7 @@ double distance_to(const std::vector<Vec2>& outline, const Vec2& place) {
     const Vec2& b = outline[i];
     const Vec2 along = b - a;
     const double length = along.squaredNorm();
-    const double share =
-        length > 0 ? std::clamp((place - a).dot(along) / length, 0.0, 1.0) : 0.0;
+    const double share = length > 0 ? std::clamp((place - a).dot(along) / length, 0.0, 1.0) : 0.0;
     least = std::min(least, (place - a - share * along).norm());
     if ((a.y() > place.y()) == (b.y() > place.y())) continue;
     const double x = a.x() + (place.y() - a.y()) / (b.y() - a.y()) * along.x();
