@@ -359,7 +359,7 @@ TEST(Recovery, AMissingBraceIsOneMistake) {
                           "6:5: error: expected '{' after task, found 'by'",
                           "10:39: error: expected ';', found '}'",
                           "11:10: error: expected '{' after task, found 'by'",
-                          "12:27: error: unknown item 'foo' in this task",
+                          "12:27: error: unknown item 'foo' in this task; did you mean for?",
                           "13:10: error: expected '{' after task, found 'by'"));
 }
 

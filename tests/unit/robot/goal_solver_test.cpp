@@ -200,7 +200,6 @@ TEST(SolveGoal, WhereParametersStandInSumsTheFormulaHoldsToo) {
     ASSERT_TRUE(by_formula.has_value()) << i;
     const auto solution = solve_goal(model, mounting, now, goal, {});
     expect_meets(model, mounting, solution, goal);
-    EXPECT_EQ(solution.q, by_formula->q);
     for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(solution.q[k], q[k], 1e-7) << k;
   }
   model.bodies[3].frame[0] = trans(number(0), number(0), of(2) * of(2));

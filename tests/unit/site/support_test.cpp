@@ -10,6 +10,7 @@ namespace rubicon::site {
 namespace {
 
 using interpreter::ComponentSpec;
+using interpreter::Fixing;
 using interpreter::PlanModel;
 using interpreter::SupportRules;
 using interpreter::ThingRef;
@@ -141,6 +142,24 @@ TEST_F(SupportTest, WhatIsFixedTouchesAndWhatIsBracedRests) {
   EXPECT_THAT(why_not(bracket), HasSubstr("outside of what carries it, site"));
   spec(bracket).braced_by = {{ThingRef::Kind::crew, 0}};
   EXPECT_EQ(why_not(bracket), "");
+}
+
+TEST_F(SupportTest, WhatIsFixedAfterATaskHangsOnlyThen) {
+  ground();
+  const int wall = add_box("wall", {0, 0, 0}, {0.2, 4, 3});
+  const int shelf = add_box("shelf", {0.2, 0, 1.5}, {1, 4, 1.6});
+  plan_.tasks.emplace_back().name = "bolt";
+  spec(shelf).fixed_to = {Fixing{component_ref(wall), 0}};
+  SiteWorld site = make_site(plan_);
+  Support support(plan_, site);
+  bool is_bolted = false;
+  support.set_done([&](int task) { return task == 0 && is_bolted; });
+  const math::Pose X_WO = site.X_WO(shelf);
+  EXPECT_THAT(support.why_not(shelf, X_WO).value_or(""),
+              HasSubstr("; it is fixed to wall only after bolt"));
+  is_bolted = true;
+  EXPECT_FALSE(support.why_not(shelf, X_WO));
+  EXPECT_THAT(support.left_without(wall), ::testing::ElementsAre(shelf));
 }
 
 TEST_F(SupportTest, WhatOthersStandOnCannotBeTakenAway) {

@@ -38,6 +38,7 @@ void write_attempts(trace::TraceWriter& writer) {
 
 void write_ends(trace::TraceWriter& writer) {
   interpreter::MotionEnd end;
+  end.missed = {{1, 0.25}};
   end.status = interpreter::MotionStatus::livelock;
   end.period = 2;
   end.tries = 9;
