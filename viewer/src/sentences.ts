@@ -59,6 +59,7 @@ export function sentence(film: Film, record: number): string {
       return `motion ended: ${status}, ${tries}${message && ` (${message})`}`;
     }
     case 'moving': return '';  // of no run
+    case 'cold_joint': return `a cold joint, ${text('cold_joint.where')}: it had lain ${duration(number('cold_joint.age'))}`;
     case 'task_end': return `${run.result || 'over'}${run.reason && `: ${run.reason}`}`;
   }
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -245,6 +246,17 @@ void FilmBuilder::write(const trace::Turn& turn, int) {
 
 void FilmBuilder::write(const trace::Removal& removal, int) {
   columns_.remove_component.add(component(removal.component));
+}
+
+void FilmBuilder::write(const trace::ColdJoint& joint, int) {
+  const trace::Numbers ends = joint.ends;
+  if (ends.size() != 4) throw std::invalid_argument("expected x and y of two ends as 'ends'");
+  const double length = std::sqrt((ends[2] - ends[0]) * (ends[2] - ends[0]) +
+                                  (ends[3] - ends[1]) * (ends[3] - ends[1]));
+  columns_.cold_joint_where.add(
+      string(fmt::format("{:.2f} m from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f})", length, ends[0],
+                         ends[1], ends[2], ends[3])));
+  columns_.cold_joint_age.add(millionths(trace::seconds(joint.age), "a time"));
 }
 
 void FilmBuilder::write(const trace::MotionEnd& end, int run) {
