@@ -57,17 +57,21 @@ class ColdJoints(ResultCase):
         self.assertNotIn("cold joints", self.run_result.stdout)
 
     def test_a_break_makes_a_joint_across_and_beside(self):
-        calendar = "calendar site { mon-fri 07:00-07:05, 07:35-16:00; carry_over; }"
+        calendar = "calendar site { mon-fri 07:00-07:03, 07:33-16:00; carry_over; }"
         robot = 'robot g "gantry.robot" { calendar site; }'
         found = self.joints("cold_joint after 20 min;", more=calendar, robot=robot)
         across = [place for place in found["places"] if abs(place["from"][0] - place["to"][0]) < 1e-6]
         self.assertEqual(len(across), 1)
         self.assertAlmostEqual(math.dist(across[0]["from"], across[0]["to"]), 1, delta=1e-6)
-        # It stopped where a step ended, not before 07:05.
+        # It stopped in the fourth strip where a step ended, not before 07:03.
+        self.assertEqual(sorted((across[0]["from"][1], across[0]["to"][1])), [3, 4])
         self.assertGreater(across[0]["age"], 30 * 60 - 5)
         self.assertLess(across[0]["age"], 30 * 60 + 1e-6)
         beside = [place for place in found["places"] if place not in across]
-        self.assertEqual(len(beside), 1 if abs(across[0]["from"][0]) < 1e-6 else 2)
+        # What it laid before is cold when the fifth comes, the third when it goes on.
+        self.assertEqual(sorted(round(place["from"][1], 6) for place in beside), [3, 4])
+        x = across[0]["from"][0]
+        self.assertTrue(all(min(abs(place[end][0] - x) for end in ("from", "to")) < 1e-6 for place in beside))
         # A motion that goes on over the break has no such joint.
         through = self.joints("cold_joint after 20 min;", more=calendar.replace(" carry_over;", ""), robot=robot)
         self.assertEqual(through["count"], 0)

@@ -143,6 +143,12 @@ export class Film {
     return this.column(column)[this.rank(record)];
   }
 
+  /** So many numbers of a record, such as numbers(r, 'cold_joint.ends', 4). */
+  numbers(record: number, column: string, count: number): Float64Array {
+    const first = count * this.rank(record);
+    return this.column(column).subarray(first, first + count);
+  }
+
   text(record: number, column: string): string {
     return this.strings[this.number(record, column)];
   }

@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -249,13 +248,10 @@ void FilmBuilder::write(const trace::Removal& removal, int) {
 }
 
 void FilmBuilder::write(const trace::ColdJoint& joint, int) {
-  const trace::Numbers ends = joint.ends;
-  if (ends.size() != 4) throw std::invalid_argument("expected x and y of two ends as 'ends'");
-  const double length = std::sqrt((ends[2] - ends[0]) * (ends[2] - ends[0]) +
-                                  (ends[3] - ends[1]) * (ends[3] - ends[1]));
-  columns_.cold_joint_where.add(
-      string(fmt::format("{:.2f} m from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f})", length, ends[0],
-                         ends[1], ends[2], ends[3])));
+  if (joint.ends.size() != 4) throw std::invalid_argument("expected x and y of two ends as 'ends'");
+  for (const double each : joint.ends) {
+    columns_.cold_joint_ends.add(millionths(each, "a place"));
+  }
   columns_.cold_joint_age.add(millionths(trace::seconds(joint.age), "a time"));
 }
 
