@@ -259,9 +259,13 @@ RUBICON_EXPECT(dig_part, "dig", Explain::item,
                "load swell density bed payload bucket fill_factor efficiency loaded limit");
 RUBICON_EXPECT(cover_number_value, "a number");
 RUBICON_EXPECT(cover_word_value, "a word");
+RUBICON_EXPECT(cover_joint_after, "after");
+RUBICON_EXPECT(cover_joint_limit, "a duration such as 90 min");
+RUBICON_EXPECT(cover_guide_name, "the name of a guide");
 RUBICON_EXPECT(cover_area, "the name of an area after cover");
 RUBICON_EXPECT(cover_part, "cover", Explain::item,
-               "width clearance above thickness rate partition order from inlet");
+               "width clearance above thickness rate partition order from inlet cold_joint guide "
+               "turn_radius");
 RUBICON_EXPECT(moving_name, "a name after moving");
 RUBICON_EXPECT(moving_part, "moving", Explain::item, "shape path repeat people");
 RUBICON_EXPECT(path_place, "a time and a frame such as 20 s trans(25, 2, 0)");

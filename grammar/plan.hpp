@@ -274,7 +274,7 @@ struct earth_item : if_must<earth_key, earth_name, block_open, earth_parts, bloc
 struct cover_number_key
     : token<sor<word<TAO_PEGTL_STRING("width")>, word<TAO_PEGTL_STRING("clearance")>,
                 word<TAO_PEGTL_STRING("above")>, word<TAO_PEGTL_STRING("thickness")>,
-                word<TAO_PEGTL_STRING("rate")>>> {};
+                word<TAO_PEGTL_STRING("rate")>, word<TAO_PEGTL_STRING("turn_radius")>>> {};
 struct cover_number_value : quantity {};
 struct cover_number : if_must<cover_number_key, cover_number_value, plan_semicolon> {};
 struct cover_place_key
@@ -284,7 +284,16 @@ struct cover_word_key
     : token<sor<word<TAO_PEGTL_STRING("partition")>, word<TAO_PEGTL_STRING("order")>>> {};
 struct cover_word_value : name {};
 struct cover_word : if_must<cover_word_key, cover_word_value, plan_semicolon> {};
-struct cover_part : sor<cover_number, cover_place, cover_word> {};
+struct cover_joint_key : token<word<TAO_PEGTL_STRING("cold_joint")>> {};
+struct cover_joint_after : token<word<TAO_PEGTL_STRING("after")>> {};
+struct cover_joint_limit : quantity {};
+struct cover_joint
+    : if_must<cover_joint_key, cover_joint_after, cover_joint_limit, plan_semicolon> {};
+struct cover_guide_key : token<word<TAO_PEGTL_STRING("guide")>> {};
+struct cover_guide_name : indexed_name {};
+struct cover_guide : if_must<cover_guide_key, cover_guide_name,
+                             star<if_must<comma, cover_guide_name>>, plan_semicolon> {};
+struct cover_part : sor<cover_number, cover_place, cover_word, cover_joint, cover_guide> {};
 struct whole_cover_part : must<cover_part> {};
 struct cover_parts : nested<star<not_at<block_end>, recover<whole_cover_part, item_end>>> {};
 struct cover_key : token<word<TAO_PEGTL_STRING("cover")>> {};

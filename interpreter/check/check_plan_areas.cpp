@@ -13,9 +13,10 @@ namespace rubicon::interpreter::plan_check {
 
 namespace {
 
-constexpr double kMostWidth = 100;     // m
-constexpr double kMostThickness = 10;  // m
-constexpr double kMostRate = 1e6;      // m3 per h
+constexpr double kMostWidth = 100;       // m
+constexpr double kMostThickness = 10;    // m
+constexpr double kMostRate = 1e6;        // m3 per h
+constexpr double kMostTurnRadius = 100;  // m
 constexpr double kSecondsPerHour = 3600;
 /// Waypoints of one task.
 constexpr std::size_t kMostPoints = 20'000;
@@ -132,6 +133,14 @@ class CoverCheck {
     if (given_.count("rate") != 0 && given_.count("thickness") == 0) {
       wrong(given_["rate"], "a rate needs the thickness of what is laid", "thickness 0.25 m;");
     }
+    if (options_.turn_radius > 0 && given_.count("guide") != 0) {
+      wrong(given_["guide"], "with a turn_radius the way between strips is one of arcs: no guide");
+    }
+    if (options_.turn_radius > 0 && options_.whole_cells) {
+      wrong(given_["order"],
+            "with a turn_radius lines follow each other as turns allow: no order by cells",
+            "order shortest;");
+    }
     if (area == nullptr || subject_.diagnostics.errors() != errors) return std::nullopt;
     if (floor == nullptr) floor = &area->floor;
     for (const std::string& each : faults_of(*floor, options_)) wrong(item_.area.span, each);
@@ -161,7 +170,11 @@ class CoverCheck {
       subject_.twice(clause.key.span, key + " is given twice", first->second);
       return;
     }
-    if (clause.number) {
+    if (key == "cold_joint") {
+      take_cold_joint(*clause.number);
+    } else if (key == "guide") {
+      return;  // who knows the robot resolves it
+    } else if (clause.number) {
       take_number(key, *clause.number);
     } else if (clause.place) {
       const auto place = place_of(subject_, *clause.place, key);
@@ -179,7 +192,9 @@ class CoverCheck {
       return;
     }
     const bool is_width = key == "width";
-    const double most = key == "thickness" ? kMostThickness : kMostWidth;
+    const double most = key == "thickness"     ? kMostThickness
+                        : key == "turn_radius" ? kMostTurnRadius
+                                               : kMostWidth;
     const bool is_size = is_width || key == "thickness";
     const auto value = length(subject_, number, key, is_size ? 1e-3 : 0, most);
     if (!value) return;
@@ -187,6 +202,15 @@ class CoverCheck {
     if (key == "clearance") options_.clearance = *value;
     if (key == "above") above_ = *value;
     if (key == "thickness") thickness_ = *value;
+    if (key == "turn_radius") options_.turn_radius = *value;
+  }
+
+  void take_cold_joint(const syntax::Number& number) {
+    const auto seconds = resolve_duration(subject_, number, "the age of a cold joint");
+    if (!seconds) return;
+    cold_after_ = schedule::ticks_from_seconds(*seconds);
+    if (cold_after_ > 0) return;
+    wrong(number.span, "a joint is cold after some time, found 0", "cold_joint after 90 min;");
   }
 
   void take_rate(const syntax::Number& number) {
@@ -219,11 +243,30 @@ class CoverCheck {
           "cells: each is finished before the next is begun");
   }
 
+  void warn_of_left_out(int lines) {
+    subject_.diagnostics.warning(
+        "P54", item_.area.span,
+        fmt::format("{} strip{} left out: with turns of {:g} m there is no room to come to {} and "
+                    "away again",
+                    lines, lines == 1 ? " is" : "s are", options_.turn_radius,
+                    lines == 1 ? "it" : "them"),
+        "a smaller turn_radius, or what is left out as an area of its own");
+  }
+
+  std::string no_room() const {
+    return options_.turn_radius > 0
+               ? fmt::format(
+                     "with turns of {:g} m the machine has no room to work anywhere on the "
+                     "area",
+                     options_.turn_radius)
+               : "the tool has no room to work anywhere on the area";
+  }
+
   std::optional<CoverWay> way_over(const AreaSpec& area, const coverage::FloorDescription& floor,
                                    const coverage::CoverageWay& found) {
     if (found.points.size() < 2 || found.points.size() > kMostPoints) {
       wrong(item_.area.span, found.points.size() < 2
-                                 ? "the tool has no room to work anywhere on the area"
+                                 ? no_room()
                                  : fmt::format("the way has {} points; a task has up to {}",
                                                found.points.size(), kMostPoints));
       return std::nullopt;
@@ -236,15 +279,25 @@ class CoverCheck {
     way.cover.covered = measures.coverage;
     way.cover.covered_area = measures.coverage * measures.reachable_area;
     way.cover.volume = way.cover.covered_area * thickness_;
-    way.cover.length = measures.length;
-    way.cover.turns = measures.turns;
+    way.cover.length = found.arcs ? found.arcs->length : measures.length;
+    way.cover.turns = found.arcs ? found.arcs->turns : measures.turns;
+    if (found.arcs && found.cut_off > 0) warn_of_left_out(found.cut_off);
     const double pace = rate_ > 0 ? rate_ / (options_.width * thickness_) : 0;
     way.cover.pace = pace;
-    for (std::size_t i = 0; i < found.points.size(); ++i) {
+    way.cover.turn_radius = options_.turn_radius;
+    way.cover.cold_after = cold_after_;
+    const std::size_t count = found.points.size();
+    for (std::size_t i = 0; i < count; ++i) {
       const coverage::WayPoint& point = found.points[i];
+      // A guide finds its own way from strip to strip.
+      const bool is_corner =
+          i > 0 && i + 1 < count && !point.working && !found.points[i + 1].working;
+      if (is_corner && given_.count("guide") != 0) continue;
       GoalSpec goal;
       goal.span = item_.area.span;
       math::Pose X_WG = math::Pose::Identity();
+      // A machine that turns with a radius stands as its way runs.
+      if (found.arcs) X_WG = math::rotation_z_deg(point.heading_deg);
       X_WG.translation() = math::Vec3(point.place.x, point.place.y, area.height + above_);
       goal.X_WG = X_WG;
       // What leads to the first point is no work yet.
@@ -263,6 +316,7 @@ class CoverCheck {
   double above_ = 0;
   double thickness_ = 0;
   double rate_ = 0;  // m3/s
+  schedule::Ticks cold_after_ = 0;
   std::map<std::string, Span> given_;
 };
 

@@ -284,7 +284,7 @@ class TaskChecker {
   }
 
   /// Its way stands in the place of `via` and `go`. The tool works alike whichever way it is
-  /// turned.
+  /// turned, but for a machine that turns with a radius.
   void check_cover() {
     if (move_ != nullptr || go_ != nullptr) {
       subject_.error("P05", cover_->span, "a task that covers an area neither moves nor goes",
@@ -303,7 +303,11 @@ class TaskChecker {
     task_.go = std::move(way->goals.back());
     way->goals.pop_back();
     task_.via = std::move(way->goals);
-    task_.clauses.free = robot::FreeTurn::z;
+    if (!(task_.cover->turn_radius > 0)) task_.clauses.free = robot::FreeTurn::z;
+    for (const syntax::CoverItem::Clause& clause : cover_->clauses) {
+      if (clause.guides.empty()) continue;
+      task_.guides = resolve_guides(subject_, robot(), {clause.guides, clause.key.span});
+    }
   }
 
   void check_part(const syntax::CoverItem& /*item*/) {}
@@ -486,8 +490,9 @@ class TaskChecker {
     needs_motion(item.span, "guide");
     once("guide", item.span);
     if (cover_ != nullptr) {
-      subject_.error("P54", item.span,
-                     "a task that covers an area has its way from that: no guide");
+      subject_.error("P54", item.span, "a task that covers an area has its way from that",
+                     "a guide that leads from strip to strip stands in the cover: "
+                     "cover AREA { guide NAME; }");
       return;
     }
     task_.guides = resolve_guides(subject_, robot(), item);

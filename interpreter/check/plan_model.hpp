@@ -213,6 +213,8 @@ struct CoverSpec {
   double covered_area = 0;  ///< m2
   double length = 0;        ///< m, the way of the tool
   int turns = 0;
+  double turn_radius = 0;          ///< m; 0: the machine turns on the spot
+  schedule::Ticks cold_after = 0;  ///< a joint between strips is cold after this; 0: not asked
 };
 
 /// The ground as a height field. What is never dug of it is part of the site; what a task digs is a

@@ -82,6 +82,7 @@ void PlainItems::item(syntax::CoverItem& value) {
     each(clause.number);
     if (clause.place) number(clause.place->x), number(clause.place->y);
     each(clause.word);
+    each(clause.guides);
   }
 }
 

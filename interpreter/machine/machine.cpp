@@ -192,7 +192,11 @@ bool Machine::begin_way_point(World& world, EventSink* events) {
     strip_from_ = robot::tool_pose(*model_, task_.mounting, q_).translation();
   }
   target_ = goal_;
-  if (!task_.guides.empty() && !leg().is_there(q_, goal_.q)) return begin_guides(0, world, events);
+  // Where it works over a floor the tool keeps to its strip.
+  const bool leads = task_.goals[way_point_].work != GoalSpec::Work::working;
+  if (leads && !task_.guides.empty() && !leg().is_there(q_, goal_.q)) {
+    return begin_guides(0, world, events);
+  }
   begin_script();
   return true;
 }

@@ -366,6 +366,16 @@ RUBICON_ACTION(PlanAction, PlanState, cover_place) {
 RUBICON_ACTION(PlanAction, PlanState, cover_word_key) { st.begin_cover_clause(begin); }
 RUBICON_ACTION(PlanAction, PlanState, cover_word_value) { st.cover_clause.word = st.take_name(); }
 RUBICON_ACTION(PlanAction, PlanState, cover_word) { st.add_cover_clause(); }
+RUBICON_ACTION(PlanAction, PlanState, cover_joint_key) { st.begin_cover_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, cover_joint_limit) {
+  st.cover_clause.number = st.take_quantity();
+}
+RUBICON_ACTION(PlanAction, PlanState, cover_joint) { st.add_cover_clause(); }
+RUBICON_ACTION(PlanAction, PlanState, cover_guide_key) { st.begin_cover_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, cover_guide_name) {
+  st.cover_clause.guides.push_back(st.take_name());
+}
+RUBICON_ACTION(PlanAction, PlanState, cover_guide) { st.add_cover_clause(); }
 RUBICON_ACTION(PlanAction, PlanState, cover_item) { st.add_to_task(std::move(st.cover), begin); }
 RUBICON_ACTION(PlanAction, PlanState, start_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, park_key) { st.values = {}; }

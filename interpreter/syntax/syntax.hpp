@@ -458,6 +458,7 @@ struct CoverItem {
     std::optional<Number> number;
     std::optional<FloorPlace> place;
     std::optional<Name> word;
+    std::vector<Name> guides;  ///< of `guide`
   };
   Name area;
   std::vector<Clause> clauses;

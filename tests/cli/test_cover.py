@@ -147,8 +147,8 @@ class Cover(ResultCase):
                 x, y = chance.uniform(2, wide - 2), chance.uniform(2, deep - 2)
                 area += " %s (%.3f, %.3f), 0.4 m;" % (chance.choice(("column", "round_column")), x, y)
                 stones = "component bars { shape box(-0.2, -0.2, 0, 0.2, 0.2, 0.8); at trans(%.3f, %.3f, 0); }" % (x, y)
-            cover = "cover deck { width %.2f m; clearance 0.25 m; above 0.1 m; thickness 0.2 m; rate %d m3 per h; order %s; }" % (
-                chance.uniform(0.8, 1.5), chance.randrange(20, 80), chance.choice(("cells", "shortest")))
+            cover = "cover deck { width %.2f m; clearance 0.25 m; above 0.1 m; thickness 0.2 m; rate %d m3 per h; order %s; cold_joint after %d min; }" % (
+                chance.uniform(0.8, 1.5), chance.randrange(20, 80), chance.choice(("cells", "shortest")), chance.randrange(2, 60))
             text = self.plan(cover, area + " }", stones)
             # Past the column in straight lines, not one axis after the other.
             self.write("gantry.robot", GANTRY.replace("move_to(y, goal(y)), move_to(x, goal(x))", "line"))

@@ -3,7 +3,7 @@ import type { FlowData, Header, ScheduleData } from './header';
 // Reads a film: docs/film.md.
 
 export const kinds = ['task_start', 'goal', 'set', 'enter', 'exit', 'which', 'try', 'wait', 'work', 'pause', 'attach', 'detach',
-  'remove', 'end', 'task_end', 'stop', 'guide', 'way_point', 'turn', 'moving'] as const;
+  'remove', 'end', 'task_end', 'stop', 'guide', 'way_point', 'turn', 'moving', 'cold_joint'] as const;
 export type Kind = (typeof kinds)[number];
 
 /** A task that began, or was not reached. */
@@ -141,6 +141,12 @@ export class Film {
   /** A member of a record, such as number(r, 'try.ok'); the record must be of that kind. */
   number(record: number, column: string): number {
     return this.column(column)[this.rank(record)];
+  }
+
+  /** So many numbers of a record, such as numbers(r, 'cold_joint.ends', 4). */
+  numbers(record: number, column: string, count: number): Float64Array {
+    const first = count * this.rank(record);
+    return this.column(column).subarray(first, first + count);
   }
 
   text(record: number, column: string): string {

@@ -80,6 +80,8 @@ export interface TaskData {
   crews: string[];
   move?: string;
   to?: PoseRows;
+  /** Where its tool goes; by values of parameters where there is no pose. */
+  go?: { pose?: PoseRows };
   /** Of a task that digs in an earth: the component that it takes away. */
   dig?: { soil?: string };
   choices?: { dig?: { soil?: string } }[];

@@ -59,8 +59,17 @@ export function sentence(film: Film, record: number): string {
       return `motion ended: ${status}, ${tries}${message && ` (${message})`}`;
     }
     case 'moving': return '';  // of no run
+    case 'cold_joint': return coldJoint(film, record);
     case 'task_end': return `${run.result || 'over'}${run.reason && `: ${run.reason}`}`;
   }
+}
+
+/** `a cold joint of 3.20 m from (0.00, 4.00) to (3.20, 4.00): what was laid first had lain 1:35:20`. */
+function coldJoint(film: Film, record: number): string {
+  const [x, y, toX, toY] = film.numbers(record, 'cold_joint.ends', 4);
+  const place = (a: number, b: number) => `(${a.toFixed(2)}, ${b.toFixed(2)})`;
+  const age = duration(film.number(record, 'cold_joint.age'));
+  return `a cold joint of ${Math.hypot(toX - x, toY - y).toFixed(2)} m from ${place(x, y)} to ${place(toX, toY)}: what was laid first had lain ${age}`;
 }
 
 /** `panel is turned by -90° by people`, and what barred the shorter way. */

@@ -8,8 +8,10 @@
 #include "src/motion/coverage/lines.hpp"
 #include "src/motion/coverage/order.hpp"
 #include "src/motion/coverage/rectangles.hpp"
+#include "src/motion/coverage/turning.hpp"
 #include "src/motion/math/angles.hpp"
 #include "src/motion/math/index.hpp"
+#include "src/motion/math/turns.hpp"
 
 namespace rubicon::coverage {
 namespace {
@@ -35,6 +37,8 @@ struct Draft {
   OrderResult order;
   std::vector<std::pair<Point, bool>> way;  ///< places; whether the stretch to each is worked
   double length = 0;                        ///< units
+  std::optional<TurningResult> turning;     ///< with a turning radius: then this is the way
+  double worked = 0;                        ///< m, of its lines
 };
 
 CellGraph cells_of(const Floor& floor, const CoverageOptions& options) {
@@ -59,6 +63,42 @@ CellGraph cells_of(const Floor& floor, const CoverageOptions& options) {
   return graph;
 }
 
+/// The way of a machine that turns with a radius, over lines that are in the order of their cells.
+void turn(Draft& draft, const CoverageOptions& options, const FreeSpace& space, int tries) {
+  std::vector<WorkLine> lines;
+  for (const int cell : draft.order.cells) {
+    for (const WorkLine& line : draft.lines) {
+      if (line.cell == cell) lines.push_back(line);
+    }
+  }
+  TurningQuery query;
+  query.lines = &lines;
+  query.cells = &draft.cells.cells;
+  query.space = &space;
+  query.width = in_units(options.width);
+  query.radius = options.turn_radius;
+  query.tries = tries;
+  if (options.from) query.from = draft.frame.turned(*options.from);
+  if (options.inlet) query.inlet = draft.frame.turned(*options.inlet);
+  draft.turning = plan_turning(query);
+  draft.length = draft.turning->length * static_cast<double>(kUnitsPerMetre);
+  draft.worked = 0;
+  for (const WorkLine& line : draft.turning->lines) {
+    draft.worked += in_metres(1) * distance(line.points.front(), line.points.back());
+  }
+}
+
+/// Whether of two drafts this one is to be taken: the one that leaves out less, else the shorter.
+bool is_better(const Draft& draft, const Draft& other) {
+  constexpr double kAsMuch = 0.99;
+  if (draft.turning) {
+    if (draft.worked < kAsMuch * other.worked) return false;
+    return other.worked < kAsMuch * draft.worked || draft.length < other.length;
+  }
+  return std::pair(draft.order.cut_off, draft.length) <
+         std::pair(other.order.cut_off, other.length);
+}
+
 /// Lines, order and way of a draft that has its cells.
 void finish(Draft& draft, const CoverageOptions& options, int tries) {
   draft.way.clear();
@@ -75,6 +115,7 @@ void finish(Draft& draft, const CoverageOptions& options, int tries) {
   if (options.from) query.from = draft.frame.turned(*options.from);
   if (options.inlet) query.inlet = draft.frame.turned(*options.inlet);
   draft.order = order_lines(query);
+  if (options.turn_radius > 0) return turn(draft, options, space, tries);
   if (query.from) draft.way.emplace_back(*query.from, false);
   const auto go = [&](const Point& p, bool working) {
     if (!draft.way.empty()) {
@@ -137,15 +178,31 @@ Draft best_draft(const Floor& floor, const CoverageOptions& options) {
   for (std::size_t i = 0; i < drafts.size(); ++i) {
     if (counts[i] > 2 * counts[fewest] + 20) continue;
     finish(drafts[i], options, 0);
-    if (best == drafts.size() || std::pair(drafts[i].order.cut_off, drafts[i].length) <
-                                     std::pair(drafts[best].order.cut_off, drafts[best].length)) {
-      best = i;
-    }
+    if (best == drafts.size() || is_better(drafts[i], drafts[best])) best = i;
   }
   if (options.tries > 0 && drafts[best].lines.size() <= kMostLinesForTries) {
     finish(drafts[best], options, options.tries);
   }
   return std::move(drafts[best]);
+}
+
+/// In the plan view, each place with the heading of the way there.
+void add_turning_way(const Draft& draft, CoverageWay& result) {
+  const TurningResult& turning = *draft.turning;
+  const Place x = draft.frame.back({kUnitsPerMetre, 0});
+  const double turned_deg = math::atan2_deg(x.y, x.x);
+  result.cut_off += turning.cut_off;
+  result.arcs = {turning.length, turning.turns};
+  for (const WorkLine& line : turning.lines) {
+    CoverageLine drawn{line.cell, line.is_pass, {}};
+    for (const Point& p : line.points) drawn.points.push_back(draft.frame.back(p));
+    result.lines.push_back(std::move(drawn));
+  }
+  for (const TurningPoint& each : turning.points) {
+    result.points.push_back({draft.frame.back(snap(each.at.place)),
+                             math::normalised_deg(each.at.heading_deg + turned_deg), each.working});
+  }
+  if (result.points.size() > 1) result.points[0].working = result.points[1].working;
 }
 
 }  // namespace
@@ -186,6 +243,10 @@ CoverageWay plan_coverage(const FloorDescription& description, const CoverageOpt
   }
   result.order = draft.order.cells;
   result.cut_off = draft.order.cut_off;
+  if (draft.turning) {
+    add_turning_way(draft, result);
+    return result;
+  }
   for (const DirectedLine& directed : draft.order.lines) {
     const WorkLine& line = draft.lines[at(directed.line)];
     CoverageLine drawn{line.cell, line.is_pass, {}};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,14 +44,21 @@ struct CoverageWay {
   std::vector<int> order;           ///< of cells; those without a line of their own are left out
   std::vector<CoverageLine> lines;  ///< as they are driven
   int cut_off = 0;                  ///< lines that no allowed way leads to; they are left out
+  /// With a turning radius: the length with arcs as arcs, m, and how many they are.
+  struct Arcs {
+    double length = 0;
+    int turns = 0;
+  };
+  std::optional<Arcs> arcs;
 };
 
 /// The way of a tool that works a line of `width` across its travel, over all of a floor that it
 /// can reach, steps 1 to 9: hypergraph of beams and slab faces; cells (rectangles of an orthogonal
 /// floor, else by a sweep); their adjacency; their order; lines in each, and passes beside what
-/// lines leave out; shortest ways between them. Throws std::invalid_argument with the first fault
-/// of the input, and where a floor that is not orthogonal is to be parted along beams. The same
-/// input gives the same way, bit for bit.
+/// lines leave out; shortest ways between them. With a turning radius lines end where the machine
+/// can turn, and ways between them are those of Dubins (`turning.hpp`). Throws
+/// std::invalid_argument with the first fault of the input, and where a floor that is not
+/// orthogonal is to be parted along beams. The same input gives the same way, bit for bit.
 CoverageWay plan_coverage(const FloorDescription& floor, const CoverageOptions& options);
 
 }  // namespace rubicon::coverage

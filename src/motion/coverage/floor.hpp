@@ -57,8 +57,9 @@ enum class LineRule {
 };
 
 struct CoverageOptions {
-  double width = 1;      ///< m; of the tool, across its travel
-  double clearance = 0;  ///< m; between the tool's own point and shafts and columns
+  double width = 1;        ///< m; of the tool, across its travel
+  double clearance = 0;    ///< m; between the tool's own point and shafts and columns
+  double turn_radius = 0;  ///< m; no turn of the way is narrower; 0: it turns on the spot
   Partition partition = Partition::kMinimum;
   OrderRule order = OrderRule::kAuto;
   LineRule lines = LineRule::kShortest;

@@ -13,7 +13,8 @@ using EventKind = trace::RecordKind;
 /// `value`, `n` and `row` are depends on the kind.
 struct Event {
   double t = 0;      ///< time after it, s
-  double value = 0;  ///< set: the value; work, pause: `from`; exit: successes; end: accepted
+  double value = 0;  ///< set: the value; work, pause: `from`; exit: successes; end: accepted;
+                     ///< cold_joint: the age, s
   std::uint32_t place = kNone;  ///< in Recording::places
   std::uint32_t text = kNone;  ///< attempt: in Recording::commands; set: the variable; enter, exit:
                                ///< the kind; which: the label; work, pause: what; attach, detach,

@@ -206,6 +206,14 @@ void RecordingReader::fill(Event& event, const trace::Turn& turn) {
   event.value = turn.angle_deg;
 }
 
+void RecordingReader::fill(Event& event, const trace::ColdJoint& joint) {
+  const trace::Numbers ends = joint.ends;
+  if (ends.size() != 4) throw std::invalid_argument("expected x and y of two ends as 'ends'");
+  event.text = recording_.texts.add(
+      fmt::format("({:.2f}, {:.2f}) to ({:.2f}, {:.2f})", ends[0], ends[1], ends[2], ends[3]));
+  event.value = trace::seconds(joint.age);
+}
+
 void RecordingReader::fill(Event& event, const trace::Removal& removal) {
   event.text = recording_.texts.add(removal.component);
 }

@@ -157,6 +157,9 @@ std::string record_text(const Recording& recording, const TaskRun& run, const Ev
       return event.ok ? fmt::format("guide {} has a way ({} nodes, {} checks)", text, event.n,
                                     event.value)
                       : fmt::format("guide {}: {}", text, other);
+    case EventKind::cold_joint:
+      return fmt::format("a cold joint from {}: what was laid first had lain {:.1f} min", text,
+                         event.value / 60);
     case EventKind::moving:
       break;
     case EventKind::way_point:

@@ -250,6 +250,14 @@ void FilmBuilder::write(const trace::Removal& removal, int) {
   columns_.remove_component.add(component(removal.component));
 }
 
+void FilmBuilder::write(const trace::ColdJoint& joint, int) {
+  if (joint.ends.size() != 4) throw std::invalid_argument("expected x and y of two ends as 'ends'");
+  for (const double each : joint.ends) {
+    columns_.cold_joint_ends.add(millionths(each, "a place"));
+  }
+  columns_.cold_joint_age.add(millionths(trace::seconds(joint.age), "a time"));
+}
+
 void FilmBuilder::write(const trace::MotionEnd& end, int run) {
   columns_.end_status.add(string(end.status));
   columns_.end_message.add(string(end.message));

@@ -71,6 +71,10 @@ std::vector<std::pair<std::string_view, Column>> RecordColumns::take() {
   columns.emplace_back("turn.pose", turn_pose.column());
   give("turn.moved", turn_moved);
   give("turn.met", turn_met);
+  if (cold_joint_age.count() > 0) {
+    give("cold_joint.ends", cold_joint_ends);
+    give("cold_joint.age", cold_joint_age);
+  }
   return columns;
 }
 

@@ -38,6 +38,7 @@ struct RecordColumns {
   Column attach_component, detach_component, remove_component;
   Column turn_component, turn_angle{kMillionth}, turn_from{kMillionth, true}, turn_moved, turn_met;
   PoseColumn attach_pose, detach_pose, turn_pose;
+  Column cold_joint_ends{kMillionth}, cold_joint_age{kMillionth};
   Column end_status, end_message, end_reached, end_tries, end_accepted;
 
   /// All of them by the names of docs/film.md.

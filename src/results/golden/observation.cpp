@@ -124,7 +124,8 @@ struct GoldenMembers {
     event["by"] = moving.by;
     event["time"] = time_json(moving.t);
   }
-  // Crew work, pauses and removals are in the schedule.
+  // Crew work, pauses, removals and joints are in the schedule.
+  void operator()(const trace::ColdJoint&) const {}
   void operator()(const trace::Work&) const {}
   void operator()(const trace::Pause&) const {}
   void operator()(const trace::Removal&) const {}

@@ -66,6 +66,28 @@ void write_plan_dates(trace::JsonBuilder& json, const Schedule& schedule, const 
   json.end_object();
 }
 
+void write_place(trace::JsonBuilder& json, const char* name, const coverage::Place& place) {
+  json.key(name).begin_array().value(place.x).value(place.y).end_array();
+}
+
+/// The joints between strips of a floor, and each place of those that are over the limit.
+void write_joints(trace::JsonBuilder& json, const TaskOutcome& task) {
+  const coverage::JointFindings& joints = *task.joints;
+  json.key("cold_joints").begin_object().key("after").seconds(task.cover->cold_after);
+  json.field("count", static_cast<int>(joints.cold.size())).field("length", joints.cold_length);
+  json.field("all_joints", joints.joint_length).key("oldest").seconds(joints.oldest);
+  if (joints.oldest > 0) write_place(json, "oldest_at", joints.oldest_at);
+  json.key("places").begin_array();
+  for (const coverage::ColdJoint& each : joints.cold) {
+    json.begin_object();
+    write_place(json, "from", each.from);
+    write_place(json, "to", each.to);
+    json.key("age").seconds(each.age).key("late").seconds(each.age - task.cover->cold_after);
+    json.key("laid").seconds(each.laid).key("joined").seconds(each.joined).end_object();
+  }
+  json.end_array().end_object();
+}
+
 std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   trace::JsonBuilder json;
   json.begin_object();
@@ -93,7 +115,9 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
     json.key("cover").begin_object().field("area", std::string_view(task.area));
     json.field("covered_area", task.cover->covered_area).field("covered", task.cover->covered);
     if (task.cover->thickness > 0) json.field("volume", task.cover->volume);
-    json.field("length", task.cover->length).field("turns", task.cover->turns).end_object();
+    json.field("length", task.cover->length).field("turns", task.cover->turns);
+    if (task.joints) write_joints(json, task);
+    json.end_object();
   }
   if (task.dig && task.result == taskplan::TaskResult::done) {
     write_dig(json, task, schedule.costed);

@@ -179,6 +179,23 @@ std::string cover_table(const Schedule& schedule) {
   return rows.size() == 1 ? std::string() : columns(rows, {2, 3, 4, 5, 6});
 }
 
+/// Floors whose joints have a limit: how many are over it, how long, and the oldest joint.
+std::string joint_table(const Schedule& schedule) {
+  std::vector<Row> rows = {{"cold joints", "after", "places", "m", "oldest", "at", "late by"}};
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (!task.joints || task.result != taskplan::TaskResult::done) continue;
+    const coverage::JointFindings& joints = *task.joints;
+    const Ticks late = joints.oldest - task.cover->cold_after;
+    rows.push_back(
+        {task.task, clock_text(task.cover->cold_after), fmt::format("{}", joints.cold.size()),
+         fmt::format("{:.1f}", joints.cold_length), clock_text(joints.oldest),
+         joints.oldest > 0 ? fmt::format("({:.2f}, {:.2f})", joints.oldest_at.x, joints.oldest_at.y)
+                           : "-",
+         late > 0 ? clock_text(late) : "-"});
+  }
+  return rows.size() == 1 ? std::string() : columns(rows, {1, 2, 3, 4, 6});
+}
+
 /// Tasks that are due, and by how much each is late.
 std::string due_table(const Schedule& schedule) {
   std::vector<Row> rows = {{"due", "by", "finish", "late"}};
@@ -351,6 +368,8 @@ std::string schedule_table(const Schedule& schedule) {
   if (!schedule.resources.empty()) text += "\n" + use_table(schedule);
   const std::string covers = cover_table(schedule);
   if (!covers.empty()) text += "\n" + covers;
+  const std::string joints = joint_table(schedule);
+  if (!joints.empty()) text += "\n" + joints;
   const std::string earthwork = earthwork_table(schedule);
   if (!earthwork.empty()) text += "\n" + earthwork;
   const std::string timetables = timetable_table(schedule);

@@ -12,8 +12,10 @@
 #include "src/results/verify/replay/check_goals.hpp"
 #include "src/results/verify/replay/check_guides.hpp"
 #include "src/results/verify/replay/check_hits.hpp"
+#include "src/results/verify/replay/check_joints.hpp"
 #include "src/results/verify/replay/check_lines.hpp"
 #include "src/results/verify/replay/check_support.hpp"
+#include "src/results/verify/replay/check_turns.hpp"
 #include "src/results/verify/replay/contact_check.hpp"
 #include "src/results/verify/schedule/check_accounts.hpp"
 #include "src/results/verify/schedule/check_choices.hpp"
@@ -104,6 +106,7 @@ void check_schedules(const Result& result, const Trace& trace, const std::vector
                      schedule.process_time, faults);
     check_whole(trace.scene, schedule, faults);
     check_critical(trace, runs, schedule, faults);
+    check_joint_rows(trace, runs, schedule.rows, faults);
   }
   if (result.schedule_csv) {
     const auto rows =
@@ -125,6 +128,7 @@ Verdict verify(const Result& result) {
   const WaitCheck waits(trace, runs, hours);
   check_durations(trace, verdict.faults);
   check_digs(trace, verdict.faults);
+  check_turns(trace, verdict.faults);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const TaskRun& run = runs[i];
     check_clock(trace, run, verdict.faults);
@@ -134,6 +138,7 @@ Verdict verify(const Result& result) {
     if (verdict.faults.size() == before) check_goals(trace, run, verdict.faults);
     if (verdict.faults.size() == before) check_guides(trace, run, verdict.faults);
     if (verdict.faults.size() == before) check_lines(trace, run, verdict.faults);
+    check_joints(trace, run, verdict.faults);
     check_hits(trace, run, verdict.faults);
     check_shifts(trace, run, hours, verdict.faults);
     check_lifts(trace, run, hours, verdict.faults);

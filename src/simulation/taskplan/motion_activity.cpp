@@ -171,6 +171,7 @@ Step MotionActivity::move_on(ActiveTask& task, Stage& stage) {
     version_at_stop_.reset();
     if (stops) version_at_stop_ = stage.view(stage.spec(task.task).robot).version();
     if (!stops) count_step(task, stage, machine.time(), waits);
+    if (!stops && !waits) note_laid(task, stage, before);
     if (stops) count_time(task, stage, machine.time(), false);
   }
   if (stage.site.traffic_changes() != traffic) {
@@ -195,6 +196,27 @@ void MotionActivity::count_step(ActiveTask& task, Stage& stage, Ticks to, bool w
   if (waited) charge_wait(has_others(stage, task.task) ? tries - tries_before_ - 1 : 0);
   tries_before_ = tries;
   count_time(task, stage, to, waited);
+}
+
+/// What the step that now begins lays of the strip under way, where joints are looked for.
+void MotionActivity::note_laid(ActiveTask& task, const Stage& stage,
+                               const std::vector<double>& before) {
+  const interpreter::TaskSpec& spec = stage.spec(task.task);
+  if (!spec.cover || spec.cover->cold_after == 0) return;
+  const std::size_t point = goals_dropped_ + machine_->way_point();
+  const auto goal = [&](std::size_t i) -> const interpreter::GoalSpec& {
+    return i < spec.via.size() ? spec.via[i] : *spec.go;
+  };
+  if (goal(point).work != interpreter::GoalSpec::Work::working) return;
+  const robot::RobotModel& model = stage.robot_spec(spec.robot).robot->model;
+  const robot::Mounting& mounting = stage.site.robot(spec.robot).mounting;
+  const auto place = [](const math::Pose& X) {
+    return coverage::Place{X.translation().x(), X.translation().y()};
+  };
+  strip_.begin(point, place(*goal(point - 1).X_WG), place(*goal(point).X_WG));
+  strip_.add(place(robot::tool_pose(model, mounting, before)),
+             place(robot::tool_pose(model, mounting, machine_->q())), stage.now(), machine_->time(),
+             task.account.outcome.laid);
 }
 
 /// The time from now to `to`, in which the robot makes a step, waits as its script says, or comes

@@ -10,6 +10,7 @@
 #include "interpreter/machine/machine.hpp"
 #include "src/simulation/taskplan/activity.hpp"
 #include "src/simulation/taskplan/machine_wait.hpp"
+#include "src/simulation/taskplan/strip_progress.hpp"
 
 namespace rubicon::taskplan {
 
@@ -46,6 +47,7 @@ class MotionActivity : public Activity {
   void wait_for_machine(ActiveTask& task, Stage& stage, std::vector<Blocker> blockers, bool enough);
   void count_step(ActiveTask& task, Stage& stage, Ticks to, bool waited);
   void count_time(ActiveTask& task, Stage& stage, Ticks to, bool waited);
+  void note_laid(ActiveTask& task, const Stage& stage, const std::vector<double>& before);
   void charge_wait(int looks);
   void refund_waits(const Stage& stage);
   std::string text_of_waits(const ActiveTask& task, const Stage& stage) const;
@@ -67,6 +69,7 @@ class MotionActivity : public Activity {
   /// What would be accepted when the stop began that its motion may end with.
   std::optional<std::uint64_t> version_at_stop_;
   bool stands_ = false;  ///< what goes on is a `wait` or a stop, and no step
+  StripProgress strip_;  ///< of a task that covers a floor
 };
 
 }  // namespace rubicon::taskplan

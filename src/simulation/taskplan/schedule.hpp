@@ -9,6 +9,7 @@
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/machine/machine.hpp"
 #include "interpreter/program/world.hpp"
+#include "src/motion/coverage/joints.hpp"
 #include "src/simulation/schedule/civil_time.hpp"
 #include "src/simulation/schedule/task_float.hpp"
 
@@ -92,7 +93,11 @@ struct TaskOutcome {
   std::vector<std::string> missed;  ///< waypoints that its motions left without reaching them
   std::optional<interpreter::CoverSpec> cover;  ///< of a task that covers a floor
   std::string area;                             ///< this floor
-  std::optional<interpreter::DigSpec> dig;      ///< of a task that digs
+  /// Where `cover` says when joints are cold: what the tool laid, until the task is done; then the
+  /// joints of it.
+  std::vector<coverage::LaidStretch> laid;
+  std::optional<coverage::JointFindings> joints;
+  std::optional<interpreter::DigSpec> dig;  ///< of a task that digs
 
   /// How much later than `due` it was done; nothing if it is not done or not due.
   std::optional<Ticks> late() const;

@@ -327,6 +327,7 @@ void Simulation::complete(ActiveTask& active) {
   links.set_times(task, times);
   hold_all(active);
   outcome.duration = now - outcome.start;
+  find_cold_joints(task, outcome);
   trace_end(task, now, outcome);
   const interpreter::TaskSpec& each = stage_.spec(task);
   if (!each.zones.empty()) {
@@ -367,6 +368,19 @@ void Simulation::hold_all(ActiveTask& active) {
                     account.outside[i];
     active.account.outcome.holds.push_back(hold);
     stage_.allocator->release(resource, active.task, stage_.now(), false, hold.held);
+  }
+}
+
+/// The joints between all that the task laid, where it says when they are cold.
+void Simulation::find_cold_joints(int task, TaskOutcome& outcome) {
+  const interpreter::TaskSpec& spec = stage_.spec(task);
+  if (!spec.cover || spec.cover->cold_after == 0) return;
+  outcome.joints = coverage::find_joints(outcome.laid, spec.cover->width, spec.cover->cold_after);
+  outcome.laid.clear();
+  auto* const trace = stage_.trace.of(task, spec);
+  if (trace == nullptr) return;
+  for (const coverage::ColdJoint& joint : outcome.joints->cold) {
+    trace->cold_joint(joint, stage_.now());
   }
 }
 

@@ -96,6 +96,7 @@ class Simulation : private LinkState::Listener {
   void may_finish(int task) override;
   void propagate();
   void trace_end(int task, Ticks time, const TaskOutcome& outcome);
+  void find_cold_joints(int task, TaskOutcome& outcome);
 
   // simulation_choices.cpp: tasks by pools
   void ask(int task, Ticks from);

@@ -213,12 +213,22 @@ struct Moving {
   Ticks t = 0;
 };
 
+/// A joint between two strips of a floor, over the limit of its task, in the plan view; told when
+/// the task ends.
+struct ColdJoint {
+  Numbers ends;      ///< x and y of one, then of the other, m
+  Ticks age = 0;     ///< of what was laid first, where it was oldest
+  Ticks laid = 0;    ///< when that was laid
+  Ticks joined = 0;  ///< when the rest came
+  Ticks t = 0;
+};
+
 /// One record of a trace. Its texts and lists belong to the reader that gave it.
 struct Record {
   /// In the order of RecordKind.
   using What = std::variant<TaskStart, GoalStart, Assignment, LoopStart, LoopEnd, Choice, Attempt,
                             Wait, Work, Pause, Attach, Detach, Removal, MotionEnd, TaskEnd, Stop,
-                            GuidePlan, WayPoint, Turn, Moving>;
+                            GuidePlan, WayPoint, Turn, Moving, ColdJoint>;
 
   std::string_view task;
   std::string_view robot;  ///< "": crew work

@@ -203,6 +203,15 @@ struct RecordFields<Moving> {
                  required<&Moving::delay>("delay"), required<&Moving::t>("t"));
 };
 
+template <>
+struct RecordFields<ColdJoint> {
+  static constexpr RecordKind kKind = RecordKind::cold_joint;
+  static constexpr auto kFields =
+      std::tuple(required<&ColdJoint::ends>("ends"), required<&ColdJoint::age>("age"),
+                 required<&ColdJoint::laid>("laid"), required<&ColdJoint::joined>("joined"),
+                 required<&ColdJoint::t>("t"));
+};
+
 /// What a member is in the text.
 enum class FieldType {
   text,

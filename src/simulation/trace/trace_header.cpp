@@ -305,6 +305,8 @@ void write_cover(JsonBuilder& json, const PlanModel& plan, const interpreter::Ta
   json.field("covered", cover.covered).field("covered_area", cover.covered_area);
   json.field("length", cover.length).field("turns", cover.turns);
   if (cover.pace > 0) json.field("pace", cover.pace);
+  if (cover.turn_radius > 0) json.field("turn_radius", cover.turn_radius);
+  if (cover.cold_after > 0) json.key("cold_after").seconds(cover.cold_after);
   json.key("working").begin_array();
   const auto works = [](const interpreter::GoalSpec& goal) {
     return goal.work == interpreter::GoalSpec::Work::working;

@@ -235,6 +235,27 @@ void TraceWriter::moving(std::string_view name, std::string_view by, interpreter
   finish();
 }
 
+void TraceWriter::cold_joint(const coverage::ColdJoint& joint, interpreter::Ticks time) {
+  if (detail_ == TraceDetail::none) return;
+  begin("cold_joint");
+  line_ += ",\"ends\":";
+  const char* comma = "[";
+  for (const double each : {joint.from.x, joint.from.y, joint.to.x, joint.to.y}) {
+    line_ += comma;
+    append_number(line_, each);
+    comma = ",";
+  }
+  line_ += "],\"age\":";
+  append_seconds(line_, joint.age);
+  line_ += ",\"laid\":";
+  append_seconds(line_, joint.laid);
+  line_ += ",\"joined\":";
+  append_seconds(line_, joint.joined);
+  line_ += ",\"t\":";
+  append_seconds(line_, time);
+  finish();
+}
+
 void TraceWriter::motion_end(const interpreter::MotionEnd& end) {
   if (detail_ == TraceDetail::none) return;
   begin("end");

@@ -8,6 +8,7 @@
 #include "interpreter/machine/machine.hpp"
 #include "interpreter/program/events.hpp"
 #include "interpreter/syntax/source.hpp"
+#include "src/motion/coverage/joints.hpp"
 #include "src/simulation/trace/trace_sink.hpp"
 
 namespace rubicon::trace {
@@ -59,6 +60,8 @@ class TraceWriter : public interpreter::EventSink {
   /// timetable has shifted up to then.
   void moving(std::string_view name, std::string_view by, interpreter::Ticks delay,
               interpreter::Ticks time);
+  /// What a task laid has a joint that is over its limit.
+  void cold_joint(const coverage::ColdJoint& joint, interpreter::Ticks time);
   void motion_end(const interpreter::MotionEnd& end);
 
   void goal(int k, int n) override;

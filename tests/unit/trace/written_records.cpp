@@ -144,6 +144,8 @@ std::vector<std::string> written_records() {
   writer.way_point(1, 2);
   writer.turn("slab", -90, math::translation(1, 2, 3), kSecond, 2 * kSecond,
               interpreter::HitPair{"slab", "wall"});
+  writer.cold_joint({{0, 1.5}, {4, 1.5}, 95 * 60 * kSecond, kSecond, 5701 * kSecond},
+                    6000 * kSecond);
   writer.set_task("", -1);
   writer.moving("gate", "crane.hook", kSecond, 3 * kSecond);
   return lines.lines;

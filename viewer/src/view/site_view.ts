@@ -10,6 +10,7 @@ import { Card } from './card';
 import { make } from './elements';
 import { bindKeys } from './keys';
 import { GroundLabels } from './labels';
+import { Joints } from './joints';
 import { Lanes } from './lanes';
 import { Looks } from './looks';
 import { Overlay } from './overlay';
@@ -41,6 +42,7 @@ export class SiteView {
   private readonly paths: Paths;
   private readonly ropes: Ropes;
   private readonly lanes: Lanes;
+  private readonly joints: Joints;
   private readonly labels: GroundLabels;
   private readonly card: Card;
   private readonly section: Section;
@@ -67,6 +69,7 @@ export class SiteView {
     this.paths = new Paths(film, motion, this.light);
     this.ropes = new Ropes(this.model, this.light);
     this.lanes = new Lanes(film, this.light);
+    this.joints = new Joints(film, this.light);
     this.labels = new GroundLabels(this.model.ground.box);
     this.card = new Card(film, player, this.model, this.activity);
     const { extent, ground } = this.model;
@@ -77,11 +80,12 @@ export class SiteView {
     this.stage = new Stage(host, canvas, this.rig.camera, (ratio, width, height) => {
       this.rig.resize(width, height);
       this.light.pixelRatio.value = ratio;
-      for (const { strokes } of [this.paths, this.ropes, this.lanes]) strokes.size.set(width * ratio, height * ratio);
+      for (const { strokes } of [this.paths, this.ropes, this.lanes, this.joints]) strokes.size.set(width * ratio, height * ratio);
     });
     this.picker = new Picker(this.stage.renderer, this.rig.camera, this.model);
     this.stage.still.add(this.model.still, this.labels.mesh);
-    this.stage.moving.add(this.model.moving, this.paths.strokes.mesh, this.ropes.strokes.mesh, this.lanes.strokes.mesh, this.overlay.group);
+    this.stage.moving.add(this.model.moving, this.paths.strokes.mesh, this.ropes.strokes.mesh, this.lanes.strokes.mesh, this.joints.strokes.mesh,
+      this.overlay.group);
     canvas.tabIndex = 0;
     host.append(canvas, this.section.element, this.toolbar.element, this.card.element);
     const { components, robots, site } = film.header;
@@ -214,6 +218,7 @@ export class SiteView {
       model.moving.visible = machines;
       this.ropes.show(this.theme);
       this.lanes.show(this.theme);
+      this.joints.show(this.theme);
       this.paths.show(machines && this.shows.paths ? running : [], tried, player.time, (robot) => looks.machineColour(robot),
                       this.theme.dark);
       if (!machines) this.ropes.strokes.mesh.visible = false;

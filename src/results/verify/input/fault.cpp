@@ -22,6 +22,8 @@ const char* name_of(FaultKind kind) {
       return "link";
     case FaultKind::support:
       return "support";
+    case FaultKind::joint:
+      return "joint";
     case FaultKind::schedule:
       return "schedule";
     case FaultKind::report:

@@ -35,6 +35,7 @@ enum class FaultKind {
   shift,
   link,
   support,
+  joint,
   schedule,
   report
 };

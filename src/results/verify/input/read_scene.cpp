@@ -230,8 +230,15 @@ void read_via(const Json& list, const Scene& scene, SceneTask& task) {
   }
 }
 
+/// m
+constexpr double kWidestStrip = 100;
+
 void read_cover(const JsonFields& cover, SceneTask& task) {
   if (cover.has("pace")) task.pace = cover.number("pace");
+  task.width = cover.number("width");
+  if (!(task.width > 0 && task.width <= kWidestStrip)) cover.fail("a width up to 100 m");
+  if (cover.has("turn_radius")) task.turn_radius = cover.number("turn_radius");
+  if (cover.has("cold_after")) task.cold_after = cover.time("cold_after");
   for (const Json& works : cover.array("working")) {
     if (!works.is_boolean()) cover.fail("true or false in 'working'");
     task.working.push_back(works.get<bool>());

@@ -109,6 +109,15 @@ struct TaskEnd {
   std::string reason;
 };
 
+/// A joint between strips of a floor that is over its limit, m.
+struct ColdJoint {
+  double from_x = 0, from_y = 0, to_x = 0, to_y = 0;
+  Ticks age = 0;
+  Ticks laid = 0;
+  Ticks joined = 0;
+  bool operator==(const ColdJoint&) const = default;
+};
+
 /// One line of a trace that has a place on the clock.
 struct Record {
   int line = 0;
@@ -116,7 +125,7 @@ struct Record {
   int robot = -1;  ///< -1: crew work
   Ticks time = 0;  ///< when it is over
   std::variant<TaskStart, Goal, Try, Wait, Stop, Work, Pause, LoadChange, LoadTurn, MotionEnd,
-               TaskEnd, GuidePlan, WayPoint>
+               TaskEnd, GuidePlan, WayPoint, ColdJoint>
       what;
 };
 

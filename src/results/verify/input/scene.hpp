@@ -240,7 +240,10 @@ struct SceneTask {
   std::optional<SceneDeviation> deviation;
   std::vector<std::pair<std::string, int>> entered;  ///< body, component that it may cut into
   SceneGuides guides = {};
-  double pace = 0;  ///< m/s of the tool where it works over a floor, at most; 0: none
+  double pace = 0;         ///< m/s of the tool where it works over a floor, at most; 0: none
+  double width = 0;        ///< m of its strips
+  double turn_radius = 0;  ///< m: its way has no narrower turn; 0: anything
+  Ticks cold_after = 0;    ///< a joint between its strips is cold after this; 0: not asked
   std::vector<bool> working = {};  ///< of a task that covers a floor: by waypoint, the goal last
   std::optional<SceneWork> hook, adjust, release;
   bool whole = false;  ///< nothing may hang on its hook out of working time

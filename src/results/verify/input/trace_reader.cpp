@@ -63,6 +63,8 @@ class RecordReader {
       record_.what = read_load_change(type);
     } else if (type == "turn") {
       record_.what = read_turn();
+    } else if (type == "cold_joint") {
+      record_.what = read_cold_joint();
     } else if (type == "end") {
       record_.what = read_end();
     } else if (type == "task_end") {
@@ -150,6 +152,18 @@ class RecordReader {
     robot();
     return {component(), fields_.number("angle"), fields_.pose("pose"), fields_.time("from"),
             read_hit()};
+  }
+
+  ColdJoint read_cold_joint() const {
+    ColdJoint joint;
+    double* const ends[] = {&joint.from_x, &joint.from_y, &joint.to_x, &joint.to_y};
+    const Json& values = fields_.array("ends");
+    if (values.size() != std::size(ends)) fields_.fail("x and y of two places in 'ends'");
+    for (std::size_t i = 0; i < std::size(ends); ++i) *ends[i] = number_of(values[i], "'ends'");
+    joint.age = fields_.time("age");
+    joint.laid = fields_.time("laid");
+    joint.joined = fields_.time("joined");
+    return joint;
   }
 
   Work read_work() const {

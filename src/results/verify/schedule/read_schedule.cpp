@@ -107,6 +107,25 @@ std::optional<double> number_if_any(const JsonFields& fields, const char* name) 
   return fields.has(name) ? std::optional(fields.number(name)) : std::nullopt;
 }
 
+RowJoints read_joints(const JsonFields& fields) {
+  RowJoints joints;
+  joints.after = fields.time("after");
+  joints.count = fields.integer("count");
+  joints.length = fields.number("length");
+  joints.oldest = fields.time("oldest");
+  for (const Json& object : fields.array("places")) {
+    const JsonFields place(object, "a cold joint");
+    const auto number = [&](const char* name, std::size_t i) {
+      const Json& values = place.array(name);
+      if (values.size() != 2) place.fail("x and y of a place");
+      return number_of(values[i], "a place");
+    };
+    joints.places.push_back({number("from", 0), number("from", 1), number("to", 0), number("to", 1),
+                             place.time("age"), place.time("laid"), place.time("joined")});
+  }
+  return joints;
+}
+
 ScheduleRow read_row(const JsonFields& fields) {
   ScheduleRow row;
   row.task = fields.text("task");
@@ -129,6 +148,10 @@ ScheduleRow read_row(const JsonFields& fields) {
   if (fields.has("baseline")) {
     const JsonFields baseline = fields.object("baseline");
     row.baseline = std::pair(baseline.time("start"), baseline.time("finish"));
+  }
+  if (fields.has("cover")) {
+    const JsonFields cover = fields.object("cover");
+    if (cover.has("cold_joints")) row.joints = read_joints(cover.object("cold_joints"));
   }
   if (fields.has("float")) {
     const JsonFields floats = fields.object("float");

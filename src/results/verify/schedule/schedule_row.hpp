@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/results/verify/input/fault.hpp"
+#include "src/results/verify/input/record.hpp"
 
 namespace rubicon::verify {
 
@@ -28,6 +28,15 @@ struct RowFloat {
   Ticks latest_finish = 0;
 };
 
+/// The cold joints of a task, in the JSON only.
+struct RowJoints {
+  Ticks after = 0;
+  int count = 0;
+  double length = 0;  ///< m
+  Ticks oldest = 0;
+  std::vector<ColdJoint> places;
+};
+
 /// One row of a schedule, as a file tells it.
 struct ScheduleRow {
   int line = 0;
@@ -42,6 +51,7 @@ struct ScheduleRow {
   std::optional<Ticks> due, late;
   std::optional<std::pair<Ticks, Ticks>> baseline;  ///< start, finish
   std::optional<RowFloat> floats;
+  std::optional<RowJoints> joints;
 };
 
 /// What schedule.json tells of a robot or a crew.

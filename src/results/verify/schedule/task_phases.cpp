@@ -109,6 +109,7 @@ class PhaseCheck {
   bool follow(const Try&) { return in_motion("an attempt"); }
   bool follow(const Wait&) { return in_motion("an attempt"); }
   bool follow(const Stop&) { return in_motion("a stop"); }
+  bool follow(const ColdJoint&) { return true; }
 
   bool in_motion(const char* found) {
     if (next_ < phases_.size() && phases_[next_].kind == Phase::Kind::motion) return true;
