@@ -129,6 +129,8 @@ void apply(const Event& event, TaskState& state) {
     case EventKind::stop:
     case EventKind::guide:
     case EventKind::moving:
+    case EventKind::breakdown:
+    case EventKind::lost_days:
       break;
   }
   state.t = event.t;

@@ -32,6 +32,8 @@ struct Stop;
 struct GuidePlan;
 struct WayPoint;
 struct Moving;
+struct Breakdown;
+struct LostDays;
 struct Turn;
 
 /// Reads the first line of a trace. Throws std::invalid_argument, with a message for the user, for
