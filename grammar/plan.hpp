@@ -32,8 +32,19 @@ struct law_close : close_parenthesis {};
 /// A duration that is not certain.
 struct duration_law
     : if_must<law_key, law_open, law_value, star<if_must<comma, law_value>>, law_close> {};
+/// Times that were measured, from a file: measured("times.csv", min, column "hook").
+struct measured_key : token<seq<word<TAO_PEGTL_STRING("measured")>, at<star<blank>, one<'('>>>> {};
+struct measured_file : string_literal {};
+struct measured_column_key : token<word<TAO_PEGTL_STRING("column")>> {};
+struct measured_column_name : string_literal {};
+struct measured_column_number : token<seq<digits, not_at<name_other>>> {};
+struct measured_column : sor<measured_column_name, measured_column_number> {};
+struct measured_unit : name {};
+struct measured_option : sor<if_must<measured_column_key, measured_column>, measured_unit> {};
+struct measured_law : if_must<measured_key, law_open, measured_file,
+                              star<if_must<comma, measured_option>>, law_close> {};
 struct certain_duration : quantity {};
-struct duration : sor<duration_law, certain_duration> {};
+struct duration : sor<duration_law, measured_law, certain_duration> {};
 struct link_name : qualified_indexed_name {};
 struct link_type : name {};
 struct later : plus_sign {};
@@ -118,11 +129,27 @@ struct off_key : token<word<TAO_PEGTL_STRING("off")>> {};
 struct off_shift : if_must<off_key, off_day, star<if_must<comma, off_day>>, plan_semicolon> {};
 struct carry_over_key : token<word<TAO_PEGTL_STRING("carry_over")>> {};
 struct carry_over : if_must<carry_over_key, plan_semicolon> {};
+struct month_word : sor<word<TAO_PEGTL_STRING("jan")>, word<TAO_PEGTL_STRING("feb")>,
+                        word<TAO_PEGTL_STRING("mar")>, word<TAO_PEGTL_STRING("apr")>,
+                        word<TAO_PEGTL_STRING("may")>, word<TAO_PEGTL_STRING("jun")>,
+                        word<TAO_PEGTL_STRING("jul")>, word<TAO_PEGTL_STRING("aug")>,
+                        word<TAO_PEGTL_STRING("sep")>, word<TAO_PEGTL_STRING("oct")>,
+                        word<TAO_PEGTL_STRING("nov")>, word<TAO_PEGTL_STRING("dec")>> {};
+/// Months before a share; a name alone or in a sum is that of a parameter.
+struct months_text : seq<month_word, space, opt<one<'-'>, space, identifier_text, space>,
+                         not_at<one<';', '+', '-', '*', '/', '(', ')', '.', '}'>>> {};
+struct lost_first_month : token<month_word> {};
+struct lost_last_month : token<month_word> {};
+struct lost_months
+    : seq<at<months_text>, lost_first_month, opt<if_must<minus_sign, lost_last_month>>> {};
+struct lost_key : token<word<TAO_PEGTL_STRING("lost")>> {};
+struct lost_share : quantity {};
+struct lost_shift : if_must<lost_key, opt<lost_months>, lost_share, plan_semicolon> {};
 struct first_day : name {};
 struct last_day : name {};
 struct day_shift : if_must<first_day, opt<if_must<minus_sign, last_day>>, shift_time,
                            star<if_must<comma, shift_time>>, plan_semicolon> {};
-struct shift : sor<off_shift, carry_over, day_shift> {};
+struct shift : sor<off_shift, lost_shift, carry_over, day_shift> {};
 struct whole_shift : must<shift> {};
 struct shifts : nested<star<not_at<block_end>, recover<whole_shift, item_end>>> {};
 struct calendar_key : token<word<TAO_PEGTL_STRING("calendar")>> {};
@@ -336,12 +363,21 @@ struct uses_calendar_key : token<word<TAO_PEGTL_STRING("calendar")>> {};
 struct used_calendar : qualified_indexed_name {};
 struct uses_calendar : if_must<uses_calendar_key, used_calendar, plan_semicolon> {};
 
+// When a machine breaks down, and for how long.
+struct breakdown_key : token<word<TAO_PEGTL_STRING("breakdown")>> {};
+struct breakdown_every : token<word<TAO_PEGTL_STRING("every")>> {};
+struct breakdown_between : duration {};
+struct breakdown_takes : token<word<TAO_PEGTL_STRING("takes")>> {};
+struct breakdown_repair : duration {};
+struct breakdown_item : if_must<breakdown_key, breakdown_every, breakdown_between, breakdown_takes,
+                                breakdown_repair, plan_semicolon> {};
+
 struct robot_start_values : values {};
 struct robot_start : if_must<start_key, robot_start_values, plan_semicolon> {};
 struct park_key : token<word<TAO_PEGTL_STRING("park")>> {};
 struct park_values : values {};
 struct robot_park : if_must<park_key, park_values, plan_semicolon> {};
-struct robot_use_part : sor<robot_start, charge_item, uses_calendar, robot_park> {};
+struct robot_use_part : sor<robot_start, charge_item, uses_calendar, breakdown_item, robot_park> {};
 struct whole_robot_use_part : must<robot_use_part> {};
 struct robot_use_parts : nested<star<not_at<block_end>, recover<whole_robot_use_part, item_end>>> {
 };
@@ -473,7 +509,7 @@ struct fleet_places
 struct fleet_rule : token<identifier_text> {};
 struct fleet_choice : if_must<choose_key, fleet_rule, plan_semicolon> {};
 struct fleet_part : sor<fleet_robot, fleet_size, fleet_on, fleet_places, fleet_choice, charge_item,
-                        uses_calendar> {};
+                        uses_calendar, breakdown_item> {};
 struct whole_fleet_part : must<fleet_part> {};
 struct fleet_parts : nested<star<not_at<block_end>, recover<whole_fleet_part, item_end>>> {};
 struct fleet_key : token<word<TAO_PEGTL_STRING("fleet")>> {};

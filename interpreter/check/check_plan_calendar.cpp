@@ -44,6 +44,55 @@ void check_off_days(Subject& subject, const syntax::Shift& shift, CalendarSpec& 
   }
 }
 
+/// 0 for jan ... 11 for dec: the grammar knows no other.
+int month_of(const syntax::Name& name) {
+  constexpr std::array<std::string_view, 12> kMonths = {"jan", "feb", "mar", "apr", "may", "jun",
+                                                        "jul", "aug", "sep", "oct", "nov", "dec"};
+  return static_cast<int>(std::find(kMonths.begin(), kMonths.end(), name.text) - kMonths.begin());
+}
+
+/// The share of a calendar's days that the weather takes, in some months or in all that have none
+/// of their own.
+class LostDaysCheck {
+ public:
+  explicit LostDaysCheck(Subject& subject) : subject_(subject) {}
+
+  void take(const syntax::Shift& shift) {
+    const std::string what = "the share of lost days";
+    const auto share = bounded(subject_, *shift.lost, syntax::UnitKind::none, what, 0, kMostLost);
+    if (!shift.first_month) {
+      if (any_) subject_.twice(shift.span, what + " is given twice", *any_);
+      any_ = shift.span;
+      for (int i = 0; i < 12; ++i) {
+        if (!given_[month(i)]) lost_[month(i)] = share.value_or(0);
+      }
+      return;
+    }
+    const int first = month_of(*shift.first_month);
+    const int last = shift.last_month ? month_of(*shift.last_month) : first;
+    for (int i = first;; i = (i + 1) % 12) {
+      if (given_[month(i)]) {
+        subject_.twice(shift.span, what + " of a month is given twice", *given_[month(i)]);
+        return;
+      }
+      given_[month(i)] = shift.span;
+      lost_[month(i)] = share.value_or(0);
+      if (i == last) return;
+    }
+  }
+  const schedule::LostShares& shares() const { return lost_; }
+
+ private:
+  /// A calendar that loses more of its days is hardly one to plan by.
+  static constexpr double kMostLost = 0.95;
+  static std::size_t month(int i) { return static_cast<std::size_t>(i); }
+
+  Subject& subject_;
+  schedule::LostShares lost_ = {};
+  std::array<std::optional<Span>, 12> given_ = {};
+  std::optional<Span> any_;
+};
+
 void check_shift(Subject& subject, const syntax::Shift& shift, CalendarSpec& calendar) {
   const std::optional<int> first = day_of(subject, shift.first_day);
   const std::optional<int> last = shift.last_day ? day_of(subject, *shift.last_day) : first;
@@ -97,8 +146,11 @@ void check_calendars(Subject& subject) {
     CalendarSpec calendar;
     calendar.name = item->name.text;
     calendar.span = item->name.span;
+    LostDaysCheck lost(subject);
     for (const syntax::Shift& shift : item->shifts) {
-      if (shift.carry_over) {
+      if (shift.lost) {
+        lost.take(shift);
+      } else if (shift.carry_over) {
         calendar.carry_over = true;
       } else if (!shift.off.empty()) {
         check_off_days(subject, shift, calendar);
@@ -106,6 +158,7 @@ void check_calendars(Subject& subject) {
         check_shift(subject, shift, calendar);
       }
     }
+    calendar.lost = lost.shares();
     if (calendar.shifts.empty() && subject.judges_names()) {
       subject.error("P11", item->name.span,
                     fmt::format("calendar '{}' has no working hours", item->name.text),

@@ -302,6 +302,10 @@ std::optional<sampling::DurationLaw> resolve_law(Subject& subject,
                                                  const syntax::DurationLaw& written) {
   sampling::DurationLaw law;
   law.law = *sampling::find_law(written.name.text);
+  if (law.law == sampling::Law::measured) {
+    law.measured = resolve_measured(subject, written);
+    return law.measured ? std::optional(std::move(law)) : std::nullopt;
+  }
   for (const syntax::Number& value : written.values) {
     const auto seconds = resolve_duration(subject, value, "a value of " + written.name.text);
     if (!seconds) return std::nullopt;

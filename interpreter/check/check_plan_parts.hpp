@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -81,6 +83,9 @@ struct Subject {
   std::map<std::string, const syntax::TaskItem*> task_items = {};  ///< of the plan itself
   std::vector<EarthWork> earth_works = {};                         ///< as the earths of the model
   std::map<const syntax::DigItem*, std::optional<DugSoil>> dug = {};
+  /// By file, unit and column; null of those that are wrong.
+  std::map<std::array<std::string, 3>, std::shared_ptr<const sampling::MeasuredTimes>> measured =
+      {};
   GuideDeclarations guides = {};
   std::map<std::string, Span> import_spans = {};
   std::set<std::uint32_t> without_grip = {};  ///< components, by where their names stand
@@ -209,9 +214,16 @@ std::optional<DigSpec> resolve_dig(Subject& subject, const syntax::DigItem& item
                                    const std::optional<DugSoil>& soil,
                                    const std::vector<CrewUnits>& diggers,
                                    const std::function<int(int crew)>& units_of);
-/// The law of a duration; nothing after P09, P52.
+/// The law of a duration; nothing after P09, P52, F01.
 std::optional<sampling::DurationLaw> resolve_law(Subject& subject,
                                                  const syntax::DurationLaw& written);
+/// Times that were measured; nothing after P52, P58, F01.
+std::shared_ptr<const sampling::MeasuredTimes> resolve_measured(Subject& subject,
+                                                                const syntax::DurationLaw& written);
+/// When a machine breaks down; nothing after P02, P09, P52, P59.
+std::optional<BreakdownSpec> resolve_breakdown(Subject& subject,
+                                               const std::vector<syntax::Breakdown>& written,
+                                               const std::string& who);
 
 /// Robots and components that stand too far apart for metres: P21.
 void check_scale(Subject& subject);

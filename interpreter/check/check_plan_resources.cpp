@@ -72,6 +72,7 @@ class RobotLoader {
     robot.cost_per_hour = resolve_cost(subject_, item.cost, who);
     robot.charges = resolve_charges(subject_, item.charges, who);
     robot.calendar = resolve_calendar(subject_, item.calendar, who);
+    robot.breakdown = resolve_breakdown(subject_, item.breakdowns, who);
     if (const auto* values = only_one(subject_, item.park, "park of " + who, span_of)) {
       subject_.use("park", values->span);
       robot.park = resolve_values(subject_, &robot, *values, ValueUse::park);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "interpreter/check/plan_model.hpp"
@@ -45,6 +46,7 @@ void draw_durations(PlanModel& plan, const SampleSpec& sample) {
       draw_dig(choice);
     }
   }
+  for (CalendarSpec& calendar : plan.calendars) calendar.weather = {{sample.seed, sample.run}};
 }
 
 std::vector<UncertainDuration> uncertain_durations(const PlanModel& plan) {
@@ -63,6 +65,16 @@ int count_uncertain(const PlanModel& plan) {
     if (task.dig) count += task.dig->operation.uncertain_stages();
   }
   return count;
+}
+
+bool loses_days(const PlanModel& plan) {
+  return std::any_of(plan.calendars.begin(), plan.calendars.end(),
+                     [](const CalendarSpec& each) { return each.loses_days(); });
+}
+
+bool has_breakdowns(const PlanModel& plan) {
+  return std::any_of(plan.robots.begin(), plan.robots.end(),
+                     [](const RobotSpec& each) { return each.breakdown.has_value(); });
 }
 
 }  // namespace rubicon::interpreter

@@ -106,6 +106,13 @@ struct Charges {
   std::string normal = {};  ///< name of a calendar; "": its own
 };
 
+/// When a machine breaks down, by the hours that it moved or worked, and how long a repair takes in
+/// its working hours. A duration that is certain is a sequence of one.
+struct BreakdownSpec {
+  sampling::DurationLaw every;
+  sampling::DurationLaw takes;
+};
+
 struct RobotSpec {
   std::string name;
   std::shared_ptr<const CheckedRobot> robot;
@@ -117,6 +124,7 @@ struct RobotSpec {
   Span span;
   Charges charges = {};
   int fleet = -1;  ///< index into fleets, -1: it is in none
+  std::optional<BreakdownSpec> breakdown = {};
 };
 
 struct CrewSpec {
@@ -396,6 +404,10 @@ std::vector<int> crews_of_lift(const TaskSpec& task);
 void draw_durations(PlanModel& plan, const SampleSpec& sample);
 /// How many durations are not certain.
 int count_uncertain(const PlanModel& plan);
+/// Whether a calendar loses days.
+bool loses_days(const PlanModel& plan);
+/// Whether a machine breaks down.
+bool has_breakdowns(const PlanModel& plan);
 
 /// A duration that is not certain.
 struct UncertainDuration {

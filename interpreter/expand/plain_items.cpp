@@ -40,6 +40,9 @@ void PlainItems::item(syntax::CalendarItem& value) {
     if (shift.last_day) mark(shift.last_day->span);
     for (auto& [from, to] : shift.times) mark(from.span), mark(to.span);
     for (syntax::String& day : shift.off) text(day);
+    each(shift.lost);
+    if (shift.first_month) mark(shift.first_month->span);
+    if (shift.last_month) mark(shift.last_month->span);
   }
 }
 
@@ -115,6 +118,9 @@ void PlainItems::law(std::optional<syntax::DurationLaw>& value) {
   mark(value->span);
   mark(value->name.span);
   each(value->values);
+  if (value->file) text(*value->file);
+  for (syntax::Name& unit : value->units) mark(unit.span);
+  for (syntax::String& column : value->columns) text(column);
 }
 
 void PlainItems::item(syntax::LaneClassItem& value) {
@@ -150,6 +156,13 @@ void PlainItems::item(syntax::RobotUse& value) {
   part(value.charges);
   each(value.calendar);
   each(value.park);
+  for (syntax::Breakdown& breakdown : value.breakdowns) {
+    mark(breakdown.span);
+    number(breakdown.every);
+    law(breakdown.every_law);
+    number(breakdown.takes);
+    law(breakdown.takes_law);
+  }
 }
 
 void PlainItems::item(syntax::CrewItem& value) {

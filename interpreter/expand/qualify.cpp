@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <set>
 #include <type_traits>
 #include <utility>
@@ -72,6 +73,10 @@ class Qualifier {
     prefix(*item.name);
     find_file(item.file);
     for (syntax::Name& each : item.calendar) refer(each, calendars_);
+    for (syntax::Breakdown& each : item.breakdowns) {
+      find_times(each.every_law);
+      find_times(each.takes_law);
+    }
     outside(item.charges);
   }
   void rename(syntax::CrewItem& item) {
@@ -168,10 +173,12 @@ class Qualifier {
         for (syntax::NeedsItem::Need& need : needs->needs) refer(need.crew, workers_);
       } else if (auto* work = std::get_if<syntax::WorkItem>(&part)) {
         if (work->by) refer(*work->by, workers_);
+        find_times(work->law);
       } else if (auto* dig = std::get_if<syntax::DigItem>(&part)) {
         for (syntax::DigItem::Clause& clause : dig->clauses) {
           if (clause.trucks) refer(*clause.trucks, workers_);
           if (clause.by) refer(*clause.by, workers_);
+          find_times(clause.law);
         }
       } else if (auto* move = std::get_if<syntax::MoveItem>(&part)) {
         refer(move->component, components_, inner_components_);
@@ -190,6 +197,9 @@ class Qualifier {
   // ---- names and files
   // ----------------------------------------------------------------------------
 
+  void find_times(std::optional<syntax::DurationLaw>& law) {
+    if (law && law->file) find_file(*law->file);
+  }
   void outside(syntax::Charges& charges) {
     for (syntax::Overtime& overtime : charges.overtime) {
       if (overtime.outside) refer(*overtime.outside, calendars_);

@@ -138,6 +138,25 @@ RUBICON_ACTION(PlanAction, PlanState, duration_law) {
   st.duration = {};
   st.duration.span = st.law->span;
 }
+RUBICON_ACTION(PlanAction, PlanState, measured_key) {
+  st.law.emplace();
+  st.law->name = st.word(begin);
+  st.law->name.text.erase(st.law->name.text.find_last_not_of(" \t") + 1);
+}
+RUBICON_ACTION(PlanAction, PlanState, measured_file) { st.law->file = st.string; }
+RUBICON_ACTION(PlanAction, PlanState, measured_unit) { st.law->units.push_back(st.take_name()); }
+RUBICON_ACTION(PlanAction, PlanState, measured_column_name) {
+  st.law->columns.push_back(st.string);
+}
+RUBICON_ACTION(PlanAction, PlanState, measured_column_number) {
+  st.law->columns.push_back(token_string(st, begin));
+  st.law->by_number = true;
+}
+RUBICON_ACTION(PlanAction, PlanState, measured_law) {
+  st.law->span = st.span_from(begin);
+  st.duration = {};
+  st.duration.span = st.law->span;
+}
 RUBICON_ACTION(PlanAction, PlanState, certain_duration) {
   st.law.reset();
   st.duration = st.take_quantity();
@@ -249,6 +268,10 @@ RUBICON_ACTION(PlanAction, PlanState, shift_to) {
 RUBICON_ACTION(PlanAction, PlanState, off_key) { st.shift = {}; }
 RUBICON_ACTION(PlanAction, PlanState, off_date) { st.shift.off.push_back(token_string(st, begin)); }
 RUBICON_ACTION(PlanAction, PlanState, off_quoted_date) { st.shift.off.push_back(st.string); }
+RUBICON_ACTION(PlanAction, PlanState, lost_key) { st.shift = {}; }
+RUBICON_ACTION(PlanAction, PlanState, lost_first_month) { st.shift.first_month = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, lost_last_month) { st.shift.last_month = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, lost_share) { st.shift.lost = st.take_quantity(); }
 RUBICON_ACTION(PlanAction, PlanState, carry_over_key) {
   st.shift = {};
   st.shift.carry_over = true;
@@ -408,6 +431,19 @@ RUBICON_ACTION(PlanAction, PlanState, overhead_item) {
 }
 RUBICON_ACTION(PlanAction, PlanState, used_calendar) {
   (st.in_crew ? st.crew.calendar : st.robot.calendar).push_back(st.take_dotted_name());
+}
+RUBICON_ACTION(PlanAction, PlanState, breakdown_between) {
+  st.breakdown = {};
+  st.breakdown.every = st.duration;
+  st.breakdown.every_law = st.law;
+}
+RUBICON_ACTION(PlanAction, PlanState, breakdown_repair) {
+  st.breakdown.takes = st.duration;
+  st.breakdown.takes_law = st.law;
+}
+RUBICON_ACTION(PlanAction, PlanState, breakdown_item) {
+  st.breakdown.span = st.span_from(begin);
+  st.robot.breakdowns.push_back(std::move(st.breakdown));
 }
 RUBICON_ACTION(PlanAction, PlanState, robot_use_key) {
   st.robot = {};

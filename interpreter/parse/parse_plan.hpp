@@ -202,6 +202,7 @@ class PlanState : public GuideState {
   syntax::Number per_day;
   syntax::Rental rental;
   syntax::Overtime overtime;
+  syntax::Breakdown breakdown;
   syntax::PoolItem pool;
   syntax::NetworkItem network;
   bool in_network = false;

@@ -363,13 +363,15 @@ struct SituationItem {
   Span span;
 };
 
-/// mon-fri 07:00-12:00, 12:30-16:00;   off 2026-12-25;
+/// mon-fri 07:00-12:00, 12:30-16:00;   off 2026-12-25;   lost nov-feb 0.2;
 struct Shift {
   Name first_day;
   std::optional<Name> last_day;
   std::vector<std::pair<String, String>> times;  ///< "07:00", "12:00" as written
   std::vector<String> off;                       ///< dates as written; then the rest is empty
   bool carry_over = false;                       ///< the item `carry_over;`
+  std::optional<Number> lost = {};               ///< the share of its days, then the rest is empty
+  std::optional<Name> first_month = {}, last_month = {};  ///< of `lost`
   Span span;
 };
 struct CalendarItem {
@@ -528,6 +530,26 @@ struct Charges {
   std::vector<Overtime> overtime;
 };
 
+/// triangular(2 min, 3 min, 7 min);   measured("times.csv", min, column "hook")
+struct DurationLaw {
+  Name name;
+  std::vector<Number> values;
+  Span span;
+  // measured
+  std::optional<String> file = {};
+  std::vector<Name> units = {};      ///< more than one is an error of the checker
+  std::vector<String> columns = {};  ///< likewise; a name, or digits
+  bool by_number = false;            ///< the column is given by its number, from 1
+};
+/// breakdown every exponential(40 h) takes uniform(1 h, 3 h);
+struct Breakdown {
+  Number every;
+  std::optional<DurationLaw> every_law;  ///< in place of the duration
+  Number takes;
+  std::optional<DurationLaw> takes_law;
+  Span span;
+};
+
 /// robot NAME "file" [at frame] (; | { ... })   or, short form,   robot "file" [at frame];
 struct RobotUse {
   std::optional<Name> name;
@@ -537,6 +559,7 @@ struct RobotUse {
   std::vector<Cost> cost;
   std::vector<Name> calendar;
   std::vector<Values> park;
+  std::vector<Breakdown> breakdowns;  ///< more than one is an error of the checker
   Charges charges;
   Span span;
 };
@@ -580,12 +603,6 @@ struct Link {
   Span span;
 };
 
-/// triangular(2 min, 3 min, 7 min)
-struct DurationLaw {
-  Name name;
-  std::vector<Number> values;
-  Span span;
-};
 /// hook 4 min by riggers;   takes 2 h;
 struct WorkItem {
   Name name;  ///< hook, adjust, release or takes

@@ -1,7 +1,7 @@
 """Runs every example of docs/language.md with the real command and compares it with the line `# =>` at its end.
 
 Blocks: ```robot declares a machine; ```motion runs a script on one of them (its attributes give the short plan);
-```plan runs a plan; ```motion-error gives exactly one diagnostic. A `# =>` line lists, separated by commas: the status
+```plan runs a plan; ```csv is a file beside it; ```motion-error gives exactly one diagnostic. A `# =>` line lists, separated by commas: the status
 of the motion, reached or short, `tries N`, `t SECONDS`, `var(name) VALUE`, or `parameter VALUE` at the end.
 """
 
@@ -53,7 +53,9 @@ class LanguageExamples(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
-        for kind, _, body, _ in examples():
+        for kind, attributes, body, _ in examples():
+            if kind == "csv":
+                self.write(attributes["file"], body)
             if kind == "robot":
                 self.write(re.search(r"robot (\w+)", body).group(1) + ".robot", body)
 

@@ -57,6 +57,7 @@ export class Activity {
     const whom = film.text(record, 'pause.for');
     if (why === 'shift') return 'waits for the next shift';
     if (why === 'lift') return `waits for a shift for its lift: ${whom}`;
+    if (why === 'repair') return `waits: ${whom} is repaired`;
     if (why === 'held') return `is held by ${whom}`;
     return `waits for ${whom || `a ${why}`}`;
   }

@@ -100,6 +100,10 @@ export class Film {
       strings: this.strings } = this.head);
     this.flow = this.head.flow ?? null;
     this.movingStops = this.head.movings ?? [];
+    // What the weather took is off, as what the plan says is.
+    for (const { calendar, dates } of this.schedule?.lost_days ?? []) {
+      this.header.calendars.find(({ name }) => name === calendar)?.off.push(...dates);
+    }
     this.records = this.head.columns['record.kind']?.count ?? 0;
   }
 

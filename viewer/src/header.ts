@@ -135,6 +135,8 @@ export interface Waited {
   resource: number;
   machine: number;
   shift: number;
+  /** Where machines break down. */
+  repair?: number;
 }
 
 export interface ScheduledTask {
@@ -220,4 +222,8 @@ export interface ScheduleData {
   /** Durations that are not certain; drawn by `sample`, else they stand for their means. */
   uncertain?: number;
   sample?: { seed: number; run: number };
+  /** What the weather took, of calendars that lose days. */
+  lost_days?: { calendar: string; working_days: number; lost: number; dates: string[] }[];
+  /** Machines that broke down, where any do. */
+  breakdowns?: { robot: string; during: string; worked: number; repair: number; from: number; to: number }[];
 }

@@ -35,7 +35,7 @@ export function tallyText({ tasks, short, rejected, notReached }: Tally): string
 }
 
 const pauses: Record<string, string> = { machine: 'waits for', crew: 'waits for', shift: 'waits for the next shift',
-  held: 'is done, held by', lift: 'its lift waits for a shift:' };
+  held: 'is done, held by', lift: 'its lift waits for a shift:', repair: 'waits for the repair of' };
 
 /** What the page asks about tasks: what schedule.json and the trace tell of each, put together. */
 export class Runs {

@@ -45,6 +45,7 @@ export function sentence(film: Film, record: number): string {
       const long = duration(film.time(record) - number('pause.from'));
       if (why === 'shift') return `waited ${long} for the next shift`;
       if (why === 'lift') return `its lift waited ${long}: ${whom}`;
+      if (why === 'repair') return `${whom} was repaired for ${long}`;
       if (why === 'held') return `was held ${long} by ${whom}`;
       return `waited ${long} for ${whom}`;
     }

@@ -23,7 +23,7 @@ export type SortKey = Exclude<keyof TableRow, 'run' | 'reason'>;
 export function tableRows(runs: Runs): TableRow[] {
   return runs.all.map((run, i) => {
     const row = runs.row(i);
-    const waited = row ? row.waited.resource + row.waited.machine + row.waited.shift : null;
+    const waited = row ? row.waited.resource + row.waited.machine + row.waited.shift + (row.waited.repair ?? 0) : null;
     const crew = row?.crew ?? '';
     const machine = runs.machine(i);
     return {

@@ -79,7 +79,10 @@ PlannedTask& RecordingReader::planned(std::string_view name) {
 }
 
 void RecordingReader::read_record(const trace::Record& record) {
-  if (record.kind() == EventKind::moving) return;  // of no task
+  if (record.kind() == EventKind::moving || record.kind() == EventKind::breakdown ||
+      record.kind() == EventKind::lost_days) {
+    return;  // of no task
+  }
   const auto* end = std::get_if<trace::TaskEnd>(&record.what);
   if (end != nullptr && !open_.contains(record.task)) {
     PlannedTask& task = planned(record.task);

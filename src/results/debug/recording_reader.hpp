@@ -48,7 +48,9 @@ class RecordingReader : public trace::TraceSink {
   void fill(Event& event, const trace::MotionEnd& end);
   void fill(Event& event, const trace::TaskEnd& end);
   void fill(Event&, const trace::Stop&) {}
-  void fill(Event&, const trace::Moving&) {}  // of no task
+  void fill(Event&, const trace::Moving&) {}  // of no task, as the next two
+  void fill(Event&, const trace::Breakdown&) {}
+  void fill(Event&, const trace::LostDays&) {}
   void fill(Event& event, const trace::ColdJoint& joint);
   void fill(Event& event, const trace::GuidePlan& plan);
   void fill(Event& event, const trace::WayPoint& point);

@@ -94,6 +94,7 @@ std::string pause_text(const std::string& why, const std::string& whom) {
   if (why == "machine") return whom + " was in the way";
   if (why == "crew") return "waited for " + whom;
   if (why == "held") return "was done, and held by its link to " + whom;
+  if (why == "repair") return whom + " was under repair";
   if (why == "lift") return "its lift waited for a shift: " + whom;
   return "out of shift";
 }
@@ -161,6 +162,8 @@ std::string record_text(const Recording& recording, const TaskRun& run, const Ev
       return fmt::format("a cold joint from {}: what was laid first had lain {:.1f} min", text,
                          event.value / 60);
     case EventKind::moving:
+    case EventKind::breakdown:
+    case EventKind::lost_days:
       break;
     case EventKind::way_point:
       return fmt::format("waypoint {} of {} of the guide begins", event.n, event.value);

@@ -130,6 +130,8 @@ void apply(const Event& event, TaskState& state) {
     case EventKind::guide:
     case EventKind::moving:
     case EventKind::cold_joint:
+    case EventKind::breakdown:
+    case EventKind::lost_days:
       break;
   }
   state.t = event.t;

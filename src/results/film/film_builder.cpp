@@ -59,6 +59,8 @@ void FilmBuilder::record(const trace::Record& record) {
                         trace::seconds(moving->delay), trace::seconds(moving->t)});
     return;
   }
+  // The page has these from the schedule.
+  if (record.kind() == RecordKind::breakdown || record.kind() == RecordKind::lost_days) return;
   const int run = run_of(record);
   const double t = time_of(record, runs_[run]);
   columns_.kind.add(static_cast<int>(record.kind()));

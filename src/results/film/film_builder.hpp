@@ -49,7 +49,9 @@ class FilmBuilder {
   void write(const trace::GuidePlan& plan, int run);
   void write(const trace::WayPoint& point, int run);
   void write(const trace::Turn& turn, int run);
-  void write(const trace::Moving&, int) {}  // of no run
+  void write(const trace::Moving&, int) {}  // of no run, as the next two
+  void write(const trace::Breakdown&, int) {}
+  void write(const trace::LostDays&, int) {}
   void write(const trace::ColdJoint& joint, int run);
 
   std::int64_t string(std::string_view text) { return strings_.number(text); }

@@ -40,6 +40,8 @@ void TraceTimesReader::line(std::string_view text) {
                        std::string(work->what)});
         } else if (const auto* pause = std::get_if<trace::Pause>(&record.what)) {
           add(record, {Stretch::Kind::wait, pause->from, pause->t, {}, std::string(pause->why)});
+        } else if (const auto* lost = std::get_if<trace::LostDays>(&record.what)) {
+          lose_days(*lost);
         }
       });
 }
@@ -56,6 +58,18 @@ void TraceTimesReader::read_header(const trace::TraceHeader& header) {
   for (const trace::HeaderRobot& robot : header.robots) keep_calendar(robot.name, robot.calendar);
   for (const trace::HeaderCrew& crew : header.crews) keep_calendar(crew.name, crew.calendar);
   for (const trace::HeaderTask& task : header.tasks) times_.held[task.name] = task.crews;
+}
+
+/// Days that the weather took are days off of a chart.
+void TraceTimesReader::lose_days(const trace::LostDays& lost) {
+  for (schedule::CalendarRules& rules : times_.calendars) {
+    if (rules.name != lost.calendar) continue;
+    for (const std::string_view day : lost.days) {
+      const auto date = schedule::parse_date(day);
+      if (!date) throw std::invalid_argument("expected YYYY-MM-DD in 'days'");
+      rules.off.push_back(*date);
+    }
+  }
 }
 
 void TraceTimesReader::begin(const trace::Record& record, Ticks start) {

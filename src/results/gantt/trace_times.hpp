@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/simulation/schedule/calendar_rules.hpp"
+#include "src/simulation/trace/record.hpp"
 #include "src/simulation/trace/trace_reader.hpp"
 
 namespace rubicon::gantt {
@@ -51,12 +52,14 @@ class TraceTimesReader {
 
  private:
   void read_header(const trace::TraceHeader& header);
+  void lose_days(const trace::LostDays& lost);
   void begin(const trace::Record& record, Ticks start);
   void end(const trace::Record& record, const trace::TaskEnd& end);
   void add(const trace::Record& record, Stretch stretch);
 
   trace::TraceReader reader_{{trace::RecordKind::task_start, trace::RecordKind::task_end,
-                              trace::RecordKind::work, trace::RecordKind::pause}};
+                              trace::RecordKind::work, trace::RecordKind::pause,
+                              trace::RecordKind::lost_days}};
   TraceTimes times_;
   std::map<std::string, TaskTimes, std::less<>> open_;  ///< by task
   bool short_form_ = false;

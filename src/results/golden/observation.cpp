@@ -124,11 +124,13 @@ struct GoldenMembers {
     event["by"] = moving.by;
     event["time"] = time_json(moving.t);
   }
-  // Crew work, pauses, removals and joints are in the schedule.
+  // Crew work, pauses, removals, joints, breakdowns and lost days are in the schedule.
   void operator()(const trace::ColdJoint&) const {}
   void operator()(const trace::Work&) const {}
   void operator()(const trace::Pause&) const {}
   void operator()(const trace::Removal&) const {}
+  void operator()(const trace::Breakdown&) const {}
+  void operator()(const trace::LostDays&) const {}
 };
 
 std::string_view type_of(const trace::Record& record) {

@@ -100,6 +100,7 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   json.key("predecessor").seconds(task.waits.predecessor);
   json.key("resource").seconds(task.waits.resource);
   json.key("machine").seconds(task.waits.machine).key("shift").seconds(task.waits.shift);
+  if (schedule.breaks_down) json.key("repair").seconds(task.waits.repair);
   json.end_object();
   if (schedule.costed) json.field("cost", task.cost);
   json.field("tried", task.tried).field("accepted", task.accepted);
@@ -217,6 +218,23 @@ class AttributeColumns {
   std::map<std::string_view, const Attributes*> components_;
 };
 
+std::string lost_days_json(const taskplan::LostDaysOutcome& lost) {
+  trace::JsonBuilder json;
+  json.begin_object().field("calendar", std::string_view(lost.calendar));
+  json.field("working_days", lost.working_days);
+  json.field("lost", static_cast<int>(lost.dates.size())).key("dates").strings(lost.dates);
+  return json.end_object().take();
+}
+
+std::string breakdown_json(const taskplan::BreakdownOutcome& breakdown) {
+  trace::JsonBuilder json;
+  json.begin_object().field("robot", std::string_view(breakdown.robot));
+  json.field("during", std::string_view(breakdown.during));
+  json.key("worked").seconds(breakdown.worked).key("repair").seconds(breakdown.repair);
+  json.key("from").seconds(breakdown.from).key("to").seconds(breakdown.to);
+  return json.end_object().take();
+}
+
 /// `"name":[` and one element a line.
 template <typename List, typename Write>
 std::string list_text(const char* name, const List& list, const Write& write) {
@@ -243,7 +261,7 @@ std::string schedule_json(const Schedule& schedule) {
     const std::string both = dates.take();
     text += "," + both.substr(1, both.size() - 2);
   }
-  if (schedule.uncertain > 0) {
+  if (schedule.uncertain > 0 || schedule.loses_days || schedule.breaks_down) {
     trace::JsonBuilder sample;
     sample.begin_object().field("uncertain", schedule.uncertain);
     if (schedule.sample) {
@@ -276,6 +294,12 @@ std::string schedule_json(const Schedule& schedule) {
   if (!schedule.timetables.empty()) {
     text += ",\n" + list_text("timetables", schedule.timetables, timetable_json);
   }
+  if (schedule.loses_days) {
+    text += ",\n" + list_text("lost_days", schedule.lost_days, lost_days_json);
+  }
+  if (schedule.breaks_down) {
+    text += ",\n" + list_text("breakdowns", schedule.breakdowns, breakdown_json);
+  }
   if (!schedule.components.empty()) {
     text += ",\n" + list_text("components", schedule.components, component_json);
   }
@@ -287,8 +311,8 @@ std::string schedule_csv(const Schedule& schedule) {
   std::string text = fmt::format(
       "task,robot,crew,start,duration,tried,accepted,result,reason,motion,work,waited_predecessor,"
       "waited_resource,waited_machine,waited_shift,cost,begins,ends,due,late,baseline_start,"
-      "baseline_finish,total_float,free_float,{}\n",
-      AttributeColumns::kNames);
+      "baseline_finish,total_float,free_float,{}{}\n",
+      AttributeColumns::kNames, schedule.breaks_down ? ",waited_repair" : "");
   for (const TaskOutcome& task : schedule.tasks) {
     const auto date_field = [&](interpreter::Ticks time) {
       return schedule.start_at ? date_text(*schedule.start_at, time) : std::string();
@@ -297,7 +321,7 @@ std::string schedule_csv(const Schedule& schedule) {
       return time ? seconds_text(*time) : std::string();
     };
     text += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}{}\n",
         csv_field(task.task), csv_field(task.robot), csv_field(crew_text(task)),
         seconds_text(task.start), seconds_text(task.duration), task.tried, task.accepted,
         name_of(task.result), csv_field(task.reason), seconds_text(task.motion_time),
@@ -309,7 +333,8 @@ std::string schedule_csv(const Schedule& schedule) {
         task.baseline ? seconds_text(task.baseline->start) : std::string(),
         task.baseline ? seconds_text(task.baseline->finish) : std::string(),
         task.floats ? seconds_text(task.floats->total) : std::string(),
-        task.floats ? seconds_text(task.floats->free) : std::string(), attributes.of(task));
+        task.floats ? seconds_text(task.floats->free) : std::string(), attributes.of(task),
+        schedule.breaks_down ? "," + seconds_text(task.waits.repair) : std::string());
   }
   return text;
 }

@@ -73,6 +73,7 @@ TaskOutcome read_task(const ExactJson& json) {
   const ExactJson& waits = json.at("waited");
   task.waits = {waits.at("predecessor").ticks(), waits.at("resource").ticks(),
                 waits.at("machine").ticks(), waits.at("shift").ticks()};
+  if (waits.has("repair")) task.waits.repair = waits.at("repair").ticks();
   if (json.has("cost")) task.cost = amount(json.at("cost"));
   task.tried = json.at("tried").integer();
   task.accepted = json.at("accepted").integer();
@@ -176,6 +177,23 @@ Schedule schedule_from_json(std::string_view text) {
     for (const ExactJson& each : json.at("timetables").elements()) {
       schedule.timetables.push_back({each.at("name").text(), each.at("stops").integer(),
                                      each.at("late").ticks(), each.at("stands_before").text()});
+    }
+  }
+  schedule.loses_days = json.has("lost_days");
+  if (schedule.loses_days) {
+    for (const ExactJson& each : json.at("lost_days").elements()) {
+      taskplan::LostDaysOutcome& lost = schedule.lost_days.emplace_back();
+      lost.calendar = each.at("calendar").text();
+      lost.working_days = each.at("working_days").integer();
+      for (const ExactJson& date : each.at("dates").elements()) lost.dates.push_back(date.text());
+    }
+  }
+  schedule.breaks_down = json.has("breakdowns");
+  if (schedule.breaks_down) {
+    for (const ExactJson& each : json.at("breakdowns").elements()) {
+      schedule.breakdowns.push_back({each.at("robot").text(), each.at("during").text(),
+                                     each.at("worked").ticks(), each.at("repair").ticks(),
+                                     each.at("from").ticks(), each.at("to").ticks()});
     }
   }
   if (json.has("components")) {

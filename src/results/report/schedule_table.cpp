@@ -26,7 +26,7 @@ using Row = TableRow;
 constexpr std::size_t kShownChain = 12;
 
 Ticks waited(const TaskOutcome& task) {
-  return task.waits.resource + task.waits.machine + task.waits.shift;
+  return task.waits.resource + task.waits.machine + task.waits.shift + task.waits.repair;
 }
 
 /// Of the tries of a robot to park that failed the table shows the last.
@@ -118,6 +118,59 @@ std::string sample_text(const Schedule& schedule) {
   }
   return fmt::format("{} not certain, and drawn with seed {}, run {}\n", durations,
                      schedule.sample->seed, schedule.sample->run);
+}
+
+/// Days and machines of which chance has a part, without a sample.
+std::string chance_text(const Schedule& schedule) {
+  std::string text;
+  if (schedule.sample) {
+    if (schedule.uncertain > 0 || (!schedule.loses_days && !schedule.breaks_down)) return text;
+    const char* const drawn = !schedule.breaks_down ? "the weather is"
+                              : schedule.loses_days ? "weather and breakdowns are"
+                                                    : "breakdowns are";
+    return fmt::format("{} drawn with seed {}, run {}\n", drawn, schedule.sample->seed,
+                       schedule.sample->run);
+  }
+  if (schedule.loses_days) text += "no day is lost to the weather; --sample SEED draws them\n";
+  if (schedule.breaks_down) text += "no machine breaks down; --sample SEED draws when they do\n";
+  return text;
+}
+
+/// What the weather took.
+std::string lost_days_table(const Schedule& schedule) {
+  if (schedule.lost_days.empty()) return {};
+  constexpr std::size_t kShownDates = 10;
+  std::vector<Row> rows = {{"calendar", "days lost", "of", "dates"}};
+  for (const taskplan::LostDaysOutcome& each : schedule.lost_days) {
+    std::string dates;
+    for (std::size_t i = 0; i < std::min(each.dates.size(), kShownDates); ++i) {
+      dates += (i == 0 ? "" : ", ") + each.dates[i];
+    }
+    if (each.dates.size() > kShownDates) {
+      dates += fmt::format(" and {} more", each.dates.size() - kShownDates);
+    }
+    rows.push_back({each.calendar, fmt::format("{}", each.dates.size()),
+                    fmt::format("{}", each.working_days), dates});
+  }
+  return columns(rows, {1, 2});
+}
+
+/// Which machines broke down, and when.
+std::string breakdown_table(const Schedule& schedule) {
+  if (schedule.breakdowns.empty()) return {};
+  constexpr std::size_t kShown = 20;
+  std::vector<Row> rows = {{"broken", "during", "after work of", "from", "to", "repair"}};
+  for (const taskplan::BreakdownOutcome& each : schedule.breakdowns) {
+    if (rows.size() > kShown) break;
+    rows.push_back({each.robot, each.during, clock_text(each.worked),
+                    when_text(schedule, each.from), when_text(schedule, each.to),
+                    clock_text(each.repair)});
+  }
+  std::string text = columns(rows, {2, 3, 4, 5});
+  if (schedule.breakdowns.size() > kShown) {
+    text += fmt::format("and {} more\n", schedule.breakdowns.size() - kShown);
+  }
+  return text;
 }
 
 std::string use_table(const Schedule& schedule) {
@@ -355,11 +408,15 @@ std::string moment_text(const schedule::CivilTime& start_at, Ticks time) {
 }
 
 std::string schedule_table(const Schedule& schedule) {
-  std::string text = task_table(schedule) + "\n" + total_line(schedule) + sample_text(schedule);
+  std::string text = task_table(schedule) + "\n" + total_line(schedule) + sample_text(schedule) +
+                     chance_text(schedule);
   const std::string lifts = lift_table(schedule);
   if (!lifts.empty()) text += "\n" + lifts;
   for (const std::string& dates : {due_table(schedule), baseline_table(schedule)}) {
     if (!dates.empty()) text += "\n" + dates;
+  }
+  for (const std::string& chance : {lost_days_table(schedule), breakdown_table(schedule)}) {
+    if (!chance.empty()) text += "\n" + chance;
   }
   const std::string support = support_text(schedule);
   if (!support.empty()) text += "\n" + support;

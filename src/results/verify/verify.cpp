@@ -18,6 +18,7 @@
 #include "src/results/verify/replay/check_turns.hpp"
 #include "src/results/verify/replay/contact_check.hpp"
 #include "src/results/verify/schedule/check_accounts.hpp"
+#include "src/results/verify/schedule/check_chance.hpp"
 #include "src/results/verify/schedule/check_choices.hpp"
 #include "src/results/verify/schedule/check_costs.hpp"
 #include "src/results/verify/schedule/check_critical.hpp"
@@ -107,6 +108,7 @@ void check_schedules(const Result& result, const Trace& trace, const std::vector
     check_whole(trace.scene, schedule, faults);
     check_critical(trace, runs, schedule, faults);
     check_joint_rows(trace, runs, schedule.rows, faults);
+    check_chance(trace, schedule, faults);
   }
   if (result.schedule_csv) {
     const auto rows =
@@ -150,6 +152,8 @@ Verdict verify(const Result& result) {
   check_resources(trace, runs, verdict.faults);
   check_same_as(trace, runs, verdict.faults);
   check_links(trace, runs, verdict.faults);
+  check_breakdowns(trace, runs, hours, verdict.faults);
+  check_lost_days(trace, runs, hours, verdict.faults);
   check_motions(trace, runs, verdict);
   check_schedules(result, trace, runs, hours, waits, verdict.faults);
   if (result.report) {

@@ -12,8 +12,8 @@ namespace rubicon::sampling {
 
 namespace {
 
-const std::array<LawInfo, 8>& all_laws() {
-  static const std::array<LawInfo, 8> kLaws = {{
+const std::array<LawInfo, 9>& all_laws() {
+  static const std::array<LawInfo, 9> kLaws = {{
       {Law::uniform, "uniform", {"low", "high"}, "anything between"},
       {Law::triangular,
        "triangular",
@@ -25,6 +25,7 @@ const std::array<LawInfo, 8>& all_laws() {
       {Law::gamma, "gamma", {"mean", "deviation"}, "of the time itself"},
       {Law::exponential, "exponential", {"mean"}, "as of arrivals by chance"},
       {Law::sequence, "sequence", {"first", "second", "..."}, "listed, each in its turn"},
+      {Law::measured, "measured", {"file", "unit"}, "times that were measured, from a file"},
   }};
   return kLaws;
 }
@@ -77,6 +78,8 @@ double DurationLaw::mean() const {
     case Law::sequence:
       return std::accumulate(values.begin(), values.end(), 0.0) /
              static_cast<double>(values.size());
+    case Law::measured:
+      return measured->mean;
     case Law::normal:
     case Law::lognormal:
     case Law::gamma:
@@ -87,11 +90,13 @@ double DurationLaw::mean() const {
 }
 
 double DurationLaw::least() const {
+  if (law == Law::measured) return measured->least;
   if (law == Law::sequence) return *std::min_element(values.begin(), values.end());
   return law == Law::uniform || has_three(law) ? values[0] : 0;
 }
 
 double DurationLaw::most() const {
+  if (law == Law::measured) return measured->most;
   if (law == Law::sequence) return *std::max_element(values.begin(), values.end());
   if (law == Law::uniform) return values[1];
   if (has_three(law)) return values[2];
@@ -101,6 +106,7 @@ double DurationLaw::most() const {
 
 std::string DurationLaw::fault() const {
   const LawInfo& info = info_of(law);
+  if (law == Law::measured) return measured ? "" : "there are no times";
   if (law == Law::sequence) {
     const bool fine = std::all_of(values.begin(), values.end(), [](double v) { return v >= 0; });
     if (values.empty()) return "a sequence has at least one value";
@@ -169,11 +175,15 @@ double draw(const DurationLaw& law, const Place& place) {
       const double shape = v[0] * v[0] / (v[1] * v[1]);
       return gamma_draw(random, shape) * v[1] * v[1] / v[0];
     }
+    case Law::measured:
+      return law.measured->times[random.index(law.measured->times.size())];
     case Law::exponential:
     case Law::sequence:
       break;
   }
   return -v[0] * math::log_of(1 - random.uniform());
 }
+
+double uniform_draw(const Place& place) { return random_of(place).uniform(); }
 
 }  // namespace rubicon::sampling

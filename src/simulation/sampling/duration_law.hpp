@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "src/simulation/sampling/measured_times.hpp"
 
 namespace rubicon::sampling {
 
@@ -18,7 +21,8 @@ enum class Law : std::uint8_t {
   lognormal,
   gamma,
   exponential,
-  sequence
+  sequence,
+  measured
 };
 
 /// A law as plans write it: its name, what its values are, and what it is.
@@ -39,10 +43,13 @@ std::optional<Law> find_law(std::string_view name);
 /// (Malcolm and others, Operations Research 7(5), 1959); normal(mean, deviation), cut at 0 and at
 /// twice the mean, so that the mean stays; lognormal(mean, deviation) and gamma(mean, deviation) of
 /// the time itself; exponential(mean). sequence(first, second, ...) leaves nothing to chance: the
-/// uses of a place have these durations in turn, and again from the first.
+/// uses of a place have these durations in turn, and again from the first. measured(...): one of
+/// the times of a file, each as likely as any other, and nothing between them.
 struct DurationLaw {
   Law law = Law::uniform;
   std::vector<double> values;
+  /// Of `measured`, which has no values; shared, since many works may have the same file.
+  std::shared_ptr<const MeasuredTimes> measured = {};
 
   /// Of a sequence that of its values.
   double mean() const;
@@ -66,5 +73,8 @@ struct Place {
 /// A duration (s) by the law, which must have no fault; the same for the same place on every
 /// machine.
 double draw(const DurationLaw& law, const Place& place);
+
+/// A number in [0, 1); the same for the same place on every machine.
+double uniform_draw(const Place& place);
 
 }  // namespace rubicon::sampling

@@ -12,6 +12,8 @@ std::variant<WorkCalendar, CalendarMistake> calendar_of(const CalendarRules& rul
   const std::int64_t first_day = days_from_date(start.date);
   const std::int64_t monday = first_day - weekday_from_days(first_day);
   parts.monday = -(first_day - monday) * kDay - start.minute_of_day * kMinute;
+  parts.first_day = monday;
+  if (rules.weather && rules.loses_days()) parts.lost = {rules.lost, *rules.weather};
   for (const CalendarRules::Shift& shift : rules.shifts) {
     if (shift.first_day < 0 || shift.last_day > 6 || shift.first_day > shift.last_day) {
       return CalendarMistake{fmt::format(

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "src/simulation/schedule/civil_time.hpp"
+#include "src/simulation/schedule/lost_days.hpp"
 #include "src/simulation/schedule/work_calendar.hpp"
 
 namespace rubicon::schedule {
@@ -22,6 +25,12 @@ struct CalendarRules {
   std::vector<Shift> shifts;
   std::vector<Date> off;  ///< no shift that day; a night shift ends and begins anew at midnight
   bool carry_over = false;
+  LostShares lost = {};
+  std::optional<Weather> weather = {};  ///< nothing: no day is lost
+
+  bool loses_days() const {
+    return std::any_of(lost.begin(), lost.end(), [](double share) { return share > 0; });
+  }
 };
 
 /// The calendar for a plan that starts at `start`, or what is wrong with the rules.

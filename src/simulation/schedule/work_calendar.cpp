@@ -85,17 +85,61 @@ std::variant<WorkCalendar, CalendarMistake> WorkCalendar::make(Parts parts) {
   parts.off_days.erase(std::unique(parts.off_days.begin(), parts.off_days.end()),
                        parts.off_days.end());
   calendar.off_work_.assign(1, 0);
-  for (const std::int64_t day : parts.off_days) {
-    // Nothing asks beyond the end of time, and the ticks of such a day need not fit.
-    if (day < -kEndOfTime / kDay || day > kEndOfTime / kDay) continue;
-    const Ticks before = calendar.pattern_worked(day * kDay);
-    const Ticks work = calendar.pattern_worked((day + 1) * kDay) - before;
-    if (work == 0) continue;
-    calendar.off_days_.push_back(day);
-    calendar.off_reached_.push_back(before - calendar.off_work_.back());
-    calendar.off_work_.push_back(calendar.off_work_.back() + work);
+  // Nothing asks beyond the end of time, and the ticks of such a day need not fit.
+  std::erase_if(parts.off_days, [](std::int64_t day) {
+    return day < -kEndOfTime / kDay || day > kEndOfTime / kDay;
+  });
+  calendar.first_day_ = parts.first_day;
+  if (!parts.lost) {
+    for (const std::int64_t day : parts.off_days) calendar.add_off_day(day);
+    return calendar;
+  }
+  calendar.lost_ = parts.lost;
+  calendar.listed_off_ = std::move(parts.off_days);
+  calendar.drawn_until_ = floor_division(-parts.monday, kDay);
+  while (calendar.next_listed_ < calendar.listed_off_.size() &&
+         calendar.listed_off_[calendar.next_listed_] < calendar.drawn_until_) {
+    calendar.add_off_day(calendar.listed_off_[calendar.next_listed_++]);
   }
   return calendar;
+}
+
+/// The days off come in order.
+void WorkCalendar::add_off_day(std::int64_t day) const {
+  const Ticks before = pattern_worked(day * kDay);
+  const Ticks work = pattern_worked((day + 1) * kDay) - before;
+  if (work == 0) return;
+  off_days_.push_back(day);
+  off_reached_.push_back(before - off_work_.back());
+  off_work_.push_back(off_work_.back() + work);
+}
+
+/// Draws which days before this one are lost.
+void WorkCalendar::draw_until(std::int64_t day) const {
+  constexpr std::int64_t kDrawnAtOnce = 64;
+  if (!lost_ || day <= drawn_until_) return;
+  const std::int64_t end = std::max(day, drawn_until_ + kDrawnAtOnce);
+  for (; drawn_until_ < end; ++drawn_until_) {
+    const bool listed =
+        next_listed_ < listed_off_.size() && listed_off_[next_listed_] == drawn_until_;
+    if (listed) ++next_listed_;
+    if (listed || lost_->is_lost(first_day_ + drawn_until_)) add_off_day(drawn_until_);
+  }
+}
+
+WorkCalendar::Lost WorkCalendar::lost_until(Ticks end) const {
+  Lost lost;
+  if (!lost_) return lost;
+  const Ticks from = -monday_;
+  const Ticks to = within_time(end) - monday_;
+  for (std::int64_t day = floor_division(from, kDay); day * kDay < to; ++day) {
+    const Ticks begin = std::max(day * kDay, from);
+    const bool works = pattern_worked(std::min((day + 1) * kDay, to)) > pattern_worked(begin);
+    if (!works || std::binary_search(listed_off_.begin(), listed_off_.end(), day)) continue;
+    ++lost.working_days;
+    if (lost_->is_lost(first_day_ + day)) lost.days.push_back(first_day_ + day);
+  }
+  return lost;
 }
 
 std::variant<WorkCalendar, CalendarMistake> intersection(const WorkCalendar& a,
@@ -110,7 +154,10 @@ std::variant<WorkCalendar, CalendarMistake> intersection(const WorkCalendar& a,
   }
   parts.monday = a.monday_;
   parts.week = common(a.week_, b.week_);
-  parts.off_days = merged(a.off_days_, b.off_days_);
+  parts.off_days =
+      merged(a.lost_ ? a.listed_off_ : a.off_days_, b.lost_ ? b.listed_off_ : b.off_days_);
+  parts.first_day = a.first_day_;
+  parts.lost = a.lost_ && b.lost_ ? both_lost(*a.lost_, *b.lost_) : a.lost_ ? a.lost_ : b.lost_;
   parts.carry_over = a.carry_over_ || b.carry_over_;
   return WorkCalendar::make(std::move(parts));
 }
@@ -152,6 +199,7 @@ Ticks WorkCalendar::pattern_reach(Ticks work) const {
 Ticks WorkCalendar::worked(Ticks t) const {
   const Ticks u = t - monday_;
   const std::int64_t day = floor_division(u, kDay);
+  draw_until(day + 1);
   const std::size_t offs = offs_before(day);
   if (offs < off_days_.size() && off_days_[offs] == day) return off_reached_[offs];
   return pattern_worked(u) - off_work_[offs];
@@ -159,9 +207,15 @@ Ticks WorkCalendar::worked(Ticks t) const {
 
 /// The first moment at which `worked` is `work`: days off that begin before that are passed over.
 Ticks WorkCalendar::reach(Ticks work) const {
-  const auto at = std::lower_bound(off_reached_.begin(), off_reached_.end(), work);
-  const Ticks skipped = off_work_[static_cast<std::size_t>(at - off_reached_.begin())];
-  return within_time(pattern_reach(work + skipped) + monday_);
+  while (true) {
+    const auto at = std::lower_bound(off_reached_.begin(), off_reached_.end(), work);
+    const Ticks skipped = off_work_[static_cast<std::size_t>(at - off_reached_.begin())];
+    const Ticks reached = within_time(pattern_reach(work + skipped) + monday_);
+    // Of the days up to there it must be known whether they are lost.
+    const std::int64_t day = floor_division(reached - monday_, kDay) + 1;
+    if (!lost_ || day <= drawn_until_ || reached == kEndOfTime) return reached;
+    draw_until(day);
+  }
 }
 
 bool WorkCalendar::works_at(Ticks t) const {
@@ -184,7 +238,14 @@ Ticks WorkCalendar::shift_end(Ticks t) const {
   if (!works_at(t)) return t;
   const Ticks u = t - monday_;
   Ticks end = kEndOfTime - monday_;
-  const std::size_t offs = offs_before(floor_division(u, kDay) + 1);
+  const std::int64_t tomorrow = floor_division(u, kDay) + 1;
+  draw_until(tomorrow + kWeek / kDay);
+  if (lost_ && week_worked_.back() == kWeek) {
+    while (offs_before(tomorrow) == off_days_.size() && drawn_until_ < kEndOfTime / kDay) {
+      draw_until(drawn_until_ + 1);
+    }
+  }
+  const std::size_t offs = offs_before(tomorrow);
   if (offs < off_days_.size()) end = off_days_[offs] * kDay;
   if (week_worked_.back() < kWeek) {
     const std::int64_t week = floor_division(u, kWeek);

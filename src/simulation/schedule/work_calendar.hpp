@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "src/simulation/schedule/lost_days.hpp"
 #include "src/simulation/schedule/ticks.hpp"
 
 namespace rubicon::schedule {
@@ -40,6 +42,8 @@ class WorkCalendar {
     std::vector<Interval> week;          ///< in any order, may overlap
     std::vector<std::int64_t> off_days;  ///< days from that Monday, in any order
     bool carry_over = false;             ///< motions too stop at the end of a shift
+    std::int64_t first_day = 0;          ///< that Monday, counted from 1970-01-01
+    std::optional<LostDays> lost = {};   ///< from the start on
   };
 
   /// A calendar of these parts, or what is wrong with them: an interval that is none, or no
@@ -83,6 +87,13 @@ class WorkCalendar {
   /// Time outside of shifts in [from, to); 0 if there is nothing between.
   Ticks idle_between(Ticks from, Ticks to) const;
 
+  /// What the weather takes of the time up to `end`, from the start on.
+  struct Lost {
+    std::int64_t working_days = 0;   ///< days with working time, lost or not
+    std::vector<std::int64_t> days;  ///< those that are lost, counted from 1970-01-01
+  };
+  Lost lost_until(Ticks end) const;
+
   bool carries_over() const { return carry_over_; }
   /// 00:00 on Monday of the week of the start, <= 0: what weeks count from.
   Ticks monday() const { return monday_; }
@@ -96,6 +107,8 @@ class WorkCalendar {
                                                                   const WorkCalendar& b);
 
  private:
+  void add_off_day(std::int64_t day) const;
+  void draw_until(std::int64_t day) const;
   std::size_t offs_before(std::int64_t day) const;
   Ticks pattern_worked(Ticks u) const;
   Ticks pattern_reach(Ticks work) const;
@@ -104,12 +117,19 @@ class WorkCalendar {
 
   std::vector<std::string> names_;
   Ticks monday_ = 0;
-  std::vector<Interval> week_;          // in order, apart from each other
-  std::vector<Ticks> week_worked_;      // up to the begin of each interval; then of the whole week
-  std::vector<std::int64_t> off_days_;  // in order, only days on which the week works
-  std::vector<Ticks> off_work_;         // the work of the days off before each; then of all
-  std::vector<Ticks> off_reached_;      // `worked` at the begin of each day off
+  std::vector<Interval> week_;      // in order, apart from each other
+  std::vector<Ticks> week_worked_;  // up to the begin of each interval; then of the whole week
+  // Days off in order, only those on which the week works: where days are lost, of those before
+  // `drawn_until_`. They are drawn when somebody asks so far, so a calendar is of one thread.
+  mutable std::vector<std::int64_t> off_days_;
+  mutable std::vector<Ticks> off_work_;     // the work of the days off before each; then of all
+  mutable std::vector<Ticks> off_reached_;  // `worked` at the begin of each day off
   bool carry_over_ = false;
+  std::int64_t first_day_ = 0;
+  std::optional<LostDays> lost_;
+  std::vector<std::int64_t> listed_off_;  // where days are lost: those that the plan names
+  mutable std::size_t next_listed_ = 0;
+  mutable std::int64_t drawn_until_ = 0;
 };
 
 /// When both work: hours that both have, days off of either; motions carry over if either says so.

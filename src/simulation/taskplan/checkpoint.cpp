@@ -25,6 +25,7 @@ void Checkpoints::add(int task, Journal::Mark resources) {
   point.active = stage_.active;
   point.lifts = stage_.lifts;
   point.progress = stage_.progress;
+  point.breakdowns = stage_.breakdowns;
   point.zone_waits = zone_waits_;
   point.zone_waits.erase(task);
 }
@@ -56,6 +57,7 @@ bool Checkpoints::go_back(int task, bool keeps_lines) {
   stage_.active = std::move(point.active);
   stage_.lifts = std::move(point.lifts);
   stage_.progress = point.progress;
+  stage_.breakdowns = std::move(point.breakdowns);
   zone_waits_ = std::move(point.zone_waits);
   stage_.site_changes.go_back(point.site, stage_.now());
   // A parking that is under way again: one of the same robot that failed later never was.

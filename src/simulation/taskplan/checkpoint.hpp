@@ -36,6 +36,7 @@ class Checkpoints {
     ActiveTasks active;
     std::vector<WholeLift> lifts;
     SiteProgress progress;
+    Breakdowns breakdowns;
     ZoneWaits zone_waits;
   };
 

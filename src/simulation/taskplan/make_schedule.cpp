@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "src/simulation/schedule/critical_chain.hpp"
+#include "src/simulation/taskplan/plan_calendars.hpp"
 #include "src/simulation/taskplan/plan_cost.hpp"
 #include "src/simulation/taskplan/plan_floats.hpp"
 #include "src/simulation/taskplan/simulation.hpp"
@@ -108,11 +109,32 @@ Schedule Simulation::make_schedule() {
     schedule.resources[i].shift_time =
         stage_.allocator->hours(static_cast<int>(i)).work_between(0, end);
   }
+  add_lost_days(schedule, end);
+  schedule.breaks_down = interpreter::has_breakdowns(plan_);
+  schedule.breakdowns = stage_.breakdowns.take_outcomes();
   count_uses(schedule);
   add_costs(plan_, schedule);
   add_floats(row_of, schedule);
   add_critical_chain(schedule);
   return schedule;
+}
+
+/// What the weather took up to the end of the plan, also in the trace.
+void Simulation::add_lost_days(Schedule& schedule, Ticks end) {
+  schedule.loses_days = interpreter::loses_days(plan_);
+  if (!schedule.loses_days || !plan_.sample) return;
+  const std::vector<schedule::WorkCalendar> calendars = calendars_of(plan_);
+  for (std::size_t i = 0; i < calendars.size(); ++i) {
+    if (!plan_.calendars[i].loses_days()) continue;
+    const schedule::WorkCalendar::Lost lost = calendars[i].lost_until(end);
+    LostDaysOutcome& outcome = schedule.lost_days.emplace_back();
+    outcome.calendar = plan_.calendars[i].name;
+    outcome.working_days = static_cast<int>(lost.working_days);
+    for (const std::int64_t day : lost.days) {
+      outcome.dates.push_back(schedule::text_of(schedule::date_from_days(day)));
+    }
+    stage_.trace.lost_days(outcome, end);
+  }
 }
 
 void Simulation::add_floats(const std::vector<std::size_t>& row_of, Schedule& schedule) const {

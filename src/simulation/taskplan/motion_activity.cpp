@@ -111,6 +111,16 @@ Step MotionActivity::resume(ActiveTask& task, Stage& stage) {
       return move_on(task, stage);
     case Doing::waiting_for_machine:
       return retry(task, stage);
+    case Doing::under_repair:
+      task.account.outcome.waits.repair += stage.now() - since_;
+      stage.pause(task.task, "repair", stage.robot_spec(stage.spec(task.task).robot).name, since_);
+      if (!stage.calendar(task.task).works_at(stage.now())) {
+        wait_for_shift(task, stage);
+        return Step::pending;
+      }
+      machine_->resume_at(stage.now());
+      doing_ = Doing::moving;
+      return move_on(task, stage);
   }
   return Step::pending;
 }
@@ -152,6 +162,14 @@ Step MotionActivity::move_on(ActiveTask& task, Stage& stage) {
   if (calendar.carries_over() && !calendar.works_at(stage.now())) {
     if (!machine.stop(&task.hits)) {
       wait_for_shift(task, stage);
+      return Step::pending;
+    }
+    stands_ = true;
+    count_time(task, stage, machine.time(), false);
+  }
+  if (!stands_ && breaks_down_now(task, stage) && !is_at_goal(task, stage)) {
+    if (!machine.stop(&task.hits)) {
+      wait_for_repair(task, stage);
       return Step::pending;
     }
     stands_ = true;
@@ -344,6 +362,29 @@ void MotionActivity::wait_for_shift(ActiveTask& task, Stage& stage) {
     stage.reject(task.task, "there is no shift any more for all that it needs");
   } else {
     stage.events.set(task.task, next);
+  }
+}
+
+/// Whether nothing is left of the motion: whoever is due for repair at its very end is repaired
+/// then, and holds nobody up who waits for the task.
+bool MotionActivity::is_at_goal(const ActiveTask& task, Stage& stage) const {
+  const interpreter::TaskSpec& spec = stage.spec(task.task);
+  return goals_.size() == 1 &&
+         goal_holds(stage.robot_spec(spec.robot).robot->model,
+                    stage.site.robot(spec.robot).mounting, stage.site.configuration(spec.robot),
+                    goals_.front(), within_of(stage.plan, spec, task.now().purpose),
+                    spec.clauses.free);
+}
+
+/// The robot is repaired where it stands.
+void MotionActivity::wait_for_repair(ActiveTask& task, Stage& stage) {
+  doing_ = Doing::under_repair;
+  since_ = stage.now();
+  const Ticks end = begin_repair(task, stage);
+  if (end >= schedule::kEndOfTime) {
+    stage.reject(task.task, "a repair of its machine is not done within 126 years");
+  } else {
+    stage.events.set(task.task, end);
   }
 }
 

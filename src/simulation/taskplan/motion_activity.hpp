@@ -32,7 +32,7 @@ class MotionActivity : public Activity {
   }
 
  private:
-  enum class Doing : std::uint8_t { moving, waiting_for_shift, waiting_for_machine };
+  enum class Doing : std::uint8_t { moving, waiting_for_shift, waiting_for_machine, under_repair };
   /// Where the robot stood when it began to wait for others, and how far these had come.
   struct WaitPlace {
     std::vector<double> q;
@@ -44,6 +44,8 @@ class MotionActivity : public Activity {
   Step end_motion(ActiveTask& task, Stage& stage);
   Step retry(ActiveTask& task, Stage& stage);
   void wait_for_shift(ActiveTask& task, Stage& stage);
+  void wait_for_repair(ActiveTask& task, Stage& stage);
+  bool is_at_goal(const ActiveTask& task, Stage& stage) const;
   void wait_for_machine(ActiveTask& task, Stage& stage, std::vector<Blocker> blockers, bool enough);
   void count_step(ActiveTask& task, Stage& stage, Ticks to, bool waited);
   void count_time(ActiveTask& task, Stage& stage, Ticks to, bool waited);
@@ -53,7 +55,7 @@ class MotionActivity : public Activity {
   std::string text_of_waits(const ActiveTask& task, const Stage& stage) const;
 
   Doing doing_ = Doing::moving;
-  Ticks since_ = 0;  ///< it waits for its shift
+  Ticks since_ = 0;  ///< it waits for its shift or is under repair
   MachineWait wait_;
   std::vector<WaitPlace> places_;  ///< where it began to wait
   std::optional<interpreter::Machine> machine_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "interpreter/check/plan_model.hpp"
@@ -18,6 +19,9 @@ struct Phase {
   const char* what = "";     ///< of a work: hook, adjust, release, takes
   int component = -1;        ///< of all that handle one
   bool begins_lift = false;  ///< the hook work, or the pick-up where there is none
+
+  /// Work in the midst of which a machine may break down: nothing hangs on it.
+  bool interruptible() const { return kind == Kind::work && std::string_view(what) == "takes"; }
 };
 
 /// The phases of a task; they point into it.

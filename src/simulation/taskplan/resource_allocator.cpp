@@ -65,7 +65,7 @@ std::optional<ResourceAllocator::Grant> ResourceAllocator::take(Ticks now) {
   std::vector<int> bests;  // more than one: of the same task
   for (int i = 0; i < sets_.size(); ++i) {
     const Queue& queue = queues_[at(i)];
-    if (!all_free(i)) continue;
+    if (!all_free(i) || out_until(i) > now) continue;
     move_up(i, now);
     drop_those_who_ask_no_more(i);
     if (queue.waiting.empty() || !calendar(i).works_at(now)) continue;
@@ -107,6 +107,19 @@ void ResourceAllocator::release(int resource, int task, Ticks now, bool midway, 
   states_.release(resource, task, now, midway, held);
 }
 
+void ResourceAllocator::set_out(int resource, Ticks until) {
+  out_.resize(names_.size());
+  journal_.on_undo([this, resource, before = out_[at(resource)]] { out_[at(resource)] = before; });
+  out_[at(resource)] = until;
+}
+
+Ticks ResourceAllocator::out_until(int queue) const {
+  Ticks until = 0;
+  if (out_.empty()) return until;
+  for (const int resource : sets_.resources(queue)) until = std::max(until, out_[at(resource)]);
+  return until;
+}
+
 void ResourceAllocator::reserve(int resource, int group) {
   keep_state(resource);
   states_.reserve(resource, group);
@@ -119,7 +132,7 @@ Ticks ResourceAllocator::next_chance(Ticks now) {
     drop_those_who_ask_no_more(i);
     if ((queue.later.empty() && queue.waiting.empty()) || !all_free(i)) continue;
     const Ticks from = queue.waiting.empty() ? std::get<Ticks>(*queue.later.begin()) : now;
-    const Ticks chance = calendar(i).next_working(std::max(from, now));
+    const Ticks chance = calendar(i).next_working(std::max({from, now, out_until(i)}));
     if (chance > now) next = std::min(next, chance);
   }
   return next;

@@ -64,6 +64,8 @@ class ResourceAllocator {
 
   /// What the task has of it; `midway`: the task goes on; `held`: for how long it had it.
   void release(int resource, int task, Ticks now, bool midway, Ticks held);
+  /// It is under repair until then: nobody is given it before.
+  void set_out(int resource, Ticks until);
   /// Free, only the group is given it; -1: all are.
   void reserve(int resource, int group);
 
@@ -97,6 +99,8 @@ class ResourceAllocator {
   };
 
   bool all_free(int queue) const { return states_.are_free(sets_.shares(queue)); }
+  /// Until when any of what the queue asks for is under repair.
+  Ticks out_until(int queue) const;
   void keep_state(int resource);
   void move_up(int index, Ticks now);
   void drop_those_who_ask_no_more(int index);
@@ -105,6 +109,7 @@ class ResourceAllocator {
   schedule::ResourceSets sets_;
   schedule::ResourceStates states_;
   std::vector<Queue> queues_;
+  std::vector<Ticks> out_;  ///< to each resource; empty where none was ever under repair
   std::set<int> excluded_;
   Choices choices_;
   Journal journal_;

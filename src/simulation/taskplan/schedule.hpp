@@ -39,6 +39,7 @@ struct WaitTimes {
   Ticks resource = 0;     ///< for its robot and crews, before its start and on the way
   Ticks machine = 0;      ///< for another machine or people in the way
   Ticks shift = 0;        ///< out of shift
+  Ticks repair = 0;       ///< its robot was under repair, nights between included
 };
 
 /// A robot or a crew that a task had.
@@ -156,6 +157,22 @@ struct TimetableOutcome {
   std::string stands;  ///< what it stood before then; "": it went, or was not on the site
 };
 
+/// A machine broke down.
+struct BreakdownOutcome {
+  std::string robot;
+  std::string during;  ///< the task that it had
+  Ticks worked = 0;    ///< since it was repaired last
+  Ticks repair = 0;    ///< in its working hours
+  Ticks from = 0, to = 0;
+};
+
+/// What the weather took of a calendar, up to the end of the plan.
+struct LostDaysOutcome {
+  std::string calendar;
+  int working_days = 0;            ///< days with working time, lost or not
+  std::vector<std::string> dates;  ///< YYYY-MM-DD of those that are lost
+};
+
 /// A plan as it went: tasks in the order in which they started, of several at a moment as in the
 /// file.
 struct Schedule {
@@ -176,6 +193,10 @@ struct Schedule {
   std::vector<TimetableOutcome> timetables;       ///< as in the file
   int uncertain = 0;                              ///< durations of the plan that are not certain
   std::optional<interpreter::SampleSpec> sample;  ///< by which they were drawn; nothing: means
+  bool loses_days = false;  ///< the plan has calendars that do; without a sample none is lost
+  std::vector<LostDaysOutcome> lost_days;  ///< of these, as in the file
+  bool breaks_down = false;  ///< the plan has machines that do; without a sample none does
+  std::vector<BreakdownOutcome> breakdowns;  ///< by their begin
 };
 
 /// Adds what the plan says of tasks and components: what moves, dates, attributes.

@@ -53,6 +53,9 @@ std::optional<Schedule> Simulation::run() {
     const Ticks chance = stage_.allocator->next_chance(stage_.now());
     Ticks time = std::min(next.value_or(schedule::kEndOfTime), chance);
     time = std::min(time, next_look_of_movings(time));
+    if (!stage_.active.empty() || !zone_waits_.all().empty()) {
+      time = std::min(time, stage_.breakdowns.next_repaired(stage_.now()));
+    }
     if (time < schedule::kEndOfTime) {
       stage_.events.advance_to(time);
       stage_.site.set_time(stage_.now());
@@ -63,8 +66,9 @@ std::optional<Schedule> Simulation::run() {
     }
   }
   if (must_restart_) return std::nullopt;
+  Schedule schedule = make_schedule();
   stage_.trace.release_before(stage_.trace.mark());
-  return make_schedule();
+  return schedule;
 }
 
 /// Tasks without links ask from now on; of those that are precomputed all is known already.
@@ -325,6 +329,7 @@ void Simulation::complete(ActiveTask& active) {
   if (held || links.started_for_finish(times, task)) times.finish_link = bounds.finish_link;
   times.finish = now;
   links.set_times(task, times);
+  repair_after(active);
   hold_all(active);
   outcome.duration = now - outcome.start;
   find_cold_joints(task, outcome);
@@ -348,6 +353,18 @@ void Simulation::complete(ActiveTask& active) {
   if (!links.is_known(task, TaskEnd::finish)) links.publish(task, TaskEnd::finish, now);
 }
 
+/// A machine that is to be repaired when its task is over: nobody has it meanwhile.
+void Simulation::repair_after(ActiveTask& active) {
+  const int robot = stage_.spec(active.task).robot;
+  if (!stage_.breakdowns.breaks(robot)) return;
+  if (breaks_down_now(active, stage_)) {
+    const Ticks until = begin_repair(active, stage_);
+    stage_.allocator->set_out(robot, until);
+    stage_.breakdowns.set_out(robot, until);
+  }
+  stage_.breakdowns.give_back(robot, work_in(active));
+}
+
 /// Gives back what the task held, and counts for how long it did.
 void Simulation::hold_all(ActiveTask& active) {
   const ActiveTask::Account& account = active.account;
@@ -367,7 +384,10 @@ void Simulation::hold_all(ActiveTask& active) {
     hold.overtime = stage_.overtime.in_shifts(resource, account.outcome.start, stage_.now()) +
                     account.outside[i];
     active.account.outcome.holds.push_back(hold);
-    stage_.allocator->release(resource, active.task, stage_.now(), false, hold.held);
+    // It comes free when it is repaired.
+    const Ticks free =
+        robot ? std::max(stage_.now(), stage_.breakdowns.out_until(resource)) : stage_.now();
+    stage_.allocator->release(resource, active.task, free, false, hold.held);
   }
 }
 

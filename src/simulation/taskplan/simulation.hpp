@@ -91,6 +91,7 @@ class Simulation : private LinkState::Listener {
   void go_on(ActiveTask& active, Step step);
   void finish_task(ActiveTask& active);
   void complete(ActiveTask& active);
+  void repair_after(ActiveTask& active);
   void hold_all(ActiveTask& active);
   void may_start(int task, int before) override;
   void may_finish(int task) override;
@@ -141,6 +142,7 @@ class Simulation : private LinkState::Listener {
 
   // make_schedule.cpp
   Schedule make_schedule();
+  void add_lost_days(Schedule& schedule, Ticks end);
   void add_floats(const std::vector<std::size_t>& row_of, Schedule& schedule) const;
   void add_critical_chain(Schedule& schedule) const;
 

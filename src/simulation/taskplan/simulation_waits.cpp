@@ -193,6 +193,7 @@ bool Simulation::may_park(int robot, bool now) const {
   if (now && stage_.now() <= failure.last) return false;
   if (now && (stage_.allocator->state(robot).holder() >= 0 || stage_.site.load(robot)))
     return false;
+  if (now && stage_.breakdowns.out_until(robot) > stage_.now()) return false;
   return !goal_holds(machine.robot->model, stage_.site.robot(robot).mounting,
                      stage_.site.configuration(robot), *stage_.spec(stage_.park_task(robot)).go,
                      {});
@@ -203,7 +204,8 @@ bool Simulation::untangle_fleets() {
   if (plan_.fleets.empty()) return false;
   std::vector<bool> idle;
   for (int robot = 0; robot < stage_.robots(); ++robot) {
-    idle.push_back(stage_.allocator->state(robot).holder() < 0 && !stage_.site.load(robot));
+    idle.push_back(stage_.allocator->state(robot).holder() < 0 && !stage_.site.load(robot) &&
+                   stage_.breakdowns.out_until(robot) <= stage_.now());
   }
   bool any = false;
   for (std::size_t i = 0; i < stage_.active.size(); ++i) {

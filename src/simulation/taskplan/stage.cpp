@@ -68,6 +68,7 @@ Stage::Stage(const interpreter::PlanModel& the_plan, const interpreter::SourceMa
   }
   allocator.emplace(std::move(names), sizes, std::move(calendars), calendars_of(plan));
   overtime = OvertimeHours(plan);
+  breakdowns = Breakdowns(plan);
   queue_.resize(specs_.size());
   choice_queues_.resize(specs_.size());
   std::vector<Ticks> work;

@@ -16,6 +16,7 @@
 #include "src/simulation/site/site_world.hpp"
 #include "src/simulation/site/support.hpp"
 #include "src/simulation/taskplan/active_tasks.hpp"
+#include "src/simulation/taskplan/breakdowns.hpp"
 #include "src/simulation/taskplan/event_queue.hpp"
 #include "src/simulation/taskplan/overtime_hours.hpp"
 #include "src/simulation/taskplan/resource_allocator.hpp"
@@ -64,6 +65,7 @@ class Stage {
   std::optional<int> lift_to_repeat;  ///< a task that is to begin again: its note says why
   std::optional<ResourceAllocator> allocator;
   OvertimeHours overtime;
+  Breakdowns breakdowns;
   std::optional<LinkState> links;
   std::optional<Rejection> rejection;
   std::vector<int> new_waits;  ///< tasks that may have closed a cycle of waiting

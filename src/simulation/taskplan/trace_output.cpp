@@ -25,6 +25,20 @@ void TraceOutput::moving(const site::MovingEvent& event, const std::string& name
                   event.delay, event.time);
 }
 
+void TraceOutput::breakdown(const trace::MachineBreakdown& breakdown) {
+  if (!writer_) return;
+  buffer_->set_owner(-1);
+  writer_->set_task("", -1);
+  writer_->breakdown(breakdown);
+}
+
+void TraceOutput::lost_days(const LostDaysOutcome& lost, Ticks end) {
+  if (!writer_) return;
+  buffer_->set_owner(-1);
+  writer_->set_task("", -1);
+  writer_->lost_days(lost.calendar, lost.working_days, lost.dates, end);
+}
+
 void TraceOutput::keep(const std::function<void()>& write) {
   if (!buffer_) return;
   buffer_->set_kept(true);

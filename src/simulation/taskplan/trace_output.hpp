@@ -9,6 +9,7 @@
 #include "interpreter/program/events.hpp"
 #include "interpreter/syntax/source.hpp"
 #include "src/simulation/site/site_world.hpp"
+#include "src/simulation/taskplan/schedule.hpp"
 #include "src/simulation/taskplan/trace_buffer.hpp"
 #include "src/simulation/trace/trace_writer.hpp"
 
@@ -31,6 +32,11 @@ class TraceOutput {
 
   /// Something with a timetable stops or goes on.
   void moving(const site::MovingEvent& event, const std::string& name);
+
+  /// A machine broke down. Of no task: what is undone with one is not told.
+  void breakdown(const trace::MachineBreakdown& breakdown);
+  /// What the weather took up to the end of the plan.
+  void lost_days(const LostDaysOutcome& lost, Ticks end);
 
   /// What `write` writes stays, whatever the run goes back to.
   void keep(const std::function<void()>& write);

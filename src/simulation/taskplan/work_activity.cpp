@@ -25,6 +25,10 @@ Step WorkActivity::begin(ActiveTask& task, Stage& stage) {
 /// For the crew, unless the task has it.
 Step WorkActivity::ask(ActiveTask& task, Stage& stage) {
   const interpreter::WorkSpec& spec = *task.now().work;
+  if (breaks_down_now(task, stage)) {
+    wait_for_repair(task, stage);
+    return Step::pending;
+  }
   if (spec.turning && !may_turn(task, stage)) return Step::pending;
   const int queue = work_queue(task, stage);
   if (queue == stage.queue_of(task.task)) return work(task, stage);
@@ -49,6 +53,14 @@ Step WorkActivity::resume(ActiveTask& task, Stage& stage) {
     return ask(task, stage);
   }
   if (doing_ == Doing::waiting_for_machine) return try_again(task, stage);
+  if (doing_ == Doing::under_repair) {
+    task.account.outcome.waits.repair += stage.now() - since_;
+    stage.pause(task.task, "repair", stage.robot_spec(stage.spec(task.task).robot).name, since_);
+    return ask(task, stage);
+  }
+  if (done_ < interpreter::ticks_from_seconds(task.now().work->duration)) {
+    return work(task, stage);
+  }
   if (turning_.angle_deg != 0) stage.announce({stage.spec(task.task).robot, -1});
   give_back(task, stage);
   return Step::over;
@@ -161,8 +173,14 @@ Step WorkActivity::work(ActiveTask& task, Stage& stage) {
     }
     return Step::pending;
   }
+  if (task.now().interruptible() && breaks_down_now(task, stage)) {
+    wait_for_repair(task, stage);
+    return Step::pending;
+  }
   if (spec.turning && !may_turn(task, stage)) return Step::pending;
-  const Ticks duration = interpreter::ticks_from_seconds(spec.duration);
+  const Ticks duration =
+      part_of(task, stage, interpreter::ticks_from_seconds(spec.duration) - done_);
+  done_ += duration;
   if (begins) begin_lift(task, stage, held_back_ ? stage.lift_notes.of(task.task) : nullptr);
   const bool whole = lift_of(stage, task.task) != nullptr;
   const Ticks finish = whole ? stage.now() + duration : calendar.finish(stage.now(), duration);
@@ -196,6 +214,25 @@ Step WorkActivity::work(ActiveTask& task, Stage& stage) {
   }
   stage.events.set(task.task, finish);
   return Step::pending;
+}
+
+/// What can be done of the work at once: until the machine breaks down, where nothing hangs on it.
+Ticks WorkActivity::part_of(const ActiveTask& task, const Stage& stage, Ticks left) const {
+  const int robot = stage.spec(task.task).robot;
+  const bool interrupts = stage.breakdowns.breaks(robot) && task.now().interruptible();
+  return interrupts ? std::min(left, stage.breakdowns.left(robot, work_in(task))) : left;
+}
+
+/// The machine is repaired where it stands, before the work begins or goes on.
+void WorkActivity::wait_for_repair(ActiveTask& task, Stage& stage) {
+  doing_ = Doing::under_repair;
+  since_ = stage.now();
+  const Ticks end = begin_repair(task, stage);
+  if (end >= schedule::kEndOfTime) {
+    stage.reject(task.task, "a repair of its machine is not done within 126 years");
+  } else {
+    stage.events.set(task.task, end);
+  }
 }
 
 void WorkActivity::give_back(ActiveTask& task, Stage& stage) {

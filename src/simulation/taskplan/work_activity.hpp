@@ -34,7 +34,8 @@ class WorkActivity : public Activity {
     waiting_for_shift,
     waiting_for_crew,
     waiting_for_lift,
-    waiting_for_machine
+    waiting_for_machine,
+    under_repair
   };
 
   Step ask(ActiveTask& task, Stage& stage);
@@ -43,10 +44,13 @@ class WorkActivity : public Activity {
   bool finds_a_turn(ActiveTask& task, Stage& stage);
   bool may_turn(ActiveTask& task, Stage& stage);
   Step try_again(ActiveTask& task, Stage& stage);
+  Ticks part_of(const ActiveTask& task, const Stage& stage, Ticks left) const;
+  void wait_for_repair(ActiveTask& task, Stage& stage);
   void give_back(ActiveTask& task, Stage& stage);
 
   Doing doing_ = Doing::working;
-  Ticks since_ = 0;         ///< it waits for a shift or a crew
+  Ticks since_ = 0;         ///< it waits for a shift or a crew, or its machine is under repair
+  Ticks done_ = 0;          ///< of work that a breakdown interrupts: what is done of it
   bool held_back_ = false;  ///< the lift that it begins has waited for a shift into which it fits
   int crew_ = -1;           ///< a crew it has, or asks for, for this work only: a resource
   Ticks crew_since_ = 0;    ///< when it got it

@@ -223,12 +223,31 @@ struct ColdJoint {
   Ticks t = 0;
 };
 
+/// A machine broke down and was repaired; of no task, since it may outlast the one that it had.
+struct Breakdown {
+  std::string_view machine;
+  std::string_view during;  ///< the task that it had
+  Ticks every = 0;          ///< so much work it was good for
+  Ticks worked = 0;         ///< so much it had done since it was repaired last: up to a safe place
+  Ticks repair = 0;         ///< in its working hours
+  Ticks t = 0;
+  Ticks until = 0;
+};
+
+/// What the weather took of the days of a calendar, up to the end of the plan; of no task.
+struct LostDays {
+  std::string_view calendar;
+  int of = 0;  ///< days with working time, lost or not
+  Names days;  ///< YYYY-MM-DD
+  Ticks t = 0;
+};
+
 /// One record of a trace. Its texts and lists belong to the reader that gave it.
 struct Record {
   /// In the order of RecordKind.
   using What = std::variant<TaskStart, GoalStart, Assignment, LoopStart, LoopEnd, Choice, Attempt,
                             Wait, Work, Pause, Attach, Detach, Removal, MotionEnd, TaskEnd, Stop,
-                            GuidePlan, WayPoint, Turn, Moving, ColdJoint>;
+                            GuidePlan, WayPoint, Turn, Moving, ColdJoint, Breakdown, LostDays>;
 
   std::string_view task;
   std::string_view robot;  ///< "": crew work

@@ -212,6 +212,24 @@ struct RecordFields<ColdJoint> {
                  required<&ColdJoint::t>("t"));
 };
 
+template <>
+struct RecordFields<Breakdown> {
+  static constexpr RecordKind kKind = RecordKind::breakdown;
+  static constexpr auto kFields =
+      std::tuple(required<&Breakdown::machine>("machine"), required<&Breakdown::during>("during"),
+                 required<&Breakdown::every>("every"), required<&Breakdown::worked>("worked"),
+                 required<&Breakdown::repair>("repair"), required<&Breakdown::t>("t"),
+                 required<&Breakdown::until>("until"));
+};
+
+template <>
+struct RecordFields<LostDays> {
+  static constexpr RecordKind kKind = RecordKind::lost_days;
+  static constexpr auto kFields =
+      std::tuple(required<&LostDays::calendar>("calendar"), required<&LostDays::of>("of"),
+                 required<&LostDays::days>("days"), required<&LostDays::t>("t"));
+};
+
 /// What a member is in the text.
 enum class FieldType {
   text,

@@ -167,8 +167,26 @@ void write_calendars(JsonBuilder& json, const PlanModel& plan) {
     }
     json.end_array().key("off").begin_array();
     for (const schedule::Date& day : calendar.off) json.value(schedule::text_of(day));
-    json.end_array().field("carry_over", calendar.carry_over).end_object();
+    json.end_array().field("carry_over", calendar.carry_over);
+    if (calendar.loses_days()) {
+      json.key("lost").begin_array();
+      for (const double share : calendar.lost) json.value(share);
+      json.end_array();
+    }
+    json.end_object();
   }
+  json.end_array();
+}
+
+void write_law(JsonBuilder& json, const sampling::DurationLaw& law) {
+  json.field("law", sampling::info_of(law.law).name);
+  if (law.measured) {
+    json.field("file", law.measured->file).field("column", law.measured->column);
+    json.field("unit", law.measured->unit);
+    return;
+  }
+  json.key("values").begin_array();
+  for (const double value : law.values) json.value(value);
   json.end_array();
 }
 
@@ -191,6 +209,13 @@ void write_robots(JsonBuilder& json, const PlanModel& plan, MeshTable& meshes) {
     } else {
       json.null();
     }
+    if (spec.breakdown) {
+      json.key("breakdown").begin_object().key("every").begin_object();
+      write_law(json, spec.breakdown->every);
+      json.end_object().key("takes").begin_object();
+      write_law(json, spec.breakdown->takes);
+      json.end_object().end_object();
+    }
     write_robot_model(json, model, meshes);
     json.end_object();
   }
@@ -209,12 +234,6 @@ void write_goal(JsonBuilder& json, const PlanModel& plan, int robot,
     }
   }
   json.end_object();
-}
-
-void write_law(JsonBuilder& json, const sampling::DurationLaw& law) {
-  json.field("law", sampling::info_of(law.law).name).key("values").begin_array();
-  for (const double value : law.values) json.value(value);
-  json.end_array();
 }
 
 void write_work(JsonBuilder& json, const PlanModel& plan, const interpreter::WorkSpec& work) {

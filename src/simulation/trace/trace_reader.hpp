@@ -32,6 +32,8 @@ struct Stop;
 struct GuidePlan;
 struct WayPoint;
 struct Moving;
+struct Breakdown;
+struct LostDays;
 struct Turn;
 struct ColdJoint;
 

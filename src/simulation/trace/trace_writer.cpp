@@ -256,6 +256,40 @@ void TraceWriter::cold_joint(const coverage::ColdJoint& joint, interpreter::Tick
   finish();
 }
 
+void TraceWriter::breakdown(const MachineBreakdown& breakdown) {
+  if (detail_ == TraceDetail::none) return;
+  begin("breakdown");
+  line_ += ",\"machine\":";
+  append_string(line_, breakdown.machine);
+  line_ += ",\"during\":";
+  append_string(line_, breakdown.during);
+  const auto time = [&](const char* name, interpreter::Ticks value) {
+    line_ += name;
+    append_seconds(line_, value);
+  };
+  time(",\"every\":", breakdown.every);
+  time(",\"worked\":", breakdown.worked);
+  time(",\"repair\":", breakdown.repair);
+  time(",\"t\":", breakdown.from);
+  time(",\"until\":", breakdown.until);
+  finish();
+}
+
+void TraceWriter::lost_days(std::string_view calendar, int of, const std::vector<std::string>& days,
+                            interpreter::Ticks end) {
+  if (detail_ == TraceDetail::none) return;
+  begin("lost_days");
+  line_ += ",\"calendar\":";
+  append_string(line_, calendar);
+  line_ += ",\"of\":";
+  append_integer(line_, of);
+  line_ += ",\"days\":";
+  line_ += JsonBuilder().strings(days).text();
+  line_ += ",\"t\":";
+  append_seconds(line_, end);
+  finish();
+}
+
 void TraceWriter::motion_end(const interpreter::MotionEnd& end) {
   if (detail_ == TraceDetail::none) return;
   begin("end");

@@ -3,6 +3,8 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/machine/machine.hpp"
@@ -12,6 +14,17 @@
 #include "src/simulation/trace/trace_sink.hpp"
 
 namespace rubicon::trace {
+
+/// A machine broke down: after `worked`, the first safe place after `every`.
+struct MachineBreakdown {
+  std::string_view machine;
+  std::string_view during;  ///< the task that it had
+  interpreter::Ticks every = 0;
+  interpreter::Ticks worked = 0;
+  interpreter::Ticks repair = 0;  ///< in its working hours
+  interpreter::Ticks from = 0;
+  interpreter::Ticks until = 0;
+};
 
 /// Writes a run as JSON lines (docs/trace.md), record by record as it happens. One line is kept at
 /// a time. Plan, sources and sink must outlive it.
@@ -53,7 +66,7 @@ class TraceWriter : public interpreter::EventSink {
   void turn(std::string_view component, double angle_deg, const math::Pose& X_TO,
             interpreter::Ticks from, interpreter::Ticks to,
             const std::optional<interpreter::HitPair>& refused);
-  /// The task stood still; `why` is machine, crew, shift, held or lift.
+  /// The task stood still; `why` is machine, crew, shift, held, lift or repair.
   void pause(std::string_view why, std::string_view whom, interpreter::Ticks from,
              interpreter::Ticks to);
   /// Something with a timetable stops before `by`, or goes on (""); `delay`: by how much its
@@ -62,6 +75,10 @@ class TraceWriter : public interpreter::EventSink {
               interpreter::Ticks time);
   /// What a task laid has a joint that is over its limit.
   void cold_joint(const coverage::ColdJoint& joint, interpreter::Ticks time);
+  void breakdown(const MachineBreakdown& breakdown);
+  /// Of the `of` days with working time that a calendar has up to `end` the weather took these.
+  void lost_days(std::string_view calendar, int of, const std::vector<std::string>& days,
+                 interpreter::Ticks end);
   void motion_end(const interpreter::MotionEnd& end);
 
   void goal(int k, int n) override;

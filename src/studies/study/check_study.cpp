@@ -33,9 +33,10 @@ constexpr std::array kAskedNames = {
     AskedName{"production", Asked::production, "a task that digs"},
     AskedName{"unit_cost", Asked::unit_cost, "a task that digs"},
     AskedName{"utilisation", Asked::utilisation, "a robot or crew"},
-    AskedName{"waiting", Asked::waiting, "machine, resource, shift or predecessor"},
+    AskedName{"waiting", Asked::waiting, "machine, resource, shift, repair or predecessor"},
 };
-constexpr std::array<const char*, 4> kCauses = {"machine", "resource", "shift", "predecessor"};
+constexpr std::array<const char*, 5> kCauses = {"machine", "resource", "shift", "repair",
+                                                "predecessor"};
 
 std::vector<std::string> asked_names() {
   std::vector<std::string> result;

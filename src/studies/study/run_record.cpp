@@ -25,10 +25,11 @@ double waited(const taskplan::Schedule& schedule, const std::string& cause) {
   taskplan::Ticks sum = 0;
   for (const taskplan::TaskOutcome& task : schedule.tasks) {
     const taskplan::WaitTimes& waits = task.waits;
-    if (cause.empty()) sum += waits.machine + waits.resource + waits.shift;
+    if (cause.empty()) sum += waits.machine + waits.resource + waits.shift + waits.repair;
     if (cause == "machine") sum += waits.machine;
     if (cause == "resource") sum += waits.resource;
     if (cause == "shift") sum += waits.shift;
+    if (cause == "repair") sum += waits.repair;
     if (cause == "predecessor") sum += waits.predecessor;
   }
   return schedule::seconds_from_ticks(sum);

@@ -285,6 +285,9 @@ class Writer {
       if (shift.last_day) name(*shift.last_day);
       for (const auto& [from, to] : shift.times) string(from), string(to);
       for (const syntax::String& day : shift.off) string(day);
+      if (shift.lost) number(*shift.lost);
+      if (shift.first_month) name(*shift.first_month);
+      if (shift.last_month) name(*shift.last_month);
       close();
     }
   }
@@ -320,6 +323,14 @@ class Writer {
     charges(value.charges);
     word("park");
     for (const syntax::Values& entry : value.park) values(entry);
+    for (const syntax::Breakdown& entry : value.breakdowns) {
+      open("breakdown");
+      number(entry.every);
+      law(entry.every_law);
+      number(entry.takes);
+      law(entry.takes_law);
+      close();
+    }
   }
   void item(const syntax::CrewItem& value) {
     name(value.name);
@@ -353,6 +364,9 @@ class Writer {
     if (!value) return;
     name(value->name);
     for (const syntax::Number& entry : value->values) number(entry);
+    if (value->file) string(*value->file);
+    for (const syntax::Name& entry : value->units) name(entry);
+    for (const syntax::String& entry : value->columns) string(entry);
   }
   void item(const syntax::DigItem& value) {
     open("dig");

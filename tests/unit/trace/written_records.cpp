@@ -148,6 +148,8 @@ std::vector<std::string> written_records() {
                     6000 * kSecond);
   writer.set_task("", -1);
   writer.moving("gate", "crane.hook", kSecond, 3 * kSecond);
+  writer.breakdown({"crane", "set", kSecond, 2 * kSecond, 3 * kSecond, 4 * kSecond, 7 * kSecond});
+  writer.lost_days("site", 5, {"2026-03-04", "2026-03-09"}, 9 * kSecond);
   return lines.lines;
 }
 

@@ -20,7 +20,7 @@ export function mountOverview(host: HTMLElement, page: Page): { showRefusals(): 
   if (film.runs.length === 0) say(nothing(page));
   if (refusals) host.append(refusals);
   if (film.schedule) host.append(...lateOf(page, film.schedule), ...supportOf(page, film.schedule), ...missedOf(page, film.schedule), ...resourcesOf(page, film.schedule), ...earthworkOf(page, film.schedule), ...costsOf(page, film.schedule),
-    ...waitsOf(film.schedule), ...timetablesOf(film.schedule));
+    ...waitsOf(film.schedule), ...breakdownsOf(page, film.schedule), ...timetablesOf(film.schedule));
   if (film.flow) host.append(...materialOf(film.flow));
   if (film.schedule) host.append(...chainOf(page, film.schedule));
   return {
@@ -52,6 +52,10 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
   if (schedule?.uncertain) {
     const { sample, uncertain } = schedule;
     add('Uncertain durations', uncertain.toLocaleString('en-GB'), sample ? `drawn: seed ${sample.seed}, run ${sample.run}` : 'stand for their means');
+  }
+  for (const { calendar, lost, working_days, dates } of (schedule?.lost_days ?? []).slice(0, 3)) {
+    const which = dates.slice(0, 6).join(', ') + (dates.length > 6 ? ' ...' : '');
+    add(`Days lost, ${cut(calendar, 12)}`, `${lost} of ${working_days}`, which);
   }
   if (schedule?.cost !== undefined) add('Cost', money(schedule.cost, ''), cut(schedule.currency ?? header.currency, 12));
   const tally = runs.tally();
@@ -166,6 +170,18 @@ function earthworkOf(page: Page, schedule: ScheduleData): HTMLElement[] {
     make('table', {}, head('Queue', 'Mean wait', 'Longest', 'Trucks in it', 'Busy'), queues)];
 }
 
+/** Which machines broke down, and when. */
+function breakdownsOf({ clock }: Page, schedule: ScheduleData): HTMLElement[] {
+  const all = schedule.breakdowns ?? [];
+  if (all.length === 0) return [];
+  const body = make('tbody');
+  for (const each of all.slice(0, mostListed)) {
+    const cells = [each.during, duration(each.worked), clock.short(each.from), clock.short(each.to), duration(each.repair)];
+    body.append(make('tr', {}, make('th', { scope: 'row' }, named(each.robot)), ...cells.map((text) => make('td', {}, text))));
+  }
+  return [make('h2', {}, 'Breakdowns'), make('table', {}, head('Machine', 'During', 'After work of', 'From', 'To', 'Repair'), body)];
+}
+
 /** What keeps a timetable, where it had to stop. */
 function timetablesOf(schedule: ScheduleData): HTMLElement[] {
   const stopped = (schedule.timetables ?? []).filter(({ stops }) => stops > 0);
@@ -219,13 +235,14 @@ const waitNames: [Exclude<keyof Waited, 'predecessor'>, string][] = [
   ['resource', 'for a machine or crew that was busy'],
   ['machine', 'on the way, for another machine or a zone'],
   ['shift', 'for the next shift'],
+  ['repair', 'for its repair'],
 ];
 
 /** What tasks waited for once those before them were done: `waited` of the schedule. */
 function waitsOf(schedule: ScheduleData): HTMLElement[] {
   const body = make('tbody');
   for (const [kind, name] of waitNames) {
-    const waits = schedule.tasks.map((task) => task.waited[kind]).filter((wait) => wait > 0);
+    const waits = schedule.tasks.map((task) => task.waited[kind] ?? 0).filter((wait) => wait > 0);
     if (waits.length === 0) continue;
     const sum = waits.reduce((a, b) => a + b, 0);
     const longest = waits.reduce((a, b) => Math.max(a, b), 0);

@@ -7,6 +7,7 @@
 #include "src/results/verify/input/json_fields.hpp"
 #include "src/results/verify/input/read_robot.hpp"
 #include "src/results/verify/input/read_shapes.hpp"
+#include "src/results/verify/input/read_times.hpp"
 
 namespace rubicon::verify {
 
@@ -67,6 +68,10 @@ SceneCalendar read_calendar(const JsonFields& fields) {
   for (const Json& day : list_or_empty(fields, "off")) {
     calendar.off.push_back(text_of(day, "a day off"));
   }
+  for (const Json& share : list_or_empty(fields, "lost")) {
+    calendar.lost.push_back(number_of(share, "a share of lost days"));
+  }
+  if (!calendar.lost.empty() && calendar.lost.size() != 12) fields.fail("12 shares as 'lost'");
   return calendar;
 }
 
@@ -121,6 +126,29 @@ SceneCharges read_charges(const JsonFields& fields, const Scene& scene) {
   return charges;
 }
 
+/// Of 64 bits, whatever they mean.
+std::uint64_t any_integer(const JsonFields& fields, const char* name) {
+  const Json& value = fields.any(name);
+  if (!value.is_number_integer()) fields.fail(fmt::format("a whole number as '{}'", name));
+  return value.is_number_unsigned() ? value.get<std::uint64_t>()
+                                    : static_cast<std::uint64_t>(value.get<std::int64_t>());
+}
+
+/// The law of an object; the times of a `measured` one are read when they are first named.
+SceneLaw read_law(const JsonFields& fields, Scene& scene) {
+  SceneLaw law;
+  law.law = fields.text("law");
+  if (law.law != "measured") {
+    for (const Json& value : fields.array("values")) {
+      law.values.push_back(number_of(value, "a value of a law"));
+    }
+    return law;
+  }
+  law.times = times_of(scene, fields.text("file"), fields.text("unit"),
+                       integer_of(fields.any("column"), "'column'", 1, 10000));
+  return law;
+}
+
 void read_resources(const JsonFields& header, Scene& scene) {
   for (const Json& object : list_or_empty(header, "calendars")) {
     scene.calendars.push_back(read_calendar(JsonFields(object, "a calendar")));
@@ -133,6 +161,11 @@ void read_resources(const JsonFields& header, Scene& scene) {
     robot.charges = read_charges(fields, scene);
     if (fields.has("park")) robot.park = read_values(fields.object("park"), robot);
     add_name(scene.robot_index, robot.name);
+    if (fields.has("breakdown")) {
+      const JsonFields laws = fields.object("breakdown");
+      SceneLaw every = read_law(laws.object("every"), scene);
+      robot.breakdown = std::pair(std::move(every), read_law(laws.object("takes"), scene));
+    }
     scene.robots.push_back(std::move(robot));
   }
   for (const Json& object : header.array("crews")) {
@@ -147,7 +180,7 @@ void read_resources(const JsonFields& header, Scene& scene) {
   }
 }
 
-SceneWork read_work(const Json& object, const char* what, const Scene& scene) {
+SceneWork read_work(const Json& object, const char* what, Scene& scene) {
   const JsonFields fields(object, "a work");
   SceneWork work;
   work.what = what;
@@ -155,10 +188,10 @@ SceneWork read_work(const Json& object, const char* what, const Scene& scene) {
   if (fields.has("crew")) work.crew = index_in(scene.crew_index, fields.text("crew"), "a crew");
   work.turning = fields.has("turning");
   if (fields.has("law")) {
-    work.law = fields.text("law");
-    for (const Json& value : fields.array("values")) {
-      work.values.push_back(number_of(value, "a value of a law"));
-    }
+    SceneLaw law = read_law(fields, scene);
+    work.law = std::move(law.law);
+    work.values = std::move(law.values);
+    work.times = law.times;
   }
   return work;
 }
@@ -264,13 +297,15 @@ std::int64_t volume_of(const JsonFields& fields, const char* name, std::int64_t 
   return value.get<std::int64_t>();
 }
 
-SceneStage read_stage(const JsonFields& fields, std::string name) {
+SceneStage read_stage(const JsonFields& fields, std::string name, Scene& scene) {
   SceneStage stage;
   stage.name = std::move(name);
   stage.seconds = fields.number("seconds");
-  stage.law = fields.text_or("law", "");
-  for (const Json& value : list_or_empty(fields, "values")) {
-    stage.values.push_back(number_of(value, "a value of a law"));
+  if (fields.has("law")) {
+    SceneLaw law = read_law(fields, scene);
+    stage.law = std::move(law.law);
+    stage.values = std::move(law.values);
+    stage.times = law.times;
   }
   if (stage.law == "sequence" && stage.values.empty()) fields.fail("values of a sequence");
   if (fields.has("servers"))
@@ -289,12 +324,12 @@ std::string Scene::site_name(std::size_t i) const {
 
 namespace {
 
-SceneDig read_dig(const JsonFields& fields) {
+SceneDig read_dig(const JsonFields& fields, Scene& scene) {
   SceneDig dig;
   dig.volume = volume_of(fields, "volume", 1);
   dig.load = volume_of(fields, "load", 1);
   if (fields.has("bucket")) dig.bucket = volume_of(fields, "bucket", 1);
-  dig.loading = read_stage(fields.object("loading"), "load");
+  dig.loading = read_stage(fields.object("loading"), "load", scene);
   for (const Json& object : fields.array("diggers")) {
     const JsonFields crew(object, "a crew that digs");
     dig.diggers.push_back(integer_of(crew.any("count"), "'count'", 1, 1000000));
@@ -305,7 +340,7 @@ SceneDig read_dig(const JsonFields& fields) {
   bool tips = false;
   for (const Json& object : fields.array("stages")) {
     const JsonFields stage(object, "a stage of a dig");
-    dig.stages.push_back(read_stage(stage, stage.text("name")));
+    dig.stages.push_back(read_stage(stage, stage.text("name"), scene));
     if (dig.stages.back().name != fields.text("tip")) continue;
     dig.tip = dig.stages.size() - 1;
     tips = true;
@@ -322,14 +357,14 @@ SceneDig read_dig(const JsonFields& fields) {
   return dig;
 }
 
-void read_task_work(const JsonFields& fields, const Scene& scene, SceneTask& task) {
+void read_task_work(const JsonFields& fields, Scene& scene, SceneTask& task) {
   if (fields.has("hook")) task.hook = read_work(fields.any("hook"), "hook", scene);
   if (fields.has("adjust")) task.adjust = read_work(fields.any("adjust"), "adjust", scene);
   if (fields.has("release")) task.release = read_work(fields.any("release"), "release", scene);
   for (const Json& work : list_or_empty(fields, "takes")) {
     task.takes.push_back(read_work(work, "takes", scene));
   }
-  if (fields.has("dig")) task.dig = read_dig(fields.object("dig"));
+  if (fields.has("dig")) task.dig = read_dig(fields.object("dig"), scene);
   for (const Json& name : list_or_empty(fields, "remove")) {
     task.remove.push_back(
         index_in(scene.component_index, text_of(name, "'remove'"), "a component"));
@@ -341,7 +376,7 @@ void read_task_work(const JsonFields& fields, const Scene& scene, SceneTask& tas
 }
 
 /// Who does a task, and what.
-void read_doing(const JsonFields& fields, const Scene& scene, SceneTask& task) {
+void read_doing(const JsonFields& fields, Scene& scene, SceneTask& task) {
   const std::string& robot = fields.text("robot");
   if (!robot.empty()) task.robot = index_in(scene.robot_index, robot, "a robot");
   for (const Json& name : fields.array("crews")) {
@@ -376,7 +411,7 @@ void read_doing(const JsonFields& fields, const Scene& scene, SceneTask& task) {
   }
 }
 
-SceneTask read_task(const JsonFields& fields, const Scene& scene) {
+SceneTask read_task(const JsonFields& fields, Scene& scene) {
   SceneTask task;
   task.name = fields.text("name");
   read_doing(fields, scene, task);
@@ -500,6 +535,11 @@ Scene read_scene(const std::string& line) {
   scene.plan = header.text("plan");
   scene.short_form = header.text("form") == "short";
   scene.sampled = header.has("sample");
+  if (scene.sampled) {
+    const JsonFields sample(header.any("sample"), "'sample'");
+    scene.seed = any_integer(sample, "seed");
+    scene.run = any_integer(sample, "run");
+  }
   scene.contact = header.number("contact");
   scene.start_at = header.text_or("start_at", "");
   scene.currency = header.text_or("currency", "");

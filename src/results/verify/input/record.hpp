@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -138,13 +139,32 @@ struct MovingRecord {
   Ticks delay = 0;  ///< by how much its timetable has shifted up to then
 };
 
+/// A machine broke down; `until` it was repaired.
+struct BreakdownRecord {
+  int line = 0;
+  int robot = -1;
+  std::string during;  ///< the task that it had
+  Ticks every = 0, worked = 0, repair = 0;
+  Ticks from = 0, until = 0;
+};
+
+/// Days of a calendar that the weather took.
+struct LostDaysRecord {
+  int line = 0;
+  std::string calendar;
+  std::int64_t of = 0;            ///< days with working time
+  std::vector<std::string> days;  ///< YYYY-MM-DD
+};
+
 /// A trace as it was read.
 struct Trace {
   Scene scene;
   std::vector<std::string>
       runs;  ///< names of tasks, also of those that no plan has, such as `park`
   std::vector<Record> records;
-  std::vector<MovingRecord> movings;  ///< in the order of the lines
+  std::vector<MovingRecord> movings;  ///< in the order of the lines, as the next two
+  std::vector<BreakdownRecord> breakdowns;
+  std::vector<LostDaysRecord> lost_days;
   int lines = 0;
 };
 

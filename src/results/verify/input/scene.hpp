@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -91,6 +92,13 @@ struct SceneDeviation {
   double orientation = 0.1;  ///< degrees
 };
 
+/// A duration that is not certain.
+struct SceneLaw {
+  std::string law;
+  std::vector<double> values;
+  int times = -1;  ///< of `measured`: number in Scene::times
+};
+
 struct SceneRobot {
   std::string name;
   Pose X_WM = Pose::Identity();
@@ -107,6 +115,7 @@ struct SceneRobot {
   double cost_per_hour = 0;
   std::vector<std::pair<int, double>> park;  ///< parameter, value
   SceneCharges charges;
+  std::optional<std::pair<SceneLaw, SceneLaw>> breakdown;  ///< hours of work between; repair
 };
 
 struct SceneComponent {
@@ -147,6 +156,7 @@ struct SceneCalendar {
   std::vector<Shift> shifts;
   std::vector<std::string> off;  ///< YYYY-MM-DD
   bool carry_over = false;
+  std::vector<double> lost;  ///< share of lost days by month, January first; empty: none
 };
 
 struct SceneCrew {
@@ -164,6 +174,14 @@ struct SceneLink {
   Ticks lag = 0;
 };
 
+/// Times that were measured: a column of a file, read from its text once more.
+struct SceneTimes {
+  std::string file, unit;
+  int column = 1;
+  std::vector<double> times;  ///< s, ascending
+  double mean = 0;            ///< s
+};
+
 struct SceneWork {
   std::string what;  ///< hook, adjust, release, takes
   Ticks time = 0;
@@ -171,6 +189,7 @@ struct SceneWork {
   bool turning = false;             ///< people turn the load about the vertical
   std::string law = {};             ///< of a duration that is not certain; "": it is
   std::vector<double> values = {};  ///< of the law, s
+  int times = -1;                   ///< of the law `measured`: number in Scene::times
 };
 
 /// A stage of the rounds of trucks: loading, haul, tip, ...
@@ -179,6 +198,7 @@ struct SceneStage {
   double seconds = 0;  ///< the mean of a law
   std::string law = {};
   std::vector<double> values = {};
+  int times = -1;
   int servers = 0;
 };
 
@@ -287,12 +307,14 @@ struct SceneSupport {
 struct Scene {
   std::string plan;
   bool short_form = false;
-  bool sampled = false;  ///< durations were drawn
-  double contact = 0;    ///< m
-  std::string start_at;  ///< "": none
+  bool sampled = false;             ///< durations were drawn
+  std::uint64_t seed = 0, run = 0;  ///< by which
+  double contact = 0;               ///< m
+  std::string start_at;             ///< "": none
   std::string currency;
   double overhead_per_day = 0;
   std::vector<SceneFile> files;
+  std::vector<SceneTimes> times;
   std::vector<MeshData> meshes;
   std::vector<ShapeData> site;
   std::vector<std::string> site_names;  ///< whose they are; may be shorter

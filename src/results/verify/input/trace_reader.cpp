@@ -262,6 +262,16 @@ void TraceReader::line(const std::string& text) {
       trace_.movings.push_back(read_moving(fields));
       return;
     }
+    if (type == "breakdown") {
+      trace_.breakdowns.push_back(read_breakdown(fields));
+      return;
+    }
+    if (type == "lost_days") {
+      LostDaysRecord lost{trace_.lines, fields.text("calendar"), fields.integer("of"), {}};
+      for (const Json& day : fields.array("days")) lost.days.push_back(text_of(day, "a date"));
+      trace_.lost_days.push_back(std::move(lost));
+      return;
+    }
     Record record;
     record.line = trace_.lines;
     record.run = run_of(fields.text("task"));
@@ -293,6 +303,21 @@ MovingRecord TraceReader::read_moving(const JsonFields& fields) const {
   record.time = fields.time("t");
   record.by = fields.text("by");
   record.delay = fields.time("delay");
+  return record;
+}
+
+BreakdownRecord TraceReader::read_breakdown(const JsonFields& fields) const {
+  BreakdownRecord record;
+  record.line = trace_.lines;
+  const auto robot = trace_.scene.robot_index.find(fields.text("machine"));
+  if (robot == trace_.scene.robot_index.end()) fields.fail("a robot of the header");
+  record.robot = robot->second;
+  record.during = fields.text("during");
+  record.every = fields.time("every");
+  record.worked = fields.time("worked");
+  record.repair = fields.time("repair");
+  record.from = fields.time("t");
+  record.until = fields.time("until");
   return record;
 }
 

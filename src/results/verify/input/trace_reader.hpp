@@ -19,6 +19,7 @@ class TraceReader {
 
  private:
   int run_of(const std::string& task);
+  BreakdownRecord read_breakdown(const JsonFields& fields) const;
   MovingRecord read_moving(const JsonFields& fields) const;
 
   Trace trace_;

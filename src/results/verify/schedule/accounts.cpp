@@ -68,6 +68,7 @@ class Bookkeeper {
     if (pause.why == "crew") account_.crew += time;
     if (pause.why == "shift" || pause.why == "lift") account_.shift += time;
     if (pause.why == "held") account_.held += time;
+    if (pause.why == "repair") account_.repair += time;
   }
 
   /// Whether a step is part of a lift that is held whole.

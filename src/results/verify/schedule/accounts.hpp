@@ -27,6 +27,7 @@ struct TaskAccount {
   Ticks crew = 0;  ///< waiting for a crew
   Ticks machine = 0;
   Ticks shift = 0;
+  Ticks repair = 0;  ///< of its robot
   std::vector<HeldTime> holds;
 };
 

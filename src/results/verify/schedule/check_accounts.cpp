@@ -111,8 +111,8 @@ void check_split(const TaskRun& run, const TaskAccount& account, const ScheduleR
                  ResultFile file, Faults& faults) {
   SplitCheck check(row, file, faults);
   const TimeSplit& split = row.split;
-  const Ticks sum =
-      split.motion + split.work + split.predecessor + split.resource + split.machine + split.shift;
+  const Ticks sum = split.motion + split.work + split.predecessor + split.resource + split.machine +
+                    split.shift + split.repair;
   check.exactly("the sum of motion, work and waits", sum, run.happened ? run.end : 0);
   check.motion(split.motion, account);
   check.exactly("the crew work", split.work, account.work);
@@ -120,6 +120,7 @@ void check_split(const TaskRun& run, const TaskAccount& account, const ScheduleR
   check.at_least("the wait for robots and crews", split.resource, account.crew);
   check.at_least("the wait for machines", split.machine, account.machine);
   check.at_least("the time out of shift", split.shift, account.shift);
+  check.exactly("the time under repair", split.repair, account.repair);
 }
 
 void check_uses(const Trace& trace, const std::vector<TaskRun>& runs,

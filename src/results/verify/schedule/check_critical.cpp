@@ -221,9 +221,21 @@ class CriticalCheck {
                   Ticks later) const {
     return any_hold(name, resource, [&](const Hold& taken) {
       return any_hold(before, resource, [&](const Hold& given) {
-        return std::llabs(taken.from - later - given.to) <= kTimeSlack;
+        return std::llabs(taken.from - later - free_from(given)) <= kTimeSlack;
       });
     });
+  }
+
+  /// A machine that breaks down at the end of a task is free when it is repaired.
+  Ticks free_from(const Hold& given) const {
+    const std::string& name = trace_.runs[at(runs_[at(given.run)].run)];
+    for (const BreakdownRecord& each : trace_.breakdowns) {
+      if (each.robot == given.resource && each.during == name &&
+          std::llabs(each.from - given.to) <= kTimeSlack) {
+        return each.until;
+      }
+    }
+    return given.to;
   }
 
   bool by_link(const std::string& before, const std::string& name, std::string_view text,

@@ -190,7 +190,8 @@ bool is_certain(const SceneDig& dig) {
 }
 
 /// The least seconds of a stage.
-double least_of(const SceneStage& stage) {
+double least_of(const SceneStage& stage, const Scene& scene) {
+  if (stage.times >= 0) return scene.times[static_cast<std::size_t>(stage.times)].times.front();
   const bool is_bounded = stage.law == "uniform" || stage.law == "triangular" ||
                           stage.law == "pert" || stage.law == "sequence";
   if (stage.law.empty()) return stage.seconds;
@@ -204,7 +205,8 @@ std::string seconds_text(Ticks time) {
 }
 
 /// What is wrong with the result of a dig; "" if nothing is.
-std::string fault_of(const SceneDig& dig, bool sampled) {
+std::string fault_of(const SceneDig& dig, const Scene& scene) {
+  const bool sampled = scene.sampled;
   const std::int64_t all = (dig.volume + dig.load - 1) / dig.load;
   const bool is_complete = dig.tipped == dig.volume;
   if (is_complete ? dig.loads != all : dig.tipped != dig.loads * dig.load) {
@@ -227,7 +229,7 @@ std::string fault_of(const SceneDig& dig, bool sampled) {
   for (const int each : dig.diggers) diggers += each;
   const std::int64_t passes = dig.bucket > 0 ? dig.load / dig.bucket : 1;
   const double full = static_cast<double>(std::max<std::int64_t>(dig.loads - 1 - dig.loaded, 0));
-  const double least = full / diggers * static_cast<double>(passes) * least_of(dig.loading) /
+  const double least = full / diggers * static_cast<double>(passes) * least_of(dig.loading, scene) /
                        dig.efficiency * static_cast<double>(kSecond);
   if (static_cast<double>(dig.time) + 1 >= least * (1 - 1e-9)) return {};
   return fmt::format("it takes {}, and its diggers need {:g} s at least", seconds_text(dig.time),
@@ -251,7 +253,7 @@ std::optional<double> soil_volume(const Scene& scene, const std::string& soil) {
 void check_digs(const Trace& trace, Faults& faults) {
   for (const SceneTask& task : trace.scene.tasks) {
     if (!task.dig) continue;
-    std::string text = fault_of(*task.dig, trace.scene.sampled);
+    std::string text = fault_of(*task.dig, trace.scene);
     // Whole ns of long times are no longer whole as seconds.
     const Ticks slack = 1 + task.dig->time / 1'000'000'000'000'000;
     const bool is_its_work =

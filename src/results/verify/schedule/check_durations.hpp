@@ -8,4 +8,7 @@ namespace rubicon::verify {
 /// without draws, else between its least and its greatest value.
 void check_durations(const Trace& trace, Faults& faults);
 
+/// Whether a law allows so long.
+bool allows(const Scene& scene, const SceneLaw& law, Ticks duration);
+
 }  // namespace rubicon::verify

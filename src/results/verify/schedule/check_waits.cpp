@@ -43,6 +43,14 @@ WaitCheck::WaitCheck(const Trace& trace, const std::vector<TaskRun>& runs,
       if (hold.whole) held_[i].push_back(hold.resource);
     }
   }
+  // A machine that breaks down at the end of a task is free when it is repaired.
+  for (const BreakdownRecord& each : trace.breakdowns) {
+    const bool outlasts = std::any_of(runs.begin(), runs.end(), [&](const TaskRun& run) {
+      return run.happened && run.robot == each.robot && trace.runs[at(run.run)] == each.during &&
+             std::llabs(run.end - each.from) <= kTimeSlack;
+    });
+    if (outlasts) given_back_[at(each.robot)].emplace(each.until, -1);
+  }
 }
 
 /// Whether another run gives it back at this moment.
@@ -111,6 +119,14 @@ void WaitCheck::check_pauses(int index, Faults& faults) const {
         fault(FaultKind::resource,
               fmt::format("it waits for {}, which nobody gives back then", pause->whom));
       }
+    } else if (pause->why == "repair") {
+      const bool known = std::any_of(
+          trace_.breakdowns.begin(), trace_.breakdowns.end(), [&](const BreakdownRecord& each) {
+            return each.robot == run.robot && each.during == trace_.runs[at(run.run)] &&
+                   std::llabs(each.from - pause->from) <= kTimeSlack &&
+                   std::llabs(each.until - record.time) <= kTimeSlack;
+          });
+      if (!known) fault(FaultKind::order, "its machine is repaired, and did not break down");
     } else if (pause->why == "held" && !finish_is_due(run, record.time)) {
       fault(FaultKind::link, "it is held to its finish, and no link ends that then");
     } else if (pause->why == "shift") {

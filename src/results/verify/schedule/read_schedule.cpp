@@ -136,6 +136,7 @@ ScheduleRow read_row(const JsonFields& fields) {
   const JsonFields waited = fields.object("waited");
   row.split = {fields.time("motion"),   fields.time("work"),    waited.time("predecessor"),
                waited.time("resource"), waited.time("machine"), waited.time("shift")};
+  if (waited.has("repair")) row.split.repair = waited.time("repair");
   row.cost = number_if_any(fields, "cost");
   row.begins = fields.text_or("begins", "");
   row.ends = fields.text_or("ends", "");
@@ -205,6 +206,25 @@ ScheduleJson read_schedule_json(const std::string& text) {
         {0, fields.text("task"), fields.truth("work_counts"), fields.text("text")});
     read.critical.back().line = lines.next("task", read.critical.back().task);
   }
+  if (schedule.has("breakdowns")) {
+    for (const Json& object : schedule.array("breakdowns")) {
+      const JsonFields fields(object, "a breakdown");
+      read.breakdowns.push_back({fields.text("robot"), fields.text("during"), fields.time("worked"),
+                                 fields.time("repair"), fields.time("from"), fields.time("to")});
+    }
+  }
+  if (schedule.has("lost_days")) {
+    for (const Json& object : schedule.array("lost_days")) {
+      const JsonFields fields(object, "lost days of a calendar");
+      LostDaysRecord& lost = read.lost_days.emplace_back();
+      lost.calendar = fields.text("calendar");
+      lost.of = fields.integer("working_days");
+      for (const Json& day : fields.array("dates")) lost.days.push_back(text_of(day, "a date"));
+      if (fields.integer("lost") != static_cast<int>(lost.days.size())) {
+        fields.fail("as many dates as days lost");
+      }
+    }
+  }
   return read;
 }
 
@@ -234,6 +254,7 @@ std::vector<ScheduleRow> read_schedule_csv(const std::string& text) {
     row.duration = ticks("duration");
     row.split = {ticks("motion"),          ticks("work"),           ticks("waited_predecessor"),
                  ticks("waited_resource"), ticks("waited_machine"), ticks("waited_shift")};
+    if (columns.contains("waited_repair")) row.split.repair = ticks("waited_repair");
     if (!field("cost").empty()) row.cost = number_in(field("cost"), line);
     row.begins = field("begins");
     row.ends = field("ends");

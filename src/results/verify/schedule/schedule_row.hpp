@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/results/verify/input/fault.hpp"
 #include "src/results/verify/input/record.hpp"
 
 namespace rubicon::verify {
@@ -14,10 +15,11 @@ namespace rubicon::verify {
 struct TimeSplit {
   Ticks motion = 0;
   Ticks work = 0;
-  Ticks predecessor = 0;  ///< waiting, as the next three
+  Ticks predecessor = 0;  ///< waiting, as the next four
   Ticks resource = 0;
   Ticks machine = 0;
   Ticks shift = 0;
+  Ticks repair = 0;
 };
 
 /// How much later a task could have been.
@@ -75,6 +77,12 @@ struct CriticalRow {
   std::string text;
 };
 
+/// A machine broke down.
+struct BreakdownRow {
+  std::string robot, during;
+  Ticks worked = 0, repair = 0, from = 0, to = 0;
+};
+
 /// The rows of schedule.json, when the last task ends and what all costs.
 struct ScheduleJson {
   std::vector<ScheduleRow> rows;
@@ -85,6 +93,8 @@ struct ScheduleJson {
   std::string currency;
   std::optional<double> cost;
   std::map<std::string, double> cost_by_kind;  ///< empty: not given
+  std::vector<BreakdownRow> breakdowns;
+  std::vector<LostDaysRecord> lost_days;
 };
 
 /// Throws UnreadableInput.
