@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "src/motion/math/angles.hpp"
@@ -31,9 +30,9 @@ void check_way(const SceneTask& task, Faults& faults) {
     const double before = heading_deg(*way[k - 1]);
     const double turned = math::normalised_deg(heading_deg(*way[k]) - before);
     // The chord of the arc that turns so far.
-    const double half = math::radians(std::min(std::fabs(turned), 180.0) / 2);
+    const double half_deg = std::fabs(turned) / 2;
     const bool narrow = std::fabs(turned) > kRounded_deg &&
-                        length + kRounded < 2 * task.turn_radius * std::sin(half);
+                        length + kRounded < 2 * task.turn_radius * math::sin_deg(half_deg);
     const double middle = before + turned / 2;
     const double aside =
         std::fabs(gone.y() * math::cos_deg(middle) - gone.x() * math::sin_deg(middle));

@@ -1,4 +1,4 @@
-#include "src/results/verify/replay/check_joints.hpp"
+#include "src/results/verify/schedule/check_joints.hpp"
 
 #include <fmt/format.h>
 
@@ -34,7 +34,7 @@ constexpr double kSameWay = 0.99;
 /// m: of a strip, left at its ends.
 constexpr double kStripEnd = 1e-3;
 /// m: longer or farther strips are none of a floor.
-constexpr double kLongest = 20'000;
+constexpr double kLongestStrip = 20'000;
 /// m: the side of the squares in which strips are looked for.
 constexpr double kSquare = 2;
 
@@ -148,8 +148,8 @@ class JointSearch {
     }
     // A floor is smaller than that (docs/coverage.md).
     std::erase_if(strips_, [](const WorkedStrip& strip) {
-      return strip.pieces.empty() || strip.length > kLongest ||
-             !(std::max(std::fabs(strip.from.x), std::fabs(strip.from.y)) < 2 * kLongest);
+      return strip.pieces.empty() || strip.length > kLongestStrip ||
+             !(std::max(std::fabs(strip.from.x), std::fabs(strip.from.y)) < 2 * kLongestStrip);
     });
   }
 
