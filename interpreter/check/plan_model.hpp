@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "interpreter/check/charts_spec.hpp"
 #include "interpreter/check/check.hpp"
 #include "interpreter/expand/expand.hpp"
 #include "src/earth/hauling/hauling.hpp"
@@ -342,6 +343,7 @@ struct PlanModel {
   std::vector<PoolSpec> pools;
   std::vector<NetworkSpec> networks;
   std::vector<FleetSpec> fleets;
+  std::optional<ChartsSpec> charts = {};  ///< with policy charts: the plan has nothing else
   std::optional<double> overhead_per_day;
   std::vector<CalendarSpec> calendars;
   std::vector<TaskSpec> tasks;  ///< file order

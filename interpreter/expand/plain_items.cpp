@@ -116,10 +116,42 @@ void PlainItems::law(std::optional<syntax::DurationLaw>& value) {
   each(value->values);
 }
 
+void PlainItems::item(syntax::PolicyItem& value) {
+  mark(value.name.span);
+  for (syntax::NumberItem& each : value.numbers) {
+    mark(each.span);
+    mark(each.name.span);
+    number(each.value);
+  }
+  for (syntax::Name& what : value.minimise) mark(what.span);
+}
+
 void PlainItems::item(syntax::LaneClassItem& value) {
   name(value.name);
   each(value.speed);
   each(value.width);
+  each(value.cost);
+}
+
+void PlainItems::item(syntax::ErrandItem& value) {
+  name(value.name);
+  name(value.from);
+  name(value.to);
+  number(value.start);
+  for (syntax::NumberItem& each : value.numbers) {
+    mark(each.span);
+    mark(each.name.span);
+    number(each.value);
+  }
+}
+
+void PlainItems::item(syntax::LaneReportItem& value) {
+  name(value.from);
+  name(value.to);
+  mark(value.what.span);
+  each(value.edges);
+  number(value.time);
+  name(value.by);
 }
 
 void PlainItems::item(syntax::LaneItem& value) {
