@@ -266,9 +266,10 @@ RUBICON_EXPECT(moving_part, "moving", Explain::item, "shape path repeat people")
 RUBICON_EXPECT(path_place, "a time and a frame such as 20 s trans(25, 2, 0)");
 RUBICON_EXPECT(choice_rule, "first, nearest or least_used");
 RUBICON_EXPECT(network_name, "a name after network");
-RUBICON_EXPECT(network_part, "network", Explain::item,
-               "policy class node lane errand report map scenario agents agent for when");
-RUBICON_EXPECT(policy_name, "order, charts or grid");
+RUBICON_EXPECT(
+    network_part, "network", Explain::item,
+    "policy class node lane errand report barrier explore map scenario agents agent for when");
+RUBICON_EXPECT(policy_name, "order, charts, tarry, fraenkel or grid");
 RUBICON_EXPECT(policy_end, "';' or '{' after the policy");
 RUBICON_EXPECT(policy_part, "policy", Explain::item,
                "tolerance delay clearance minimise expansions seed");
@@ -308,6 +309,16 @@ RUBICON_EXPECT(report_at, "'at' and the time of the report, such as at 20 s");
 RUBICON_EXPECT(report_time, "a time such as 20 s");
 RUBICON_EXPECT(report_by, "'by' and the robot that reports");
 RUBICON_EXPECT(report_robot, "the robot that reports");
+RUBICON_EXPECT(barrier_lane_key, "'lane' and the two nodes of a lane");
+RUBICON_EXPECT(barrier_from, "the node where the lane begins");
+RUBICON_EXPECT(barrier_to_key, "'to' and a node");
+RUBICON_EXPECT(barrier_to, "the node where the lane ends");
+RUBICON_EXPECT(barrier_since_key, "'from' and when the barrier comes, such as from 20 s");
+RUBICON_EXPECT(barrier_since, "a time such as 20 s");
+RUBICON_EXPECT(barrier_until, "when the barrier goes, such as 60 s");
+RUBICON_EXPECT(explore_name, "a name after explore: that of the robot");
+RUBICON_EXPECT(explore_from_key, "'from' and a node");
+RUBICON_EXPECT(explore_from, "the node where it begins");
 RUBICON_EXPECT(node_name, "a name after node");
 RUBICON_EXPECT(node_at, "'at' and a frame");
 RUBICON_EXPECT(node_frame, kFrame, Explain::expected, kFrameWords);

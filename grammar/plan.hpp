@@ -469,8 +469,8 @@ struct report_word
 struct report_obstacle_word : token<word<TAO_PEGTL_STRING("obstacle")>> {};
 struct report_edge : quantity {};
 struct report_edges_to : to_word {};
-struct report_obstacle
-    : if_must<report_obstacle_word, report_edge, report_edges_to, report_edge> {};
+struct report_obstacle : if_must<report_obstacle_word, report_edge, report_edges_to, report_edge> {
+};
 struct report_what : sor<report_word, report_obstacle> {};
 struct report_at : at_key {};
 struct report_time : quantity {};
@@ -479,13 +479,32 @@ struct report_robot : indexed_name {};
 struct network_report
     : if_must<report_key, report_lane_key, report_from, report_to_key, report_to, report_what,
               report_at, report_time, report_by, report_robot, plan_semicolon> {};
+struct barrier_key : token<word<TAO_PEGTL_STRING("barrier")>> {};
+struct barrier_lane_key : token<word<TAO_PEGTL_STRING("lane")>> {};
+struct barrier_from : indexed_name {};
+struct barrier_to_key : to_word {};
+struct barrier_to : indexed_name {};
+struct barrier_since_key : token<word<TAO_PEGTL_STRING("from")>> {};
+struct barrier_since : quantity {};
+struct barrier_until_key : to_word {};
+struct barrier_until : quantity {};
+struct network_barrier : if_must<barrier_key, barrier_lane_key, barrier_from, barrier_to_key,
+                                 barrier_to, barrier_since_key, barrier_since,
+                                 opt<if_must<barrier_until_key, barrier_until>>, plan_semicolon> {};
+// Of a network that is explored: who begins where.
+struct explore_key : token<word<TAO_PEGTL_STRING("explore")>> {};
+struct explore_name : indexed_name {};
+struct explore_from_key : token<word<TAO_PEGTL_STRING("from")>> {};
+struct explore_from : indexed_name {};
+struct network_explore
+    : if_must<explore_key, explore_name, explore_from_key, explore_from, errand_end> {};
 struct network_parts;
 struct network_repetition : if_must<for_head, block_open, network_parts, block_close> {};
 struct network_choice : if_must<given_head, block_open, network_parts, block_close> {};
 struct network_block : sor<network_repetition, network_choice> {};
 struct network_part
     : sor<network_block, network_policy, lane_class, network_node, network_lane, network_errand,
-          network_report, grid_part> {};
+          network_report, network_barrier, network_explore, grid_part> {};
 struct whole_network_part : must<network_part> {};
 struct network_parts : nested<star<not_at<block_end>, recover<whole_network_part, item_end>>> {};
 struct network_key : token<word<TAO_PEGTL_STRING("network")>> {};

@@ -15,6 +15,7 @@ struct ChartsSpec {
   charts::PlanSettings settings;
   std::vector<charts::SiteReport> reports;  ///< by time
   std::vector<Span> report_spans;           ///< of each
+  std::vector<charts::Barrier> barriers;
 };
 
 }  // namespace rubicon::interpreter

@@ -55,9 +55,13 @@ class ChartsCheck {
     }
     for (const syntax::NetworkPart& part : item_.parts) {
       if (const auto* report = std::get_if<syntax::LaneReportItem>(&part)) add(*report);
+      if (const auto* barrier = std::get_if<syntax::BarrierItem>(&part)) add(*barrier);
+      if (const auto* explore = std::get_if<syntax::ExploreItem>(&part)) {
+        wrong(explore->span, "explore goes with policy tarry or fraenkel",
+              "write errand ROBOT from NODE to NODE at 0 s;");
+      }
     }
-    if (spec_.robots.empty() && !subject_.plan.broken &&
-        subject_.diagnostics.errors() == errors) {
+    if (spec_.robots.empty() && !subject_.plan.broken && subject_.diagnostics.errors() == errors) {
       subject_.diagnostics.warning("P60", item_.name.span,
                                    who_ + " has no errands: nothing will be done",
                                    "write errand ROBOT from NODE to NODE at 0 s;");
@@ -112,10 +116,9 @@ class ChartsCheck {
 
   void take(const syntax::NumberItem& item) {
     charts::AvoidanceSettings& settings = spec_.settings.avoidance;
-    const std::map<std::string, charts::Nanoseconds*> known = {
-        {"tolerance", &settings.tolerance},
-        {"delay", &settings.delay},
-        {"clearance", &settings.clearance}};
+    const std::map<std::string, charts::Nanoseconds*> known = {{"tolerance", &settings.tolerance},
+                                                               {"delay", &settings.delay},
+                                                               {"clearance", &settings.clearance}};
     const auto found = known.find(item.name.text);
     if (found == known.end()) {
       const std::string near =
@@ -202,13 +205,11 @@ class ChartsCheck {
           robot.priority = static_cast<int>(*value);
         }
       } else if (key == "speed") {
-        robot.speed =
-            bounded(subject_, number.value, UnitKind::speed, what, 1e-6, kMostRobotSpeed)
-                .value_or(robot.speed);
+        robot.speed = bounded(subject_, number.value, UnitKind::speed, what, 1e-6, kMostRobotSpeed)
+                          .value_or(robot.speed);
       } else {
-        robot.width =
-            bounded(subject_, number.value, UnitKind::length, what, 1e-3, kMostRobotWidth)
-                .value_or(robot.width);
+        robot.width = bounded(subject_, number.value, UnitKind::length, what, 1e-3, kMostRobotWidth)
+                          .value_or(robot.width);
       }
     }
     spec_.robots.push_back(std::move(robot));
@@ -220,7 +221,7 @@ class ChartsCheck {
     report.kind = item.what.text == "blocked"    ? charts::SiteReport::Kind::kBlocked
                   : item.what.text == "reopened" ? charts::SiteReport::Kind::kReopened
                                                  : charts::SiteReport::Kind::kObstacle;
-    report.lane = lane(item);
+    report.lane = lane(item.from, item.to);
     report.robot = subject_.find(robots_, item.by, "robot");
     report.time = time(item.time, "the time of a report", 0).value_or(0);
     if (report.kind == charts::SiteReport::Kind::kObstacle && item.edges.size() == 2) {
@@ -230,16 +231,33 @@ class ChartsCheck {
     spec_.report_spans.push_back(item.span);
   }
 
-  int lane(const syntax::LaneReportItem& item) {
-    const int from = node(item.from);
-    const int to = node(item.to);
+  void add(const syntax::BarrierItem& item) {
+    charts::Barrier barrier;
+    barrier.lane = lane(item.from, item.to);
+    const auto since = time(item.since, "the time when a barrier comes", 0);
+    if (since) barrier.since = *since;
+    if (item.until) {
+      const auto until = time(*item.until, "the time when a barrier goes", 0);
+      if (since && until && *until <= *since) {
+        wrong(item.until->span,
+              fmt::format("the barrier goes at {} s, and comes at {} s",
+                          charts::seconds_told(*until), charts::seconds_told(*since)));
+      }
+      if (until) barrier.until = *until;
+    }
+    spec_.barriers.push_back(barrier);
+  }
+
+  int lane(const syntax::Name& from_name, const syntax::Name& to_name) {
+    const int from = node(from_name);
+    const int to = node(to_name);
     if (from < 0 || to < 0) return -1;
     const auto found = lanes_.find({from, to});
     if (found != lanes_.end()) return found->second;
-    wrong(item.from.span,
-          fmt::format("there is no lane from {} to {}", item.from.text, item.to.text),
+    wrong(from_name.span,
+          fmt::format("there is no lane from {} to {}", from_name.text, to_name.text),
           lanes_.contains({to, from})
-              ? fmt::format("the lane goes from {} to {}", item.to.text, item.from.text)
+              ? fmt::format("the lane goes from {} to {}", to_name.text, from_name.text)
               : std::string());
     return -1;
   }
@@ -268,8 +286,8 @@ class ChartsCheck {
     require_width(item, lanes[at(report.lane)].lane_class);
     // Said of one of the two only.
     for (std::size_t i = 0; i < lanes.size(); ++i) {
-      const bool is_beside = lanes[at(report.lane)].beside == static_cast<int>(i) ||
-                             lanes[i].beside == report.lane;
+      const bool is_beside =
+          lanes[at(report.lane)].beside == static_cast<int>(i) || lanes[i].beside == report.lane;
       if (is_beside) require_width(item, lanes[i].lane_class);
     }
   }
@@ -290,11 +308,13 @@ class ChartsCheck {
   }
 
   void check_amount() {
-    const std::size_t plans = spec_.reports.size() + 1;
+    // A barrier is found, and found to be gone.
+    const std::size_t plans = spec_.reports.size() + 2 * spec_.barriers.size() + 1;
     if (spec_.robots.size() <= kMostCharts / plans) return;
-    wrong(item_.name.span,
-          fmt::format("{} errands with {} reports make more than {} charts", spec_.robots.size(),
-                      spec_.reports.size(), kMostCharts));
+    wrong(
+        item_.name.span,
+        fmt::format("{} errands with {} reports and {} barriers make more than {} charts",
+                    spec_.robots.size(), spec_.reports.size(), spec_.barriers.size(), kMostCharts));
   }
 
   /// By time; of one time in the order of the file.
@@ -325,10 +345,10 @@ class ChartsCheck {
       diagnostic.severity = Severity::warning;
       diagnostic.code = "P60";
       diagnostic.span = errands_[i]->from.span;
-      diagnostic.message = fmt::format(
-          "{} and {} begin at node {} at the same time: one of them will start later",
-          spec_.robots[place->second].name, robot.name,
-          network_.description.nodes[at(robot.from)].name);
+      diagnostic.message =
+          fmt::format("{} and {} begin at node {} at the same time: one of them will start later",
+                      spec_.robots[place->second].name, robot.name,
+                      network_.description.nodes[at(robot.from)].name);
       diagnostic.notes.push_back({errands_[place->second]->from.span, "the other one"});
       subject_.diagnostics.add(std::move(diagnostic));
     }
@@ -355,10 +375,10 @@ class ChartsCheck {
       const bool is_too_wide =
           lanes::shortest_way(network, robot.from, robot.goal, options).has_value();
       wrong(errands_[i]->to.span,
-            fmt::format("no lanes lead {} from {} to {}{}", robot.name,
-                        network.node(robot.from).name, network.node(robot.goal).name,
-                        is_too_wide ? fmt::format(" that are {:g} m wide", robot.width)
-                                    : std::string()),
+            fmt::format(
+                "no lanes lead {} from {} to {}{}", robot.name, network.node(robot.from).name,
+                network.node(robot.goal).name,
+                is_too_wide ? fmt::format(" that are {:g} m wide", robot.width) : std::string()),
             is_too_wide ? std::string() : "lanes have one direction; both gives two of them");
     }
     return all;
@@ -367,13 +387,13 @@ class ChartsCheck {
   /// All of it, to find what cannot be.
   bool check_course(const lanes::LaneNetwork& network) {
     const auto result =
-        charts::carry_out(network, spec_.robots, spec_.settings, spec_.reports);
+        charts::carry_out(network, spec_.robots, spec_.settings, spec_.reports, spec_.barriers);
     if (const auto* fault = std::get_if<charts::ReportFault>(&result)) {
       wrong(spec_.report_spans[fault->report], fault->message, fault->hint);
       return false;
     }
     for (const charts::CourseStep& step : std::get<charts::Course>(result).steps) {
-      if (!step.doubt.empty()) doubt(spec_.report_spans[at(step.report)], step.doubt);
+      if (!step.doubt.empty()) doubt(spec_.report_spans[at(step.listed)], step.doubt);
     }
     return true;
   }
@@ -413,6 +433,9 @@ void refuse_charts(Subject& subject, const syntax::NetworkItem& item) {
     if (const auto* errand = std::get_if<syntax::ErrandItem>(&part)) wrong(errand->span, "errand");
     if (const auto* report = std::get_if<syntax::LaneReportItem>(&part)) {
       wrong(report->span, "report");
+    }
+    if (const auto* barrier = std::get_if<syntax::BarrierItem>(&part)) {
+      wrong(barrier->span, "barrier");
     }
     if (const auto* lane_class = std::get_if<syntax::LaneClassItem>(&part)) {
       for (const syntax::Number& cost : lane_class->cost) wrong(cost.span, "the cost of a metre");

@@ -8,6 +8,7 @@
 
 #include "interpreter/check/check_grid.hpp"
 #include "interpreter/check/check_plan_charts.hpp"
+#include "interpreter/check/check_plan_explore.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
 #include "interpreter/parse/parse_grid.hpp"
 #include "interpreter/syntax/name_suggestion.hpp"
@@ -63,21 +64,22 @@ class NetworkCheck {
   void add_policy(const syntax::PolicyItem& item) {
     if (policy_) subject_.twice(item.span, "the policy of " + who_ + " is given twice", *policy_);
     policy_ = item.span;
-    if (item.name.text == "charts") return;
-    if (item.name.text == "order") {
+    const std::string& name = item.name.text;
+    if (name == "charts") return;
+    if (name == "order" || name == "tarry" || name == "fraenkel") {
       for (const syntax::NumberItem& number : item.numbers) {
         wrong(number.name.span,
-              fmt::format("policy order has no numbers, found '{}'", number.name.text),
+              fmt::format("policy {} has no numbers, found '{}'", name, number.name.text),
               "tolerance, delay and clearance go with policy charts, expansions and seed with "
               "policy grid");
       }
       return;
     }
     wrong(item.name.span,
-          fmt::format("unknown policy '{}'; expected order, charts or grid", item.name.text),
+          fmt::format("unknown policy '{}'; expected order, charts, tarry, fraenkel or grid", name),
           "order: each node is entered in the order of the plan, whatever is late; charts: times "
-          "at nodes, planned ahead, without bodies; grid: agents on the cells of a map, one cell "
-          "a tick");
+          "at nodes, planned ahead, without bodies; tarry, fraenkel: lanes are explored without a "
+          "map; grid: agents on the cells of a map, one cell a tick");
   }
 
   void add(const syntax::LaneClassItem& item) {
@@ -360,6 +362,7 @@ void check_networks(Subject& subject) {
       check_charts(subject, *item, *charts, check.is_whole());
     } else {
       refuse_charts(subject, *item);
+      check_explore(subject, *item, check.is_whole());
     }
   }
 }

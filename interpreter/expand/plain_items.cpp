@@ -116,13 +116,17 @@ void PlainItems::law(std::optional<syntax::DurationLaw>& value) {
   each(value->values);
 }
 
-void PlainItems::item(syntax::PolicyItem& value) {
-  mark(value.name.span);
-  for (syntax::NumberItem& each : value.numbers) {
+void PlainItems::each_number(std::vector<syntax::NumberItem>& values) {
+  for (syntax::NumberItem& each : values) {
     mark(each.span);
     mark(each.name.span);
     number(each.value);
   }
+}
+
+void PlainItems::item(syntax::PolicyItem& value) {
+  mark(value.name.span);
+  each_number(value.numbers);
   for (syntax::Name& what : value.minimise) mark(what.span);
 }
 
@@ -138,11 +142,20 @@ void PlainItems::item(syntax::ErrandItem& value) {
   name(value.from);
   name(value.to);
   number(value.start);
-  for (syntax::NumberItem& each : value.numbers) {
-    mark(each.span);
-    mark(each.name.span);
-    number(each.value);
-  }
+  each_number(value.numbers);
+}
+
+void PlainItems::item(syntax::BarrierItem& value) {
+  name(value.from);
+  name(value.to);
+  number(value.since);
+  each(value.until);
+}
+
+void PlainItems::item(syntax::ExploreItem& value) {
+  name(value.name);
+  name(value.from);
+  each_number(value.numbers);
 }
 
 void PlainItems::item(syntax::LaneReportItem& value) {

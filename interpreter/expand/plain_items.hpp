@@ -43,6 +43,9 @@ class PlainItems {
   void item(syntax::LaneItem& value);
   void item(syntax::ErrandItem& value);
   void item(syntax::LaneReportItem& value);
+  void item(syntax::BarrierItem& value);
+  void item(syntax::ExploreItem& value);
+  void each_number(std::vector<syntax::NumberItem>& values);
   void item(syntax::FleetItem& value);
   void item(syntax::NumberItem& value) { name(value.name), number(value.value); }
   void item(syntax::StringItem& value) { name(value.name), text(value.value); }

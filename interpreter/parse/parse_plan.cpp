@@ -447,7 +447,8 @@ RUBICON_ACTION(PlanAction, PlanState, policy_name) {
 RUBICON_ACTION(PlanAction, PlanState, policy_number_key) { st.key = st.take_name(); }
 RUBICON_ACTION(PlanAction, PlanState, policy_number) {
   st.policy.numbers.push_back({st.key, st.take_quantity(), st.span_from(begin)});
-  if (st.policy.name.text == "grid") st.add_to_grid(begin).numbers.push_back(st.policy.numbers.back());
+  if (st.policy.name.text == "grid")
+    st.add_to_grid(begin).numbers.push_back(st.policy.numbers.back());
 }
 RUBICON_ACTION(PlanAction, PlanState, minimise_what) {
   st.policy.minimise.push_back(st.take_name());
@@ -532,7 +533,9 @@ RUBICON_ACTION(PlanAction, PlanState, report_key) { st.lane_report = {}; }
 RUBICON_ACTION(PlanAction, PlanState, report_from) { st.lane_report.from = st.take_name(); }
 RUBICON_ACTION(PlanAction, PlanState, report_to) { st.lane_report.to = st.take_name(); }
 RUBICON_ACTION(PlanAction, PlanState, report_word) { st.lane_report.what = st.word(begin); }
-RUBICON_ACTION(PlanAction, PlanState, report_obstacle_word) { st.lane_report.what = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, report_obstacle_word) {
+  st.lane_report.what = st.word(begin);
+}
 RUBICON_ACTION(PlanAction, PlanState, report_edge) {
   st.lane_report.edges.push_back(st.take_quantity());
 }
@@ -540,6 +543,26 @@ RUBICON_ACTION(PlanAction, PlanState, report_time) { st.lane_report.time = st.ta
 RUBICON_ACTION(PlanAction, PlanState, report_robot) { st.lane_report.by = st.take_name(); }
 RUBICON_ACTION(PlanAction, PlanState, network_report) {
   st.add_to_network(std::move(st.lane_report), begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, barrier_key) { st.barrier = {}; }
+RUBICON_ACTION(PlanAction, PlanState, barrier_from) { st.barrier.from = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, barrier_to) { st.barrier.to = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, barrier_since) { st.barrier.since = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, barrier_until) { st.barrier.until = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, network_barrier) {
+  st.add_to_network(std::move(st.barrier), begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, explore_key) {
+  st.errand = {};
+  st.announce("explore");
+}
+RUBICON_ACTION(PlanAction, PlanState, explore_name) { st.errand.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, explore_from) { st.errand.from = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, network_explore) {
+  st.add_to_network(
+      syntax::ExploreItem{
+          std::move(st.errand.name), std::move(st.errand.from), std::move(st.errand.numbers), {}},
+      begin);
 }
 RUBICON_ACTION(PlanAction, PlanState, network_item) {
   st.in_network = false;

@@ -208,6 +208,7 @@ class PlanState : public GuideState {
   syntax::PolicyItem policy;
   syntax::ErrandItem errand;
   syntax::LaneReportItem lane_report;
+  syntax::BarrierItem barrier;
   syntax::GridItem grid;
   std::vector<syntax::GridItem> grids;
   syntax::GridItem::Agent grid_agent;

@@ -504,9 +504,23 @@ struct LaneReportItem {
   Name by;
   Span span;
 };
+/// barrier lane a to b from 20 s [to 60 s];
+struct BarrierItem {
+  Name from, to;
+  Number since;
+  std::optional<Number> until;
+  Span span;
+};
+/// explore ROBOT from a [{ speed 1 m/s; }]
+struct ExploreItem {
+  Name name, from;
+  std::vector<NumberItem> numbers;
+  Span span;
+};
 struct NetworkBlock;
-using NetworkPart = std::variant<PolicyItem, LaneClassItem, NodeItem, LaneItem, ErrandItem,
-                                 LaneReportItem, std::shared_ptr<const NetworkBlock>>;
+using NetworkPart =
+    std::variant<PolicyItem, LaneClassItem, NodeItem, LaneItem, ErrandItem, LaneReportItem,
+                 BarrierItem, ExploreItem, std::shared_ptr<const NetworkBlock>>;
 /// network NAME { class ...; node ...; lane ...; }
 struct NetworkItem {
   Name name;

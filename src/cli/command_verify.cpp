@@ -12,6 +12,7 @@
 #include "src/exchange/encoding/sha256.hpp"
 #include "src/exchange/files/result_folder_io.hpp"
 #include "src/results/verify/charts/check_charts.hpp"
+#include "src/results/verify/charts/check_walk.hpp"
 #include "src/results/verify/grid/check_ways.hpp"
 #include "src/results/verify/input/trace_reader.hpp"
 #include "src/results/verify/schedule/check_report.hpp"
@@ -80,6 +81,14 @@ std::optional<std::string> result_of(const std::string& result, const char* name
   return is_result(text) ? std::optional(path) : std::nullopt;
 }
 
+int verify_walk(const std::string& path, const std::string& text, const std::string& format) {
+  const verify::WalkVerdict verdict = verify::check_walk(text);
+  const std::string said = format == "json" ? verify::walk_verdict_json(verdict)
+                                            : verify::walk_verdict_text(verdict, path);
+  std::fwrite(said.data(), 1, said.size(), stdout);
+  return verdict.faults.empty() ? kFine : kInfeasible;
+}
+
 int verify_charts(const std::string& path, const std::string& text, const std::string& format) {
   const verify::ChartsVerdict verdict = verify::check_charts(text);
   const std::string said = format == "json" ? verify::charts_verdict_json(verdict)
@@ -109,6 +118,9 @@ int run_verify(const VerifyOptions& options) {
     if (const auto path =
             result_of(options.result, "charts.json", verify::is_charts_result, text)) {
       return verify_charts(*path, text, options.format);
+    }
+    if (const auto path = result_of(options.result, "walk.json", verify::is_walk_result, text)) {
+      return verify_walk(*path, text, options.format);
     }
     verdict = verify::verify(read_result(options.result, names));
   } catch (const UnreadableInput& error) {

@@ -116,7 +116,10 @@ class ChartsTest(ResultCase):
             picture = file.read()
         for word in ("B3B5", "ROB3 waits from 40 s to 145 s", "report, 35 s", "Closed lanes"):
             self.assertIn(word, picture)
-        # The same bytes again; and a result of tasks takes their place.
+        # It is the one that docs/fleets.md shows.
+        with open(os.path.join(ROOT, "docs", "pictures", "charts.svg")) as file:
+            self.assertEqual(file.read(), picture)
+        # The same bytes again.
         first = self.ran(WAREHOUSE, "--format", "json")
         self.assertEqual(first, self.ran(WAREHOUSE, "--format", "json"))
 
@@ -143,6 +146,51 @@ class ChartsTest(ResultCase):
         self.assertIn("r1 finds no way from b to its goal and returns to its start", text)
         self.assertRegex(text, r"r1 .* back at its start: no way to its goal")
 
+    def test_robots_find_barriers(self):
+        two = "errand r1 from a to d at 0 s { priority 2; } errand r2 from a to d at 20 s;"
+        plan = self.yard(two + " barrier lane b to c from 5 s to 25 s;")
+        text = self.ran(plan)
+        told = [
+            "10 s  r1 reports: b to c is blocked",
+            "b to c is closed to all",
+            "r1 has a new way from b",
+            "r2 has a new way from a",
+            "30 s  r2 reports: b to c is free again",
+            "b to c is open again",
+            "r2 has a new way from b",
+        ]
+        places = [text.find(line) for line in told]
+        self.assertNotIn(-1, places)
+        self.assertEqual(places, sorted(places))
+        self.assertEqual(self.ways(plan)["r1"], "a 0 b 10 e 24.1421 c 38.2843 d 48.2843")
+        # Who would enter it while it is there is found by verify.
+        result = json.loads(self.ran(plan, "--format", "json"))
+        result["barriers"][0]["until_ns"] = 36_000_000_000
+        done = rubicon("verify", self.write("charts.json", json.dumps(result)))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("r2 enters b to c at 35 s, where a barrier stands", done.stdout)
+        # For good.
+        ways = self.ways(self.yard(two + " barrier lane b to c from 5 s;"))
+        self.assertEqual(ways["r2"], "a 20 b 30 e 44.1421 c 58.2843 d 68.2843")
+        for barrier, message in [
+            ("barrier lane b to c from 5 s to 4 s;", "the barrier goes at 4 s, and comes at 5 s"),
+            ("barrier lane b to d from 5 s;", "there is no lane from b to d"),
+            ("barrier lane b to c at 5 s;", "'from' and when the barrier comes"),
+        ]:
+            self.assertIn(message, self.said(two + barrier))
+
+    def test_the_examples_of_the_reference_run(self):
+        with open(os.path.join(ROOT, "docs", "language.md"), encoding="utf-8") as file:
+            blocks = re.findall(r"^```text\n(plan .*?)^```$", file.read(), re.M | re.S)
+        blocks = [block for block in blocks if "policy charts" in block or "policy tarry" in block]
+        self.assertEqual(len(blocks), 2)
+        for block in blocks:
+            plan = self.write("example.plan", block)
+            self.assertEqual(rubicon("fmt", "--check", plan).returncode, 0)
+            done = rubicon("run", plan, "--out", self.out)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual(rubicon("verify", self.out).returncode, 0)
+
     def test_least_of_what(self):
         one = "errand r from b to c at 0 s;"
         self.assertEqual(self.ways(self.yard(one, "minimise time;")), {"r": "b 0 c 10"})
@@ -166,6 +214,25 @@ class ChartsTest(ResultCase):
         )
         self.assertEqual(self.ways(plan)["r_3"], "n_0 6 n_1 26 n_2 36 n_3 46 n_4 56")
         self.assertIn("4 robots", self.ran(plan, "--set", "robots=4"))
+
+    def test_a_warehouse_of_modules(self):
+        plan = os.path.join(ROOT, "taskplans", "warehouse_modules.plan")
+        text = self.ran(plan, "--out", self.out)
+        told = [
+            "70 s  robot_3_1 reports: back_3_1 to ahead_end_2_1 is blocked",
+            "robot_4_1 has a new way from back_4_1",
+            "110 s  robot_2_1 reports: back_3_1 to ahead_end_2_1 is free again",
+            "robot_3_1 has a new way from back_end_3_1",
+        ]
+        places = [text.find(line) for line in told]
+        self.assertNotIn(-1, places)
+        self.assertEqual(places, sorted(places))
+        self.assertIn("verified: 20 robots, 3 plans", rubicon("verify", self.out).stdout)
+        # 400 robots, 1,640 nodes.
+        self.ran(plan, "--set", "corridors=20", "--set", "rows=20", "--out", self.out)
+        self.assertIn("verified: 400 robots", rubicon("verify", self.out).stdout)
+        with open(os.path.join(self.out, "charts.svg")) as file:
+            self.assertIn("and 370 more, not drawn", file.read())
 
     def test_verify_finds_what_was_changed(self):
         """Each fault is put in alone, and has to be found by name."""
@@ -236,7 +303,11 @@ class ChartsTest(ResultCase):
             for stop in stops(result, 1, 1)[2:]:
                 stop["arrival_ns"] += 60_000_000_000
 
+        def thinner(result):
+            result["steps"][1]["report"]["obstacle_to"] = 1
+
         for change, message in [
+            (thinner, "is said to go left_lane past the obstacle, and has room for left_in_lane"),
             (earlier, "before it can be there"),
             (same_node, "are both at B3B5 about 160 s"),
             (head_on, "head-on in B8 to B8B10"),

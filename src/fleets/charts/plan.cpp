@@ -90,7 +90,9 @@ class Step {
           network_.length(report.lane), network_.name_of(report.lane), report.travelled));
     }
     close(report.robot, report.lane);
-    if (report.way == BypassWay::kRightInLane || report.way == BypassWay::kLeftInLane) {
+    const bool in_lane =
+        report.way == BypassWay::kRightInLane || report.way == BypassWay::kLeftInLane;
+    if (in_lane && !somebody_comes_back(report)) {
       stay_in_lane(report);
     } else if (report.way == BypassWay::kLeftLane && can_borrow(report)) {
       borrow(report);
@@ -242,22 +244,27 @@ class Step {
     const std::optional<lanes::Way> way = way_of(robot, from, robot.goal);
     if (!way) {
       // Still not to its goal, but perhaps back.
+      const std::optional<lanes::Way> back = way_of(robot, from, robot.from);
       const bool was_stranded = plan_.errands[i] == Errand::kStranded && from != robot.from;
-      if (was_stranded && way_of(robot, from, robot.from)) {
+      const bool returns = plan_.errands[i] == Errand::kBack;
+      if (back && (was_stranded || (returns && is_better(*back, i, kept)))) {
         plan_again(static_cast<RobotIndex>(i), true);
       }
       return;
     }
-    if (plan_.errands[i] == Errand::kToGoal) {
-      std::vector<LaneIndex> rest;
-      for (std::size_t k = kept; k < chart.stops.size(); ++k) rest.push_back(chart.stops[k].lane);
-      // A share of what rounding makes of two sums of the same lanes.
-      constexpr double kWorthwhile = 1 - 1e-9;
-      const bool is_better =
-          measure(way->lanes, robot.speed) < measure(rest, robot.speed) * kWorthwhile;
-      if (!is_better) return;
-    }
+    if (plan_.errands[i] == Errand::kToGoal && !is_better(*way, i, kept)) return;
     plan_again(static_cast<RobotIndex>(i), true);
+  }
+
+  // Than what the robot is going to do after the stops that it keeps.
+  bool is_better(const lanes::Way& way, std::size_t i, std::size_t kept) const {
+    const std::vector<Stop>& stops = plan_.charts[i].stops;
+    std::vector<LaneIndex> rest;
+    for (std::size_t k = kept; k < stops.size(); ++k) rest.push_back(stops[k].lane);
+    // A share of what rounding makes of two sums of the same lanes.
+    constexpr double kWorthwhile = 1 - 1e-9;
+    const double speed = plan_.robots[i].speed;
+    return measure(way.lanes, speed) < measure(rest, speed) * kWorthwhile;
   }
 
   // The lane beside has to run the other way: to begin nearer to the end of the lane than to its
@@ -365,6 +372,23 @@ class Step {
     constexpr double kSamePlace = 1e-6;
     if (std::abs(left - other.left) > kSamePlace) return left > other.left;
     return chart.entered > other.entered;
+  }
+
+  // Whether a robot ahead of the one of the report drives back towards it, or is about to: then
+  // room beside the obstacle is no help.
+  bool somebody_comes_back(const BypassReport& report) const {
+    const double its_left = 1 - report.travelled / network_.length(report.lane);
+    for (std::size_t i = 0; i < plan_.charts.size(); ++i) {
+      const Chart& chart = plan_.charts[i];
+      if (static_cast<RobotIndex>(i) == report.robot || chart.stops.size() < 2) continue;
+      const bool is_there =
+          chart.stops.front().node == kNone && chart.stops.front().lane == report.lane;
+      if (!is_there || !is_about_to_take(chart, report.lane)) continue;
+      const double driven = static_cast<double>(chart.stops[1].travel) /
+                            static_cast<double>(network_.time(report.lane, plan_.robots[i].speed));
+      if (1 - driven < its_left) return true;
+    }
+    return false;
   }
 
   // Those behind a place in the lane, but for who goes back already.

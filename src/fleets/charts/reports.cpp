@@ -87,8 +87,8 @@ class Logbook {
 class CourseMaker {
  public:
   CourseMaker(const LaneNetwork& network, const PlanSettings& settings,
-              const std::vector<SiteReport>& reports)
-      : network_(network), settings_(settings), reports_(reports) {}
+              const std::vector<SiteReport>& reports, const std::vector<Barrier>& barriers)
+      : network_(network), settings_(settings), reports_(reports), barriers_(barriers) {}
 
   std::variant<Course, ReportFault> run(const std::vector<Robot>& robots) {
     CourseStep first;
@@ -99,8 +99,14 @@ class CourseMaker {
       for (const Stop& stop : planned[i].stops) logbooks_[i].journey().alone += stop.travel;
     }
     add(std::move(first));
-    for (std::size_t i = 0; i < reports_.size(); ++i) {
-      report_ = i;
+    std::size_t next = 0;
+    while (next < reports_.size() || !barriers_.empty()) {
+      const std::optional<SiteReport> found = next_found();
+      const bool is_given =
+          next < reports_.size() && (!found || reports_[next].time <= found->time);
+      if (!is_given && !found) break;
+      listed_ = is_given ? static_cast<std::int32_t>(next++) : -1;
+      report_ = is_given ? reports_[next - 1] : *found;
       answer();
       if (fault_) return *std::move(fault_);
     }
@@ -111,7 +117,73 @@ class CourseMaker {
 
  private:
   const Plan& plan() const { return course_.steps.back().plan; }
-  const Robot& reporter() const { return plan().robots[index_of(reports_[report_].robot)]; }
+  const Robot& reporter() const { return plan().robots[index_of(report_.robot)]; }
+
+  bool is_closed(LaneIndex lane) const {
+    return std::binary_search(plan().closed.begin(), plan().closed.end(), lane);
+  }
+  bool is_barred(LaneIndex lane, Nanoseconds time) const {
+    return std::any_of(barriers_.begin(), barriers_.end(), [&](const Barrier& barrier) {
+      return barrier.lane == lane && barrier.since <= time && time < barrier.until;
+    });
+  }
+
+  /// What a robot is the first to find of barriers, as plans are now.
+  std::optional<SiteReport> next_found() const {
+    std::optional<SiteReport> first;
+    const auto take = [&](SiteReport::Kind kind, std::size_t robot, LaneIndex lane,
+                          Nanoseconds time) {
+      if (!first || time < first->time) {
+        first = SiteReport{kind, static_cast<RobotIndex>(robot), lane, time, 0, 0};
+      }
+    };
+    for (std::size_t robot = 0; robot < plan().charts.size(); ++robot) {
+      const Chart& chart = plan().charts[robot];
+      for (const Barrier& barrier : barriers_) {
+        if (is_closed(barrier.lane)) {
+          if (const auto time = sees_it_gone(chart, barrier)) {
+            take(SiteReport::Kind::kReopened, robot, barrier.lane, *time);
+          }
+        } else if (const auto time = meets(chart, barrier)) {
+          take(SiteReport::Kind::kBlocked, robot, barrier.lane, *time);
+        }
+      }
+    }
+    return first;
+  }
+
+  /// When a robot is about to enter the lane while something stands there.
+  std::optional<Nanoseconds> meets(const Chart& chart, const Barrier& barrier) const {
+    const std::vector<Stop>& stops = chart.stops;
+    for (std::size_t i = 1; i < stops.size(); ++i) {
+      if (stops[i].lane != barrier.lane || stops[i].leg != Leg::kAlong) continue;
+      const bool is_in_it = i == 1 && stops[0].node == kNone && stops[0].lane == barrier.lane;
+      const Nanoseconds leaves = stops[i].arrival - stops[i].travel;
+      if (!is_in_it && barrier.since <= leaves && leaves < barrier.until) {
+        return std::max(leaves, plan().now);
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// When a robot is at the beginning of the lane and nothing stands there any more.
+  std::optional<Nanoseconds> sees_it_gone(const Chart& chart, const Barrier& barrier) const {
+    const NodeIndex node = network_.lane(barrier.lane).from;
+    const std::vector<Stop>& stops = chart.stops;
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+      const bool is_there =
+          stops[i].node == node || (i == 0 && stands(chart) && chart.passed == node);
+      if (!is_there) continue;
+      const bool stays = i + 1 == stops.size();
+      const Nanoseconds leaves =
+          stays ? lanes::kEndOfTime / 8
+                : std::max(stops[i].arrival, stops[i + 1].arrival - stops[i + 1].travel);
+      const Nanoseconds time = std::max({stops[i].arrival, barrier.until, plan().now});
+      // A robot that has not started is not there.
+      if (time <= leaves && !is_barred(barrier.lane, time)) return time;
+    }
+    return std::nullopt;
+  }
 
   void add(CourseStep step) {
     for (const Record& record : step.plan.records) {
@@ -128,11 +200,11 @@ class CourseMaker {
   }
 
   void wrong(std::string message, std::string hint = {}) {
-    fault_ = ReportFault{report_, std::move(message), std::move(hint)};
+    fault_ = ReportFault{index_of(std::max(0, listed_)), std::move(message), std::move(hint)};
   }
 
   void answer() {
-    const SiteReport& report = reports_[report_];
+    const SiteReport& report = report_;
     const Chart present = chart_at(plan().charts[index_of(report.robot)], report.time);
     if (!has_started(present)) {
       wrong(fmt::format("{} starts at {} s: at {} s it sees nothing", reporter().name,
@@ -141,7 +213,8 @@ class CourseMaker {
     }
     CourseStep step;
     step.time = report.time;
-    step.report = static_cast<std::int32_t>(report_);
+    step.report = report;
+    step.listed = listed_;
     try {
       switch (report.kind) {
         case SiteReport::Kind::kBlocked:
@@ -181,9 +254,9 @@ class CourseMaker {
       return;
     }
     const lanes::Lane& lane = network_.lane(report.lane);
-    const bool sees = is_in(present, report.lane) ||
-                      (stands(present) &&
-                       (present.passed == lane.from || present.passed == lane.to));
+    const bool sees =
+        is_in(present, report.lane) ||
+        (stands(present) && (present.passed == lane.from || present.passed == lane.to));
     if (!sees) step.doubt = doubt(report, present);
     step.plan = lane_free(network_, plan(), {report.robot, report.lane, report.time}, settings_);
   }
@@ -209,8 +282,8 @@ class CourseMaker {
     if (beside != kNone) query.travelway_width += network_.class_of(beside).width;
     step.bypass = choose_bypass(query);
     if (on_bypass && step.bypass.way != BypassWay::kReverse) {
-      wrong(fmt::format("{} passes an obstacle in the lane {} already at {} s",
-                        reporter().name, network_.name_of(report.lane), seconds_told(report.time)),
+      wrong(fmt::format("{} passes an obstacle in the lane {} already at {} s", reporter().name,
+                        network_.name_of(report.lane), seconds_told(report.time)),
             "an obstacle over the whole width of both lanes sends it back");
       return;
     }
@@ -251,7 +324,9 @@ class CourseMaker {
   const LaneNetwork& network_;
   const PlanSettings& settings_;
   const std::vector<SiteReport>& reports_;
-  std::size_t report_ = 0;
+  const std::vector<Barrier>& barriers_;
+  SiteReport report_;         // that is being answered
+  std::int32_t listed_ = -1;  // its place among the given ones
   std::vector<Logbook> logbooks_;
   std::optional<ReportFault> fault_;
   Course course_;
@@ -286,8 +361,9 @@ Nanoseconds Journey::waiting() const {
 std::variant<Course, ReportFault> carry_out(const LaneNetwork& network,
                                             const std::vector<Robot>& robots,
                                             const PlanSettings& settings,
-                                            const std::vector<SiteReport>& reports) {
-  return CourseMaker(network, settings, reports).run(robots);
+                                            const std::vector<SiteReport>& reports,
+                                            const std::vector<Barrier>& barriers) {
+  return CourseMaker(network, settings, reports, barriers).run(robots);
 }
 
 std::vector<Chart> charts_before_yields(const Plan& plan) {

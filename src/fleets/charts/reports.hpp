@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -28,10 +29,19 @@ struct SiteReport {
 };
 std::string_view name_of(SiteReport::Kind kind);
 
+/// Something that stands at the beginning of a lane for some time. Who is about to enter the lane
+/// finds it and reports; who comes to that node when it has gone reports that too.
+struct Barrier {
+  LaneIndex lane = kNone;
+  Nanoseconds since = 0;
+  Nanoseconds until = lanes::kEndOfTime;  ///< from here on it is gone
+};
+
 /// A plan that was made, and the report that it answers.
 struct CourseStep {
-  Nanoseconds time = 0;      ///< of the report; 0 of the first plan
-  std::int32_t report = -1;  ///< the place of the report among all; -1: the first plan
+  Nanoseconds time = 0;              ///< of the report; 0 of the first plan
+  std::optional<SiteReport> report;  ///< none: the first plan
+  std::int32_t listed = -1;          ///< its place among those that were given; -1: of a barrier
   Plan plan;
   // Of an obstacle:
   BypassResult bypass;
@@ -77,11 +87,13 @@ struct ReportFault {
 /// Makes the first plan, and carries out the reports in their order, which has to be that of time:
 /// each robot is where its chart says until the next report. A lane that is blocked is closed to
 /// all (alternate planning); an obstacle in the lane of the robot is passed by the widths of gaps
-/// and robot (bypass planning). Throws as make_plan does.
+/// and robot (bypass planning). What robots find of barriers on their way they report in between;
+/// at one time the given reports first, then the robots in their order. Throws as make_plan does.
 std::variant<Course, ReportFault> carry_out(const LaneNetwork& network,
                                             const std::vector<Robot>& robots,
                                             const PlanSettings& settings,
-                                            const std::vector<SiteReport>& reports);
+                                            const std::vector<SiteReport>& reports,
+                                            const std::vector<Barrier>& barriers = {});
 
 /// The charts of a plan before anybody yielded, by robot.
 std::vector<Chart> charts_before_yields(const Plan& plan);

@@ -33,7 +33,8 @@ constexpr double kNodeRow = 26;
 constexpr std::size_t kManyNodes = 36;
 constexpr double kLowNodeRow = 16;
 constexpr double kClosedRow = 20;
-/// Shares of a row: where a robot in a lane is drawn, at its beginning and how much more at its end.
+/// Shares of a row: where a robot in a lane is drawn, at its beginning and how much more at its
+/// end.
 constexpr double kNextToRow = 0.25;
 constexpr double kWithinRow = 0.5;
 constexpr double kWordSize = 12;
@@ -43,7 +44,7 @@ constexpr double kMostLeft = 260;
 constexpr double kNameRoom = 110;
 /// Up to here the axis counts in seconds.
 constexpr Nanoseconds kLongestInSeconds = 3600 * charts::kSecond;
-constexpr std::array<Nanoseconds, 12> kSecondSteps = {1,  2,  5,   10,  20,  30,
+constexpr std::array<Nanoseconds, 12> kSecondSteps = {1,  2,   5,   10,  20,  30,
                                                       60, 120, 300, 600, 900, 1800};
 constexpr int kMostSecondMarks = 16;
 
@@ -75,8 +76,7 @@ class NodeRows {
     return std::find(order_.begin(), order_.end(), node) != order_.end();
   }
   std::size_t row_of(NodeIndex node) const {
-    return static_cast<std::size_t>(std::find(order_.begin(), order_.end(), node) -
-                                    order_.begin());
+    return static_cast<std::size_t>(std::find(order_.begin(), order_.end(), node) - order_.begin());
   }
   const std::vector<NodeIndex>& order() const { return order_; }
 
@@ -195,8 +195,8 @@ class ChartsPicture {
       y_ += 18;
     };
     for (std::size_t i = 0; i < drawn_; ++i) {
-      const std::string words = fmt::format("{} (priority {})", robots_[i].name,
-                                            robots_[i].priority);
+      const std::string words =
+          fmt::format("{} (priority {})", robots_[i].name, robots_[i].priority);
       const std::string shown = clipped(words, 300, kWordSize);
       room(52 + text_width(shown, kWordSize));
       line(x, y_ - 4, x + 22, y_ - 4,
@@ -274,11 +274,10 @@ class ChartsPicture {
   void write_reports() {
     double last = -1e9;
     for (const charts::CourseStep& step : result_.course.steps) {
-      if (step.report < 0) continue;
+      if (!step.report) continue;
       const double x = x_of(step.time);
       line(x, top_ - 20, x, bottom_,
-           fmt::format("stroke=\"{}\" stroke-width=\"1\" stroke-dasharray=\"4 3\"",
-                       kColours.bad));
+           fmt::format("stroke=\"{}\" stroke-width=\"1\" stroke-dasharray=\"4 3\"", kColours.bad));
       // Names of reports that follow each other closely would lie on each other.
       if (x - last < 70) continue;
       last = x;
@@ -296,8 +295,8 @@ class ChartsPicture {
     }
   }
 
-  /// Where a place is drawn: a node in its row, a place in a lane beside the row of the node before,
-  /// on the side of the node to come, so that it is in no row.
+  /// Where a place is drawn: a node in its row, a place in a lane beside the row of the node
+  /// before, on the side of the node to come, so that it is in no row.
   std::vector<double> heights_of(const std::vector<Visit>& visits) const {
     std::vector<double> heights;
     for (std::size_t i = 0; i < visits.size(); ++i) {
@@ -337,13 +336,11 @@ class ChartsPicture {
       if (heights[i] < 0) continue;
       if (visit.departure > visit.arrival) {
         body_ += "<g>";
-        line(x_of(visit.arrival), heights[i], x_of(visit.departure), heights[i],
-             wait_look(colour));
-        body_ += fmt::format(
-            "<title>{}</title></g>\n",
-            xml_text(fmt::format("{} waits from {} s to {} s", robots_[robot].name,
-                                 charts::seconds_told(visit.arrival),
-                                 charts::seconds_told(visit.departure))));
+        line(x_of(visit.arrival), heights[i], x_of(visit.departure), heights[i], wait_look(colour));
+        body_ += fmt::format("<title>{}</title></g>\n",
+                             xml_text(fmt::format("{} waits from {} s to {} s", robots_[robot].name,
+                                                  charts::seconds_told(visit.arrival),
+                                                  charts::seconds_told(visit.departure))));
       }
       if (i + 1 < visits.size() && heights[i + 1] >= 0) {
         line(x_of(visit.departure), heights[i], x_of(visits[i + 1].arrival), heights[i + 1],
@@ -360,12 +357,10 @@ class ChartsPicture {
                                charts::seconds_told(visit.arrival))));
     }
     const Visit& end = visits.back();
-    const bool at_goal = result_.course.steps.back().plan.errands[robot] ==
-                         charts::Errand::kToGoal;
+    const bool at_goal = result_.course.steps.back().plan.errands[robot] == charts::Errand::kToGoal;
     if (heights.back() < 0) return;
     word(x_of(end.arrival) + 8, heights.back() + 4, colour,
-         clipped(robots_[robot].name + (at_goal ? "" : ", not at its goal"), kNameRoom,
-                 kWordSize),
+         clipped(robots_[robot].name + (at_goal ? "" : ", not at its goal"), kNameRoom, kWordSize),
          " font-weight=\"bold\"");
   }
 
@@ -433,10 +428,10 @@ class ChartsPicture {
   void write_history() {
     std::vector<std::pair<std::string, bool>> lines;
     for (const charts::CourseStep& step : result_.course.steps) {
-      if (step.report >= 0) {
-        lines.emplace_back(fmt::format("{} s   {}", charts::seconds_told(step.time),
-                                       report_told(result_, step)),
-                           true);
+      if (step.report) {
+        lines.emplace_back(
+            fmt::format("{} s   {}", charts::seconds_told(step.time), report_told(result_, step)),
+            true);
       }
       std::vector<charts::Chart> charts = charts_before_yields(step.plan);
       for (const Record& record : step.plan.records) {

@@ -74,12 +74,12 @@ class ChartsTable {
  private:
   void add(const CourseStep& step) {
     text_ += "\n";
-    if (step.report >= 0) add_report(step);
+    if (step.report) add_report(step);
     std::vector<Chart> charts = charts_before_yields(step.plan);
     ++chart_;
-    text_ += step.report < 0 ? fmt::format("chart {}, as planned\n", chart_)
-                             : fmt::format("chart {}, from {} s on\n", chart_,
-                                           seconds_told(step.time));
+    text_ += !step.report
+                 ? fmt::format("chart {}, as planned\n", chart_)
+                 : fmt::format("chart {}, from {} s on\n", chart_, seconds_told(step.time));
     add_charts(charts);
     std::size_t yields = 0;
     for (const Record& record : step.plan.records) {
@@ -87,8 +87,8 @@ class ChartsTable {
       apply_yield(record, charts);
       ++chart_;
       if (++yields > kMostYields) continue;
-      text_ += fmt::format("\nchart {}: {}\n", chart_,
-                           told(result_.network, robots_, charts, record));
+      text_ +=
+          fmt::format("\nchart {}: {}\n", chart_, told(result_.network, robots_, charts, record));
       if (robots_.size() <= kMostInTable) {
         add_charts(charts);
       } else {
@@ -96,8 +96,8 @@ class ChartsTable {
       }
     }
     if (yields > kMostYields) {
-      text_ += fmt::format("and {} more; --format json has all. Chart {}:\n",
-                           yields - kMostYields, chart_);
+      text_ += fmt::format("and {} more; --format json has all. Chart {}:\n", yields - kMostYields,
+                           chart_);
       add_charts(charts);
     }
   }
@@ -183,6 +183,14 @@ class ChartsWriter {
       each["width"] = robot.width;
       json["robots"].push_back(std::move(each));
     }
+    if (!result_.spec.barriers.empty()) {
+      json["barriers"] = ChartsJson::array();
+      for (const charts::Barrier& barrier : result_.spec.barriers) {
+        ChartsJson each = {{"lane", barrier.lane}, {"since_ns", barrier.since}};
+        if (barrier.until < lanes::kEndOfTime) each["until_ns"] = barrier.until;
+        json["barriers"].push_back(std::move(each));
+      }
+    }
     json["steps"] = ChartsJson::array();
     for (const CourseStep& step : result_.course.steps) json["steps"].push_back(object_of(step));
     json["ways"] = ChartsJson::array();
@@ -203,10 +211,8 @@ class ChartsWriter {
   void add_network(ChartsJson& json) const {
     json["classes"] = ChartsJson::array();
     for (const lanes::LaneClass& each : result_.network.classes()) {
-      json["classes"].push_back({{"name", each.name},
-                                 {"speed", each.speed},
-                                 {"width", each.width},
-                                 {"cost", each.cost}});
+      json["classes"].push_back(
+          {{"name", each.name}, {"speed", each.speed}, {"width", each.width}, {"cost", each.cost}});
     }
     json["nodes"] = ChartsJson::array();
     for (std::int32_t i = 0; i < result_.network.node_count(); ++i) {
@@ -228,7 +234,7 @@ class ChartsWriter {
   ChartsJson object_of(const CourseStep& step) const {
     ChartsJson object;
     object["time_ns"] = step.time;
-    if (step.report >= 0) object["report"] = report_of(step);
+    if (step.report) object["report"] = report_of(step);
     object["settled"] = step.plan.settled;
     object["closed"] = step.plan.closed;
     object["records"] = ChartsJson::array();
@@ -256,7 +262,7 @@ class ChartsWriter {
   }
 
   ChartsJson report_of(const CourseStep& step) const {
-    const SiteReport& report = result_.spec.reports[place_of(step.report)];
+    const SiteReport& report = *step.report;
     ChartsJson object = {{"kind", name_of(report.kind)},
                          {"robot", robots_[place_of(report.robot)].name},
                          {"lane", report.lane},
@@ -329,7 +335,7 @@ ChartsOutcome outcome_of(const charts::Course& course) {
 }
 
 std::string report_told(const ChartsResult& result, const CourseStep& step) {
-  const SiteReport& report = result.spec.reports[place_of(step.report)];
+  const SiteReport& report = *step.report;
   const std::string who = result.spec.robots[place_of(report.robot)].name;
   const std::string lane = result.network.name_of(report.lane);
   switch (report.kind) {

@@ -1,8 +1,9 @@
 // Reports of robots and what the centre makes of them, on networks small enough to know the answer.
+#include "src/fleets/charts/reports.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "src/fleets/charts/reports.hpp"
 #include "tests/unit/charts/chart_fixtures.hpp"
 
 namespace rubicon::charts {
@@ -82,13 +83,14 @@ TEST_F(Reports, WithoutAnyTheFirstPlanIsGone) {
 TEST_F(Reports, ABlockedLaneIsAvoidedByAllUntilItIsReopened) {
   // r1 stands at b and sees that b to c is blocked: it goes round, and so does r2, which is not
   // there yet. At 35 s r2 is at b, and sees that the lane is free; it takes it.
-  const Course all = course({first_, second_},
-                            {report(SiteReport::Kind::kBlocked, 0, "b", "c", 10),
-                             report(SiteReport::Kind::kReopened, 1, "b", "c", 30)});
+  const Course all =
+      course({first_, second_}, {report(SiteReport::Kind::kBlocked, 0, "b", "c", 10),
+                                 report(SiteReport::Kind::kReopened, 1, "b", "c", 30)});
   ASSERT_EQ(all.steps.size(), 3U);
   EXPECT_EQ(all.steps[1].plan.closed, std::vector<LaneIndex>{lane(network_, "b", "c")});
-  EXPECT_EQ(told(network_, all.steps[1].plan.charts),
-            (std::vector<std::string>{"Cur-Pos 10, e 30, c 50, d 60", "a 20, b 30, e 50, c 70, d 80"}));
+  EXPECT_EQ(
+      told(network_, all.steps[1].plan.charts),
+      (std::vector<std::string>{"Cur-Pos 10, e 30, c 50, d 60", "a 20, b 30, e 50, c 70, d 80"}));
   EXPECT_TRUE(all.steps[1].doubt.empty());
   EXPECT_TRUE(all.steps[2].plan.closed.empty());
   EXPECT_THAT(way(all.journeys[0]), ElementsAre("a 0", "b 10", "e 30", "c 50", "d 60"));
@@ -133,7 +135,8 @@ TEST_F(Reports, AnObstacleIsPassedByTheRoomThatItLeaves) {
   // Back to b, 4 s, and round.
   const Course back = answer(0, 8);
   EXPECT_EQ(back.steps[1].bypass.way, BypassWay::kReverse);
-  EXPECT_THAT(way(back.journeys[0]), ElementsAre("a 0", "b 10", "- 14", "b 18", "e 38", "c 58", "d 68"));
+  EXPECT_THAT(way(back.journeys[0]),
+              ElementsAre("a 0", "b 10", "- 14", "b 18", "e 38", "c 58", "d 68"));
   EXPECT_EQ(back.journeys[0].driving(), 68 * kSecond);
 }
 
@@ -148,8 +151,10 @@ TEST_F(Reports, WhoIsBehindGoesBackTooWhoeverCameFirst) {
   seen.obstacle_to = 8;
   const Course all = course({first_, second_}, {seen});
   // At 54 s r1 has 3.5 m of the lane behind it, r2 9 m.
-  EXPECT_THAT(way(all.journeys[0]), ElementsAre("a 0", "b 40", "- 54", "b 68", "e 148", "c 228", "d 268"));
-  EXPECT_THAT(way(all.journeys[1]), ElementsAre("a 35", "b 45", "- 54", "b 63", "e 83", "c 103", "d 113"));
+  EXPECT_THAT(way(all.journeys[0]),
+              ElementsAre("a 0", "b 40", "- 54", "b 68", "e 148", "c 228", "d 268"));
+  EXPECT_THAT(way(all.journeys[1]),
+              ElementsAre("a 35", "b 45", "- 54", "b 63", "e 83", "c 103", "d 113"));
 }
 
 TEST_F(Reports, WaitsAreOfThePlaceWhereTheyAre) {
@@ -169,17 +174,64 @@ TEST_F(Reports, WhoHasNoWayLeftReturns) {
   EXPECT_THAT(way(all.journeys[0]), ElementsAre("a 0", "b 10", "a 20"));
 }
 
+TEST_F(Reports, WhoReturnsTakesALaneThatIsReopened) {
+  const auto at_c = [&](SiteReport::Kind kind, const char* to) {
+    return report(kind, 0, "c", to, 20);
+  };
+  std::vector<SiteReport> reports = {at_c(SiteReport::Kind::kBlocked, "d"),
+                                     at_c(SiteReport::Kind::kBlocked, "b")};
+  EXPECT_THAT(way(course({first_}, reports).journeys[0]),
+              ElementsAre("a 0", "b 10", "c 20", "e 40", "b 60", "a 70"));
+  reports.push_back(at_c(SiteReport::Kind::kReopened, "b"));
+  EXPECT_THAT(way(course({first_}, reports).journeys[0]),
+              ElementsAre("a 0", "b 10", "c 20", "b 30", "a 40"));
+}
+
 TEST_F(Reports, SaysWhatCannotBe) {
-  EXPECT_THAT(fault({first_, second_}, {report(SiteReport::Kind::kBlocked, 1, "b", "c", 10)}).message,
-              HasSubstr("r2 starts at 20 s: at 10 s it sees nothing"));
+  EXPECT_THAT(
+      fault({first_, second_}, {report(SiteReport::Kind::kBlocked, 1, "b", "c", 10)}).message,
+      HasSubstr("r2 starts at 20 s: at 10 s it sees nothing"));
   EXPECT_THAT(fault({first_}, {report(SiteReport::Kind::kReopened, 0, "b", "c", 10)}).message,
               HasSubstr("the lane b to c is open at 10 s"));
   EXPECT_THAT(fault({first_}, {report(SiteReport::Kind::kBlocked, 0, "b", "c", 14)}).message,
               HasSubstr("what it finds there is an obstacle"));
   first_.width = 2;
   const ReportFault late = fault({first_}, {report(SiteReport::Kind::kObstacle, 0, "b", "c", 5)});
-  EXPECT_THAT(late.message, HasSubstr("r1 is not in the lane b to c at 5 s: it is on its way from a to b"));
+  EXPECT_THAT(late.message,
+              HasSubstr("r1 is not in the lane b to c at 5 s: it is on its way from a to b"));
   EXPECT_EQ(late.hint, "it is there after 10 s and before 20 s");
+}
+
+TEST_F(Reports, RobotsFindBarriersByThemselves) {
+  // r1 meets it at b at 10 s, goes round, and returns at 100 s from d; r2 finds it gone at 30 s.
+  const Barrier barrier{lane(network_, "b", "c"), 5 * kSecond, 25 * kSecond};
+  const auto made = carry_out(network_, {first_, second_}, {}, {}, {barrier});
+  const Course& all = std::get<Course>(made);
+  ASSERT_EQ(all.steps.size(), 3U);
+  EXPECT_EQ(all.steps[1].report->kind, SiteReport::Kind::kBlocked);
+  EXPECT_EQ(all.steps[1].report->robot, 0);
+  EXPECT_EQ(all.steps[1].time, 10 * kSecond);
+  EXPECT_EQ(all.steps[2].report->kind, SiteReport::Kind::kReopened);
+  EXPECT_EQ(all.steps[2].report->robot, 1);
+  EXPECT_EQ(all.steps[2].time, 30 * kSecond);
+  EXPECT_THAT(way(all.journeys[0]), ElementsAre("a 0", "b 10", "e 30", "c 50", "d 60"));
+  EXPECT_THAT(way(all.journeys[1]), ElementsAre("a 20", "b 30", "c 40", "d 50"));
+  EXPECT_TRUE(all.steps[1].doubt.empty());
+  EXPECT_TRUE(all.steps[2].doubt.empty());
+}
+
+TEST_F(Reports, ABarrierThatNobodyMeetsIsNotFound) {
+  const LaneIndex of = lane(network_, "b", "c");
+  // Before and after r1 enters the lane; and for good, on the lane back.
+  const auto made = carry_out(network_, {first_}, {}, {},
+                              {{of, 0, 10 * kSecond},
+                               {of, 11 * kSecond, 20 * kSecond},
+                               {lane(network_, "c", "b"), 0, lanes::kEndOfTime}});
+  EXPECT_EQ(std::get<Course>(made).steps.size(), 1U);
+  // At the very moment it counts.
+  const auto met = carry_out(network_, {first_}, {}, {}, {{of, 10 * kSecond, 11 * kSecond}});
+  EXPECT_THAT(way(std::get<Course>(met).journeys[0]),
+              ElementsAre("a 0", "b 10", "e 30", "c 50", "d 60"));
 }
 
 TEST_F(Reports, DoubtsWhoIsTooFarAway) {

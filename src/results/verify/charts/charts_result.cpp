@@ -29,6 +29,9 @@ class ChartsReader {
     result_.outcome = fields_.text("outcome");
     read_network();
     for (const Json& each : fields_.array("robots")) read_robot(each);
+    if (fields_.has("barriers")) {
+      for (const Json& each : fields_.array("barriers")) read_barrier(each);
+    }
     for (const Json& each : fields_.array("steps")) read_step(each);
     for (const Json& each : fields_.array("ways")) read_way(each);
     if (result_.steps.empty()) fields_.fail("the first plan among the steps");
@@ -109,10 +112,9 @@ class ChartsReader {
       lane.width = of.width;
       lane.cost = of.cost;
       const auto from = static_cast<std::size_t>(lane.from), to = static_cast<std::size_t>(lane.to);
-      lane.length = fields.has("length")
-                        ? above_zero(fields, "length")
-                        : std::hypot(result_.x[to] - result_.x[from],
-                                     result_.y[to] - result_.y[from]);
+      lane.length = fields.has("length") ? above_zero(fields, "length")
+                                         : std::hypot(result_.x[to] - result_.x[from],
+                                                      result_.y[to] - result_.y[from]);
       result_.lanes.push_back(lane);
     }
   }
@@ -129,6 +131,16 @@ class ChartsReader {
     robot.width = fields.number("width");
     robot_index_.emplace(robot.name, static_cast<int>(result_.robots.size()));
     result_.robots.push_back(std::move(robot));
+  }
+
+  void read_barrier(const Json& json) {
+    const JsonFields fields(json, "a barrier");
+    ChartBarrier barrier;
+    barrier.lane = lane_or_none(fields, "lane");
+    if (barrier.lane < 0) fields.fail("a lane");
+    barrier.since = nanoseconds(fields, "since_ns");
+    if (fields.has("until_ns")) barrier.until = nanoseconds(fields, "until_ns");
+    result_.barriers.push_back(barrier);
   }
 
   ChartStop stop_of(const Json& json) const {

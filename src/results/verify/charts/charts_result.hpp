@@ -84,6 +84,13 @@ struct ChartWay {
   std::vector<ChartStop> visits;
 };
 
+/// Something that stands at the beginning of a lane.
+struct ChartBarrier {
+  int lane = -1;
+  Ticks since = 0;
+  Ticks until = std::numeric_limits<Ticks>::max();
+};
+
 /// What `rubicon run` wrote of a network with policy charts.
 struct ChartsResult {
   Ticks tolerance = 0, delay = 0;
@@ -93,6 +100,7 @@ struct ChartsResult {
   std::vector<double> x, y;  ///< of nodes
   std::vector<ChartLane> lanes;
   std::vector<ChartRobot> robots;
+  std::vector<ChartBarrier> barriers;
   std::vector<ChartStep> steps;
   std::vector<ChartWay> ways;
 };

@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t kMostChartFaults = 20;
 /// A longer text than the head of a result need not be looked at to know one.
 constexpr std::size_t kChartsHead = 200;
-/// Driving times are rounded once each; parts of a lane, which are differences of such, to 2 ns, and
-/// a lane that was left half way to as many more.
+/// Driving times are rounded once each; parts of a lane, which are differences of such, to 2 ns,
+/// and a lane that was left half way to as many more.
 constexpr Ticks kRounding = 4;
 /// A share of what rounding may make of two sums of the same lanes, as a detour is worth it only
 /// beyond.
@@ -59,8 +59,8 @@ Whereabouts whereabouts(const std::vector<ChartStop>& stops, Ticks now) {
       return result;
     }
   }
-  result.kind = stops[last].node >= 0 ? Whereabouts::Kind::at_node
-                                      : Whereabouts::Kind::at_present_place;
+  result.kind =
+      stops[last].node >= 0 ? Whereabouts::Kind::at_node : Whereabouts::Kind::at_present_place;
   result.node = stops[last].node;
   return result;
 }
@@ -89,7 +89,8 @@ class ChartsCheck {
     return i < 0 ? std::string("its present place") : result_.nodes[place(i)];
   }
   std::string lane_name(int i) const {
-    return i < 0 ? std::string("no lane") : node_name(lane(i).from) + " to " + node_name(lane(i).to);
+    return i < 0 ? std::string("no lane")
+                 : node_name(lane(i).from) + " to " + node_name(lane(i).to);
   }
   static std::string seconds(Ticks time) {
     return fmt::format("{:.9g} s", static_cast<double>(time) / 1e9);
@@ -132,8 +133,27 @@ class ChartsCheck {
       if (step().report) fault("the first plan answers a report");
       return;
     }
-    if (!step().report) fault("a plan answers no report");
+    if (!step().report) {
+      fault("a plan answers no report");
+    } else if (step().report->kind == "obstacle") {
+      check_room(*step().report);
+    }
     if (step().time < result_.steps[step_ - 1].time) fault("it is older than the plan before");
+  }
+
+  /// Which way round an obstacle the widths allow.
+  void check_room(const ChartReport& report) {
+    const ChartLane& own = lane(report.lane);
+    const double wide = robot(place(report.robot)).width;
+    const double both = own.width + (own.beside < 0 ? 0 : lane(own.beside).width);
+    std::string way = "reverse";
+    if (own.beside >= 0 && both - report.to >= wide) way = "left_lane";
+    if (own.width - report.to >= wide) way = "left_in_lane";
+    if (std::min(own.width, report.from) >= wide) way = "right_in_lane";
+    if (report.way != way) {
+      fault(fmt::format("{} is said to go {} past the obstacle, and has room for {}",
+                        robot(place(report.robot)).name, report.way, way));
+    }
   }
 
   /// Closed lanes are those before, and what the report says.
@@ -217,9 +237,10 @@ class ChartsCheck {
       }
     }
     const bool plain = is_along(charts[place(yield.robot)]) && is_along(charts[place(yield.to)]);
-    if (plain && std::none_of(charts.begin(), charts.end(), [](const auto& each) {
-          return !is_along(each);
-        }) && goes_first(yield.robot, yield.to)) {
+    if (plain &&
+        std::none_of(charts.begin(), charts.end(),
+                     [](const auto& each) { return !is_along(each); }) &&
+        goes_first(yield.robot, yield.to)) {
       fault(fmt::format("{} yields to {}, and has right of way", who, other));
     }
     const Ticks by = yield.after - yield.before;
@@ -288,8 +309,7 @@ class ChartsCheck {
                              at.next < before.size() && before[at.next - 1].lane >= 0);
     if (!is_between) return true;
     const ChartStop& next = before[at.next];
-    const Ticks remaining =
-        at.kind == Whereabouts::Kind::in_motion ? at.remaining : next.travel;
+    const Ticks remaining = at.kind == Whereabouts::Kind::in_motion ? at.remaining : next.travel;
     if (stops.size() < 2) {
       fault(fmt::format("{} stays in {}", robot(i).name, lane_name(stops.front().lane)));
       return false;
@@ -346,7 +366,8 @@ class ChartsCheck {
     int at = stops.front().node >= 0 ? stops.front().node : chart.passed;
     std::size_t k = 1;
     // Between two nodes: to the next one, and a bypass to its end.
-    if (stops.front().node < 0 && (stops.front().lane >= 0 || stops.front().leg != ChartLeg::along)) {
+    if (stops.front().node < 0 &&
+        (stops.front().lane >= 0 || stops.front().leg != ChartLeg::along)) {
       if (stops.size() < 2) return;
       at = stops[1].node;
       k = 2;
@@ -496,8 +517,8 @@ class ChartsCheck {
     for (auto& [node, at] : arrivals) {
       std::sort(at.begin(), at.end());
       for (std::size_t a = 0; a < at.size(); ++a) {
-        for (std::size_t b = a + 1;
-             b < at.size() && at[b].first - at[a].first < result_.tolerance; ++b) {
+        for (std::size_t b = a + 1; b < at.size() && at[b].first - at[a].first < result_.tolerance;
+             ++b) {
           if (at[a].second == at[b].second) continue;
           fault(fmt::format("{} and {} are both at {} about {}", robot(at[a].second).name,
                             robot(at[b].second).name, node_name(node), seconds(at[a].first)));
@@ -529,8 +550,7 @@ class ChartsCheck {
     for (const auto& [lane_index, both] : drives) {
       for (const Drive& against : both.first) {
         for (const Drive& with : both.second) {
-          if (with.robot == against.robot || with.begin > against.end ||
-              against.begin > with.end) {
+          if (with.robot == against.robot || with.begin > against.end || against.begin > with.end) {
             continue;
           }
           // Ahead of one that turns back in the same lane: they part.
@@ -598,8 +618,24 @@ class ChartsCheck {
         fault(fmt::format("{} is said to take {} alone, and takes {}", robot(i).name,
                           seconds(way.alone), seconds(alone)));
       }
+      check_barriers(i, way.visits);
       if (way.errand != result_.steps.back().charts[i].errand) {
         fault(fmt::format("the errand of {} is not that of its last chart", robot(i).name));
+      }
+    }
+  }
+
+  /// Nobody enters a lane while something stands at its beginning.
+  void check_barriers(std::size_t i, const std::vector<ChartStop>& visits) {
+    for (std::size_t k = 1; k < visits.size(); ++k) {
+      if (visits[k - 1].node < 0 || visits[k].leg != ChartLeg::along) continue;
+      for (const ChartBarrier& barrier : result_.barriers) {
+        const Ticks enters = visits[k - 1].departure;
+        if (barrier.lane != visits[k].lane || enters < barrier.since || enters >= barrier.until) {
+          continue;
+        }
+        fault(fmt::format("{} enters {} at {}, where a barrier stands", robot(i).name,
+                          lane_name(barrier.lane), seconds(enters)));
       }
     }
   }
