@@ -281,11 +281,14 @@ RUBICON_EXPECT(moving_part, "moving", Explain::item, "shape path repeat people")
 RUBICON_EXPECT(path_place, "a time and a frame such as 20 s trans(25, 2, 0)");
 RUBICON_EXPECT(choice_rule, "first, nearest or least_used");
 RUBICON_EXPECT(network_name, "a name after network");
-RUBICON_EXPECT(network_part, "network", Explain::item,
-               "policy class node lane map scenario agents agent for when");
-RUBICON_EXPECT(policy_name, "order or grid");
+RUBICON_EXPECT(
+    network_part, "network", Explain::item,
+    "policy class node lane errand report barrier explore map scenario agents agent for when");
+RUBICON_EXPECT(policy_name, "order, charts, tarry, fraenkel or grid");
 RUBICON_EXPECT(policy_end, "';' or '{' after the policy");
-RUBICON_EXPECT(policy_part, "policy", Explain::item, "expansions seed");
+RUBICON_EXPECT(policy_part, "policy", Explain::item,
+               "tolerance delay clearance minimise expansions seed");
+RUBICON_EXPECT(minimise_what, "time, distance or cost");
 RUBICON_EXPECT(policy_number_value, "a number");
 RUBICON_EXPECT(grid_file_name, "the name of a file in quotes");
 RUBICON_EXPECT(grid_count_value, "how many agents of the scenario");
@@ -295,9 +298,42 @@ RUBICON_EXPECT(grid_from, "a cell: its column and its row in parentheses, such a
 RUBICON_EXPECT(grid_to_key, "'to' and a cell such as (4, 2)");
 RUBICON_EXPECT(grid_to, "a cell: its column and its row in parentheses, such as (4, 2)");
 RUBICON_EXPECT(class_name, "a name after class");
-RUBICON_EXPECT(class_part, "class", Explain::item, "speed width");
+RUBICON_EXPECT(class_part, "class", Explain::item, "speed width cost");
 RUBICON_EXPECT(class_speed_value, "a speed such as 2 m/s");
 RUBICON_EXPECT(class_width_value, "a width such as 3 m");
+RUBICON_EXPECT(class_cost_value, "what a metre costs, such as 0.5 per m");
+RUBICON_EXPECT(errand_name, "a name after errand: that of the robot");
+RUBICON_EXPECT(errand_from_key, "'from' and a node");
+RUBICON_EXPECT(errand_from, "the node where the errand begins");
+RUBICON_EXPECT(errand_to_key, "'to' and a node");
+RUBICON_EXPECT(errand_to, "the node where the errand ends");
+RUBICON_EXPECT(errand_at, "'at' and when it starts, such as at 20 s");
+RUBICON_EXPECT(errand_start, "a time such as 20 s");
+RUBICON_EXPECT(errand_number_value, "a number");
+RUBICON_EXPECT(errand_end, "';' or '{' after the errand");
+RUBICON_EXPECT(errand_part, "errand", Explain::item, "priority speed width");
+RUBICON_EXPECT(report_lane_key, "'lane' and the two nodes of a lane");
+RUBICON_EXPECT(report_from, "the node where the lane begins");
+RUBICON_EXPECT(report_to_key, "'to' and a node");
+RUBICON_EXPECT(report_to, "the node where the lane ends");
+RUBICON_EXPECT(report_what, "blocked, reopened or obstacle", Explain::expected,
+               "blocked reopened obstacle");
+RUBICON_EXPECT(report_edge, "a length from the right-hand wall, such as 0.5 m");
+RUBICON_EXPECT(report_edges_to, "'to' and the other edge of the obstacle");
+RUBICON_EXPECT(report_at, "'at' and the time of the report, such as at 20 s");
+RUBICON_EXPECT(report_time, "a time such as 20 s");
+RUBICON_EXPECT(report_by, "'by' and the robot that reports");
+RUBICON_EXPECT(report_robot, "the robot that reports");
+RUBICON_EXPECT(barrier_lane_key, "'lane' and the two nodes of a lane");
+RUBICON_EXPECT(barrier_from, "the node where the lane begins");
+RUBICON_EXPECT(barrier_to_key, "'to' and a node");
+RUBICON_EXPECT(barrier_to, "the node where the lane ends");
+RUBICON_EXPECT(barrier_since_key, "'from' and when the barrier comes, such as from 20 s");
+RUBICON_EXPECT(barrier_since, "a time such as 20 s");
+RUBICON_EXPECT(barrier_until, "when the barrier goes, such as 60 s");
+RUBICON_EXPECT(explore_name, "a name after explore: that of the robot");
+RUBICON_EXPECT(explore_from_key, "'from' and a node");
+RUBICON_EXPECT(explore_from, "the node where it begins");
 RUBICON_EXPECT(node_name, "a name after node");
 RUBICON_EXPECT(node_at, "'at' and a frame");
 RUBICON_EXPECT(node_frame, kFrame, Explain::expected, kFrameWords);

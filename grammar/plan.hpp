@@ -424,7 +424,10 @@ struct policy_name : name {};
 struct policy_number_key : name {};
 struct policy_number_value : quantity {};
 struct policy_number : seq<policy_number_key, must<policy_number_value, plan_semicolon>> {};
-struct policy_part : sor<policy_number> {};
+struct minimise_key : token<word<TAO_PEGTL_STRING("minimise")>> {};
+struct minimise_what : name {};
+struct policy_minimise : if_must<minimise_key, minimise_what, plan_semicolon> {};
+struct policy_part : sor<policy_minimise, policy_number> {};
 struct whole_policy_part : must<policy_part> {};
 struct policy_parts : nested<star<not_at<block_end>, recover<whole_policy_part, item_end>>> {};
 struct policy_block : if_must<block_open, policy_parts, block_close> {};
@@ -453,7 +456,10 @@ struct class_speed : if_must<class_speed_key, class_speed_value, plan_semicolon>
 struct class_width_key : token<word<TAO_PEGTL_STRING("width")>> {};
 struct class_width_value : quantity {};
 struct class_width : if_must<class_width_key, class_width_value, plan_semicolon> {};
-struct class_part : sor<class_speed, class_width> {};
+struct class_cost_key : token<word<TAO_PEGTL_STRING("cost")>> {};
+struct class_cost_value : quantity {};
+struct class_cost : if_must<class_cost_key, class_cost_value, plan_semicolon> {};
+struct class_part : sor<class_speed, class_width, class_cost> {};
 struct whole_class_part : must<class_part> {};
 struct class_parts : nested<star<not_at<block_end>, recover<whole_class_part, item_end>>> {};
 struct class_key : token<word<TAO_PEGTL_STRING("class")>> {};
@@ -481,12 +487,73 @@ struct lane_class_name : name {};
 struct lane_option : sor<lane_both, lane_beside, lane_length, lane_class_name> {};
 struct network_lane
     : if_must<lane_key, lane_from, lane_to_key, lane_end, star<lane_option>, plan_semicolon> {};
+// Of a network with charts: which robot goes where and when, and what robots tell the centre.
+struct errand_key : token<word<TAO_PEGTL_STRING("errand")>> {};
+struct errand_name : indexed_name {};
+struct errand_from_key : token<word<TAO_PEGTL_STRING("from")>> {};
+struct errand_from : indexed_name {};
+struct errand_to_key : to_word {};
+struct errand_to : indexed_name {};
+struct errand_at : at_key {};
+struct errand_start : quantity {};
+struct errand_number_key
+    : token<sor<word<TAO_PEGTL_STRING("priority")>, word<TAO_PEGTL_STRING("speed")>,
+                word<TAO_PEGTL_STRING("width")>>> {};
+struct errand_number_value : quantity {};
+struct errand_number : if_must<errand_number_key, errand_number_value, plan_semicolon> {};
+struct errand_part : sor<errand_number> {};
+struct whole_errand_part : must<errand_part> {};
+struct errand_parts : nested<star<not_at<block_end>, recover<whole_errand_part, item_end>>> {};
+struct errand_block : if_must<block_open, errand_parts, block_close> {};
+struct errand_end : sor<semicolon, errand_block> {};
+struct network_errand : if_must<errand_key, errand_name, errand_from_key, errand_from,
+                                errand_to_key, errand_to, errand_at, errand_start, errand_end> {};
+struct report_key : token<word<TAO_PEGTL_STRING("report")>> {};
+struct report_lane_key : token<word<TAO_PEGTL_STRING("lane")>> {};
+struct report_from : indexed_name {};
+struct report_to_key : to_word {};
+struct report_to : indexed_name {};
+struct report_word
+    : token<sor<word<TAO_PEGTL_STRING("blocked")>, word<TAO_PEGTL_STRING("reopened")>>> {};
+struct report_obstacle_word : token<word<TAO_PEGTL_STRING("obstacle")>> {};
+struct report_edge : quantity {};
+struct report_edges_to : to_word {};
+struct report_obstacle : if_must<report_obstacle_word, report_edge, report_edges_to, report_edge> {
+};
+struct report_what : sor<report_word, report_obstacle> {};
+struct report_at : at_key {};
+struct report_time : quantity {};
+struct report_by : token<word<TAO_PEGTL_STRING("by")>> {};
+struct report_robot : indexed_name {};
+struct network_report
+    : if_must<report_key, report_lane_key, report_from, report_to_key, report_to, report_what,
+              report_at, report_time, report_by, report_robot, plan_semicolon> {};
+struct barrier_key : token<word<TAO_PEGTL_STRING("barrier")>> {};
+struct barrier_lane_key : token<word<TAO_PEGTL_STRING("lane")>> {};
+struct barrier_from : indexed_name {};
+struct barrier_to_key : to_word {};
+struct barrier_to : indexed_name {};
+struct barrier_since_key : token<word<TAO_PEGTL_STRING("from")>> {};
+struct barrier_since : quantity {};
+struct barrier_until_key : to_word {};
+struct barrier_until : quantity {};
+struct network_barrier : if_must<barrier_key, barrier_lane_key, barrier_from, barrier_to_key,
+                                 barrier_to, barrier_since_key, barrier_since,
+                                 opt<if_must<barrier_until_key, barrier_until>>, plan_semicolon> {};
+// Of a network that is explored: who begins where.
+struct explore_key : token<word<TAO_PEGTL_STRING("explore")>> {};
+struct explore_name : indexed_name {};
+struct explore_from_key : token<word<TAO_PEGTL_STRING("from")>> {};
+struct explore_from : indexed_name {};
+struct network_explore
+    : if_must<explore_key, explore_name, explore_from_key, explore_from, errand_end> {};
 struct network_parts;
 struct network_repetition : if_must<for_head, block_open, network_parts, block_close> {};
 struct network_choice : if_must<given_head, block_open, network_parts, block_close> {};
 struct network_block : sor<network_repetition, network_choice> {};
 struct network_part
-    : sor<network_block, network_policy, lane_class, network_node, network_lane, grid_part> {};
+    : sor<network_block, network_policy, lane_class, network_node, network_lane, network_errand,
+          network_report, network_barrier, network_explore, grid_part> {};
 struct whole_network_part : must<network_part> {};
 struct network_parts : nested<star<not_at<block_end>, recover<whole_network_part, item_end>>> {};
 struct network_key : token<word<TAO_PEGTL_STRING("network")>> {};

@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "interpreter/check/check_plan_charts.hpp"
+#include "interpreter/check/check_plan_explore.hpp"
 #include "interpreter/check/check_plan_networks.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
 
@@ -143,7 +145,9 @@ void check_form(Subject& subject) {
                std::holds_alternative<syntax::PlaceItem>(item) ||
                std::holds_alternative<syntax::ImportItem>(item);
     const auto* network = std::get_if<syntax::NetworkItem>(&item);
-    has_work = has_work || (network != nullptr && is_of_cells(*network));
+    has_work = has_work || (network != nullptr &&
+                            (is_of_cells(*network) || charts_policy(*network) != nullptr ||
+                             explore_policy(*network) != nullptr));
   }
   if (!has_work) {
     subject.diagnostics.warning(

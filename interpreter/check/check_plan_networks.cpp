@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "interpreter/check/check_grid.hpp"
+#include "interpreter/check/check_plan_charts.hpp"
+#include "interpreter/check/check_plan_explore.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
 #include "interpreter/parse/parse_grid.hpp"
 #include "interpreter/syntax/name_suggestion.hpp"
@@ -25,6 +27,8 @@ using syntax::UnitKind;
 constexpr double kMostSpeed = 1000;
 constexpr double kMostWidth = 1000;
 constexpr double kMostLength = 1e6;
+/// For a metre, in any currency.
+constexpr double kMostCost = 1e6;
 
 class NetworkCheck {
  public:
@@ -49,6 +53,7 @@ class NetworkCheck {
     if (is_whole_) report_faults();
     return std::move(network_);
   }
+  bool is_whole() const { return is_whole_; }
 
  private:
   void wrong(Span span, std::string message, std::string hint = {}) {
@@ -59,11 +64,22 @@ class NetworkCheck {
   void add_policy(const syntax::PolicyItem& item) {
     if (policy_) subject_.twice(item.span, "the policy of " + who_ + " is given twice", *policy_);
     policy_ = item.span;
-    if (item.name.text == "order") return;
+    const std::string& name = item.name.text;
+    if (name == "charts") return;
+    if (name == "order" || name == "tarry" || name == "fraenkel") {
+      for (const syntax::NumberItem& number : item.numbers) {
+        wrong(number.name.span,
+              fmt::format("policy {} has no numbers, found '{}'", name, number.name.text),
+              "tolerance, delay and clearance go with policy charts, expansions and seed with "
+              "policy grid");
+      }
+      return;
+    }
     wrong(item.name.span,
-          fmt::format("unknown policy '{}'; expected order or grid", item.name.text),
-          "order: each node is entered in the order of the plan, whatever is late; grid: agents on "
-          "the cells of a map, one cell a tick");
+          fmt::format("unknown policy '{}'; expected order, charts, tarry, fraenkel or grid", name),
+          "order: each node is entered in the order of the plan, whatever is late; charts: times "
+          "at nodes, planned ahead, without bodies; tarry, fraenkel: lanes are explored without a "
+          "map; grid: agents on the cells of a map, one cell a tick");
   }
 
   void add(const syntax::LaneClassItem& item) {
@@ -94,7 +110,29 @@ class NetworkCheck {
       if (value) lane_class.width = *value;
       is_whole_ = is_whole_ && value;
     }
+    if (const auto* cost = only_one(subject_, item.cost, "the cost of " + who, span_of)) {
+      const auto value = cost_per_metre(*cost, who);
+      if (value) lane_class.cost = *value;
+      is_whole_ = is_whole_ && value;
+    }
     network_.description.classes.push_back(std::move(lane_class));
+  }
+
+  /// In any currency: 0.5 per m.
+  std::optional<double> cost_per_metre(const syntax::Number& number, const std::string& who) {
+    const bool is_per_length = number.dimension == syntax::Dimension{-1, 0, 0, 0};
+    if (!is_per_length && !number.dimension.is_bare()) {
+      wrong(number.span,
+            fmt::format("the cost of {} is what a metre costs, but '{}' is {}", who,
+                        number.unit_text, syntax::dimension_text(number.dimension)),
+            "write cost 0.5 per m;");
+      return std::nullopt;
+    }
+    if (number.value >= 1e-6 && number.value <= kMostCost) return number.value;
+    subject_.error("P09", number.span,
+                   fmt::format("the cost of {} must be between 1e-06 and {:g} per m, found {:g}",
+                               who, kMostCost, number.value));
+    return std::nullopt;
   }
 
   void add(const syntax::NodeItem& item) {
@@ -243,6 +281,9 @@ const syntax::PolicyItem* grid_policy(const syntax::NetworkItem& item) {
 void check_cells(Subject& subject, const syntax::NetworkItem& item,
                  const syntax::PolicyItem& policy, const syntax::GridItem& grid) {
   subject.use("policy grid", policy.span);
+  for (const syntax::Name& minimise : policy.minimise) {
+    subject.error("P57", minimise.span, "policy grid has no minimise: least ticks are sought");
+  }
   if (subject.plan.items.size() > 1) {
     subject.error(
         "P57", policy.span,
@@ -315,8 +356,14 @@ void check_networks(Subject& subject) {
       continue;
     }
     if (grid != grids.end()) refuse_cells(subject, *grid);
-    NetworkSpec network = NetworkCheck(subject, *item).run();
-    subject.model.networks.push_back(std::move(network));
+    NetworkCheck check(subject, *item);
+    subject.model.networks.push_back(check.run());
+    if (const syntax::PolicyItem* charts = charts_policy(*item)) {
+      check_charts(subject, *item, *charts, check.is_whole());
+    } else {
+      refuse_charts(subject, *item);
+      check_explore(subject, *item, check.is_whole());
+    }
   }
 }
 

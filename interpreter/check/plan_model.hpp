@@ -9,7 +9,9 @@
 #include <variant>
 #include <vector>
 
+#include "interpreter/check/charts_spec.hpp"
 #include "interpreter/check/check.hpp"
+#include "interpreter/check/explore_spec.hpp"
 #include "interpreter/expand/expand.hpp"
 #include "src/earth/hauling/hauling.hpp"
 #include "src/earth/soil/terrain.hpp"
@@ -358,6 +360,8 @@ struct PlanModel {
   std::vector<PoolSpec> pools;
   std::vector<NetworkSpec> networks;
   std::vector<FleetSpec> fleets;
+  std::optional<ChartsSpec> charts = {};    ///< with policy charts: the plan has nothing else
+  std::optional<ExploreSpec> explore = {};  ///< with policy tarry or fraenkel: likewise
   std::optional<double> overhead_per_day;
   std::vector<CalendarSpec> calendars;
   std::vector<TaskSpec> tasks;  ///< file order

@@ -123,10 +123,55 @@ void PlainItems::law(std::optional<syntax::DurationLaw>& value) {
   for (syntax::String& column : value->columns) text(column);
 }
 
+void PlainItems::each_number(std::vector<syntax::NumberItem>& values) {
+  for (syntax::NumberItem& each : values) {
+    mark(each.span);
+    mark(each.name.span);
+    number(each.value);
+  }
+}
+
+void PlainItems::item(syntax::PolicyItem& value) {
+  mark(value.name.span);
+  each_number(value.numbers);
+  for (syntax::Name& what : value.minimise) mark(what.span);
+}
+
 void PlainItems::item(syntax::LaneClassItem& value) {
   name(value.name);
   each(value.speed);
   each(value.width);
+  each(value.cost);
+}
+
+void PlainItems::item(syntax::ErrandItem& value) {
+  name(value.name);
+  name(value.from);
+  name(value.to);
+  number(value.start);
+  each_number(value.numbers);
+}
+
+void PlainItems::item(syntax::BarrierItem& value) {
+  name(value.from);
+  name(value.to);
+  number(value.since);
+  each(value.until);
+}
+
+void PlainItems::item(syntax::ExploreItem& value) {
+  name(value.name);
+  name(value.from);
+  each_number(value.numbers);
+}
+
+void PlainItems::item(syntax::LaneReportItem& value) {
+  name(value.from);
+  name(value.to);
+  mark(value.what.span);
+  each(value.edges);
+  number(value.time);
+  name(value.by);
 }
 
 void PlainItems::item(syntax::LaneItem& value) {

@@ -37,10 +37,15 @@ class PlainItems {
   void item(syntax::EarthItem& value);
   void law(std::optional<syntax::DurationLaw>& value);
   void item(syntax::NetworkItem& value) { name(value.name); }
-  void item(syntax::PolicyItem& value) { mark(value.name.span); }
+  void item(syntax::PolicyItem& value);
   void item(syntax::LaneClassItem& value);
   void item(syntax::NodeItem& value) { name(value.name), part(value.at); }
   void item(syntax::LaneItem& value);
+  void item(syntax::ErrandItem& value);
+  void item(syntax::LaneReportItem& value);
+  void item(syntax::BarrierItem& value);
+  void item(syntax::ExploreItem& value);
+  void each_number(std::vector<syntax::NumberItem>& values);
   void item(syntax::FleetItem& value);
   void item(syntax::NumberItem& value) { name(value.name), number(value.value); }
   void item(syntax::StringItem& value) { name(value.name), text(value.value); }

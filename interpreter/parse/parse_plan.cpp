@@ -489,16 +489,22 @@ RUBICON_ACTION(PlanAction, PlanState, network_key) {
 }
 RUBICON_ACTION(PlanAction, PlanState, network_name) { st.network.name = st.take_name(); }
 RUBICON_ACTION(PlanAction, PlanState, policy_name) {
-  st.policy = st.take_name();
+  st.policy = {};
+  st.policy.name = st.take_name();
   st.announce("policy");
 }
 RUBICON_ACTION(PlanAction, PlanState, policy_number_key) { st.key = st.take_name(); }
 RUBICON_ACTION(PlanAction, PlanState, policy_number) {
-  st.add_to_grid(begin).numbers.push_back({st.key, st.take_quantity(), st.span_from(begin)});
+  st.policy.numbers.push_back({st.key, st.take_quantity(), st.span_from(begin)});
+  if (st.policy.name.text == "grid")
+    st.add_to_grid(begin).numbers.push_back(st.policy.numbers.back());
+}
+RUBICON_ACTION(PlanAction, PlanState, minimise_what) {
+  st.policy.minimise.push_back(st.take_name());
 }
 RUBICON_ACTION(PlanAction, PlanState, network_policy) {
-  st.grid.policies.push_back(st.policy);
-  st.add_to_network(syntax::PolicyItem{std::move(st.policy), {}}, begin);
+  st.grid.policies.push_back(st.policy.name);
+  st.add_to_network(std::move(st.policy), begin);
 }
 RUBICON_ACTION(PlanAction, PlanState, grid_file_key) { st.key = st.word(begin); }
 RUBICON_ACTION(PlanAction, PlanState, grid_file) {
@@ -529,6 +535,9 @@ RUBICON_ACTION(PlanAction, PlanState, class_speed_value) {
 RUBICON_ACTION(PlanAction, PlanState, class_width_value) {
   st.lane_class.width.push_back(st.take_quantity());
 }
+RUBICON_ACTION(PlanAction, PlanState, class_cost_value) {
+  st.lane_class.cost.push_back(st.take_quantity());
+}
 RUBICON_ACTION(PlanAction, PlanState, lane_class) {
   st.add_to_network(std::move(st.lane_class), begin);
 }
@@ -553,6 +562,56 @@ RUBICON_ACTION(PlanAction, PlanState, lane_class_name) {
 }
 RUBICON_ACTION(PlanAction, PlanState, network_lane) {
   st.add_to_network(std::move(st.lane), begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, errand_key) {
+  st.errand = {};
+  st.announce("errand");
+}
+RUBICON_ACTION(PlanAction, PlanState, errand_name) { st.errand.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, errand_from) { st.errand.from = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, errand_to) { st.errand.to = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, errand_start) { st.errand.start = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, errand_number_key) { st.key = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, errand_number) {
+  st.errand.numbers.push_back({st.key, st.take_quantity(), st.span_from(begin)});
+}
+RUBICON_ACTION(PlanAction, PlanState, network_errand) {
+  st.add_to_network(std::move(st.errand), begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, report_key) { st.lane_report = {}; }
+RUBICON_ACTION(PlanAction, PlanState, report_from) { st.lane_report.from = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, report_to) { st.lane_report.to = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, report_word) { st.lane_report.what = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, report_obstacle_word) {
+  st.lane_report.what = st.word(begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, report_edge) {
+  st.lane_report.edges.push_back(st.take_quantity());
+}
+RUBICON_ACTION(PlanAction, PlanState, report_time) { st.lane_report.time = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, report_robot) { st.lane_report.by = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, network_report) {
+  st.add_to_network(std::move(st.lane_report), begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, barrier_key) { st.barrier = {}; }
+RUBICON_ACTION(PlanAction, PlanState, barrier_from) { st.barrier.from = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, barrier_to) { st.barrier.to = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, barrier_since) { st.barrier.since = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, barrier_until) { st.barrier.until = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, network_barrier) {
+  st.add_to_network(std::move(st.barrier), begin);
+}
+RUBICON_ACTION(PlanAction, PlanState, explore_key) {
+  st.errand = {};
+  st.announce("explore");
+}
+RUBICON_ACTION(PlanAction, PlanState, explore_name) { st.errand.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, explore_from) { st.errand.from = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, network_explore) {
+  st.add_to_network(
+      syntax::ExploreItem{
+          std::move(st.errand.name), std::move(st.errand.from), std::move(st.errand.numbers), {}},
+      begin);
 }
 RUBICON_ACTION(PlanAction, PlanState, network_item) {
   st.in_network = false;

@@ -206,7 +206,10 @@ class PlanState : public GuideState {
   syntax::PoolItem pool;
   syntax::NetworkItem network;
   bool in_network = false;
-  syntax::Name policy;
+  syntax::PolicyItem policy;
+  syntax::ErrandItem errand;
+  syntax::LaneReportItem lane_report;
+  syntax::BarrierItem barrier;
   syntax::GridItem grid;
   std::vector<syntax::GridItem> grids;
   syntax::GridItem::Agent grid_agent;

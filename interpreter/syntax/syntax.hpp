@@ -467,16 +467,19 @@ struct CoverItem {
   Span span;
 };
 
-/// policy order;
+/// policy order; policy charts { tolerance 5 s; delay 5 s; minimise time; }
 struct PolicyItem {
   Name name;
+  std::vector<NumberItem> numbers;
+  std::vector<Name> minimise;
   Span span;
 };
-/// class NAME { speed 3 m/s; width 4 m; }
+/// class NAME { speed 3 m/s; width 4 m; cost 0.5 per m; }
 struct LaneClassItem {
   Name name;
   std::vector<Number> speed;
   std::vector<Number> width;
+  std::vector<Number> cost;
   Span span;
 };
 /// node NAME at frame;
@@ -494,9 +497,39 @@ struct LaneItem {
   std::vector<Number> length;
   Span span;
 };
+/// errand ROBOT from a to b at 20 s [{ priority 2; speed 1 m/s; width 1 m; }]
+struct ErrandItem {
+  Name name, from, to;
+  Number start;
+  std::vector<NumberItem> numbers;
+  Span span;
+};
+/// report lane a to b (blocked | reopened | obstacle 0 m to 2 m) at 20 s by ROBOT;
+struct LaneReportItem {
+  Name from, to;
+  Name what;
+  std::vector<Number> edges;  ///< of an obstacle: two
+  Number time;
+  Name by;
+  Span span;
+};
+/// barrier lane a to b from 20 s [to 60 s];
+struct BarrierItem {
+  Name from, to;
+  Number since;
+  std::optional<Number> until;
+  Span span;
+};
+/// explore ROBOT from a [{ speed 1 m/s; }]
+struct ExploreItem {
+  Name name, from;
+  std::vector<NumberItem> numbers;
+  Span span;
+};
 struct NetworkBlock;
-using NetworkPart = std::variant<PolicyItem, LaneClassItem, NodeItem, LaneItem,
-                                 std::shared_ptr<const NetworkBlock>>;
+using NetworkPart =
+    std::variant<PolicyItem, LaneClassItem, NodeItem, LaneItem, ErrandItem, LaneReportItem,
+                 BarrierItem, ExploreItem, std::shared_ptr<const NetworkBlock>>;
 /// network NAME { class ...; node ...; lane ...; }
 struct NetworkItem {
   Name name;

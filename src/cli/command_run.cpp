@@ -17,6 +17,7 @@
 #include "src/cli/progress_line.hpp"
 #include "src/cli/report_file.hpp"
 #include "src/cli/run_grid.hpp"
+#include "src/cli/run_network.hpp"
 #include "src/cli/set_option.hpp"
 #include "src/exchange/encoding/gzip.hpp"
 #include "src/exchange/files/atomic_file_io.hpp"
@@ -163,6 +164,7 @@ int run_plan_command(const RunOptions& options) {
     return fail("--compress goes with --out; a --trace is packed if its name ends in .gz");
   }
   if (const auto code = run_grid(options)) return *code;
+  if (const auto code = run_network(options)) return *code;
   SourceMap sources;
   const auto plan = load_runnable_plan(options.plan, sources, parameter_texts(options.set));
   if (!plan) return kWrongInput;

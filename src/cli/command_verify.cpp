@@ -11,6 +11,8 @@
 #include "src/cli/input_file.hpp"
 #include "src/exchange/encoding/sha256.hpp"
 #include "src/exchange/files/result_folder_io.hpp"
+#include "src/results/verify/charts/check_charts.hpp"
+#include "src/results/verify/charts/check_walk.hpp"
 #include "src/results/verify/grid/check_ways.hpp"
 #include "src/results/verify/input/trace_reader.hpp"
 #include "src/results/verify/schedule/check_report.hpp"
@@ -65,17 +67,34 @@ verify::Result read_result(const std::string& path, verify::ResultNames& names) 
   return result;
 }
 
-/// The ways over cells that a result is of; nothing for what tasks left.
-std::optional<std::string> grid_result(const std::string& result, std::string& text) {
+/// The file of a result without tasks, by its name in a result folder, and its text; nothing where
+/// it is no such result.
+std::optional<std::string> result_of(const std::string& result, const char* name,
+                                     bool (*is_result)(const std::string&), std::string& text) {
   std::error_code error;
-  const std::string path = std::filesystem::is_directory(result, error)
-                               ? files::result_path(result, "ways.json")
-                               : result;
+  const std::string path =
+      std::filesystem::is_directory(result, error) ? files::result_path(result, name) : result;
   if (!path.ends_with(".json") || !std::filesystem::is_regular_file(path, error)) {
     return std::nullopt;
   }
   text = read_input(path);
-  return verify::is_grid_result(text) ? std::optional(path) : std::nullopt;
+  return is_result(text) ? std::optional(path) : std::nullopt;
+}
+
+int verify_walk(const std::string& path, const std::string& text, const std::string& format) {
+  const verify::WalkVerdict verdict = verify::check_walk(text);
+  const std::string said = format == "json" ? verify::walk_verdict_json(verdict)
+                                            : verify::walk_verdict_text(verdict, path);
+  std::fwrite(said.data(), 1, said.size(), stdout);
+  return verdict.faults.empty() ? kFine : kInfeasible;
+}
+
+int verify_charts(const std::string& path, const std::string& text, const std::string& format) {
+  const verify::ChartsVerdict verdict = verify::check_charts(text);
+  const std::string said = format == "json" ? verify::charts_verdict_json(verdict)
+                                            : verify::charts_verdict_text(verdict, path);
+  std::fwrite(said.data(), 1, said.size(), stdout);
+  return verdict.faults.empty() ? kFine : kInfeasible;
 }
 
 int verify_grid(const std::string& path, const std::string& text, const std::string& format) {
@@ -93,8 +112,15 @@ int run_verify(const VerifyOptions& options) {
   verify::Verdict verdict;
   try {
     std::string text;
-    if (const auto path = grid_result(options.result, text)) {
+    if (const auto path = result_of(options.result, "ways.json", verify::is_grid_result, text)) {
       return verify_grid(*path, text, options.format);
+    }
+    if (const auto path =
+            result_of(options.result, "charts.json", verify::is_charts_result, text)) {
+      return verify_charts(*path, text, options.format);
+    }
+    if (const auto path = result_of(options.result, "walk.json", verify::is_walk_result, text)) {
+      return verify_walk(*path, text, options.format);
     }
     verdict = verify::verify(read_result(options.result, names));
   } catch (const UnreadableInput& error) {

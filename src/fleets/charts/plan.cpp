@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -89,7 +90,9 @@ class Step {
           network_.length(report.lane), network_.name_of(report.lane), report.travelled));
     }
     close(report.robot, report.lane);
-    if (report.way == BypassWay::kRightInLane || report.way == BypassWay::kLeftInLane) {
+    const bool in_lane =
+        report.way == BypassWay::kRightInLane || report.way == BypassWay::kLeftInLane;
+    if (in_lane && !somebody_comes_back(report)) {
       stay_in_lane(report);
     } else if (report.way == BypassWay::kLeftLane && can_borrow(report)) {
       borrow(report);
@@ -241,22 +244,27 @@ class Step {
     const std::optional<lanes::Way> way = way_of(robot, from, robot.goal);
     if (!way) {
       // Still not to its goal, but perhaps back.
+      const std::optional<lanes::Way> back = way_of(robot, from, robot.from);
       const bool was_stranded = plan_.errands[i] == Errand::kStranded && from != robot.from;
-      if (was_stranded && way_of(robot, from, robot.from)) {
+      const bool returns = plan_.errands[i] == Errand::kBack;
+      if (back && (was_stranded || (returns && is_better(*back, i, kept)))) {
         plan_again(static_cast<RobotIndex>(i), true);
       }
       return;
     }
-    if (plan_.errands[i] == Errand::kToGoal) {
-      std::vector<LaneIndex> rest;
-      for (std::size_t k = kept; k < chart.stops.size(); ++k) rest.push_back(chart.stops[k].lane);
-      // A share of what rounding makes of two sums of the same lanes.
-      constexpr double kWorthwhile = 1 - 1e-9;
-      const bool is_better =
-          measure(way->lanes, robot.speed) < measure(rest, robot.speed) * kWorthwhile;
-      if (!is_better) return;
-    }
+    if (plan_.errands[i] == Errand::kToGoal && !is_better(*way, i, kept)) return;
     plan_again(static_cast<RobotIndex>(i), true);
+  }
+
+  // Than what the robot is going to do after the stops that it keeps.
+  bool is_better(const lanes::Way& way, std::size_t i, std::size_t kept) const {
+    const std::vector<Stop>& stops = plan_.charts[i].stops;
+    std::vector<LaneIndex> rest;
+    for (std::size_t k = kept; k < stops.size(); ++k) rest.push_back(stops[k].lane);
+    // A share of what rounding makes of two sums of the same lanes.
+    constexpr double kWorthwhile = 1 - 1e-9;
+    const double speed = plan_.robots[i].speed;
+    return measure(way.lanes, speed) < measure(rest, speed) * kWorthwhile;
   }
 
   // The lane beside has to run the other way: to begin nearer to the end of the lane than to its
@@ -350,21 +358,61 @@ class Step {
     go_on(report.robot, old);
   }
 
+  // How far a robot is in a lane: what is left of it, as a share. Of two that have as much left the
+  // later one is behind.
+  struct PlaceInLane {
+    double left = 0;
+    Nanoseconds entered = 0;
+  };
+
+  bool is_behind(std::size_t i, LaneIndex lane, const PlaceInLane& other) const {
+    const Chart& chart = plan_.charts[i];
+    const double left = static_cast<double>(chart.stops[1].travel) /
+                        static_cast<double>(network_.time(lane, plan_.robots[i].speed));
+    constexpr double kSamePlace = 1e-6;
+    if (std::abs(left - other.left) > kSamePlace) return left > other.left;
+    return chart.entered > other.entered;
+  }
+
+  // Whether a robot ahead of the one of the report drives back towards it, or is about to: then
+  // room beside the obstacle is no help.
+  bool somebody_comes_back(const BypassReport& report) const {
+    const double its_left = 1 - report.travelled / network_.length(report.lane);
+    for (std::size_t i = 0; i < plan_.charts.size(); ++i) {
+      const Chart& chart = plan_.charts[i];
+      if (static_cast<RobotIndex>(i) == report.robot || chart.stops.size() < 2) continue;
+      const bool is_there =
+          chart.stops.front().node == kNone && chart.stops.front().lane == report.lane;
+      if (!is_there || !is_about_to_take(chart, report.lane)) continue;
+      const double driven = static_cast<double>(chart.stops[1].travel) /
+                            static_cast<double>(network_.time(report.lane, plan_.robots[i].speed));
+      if (1 - driven < its_left) return true;
+    }
+    return false;
+  }
+
+  // Those behind a place in the lane, but for who goes back already.
+  void turn_back_behind(LaneIndex lane, const PlaceInLane& place_in_lane) {
+    for (std::size_t i = 0; i < plan_.charts.size(); ++i) {
+      const Chart& chart = plan_.charts[i];
+      if (!is_in_lane(chart, lane) || is_about_to_take(chart, lane) ||
+          !is_behind(i, lane, place_in_lane)) {
+        continue;
+      }
+      turn_back(static_cast<RobotIndex>(i), lane,
+                network_.time(lane, plan_.robots[i].speed) - chart.stops[1].travel);
+    }
+  }
+
   // The robot of the report, and those behind it in the lane.
   void go_back(const BypassReport& report) {
-    const Nanoseconds entered = plan_.charts[place(report.robot)].entered;
-    const bool is_in_it = is_in_lane(plan_.charts[place(report.robot)], report.lane);
-    for (std::size_t i = 0; i < plan_.charts.size(); ++i) {
-      const auto index = static_cast<RobotIndex>(i);
-      const Chart& chart = plan_.charts[i];
-      const double speed = plan_.robots[i].speed;
-      if (index == report.robot) {
-        turn_back(index, report.lane, network_.time_of_part(report.lane, report.travelled, speed));
-      } else if (is_in_it && is_in_lane(chart, report.lane) && chart.entered > entered &&
-                 !is_about_to_take(chart, report.lane)) {
-        turn_back(index, report.lane, network_.time(report.lane, speed) - chart.stops[1].travel);
-      }
-    }
+    const Chart& chart = plan_.charts[place(report.robot)];
+    const PlaceInLane at{1 - report.travelled / network_.length(report.lane), chart.entered};
+    const bool is_in_it = is_in_lane(chart, report.lane);
+    turn_back(report.robot, report.lane,
+              network_.time_of_part(report.lane, report.travelled,
+                                    plan_.robots[place(report.robot)].speed));
+    if (is_in_it) turn_back_behind(report.lane, at);
   }
 
   void turn_back(RobotIndex index, LaneIndex lane, Nanoseconds driven) {
@@ -379,14 +427,17 @@ class Step {
   }
 
   // Those that were about to take this lane against its direction, round an obstacle in the one
-  // beside it, find no way there either.
+  // beside it, find no way there either: they go back, with those behind them.
   void turn_back_from_bypasses(LaneIndex lane) {
     const LaneIndex own = network_.lane(lane).beside;
     for (std::size_t i = 0; own != kNone && i < plan_.charts.size(); ++i) {
       const Chart& chart = plan_.charts[i];
       if (!is_in_lane(chart, own) || !is_about_to_take(chart, lane)) continue;
-      turn_back(static_cast<RobotIndex>(i), own,
-                network_.time(own, plan_.robots[i].speed) - chart.stops[1].travel);
+      const Nanoseconds full = network_.time(own, plan_.robots[i].speed);
+      const Nanoseconds left = chart.stops[1].travel;
+      const PlaceInLane at{static_cast<double>(left) / static_cast<double>(full), chart.entered};
+      turn_back(static_cast<RobotIndex>(i), own, full - left);
+      turn_back_behind(own, at);
     }
   }
 

@@ -73,15 +73,15 @@ struct BypassReport {
 };
 
 /// Bypass planning (the Blackmon paper, "Bypass Planning" and its example). All others avoid the
-/// lane, even if there is room (the paper's rule). In its lane the robot keeps its chart. In the
-/// lane beside it drives to the node where that lane begins, the bypass node, from there to the
-/// node that it was bound for, and on as before. Where no lane beside runs the other way, or that
-/// one is blocked or too narrow, and where the report says so, it goes back to the node where it
-/// entered the lane, with all that followed it, and they plan again from there. So it does from the
-/// lane beside, where it finds no way on there: `lane` and `travelled` are then still those of its
-/// own lane, and both lanes are closed. Then avoidance, at nodes and head-on. Throws
-/// std::invalid_argument as lane_blocked does, and if by its chart the robot is not in the lane at
-/// that time.
+/// lane, even if there is room (the paper's rule). In its lane the robot keeps its chart, unless
+/// somebody ahead of it comes back there: then it goes back too. In the lane beside it drives to
+/// the node where that lane begins, the bypass node, from there to the node that it was bound for,
+/// and on as before. Where no lane beside runs the other way, or that one is blocked or too narrow,
+/// and where the report says so, it goes back to the node where it entered the lane, with all that
+/// are behind it, and they plan again from there. So it does from the lane beside, where it finds
+/// no way on there: `lane` and `travelled` are then still those of its own lane, and both lanes are
+/// closed. Then avoidance, at nodes and head-on. Throws std::invalid_argument as lane_blocked does,
+/// and if by its chart the robot is not in the lane at that time.
 Plan bypass(const LaneNetwork& network, const Plan& plan, const BypassReport& report,
             const PlanSettings& settings = {});
 

@@ -28,8 +28,8 @@ void add_unsupported(const interpreter::PlanModel& plan, std::vector<Diagnostic>
       all.push_back(mistake("X01", use.span, "run does not read imports in a plan",
                             "make a plan of the file with rubicon import, and run that"));
     }
-    if (use.what == "policy grid") {
-      all.push_back(mistake("X04", use.span, "a network with policy grid has no tasks",
+    if (use.what.starts_with("policy ")) {
+      all.push_back(mistake("X04", use.span, "a network with " + use.what + " has no tasks",
                             "rubicon run and rubicon check take it; rubicon verify judges its "
                             "result"));
     }
