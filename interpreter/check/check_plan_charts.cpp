@@ -24,6 +24,8 @@ constexpr double kMostRobotSpeed = 1000;  // m/s
 constexpr double kMostRobotWidth = 1000;  // m
 constexpr double kMostPriority = 1e6;
 constexpr double kMostAcross = 1000;  // m, of a travelway
+/// s, about a year: more is no delay.
+constexpr double kMostDelay = 3e7;
 /// s: less is below what a chart tells apart.
 constexpr double kLeastDelay = 1e-3;
 /// Charts that are made in all, so that memory stays within bounds.
@@ -97,13 +99,13 @@ class ChartsCheck {
 
   /// A time with its unit: of a bare number nobody knows whether seconds or minutes are meant.
   std::optional<charts::Nanoseconds> time(const syntax::Number& number, const std::string& what,
-                                          double least) {
+                                          double least, double most = kMaxDuration) {
     if (number.dimension.is_bare() && number.value != 0) {
       wrong(number.span, fmt::format("{} has no unit, found {:g}", what, number.value),
             fmt::format("write {0:g} s or {0:g} min", number.value));
       return std::nullopt;
     }
-    const auto value = bounded(subject_, number, UnitKind::time, what, least, kMaxDuration);
+    const auto value = bounded(subject_, number, UnitKind::time, what, least, most);
     if (!value) return std::nullopt;
     return *value == 0 ? 0 : lanes::nanoseconds_of(*value);
   }
@@ -131,7 +133,7 @@ class ChartsCheck {
     }
     if (!first(item.name.text, item.name.span, "policy charts")) return;
     const double least = item.name.text == "tolerance" ? 0 : kLeastDelay;
-    if (const auto value = time(item.value, "the " + item.name.text, least)) {
+    if (const auto value = time(item.value, "the " + item.name.text, least, kMostDelay)) {
       *found->second = *value;
     }
   }
@@ -362,13 +364,17 @@ class ChartsCheck {
       options.criterion = spec_.settings.criterion;
       options.vehicle_speed = robot.speed;
       options.vehicle_width = robot.width;
-      const auto way = lanes::shortest_way(network, robot.from, robot.goal, options);
+      auto way = lanes::shortest_way(network, robot.from, robot.goal, options);
       if (way && way->time <= lanes::nanoseconds_of(kMaxDuration)) continue;
       all = false;
+      // A way that takes for ever is none; by its length it is one.
+      options.criterion = lanes::Criterion::kDistance;
+      if (!way) way = lanes::shortest_way(network, robot.from, robot.goal, options);
       if (way) {
         wrong(errands_[i]->to.span,
-              fmt::format("the way of {} takes {:.3g} s; charts hold {:.0f} s at most", robot.name,
-                          static_cast<double>(way->time) / 1e9, kMaxDuration));
+              fmt::format("the way of {} takes {:.3g} s or more; charts hold {:.0f} s at most",
+                          robot.name, static_cast<double>(way->time) / charts::kSecond,
+                          kMaxDuration));
         continue;
       }
       options.vehicle_width = 0;

@@ -306,7 +306,11 @@ class ChartsTest(ResultCase):
         def thinner(result):
             result["steps"][1]["report"]["obstacle_to"] = 1
 
+        def other_lane(result):
+            result["ways"][1]["visits"][2]["lane"] = 0
+
         for change, message in [
+            (other_lane, "the way of ROB2 comes to B8 by A1 to A1A3"),
             (thinner, "is said to go left_lane past the obstacle, and has room for left_in_lane"),
             (earlier, "before it can be there"),
             (same_node, "are both at B3B5 about 160 s"),
@@ -371,12 +375,18 @@ class ChartsTest(ResultCase):
             ),
             ("errand r1 from a to d at 9 s; report lane a to b blocked at 5 s by r1;", "at 5 s it sees nothing"),
             ("agents 4;", "agents goes with policy grid"),
+            (
+                "class snail { speed 0.000001 m/s; } node far at trans(99999, 0, 0); lane d to far snail; "
+                "errand r1 from a to far at 0 s;",
+                "the way of r1 takes",
+            ),
         ]:
             self.assertIn(message, self.said(parts), parts)
         for policy, message in [
             ("tolerance -1 s;", "the tolerance cannot be negative"),
             ("tolerance 5;", "the tolerance has no unit, found 5"),
             ("delay 0 s;", "the delay must be between"),
+            ("tolerance 100000000 s;", "the tolerance must be between"),
             ("tolerence 5 s;", "did you mean tolerance?"),
             ("minimise speed;", "expected time, distance or cost, found 'speed'"),
             ("delay 5 s; delay 6 s;", "is given twice"),

@@ -249,11 +249,36 @@ class Writer {
     name(value.name);
     variants(value.parts);
   }
-  void item(const syntax::PolicyItem& value) { name(value.name); }
+  void numbers_by_name(const std::vector<syntax::NumberItem>& values) {
+    for (const syntax::NumberItem& entry : values) name(entry.name), number(entry.value);
+  }
+  void item(const syntax::PolicyItem& value) {
+    name(value.name);
+    numbers_by_name(value.numbers);
+    names(value.minimise);
+  }
   void item(const syntax::LaneClassItem& value) {
     name(value.name);
     for (const syntax::Number& entry : value.speed) number(entry);
     for (const syntax::Number& entry : value.width) number(entry);
+    for (const syntax::Number& entry : value.cost) number(entry);
+  }
+  void item(const syntax::ErrandItem& value) {
+    name(value.name), name(value.from), name(value.to), number(value.start);
+    numbers_by_name(value.numbers);
+  }
+  void item(const syntax::LaneReportItem& value) {
+    name(value.from), name(value.to), name(value.what);
+    for (const syntax::Number& entry : value.edges) number(entry);
+    number(value.time), name(value.by);
+  }
+  void item(const syntax::BarrierItem& value) {
+    name(value.from), name(value.to), number(value.since);
+    if (value.until) number(*value.until);
+  }
+  void item(const syntax::ExploreItem& value) {
+    name(value.name), name(value.from);
+    numbers_by_name(value.numbers);
   }
   void item(const syntax::NodeItem& value) { name(value.name), frame(value.at); }
   void item(const syntax::LaneItem& value) {

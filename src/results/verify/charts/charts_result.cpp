@@ -79,6 +79,15 @@ class ChartsReader {
     return found->second;
   }
 
+  double straight(std::size_t from, std::size_t to) const {
+    const double x = result_.x[to] - result_.x[from], y = result_.y[to] - result_.y[from];
+    return std::sqrt(x * x + y * y);
+  }
+
+  std::size_t place_of_robot(const JsonFields& fields) const {
+    return static_cast<std::size_t>(robot(fields, "robot"));
+  }
+
   void read_network() {
     struct Class {
       double speed, width, cost;
@@ -112,9 +121,7 @@ class ChartsReader {
       lane.width = of.width;
       lane.cost = of.cost;
       const auto from = static_cast<std::size_t>(lane.from), to = static_cast<std::size_t>(lane.to);
-      lane.length = fields.has("length") ? above_zero(fields, "length")
-                                         : std::hypot(result_.x[to] - result_.x[from],
-                                                      result_.y[to] - result_.y[from]);
+      lane.length = fields.has("length") ? above_zero(fields, "length") : straight(from, to);
       result_.lanes.push_back(lane);
     }
   }
@@ -174,6 +181,9 @@ class ChartsReader {
     for (const Json& each : fields.array("records")) step.records.push_back(record_of(each));
     for (const Json& each : fields.array("charts")) {
       const JsonFields chart_fields(each, "a chart");
+      if (place_of_robot(chart_fields) != step.charts.size()) {
+        chart_fields.fail("the charts in the order of the robots");
+      }
       RobotChart chart;
       chart.errand = chart_fields.text("errand");
       chart.passed = node_or_none(chart_fields, "passed");
@@ -220,6 +230,9 @@ class ChartsReader {
 
   void read_way(const Json& json) {
     const JsonFields fields(json, "a way");
+    if (place_of_robot(fields) != result_.ways.size()) {
+      fields.fail("the ways in the order of the robots");
+    }
     ChartWay way;
     way.errand = fields.text("errand");
     way.arrival = nanoseconds(fields, "arrival_ns");

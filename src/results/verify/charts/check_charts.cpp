@@ -421,8 +421,9 @@ class ChartsCheck {
       }
     } else {
       expected = stop.travel;  // as the crow flies, at the speed of a lane: at most this fast
-      const double metres = std::hypot(result_.x[place(at)] - result_.x[place(stop.node)],
-                                       result_.y[place(at)] - result_.y[place(stop.node)]);
+      const double x = result_.x[place(at)] - result_.x[place(stop.node)];
+      const double y = result_.y[place(at)] - result_.y[place(stop.node)];
+      const double metres = std::sqrt(x * x + y * y);
       double fastest = 0;
       for (const ChartLane& each : result_.lanes) fastest = std::max(fastest, each.speed);
       const double least = metres / std::min(fastest, robot(i).speed) * 1e9;
@@ -619,9 +620,22 @@ class ChartsCheck {
                           seconds(way.alone), seconds(alone)));
       }
       check_barriers(i, way.visits);
+      check_lanes(i, way.visits);
       if (way.errand != result_.steps.back().charts[i].errand) {
         fault(fmt::format("the errand of {} is not that of its last chart", robot(i).name));
       }
+    }
+  }
+
+  /// From node to node along the lane that is said.
+  void check_lanes(std::size_t i, const std::vector<ChartStop>& visits) {
+    for (std::size_t k = 1; k < visits.size(); ++k) {
+      const ChartStop& from = visits[k - 1];
+      const ChartStop& to = visits[k];
+      if (from.node < 0 || to.node < 0 || to.leg != ChartLeg::along) continue;
+      if (to.lane >= 0 && lane(to.lane).from == from.node && lane(to.lane).to == to.node) continue;
+      fault(fmt::format("the way of {} comes to {} by {}", robot(i).name, node_name(to.node),
+                        lane_name(to.lane)));
     }
   }
 
