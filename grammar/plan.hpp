@@ -140,7 +140,7 @@ struct month_word
 /// Months before a share; a name alone or in a sum is that of a parameter.
 struct months_text
     : seq<month_word, space, opt<one<'-'>, space, identifier_text, space>,
-          not_at<one<';', '+', '-', '*', '/', '(', ')', '.', '}'>>> {};
+          not_at<sor<one<';', '+', '-', '*', '/', '}'>, seq<one<'.'>, not_at<digit>>>>> {};
 struct lost_first_month : token<month_word> {};
 struct lost_last_month : token<month_word> {};
 struct lost_months
