@@ -40,8 +40,7 @@ struct measured_column_name : string_literal {};
 struct measured_column_number : token<seq<digits, not_at<name_other>>> {};
 struct measured_column : sor<measured_column_name, measured_column_number> {};
 struct measured_unit : name {};
-struct measured_option
-    : sor<if_must<measured_column_key, measured_column>, measured_unit> {};
+struct measured_option : sor<if_must<measured_column_key, measured_column>, measured_unit> {};
 struct measured_law : if_must<measured_key, law_open, measured_file,
                               star<if_must<comma, measured_option>>, law_close> {};
 struct certain_duration : quantity {};
@@ -130,13 +129,12 @@ struct off_key : token<word<TAO_PEGTL_STRING("off")>> {};
 struct off_shift : if_must<off_key, off_day, star<if_must<comma, off_day>>, plan_semicolon> {};
 struct carry_over_key : token<word<TAO_PEGTL_STRING("carry_over")>> {};
 struct carry_over : if_must<carry_over_key, plan_semicolon> {};
-struct month_word
-    : sor<word<TAO_PEGTL_STRING("jan")>, word<TAO_PEGTL_STRING("feb")>,
-          word<TAO_PEGTL_STRING("mar")>, word<TAO_PEGTL_STRING("apr")>,
-          word<TAO_PEGTL_STRING("may")>, word<TAO_PEGTL_STRING("jun")>,
-          word<TAO_PEGTL_STRING("jul")>, word<TAO_PEGTL_STRING("aug")>,
-          word<TAO_PEGTL_STRING("sep")>, word<TAO_PEGTL_STRING("oct")>,
-          word<TAO_PEGTL_STRING("nov")>, word<TAO_PEGTL_STRING("dec")>> {};
+struct month_word : sor<word<TAO_PEGTL_STRING("jan")>, word<TAO_PEGTL_STRING("feb")>,
+                        word<TAO_PEGTL_STRING("mar")>, word<TAO_PEGTL_STRING("apr")>,
+                        word<TAO_PEGTL_STRING("may")>, word<TAO_PEGTL_STRING("jun")>,
+                        word<TAO_PEGTL_STRING("jul")>, word<TAO_PEGTL_STRING("aug")>,
+                        word<TAO_PEGTL_STRING("sep")>, word<TAO_PEGTL_STRING("oct")>,
+                        word<TAO_PEGTL_STRING("nov")>, word<TAO_PEGTL_STRING("dec")>> {};
 /// Months before a share; a name alone or in a sum is that of a parameter.
 struct months_text
     : seq<month_word, space, opt<one<'-'>, space, identifier_text, space>,
@@ -367,8 +365,7 @@ struct robot_start : if_must<start_key, robot_start_values, plan_semicolon> {};
 struct park_key : token<word<TAO_PEGTL_STRING("park")>> {};
 struct park_values : values {};
 struct robot_park : if_must<park_key, park_values, plan_semicolon> {};
-struct robot_use_part
-    : sor<robot_start, charge_item, uses_calendar, breakdown_item, robot_park> {};
+struct robot_use_part : sor<robot_start, charge_item, uses_calendar, breakdown_item, robot_park> {};
 struct whole_robot_use_part : must<robot_use_part> {};
 struct robot_use_parts : nested<star<not_at<block_end>, recover<whole_robot_use_part, item_end>>> {
 };

@@ -59,8 +59,7 @@ class LostDaysCheck {
 
   void take(const syntax::Shift& shift) {
     const std::string what = "the share of lost days";
-    const auto share =
-        bounded(subject_, *shift.lost, syntax::UnitKind::none, what, 0, kMostLost);
+    const auto share = bounded(subject_, *shift.lost, syntax::UnitKind::none, what, 0, kMostLost);
     if (!shift.first_month) {
       if (any_) subject_.twice(shift.span, what + " is given twice", *any_);
       any_ = shift.span;

@@ -34,8 +34,7 @@ class MeasuredCheck {
     wanted_.seconds_per_unit = *seconds;
     const std::string path = resolve_path(subject_.model.path, written_.file->text);
     const std::string column =
-        written_.columns.empty() ? ""
-                                 : (written_.by_number ? "#" : "=") + written_.columns[0].text;
+        written_.columns.empty() ? "" : (written_.by_number ? "#" : "=") + written_.columns[0].text;
     const auto [place, is_new] =
         subject_.measured.try_emplace({path, written_.units[0].text, column}, nullptr);
     if (is_new) place->second = read(path);
@@ -59,8 +58,8 @@ class MeasuredCheck {
     }
     const auto seconds = seconds_of_unit(name.text);
     if (!seconds) {
-      wrong(name.span, fmt::format("unknown unit '{}' of measured times; expected s, min or h",
-                                   name.text));
+      wrong(name.span,
+            fmt::format("unknown unit '{}' of measured times; expected s, min or h", name.text));
     }
     return seconds;
   }
@@ -110,8 +109,7 @@ class MeasuredCheck {
       subject_.diagnostics.add(std::move(diagnostic));
       return nullptr;
     }
-    auto result =
-        std::make_shared<MeasuredTimes>(std::get<MeasuredTimes>(std::move(times)));
+    auto result = std::make_shared<MeasuredTimes>(std::get<MeasuredTimes>(std::move(times)));
     result->file = path;
     result->unit = written_.units.front().text;
     return result;

@@ -218,8 +218,8 @@ std::optional<DigSpec> resolve_dig(Subject& subject, const syntax::DigItem& item
 std::optional<sampling::DurationLaw> resolve_law(Subject& subject,
                                                  const syntax::DurationLaw& written);
 /// Times that were measured; nothing after P52, P58, F01.
-std::shared_ptr<const sampling::MeasuredTimes> resolve_measured(
-    Subject& subject, const syntax::DurationLaw& written);
+std::shared_ptr<const sampling::MeasuredTimes> resolve_measured(Subject& subject,
+                                                                const syntax::DurationLaw& written);
 /// When a machine breaks down; nothing after P02, P09, P52, P59.
 std::optional<BreakdownSpec> resolve_breakdown(Subject& subject,
                                                const std::vector<syntax::Breakdown>& written,

@@ -125,7 +125,7 @@ std::string chance_text(const Schedule& schedule) {
   std::string text;
   if (schedule.sample) {
     if (schedule.uncertain > 0 || (!schedule.loses_days && !schedule.breaks_down)) return text;
-    const char* const drawn = !schedule.breaks_down  ? "the weather is"
+    const char* const drawn = !schedule.breaks_down ? "the weather is"
                               : schedule.loses_days ? "weather and breakdowns are"
                                                     : "breakdowns are";
     return fmt::format("{} drawn with seed {}, run {}\n", drawn, schedule.sample->seed,

@@ -87,7 +87,8 @@ class TableReader {
       is_first = false;
     }
     if (!fault_ && result_.times.empty()) {
-      fail({text_.substr(0, 0), 0}, "there is no time in this file", "one time a line, such as 12.5");
+      fail({text_.substr(0, 0), 0}, "there is no time in this file",
+           "one time a line, such as 12.5");
     }
     if (fault_) return *std::move(fault_);
     finish();
@@ -111,22 +112,23 @@ class TableReader {
   /// Finds the column; whether the line is a heading.
   bool take_first(const TableField& line) {
     if (wanted_.name) {
-      const auto found =
-          std::find_if(fields_.begin(), fields_.end(),
-                       [&](const TableField& each) { return each.text == *wanted_.name; });
+      const auto found = std::find_if(fields_.begin(), fields_.end(), [&](const TableField& each) {
+        return each.text == *wanted_.name;
+      });
       if (found == fields_.end()) {
         std::string names;
         for (std::size_t i = 0; i < fields_.size() && i < 10; ++i) {
           names += (i == 0 ? "" : ", ") + shown(fields_[i].text);
         }
-        fail(line, "there is no column '" + shown(*wanted_.name) + "'; the first line has: " + names);
+        fail(line,
+             "there is no column '" + shown(*wanted_.name) + "'; the first line has: " + names);
         for (const TableField& each : fields_) fault_->headings.push_back(shown(each.text));
         return false;
       }
       column_ = static_cast<std::size_t>(found - fields_.begin());
-      const bool again =
-          std::any_of(found + 1, fields_.end(),
-                      [&](const TableField& each) { return each.text == *wanted_.name; });
+      const bool again = std::any_of(found + 1, fields_.end(), [&](const TableField& each) {
+        return each.text == *wanted_.name;
+      });
       if (again) {
         fail(line, "two columns are called '" + shown(*wanted_.name) + "'", "give its number");
         return false;

@@ -11,10 +11,10 @@ namespace rubicon::sampling {
 
 /// Times that were measured: each is as likely as any other.
 struct MeasuredTimes {
-  std::string file;           ///< as sources call it
-  std::string unit;           ///< of the file: s, min, h
-  int column = 1;             ///< of the file, from 1
-  std::vector<double> times;  ///< s, as in the file; not empty
+  std::string file;                      ///< as sources call it
+  std::string unit;                      ///< of the file: s, min, h
+  int column = 1;                        ///< of the file, from 1
+  std::vector<double> times;             ///< s, as in the file; not empty
   double mean = 0, least = 0, most = 0;  ///< s
 };
 

@@ -154,8 +154,8 @@ std::variant<WorkCalendar, CalendarMistake> intersection(const WorkCalendar& a,
   }
   parts.monday = a.monday_;
   parts.week = common(a.week_, b.week_);
-  parts.off_days = merged(a.lost_ ? a.listed_off_ : a.off_days_,
-                          b.lost_ ? b.listed_off_ : b.off_days_);
+  parts.off_days =
+      merged(a.lost_ ? a.listed_off_ : a.off_days_, b.lost_ ? b.listed_off_ : b.off_days_);
   parts.first_day = a.first_day_;
   parts.lost = a.lost_ && b.lost_ ? both_lost(*a.lost_, *b.lost_) : a.lost_ ? a.lost_ : b.lost_;
   parts.carry_over = a.carry_over_ || b.carry_over_;

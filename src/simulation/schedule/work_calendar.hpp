@@ -89,8 +89,8 @@ class WorkCalendar {
 
   /// What the weather takes of the time up to `end`, from the start on.
   struct Lost {
-    std::int64_t working_days = 0;    ///< days with working time, lost or not
-    std::vector<std::int64_t> days;   ///< those that are lost, counted from 1970-01-01
+    std::int64_t working_days = 0;   ///< days with working time, lost or not
+    std::vector<std::int64_t> days;  ///< those that are lost, counted from 1970-01-01
   };
   Lost lost_until(Ticks end) const;
 
@@ -117,8 +117,8 @@ class WorkCalendar {
 
   std::vector<std::string> names_;
   Ticks monday_ = 0;
-  std::vector<Interval> week_;          // in order, apart from each other
-  std::vector<Ticks> week_worked_;      // up to the begin of each interval; then of the whole week
+  std::vector<Interval> week_;      // in order, apart from each other
+  std::vector<Ticks> week_worked_;  // up to the begin of each interval; then of the whole week
   // Days off in order, only those on which the week works: where days are lost, of those before
   // `drawn_until_`. They are drawn when somebody asks so far, so a calendar is of one thread.
   mutable std::vector<std::int64_t> off_days_;

@@ -41,9 +41,8 @@ Breakdowns::Breakdowns(const interpreter::PlanModel& plan) : plan_(&plan) {
 void Breakdowns::draw(int robot) {
   const interpreter::RobotSpec& spec = plan_->robots[static_cast<std::size_t>(robot)];
   Machine& each = machine(robot);
-  each.every = std::max(
-      kLeastBetweenBreakdowns,
-      drawn(*plan_, spec.breakdown->every, spec.name + ".breakdown", each.uses));
+  each.every = std::max(kLeastBetweenBreakdowns,
+                        drawn(*plan_, spec.breakdown->every, spec.name + ".breakdown", each.uses));
 }
 
 Ticks Breakdowns::left(int robot, Ticks in_task) const {
@@ -94,8 +93,8 @@ Ticks begin_repair(const ActiveTask& task, Stage& stage) {
   const std::string& machine = stage.robot_spec(spec.robot).name;
   stage.breakdown_outcomes.push_back(
       {machine, spec.name, repair.worked, repair.time, stage.now(), end});
-  stage.trace.breakdown({machine, spec.name, repair.every, repair.worked, repair.time, stage.now(),
-                         end});
+  stage.trace.breakdown(
+      {machine, spec.name, repair.every, repair.worked, repair.time, stage.now(), end});
   return end;
 }
 

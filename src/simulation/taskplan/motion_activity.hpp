@@ -31,12 +31,7 @@ class MotionActivity : public Activity {
   }
 
  private:
-  enum class Doing : std::uint8_t {
-    moving,
-    waiting_for_shift,
-    waiting_for_machine,
-    under_repair
-  };
+  enum class Doing : std::uint8_t { moving, waiting_for_shift, waiting_for_machine, under_repair };
   /// Where the robot stood when it began to wait for others, and how far these had come.
   struct WaitPlace {
     std::vector<double> q;

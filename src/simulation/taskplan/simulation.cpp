@@ -381,8 +381,8 @@ void Simulation::hold_all(ActiveTask& active) {
                     account.outside[i];
     active.account.outcome.holds.push_back(hold);
     // It comes free when it is repaired.
-    const Ticks free = robot ? std::max(stage_.now(), stage_.breakdowns.out_until(resource))
-                             : stage_.now();
+    const Ticks free =
+        robot ? std::max(stage_.now(), stage_.breakdowns.out_until(resource)) : stage_.now();
     stage_.allocator->release(resource, active.task, free, false, hold.held);
   }
 }

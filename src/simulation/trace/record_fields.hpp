@@ -205,11 +205,11 @@ struct RecordFields<Moving> {
 template <>
 struct RecordFields<Breakdown> {
   static constexpr RecordKind kKind = RecordKind::breakdown;
-  static constexpr auto kFields = std::tuple(
-      required<&Breakdown::machine>("machine"), required<&Breakdown::during>("during"),
-      required<&Breakdown::every>("every"), required<&Breakdown::worked>("worked"),
-      required<&Breakdown::repair>("repair"), required<&Breakdown::t>("t"),
-      required<&Breakdown::until>("until"));
+  static constexpr auto kFields =
+      std::tuple(required<&Breakdown::machine>("machine"), required<&Breakdown::during>("during"),
+                 required<&Breakdown::every>("every"), required<&Breakdown::worked>("worked"),
+                 required<&Breakdown::repair>("repair"), required<&Breakdown::t>("t"),
+                 required<&Breakdown::until>("until"));
 };
 
 template <>

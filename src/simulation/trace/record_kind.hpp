@@ -29,7 +29,7 @@ enum class RecordKind : std::uint8_t {
   stop,
   guide,
   way_point,
-  turn,   ///< of a hanging load, by people
+  turn,       ///< of a hanging load, by people
   moving,     ///< something with a timetable stops or goes on
   breakdown,  ///< of a machine, and its repair
   lost_days   ///< of a calendar, by the weather
@@ -37,9 +37,9 @@ enum class RecordKind : std::uint8_t {
 
 /// As the member `type` writes them, in the order of RecordKind.
 inline constexpr std::array<std::string_view, 22> kRecordTypes = {
-    "task_start", "goal", "set",   "enter",     "exit",   "which",  "try",
-    "wait",       "work", "pause", "attach",    "detach", "remove", "end",
-    "task_end",   "stop", "guide", "way_point", "turn",   "moving", "breakdown", "lost_days"};
+    "task_start", "goal",      "set",    "enter",  "exit",      "which",    "try",      "wait",
+    "work",       "pause",     "attach", "detach", "remove",    "end",      "task_end", "stop",
+    "guide",      "way_point", "turn",   "moving", "breakdown", "lost_days"};
 
 /// The kind of a record by its `type`; nothing for what is none, such as a header.
 constexpr std::optional<RecordKind> record_kind(std::string_view type) {

@@ -254,8 +254,8 @@ void TraceWriter::breakdown(const MachineBreakdown& breakdown) {
   finish();
 }
 
-void TraceWriter::lost_days(std::string_view calendar, int of,
-                            const std::vector<std::string>& days, interpreter::Ticks end) {
+void TraceWriter::lost_days(std::string_view calendar, int of, const std::vector<std::string>& days,
+                            interpreter::Ticks end) {
   if (detail_ == TraceDetail::none) return;
   begin("lost_days");
   line_ += ",\"calendar\":";

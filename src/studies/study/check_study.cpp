@@ -35,7 +35,8 @@ constexpr std::array kAskedNames = {
     AskedName{"utilisation", Asked::utilisation, "a robot or crew"},
     AskedName{"waiting", Asked::waiting, "machine, resource, shift, repair or predecessor"},
 };
-constexpr std::array<const char*, 5> kCauses = {"machine", "resource", "shift", "repair", "predecessor"};
+constexpr std::array<const char*, 5> kCauses = {"machine", "resource", "shift", "repair",
+                                                "predecessor"};
 
 std::vector<std::string> asked_names() {
   std::vector<std::string> result;

@@ -38,8 +38,7 @@ TEST(MeasuredTimes, ReadsOneColumnWithAndWithoutHeading) {
 }
 
 TEST(MeasuredTimes, FindsAColumnByNameOrNumber) {
-  const std::string_view table =
-      "lift;hook time;release\n1;2.5;7\n2;;8\n3;3.5;\n\"a;b\";1;9\n";
+  const std::string_view table = "lift;hook time;release\n1;2.5;7\n2;;8\n3;3.5;\n\"a;b\";1;9\n";
   EXPECT_EQ(times_of(table, {"hook time", {}, 1}).times, (std::vector<double>{2.5, 3.5, 1}));
   EXPECT_EQ(times_of(table, {{}, 3, 1}).times, (std::vector<double>{7, 8, 9}));
   EXPECT_EQ(times_of("1,2\n3,4\n", {{}, 2, 1}).times, (std::vector<double>{2, 4}));
@@ -59,8 +58,7 @@ TEST(MeasuredTimes, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(fault_of("2min\n"), Fault("expected a time, found '2min'", "2min"));
   EXPECT_EQ(fault_of("1,5\n2,5\n").first, "this line has 2 fields; expected one time");
   EXPECT_EQ(fault_of("a;b\n1;2,5\n", {"b", {}, 1}), Fault("expected a time, found '2,5'", "2,5"));
-  EXPECT_EQ(fault_of("a,b\n1,2\n", {{}, 3, 1}).first,
-            "there is no column 3; the first line has 2");
+  EXPECT_EQ(fault_of("a,b\n1,2\n", {{}, 3, 1}).first, "there is no column 3; the first line has 2");
   EXPECT_EQ(fault_of("a,b\n1,2\n", {"c", {}, 1}).first,
             "there is no column 'c'; the first line has: a, b");
   EXPECT_EQ(fault_of("a,a\n1,2\n", {"a", {}, 1}).first, "two columns are called 'a'");

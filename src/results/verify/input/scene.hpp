@@ -302,10 +302,10 @@ struct SceneSupport {
 struct Scene {
   std::string plan;
   bool short_form = false;
-  bool sampled = false;  ///< durations were drawn
+  bool sampled = false;             ///< durations were drawn
   std::uint64_t seed = 0, run = 0;  ///< by which
-  double contact = 0;    ///< m
-  std::string start_at;  ///< "": none
+  double contact = 0;               ///< m
+  std::string start_at;             ///< "": none
   std::string currency;
   double overhead_per_day = 0;
   std::vector<SceneFile> files;

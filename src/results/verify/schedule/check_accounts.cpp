@@ -111,9 +111,8 @@ void check_split(const TaskRun& run, const TaskAccount& account, const ScheduleR
                  ResultFile file, Faults& faults) {
   SplitCheck check(row, file, faults);
   const TimeSplit& split = row.split;
-  const Ticks sum =
-      split.motion + split.work + split.predecessor + split.resource + split.machine + split.shift +
-      split.repair;
+  const Ticks sum = split.motion + split.work + split.predecessor + split.resource + split.machine +
+                    split.shift + split.repair;
   check.exactly("the sum of motion, work and waits", sum, run.happened ? run.end : 0);
   check.motion(split.motion, account);
   check.exactly("the crew work", split.work, account.work);

@@ -27,8 +27,8 @@ using math::at;
 struct Doing {
   Ticks from = 0;
   Ticks to = 0;
-  Ticks least = 0;  ///< of it surely work of the machine
-  Ticks most = 0;   ///< a wait of a script may count, or not
+  Ticks least = 0;         ///< of it surely work of the machine
+  Ticks most = 0;          ///< a wait of a script may count, or not
   bool safe = false;       ///< nothing hangs on it when it begins, and no lift is under way
   bool breakable = false;  ///< it can be interrupted
 };
@@ -123,8 +123,8 @@ class BreakdownCheck {
                         clock_text(record_->every), laws->first.law));
     }
     if (!allows(trace_.scene, laws->second, record_->repair)) {
-      fault(fmt::format("its repair takes {}, which {} does not allow",
-                        clock_text(record_->repair), laws->second.law));
+      fault(fmt::format("its repair takes {}, which {} does not allow", clock_text(record_->repair),
+                        laws->second.law));
     }
   }
 
@@ -204,8 +204,7 @@ void check_lost_days(const Trace& trace, const std::vector<TaskRun>& runs,
   }
   std::size_t next = 0;
   const auto fault = [&](int line, std::string text) {
-    faults.push_back(
-        {FaultKind::shift, ResultFile::trace, line, "", -1, std::move(text)});
+    faults.push_back({FaultKind::shift, ResultFile::trace, line, "", -1, std::move(text)});
   };
   for (std::size_t i = 0; i < trace.scene.calendars.size(); ++i) {
     const SceneCalendar& calendar = trace.scene.calendars[i];

@@ -45,11 +45,10 @@ WaitCheck::WaitCheck(const Trace& trace, const std::vector<TaskRun>& runs,
   }
   // A machine that breaks down at the end of a task is free when it is repaired.
   for (const BreakdownRecord& each : trace.breakdowns) {
-    const bool outlasts =
-        std::any_of(runs.begin(), runs.end(), [&](const TaskRun& run) {
-          return run.happened && run.robot == each.robot && trace.runs[at(run.run)] == each.during &&
-                 std::llabs(run.end - each.from) <= kTimeSlack;
-        });
+    const bool outlasts = std::any_of(runs.begin(), runs.end(), [&](const TaskRun& run) {
+      return run.happened && run.robot == each.robot && trace.runs[at(run.run)] == each.during &&
+             std::llabs(run.end - each.from) <= kTimeSlack;
+    });
     if (outlasts) given_back_[at(each.robot)].emplace(each.until, -1);
   }
 }

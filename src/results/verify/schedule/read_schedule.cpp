@@ -186,9 +186,8 @@ ScheduleJson read_schedule_json(const std::string& text) {
   if (schedule.has("breakdowns")) {
     for (const Json& object : schedule.array("breakdowns")) {
       const JsonFields fields(object, "a breakdown");
-      read.breakdowns.push_back({fields.text("robot"), fields.text("during"),
-                                 fields.time("worked"), fields.time("repair"), fields.time("from"),
-                                 fields.time("to")});
+      read.breakdowns.push_back({fields.text("robot"), fields.text("during"), fields.time("worked"),
+                                 fields.time("repair"), fields.time("from"), fields.time("to")});
     }
   }
   if (schedule.has("lost_days")) {

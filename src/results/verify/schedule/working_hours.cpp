@@ -29,8 +29,7 @@ double weather(std::uint64_t seed, std::uint64_t run, std::int64_t date) {
   }
   const std::uint64_t place = scrambled(scrambled(seed) ^ run) ^ name;
   const std::uint64_t number =
-      date == 0 ? scrambled(place)
-                : scrambled(scrambled(place) ^ static_cast<std::uint64_t>(date));
+      date == 0 ? scrambled(place) : scrambled(scrambled(place) ^ static_cast<std::uint64_t>(date));
   return static_cast<double>(number >> 11) / 9007199254740992.0;
 }
 
