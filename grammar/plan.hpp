@@ -136,8 +136,9 @@ struct month_word : sor<word<TAO_PEGTL_STRING("jan")>, word<TAO_PEGTL_STRING("fe
                         word<TAO_PEGTL_STRING("sep")>, word<TAO_PEGTL_STRING("oct")>,
                         word<TAO_PEGTL_STRING("nov")>, word<TAO_PEGTL_STRING("dec")>> {};
 /// Months before a share; a name alone or in a sum is that of a parameter.
-struct months_text : seq<month_word, space, opt<one<'-'>, space, identifier_text, space>,
-                         not_at<one<';', '+', '-', '*', '/', '(', ')', '.', '}'>>> {};
+struct months_text
+    : seq<month_word, space, opt<one<'-'>, space, identifier_text, space>,
+          not_at<sor<one<';', '+', '-', '*', '/', '}'>, seq<one<'.'>, not_at<digit>>>>> {};
 struct lost_first_month : token<month_word> {};
 struct lost_last_month : token<month_word> {};
 struct lost_months

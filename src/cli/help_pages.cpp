@@ -69,7 +69,8 @@ walk of each robot that explores the network is printed.
   --compress             write trace.jsonl.gz there, packed to a tenth or less; every command reads it as it is
   --set NAME=VALUE       another value for a parameter of the plan: --set bays=6 --set "pitch=4.2 m"; the trace keeps it
   --sample SEED[:RUN]    draw the durations that are not certain, such as triangular(2 min, 3 min, 7 min), instead of taking
-                         their means; the same seed and run (a whole number, 0 if it is left out) draw the same
+                         their means, the days that the weather takes, and when machines break down; the same seed and run
+                         (a whole number, 0 if it is left out) draw the same
 
 Files appear whole or not at all, and the files of --out all at once: a stop at any moment leaves the old result or the
 new one. Other files in DIR stay. Paths in what is written are relative to the folder of the plan.

@@ -260,6 +260,11 @@ class Breakdowns(Chance):
         self.assertEqual([each["worked"] for each in schedule["breakdowns"]], [62, 62])
         self.assertEqual(schedule["breakdowns"][0]["from"], 62)
         self.assertEqual(tasks["go"]["motion"], 68)
+        # One that gains and loses its speed comes to rest first.
+        self.write("slow.robot", HOIST.replace("start(5)", "accel(0.1 m/s2) start(5)"))
+        slow, _ = self.run_plan(text.replace("hoist.robot", "slow.robot"), options=("--sample", "7"))
+        self.assertEqual([each["during"] for each in slow["breakdowns"]], ["go", "back"])
+        self.assertTrue(all(61 < each["worked"] < 70 for each in slow["breakdowns"]))
         # What breaks down in a task that is undone has not broken down: it comes in the next as it would have.
         undone = text.replace("task back", 'task never { by h; go z 38; takes 1 min; remove c; after go; priority 9; } component c { shape box(9, 0, 0, 10, 1, 1); at trans(0, 0, 0); } task gone { remove c; } task back')
         again, tasks = self.run_plan(undone, expected=1, options=("--sample", "7"))

@@ -1,5 +1,7 @@
 #include "src/simulation/taskplan/breakdowns.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -14,6 +16,9 @@ namespace {
 /// A machine works so long at least before it breaks down again: the draws of some laws are as
 /// short as one likes.
 constexpr Ticks kLeastBetweenBreakdowns = schedule::kSecond;
+
+/// So often machines break down in a run: more is a slip of the pen, and would fill the memory.
+constexpr std::size_t kMostBreakdowns = 100'000;
 
 Ticks drawn(const interpreter::PlanModel& plan, const sampling::DurationLaw& law,
             const std::string& name, std::uint64_t use) {
@@ -82,13 +87,21 @@ bool breaks_down_now(const ActiveTask& task, const Stage& stage) {
 
 Ticks begin_repair(const ActiveTask& task, Stage& stage) {
   const interpreter::TaskSpec& spec = stage.spec(task.task);
+  if (stage.breakdown_outcomes.size() >= kMostBreakdowns) return schedule::kEndOfTime;
   const Breakdowns::Repair repair = stage.breakdowns.begin_repair(spec.robot, work_in(task));
   const Ticks end = stage.allocator->hours(spec.robot).finish(stage.now(), repair.time);
   const std::string& machine = stage.robot_spec(spec.robot).name;
-  stage.breakdowns.note({machine, spec.name, repair.worked, repair.time, stage.now(), end});
+  stage.breakdown_outcomes.push_back(
+      {machine, spec.name, repair.worked, repair.time, stage.now(), end});
   stage.trace.breakdown(
       {machine, spec.name, repair.every, repair.worked, repair.time, stage.now(), end});
   return end;
+}
+
+std::string never_repaired(const Stage& stage) {
+  return stage.breakdown_outcomes.size() >= kMostBreakdowns
+             ? fmt::format("machines broke down {} times before", kMostBreakdowns)
+             : "a repair of its machine is not done within 126 years";
 }
 
 }  // namespace rubicon::taskplan

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
+#include <string>
 #include <vector>
 
 #include "interpreter/check/plan_model.hpp"
@@ -30,7 +30,6 @@ class Breakdowns {
     Ticks time = 0;    ///< in its working hours
   };
   Repair begin_repair(int robot, Ticks in_task);
-  void note(BreakdownOutcome outcome) { outcomes_.push_back(std::move(outcome)); }
   /// The task that had it is over.
   void give_back(int robot, Ticks in_task);
 
@@ -41,8 +40,6 @@ class Breakdowns {
   void set_out(int robot, Ticks until) { machine(robot).out_until = until; }
   /// The next end of such a repair after `now`; kEndOfTime if there is none.
   Ticks next_repaired(Ticks now) const;
-
-  std::vector<BreakdownOutcome> take_outcomes() { return std::move(outcomes_); }
 
  private:
   struct Machine {
@@ -58,7 +55,6 @@ class Breakdowns {
 
   const interpreter::PlanModel* plan_ = nullptr;
   std::vector<Machine> machines_;
-  std::vector<BreakdownOutcome> outcomes_;
 };
 
 class Stage;
@@ -69,7 +65,10 @@ Ticks work_in(const ActiveTask& task);
 /// Whether the robot of the task breaks down now, where nothing hangs on it and no lift is under
 /// way: a lift is finished first.
 bool breaks_down_now(const ActiveTask& task, const Stage& stage);
-/// Its repair begins; when it will be done. kEndOfTime: never.
+/// Its repair begins; when it will be done. kEndOfTime: never, also where machines broke down more
+/// often than anybody counts.
 Ticks begin_repair(const ActiveTask& task, Stage& stage);
+/// Why a task is rejected whose machine is never repaired.
+std::string never_repaired(const Stage& stage);
 
 }  // namespace rubicon::taskplan

@@ -26,6 +26,7 @@ void Checkpoints::add(int task, Journal::Mark resources) {
   point.lifts = stage_.lifts;
   point.progress = stage_.progress;
   point.breakdowns = stage_.breakdowns;
+  point.breakdown_outcomes = stage_.breakdown_outcomes.size();
   point.zone_waits = zone_waits_;
   point.zone_waits.erase(task);
 }
@@ -58,6 +59,7 @@ bool Checkpoints::go_back(int task, bool keeps_lines) {
   stage_.lifts = std::move(point.lifts);
   stage_.progress = point.progress;
   stage_.breakdowns = std::move(point.breakdowns);
+  stage_.breakdown_outcomes.resize(point.breakdown_outcomes);
   zone_waits_ = std::move(point.zone_waits);
   stage_.site_changes.go_back(point.site, stage_.now());
   // A parking that is under way again: one of the same robot that failed later never was.

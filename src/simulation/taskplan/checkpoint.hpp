@@ -37,6 +37,7 @@ class Checkpoints {
     std::vector<WholeLift> lifts;
     SiteProgress progress;
     Breakdowns breakdowns;
+    std::size_t breakdown_outcomes = 0;
     ZoneWaits zone_waits;
   };
 

@@ -111,7 +111,7 @@ Schedule Simulation::make_schedule() {
   }
   add_lost_days(schedule, end);
   schedule.breaks_down = interpreter::has_breakdowns(plan_);
-  schedule.breakdowns = stage_.breakdowns.take_outcomes();
+  schedule.breakdowns = std::move(stage_.breakdown_outcomes);
   count_uses(schedule);
   add_costs(plan_, schedule);
   add_floats(row_of, schedule);

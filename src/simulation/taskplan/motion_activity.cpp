@@ -167,7 +167,8 @@ Step MotionActivity::move_on(ActiveTask& task, Stage& stage) {
     stands_ = true;
     count_time(task, stage, machine.time(), false);
   }
-  if (!stands_ && breaks_down_now(task, stage) && !is_at_goal(task, stage)) {
+  // A motion that has ended is told before.
+  if (!stands_ && !machine.ended() && breaks_down_now(task, stage) && !is_at_goal(task, stage)) {
     if (!machine.stop(&task.hits)) {
       wait_for_repair(task, stage);
       return Step::pending;
@@ -382,7 +383,7 @@ void MotionActivity::wait_for_repair(ActiveTask& task, Stage& stage) {
   since_ = stage.now();
   const Ticks end = begin_repair(task, stage);
   if (end >= schedule::kEndOfTime) {
-    stage.reject(task.task, "a repair of its machine is not done within 126 years");
+    stage.reject(task.task, never_repaired(stage));
   } else {
     stage.events.set(task.task, end);
   }

@@ -66,6 +66,7 @@ class Stage {
   std::optional<ResourceAllocator> allocator;
   OvertimeHours overtime;
   Breakdowns breakdowns;
+  std::vector<BreakdownOutcome> breakdown_outcomes;  ///< by their begin
   std::optional<LinkState> links;
   std::optional<Rejection> rejection;
   std::vector<int> new_waits;  ///< tasks that may have closed a cycle of waiting

@@ -229,7 +229,7 @@ void WorkActivity::wait_for_repair(ActiveTask& task, Stage& stage) {
   since_ = stage.now();
   const Ticks end = begin_repair(task, stage);
   if (end >= schedule::kEndOfTime) {
-    stage.reject(task.task, "a repair of its machine is not done within 126 years");
+    stage.reject(task.task, never_repaired(stage));
   } else {
     stage.events.set(task.task, end);
   }

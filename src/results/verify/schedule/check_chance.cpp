@@ -56,7 +56,10 @@ class MachineDoings {
     if (attempt.ok) push(now_, time_ - now_, time_ - now_, false);
   }
   void add(const Wait&) { push(now_, 0, time_ - now_, false); }
-  void add(const Stop&) { push(now_, time_ - now_, time_ - now_, false); }
+  void add(const Stop&) {
+    push(now_, time_ - now_, time_ - now_, false);
+    doings_.back().safe = false;  // it is on its way to rest, whatever for
+  }
   void add(const Work& work) { push(work.from, work.time, work.time, work.what == "takes"); }
   void add(const LoadChange& change) {
     if (change.kind == LoadChange::Kind::attach) hangs_ = true;
