@@ -49,6 +49,7 @@ class RecordingReader : public trace::TraceSink {
   void fill(Event& event, const trace::TaskEnd& end);
   void fill(Event&, const trace::Stop&) {}
   void fill(Event&, const trace::Moving&) {}  // of no task
+  void fill(Event& event, const trace::Soil& soil);
   void fill(Event& event, const trace::GuidePlan& plan);
   void fill(Event& event, const trace::WayPoint& point);
   TaskRun& run_of(const trace::Record& record);

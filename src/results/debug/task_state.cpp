@@ -129,6 +129,7 @@ void apply(const Event& event, TaskState& state) {
     case EventKind::stop:
     case EventKind::guide:
     case EventKind::moving:
+    case EventKind::soil:
       break;
   }
   state.t = event.t;

@@ -50,6 +50,7 @@ class FilmBuilder {
   void write(const trace::WayPoint& point, int run);
   void write(const trace::Turn& turn, int run);
   void write(const trace::Moving&, int) {}  // of no run
+  void write(const trace::Soil&, int) {}  // in soils_
 
   std::int64_t string(std::string_view text) { return strings_.number(text); }
   std::int64_t place(const trace::InText& place);
@@ -70,6 +71,14 @@ class FilmBuilder {
     double delay = 0, t = 0;
   };
   std::vector<MovingStop> movings_;
+  /// Buckets of soil, as they are dug.
+  struct SoilTaken {
+    int run = 0;
+    std::int64_t component = 0;
+    double t = 0;
+    std::vector<double> cells, heights;  ///< whole numbers; mm
+  };
+  std::vector<SoilTaken> soils_;
 };
 
 }  // namespace rubicon::film

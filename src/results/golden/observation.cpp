@@ -124,6 +124,11 @@ struct GoldenMembers {
     event["by"] = moving.by;
     event["time"] = time_json(moving.t);
   }
+  void operator()(const trace::Soil& soil) const {
+    event["component"] = soil.component;
+    event["volume"] = number_json(soil.volume);
+    event["cells"] = soil.cells.size();
+  }
   // Crew work, pauses and removals are in the schedule.
   void operator()(const trace::Work&) const {}
   void operator()(const trace::Pause&) const {}
@@ -157,7 +162,7 @@ const trace::RecordKinds kWanted = {
     trace::RecordKind::enter,      trace::RecordKind::exit,  trace::RecordKind::which,
     trace::RecordKind::attempt,    trace::RecordKind::wait,  trace::RecordKind::attach,
     trace::RecordKind::detach,     trace::RecordKind::end,   trace::RecordKind::task_end,
-    trace::RecordKind::stop,       trace::RecordKind::guide, trace::RecordKind::way_point,
+    trace::RecordKind::stop,       trace::RecordKind::guide, trace::RecordKind::way_point, trace::RecordKind::soil,
     trace::RecordKind::turn};
 
 }  // namespace

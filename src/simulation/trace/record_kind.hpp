@@ -30,14 +30,15 @@ enum class RecordKind : std::uint8_t {
   guide,
   way_point,
   turn,   ///< of a hanging load, by people
-  moving  ///< something with a timetable stops or goes on
+  moving,  ///< something with a timetable stops or goes on
+  soil     ///< a bucket has taken it
 };
 
 /// As the member `type` writes them, in the order of RecordKind.
-inline constexpr std::array<std::string_view, 20> kRecordTypes = {
+inline constexpr std::array<std::string_view, 21> kRecordTypes = {
     "task_start", "goal", "set",   "enter",     "exit",   "which",  "try",
     "wait",       "work", "pause", "attach",    "detach", "remove", "end",
-    "task_end",   "stop", "guide", "way_point", "turn",   "moving"};
+    "task_end",   "stop", "guide", "way_point", "turn",   "moving", "soil"};
 
 /// The kind of a record by its `type`; nothing for what is none, such as a header.
 constexpr std::optional<RecordKind> record_kind(std::string_view type) {

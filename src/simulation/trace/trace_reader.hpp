@@ -33,6 +33,7 @@ struct GuidePlan;
 struct WayPoint;
 struct Moving;
 struct Turn;
+struct Soil;
 
 /// Reads the first line of a trace. Throws std::invalid_argument, with a message for the user, for
 /// what is none: another format, another version, a member that is missing, there twice or of the

@@ -59,6 +59,10 @@ class TraceWriter : public interpreter::EventSink {
   /// timetable has shifted up to then.
   void moving(std::string_view name, std::string_view by, interpreter::Ticks delay,
               interpreter::Ticks time);
+  /// A bucket has taken so many mm3 of the component; cells and their new heights in mm.
+  void soil(std::string_view component, soil::CubicMillimetres volume,
+            const std::map<int, soil::Millimetres>& heights, interpreter::Ticks from,
+            interpreter::Ticks to);
   void motion_end(const interpreter::MotionEnd& end);
 
   void goal(int k, int n) override;
