@@ -525,9 +525,8 @@ struct dig_server : qualified_indexed_name {};
 struct dig_stage : if_must<dig_stage_key, dig_stage_takes, duration,
                            opt<if_must<by_key, dig_server>>, plan_semicolon> {};
 /// How a machine that digs holds its tool, and where it empties it.
-struct dig_attitude_key
-    : token<sor<word<TAO_PEGTL_STRING("cut")>, word<TAO_PEGTL_STRING("carry")>,
-                word<TAO_PEGTL_STRING("open")>>> {};
+struct dig_attitude_key : token<sor<word<TAO_PEGTL_STRING("cut")>, word<TAO_PEGTL_STRING("carry")>,
+                                    word<TAO_PEGTL_STRING("open")>>> {};
 struct dig_attitude_frame : frame {};
 struct dig_attitude : if_must<dig_attitude_key, dig_attitude_frame, plan_semicolon> {};
 struct dig_dump_key

@@ -13,8 +13,8 @@ namespace rubicon::interpreter::plan_check {
 
 namespace {
 
-constexpr double kLeastBucket = 0.001;  // m3
-constexpr double kMostBucket = 1000;    // m3
+constexpr double kLeastBucket = 0.001;    // m3
+constexpr double kMostBucket = 1000;      // m3
 constexpr double kMostMachineLoad = 1e7;  // kg
 /// m, of a layer.
 constexpr double kLeastLayer = 0.01;
@@ -55,8 +55,7 @@ class MotionDigCheck {
     if (model.bodies[static_cast<std::size_t>(model.tool_body)].shapes.empty()) {
       wrong(item_.place(),
             fmt::format("'{}' has nothing to dig with: the body of its tool, '{}', has no shape",
-                        robot_.name,
-                        model.bodies[static_cast<std::size_t>(model.tool_body)].name),
+                        robot_.name, model.bodies[static_cast<std::size_t>(model.tool_body)].name),
             "tool bucket;");
     }
     for (const Clause& clause : item_.clauses) take(clause);
@@ -70,8 +69,8 @@ class MotionDigCheck {
       check_trucks();
     }
     if (subject_.diagnostics.errors() != errors) return std::nullopt;
-    dig_.bucket = std::max<soil::CubicMillimetres>(
-        whole_mm3(bucket_ * fill_ / (1 + dig_.swell)), 1);
+    dig_.bucket =
+        std::max<soil::CubicMillimetres>(whole_mm3(bucket_ * fill_ / (1 + dig_.swell)), 1);
     if (dig_.volume / dig_.bucket > kMostBuckets) {
       wrong(place_of("bucket"),
             fmt::format("these are {} buckets; a robot fills up to {} in a task",
@@ -222,8 +221,9 @@ class MotionDigCheck {
     const bool is_volume =
         value.dimension == syntax::Dimension{} || value.dimension == syntax::Dimension{3, 0, 0, 0};
     if (is_volume && value.value >= least && value.value <= most) return value.value;
-    wrong(value.span, fmt::format("expected a volume from {:g} to {:g} m3 as {}{}", least, most,
-                                  what, is_volume ? fmt::format(", found {:g} m3", value.value) : ""),
+    wrong(value.span,
+          fmt::format("expected a volume from {:g} to {:g} m3 as {}{}", least, most, what,
+                      is_volume ? fmt::format(", found {:g} m3", value.value) : ""),
           "1.2 m3");
     return least;
   }

@@ -387,8 +387,9 @@ class TaskChecker {
     }
     if (!task_.via.empty() || robot()->fleet >= 0) {
       subject_.error("P55", dig_->place(),
-                     robot()->fleet >= 0 ? fmt::format("'{}' drives in a fleet: it does not dig", name)
-                                         : "a task that digs has no waypoints of its own");
+                     robot()->fleet >= 0
+                         ? fmt::format("'{}' drives in a fleet: it does not dig", name)
+                         : "a task that digs has no waypoints of its own");
       return;
     }
     if (!all_known_ || !robot()->robot || !robot()->robot->usable) return;

@@ -12,14 +12,19 @@ DIGGER = """robot digger {
   time_step 1;
   body post { shape box(-0.5, -0.5, 0, 0.5, 0.5, 1); }
   body arm on post { param theta cyclic step(90) speed(30 deg/s); frame rotz(theta); shape box(-0.2, -0.2, 4.6, 0.2, 0.2, 5); }
-  body slide on arm { param r range(1.5, 7) step(10) speed(1 m/s) start(3); frame trans(r, 0, 0); shape box(-0.1, -0.1, 4.6, 0.1, 0.1, 5); }
+  body slide on arm { param x range(1.5, 7) step(10) speed(1 m/s) start(3); frame trans(x, 0, 0); shape box(-0.1, -0.1, 4.6, 0.1, 0.1, 5); }
   body mast on slide { param z range(-3, 3) step(10) speed(0.5 m/s) start(2); frame trans(0, 0, z); shape box(-0.1, -0.1, 0.8, 0.1, 0.1, 4.4); }
   body bucket on mast { frame trans(0, 0, 0); shape box(-0.25, -0.4, 0, 0.25, 0.4, 0.8); }
   tool bucket;
   behaviour "digger.motion";
 }
 """
-MOTION = "which { digging: chain { line }; default: chain { follow, move_dir(z, 1) }; };\n"
+MOTION = """which {
+  digging: chain { line };
+  empty: chain { move_to(theta, goal(theta)), move_to(x, goal(x)), move_to(z, goal(z)) };
+  default: chain { move_to(z, goal(z)), move_to(theta, goal(theta)), move_to(x, goal(x)) };
+};
+"""
 EARTH = "earth ground { grid 60, 40; cell 0.2 m; at trans(-4, -4, 0); height 0 m; stands %g deg; swell 0.25; density 1.8 t per m3; }"
 TRUCKS = "load trucks; bed 2 m3; haul takes 90 s; tip takes 20 s by dozer; return takes 60 s;"
 
@@ -107,9 +112,9 @@ class DigByMotion(ResultCase):
         self.assertIn("without it shed does not stand", self.rejected(plan(more=shed)))
 
     def test_two_wait_for_each_other(self):
-        second = """robot other "digger.robot" at trans(7, 0, 0) { start theta 180; }
-          task dig_too { by other; dig ground to box(5, -0.6, -0.4, 6, 0.6, 1) { bucket 0.5 m3; layer 0.4 m; cut roty(0); dump at trans(3.5, 3, 1.5); } }"""
-        _, tasks = self.run_plan(plan("box(2.4, -0.6, -0.4, 5, 0.6, 1)", trucks="", more=second).replace("trans(0, 4, 1.5)", "trans(3.5, 3, 1.5)"))
+        second = """robot other "digger.robot" at trans(9, 0, 0) { start theta 180; park theta 180, x 3, z 2; }
+          task dig_too { by other; dig ground to box(5.2, -0.6, -0.4, 6.4, 0.6, 1) { bucket 0.5 m3; layer 0.4 m; cut roty(0); dump at trans(4.5, 3, 1.5); } }"""
+        _, tasks = self.run_plan(plan("box(2.4, -0.6, -0.4, 5, 0.6, 1)", trucks="", more=second).replace("trans(0, 4, 1.5)", "trans(4.5, 3, 1.5)"))
         self.assertEqual({task["result"] for task in tasks.values()}, {"done"})
         self.assertGreater(sum(task["waited"]["machine"] for task in tasks.values()), 0)
 
@@ -161,7 +166,7 @@ class DigByMotion(ResultCase):
                 (plan(clauses="limit 3 h;"), "limit is of a dig by durations"),
                 (plan(clauses="layer 1 m;"), "layer is given twice"),
                 (plan(clauses="tolerance 0.001 m;"), "the tolerance"),
-                (plan(clauses="layers 1 m;"), "load swell"),
+                (plan(clauses="layers 1 m;"), "did you mean layer?"),
                 (plan().replace("by digger;", "by hand;"), "is of a dig by a robot"),
                 (plan().replace("ground to box(3, -0.6, -0.8, 5, 0.6, 1)", "10 m3"), "a volume has no place"),
                 (plan().replace("by digger;", "by digger; takes 2 h;"), "no takes beside dig")):

@@ -79,8 +79,8 @@ void TruckRounds::enter(int truck, int stage, Nanoseconds now) {
 }
 
 std::size_t TruckRounds::first_event() const {
-  const auto first = std::min_element(
-      events_.begin(), events_.end(), [](const Event& a, const Event& b) {
+  const auto first =
+      std::min_element(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
         return std::tie(a.time, a.order) < std::tie(b.time, b.order);
       });
   return static_cast<std::size_t>(first - events_.begin());
@@ -111,8 +111,7 @@ void TruckRounds::process_first() {
 Nanoseconds TruckRounds::next_arrival(Nanoseconds now) {
   while (!events_.empty() && events_[first_event()].time <= now) process_first();
   while (waiting_.empty() && !events_.empty()) process_first();
-  return waiting_.empty() ? kLongest
-                          : std::max(now, trucks_[at(waiting_.front())].load.arrived);
+  return waiting_.empty() ? kLongest : std::max(now, trucks_[at(waiting_.front())].load.arrived);
 }
 
 void TruckRounds::call(Nanoseconds now) {

@@ -101,7 +101,7 @@ class BiteSearch {
  private:
   /// What lies under the bucket at a place of the tool.
   struct Under {
-    bool is_free = true;  ///< it is all on the grid
+    bool is_free = true;                                           ///< it is all on the grid
     Millimetres ground = std::numeric_limits<Millimetres>::min();  ///< highest that stays
     Millimetres soil = std::numeric_limits<Millimetres>::min();    ///< highest of all
     std::vector<int> covered;                                      ///< cells
@@ -176,8 +176,8 @@ class BiteSearch {
   /// The cut that begins there; nothing: it does not reach the target, or meets ground that stays.
   std::optional<Bite> cut(double heading_deg, double far) {
     const Under first = look(heading_deg, far);
-    const bool reaches = std::find(first.covered.begin(), first.covered.end(), target_.cell) !=
-                         first.covered.end();
+    const bool reaches =
+        std::find(first.covered.begin(), first.covered.end(), target_.cell) != first.covered.end();
     if (!first.is_free || !reaches) return std::nullopt;
     const Millimetres floor = std::max(target_.floor, first.ground);
     const auto cutting = floor + static_cast<Millimetres>(kGroundGap * 1e3);
@@ -215,8 +215,8 @@ class BiteSearch {
     if (bite.expected == 0) return std::nullopt;
     bite.expected = std::min(bite.expected, rules_.room);
     bite.low = static_cast<double>(cutting) * 1e-3 - print_.low;
-    bite.high = std::max(static_cast<double>(soil) * 1e-3 + rules_.clearance - print_.low,
-                         bite.low + rules_.clearance);
+    const Millimetres over = std::max({soil, rules_.rim, cutting});
+    bite.high = static_cast<double>(over) * 1e-3 + rules_.clearance - print_.low;
     return bite;
   }
 
@@ -233,10 +233,9 @@ class BiteSearch {
 }  // namespace
 
 math::Pose Bite::X_ET(const BiteRules& rules, double distance, double height) const {
-  math::Pose X =
-      math::translation(rules.p_EM.x() + distance * math::cos_deg(heading_deg),
-                        rules.p_EM.y() + distance * math::sin_deg(heading_deg), height) *
-      math::rotation_z_deg(heading_deg);
+  math::Pose X = math::translation(rules.p_EM.x() + distance * math::cos_deg(heading_deg),
+                                   rules.p_EM.y() + distance * math::sin_deg(heading_deg), height) *
+                 math::rotation_z_deg(heading_deg);
   X.linear() = X.linear() * rules.R_HT;
   return X;
 }
@@ -276,8 +275,8 @@ std::optional<DigTarget> next_target(const Terrain& now, const Terrain& bottom,
     highest = layer;
     farthest = distance;
     const Millimetres floor = rules.top - (layer + 1) * rules.layer;
-    target = DigTarget{cell, std::max(floor, bottom.heights[static_cast<std::size_t>(cell)]),
-                       is_last};
+    target =
+        DigTarget{cell, std::max(floor, bottom.heights[static_cast<std::size_t>(cell)]), is_last};
   }
   return target;
 }

@@ -19,8 +19,9 @@ struct BiteRules {
   Millimetres tolerance = 100;
   double clearance = 0.5;  ///< m
   CubicMillimetres room = 0;
-  Millimetres top = 0;  ///< layers are counted from here
-  double spread = 0;    ///< m: what lies so near beside the bucket comes away, too
+  Millimetres top = 0;             ///< layers are counted from here
+  Millimetres rim = -kMostHeight;  ///< the bucket goes up over this, the ground round the pit
+  double spread = 0;               ///< m: what lies so near beside the bucket comes away, too
 };
 
 /// m: the bucket keeps so far from ground that is not dug, below and beside it. Less than the

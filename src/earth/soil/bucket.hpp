@@ -28,7 +28,8 @@ inline constexpr double kQuarters[] = {0.25, 0.75};
 class BucketFill {
  public:
   /// `room`: bank volume that it holds; what is left of a cell no higher than `tolerance` above the
-  /// bottom comes away with it, and so does what lies no farther than `spread` (m) beside it. Both terrains, of the same cells, must outlive it.
+  /// bottom comes away with it, and so does what lies no farther than `spread` (m) beside it. Both
+  /// terrains, of the same cells, must outlive it.
   BucketFill(const Terrain& now, const Terrain& bottom, std::vector<BucketBox> boxes,
              CubicMillimetres room, Millimetres tolerance, double spread = 0)
       : now_(now),

@@ -160,8 +160,7 @@ std::string record_text(const Recording& recording, const TaskRun& run, const Ev
     case EventKind::moving:
       break;
     case EventKind::soil:
-      return fmt::format("the bucket has taken {:.3f} m3 of {}",
-                         event.value * 1e-9, text);
+      return fmt::format("the bucket has taken {:.3f} m3 of {}", event.value * 1e-9, text);
     case EventKind::way_point:
       return fmt::format("waypoint {} of {} of the guide begins", event.n, event.value);
   }

@@ -61,7 +61,9 @@ void FilmBuilder::record(const trace::Record& record) {
   const int run = run_of(record);
   const double t = time_of(record, runs_[run]);
   if (const auto* soil = std::get_if<trace::Soil>(&record.what)) {
-    soils_.push_back({run, component(soil->component), t,
+    soils_.push_back({run,
+                      component(soil->component),
+                      t,
                       {soil->cells.begin(), soil->cells.end()},
                       {soil->heights.begin(), soil->heights.end()}});
     runs_[run].last = t;

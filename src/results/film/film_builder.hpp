@@ -50,7 +50,7 @@ class FilmBuilder {
   void write(const trace::WayPoint& point, int run);
   void write(const trace::Turn& turn, int run);
   void write(const trace::Moving&, int) {}  // of no run
-  void write(const trace::Soil&, int) {}  // in soils_
+  void write(const trace::Soil&, int) {}    // in soils_
 
   std::int64_t string(std::string_view text) { return strings_.number(text); }
   std::int64_t place(const trace::InText& place);

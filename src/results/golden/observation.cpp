@@ -162,8 +162,8 @@ const trace::RecordKinds kWanted = {
     trace::RecordKind::enter,      trace::RecordKind::exit,  trace::RecordKind::which,
     trace::RecordKind::attempt,    trace::RecordKind::wait,  trace::RecordKind::attach,
     trace::RecordKind::detach,     trace::RecordKind::end,   trace::RecordKind::task_end,
-    trace::RecordKind::stop,       trace::RecordKind::guide, trace::RecordKind::way_point, trace::RecordKind::soil,
-    trace::RecordKind::turn};
+    trace::RecordKind::stop,       trace::RecordKind::guide, trace::RecordKind::way_point,
+    trace::RecordKind::soil,       trace::RecordKind::turn};
 
 }  // namespace
 

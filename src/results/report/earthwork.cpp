@@ -81,8 +81,8 @@ std::optional<double> cost_per_dug_metre(const TaskOutcome& task) {
 
 /// What robots dug, and the parts of their cycles: seconds, on average.
 std::string bucket_table(const taskplan::Schedule& schedule) {
-  std::vector<Row> rows = {{"digs", "m3", "buckets", "m3 a bucket", "loads", "working",
-                            "for trucks", "m3 per h"}};
+  std::vector<Row> rows = {
+      {"digs", "m3", "buckets", "m3 a bucket", "loads", "working", "for trucks", "m3 per h"}};
   std::vector<Row> parts = {{"cycles", "mean", "to the cut", "cut", "swing", "dump"}};
   if (schedule.costed) {
     rows.front().push_back(schedule.currency.empty() ? "cost per m3"
@@ -105,8 +105,7 @@ std::string bucket_table(const taskplan::Schedule& schedule) {
       rows.back().push_back(per_volume ? fmt::format("{:.3f}", *per_volume) : "-");
     }
     parts.push_back({task.task, seconds(dig.mean_cycle()), seconds(dig.mean_return()),
-                     seconds(dig.mean_dig()), seconds(dig.mean_swing()),
-                     seconds(dig.mean_dump())});
+                     seconds(dig.mean_dig()), seconds(dig.mean_swing()), seconds(dig.mean_dump())});
   }
   return columns(rows, {1, 2, 3, 4, 5, 6, 7, 8}) + "\n" + columns(parts, {1, 2, 3, 4, 5});
 }

@@ -289,7 +289,9 @@ class SiteWorld {
   };
   static constexpr int kPiece = 6;
   void set_piece(const Component& component, Soil& soil, int piece);
-  static int pieces_in_row(const Soil& soil) { return (soil.surface.columns + kPiece - 1) / kPiece; }
+  static int pieces_in_row(const Soil& soil) {
+    return (soil.surface.columns + kPiece - 1) / kPiece;
+  }
   void show_soil(int component, bool stands);
 
   RobotEntry& entry(int index) { return robots_[static_cast<std::size_t>(index)]; }

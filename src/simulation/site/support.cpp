@@ -77,7 +77,8 @@ void Support::follow() {
     if (!surfaces_[at(component)]) continue;
     take_away(component);
     // Soil that is being dug carries nothing.
-    if (site_.stands(component) && site_.surface(component) == nullptr) place(component, site_.X_WO(component));
+    if (site_.stands(component) && site_.surface(component) == nullptr)
+      place(component, site_.X_WO(component));
   }
 }
 

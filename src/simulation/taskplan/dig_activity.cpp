@@ -45,14 +45,26 @@ std::vector<soil::BucketBox> bucket_boxes(const robot::RobotModel& model) {
   return boxes;
 }
 
+/// The highest of a cell and the cells round it.
+soil::Millimetres highest_round(const soil::Terrain& ground, int cell) {
+  const int column = cell % ground.columns;
+  const int row = cell / ground.columns;
+  soil::Millimetres highest = ground.heights[at(cell)];
+  for (int r = std::max(row - 1, 0); r <= std::min(row + 1, ground.rows - 1); ++r) {
+    for (int c = std::max(column - 1, 0); c <= std::min(column + 1, ground.columns - 1); ++c) {
+      highest = std::max(highest, ground.heights[ground.index(c, r)]);
+    }
+  }
+  return highest;
+}
+
 std::string point_text(const math::Vec3& p) {
   return fmt::format("({:.2f}, {:.2f}, {:.2f})", p.x(), p.y(), p.z());
 }
 
 }  // namespace
 
-const interpreter::MotionDigSpec& DigActivity::spec_of(const ActiveTask& task,
-                                                       const Stage& stage) {
+const interpreter::MotionDigSpec& DigActivity::spec_of(const ActiveTask& task, const Stage& stage) {
   return *stage.spec(task.task).motion_dig;
 }
 
@@ -99,9 +111,10 @@ Step DigActivity::begin(ActiveTask& task, Stage& stage) {
   std::vector<int> cells;
   for (std::size_t i = 0; i < dig.before->heights.size(); ++i) {
     if (dig.before->heights[i] <= dig.after->heights[i]) continue;
-    rules_.top = cells.empty() ? dig.before->heights[i]
-                               : std::max(rules_.top, dig.before->heights[i]);
+    rules_.top =
+        cells.empty() ? dig.before->heights[i] : std::max(rules_.top, dig.before->heights[i]);
     cells.push_back(static_cast<int>(i));
+    rules_.rim = std::max(rules_.rim, highest_round(*dig.before, static_cast<int>(i)));
   }
   cells_ = std::make_shared<const std::vector<int>>(std::move(cells));
   stage.site_changes.open_soil(dig.soil, dig);
@@ -126,9 +139,10 @@ Step DigActivity::resume(ActiveTask& task, Stage& stage) {
   if (inner_) return go_on(task, stage, inner_->resume(task, stage));
   if (waits_for_truck_) {
     waits_for_truck_ = false;
-    const schedule::WorkCalendar& calendar = stage.calendar(task.task);
-    const Ticks time = calendar.work_between(since_, stage.now());
-    task.account.outcome.motion_dig->waited += time;
+    if (part_ == Part::calling) {
+      task.account.outcome.motion_dig->waited +=
+          stage.calendar(task.task).work_between(since_, stage.now());
+    }
     task.account.outcome.waits.resource += stage.now() - since_;
     stage.pause(task.task, "truck", task.account.outcome.motion_dig->trucks, since_);
   }
@@ -158,8 +172,7 @@ Step DigActivity::next(ActiveTask& task, Stage& stage) {
     held.R_HT = X_HT.linear();
     soil::Bite dump;
     dump.heading_deg = math::atan2_deg(away.y(), away.x());
-    return X_WH *
-           dump.X_ET(held, std::sqrt(away.x() * away.x() + away.y() * away.y()), p_E.z());
+    return X_WH * dump.X_ET(held, std::sqrt(away.x() * away.x() + away.y() * away.y()), p_E.z());
   };
   switch (part_) {
     case Part::calling:
@@ -180,8 +193,7 @@ Step DigActivity::next(ActiveTask& task, Stage& stage) {
       return begin_work(task, stage, dig.fill, "fill");
     case Part::filling:
       part_ = Part::raising;
-      return begin_leg(task, stage, tool(bite_.near, bite_.high), "digging",
-                       "on its way up from");
+      return begin_leg(task, stage, tool(bite_.near, bite_.high), "digging", "on its way up from");
     case Part::raising:
       if (!raise(task, stage)) return Step::pending;
       if (wants_more(task, stage)) {
@@ -348,9 +360,8 @@ Step DigActivity::begin_leg(ActiveTask& task, Stage& stage, const math::Pose& X_
     leg.entered.emplace_back(model.tool_body, spec.motion_dig->soil);
     leg.guided = false;
   }
-  leg.what = fmt::format("bucket {}, {} {}",
-                         task.account.outcome.motion_dig->buckets.size() + 1, what,
-                         place_text(task, stage));
+  leg.what = fmt::format("bucket {}, {} {}", task.account.outcome.motion_dig->buckets.size() + 1,
+                         what, place_text(task, stage));
   // The motion before it is in the trace.
   task.account.outcome.motions.clear();
   inner_ = Snapshot<Activity>(std::make_unique<MotionActivity>(std::move(leg)));
@@ -409,13 +420,11 @@ bool DigActivity::raise(ActiveTask& task, Stage& stage) {
   bucket_.raised = worked(task, stage);
   if (!cut_.empty()) stage.site_changes.set_surface(dig.soil, cut_);
   const soil::Terrain& surface = *stage.site.surface(dig.soil);
-  if (!is_full_ &&
-      surface.heights[at(target_.cell)] > target_.floor + dig.tolerance) {
-    stage.reject(task.task,
-                 fmt::format("bucket {}: {} does not get down to the soil at {}",
-                             task.account.outcome.motion_dig->buckets.size() + 1,
-                             stage.robot_spec(stage.spec(task.task).robot).name,
-                             place_text(task, stage)));
+  if (!is_full_ && surface.heights[at(target_.cell)] > target_.floor + dig.tolerance) {
+    stage.reject(task.task, fmt::format("bucket {}: {} does not get down to the soil at {}",
+                                        task.account.outcome.motion_dig->buckets.size() + 1,
+                                        stage.robot_spec(stage.spec(task.task).robot).name,
+                                        place_text(task, stage)));
     return false;
   }
   if (auto* const trace = stage.trace_of(task.task)) {

@@ -79,15 +79,15 @@ class DigActivity : public Activity {
   std::shared_ptr<const std::vector<int>> cells_;  // shared: never changed
   soil::BiteRules rules_;
   std::vector<soil::BucketBox> boxes_;  ///< of the bucket, in the frame of its body
-  std::set<int> put_off_;  ///< cells that no cut can reach
+  std::set<int> put_off_;               ///< cells that no cut can reach
   soil::DigTarget target_;
   soil::Bite bite_;
-  std::vector<double> q_entering_;  ///< where the bucket went in from
-  Ticks entered_ = 0;               ///< when
+  std::vector<double> q_entering_;        ///< where the bucket went in from
+  Ticks entered_ = 0;                     ///< when
   std::map<int, soil::Millimetres> cut_;  ///< by this bucket: new heights
   soil::CubicMillimetres cut_volume_ = 0;
   BucketOutcome bucket_;
-  int passes_ = 0;         ///< of this bucket
+  int passes_ = 0;  ///< of this bucket
   bool is_full_ = false;
   hauling::TruckRounds trucks_;
 };

@@ -9,8 +9,8 @@
 
 namespace rubicon::taskplan {
 
-/// Whether the task is rejected because others, machines too, stand on the component, which it takes
-/// away.
+/// Whether the task is rejected because others, machines too, stand on the component, which it
+/// takes away.
 bool undercuts(ActiveTask& task, Stage& stage, int component);
 
 /// What takes no time: weighs, takes up, sets down or removes a component. Only people in whose

@@ -72,11 +72,11 @@ struct BucketOutcome {
 
 /// What a robot dug by its own motions.
 struct MotionDigOutcome {
-  std::string earth, trucks;                  ///< names; "": no trucks
-  soil::CubicMillimetres volume = 0;          ///< of the task
+  std::string earth, trucks;                    ///< names; "": no trucks
+  soil::CubicMillimetres volume = 0;            ///< of the task
   soil::CubicMillimetres bucket = 0, load = 0;  ///< that a bucket, a truck takes at most
-  Ticks time = 0;                             ///< worked, to the last tip
-  Ticks waited = 0;                           ///< of that for trucks
+  Ticks time = 0;                               ///< worked, to the last tip
+  Ticks waited = 0;                             ///< of that for trucks
   std::vector<BucketOutcome> buckets;
   std::vector<hauling::Load> loads;    ///< in the order in which they were tipped
   std::vector<hauling::Queue> queues;  ///< of stages that serve

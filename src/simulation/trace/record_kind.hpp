@@ -29,7 +29,7 @@ enum class RecordKind : std::uint8_t {
   stop,
   guide,
   way_point,
-  turn,   ///< of a hanging load, by people
+  turn,    ///< of a hanging load, by people
   moving,  ///< something with a timetable stops or goes on
   soil     ///< a bucket has taken it
 };

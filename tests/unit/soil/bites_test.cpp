@@ -30,7 +30,7 @@ TEST(BucketFill, LowersTheCellsThatItIsOver) {
   const Terrain bottom = flat(10, 10, 200, -1000);
   const BucketBox box{{-0.3, -0.2, -0.5}, {0.3, 0.2, 0.5}};
   BucketFill bucket(surface, bottom, {box}, 1'000'000'000, 50);
-  bucket.pass(math::translation(1, 1, 0.2));  // from x 0.7 to 1.3, y 0.8 to 1.2, z -0.3
+  bucket.pass(math::translation(1, 1, 0.2));    // from x 0.7 to 1.3, y 0.8 to 1.2, z -0.3
   EXPECT_EQ(bucket.changes().size(), 4U * 2U);  // the first and last column by half of it
   for (const auto& [cell, height] : bucket.changes()) EXPECT_EQ(height, -300) << cell;
   EXPECT_EQ(bucket.volume(), 8LL * 200 * 200 * 300);
@@ -104,8 +104,7 @@ struct Machine {
       put_off.erase(target->cell);
       ASSERT_FALSE(bites.empty()) << "bucket " << buckets << ", cell " << target->cell;
       const Bite& bite = bites.front();
-      BucketFill bucket(surface, bottom, rules.boxes, rules.room, rules.tolerance,
-                        rules.spread);
+      BucketFill bucket(surface, bottom, rules.boxes, rules.room, rules.tolerance, rules.spread);
       const int steps = 1 + static_cast<int>((bite.far - bite.near) / 0.03);
       for (int i = 0; i <= steps; ++i) {
         const double distance = bite.far - (bite.far - bite.near) * i / steps;

@@ -320,7 +320,8 @@ std::vector<std::int64_t> read_heights(const JsonFields& fields, const char* nam
   }
   if (heights.size() != count) fields.fail(fmt::format("a height for each cell as '{}'", name));
   for (const std::int64_t height : heights) {
-    if (std::llabs(height) > 100'000'000) fields.fail(fmt::format("heights on earth as '{}'", name));
+    if (std::llabs(height) > 100'000'000)
+      fields.fail(fmt::format("heights on earth as '{}'", name));
   }
   return heights;
 }

@@ -202,10 +202,10 @@ struct SceneMotionDig {
   std::int64_t volume = 0, bucket = 1, tolerance = 0;
   Pose X_WE = Pose::Identity();
   int columns = 1;
-  std::int64_t cell = 1;                ///< mm, its side
-  std::vector<int> cells;               ///< that are dug, ascending
+  std::int64_t cell = 1;                    ///< mm, its side
+  std::vector<int> cells;                   ///< that are dug, ascending
   std::vector<std::int64_t> before, after;  ///< to each of them
-  Vec3 p_W = Vec3::Zero();              ///< where buckets are emptied
+  Vec3 p_W = Vec3::Zero();                  ///< where buckets are emptied
   std::optional<SceneWork> fill, dump;
   int trucks = 0;  ///< 0: none
   std::int64_t load = 0;

@@ -135,8 +135,7 @@ class ContactCheck {
   bool may_enter(int robot, const Leg& each, const RobotPart& part,
                  const Obstacle& obstacle) const {
     if (each.run < 0 || obstacle.component < 0 || runs_[at(each.run)].task < 0) return false;
-    if (cuts_.allow(each, obstacle.component) &&
-        part.name == tool_name(robot)) {
+    if (cuts_.allow(each, obstacle.component) && part.name == tool_name(robot)) {
       return true;
     }
     const auto& entered = trace_.scene.tasks[at(runs_[at(each.run)].task)].entered;

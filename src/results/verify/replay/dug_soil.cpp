@@ -177,8 +177,9 @@ class DigReplay {
     const double side = static_cast<double>(dig_.cell) * 1e-3;
     const double x = cell % dig_.columns * side;
     const double y = cell / dig_.columns * side;
-    const std::int64_t scraped = height == bottom ? dig_.tolerance : 0;
-    const double low = static_cast<double>(height + scraped) * 1e-3 + kPlaceSlack;
+    // what is left within the tolerance of the bottom comes away, all or some of it
+    const double low =
+        static_cast<double>(std::max(height, bottom + dig_.tolerance)) * 1e-3 + kPlaceSlack;
     return std::any_of(places.begin(), places.end(), [&](const Bounds& place) {
       return place.lower.x() <= x + side + kTrimmed && place.upper.x() >= x - kTrimmed &&
              place.lower.y() <= y + side + kTrimmed && place.upper.y() >= y - kTrimmed &&
@@ -216,7 +217,8 @@ class DigReplay {
   /// The least time of the stages up to and with this one.
   Ticks least_time(std::size_t last) const {
     double sum = 0;
-    for (std::size_t i = 0; i <= last && i < dig_.stages.size(); ++i) sum += least_of(dig_.stages[i]);
+    for (std::size_t i = 0; i <= last && i < dig_.stages.size(); ++i)
+      sum += least_of(dig_.stages[i]);
     return static_cast<Ticks>(sum / dig_.efficiency * static_cast<double>(kSecond) * (1 - 1e-9));
   }
 

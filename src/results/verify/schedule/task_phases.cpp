@@ -117,9 +117,7 @@ class PhaseCheck {
   bool follow(const Wait&) { return in_motion("an attempt"); }
   bool follow(const Stop&) { return in_motion("a stop"); }
 
-  bool digs() const {
-    return next_ < phases_.size() && phases_[next_].kind == Phase::Kind::dig;
-  }
+  bool digs() const { return next_ < phases_.size() && phases_[next_].kind == Phase::Kind::dig; }
 
   /// Whether the last motion of a dig has come to its goal.
   bool has_reached() {
