@@ -266,7 +266,11 @@ RUBICON_EXPECT(dig_trucks, "the name of the crew of trucks after load");
 RUBICON_EXPECT(dig_stage_takes, "takes");
 RUBICON_EXPECT(dig_server, "a name after by");
 RUBICON_EXPECT(dig_part, "dig", Explain::item,
-               "load swell density bed payload bucket fill_factor efficiency loaded limit");
+               "load swell density bed payload bucket fill_factor efficiency loaded limit layer "
+               "tolerance clearance cut carry open dump");
+RUBICON_EXPECT(dig_attitude_frame, "a frame, such as roty(90)");
+RUBICON_EXPECT(dig_dump_at, "at after dump");
+RUBICON_EXPECT(dig_dump_frame, "a place, such as trans(2, 6, 3.5)");
 RUBICON_EXPECT(cover_number_value, "a number");
 RUBICON_EXPECT(cover_word_value, "a word");
 RUBICON_EXPECT(cover_joint_after, "after");

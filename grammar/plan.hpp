@@ -626,7 +626,8 @@ struct dig_number_key
                 word<TAO_PEGTL_STRING("bed")>, word<TAO_PEGTL_STRING("payload")>,
                 word<TAO_PEGTL_STRING("bucket")>, word<TAO_PEGTL_STRING("fill_factor")>,
                 word<TAO_PEGTL_STRING("efficiency")>, word<TAO_PEGTL_STRING("loaded")>,
-                word<TAO_PEGTL_STRING("limit")>>> {};
+                word<TAO_PEGTL_STRING("limit")>, word<TAO_PEGTL_STRING("layer")>,
+                word<TAO_PEGTL_STRING("tolerance")>, word<TAO_PEGTL_STRING("clearance")>>> {};
 struct dig_number_value : quantity {};
 struct dig_number : if_must<dig_number_key, dig_number_value, plan_semicolon> {};
 struct dig_load_key : token<word<TAO_PEGTL_STRING("load")>> {};
@@ -640,7 +641,17 @@ struct dig_stage_takes : token<word<TAO_PEGTL_STRING("takes")>> {};
 struct dig_server : qualified_indexed_name {};
 struct dig_stage : if_must<dig_stage_key, dig_stage_takes, duration,
                            opt<if_must<by_key, dig_server>>, plan_semicolon> {};
-struct dig_part : sor<dig_load, dig_number, dig_stage> {};
+/// How a machine that digs holds its tool, and where it empties it.
+struct dig_attitude_key : token<sor<word<TAO_PEGTL_STRING("cut")>, word<TAO_PEGTL_STRING("carry")>,
+                                    word<TAO_PEGTL_STRING("open")>>> {};
+struct dig_attitude_frame : frame {};
+struct dig_attitude : if_must<dig_attitude_key, dig_attitude_frame, plan_semicolon> {};
+struct dig_dump_key
+    : token<seq<word<TAO_PEGTL_STRING("dump")>, at<space, word<TAO_PEGTL_STRING("at")>>>> {};
+struct dig_dump_at : token<word<TAO_PEGTL_STRING("at")>> {};
+struct dig_dump_frame : frame {};
+struct dig_dump : if_must<dig_dump_key, dig_dump_at, dig_dump_frame, plan_semicolon> {};
+struct dig_part : sor<dig_load, dig_dump, dig_number, dig_stage, dig_attitude> {};
 struct whole_dig_part : must<dig_part> {};
 struct dig_parts : nested<star<not_at<block_end>, recover<whole_dig_part, item_end>>> {};
 struct dig_key : token<word<TAO_PEGTL_STRING("dig")>> {};

@@ -109,7 +109,11 @@ class DigCheck {
       subject_.twice(clause.key.span, key + " is given twice", first->second);
       return;
     }
-    if (clause.is_stage) {
+    if (clause.frame || key == "layer" || key == "tolerance" || key == "clearance") {
+      wrong(clause.key.span,
+            fmt::format("{} is of a dig by a robot, and here crews dig by durations", key),
+            "by EXCAVATOR; where EXCAVATOR is a robot");
+    } else if (clause.is_stage) {
       take_stage(clause);
     } else if (clause.trucks) {
       const auto found = subject_.crews.find(clause.trucks->text);

@@ -256,7 +256,9 @@ class SoilTaker {
       if (work.last_dig[cell] >= 0) dig.after.insert(work.last_dig[cell]);
       work.last_dig[cell] = static_cast<int>(work.digs.size()) - 1;
     }
-    DugSoil soil{index, add_component(earth, dug), dug.volume};
+    DugSoil soil{index, add_component(earth, dug), dug.volume,
+                 std::make_shared<const soil::Terrain>(earth.after),
+                 std::make_shared<const soil::Terrain>(dug.after)};
     earth.after = dug.after;
     return soil;
   }

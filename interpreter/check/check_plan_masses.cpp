@@ -26,6 +26,7 @@ void check_equilibrium_masses(Subject& subject, std::map<int, Span>& said) {
   std::set<int> soils;
   for (const TaskSpec& task : subject.model.tasks) {
     if (task.dig) soils.insert(task.dig->soil);
+    if (task.motion_dig) soils.insert(task.motion_dig->soil);
   }
   for (std::size_t i = 0; i < subject.model.components.size(); ++i) {
     const ComponentSpec& component = subject.model.components[i];

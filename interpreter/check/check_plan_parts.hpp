@@ -52,6 +52,7 @@ struct DugSoil {
   int earth = -1;
   int component = -1;
   soil::CubicMillimetres volume = 0;
+  std::shared_ptr<const soil::Terrain> before = {}, after = {};  // shared: they are large
 };
 
 /// Who digs in an earth.
@@ -214,6 +215,10 @@ std::optional<DigSpec> resolve_dig(Subject& subject, const syntax::DigItem& item
                                    const std::optional<DugSoil>& soil,
                                    const std::vector<CrewUnits>& diggers,
                                    const std::function<int(int crew)>& units_of);
+/// How the robot of a task digs with its own body; nothing after P01, P02, P09, P55.
+std::optional<MotionDigSpec> resolve_motion_dig(Subject& subject, const syntax::DigItem& item,
+                                                const DugSoil& soil, const RobotSpec& robot,
+                                                const std::function<int(int crew)>& units_of);
 /// The law of a duration; nothing after P09, P52, F01.
 std::optional<sampling::DurationLaw> resolve_law(Subject& subject,
                                                  const syntax::DurationLaw& written);

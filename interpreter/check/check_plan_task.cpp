@@ -344,12 +344,15 @@ class TaskChecker {
                      "make it two tasks");
       return;
     }
-    if (robot() != nullptr || !task_.also_robots.empty()) {
-      const int first = task_.robot >= 0 ? task_.robot : task_.also_robots.front();
+    if (!task_.also_robots.empty()) {
       subject_.error("P55", by_ == nullptr ? dig_->place() : by_->span,
-                     fmt::format("dig goes by durations, and '{}' is a robot, which moves",
-                                 name_of_robot(first)),
-                     "write diggers and trucks as crews: crew trucks { size 4; cost 85 per h; }");
+                     fmt::format("one robot digs, and '{}' is another",
+                                 name_of_robot(task_.also_robots.front())),
+                     "a task for each robot, with a part of the pit");
+      return;
+    }
+    if (robot() != nullptr) {
+      check_motion_dig(diggers);
       return;
     }
     if (!task_.takes.empty()) {
@@ -369,6 +372,47 @@ class TaskChecker {
     work.span = dig_->span;
     work.duration = static_cast<double>(task_.dig->result.time) / hauling::kPerSecond;
     task_.takes.push_back(work);
+  }
+
+  /// A robot digs with its own body.
+  void check_motion_dig(const std::vector<int>& crews) {
+    const std::string name = name_of_robot(task_.robot);
+    if (!dig_->earth) {
+      subject_.error("P55", dig_->place(),
+                     fmt::format("robot '{}' digs in an earth, and a volume has no place", name),
+                     "dig ground to box(4, -1, -2, 8, 1, 1) { ... }, or a crew in place of the "
+                     "robot");
+      return;
+    }
+    if (!task_.takes.empty()) {
+      subject_.error("P55", task_.takes.front().span,
+                     "a task that digs takes as long as its rounds: no takes beside dig");
+      return;
+    }
+    if (!task_.via.empty() || robot()->fleet >= 0) {
+      subject_.error("P55", dig_->place(),
+                     robot()->fleet >= 0
+                         ? fmt::format("'{}' drives in a fleet: it does not dig", name)
+                         : "a task that digs has no waypoints of its own");
+      return;
+    }
+    if (!all_known_ || !robot()->robot || !robot()->robot->usable) return;
+    for (const int crew : crews) {
+      for (const syntax::DigItem::Clause& clause : dig_->clauses) {
+        if (!clause.trucks) continue;
+        const auto trucks = subject_.crews.find(clause.trucks->text);
+        if (trucks == subject_.crews.end() || trucks->second != crew) continue;
+        subject_.error("P55", clause.trucks->span,
+                       fmt::format("crew '{}' works with the robot and hauls; expected two crews",
+                                   clause.trucks->text));
+        return;
+      }
+    }
+    const auto soil = take_soil(subject_, scope_, *dig_, item_);
+    if (!soil) return;
+    task_.motion_dig = resolve_motion_dig(subject_, *dig_, *soil, *robot(),
+                                          [&](int crew) { return units_of(crew); });
+    if (task_.motion_dig) task_.remove.push_back(soil->component);
   }
 
   void refuse_both(Span span) {

@@ -63,6 +63,7 @@ int count_uncertain(const PlanModel& plan) {
   int count = static_cast<int>(uncertain_durations(plan).size());
   for (const TaskSpec& task : plan.tasks) {
     if (task.dig) count += task.dig->operation.uncertain_stages();
+    if (task.motion_dig) count += task.motion_dig->hauls.uncertain_stages();
   }
   return count;
 }

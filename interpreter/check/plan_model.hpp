@@ -251,6 +251,29 @@ struct DigSpec {
   hauling::Result result;  ///< with the means, or as its durations were drawn
 };
 
+/// How a robot digs a pit bucket by bucket, with its own body. How long that takes comes out of its
+/// motions. The tool is held to the heading frame {H}: the way from where the robot stands to the
+/// tool, level, is its x, up its z.
+struct MotionDigSpec {
+  int earth = -1;
+  int soil = -1;  ///< the component that is dug away
+  /// The ground of the earth without the digs before this one, and without this one, too.
+  std::shared_ptr<const soil::Terrain> before, after;  // shared: they are large, and tasks copied
+  soil::CubicMillimetres volume = 0;                   ///< bank volume, all of the task
+  soil::CubicMillimetres bucket = 0;                   ///< bank volume that a bucket takes at most
+  double swell = 0;
+  soil::Millimetres layer = 0;      ///< of the depth of a layer
+  soil::Millimetres tolerance = 0;  ///< what is left so little above the bottom comes away with it
+  double clearance = 0.5;           ///< m above the soil, before a cut and after it
+  math::Pose X_HT_cut = math::Pose::Identity();    ///< rotations
+  math::Pose X_HT_carry = math::Pose::Identity();  ///< as it comes to the place where it is emptied
+  std::optional<math::Pose> X_HT_open = {};
+  math::Vec3 p_WD = math::Vec3::Zero();  ///< where it is emptied
+  WorkSpec fill, dump;                   ///< of no duration where the plan gives none
+  int trucks = -1;                       ///< index into crews, -1: the soil vanishes where it falls
+  hauling::Operation hauls;              ///< with trucks: their loads and stages
+};
+
 struct TaskSpec {
   std::string name;
   int robot = -1;                                 ///< index into robots, -1 none
@@ -260,6 +283,7 @@ struct TaskSpec {
   std::optional<GoalSpec> go;
   std::optional<CoverSpec> cover = {};  ///< then `via` and `go` are its way
   std::optional<DigSpec> dig = {};
+  std::optional<MotionDigSpec> motion_dig = {};
   std::vector<int> remove;  ///< component indices
   std::optional<WorkSpec> hook, adjust, release;
   std::vector<WorkSpec> takes;

@@ -753,6 +753,12 @@ RUBICON_ACTION(PlanAction, PlanState, dig_load) {
   if (st.dig_clause.is_timed) st.take_dig_duration();
   st.add_dig_clause();
 }
+RUBICON_ACTION(PlanAction, PlanState, dig_attitude_key) { st.begin_dig_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, dig_attitude_frame) { st.dig_clause.frame = st.take_frame(); }
+RUBICON_ACTION(PlanAction, PlanState, dig_attitude) { st.add_dig_clause(); }
+RUBICON_ACTION(PlanAction, PlanState, dig_dump_key) { st.begin_dig_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, dig_dump_frame) { st.dig_clause.frame = st.take_frame(); }
+RUBICON_ACTION(PlanAction, PlanState, dig_dump) { st.add_dig_clause(); }
 RUBICON_ACTION(PlanAction, PlanState, dig_stage_key) {
   st.begin_dig_clause(begin);
   st.dig_clause.is_stage = true;

@@ -656,6 +656,7 @@ struct DigItem {
     std::optional<Number> duration;  ///< of load and of stages
     std::optional<DurationLaw> law;  ///< in place of the duration
     std::optional<Name> by;          ///< of stages: who serves
+    std::optional<Frame> frame;      ///< of cut, carry, open, and dump at
     bool is_stage = false;
     bool is_timed = false;  ///< load takes ...
   };

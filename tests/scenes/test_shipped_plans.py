@@ -220,6 +220,30 @@ class FoundationPit(Shipped):
                 self.assertGreaterEqual(task["start"], dug, name)
 
 
+class TrenchDug(Shipped):
+    plan = "trench_dug"
+    test_no_machine_is_ever_in_another = None
+    test_no_machine_is_ever_in_a_zone = None
+    test_no_load_is_ever_above_people = None
+
+    def test_all_of_the_trench_is_in_its_buckets(self):
+        dig = self.run_1.tasks["dig_trench"]["motion_dig"]
+        soils = self.run_1.of_type("soil")
+        # 3.8 x 1.2 x 2 m in the ground, in whole mm3
+        self.assertEqual(sum(soil["volume"] for soil in soils), 3800 * 1200 * 2000)
+        self.assertAlmostEqual(dig["dug"], 9.12, 9)
+        self.assertLess(dig["buckets"], 9.12 / 0.76 + 8)
+
+    def test_each_cell_ends_at_the_bottom(self):
+        heights = {}
+        for soil in self.run_1.of_type("soil"):
+            for cell, height in zip(soil["cells"], soil["heights"]):
+                self.assertLess(height, heights.get(cell, 0))
+                heights[cell] = height
+        self.assertEqual(len(heights), 19 * 6)
+        self.assertEqual(set(heights.values()), {-2000})
+
+
 class Ceiling(Shipped):
     plan = "ceiling"
     is_upright = False

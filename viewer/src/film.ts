@@ -30,6 +30,15 @@ export interface MovingStop {
   t: number;
 }
 
+/** A bucket of soil: cells of the component that were lowered, and their new heights (mm). */
+export interface SoilTaken {
+  run: number;
+  component: number;
+  t: number;
+  cells: number[];
+  heights: number[];
+}
+
 /** How a robot moved; docs/film.md says how its keys stand in the columns. */
 export interface Track {
   robot: number;
@@ -52,6 +61,7 @@ interface Head {
   schedule: ScheduleData | null;
   flow?: FlowData | null;
   movings?: MovingStop[];
+  soils?: SoilTaken[];
   end: number;
   strings: string[];
   places: [number, number, number][];
@@ -77,6 +87,7 @@ export class Film {
   readonly flow: FlowData | null;
   /** In the order in which they happened. */
   readonly movingStops: MovingStop[];
+  readonly soils: SoilTaken[];
   readonly end: number;
   readonly runs: Run[];
   readonly tracks: Track[];
@@ -104,6 +115,7 @@ export class Film {
     for (const { calendar, dates } of this.schedule?.lost_days ?? []) {
       this.header.calendars.find(({ name }) => name === calendar)?.off.push(...dates);
     }
+    this.soils = this.head.soils ?? [];
     this.records = this.head.columns['record.kind']?.count ?? 0;
   }
 

@@ -85,6 +85,8 @@ export interface TaskData {
   /** Of a task that digs in an earth: the component that it takes away. */
   dig?: { soil?: string };
   choices?: { dig?: { soil?: string } }[];
+  /** Of a task whose robot digs: the cells of its pit (heights in mm). */
+  motion_dig?: { soil: string; pose: PoseRows; columns: number; cell: number; cells: number[]; before: number[]; after: number[] };
   zones: ShapeData[];
   after: { task: string; type: string; lag: number }[];
   attributes?: Record<string, string>;
@@ -165,6 +167,19 @@ export interface ScheduledTask {
   /** Waypoints that its motions left without reaching them. */
   missed?: string[];
   dig?: DigData;
+  motion_dig?: MotionDigData;
+}
+
+/** What a robot dug bucket by bucket (m3 of bank volume), and the parts of a cycle on average (s). */
+export interface MotionDigData {
+  dug: number;
+  buckets: number;
+  working: number;
+  per_hour: number;
+  cost_per_m3?: number;
+  loads?: number;
+  waited?: number;
+  mean: { cycle: number; to_the_cut: number; cut: number; swing: number; dump: number };
 }
 
 /** What a task dug (m3 of bank volume), and the queues of its trucks (s). */

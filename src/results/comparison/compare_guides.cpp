@@ -149,6 +149,8 @@ const char* motion_name(taskplan::MotionPurpose purpose) {
       return "carry";
     case taskplan::MotionPurpose::place:
       return "place";
+    case taskplan::MotionPurpose::dig:
+      return "dig";
     case taskplan::MotionPurpose::go:
       break;
   }

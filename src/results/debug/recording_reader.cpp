@@ -221,6 +221,11 @@ void RecordingReader::fill(Event& event, const trace::Removal& removal) {
   event.text = recording_.texts.add(removal.component);
 }
 
+void RecordingReader::fill(Event& event, const trace::Soil& soil) {
+  event.text = recording_.texts.add(soil.component);
+  event.value = soil.volume;
+}
+
 void RecordingReader::fill(Event& event, const trace::MotionEnd& end) {
   event.text = recording_.texts.add(end.status);
   if (!end.message.empty()) event.other = recording_.texts.add(end.message);

@@ -92,7 +92,7 @@ std::string duration_text(const Event& event) { return seconds_text(event.t - ev
 
 std::string pause_text(const std::string& why, const std::string& whom) {
   if (why == "machine") return whom + " was in the way";
-  if (why == "crew") return "waited for " + whom;
+  if (why == "crew" || why == "truck") return "waited for " + whom;
   if (why == "held") return "was done, and held by its link to " + whom;
   if (why == "repair") return whom + " was under repair";
   if (why == "lift") return "its lift waited for a shift: " + whom;
@@ -165,6 +165,8 @@ std::string record_text(const Recording& recording, const TaskRun& run, const Ev
     case EventKind::breakdown:
     case EventKind::lost_days:
       break;
+    case EventKind::soil:
+      return fmt::format("the bucket has taken {:.3f} m3 of {}", event.value * 1e-9, text);
     case EventKind::way_point:
       return fmt::format("waypoint {} of {} of the guide begins", event.n, event.value);
   }

@@ -132,6 +132,7 @@ void apply(const Event& event, TaskState& state) {
     case EventKind::cold_joint:
     case EventKind::breakdown:
     case EventKind::lost_days:
+    case EventKind::soil:
       break;
   }
   state.t = event.t;

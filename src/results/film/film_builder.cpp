@@ -63,6 +63,15 @@ void FilmBuilder::record(const trace::Record& record) {
   if (record.kind() == RecordKind::breakdown || record.kind() == RecordKind::lost_days) return;
   const int run = run_of(record);
   const double t = time_of(record, runs_[run]);
+  if (const auto* soil = std::get_if<trace::Soil>(&record.what)) {
+    soils_.push_back({run,
+                      component(soil->component),
+                      t,
+                      {soil->cells.begin(), soil->cells.end()},
+                      {soil->heights.begin(), soil->heights.end()}});
+    runs_[run].last = t;
+    return;
+  }
   columns_.kind.add(static_cast<int>(record.kind()));
   columns_.run.add(run);
   columns_.t.add(millionths(t, "a time"));

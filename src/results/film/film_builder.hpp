@@ -53,6 +53,7 @@ class FilmBuilder {
   void write(const trace::Breakdown&, int) {}
   void write(const trace::LostDays&, int) {}
   void write(const trace::ColdJoint& joint, int run);
+  void write(const trace::Soil&, int) {}  // in soils_
 
   std::int64_t string(std::string_view text) { return strings_.number(text); }
   std::int64_t place(const trace::InText& place);
@@ -73,6 +74,14 @@ class FilmBuilder {
     double delay = 0, t = 0;
   };
   std::vector<MovingStop> movings_;
+  /// Buckets of soil, as they are dug.
+  struct SoilTaken {
+    int run = 0;
+    std::int64_t component = 0;
+    double t = 0;
+    std::vector<double> cells, heights;  ///< whole numbers; mm
+  };
+  std::vector<SoilTaken> soils_;
 };
 
 }  // namespace rubicon::film

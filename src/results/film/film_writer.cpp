@@ -99,6 +99,24 @@ Film FilmBuilder::finish(std::string_view schedule, std::string_view flow) {
     }
     head += ",\"movings\":" + json.end_array().take();
   }
+  if (!soils_.empty()) {
+    const auto list = [](trace::JsonBuilder& json, const char* name,
+                         const std::vector<double>& values) {
+      json.key(name).begin_array();
+      for (const double value : values) json.value(value);
+      json.end_array();
+    };
+    trace::JsonBuilder json;
+    json.begin_array();
+    for (const SoilTaken& each : soils_) {
+      json.begin_object().field("run", each.run).field("component", each.component);
+      json.field("t", each.t);
+      list(json, "cells", each.cells);
+      list(json, "heights", each.heights);
+      json.end_object();
+    }
+    head += ",\"soils\":" + json.end_array().take();
+  }
   head += ",\"end\":";
   trace::append_number(head, runs_.end());
   head += ",\"strings\":" + strings_json(strings_);

@@ -124,6 +124,11 @@ struct GoldenMembers {
     event["by"] = moving.by;
     event["time"] = time_json(moving.t);
   }
+  void operator()(const trace::Soil& soil) const {
+    event["component"] = soil.component;
+    event["volume"] = number_json(soil.volume);
+    event["cells"] = soil.cells.size();
+  }
   // Crew work, pauses, removals, joints, breakdowns and lost days are in the schedule.
   void operator()(const trace::ColdJoint&) const {}
   void operator()(const trace::Work&) const {}
@@ -161,7 +166,7 @@ const trace::RecordKinds kWanted = {
     trace::RecordKind::attempt,    trace::RecordKind::wait,  trace::RecordKind::attach,
     trace::RecordKind::detach,     trace::RecordKind::end,   trace::RecordKind::task_end,
     trace::RecordKind::stop,       trace::RecordKind::guide, trace::RecordKind::way_point,
-    trace::RecordKind::turn};
+    trace::RecordKind::soil,       trace::RecordKind::turn};
 
 }  // namespace
 

@@ -70,32 +70,86 @@ std::string production_table(const taskplan::Schedule& schedule) {
   return columns(rows, {1, 2, 3, 4, 5, 6, 7});
 }
 
+bool dug_by_robot(const TaskOutcome& task) {
+  return task.motion_dig && task.result == taskplan::TaskResult::done;
+}
+
+std::optional<double> cost_per_dug_metre(const TaskOutcome& task) {
+  const double volume = cubic_metres(task.motion_dig->dug());
+  return volume > 0 ? std::optional(task.cost / volume) : std::nullopt;
+}
+
+/// What robots dug, and the parts of their cycles: seconds, on average.
+std::string bucket_table(const taskplan::Schedule& schedule) {
+  std::vector<Row> rows = {
+      {"digs", "m3", "buckets", "m3 a bucket", "loads", "working", "for trucks", "m3 per h"}};
+  std::vector<Row> parts = {{"cycles", "mean", "to the cut", "cut", "swing", "dump"}};
+  if (schedule.costed) {
+    rows.front().push_back(schedule.currency.empty() ? "cost per m3"
+                                                     : schedule.currency + " per m3");
+  }
+  const auto seconds = [](double value) { return fmt::format("{:.1f} s", value); };
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (!dug_by_robot(task)) continue;
+    const taskplan::MotionDigOutcome& dig = *task.motion_dig;
+    const double volume = cubic_metres(dig.dug());
+    const bool has_trucks = !dig.trucks.empty();
+    rows.push_back({task.task, fmt::format("{:.1f}", volume), fmt::format("{}", dig.buckets.size()),
+                    fmt::format("{:.2f}", volume / static_cast<double>(dig.buckets.size())),
+                    has_trucks ? fmt::format("{}", dig.loads.size()) : "-",
+                    time_text(interpreter::seconds_from_ticks(dig.time)),
+                    has_trucks ? time_text(interpreter::seconds_from_ticks(dig.waited)) : "-",
+                    fmt::format("{:.1f}", dig.per_hour())});
+    const auto per_volume = cost_per_dug_metre(task);
+    if (schedule.costed) {
+      rows.back().push_back(per_volume ? fmt::format("{:.3f}", *per_volume) : "-");
+    }
+    parts.push_back({task.task, seconds(dig.mean_cycle()), seconds(dig.mean_return()),
+                     seconds(dig.mean_dig()), seconds(dig.mean_swing()), seconds(dig.mean_dump())});
+  }
+  return columns(rows, {1, 2, 3, 4, 5, 6, 7, 8}) + "\n" + columns(parts, {1, 2, 3, 4, 5});
+}
+
+void add_queues(const std::string& task, const std::vector<Queue>& queues,
+                hauling::Nanoseconds time, std::vector<Row>& rows) {
+  for (const Queue& queue : queues) {
+    rows.push_back({fmt::format("{}.{}", task, queue.name),
+                    queue.servers == 1 ? queue.by : fmt::format("{} ({})", queue.by, queue.servers),
+                    fmt::format("{}", queue.served), time_text(queue.mean_wait()),
+                    time_text(static_cast<double>(queue.longest) / kPerSecond),
+                    fmt::format("{:.2f}", queue.mean_length(time)),
+                    fmt::format("{:.1f} %", 100 * queue.utilisation(time))});
+  }
+}
+
 std::string queue_table(const taskplan::Schedule& schedule) {
   std::vector<Row> rows = {
       {"queues", "before", "trucks", "mean wait", "longest", "that wait", "busy"}};
   for (const TaskOutcome& task : schedule.tasks) {
-    if (!dug(task)) continue;
-    const Result& result = task.dig->result;
-    for (const Queue& queue : result.queues) {
-      rows.push_back(
-          {fmt::format("{}.{}", task.task, queue.name),
-           queue.servers == 1 ? queue.by : fmt::format("{} ({})", queue.by, queue.servers),
-           fmt::format("{}", queue.served), time_text(queue.mean_wait()),
-           time_text(static_cast<double>(queue.longest) / kPerSecond),
-           fmt::format("{:.2f}", queue.mean_length(result.time)),
-           fmt::format("{:.1f} %", 100 * queue.utilisation(result.time))});
+    if (dug(task)) add_queues(task.task, task.dig->result.queues, task.dig->result.time, rows);
+    if (dug_by_robot(task)) {
+      add_queues(task.task, task.motion_dig->queues, task.motion_dig->time, rows);
     }
   }
-  return columns(rows, {2, 3, 4, 5, 6});
+  return rows.size() > 1 ? columns(rows, {2, 3, 4, 5, 6}) : std::string();
 }
 
 }  // namespace
 
 std::string earthwork_table(const taskplan::Schedule& schedule) {
-  if (std::none_of(schedule.tasks.begin(), schedule.tasks.end(), dug)) return {};
-  std::string text = production_table(schedule) + "\n" + queue_table(schedule);
+  const auto any = [&](const auto& holds) {
+    return std::any_of(schedule.tasks.begin(), schedule.tasks.end(), holds);
+  };
+  std::vector<std::string> tables;
+  if (any(dug)) tables.push_back(production_table(schedule));
+  if (any(dug_by_robot)) tables.push_back(bucket_table(schedule));
+  if (tables.empty()) return {};
+  tables.push_back(queue_table(schedule));
+  if (tables.back().empty()) tables.pop_back();
+  std::string text = fmt::format("{}", fmt::join(tables, "\n"));
   const auto by_means = [](const TaskOutcome& task) {
-    return dug(task) && task.dig->operation.uncertain_stages() > 0;
+    return (dug(task) && task.dig->operation.uncertain_stages() > 0) ||
+           (dug_by_robot(task) && task.motion_dig->uncertain);
   };
   if (!schedule.sample && std::any_of(schedule.tasks.begin(), schedule.tasks.end(), by_means)) {
     text +=
@@ -104,6 +158,18 @@ std::string earthwork_table(const taskplan::Schedule& schedule) {
   }
   return text;
 }
+
+namespace {
+
+void write_queue(trace::JsonBuilder& json, const Queue& queue, hauling::Nanoseconds time) {
+  json.begin_object().field("stage", queue.name).field("by", queue.by);
+  json.field("servers", queue.servers).field("served", queue.served);
+  json.field("mean_wait", queue.mean_wait()).key("longest_wait").seconds(queue.longest);
+  json.field("mean_length", queue.mean_length(time));
+  json.field("utilisation", queue.utilisation(time)).end_object();
+}
+
+}  // namespace
 
 void write_dig(trace::JsonBuilder& json, const TaskOutcome& task, bool is_costed) {
   const hauling::Operation& operation = task.dig->operation;
@@ -118,14 +184,31 @@ void write_dig(trace::JsonBuilder& json, const TaskOutcome& task, bool is_costed
   json.field("trucks", operation.trucks).field("mean_loading", operation.mean_loading());
   json.field("mean_round", operation.mean_round());
   json.field("match_factor", operation.match_factor()).key("queues").begin_array();
-  for (const Queue& queue : result.queues) {
-    json.begin_object().field("stage", queue.name).field("by", queue.by);
-    json.field("servers", queue.servers).field("served", queue.served);
-    json.field("mean_wait", queue.mean_wait()).key("longest_wait").seconds(queue.longest);
-    json.field("mean_length", queue.mean_length(result.time));
-    json.field("utilisation", queue.utilisation(result.time)).end_object();
-  }
+  for (const Queue& queue : result.queues) write_queue(json, queue, result.time);
   json.end_array().end_object();
+}
+
+void write_motion_dig(trace::JsonBuilder& json, const TaskOutcome& task, bool is_costed) {
+  const taskplan::MotionDigOutcome& dig = *task.motion_dig;
+  json.key("motion_dig").begin_object().field("earth", dig.earth);
+  json.field("volume", cubic_metres(dig.volume)).field("dug", cubic_metres(dig.dug()));
+  json.field("buckets", static_cast<std::int64_t>(dig.buckets.size()));
+  json.field("bucket", cubic_metres(dig.bucket)).key("working").seconds(dig.time);
+  json.field("per_hour", dig.per_hour());
+  const auto per_volume = cost_per_dug_metre(task);
+  if (is_costed && per_volume) json.field("cost_per_m3", *per_volume);
+  json.key("mean").begin_object().field("cycle", dig.mean_cycle());
+  json.field("to_the_cut", dig.mean_return()).field("cut", dig.mean_dig());
+  json.field("swing", dig.mean_swing()).field("dump", dig.mean_dump()).end_object();
+  if (!dig.trucks.empty()) {
+    json.field("trucks", dig.truck_count).field("load", cubic_metres(dig.load));
+    json.field("loads", static_cast<std::int64_t>(dig.loads.size()));
+    json.key("waited").seconds(dig.waited);
+    json.key("queues").begin_array();
+    for (const Queue& queue : dig.queues) write_queue(json, queue, dig.time);
+    json.end_array();
+  }
+  json.end_object();
 }
 
 std::string loads_csv(const interpreter::PlanModel& plan, const taskplan::Schedule& schedule) {
@@ -133,19 +216,27 @@ std::string loads_csv(const interpreter::PlanModel& plan, const taskplan::Schedu
   const auto seconds = [](hauling::Nanoseconds time) {
     return static_cast<double>(time) / kPerSecond;
   };
+  const auto add = [&](const TaskOutcome& task, const std::string& by, const hauling::Load& load) {
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.6f}\r\n",
+                   csv_field(task.task), load.number, load.truck + 1, csv_field(by),
+                   seconds(load.arrived), seconds(load.began), seconds(load.loaded),
+                   seconds(load.tipped), cubic_metres(load.volume));
+  };
   for (const TaskOutcome& task : schedule.tasks) {
-    if (!dug(task)) continue;
+    const bool has_loads = dug_by_robot(task) && !task.motion_dig->trucks.empty();
+    if (!dug(task) && !has_loads) continue;
     if (text.empty()) text = "task,load,truck,by,arrived,began,loaded,tipped,volume\r\n";
+    if (has_loads) {
+      for (const hauling::Load& load : task.motion_dig->loads) add(task, task.robot, load);
+      continue;
+    }
     const hauling::Operation& operation = task.dig->operation;
     std::optional<hauling::Draws> draws;
     if (plan.sample) draws = {plan.sample->seed, plan.sample->run, task.task};
     simulate(operation, draws, [&](const hauling::Load& load) {
-      const std::string by =
-          load.diggers < 0 ? "" : operation.diggers[static_cast<std::size_t>(load.diggers)].name;
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.6f}\r\n",
-                     csv_field(task.task), load.number, load.truck + 1, csv_field(by),
-                     seconds(load.arrived), seconds(load.began), seconds(load.loaded),
-                     seconds(load.tipped), cubic_metres(load.volume));
+      add(task,
+          load.diggers < 0 ? "" : operation.diggers[static_cast<std::size_t>(load.diggers)].name,
+          load);
     });
   }
   return text;

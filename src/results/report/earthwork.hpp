@@ -14,6 +14,9 @@ std::string earthwork_table(const taskplan::Schedule& schedule);
 /// The same of one task that digs, as member "dig" of its object.
 void write_dig(trace::JsonBuilder& json, const taskplan::TaskOutcome& task, bool is_costed);
 
+/// The same of one whose robot digs, as member "motion_dig".
+void write_motion_dig(trace::JsonBuilder& json, const taskplan::TaskOutcome& task, bool is_costed);
+
 /// loads.csv: each load of each task that is done, from the arrival of its truck in the queue to
 /// where it was tipped (s of working time since the task began, m3 of bank volume); "" where nobody
 /// dug.

@@ -123,6 +123,9 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   if (task.dig && task.result == taskplan::TaskResult::done) {
     write_dig(json, task, schedule.costed);
   }
+  if (task.motion_dig && task.result == taskplan::TaskResult::done) {
+    write_motion_dig(json, task, schedule.costed);
+  }
   if (!task.choice.empty()) json.field("choice", std::string_view(task.choice));
   json.end_object();
   return json.take();

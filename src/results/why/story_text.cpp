@@ -210,7 +210,7 @@ std::string motion_text(const TaskStory& story, const Motion& motion) {
 
 std::string pause_text(const Span& pause) {
   if (pause.what == "machine") return pause.whom + " was in the way";
-  if (pause.what == "crew") return "waited for " + pause.whom;
+  if (pause.what == "crew" || pause.what == "truck") return "waited for " + pause.whom;
   if (pause.what == "held") return "was done, and held by its link to " + pause.whom;
   if (pause.what == "repair") return pause.whom + " was under repair";
   return "out of shift";

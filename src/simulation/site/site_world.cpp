@@ -106,6 +106,11 @@ std::vector<collision::ObstacleId> SiteWorld::entered_by(int robot, int body) co
   for (const auto& [entering, component] : entry(robot).entered) {
     const auto& id = components_[static_cast<std::size_t>(component)].id;
     if (entering == body && id) ids.push_back(*id);
+    const auto soil = entering == body ? soils_.find(component) : soils_.end();
+    if (soil == soils_.end()) continue;
+    for (std::size_t i = 0; i < soil->second.ids.size(); ++i) {
+      if (soil->second.stands[i]) ids.push_back(*soil->second.ids[i]);
+    }
   }
   return ids;
 }
@@ -148,6 +153,7 @@ void SiteWorld::set_component_state(int component, const ComponentState& state) 
     obstacles_.put_back(*one.id, one.body, one.X_WO);
     names_[*one.id] = one.name;
   }
+  show_soil(component, true);
   ++changes_;
 }
 
@@ -359,6 +365,7 @@ void SiteWorld::look_up(Component& component) const {
 void SiteWorld::lift(Component& component) {
   if (component.id) erase(*component.id);
   component.id.reset();
+  show_soil(static_cast<int>(&component - components_.data()), false);
   component.standing = false;
   note_change(component);
   ++changes_;

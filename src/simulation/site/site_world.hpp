@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "interpreter/program/world.hpp"
+#include "src/earth/soil/terrain.hpp"
 #include "src/fleets/traffic/traffic.hpp"
 #include "src/motion/collision/swept_query.hpp"
 #include "src/simulation/site/load.hpp"
@@ -128,6 +129,17 @@ class SiteWorld {
   void detach(int robot);
   /// The component leaves the site.
   void remove(int component);
+
+  // site_soil.cpp: soil that is dug bit by bit
+  /// From now on the component, which stands, is what lies between two surfaces, in its own frame;
+  /// it is in the way as pieces of a few cells, of which only those change that are dug in.
+  void open_soil(int component, soil::Terrain surface, std::shared_ptr<const soil::Terrain> bottom);
+  /// The soil of a component that was opened; null: it was not.
+  const soil::Terrain* surface(int component) const;
+  /// New heights of cells of it.
+  void set_surface(int component, const std::map<int, soil::Millimetres>& heights);
+  /// As it was before it was opened.
+  void close_soil(int component, const ComponentState& before);
 
   /// The robot makes a step and stands at q (cyclic angles reduced) when it is over; at once where
   /// it takes no time or moves nothing. It takes the place of a step in progress.
@@ -267,6 +279,21 @@ class SiteWorld {
     int exempt_robot = -1;
   };
 
+  /// Soil that is dug, as pieces of kPiece x kPiece cells. A piece keeps its rank among the
+  /// obstacles.
+  struct Soil {
+    soil::Terrain surface;
+    std::shared_ptr<const soil::Terrain> bottom;  // shared: it is large, and the plan's
+    std::vector<std::optional<collision::ObstacleId>> ids;
+    std::vector<bool> stands;  ///< to each piece: there is something of it
+  };
+  static constexpr int kPiece = 6;
+  void set_piece(const Component& component, Soil& soil, int piece);
+  static int pieces_in_row(const Soil& soil) {
+    return (soil.surface.columns + kPiece - 1) / kPiece;
+  }
+  void show_soil(int component, bool stands);
+
   RobotEntry& entry(int index) { return robots_[static_cast<std::size_t>(index)]; }
   const RobotEntry& entry(int index) const { return robots_[static_cast<std::size_t>(index)]; }
   collision::ObstacleId insert(const std::string& name, const collision::BodyPtr& body,
@@ -307,6 +334,7 @@ class SiteWorld {
   collision::CollisionWorld obstacles_;
   std::map<collision::ObstacleId, std::string> names_;
   std::vector<Component> components_;
+  std::map<int, Soil> soils_;     ///< by component
   std::vector<int> with_people_;  ///< components in or on which people are
   std::vector<int> component_changes_;
   std::vector<RobotEntry> robots_;

@@ -76,7 +76,9 @@ void Support::follow() {
     const int component = changes[read_];
     if (!surfaces_[at(component)]) continue;
     take_away(component);
-    if (site_.stands(component)) place(component, site_.X_WO(component));
+    // Soil that is being dug carries nothing.
+    if (site_.stands(component) && site_.surface(component) == nullptr)
+      place(component, site_.X_WO(component));
   }
 }
 

@@ -74,14 +74,16 @@ bool leaves_others(ActiveTask& task, Stage& stage, int component) {
 bool undermines(ActiveTask& task, Stage& stage, int component) {
   constexpr double kStandsWithin = 0.05;  // m above the soil
   const interpreter::TaskSpec& spec = stage.spec(task.task);
-  if (!stage.support || !spec.dig || spec.dig->soil != component) return false;
+  const bool digs = (spec.dig && spec.dig->soil == component) ||
+                    (spec.motion_dig && spec.motion_dig->soil == component);
+  if (!stage.support || !digs) return false;
   std::vector<geometry::Shape> above =
       stage.plan.components[static_cast<std::size_t>(component)].shapes;
   for (geometry::Shape& shape : above) {
     shape.X_BS = stage.site.X_WO(component) * shape.X_BS;
     shape.X_BS.translation().z() += kStandsWithin;
   }
-  const std::optional<int> robot = stage.site.machine_in({above, {}}, -1);
+  const std::optional<int> robot = stage.site.machine_in({above, {}}, spec.robot);
   if (!robot) return false;
   std::vector<int> involved;
   for (int other = 0; other < stage.plan_tasks(); ++other) {
@@ -117,6 +119,10 @@ bool unbalances(ActiveTask& task, Stage& stage, int component, const math::Pose&
 }
 
 }  // namespace
+
+bool undercuts(ActiveTask& task, Stage& stage, int component) {
+  return leaves_others(task, stage, component) || undermines(task, stage, component);
+}
 
 Step HandlingActivity::begin(ActiveTask& task, Stage& stage) {
   switch (task.now().kind) {
@@ -257,9 +263,9 @@ Step HandlingActivity::remove(ActiveTask& task, Stage& stage) {
     stage.reject(task.task, stage.gone(component), stage.users_of(component));
     return Step::pending;
   }
-  if (leaves_others(task, stage, component) || undermines(task, stage, component)) {
-    return Step::pending;
-  }
+  // Soil that was dug bit by bit was looked at before.
+  const bool was_dug = stage.site.surface(component) != nullptr;
+  if (!was_dug && undercuts(task, stage, component)) return Step::pending;
   stage.site_changes.remove(component);
   if (auto* const trace = stage.trace_of(task.task)) {
     trace->remove(stage.site.component_name(component), stage.now());

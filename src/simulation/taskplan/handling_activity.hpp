@@ -9,6 +9,10 @@
 
 namespace rubicon::taskplan {
 
+/// Whether the task is rejected because others, machines too, stand on the component, which it
+/// takes away.
+bool undercuts(ActiveTask& task, Stage& stage, int component);
+
 /// What takes no time: weighs, takes up, sets down or removes a component. Only people in whose
 /// zone it stands, and the hours of a lift that begins with it, keep it from being taken up.
 class HandlingActivity : public Activity {

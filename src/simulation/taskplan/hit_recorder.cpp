@@ -61,6 +61,7 @@ void HitRecorder::attempt(const interpreter::Attempt& attempt) {
     note(hit.pair);
     open_.push_back(hit);
   }
+  if (keeps_way_ && attempt.accepted) way_.emplace_back(attempt.q.begin(), attempt.q.end());
   if (next_) next_->attempt(attempt);
 }
 

@@ -37,6 +37,12 @@ class HitRecorder : public interpreter::EventSink {
   void note(const interpreter::HitPair& pair) {
     met_.emplace(pair.machine, pair.machine >= 0 ? std::string() : pair.met);
   }
+  /// From now on the configurations after each step are kept, or no more.
+  void keep_way(bool keeps) {
+    keeps_way_ = keeps;
+    if (keeps) way_.clear();
+  }
+  const std::vector<std::vector<double>>& way() const { return way_; }
   void forget() {
     open_.clear();
     given_way_.clear();
@@ -61,6 +67,8 @@ class HitRecorder : public interpreter::EventSink {
   std::vector<RecordedHit> given_way_;  ///< oldest first
   std::set<std::pair<int, std::string>> met_;
   int way_point_ = 1;
+  bool keeps_way_ = false;
+  std::vector<std::vector<double>> way_;
 };
 
 }  // namespace rubicon::taskplan

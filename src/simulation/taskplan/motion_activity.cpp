@@ -72,7 +72,7 @@ Step MotionActivity::begin(ActiveTask& task, Stage& stage) {
       return Step::pending;
     }
   }
-  goals_ = goals_of(stage.plan, spec, purpose, stage.site);
+  goals_ = leg_ ? leg_->goals : goals_of(stage.plan, spec, purpose, stage.site);
   if (purpose == MotionPurpose::grip) task.X_WO = stage.site.X_WO(*spec.move);
   budget_ = spec.budget.value_or(stage.plan.budget);
   waits_ = 0;
@@ -131,10 +131,13 @@ Step MotionActivity::start_machine(ActiveTask& task, Stage& stage) {
   interpreter::MotionTask motion;
   motion.goals = goals_;
   motion.situations = situations_of(stage.plan, spec, purpose);
-  motion.guides = spec.guides;
+  if (leg_) motion.situations.push_back(leg_->situation);
+  if (!leg_ || leg_->guided) motion.guides = spec.guides;
   motion.within = within_of(stage.plan, spec, purpose);
   motion.clauses = spec.clauses;
-  stage.site.let_enter(spec.robot, spec.clauses.entered);
+  std::vector<std::pair<int, int>> entered = spec.clauses.entered;
+  if (leg_) entered.insert(entered.end(), leg_->entered.begin(), leg_->entered.end());
+  stage.site.let_enter(spec.robot, std::move(entered));
   motion.budget = budget_;
   motion.full_budget = spec.budget.value_or(stage.plan.budget);
   motion.first_n = task.account.outcome.tried + 1;
@@ -321,6 +324,7 @@ Step MotionActivity::end_motion(ActiveTask& task, Stage& stage) {
     const std::string component = spec.move ? stage.site.component_name(*spec.move) : std::string();
     std::string reason =
         task_reason(outcome.motions.back(), task.hits.last(), component, stage.sources);
+    if (leg_) reason = leg_->what + ": " + reason;
     const bool spent = end.status == MotionStatus::budget;
     if (spent && waits_ > 0) reason += "; " + text_of_waits(task, stage);
     stage.reject(task.task, std::move(reason), stage.in_the_way_of(task));

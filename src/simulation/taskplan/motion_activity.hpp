@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interpreter/machine/machine.hpp"
@@ -14,10 +15,24 @@
 
 namespace rubicon::taskplan {
 
+/// A motion that the plan does not give as such: one of those of a task that digs.
+struct MotionLeg {
+  std::vector<interpreter::GoalSpec> goals;
+  std::string situation;                     ///< that is on meanwhile
+  std::vector<std::pair<int, int>> entered;  ///< bodies of the robot, components they may cut into
+  bool guided = true;                        ///< by the guides of the task
+  std::string what;                          ///< before the reason why it cannot be made
+};
+
 /// A motion of a task's robot: its script runs until it is at the goal, waits for machines in its
 /// way, and is tried again when they have moved.
 class MotionActivity : public Activity {
  public:
+  /// To the goals of its task.
+  MotionActivity() = default;
+  /// To goals that were found on the way.
+  explicit MotionActivity(MotionLeg leg)
+      : leg_(std::make_shared<const MotionLeg>(std::move(leg))) {}
   Step begin(ActiveTask& task, Stage& stage) override;
   Step resume(ActiveTask& task, Stage& stage) override;
   WaitSet waits(const ActiveTask& task, const Stage& stage) const override;
@@ -54,6 +69,7 @@ class MotionActivity : public Activity {
   void refund_waits(const Stage& stage);
   std::string text_of_waits(const ActiveTask& task, const Stage& stage) const;
 
+  std::shared_ptr<const MotionLeg> leg_;  // shared: never changed; null: that of the phase
   Doing doing_ = Doing::moving;
   Ticks since_ = 0;  ///< it waits for its shift or is under repair
   MachineWait wait_;

@@ -1,5 +1,6 @@
 #include "src/simulation/taskplan/phases.hpp"
 
+#include "src/simulation/taskplan/dig_activity.hpp"
 #include "src/simulation/taskplan/handling_activity.hpp"
 #include "src/simulation/taskplan/motion_activity.hpp"
 #include "src/simulation/taskplan/work_activity.hpp"
@@ -33,6 +34,9 @@ std::vector<Phase> phases_of(const interpreter::TaskSpec& task) {
     handle(Kind::detach, *task.move);
   }
   if (task.go) motion(MotionPurpose::go);
+  if (task.motion_dig) {
+    phases.push_back({Kind::dig, MotionPurpose::dig, nullptr, "", task.motion_dig->soil, false});
+  }
   for (const interpreter::WorkSpec& extra : task.takes) work(extra, "takes");
   for (const int component : task.remove) handle(Kind::remove, component);
   return phases;
@@ -44,6 +48,8 @@ std::unique_ptr<Activity> activity_of(const Phase& phase) {
       return std::make_unique<MotionActivity>();
     case Phase::Kind::work:
       return std::make_unique<WorkActivity>();
+    case Phase::Kind::dig:
+      return std::make_unique<DigActivity>();
     case Phase::Kind::weigh:
     case Phase::Kind::attach:
     case Phase::Kind::detach:

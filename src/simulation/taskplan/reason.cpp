@@ -32,6 +32,7 @@ std::string task_reason(const MotionOutcome& motion, const RecordedHit* hit,
     case MotionPurpose::place:
       return fmt::format("{}, while placing {}", reason, component);
     case MotionPurpose::go:
+    case MotionPurpose::dig:
       break;
   }
   return reason;

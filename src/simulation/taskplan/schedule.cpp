@@ -86,4 +86,50 @@ void add_attributes(const interpreter::PlanModel& plan, Schedule& schedule) {
   }
 }
 
+soil::CubicMillimetres MotionDigOutcome::dug() const {
+  soil::CubicMillimetres sum = 0;
+  for (const BucketOutcome& each : buckets) sum += each.volume;
+  return sum;
+}
+
+namespace {
+
+/// s, over the buckets of a dig.
+template <typename Time>
+double mean_seconds(const std::vector<BucketOutcome>& buckets, Time time) {
+  if (buckets.empty()) return 0;
+  Ticks sum = 0;
+  for (const BucketOutcome& each : buckets) sum += time(each);
+  return interpreter::seconds_from_ticks(sum) / static_cast<double>(buckets.size());
+}
+
+}  // namespace
+
+double MotionDigOutcome::mean_cycle() const {
+  return mean_seconds(buckets, [](const BucketOutcome& each) { return each.empty - each.begin; });
+}
+
+double MotionDigOutcome::mean_dig() const {
+  return mean_seconds(buckets, [](const BucketOutcome& each) { return each.raised - each.at_cut; });
+}
+
+double MotionDigOutcome::mean_swing() const {
+  return mean_seconds(buckets,
+                      [](const BucketOutcome& each) { return each.at_truck - each.raised; });
+}
+
+double MotionDigOutcome::mean_dump() const {
+  return mean_seconds(buckets,
+                      [](const BucketOutcome& each) { return each.empty - each.at_truck; });
+}
+
+double MotionDigOutcome::mean_return() const {
+  return mean_seconds(buckets, [](const BucketOutcome& each) { return each.at_cut - each.begin; });
+}
+
+double MotionDigOutcome::per_hour() const {
+  if (time == 0) return 0;
+  return static_cast<double>(dug()) * 1e-9 / (interpreter::seconds_from_ticks(time) / 3600);
+}
+
 }  // namespace rubicon::taskplan

@@ -23,7 +23,7 @@ enum class TaskResult { done, ended_short, rejected, not_reached };
 const char* name_of(TaskResult result);
 
 /// What a motion of a task is for.
-enum class MotionPurpose { grip, carry, place, go };
+enum class MotionPurpose { grip, carry, place, go, dig };
 
 /// One motion of a task and how it ended. One whose goal held already has no tries. A motion that
 /// waited for another machine and went on is several of these.
@@ -59,6 +59,41 @@ struct LiftOutcome {
   Ticks own = 0;       ///< of that it moved or was worked on
   Ticks overtime = 0;  ///< of that out of the shifts of all that it needs
   std::string why;     ///< "starts 07:00: 23 min do not fit before 12:00"
+};
+
+/// One bucket of a robot that digs. Times that are worked, from the beginning of its task.
+struct BucketOutcome {
+  soil::CubicMillimetres volume = 0;
+  int truck = -1;      ///< from 0; -1: none
+  Ticks begin = 0;     ///< it sets out for the cut
+  Ticks at_cut = 0;    ///< it is above it
+  Ticks raised = 0;    ///< it has cut, and is clear of the soil
+  Ticks at_truck = 0;  ///< where it is emptied
+  Ticks empty = 0;
+};
+
+/// What a robot dug by its own motions.
+struct MotionDigOutcome {
+  std::string earth, trucks;                    ///< names; "": no trucks
+  soil::CubicMillimetres volume = 0;            ///< of the task
+  soil::CubicMillimetres bucket = 0, load = 0;  ///< that a bucket, a truck takes at most
+  Ticks time = 0;                               ///< worked, to the last tip
+  Ticks waited = 0;                             ///< of that for trucks
+  std::vector<BucketOutcome> buckets;
+  std::vector<hauling::Load> loads;    ///< in the order in which they were tipped
+  std::vector<hauling::Queue> queues;  ///< of stages that serve
+  int truck_count = 0;
+  bool uncertain = false;  ///< stages of the trucks are
+
+  soil::CubicMillimetres dug() const;
+  /// Means over the buckets, s: of a whole cycle and of its parts.
+  double mean_cycle() const;
+  double mean_dig() const;
+  double mean_swing() const;
+  double mean_dump() const;
+  double mean_return() const;
+  /// m3 of bank volume in an hour that is worked.
+  double per_hour() const;
 };
 
 /// One task as it went. A rejected task leaves no mark: it takes no time.
@@ -98,7 +133,8 @@ struct TaskOutcome {
   /// joints of it.
   std::vector<coverage::LaidStretch> laid;
   std::optional<coverage::JointFindings> joints;
-  std::optional<interpreter::DigSpec> dig;  ///< of a task that digs
+  std::optional<interpreter::DigSpec> dig;     ///< of a task that digs by durations
+  std::optional<MotionDigOutcome> motion_dig;  ///< of a task whose robot digs
 
   /// How much later than `due` it was done; nothing if it is not done or not due.
   std::optional<Ticks> late() const;

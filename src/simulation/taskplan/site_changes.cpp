@@ -26,6 +26,25 @@ void SiteChanges::remove(int component) {
   site_.remove(component);
 }
 
+void SiteChanges::open_soil(int component, const interpreter::MotionDigSpec& dig) {
+  journal_.on_undo([&site = site_, component, before = site_.component_state(component)] {
+    site.close_soil(component, before);
+  });
+  site_.open_soil(component, *dig.before, dig.after);
+}
+
+void SiteChanges::set_surface(int component, const std::map<int, soil::Millimetres>& heights) {
+  std::map<int, soil::Millimetres> before;
+  for (const auto& each : heights) {
+    before.emplace(each.first,
+                   site_.surface(component)->heights[static_cast<std::size_t>(each.first)]);
+  }
+  journal_.on_undo([&site = site_, component, before = std::move(before)] {
+    site.set_surface(component, before);
+  });
+  site_.set_surface(component, heights);
+}
+
 void SiteChanges::hold_zone(int task, const std::string& task_name, const site::PeopleZone& zone,
                             int exempt_robot) {
   site_.hold_zone(task, task_name, zone, exempt_robot);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ class SiteChanges {
   /// Puts down what hangs on the robot.
   void detach(int robot);
   void remove(int component);
+  /// The component is soil from now on, which is dug bit by bit.
+  void open_soil(int component, const interpreter::MotionDigSpec& dig);
+  void set_surface(int component, const std::map<int, soil::Millimetres>& heights);
   /// People of `task` work in the shapes from now on.
   void hold_zone(int task, const std::string& task_name, const site::PeopleZone& zone,
                  int exempt_robot);

@@ -242,12 +242,23 @@ struct LostDays {
   Ticks t = 0;
 };
 
+/// A bucket has taken soil, and is clear of it.
+struct Soil {
+  std::string_view component;
+  double volume = 0;  ///< mm3, whole
+  Numbers cells;      ///< of the earth, counted along its rows from 0
+  Numbers heights;    ///< to each: its height now, mm
+  Ticks from = 0;     ///< since then the bucket may have been in the soil
+  Ticks t = 0;
+};
+
 /// One record of a trace. Its texts and lists belong to the reader that gave it.
 struct Record {
   /// In the order of RecordKind.
-  using What = std::variant<TaskStart, GoalStart, Assignment, LoopStart, LoopEnd, Choice, Attempt,
-                            Wait, Work, Pause, Attach, Detach, Removal, MotionEnd, TaskEnd, Stop,
-                            GuidePlan, WayPoint, Turn, Moving, ColdJoint, Breakdown, LostDays>;
+  using What =
+      std::variant<TaskStart, GoalStart, Assignment, LoopStart, LoopEnd, Choice, Attempt, Wait,
+                   Work, Pause, Attach, Detach, Removal, MotionEnd, TaskEnd, Stop, GuidePlan,
+                   WayPoint, Turn, Moving, ColdJoint, Breakdown, LostDays, Soil>;
 
   std::string_view task;
   std::string_view robot;  ///< "": crew work

@@ -230,6 +230,15 @@ struct RecordFields<LostDays> {
                  required<&LostDays::days>("days"), required<&LostDays::t>("t"));
 };
 
+template <>
+struct RecordFields<Soil> {
+  static constexpr RecordKind kKind = RecordKind::soil;
+  static constexpr auto kFields =
+      std::tuple(required<&Soil::component>("component"), required<&Soil::volume>("volume"),
+                 required<&Soil::cells>("cells"), required<&Soil::heights>("heights"),
+                 required<&Soil::from>("from"), required<&Soil::t>("t"));
+};
+
 /// What a member is in the text.
 enum class FieldType {
   text,

@@ -33,14 +33,15 @@ enum class RecordKind : std::uint8_t {
   moving,      ///< something with a timetable stops or goes on
   cold_joint,  ///< what a tool laid met what had lain for too long
   breakdown,   ///< of a machine, and its repair
-  lost_days    ///< of a calendar, by the weather
+  lost_days,   ///< of a calendar, by the weather
+  soil         ///< a bucket has taken it
 };
 
 /// As the member `type` writes them, in the order of RecordKind.
-inline constexpr std::array<std::string_view, 23> kRecordTypes = {
-    "task_start", "goal",      "set",    "enter",  "exit",       "which",     "try",      "wait",
-    "work",       "pause",     "attach", "detach", "remove",     "end",       "task_end", "stop",
-    "guide",      "way_point", "turn",   "moving", "cold_joint", "breakdown", "lost_days"};
+inline constexpr std::array<std::string_view, 24> kRecordTypes = {
+    "task_start", "goal",      "set",    "enter",  "exit",       "which",     "try",       "wait",
+    "work",       "pause",     "attach", "detach", "remove",     "end",       "task_end",  "stop",
+    "guide",      "way_point", "turn",   "moving", "cold_joint", "breakdown", "lost_days", "soil"};
 
 /// The kind of a record by its `type`; nothing for what is none, such as a header.
 constexpr std::optional<RecordKind> record_kind(std::string_view type) {

@@ -360,6 +360,19 @@ void write_stage_time(JsonBuilder& json, const hauling::StageTime& time) {
   if (time.law) write_law(json, *time.law);
 }
 
+/// What trucks do after loading.
+void write_stages(JsonBuilder& json, const hauling::Operation& operation) {
+  json.key("stages").begin_array();
+  for (const hauling::Stage& stage : operation.stages) {
+    json.begin_object().field("name", stage.name);
+    write_stage_time(json, stage.time);
+    if (stage.servers > 0) json.field("by", stage.by).field("servers", stage.servers);
+    json.end_object();
+  }
+  json.end_array().field("tip", operation.stages[operation.tip].name);
+  if (operation.efficiency < 1) json.field("efficiency", operation.efficiency);
+}
+
 /// How a task digs, with whole mm3 of bank volume, and what came of it.
 void write_dig(JsonBuilder& json, const PlanModel& plan, const interpreter::DigSpec& dig) {
   const hauling::Operation& operation = dig.operation;
@@ -380,18 +393,43 @@ void write_dig(JsonBuilder& json, const PlanModel& plan, const interpreter::DigS
   json.field("hauled_by", plan.crews[static_cast<std::size_t>(dig.trucks)].name);
   json.field("trucks", operation.trucks);
   if (operation.loaded > 0) json.field("loaded", operation.loaded);
-  json.key("stages").begin_array();
-  for (const hauling::Stage& stage : operation.stages) {
-    json.begin_object().field("name", stage.name);
-    write_stage_time(json, stage.time);
-    if (stage.servers > 0) json.field("by", stage.by).field("servers", stage.servers);
-    json.end_object();
-  }
-  json.end_array().field("tip", operation.stages[operation.tip].name);
-  if (operation.efficiency < 1) json.field("efficiency", operation.efficiency);
+  write_stages(json, operation);
   if (operation.until) json.key("limit").seconds(*operation.until);
   json.field("loads", dig.result.loads).field("tipped", dig.result.tipped);
   json.key("time").seconds(dig.result.time).end_object();
+}
+
+/// How a robot digs, with the ground that it digs cell by cell (mm).
+void write_motion_dig(JsonBuilder& json, const PlanModel& plan,
+                      const interpreter::MotionDigSpec& dig) {
+  const interpreter::EarthSpec& earth = plan.earths[static_cast<std::size_t>(dig.earth)];
+  json.key("motion_dig").begin_object().field("earth", earth.name);
+  json.field("soil", plan.components[static_cast<std::size_t>(dig.soil)].name);
+  json.field("volume", dig.volume).field("bucket", dig.bucket).field("layer", dig.layer);
+  json.field("tolerance", dig.tolerance).field("clearance", dig.clearance);
+  json.field("swell", dig.swell).key("pose").pose(earth.X_WE);
+  json.field("columns", dig.before->columns).field("cell", dig.before->cell);
+  std::vector<std::size_t> cells;
+  for (std::size_t i = 0; i < dig.before->heights.size(); ++i) {
+    if (dig.before->heights[i] > dig.after->heights[i]) cells.push_back(i);
+  }
+  json.key("cells").begin_array();
+  for (const std::size_t cell : cells) json.value(static_cast<std::int64_t>(cell));
+  json.end_array().key("before").begin_array();
+  for (const std::size_t cell : cells) json.value(dig.before->heights[cell]);
+  json.end_array().key("after").begin_array();
+  for (const std::size_t cell : cells) json.value(dig.after->heights[cell]);
+  json.end_array().key("place").begin_array();
+  for (const double value : {dig.p_WD.x(), dig.p_WD.y(), dig.p_WD.z()}) json.value(value);
+  json.end_array();
+  if (dig.fill.duration > 0) write_work(json.key("fill"), plan, dig.fill);
+  if (dig.dump.duration > 0) write_work(json.key("dump"), plan, dig.dump);
+  if (dig.trucks >= 0) {
+    json.field("hauled_by", plan.crews[static_cast<std::size_t>(dig.trucks)].name);
+    json.field("trucks", dig.hauls.trucks).field("load", dig.hauls.load);
+    write_stages(json, dig.hauls);
+  }
+  json.end_object();
 }
 
 void write_task_work(JsonBuilder& json, const PlanModel& plan, const interpreter::TaskSpec& task) {
@@ -404,6 +442,7 @@ void write_task_work(JsonBuilder& json, const PlanModel& plan, const interpreter
     json.end_array();
   }
   if (task.dig) write_dig(json, plan, *task.dig);
+  if (task.motion_dig) write_motion_dig(json, plan, *task.motion_dig);
   if (!task.remove.empty()) {
     json.key("remove").begin_array();
     for (const int component : task.remove) {

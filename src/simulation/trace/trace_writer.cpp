@@ -290,6 +290,30 @@ void TraceWriter::lost_days(std::string_view calendar, int of, const std::vector
   finish();
 }
 
+void TraceWriter::soil(std::string_view component, soil::CubicMillimetres volume,
+                       const std::map<int, soil::Millimetres>& heights, interpreter::Ticks from,
+                       interpreter::Ticks to) {
+  if (detail_ == TraceDetail::none) return;
+  begin("soil");
+  line_ += ",\"component\":";
+  append_string(line_, component);
+  fmt::format_to(std::back_inserter(line_), ",\"volume\":{},\"cells\":[", volume);
+  const char* separator = "";
+  for (const auto& each : heights) {
+    fmt::format_to(std::back_inserter(line_), "{}{}", separator, each.first);
+    separator = ",";
+  }
+  line_ += "],\"heights\":[";
+  separator = "";
+  for (const auto& each : heights) {
+    fmt::format_to(std::back_inserter(line_), "{}{}", separator, each.second);
+    separator = ",";
+  }
+  line_ += ']';
+  span_of_time(from, to);
+  finish();
+}
+
 void TraceWriter::motion_end(const interpreter::MotionEnd& end) {
   if (detail_ == TraceDetail::none) return;
   begin("end");

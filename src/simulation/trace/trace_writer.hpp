@@ -79,6 +79,10 @@ class TraceWriter : public interpreter::EventSink {
   /// Of the `of` days with working time that a calendar has up to `end` the weather took these.
   void lost_days(std::string_view calendar, int of, const std::vector<std::string>& days,
                  interpreter::Ticks end);
+  /// A bucket has taken so many mm3 of the component; cells and their new heights in mm.
+  void soil(std::string_view component, soil::CubicMillimetres volume,
+            const std::map<int, soil::Millimetres>& heights, interpreter::Ticks from,
+            interpreter::Ticks to);
   void motion_end(const interpreter::MotionEnd& end);
 
   void goal(int k, int n) override;

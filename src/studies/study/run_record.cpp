@@ -44,7 +44,13 @@ double value_of(const Question& question, const taskplan::Schedule& schedule) {
   };
   const auto of_dig = [&](const auto& use) {
     for (const taskplan::TaskOutcome& task : schedule.tasks) {
-      if (task.task == question.of && task.dig && task.dig->result.tipped > 0) return use(task);
+      if (task.task != question.of) continue;
+      if (task.dig && task.dig->result.tipped > 0) {
+        return use(task, task.dig->result.per_hour(), task.dig->result.tipped);
+      }
+      if (task.motion_dig && task.motion_dig->dug() > 0) {
+        return use(task, task.motion_dig->per_hour(), task.motion_dig->dug());
+      }
     }
     return kNotThere;
   };
@@ -68,11 +74,14 @@ double value_of(const Question& question, const taskplan::Schedule& schedule) {
     case Asked::task_finish:
       return of_task([](const taskplan::TaskOutcome& task) { return task.start + task.duration; });
     case Asked::production:
-      return of_dig([](const taskplan::TaskOutcome& task) { return task.dig->result.per_hour(); });
-    case Asked::unit_cost:
-      return of_dig([](const taskplan::TaskOutcome& task) {
-        return task.cost / (static_cast<double>(task.dig->result.tipped) / hauling::kPerCubicMetre);
+      return of_dig([](const taskplan::TaskOutcome&, double per_hour, hauling::CubicMillimetres) {
+        return per_hour;
       });
+    case Asked::unit_cost:
+      return of_dig(
+          [](const taskplan::TaskOutcome& task, double, hauling::CubicMillimetres volume) {
+            return task.cost / (static_cast<double>(volume) / hauling::kPerCubicMetre);
+          });
     case Asked::task_duration:
       break;
   }

@@ -287,8 +287,11 @@ void check_names(const StudyModel& study, const interpreter::PlanModel& plan,
   std::vector<std::string> digs;
   for (const auto& each : plan.tasks) {
     tasks.push_back(each.name);
-    const bool by_choice = !each.choices.empty() && each.choices.front().dig;
-    if (each.dig || by_choice) digs.push_back(each.name);
+    const auto digs_soil = [](const interpreter::TaskSpec& task) {
+      return task.dig || task.motion_dig;
+    };
+    const bool by_choice = !each.choices.empty() && digs_soil(each.choices.front());
+    if (digs_soil(each) || by_choice) digs.push_back(each.name);
   }
   std::vector<std::string> resources;
   for (const auto& each : plan.robots) resources.push_back(each.name);

@@ -124,6 +124,7 @@ std::vector<std::string> written_records() {
   writer.attach("slab", math::translation(1, 2, 3), kSecond);
   writer.detach("slab", math::rotation_z_deg(90), 2 * kSecond, kSecond);
   writer.remove("slab", 3 * kSecond);
+  writer.soil("slab", 1500, {{3, -20}, {7, 0}}, kSecond, 3 * kSecond);
   write_ends(writer);
   writer.task_end(2'500'000'000, "not reached", "a \"b\"");
   writer.stop(2 * kSecond);

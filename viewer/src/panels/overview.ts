@@ -148,7 +148,7 @@ function head(...names: string[]): HTMLElement {
 /** What tasks dug, how fast, and who waited for whom. */
 function earthworkOf(page: Page, schedule: ScheduleData): HTMLElement[] {
   const digs = schedule.tasks.flatMap(({ task, dig }) => (dig ? [{ task, dig }] : []));
-  if (digs.length === 0) return [];
+  if (digs.length === 0) return bucketsOf(page, schedule);
   const byName = runsByName(page);
   const isCosted = digs.some(({ dig }) => dig.cost_per_m3 !== undefined);
   const production = make('tbody');
@@ -167,7 +167,23 @@ function earthworkOf(page: Page, schedule: ScheduleData): HTMLElement[] {
   const note = 'Match factor below 1: diggers wait for trucks; above 1: trucks queue. m3 are of the volume in the ground, hours are worked.';
   return [make('h2', {}, 'Earthwork'), make('p', { class: 'muted' }, note),
     make('table', {}, head('Task', 'm3', 'Loads', 'm3 per h', 'Match factor', ...(isCosted ? [unit ? `${cut(unit, 12)} per m3` : 'Cost per m3'] : [])), production),
-    make('table', {}, head('Queue', 'Mean wait', 'Longest', 'Trucks in it', 'Busy'), queues)];
+    make('table', {}, head('Queue', 'Mean wait', 'Longest', 'Trucks in it', 'Busy'), queues), ...bucketsOf(page, schedule)];
+}
+
+/** What robots dug bucket by bucket. */
+function bucketsOf(page: Page, schedule: ScheduleData): HTMLElement[] {
+  const digs = schedule.tasks.flatMap(({ task, motion_dig: dig }) => (dig ? [{ task, dig }] : []));
+  if (digs.length === 0) return [];
+  const byName = runsByName(page);
+  const rows = make('tbody');
+  for (const { task, dig } of digs.slice(0, mostListed)) {
+    const { mean } = dig;
+    const cells = [number(dig.dug, 1), dig.buckets.toLocaleString('en-GB'), number(dig.per_hour, 1),
+      ...[mean.cycle, mean.to_the_cut, mean.cut, mean.swing, mean.dump].map((seconds) => `${number(seconds, 1)} s`)];
+    rows.append(make('tr', {}, make('th', { scope: 'row' }, taskButton(page, byName, task)), ...cells.map((text) => make('td', {}, text))));
+  }
+  return [make('h2', {}, 'Digging'), make('p', { class: 'muted' }, 'm3 are of the volume in the ground, hours are worked. A cycle and its parts, on average.'),
+    make('table', {}, head('Task', 'm3', 'Buckets', 'm3 per h', 'Cycle', 'To the cut', 'Cut', 'Swing', 'Dump'), rows)];
 }
 
 /** Which machines broke down, and when. */

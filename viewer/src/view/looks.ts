@@ -54,6 +54,8 @@ export class Looks {
     film.header.components.forEach((_, i) => this.component(i));
     film.header.robots.forEach((robot, r) => robot.bodies.forEach((_, i) => this.body(r, i)));
     model.movingPoses.forEach((_, i) => this.moving(i));
+    const soil = this.pair.size > 0 ? mixed(this.theme.soil, this.theme.skyBelow, dimmed) : this.theme.soil;
+    for (let i = 0; i < model.soils.count; ++i) model.soils.setLook(i, soil, 'plain');
     if (model.carry >= 0) this.put({ batch: 'machine', element: model.carry }, this.theme.carried, 'plain');
   }
 
@@ -63,7 +65,8 @@ export class Looks {
     const isSoil = this.soils.has(this.film.header.components[element].name);
     const colour = isSoil ? theme.soil : state === 'carried' ? theme.carried : state === 'waiting' ? theme.waiting
       : theme.components[this.kinds[element] % theme.components.length];
-    this.put({ batch: 'component', element }, colour, state === 'removed' ? 'hidden' : 'plain');
+    const isDrawn = state !== 'removed' && !this.model.soilComponents.has(element);
+    this.put({ batch: 'component', element }, colour, isDrawn ? 'plain' : 'hidden');
   }
 
   /** What keeps a timetable: people as their zones are, else as what stands. */

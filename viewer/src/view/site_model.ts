@@ -4,6 +4,7 @@ import type { Film, Track } from '../film';
 import type { RobotData, ShapeData } from '../header';
 import { Mechanism, poseMatrix, poseRows } from '../kinematics';
 import type { Motion } from '../motion';
+import { SoilCells } from '../soil_cells';
 import { Stock, turnLeft } from '../stock';
 import { Timetables } from '../timetable';
 import { Batch, type Light } from './batch';
@@ -60,6 +61,9 @@ export class SiteModel {
   /** What keeps a timetable, and where it is; null: not on the site. */
   readonly movings: Batch;
   readonly movingPoses: (Matrix4 | null)[];
+  /** Cells that robots dig, and the components that these are. */
+  readonly soils: Batch;
+  readonly soilComponents: Set<number>;
   readonly robots: Machine[];
   readonly stock: Stock;
   /** In its own frame, by component. */
@@ -81,6 +85,7 @@ export class SiteModel {
   private readonly shapes: Shapes;
   private readonly timetables: Timetables;
   private readonly digs: Digs;
+  private readonly soilCells: SoilCells;
   private readonly movingBounds: Box3[];
   private readonly parts = new Map<string, Part[]>();
 
@@ -89,6 +94,9 @@ export class SiteModel {
     this.shapes = new Shapes(film);
     this.stock = new Stock(film);
     this.digs = new Digs(film);
+    this.soilCells = new SoilCells(film);
+    this.soilComponents = this.soilCells.components;
+    this.soils = new Batch(this.shapes.surface(this.soilCells.shapes), this.soilCells.shapes.length, light);
     this.poses = this.stock.items.map((item) => item.pose.clone());
 
     const movings = this.shapes.surface((header.movings ?? []).map(({ shapes }) => shapes));
@@ -141,13 +149,13 @@ export class SiteModel {
     const longest = ({ min, max }: Box3) => Math.max(max.x - min.x, max.y - min.y);
     if (longest(bounds[ground]) <= longest(this.extent)) this.addOutline(bounds[ground], new Matrix4());
     this.extent.setFromPoints(this.outline);
-    this.still.add(this.site.mesh, this.components.mesh);
+    this.still.add(this.site.mesh, this.components.mesh, this.soils.mesh);
     this.moving.add(this.machines.mesh, this.envelopes.mesh, this.movings.mesh);
     this.nameParts();
   }
 
   get batches(): Batch[] {
-    return [this.site, this.components, this.machines, this.envelopes, this.movings, ...(this.loads ? [this.loads] : [])];
+    return [this.site, this.components, this.soils, this.machines, this.envelopes, this.movings, ...(this.loads ? [this.loads] : [])];
   }
 
   /** Brings everything to a moment (s); `tried` as in Stock. Returns the components that are not as they were. */
@@ -169,6 +177,10 @@ export class SiteModel {
     if (changed.size > 0) this.load();
     for (const i of changed) {
       if (!this.loaded.includes(i)) this.components.setPose(i, this.poses[i].copy(this.stock.items[i].pose));
+    }
+    for (const [i, frame] of this.soilCells.seek(time)) {
+      this.soils.setPose(i, frame);
+      for (const component of this.soilComponents) changed.add(component);
     }
     for (const [i, shrunk] of this.digs.seek(time, changed)) {
       changed.add(i);

@@ -357,7 +357,63 @@ SceneDig read_dig(const JsonFields& fields, Scene& scene) {
   return dig;
 }
 
-void read_task_work(const JsonFields& fields, Scene& scene, SceneTask& task) {
+std::vector<std::int64_t> read_heights(const JsonFields& fields, const char* name,
+                                       std::size_t count) {
+  std::vector<std::int64_t> heights;
+  for (const Json& value : fields.array(name)) {
+    if (!value.is_number_integer()) fields.fail(fmt::format("whole mm as '{}'", name));
+    heights.push_back(value.get<std::int64_t>());
+  }
+  if (heights.size() != count) fields.fail(fmt::format("a height for each cell as '{}'", name));
+  for (const std::int64_t height : heights) {
+    if (std::llabs(height) > 100'000'000)
+      fields.fail(fmt::format("heights on earth as '{}'", name));
+  }
+  return heights;
+}
+
+SceneMotionDig read_motion_dig(const JsonFields& fields, const Scene& scene) {
+  SceneMotionDig dig;
+  dig.soil = index_in(scene.component_index, fields.text("soil"), "a component");
+  dig.volume = volume_of(fields, "volume", 1);
+  dig.bucket = volume_of(fields, "bucket", 1);
+  dig.tolerance = volume_of(fields, "tolerance", 0);
+  dig.X_WE = fields.pose("pose");
+  dig.columns = integer_of(fields.any("columns"), "'columns'", 1, 1'000'000);
+  dig.cell = integer_of(fields.any("cell"), "'cell'", 1, 1'000'000);
+  for (const Json& value : fields.array("cells")) {
+    dig.cells.push_back(integer_of(value, "'cells'", 0, 1'000'000'000));
+    if (dig.cells.size() > 1 && dig.cells[dig.cells.size() - 2] >= dig.cells.back()) {
+      fields.fail("cells in their order");
+    }
+  }
+  dig.before = read_heights(fields, "before", dig.cells.size());
+  dig.after = read_heights(fields, "after", dig.cells.size());
+  const Json& place = fields.array("place");
+  if (place.size() != 3) fields.fail("three numbers as 'place'");
+  for (int i = 0; i < 3; ++i) {
+    dig.p_W[i] = number_of(place[static_cast<std::size_t>(i)], "a coordinate");
+  }
+  if (fields.has("fill")) dig.fill = read_work(fields.any("fill"), "fill", scene);
+  if (fields.has("dump")) dig.dump = read_work(fields.any("dump"), "dump", scene);
+  if (!fields.has("trucks")) return dig;
+  dig.trucks = integer_of(fields.any("trucks"), "'trucks'", 1, 1000000);
+  dig.load = volume_of(fields, "load", 1);
+  bool tips = false;
+  for (const Json& object : fields.array("stages")) {
+    const JsonFields stage(object, "a stage of a dig");
+    dig.stages.push_back(read_stage(stage, stage.text("name")));
+    if (dig.stages.back().name != fields.text("tip")) continue;
+    dig.tip = dig.stages.size() - 1;
+    tips = true;
+  }
+  if (!tips) fields.fail("the stage that tips");
+  if (fields.has("efficiency")) dig.efficiency = fields.number("efficiency");
+  if (!(dig.efficiency > 0)) fields.fail("an efficiency above 0");
+  return dig;
+}
+
+void read_task_work(const JsonFields& fields, const Scene& scene, SceneTask& task) {
   if (fields.has("hook")) task.hook = read_work(fields.any("hook"), "hook", scene);
   if (fields.has("adjust")) task.adjust = read_work(fields.any("adjust"), "adjust", scene);
   if (fields.has("release")) task.release = read_work(fields.any("release"), "release", scene);
@@ -365,6 +421,10 @@ void read_task_work(const JsonFields& fields, Scene& scene, SceneTask& task) {
     task.takes.push_back(read_work(work, "takes", scene));
   }
   if (fields.has("dig")) task.dig = read_dig(fields.object("dig"), scene);
+  if (fields.has("motion_dig")) {
+    task.motion_dig = read_motion_dig(fields.object("motion_dig"), scene);
+    if (task.robot < 0) fields.fail("a robot that digs");
+  }
   for (const Json& name : list_or_empty(fields, "remove")) {
     task.remove.push_back(
         index_in(scene.component_index, text_of(name, "'remove'"), "a component"));

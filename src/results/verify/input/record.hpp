@@ -89,6 +89,15 @@ struct LoadTurn {
   std::optional<std::pair<std::string, std::string>> hit;  ///< of the shorter way
 };
 
+/// A bucket has taken soil, since `from`, and is clear of it.
+struct SoilTaken {
+  int component = -1;
+  std::int64_t volume = 0;  ///< mm3
+  std::vector<int> cells;
+  std::vector<std::int64_t> heights;  ///< to each: its new one, mm
+  Ticks from = 0;
+};
+
 /// A motion ended.
 struct MotionEnd {
   std::string status;
@@ -126,7 +135,7 @@ struct Record {
   int robot = -1;  ///< -1: crew work
   Ticks time = 0;  ///< when it is over
   std::variant<TaskStart, Goal, Try, Wait, Stop, Work, Pause, LoadChange, LoadTurn, MotionEnd,
-               TaskEnd, GuidePlan, WayPoint, ColdJoint>
+               TaskEnd, GuidePlan, WayPoint, ColdJoint, SoilTaken>
       what;
 };
 

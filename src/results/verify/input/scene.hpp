@@ -218,6 +218,24 @@ struct SceneDig {
   Ticks time = 0;
 };
 
+/// How a robot digs with its own body; volumes in whole mm3, heights in mm.
+struct SceneMotionDig {
+  int soil = -1;  ///< component
+  std::int64_t volume = 0, bucket = 1, tolerance = 0;
+  Pose X_WE = Pose::Identity();
+  int columns = 1;
+  std::int64_t cell = 1;                    ///< mm, its side
+  std::vector<int> cells;                   ///< that are dug, ascending
+  std::vector<std::int64_t> before, after;  ///< to each of them
+  Vec3 p_W = Vec3::Zero();                  ///< where buckets are emptied
+  std::optional<SceneWork> fill, dump;
+  int trucks = 0;  ///< 0: none
+  std::int64_t load = 0;
+  std::vector<SceneStage> stages;
+  std::size_t tip = 0;
+  double efficiency = 1;
+};
+
 /// What a motion is to reach: values by parameter, or a pose X_WT.
 struct SceneGoal {
   std::vector<std::pair<int, double>> values;
@@ -269,6 +287,7 @@ struct SceneTask {
   bool whole = false;  ///< nothing may hang on its hook out of working time
   std::vector<SceneWork> takes;
   std::optional<SceneDig> dig;
+  std::optional<SceneMotionDig> motion_dig;
   std::vector<int> remove;
   std::vector<ShapeData> zones;           ///< in {W}
   std::vector<ShapeData> zones_overhead;  ///< where no load may hang, in {W}

@@ -65,6 +65,8 @@ class RecordReader {
       record_.what = read_turn();
     } else if (type == "cold_joint") {
       record_.what = read_cold_joint();
+    } else if (type == "soil") {
+      record_.what = read_soil();
     } else if (type == "end") {
       record_.what = read_end();
     } else if (type == "task_end") {
@@ -164,6 +166,25 @@ class RecordReader {
     joint.laid = fields_.time("laid");
     joint.joined = fields_.time("joined");
     return joint;
+  }
+
+  SoilTaken read_soil() const {
+    robot();
+    SoilTaken taken;
+    taken.component = component();
+    const Json& volume = fields_.any("volume");
+    if (!volume.is_number_integer()) fields_.fail("whole mm3 as 'volume'");
+    taken.volume = volume.get<std::int64_t>();
+    for (const Json& cell : fields_.array("cells")) {
+      taken.cells.push_back(integer_of(cell, "'cells'", 0, 1'000'000'000));
+    }
+    for (const Json& height : fields_.array("heights")) {
+      if (!height.is_number_integer()) fields_.fail("whole mm as 'heights'");
+      taken.heights.push_back(height.get<std::int64_t>());
+    }
+    if (taken.cells.size() != taken.heights.size()) fields_.fail("a height for each cell");
+    taken.from = fields_.time("from");
+    return taken;
   }
 
   Work read_work() const {

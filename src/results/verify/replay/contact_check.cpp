@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "src/motion/math/index.hpp"
+#include "src/results/verify/replay/dug_soil.hpp"
 
 namespace rubicon::verify {
 
@@ -30,7 +31,8 @@ class ContactCheck {
         tracks_(tracks),
         site_(site),
         movings_(movings),
-        faults_(faults) {
+        faults_(faults),
+        cuts_(trace, runs) {
     obstacles_ = site.obstacles;
     obstacles_.insert(obstacles_.end(), site.zones.begin(), site.zones.end());
     std::vector<Bounds> boxes;
@@ -124,10 +126,18 @@ class ContactCheck {
     });
   }
 
+  std::string tool_name(int robot) const {
+    const SceneRobot& one = trace_.scene.robots[at(robot)];
+    return one.name + "." + one.bodies[at(one.tool_body)].name;
+  }
+
   /// Whether the task says that the body may cut into the component.
   bool may_enter(int robot, const Leg& each, const RobotPart& part,
                  const Obstacle& obstacle) const {
     if (each.run < 0 || obstacle.component < 0 || runs_[at(each.run)].task < 0) return false;
+    if (cuts_.allow(each, obstacle.component) && part.name == tool_name(robot)) {
+      return true;
+    }
     const auto& entered = trace_.scene.tasks[at(runs_[at(each.run)].task)].entered;
     const std::string prefix = trace_.scene.robots[at(robot)].name + ".";
     return std::any_of(entered.begin(), entered.end(), [&](const auto& pair) {
@@ -354,6 +364,7 @@ class ContactCheck {
   const SiteParts& site_;
   const std::vector<MovingPath>& movings_;
   Faults& faults_;
+  Cuts cuts_;
   std::vector<Obstacle> obstacles_;
   BoxTree tree_;
   std::vector<std::vector<Bounds>> leg_boxes_;  ///< by robot and leg

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "src/motion/math/index.hpp"
+#include "src/results/verify/replay/dug_soil.hpp"
 #include "src/results/verify/replay/step_rules.hpp"
 
 namespace rubicon::verify {
@@ -84,7 +86,9 @@ SiteParts make_site_parts(const Trace& trace, const std::vector<TaskRun>& runs,
   for (const SceneComponent& component : scene.components) {
     parts.components.push_back(make_solid(component.shapes, scene.meshes));
   }
+  const std::set<int> dug = add_dug_soil(trace, runs, stays, parts.obstacles);
   for (const Stay& stay : stays) {
+    if (dug.contains(stay.component)) continue;
     const auto& solid = parts.components[at(stay.component)];
     if (!solid) continue;
     parts.obstacles.push_back({scene.components[at(stay.component)].name, solid, stay.X_WO,

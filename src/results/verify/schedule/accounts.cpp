@@ -65,7 +65,7 @@ class Bookkeeper {
   void add(const Pause& pause) {
     const Ticks time = record_->time - pause.from;
     if (pause.why == "machine") account_.machine += time;
-    if (pause.why == "crew") account_.crew += time;
+    if (pause.why == "crew" || pause.why == "truck") account_.crew += time;
     if (pause.why == "shift" || pause.why == "lift") account_.shift += time;
     if (pause.why == "held") account_.held += time;
     if (pause.why == "repair") account_.repair += time;

@@ -127,6 +127,12 @@ void WaitCheck::check_pauses(int index, Faults& faults) const {
                    std::llabs(each.until - record.time) <= kTimeSlack;
           });
       if (!known) fault(FaultKind::order, "its machine is repaired, and did not break down");
+    } else if (pause->why == "truck") {
+      const auto crew = trace_.scene.crew_index.find(pause->whom);
+      if (run.task < 0 || !trace_.scene.tasks[at(run.task)].motion_dig ||
+          crew == trace_.scene.crew_index.end()) {
+        fault(FaultKind::resource, "it waits for a truck, and loads none");
+      }
     } else if (pause->why == "held" && !finish_is_due(run, record.time)) {
       fault(FaultKind::link, "it is held to its finish, and no link ends that then");
     } else if (pause->why == "shift") {

@@ -106,6 +106,7 @@ class ClockCheck {
   void follow(const LoadChange&) { takes_no_time(); }
   void follow(const LoadTurn&) { takes_no_time(); }
   void follow(const ColdJoint&) { takes_no_time(); }
+  void follow(const SoilTaken&) { takes_no_time(); }
 
   void follow(const MotionEnd& end) {
     takes_no_time();

@@ -16,7 +16,7 @@ using math::at;
 
 /// What a task does, one after the other.
 struct Phase {
-  enum class Kind { motion, work, attach, detach, remove };
+  enum class Kind { motion, work, attach, detach, remove, dig };
   Kind kind = Kind::motion;
   bool must_reach = false;  ///< of a motion
   SceneWork work;           ///< of a work
@@ -44,6 +44,7 @@ std::vector<Phase> planned_phases(const Trace& trace, const TaskRun& run) {
   const SceneTask& task = trace.scene.tasks[at(run.task)];
   if (task.move >= 0) add_move(task, phases);
   if (task.goes) phases.push_back({Phase::Kind::motion, !trace.scene.short_form, {}, -1});
+  if (task.motion_dig) phases.push_back({Phase::Kind::dig, true, {}, task.motion_dig->soil});
   for (const SceneWork& work : task.takes) {
     if (work.time > 0) phases.push_back({Phase::Kind::work, false, work, -1});
   }
@@ -64,6 +65,8 @@ std::string describe(const Phase& phase, const Scene& scene) {
       return fmt::format("taking {}", component());
     case Phase::Kind::detach:
       return fmt::format("putting down {}", component());
+    case Phase::Kind::dig:
+      return fmt::format("digging {}", component());
     case Phase::Kind::remove:
       return fmt::format("removing {}", component());
   }
@@ -94,6 +97,10 @@ class PhaseCheck {
 
   /// The next phase, if it is of this kind; else what was expected instead is reported.
   const Phase* take(Phase::Kind kind, const std::string& found) {
+    if (digs()) {
+      if (!has_reached()) return nullptr;
+      ++next_;
+    }
     if (!leave_motions()) return nullptr;
     if (next_ < phases_.size() && phases_[next_].kind == kind) return &phases_[next_++];
     fault(fmt::format("expected {}, found {}", expected(), found));
@@ -111,7 +118,36 @@ class PhaseCheck {
   bool follow(const Stop&) { return in_motion("a stop"); }
   bool follow(const ColdJoint&) { return true; }
 
+  bool digs() const { return next_ < phases_.size() && phases_[next_].kind == Phase::Kind::dig; }
+
+  /// Whether the last motion of a dig has come to its goal.
+  bool has_reached() {
+    if (last_end_ == nullptr || last_end_->reached) return true;
+    fault(fmt::format("the digging goes on and its motion ended with '{}'", last_end_->status));
+    return false;
+  }
+
+  bool follow(const SoilTaken& taken) {
+    if (!digs() || phases_[next_].component != taken.component) {
+      fault(fmt::format("expected {}, found a bucket of soil", expected()));
+      return false;
+    }
+    return has_reached();
+  }
+
+  bool dig_work(const Work& work) {
+    const SceneMotionDig& dig = *trace_.scene.tasks[at(run_.task)].motion_dig;
+    const auto& planned = work.what == "fill" ? dig.fill : dig.dump;
+    const bool known = work.what == "fill" || work.what == "dump";
+    if (!known || !planned || work.crew >= 0 ||
+        std::llabs(planned->time - work.time) > kTimeSlack) {
+      fault(fmt::format("the work '{}' is not one of the digging, or not as long", work.what));
+    }
+    return has_reached();
+  }
+
   bool in_motion(const char* found) {
+    if (digs()) return true;
     if (next_ < phases_.size() && phases_[next_].kind == Phase::Kind::motion) return true;
     fault(fmt::format("expected {}, found {}", expected(), found));
     return false;
@@ -120,7 +156,7 @@ class PhaseCheck {
   bool follow(const MotionEnd& end) {
     if (!in_motion("the end of a motion")) return false;
     turning_.reset();
-    ++ends_;
+    if (!digs()) ++ends_;
     last_end_ = &end;
     return true;
   }
@@ -149,6 +185,7 @@ class PhaseCheck {
   }
 
   bool follow(const Work& work) {
+    if (digs()) return dig_work(work);
     const Phase* phase = take(Phase::Kind::work, fmt::format("the work '{}'", work.what));
     if (phase == nullptr) return false;
     if (phase->work.what != work.what) {

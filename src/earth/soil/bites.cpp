@@ -1,0 +1,289 @@
+#include "src/earth/soil/bites.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+
+#include "src/motion/math/angles.hpp"
+
+namespace rubicon::soil {
+
+namespace {
+
+/// A cut is looked at in steps of this share of a cell.
+constexpr double kStepOfCell = 0.25;
+/// Steps aside, either way, and back from the far edge of the cell.
+constexpr int kMostAside = 24;
+constexpr int kMostBack = 3;
+constexpr int kMostOn = 60;
+/// Steps of a cut, and m without any soil after which it is over.
+constexpr int kMostSteps = 2000;
+constexpr double kMostIdle = 1;
+/// m: what overlaps no deeper only touches.
+constexpr double kTouches = 1e-6;
+/// m: nothing is dug nearer to the middle of the machine.
+constexpr double kLeastDistance = 0.1;
+
+/// What the bucket covers in the plan view, as it is held, around the tool: along the heading and
+/// across it, and how far below the tool it goes.
+struct Footprint {
+  double back = 0, front = 0, right = 0, left = 0, low = 0;
+};
+
+Footprint footprint_of(const BiteRules& rules) {
+  Eigen::AlignedBox3d bounds;
+  for (const BucketBox& box : rules.boxes) {
+    const Eigen::AlignedBox3d own(box.lower, box.upper);
+    for (int corner = 0; corner < 8; ++corner) {
+      const math::Vec3 p_T =
+          box.X_BS * own.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
+      bounds.extend(rules.R_HT * p_T);
+    }
+  }
+  return {bounds.min().x(), bounds.max().x(), bounds.min().y(), bounds.max().y(), bounds.min().z()};
+}
+
+class BiteSearch {
+ public:
+  BiteSearch(const Terrain& now, const Terrain& bottom, const DigTarget& target,
+             const BiteRules& rules)
+      : now_(now),
+        bottom_(bottom),
+        target_(target),
+        rules_(rules),
+        print_(footprint_of(rules)),
+        side_(static_cast<double>(now.cell) * 1e-3),
+        step_(side_ * kStepOfCell),
+        seen_(now.heights.size(), 0) {}
+
+  std::vector<Bite> run() {
+    const math::Vec3 p = place_of_cell(now_, target_.cell, 0);
+    const double x = p.x() - rules_.p_EM.x();
+    const double y = p.y() - rules_.p_EM.y();
+    const double distance = std::sqrt(x * x + y * y);
+    if (distance < kLeastDistance) return {};
+    const double bearing_deg = math::atan2_deg(y, x);
+    const double width = print_.left - print_.right;
+    const double more = rules_.spread;
+    const int aside =
+        std::min(kMostAside, static_cast<int>(std::ceil((width / 2 + more) / step_)) + 1);
+    const int back = kMostBack + std::min(kMostAside, static_cast<int>(std::ceil(more / step_)));
+    const int on =
+        std::min(kMostOn, static_cast<int>(std::ceil((print_.front - print_.back + more) / step_)));
+    struct Found {
+      Bite bite;
+      int aside = 0;
+    };
+    std::vector<Found> found;
+    for (int j = -aside; j <= aside; ++j) {
+      const double heading_deg = bearing_deg + math::degrees(j * step_ / distance);
+      // with its far edge at that of the cell, or farther back, or farther on
+      for (int k = 0; k <= back + on; ++k) {
+        const int i = k <= back ? k : back - k;
+        const double far = distance + side_ / 2 - kGroundGap - i * step_ - print_.front;
+        if (auto bite = cut(heading_deg, far)) {
+          found.push_back({*bite, j});
+          break;
+        }
+      }
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+      return std::tuple(-a.bite.expected, std::abs(a.aside), -a.aside) <
+             std::tuple(-b.bite.expected, std::abs(b.aside), -b.aside);
+    });
+    std::vector<Bite> bites;
+    for (const Found& each : found) bites.push_back(each.bite);
+    return bites;
+  }
+
+ private:
+  /// What lies under the bucket at a place of the tool.
+  struct Under {
+    bool is_free = true;                                           ///< it is all on the grid
+    Millimetres ground = std::numeric_limits<Millimetres>::min();  ///< highest that stays
+    Millimetres soil = std::numeric_limits<Millimetres>::min();    ///< highest of all
+    std::vector<int> covered;                                      ///< cells
+  };
+
+  Under look(double heading_deg, double distance) const {
+    const double c = math::cos_deg(heading_deg);
+    const double s = math::sin_deg(heading_deg);
+    // the middle of the footprint, in {E}, and half its sides, grown by the gap
+    const double u = distance + (print_.back + print_.front) / 2;
+    const double v = (print_.right + print_.left) / 2;
+    const double x = rules_.p_EM.x() + u * c - v * s;
+    const double y = rules_.p_EM.y() + u * s + v * c;
+    const double along = (print_.front - print_.back) / 2 + kGroundGap;
+    const double across = (print_.left - print_.right) / 2 + kGroundGap;
+    const double wide = along * std::fabs(c) + across * std::fabs(s);
+    const double high = along * std::fabs(s) + across * std::fabs(c);
+    const double half = side_ / 2 * (std::fabs(c) + std::fabs(s));
+    const double more = std::max(rules_.spread, 0.0);
+    Under under;
+    const auto cell_of = [&](double value) { return std::floor(value / side_); };
+    const double columns[] = {cell_of(x - wide + kTouches), cell_of(x + wide - kTouches)};
+    const double rows[] = {cell_of(y - high + kTouches), cell_of(y + high - kTouches)};
+    if (columns[0] < 0 || rows[0] < 0 || columns[1] >= now_.columns || rows[1] >= now_.rows) {
+      under.is_free = false;
+      return under;
+    }
+    const auto within = [&](double value, int count) {
+      return static_cast<int>(std::clamp(cell_of(value), 0.0, count - 1.0));
+    };
+    const int end_row = within(y + high + more, now_.rows);
+    const int end_column = within(x + wide + more, now_.columns);
+    for (int row = within(y - high - more, now_.rows); row <= end_row; ++row) {
+      for (int column = within(x - wide - more, now_.columns); column <= end_column; ++column) {
+        const double dx = now_.middle(column) - x;
+        const double dy = now_.middle(row) - y;
+        const double du = dx * c + dy * s;
+        const double dv = dy * c - dx * s;
+        const std::size_t cell = now_.index(column, row);
+        if (std::fabs(du) < along + half - kTouches && std::fabs(dv) < across + half - kTouches) {
+          under.ground = std::max(under.ground, bottom_.heights[cell]);
+          under.soil = std::max(under.soil, now_.heights[cell]);
+        }
+        if (covers(du, dv, c, s, along - kGroundGap + more, across - kGroundGap + more)) {
+          under.covered.push_back(static_cast<int>(cell));
+        }
+      }
+    }
+    return under;
+  }
+
+  /// Whether one of the four points of a cell whose middle is at (du, dv) is in the footprint.
+  bool covers(double du, double dv, double c, double s, double along, double across) const {
+    for (const double a : kQuarters) {
+      for (const double b : kQuarters) {
+        const double ex = (a - 0.5) * side_;
+        const double ey = (b - 0.5) * side_;
+        if (std::fabs(du + ex * c + ey * s) <= along && std::fabs(dv + ey * c - ex * s) <= across) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// Down to which a cell is lowered by a cut at that height.
+  Millimetres lowered(int cell, Millimetres height) const {
+    const Millimetres bottom = bottom_.heights[static_cast<std::size_t>(cell)];
+    return height <= bottom + rules_.tolerance ? bottom : height;
+  }
+
+  /// The cut that begins there; nothing: it does not reach the target, or meets ground that stays.
+  std::optional<Bite> cut(double heading_deg, double far) {
+    const Under first = look(heading_deg, far);
+    const bool reaches =
+        std::find(first.covered.begin(), first.covered.end(), target_.cell) != first.covered.end();
+    if (!first.is_free || !reaches) return std::nullopt;
+    const Millimetres floor = std::max(target_.floor, first.ground);
+    const auto cutting = floor + static_cast<Millimetres>(kGroundGap * 1e3);
+    if (cutting > target_.floor + rules_.tolerance) return std::nullopt;
+    Bite bite;
+    bite.cell = target_.cell;
+    bite.heading_deg = heading_deg;
+    bite.far = bite.near = far;
+    Millimetres soil = first.soil;
+    Millimetres passed = first.soil;
+    ++stamp_;
+    const CubicMillimetres area = now_.cell * now_.cell;
+    Under under = first;
+    for (int i = 0; i < kMostSteps; ++i) {
+      const double distance = far - i * step_;
+      if (i > 0) {
+        if (distance + print_.back < kLeastDistance || bite.near - distance > kMostIdle) break;
+        under = look(heading_deg, distance);
+        if (!under.is_free || under.ground > floor) break;
+      }
+      passed = std::max(passed, under.soil);
+      const CubicMillimetres before = bite.expected;
+      for (const int cell : under.covered) {
+        std::uint32_t& seen = seen_[static_cast<std::size_t>(cell)];
+        if (seen == stamp_) continue;
+        seen = stamp_;
+        const Millimetres height = now_.heights[static_cast<std::size_t>(cell)];
+        bite.expected += std::max<Millimetres>(height - lowered(cell, cutting), 0) * area;
+      }
+      if (bite.expected == before) continue;
+      bite.near = distance;
+      soil = passed;
+      if (bite.expected >= rules_.room) break;
+    }
+    if (bite.expected == 0) return std::nullopt;
+    bite.expected = std::min(bite.expected, rules_.room);
+    bite.low = static_cast<double>(cutting) * 1e-3 - print_.low;
+    const Millimetres over = std::max({soil, rules_.rim, cutting});
+    bite.high = static_cast<double>(over) * 1e-3 + rules_.clearance - print_.low;
+    return bite;
+  }
+
+  const Terrain& now_;
+  const Terrain& bottom_;
+  const DigTarget& target_;
+  const BiteRules& rules_;
+  Footprint print_;
+  double side_, step_;  ///< m
+  std::vector<std::uint32_t> seen_;
+  std::uint32_t stamp_ = 0;
+};
+
+}  // namespace
+
+math::Pose Bite::X_ET(const BiteRules& rules, double distance, double height) const {
+  math::Pose X = math::translation(rules.p_EM.x() + distance * math::cos_deg(heading_deg),
+                                   rules.p_EM.y() + distance * math::sin_deg(heading_deg), height) *
+                 math::rotation_z_deg(heading_deg);
+  X.linear() = X.linear() * rules.R_HT;
+  return X;
+}
+
+math::Vec3 place_of_cell(const Terrain& terrain, int cell, Millimetres height) {
+  return {terrain.middle(cell % terrain.columns), terrain.middle(cell / terrain.columns),
+          static_cast<double>(height) * 1e-3};
+}
+
+std::optional<DigTarget> next_target(const Terrain& now, const Terrain& bottom,
+                                     const std::vector<int>& cells, const std::set<int>& put_off,
+                                     const BiteRules& rules) {
+  // The layer of a cell that is not done down to its bottom, from 0 above.
+  const auto layer_of = [&](int cell) -> std::int64_t {
+    const auto index = static_cast<std::size_t>(cell);
+    const Millimetres height = now.heights[index];
+    if (height <= bottom.heights[index]) return -1;
+    // Of a layer whose floor lies above the bottom, what is left is within the tolerance.
+    const Millimetres depth = std::max<Millimetres>(rules.top - height, 0);
+    const std::int64_t layer = depth / rules.layer;
+    const Millimetres floor = rules.top - (layer + 1) * rules.layer;
+    const bool is_done = floor > bottom.heights[index] && height <= floor + rules.tolerance;
+    return is_done ? layer + 1 : layer;
+  };
+  std::int64_t highest = std::numeric_limits<std::int64_t>::max();
+  std::optional<DigTarget> target;
+  double farthest = -1;
+  for (const int cell : cells) {
+    const std::int64_t layer = layer_of(cell);
+    if (layer < 0 || layer > highest) continue;
+    const math::Vec3 away = place_of_cell(now, cell, 0) - rules.p_EM;
+    const double distance = away.x() * away.x() + away.y() * away.y();
+    const bool is_last = put_off.contains(cell);
+    const bool is_sooner = layer < highest || (target->is_last && !is_last) ||
+                           (target->is_last == is_last && distance > farthest);
+    if (!is_sooner) continue;
+    highest = layer;
+    farthest = distance;
+    const Millimetres floor = rules.top - (layer + 1) * rules.layer;
+    target =
+        DigTarget{cell, std::max(floor, bottom.heights[static_cast<std::size_t>(cell)]), is_last};
+  }
+  return target;
+}
+
+std::vector<Bite> bites_for(const Terrain& now, const Terrain& bottom, const DigTarget& target,
+                            const BiteRules& rules) {
+  return BiteSearch(now, bottom, target, rules).run();
+}
+
+}  // namespace rubicon::soil

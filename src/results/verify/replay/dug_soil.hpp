@@ -1,0 +1,35 @@
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "src/results/verify/replay/site_parts.hpp"
+
+namespace rubicon::verify {
+
+/// Adds soil that robots dug to what must not be met: each of its cells as a column that is so high
+/// while it was. The components that these are.
+std::set<int> add_dug_soil(const Trace& trace, const std::vector<TaskRun>& runs,
+                           const std::vector<Stay>& stays, std::vector<Obstacle>& obstacles);
+
+/// When the tool of a robot may be in the soil that it digs: while a bucket is filled.
+class Cuts {
+ public:
+  Cuts(const Trace& trace, const std::vector<TaskRun>& runs);
+  bool allow(const Leg& leg, int component) const;
+
+ private:
+  struct Dig {
+    int component = -1;
+    std::vector<std::pair<Ticks, Ticks>> times;
+  };
+  std::vector<Dig> digs_;  ///< by run
+};
+
+/// Looks at what robots dug: that each bucket took from cells of its pit what it told, no more than
+/// it holds, where the tool was, and was emptied where it should; that the pit is dug to its bottom
+/// and no farther; and that trucks were there to be loaded.
+void check_dug_soil(const Trace& trace, const std::vector<TaskRun>& runs,
+                    const std::vector<RobotTrack>& tracks, const SiteParts& site, Faults& faults);
+
+}  // namespace rubicon::verify

@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "src/earth/soil/blocks.hpp"
+#include "src/motion/math/index.hpp"
+#include "src/simulation/site/site_world.hpp"
+
+namespace rubicon::site {
+
+namespace {
+
+using math::at;
+
+/// Blocks of a piece of soil as boxes in the frame of its earth.
+std::vector<geometry::Shape> boxes_of(const std::vector<soil::Block>& blocks, int first_column,
+                                      int first_row, soil::Millimetres cell) {
+  const auto metres = [](soil::Millimetres value) { return static_cast<double>(value) * 1e-3; };
+  std::vector<geometry::Shape> shapes;
+  for (const soil::Block& block : blocks) {
+    geometry::Box box;
+    box.lower = {metres((first_column + block.first_column) * cell),
+                 metres((first_row + block.first_row) * cell), metres(block.bottom)};
+    box.upper = {metres((first_column + block.end_column) * cell),
+                 metres((first_row + block.end_row) * cell), metres(block.top)};
+    shapes.push_back({box, math::Pose::Identity()});
+  }
+  return shapes;
+}
+
+}  // namespace
+
+void SiteWorld::open_soil(int component, soil::Terrain surface,
+                          std::shared_ptr<const soil::Terrain> bottom) {
+  Component& one = components_[at(component)];
+  if (one.id) erase(*one.id);
+  one.id.reset();
+  Soil soil;
+  soil.surface = std::move(surface);
+  soil.bottom = std::move(bottom);
+  const int rows = (soil.surface.rows + kPiece - 1) / kPiece;
+  const auto pieces = at(pieces_in_row(soil) * rows);
+  soil.ids.resize(pieces);
+  soil.stands.resize(pieces, false);
+  soils_.insert_or_assign(component, std::move(soil));
+  show_soil(component, true);
+  note_change(one);
+  ++changes_;
+}
+
+const soil::Terrain* SiteWorld::surface(int component) const {
+  const auto found = soils_.find(component);
+  return found == soils_.end() ? nullptr : &found->second.surface;
+}
+
+void SiteWorld::set_surface(int component, const std::map<int, soil::Millimetres>& heights) {
+  Soil& soil = soils_.at(component);
+  std::set<int> pieces;
+  for (const auto& [cell, height] : heights) {
+    soil.surface.heights[at(cell)] = height;
+    const int row = cell / soil.surface.columns / kPiece;
+    const int column = cell % soil.surface.columns / kPiece;
+    pieces.insert(row * pieces_in_row(soil) + column);
+  }
+  for (const int piece : pieces) set_piece(components_[at(component)], soil, piece);
+  ++changes_;
+}
+
+void SiteWorld::close_soil(int component, const ComponentState& before) {
+  Component& one = components_[at(component)];
+  show_soil(component, false);
+  soils_.erase(component);
+  one.id = before.id;
+  if (one.standing && one.id) {
+    obstacles_.put_back(*one.id, one.body, one.X_WO);
+    names_[*one.id] = one.name;
+  }
+  note_change(one);
+  ++changes_;
+}
+
+/// What there is of a piece now is in the way, and nothing else of it.
+void SiteWorld::set_piece(const Component& component, Soil& soil, int piece) {
+  const int first_column = piece % pieces_in_row(soil) * kPiece;
+  const int first_row = piece / pieces_in_row(soil) * kPiece;
+  const int columns = std::min(kPiece, soil.surface.columns - first_column);
+  const int rows = std::min(kPiece, soil.surface.rows - first_row);
+  const soil::Millimetres cell = soil.surface.cell;
+  soil::Terrain under = soil::flat(columns, rows, cell, 0);
+  soil::Terrain above = under;
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const std::size_t from = soil.surface.index(first_column + column, first_row + row);
+      under.heights[under.index(column, row)] = soil.bottom->heights[from];
+      above.heights[under.index(column, row)] = soil.surface.heights[from];
+    }
+  }
+  const std::vector<geometry::Shape> shapes =
+      boxes_of(soil::blocks_between(under, above), first_column, first_row, cell);
+  std::optional<collision::ObstacleId>& id = soil.ids[at(piece)];
+  if (soil.stands[at(piece)]) erase(*id);
+  soil.stands[at(piece)] = component.standing && !shapes.empty();
+  if (!soil.stands[at(piece)]) return;
+  collision::BodyPtr body = collision::prepare(shapes);
+  if (id) {
+    obstacles_.put_back(*id, std::move(body), component.X_WO);
+    names_[*id] = component.name;
+  } else {
+    id = insert(component.name, body, component.X_WO);
+  }
+}
+
+/// All pieces of soil of a component that was opened: in the way, or not any more.
+void SiteWorld::show_soil(int component, bool stands) {
+  const auto found = soils_.find(component);
+  if (found == soils_.end()) return;
+  Soil& soil = found->second;
+  for (std::size_t piece = 0; piece < soil.ids.size(); ++piece) {
+    if (stands) {
+      set_piece(components_[at(component)], soil, static_cast<int>(piece));
+    } else if (soil.stands[piece]) {
+      erase(*soil.ids[piece]);
+      soil.stands[piece] = false;
+    }
+  }
+}
+
+}  // namespace rubicon::site
