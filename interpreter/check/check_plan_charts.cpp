@@ -30,6 +30,8 @@ constexpr double kMostDelay = 3e7;
 constexpr double kLeastDelay = 1e-3;
 /// Charts that are made in all, so that memory stays within bounds.
 constexpr std::size_t kMostCharts = 200000;
+/// Errands times nodes, so that ways are found within seconds.
+constexpr std::size_t kMostSearched = 20'000'000;
 
 class ChartsCheck {
  public:
@@ -310,6 +312,11 @@ class ChartsCheck {
   }
 
   void check_amount() {
+    const std::size_t nodes = std::max<std::size_t>(1, network_.description.nodes.size());
+    if (spec_.robots.size() > kMostSearched / nodes) {
+      wrong(item_.name.span, fmt::format("{} errands on {} nodes: the product is at most {}",
+                                         spec_.robots.size(), nodes, kMostSearched));
+    }
     // A barrier is found, and found to be gone.
     const std::size_t plans = spec_.reports.size() + 2 * spec_.barriers.size() + 1;
     if (spec_.robots.size() <= kMostCharts / plans) return;
