@@ -372,7 +372,7 @@ std::vector<std::int64_t> read_heights(const JsonFields& fields, const char* nam
   return heights;
 }
 
-SceneMotionDig read_motion_dig(const JsonFields& fields, const Scene& scene) {
+SceneMotionDig read_motion_dig(const JsonFields& fields, Scene& scene) {
   SceneMotionDig dig;
   dig.soil = index_in(scene.component_index, fields.text("soil"), "a component");
   dig.volume = volume_of(fields, "volume", 1);
@@ -402,7 +402,7 @@ SceneMotionDig read_motion_dig(const JsonFields& fields, const Scene& scene) {
   bool tips = false;
   for (const Json& object : fields.array("stages")) {
     const JsonFields stage(object, "a stage of a dig");
-    dig.stages.push_back(read_stage(stage, stage.text("name")));
+    dig.stages.push_back(read_stage(stage, stage.text("name"), scene));
     if (dig.stages.back().name != fields.text("tip")) continue;
     dig.tip = dig.stages.size() - 1;
     tips = true;
