@@ -413,7 +413,7 @@ SceneMotionDig read_motion_dig(const JsonFields& fields, Scene& scene) {
   return dig;
 }
 
-void read_task_work(const JsonFields& fields, const Scene& scene, SceneTask& task) {
+void read_task_work(const JsonFields& fields, Scene& scene, SceneTask& task) {
   if (fields.has("hook")) task.hook = read_work(fields.any("hook"), "hook", scene);
   if (fields.has("adjust")) task.adjust = read_work(fields.any("adjust"), "adjust", scene);
   if (fields.has("release")) task.release = read_work(fields.any("release"), "release", scene);
