@@ -48,6 +48,7 @@ class ColdJoints(ResultCase):
             self.assertAlmostEqual(place["joined"] - place["laid"], place["age"], delta=1e-6)
         self.assertEqual(sorted(round(place["from"][1], 6) for place in found["places"]), [1, 2, 3, 4, 5])
         self.assertRegex(self.run_result.stdout, r"cold joints +after +places +m +oldest +at +late by\nlay +0:01:00 +5 +19\.9 +0:01:57 +\(0\.00, 1\.00\) +0:00:57")
+        self.assertRegex(self.run_result.stdout, r"cold joint of +from +to +m +age +late by +joined\nlay +\(\d\.\d\d, 1\.00\) +\(\d\.\d\d, 1\.00\) +4\.0 +0:01:57 +0:00:57 +2026-03-16 07:0")
         # None is older than that; without the clause nobody asks.
         later = self.joints("cold_joint after 2 min;")
         self.assertEqual((later["count"], later["places"], later["length"]), (0, [], 0))

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -232,6 +233,47 @@ std::string cover_table(const Schedule& schedule) {
   return rows.size() == 1 ? std::string() : columns(rows, {2, 3, 4, 5, 6});
 }
 
+/// Of more cold joints the table shows those that are latest.
+constexpr std::size_t kShownJoints = 8;
+
+/// Where the cold joints lie; nothing where there are none.
+std::string joint_places(const Schedule& schedule) {
+  struct JointOfTask {
+    const TaskOutcome* task;
+    const coverage::ColdJoint* joint;
+    Ticks late;
+  };
+  std::vector<JointOfTask> all;
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (!task.joints || task.result != taskplan::TaskResult::done) continue;
+    for (const coverage::ColdJoint& joint : task.joints->cold) {
+      all.push_back({&task, &joint, joint.age - task.cover->cold_after});
+    }
+  }
+  if (all.empty()) return "";
+  std::stable_sort(all.begin(), all.end(),
+                   [](const JointOfTask& a, const JointOfTask& b) { return a.late > b.late; });
+  const std::size_t count = all.size();
+  all.resize(std::min(count, kShownJoints));
+  std::vector<Row> rows = {{"cold joint of", "from", "to", "m", "age", "late by", "joined"}};
+  const auto place = [](const coverage::Place& p) {
+    return fmt::format("({:.2f}, {:.2f})", p.x, p.y);
+  };
+  for (const auto& [task, joint, late] : all) {
+    const double x = joint->to.x - joint->from.x;
+    const double y = joint->to.y - joint->from.y;
+    rows.push_back({task->task, place(joint->from), place(joint->to),
+                    fmt::format("{:.1f}", std::sqrt(x * x + y * y)), clock_text(joint->age),
+                    clock_text(late), when_text(schedule, joint->joined)});
+  }
+  std::string text = "\n" + columns(rows, {3, 4, 5});
+  if (count > all.size()) {
+    text +=
+        fmt::format("{} of {} are shown, the latest; schedule.json has all\n", all.size(), count);
+  }
+  return text;
+}
+
 /// Floors whose joints have a limit: how many are over it, how long, and the oldest joint.
 std::string joint_table(const Schedule& schedule) {
   std::vector<Row> rows = {{"cold joints", "after", "places", "m", "oldest", "at", "late by"}};
@@ -246,7 +288,8 @@ std::string joint_table(const Schedule& schedule) {
                            : "-",
          late > 0 ? clock_text(late) : "-"});
   }
-  return rows.size() == 1 ? std::string() : columns(rows, {1, 2, 3, 4, 6});
+  if (rows.size() == 1) return "";
+  return columns(rows, {1, 2, 3, 4, 6}) + joint_places(schedule);
 }
 
 /// Tasks that are due, and by how much each is late.

@@ -176,14 +176,16 @@ function bucketsOf(page: Page, schedule: ScheduleData): HTMLElement[] {
   if (digs.length === 0) return [];
   const byName = runsByName(page);
   const rows = make('tbody');
+  const parts = make('tbody');
   for (const { task, dig } of digs.slice(0, mostListed)) {
     const { mean } = dig;
-    const cells = [number(dig.dug, 1), dig.buckets.toLocaleString('en-GB'), number(dig.per_hour, 1),
-      ...[mean.cycle, mean.to_the_cut, mean.cut, mean.swing, mean.dump].map((seconds) => `${number(seconds, 1)} s`)];
-    rows.append(make('tr', {}, make('th', { scope: 'row' }, taskButton(page, byName, task)), ...cells.map((text) => make('td', {}, text))));
+    const row = (cells: string[]) => make('tr', {}, make('th', { scope: 'row' }, taskButton(page, byName, task)), ...cells.map((text) => make('td', {}, text)));
+    rows.append(row([number(dig.dug, 1), dig.buckets.toLocaleString('en-GB'), number(dig.per_hour, 1), `${number(mean.cycle, 1)} s`]));
+    parts.append(row([mean.to_the_cut, mean.cut, mean.swing, mean.dump].map((seconds) => `${number(seconds, 1)} s`)));
   }
   return [make('h2', {}, 'Digging'), make('p', { class: 'muted' }, 'm3 are of the volume in the ground, hours are worked. A cycle and its parts, on average.'),
-    make('table', {}, head('Task', 'm3', 'Buckets', 'm3 per h', 'Cycle', 'To the cut', 'Cut', 'Swing', 'Dump'), rows)];
+    make('table', {}, head('Task', 'm3', 'Buckets', 'm3 per h', 'Cycle'), rows),
+    make('table', {}, head('Parts of a cycle', 'To the cut', 'Cut', 'Swing', 'Dump'), parts)];
 }
 
 /** Which machines broke down, and when. */

@@ -423,7 +423,6 @@ void read_task_work(const JsonFields& fields, Scene& scene, SceneTask& task) {
   if (fields.has("dig")) task.dig = read_dig(fields.object("dig"), scene);
   if (fields.has("motion_dig")) {
     task.motion_dig = read_motion_dig(fields.object("motion_dig"), scene);
-    if (task.robot < 0) fields.fail("a robot that digs");
   }
   for (const Json& name : list_or_empty(fields, "remove")) {
     task.remove.push_back(
