@@ -376,6 +376,10 @@ class ChartsTest(ResultCase):
             ("errand r1 from a to d at 9 s; report lane a to b blocked at 5 s by r1;", "at 5 s it sees nothing"),
             ("agents 4;", "agents goes with policy grid"),
             (
+                "for i from 1 to 5000 { node m[i] at trans(i, 50, 0); errand q[i] from a to b at 0 s; }",
+                "5000 errands on 5005 nodes: the product is at most 20000000",
+            ),
+            (
                 "class snail { speed 0.000001 m/s; } node far at trans(99999, 0, 0); lane d to far snail; "
                 "errand r1 from a to far at 0 s;",
                 "the way of r1 takes",
