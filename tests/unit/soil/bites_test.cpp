@@ -110,7 +110,9 @@ struct Machine {
         const double distance = bite.far - (bite.far - bite.near) * i / steps;
         const math::Pose X_ET = bite.X_ET(rules, distance, bite.low);
         bucket.pass(X_ET);
-        if (buckets % 8 == 0 && i % 8 == 0) ASSERT_FALSE(hits_ground(X_ET)) << buckets;
+        if (buckets % 8 == 0 && i % 8 == 0) {
+          ASSERT_FALSE(hits_ground(X_ET)) << buckets;
+        }
       }
       for (const auto& [cell, height] : bucket.changes()) {
         const auto index = static_cast<std::size_t>(cell);
