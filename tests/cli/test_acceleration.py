@@ -166,6 +166,23 @@ class Acceleration(unittest.TestCase):
         self.assertEqual([r["t"] for r in records if r["type"] == "stop"], [13, 30])
         self.assertEqual([r for r in records if r["type"] == "pause"], [])
 
+    def test_a_stop_may_end_with_the_shift(self):
+        # Its last stop is over at 12:00 sharp: the motion is done then, and not after the break.
+        texts = {"c.robot": "robot c { body b { param x step(1) speed(1 m/s) accel(0.5 m/s2) range(-1000, 1000); frame trans(x, 0, 0); } tool b;\n"
+                            "  behaviour { chain { move_to(x, goal(x)) }; } }\n",
+                 "p.plan": 'plan p { start_at "2026-03-02 11:58"; calendar s { mon-fri 07:00-12:00, 12:30-16:00; carry_over; }\n'
+                           '  robot c "c.robot" { start x 0; calendar s; } task a { by c; go x 118; } task b { by c; go x 0; after a; } }\n'}
+        folder = tempfile.mkdtemp(dir=self.folder)
+        for name, text in texts.items():
+            with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        out = os.path.join(folder, "out")
+        run = rubicon("run", os.path.join(folder, "p.plan"), "--out", out)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(rubicon("verify", out).returncode, 0)
+        records = read(os.path.join(out, "trace.jsonl"))
+        self.assertEqual([r["t"] for r in records if r["type"] == "end"], [120, 30 * 60 + 240])
+
     def expect_found(self, records, words):
         path = os.path.join(self.folder, "faulty.jsonl")
         with open(path, "w", encoding="utf-8") as file:

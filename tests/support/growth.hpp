@@ -23,7 +23,8 @@ double processor_seconds(const Work& work) {
 /// Whether `large` takes less than `factor` times what `small` takes, plus 20 ms. Both are measured
 /// again, the best of each kept, until it does or ten rounds are over: noise passes, a square
 /// stays. Make `large` some 16 times `small` and `factor` 64, halfway from a line to a square on a
-/// logarithmic scale: on a busy machine what no longer fits the caches can take three times as long.
+/// logarithmic scale: on a busy machine what no longer fits the caches can take three times as
+/// long.
 template <typename Small, typename Large>
 bool grows_at_most(double factor, const Small& small, const Large& large) {
   double best_small = std::numeric_limits<double>::infinity();

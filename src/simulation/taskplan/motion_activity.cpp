@@ -162,7 +162,9 @@ Step MotionActivity::move_on(ActiveTask& task, Stage& stage) {
   stage.trace_of(task.task);
   interpreter::Machine& machine = *machine_;
   stands_ = false;
-  if (calendar.carries_over() && !calendar.works_at(stage.now())) {
+  // A motion that has ended, with its stop, is told before the night.
+  const bool goes_on = !machine.ended();
+  if (goes_on && calendar.carries_over() && !calendar.works_at(stage.now())) {
     if (!machine.stop(&task.hits)) {
       wait_for_shift(task, stage);
       return Step::pending;
@@ -170,8 +172,7 @@ Step MotionActivity::move_on(ActiveTask& task, Stage& stage) {
     stands_ = true;
     count_time(task, stage, machine.time(), false);
   }
-  // A motion that has ended is told before.
-  if (!stands_ && !machine.ended() && breaks_down_now(task, stage) && !is_at_goal(task, stage)) {
+  if (!stands_ && goes_on && breaks_down_now(task, stage) && !is_at_goal(task, stage)) {
     if (!machine.stop(&task.hits)) {
       wait_for_repair(task, stage);
       return Step::pending;
