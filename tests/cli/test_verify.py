@@ -54,6 +54,8 @@ class Verify(unittest.TestCase):
                 folder = self.run_plan(plan)
                 result = rubicon("verify", folder)
                 self.assertEqual((result.returncode, result.stderr), (0, ""), result.stdout)
+                if os.path.exists(os.path.join(folder, "charts.json")):  # no machine moves: test_charts
+                    continue
                 self.assertRegex(result.stdout, r"^verified: \d+ tasks \(\d+ done\), \d+ steps, .*no fault\n$")
                 trace = rubicon("verify", os.path.join(folder, "trace.jsonl"))
                 self.assertEqual(trace.returncode, 0, trace.stdout)

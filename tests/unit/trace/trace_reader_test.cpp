@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <optional>
 #include <stdexcept>
@@ -62,7 +63,12 @@ TEST(TraceReader, ReadsAnAttempt) {
 }
 
 TEST(TraceReader, ReadsTheEndOfAMotion) {
-  read(test::written_records()[15], [](const Record& record) {
+  const std::vector<std::string> records = test::written_records();
+  const auto written = std::find_if(records.begin(), records.end(), [](const std::string& line) {
+    return line.find(R"("type":"end")") != std::string::npos;
+  });
+  ASSERT_NE(written, records.end());
+  read(*written, [](const Record& record) {
     const auto& end = std::get<MotionEnd>(record.what);
     EXPECT_EQ(end.status, "livelock");
     EXPECT_EQ(end.period, 2);
