@@ -81,28 +81,30 @@ std::optional<std::string> result_of(const std::string& result, const char* name
   return is_result(text) ? std::optional(path) : std::nullopt;
 }
 
+/// Prints a verdict; the exit code.
+int tell(const std::string& said, bool is_good) {
+  std::fwrite(said.data(), 1, said.size(), stdout);
+  return is_good ? kFine : kInfeasible;
+}
+
 int verify_walk(const std::string& path, const std::string& text, const std::string& format) {
   const verify::WalkVerdict verdict = verify::check_walk(text);
-  const std::string said = format == "json" ? verify::walk_verdict_json(verdict)
-                                            : verify::walk_verdict_text(verdict, path);
-  std::fwrite(said.data(), 1, said.size(), stdout);
-  return verdict.faults.empty() ? kFine : kInfeasible;
+  return tell(format == "json" ? verify::walk_verdict_json(verdict)
+                               : verify::walk_verdict_text(verdict, path),
+              verdict.faults.empty());
 }
 
 int verify_charts(const std::string& path, const std::string& text, const std::string& format) {
   const verify::ChartsVerdict verdict = verify::check_charts(text);
-  const std::string said = format == "json" ? verify::charts_verdict_json(verdict)
-                                            : verify::charts_verdict_text(verdict, path);
-  std::fwrite(said.data(), 1, said.size(), stdout);
-  return verdict.faults.empty() ? kFine : kInfeasible;
+  return tell(format == "json" ? verify::charts_verdict_json(verdict)
+                               : verify::charts_verdict_text(verdict, path),
+              verdict.faults.empty());
 }
 
 int verify_grid(const std::string& path, const std::string& text, const std::string& format) {
   const verify::WaysVerdict verdict = verify::check_ways(text);
-  const std::string said =
-      format == "json" ? verify::ways_json(verdict) : verify::ways_text(verdict, path);
-  std::fwrite(said.data(), 1, said.size(), stdout);
-  return verdict.faults.empty() ? kFine : kInfeasible;
+  return tell(format == "json" ? verify::ways_json(verdict) : verify::ways_text(verdict, path),
+              verdict.faults.empty());
 }
 
 }  // namespace
@@ -128,10 +130,9 @@ int run_verify(const VerifyOptions& options) {
   } catch (const WrongInput& error) {
     return fail(error.what());
   }
-  const std::string text = options.format == "json" ? verify::verdict_json(verdict, names)
-                                                    : verify::verdict_text(verdict, names);
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  return verdict.faults.empty() ? kFine : kInfeasible;
+  return tell(options.format == "json" ? verify::verdict_json(verdict, names)
+                                       : verify::verdict_text(verdict, names),
+              verdict.faults.empty());
 }
 
 }  // namespace rubicon::cli

@@ -2,16 +2,13 @@
 
 #include <cstdio>
 #include <string>
-#include <utility>
 #include <variant>
-#include <vector>
 
 #include "interpreter/check/plan_model.hpp"
-#include "src/cli/fail.hpp"
 #include "src/cli/set_option.hpp"
+#include "src/cli/taskless_result.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/exchange/files/plan_files_io.hpp"
-#include "src/exchange/files/result_folder_io.hpp"
 #include "src/results/gantt/charts_picture.hpp"
 #include "src/results/report/charts_text.hpp"
 #include "src/results/report/diagnostic_printer.hpp"
@@ -30,45 +27,41 @@ bool may_have_network(files::PlanFiles& disk) {
          text->find("fraenkel") != std::string::npos;
 }
 
-/// What a run says, and its files.
-struct Written {
-  std::string table, csv, json;
-  std::vector<std::pair<const char*, std::string>> files;
-  int code = kFine;
-};
-
-Written run_charts(const interpreter::PlanModel& plan) {
+int run_charts(const RunOptions& options, const interpreter::PlanModel& plan,
+               std::optional<files::ResultFolder>& folder) {
   const interpreter::ChartsSpec& spec = *plan.charts;
   const interpreter::NetworkSpec& description =
       plan.networks[static_cast<std::size_t>(spec.network)];
   const lanes::LaneNetwork network(description.description);
   const auto course =
       charts::carry_out(network, spec.robots, spec.settings, spec.reports, spec.barriers);
-  const report::ChartsResult result{spec, description, network, std::get<charts::Course>(course)};
-  Written written{report::charts_table(result),
-                  report::charts_csv(result),
-                  report::charts_json(result),
-                  {},
-                  kFine};
-  written.files = {{"charts.json", written.json},
-                   {"charts.csv", written.csv},
-                   {"charts.svg", gantt::charts_picture(result)}};
-  if (report::outcome_of(result.course) != report::ChartsOutcome::all_at_goals) {
-    written.code = kInfeasible;
+  const report::ChartsResult charts{spec, description, network, std::get<charts::Course>(course)};
+  TasklessResult result;
+  result.table = [&] { return report::charts_table(charts); };
+  result.csv = [&] { return report::charts_csv(charts); };
+  result.json = [&] { return report::charts_json(charts); };
+  result.files = {{"charts.json", result.json},
+                  {"charts.csv", result.csv},
+                  {"charts.svg", [&] { return gantt::charts_picture(charts); }}};
+  if (report::outcome_of(charts.course) != report::ChartsOutcome::all_at_goals) {
+    result.code = kInfeasible;
   }
-  return written;
+  return write_taskless(options, folder, result);
 }
 
-Written run_walks(const interpreter::PlanModel& plan) {
+int run_walks(const RunOptions& options, const interpreter::PlanModel& plan,
+              std::optional<files::ResultFolder>& folder) {
   const interpreter::ExploreSpec& spec = *plan.explore;
   const interpreter::NetworkSpec& description =
       plan.networks[static_cast<std::size_t>(spec.network)];
   const lanes::LaneNetwork network(description.description);
-  const report::WalkResult result = report::explore(spec, description, network);
-  Written written{
-      report::walk_table(result), report::walk_csv(result), report::walk_json(result), {}, kFine};
-  written.files = {{"walk.json", written.json}, {"walk.csv", written.csv}};
-  return written;
+  const report::WalkResult walks = report::explore(spec, description, network);
+  TasklessResult result;
+  result.table = [&] { return report::walk_table(walks); };
+  result.csv = [&] { return report::walk_csv(walks); };
+  result.json = [&] { return report::walk_json(walks); };
+  result.files = {{"walk.json", result.json}, {"walk.csv", result.csv}};
+  return write_taskless(options, folder, result);
 }
 
 }  // namespace
@@ -84,29 +77,11 @@ std::optional<int> run_network(const RunOptions& options) {
   const std::string messages =
       report::print_text(diagnostics.sorted(), disk.typed(sources), files::wants_colour(stderr));
   std::fwrite(messages.data(), 1, messages.size(), stderr);
-  if (!options.trace.empty() || options.compress || !options.sample.empty()) {
-    return fail(
-        "--trace, --compress and --sample go with tasks; a network with this policy has none: "
-        "--out FOLDER or --format json");
-  }
   std::optional<files::ResultFolder> folder;
-  if (!options.out.empty()) {
-    auto opened = files::ResultFolder::open(options.out);
-    if (auto* message = std::get_if<std::string>(&opened)) return fail(*message);
-    folder.emplace(std::get<files::ResultFolder>(std::move(opened)));
+  if (const auto code = open_taskless(options, "a network with this policy has none", folder)) {
+    return code;
   }
-  const Written written = plan->charts ? run_charts(*plan) : run_walks(*plan);
-  if (folder) {
-    for (const auto& [name, text] : written.files) {
-      if (const auto failure = folder->write(name, text)) return fail(*failure);
-    }
-    if (const auto failure = folder->commit()) return fail(*failure);
-  }
-  const std::string& text = options.format == "json"  ? written.json
-                            : options.format == "csv" ? written.csv
-                                                      : written.table;
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  return written.code;
+  return plan->charts ? run_charts(options, *plan, folder) : run_walks(options, *plan, folder);
 }
 
 }  // namespace rubicon::cli

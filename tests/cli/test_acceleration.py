@@ -146,6 +146,18 @@ class Acceleration(unittest.TestCase):
                     stops += file.read().count('"type":"stop"')
         self.assertGreater(stops, RANDOM_PLANS)
 
+    def records_of(self, texts):
+        """The trace of p.plan among these files, after it was done and verified."""
+        folder = tempfile.mkdtemp(dir=self.folder)
+        for name, text in texts.items():
+            with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        out = os.path.join(folder, "out")
+        run = rubicon("run", os.path.join(folder, "p.plan"), "--out", out)
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.assertEqual(rubicon("verify", out).returncode, 0)
+        return read(os.path.join(out, "trace.jsonl"))
+
     def test_who_goes_away_while_a_robot_stops_is_not_waited_for(self):
         robot = ('robot %s { body car { param %s range(-20, 20); frame trans(%s); shape box(-0.4, -0.4, 0, 0.4, 0.4, 1); }\n'
                  '  tool car; behaviour { chain { move_to(%s, goal(%s)) }; } }\n')
@@ -153,16 +165,8 @@ class Acceleration(unittest.TestCase):
                  "right.robot": robot % ("right", "y step(10) speed(3 km/h)", "0, y, 0", "y", "y"),
                  "p.plan": 'plan p { robot left "left.robot"; robot right "right.robot" at trans(5, 0, 0);\n'
                            '  task go { by left; go x 10; } task away { by right; go y 10; } }\n'}
-        folder = tempfile.mkdtemp(dir=self.folder)
-        for name, text in texts.items():
-            with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
-                file.write(text)
-        out = os.path.join(folder, "out")
-        run = rubicon("run", os.path.join(folder, "p.plan"), "--out", out)
         # It meets the other after 4 m, at 10.5 s, and stands at 13 s; the other is gone since 12 s.
-        self.assertEqual(run.returncode, 0, run.stdout)
-        self.assertEqual(rubicon("verify", out).returncode, 0)
-        records = read(os.path.join(out, "trace.jsonl"))
+        records = self.records_of(texts)
         self.assertEqual([r["t"] for r in records if r["type"] == "stop"], [13, 30])
         self.assertEqual([r for r in records if r["type"] == "pause"], [])
 
@@ -172,15 +176,7 @@ class Acceleration(unittest.TestCase):
                             "  behaviour { chain { move_to(x, goal(x)) }; } }\n",
                  "p.plan": 'plan p { start_at "2026-03-02 11:58"; calendar s { mon-fri 07:00-12:00, 12:30-16:00; carry_over; }\n'
                            '  robot c "c.robot" { start x 0; calendar s; } task a { by c; go x 118; } task b { by c; go x 0; after a; } }\n'}
-        folder = tempfile.mkdtemp(dir=self.folder)
-        for name, text in texts.items():
-            with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
-                file.write(text)
-        out = os.path.join(folder, "out")
-        run = rubicon("run", os.path.join(folder, "p.plan"), "--out", out)
-        self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertEqual(rubicon("verify", out).returncode, 0)
-        records = read(os.path.join(out, "trace.jsonl"))
+        records = self.records_of(texts)
         self.assertEqual([r["t"] for r in records if r["type"] == "end"], [120, 30 * 60 + 240])
 
     def expect_found(self, records, words):

@@ -453,29 +453,23 @@ std::string moment_text(const schedule::CivilTime& start_at, Ticks time) {
 std::string schedule_table(const Schedule& schedule) {
   std::string text = task_table(schedule) + "\n" + total_line(schedule) + sample_text(schedule) +
                      chance_text(schedule);
-  const std::string lifts = lift_table(schedule);
-  if (!lifts.empty()) text += "\n" + lifts;
-  for (const std::string& dates : {due_table(schedule), baseline_table(schedule)}) {
-    if (!dates.empty()) text += "\n" + dates;
-  }
-  for (const std::string& chance : {lost_days_table(schedule), breakdown_table(schedule)}) {
-    if (!chance.empty()) text += "\n" + chance;
-  }
-  const std::string support = support_text(schedule);
-  if (!support.empty()) text += "\n" + support;
-  const std::string missed = missed_text(schedule);
-  if (!missed.empty()) text += "\n" + missed;
-  if (!schedule.resources.empty()) text += "\n" + use_table(schedule);
-  const std::string covers = cover_table(schedule);
-  if (!covers.empty()) text += "\n" + covers;
-  const std::string joints = joint_table(schedule);
-  if (!joints.empty()) text += "\n" + joints;
-  const std::string earthwork = earthwork_table(schedule);
-  if (!earthwork.empty()) text += "\n" + earthwork;
-  const std::string timetables = timetable_table(schedule);
-  if (!timetables.empty()) text += "\n" + timetables;
-  if (schedule.has_kinds) text += "\n" + cost_table(schedule);
-  if (!schedule.critical.empty()) text += "\n" + chain_text(schedule);
+  const auto add = [&text](const std::string& table) {
+    if (!table.empty()) text += "\n" + table;
+  };
+  add(lift_table(schedule));
+  add(due_table(schedule));
+  add(baseline_table(schedule));
+  add(lost_days_table(schedule));
+  add(breakdown_table(schedule));
+  add(support_text(schedule));
+  add(missed_text(schedule));
+  if (!schedule.resources.empty()) add(use_table(schedule));
+  add(cover_table(schedule));
+  add(joint_table(schedule));
+  add(earthwork_table(schedule));
+  add(timetable_table(schedule));
+  if (schedule.has_kinds) add(cost_table(schedule));
+  if (!schedule.critical.empty()) add(chain_text(schedule));
   return text;
 }
 
