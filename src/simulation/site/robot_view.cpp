@@ -94,11 +94,42 @@ const std::string& RobotView::part_name(int part) const {
   return is_load(part) ? site_.load(index_)->name : robot().name_of(part);
 }
 
+/// Whether the step lies on the line that was found free, or on a new one that is. Where bodies may
+/// cut into something, no lines are looked at.
+bool RobotView::look_ahead(const interpreter::MotionStep& step) const {
+  if (site_.may_enter(index_)) return false;
+  const std::uint64_t version = site_.standing_version(index_);
+  if (line_.covers(step.q_from, step.q_to, version)) return true;
+  std::vector<double> q_end = line_.ahead(*robot().model, step.q_from, step.q_to);
+  if (q_end.empty()) return false;
+  const StepQuery query(robot(), site_.load(index_), step.q_from, q_end, site_.contact_tolerance(),
+                        site_.has_obstacles());
+  if (query.query().items.empty() || site_.obstacles().test(query.query()).hit) {
+    line_.found_blocked();
+    return false;
+  }
+  const collision::SweptQuery movers = query.against_others();
+  std::vector<int> parts;
+  for (std::size_t i = 0; i < movers.items.size(); ++i) {
+    parts.push_back(query.part_of_mover(static_cast<int>(i)));
+  }
+  collision::MovingBodies bodies(movers);
+  if (zone_met(movers, parts, bodies)) {
+    line_.found_blocked();
+    return false;
+  }
+  line_.found_free(step.q_from, std::move(q_end), version, bodies.bounds());
+  return true;
+}
+
 std::optional<interpreter::HitPair> RobotView::swept_hit(
     const interpreter::MotionStep& step) const {
+  const bool on_line = look_ahead(step);
+  if (on_line && site_.is_alone_in(index_, line_.bounds())) return std::nullopt;
   const StepQuery query(robot(), site_.load(index_), step.q_from, step.q_to,
                         site_.contact_tolerance(), site_.has_obstacles());
   if (query.query().items.empty()) return std::nullopt;
+  if (on_line) return others_hit(query, site_.now() + step.duration);
   if (auto pair = own_hit(query)) return pair;
   return others_hit(query, site_.now() + step.duration);
 }
@@ -189,18 +220,36 @@ std::optional<OtherMet> RobotView::other_met(const collision::SweptQuery& query,
   return site_.first_moving_met(index_, bodies, until, false);
 }
 
-std::optional<OtherMet> RobotView::people_under_load(const collision::SweptQuery& query,
-                                                     std::span<const int> parts,
-                                                     Ticks until) const {
-  if (!site_.has_people(index_)) return std::nullopt;
-  collision::SweptQuery loads;
+/// What of the query hangs on the tool, and their places in it.
+std::pair<collision::SweptQuery, std::vector<int>> RobotView::loads_of(
+    const collision::SweptQuery& query, std::span<const int> parts) const {
+  std::pair<collision::SweptQuery, std::vector<int>> result;
+  auto& [loads, items] = result;
   loads.contact_tolerance = query.contact_tolerance;
-  std::vector<int> items;
   for (std::size_t i = 0; i < query.items.size(); ++i) {
     if (!is_load(parts[i])) continue;
     loads.items.push_back(query.items[i]);
     items.push_back(static_cast<int>(i));
   }
+  return result;
+}
+
+/// Whether bodies meet a zone, or what hangs on the tool would be over one. `bodies`: of the query.
+bool RobotView::zone_met(const collision::SweptQuery& query, std::span<const int> parts,
+                         collision::MovingBodies& bodies) const {
+  if (site_.first_zone_met(index_, bodies)) return true;
+  if (!site_.has_people(index_)) return false;
+  const auto [loads, items] = loads_of(query, parts);
+  if (items.empty()) return false;
+  collision::MovingBodies hanging(loads);
+  return site_.first_zone_below(index_, hanging).has_value();
+}
+
+std::optional<OtherMet> RobotView::people_under_load(const collision::SweptQuery& query,
+                                                     std::span<const int> parts,
+                                                     Ticks until) const {
+  if (!site_.has_people(index_)) return std::nullopt;
+  const auto [loads, items] = loads_of(query, parts);
   if (items.empty()) return std::nullopt;
   collision::MovingBodies hanging(loads);
   auto met = site_.first_zone_below(index_, hanging);

@@ -3,9 +3,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interpreter/program/world.hpp"
+#include "src/simulation/site/free_line.hpp"
 #include "src/simulation/site/site_world.hpp"
 #include "src/simulation/site/step_query.hpp"
 
@@ -45,6 +47,7 @@ class RobotView : public interpreter::World {
  private:
   const SiteRobot& robot() const { return site_.robot(index_); }
   std::optional<interpreter::HitPair> swept_hit(const interpreter::MotionStep& step) const;
+  bool look_ahead(const interpreter::MotionStep& step) const;
   std::optional<interpreter::HitPair> overload(const interpreter::MotionStep& step) const;
   collision::SweptResult entering_hit(const StepQuery& step) const;
   std::optional<interpreter::HitPair> own_hit(const StepQuery& step) const;
@@ -54,6 +57,10 @@ class RobotView : public interpreter::World {
                                     Ticks until) const;
   std::optional<OtherMet> people_under_load(const collision::SweptQuery& query,
                                             std::span<const int> parts, Ticks until) const;
+  std::pair<collision::SweptQuery, std::vector<int>> loads_of(const collision::SweptQuery& query,
+                                                              std::span<const int> parts) const;
+  bool zone_met(const collision::SweptQuery& query, std::span<const int> parts,
+                collision::MovingBodies& bodies) const;
   std::vector<bool> are_buffers(std::span<const int> parts) const;
   bool nothing_to_meet() const;
   collision::SweptQuery pushed(const std::vector<ReservedPart>& parts, double heading_deg,
@@ -67,6 +74,7 @@ class RobotView : public interpreter::World {
   SiteWorld& site_;
   int index_;
   mutable collision::ClearanceBudget budget_;  ///< never changes an answer
+  mutable FreeLine line_;                      ///< nor does this: what lies on it is free
 };
 
 }  // namespace rubicon::site

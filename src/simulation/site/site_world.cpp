@@ -90,6 +90,7 @@ void SiteWorld::begin_turn(int robot, double angle_deg, Ticks end) {
   assert(standing.load && !standing.stepping);
   Load& load = *standing.load;
   standing.turn = LoadTurn{load.X_TO, angle_deg, end};
+  ++standing.turns;
   load.X_TO = turned(tool_pose(robot), load.X_TO, angle_deg);
   changed(standing);
 }
@@ -226,6 +227,17 @@ bool SiteWorld::has_others(int robot) const {
   const auto keeps_out = [robot](const auto& zone) { return zone.second.exempt_robot != robot; };
   return robots_.size() > 1 || !movings_.empty() ||
          std::any_of(zones_.begin(), zones_.end(), keeps_out);
+}
+
+bool SiteWorld::is_alone_in(int robot, const collision::Bounds& bounds) const {
+  const auto is_clear_of = [&](const MovingThing& each) {
+    return !each.has_people() && each.reach().disjoint(bounds);
+  };
+  if (!std::all_of(movings_.begin(), movings_.end(), is_clear_of)) return false;
+  for (int i = 0; i < static_cast<int>(robots_.size()); ++i) {
+    if (i != robot && !reserved_volume(entry(i)).bounds().disjoint(bounds)) return false;
+  }
+  return true;
 }
 
 namespace {

@@ -244,6 +244,11 @@ class SiteWorld {
   const std::string& obstacle_name(collision::ObstacleId id) const { return names_.at(id); }
   double contact_tolerance() const { return contact_tolerance_; }
 
+  /// Whether no other machine and nothing with a timetable is or may come into the box.
+  bool is_alone_in(int robot, const collision::Bounds& bounds) const;
+  /// Changes whenever something comes to stand, leaves, or is changed where it stands, a zone is
+  /// held or released, or something else hangs on the robot, or hangs otherwise.
+  std::uint64_t standing_version(int robot) const { return changes_ + entry(robot).turns; }
   /// Changes whenever anything but `robot`'s own steps changed what it may do.
   std::uint64_t version(int robot) const;
 
@@ -265,6 +270,7 @@ class SiteWorld {
     bool stepping = false;
     MachineStep step;                          ///< the one in progress, while `stepping`
     std::optional<LoadTurn> turn;              ///< the one in progress
+    std::uint64_t turns = 0;                   ///< how often its load was turned
     std::vector<std::pair<int, int>> entered;  ///< body, component
     std::uint64_t changes = 0;                 ///< of what belongs to it
     mutable bool near_moving = false;          ///< it was where something with a timetable goes
