@@ -29,35 +29,51 @@ bool FreeLine::has(std::span<const double> q) const {
   const double share = (q[longest_] - q_from_[longest_]) / way_[longest_];
   if (!(share >= -kRounding && share <= 1 + kRounding)) return false;
   for (std::size_t i = 0; i < way_.size(); ++i) {
-    const bool on_line = way_[i] == 0 ? q[i] == q_from_[i]
-                                      : is_near(q[i], q_from_[i] + share * way_[i]);
+    const bool on_line =
+        way_[i] == 0 ? q[i] == q_from_[i] : is_near(q[i], q_from_[i] + share * way_[i]);
     if (!on_line) return false;
   }
   return true;
 }
 
 bool FreeLine::covers(std::span<const double> q_from, std::span<const double> q_to,
-                      std::uint64_t version) const {
-  return !way_.empty() && version == version_ && has(q_from) && has(q_to);
+                      std::uint64_t version) {
+  const bool on_line = !way_.empty() && version == version_ && has(q_from) && has(q_to);
+  is_used_ = is_used_ || on_line;
+  return on_line;
+}
+
+/// Whether the step goes on where the last one ended, by the same amount. Steps on a line are not
+/// told of: the next one after them goes on, too.
+bool FreeLine::goes_on(std::span<const double> q_from, std::span<const double> q_to) const {
+  if (last_from_.size() != q_from.size()) return false;
+  const bool from_line = !way_.empty() && has(q_from);
+  for (std::size_t i = 0; i < q_from.size(); ++i) {
+    const double last = last_to_[i] - last_from_[i];
+    if (std::fabs(q_to[i] - q_from[i] - last) > kSameStep * std::fabs(last)) return false;
+    if (!from_line && !is_near(q_from[i], last_to_[i])) return false;
+  }
+  return true;
 }
 
 std::vector<double> FreeLine::ahead(const robot::RobotModel& model, std::span<const double> q_from,
                                     std::span<const double> q_to) {
   const std::size_t count = q_from.size();
-  // A line that went as planned lets its steps pass unseen; the next one goes on from its end.
-  bool goes_on = last_to_.size() == count && last_step_.size() == count;
-  for (std::size_t i = 0; goes_on && i < count; ++i) {
-    const double step = q_to[i] - q_from[i];
-    goes_on = std::fabs(step - last_step_[i]) <= kSameStep * std::fabs(last_step_[i]) &&
-              (is_near(q_from[i], last_to_[i]) || (!way_.empty() && has(q_from)));
-  }
+  const bool same_again =
+      std::equal(q_from.begin(), q_from.end(), last_from_.begin(), last_from_.end()) &&
+      std::equal(q_to.begin(), q_to.end(), last_to_.begin(), last_to_.end());
+  if (same_again) return {};
+  const bool in_run = goes_on(q_from, q_to);
+  if (in_run || is_used_) is_eager_ = true;
+  if (!in_run && is_first_ && !is_used_) is_eager_ = false;
+  is_first_ = !in_run;
+  is_used_ = false;
+  last_from_.assign(q_from.begin(), q_from.end());
   last_to_.assign(q_to.begin(), q_to.end());
-  last_step_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) last_step_[i] = q_to[i] - q_from[i];
-  if (!goes_on) {
+  if (!in_run) {
     pause_ = 0;
     steps_ = std::max(steps_, kFirstSteps);
-    return {};
+    if (!is_eager_) return {};
   }
   if (pause_ > 0) {
     --pause_;
@@ -66,7 +82,7 @@ std::vector<double> FreeLine::ahead(const robot::RobotModel& model, std::span<co
   int steps = steps_;
   bool moves = false;
   for (std::size_t i = 0; i < count; ++i) {
-    const double step = last_step_[i];
+    const double step = q_to[i] - q_from[i];
     if (step == 0) continue;
     moves = true;
     const robot::Parameter& parameter = model.parameters[i];
@@ -76,7 +92,7 @@ std::vector<double> FreeLine::ahead(const robot::RobotModel& model, std::span<co
   }
   if (!moves || steps < kFewestSteps) return {};
   std::vector<double> q_end(q_from.begin(), q_from.end());
-  for (std::size_t i = 0; i < count; ++i) q_end[i] += steps * last_step_[i];
+  for (std::size_t i = 0; i < count; ++i) q_end[i] += steps * (q_to[i] - q_from[i]);
   return q_end;
 }
 

@@ -13,14 +13,14 @@ namespace rubicon::site {
 /// of everything that stands, of the robot's own bodies and of zones. A step on it sweeps a part of
 /// that volume, so it is free of them, too, and need not be tested. One for each robot.
 ///
-/// A step that goes on where the last one ended, by the same amount, is a reason to look further
-/// ahead: 4 steps, then twice as many each time it helps. docs/collision.md, Steps ahead.
+/// A step is taken for the first of a run of equal ones, and 4 of them are looked at; then twice as
+/// many each time it helps. Where steps never go on by the same amount nothing is looked at.
+/// docs/collision.md, Steps ahead.
 class FreeLine {
  public:
   /// Whether the step lies on the line, and what was looked at then is as it was. `version`: of all
   /// that the line was tested against, and of what hangs on the robot.
-  bool covers(std::span<const double> q_from, std::span<const double> q_to,
-              std::uint64_t version) const;
+  bool covers(std::span<const double> q_from, std::span<const double> q_to, std::uint64_t version);
   /// The box around all that is swept along the line (world, m).
   const collision::Bounds& bounds() const { return bounds_; }
 
@@ -37,6 +37,7 @@ class FreeLine {
 
  private:
   bool has(std::span<const double> q) const;
+  bool goes_on(std::span<const double> q_from, std::span<const double> q_to) const;
 
   std::vector<double> q_from_;
   std::vector<double> way_;  ///< from its start to its end; empty: there is no line
@@ -44,10 +45,14 @@ class FreeLine {
   std::uint64_t version_ = 0;
   collision::Bounds bounds_;
 
-  std::vector<double> last_to_;    ///< where the last step ended that was tested
-  std::vector<double> last_step_;  ///< its change of each parameter
-  int steps_ = 4;                  ///< to look ahead next time
-  int pause_ = 0;                  ///< steps to test alone before
+  /// The last step that was not on a line.
+  std::vector<double> last_from_;
+  std::vector<double> last_to_;
+  bool is_first_ = false;  ///< it did not go on where another ended
+  bool is_used_ = false;   ///< since then a step was on the line
+  bool is_eager_ = true;   ///< whether lines from first steps have been of use
+  int steps_ = 4;          ///< to look ahead next time
+  int pause_ = 0;          ///< steps to test alone before
 };
 
 }  // namespace rubicon::site

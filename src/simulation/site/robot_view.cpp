@@ -85,8 +85,8 @@ std::optional<interpreter::HitPair> RobotView::overload(const interpreter::Motio
                         robot::tool_pose(*machine.model, machine.mounting, q).translation());
   };
   const double after = radius(step.q_to);
-  if (after <= radius(step.q_from) + kRadiusRounding) return std::nullopt;
   if (load->mass <= capacity_at(machine.model->capacity, after)) return std::nullopt;
+  if (after <= radius(step.q_from) + kRadiusRounding) return std::nullopt;
   return interpreter::HitPair{load->name, "the load chart of " + machine.name};
 }
 

@@ -29,6 +29,12 @@ StepQuery::StepQuery(const SiteRobot& robot, const std::optional<Load>& load,
       moves_(robot.bodies.size() + 1, false),
       item_of_(robot.bodies.size() + 1, -1) {
   query_.contact_tolerance = contact_tolerance;
+  // A rope may be several items: room for that of most machines.
+  const std::size_t items = robot.bodies.size() + robot.buffers.size() + robot.ropes.size() + 2;
+  query_.items.reserve(items);
+  query_.pairs.reserve(robot.own_pairs.size() + robot.load_pairs.size());
+  part_of_.reserve(items);
+  movers_.reserve(items);
   for (int part = 0; part <= load_part_; ++part) {
     const auto i = static_cast<std::size_t>(part);
     if (robot_.is_rope(part)) {

@@ -65,7 +65,7 @@ std::optional<ResourceAllocator::Grant> ResourceAllocator::take(Ticks now) {
   std::vector<int> bests;  // more than one: of the same task
   for (int i = 0; i < sets_.size(); ++i) {
     const Queue& queue = queues_[at(i)];
-    if (!all_free(i) || out_until(i) > now) continue;
+    if (queue.is_empty() || !all_free(i) || out_until(i) > now) continue;
     move_up(i, now);
     drop_those_who_ask_no_more(i);
     if (queue.waiting.empty() || !calendar(i).works_at(now)) continue;
@@ -129,8 +129,9 @@ Ticks ResourceAllocator::next_chance(Ticks now) {
   Ticks next = schedule::kEndOfTime;
   for (int i = 0; i < sets_.size(); ++i) {
     const Queue& queue = queues_[at(i)];
+    if (queue.is_empty() || !all_free(i)) continue;
     drop_those_who_ask_no_more(i);
-    if ((queue.later.empty() && queue.waiting.empty()) || !all_free(i)) continue;
+    if (queue.is_empty()) continue;
     const Ticks from = queue.waiting.empty() ? std::get<Ticks>(*queue.later.begin()) : now;
     const Ticks chance = calendar(i).next_working(std::max({from, now, out_until(i)}));
     if (chance > now) next = std::min(next, chance);

@@ -96,6 +96,8 @@ class ResourceAllocator {
   struct Queue {
     std::set<Place> waiting;
     std::set<std::tuple<Ticks, double, int>> later;  ///< by the moment from which they ask
+
+    bool is_empty() const { return waiting.empty() && later.empty(); }
   };
 
   bool all_free(int queue) const { return states_.are_free(sets_.shares(queue)); }
