@@ -7,6 +7,11 @@
 namespace rubicon::collision {
 namespace {
 
+/// A mesh that goes farther in a slice than this share of half the diagonal of its box is looked at
+/// in halves, so many times at most.
+constexpr double kFarWay = 0.6;
+constexpr int kMeshHalvings = 3;
+
 /// The tolerance for the boxes around two parts. Soups: their triangles may be too small to be
 /// allowed more.
 double part_tolerance(const BodyPart& a, const BodyPart& b, double contact_tolerance) {
@@ -99,10 +104,17 @@ class PartBoxes {
   double tolerance_;
 };
 
+/// Whether a mesh goes so far in a slice, beside its size, that most of its triangles are near
+/// those of the other only in a part of it. Then halves are less work than the whole.
+bool goes_far(const SweepSlice& slice, const BodyPart& moving) {
+  const Vec3 way = slice.end() * moving.box.centre - slice.start() * moving.box.centre;
+  return way.squaredNorm() > kFarWay * kFarWay * moving.box.half.squaredNorm();
+}
+
 /// Over one slice, two parts.
 Verdict part_verdict(Sweep& sweep, SweepSlice& slice, const BodyPart& moving, const Body& standing,
                      const BodyPart& fixed, const OrientedBox& fixed_box, const Placement& X_WB,
-                     double contact_tolerance) {
+                     double contact_tolerance, int halvings) {
   const PartBoxes boxes(sweep, moving, fixed, fixed_box,
                         part_tolerance(moving, fixed, contact_tolerance));
   const Verdict found = boxes.verdict(slice);
@@ -110,6 +122,16 @@ Verdict part_verdict(Sweep& sweep, SweepSlice& slice, const BodyPart& moving, co
   const TriangleSoup* moving_soup = moving.soup < 0 ? nullptr : &sweep.body().soups()[moving.soup];
   const TriangleSoup* fixed_soup = fixed.soup < 0 ? nullptr : &standing.soups()[fixed.soup];
   if (moving_soup != nullptr && fixed_soup != nullptr) {
+    if (halvings > 0 && !sweep.is_translation() && goes_far(slice, moving)) {
+      Verdict result = Verdict::kFree;
+      for (SweepSlice* half : {&slice.first_half(), &slice.second_half()}) {
+        const Verdict of_half = part_verdict(sweep, *half, moving, standing, fixed, fixed_box, X_WB,
+                                             contact_tolerance, halvings - 1);
+        if (of_half == Verdict::kHit) return of_half;
+        if (of_half == Verdict::kUndecided) result = of_half;
+      }
+      return result;
+    }
     return MeshMeshNarrowPhase(sweep, *moving_soup, fixed, *fixed_soup, X_WB, contact_tolerance)
         .verdict(slice);
   }
@@ -134,7 +156,7 @@ Verdict fast_path_verdict(Sweep& sweep, const Body& standing, const Placement& X
     for (const BodyPart& moving : sweep.body().parts()) {
       for (int i = 0; i < sweep.slice_count() && result != Verdict::kHit; ++i) {
         const Verdict found = part_verdict(sweep, sweep.slice(i), moving, standing, fixed,
-                                           fixed_box, X_WB, contact_tolerance);
+                                           fixed_box, X_WB, contact_tolerance, kMeshHalvings);
         if (found != Verdict::kFree) result = found;
       }
     }
