@@ -69,7 +69,6 @@ bool ClearanceBudget::Impl::covers(std::size_t item, const Body& body, const Mot
     const double squared = allowed * allowed;
     return from.squaredNorm() < squared && (from + screw->slide).squaredNorm() < squared;
   }
-  require_valid(motion);
   return greatest_displacement(body, motion, known.X) < allowed;
 }
 

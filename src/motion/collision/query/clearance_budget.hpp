@@ -37,8 +37,7 @@ struct ClearanceBudget::Impl {
 
   /// Forgets everything if the world is another one or has changed.
   void look_at(const WorldState& now);
-  /// Whether the item stays in space known to be free all the time. Throws std::invalid_argument
-  /// for a motion that is not valid, unless that is left to the test.
+  /// Whether the item stays in space known to be free all the time of a valid motion.
   bool covers(std::size_t item, const Body& body, const Motion& motion) const;
   /// After a step of the item was found free: measures the space where it ends, if that is likely
   /// to be of use.

@@ -19,6 +19,7 @@
 #include "src/motion/collision/query/clearance_budget.hpp"
 #include "src/motion/collision/swept_query.hpp"
 #include "src/motion/collision/tree/wide_tree.hpp"
+#include "src/motion/math/angles.hpp"
 
 namespace rubicon::collision {
 namespace {
@@ -58,6 +59,35 @@ struct CollisionWorld::Impl {
     }
     std::sort(found.begin(), found.end(),
               [this](int a, int b) { return obstacles[a].id < obstacles[b].id; });
+  }
+
+  /// Whether the body may come near any obstacle at all, by boxes that are sooner made than its
+  /// sweep; false is certain. The motion must be valid.
+  bool comes_near(const Body& body, const Motion& motion) const {
+    const geometry::ScrewMotion* screw = screw_of(motion);
+    if (screw == nullptr) return true;
+    const Bounds& own = body.bounds();
+    const Bounds& all = tree.around();
+    const Vec3 centre = screw->X0 * (body.extent().centre + own.centre());
+    const Vec3 half = screw->X0.linear().cwiseAbs() * own.half();
+    // Written so that what is no number counts as near.
+    const auto apart = [&](int i, double growth) {
+      const double slide = screw->slide[i];
+      return centre[i] - half[i] - growth + std::min(slide, 0.0) > all.upper[i] ||
+             centre[i] + half[i] + growth + std::max(slide, 0.0) < all.lower[i];
+    };
+    if (screw->angle_deg == 0) return !(apart(2, 0) || apart(0, 0) || apart(1, 0));
+    // No point goes farther than its arc, and none along the axis.
+    double arc = -1;
+    for (const int i : {2, 0, 1}) {
+      const bool across = std::fabs(screw->axis[i]) != 1;
+      if (across && arc < 0) {
+        const Vec3 arm = screw->axis.cross(centre - screw->point).cwiseAbs();
+        arc = math::radians(std::fabs(screw->angle_deg)) * (arm.sum() + own.half().sum());
+      }
+      if (apart(i, across ? arc : 0)) return false;
+    }
+    return true;
   }
 
   static bool blocks(const Obstacle& obstacle, Sweep& sweep, double tolerance) {
@@ -175,16 +205,25 @@ class Sweeps {
 
   Sweep& of(int item) {
     const MovingBody& moving = query_.items[item].moving;
-    // Without pairs nobody comes back to an item.
-    const bool keep = !query_.pairs.empty();
-    std::optional<Sweep>& sweep = keep ? kept(item) : only_;
-    if (!keep || !sweep) sweep.emplace(*moving.body, moving.motion);
+    std::optional<Sweep>& sweep = place_of(item);
+    if (!is_kept() || !sweep) sweep.emplace(*moving.body, moving.motion);
     return *sweep;
+  }
+
+  /// The first time that the item is asked for, if its motion was found to be valid.
+  Sweep& of_valid(int item) {
+    const MovingBody& moving = query_.items[item].moving;
+    return place_of(item).emplace(*moving.body, moving.motion, Sweep::Valid{});
   }
 
  private:
   /// Most machines have fewer parts; their sweeps need no memory of their own.
   static constexpr int kFew = 12;
+
+  /// Without pairs nobody comes back to an item.
+  bool is_kept() const { return !query_.pairs.empty(); }
+
+  std::optional<Sweep>& place_of(int item) { return is_kept() ? kept(item) : only_; }
 
   std::optional<Sweep>& kept(int item) {
     if (item < kFew) {
@@ -265,9 +304,11 @@ SweptResult CollisionWorld::Impl::test(const SweptQuery& query,
     const Body& body = *item.moving.body;
     // Who is in a pair needs its sweep anyway, and with it the tree costs less than the budget.
     ClearanceBudget::Impl* use = budget != nullptr && !in_pair(query, i) ? budget : nullptr;
+    require_valid(item.moving.motion);
+    if (!comes_near(body, item.moving.motion)) continue;
     if (use != nullptr && use->covers(i, body, item.moving.motion)) continue;
     const std::optional<ObstacleId> met =
-        first_met(sweeps.of(i), query.contact_tolerance, query.ignore);
+        first_met(sweeps.of_valid(i), query.contact_tolerance, query.ignore);
     if (met) return {SweptHit{i, met, std::nullopt}};
     if (use != nullptr) use->measure(i, body, item.moving.motion, tree);
   }

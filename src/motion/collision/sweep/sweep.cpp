@@ -28,9 +28,12 @@ int useful_slices(const Body& body, const Motion& motion) {
   return count;
 }
 
-/// Whether a motion, after it is found to be valid, is a translation.
-bool checked_translation(const Motion& motion) {
+const Motion& checked(const Motion& motion) {
   require_valid(motion);
+  return motion;
+}
+
+bool translates(const Motion& motion) {
   const geometry::ScrewMotion* screw = screw_of(motion);
   return screw != nullptr && screw->angle_deg == 0;
 }
@@ -124,10 +127,12 @@ SweepSlice& SweepSlice::second_half() {
   return *second_;
 }
 
-Sweep::Sweep(const Body& body, const Motion& motion)
+Sweep::Sweep(const Body& body, const Motion& motion) : Sweep(body, checked(motion), Valid{}) {}
+
+Sweep::Sweep(const Body& body, const Motion& motion, Valid)
     : body_(&body),
       motion_(&motion),
-      is_translation_(checked_translation(motion)),
+      is_translation_(translates(motion)),
       moves_(motion.moves()),
       count_(is_translation_ ? 1 : useful_slices(body, motion)),
       first_(body, motion, 0, 1.0 / count_) {

@@ -57,6 +57,9 @@ class Sweep {
  public:
   /// Throws std::invalid_argument as `RelativeMotion`.
   Sweep(const Body& body, const Motion& motion);
+  /// Of a motion that `require_valid` has passed.
+  struct Valid {};
+  Sweep(const Body& body, const Motion& motion, Valid);
 
   const Body& body() const { return *body_; }
   const Motion& motion() const { return *motion_; }

@@ -88,7 +88,6 @@ WideTree::WideTree(const std::vector<Bounds>& items) {
   std::vector<TreeEntry> entries;
   for (std::size_t i = 0; i < items.size(); ++i) {
     entries.push_back({to_float(items[i]), static_cast<int>(i)});
-    note_farthest(entries.back().box);
   }
   build(std::move(entries));
 }
@@ -109,7 +108,13 @@ FloatBox WideTree::to_float(const Bounds& bounds) const {
   return box;
 }
 
-void WideTree::note_farthest(const FloatBox& box) {
+void WideTree::note_extent(const FloatBox& box) {
+  Bounds bounds;
+  for (int axis = 0; axis < 3; ++axis) {
+    bounds.lower[axis] = origin_[axis] + box.lower[axis] - kBoundsMargin;
+    bounds.upper[axis] = origin_[axis] + box.upper[axis] + kBoundsMargin;
+  }
+  around_.add(bounds);
   for (int axis = 0; axis < 3; ++axis) {
     farthest_ = std::max({farthest_, static_cast<double>(std::fabs(box.lower[axis])),
                           static_cast<double>(std::fabs(box.upper[axis]))});
@@ -123,6 +128,8 @@ void WideTree::build(std::vector<TreeEntry> entries) {
   changes_ = 0;
   depth_ = 0;
   size_ = static_cast<int>(entries.size());
+  around_ = {};
+  for (const TreeEntry& entry : entries) note_extent(entry.box);
   add_node({});
   if (!entries.empty()) fill_node(0, entries, 0, entries.size(), 1);
 }
@@ -214,7 +221,7 @@ void WideTree::insert(int item, const Bounds& bounds) {
     depth_ = 1;
   }
   const FloatBox box = to_float(bounds);
-  note_farthest(box);
+  note_extent(box);
   ++size_;
   int node = 0;
   for (int depth = 1;; ++depth) {

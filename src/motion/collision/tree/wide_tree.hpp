@@ -65,8 +65,11 @@ class WideTree {
   /// that miss it by rounding, never fewer.
   void collect(const Bounds& bounds, ItemList& found) const;
 
-  /// The same, but without those that lie beside one of the slabs; the region asked for is within
-  /// `bounds` and between all slabs.
+  /// A box around all items; it may be larger where some were removed. Empty without items.
+  const Bounds& around() const { return around_; }
+
+  /// The same as the first, but without those that lie beside one of the slabs; the region asked
+  /// for is within `bounds` and between all slabs.
   void collect(const Bounds& bounds, std::span<const Slab> slabs, ItemList& found) const;
 
   /// A lower bound of the distance (m) between `bounds` and the nearest item's box; `range` or a
@@ -81,7 +84,7 @@ class WideTree {
 
   void set_origin(const Bounds& first);
   FloatBox to_float(const Bounds& bounds) const;
-  void note_farthest(const FloatBox& box);
+  void note_extent(const FloatBox& box);
   void build(std::vector<TreeEntry> entries);
   void fill_node(int node, std::vector<TreeEntry>& entries, std::size_t begin, std::size_t end,
                  int depth);
@@ -99,6 +102,7 @@ class WideTree {
   std::vector<int> free_nodes_;
   std::vector<Place> places_;  ///< of items
   Vec3 origin_ = Vec3::Zero();
+  Bounds around_;
   double farthest_ = 0;  ///< m, greatest distance of a coordinate from the origin's
   int size_ = 0;
   int changes_ = 0;  ///< since the last build
