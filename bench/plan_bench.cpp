@@ -1,5 +1,6 @@
 // Whole plans by size: blocks of panels with as many tasks, read and run. Time a task must not grow
-// with the number of tasks, and reading must be linear in the size of the text.
+// with the number of tasks, and reading must be linear in the size of the text. And the residential
+// plan: what a tried step costs, with everything a run does.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include <string>
 
 #include "interpreter/check/plan_model.hpp"
+#include "src/exchange/files/disk_io.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
 #include "tests/support/memory_files.hpp"
 
@@ -106,6 +108,29 @@ BENCHMARK(run_block)
     ->Arg(100000)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
+
+/// Without reading the plan and without a trace; `tried` is the time a tried step.
+void run_residential(benchmark::State& state) {
+  files::DiskFiles files;
+  interpreter::Diagnostics diagnostics;
+  interpreter::SourceMap sources;
+  const auto plan = interpreter::load_plan(RUBICON_SOURCE_DIR "/taskplans/residential.plan",
+                                           sources, files, diagnostics);
+  if (!plan) {
+    state.SkipWithError("the plan was not read");
+    return;
+  }
+  int tried = 0;
+  for (auto each : state) {
+    const taskplan::Schedule schedule = taskplan::run_plan(*plan, sources, nullptr, {});
+    tried = 0;
+    for (const taskplan::TaskOutcome& task : schedule.tasks) tried += task.tried;
+  }
+  state.counters["steps"] = tried;
+  state.counters["tried"] = benchmark::Counter(
+      tried, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(run_residential)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 void read_block(benchmark::State& state) {
   const std::string text = block(static_cast<int>(state.range(0)));

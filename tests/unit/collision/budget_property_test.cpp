@@ -102,8 +102,10 @@ TEST(ClearanceBudget, NoticesAnotherWorld) {
 }
 
 TEST(ClearanceBudget, NoticesAnotherBodyAtTheAddressOfOneThatIsGone) {
+  // On both sides: what is beside the box around all obstacles needs no budget.
   CollisionWorld world;
   world.insert(box(Vec3::Constant(0.1)), at(2, 0, 0));
+  world.insert(box(Vec3::Constant(0.1)), at(-2, 0, 0));
   ClearanceBudget budget;
   const auto step_of = [](const Body& body) {
     SweptQuery query;

@@ -89,6 +89,10 @@ std::optional<Vec3> deep_surface(const Body& outer, const Body& inner, const Pla
 std::optional<Vec3> contained_point(const Body& a, const Body& b, const Placement& a_in_b,
                                     double contact_tolerance) {
   const Placement b_in_a = a_in_b.inverse();
+  if (placed(a.bounds(), a_in_b).disjoint(b.bounds()) ||
+      placed(b.bounds(), b_in_a).disjoint(a.bounds())) {
+    return std::nullopt;
+  }
   if (b.has_closed_soup()) {
     if (const auto probe = deep_probe(b, a, a_in_b, contact_tolerance)) return a_in_b * *probe;
   }
