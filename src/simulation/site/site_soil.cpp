@@ -23,7 +23,7 @@ std::vector<geometry::Shape> boxes_of(const std::vector<soil::Block>& blocks, in
                  metres((first_row + block.first_row) * cell), metres(block.bottom)};
     box.upper = {metres((first_column + block.end_column) * cell),
                  metres((first_row + block.end_row) * cell), metres(block.top)};
-    shapes.push_back({box, math::Pose::Identity()});
+    shapes.emplace_back().solid = box;
   }
   return shapes;
 }
