@@ -19,6 +19,20 @@ namespace {
 /// frames).
 constexpr double kRigid = 1e-6;
 
+bool is_rigid(const Pose& X) {
+  const auto& M = X.matrix();
+  const Vec3 x(M(0, 0), M(1, 0), M(2, 0));
+  const Vec3 y(M(0, 1), M(1, 1), M(2, 1));
+  const Vec3 z(M(0, 2), M(1, 2), M(2, 2));
+  // Two unit columns at right angles, the third their product; written so that "not a number"
+  // fails.
+  const double dx = x.squaredNorm() - 1;
+  const double dy = y.squaredNorm() - 1;
+  const double xy = x.dot(y);
+  const double off = (dx * dx + dy * dy) + (xy * xy + (x.cross(y) - z).squaredNorm());
+  return off <= kRigid * kRigid && std::isfinite(M(0, 3) + M(1, 3) + M(2, 3));
+}
+
 }  // namespace
 
 const ScrewMotion* screw_of(const Motion& motion) { return std::get_if<ScrewMotion>(&motion.kind); }
@@ -35,17 +49,24 @@ void require_valid(const Motion& motion) {
     require_rigid(motion.pose(1), "the pose at the end of a motion");
     return;
   }
-  require_rigid(screw->X0, "the pose at the start of a motion");
-  if (!screw->slide.allFinite()) throw std::invalid_argument("the slide of a motion is not finite");
+  if (!is_rigid(screw->X0)) require_rigid(screw->X0, "the pose at the start of a motion");
+  // Sums are finite only if all of it is; one that is too great is looked at again.
+  const Vec3& slide = screw->slide;
+  if (!std::isfinite(slide.x() + slide.y() + slide.z()) && !slide.allFinite()) {
+    throw std::invalid_argument("the slide of a motion is not finite");
+  }
   if (screw->angle_deg == 0) return;
-  if (!std::isfinite(screw->angle_deg) || !screw->point.allFinite()) {
+  const Vec3& point = screw->point;
+  if (!std::isfinite(screw->angle_deg + point.x() + point.y() + point.z()) &&
+      !(std::isfinite(screw->angle_deg) && point.allFinite())) {
     throw std::invalid_argument("the rotation of a motion is not finite");
   }
   if (!(std::fabs(screw->axis.squaredNorm() - 1) < 2 * kRigid)) {
     throw std::invalid_argument("the axis of a motion is not a unit vector");
   }
-  const double across = screw->axis.cross(screw->slide).squaredNorm();
-  if (across > kRigid * kRigid * screw->slide.squaredNorm()) {
+  const double length = slide.squaredNorm();
+  if (length == 0) return;
+  if (screw->axis.cross(slide).squaredNorm() > kRigid * kRigid * length) {
     throw std::invalid_argument("the slide of a rotating motion is not along its axis");
   }
 }
@@ -58,19 +79,7 @@ double unit_sagitta_of(double angle_deg) {
 }
 
 void require_rigid(const Pose& X, const char* what) {
-  const auto& M = X.matrix();
-  const Vec3 x(M(0, 0), M(1, 0), M(2, 0));
-  const Vec3 y(M(0, 1), M(1, 1), M(2, 1));
-  const Vec3 z(M(0, 2), M(1, 2), M(2, 2));
-  // Two unit columns at right angles, the third their product; written so that "not a number"
-  // fails.
-  const double dx = x.squaredNorm() - 1;
-  const double dy = y.squaredNorm() - 1;
-  const double xy = x.dot(y);
-  const double off = (dx * dx + dy * dy) + (xy * xy + (x.cross(y) - z).squaredNorm());
-  if (off <= kRigid * kRigid && std::isfinite(M(0, 3) + M(1, 3) + M(2, 3))) {
-    return;
-  }
+  if (is_rigid(X)) return;
   const bool finite = X.linear().allFinite() && X.translation().allFinite();
   throw std::invalid_argument(
       fmt::format("{} is not {}", what, finite ? "a rigid transform" : "finite"));
