@@ -448,7 +448,9 @@ class CoverCheck {
       const coverage::Place& place = pattern.way[i].place;
       if (i > 0) {
         const coverage::Place& before = pattern.way[i - 1].place;
-        measures.length += std::hypot(place.x - before.x, place.y - before.y);
+        const double x = place.x - before.x;
+        const double y = place.y - before.y;
+        measures.length += std::sqrt(x * x + y * y);
       }
       go(place, above_, -1);
       drawn.points.push_back({place, 0, false});

@@ -1,8 +1,8 @@
 type Flat = [x: number, y: number];
 type Segment = [number, number];
 
-/** Corners of a digit, of height 1 and width 0.6: lower left and right, middle, upper. */
-const corners: Flat[] = [[0, 0], [0.6, 0], [0, 0.5], [0.6, 0.5], [0, 1], [0.6, 1]];
+/** Corners of a digit, of height 1 and width 0.6: lower left and right, middle, upper; the ends of a one. */
+const corners: Flat[] = [[0, 0], [0.6, 0], [0, 0.5], [0.6, 0.5], [0, 1], [0.6, 1], [0.3, 0], [0.3, 1]];
 const top: Segment = [4, 5];
 const middle: Segment = [2, 3];
 const low: Segment = [0, 1];
@@ -13,7 +13,7 @@ const lowerRight: Segment = [1, 3];
 /** The segments of each digit, as on a display of seven. */
 const segments: Segment[][] = [
   [top, low, upperLeft, upperRight, lowerLeft, lowerRight],
-  [upperRight, lowerRight],
+  [[6, 7]],
   [top, upperRight, middle, lowerLeft, low],
   [top, upperRight, middle, lowerRight, low],
   [upperLeft, upperRight, middle, lowerRight],

@@ -16,8 +16,8 @@ const above = 0.04;
 /** Half of the cross at a node, and how far the border of a cell is drawn inside it (m). */
 const cross = 0.18;
 const inset = 0.07;
-/** The most of a number's height (m), and its share of the narrow side of its cell. */
-const number = { most: 0.9, share: 0.3 };
+/** A number's height (m): a share of the narrow side of its cell within bounds; and how much of it lines keep clear of its middle. */
+const number = { least: 0.45, most: 0.9, share: 0.35, clear: 1.1 };
 /** Of the arrow head of a line at work (m). */
 const barb = { length: 0.35, across: 0.14 };
 const roundSides = 16;
@@ -50,7 +50,14 @@ export class Floors {
 
   constructor(film: Film, light: Light) {
     this.strokes = new Strokes(light, 1.8);
-    this.covers = film.header.tasks.flatMap(({ cover }) => (cover?.floor ? [{ cover, pose: poseMatrix(cover.pose) }] : []));
+    // Coats of paint go the same way: it is drawn once.
+    const known = new Set<string>();
+    this.covers = film.header.tasks.flatMap(({ cover }) => {
+      const way = JSON.stringify([cover?.pose, cover?.floor, cover?.steps]);
+      if (!cover?.floor || known.has(way)) return [];
+      known.add(way);
+      return [{ cover, pose: poseMatrix(cover.pose) }];
+    });
   }
 
   /** The steps that there is anything of. */
@@ -135,12 +142,22 @@ export class Floors {
   private addOrder({ cells, order }: NonNullable<CoverData['steps']>, at: (p: Flat) => Vector3, theme: Theme): void {
     const rings = cells.map(pairs);
     const middles = rings.map(middleOf);
-    order.forEach((cell, i) => {
-      const [xs, ys] = [rings[cell].map(([x]) => x), rings[cell].map(([, y]) => y)];
+    const heights = rings.map((ring) => {
+      const [xs, ys] = [ring.map(([x]) => x), ring.map(([, y]) => y)];
       const narrow = Math.min(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys));
-      const height = Math.min(number.most, number.share * narrow);
-      for (const [a, b] of digitStrokes(i + 1, middles[cell], height)) this.strokes.add(at(a), at(b), theme.selected);
-      if (i > 0) this.strokes.add(at(middles[order[i - 1]]), at(middles[cell]), theme.selected, 0.5);
+      return Math.min(Math.max(number.share * narrow, number.least), number.most);
+    });
+    order.forEach((cell, i) => {
+      for (const [a, b] of digitStrokes(i + 1, middles[cell], heights[cell])) this.strokes.add(at(a), at(b), theme.selected);
+      if (i === 0) return;
+      const before = order[i - 1];
+      const [from, to] = [middles[before], middles[cell]];
+      const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+      const length = Math.hypot(dx, dy);
+      const [begin, end] = [number.clear * heights[before], length - number.clear * heights[cell]];
+      if (end <= begin) return;
+      const on = (along: number): Flat => [from[0] + (dx * along) / length, from[1] + (dy * along) / length];
+      this.strokes.add(at(on(begin)), at(on(end)), theme.selected, 0.6);
     });
   }
 

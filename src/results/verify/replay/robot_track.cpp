@@ -262,8 +262,9 @@ class TrackBuilder {
       const double square = (bx - ax) * (bx - ax) + (by - ay) * (by - ay);
       const double along = (x - ax) * (bx - ax) + (y - ay) * (by - ay);
       const double share = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0;
-      nearest =
-          std::min(nearest, std::hypot(ax + share * (bx - ax) - x, ay + share * (by - ay) - y));
+      const double off_x = ax + share * (bx - ax) - x;
+      const double off_y = ay + share * (by - ay) - y;
+      nearest = std::min(nearest, std::sqrt(off_x * off_x + off_y * off_y));
     }
     return inside ? nearest : -nearest;
   }
