@@ -8,6 +8,7 @@
 #include "bench/random.hpp"
 #include "src/motion/coverage/coverage.hpp"
 #include "src/motion/math/angles.hpp"
+#include "tests/unit/coverage/random_floors.hpp"
 
 namespace rubicon::bench {
 namespace {
@@ -47,6 +48,14 @@ void BM_CoverageOfTheAnchorSlab(benchmark::State& state) {
   plan(state, floor, true);
 }
 BENCHMARK(BM_CoverageOfTheAnchorSlab)->Unit(benchmark::kMillisecond);
+
+/// The ten floors of the tests, each with its bound.
+void BM_CoverageOfTenFloors(benchmark::State& state) {
+  const FloorCase each = ten_floors()[static_cast<std::size_t>(state.range(0))];
+  state.SetLabel(each.name);
+  plan(state, each.floor, true);
+}
+BENCHMARK(BM_CoverageOfTenFloors)->DenseRange(0, 9)->Unit(benchmark::kMillisecond);
 
 /// Columns anywhere on 12 square metres each, a tenth as many shafts.
 void BM_CoverageAmongColumns(benchmark::State& state) {

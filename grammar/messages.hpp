@@ -246,7 +246,8 @@ RUBICON_EXPECT(area_column_comma, "',' and the size of the column");
 RUBICON_EXPECT(area_column_size, "a length");
 RUBICON_EXPECT(area_name, "a name after area");
 RUBICON_EXPECT(area_part, "area", Explain::item,
-               "height outline shaft column round_column beam obstacles");
+               "height at outline shaft column round_column beam obstacles");
+RUBICON_EXPECT(area_at_frame, "a frame");
 RUBICON_EXPECT(area_obstacles_from, "from components after obstacles");
 RUBICON_EXPECT(area_obstacles_components, "components after obstacles from");
 RUBICON_EXPECT(dig_volume, "the volume of soil to dig, such as 10000 m3");
@@ -273,13 +274,16 @@ RUBICON_EXPECT(dig_dump_at, "at after dump");
 RUBICON_EXPECT(dig_dump_frame, "a place, such as trans(2, 6, 3.5)");
 RUBICON_EXPECT(cover_number_value, "a number");
 RUBICON_EXPECT(cover_word_value, "a word");
+RUBICON_EXPECT(cover_holes_x, "how far holes are apart along x");
+RUBICON_EXPECT(cover_holes_comma, "',' and how far holes are apart along y");
+RUBICON_EXPECT(cover_holes_y, "a length");
 RUBICON_EXPECT(cover_joint_after, "after");
 RUBICON_EXPECT(cover_joint_limit, "a duration such as 90 min");
 RUBICON_EXPECT(cover_guide_name, "the name of a guide");
 RUBICON_EXPECT(cover_area, "the name of an area after cover");
 RUBICON_EXPECT(cover_part, "cover", Explain::item,
-               "width clearance above thickness rate partition order from inlet cold_joint guide "
-               "turn_radius");
+               "width clearance above thickness rate partition order lines from inlet cold_joint "
+               "guide turn_radius holes depth feed");
 RUBICON_EXPECT(moving_name, "a name after moving");
 RUBICON_EXPECT(moving_part, "moving", Explain::item, "shape path repeat people");
 RUBICON_EXPECT(path_place, "a time and a frame such as 20 s trans(25, 2, 0)");

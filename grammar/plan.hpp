@@ -264,7 +264,9 @@ struct area_obstacles_components : token<word<TAO_PEGTL_STRING("components")>> {
 struct area_obstacles
     : if_must<area_obstacles_key, area_obstacles_from, area_obstacles_components, plan_semicolon> {
 };
-struct area_part : sor<area_height, area_line, area_column, area_obstacles> {};
+struct area_at_frame : frame {};
+struct area_at : if_must<at_key, area_at_frame, plan_semicolon> {};
+struct area_part : sor<area_height, area_at, area_line, area_column, area_obstacles> {};
 struct whole_area_part : must<area_part> {};
 struct area_parts : nested<star<not_at<block_end>, recover<whole_area_part, item_end>>> {};
 struct area_key : token<word<TAO_PEGTL_STRING("area")>> {};
@@ -302,16 +304,24 @@ struct earth_item : if_must<earth_key, earth_name, block_open, earth_parts, bloc
 struct cover_number_key
     : token<sor<word<TAO_PEGTL_STRING("width")>, word<TAO_PEGTL_STRING("clearance")>,
                 word<TAO_PEGTL_STRING("above")>, word<TAO_PEGTL_STRING("thickness")>,
-                word<TAO_PEGTL_STRING("rate")>, word<TAO_PEGTL_STRING("turn_radius")>>> {};
+                word<TAO_PEGTL_STRING("rate")>, word<TAO_PEGTL_STRING("turn_radius")>,
+                word<TAO_PEGTL_STRING("depth")>, word<TAO_PEGTL_STRING("feed")>>> {};
 struct cover_number_value : quantity {};
 struct cover_number : if_must<cover_number_key, cover_number_value, plan_semicolon> {};
 struct cover_place_key
     : token<sor<word<TAO_PEGTL_STRING("from")>, word<TAO_PEGTL_STRING("inlet")>>> {};
 struct cover_place : if_must<cover_place_key, floor_place, plan_semicolon> {};
 struct cover_word_key
-    : token<sor<word<TAO_PEGTL_STRING("partition")>, word<TAO_PEGTL_STRING("order")>>> {};
+    : token<sor<word<TAO_PEGTL_STRING("partition")>, word<TAO_PEGTL_STRING("order")>,
+                word<TAO_PEGTL_STRING("lines")>>> {};
 struct cover_word_value : name {};
 struct cover_word : if_must<cover_word_key, cover_word_value, plan_semicolon> {};
+struct cover_holes_key : token<word<TAO_PEGTL_STRING("holes")>> {};
+struct cover_holes_x : quantity {};
+struct cover_holes_comma : comma {};
+struct cover_holes_y : quantity {};
+struct cover_holes
+    : if_must<cover_holes_key, cover_holes_x, cover_holes_comma, cover_holes_y, plan_semicolon> {};
 struct cover_joint_key : token<word<TAO_PEGTL_STRING("cold_joint")>> {};
 struct cover_joint_after : token<word<TAO_PEGTL_STRING("after")>> {};
 struct cover_joint_limit : quantity {};
@@ -321,11 +331,12 @@ struct cover_guide_key : token<word<TAO_PEGTL_STRING("guide")>> {};
 struct cover_guide_name : indexed_name {};
 struct cover_guide : if_must<cover_guide_key, cover_guide_name,
                              star<if_must<comma, cover_guide_name>>, plan_semicolon> {};
-struct cover_part : sor<cover_number, cover_place, cover_word, cover_joint, cover_guide> {};
+struct cover_part
+    : sor<cover_number, cover_place, cover_word, cover_holes, cover_joint, cover_guide> {};
 struct whole_cover_part : must<cover_part> {};
 struct cover_parts : nested<star<not_at<block_end>, recover<whole_cover_part, item_end>>> {};
 struct cover_key : token<word<TAO_PEGTL_STRING("cover")>> {};
-struct cover_area : indexed_name {};
+struct cover_area : qualified_indexed_name {};
 struct cover_item : if_must<cover_key, cover_area, block_open, cover_parts, block_close> {};
 
 struct start_key : token<word<TAO_PEGTL_STRING("start")>> {};

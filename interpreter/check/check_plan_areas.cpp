@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -8,6 +10,7 @@
 #include "interpreter/check/check_plan_obstacles.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
 #include "src/motion/coverage/coverage.hpp"
+#include "src/motion/coverage/holes.hpp"
 
 namespace rubicon::interpreter::plan_check {
 
@@ -17,7 +20,15 @@ constexpr double kMostWidth = 100;       // m
 constexpr double kMostThickness = 10;    // m
 constexpr double kMostRate = 1e6;        // m3 per h
 constexpr double kMostTurnRadius = 100;  // m
+constexpr double kMostDepth = 100;       // m
+constexpr double kMostFeed = 10;         // m/s
 constexpr double kSecondsPerHour = 3600;
+/// m; the thinnest coat of paint.
+constexpr double kLeastThickness = 1e-5;
+/// Clauses that holes have, and those of strips; all others are of both.
+constexpr const char* kOfHoles[] = {"depth", "feed"};
+constexpr const char* kOfStrips[] = {"width", "thickness",   "rate",  "partition", "order", "lines",
+                                     "inlet", "turn_radius", "guide", "cold_joint"};
 /// Waypoints of one task.
 constexpr std::size_t kMostPoints = 20'000;
 
@@ -51,8 +62,9 @@ class AreaCheck {
     if (!item_.height.empty()) {
       const auto height =
           length(subject_, item_.height.front(), "the height of " + who_, -kMaxLength, kMaxLength);
-      if (height) area_.height = *height;
+      if (height) area_.X_WA.translation() = math::Vec3(0, 0, *height);
     }
+    take_frame();
     for (const syntax::AreaItem::Part& each : item_.parts) add(each);
     if (outline_ == nullptr) {
       subject_.error("P53", item_.name.span, who_ + " has no outline",
@@ -70,6 +82,19 @@ class AreaCheck {
   }
 
  private:
+  void take_frame() {
+    if (item_.at.empty()) return;
+    if (item_.at.size() > 1) {
+      subject_.twice(item_.at[1].span, "the frame of " + who_ + " is given twice",
+                     item_.at[0].span);
+    }
+    if (!item_.height.empty()) {
+      subject_.error("P53", item_.at.front().span, who_ + " has a frame and a height as well",
+                     "at trans(0, 0, 3); is all of it");
+    }
+    area_.X_WA = resolve_frame_or_identity(subject_, item_.at.front());
+  }
+
   void add(const syntax::AreaItem::Part& part) {
     const std::string& key = part.key.text;
     if (key == "obstacles") {
@@ -127,11 +152,13 @@ class CoverCheck {
     const int errors = subject_.diagnostics.errors();
     const AreaSpec* const area = find_area();
     for (const syntax::CoverItem::Clause& each : item_.clauses) take(each);
-    if (given_.count("width") == 0) {
+    check_kind();
+    if (given_.count("holes") == 0 && given_.count("width") == 0) {
       wrong(item_.area.span, "cover does not say how wide the tool works", "width 1 m;");
     }
-    if (given_.count("rate") != 0 && given_.count("thickness") == 0) {
-      wrong(given_["rate"], "a rate needs the thickness of what is laid", "thickness 0.25 m;");
+    if (rate_ > 0 && !rate_is_area_ && given_.count("thickness") == 0) {
+      wrong(given_["rate"], "a rate needs the thickness of what is laid",
+            "thickness 0.25 m; or a rate in m2 per h");
     }
     if (options_.turn_radius > 0 && given_.count("guide") != 0) {
       wrong(given_["guide"], "with a turn_radius the way between strips is one of arcs: no guide");
@@ -145,6 +172,7 @@ class CoverCheck {
     if (floor == nullptr) floor = &area->floor;
     for (const std::string& each : faults_of(*floor, options_)) wrong(item_.area.span, each);
     if (subject_.diagnostics.errors() != errors) return std::nullopt;
+    if (given_.count("holes") != 0) return holes_over(*area, *floor);
     try {
       return way_over(*area, *floor, plan_coverage(*floor, options_));
     } catch (const std::invalid_argument& error) {
@@ -156,6 +184,26 @@ class CoverCheck {
  private:
   void wrong(Span span, std::string message, std::string hint = {}) {
     subject_.error("P54", span, std::move(message), std::move(hint));
+  }
+
+  /// Clauses of strips where holes are drilled, and of holes where none are.
+  void check_kind() {
+    const bool drills = given_.count("holes") != 0;
+    if (drills) {
+      for (const char* key : kOfStrips) {
+        if (given_.count(key) == 0) continue;
+        wrong(given_[key], fmt::format("a pattern of holes has no strips: {} says nothing", key));
+      }
+      if (given_.count("depth") == 0) {
+        wrong(item_.area.span, "holes do not say how deep they are", "depth 80 mm;");
+      }
+      return;
+    }
+    for (const char* key : kOfHoles) {
+      if (given_.count(key) == 0) continue;
+      wrong(given_[key], fmt::format("{} is of holes, and this cover drills none", key),
+            "holes 0.6 m, 0.4 m;");
+    }
   }
 
   const AreaSpec* find_area() {
@@ -174,6 +222,8 @@ class CoverCheck {
       take_cold_joint(*clause.number);
     } else if (key == "guide") {
       return;  // who knows the robot resolves it
+    } else if (key == "holes") {
+      take_holes(clause);
     } else if (clause.number) {
       take_number(key, *clause.number);
     } else if (clause.place) {
@@ -181,6 +231,8 @@ class CoverCheck {
       (key == "from" ? options_.from : options_.inlet) = place;
     } else if (key == "partition") {
       take_partition(*clause.word);
+    } else if (key == "lines") {
+      take_lines(*clause.word);
     } else {
       take_order(*clause.word);
     }
@@ -191,18 +243,26 @@ class CoverCheck {
       take_rate(number);
       return;
     }
+    if (key == "feed") {
+      take_feed(number);
+      return;
+    }
     const bool is_width = key == "width";
     const double most = key == "thickness"     ? kMostThickness
+                        : key == "depth"       ? kMostDepth
                         : key == "turn_radius" ? kMostTurnRadius
                                                : kMostWidth;
-    const bool is_size = is_width || key == "thickness";
-    const auto value = length(subject_, number, key, is_size ? 1e-3 : 0, most);
+    const double least = key == "thickness"           ? kLeastThickness
+                         : is_width || key == "depth" ? 1e-3
+                                                      : 0;
+    const auto value = length(subject_, number, key, least, most);
     if (!value) return;
     if (is_width) options_.width = *value;
     if (key == "clearance") options_.clearance = *value;
     if (key == "above") above_ = *value;
     if (key == "thickness") thickness_ = *value;
     if (key == "turn_radius") options_.turn_radius = *value;
+    if (key == "depth") depth_ = *value;
   }
 
   void take_cold_joint(const syntax::Number& number) {
@@ -214,15 +274,50 @@ class CoverCheck {
   }
 
   void take_rate(const syntax::Number& number) {
-    const bool is_rate = number.dimension == syntax::Dimension{3, 0, -1, 0};
+    rate_is_area_ = number.dimension == syntax::Dimension{2, 0, -1, 0};
+    const bool is_rate = rate_is_area_ || number.dimension == syntax::Dimension{3, 0, -1, 0};
     const double rate = number.value * kSecondsPerHour;
     if (!is_rate || !(rate > 0 && rate <= kMostRate)) {
       wrong(number.span,
-            fmt::format("expected a volume per time up to {:.0f} m3 per h as rate", kMostRate),
+            fmt::format("expected a volume per time up to {:.0f} m3 per h, or an area per time up "
+                        "to {:.0f} m2 per h, as rate",
+                        kMostRate, kMostRate),
             "rate 40 m3 per h;");
       return;
     }
     rate_ = number.value;
+  }
+
+  void take_feed(const syntax::Number& number) {
+    const bool is_speed = number.dimension == syntax::Dimension{1, 0, -1, 0};
+    if (!is_speed || !(number.value > 0 && number.value <= kMostFeed)) {
+      wrong(number.span, fmt::format("expected a speed up to {:g} m/s as feed", kMostFeed),
+            "feed 120 mm per min;");
+      return;
+    }
+    feed_ = number.value;
+  }
+
+  void take_holes(const syntax::CoverItem::Clause& clause) {
+    const auto x = length(subject_, *clause.number, "the distance of holes", 1e-3, kMostWidth);
+    const auto y = length(subject_, *clause.second, "the distance of holes", 1e-3, kMostWidth);
+    if (x) apart_.x = *x;
+    if (y) apart_.y = *y;
+  }
+
+  void take_lines(const syntax::Name& word) {
+    using coverage::LineRule;
+    const std::pair<const char*, LineRule> rules[] = {{"shortest", LineRule::kShortest},
+                                                      {"fewest", LineRule::kFewestTurns},
+                                                      {"x", LineRule::kAlongX},
+                                                      {"y", LineRule::kAlongY}};
+    for (const auto& [name, rule] : rules) {
+      if (word.text != name) continue;
+      options_.lines = rule;
+      return;
+    }
+    wrong(word.span, fmt::format("lines is shortest, fewest, x or y, found '{}'", word.text),
+          "x: they run along x of the area");
   }
 
   void take_partition(const syntax::Name& word) {
@@ -273,7 +368,7 @@ class CoverCheck {
     }
     CoverWay way;
     const coverage::Measures measures = measure(floor, options_, found.points);
-    way.cover.area = area_;
+    note_way(way.cover, floor, found, measures);
     way.cover.width = options_.width;
     way.cover.thickness = thickness_;
     way.cover.covered = measures.coverage;
@@ -282,7 +377,9 @@ class CoverCheck {
     way.cover.length = found.arcs ? found.arcs->length : measures.length;
     way.cover.turns = found.arcs ? found.arcs->turns : measures.turns;
     if (found.arcs && found.cut_off > 0) warn_of_left_out(found.cut_off);
-    const double pace = rate_ > 0 ? rate_ / (options_.width * thickness_) : 0;
+    const double pace = !(rate_ > 0)    ? 0
+                        : rate_is_area_ ? rate_ / options_.width
+                                        : rate_ / (options_.width * thickness_);
     way.cover.pace = pace;
     way.cover.turn_radius = options_.turn_radius;
     way.cover.cold_after = cold_after_;
@@ -293,19 +390,83 @@ class CoverCheck {
       const bool is_corner =
           i > 0 && i + 1 < count && !point.working && !found.points[i + 1].working;
       if (is_corner && given_.count("guide") != 0) continue;
-      GoalSpec goal;
-      goal.span = item_.area.span;
-      math::Pose X_WG = math::Pose::Identity();
       // A machine that turns with a radius stands as its way runs.
-      if (found.arcs) X_WG = math::rotation_z_deg(point.heading_deg);
-      X_WG.translation() = math::Vec3(point.place.x, point.place.y, area.height + above_);
-      goal.X_WG = X_WG;
+      math::Pose X_AG = math::Pose::Identity();
+      if (found.arcs) X_AG = math::rotation_z_deg(point.heading_deg);
+      X_AG.translation() = math::Vec3(point.place.x, point.place.y, above_);
       // What leads to the first point is no work yet.
-      const bool works = i > 0 && point.working;
-      goal.work = works ? GoalSpec::Work::working : GoalSpec::Work::travelling;
-      if (works) goal.pace = pace;
-      way.goals.push_back(std::move(goal));
+      add_goal(way, area.X_WA * X_AG, i > 0 && point.working ? pace : -1);
     }
+    return way;
+  }
+
+  /// Where the tool goes next; `pace` is negative where it travels.
+  void add_goal(CoverWay& way, const math::Pose& X_WG, double pace) const {
+    GoalSpec goal;
+    goal.span = item_.area.span;
+    goal.X_WG = X_WG;
+    const bool works = pace >= 0;
+    goal.work = works ? GoalSpec::Work::working : GoalSpec::Work::travelling;
+    if (works) goal.pace = pace;
+    way.goals.push_back(std::move(goal));
+  }
+
+  void note_way(CoverSpec& cover, const coverage::FloorDescription& floor,
+                const coverage::CoverageWay& found, const coverage::Measures& measures) const {
+    cover.area = area_;
+    cover.clearance = options_.clearance;
+    cover.above = above_;
+    cover.floor = std::make_shared<const coverage::FloorDescription>(floor);
+    cover.way = std::make_shared<const coverage::CoverageWay>(found);
+    cover.measures = measures;
+  }
+
+  /// Over each hole, in to its depth, out again, and on to the next.
+  std::optional<CoverWay> holes_over(const AreaSpec& area,
+                                     const coverage::FloorDescription& floor) {
+    const coverage::HolePattern pattern = coverage::plan_holes(floor, options_, apart_);
+    const std::size_t points = pattern.way.size() + 2 * static_cast<std::size_t>(pattern.holes);
+    if (pattern.holes == 0 || points > kMostPoints) {
+      const bool many = pattern.left_out > coverage::kMostHoles;
+      wrong(item_.area.span,
+            many ? fmt::format("the grid of holes has {} places; a task has up to {}",
+                               pattern.left_out, coverage::kMostHoles)
+            : pattern.holes == 0
+                ? std::string("there is no room for a hole on the area")
+                : fmt::format("the way has {} points; a task has up to {}", points, kMostPoints));
+      return std::nullopt;
+    }
+    CoverWay way;
+    coverage::CoverageWay drawn;
+    coverage::Measures measures;
+    const auto go = [&](const coverage::Place& place, double z, double pace) {
+      math::Pose X_AG = math::Pose::Identity();
+      X_AG.translation() = math::Vec3(place.x, place.y, z);
+      add_goal(way, area.X_WA * X_AG, pace);
+    };
+    for (std::size_t i = 0; i < pattern.way.size(); ++i) {
+      const coverage::Place& place = pattern.way[i].place;
+      if (i > 0) {
+        const coverage::Place& before = pattern.way[i - 1].place;
+        const double x = place.x - before.x;
+        const double y = place.y - before.y;
+        measures.length += std::sqrt(x * x + y * y);
+      }
+      go(place, above_, -1);
+      drawn.points.push_back({place, 0, false});
+      if (!pattern.way[i].is_hole) continue;
+      go(place, -depth_, feed_);
+      go(place, above_, -1);
+      drawn.lines.push_back({0, false, {place, place}});
+    }
+    note_way(way.cover, floor, drawn, measures);
+    way.cover.holes = pattern.holes;
+    way.cover.holes_left_out = pattern.left_out;
+    way.cover.depth = depth_;
+    way.cover.pace = feed_;
+    way.cover.width = 0;
+    way.cover.length = measures.length;
+    way.cover.covered = static_cast<double>(pattern.holes) / (pattern.holes + pattern.left_out);
     return way;
   }
 
@@ -315,7 +476,11 @@ class CoverCheck {
   coverage::CoverageOptions options_;
   double above_ = 0;
   double thickness_ = 0;
-  double rate_ = 0;  // m3/s
+  double rate_ = 0;  // m3/s, or m2/s
+  bool rate_is_area_ = false;
+  coverage::Place apart_{1, 1};  // m, of holes
+  double depth_ = 0;
+  double feed_ = 0;  // m/s; 0: as fast as the machine goes
   schedule::Ticks cold_after_ = 0;
   std::map<std::string, Span> given_;
 };

@@ -105,15 +105,16 @@ class ObstacleCheck {
                      const TaskSpec& way, const ComponentPlaces& places,
                      std::vector<coverage::Standing>& standing) {
     FloorLayer layer;
-    layer.surface = area.height;
-    layer.tool = std::max(way.go->X_WG->translation().z(), area.height + kOnSurface);
+    layer.surface = 0;
+    layer.tool = std::max(way.cover->above, kOnSurface);
+    const math::Pose X_AW = area.X_WA.inverse();
     const coverage::Region slab = slab_of(area);
     const std::vector<ComponentPlaces::Answer> answers = places.during(index);
     for (std::size_t c = 0; c < answers.size(); ++c) {
       const ComponentSpec& component = subject_.model.components[c];
       for (const ComponentPlaces::Place& place : answers[c].places) {
         if (!place.is_there) continue;
-        std::vector<coverage::Standing> things = standing_in(component, place.X_WO, layer);
+        std::vector<coverage::Standing> things = standing_in(component, X_AW * place.X_WO, layer);
         std::erase_if(things, [&](const auto& thing) { return !takes_from(slab, thing); });
         if (things.empty()) continue;
         if (answers[c].undecided >= 0) {

@@ -16,7 +16,7 @@
 #include "src/earth/hauling/hauling.hpp"
 #include "src/earth/soil/terrain.hpp"
 #include "src/fleets/lanes/lane_network.hpp"
-#include "src/motion/coverage/floor.hpp"
+#include "src/motion/coverage/coverage.hpp"
 #include "src/motion/geometry/shape.hpp"
 #include "src/motion/geometry/timetable.hpp"
 #include "src/motion/guides/guide_spec.hpp"
@@ -204,11 +204,12 @@ struct Baseline {
   schedule::Ticks finish = 0;
 };
 
-/// A floor in the plan view.
+/// A floor in the plan view, or any plane that a tool works over.
 struct AreaSpec {
   std::string name;
   Span span;
-  double height = 0;  ///< m, of its surface
+  /// Its frame {A}: the area lies in its x-y plane, the tool works from where z points.
+  math::Pose X_WA = math::Pose::Identity();
   coverage::FloorDescription floor;
 };
 
@@ -223,7 +224,17 @@ struct CoverSpec {
   double covered_area = 0;  ///< m2
   double length = 0;        ///< m, the way of the tool
   int turns = 0;
-  double turn_radius = 0;          ///< m; 0: the machine turns on the spot
+  double turn_radius = 0;  ///< m; 0: the machine turns on the spot
+  double clearance = 0;    ///< m
+  double above = 0;        ///< m, of the tool over the area
+  int holes = 0;           ///< of a pattern that is drilled; 0: it works along lines
+  int holes_left_out = 0;  ///< of the pattern: where the tool may not be
+  double depth = 0;        ///< m, of holes
+  /// The floor with all that stands on it, what its way does, and how it was found, in {A}; of
+  /// holes the last only has its points. Shared: they are large, and tasks are copied.
+  std::shared_ptr<const coverage::FloorDescription> floor;
+  std::shared_ptr<const coverage::CoverageWay> way;
+  coverage::Measures measures;
   schedule::Ticks cold_after = 0;  ///< a joint between strips is cold after this; 0: not asked
 };
 

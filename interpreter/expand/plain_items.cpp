@@ -70,6 +70,7 @@ void PlainItems::item(syntax::MovingItem& value) {
 void PlainItems::item(syntax::AreaItem& value) {
   name(value.name);
   each(value.height);
+  each(value.at);
   for (syntax::AreaItem::Part& part : value.parts) {
     mark(part.key.span);
     mark(part.span);
@@ -83,6 +84,7 @@ void PlainItems::item(syntax::CoverItem& value) {
   for (syntax::CoverItem::Clause& clause : value.clauses) {
     mark(clause.key.span);
     each(clause.number);
+    each(clause.second);
     if (clause.place) number(clause.place->x), number(clause.place->y);
     each(clause.word);
     each(clause.guides);

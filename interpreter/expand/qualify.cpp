@@ -43,6 +43,7 @@ class Qualifier {
   }
   void declare(const syntax::CalendarItem& item) { calendars_.insert(item.name.text); }
   void declare(const syntax::ModuleItem& item) { modules_.insert(item.name.text); }
+  void declare(const syntax::AreaItem& item) { areas_.insert(item.name.text); }
   void declare(const syntax::PlaceItem& item) { places_.insert(item.as.text); }
   template <typename Item>
   void declare(const Item&) {}
@@ -88,7 +89,7 @@ class Qualifier {
     prefix(item.name);
     for (syntax::Name& each : item.of) refer(each, workers_);
   }
-  void rename(syntax::AreaItem& item) { refuse(item.name.span, "an area"); }
+  void rename(syntax::AreaItem& item) { prefix(item.name); }
   void rename(syntax::EarthItem& item) { refuse(item.name.span, "an earth"); }
   void rename(syntax::NetworkItem& item) { refuse(item.name.span, "a network"); }
   void rename(syntax::FleetItem& item) { refuse(item.name.span, "a fleet"); }
@@ -180,6 +181,8 @@ class Qualifier {
           if (clause.by) refer(*clause.by, workers_);
           find_times(clause.law);
         }
+      } else if (auto* cover = std::get_if<syntax::CoverItem>(&part)) {
+        refer(cover->area, areas_);
       } else if (auto* move = std::get_if<syntax::MoveItem>(&part)) {
         refer(move->component, components_, inner_components_);
       } else if (auto* remove = std::get_if<syntax::RemoveItem>(&part)) {
@@ -234,7 +237,7 @@ class Qualifier {
   const std::string& name_;
   const std::string& file_;
   Diagnostics& diagnostics_;
-  Names components_, tasks_, workers_, calendars_, modules_, places_;
+  Names components_, tasks_, workers_, calendars_, modules_, places_, areas_;
   Names inner_components_, inner_tasks_;  ///< of the module at hand
 };
 

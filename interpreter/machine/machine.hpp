@@ -9,6 +9,7 @@
 
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/functions/way_log.hpp"
+#include "interpreter/machine/floor_fence.hpp"
 #include "interpreter/machine/motion_run.hpp"
 #include "interpreter/machine/state_table.hpp"
 #include "interpreter/program/events.hpp"
@@ -25,7 +26,10 @@ struct MotionTask {
   std::vector<std::string>
       situations;  ///< on during the whole motion (besides `via` and what the world switches on)
   std::vector<guides::GuideSpec> guides;  ///< tried in this order; none: unguided
-  Within within;                          ///< when the goal counts as reached
+  /// Of a task that covers an area and is led by guides: where they may not lead its tool from
+  /// strip to strip. Shared: the machine is copied.
+  std::shared_ptr<const FloorFence> fence = {};
+  Within within;  ///< when the goal counts as reached
   MotionClauses clauses;
   double budget = 20000;   ///< attempts
   double full_budget = 0;  ///< for messages: what the budget was before earlier tries; 0: `budget`

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "interpreter/machine/floor_fence.hpp"
 #include "interpreter/machine/machine.hpp"
 #include "src/motion/guides/lane_guide.hpp"
 #include "src/motion/robot/turns.hpp"
@@ -47,6 +48,11 @@ class Machine::GuideTests : public guides::MotionTests {
     const int limit = machine_.first_out_of_range(q_to);
     if (limit >= 0) return note(out_of_range(limit));
     if (auto pair = world_.refusal({q_from, q_to, machine_.time_, 0})) return note(*pair);
+    // On the way to the floor nothing is a fence yet.
+    if (!machine_.task_.fence || machine_.way_point_ == 0) return true;
+    auto crossed =
+        machine_.task_.fence->crossed(*machine_.model_, machine_.task_.mounting, q_from, q_to);
+    if (crossed) return note({"the tool", *std::move(crossed)});
     return true;
   }
 

@@ -363,6 +363,7 @@ RUBICON_ACTION(PlanAction, PlanState, area_name) { st.area.name = st.take_name()
 RUBICON_ACTION(PlanAction, PlanState, area_height_value) {
   st.area.height.push_back(st.take_quantity());
 }
+RUBICON_ACTION(PlanAction, PlanState, area_at_frame) { st.area.at.push_back(st.take_frame()); }
 RUBICON_ACTION(PlanAction, PlanState, area_line_key) { st.begin_area_part(begin); }
 RUBICON_ACTION(PlanAction, PlanState, area_line) { st.add_area_part(begin); }
 RUBICON_ACTION(PlanAction, PlanState, area_column_key) { st.begin_area_part(begin); }
@@ -375,7 +376,7 @@ RUBICON_ACTION(PlanAction, PlanState, cover_key) {
   st.cover = {};
   st.announce("cover");
 }
-RUBICON_ACTION(PlanAction, PlanState, cover_area) { st.cover.area = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, cover_area) { st.cover.area = st.take_dotted_name(); }
 RUBICON_ACTION(PlanAction, PlanState, cover_number_key) { st.begin_cover_clause(begin); }
 RUBICON_ACTION(PlanAction, PlanState, cover_number_value) {
   st.cover_clause.number = st.take_quantity();
@@ -389,6 +390,14 @@ RUBICON_ACTION(PlanAction, PlanState, cover_place) {
 RUBICON_ACTION(PlanAction, PlanState, cover_word_key) { st.begin_cover_clause(begin); }
 RUBICON_ACTION(PlanAction, PlanState, cover_word_value) { st.cover_clause.word = st.take_name(); }
 RUBICON_ACTION(PlanAction, PlanState, cover_word) { st.add_cover_clause(); }
+RUBICON_ACTION(PlanAction, PlanState, cover_holes_key) { st.begin_cover_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, cover_holes_x) {
+  st.cover_clause.number = st.take_quantity();
+}
+RUBICON_ACTION(PlanAction, PlanState, cover_holes_y) {
+  st.cover_clause.second = st.take_quantity();
+}
+RUBICON_ACTION(PlanAction, PlanState, cover_holes) { st.add_cover_clause(); }
 RUBICON_ACTION(PlanAction, PlanState, cover_joint_key) { st.begin_cover_clause(begin); }
 RUBICON_ACTION(PlanAction, PlanState, cover_joint_limit) {
   st.cover_clause.number = st.take_quantity();

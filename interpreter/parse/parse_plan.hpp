@@ -153,7 +153,8 @@ class PlanState : public GuideState {
   }
   void begin_cover_clause(const char* from) {
     places.clear();
-    cover_clause = {word(from), {}, {}, {}, {}};
+    cover_clause = {};
+    cover_clause.key = word(from);
   }
   void begin_earth_clause(const char* from) {
     earth_clause = {};

@@ -426,7 +426,8 @@ struct MovingItem {
 struct FloorPlace {
   Number x, y;
 };
-/// area NAME { height 3 m; outline (0, 0), ...; shaft ...; column (20, 10), 0.5 m; beam ...; }
+/// area NAME { height 3 m; at rotx(90); outline (0, 0), ...; shaft ...; column (20, 10), 0.5 m;
+/// beam ...; }
 struct AreaItem {
   /// outline, shaft, beam; column, round_column
   struct Part {
@@ -437,6 +438,7 @@ struct AreaItem {
   };
   Name name;
   std::vector<Number> height;  ///< more than one is an error of the checker
+  std::vector<Frame> at;       ///< also
   std::vector<Part> parts;
   Span span;
 };
@@ -458,6 +460,7 @@ struct CoverItem {
   struct Clause {
     Name key;
     std::optional<Number> number;
+    std::optional<Number> second;  ///< of `holes`, which has two
     std::optional<FloorPlace> place;
     std::optional<Name> word;
     std::vector<Name> guides;  ///< of `guide`

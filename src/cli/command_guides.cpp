@@ -13,6 +13,7 @@
 #include "src/cli/set_option.hpp"
 #include "src/results/comparison/compare_guides.hpp"
 #include "src/results/comparison/compare_travel.hpp"
+#include "src/results/comparison/cover_way.hpp"
 
 namespace rubicon::cli {
 
@@ -39,6 +40,24 @@ int print_travel(const GuidesOptions& options, const interpreter::PlanModel& pla
   return kFine;
 }
 
+int print_cover(const GuidesOptions& options, const interpreter::PlanModel& plan,
+                const interpreter::TaskSpec& task) {
+  if (!options.svg.empty()) {
+    if (const auto mistake = overwriting({options.plan}, {options.svg})) return fail(*mistake);
+    const std::string svg = comparison::cover_steps_svg(plan, task);
+    if (options.svg == "-") {
+      std::fwrite(svg.data(), 1, svg.size(), stdout);
+      return kFine;
+    }
+    if (const auto failure = files::write_file(options.svg, svg)) return fail(*failure);
+  }
+  const std::string text = options.format == "json"  ? comparison::cover_way_json(plan, task)
+                           : options.format == "csv" ? comparison::cover_way_csv(plan, task)
+                                                     : comparison::cover_way_text(plan, task);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  return kFine;
+}
+
 }  // namespace
 
 int run_guides(const GuidesOptions& options) {
@@ -55,6 +74,17 @@ int run_guides(const GuidesOptions& options) {
                             suggestions.ending(task, [&] { return tasks; })));
   }
   if (options.exact) return print_travel(options, *plan, task);
+  const auto found = std::find_if(plan->tasks.begin(), plan->tasks.end(),
+                                  [&](const auto& each) { return each.name == task; });
+  const bool covers = found != plan->tasks.end() && found->cover.has_value();
+  if (!options.svg.empty() && !covers) {
+    return fail(fmt::format("--svg draws the way over an area, and '{}' covers none", task));
+  }
+  if (covers) {
+    const auto code = print_cover(options, *plan, *found);
+    if (code != kFine || found->guides.empty() || options.format != "table") return code;
+    std::fputs("\n", stdout);
+  }
   comparison::GuideComparison result;
   try {
     result = comparison::compare_guides(*plan, sources, task, options.seeds, seconds_now);

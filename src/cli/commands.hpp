@@ -76,6 +76,7 @@ struct GuidesOptions {
   int seeds = 10;
   bool exact = false;
   double slice = 0;  ///< s; 0: as travel has it
+  std::string svg;   ///< file for the steps of a way over an area
   std::string format = "table";
   std::vector<std::string> set;
 };

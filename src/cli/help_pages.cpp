@@ -140,7 +140,8 @@ examples:
 const std::string_view kGuides =
     R"(rubicon guides - compare all kinds of guides on the motions of one task
 
-usage: rubicon guides PLAN [TASK] [--seeds N | --exact [--dt S]] [--format table|csv|json] [--set NAME=VALUE]...
+usage: rubicon guides PLAN [TASK] [--seeds N | --exact [--dt S] | --svg FILE] [--format table|csv|json]
+                      [--set NAME=VALUE]...
 
 Runs the plan up to the task. Where a motion of it begins, each kind of guide plans a way to its first goal, once for
 each seed from 1 to N, on the site as it stands then; nothing is moved by that. A guide that the task names stands for its
@@ -150,6 +151,11 @@ The table has, of all tries, how many found a way, and the medians of nodes, che
 milliseconds, these also as 95th percentile; of the ways found the medians of roughness, length and motion time
 (docs/guides.md).
 
+Of a task that covers an area it tells what its way over the area does: how much of it is covered, the length beside its
+lower bound, turns, metres inside holes and outside (docs/coverage.md). Nothing is run. Where guides lead from strip to
+strip their comparison follows in the table.
+
+  --svg FILE       of a task that covers an area: draws each step of the method that found the way
   --exact          instead, travel without a map (docs/travel.md): from where the machine starts to the x and y that the
                    task goes to, by Bug1, Bug2, VisBug-21, Pledge, Simple, Tangent and ACE, in the plan view of the site
                    as it is at the beginning; the machine is the disc that holds it however it is turned. What moves
@@ -164,6 +170,7 @@ Exit code: 0, also where no way was found; 2 the plan has no such task, or the m
 examples:
   rubicon guides examples/13_guides/site.plan reach --seeds 50
   rubicon guides taskplans/unit.plan set_west_1 --format csv
+  rubicon guides taskplans/pour.plan pour --svg build/pour.svg
 )";
 
 const std::string_view kFlow =

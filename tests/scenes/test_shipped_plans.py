@@ -192,6 +192,38 @@ class Pour(Shipped):
         self.assertLess(pour["duration"], cover["length"] * 0.3 / 45 * 3600)
 
 
+class Facade(Shipped):
+    plan = "facade"
+    is_upright = False
+    test_every_component_ends_where_its_last_task_puts_it = None
+    test_no_machine_is_ever_in_another = None
+    test_no_machine_is_ever_in_a_zone = None
+    test_no_load_is_ever_above_people = None
+
+    def test_the_wall_is_painted_up_to_the_windows(self):
+        for name in ("paint_1", "paint_2"):
+            coat = self.run_1.tasks[name]
+            # 24 x 18 m less thirty windows of 1.4 x 1.5 m with their sills.
+            self.assertAlmostEqual(coat["cover"]["covered_area"], 24 * 18 - 30 * 1.4 * 1.56, delta=0.5)
+            self.assertGreater(coat["cover"]["covered"], 0.999)
+            self.assertGreater(coat["motion"], coat["cover"]["covered_area"] / 120 * 3600)
+        # Where it works the gun, 0.2 m wide to each side of its point, is over no window.
+        works = {task["name"]: task["cover"]["working"] for task in self.run_1.header["tasks"] if "cover" in task}
+        goals, looked = {}, 0
+        for record in self.run_1.records:
+            if record["type"] == "goal":
+                goals[record["task"]] = record["k"] - 1
+            if record["type"] != "try" or not works[record["task"]][goals[record["task"]]]:
+                continue
+            x, z = record["q"]["base.x"] + record["q"]["effector.x"], 20 + record["q"]["z"]
+            looked += 1
+            for i in range(1, 7):
+                for k in range(1, 6):
+                    low = 3.6 * k - 1.66
+                    self.assertFalse(abs(x - (4 * i - 2)) < 0.899 and low - 0.199 < z < low + 1.759, (x, z))
+        self.assertGreater(looked, 2000)
+
+
 class FoundationPit(Shipped):
     plan = "foundation_pit"
     is_upright = False

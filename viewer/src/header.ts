@@ -87,9 +87,29 @@ export interface TaskData {
   choices?: { dig?: { soil?: string } }[];
   /** Of a task whose robot digs: the cells of its pit (heights in mm). */
   motion_dig?: { soil: string; pose: PoseRows; columns: number; cell: number; cells: number[]; before: number[]; after: number[] };
+  /** Of a task that covers an area: how (docs/trace.md). */
+  cover?: CoverData;
   zones: ShapeData[];
   after: { task: string; type: string; lag: number }[];
   attributes?: Record<string, string>;
+}
+
+/** An area that a tool works over, and how its way was found; places are x and y in turn, in the frame of the area (m). */
+export interface CoverData {
+  area: string;
+  pose: PoseRows;
+  floor: { outline: number[]; shafts: number[][]; columns: [x: number, y: number, size: number, round: boolean][] };
+  /** Of holes there are none. */
+  steps?: {
+    nodes: number[];
+    /** From node, to node, whether it is an edge of the floor, whether columns obstruct it. */
+    pieces: [number, number, boolean, boolean][];
+    cells: number[][];
+    /** Of which two cells, from where to where, whether columns obstruct it. */
+    doors: [number, number, number, number, number, number, boolean][];
+    order: number[];
+    lines: { cell: number; pass: boolean; points: number[] }[];
+  };
 }
 
 /** What moves by a timetable: its frame at times (s). With people `overhead`, where no load may hang. */

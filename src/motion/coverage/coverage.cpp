@@ -138,6 +138,8 @@ void finish(Draft& draft, const CoverageOptions& options, int tries) {
 
 /// Directions that lines may well run in: the axes, and along and across the longest edge.
 std::vector<Frame> likely_frames(const Floor& floor, const CoverageOptions& options) {
+  if (options.lines == LineRule::kAlongX) return {Frame::of_quarter(0)};
+  if (options.lines == LineRule::kAlongY) return {Frame::of_quarter(1)};
   std::vector<Frame> frames{Frame::of_quarter(0), Frame::of_quarter(1)};
   if (is_orthogonal_floor(floor) || options.partition == Partition::kBeams) return frames;
   double longest = 0;

@@ -54,6 +54,8 @@ enum class OrderRule {
 enum class LineRule {
   kShortest,     ///< each likely direction is planned; the one with the shortest way is taken
   kFewestTurns,  ///< the one with the fewest lines
+  kAlongX,
+  kAlongY,
 };
 
 struct CoverageOptions {

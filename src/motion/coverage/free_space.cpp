@@ -353,30 +353,47 @@ double FreeSpace::search(const Point& a, const Point& b, double bound,
   return best;
 }
 
-std::vector<Point> FreeSpace::shortest_way(const Point& a, const Point& b) const {
-  if (sees(a, b)) return {a, b};
+namespace {
+
+double length_of(const std::vector<Point>& way) {
+  double length = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) length += distance(way[i - 1], way[i]);
+  return length;
+}
+
+}  // namespace
+
+std::vector<Point> FreeSpace::way_within(const Point& a, const Point& b, double limit) const {
   const double straight = distance(a, b);
-  double bound = 1.25 * straight + static_cast<double>(kUnitsPerMetre);
+  if (straight > limit) return {};
+  if (sees(a, b)) return {a, b};
+  double bound = std::min(1.25 * straight + static_cast<double>(kUnitsPerMetre), limit);
   while (true) {
     std::vector<Point> way;
     const double length = search(a, b, bound, way);
     if (length <= bound) return way;
+    if (bound >= limit) return {};
     if (length < kNoWay) {
-      bound = length;  // whatever is shorter lies in this ellipse
+      bound = std::min(length, limit);  // whatever is shorter lies in this ellipse
     } else if (bound > straight + longest_) {
       return {};
     } else {
-      bound *= 2;
+      bound = std::min(2 * bound, limit);
     }
   }
 }
 
+std::vector<Point> FreeSpace::shortest_way(const Point& a, const Point& b) const {
+  return way_within(a, b, kNoWay);
+}
+
 double FreeSpace::shortest_length(const Point& a, const Point& b) const {
-  const std::vector<Point> way = shortest_way(a, b);
-  if (way.empty()) return kNoWay;
-  double length = 0;
-  for (std::size_t i = 1; i < way.size(); ++i) length += distance(way[i - 1], way[i]);
-  return length;
+  return shortest_length_within(a, b, kNoWay);
+}
+
+double FreeSpace::shortest_length_within(const Point& a, const Point& b, double limit) const {
+  const std::vector<Point> way = way_within(a, b, limit);
+  return way.empty() ? kNoWay : length_of(way);
 }
 
 }  // namespace rubicon::coverage

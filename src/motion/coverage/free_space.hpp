@@ -56,10 +56,14 @@ class FreeSpace {
   std::vector<Point> shortest_way(const Point& a, const Point& b) const;
   /// Its length in units; infinite where there is none.
   double shortest_length(const Point& a, const Point& b) const;
+  /// The same where it is `limit` or less; else anything more, found with less search.
+  double shortest_length_within(const Point& a, const Point& b, double limit) const;
 
  private:
   bool leaves_floor(const Point& a, const Point& b) const;
   bool nodes_see(int a, int b) const;
+  /// The shortest way where it is no longer than `limit`, else none.
+  std::vector<Point> way_within(const Point& a, const Point& b, double limit) const;
   /// The way of at most `bound` through corners; its length, infinite where none was found.
   double search(const Point& a, const Point& b, double bound, std::vector<Point>& way) const;
 

@@ -47,16 +47,20 @@ class LineOrderer {
     const std::vector<Point>& points = lines_[at(end / 2)].points;
     return end % 2 == 0 ? points.front() : points.back();
   }
-  double between(int a, int b) {
+  double between(int a, int b) { return between_within(a, b, kFar); }
+  /// The shortest way between two ends where it is `limit` or less, else anything more.
+  double between_within(int a, int b, double limit) {
     if (a > b) std::swap(a, b);
     const auto key = static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint64_t>(b);
-    const auto [found, is_new] = lengths_.try_emplace(key, 0.0);
-    if (is_new) {
-      const double length = query_.space->shortest_length(end_point(a), end_point(b));
-      lengths_[key] = std::min(length, kFar);
-      return std::min(length, kFar);
-    }
-    return found->second;
+    KnownLength& known = lengths_[key];
+    if (known.is_exact) return known.length;
+    if (limit <= known.length) return std::max(known.length, std::nextafter(limit, 2 * kFar));
+    const double length =
+        limit < kFar ? query_.space->shortest_length_within(end_point(a), end_point(b), limit)
+                     : std::min(query_.space->shortest_length(end_point(a), end_point(b)), kFar);
+    known.is_exact = length <= limit;
+    known.length = known.is_exact ? length : limit;
+    return length;
   }
   double from_start(int end) {
     if (!start_) return 0;
@@ -67,25 +71,58 @@ class LineOrderer {
     return found->second;
   }
 
+  /// Of the lines that were seen the one that begins nearest to a place, -1 if none was.
+  int nearest_seen(const Buckets& seen, const Point& p, const Box& box) const {
+    const std::int64_t whole = box.width() + box.height() + 1;
+    const auto share = static_cast<std::int64_t>(std::sqrt(static_cast<double>(lines_.size()))) + 1;
+    for (std::int64_t reach = whole / share + 1;; reach *= 4) {
+      int nearest = -1;
+      double least = kFar;
+      seen.any_in({{p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}}, [&](int line) {
+        const double far = distance(p, lines_[at(line)].points.front());
+        if (far < least || (far == least && line < nearest)) {
+          least = far;
+          nearest = line;
+        }
+        return false;
+      });
+      if (nearest >= 0 || reach > whole) return nearest;
+    }
+  }
+
   /// Keeps the lines that are reached from the start, or else the most that reach each other.
   void drop_cut_off() {
     std::vector<std::vector<int>> parts;
+    std::vector<std::size_t> part_of(lines_.size());
+    const auto reaches = [&](const Point& p, int line) {
+      return std::isfinite(query_.space->shortest_length(p, lines_[at(line)].points.front()));
+    };
+    Box box = box_of(lines_[0].points.front(), lines_[0].points.front());
+    for (const WorkLine& line : lines_) {
+      const Point& p = line.points.front();
+      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+    }
+    Buckets seen(box, lines_.size());
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const Point& p = lines_[i].points.front();
-      // The search ends soon where it begins in a small part, so it begins at the new line; the
-      // largest part stands first.
-      std::size_t home = 0;
-      while (home < parts.size() && !std::isfinite(query_.space->shortest_length(
-                                        p, lines_[at(parts[home].back())].points.front()))) {
-        ++home;
+      // Ways to near lines are found soon. Else the search ends soon where it begins in a small
+      // part, so it begins at the new line; the largest part stands first.
+      const int near = nearest_seen(seen, p, box);
+      std::size_t home = parts.size();
+      if (near >= 0 && reaches(p, near)) {
+        home = part_of[at(near)];
+      } else {
+        home = 0;
+        while (home < parts.size() && !reaches(p, parts[home].back())) ++home;
       }
       if (home == parts.size()) parts.emplace_back();
       parts[home].push_back(static_cast<int>(i));
-      while (home > 0 && parts[home].size() > parts[home - 1].size()) {
-        std::swap(parts[home], parts[home - 1]);
-        --home;
-      }
+      part_of[i] = home;
+      seen.add(static_cast<int>(i), p, p);
     }
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const auto& a, const auto& b) { return a.size() > b.size(); });
     double most = -1;
     for (const std::vector<int>& part : parts) {
       double length = 0;
@@ -290,6 +327,7 @@ class LineOrderer {
       for (const WorkLine& line : lines_) tour.groups.push_back(line.cell);
     }
     tour.between = [&](int a, int b) { return between(a, b); };
+    tour.between_within = [&](int a, int b, double limit) { return between_within(a, b, limit); };
     if (start_) tour.from_start = [&](int end) { return from_start(end); };
     tour.kicks = kept_.size() <= kMostLinesForTries ? query_.tries : 0;
     improve_tour(tour, result_.lines);
@@ -302,7 +340,12 @@ class LineOrderer {
   std::size_t first_cell_ = 0;
   bool has_first_ = false;
   std::optional<Point> start_;
-  std::unordered_map<std::uint64_t, double> lengths_;
+  /// Of a shortest way, or what it is longer than.
+  struct KnownLength {
+    double length = -1;
+    bool is_exact = false;
+  };
+  std::unordered_map<std::uint64_t, KnownLength> lengths_;
   std::unordered_map<int, double> start_lengths_;
   OrderResult result_;
 };

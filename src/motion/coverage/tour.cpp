@@ -1,7 +1,10 @@
 #include "src/motion/coverage/tour.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "src/motion/math/index.hpp"
 
@@ -63,6 +66,31 @@ class Tour {
     if (next < 0) return 0;
     if (end < 0) return query_.from_start ? query_.from_start(next) : 0;
     return query_.between(end, next);
+  }
+  /// The cost where it is `limit` or less, else anything more.
+  double cost_within(int end, int next, double limit) const {
+    if (end < 0 || next < 0 || !query_.between_within) return cost(end, next);
+    return query_.between_within(end, next, limit);
+  }
+  /// Whether new joins cost so much less than `saved` that it helps. Asks for the nearest first,
+  /// and for no way that is longer than what could still help.
+  template <std::size_t count>
+  bool helps(const int (&joins)[count][2], double saved) const {
+    std::array<std::pair<double, std::size_t>, count> least;
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      least[i] = {least_cost(joins[i][0], joins[i][1]), i};
+      sum += least[i].first;
+    }
+    if (saved - sum <= kLeastGain) return false;
+    std::sort(least.begin(), least.end());
+    for (const auto& [straight, i] : least) {
+      const double limit = saved - (sum - straight);
+      const double found = cost_within(joins[i][0], joins[i][1], limit);
+      if (found > limit) return false;
+      sum += found - straight;
+    }
+    return true;
   }
   /// No more than the cost, and quick to find.
   double least_cost(int end, int next) const {
@@ -186,9 +214,8 @@ class Tour {
     const double saved = gap(low) + gap(high + 1);
     const int before = back_or_none(low - 1);
     const int after = front_or_none(high + 1);
-    if (saved - least_cost(before, back(high)) - least_cost(front(low), after) <= kLeastGain) {
-      return false;
-    }
+    const int joins[2][2] = {{before, back(high)}, {front(low), after}};
+    if (!helps(joins, saved)) return false;
     const double gain = saved - cost(before, back(high)) - cost(front(low), after);
     if (gain <= kLeastGain) return false;
     turn(low, high);
@@ -214,10 +241,8 @@ class Tour {
     const int joins[3][2] = {{back_or_none(low - 1), front_or_none(high + 1)},
                              {back_or_none(to - 1), first},
                              {last, front_or_none(to)}};
+    if (!helps(joins, saved)) return false;
     double gain = saved;
-    for (const auto& [end, next] : joins) gain -= least_cost(end, next);
-    if (gain <= kLeastGain) return false;
-    gain = saved;
     for (const auto& [end, next] : joins) gain -= cost(end, next);
     if (gain <= kLeastGain) return false;
     if (turned) turn(low, high);

@@ -14,8 +14,10 @@ struct TourQuery {
   std::vector<Point> ends;
   std::vector<int> groups;  ///< of each thing; moves stay inside a group's block; empty: all one
   std::function<double(int, int)> between;  ///< cost from end to end
-  std::function<double(int)> from_start;    ///< cost to a first end; empty: none
-  int kicks = 0;                            ///< how many random changes are tried
+  /// The same where it is the last argument or less, else anything more; empty: `between`.
+  std::function<double(int, int, double)> between_within;
+  std::function<double(int)> from_start;  ///< cost to a first end; empty: none
+  int kicks = 0;                          ///< how many random changes are tried
 };
 
 /// Improves an order by 2-opt and or-opt of up to three things, each way round, among the ten

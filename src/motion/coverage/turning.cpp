@@ -23,6 +23,10 @@ constexpr double kNoTurn = 1e12;
 constexpr std::int64_t kEndPitch = kUnitsPerMetre / 1000;
 /// Shorter lines are not worth their turns, as a share of the width.
 constexpr double kShortestLine = 0.25;
+/// Of one front; more is no front.
+constexpr int kMostFrontPasses = 1000;
+/// Units between the places of a slanted line that are looked at.
+constexpr double kFreePitch = 0.05 * static_cast<double>(kUnitsPerMetre);
 /// Degrees between the headings in which a machine may begin at a given place.
 constexpr int kStartPitch_deg = 10;
 
@@ -170,36 +174,62 @@ class TurningPlanner {
     lines_.push_back(std::move(cut));
   }
 
-  /// Lines across those that were cut back side by side along a front wider than two radii.
-  void add_fronts() {
-    struct Front {
-      int cell;
-      std::int64_t x;
-      int inwards;  ///< 1: towards larger x
-      std::vector<std::pair<std::int64_t, std::int64_t>> ends;
-    };
+  /// Ends of lines that were cut back side by side at one wall: across the lines, or along a
+  /// slanted edge of their cell.
+  struct Front {
+    int cell;
+    bool at_right;    ///< end of the lines with the larger x
+    Point low, high;  ///< of the edge; of a wall across the lines they have one x
+    bool is_slanted;
+    std::vector<std::pair<std::int64_t, std::int64_t>> ends;  ///< y, how far it is cut back
+  };
+
+  /// The slanted edge of a cell that a line ends at, if it ends at one.
+  const Side* slanted_edge_at(const Cell& cell, const Point& end, bool at_right) const {
+    for (const Side& side : at_right ? cell.right : cell.left) {
+      if (side.low.x == side.high.x || end.y < side.low.y || end.y > side.high.y) continue;
+      const std::int64_t off = at_right ? side.x_below(end.y) : side.x_above(end.y);
+      if (std::abs(off - end.x) <= 2) return &side;
+    }
+    return nullptr;
+  }
+
+  std::vector<Front> fronts() const {
     std::vector<Front> all;
-    const std::size_t count = lines_.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const CutLine& cut = lines_[i];
+    for (const CutLine& cut : lines_) {
       if (cut.line.is_pass) continue;
       for (const bool at_end : {false, true}) {
         const std::int64_t back = at_end ? cut.cut_end : cut.cut_begin;
         if (back == 0) continue;
         const Point& whole = at_end ? cut.whole_end : cut.whole_begin;
-        const int inwards = at_end == (cut.whole_end.x > cut.whole_begin.x) ? -1 : 1;
+        const bool at_right = at_end == (cut.whole_end.x > cut.whole_begin.x);
+        const Side* const edge =
+            slanted_edge_at((*query_.cells)[at(cut.line.cell)], whole, at_right);
+        const Point low = edge != nullptr ? edge->low : whole;
         const auto found = std::find_if(all.begin(), all.end(), [&](const Front& each) {
-          return each.cell == cut.line.cell && each.x == whole.x && each.inwards == inwards &&
+          return each.cell == cut.line.cell && each.at_right == at_right &&
+                 each.is_slanted == (edge != nullptr) &&
+                 (edge != nullptr ? each.low == low : each.low.x == whole.x) &&
                  std::abs(each.ends.back().first - whole.y) * 2 <= 3 * query_.width;
         });
         if (found == all.end()) {
-          all.push_back({cut.line.cell, whole.x, inwards, {{whole.y, back}}});
+          all.push_back({cut.line.cell,
+                         at_right,
+                         low,
+                         edge != nullptr ? edge->high : whole,
+                         edge != nullptr,
+                         {{whole.y, back}}});
         } else {
           found->ends.emplace_back(whole.y, back);
         }
       }
     }
-    for (const Front& front : all) {
+    return all;
+  }
+
+  /// Lines across those that were cut back side by side along a front wider than two radii.
+  void add_fronts() {
+    for (const Front& front : fronts()) {
       const Cell& cell = (*query_.cells)[at(front.cell)];
       std::int64_t low = front.ends.front().first;
       std::int64_t high = low;
@@ -211,15 +241,68 @@ class TurningPlanner {
       }
       low = std::max(low - query_.width / 2, cell.bottom);
       high = std::min(high + query_.width / 2, cell.top);
-      if (in_metres(high - low) < 2 * query_.radius) continue;
-      const std::int64_t passes = (depth + query_.width - 1) / query_.width;
-      for (std::int64_t k = 0; k < passes; ++k) {
-        const std::int64_t x = front.x + front.inwards * (depth * (2 * k + 1) / (2 * passes));
-        for (const Stretch& stretch : query_.space->stretches_along_y(x, low, high)) {
-          if (stretch.low >= stretch.high) continue;
-          add_line({{{x, stretch.low}, {x, stretch.high}}, front.cell, true}, false);
-        }
+      if (front.is_slanted) {
+        add_slanted_front(front, std::max(low, front.low.y), std::min(high, front.high.y), depth);
+      } else if (in_metres(high - low) >= 2 * query_.radius) {
+        add_straight_front(front, low, high, depth);
       }
+    }
+  }
+
+  void add_straight_front(const Front& front, std::int64_t low, std::int64_t high,
+                          std::int64_t depth) {
+    const std::int64_t passes = (depth + query_.width - 1) / query_.width;
+    const std::int64_t inwards = front.at_right ? -1 : 1;
+    for (std::int64_t k = 0; k < passes; ++k) {
+      const std::int64_t x = front.low.x + inwards * (depth * (2 * k + 1) / (2 * passes));
+      for (const Stretch& stretch : query_.space->stretches_along_y(x, low, high)) {
+        if (stretch.low >= stretch.high) continue;
+        add_line({{{x, stretch.low}, {x, stretch.high}}, front.cell, true}, false);
+      }
+    }
+  }
+
+  /// Along the edge; what is next to it is worked by the pass that runs on it.
+  void add_slanted_front(const Front& front, std::int64_t low, std::int64_t high,
+                         std::int64_t depth) {
+    const double length = distance(front.low, front.high);
+    const double along_x = static_cast<double>(front.high.x - front.low.x) / length;
+    const double along_y = static_cast<double>(front.high.y - front.low.y) / length;
+    const double inwards = front.at_right ? -1 : 1;
+    const double half = 0.5 * static_cast<double>(query_.width);
+    // The depth is counted along the lines; across the edge it is less.
+    const double deep = static_cast<double>(depth) * along_y - half;
+    const double wide = static_cast<double>(high - low) / along_y;
+    if (!(deep > 0) || wide < 2 * query_.radius * static_cast<double>(kUnitsPerMetre)) return;
+    const double count = std::ceil(deep / (2 * half));
+    const auto passes = static_cast<int>(std::min(count, static_cast<double>(kMostFrontPasses)));
+    for (int k = 0; k < passes; ++k) {
+      const double off = half + deep * (2 * k + 1) / (2 * passes);
+      const auto place = [&](std::int64_t y) {
+        const double share = static_cast<double>(y - front.low.y) / along_y;
+        const double x = static_cast<double>(front.low.x) + share * along_x;
+        return Point{static_cast<std::int64_t>(std::floor(x + inwards * off * along_y + 0.5)),
+                     static_cast<std::int64_t>(
+                         std::floor(static_cast<double>(y) - inwards * off * along_x + 0.5))};
+      };
+      add_free_pieces(place(low), place(high), front.cell);
+    }
+  }
+
+  /// What of a straight line is allowed, in pieces as long as can be, to 5 cm.
+  void add_free_pieces(const Point& a, const Point& b, int cell) {
+    const auto steps = static_cast<std::int64_t>(distance(a, b) / kFreePitch) + 1;
+    const auto step = [&](std::int64_t i) {
+      return Point{a.x + (b.x - a.x) * i / steps, a.y + (b.y - a.y) * i / steps};
+    };
+    for (std::int64_t i = 0; i <= steps;) {
+      std::int64_t end = i;
+      while (end < steps && query_.space->allows(step(i)) && query_.space->allows(step(end + 1)) &&
+             query_.space->sees(step(i), step(end + 1))) {
+        ++end;
+      }
+      if (end > i) add_line({{step(i), step(end)}, cell, true}, false);
+      i = end + 1;
     }
   }
 

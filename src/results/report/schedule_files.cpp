@@ -114,9 +114,14 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   if (!task.missed.empty()) json.key("missed").strings(task.missed);
   if (task.cover) {
     json.key("cover").begin_object().field("area", std::string_view(task.area));
-    json.field("covered_area", task.cover->covered_area).field("covered", task.cover->covered);
-    if (task.cover->thickness > 0) json.field("volume", task.cover->volume);
-    json.field("length", task.cover->length).field("turns", task.cover->turns);
+    if (task.cover->holes > 0) {
+      json.field("holes", task.cover->holes).field("left_out", task.cover->holes_left_out);
+      json.field("depth", task.cover->depth).field("length", task.cover->length);
+    } else {
+      json.field("covered_area", task.cover->covered_area).field("covered", task.cover->covered);
+      if (task.cover->thickness > 0) json.field("volume", task.cover->volume);
+      json.field("length", task.cover->length).field("turns", task.cover->turns);
+    }
     if (task.joints) write_joints(json, task);
     json.end_object();
   }

@@ -224,13 +224,30 @@ std::string cover_table(const Schedule& schedule) {
       {"covers", "area", "m2", "of what it can reach", "m3", "way m", "turns"}};
   for (const TaskOutcome& task : schedule.tasks) {
     if (!task.cover || task.result != taskplan::TaskResult::done) continue;
-    rows.push_back({task.task, task.area, fmt::format("{:.1f}", task.cover->covered_area),
-                    fmt::format("{:.1f} %", 100 * task.cover->covered),
-                    task.cover->thickness > 0 ? fmt::format("{:.2f}", task.cover->volume) : "-",
-                    fmt::format("{:.1f}", task.cover->length),
-                    fmt::format("{}", task.cover->turns)});
+    if (task.cover->holes > 0) continue;
+    rows.push_back(
+        {task.task, task.area, fmt::format("{:.1f}", task.cover->covered_area),
+         fmt::format("{:.1f} %", 100 * task.cover->covered),
+         task.cover->thickness > 0
+             ? fmt::format("{:.{}f}", task.cover->volume, task.cover->volume < 0.1 ? 4 : 2)
+             : "-",
+         fmt::format("{:.1f}", task.cover->length), fmt::format("{}", task.cover->turns)});
   }
   return rows.size() == 1 ? std::string() : columns(rows, {2, 3, 4, 5, 6});
+}
+
+/// Areas that were drilled.
+std::string holes_table(const Schedule& schedule) {
+  std::vector<Row> rows = {{"drills", "area", "holes", "left out", "deep mm", "way m"}};
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (!task.cover || task.result != taskplan::TaskResult::done) continue;
+    if (task.cover->holes == 0) continue;
+    rows.push_back({task.task, task.area, fmt::format("{}", task.cover->holes),
+                    fmt::format("{}", task.cover->holes_left_out),
+                    fmt::format("{:.0f}", task.cover->depth * 1000),
+                    fmt::format("{:.1f}", task.cover->length)});
+  }
+  return rows.size() == 1 ? std::string() : columns(rows, {2, 3, 4, 5});
 }
 
 /// Of more cold joints the table shows those that are latest.
@@ -465,6 +482,7 @@ std::string schedule_table(const Schedule& schedule) {
   add(missed_text(schedule));
   if (!schedule.resources.empty()) add(use_table(schedule));
   add(cover_table(schedule));
+  add(holes_table(schedule));
   add(joint_table(schedule));
   add(earthwork_table(schedule));
   add(timetable_table(schedule));

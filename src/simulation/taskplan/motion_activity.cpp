@@ -133,6 +133,10 @@ Step MotionActivity::start_machine(ActiveTask& task, Stage& stage) {
   motion.situations = situations_of(stage.plan, spec, purpose);
   if (leg_) motion.situations.push_back(leg_->situation);
   if (!leg_ || leg_->guided) motion.guides = spec.guides;
+  if (spec.cover && !motion.guides.empty()) {
+    motion.fence = std::make_shared<const interpreter::FloorFence>(
+        stage.plan.areas[static_cast<std::size_t>(spec.cover->area)], *spec.cover);
+  }
   motion.within = within_of(stage.plan, spec, purpose);
   motion.clauses = spec.clauses;
   std::vector<std::pair<int, int>> entered = spec.clauses.entered;
@@ -233,8 +237,11 @@ void MotionActivity::note_laid(ActiveTask& task, const Stage& stage,
   if (goal(point).work != interpreter::GoalSpec::Work::working) return;
   const robot::RobotModel& model = stage.robot_spec(spec.robot).robot->model;
   const robot::Mounting& mounting = stage.site.robot(spec.robot).mounting;
-  const auto place = [](const math::Pose& X) {
-    return coverage::Place{X.translation().x(), X.translation().y()};
+  const math::Pose X_AW =
+      stage.plan.areas[static_cast<std::size_t>(spec.cover->area)].X_WA.inverse();
+  const auto place = [&](const math::Pose& X_WT) {
+    const math::Vec3 p = X_AW * X_WT.translation();
+    return coverage::Place{p.x(), p.y()};
   };
   strip_.begin(point, place(*goal(point - 1).X_WG), place(*goal(point).X_WG));
   strip_.add(place(robot::tool_pose(model, mounting, before)),

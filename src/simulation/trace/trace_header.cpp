@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "src/exchange/encoding/sha256.hpp"
+#include "src/simulation/trace/cover_header.hpp"
 #include "src/simulation/trace/json_builder.hpp"
 #include "src/simulation/trace/scene_json.hpp"
 
@@ -312,26 +313,6 @@ void write_kept(JsonBuilder& json, const PlanModel& plan, int robot,
     json.end_array().end_object();
   }
   json.end_array();
-}
-
-/// What a task that covers a floor lays, and on which ways to its waypoints its tool works.
-void write_cover(JsonBuilder& json, const PlanModel& plan, const interpreter::TaskSpec& task) {
-  const interpreter::CoverSpec& cover = *task.cover;
-  json.key("cover").begin_object();
-  json.field("area", plan.areas[static_cast<std::size_t>(cover.area)].name);
-  json.field("width", cover.width);
-  if (cover.thickness > 0) json.field("thickness", cover.thickness);
-  json.field("covered", cover.covered).field("covered_area", cover.covered_area);
-  json.field("length", cover.length).field("turns", cover.turns);
-  if (cover.pace > 0) json.field("pace", cover.pace);
-  if (cover.turn_radius > 0) json.field("turn_radius", cover.turn_radius);
-  if (cover.cold_after > 0) json.key("cold_after").seconds(cover.cold_after);
-  json.key("working").begin_array();
-  const auto works = [](const interpreter::GoalSpec& goal) {
-    return goal.work == interpreter::GoalSpec::Work::working;
-  };
-  for (const interpreter::GoalSpec& goal : task.via) json.value(works(goal));
-  json.value(works(*task.go)).end_array().end_object();
 }
 
 void write_task_motions(JsonBuilder& json, const PlanModel& plan,

@@ -213,4 +213,40 @@ FloorDescription random_orthogonal_floor(FloorRandom& random, const CoverageOpti
   return floor;
 }
 
+std::vector<FloorCase> ten_floors() {
+  std::vector<FloorCase> floors;
+  const auto add = [&](const char* name, std::vector<Place> outline,
+                       std::vector<ShaftDescription> shafts, double most) {
+    FloorDescription floor;
+    floor.outline = std::move(outline);
+    floor.shafts = std::move(shafts);
+    floors.push_back({name, std::move(floor), most});
+  };
+  add("30 x 12 m", box(0, 0, 30, 12), {}, 1.04);
+  add("L", {{0, 0}, {30, 0}, {30, 10}, {12, 10}, {12, 25}, {0, 25}}, {}, 1.07);
+  add("U", {{0, 0}, {36, 0}, {36, 20}, {26, 20}, {26, 9}, {10, 9}, {10, 20}, {0, 20}}, {}, 1.09);
+  add("plus",
+      {{10, 0},
+       {20, 0},
+       {20, 10},
+       {30, 10},
+       {30, 20},
+       {20, 20},
+       {20, 30},
+       {10, 30},
+       {10, 20},
+       {0, 20},
+       {0, 10},
+       {10, 10}},
+      {}, 1.11);
+  add("ring", box(0, 0, 30, 30), {{"", box(10, 10, 20, 20)}}, 1.07);
+  add("three shafts", box(0, 0, 24, 18),
+      {{"", box(4, 4, 7, 8)}, {"", box(14, 4, 17, 8)}, {"", box(9, 11, 13, 14)}}, 1.12);
+  add("trapezium", {{0, 0}, {25, 0}, {25, 15}, {10, 15}}, {}, 1.2);
+  add("five corners", {{0, 0}, {20, -6}, {30, 6}, {18, 18}, {2, 14}}, {}, 1.25);
+  add("notch", {{0, 0}, {28, 0}, {28, 16}, {14, 8}, {0, 16}}, {}, 1.25);
+  add("slanted shaft", box(0, 0, 26, 14), {{"", {{8, 5}, {12, 4}, {13, 9}, {9, 10}}}}, 1.2);
+  return floors;
+}
+
 }  // namespace rubicon::coverage

@@ -7,6 +7,16 @@
 
 namespace rubicon::coverage {
 
+/// A floor, and how much longer than area over width its way may be, with a tool of 1 m and a
+/// clearance of 0.25 m.
+struct FloorCase {
+  const char* name;
+  FloorDescription floor;
+  double most;
+};
+/// Ten floors of our own: docs/coverage.md has what comes of them.
+std::vector<FloorCase> ten_floors();
+
 /// The corners of a rectangle.
 std::vector<Place> box(double x0, double y0, double x1, double y1);
 

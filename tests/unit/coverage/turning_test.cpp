@@ -74,6 +74,31 @@ TEST(Turning, OfAHall) {
   }
 }
 
+/// No two walls at right angles: fronts run along the slanted ones.
+TEST(Turning, WorksFrontsAlongSlantedWalls) {
+  FloorDescription five;
+  five.outline = {{0, 0}, {18, -3}, {28, 7}, {22, 21}, {4, 17}};
+  const CoverageOptions options = turning(1);
+  const CoverageWay way = plan_coverage(five, options);
+  EXPECT_GE(expect_drivable(five, options, way, "five corners").coverage, 0.97);
+  // Passes that are neither on a wall nor along the lines.
+  int fronts = 0;
+  for (const CoverageLine& line : way.lines) {
+    const Place middle{(line.points.front().x + line.points.back().x) / 2,
+                       (line.points.front().y + line.points.back().y) / 2};
+    double nearest = 1e9;
+    for (std::size_t i = 0; i < five.outline.size(); ++i) {
+      const Place& a = five.outline[i];
+      const Place& b = five.outline[(i + 1) % five.outline.size()];
+      const double length = std::hypot(b.x - a.x, b.y - a.y);
+      nearest = std::min(
+          nearest, ((b.x - a.x) * (middle.y - a.y) - (b.y - a.y) * (middle.x - a.x)) / length);
+    }
+    fronts += line.is_pass && nearest > 0.4 ? 1 : 0;
+  }
+  EXPECT_GE(fronts, 3);
+}
+
 TEST(Turning, BeginsWhereItIsTold) {
   FloorDescription hall;
   hall.outline = box(0, 0, 16, 12);

@@ -202,6 +202,7 @@ class Writer {
     open("area");
     name(value.name);
     for (const syntax::Number& height : value.height) number(height);
+    for (const syntax::Frame& at : value.at) frame(at);
     for (const syntax::AreaItem::Part& part : value.parts) {
       open(part.key.text);
       places(part.places);
@@ -228,6 +229,7 @@ class Writer {
     for (const syntax::CoverItem::Clause& clause : value.clauses) {
       open(clause.key.text);
       if (clause.number) number(*clause.number);
+      if (clause.second) number(*clause.second);
       if (clause.place) places({*clause.place});
       if (clause.word) name(*clause.word);
       close();

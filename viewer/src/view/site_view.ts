@@ -9,6 +9,7 @@ import { makeLight, setLight } from './batch';
 import { Card } from './card';
 import { make } from './elements';
 import { bindKeys } from './keys';
+import { Floors, type FloorStep } from './floors';
 import { GroundLabels } from './labels';
 import { Joints } from './joints';
 import { Lanes } from './lanes';
@@ -24,13 +25,22 @@ import { cornersOf, expandBy } from './shapes';
 import { SiteModel } from './site_model';
 import { Stage, type Stats } from './stage';
 import { themeOf, type Theme } from './theme';
-import { Toolbar } from './toolbar';
+import { Toolbar, type Tool } from './toolbar';
 import './view.css';
 
 /** Room (m) about what is flown to. */
 const roomAround = 6;
 /** Share of the picture that a refused pair fills at least, or the camera goes nearer. */
 const leastPair = 0.12;
+
+/** What each step of the way over an area is. */
+const stepTitles: Record<FloorStep, string> = {
+  beams: 'Areas: beams and edges, cut where they meet; what a column obstructs stands out',
+  cells: 'Areas: the cells that the floor is cut into',
+  adjacency: 'Areas: which cells have a border in common',
+  order: 'Areas: the order of the cells',
+  lines: 'Areas: the lines at work, and passes beside borders and columns',
+};
 
 /** The site in 3D at the moment that the player shows. Draws by itself, whenever something changed. */
 export class SiteView {
@@ -43,6 +53,7 @@ export class SiteView {
   private readonly ropes: Ropes;
   private readonly lanes: Lanes;
   private readonly joints: Joints;
+  private readonly floors: Floors;
   private readonly labels: GroundLabels;
   private readonly card: Card;
   private readonly section: Section;
@@ -51,6 +62,8 @@ export class SiteView {
   private readonly stage: Stage;
   private readonly picker: Picker;
   private readonly shows = { paths: true, zones: true };
+  /** Steps of the ways over areas that are shown. */
+  private readonly steps = new Set<FloorStep>();
   private theme: Theme;
   /** The robot that the camera rides on, -1: none. */
   private riding = -1;
@@ -70,6 +83,7 @@ export class SiteView {
     this.ropes = new Ropes(this.model, this.light);
     this.lanes = new Lanes(film, this.light);
     this.joints = new Joints(film, this.light);
+    this.floors = new Floors(film, this.light);
     this.labels = new GroundLabels(this.model.ground.box);
     this.card = new Card(film, player, this.model, this.activity);
     const { extent, ground } = this.model;
@@ -80,12 +94,12 @@ export class SiteView {
     this.stage = new Stage(host, canvas, this.rig.camera, (ratio, width, height) => {
       this.rig.resize(width, height);
       this.light.pixelRatio.value = ratio;
-      for (const { strokes } of [this.paths, this.ropes, this.lanes, this.joints]) strokes.size.set(width * ratio, height * ratio);
+      for (const { strokes } of [this.paths, this.ropes, this.lanes, this.joints, this.floors]) strokes.size.set(width * ratio, height * ratio);
     });
     this.picker = new Picker(this.stage.renderer, this.rig.camera, this.model);
     this.stage.still.add(this.model.still, this.labels.mesh);
     this.stage.moving.add(this.model.moving, this.paths.strokes.mesh, this.ropes.strokes.mesh, this.lanes.strokes.mesh, this.joints.strokes.mesh,
-      this.overlay.group);
+      this.floors.strokes.mesh, this.overlay.group);
     canvas.tabIndex = 0;
     host.append(canvas, this.section.element, this.toolbar.element, this.card.element);
     const { components, robots, site } = film.header;
@@ -184,7 +198,23 @@ export class SiteView {
         press: () => this.toggle('paths') },
       { name: 'zones', label: 'Zones', title: 'Zones of people (Z in the view)', toggle: true,
         press: () => this.toggle('zones') }],
+      ...this.stepTools(),
     ]);
+  }
+
+  /** Of the ways over areas: a button for each step of the method. */
+  private stepTools(): Tool[][] {
+    const tools = Floors.stepsOf(this.film).map((step) => ({
+      name: step, label: step[0].toUpperCase() + step.slice(1), title: stepTitles[step], toggle: true, press: () => this.toggleStep(step),
+    }));
+    return tools.length > 0 ? [tools] : [];
+  }
+
+  private toggleStep(step: FloorStep): void {
+    if (!this.steps.delete(step)) this.steps.add(step);
+    this.toolbar.setPressed(step, this.steps.has(step));
+    this.repainted = true;
+    this.stage.touch();
   }
 
   private setTheme(): void {
@@ -219,6 +249,7 @@ export class SiteView {
       this.ropes.show(this.theme);
       this.lanes.show(this.theme);
       this.joints.show(this.theme);
+      this.floors.show(this.steps, this.theme);
       this.paths.show(machines && this.shows.paths ? running : [], tried, player.time, (robot) => looks.machineColour(robot),
                       this.theme.dark);
       if (!machines) this.ropes.strokes.mesh.visible = false;

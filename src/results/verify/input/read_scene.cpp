@@ -266,10 +266,29 @@ void read_via(const Json& list, const Scene& scene, SceneTask& task) {
 /// m
 constexpr double kWidestStrip = 100;
 
+void read_shafts(const JsonFields& floor, SceneTask& task) {
+  for (const Json& shaft : floor.array("shafts")) {
+    std::vector<std::pair<double, double>> corners;
+    const bool is_ring = shaft.is_array() && shaft.size() >= 6 && shaft.size() % 2 == 0;
+    for (std::size_t i = 0; is_ring && i < shaft.size(); i += 2) {
+      if (!shaft[i].is_number() || !shaft[i + 1].is_number()) break;
+      corners.emplace_back(shaft[i].get<double>(), shaft[i + 1].get<double>());
+    }
+    if (!is_ring || 2 * corners.size() != shaft.size()) {
+      floor.fail("x and y of three corners or more for each of 'shafts'");
+    }
+    task.shafts.push_back(std::move(corners));
+  }
+}
+
 void read_cover(const JsonFields& cover, SceneTask& task) {
   if (cover.has("pace")) task.pace = cover.number("pace");
-  task.width = cover.number("width");
-  if (!(task.width > 0 && task.width <= kWidestStrip)) cover.fail("a width up to 100 m");
+  if (!cover.has("holes")) {
+    task.width = cover.number("width");
+    if (!(task.width > 0 && task.width <= kWidestStrip)) cover.fail("a width up to 100 m");
+  }
+  if (cover.has("pose")) task.area = cover.pose("pose");
+  if (cover.has("guided")) read_shafts(cover.object("floor"), task);
   if (cover.has("turn_radius")) task.turn_radius = cover.number("turn_radius");
   if (cover.has("cold_after")) task.cold_after = cover.time("cold_after");
   for (const Json& works : cover.array("working")) {

@@ -163,6 +163,7 @@ class TrackBuilder {
     for (std::string& text : result.faults) fault(FaultKind::motion, std::move(text));
     check_load_chart(attempt.q);
     note_aside(attempt.q);
+    expect_off_shafts(attempt.q);
     track_.legs.push_back(
         {now_, record_->time, q_, std::move(result.reached), hanging_, run_, record_->line});
     q_ = attempt.q;
@@ -223,6 +224,49 @@ class TrackBuilder {
     const double length = along.norm();
     const double share = length > 0 ? std::clamp(gone.dot(along) / (length * length), 0.0, 1.0) : 0;
     aside_ = std::max(aside_, (gone - share * along).norm());
+  }
+
+  /// A tool that guides lead from strip to strip does not come over a shaft: places along the step.
+  void expect_off_shafts(const std::vector<double>& after) {
+    const SceneTask* const task = covering();
+    if (task == nullptr || task->shafts.empty() || waypoint(*task) == 0) return;
+    if (task->working[waypoint(*task)]) return;
+    constexpr int kPlaces = 8;
+    std::vector<double> q = q_;
+    for (int k = 1; k <= kPlaces; ++k) {
+      for (std::size_t i = 0; i < q.size(); ++i) {
+        q[i] = q_[i] + (after[i] - q_[i]) * k / static_cast<double>(kPlaces);
+      }
+      const Vec3 p_W = tool_at(q);
+      const Vec3 p = task->area ? Vec3(task->area->inverse() * p_W) : p_W;
+      for (std::size_t shaft = 0; shaft < task->shafts.size(); ++shaft) {
+        const double deep = depth_inside(task->shafts[shaft], p.x(), p.y());
+        if (deep <= kMostAside) continue;
+        fault(FaultKind::motion,
+              fmt::format("a guide leads the tool {:.1f} mm into shaft {} of its area", deep * 1000,
+                          shaft + 1));
+        return;
+      }
+    }
+  }
+
+  /// m: how far a place lies inside a polygon, negative outside.
+  static double depth_inside(const std::vector<std::pair<double, double>>& ring, double x,
+                             double y) {
+    bool inside = false;
+    double nearest = 1e30;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const auto [ax, ay] = ring[i];
+      const auto [bx, by] = ring[i + 1 < ring.size() ? i + 1 : 0];
+      if ((ay > y) != (by > y) && x < ax + (bx - ax) * (y - ay) / (by - ay)) inside = !inside;
+      const double square = (bx - ax) * (bx - ax) + (by - ay) * (by - ay);
+      const double along = (x - ax) * (bx - ax) + (y - ay) * (by - ay);
+      const double share = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0;
+      const double off_x = ax + share * (bx - ax) - x;
+      const double off_y = ay + share * (by - ay) - y;
+      nearest = std::min(nearest, std::sqrt(off_x * off_x + off_y * off_y));
+    }
+    return inside ? nearest : -nearest;
   }
 
   /// How long a step takes at least, where its tool works over a floor.

@@ -48,8 +48,6 @@ struct FlatPoint {
   double norm() const { return std::sqrt(x * x + y * y); }
 };
 
-FlatPoint flat(const Pose& X) { return {X.translation().x(), X.translation().y()}; }
-
 double distance_to(const FlatPoint& p, const FlatPoint& a, const FlatPoint& b) {
   const FlatPoint along = b - a;
   const double square = along.dot(along);
@@ -119,6 +117,13 @@ class JointSearch {
   const std::vector<JointPlace>& places() const { return places_; }
 
  private:
+  /// In the frame of the area.
+  FlatPoint flat(const Pose& X_W) const {
+    const Vec3 p =
+        task_.area ? Vec3(task_.area->inverse() * X_W.translation()) : Vec3(X_W.translation());
+    return {p.x(), p.y()};
+  }
+
   void read_strips(const TaskRun& run) {
     const SceneRobot& robot = trace_.scene.robots[at(run.robot)];
     const Mechanism mechanism(robot);
