@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "src/cli/commands.hpp"
@@ -22,6 +25,8 @@
 #include "src/simulation/schedule/time_text.hpp"
 #include "src/studies/answers/study_answers.hpp"
 #include "src/studies/answers/study_text.hpp"
+#include "src/studies/cluster/hand_out.hpp"
+#include "src/studies/cluster/mpi_channel_io.hpp"
 #include "src/studies/search/optimiser_process_io.hpp"
 #include "src/studies/search/search.hpp"
 
@@ -123,6 +128,10 @@ std::optional<std::string> write_study(files::ResultFolder& folder, const study:
     return failure;
   }
   if (auto failure = folder.write("runs.csv", runs_csv(study, variants))) return failure;
+  if (auto failure = folder.write("progress.csv", progress_csv(variants, answers))) return failure;
+  if (study.sampled) {
+    if (auto failure = folder.write("drivers.csv", drivers_csv(variants, answers))) return failure;
+  }
   if (page::empty_study_page().empty()) {
     fmt::print(stderr, "rubicon: note: there is no study.html: {}\n", page::kNoViewerPage);
   } else if (auto failure = folder.write(
@@ -135,8 +144,7 @@ std::optional<std::string> write_study(files::ResultFolder& folder, const study:
 /// Makes the runs of a search, which finds its variants as it goes.
 study::SearchResult search(LoadedStudy& study, study::RunnerOptions& runner) {
   const study::StudyModel& model = *study.model;
-  study::VariantRuns first;
-  first.describe(*study.first->plan);
+  const bool costed = study::facts_of(*study.first->plan).costed;
   std::map<std::size_t, std::vector<study::LoggedRun>> known;
   for (study::LoggedRun& each : runner.known) known[each.variant].push_back(std::move(each));
   StudyProgress progress;
@@ -163,7 +171,7 @@ study::SearchResult search(LoadedStudy& study, study::RunnerOptions& runner) {
     done_now = 0;
     return made;
   };
-  return search_study(model, first.costed, tools);
+  return search_study(model, costed, tools);
 }
 
 int exit_code(const std::vector<study::VariantRuns>& variants, const study::StudyAnswers& answers) {
@@ -174,12 +182,79 @@ int exit_code(const std::vector<study::VariantRuns>& variants, const study::Stud
   return kInfeasible;
 }
 
+/// What two ranks of a job must have in common.
+std::string digest_of(const LoadedStudy& study) {
+  return encoding::sha256_hex(study.text + RUBICON_VERSION);
+}
+
+/// A rank that is not 0: works for rank 0, which reports what is wrong with the study.
+int help_with_study(const StudyOptions& options, cluster::MpiChannel& channel) {
+  SourceMap sources;
+  interpreter::Diagnostics diagnostics;
+  LoadedStudy study = load_study(options.study, sources, diagnostics, false);
+  cluster::HelperOptions helper;
+  helper.threads = std::max(1, options.jobs);
+  helper.digest = digest_of(study);
+  if (!study.model) helper.failure = fmt::format("it cannot read '{}'", options.study);
+  helper.read = [&](std::size_t variant, const interpreter::ParameterTexts& set) {
+    return load_variant(study, variant, set);
+  };
+  const study::StudyModel none;
+  channel.end(cluster::help(channel, study.model ? *study.model : none, helper));
+  return kFine;
+}
+
+int make_study(const StudyOptions& options, cluster::MpiChannel* channel);
+
 }  // namespace
 
 int run_study_command(const StudyOptions& options) {
+  auto opened = cluster::open_mpi();
+  if (const auto* message = std::get_if<std::string>(&opened)) return fail(*message);
+  auto& channel = std::get<std::unique_ptr<cluster::MpiChannel>>(opened);
+  if (!channel) return make_study(options, nullptr);
+  return channel->rank() == 0 ? make_study(options, channel.get())
+                              : help_with_study(options, *channel);
+}
+
+namespace {
+
+/// The other ranks of a job, for rank 0: they end when this ends.
+class Ranks {
+ public:
+  Ranks(cluster::MpiChannel& channel, const LoadedStudy& study, int threads)
+      : channel_(channel),
+        hand_out_(
+            channel, threads, study.model ? study.model->questions.size() : 0, digest_of(study),
+            [](const std::string& note) { fmt::print(stderr, "rubicon: note: {}\n", note); }) {}
+  Ranks(const Ranks&) = delete;
+  Ranks& operator=(const Ranks&) = delete;
+  ~Ranks() {
+    let_go();
+    std::fflush(stdout);
+    channel_.end(hand_out_.all_there());
+  }
+
+  study::RemoteWorkers& workers() { return hand_out_; }
+  /// They have nothing left to do.
+  void let_go() {
+    if (!std::exchange(is_over_, true)) hand_out_.end();
+  }
+
+ private:
+  cluster::MpiChannel& channel_;
+  cluster::HandOut hand_out_;
+  bool is_over_ = false;
+};
+
+int make_study(const StudyOptions& options, cluster::MpiChannel* channel) {
   SourceMap sources;
   interpreter::Diagnostics diagnostics;
   LoadedStudy study = load_study(options.study, sources, diagnostics);
+  // Of several ranks on a computer each is one of its processors.
+  const int threads = channel ? std::max(1, options.jobs) : thread_count(options.jobs);
+  std::optional<Ranks> ranks;
+  if (channel) ranks.emplace(*channel, study, threads);
   const auto found = diagnostics.sorted();
   if (!found.empty()) {
     const std::string messages = report::print_text(found, sources, files::wants_colour(stderr));
@@ -192,21 +267,23 @@ int run_study_command(const StudyOptions& options) {
   if (!options.out.empty()) {
     auto file = files::AppendFile::open(options.out + "/study.progress", options.resume);
     if (auto* message = std::get_if<std::string>(&file)) return fail(*message);
-    log.emplace(std::get<files::AppendFile>(std::move(file)),
-                encoding::sha256_hex(study.text + RUBICON_VERSION));
+    log.emplace(std::get<files::AppendFile>(std::move(file)), digest_of(study));
     if (const auto failure = log->read(*study.model, study::count_variants(*study.model))) {
       return fail(fmt::format("'{}': {}", options.out, *failure));
     }
   }
 
   study::RunnerOptions runner;
-  runner.threads = thread_count(options.jobs);
-  runner.load = [&](std::size_t variant) { return load_variant(study, variant); };
+  runner.threads = threads;
+  if (ranks) runner.remote = &ranks->workers();
+  runner.read = [&](std::size_t variant, const interpreter::ParameterTexts& set) {
+    return load_variant(study, variant, set);
+  };
   if (log) {
     runner.known = log->take_known();
     runner.on_run = [&](const study::LoggedRun& run) { return log->append(write_line(run)); };
-    runner.on_load = [&](std::size_t variant, const study::LoadedVariant& loaded) {
-      return log->note(variant, loaded.digest);
+    runner.on_load = [&](std::size_t variant, const std::string& digest) {
+      return log->note(variant, digest);
     };
   }
   std::optional<std::vector<study::VariantRuns>> variants;
@@ -222,6 +299,7 @@ int run_study_command(const StudyOptions& options) {
     };
     variants = study::run_study(*study.model, study.variants, runner);
   }
+  if (ranks) ranks->let_go();
   if (log && log->failure()) return fail(fmt::format("'{}': {}", options.out, *log->failure()));
   if (!variants) return fail(fmt::format("the search cannot go on: {}", failure));
   const study::StudyAnswers answers = study::answers_of(*study.model, *variants);
@@ -241,5 +319,7 @@ int run_study_command(const StudyOptions& options) {
   std::fwrite(text.data(), 1, text.size(), stdout);
   return exit_code(*variants, answers);
 }
+
+}  // namespace
 
 }  // namespace rubicon::cli

@@ -97,12 +97,16 @@ durations that drive the time, what was rejected and how often, and the variant 
 anything is rejected never finishes: it counts in quantiles, and a variant with such runs is not chosen unless the rule
 allows it.
 
-  --out DIR        write study.json, variants.csv, runs.csv and study.html, the page that shows it all, into DIR
+  --out DIR        write study.json, variants.csv, runs.csv, drivers.csv, progress.csv and study.html, the page that shows it
+                   all, into DIR
   --resume         go on where a study that was stopped had come to; its runs are kept in DIR/study.progress
   --jobs N         threads; by default as many as there are processors; the result is the same
   --format FORMAT  table (the default), json or csv (a row a variant), on standard output; times in seconds
 
 Any single run can be made again: rubicon run PLAN --set NAME=VALUE --sample SEED:RUN.
+
+Started by MPI (mpirun -n 8 rubicon study STUDY) the ranks share the runs, each with one thread unless --jobs says more;
+the result is the same. Rank 0 alone writes and prints.
 
 Exit code: 0 the study was made, and its rule, if it has one, chose a variant; 1 it chose none, or no variant can run;
 2 the input is wrong.

@@ -45,12 +45,12 @@ struct ReadVariant {
   std::vector<interpreter::Diagnostic> errors;
 };
 
-ReadVariant read_variant(LoadedStudy& study, std::size_t variant) {
+ReadVariant read_variant(const LoadedStudy& study, const interpreter::ParameterTexts& set) {
   ReadVariant result;
   study::LoadedVariant& loaded = result.loaded;
   try {
-    ReadPlan read = read_runnable_plan(study.files->plan_files().plan(), *study.files,
-                                       loaded.sources, study.variants[variant]);
+    ReadPlan read =
+        read_runnable_plan(study.files->plan_files().plan(), *study.files, loaded.sources, set);
     loaded.plan = std::move(read.plan);
     std::copy_if(read.found.begin(), read.found.end(), std::back_inserter(result.errors),
                  [](const interpreter::Diagnostic& each) {
@@ -70,7 +70,7 @@ ReadVariant read_variant(LoadedStudy& study, std::size_t variant) {
 /// What is wrong with the plan, told of the study's `plan` clause: with the first variant, which
 /// nobody typed, a place in the plan alone would not be understood.
 void check_first_variant(LoadedStudy& study, interpreter::Diagnostics& diagnostics) {
-  ReadVariant read = read_variant(study, 0);
+  ReadVariant read = read_variant(study, study.variants.front());
   if (read.loaded.plan) {
     check_names(*study.model, *read.loaded.plan, diagnostics);
     study.first = std::move(read.loaded);
@@ -92,7 +92,7 @@ void check_first_variant(LoadedStudy& study, interpreter::Diagnostics& diagnosti
 }  // namespace
 
 LoadedStudy load_study(const std::string& path, interpreter::SourceMap& sources,
-                       interpreter::Diagnostics& diagnostics) {
+                       interpreter::Diagnostics& diagnostics, bool look_at_plan) {
   LoadedStudy result;
   files::DiskFiles disk;
   auto text = disk.read_text(path);
@@ -108,14 +108,19 @@ LoadedStudy load_study(const std::string& path, interpreter::SourceMap& sources,
   result.variants = variants_of(*result.model);
   result.files =
       std::make_unique<files::CachedPlanFiles>(interpreter::resolve_path(path, result.model->plan));
-  check_first_variant(result, diagnostics);
+  if (look_at_plan) check_first_variant(result, diagnostics);
   if (diagnostics.errors() != before) result.model.reset();
   return result;
 }
 
-study::LoadedVariant load_variant(LoadedStudy& study, std::size_t variant) {
-  if (variant == 0 && study.first) return std::move(*study.first);
-  return read_variant(study, variant).loaded;
+study::LoadedVariant load_variant(LoadedStudy& study, std::size_t variant,
+                                  const interpreter::ParameterTexts& set) {
+  if (variant == 0 && study.first) {
+    study::LoadedVariant first = *std::move(study.first);
+    study.first.reset();
+    return first;
+  }
+  return read_variant(study, set).loaded;
 }
 
 }  // namespace rubicon::cli

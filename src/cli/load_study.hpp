@@ -22,13 +22,13 @@ struct LoadedStudy {
   std::optional<study::LoadedVariant> first;  ///< read to check the study
 };
 
-/// Reads a study, and its plan with the settings of the first variant, which must have all that the
-/// study names. What is wrong goes to `diagnostics`; the model is null then.
+/// Reads a study, and with `look_at_plan` its plan with the settings of the first variant, which
+/// must have all that the study names. What is wrong goes to `diagnostics`; the model is null then.
 LoadedStudy load_study(const std::string& path, interpreter::SourceMap& sources,
-                       interpreter::Diagnostics& diagnostics);
+                       interpreter::Diagnostics& diagnostics, bool look_at_plan = true);
 
-/// The plan of a study with the settings of a variant; each is asked for once, also from several
-/// threads at a time.
-study::LoadedVariant load_variant(LoadedStudy& study, std::size_t variant);
+/// The plan of a study with the settings of a variant; of each in one thread at a time.
+study::LoadedVariant load_variant(LoadedStudy& study, std::size_t variant,
+                                  const interpreter::ParameterTexts& set);
 
 }  // namespace rubicon::cli

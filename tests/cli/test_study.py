@@ -52,7 +52,7 @@ class Study(ResultCase):
     def test_a_run_of_a_study_is_the_run_that_its_row_names(self):
         out = os.path.join(self.folder, "out")
         self.study("vary floors 2, 3; vary gang 2, 3; runs 12; seed 5; ask makespan, cost, finish(slab[2]);", "--out", out)
-        self.assertEqual(sorted(os.listdir(out)), ["runs.csv", "study.html", "study.json", "variants.csv"])
+        self.assertEqual(sorted(os.listdir(out)), ["drivers.csv", "progress.csv", "runs.csv", "study.html", "study.json", "variants.csv"])
         with open(os.path.join(out, "runs.csv"), encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), 48)
@@ -176,6 +176,82 @@ class Study(ResultCase):
         self.assertIn("the plan does not say when it begins", self.result.stderr)
         checked = rubicon("check", os.path.join(self.folder, "s.study"))
         self.assertEqual(checked.returncode, 2)
+
+    def test_variants_are_compared_run_by_run_in_json_and_csv(self):
+        out = os.path.join(self.folder, "out")
+        items = "vary floors 2, 3; runs 200; ask makespan, cost;"
+        study = self.json_of(items, "--out", out)
+        self.assertNotIn("difference", study["variants"][0]["answers"][0])
+        difference = study["variants"][1]["answers"][0]["difference"]
+        means = [variant["answers"][0]["mean"] for variant in study["variants"]]
+        self.assertAlmostEqual(difference["mean"], means[1] - means[0], 4)
+        with open(os.path.join(out, "runs.csv"), encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        pairs = [float(b["makespan"]) - float(a["makespan"]) for a, b in zip(rows[:200], rows[200:])]
+        mean = sum(pairs) / 200
+        half = 1.97196 * (sum((each - mean) ** 2 for each in pairs) / 199 / 200) ** 0.5  # Student's, 199 degrees of freedom
+        self.assertAlmostEqual(difference["interval"][0], mean - half, 0)
+        self.assertAlmostEqual(difference["interval"][1], mean + half, 0)
+        width = study["variants"][1]["answers"][0]["mean_interval"]
+        self.assertLess(2 * half, width[1] - width[0], "the same draws: narrower than either mean")
+        with open(os.path.join(out, "variants.csv"), encoding="utf-8") as file:
+            table = list(csv.DictReader(file))
+        self.assertEqual(table[0]["makespan difference"], "")
+        self.assertAlmostEqual(float(table[1]["makespan difference_low"]), difference["interval"][0], 4)
+
+    def test_drivers_and_progress_are_in_json_csv_and_page(self):
+        out = os.path.join(self.folder, "out")
+        study = self.json_of("vary floors 2, 3; runs 200;", "--out", out)
+        with open(os.path.join(out, "drivers.csv"), encoding="utf-8") as file:
+            drivers = list(csv.DictReader(file))
+        self.assertEqual([(int(each["variant"]), each["duration"], float(each["correlation"])) for each in drivers],
+                         [(variant["variant"], each["duration"], each["correlation"]) for variant in study["variants"] for each in variant["drivers"]])
+        self.assertLess(float(drivers[0]["low"]), float(drivers[0]["high"]))
+        with open(os.path.join(out, "progress.csv"), encoding="utf-8") as file:
+            progress = list(csv.DictReader(file))
+        self.assertEqual(len(progress), 42)
+        self.assertEqual([float(each["p90"]) for each in progress[:21]], study["variants"][0]["progress"]["p90"])
+        self.assertTrue(all(float(each["p10"]) <= float(each["p50"]) <= float(each["p90"]) for each in progress))
+        with open(os.path.join(out, "study.html"), encoding="utf-8") as file:
+            page = file.read()
+        for part in ('"drivers":', '"progress":', '"difference":', "What drives the time", "Progress", "less variant"):
+            self.assertIn(part, page)
+
+    def test_a_full_disk_loses_no_run_that_is_noted(self):
+        """A file system of 64 KB: the study ends with a message; with more room it goes on, and the result is that of one that never stopped."""
+        items = "vary floors 2 to 5; runs 2000; seed 3;"
+        whole, small = os.path.join(self.folder, "whole"), os.path.join(self.folder, "small")
+        expected = self.study(items, "--out", whole)
+        os.mkdir(small)
+        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", small], capture_output=True, check=False)
+        if mounted.returncode != 0:
+            self.skipTest("a file system can be mounted by root alone")
+        try:
+            out = os.path.join(small, "out")
+            self.study(items, "--out", out, expected=2)
+            self.assertIn("No space left on device", self.result.stderr)
+            noted = os.path.getsize(os.path.join(out, "study.progress"))
+            self.assertGreater(noted, 30000)
+            self.study(items, "--out", out, "--resume", expected=2)  # still full
+            self.assertGreaterEqual(os.path.getsize(os.path.join(out, "study.progress")), noted - 4096, "what was noted stays")
+            subprocess.run(["mount", "-o", "remount,size=64m", small], check=True)
+            with open(os.path.join(out, "study.progress"), encoding="utf-8") as file:
+                before = sum(line.startswith("run\t") and line.endswith("\t.\n") for line in file)
+            self.assertGreater(before, 100)
+            self.assertEqual(self.study(items, "--out", out, "--resume"), expected)
+            self.assertEqual(self.files(out), self.files(whole))
+        finally:
+            subprocess.run(["umount", small], check=True)
+
+    def test_a_distribution_with_negative_durations_is_told(self):
+        self.write("house.plan", PLAN.replace("pert(4 h, 6 h, 14 h)", "triangular(-4 h, 6 h, 14 h)"))
+        self.study("vary floors 2, 3; runs 5;", expected=2)
+        self.assertIn("house.plan", self.result.stderr)
+        # Of a later variant: it is told, and the others go on.
+        self.write("house.plan", PLAN.replace("pert(4 h, 6 h, 14 h)", "triangular(4 h - floors * 2 h, 6 h, 14 h)"))
+        study = self.json_of("vary floors 2, 3, 1; runs 5;")
+        self.assertEqual(["fault" in variant for variant in study["variants"]], [False, True, False])
+        self.assertIn("house.plan", study["variants"][1]["fault"])
 
     def test_tables_and_csv_have_a_row_a_variant(self):
         items = "vary floors 2, 3; runs 150; ask makespan, utilisation(masons), waiting(resource), rejected;"

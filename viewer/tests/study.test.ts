@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { axisTime, padded, step, ticks } from '../src/study/chart';
-import { cell, clock, command, firstShown, moment, rowsOf, settings, shown, type Study, type Variant } from '../src/study/data';
+import { cell, clock, command, comparedWith, differenceText, firstShown, moment, rowsOf, settings, shown, type Study, type Variant } from '../src/study/data';
 
 const answer = (mean: number, p80: number | null) => ({
   finished: 50, mean, quantiles: [{ p: 0.8, value: p80, interval: [null, null] as [null, null], run: 3 }],
@@ -59,4 +59,14 @@ test('axes have round numbers', () => {
   expect(ticks(3, 3, 5, false)).toEqual([3]);
   expect(padded([10, 10])).toEqual({ low: 9.4, high: 10.6 });
   expect(padded([0, 0])).toEqual({ low: 0, high: 1 });
+});
+
+test('variants are compared with the first that runs', () => {
+  const more = { ...answer(7200, null), difference: { mean: 3600, interval: [3000, 4200] as [number, number], runs: 50 } };
+  const one = variant(2, '3', 1, 2);
+  expect(differenceText('moment', more, one)).toBe('+1:00:00 ± 0:10:00');
+  expect(differenceText('money', { difference: { mean: -5, runs: 1 } }, one)).toBe('-5.00');
+  expect(differenceText('s', answer(1, 2), one)).toBe('');
+  expect(comparedWith(study([{ variant: 1, set: {}, fault: 'no' }, one]))?.variant).toBe(2);
+  expect(cell({ ...one, answers: [more] }, { question: 0, of: 'difference' })).toBe(3600);
 });

@@ -161,8 +161,9 @@ Diagnostic warning(const char* code, Span span, std::string message, std::string
 Beginning look_at_beginning(const interpreter::PlanModel& plan) {
   Beginning beginning = BeginningSearch(plan).run();
   if (plan.support.mode != interpreter::SupportRules::Mode::off) {
-    const SiteWorld site = make_site(plan);
-    beginning.floating = Support(plan, site).find_floating();
+    const PreparedSite prepared = prepare_site(plan);
+    const SiteWorld site = make_site(plan, prepared);
+    beginning.floating = Support(plan, site, prepared.surfaces).find_floating();
   }
   return beginning;
 }

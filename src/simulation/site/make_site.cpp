@@ -40,29 +40,58 @@ StartingRobot make_starting_robot(const interpreter::RobotSpec& spec, PreparedRo
   return {std::move(machine), std::move(q)};
 }
 
-SiteWorld make_site(const interpreter::PlanModel& plan) {
+PreparedSite prepare_site(const interpreter::PlanModel& plan) {
+  PreparedSite prepared;
+  for (std::size_t i = 0; i < plan.site.size(); ++i) {
+    prepared.obstacles.push_back(
+        prepare_named({plan.site[i]}, site_shape_name(plan.site_names, i, plan.site.size())));
+  }
+  for (const interpreter::ComponentSpec& component : plan.components) {
+    prepared.components.push_back(prepare_named(component.shapes, component.name));
+  }
+  for (const interpreter::MovingSpec& moving : plan.movings) {
+    prepared.movings.push_back(prepare_named(moving.shapes, moving.name));
+    prepared.air_above_movings.push_back(
+        prepare_named(moving.overhead, "the air above " + moving.name));
+  }
+  for (const interpreter::RobotSpec& spec : plan.robots) make_starting_robot(spec, prepared.robots);
+  if (!plan.carry.empty() && !plan.robots.empty()) {
+    prepared.carry = prepare_named(plan.carry, "the load");
+  }
+  if (plan.support.mode != interpreter::SupportRules::Mode::off) {
+    for (const interpreter::ComponentSpec& component : plan.components) {
+      prepared.surfaces.push_back(make_support_surface(component.shapes));
+    }
+    for (const geometry::Shape& shape : plan.site) {
+      prepared.surfaces.push_back(make_support_surface({shape}));
+    }
+  }
+  return prepared;
+}
+
+SiteWorld make_site(const interpreter::PlanModel& plan, const PreparedSite& prepared) {
   SiteWorld site(plan.contact);
   for (std::size_t i = 0; i < plan.site.size(); ++i) {
-    const std::string name = site_shape_name(plan.site_names, i, plan.site.size());
-    site.add_obstacle(name, prepare_named({plan.site[i]}, name), math::Pose::Identity());
+    site.add_obstacle(site_shape_name(plan.site_names, i, plan.site.size()), prepared.obstacles[i],
+                      math::Pose::Identity());
   }
   if (!plan.site.empty()) site.show_obstacle("site", plan.site);
-  for (const interpreter::ComponentSpec& component : plan.components) {
+  for (std::size_t i = 0; i < plan.components.size(); ++i) {
+    const interpreter::ComponentSpec& component = plan.components[i];
     const int added =
-        site.add_component(component.name, prepare_named(component.shapes, component.name),
-                           component.X_WO, component.mass);
+        site.add_component(component.name, prepared.components[i], component.X_WO, component.mass);
     site.show_component(added, component.shapes);
     if (component.people) site.add_people(added, component.shapes);
   }
-  for (const interpreter::MovingSpec& moving : plan.movings) {
-    const int added = site.add_moving(
-        moving.name, prepare_named(moving.shapes, moving.name),
-        prepare_named(moving.overhead, "the air above " + moving.name), moving.timetable);
+  for (std::size_t i = 0; i < plan.movings.size(); ++i) {
+    const interpreter::MovingSpec& moving = plan.movings[i];
+    const int added = site.add_moving(moving.name, prepared.movings[i],
+                                      prepared.air_above_movings[i], moving.timetable);
     site.show_moving(added, moving.shapes);
   }
-  PreparedRobots prepared;
+  PreparedRobots bodies = prepared.robots;
   for (const interpreter::RobotSpec& spec : plan.robots) {
-    StartingRobot robot = make_starting_robot(spec, prepared);
+    StartingRobot robot = make_starting_robot(spec, bodies);
     site.add_robot(std::move(robot.machine), std::move(robot.q));
   }
   for (std::size_t i = 0; i < plan.networks.size(); ++i) {
@@ -80,10 +109,12 @@ SiteWorld make_site(const interpreter::PlanModel& plan) {
     site.add_network(plan.networks[i].name,
                      traffic::Traffic(std::move(network), std::move(vehicles)), std::move(robots));
   }
-  if (!plan.carry.empty() && !plan.robots.empty()) {
-    site.attach_carry(0, prepare_named(plan.carry, "the load"));
-  }
+  if (prepared.carry) site.attach_carry(0, prepared.carry);
   return site;
+}
+
+SiteWorld make_site(const interpreter::PlanModel& plan) {
+  return make_site(plan, prepare_site(plan));
 }
 
 }  // namespace rubicon::site

@@ -6,6 +6,7 @@
 
 #include "interpreter/check/plan_model.hpp"
 #include "src/simulation/site/site_world.hpp"
+#include "src/simulation/site/support_surface.hpp"
 
 namespace rubicon::site {
 
@@ -30,8 +31,22 @@ struct StartingRobot {
 };
 StartingRobot make_starting_robot(const interpreter::RobotSpec& spec, PreparedRobots& prepared);
 
-/// The site of a plan at its beginning. Indices of components and robots are the plan's. Throws
-/// std::invalid_argument, naming the thing, for shapes without extent.
+/// What never changes of the things on a site, made ready once for all runs of a plan. By the
+/// plan's indices.
+struct PreparedSite {
+  std::vector<collision::BodyPtr> obstacles, components, movings, air_above_movings;
+  collision::BodyPtr carry;
+  PreparedRobots robots;
+  /// Of components, then of the shapes of the site; none where the plan does not ask for support.
+  std::vector<SupportSurfacePtr> surfaces;
+};
+/// Throws std::invalid_argument, naming the thing, for shapes without extent.
+PreparedSite prepare_site(const interpreter::PlanModel& plan);
+
+/// The site of a plan at its beginning. Indices of components and robots are the plan's.
+/// `prepared` may come from the same plan with other durations; threads may share it.
+SiteWorld make_site(const interpreter::PlanModel& plan, const PreparedSite& prepared);
+/// The same, made ready for this site alone.
 SiteWorld make_site(const interpreter::PlanModel& plan);
 
 }  // namespace rubicon::site

@@ -38,18 +38,19 @@ std::string length_text(double metres) {
 
 }  // namespace
 
-Support::Support(const interpreter::PlanModel& plan, const SiteWorld& site)
+Support::Support(const interpreter::PlanModel& plan, const SiteWorld& site,
+                 const std::vector<SupportSurfacePtr>& surfaces)
     : plan_(plan),
       site_(site),
       gap_(plan.support.gap + kRounding),
-      depth_(std::max(plan.support.gap, 2 * plan.contact) + kRounding) {
+      depth_(std::max(plan.support.gap, 2 * plan.contact) + kRounding),
+      surfaces_(surfaces) {
   const std::size_t things = plan.components.size() + plan.site.size() + 1;
   surfaces_.resize(things);
   bodies_.resize(things);
   placed_.resize(things);
   floating_.resize(things);
   for (std::size_t i = 0; i < plan.components.size(); ++i) {
-    surfaces_[i] = make_support_surface(plan.components[i].shapes);
     if (surfaces_[i] && site.stands(static_cast<int>(i))) {
       place(static_cast<Thing>(i), site.X_WO(static_cast<int>(i)));
     }
@@ -57,7 +58,6 @@ Support::Support(const interpreter::PlanModel& plan, const SiteWorld& site)
   read_ = site.component_changes().size();
   for (std::size_t i = 0; i < plan.site.size(); ++i) {
     const std::size_t thing = plan.components.size() + i;
-    surfaces_[thing] = make_support_surface({plan.site[i]});
     place(static_cast<Thing>(thing), math::Pose::Identity());
   }
   if (plan.site.empty()) ground_ = static_cast<Thing>(things - 1);

@@ -11,6 +11,7 @@
 #include "src/motion/collision/swept_query.hpp"
 #include "src/simulation/site/resting.hpp"
 #include "src/simulation/site/site_world.hpp"
+#include "src/simulation/site/support_surface.hpp"
 
 namespace rubicon::site {
 
@@ -22,8 +23,9 @@ namespace rubicon::site {
 /// docs/support.md.
 class Support {
  public:
-  /// Both must outlive it.
-  Support(const interpreter::PlanModel& plan, const SiteWorld& site);
+  /// Plan and site must outlive it. `surfaces` are those of the plan's PreparedSite.
+  Support(const interpreter::PlanModel& plan, const SiteWorld& site,
+          const std::vector<SupportSurfacePtr>& surfaces);
 
   /// Fixings that need a task hold once it is done; without this none of them does.
   void set_done(std::function<bool(int task)> is_done) { is_done_ = std::move(is_done); }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -63,28 +64,28 @@ Schedule Simulation::make_schedule() {
   Schedule schedule;
   schedule.start_at = plan_.start_at;
   schedule.currency = plan_.currency;
-  std::vector<std::pair<Ticks, int>> order;
-  std::vector<TaskOutcome> all;
-  const auto add = [&](TaskOutcome outcome) {
-    order.emplace_back(outcome.start, static_cast<int>(all.size()));
-    all.push_back(std::move(outcome));
-  };
+  std::vector<TaskOutcome*> all;
+  const auto add = [&](TaskOutcome& outcome) { all.push_back(&outcome); };
   for (int task = 0; task < static_cast<int>(plan_.tasks.size()); ++task) {
     if (auto& outcome = records_.outcome(task)) {
       schedule.process_time = std::max(schedule.process_time, outcome->start + outcome->duration);
-      add(std::move(*outcome));
+      add(*outcome);
     } else {
       schedule.feasible = false;
-      add(std::move(excluded_.at(task).outcome));
+      add(excluded_.at(task).outcome);
     }
   }
-  for (TaskOutcome& parking : records_.parkings()) add(std::move(parking));
-  for (TaskOutcome& parking : failed_parkings_) add(std::move(parking));
-  std::sort(order.begin(), order.end());
+  for (TaskOutcome& parking : records_.parkings()) add(parking);
+  for (TaskOutcome& parking : failed_parkings_) add(parking);
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return all[a]->start < all[b]->start; });
   std::vector<std::size_t> row_of(all.size());  // of the tasks of the plan, as in the file
-  for (const auto& [start, place] : order) {
-    row_of[index(place)] = schedule.tasks.size();
-    schedule.tasks.push_back(std::move(all[index(place)]));
+  schedule.tasks.reserve(all.size());
+  for (const std::size_t place : order) {
+    row_of[place] = schedule.tasks.size();
+    schedule.tasks.push_back(std::move(*all[place]));
   }
 
   for (const interpreter::RobotSpec& robot : plan_.robots) {

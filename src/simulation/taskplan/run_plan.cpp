@@ -1,5 +1,6 @@
 #include "src/simulation/taskplan/run_plan.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "src/simulation/taskplan/short_run.hpp"
@@ -10,9 +11,12 @@ namespace rubicon::taskplan {
 Schedule run_plan(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
                   trace::TraceSink* sink, const RunOptions& options) {
   if (plan.short_form) return run_short(plan, sources, sink, options);
+  std::optional<site::PreparedSite> own;
+  if (!options.prepared) own = site::prepare_site(plan);
+  const site::PreparedSite& prepared = own ? *own : *options.prepared;
   Verdicts known;
   while (true) {
-    Simulation simulation(plan, sources, sink, options, std::move(known));
+    Simulation simulation(plan, sources, sink, options, prepared, std::move(known));
     if (auto schedule = simulation.run()) {
       add_attributes(plan, *schedule);
       schedule->uncertain = interpreter::count_uncertain(plan);

@@ -6,6 +6,7 @@
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/machine/machine.hpp"
 #include "interpreter/syntax/source.hpp"
+#include "src/simulation/site/make_site.hpp"
 #include "src/simulation/taskplan/schedule.hpp"
 #include "src/simulation/trace/trace_sink.hpp"
 
@@ -22,6 +23,8 @@ struct RunOptions {
   std::function<void(int done, int total, const TaskOutcome& last)> on_task;
   /// Called before a motion of a task begins; a plan that is begun again calls it again.
   MotionObserver on_motion;
+  /// Of the same plan, with whatever durations; null: it is made for this run.
+  const site::PreparedSite* prepared = nullptr;
 };
 
 /// Simulates a plan from its beginning (docs/simulation.md) and writes the trace to `sink` unless

@@ -23,7 +23,8 @@ Schedule run_short(const interpreter::PlanModel& plan, const interpreter::Source
     trace->set_task(plan.name, 0);
     trace->task_start(0);
   }
-  site::SiteWorld site = site::make_site(plan);
+  site::SiteWorld site =
+      options.prepared ? site::make_site(plan, *options.prepared) : site::make_site(plan);
   site::RobotView view(site, 0);
   HitRecorder hits(trace ? &*trace : nullptr);
   const interpreter::Program program = interpreter::compile(plan.robots[0].robot);

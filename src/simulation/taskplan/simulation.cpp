@@ -10,10 +10,11 @@ namespace rubicon::taskplan {
 using schedule::TaskEnd;
 
 Simulation::Simulation(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
-                       trace::TraceSink* sink, const RunOptions& options, Verdicts known)
+                       trace::TraceSink* sink, const RunOptions& options,
+                       const site::PreparedSite& prepared, Verdicts known)
     : plan_(plan),
       options_(options),
-      stage_(plan, sources, sink, options.detail),
+      stage_(plan, sources, sink, options.detail, prepared),
       records_(stage_.tasks()),
       checkpoints_(stage_, records_, zone_waits_),
       excluded_(std::move(known.tasks)),

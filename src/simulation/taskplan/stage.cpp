@@ -15,14 +15,14 @@
 namespace rubicon::taskplan {
 
 Stage::Stage(const interpreter::PlanModel& the_plan, const interpreter::SourceMap& the_sources,
-             trace::TraceSink* sink, trace::TraceDetail detail)
+             trace::TraceSink* sink, trace::TraceDetail detail, const site::PreparedSite& prepared)
     : plan(the_plan),
       sources(the_sources),
       trace(the_plan, the_sources, sink, detail),
-      site(site::make_site(the_plan)),
+      site(site::make_site(the_plan, prepared)),
       site_changes(site) {
   if (plan.support.mode != interpreter::SupportRules::Mode::off) {
-    support.emplace(plan, site);
+    support.emplace(plan, site, prepared.surfaces);
     support->find_floating();
   }
   for (int robot = 0; robot < robots(); ++robot) {

@@ -49,7 +49,7 @@ struct SiteProgress {
 class Stage {
  public:
   Stage(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
-        trace::TraceSink* sink, trace::TraceDetail detail);
+        trace::TraceSink* sink, trace::TraceDetail detail, const site::PreparedSite& prepared);
 
   const interpreter::PlanModel& plan;
   const interpreter::SourceMap& sources;

@@ -49,6 +49,30 @@ Answer answer_of(const std::vector<double>& values) {
   return answer;
 }
 
+/// Of `b` less `a`, over the runs that finished in both.
+statistics::Mean mean_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    if (std::isfinite(a[i]) && std::isfinite(b[i])) differences.push_back(b[i] - a[i]);
+  }
+  return statistics::mean_of(differences);
+}
+
+/// Compares all variants with the first that runs.
+void add_differences(const std::vector<VariantRuns>& runs, std::vector<VariantAnswers>& answers) {
+  const auto first = std::find_if(answers.begin(), answers.end(),
+                                  [](const VariantAnswers& each) { return each.runs > 0; });
+  for (auto other = first; other != answers.end(); ++other) {
+    if (other == first || other->runs == 0) continue;
+    for (std::size_t q = 0; q < other->answers.size(); ++q) {
+      if (!first->answers[q].there || !other->answers[q].there) continue;
+      other->answers[q].difference =
+          mean_difference(runs[static_cast<std::size_t>(first - answers.begin())].values[q],
+                          runs[static_cast<std::size_t>(other - answers.begin())].values[q]);
+    }
+  }
+}
+
 std::vector<TaskShare> critical_tasks(const VariantRuns& runs, std::int64_t finished) {
   std::vector<TaskShare> result;
   for (std::size_t i = 0; i < runs.critical.size(); ++i) {
@@ -218,11 +242,7 @@ class Chooser {
     if (rule_.statistic.quantile) {
       return statistics::quantile_difference(a, b, *rule_.statistic.quantile);
     }
-    std::vector<double> differences;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-      if (std::isfinite(a[i]) && std::isfinite(b[i])) differences.push_back(b[i] - a[i]);
-    }
-    return statistics::mean_of(differences).interval;
+    return mean_difference(a, b).interval;
   }
 
   const StudyModel& study_;
@@ -238,6 +258,7 @@ StudyAnswers answers_of(const StudyModel& study, const std::vector<VariantRuns>&
   for (const VariantRuns& each : variants) {
     result.variants.push_back(answers_of_variant(study, each));
   }
+  add_differences(variants, result.variants);
   result.pareto = front_of(result.variants);
   if (study.choice) result.choice = Chooser(study, variants).choose();
   return result;

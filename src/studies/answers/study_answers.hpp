@@ -31,6 +31,9 @@ struct Answer {
   double least = 0;       ///< of these
   double most = 0;
   std::vector<QuantileAnswer> quantiles;  ///< of all runs, by kQuantiles
+  /// This less the first variant that runs, run by run, over the runs that finished in both; of no
+  /// count of that variant itself.
+  statistics::Mean difference;
 };
 
 /// A task and the share of the finished runs in which it was on the critical path.

@@ -45,6 +45,9 @@ std::string variants_csv(const StudyModel& study, const std::vector<VariantRuns>
       text +=
           "," + csv_field(name) + "," + csv_field(name + "_low") + "," + csv_field(name + "_high");
     }
+    for (const char* what : {"difference", "difference_low", "difference_high"}) {
+      text += "," + csv_field(fmt::format("{} {}", question.text, what));
+    }
   }
   text += "\n";
   for (std::size_t v = 0; v < variants.size(); ++v) {
@@ -70,8 +73,37 @@ std::string variants_csv(const StudyModel& study, const std::vector<VariantRuns>
         text += "," + number(quantile.value) + "," + number(quantile.interval.low) + "," +
                 (std::isinf(quantile.interval.high) ? "" : number(quantile.interval.high));
       }
+      const statistics::Mean& difference = answer.difference;
+      text += "," + (difference.count > 0 ? number(difference.mean) : "") + "," +
+              (difference.interval ? number(difference.interval->low) : "") + "," +
+              (difference.interval ? number(difference.interval->high) : "");
     }
     text += "\n";
+  }
+  return text;
+}
+
+std::string drivers_csv(const std::vector<VariantRuns>& variants, const StudyAnswers& answers) {
+  std::string text = "variant" + settings_header(variants) + ",duration,correlation,low,high\n";
+  for (std::size_t v = 0; v < variants.size(); ++v) {
+    for (const Driver& each : answers.variants[v].drivers) {
+      text += fmt::format("{}{},{},{},", v + 1, settings(variants[v]), csv_field(each.place),
+                          number(each.correlation));
+      text += each.low > 0 ? number(each.low) + "," + number(each.high) + "\n" : ",\n";
+    }
+  }
+  return text;
+}
+
+std::string progress_csv(const std::vector<VariantRuns>& variants, const StudyAnswers& answers) {
+  std::string text = "variant" + settings_header(variants) + ",share,p10,p50,p90\n";
+  for (std::size_t v = 0; v < variants.size(); ++v) {
+    const auto& band = answers.variants[v].progress;
+    for (std::size_t i = 0; band && i < band->p50.size(); ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(kCurvePoints - 1);
+      text += fmt::format("{}{},{},{},{},{}\n", v + 1, settings(variants[v]), number(share),
+                          number(band->p10[i]), number(band->p50[i]), number(band->p90[i]));
+    }
   }
   return text;
 }

@@ -93,6 +93,11 @@ class Json {
         json_.field("run", each.run).end_object();
       }
       json_.end_array();
+      if (answer.difference.count > 0) {
+        json_.key("difference").begin_object().field("mean", answer.difference.mean);
+        if (answer.difference.interval) interval("interval", *answer.difference.interval);
+        json_.field("runs", static_cast<std::int64_t>(answer.difference.count)).end_object();
+      }
     }
     json_.end_object();
   }

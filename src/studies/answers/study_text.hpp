@@ -14,6 +14,10 @@ std::string study_table(const StudyModel& study, const std::vector<VariantRuns>&
 /// A row a variant: its settings, then mean, deviation and quantiles of each question (times in s).
 std::string variants_csv(const StudyModel& study, const std::vector<VariantRuns>& variants,
                          const StudyAnswers& answers);
+/// A row for each variant and each duration that drives its time (times in s).
+std::string drivers_csv(const std::vector<VariantRuns>& variants, const StudyAnswers& answers);
+/// A row for each variant and each share of its work: when it is done (s).
+std::string progress_csv(const std::vector<VariantRuns>& variants, const StudyAnswers& answers);
 /// A row a run: variant, settings, seed, run, then each question (times in s; "never" of a run in
 /// which something was rejected).
 std::string runs_csv(const StudyModel& study, const std::vector<VariantRuns>& variants);

@@ -215,16 +215,16 @@ void VariantRuns::resize(const StudyModel& study, std::int64_t runs) {
   curves.resize(static_cast<std::size_t>(std::min(runs, kCurves)));
 }
 
-void VariantRuns::describe(const interpreter::PlanModel& plan) {
-  tasks.clear();
-  for (const interpreter::TaskSpec& each : plan.tasks) tasks.push_back(each.name);
-  uncertain.clear();
+VariantFacts facts_of(const interpreter::PlanModel& plan) {
+  VariantFacts facts;
+  for (const interpreter::TaskSpec& each : plan.tasks) facts.tasks.push_back(each.name);
   for (const interpreter::UncertainDuration& each : uncertain_durations(plan)) {
-    uncertain.push_back({each.place, *each.law});
+    facts.uncertain.push_back({each.place, *each.law});
   }
-  start_at = plan.start_at;
-  currency = plan.currency;
-  costed = taskplan::is_costed(plan);
+  facts.start_at = plan.start_at;
+  facts.currency = plan.currency;
+  facts.costed = taskplan::is_costed(plan);
+  return facts;
 }
 
 bool VariantRuns::fits(const RunRecord& record) const {

@@ -42,12 +42,21 @@ struct UncertainPlace {
   sampling::DurationLaw law;
 };
 
+/// What is known of a variant before its first run.
+struct VariantFacts {
+  std::vector<std::string> tasks;  ///< of the plan, as in the file
+  std::vector<UncertainPlace> uncertain;
+  std::optional<schedule::CivilTime> start_at;
+  std::string currency;
+  bool costed = false;
+};
+VariantFacts facts_of(const interpreter::PlanModel& plan);
+
 /// The runs of one variant so far. What is taken may come in any order: the result is the same.
-struct VariantRuns {
+struct VariantRuns : VariantFacts {
   interpreter::ParameterTexts set;
   std::string fault;                        ///< why it cannot run; "" if it can
   std::vector<std::vector<double>> values;  ///< by question, then by run
-  std::vector<std::string> tasks;           ///< of the plan, as in the file
   std::vector<std::int64_t> critical;       ///< by task: runs in which it was on the critical path
   struct Rejection {
     std::int64_t runs = 0;
@@ -56,18 +65,12 @@ struct VariantRuns {
   };
   std::map<int, Rejection> rejections;      ///< by task
   std::vector<std::vector<double>> curves;  ///< of the first runs; empty ones are not there
-  std::vector<UncertainPlace> uncertain;
-  std::optional<schedule::CivilTime> start_at;
-  std::string currency;
-  bool costed = false;
 
   std::int64_t runs() const {
     return values.empty() ? 0 : static_cast<std::int64_t>(values.front().size());
   }
   /// Makes room for so many runs.
   void resize(const StudyModel& study, std::int64_t runs);
-  /// What the variant is, before its first run.
-  void describe(const interpreter::PlanModel& plan);
   /// Whether all tasks of a record are there: not so in a log that was damaged.
   bool fits(const RunRecord& record) const;
   void take(std::int64_t run, const RunRecord& record);

@@ -6,17 +6,15 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
-#include <stdexcept>
 #include <thread>
 #include <utility>
-
-#include "src/simulation/taskplan/run_plan.hpp"
 
 namespace rubicon::study {
 
 namespace {
 
 constexpr std::int64_t kMostRunsAtOnce = 64;
+constexpr const char* kNotAsked = "what it answers is not what was asked";
 
 /// Whether the rule that ends the runs of a variant is met by those that were made.
 bool is_met(const Condition& until, const VariantRuns& variant) {
@@ -25,13 +23,18 @@ bool is_met(const Condition& until, const VariantRuns& variant) {
   return width && until.holds(*width, until.limit);
 }
 
-/// The runs of a study, handed out to threads. Variants are opened in order, as many at a time as
-/// there are threads, so that the memory for plans is bounded.
-class Runner {
+/// The runs of a study, handed out to threads and to remote workers. Variants are opened in order,
+/// as many at a time as pieces are worked on, so that the memory for plans is bounded.
+class Runner : private Work {
  public:
   Runner(const StudyModel& study, const std::vector<interpreter::ParameterTexts>& variants,
          const RunnerOptions& options)
-      : study_(study), options_(options), results_(variants.size()), open_(variants.size()) {
+      : study_(study),
+        options_(options),
+        places_(options.threads + (options.remote ? options.remote->places() : 0)),
+        read_(options.read, static_cast<std::size_t>(options.threads) + 1),
+        results_(variants.size()),
+        open_(variants.size()) {
     for (std::size_t i = 0; i < variants.size(); ++i) results_[i].set = variants[i];
     for (const LoggedRun& each : options.known) {
       const std::size_t variant = each.variant - options.first_variant;
@@ -42,8 +45,14 @@ class Runner {
 
   std::optional<std::vector<VariantRuns>> run() {
     std::vector<std::thread> threads;
-    for (int i = 1; i < options_.threads; ++i) threads.emplace_back([this] { work(); });
-    work();
+    const int own = options_.remote ? options_.threads : options_.threads - 1;
+    for (int i = 0; i < own; ++i) threads.emplace_back([this] { work_here(); });
+    if (!options_.remote) {
+      work_here();
+    } else if (!options_.remote->serve(*this)) {
+      const std::lock_guard lock(mutex_);
+      stop();
+    }
     for (std::thread& each : threads) each.join();
     if (failure_) std::rethrow_exception(failure_);
     if (stopped_) return std::nullopt;
@@ -53,37 +62,20 @@ class Runner {
  private:
   /// A variant while its runs are made.
   struct Open {
-    enum class State : std::uint8_t { waiting, loading, running, done };
+    enum class State : std::uint8_t { waiting, opening, running, done };
     State state = State::waiting;
-    std::shared_ptr<const LoadedVariant> loaded;
+    std::string digest;  ///< of what it was read from
     std::vector<const LoggedRun*> known;
     std::vector<bool> made;     ///< by run: handed out or known
     std::int64_t next = 0;      ///< no run before it is to be handed out
     std::int64_t planned = 0;   ///< runs until the next look at the rule
     std::int64_t finished = 0;  ///< of these
   };
-  struct Piece {
-    std::size_t variant = 0;
-    std::vector<std::int64_t> runs;
-    std::shared_ptr<const LoadedVariant> loaded;
-    bool load = false;
-  };
 
-  void work() {
+  void work_here() {
     try {
-      std::size_t own_variant = results_.size();
-      std::unique_ptr<interpreter::PlanModel> own;  // drawn durations are written into it
-      while (const auto piece = next_piece()) {
-        if (piece->load) {
-          load(piece->variant);
-          continue;
-        }
-        if (piece->variant != own_variant) {
-          own = std::make_unique<interpreter::PlanModel>(*piece->loaded->plan);
-          own_variant = piece->variant;
-        }
-        make(*piece, *own);
-      }
+      Worker worker(study_, read_);
+      while (const auto piece = wait_for_piece()) done(*piece, worker.work(*piece));
     } catch (...) {
       const std::lock_guard lock(mutex_);
       if (!failure_) failure_ = std::current_exception();
@@ -96,40 +88,55 @@ class Runner {
     changed_.notify_all();
   }
 
-  std::optional<Piece> next_piece() {
+  std::optional<Piece> wait_for_piece() {
     std::unique_lock lock(mutex_);
-    while (true) {
-      if (stopped_) return std::nullopt;
-      while (first_ < open_.size() && open_[first_].state == Open::State::done) ++first_;
-      if (first_ == open_.size()) return std::nullopt;
-      int busy = 0;
-      for (std::size_t i = first_; i < open_.size() && busy < options_.threads; ++i) {
-        Open& each = open_[i];
-        if (each.state == Open::State::done) continue;
-        ++busy;
-        if (each.state == Open::State::waiting) {
-          each.state = Open::State::loading;
-          Piece piece;
-          piece.variant = i;
-          piece.load = true;
-          return piece;
-        }
-        if (each.state == Open::State::running) {
-          if (auto piece = take_runs(i)) return piece;
-        }
-      }
+    while (!over()) {
+      if (auto piece = next_piece()) return piece;
       changed_.wait(lock);
     }
+    return std::nullopt;
+  }
+
+  std::optional<Piece> take() override {
+    const std::lock_guard lock(mutex_);
+    return over() ? std::nullopt : next_piece();
+  }
+
+  bool is_over() const override {
+    const std::lock_guard lock(mutex_);
+    return over();
+  }
+
+  // From here on with the lock held.
+  bool over() const {
+    return stopped_ ||
+           std::all_of(open_.begin() + static_cast<std::ptrdiff_t>(first_), open_.end(),
+                       [](const Open& each) { return each.state == Open::State::done; });
+  }
+
+  std::optional<Piece> next_piece() {
+    while (first_ < open_.size() && open_[first_].state == Open::State::done) ++first_;
+    int busy = 0;
+    for (std::size_t i = first_; i < open_.size() && busy < places_; ++i) {
+      Open& each = open_[i];
+      if (each.state == Open::State::done) continue;
+      ++busy;
+      if (each.state == Open::State::waiting) {
+        each.state = Open::State::opening;
+        return Piece{options_.first_variant + i, results_[i].set, {}};
+      }
+      if (each.state == Open::State::running) {
+        if (auto piece = take_runs(i)) return piece;
+      }
+    }
+    return std::nullopt;
   }
 
   std::optional<Piece> take_runs(std::size_t variant) {
     Open& each = open_[variant];
     const std::int64_t left = each.planned - each.next;
-    const std::int64_t most =
-        std::clamp<std::int64_t>(left / (4 * options_.threads), 1, kMostRunsAtOnce);
-    Piece piece;
-    piece.variant = variant;
-    piece.loaded = each.loaded;
+    const std::int64_t most = std::clamp<std::int64_t>(left / (4 * places_), 1, kMostRunsAtOnce);
+    Piece piece{options_.first_variant + variant, results_[variant].set, {}};
     while (each.next < each.planned && static_cast<std::int64_t>(piece.runs.size()) < most) {
       const auto run = static_cast<std::size_t>(each.next++);
       if (each.made[run]) continue;
@@ -140,21 +147,70 @@ class Runner {
     return piece;
   }
 
-  void load(std::size_t variant) {
-    auto loaded = std::make_shared<LoadedVariant>(options_.load(options_.first_variant + variant));
+  void give_back(const Piece& piece) override {
     const std::lock_guard lock(mutex_);
+    Open& each = open_[piece.variant - options_.first_variant];
+    if (each.state == Open::State::done) return;
+    if (piece.runs.empty()) each.state = Open::State::waiting;
+    for (const std::int64_t run : piece.runs) {
+      each.made[static_cast<std::size_t>(run)] = false;
+      each.next = std::min(each.next, run);
+    }
+    changed_.notify_all();
+  }
+
+  std::string complaint(const Piece& piece, const PieceResult& result) const override {
+    const std::lock_guard lock(mutex_);
+    const std::size_t variant = piece.variant - options_.first_variant;
+    if (piece.runs.empty()) {
+      const bool right = result.runs.empty() && result.facts.has_value() == result.fault.empty();
+      return right ? "" : kNotAsked;
+    }
+    if (open_[variant].digest != result.digest) return "what it reads of the plan is different";
+    if (!result.fault.empty()) return "";
+    if (result.runs.size() != piece.runs.size()) return kNotAsked;
+    for (std::size_t i = 0; i < piece.runs.size(); ++i) {
+      const LoggedRun& each = result.runs[i];
+      const bool same = each.variant == piece.variant && each.run == piece.runs[i];
+      if (!same || !results_[variant].fits(each.record)) return kNotAsked;
+    }
+    return "";
+  }
+
+  void done(const Piece& piece, const PieceResult& result) override {
+    const std::lock_guard lock(mutex_);
+    const std::size_t variant = piece.variant - options_.first_variant;
+    if (open_[variant].state == Open::State::done) return;
+    if (piece.runs.empty()) {
+      opened(variant, result);
+      return;
+    }
+    if (!result.fault.empty()) {
+      fail(variant, result.fault);
+      return;
+    }
+    for (const LoggedRun& each : result.runs) {
+      results_[variant].take(each.run, each.record);
+      if (options_.on_run && !options_.on_run(each)) {
+        stop();
+        return;
+      }
+    }
+    count(variant, static_cast<std::int64_t>(result.runs.size()));
+  }
+
+  void opened(std::size_t variant, const PieceResult& result) {
     Open& each = open_[variant];
-    VariantRuns& result = results_[variant];
-    if (options_.on_load && !options_.on_load(options_.first_variant + variant, *loaded)) {
+    each.digest = result.digest;
+    if (options_.on_load && !options_.on_load(options_.first_variant + variant, result.digest)) {
       stop();
       return;
     }
-    if (!loaded->plan) {
-      fail(variant, loaded->fault);
+    if (!result.fault.empty()) {
+      fail(variant, result.fault);
       return;
     }
-    result.describe(*loaded->plan);
-    each.loaded = std::move(loaded);
+    static_cast<VariantFacts&>(results_[variant]) = *result.facts;
     each.state = Open::State::running;
     plan_more(variant);
   }
@@ -167,8 +223,8 @@ class Runner {
 
   void close(std::size_t variant) {
     open_[variant].state = Open::State::done;
-    open_[variant].loaded.reset();
     open_[variant].made = {};
+    read_.forget(options_.first_variant + variant);
     changed_.notify_all();
   }
 
@@ -210,44 +266,12 @@ class Runner {
     close(variant);
   }
 
-  void make(const Piece& piece, interpreter::PlanModel& plan) {
-    std::vector<LoggedRun> made;
-    std::string fault;
-    for (const std::int64_t run : piece.runs) {
-      if (study_.sampled) {
-        draw_durations(plan, {study_.seed, static_cast<std::uint64_t>(run)});
-      }
-      try {
-        const taskplan::Schedule schedule = taskplan::run_plan(plan, piece.loaded->sources, nullptr,
-                                                               {trace::TraceDetail::none, {}, {}});
-        made.push_back({options_.first_variant + piece.variant, run,
-                        record_of(study_, plan, schedule, run < kCurves)});
-      } catch (const std::invalid_argument& error) {
-        fault = error.what();
-        break;
-      }
-    }
-    const std::lock_guard lock(mutex_);
-    if (open_[piece.variant].state == Open::State::done) return;
-    if (!fault.empty()) {
-      fail(piece.variant, fault);
-      return;
-    }
-    VariantRuns& result = results_[piece.variant];
-    for (const LoggedRun& each : made) {
-      result.take(each.run, each.record);
-      if (options_.on_run && !options_.on_run(each)) {
-        stop();
-        return;
-      }
-    }
-    count(piece.variant, static_cast<std::int64_t>(made.size()));
-  }
-
   const StudyModel& study_;
   const RunnerOptions& options_;
+  int places_;  ///< pieces that are worked on at a time
+  OpenVariants read_;
   std::vector<VariantRuns> results_;
-  std::mutex mutex_;  ///< of what follows, and of results_
+  mutable std::mutex mutex_;  ///< of what follows, and of results_
   std::condition_variable changed_;
   std::vector<Open> open_;
   std::size_t first_ = 0;  ///< no variant before it is open

@@ -45,11 +45,11 @@ Made make(const std::string& plan, const std::string& items, int threads = 2,
   RunnerOptions options;
   options.threads = threads;
   options.known = std::move(known);
-  options.load = [&](std::size_t variant) {
+  options.read = [&](std::size_t, const interpreter::ParameterTexts& set) {
     LoadedVariant loaded;
     OnePlan files(plan);
     interpreter::Diagnostics found;
-    loaded.plan = load_plan("p.plan", loaded.sources, files, found, variants[variant]);
+    loaded.plan = load_plan("p.plan", loaded.sources, files, found, set);
     if (!loaded.plan) loaded.fault = found.sorted().front().message;
     return loaded;
   };
@@ -124,21 +124,28 @@ TEST(Runner, FindsPertNetworksAnswers) {
 }
 
 TEST(Runner, FindsTheWaitOfAQueue) {
-  // M/M/1 and M/D/1 with arrivals each 100 s and service of 60 s: a customer waits
-  // rho / (1 - rho) * service, or half of that. From an empty queue, 1,000 customers, 40 runs.
-  const auto queue = [](const std::string& service) {
-    return "plan q { crew clerk; for i from 1 to 1000 { task come[i] { takes exponential(100 s); "
-           "when (i > 1) { after come[i - 1]; } } task serve[i] { by clerk; takes " +
+  // M/M/1 and M/D/c with arrivals each 100 s. From an empty queue, 1,000 customers, 40 runs.
+  const auto queue = [](const std::string& service, int clerks = 1) {
+    return "plan q { crew clerks { size " + std::to_string(clerks) +
+           "; } for i from 1 to 1000 { task come[i] { takes exponential(100 s); "
+           "when (i > 1) { after come[i - 1]; } } task serve[i] { by clerks; needs 1 clerks; "
+           "takes " +
            service + "; after come[i]; } } }";
   };
   const Made random = make(queue("exponential(60 s)"), "runs 40; ask waiting(resource);");
   const Made constant = make(queue("60 s"), "runs 40; ask waiting(resource);");
+  const Made two = make(queue("120 s", 2), "runs 40; ask waiting(resource);");
   const auto interval_of = [](const Made& made) {
     const auto interval = *answer(made, 0, "waiting(resource)").mean.interval;
     return statistics::Interval{interval.low / 1000, interval.high / 1000};
   };
+  // Service of 60 s: a customer waits rho / (1 - rho) * service, or half of that.
   EXPECT_TRUE(interval_of(random).holds(90)) << interval_of(random).low;
   EXPECT_TRUE(interval_of(constant).holds(45)) << interval_of(constant).low;
+  // With c clerks and a = service / arrivals it is the service times the sum over i of
+  // P(N >= i c) - P(N > i c) c / a, with N of Poisson's law with the mean i a (C. D. Crommelin,
+  // Post Office Electrical Engineers' Journal 25, 1932): 0.293036 for a = 1.2 and c = 2.
+  EXPECT_TRUE(interval_of(two).holds(0.293036 * 120)) << interval_of(two).low;
   EXPECT_LT(interval_of(random).width(), 25);
 }
 

@@ -13,6 +13,8 @@ export interface Answer {
   least?: number;
   most?: number;
   quantiles?: Quantile[];
+  /** This less the first variant that runs, run by run. */
+  difference?: { mean: number; interval?: Interval; runs: number };
 }
 
 export interface Variant {
@@ -87,6 +89,21 @@ export function shown(unit: Unit, value: number | null | undefined, variant: Var
   return clock(value);
 }
 
+/** How much more or less than the first variant that runs, with half of its 95 % interval where there is one. */
+export function differenceText(unit: Unit, answer: Answer | undefined, variant: Variant): string {
+  const difference = answer?.difference;
+  if (!difference) return '';
+  const of = unit === 'moment' ? 's' : unit;
+  const text = `${difference.mean > 0 ? '+' : ''}${shown(of, difference.mean, variant)}`;
+  const [low, high] = [difference.interval?.[0], difference.interval?.[1]];
+  return low == null || high == null ? text : `${text} ± ${shown(of, (high - low) / 2, variant)}`;
+}
+
+/** The variant with which the others are compared. */
+export function comparedWith(study: Study): Variant | undefined {
+  return study.variants.find((each) => (each.runs ?? 0) > 0);
+}
+
 /** What a variant sets, in one line. */
 export function settings(variant: Variant): string {
   const parts = Object.entries(variant.set).map(([name, value]) => `${name} ${value}`);
@@ -107,7 +124,7 @@ export function firstShown(study: Study): Variant {
 }
 
 /** What the table sorts by: columns are settings by name, or numbers of a question. */
-export type Key = { parameter: string } | { question: number; of: 'mean' | number } | 'variant' | 'rejected';
+export type Key = { parameter: string } | { question: number; of: 'mean' | 'difference' | number } | 'variant' | 'rejected';
 
 /** The number or text of a variant in a column; what is not there comes last. */
 export function cell(variant: Variant, key: Key): number | string | undefined {
@@ -121,6 +138,7 @@ export function cell(variant: Variant, key: Key): number | string | undefined {
   const answer = variant.answers?.[key.question];
   if (!answer?.quantiles) return undefined;
   if (key.of === 'mean') return answer.mean;
+  if (key.of === 'difference') return answer.difference?.mean;
   const value = answer.quantiles.find((each) => each.p === key.of)?.value;
   return value === null ? Infinity : value;
 }

@@ -1,6 +1,6 @@
 import '../study.css';
 import { button, make, named } from '../panels/dom';
-import { command, firstShown, MAKESPAN, REJECTED, rowsOf, settings, shown, type Key, type Study, type Variant } from './data';
+import { command, comparedWith, differenceText, firstShown, MAKESPAN, REJECTED, rowsOf, settings, shown, type Key, type Study, type Variant } from './data';
 import { criticality, finishText, paretoPicture, progressPicture, sureness, tornado } from './pictures';
 
 const MOST_ROWS = 500;
@@ -100,10 +100,12 @@ class Page {
   private showTable(): void {
     const { unit } = this.study.questions[this.question];
     const quantiles = this.study.sampled ? [0.1, 0.5, 0.8, 0.95] : [];
+    const base = this.study.variants.length > 1 ? comparedWith(this.study) : undefined;
     const rows = rowsOf(this.study, this.filter, this.key, this.down);
     const head = make('tr', {}, this.heading('variant', 'variant'), ...this.study.parameters.map((each) => this.heading(each, { parameter: each })),
       this.heading('rejected', 'rejected'), this.heading(this.study.sampled ? 'mean' : this.study.questions[this.question].text, { question: this.question, of: 'mean' }),
-      ...quantiles.map((p) => this.heading(`P${Math.round(100 * p)}`, { question: this.question, of: p })));
+      ...quantiles.map((p) => this.heading(`P${Math.round(100 * p)}`, { question: this.question, of: p })),
+      ...(base ? [this.heading(`less variant ${base.variant}`, { question: this.question, of: 'difference' })] : []));
     const body = make('tbody');
     for (const each of rows.slice(0, MOST_ROWS)) {
       const answer = each.answers?.[this.question];
@@ -112,11 +114,12 @@ class Page {
       row.append(make('td', {}, chosen ? `★ ${each.variant}` : String(each.variant)),
         ...this.study.parameters.map((name) => make('td', {}, named(each.set[name] ?? '', 60))));
       if (each.fault !== undefined) {
-        row.append(make('td', { colspan: String(2 + quantiles.length), class: 'bad start' }, named(`cannot run: ${each.fault}`)));
+        row.append(make('td', { colspan: String(2 + quantiles.length + (base ? 1 : 0)), class: 'bad start' }, named(`cannot run: ${each.fault}`)));
       } else {
         const share = (each.unfinished ?? 0) / (each.runs || 1);
         row.append(make('td', share > 0 ? { class: 'bad' } : {}, shown('share', share, each)), make('td', {}, shown(unit, answer?.quantiles ? answer.mean ?? null : undefined, each)),
-          ...quantiles.map((p) => make('td', {}, shown(unit, answer?.quantiles?.find((one) => one.p === p)?.value, each))));
+          ...quantiles.map((p) => make('td', {}, shown(unit, answer?.quantiles?.find((one) => one.p === p)?.value, each))),
+          ...(base ? [make('td', {}, differenceText(unit, answer, each))] : []));
         row.addEventListener('click', () => this.select(each));
         row.addEventListener('keydown', (event) => {
           if (event.key === 'Enter') this.select(each);
