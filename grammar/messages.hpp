@@ -289,17 +289,20 @@ RUBICON_EXPECT(moving_part, "moving", Explain::item, "shape path repeat people")
 RUBICON_EXPECT(path_place, "a time and a frame such as 20 s trans(25, 2, 0)");
 RUBICON_EXPECT(choice_rule, "first, nearest or least_used");
 RUBICON_EXPECT(network_name, "a name after network");
-RUBICON_EXPECT(
-    network_part, "network", Explain::item,
-    "policy class node lane errand report barrier explore map scenario agents agent for when");
+RUBICON_EXPECT(network_part, "network", Explain::item,
+               "policy class node lane errand report barrier explore map scenario agents agent "
+               "jobs job for when");
 RUBICON_EXPECT(policy_name, "order, charts, tarry, fraenkel or grid");
 RUBICON_EXPECT(policy_end, "';' or '{' after the policy");
-RUBICON_EXPECT(policy_part, "policy", Explain::item,
-               "tolerance delay clearance minimise expansions seed");
+RUBICON_EXPECT(
+    policy_part, "policy", Explain::item,
+    "tolerance delay clearance minimise expansions seed window interval tick late late_ticks");
 RUBICON_EXPECT(minimise_what, "time, distance or cost");
 RUBICON_EXPECT(policy_number_value, "a number");
 RUBICON_EXPECT(grid_file_name, "the name of a file in quotes");
-RUBICON_EXPECT(grid_count_value, "how many agents of the scenario");
+RUBICON_EXPECT(grid_count_value, "how many");
+RUBICON_EXPECT(grid_job_name, "a name after job");
+RUBICON_EXPECT(grid_job_arrives, "the tick from which the job may be taken");
 RUBICON_EXPECT(grid_agent_name, "a name after agent");
 RUBICON_EXPECT(grid_from_key, "'from' and a cell such as (4, 2)");
 RUBICON_EXPECT(grid_from, "a cell: its column and its row in parentheses, such as (4, 2)");

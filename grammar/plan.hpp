@@ -450,7 +450,8 @@ struct grid_file_key
     : token<sor<word<TAO_PEGTL_STRING("map")>, word<TAO_PEGTL_STRING("scenario")>>> {};
 struct grid_file_name : string_literal {};
 struct grid_file : if_must<grid_file_key, grid_file_name, plan_semicolon> {};
-struct grid_count_key : token<word<TAO_PEGTL_STRING("agents")>> {};
+struct grid_count_key
+    : token<sor<word<TAO_PEGTL_STRING("agents")>, word<TAO_PEGTL_STRING("jobs")>>> {};
 struct grid_count_value : quantity {};
 struct grid_count : if_must<grid_count_key, grid_count_value, plan_semicolon> {};
 struct grid_agent_key : token<word<TAO_PEGTL_STRING("agent")>> {};
@@ -461,7 +462,13 @@ struct grid_to_key : to_word {};
 struct grid_to : seq<floor_place> {};
 struct grid_agent : if_must<grid_agent_key, grid_agent_name, grid_from_key, grid_from, grid_to_key,
                             grid_to, plan_semicolon> {};
-struct grid_part : sor<grid_file, grid_count, grid_agent> {};
+struct grid_job_key : token<word<TAO_PEGTL_STRING("job")>> {};
+struct grid_job_name : name {};
+struct grid_job_arrives : quantity {};
+struct grid_job_at : if_must<at_key, grid_job_arrives> {};
+struct grid_job : if_must<grid_job_key, grid_job_name, grid_from_key, grid_from, grid_to_key,
+                          grid_to, opt<grid_job_at>, plan_semicolon> {};
+struct grid_part : sor<grid_file, grid_count, grid_agent, grid_job> {};
 struct class_speed_key : token<word<TAO_PEGTL_STRING("speed")>> {};
 struct class_speed_value : quantity {};
 struct class_speed : if_must<class_speed_key, class_speed_value, plan_semicolon> {};

@@ -20,6 +20,8 @@ using math::at;
 /// Most expansions of a run: some hours. Most of a seed, so that each is exact as a number.
 constexpr double kMostExpansions = 1e11;
 constexpr double kMostSeed = 1e15;
+/// Most jobs, ticks at which one arrives, ticks between two.
+constexpr double kMostJobs = 1e6, kMostArrival = 1e8, kMostInterval = 1e5;
 /// Faults of agents that are listed.
 constexpr std::size_t kListed = 20;
 
@@ -40,6 +42,7 @@ class GridCheck {
     for (const Span& span : item_.in_blocks) {
       wrong(span, "what makes a grid stands outside of for and when");
     }
+    has_jobs_ = !item_.jobs.empty() || !item_.named_jobs.empty();
     for (const syntax::NumberItem& number : item_.numbers) take(number);
     if (diagnostics_.errors() != errors || !read_map() || !read_scenario()) return std::nullopt;
     for (const syntax::GridItem::Agent& agent : item_.named) take(agent);
@@ -49,6 +52,8 @@ class GridCheck {
     }
     if (diagnostics_.errors() != errors) return std::nullopt;
     report_faults();
+    if (diagnostics_.errors() != errors) return std::nullopt;
+    if (has_jobs_) take_jobs();
     if (diagnostics_.errors() != errors) return std::nullopt;
     return std::move(spec_);
   }
@@ -89,12 +94,21 @@ class GridCheck {
 
   void take(const syntax::NumberItem& item) {
     const std::string& key = item.name.text;
-    if (key != "expansions" && key != "seed") {
-      wrong(item.name.span, fmt::format("expected expansions or seed, found '{}'", key),
+    const bool is_of_jobs = key == "window" || key == "interval" || key == "tick" ||
+                            key == "late" || key == "late_ticks";
+    if (key != "expansions" && key != "seed" && !is_of_jobs) {
+      wrong(item.name.span,
+            fmt::format("expected expansions, seed, window, interval, tick, late or late_ticks, "
+                        "found '{}'",
+                        key),
             "policy grid { expansions 1000000; seed 7; }");
       return;
     }
     if (!first(key, item.name.span)) return;
+    if (is_of_jobs) {
+      take_of_jobs(key, item);
+      return;
+    }
     const bool is_seed = key == "seed";
     const auto value = whole(item.value, is_seed ? "the seed" : "the number of expansions",
                              is_seed ? 0 : 1, is_seed ? kMostSeed : kMostExpansions);
@@ -103,6 +117,46 @@ class GridCheck {
       spec_.query.seed = static_cast<std::uint64_t>(*value);
     } else {
       spec_.query.expansions = static_cast<std::int64_t>(*value);
+    }
+  }
+
+  /// A number within bounds.
+  std::optional<double> real(const syntax::Number& number, syntax::UnitKind unit,
+                             const std::string& what, double least, double most) {
+    if (number.expression) {
+      wrong(number.span, what + " is a number that is written out");
+      return std::nullopt;
+    }
+    if (!check_unit(number, unit, what, diagnostics_)) return std::nullopt;
+    if (number.value >= least && number.value <= most) return number.value;
+    diagnostics_.error(
+        "P09", number.span,
+        fmt::format("{} is {:g} to {:g}, found {:g}", what, least, most, number.value));
+    return std::nullopt;
+  }
+
+  void take_of_jobs(const std::string& key, const syntax::NumberItem& item) {
+    if (!has_jobs_) {
+      wrong(item.name.span, key + " goes with jobs, and there are none", "write jobs 1000;");
+      return;
+    }
+    using syntax::UnitKind;
+    if (key == "window") {
+      const auto value = whole(item.value, "the window", 2, grid::kLongestWindow);
+      if (value) spec_.job_query.window = static_cast<int>(*value);
+    } else if (key == "late_ticks") {
+      const auto value = whole(item.value, "late_ticks", 1, grid::kLongestStand);
+      if (value) spec_.job_query.late_ticks = static_cast<int>(*value);
+    } else if (key == "late") {
+      const auto value = real(item.value, UnitKind::none, "the share of moves that end late", 0, 1);
+      if (value) spec_.job_query.late = *value;
+    } else if (key == "interval") {
+      const auto value =
+          real(item.value, UnitKind::none, "the ticks between two jobs", 0, kMostInterval);
+      if (value) interval_ = *value;
+    } else {
+      const auto value = real(item.value, UnitKind::time, "a tick", 1e-3, 3600);
+      if (value) spec_.tick = *value;
     }
   }
 
@@ -216,6 +270,72 @@ class GridCheck {
     spans_.push_back(agent.span);
   }
 
+  /// Those that are drawn, then those of the plan.
+  void take_jobs() {
+    grid::JobQuery& query = spec_.job_query;
+    query.seed = spec_.query.seed;
+    if (given_.count("expansions") != 0) query.expansions = spec_.query.expansions;
+    for (const char* each : {"late", "late_ticks"}) {
+      const char* other = each == std::string("late") ? "late_ticks" : "late";
+      if (given_.count(each) != 0 && given_.count(other) == 0) {
+        wrong(given_.at(each), fmt::format("{} is given, and {} is not", each, other),
+              "write both: late 0.05; late_ticks 20;");
+      }
+    }
+    for (const syntax::Number& number : item_.jobs) {
+      if (!first("jobs", number.span)) continue;
+      const auto count = whole(number, "the number of jobs", 1, kMostJobs);
+      if (!count) return;
+      spec_.jobs =
+          grid::draw_jobs(spec_.problem, static_cast<std::size_t>(*count), interval_, query.seed);
+      if (spec_.jobs.empty() && !spec_.problem.agents.empty()) {
+        wrong(number.span, "jobs need two cells that the agents can reach");
+      }
+    }
+    std::map<std::string, Span> names;
+    const std::size_t drawn = spec_.jobs.size();
+    for (const grid::GridJob& job : spec_.jobs) names.emplace(job.name, item_.jobs.front().span);
+    std::vector<Span> spans;
+    for (const syntax::GridItem::Job& job : item_.named_jobs) {
+      const auto [place, is_new] = names.emplace(job.name.text, job.name.span);
+      if (!is_new) {
+        diagnostics_.error("P02", job.name.span,
+                           fmt::format("job '{}' is declared twice", job.name.text));
+        continue;
+      }
+      const auto from = cell(job.from), to = cell(job.to);
+      std::optional<double> arrives = 0.0;
+      if (!job.arrives.empty()) {
+        arrives = whole(job.arrives.front(), "the tick at which a job arrives", 0, kMostArrival);
+      }
+      if (!from || !to || !arrives) continue;
+      spec_.jobs.push_back({job.name.text, *from, *to, static_cast<int>(*arrives)});
+      spans.push_back(job.span);
+    }
+    const std::int64_t cells =
+        std::count(spec_.problem.map.open.begin(), spec_.problem.map.open.end(), 1);
+    if ((query.window + 1) * cells > grid::kMostInWindow) {
+      wrong(item_.network.span,
+            fmt::format("a window of {} ticks on {} open cells is too large; expected up to {} as "
+                        "the product of both",
+                        query.window, cells, grid::kMostInWindow));
+      return;
+    }
+    if (2 * spec_.problem.agents.size() * static_cast<std::size_t>(cells) > grid::kMostPairs) {
+      wrong(item_.network.span,
+            fmt::format("{} agents on {} open cells are too many for jobs; expected up to {} as "
+                        "the product of both",
+                        spec_.problem.agents.size(), cells, grid::kMostPairs / 2));
+      return;
+    }
+    std::size_t listed = 0;
+    for (const grid::GridFault& fault : grid::faults_of_jobs(spec_.problem, spec_.jobs)) {
+      if (++listed > kListed) break;
+      const bool is_written = fault.agent >= static_cast<int>(drawn);
+      wrong(is_written ? spans[at(fault.agent) - drawn] : item_.network.span, fault.message);
+    }
+  }
+
   void report_faults() {
     const std::vector<grid::GridFault> faults = grid::faults_of(spec_.problem);
     for (std::size_t i = 0; i < faults.size() && i < kListed; ++i) {
@@ -242,6 +362,8 @@ class GridCheck {
   GridSpec spec_;
   std::map<std::string, Span> given_, names_;
   std::vector<Span> spans_;  ///< by agent
+  bool has_jobs_ = false;
+  double interval_ = 0;
 };
 
 bool is_grid(const syntax::GridItem& item) {

@@ -6,6 +6,7 @@
 #include "interpreter/syntax/diagnostic.hpp"
 #include "interpreter/syntax/file_provider.hpp"
 #include "interpreter/syntax/grid.hpp"
+#include "src/fleets/grid/job_traffic.hpp"
 #include "src/fleets/grid/solve_grid.hpp"
 
 namespace rubicon::interpreter {
@@ -17,6 +18,9 @@ struct GridSpec {
   std::string scenario;  ///< empty: all agents stand in the plan
   grid::GridProblem problem;
   grid::GridQuery query;
+  std::vector<grid::GridJob> jobs;  ///< empty: each agent goes to its goal, and that is all
+  grid::JobQuery job_query;
+  double tick = 1;  ///< seconds; of one cell to the next
 };
 
 /// Checks what a plan says of a network of cells, and reads its map and its scenario; nothing after

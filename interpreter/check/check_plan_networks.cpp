@@ -70,8 +70,8 @@ class NetworkCheck {
       for (const syntax::NumberItem& number : item.numbers) {
         wrong(number.name.span,
               fmt::format("policy {} has no numbers, found '{}'", name, number.name.text),
-              "tolerance, delay and clearance go with policy charts, expansions and seed with "
-              "policy grid");
+              "tolerance, delay and clearance go with policy charts, expansions, seed and the like "
+              "with policy grid");
       }
       return;
     }
@@ -325,6 +325,8 @@ void refuse_cells(Subject& subject, const syntax::GridItem& grid) {
   for (const auto& file : grid.files) wrong(file.key.span, file.key.text);
   for (const auto& number : grid.agents) wrong(number.span, "agents");
   for (const auto& agent : grid.named) wrong(agent.span, "agent");
+  for (const auto& number : grid.jobs) wrong(number.span, "jobs");
+  for (const auto& job : grid.named_jobs) wrong(job.span, "job");
 }
 
 }  // namespace

@@ -519,8 +519,27 @@ RUBICON_ACTION(PlanAction, PlanState, grid_file_key) { st.key = st.word(begin); 
 RUBICON_ACTION(PlanAction, PlanState, grid_file) {
   st.add_to_grid(begin).files.push_back({st.key, st.string});
 }
+RUBICON_ACTION(PlanAction, PlanState, grid_count_key) { st.key = st.word(begin); }
 RUBICON_ACTION(PlanAction, PlanState, grid_count) {
-  st.add_to_grid(begin).agents.push_back(st.take_quantity());
+  syntax::GridItem& grid = st.add_to_grid(begin);
+  (st.key.text == "jobs" ? grid.jobs : grid.agents).push_back(st.take_quantity());
+}
+RUBICON_ACTION(PlanAction, PlanState, grid_job_key) {
+  st.places.clear();
+  st.grid_job = {};
+}
+RUBICON_ACTION(PlanAction, PlanState, grid_job_name) { st.grid_job.name = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, grid_job_arrives) {
+  st.grid_job.arrives.push_back(st.take_quantity());
+}
+RUBICON_ACTION(PlanAction, PlanState, grid_job) {
+  st.grid_job.span = st.span_from(begin);
+  if (st.places.size() == 2) {
+    st.grid_job.from = st.places[0];
+    st.grid_job.to = st.places[1];
+    st.add_to_grid(begin).named_jobs.push_back(st.grid_job);
+  }
+  st.places.clear();
 }
 RUBICON_ACTION(PlanAction, PlanState, grid_agent_key) { st.places.clear(); }
 RUBICON_ACTION(PlanAction, PlanState, grid_agent_name) { st.grid_agent.name = st.take_name(); }

@@ -214,6 +214,7 @@ class PlanState : public GuideState {
   syntax::GridItem grid;
   std::vector<syntax::GridItem> grids;
   syntax::GridItem::Agent grid_agent;
+  syntax::GridItem::Job grid_job;
   /// The grid that is being read; what is in a block is noted.
   syntax::GridItem& add_to_grid(const char* from) {
     if (!network_blocks.empty()) grid.in_blocks.push_back(span_from(from));

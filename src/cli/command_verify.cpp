@@ -13,6 +13,7 @@
 #include "src/exchange/files/result_folder_io.hpp"
 #include "src/results/verify/charts/check_charts.hpp"
 #include "src/results/verify/charts/check_walk.hpp"
+#include "src/results/verify/grid/check_jobs.hpp"
 #include "src/results/verify/grid/check_ways.hpp"
 #include "src/results/verify/input/trace_reader.hpp"
 #include "src/results/verify/schedule/check_report.hpp"
@@ -107,6 +108,13 @@ int verify_grid(const std::string& path, const std::string& text, const std::str
               verdict.faults.empty());
 }
 
+int verify_jobs(const std::string& path, const std::string& text, const std::string& format) {
+  const verify::JobsVerdict verdict = verify::check_jobs(text);
+  return tell(format == "json" ? verify::jobs_verdict_json(verdict)
+                               : verify::jobs_verdict_text(verdict, path),
+              verdict.faults.empty());
+}
+
 }  // namespace
 
 int run_verify(const VerifyOptions& options) {
@@ -116,6 +124,9 @@ int run_verify(const VerifyOptions& options) {
     std::string text;
     if (const auto path = result_of(options.result, "ways.json", verify::is_grid_result, text)) {
       return verify_grid(*path, text, options.format);
+    }
+    if (const auto path = result_of(options.result, "jobs.json", verify::is_jobs_result, text)) {
+      return verify_jobs(*path, text, options.format);
     }
     if (const auto path =
             result_of(options.result, "charts.json", verify::is_charts_result, text)) {

@@ -55,7 +55,8 @@ machines sweep at the time. Prints a table of the tasks (robot, crew, start, dur
 waited, steps tried and accepted, result), the process time, the use and cost of robots and crews, and the critical
 chain. A task that cannot be done is rejected with the reason and undone; what depends on it is reported as not
 reached; the rest goes on. A plan with a network of cells (policy grid) has no tasks: its agents get their ways, and the sum of
-their ticks, its ratio to the bound that no ways can be below, and the last tick are printed. Nor has one with policy charts: the
+their ticks, its ratio to the bound that no ways can be below, and the last tick are printed; or, if the network has jobs, how many
+they deliver in an hour, how long a job takes, and what they wait. Nor has one with policy charts: the
 chart of each robot is printed, when it is at which node, and again after each report; nor one with policy tarry or fraenkel: the
 walk of each robot that explores the network is printed.
 
@@ -64,8 +65,8 @@ walk of each robot that explores the network is printed.
                          ends in .gz
   --trace-detail DETAIL  steps (the default: everything), tasks (no single attempts), none (header and results only)
   --out DIR              write schedule.csv, schedule.json, trace.jsonl and report.html, the page that shows it all, into DIR; of a
-                         network of cells ways.json and ways.csv, of charts charts.json, charts.csv and charts.svg, of an
-                         exploration walk.json and walk.csv
+                         network of cells ways.json and ways.csv, of one with jobs jobs.json, jobs.csv and agents.csv, of charts
+                         charts.json, charts.csv and charts.svg, of an exploration walk.json and walk.csv
   --compress             write trace.jsonl.gz there, packed to a tenth or less; every command reads it as it is
   --set NAME=VALUE       another value for a parameter of the plan: --set bays=6 --set "pitch=4.2 m"; the trace keeps it
   --sample SEED[:RUN]    draw the durations that are not certain, such as triangular(2 min, 3 min, 7 min), instead of taking
@@ -276,7 +277,8 @@ second, simpler and slower method, which shares nothing with the one that made i
 each step is one that the robot's rules allow, whether anything meets anything at any moment, where loads are taken and put
 down, whether a robot or crew is in two places at once, shifts, links, whether the schedules tell the same, and whether
 report.html was made of them. The ways of a network of cells (ways.json, or what rubicon run --format json printed of it) are
-walked tick by tick: walls, starts, goals, two in one cell, two through each other, and the sums. Charts (charts.json) are worked
+walked tick by tick: walls, starts, goals, two in one cell, two through each other, and the sums; of jobs (jobs.json) also who
+takes which, where each is picked up and delivered, and who is late. Charts (charts.json) are worked
 out again from lengths and speeds: ways, conflicts at nodes, head-on meetings, closed lanes; walks (walk.json) are walked. What is
 checked, how and how exactly: docs/verify.md.
 

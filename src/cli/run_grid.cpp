@@ -11,6 +11,7 @@
 #include "src/exchange/files/plan_files_io.hpp"
 #include "src/results/report/diagnostic_printer.hpp"
 #include "src/results/report/grid_text.hpp"
+#include "src/results/report/jobs_text.hpp"
 
 namespace rubicon::cli {
 
@@ -31,6 +32,18 @@ std::optional<int> run_grid(const RunOptions& options) {
   std::optional<files::ResultFolder> folder;
   if (const auto code = open_taskless(options, "a network with policy grid has ways", folder)) {
     return code;
+  }
+  if (!spec->jobs.empty()) {
+    const grid::JobsResult jobs = grid::do_jobs(spec->problem, spec->jobs, spec->job_query);
+    TasklessResult result;
+    result.table = [&] { return report::jobs_table(*spec, jobs); };
+    result.csv = [&] { return report::jobs_csv(*spec, jobs); };
+    result.json = [&] { return report::jobs_json(*spec, jobs); };
+    result.files = {{"jobs.json", result.json},
+                    {"jobs.csv", result.csv},
+                    {"agents.csv", [&] { return report::job_agents_csv(*spec, jobs); }}};
+    result.code = jobs.end == grid::JobsResult::End::done ? kFine : kInfeasible;
+    return write_taskless(options, folder, result);
   }
   const grid::GridSolution solution = grid::solve(spec->problem, spec->query);
   TasklessResult result;

@@ -199,5 +199,108 @@ class GridTest(ResultCase):
         self.assertFalse(os.path.exists(self.path("x.plan")))
 
 
+JOBS = """plan p {
+  network floor {
+    policy grid { %s }
+    map "floor.map";
+    agent a from (0, 0) to (0, 0);
+    agent b from (6, 2) to (6, 2);
+    %s
+  }
+}
+"""
+
+
+class JobsTest(ResultCase):
+    def setUp(self):
+        super().setUp()
+        self.write("floor.map", "type octile\nheight 3\nwidth 7\nmap\n.......\n.@.@.@.\n.......\n")
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def plan(self, parts, policy="seed 3;"):
+        return self.write("p.plan", JOBS % (policy, parts))
+
+    def said(self, parts, policy="seed 3;"):
+        done = rubicon("check", self.plan(parts, policy))
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        return done.stderr
+
+    def test_jobs_are_done_and_verified(self):
+        plan = self.plan("jobs 20; job rush from (6, 0) to (0, 2) at 5;", "seed 3; tick 2 s; interval 1.5; late 0.2; late_ticks 4; window 12;")
+        self.assertEqual(rubicon("fmt", plan).returncode, 0)
+        self.assertEqual(rubicon("fmt", "--check", plan).returncode, 0)
+        out = self.path("out")
+        done = rubicon("run", plan, "--out", out)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("delivered  21 jobs in", done.stdout)
+        self.assertIn("ticks of 2 s", done.stdout)
+        verified = rubicon("verify", out)
+        self.assertEqual(verified.returncode, 0, verified.stdout)
+        self.assertIn("21 of 21 jobs delivered", verified.stdout)
+        with open(os.path.join(out, "jobs.csv")) as file:
+            self.assertEqual(len(file.readlines()), 22)
+        with open(os.path.join(out, "agents.csv")) as file:
+            rows = file.read().splitlines()
+        self.assertEqual(rows[0], "agent,jobs,ticks,with_job,use,moves,late_ticks")
+        self.assertEqual(sum(int(row.split(",")[1]) for row in rows[1:]), 21)
+        self.assertEqual(rubicon("run", plan, "--format", "json").stdout, rubicon("run", plan, "--format", "json").stdout)
+
+    def test_verify_finds_what_was_changed_of_jobs(self):
+        good = rubicon("run", self.plan("jobs 6;", "seed 3; late 0.2; late_ticks 4;"), "--format", "json").stdout
+        path = self.path("jobs.json")
+
+        def faults(change):
+            result = json.loads(good)
+            change(result)
+            self.write("jobs.json", json.dumps(result))
+            done = rubicon("verify", path)
+            self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+            return done.stdout
+
+        def swap_takers(result):
+            names = {"a": "b", "b": "a"}
+            result["jobs"][0]["agent"] = names[result["jobs"][0]["agent"]]
+
+        def together(result):
+            result["agents"][1]["from"] = [0, 2]
+            result["agents"][1]["way"] = "uu" + "w" * (result["ticks"] - 2)
+
+        self.assertIn("is nearer to it", faults(swap_takers))
+        self.assertIn("are both in", faults(together))
+        self.assertIn("moves is said to be", faults(lambda r: r.update(moves=r["moves"] + 1)))
+        self.assertIn("jobs_per_hour is said to be", faults(lambda r: r.update(jobs_per_hour=1)))
+        self.assertIn("is picked up by agent", faults(lambda r: r["jobs"][0].update(picked=r["jobs"][0]["picked"] + 1)))
+        self.assertIn("can be taken, and is said to be taken at tick", faults(lambda r: r["jobs"][0].update(taken=2)))
+        self.assertIn("is the most", faults(lambda r: r["late_moves"][0].update(ticks=5)))
+        self.assertIn("into a wall", faults(lambda r: r["agents"][0].update(way="u" * r["ticks"])))
+        self.write("jobs.json", good.replace('"done"', '"perhaps"'))
+        self.assertEqual(rubicon("verify", path).returncode, 2)
+
+    def test_a_standstill_is_told(self):
+        self.write("floor.map", "type octile\nheight 3\nwidth 7\nmap\n.......\n@@@@@@.\n@@@@@@.\n")
+        done = rubicon("run", self.plan("job x from (0, 0) to (6, 2); job y from (6, 2) to (0, 0);"))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("standstill: for a long time no job has got on; agents with a job: a, b", done.stdout)
+
+    def test_what_is_wrong_with_jobs_is_told(self):
+        for parts, policy, message in [
+            ("", "window 9;", "window goes with jobs, and there are none"),
+            ("jobs 5;", "window 1;", "the window is a whole number of 2 to 200"),
+            ("jobs 5;", "late 0.1;", "late is given, and late_ticks is not"),
+            ("jobs 5;", "late 2; late_ticks 3;", "the share of moves that end late is 0 to 1"),
+            ("jobs 5;", "tick 1 m;", "p.plan:3:"),
+            ("jobs 1e9;", "seed 1;", "the number of jobs is a whole number of 1 to"),
+            ("jobs 5; jobs 6;", "seed 1;", "is given twice"),
+            ("job x from (1, 1) to (2, 0);", "seed 1;", "job 'x' begins at (1, 1), which is on a wall"),
+            ("job x from (9, 1) to (2, 0);", "seed 1;", "outside of the map of 7 x 3"),
+            ("job x from (0, 0) to (2, 0) at 0.5;", "seed 1;", "the tick at which a job arrives is a whole number"),
+            ("jobs 2; job j2 from (0, 0) to (2, 0);", "seed 1;", "job 'j2' is declared twice"),
+            ("jobs 2;", "speed 1;", "expected expansions, seed, window, interval, tick, late or late_ticks"),
+        ]:
+            self.assertIn(message, self.said(parts, policy))
+
+
 if __name__ == "__main__":
     unittest.main()

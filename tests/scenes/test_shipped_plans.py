@@ -115,6 +115,30 @@ class PalletYard(unittest.TestCase):
             self.assertEqual(self.run_with(motors), seconds)
 
 
+class Yard(unittest.TestCase):
+    """Three kinds of machines in one yard: verify has its own geometry."""
+
+    def run_with(self, motors):
+        with tempfile.TemporaryDirectory() as folder:
+            run = scene.rubicon("run", os.path.join(PLANS, "yard.plan"), "--set", f"motors={motors}", "--out", folder, "--format", "json")
+            self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+            verified = scene.rubicon("verify", folder)
+            self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
+            with open(os.path.join(folder, "trace.jsonl"), encoding="utf-8") as file:
+                waits = {record.get("for") for record in map(json.loads, file) if record["type"] == "pause"}
+        return json.loads(run.stdout), waits
+
+    def test_two_motors_feed_the_crane(self):
+        found = {motors: self.run_with(motors) for motors in (1, 2, 4)}
+        times = {motors: round(schedule["process_time"]) for motors, (schedule, _) in found.items()}
+        self.assertEqual(times, {1: 14616, 2: promised_times()["yard"], 4: 9286})
+        # Just in time: a pallet of bricks begins its way when its place is free, and is lifted in its turn.
+        tasks = {task["task"]: task for task in found[2][0]["tasks"]}
+        for i in range(5, 25):
+            before = tasks[f"lift_{i - 4}"]
+            self.assertGreaterEqual(tasks[f"bring_{i}"]["start"], before["start"] + before["duration"] - 1e-6)
+
+
 class TwoCranes(Shipped):
     plan = "two_cranes"
     meetings = [("low", "high."), ("high", "low.")]

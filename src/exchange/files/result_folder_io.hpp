@@ -14,10 +14,10 @@ namespace rubicon::files {
 
 /// What a result folder may hold of ours. A new result takes the place of all of them; everything
 /// else in the folder is somebody's, and stays.
-inline constexpr std::array<std::string_view, 19> kResultNames = {
-    "trace.jsonl", "trace.jsonl.gz", "schedule.json", "schedule.csv", "loads.csv",
-    "report.html", "study.json",     "study.html",    "runs.csv",     "variants.csv",
-    "drivers.csv", "progress.csv",   "ways.json",     "ways.csv",     "charts.json",
+inline constexpr std::array<std::string_view, 22> kResultNames = {
+    "trace.jsonl", "trace.jsonl.gz", "schedule.json", "schedule.csv", "loads.csv",   "report.html",
+    "study.json",  "study.html",     "runs.csv",      "variants.csv", "drivers.csv", "progress.csv",
+    "ways.json",   "ways.csv",       "jobs.json",     "jobs.csv",     "agents.csv",  "charts.json",
     "charts.csv",  "charts.svg",     "walk.json",     "walk.csv"};
 
 /// Where a file of a result stands: in the folder; or, if a program was ended while it put a new

@@ -44,8 +44,9 @@ std::uint64_t hash_of(const Configuration& cells) {
 class Search {
  public:
   Search(const CellGraph& graph, Distances& distances, const Configuration& starts,
-         const Configuration& goals, std::uint64_t seed)
-      : graph_(graph),
+         const Configuration& goals, std::uint64_t seed, int only)
+      : only_(only),
+        graph_(graph),
         distances_(distances),
         goals_(goals),
         moves_(graph, distances, goals),
@@ -61,7 +62,7 @@ class Search {
     LacamResult result;
     while (!open_.empty() && spent() < limit && kept_ < kMostKept) {
       const int top = open_.back();
-      if (nodes_[at(top)].cells == goals_) {
+      if (is_goal(nodes_[at(top)].cells)) {
         result.end = LacamResult::End::solved;
         for (int i = top; i >= 0; i = nodes_[at(i)].parent) {
           result.steps.push_back(nodes_[at(i)].cells);
@@ -106,6 +107,9 @@ class Search {
   static constexpr std::int64_t kMostKept = 2'000'000'000;
   static constexpr std::int64_t kKeptBeside = 350;
 
+  bool is_goal(const Configuration& cells) const {
+    return only_ < 0 ? cells == goals_ : cells[at(only_)] == goals_[at(only_)];
+  }
   std::int64_t spent() const { return moves_.expansions() + looks_ * kLook; }
 
   int find(const Configuration& cells) const {
@@ -184,6 +188,7 @@ class Search {
     return true;
   }
 
+  int only_;
   const CellGraph& graph_;
   Distances& distances_;
   const Configuration& goals_;
@@ -203,8 +208,8 @@ class Search {
 }  // namespace
 
 LacamResult lacam(const CellGraph& graph, Distances& distances, const Configuration& starts,
-                  const Configuration& goals, std::uint64_t seed, std::int64_t limit) {
-  return Search(graph, distances, starts, goals, seed).run(limit);
+                  const Configuration& goals, std::uint64_t seed, std::int64_t limit, int only) {
+  return Search(graph, distances, starts, goals, seed, only).run(limit);
 }
 
 }  // namespace rubicon::grid

@@ -24,8 +24,10 @@ struct LacamResult {
 /// multi-agent pathfinding", AAAI 2023). Depth-first over where all agents are. Each of these
 /// configurations is followed by others that NextMoves finds, at first freely, later with more and
 /// more agents told where to go, until all followers were tried: so it is complete. Stops after
-/// `limit` expansions.
+/// `limit` expansions. With `only` it is enough that this agent is at its goal: those of the others
+/// are where they would like to be, and need not differ.
 LacamResult lacam(const CellGraph& graph, Distances& distances, const Configuration& starts,
-                  const Configuration& goals, std::uint64_t seed, std::int64_t limit);
+                  const Configuration& goals, std::uint64_t seed, std::int64_t limit,
+                  int only = -1);
 
 }  // namespace rubicon::grid

@@ -26,6 +26,8 @@ class NextMoves {
  public:
   NextMoves(const CellGraph& graph, Distances& distances, std::vector<CellId> goals);
 
+  void set_goal(int agent, CellId goal) { goals_[static_cast<std::size_t>(agent)] = goal; }
+
   /// Fills what is kNowhere in `to`; the agents come in `order`. False where that failed: then `to`
   /// is of no use.
   bool find(const Configuration& from, Configuration& to, const std::vector<int>& order,
