@@ -5,14 +5,18 @@
 #include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "interpreter/syntax/name_suggestion.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/fail.hpp"
 #include "src/cli/load_runnable_plan.hpp"
 #include "src/cli/set_option.hpp"
+#include "src/exchange/files/atomic_file_io.hpp"
 #include "src/results/comparison/compare_guides.hpp"
 #include "src/results/comparison/compare_travel.hpp"
+#include "src/results/comparison/guide_picture.hpp"
+#include "src/results/comparison/way_chart.hpp"
 
 namespace rubicon::cli {
 
@@ -20,6 +24,13 @@ namespace {
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string no_motion_text(const GuidesOptions& options, const std::string& task) {
+  return fmt::format(
+      "'{}' makes no motion: it is not reached, it is rejected before it "
+      "moves, or its goal holds already; see rubicon why {} {}",
+      task, options.plan, task);
 }
 
 int print_travel(const GuidesOptions& options, const interpreter::PlanModel& plan,
@@ -39,6 +50,30 @@ int print_travel(const GuidesOptions& options, const interpreter::PlanModel& pla
   return kFine;
 }
 
+/// Where the picture of a guide goes: a file.
+int draw_guide(const GuidesOptions& options, const interpreter::PlanModel& plan,
+               const interpreter::SourceMap& sources, const std::string& task) {
+  comparison::PictureQuery query;
+  query.kind = options.kind;
+  std::string name;
+  for (const char c : options.axes + ",") {
+    if (c == ',' && !name.empty()) query.axes.push_back(std::exchange(name, {}));
+    if (c != ',' && c != ' ') name += c;
+  }
+  std::string svg;
+  const bool chart = !options.chart.empty();
+  try {
+    svg = chart ? comparison::way_chart(plan, sources, task, options.kind)
+                : comparison::guide_picture(plan, sources, task, query);
+  } catch (const std::invalid_argument& error) {
+    return fail(error.what());
+  }
+  if (svg.empty()) return fail(no_motion_text(options, task));
+  if (const auto failure = files::write_file(chart ? options.chart : options.map, svg))
+    return fail(*failure);
+  return kFine;
+}
+
 }  // namespace
 
 int run_guides(const GuidesOptions& options) {
@@ -55,18 +90,17 @@ int run_guides(const GuidesOptions& options) {
                             suggestions.ending(task, [&] { return tasks; })));
   }
   if (options.exact) return print_travel(options, *plan, task);
+  if (!options.map.empty() || !options.chart.empty()) {
+    return draw_guide(options, *plan, sources, task);
+  }
+  if (!options.kind.empty()) return fail("--kind goes with --map or --chart");
   comparison::GuideComparison result;
   try {
     result = comparison::compare_guides(*plan, sources, task, options.seeds, seconds_now);
   } catch (const std::invalid_argument& error) {
     return fail(error.what());
   }
-  if (result.motions.empty()) {
-    return fail(
-        fmt::format("'{}' makes no motion: it is not reached, it is rejected before it "
-                    "moves, or its goal holds already; see rubicon why {} {}",
-                    task, options.plan, task));
-  }
+  if (result.motions.empty()) return fail(no_motion_text(options, task));
   const std::string text = options.format == "json"  ? comparison::comparison_json(result)
                            : options.format == "csv" ? comparison::comparison_csv(result)
                                                      : comparison::comparison_text(result);

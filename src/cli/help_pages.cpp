@@ -141,6 +141,8 @@ const std::string_view kGuides =
     R"(rubicon guides - compare all kinds of guides on the motions of one task
 
 usage: rubicon guides PLAN [TASK] [--seeds N | --exact [--dt S]] [--format table|csv|json] [--set NAME=VALUE]...
+       rubicon guides PLAN [TASK] --map FILE.svg [--kind KIND] [--axes P,Q] [--set NAME=VALUE]...
+       rubicon guides PLAN [TASK] --chart FILE.svg [--kind KIND] [--set NAME=VALUE]...
 
 Runs the plan up to the task. Where a motion of it begins, each kind of guide plans a way to its first goal, once for
 each seed from 1 to N, on the site as it stands then; nothing is moved by that. A guide that the task names stands for its
@@ -155,6 +157,13 @@ milliseconds, these also as 95th percentile; of the ways found the medians of ro
                    as it is at the beginning; the machine is the disc that holds it however it is turned. What moves
                    keeps its timetable, whatever is in its way
   --dt S           in slices of so many seconds, 0.25 if not given
+  --map FILE.svg   instead, draws the configurations that two parameters span where the first motion of the task begins:
+                   where the robot may not stand, what was tried, the way; of potential its field and the minima in it
+  --chart FILE.svg instead, draws the parameters of the robot over time on that way: as they are driven, and as each would
+                   be by itself at its full speed
+  --kind KIND      of which kind of guide; the first that the task names if not given
+  --axes P,Q       of which two parameters; the first two that the guide searches if not given. The others stand in the
+                   picture as they do when the motion begins
   --seeds N        tries of each kind, 10 if not given
   --format FORMAT  table (the default), csv or json (each try by itself), on standard output
   --set NAME=VALUE another value for a parameter of the PLAN
@@ -164,6 +173,7 @@ Exit code: 0, also where no way was found; 2 the plan has no such task, or the m
 examples:
   rubicon guides examples/13_guides/site.plan reach --seeds 50
   rubicon guides taskplans/unit.plan set_west_1 --format csv
+  rubicon guides examples/13_guides/site.plan reach --map build/reach.svg --kind potential
 )";
 
 const std::string_view kFlow =

@@ -30,6 +30,8 @@ class RobotView : public interpreter::World {
   bool situation(const std::string& name, std::span<const double> q,
                  std::span<const double> q_goal) const override;
   std::vector<guides::Thing> things() const override { return site_.things(index_); }
+  guides::Nearness nearest(std::span<const double> q, double range,
+                           const guides::PairsLeftOut& left_out) const override;
   guides::LaneAnswer next_node(const guides::LaneQuestion& question,
                                std::optional<interpreter::HitPair>& before) override {
     return site_.next_node(index_, question, before);
@@ -43,6 +45,7 @@ class RobotView : public interpreter::World {
   std::optional<interpreter::HitPair> turn_hit(double angle_deg, Ticks until) const;
 
  private:
+  bool is_ever_moved(int part) const;
   const SiteRobot& robot() const { return site_.robot(index_); }
   std::optional<interpreter::HitPair> swept_hit(const interpreter::MotionStep& step) const;
   std::optional<interpreter::HitPair> overload(const interpreter::MotionStep& step) const;
@@ -67,6 +70,7 @@ class RobotView : public interpreter::World {
   SiteWorld& site_;
   int index_;
   mutable collision::ClearanceBudget budget_;  ///< never changes an answer
+  mutable std::vector<bool> moved_bodies_;     ///< those that a step of it can move; found once
 };
 
 }  // namespace rubicon::site
