@@ -59,9 +59,9 @@ class Paper {
     }
     for (const grid::Cell cell : cells) {
       std::vector<int>& beside = beside_.emplace_back();
-      for (const grid::Cell next : {grid::Cell{cell.x - 1, cell.y}, grid::Cell{cell.x + 1, cell.y},
-                                    grid::Cell{cell.x, cell.y - 1},
-                                    grid::Cell{cell.x, cell.y + 1}}) {
+      for (const grid::Cell next :
+           {grid::Cell{cell.x - 1, cell.y}, grid::Cell{cell.x + 1, cell.y},
+            grid::Cell{cell.x, cell.y - 1}, grid::Cell{cell.x, cell.y + 1}}) {
         if (map.is_open(next)) beside.push_back(number[map.index(next)]);
       }
     }
@@ -110,8 +110,8 @@ class Paper {
         to.push_back(node->places[who]);
         std::shuffle(to.begin(), to.end(), random_);
         for (const int where : to) {
-          node->tree.push(std::make_shared<Low>(
-              Low{low, static_cast<int>(who), where, low->depth + 1}));
+          node->tree.push(
+              std::make_shared<Low>(Low{low, static_cast<int>(who), where, low->depth + 1}));
         }
       }
       Places next = new_places(*node, low.get());

@@ -28,8 +28,18 @@ struct keep_open : open_parenthesis {};
 struct keep_condition : expression {};
 struct keep_close : close_parenthesis {};
 struct keep_clause : if_must<keep_key, keep_open, keep_condition, keep_close, clause_semicolon> {};
+// thinks 20 us per check;
+struct thinks_key : token<word<TAO_PEGTL_STRING("thinks")>> {};
+struct thinks_number : token<number_text> {};
+struct thinks_unit
+    : token<sor<word<TAO_PEGTL_STRING("us")>, word<TAO_PEGTL_STRING("ms")>, word<one<'s'>>>> {};
+struct thinks_per : token<word<TAO_PEGTL_STRING("per")>> {};
+struct thinks_check : token<word<TAO_PEGTL_STRING("check")>> {};
+struct thinks_clause
+    : if_must<thinks_key, thinks_number, thinks_unit, thinks_per, thinks_check, clause_semicolon> {
+};
 struct number_clause : if_must<clause_key, clause_content, clause_semicolon> {};
-struct guide_clause : sor<keep_clause, number_clause> {};
+struct guide_clause : sor<keep_clause, thinks_clause, number_clause> {};
 struct whole_guide_clause : must<guide_clause> {};
 struct guide_clauses : nested<star<not_at<block_end>, recover<whole_guide_clause, item_end>>> {};
 struct guide_block : if_must<block_open, guide_clauses, block_close> {};

@@ -124,12 +124,18 @@ RUBICON_EXPECT(behaviour_source, "the name of a file in quotes or '{' after beha
 RUBICON_EXPECT(guide_name, "a name after guide");
 RUBICON_EXPECT(guide_declared, "the kind of the guide, such as rrt_connect");
 RUBICON_EXPECT(guide_end, "';' or '{'");
-RUBICON_EXPECT(guide_clause, "guide", Explain::item,
-               "seed nodes checks step goal_bias uniform_nodes rejections greed concentration "
-               "smooth improve replans safety nearest neighbours heuristic over weight keep");
+RUBICON_EXPECT(
+    guide_clause, "guide", Explain::item,
+    "seed nodes checks step goal_bias uniform_nodes rejections greed concentration "
+    "smooth improve replans safety nearest neighbours heuristic over weight keep attraction "
+    "repulsion influence turn_radius thinks hand vision");
 RUBICON_EXPECT(keep_open, "'(' after keep");
 RUBICON_EXPECT(keep_condition, "a condition");
 RUBICON_EXPECT(keep_close, "')'", Explain::expected, "==");
+RUBICON_EXPECT(thinks_number, "a number after thinks");
+RUBICON_EXPECT(thinks_unit, "us, ms or s: thinks 20 us per check");
+RUBICON_EXPECT(thinks_per, "'per' check: thinks 20 us per check");
+RUBICON_EXPECT(thinks_check, "'check': thinks 20 us per check");
 RUBICON_EXPECT(clause_content, "a number, a word, or a parameter and a number");
 RUBICON_EXPECT(clause_value, "a parameter and a number");
 RUBICON_EXPECT(clause_number, "a number");

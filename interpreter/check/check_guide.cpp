@@ -56,6 +56,8 @@ class ClauseChecker {
     const int errors = diagnostics_.errors();
     for (const syntax::GuideClause& clause : guide_.clauses) check_clause(clause);
     if (diagnostics_.errors() != errors) return std::nullopt;
+    check_steering();
+    if (diagnostics_.errors() != errors) return std::nullopt;
     warn_of_heuristic();
     return spec_;
   }
@@ -77,6 +79,10 @@ class ClauseChecker {
       return;
     }
     if (clause.key.text == guides::kKeepClause) return;
+    if (clause.thinking) {
+      check_thinking(clause);
+      return;
+    }
     if (clause.key.text == guides::kWeightClause) {
       if (!clause.values.empty()) return;
       diagnostics_.error("G03", clause.number ? clause.number->span : clause.words.front().span,
@@ -138,6 +144,23 @@ class ClauseChecker {
     choice.choose(spec_, static_cast<std::size_t>(found - words.begin()));
   }
 
+  void check_thinking(const syntax::GuideClause& clause) {
+    spec_.thinks = *clause.thinking;
+    if (spec_.thinks <= guides::kMostThinking) return;
+    diagnostics_.error("G03", clause.number->span,
+                       fmt::format("a check may take at most {} s, found {:.16g} s",
+                                   guides::kMostThinking, spec_.thinks),
+                       "for example thinks 20 us per check;");
+  }
+
+  /// Of a vehicle that steers: what knows nothing of arcs.
+  void check_steering() {
+    if (!(spec_.turn_radius > 0) || !(spec_.safety > 0)) return;
+    diagnostics_.error("G03", given_.at("safety"),
+                       "with a turn_radius there is no safety: no lattice that has arcs knows it",
+                       "leave one of them out");
+  }
+
   void warn_of_heuristic() {
     if (guides::is_admissible(spec_)) return;
     diagnostics_.warning("G06", given_.at("heuristic"),
@@ -147,8 +170,10 @@ class ClauseChecker {
   }
 
   void report_unknown(const syntax::GuideClause& clause, bool of_another_kind) {
-    std::vector<std::string> names{guides::kWeightClause, guides::kKeepClause};
-    std::string list = fmt::format("{}, {}", guides::kWeightClause, guides::kKeepClause);
+    std::vector<std::string> names{guides::kWeightClause, guides::kKeepClause,
+                                   guides::kThinksClause};
+    std::string list = fmt::format("{}, {}, {}", guides::kWeightClause, guides::kKeepClause,
+                                   guides::kThinksClause);
     const auto add = [&](const char* name) {
       names.emplace_back(name);
       list += fmt::format(", {}", name);
@@ -170,7 +195,8 @@ class ClauseChecker {
 
   void check_number(const ClauseInfo& info, const syntax::Number& number) {
     const bool angle = number.unit == UnitKind::angle && std::string_view(info.name) == "step";
-    if (!angle && !check_unit(number, UnitKind::none, info.name, diagnostics_)) return;
+    const UnitKind unit = info.is_length ? UnitKind::length : UnitKind::none;
+    if (!angle && !check_unit(number, unit, info.name, diagnostics_)) return;
     const double value = number.value;
     const bool whole = !info.whole || value == std::floor(value);
     if (!(value >= info.least && value <= info.most) || !whole) {
@@ -229,8 +255,16 @@ void check_spanned(const syntax::GuideDeclaration& guide, const robot::RobotMode
                                   "parameters x and y",
                                   guides::name_of(spec.kind), robot.name));
   }
-  if (!guides::has_over(spec.kind)) return;
   const guides::Leg leg = leg_of(robot);
+  if (spec.turn_radius > 0 && leg.heading() < 0) {
+    diagnostics.error("G07", guide.kind.span,
+                      fmt::format("turn_radius is for vehicles, and robot '{}' drives along no "
+                                  "heading that it can turn",
+                                  robot.name),
+                      "leave turn_radius out");
+    return;
+  }
+  if (!guides::has_over(spec.kind)) return;
   const std::string kind = guides::name_of(spec.kind);
   if (leg.heading() >= 0) {
     if (spec.over.empty()) return;

@@ -105,10 +105,16 @@ bool Machine::go_on(World& world, EventSink* events) {
       }
     }
     while (true) {
+      if (thought_ && !end_thinking(world, events)) return false;
+      if (thought_) return true;
       if (!way_point_begun_ && !begin_way_point(world, events)) return false;
+      if (thought_) return true;
       if (run_to_attempt(world, events)) return true;
       if (end_) return false;
-      if (guide_ && next_way_point(world, events)) continue;
+      if (guide_ && next_way_point(world, events)) {
+        if (thought_) return true;
+        continue;
+      }
       if (end_) return false;
       guide_.reset();
       if (!may_leave_way_point()) return false;

@@ -118,6 +118,8 @@ class Machine {
   const std::vector<double>& q() const { return q_; }
   Ticks time() const { return time_; }
   int tries() const { return tries_; }
+  /// Time of it that its guides took to think.
+  Ticks thinking() const { return thinking_; }
   /// Waypoints behind it.
   std::size_t way_point() const { return way_point_; }
 
@@ -182,6 +184,11 @@ class Machine {
   void add_goals(const guides::GuideSpec& spec, guides::MotionTests& tests,
                  std::vector<std::vector<double>>& goals) const;
   bool take(guides::GuideAnswer answer, const GuideTests& tests, EventSink* events);
+  bool think(guides::GuideAnswer& answer, EventSink* events);
+  bool end_thinking(World& world, EventSink* events);
+  bool use(const guides::GuideAnswer& answer, EventSink* events);
+  bool is_still_free(const guides::PlanReport& plan, World& world);
+  guides::GuideTask guide_task(const World& world) const;
   void set_target(const guides::GuideAnswer& answer);
   bool next_way_point(World& world, EventSink* events);
   bool is_near_goal();
@@ -285,15 +292,20 @@ class Machine {
   std::size_t guide_index_ = 0;
   int idle_way_points_ = 0;  ///< in a row, at which no step was made
   int accepted_at_way_point_ = 0;
+  /// What its guide has said when it has done thinking; it stands meanwhile.
+  std::optional<guides::GuideAnswer> thought_;
   std::string guide_cause_;  ///< why the first guide gave up
   bool guide_found_no_way_ = false;
   std::shared_ptr<const guides::Leg> leg_;       // shared: it does not change
+  std::shared_ptr<const guides::Leg> arc_leg_;   // of a vehicle that steers
+  double arc_radius_ = 0;                        ///< m: that of `arc_leg_`
   std::shared_ptr<const guides::Leg> lane_leg_;  // from node to node: forks and booms stay
   std::shared_ptr<const robot::ToolLine> line_;  // so does this
 
   // counts, and what was seen
   int tries_ = 0;
   int accepted_ = 0;
+  Ticks thinking_ = 0;
   RefusalCounts rejected_;
   std::optional<HitPair> last_hit_;
   StateTable seen_;

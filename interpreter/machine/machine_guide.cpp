@@ -44,6 +44,11 @@ class Machine::GuideTests : public guides::MotionTests {
     return true;
   }
 
+  guides::Nearness nearest(std::span<const double> q, double range,
+                           const guides::PairsLeftOut& left_out) override {
+    return world_.nearest(q, range, left_out);
+  }
+
   bool sweeps_free(std::span<const double> q_from, std::span<const double> q_to) override {
     const int limit = machine_.first_out_of_range(q_to);
     if (limit >= 0) return note(out_of_range(limit));
@@ -114,8 +119,27 @@ const guides::Leg& Machine::leg() {
     }
     return *lane_leg_;
   }
+  const double radius = guide_ ? task_.guides[guide_index_].turn_radius : 0;
+  if (radius > 0) {
+    if (!arc_leg_ || arc_radius_ != radius) {
+      arc_leg_ =
+          std::make_shared<const guides::Leg>(*model_, task_.mounting, task_.clauses, radius);
+      arc_radius_ = radius;
+    }
+    return *arc_leg_;
+  }
   if (!leg_) leg_ = std::make_shared<const guides::Leg>(*model_, task_.mounting, task_.clauses);
   return *leg_;
+}
+
+guides::GuideTask Machine::guide_task(const World& world) const {
+  guides::GuideTask task;
+  task.model = model_;
+  task.mounting = task_.mounting;
+  task.goals = {goal_.q};
+  task.loaded = world.loaded();
+  task.clauses = task_.clauses;
+  return task;
 }
 
 /// Asks the guides for a first waypoint, from guide `first` on. False: the motion has ended.
@@ -123,12 +147,7 @@ bool Machine::begin_guides(std::size_t first, World& world, EventSink* events) {
   for (guide_index_ = first; guide_index_ < task_.guides.size(); ++guide_index_) {
     const guides::GuideSpec& spec = task_.guides[guide_index_];
     GuideTests tests(*this, world);
-    guides::GuideTask task;
-    task.model = model_;
-    task.mounting = task_.mounting;
-    task.goals = {goal_.q};
-    task.loaded = world.loaded();
-    task.clauses = task_.clauses;
+    guides::GuideTask task = guide_task(world);
     if (goal_.X_WG && !tests.stands(goal_.q)) add_goals(spec, tests, task.goals);
     guide_ = guides::GuideValue(guides::make_guide(spec, std::move(task)));
     idle_way_points_ = 0;
@@ -164,8 +183,8 @@ void Machine::add_goals(const guides::GuideSpec& spec, guides::MotionTests& test
   }
 }
 
-/// Takes what the guide answers; false where it gave up, which `guide_cause_` then has the reason
-/// of.
+/// Takes what the guide answers, or has it think about that; false where it gave up, which
+/// `guide_cause_` then has the reason of.
 bool Machine::take(GuideAnswer answer, const GuideTests& tests, EventSink* events) {
   const guides::GuideSpec& spec = task_.guides[guide_index_];
   const bool no_way = answer.planned && !answer.planned->found();
@@ -185,11 +204,53 @@ bool Machine::take(GuideAnswer answer, const GuideTests& tests, EventSink* event
       events->guide(plan);
     }
   }
+  return think(answer, events) || use(answer, events);
+}
+
+/// Whether what was planned takes time: then the machine stands meanwhile, and `thought_` is what
+/// the guide will have said.
+bool Machine::think(GuideAnswer& answer, EventSink* events) {
+  if (!answer.planned) return false;
+  const std::size_t checks = answer.planned->checks;
+  const Ticks takes =
+      ticks_from_seconds(task_.guides[guide_index_].thinks * static_cast<double>(checks));
+  if (takes <= 0) return false;
+  stop(events);
+  time_ += takes;
+  thinking_ += takes;
+  if (events) events->think({checks, time_});
+  thought_ = std::move(answer);
+  return true;
+}
+
+/// The guide has done thinking: where its way is no longer free it plans again, from here. False:
+/// the motion has ended.
+bool Machine::end_thinking(World& world, EventSink* events) {
+  GuideAnswer answer = *std::move(thought_);
+  thought_.reset();
+  const bool stale =
+      answer.kind == GuideAnswer::Kind::way_point && !is_still_free(*answer.planned, world);
+  if (stale) {
+    GuideTests tests(*this, world);
+    if (take(guide_->ended_short(q_, tests), tests, events)) return true;
+  } else if (use(answer, events)) {
+    return true;
+  }
+  return begin_guides(guide_index_ + 1, world, events);
+}
+
+bool Machine::is_still_free(const PlanReport& plan, World& world) {
+  GuideTests tests(*this, world);
+  return guides::way_is_free(task_.guides[guide_index_], guide_task(world), q_, plan.way, tests);
+}
+
+bool Machine::use(const GuideAnswer& answer, EventSink* events) {
   if (answer.kind == GuideAnswer::Kind::gave_up) {
+    const guides::GuideSpec& spec = task_.guides[guide_index_];
     if (guide_cause_.empty()) {
       guide_cause_ =
           fmt::format("guide {} ({}): {}", spec.name, guides::name_of(spec.kind), answer.reason);
-      guide_found_no_way_ = no_way;
+      guide_found_no_way_ = answer.planned && !answer.planned->found();
     }
     guide_.reset();
     return false;

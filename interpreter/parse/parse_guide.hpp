@@ -43,6 +43,19 @@ RUBICON_ACTION(GuideAction, GuideState, keep_key) {
 RUBICON_ACTION(GuideAction, GuideState, keep_condition) {
   st.clause().condition = st.take_expression();
 }
+RUBICON_ACTION(GuideAction, GuideState, thinks_key) {
+  st.guide.clauses.emplace_back();
+  st.clause().key = {std::string(begin, st.last_end), st.span_from(begin)};
+}
+RUBICON_ACTION(GuideAction, GuideState, thinks_number) {
+  st.clause().number = st.number;
+  st.clause().number->span = st.span_from(begin);
+}
+RUBICON_ACTION(GuideAction, GuideState, thinks_unit) {
+  const std::string_view unit(begin, static_cast<std::size_t>(st.last_end - begin));
+  const double seconds = unit == "us" ? 1e6 : unit == "ms" ? 1e3 : 1;
+  st.clause().thinking = st.clause().number->value / seconds;
+}
 RUBICON_ACTION(GuideAction, GuideState, clause_parameter) {
   st.clause_parameter = st.take_qualified_name();
 }

@@ -43,6 +43,12 @@ struct GuidePlan {
   Ticks time = 0;
 };
 
+/// A guide thinks: its checks take time, in which the robot stands.
+struct Thinking {
+  std::size_t checks = 0;
+  Ticks time = 0;  ///< when it is over
+};
+
 /// Receives what a machine does, as it happens.
 class EventSink {
  public:
@@ -50,6 +56,8 @@ class EventSink {
   virtual void goal(int k, int n) = 0;  ///< waypoint k of n begins
   /// A guide planned a way for the goal that has begun, or found none.
   virtual void guide(const GuidePlan& plan) = 0;
+  /// What it planned took time.
+  virtual void think(const Thinking&) {}
   /// The script begins at waypoint k of the n that its guide has for the goal.
   virtual void way_point(int k, int n) = 0;
   virtual void set(const std::string& variable, double value, Span span) = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -73,6 +74,13 @@ class World {
 
   /// All that is on the site but the robot, as it stands now, for guides that go by the plan view.
   virtual std::vector<guides::Thing> things() const { return {}; }
+
+  /// What comes nearest within `range` (m) to what the robot can move, standing at q, for guides
+  /// that keep away from it.
+  virtual guides::Nearness nearest(std::span<const double>, double,
+                                   const guides::PairsLeftOut&) const {
+    return {std::numeric_limits<double>::infinity(), {}, {}};
+  }
 
   /// The next node for a vehicle of a fleet; nothing changes for one that is in none. `before`: who
   /// has to leave it first, where it waits.

@@ -280,6 +280,7 @@ struct GuideClause {
   std::vector<Value> values;         ///< instead of the number
   std::vector<QualifiedName> words;  ///< instead of the number: of a choice, or parameters
   ExpressionPtr condition;           ///< keep
+  std::optional<double> thinking;    ///< thinks: s for each check
   Span span;
 };
 /// guide NAME KIND { clauses }   of a robot or a plan

@@ -5,15 +5,19 @@
 #include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "interpreter/syntax/name_suggestion.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/fail.hpp"
 #include "src/cli/load_runnable_plan.hpp"
 #include "src/cli/set_option.hpp"
+#include "src/exchange/files/atomic_file_io.hpp"
 #include "src/results/comparison/compare_guides.hpp"
 #include "src/results/comparison/compare_travel.hpp"
 #include "src/results/comparison/cover_way.hpp"
+#include "src/results/comparison/guide_picture.hpp"
+#include "src/results/comparison/way_chart.hpp"
 
 namespace rubicon::cli {
 
@@ -21,6 +25,13 @@ namespace {
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string no_motion_text(const GuidesOptions& options, const std::string& task) {
+  return fmt::format(
+      "'{}' makes no motion: it is not reached, it is rejected before it "
+      "moves, or its goal holds already; see rubicon why {} {}",
+      task, options.plan, task);
 }
 
 int print_travel(const GuidesOptions& options, const interpreter::PlanModel& plan,
@@ -40,22 +51,46 @@ int print_travel(const GuidesOptions& options, const interpreter::PlanModel& pla
   return kFine;
 }
 
+/// To a file, or to standard output.
+int write_picture(const GuidesOptions& options, const std::string& path, const std::string& svg) {
+  if (path == "-") {
+    std::fwrite(svg.data(), 1, svg.size(), stdout);
+    return kFine;
+  }
+  if (const auto mistake = overwriting({options.plan}, {path})) return fail(*mistake);
+  if (const auto failure = files::write_file(path, svg)) return fail(*failure);
+  return kFine;
+}
+
 int print_cover(const GuidesOptions& options, const interpreter::PlanModel& plan,
                 const interpreter::TaskSpec& task) {
-  if (!options.svg.empty()) {
-    if (const auto mistake = overwriting({options.plan}, {options.svg})) return fail(*mistake);
-    const std::string svg = comparison::cover_steps_svg(plan, task);
-    if (options.svg == "-") {
-      std::fwrite(svg.data(), 1, svg.size(), stdout);
-      return kFine;
-    }
-    if (const auto failure = files::write_file(options.svg, svg)) return fail(*failure);
-  }
   const std::string text = options.format == "json"  ? comparison::cover_way_json(plan, task)
                            : options.format == "csv" ? comparison::cover_way_csv(plan, task)
                                                      : comparison::cover_way_text(plan, task);
   std::fwrite(text.data(), 1, text.size(), stdout);
   return kFine;
+}
+
+/// The picture of a guide, or the chart of its way.
+int draw_guide(const GuidesOptions& options, const interpreter::PlanModel& plan,
+               const interpreter::SourceMap& sources, const std::string& task) {
+  comparison::PictureQuery query;
+  query.kind = options.kind;
+  std::string name;
+  for (const char c : options.axes + ",") {
+    if (c == ',' && !name.empty()) query.axes.push_back(std::exchange(name, {}));
+    if (c != ',' && c != ' ') name += c;
+  }
+  std::string svg;
+  const bool chart = !options.chart.empty();
+  try {
+    svg = chart ? comparison::way_chart(plan, sources, task, options.kind)
+                : comparison::guide_picture(plan, sources, task, query);
+  } catch (const std::invalid_argument& error) {
+    return fail(error.what());
+  }
+  if (svg.empty()) return fail(no_motion_text(options, task));
+  return write_picture(options, chart ? options.chart : options.svg, svg);
 }
 
 }  // namespace
@@ -77,11 +112,18 @@ int run_guides(const GuidesOptions& options) {
   const auto found = std::find_if(plan->tasks.begin(), plan->tasks.end(),
                                   [&](const auto& each) { return each.name == task; });
   const bool covers = found != plan->tasks.end() && found->cover.has_value();
-  if (!options.svg.empty() && !covers) {
-    return fail(fmt::format("--svg draws the way over an area, and '{}' covers none", task));
+  const bool of_area = covers && options.kind.empty() && options.axes.empty();
+  if (!options.chart.empty() || (!options.svg.empty() && !of_area)) {
+    return draw_guide(options, *plan, sources, task);
+  }
+  if (!options.kind.empty()) return fail("--kind goes with --svg or --chart");
+  if (!options.svg.empty()) {
+    const int code =
+        write_picture(options, options.svg, comparison::cover_steps_svg(*plan, *found));
+    if (code != kFine || options.svg == "-") return code;
   }
   if (covers) {
-    const auto code = print_cover(options, *plan, *found);
+    const int code = print_cover(options, *plan, *found);
     if (code != kFine || found->guides.empty() || options.format != "table") return code;
     std::fputs("\n", stdout);
   }
@@ -91,12 +133,7 @@ int run_guides(const GuidesOptions& options) {
   } catch (const std::invalid_argument& error) {
     return fail(error.what());
   }
-  if (result.motions.empty()) {
-    return fail(
-        fmt::format("'{}' makes no motion: it is not reached, it is rejected before it "
-                    "moves, or its goal holds already; see rubicon why {} {}",
-                    task, options.plan, task));
-  }
+  if (result.motions.empty()) return fail(no_motion_text(options, task));
   const std::string text = options.format == "json"  ? comparison::comparison_json(result)
                            : options.format == "csv" ? comparison::comparison_csv(result)
                                                      : comparison::comparison_text(result);

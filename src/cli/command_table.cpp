@@ -54,7 +54,11 @@ Action declare_guides(CLI::App& app) {
   app.add_option("--seeds", options->seeds)->check(CLI::Range(1, 10000));
   CLI::Option* const exact = app.add_flag("--exact", options->exact);
   app.add_option("--dt", options->slice)->check(CLI::Range(1e-3, 1e3))->needs(exact);
-  app.add_option("--svg", options->svg)->excludes(exact);
+  CLI::Option* const svg = app.add_option("--svg", options->svg)->excludes(exact);
+  CLI::Option* const chart =
+      app.add_option("--chart", options->chart)->excludes(exact)->excludes(svg);
+  app.add_option("--kind", options->kind);
+  app.add_option("--axes", options->axes)->needs(svg)->excludes(chart);
   app.add_option("--format", options->format)->check(IsMember({"table", "json", "csv"}));
   declare_set(app, options->set);
   return [options] { return run_guides(*options); };

@@ -75,8 +75,11 @@ struct GuidesOptions {
   std::string task;  ///< "": the only one that moves
   int seeds = 10;
   bool exact = false;
-  double slice = 0;  ///< s; 0: as travel has it
-  std::string svg;   ///< file for the steps of a way over an area
+  double slice = 0;   ///< s; 0: as travel has it
+  std::string svg;    ///< file for the picture of one guide, or of a way over an area; "": none
+  std::string chart;  ///< file for the chart of its way; "": none
+  std::string kind;   ///< of that guide; "": the first of the task
+  std::string axes;   ///< of the picture: two parameters, a comma between them
   std::string format = "table";
   std::vector<std::string> set;
 };

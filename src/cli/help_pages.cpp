@@ -145,8 +145,9 @@ examples:
 const std::string_view kGuides =
     R"(rubicon guides - compare all kinds of guides on the motions of one task
 
-usage: rubicon guides PLAN [TASK] [--seeds N | --exact [--dt S] | --svg FILE] [--format table|csv|json]
-                      [--set NAME=VALUE]...
+usage: rubicon guides PLAN [TASK] [--seeds N | --exact [--dt S]] [--format table|csv|json] [--set NAME=VALUE]...
+       rubicon guides PLAN [TASK] --svg FILE [--kind KIND] [--axes P,Q] [--set NAME=VALUE]...
+       rubicon guides PLAN [TASK] --chart FILE [--kind KIND] [--set NAME=VALUE]...
 
 Runs the plan up to the task. Where a motion of it begins, each kind of guide plans a way to its first goal, once for
 each seed from 1 to N, on the site as it stands then; nothing is moved by that. A guide that the task names stands for its
@@ -160,12 +161,20 @@ Of a task that covers an area it tells what its way over the area does: how much
 lower bound, turns, metres inside holes and outside (docs/coverage.md). Nothing is run. Where guides lead from strip to
 strip their comparison follows in the table.
 
-  --svg FILE       of a task that covers an area: draws each step of the method that found the way
   --exact          instead, travel without a map (docs/travel.md): from where the machine starts to the x and y that the
                    task goes to, by Bug1, Bug2, VisBug-21, Pledge, Simple, Tangent and ACE, in the plan view of the site
                    as it is at the beginning; the machine is the disc that holds it however it is turned. What moves
                    keeps its timetable, whatever is in its way
   --dt S           in slices of so many seconds, 0.25 if not given
+  --svg FILE       instead, draws the configurations that two parameters span where the first motion of the task begins:
+                   where the robot may not stand, what was tried, the way; of potential its field and the minima in it.
+                   Of a task that covers an area, without --kind and --axes, each step of the method that found its way.
+                   - is standard output
+  --chart FILE     instead, draws the parameters of the robot over time on that way: as they are driven, and as each would
+                   be by itself at its full speed
+  --kind KIND      of which kind of guide; the first that the task names if not given
+  --axes P,Q       of which two parameters; the first two that the guide searches if not given. The others stand in the
+                   picture as they do when the motion begins
   --seeds N        tries of each kind, 10 if not given
   --format FORMAT  table (the default), csv or json (each try by itself), on standard output
   --set NAME=VALUE another value for a parameter of the PLAN
@@ -176,6 +185,7 @@ examples:
   rubicon guides examples/13_guides/site.plan reach --seeds 50
   rubicon guides taskplans/unit.plan set_west_1 --format csv
   rubicon guides taskplans/pour.plan pour --svg build/pour.svg
+  rubicon guides examples/13_guides/site.plan reach --svg build/reach.svg --kind potential
 )";
 
 const std::string_view kFlow =

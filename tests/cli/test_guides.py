@@ -186,7 +186,7 @@ class GuidesCommand(unittest.TestCase):
     def test_it_compares_all_kinds(self):
         told = rubicon("guides", SCENE, "--seeds", "2")
         self.assertEqual(told.returncode, 0, told.stderr)
-        for kind in ("rrt", "rrt_nonuniform", "rrt_plus", "rrt_limcon", "rrt_connect", "astar", "prm", "dstar_lite", "drrt"):
+        for kind in ("rrt", "rrt_nonuniform", "rrt_plus", "rrt_limcon", "rrt_connect", "astar", "prm", "dstar_lite", "drrt", "potential"):
             self.assertRegex(told.stdout, rf"\n{kind} +\d/2 ")
 
     def test_csv_and_json_have_each_try_and_are_the_same_but_for_the_time(self):
@@ -195,11 +195,11 @@ class GuidesCommand(unittest.TestCase):
             self.assertEqual(told.returncode, 0, told.stderr)
             return [{key: value for key, value in row.items() if key != "ms"} for row in csv.DictReader(io.StringIO(told.stdout))]
         first = rows()
-        self.assertEqual(len(first), 18)
+        self.assertEqual(len(first), 20)
         self.assertEqual(first, rows())
         data = json.loads(rubicon("guides", SCENE, "--seeds", "2", "--format", "json").stdout)
         guides = data["motions"][0]["guides"]
-        self.assertEqual([len(guide["trials"]) for guide in guides], [2] * 9)
+        self.assertEqual([len(guide["trials"]) for guide in guides], [2] * 10)
         connect = next(guide for guide in guides if guide["kind"] == "rrt_connect")
         self.assertEqual(f'{connect["trials"][1]["nodes"]}',
                          next(row["nodes"] for row in first if row["guide"] == "rrt_connect" and row["seed"] == "2"))

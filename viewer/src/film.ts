@@ -3,7 +3,8 @@ import type { FlowData, Header, ScheduleData } from './header';
 // Reads a film: docs/film.md.
 
 export const kinds = ['task_start', 'goal', 'set', 'enter', 'exit', 'which', 'try', 'wait', 'work', 'pause', 'attach', 'detach',
-  'remove', 'end', 'task_end', 'stop', 'guide', 'way_point', 'turn', 'moving', 'cold_joint'] as const;
+  'remove', 'end', 'task_end', 'stop', 'guide', 'way_point', 'turn', 'moving', 'cold_joint',
+  'breakdown', 'lost_days', 'soil', 'think'] as const;
 export type Kind = (typeof kinds)[number];
 
 /** A task that began, or was not reached. */

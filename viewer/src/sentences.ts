@@ -59,7 +59,8 @@ export function sentence(film: Film, record: number): string {
       const tries = `${number('end.tries')} steps tried, ${number('end.accepted')} accepted`;
       return `motion ended: ${status}, ${tries}${message && ` (${message})`}`;
     }
-    case 'moving': return '';  // of no run
+    case 'think': return 'its guide thinks';
+    case 'moving': case 'breakdown': case 'lost_days': case 'soil': return '';  // of no run
     case 'cold_joint': return coldJoint(film, record);
     case 'task_end': return `${run.result || 'over'}${run.reason && `: ${run.reason}`}`;
   }

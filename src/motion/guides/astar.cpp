@@ -40,6 +40,10 @@ class LatticeSearch {
     }
     search.nodes = reached_.size();
     search.out_of_nodes = !space_.spent();
+    for (std::size_t i = 1; space_.spec().tells_tree && i < reached_.size(); ++i) {
+      const auto from = static_cast<std::size_t>(reached_[i].from);
+      search.tree.emplace_back(reached_[from].point, reached_[i].point);
+    }
     return search;
   }
 

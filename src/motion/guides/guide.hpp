@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/motion/guides/guide_spec.hpp"
@@ -44,6 +45,9 @@ struct PlanReport {
   std::size_t refused = 0;
   std::vector<std::vector<double>> way;  ///< where it begins, its waypoints, the goal last
   WayMetrics metrics = {};
+  std::vector<double> goal = {};  ///< the configuration that it shall lead to, once it is known
+  /// Legs of what was grown, parent first; only where the spec asks for it.
+  std::vector<std::pair<std::vector<double>, std::vector<double>>> tree = {};
   /// Of guides that travel without a map, in words: "hit at (4.28, 22.00) by ring, fence".
   std::vector<std::string> events = {};
   bool found() const { return outcome == Outcome::found; }
@@ -83,6 +87,11 @@ std::unique_ptr<Guide> make_guide(const GuideSpec& spec, GuideTask task);
 /// Plans a way once: what `make_guide` does, without a script.
 PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<const double> q,
                     MotionTests& tests);
+
+/// Whether a way that was planned before is free now, step by step: from where the robot stands
+/// over the points of the way behind the first.
+bool way_is_free(const GuideSpec& spec, const GuideTask& task, std::span<const double> q,
+                 const std::vector<std::vector<double>>& way, MotionTests& tests);
 
 /// A guide that is copied with what it is a part of.
 class GuideValue {

@@ -8,17 +8,20 @@ namespace rubicon::guides {
 namespace {
 
 constexpr unsigned bit(GuideKind kind) { return 1u << static_cast<unsigned>(kind); }
-constexpr unsigned kPlanners = 0x1ff;
+constexpr unsigned kPlanners = 0x3ff;
 constexpr unsigned kVisibility = bit(GuideKind::visibility);
-constexpr unsigned kTravel = 0x1ffff & ~kPlanners & ~kVisibility;
+constexpr unsigned kTravel = 0x3ffff & ~kPlanners & ~kVisibility;
 constexpr unsigned kAll = kPlanners | kTravel | kVisibility;
 constexpr unsigned kAstar = bit(GuideKind::astar);
 constexpr unsigned kPrm = bit(GuideKind::prm);
 constexpr unsigned kConnect = bit(GuideKind::rrt_connect);
 constexpr unsigned kDstar = bit(GuideKind::dstar_lite);
 constexpr unsigned kDrrt = bit(GuideKind::drrt);
-constexpr unsigned kLattice = kAstar | kDstar;
+constexpr unsigned kPotential = bit(GuideKind::potential);
+constexpr unsigned kSearched = kAstar | kDstar;
+constexpr unsigned kLattice = kSearched | kPotential;
 constexpr unsigned kThesis = kPlanners & ~kConnect & ~kLattice & ~kPrm & ~kDrrt;
+constexpr unsigned kSteered = (kThesis & ~bit(GuideKind::rrt_limcon)) | kConnect | kAstar;
 constexpr unsigned kPlus = bit(GuideKind::rrt_plus);
 constexpr unsigned kGathered = kPlus | bit(GuideKind::rrt_nonuniform);
 
@@ -40,6 +43,8 @@ constexpr std::array kKinds{
              "as astar, but repaired after a change instead of searched again (D* Lite)"},
     KindInfo{GuideKind::drrt, "drrt",
              "a tree from the goal, cut where it is no longer free and grown again"},
+    KindInfo{GuideKind::potential, "potential",
+             "down a field that draws to the goal and away from obstacles; stops in a minimum"},
     KindInfo{GuideKind::bug1, "bug1",
              "without a map: once round each obstacle, then on from its nearest point"},
     KindInfo{GuideKind::bug2, "bug2",
@@ -64,9 +69,10 @@ constexpr std::array kClauses{
         "stretches between two decisions"},
     ClauseInfo{"checks", &GuideSpec::checks, true, 1, 1e7, kAll,
                "at most, of legs and configurations, for one way"},
-    ClauseInfo{"step", &GuideSpec::step, false, 1e-3, 1e6, kPlanners & ~kPrm,
-               "the longest leg of a tree, weighted (a degree counts 1, a metre 10); of "
-               "rrt_connect the shortest, of astar and dstar_lite the pitch of the lattice"},
+    ClauseInfo{
+        "step", &GuideSpec::step, false, 1e-3, 1e6, kPlanners & ~kPrm,
+        "the longest leg of a tree, weighted (a degree counts 1, a metre 10); of "
+        "rrt_connect the shortest, of astar, dstar_lite and potential the pitch of the lattice"},
     ClauseInfo{"goal_bias", &GuideSpec::goal_bias, false, 0, 1, kThesis | kDrrt,
                "the share of samples that are the goal itself; of drrt the start"},
     ClauseInfo{"uniform_nodes", &GuideSpec::uniform_nodes, true, 0, 1e6, kPlus,
@@ -78,7 +84,7 @@ constexpr std::array kClauses{
                "how closely samples gather about the goal"},
     ClauseInfo{"smooth", &GuideSpec::smooth, false, 0, 1000, kThesis,
                "the longest shortcut, in steps; 0: none"},
-    ClauseInfo{"improve", &GuideSpec::improve, true, 0, 1e6, kConnect | kLattice | kPrm | kDrrt,
+    ClauseInfo{"improve", &GuideSpec::improve, true, 0, 1e6, kConnect | kSearched | kPrm | kDrrt,
                "tests of shortcuts after a way is found"},
     ClauseInfo{"safety", &GuideSpec::safety, false, 0, 1000, kAstar,
                "a leg to where all about is blocked costs so many times its length more"},
@@ -86,6 +92,14 @@ constexpr std::array kClauses{
                "each node of the roadmap is joined to so many"},
     ClauseInfo{"vision", &GuideSpec::vision, false, 0, 1e4, bit(GuideKind::visbug21),
                "how far it sees, m; 0: as far as the robot's sensor, or 10 m"},
+    ClauseInfo{"attraction", &GuideSpec::attraction, false, 1e-6, 1e6, kPotential,
+               "how strongly the goal draws"},
+    ClauseInfo{"repulsion", &GuideSpec::repulsion, false, 0, 1e6, kPotential,
+               "how strongly what is near repels (m2); 0: not"},
+    ClauseInfo{"influence", &GuideSpec::influence, false, 1e-3, 1000, kPotential,
+               "what is farther away does not repel, m", true},
+    ClauseInfo{"turn_radius", &GuideSpec::turn_radius, false, 0, 1000, kSteered,
+               "of a vehicle that steers: it turns no narrower, m; 0: it turns on the spot", true},
     ClauseInfo{"replans", &GuideSpec::replans, true, 0, 1000, kAll,
                "ways planned again in one motion"}};
 
@@ -150,6 +164,7 @@ GuideSpec default_guide(GuideKind kind) {
   if ((of & kThesis) != 0) spec.nodes = 8000;
   if (kind == GuideKind::prm) spec.nodes = 500;
   if ((of & kLattice) != 0) spec.step = 10;
+  if (kind == GuideKind::potential) spec.nodes = 20000;
   if (kind == GuideKind::dstar_lite) spec.nodes = 100000;
   if (kind == GuideKind::drrt) spec.nodes = 8000;
   return spec;

@@ -21,6 +21,7 @@ enum class GuideKind : std::uint8_t {
   prm,
   dstar_lite,
   drrt,
+  potential,
   // of vehicles, without a map
   bug1,
   bug2,
@@ -74,12 +75,18 @@ struct GuideSpec {
   double nearest = 10;          ///< prm: each node is joined to so many
   double vision = 0;            ///< visbug21: how far it sees, m; 0: as the robot's sensor
   bool left_hand = false;       ///< of travel: what it follows is on its left
+  double attraction = 1;        ///< potential: how strongly the goal draws
+  double repulsion = 1;         ///< potential, m2: how strongly what is near repels
+  double influence = 1;         ///< potential, m: what is farther does not repel
+  double turn_radius = 0;       ///< m: a vehicle that steers turns no narrower; 0: on the spot
   double replans = 10;          ///< ways planned again in one motion
+  double thinks = 0;            ///< s of the site's time for each check
   std::vector<KeptBound> keep;  ///< all of them
   std::vector<std::pair<int, double>> weights;  ///< by parameter; else 1 a degree, 10 a metre
   std::vector<int> over;  ///< astar: the parameters that its lattice spans; none: all
   Neighbours neighbours = Neighbours::all;
   Heuristic heuristic = Heuristic::fitting;
+  bool tells_tree = false;  ///< no clause: for pictures
 };
 
 /// What a kind is called, and in a few words what it does.
@@ -99,8 +106,9 @@ struct ClauseInfo {
   bool whole;  ///< a count
   double least;
   double most;
-  unsigned kinds;    ///< bit 1 << kind: those that have it
-  const char* text;  ///< what it says, with its unit
+  unsigned kinds;          ///< bit 1 << kind: those that have it
+  const char* text;        ///< what it says, with its unit
+  bool is_length = false;  ///< m; else a plain number
 
   bool is_of(GuideKind kind) const { return (kinds >> static_cast<unsigned>(kind) & 1u) != 0; }
 };
@@ -134,6 +142,11 @@ inline constexpr const char* kWeightClause = "weight";
 
 /// The clause that says what holds on the whole way: `keep (abs(boom.phi + stick.phi) <= 90);`.
 inline constexpr const char* kKeepClause = "keep";
+
+/// The clause that says what planning takes of the site's time: `thinks 20 us per check;`.
+inline constexpr const char* kThinksClause = "thinks";
+/// s, of a check at most.
+inline constexpr double kMostThinking = 60;
 
 /// A guide of this kind with the defaults of its clauses.
 GuideSpec default_guide(GuideKind kind);

@@ -7,6 +7,7 @@
 
 #include "src/motion/math/angles.hpp"
 #include "src/motion/math/index.hpp"
+#include "src/motion/math/turns.hpp"
 #include "src/motion/robot/turns.hpp"
 
 namespace rubicon::guides {
@@ -24,8 +25,8 @@ using math::at;
 }  // namespace
 
 Leg::Leg(const robot::RobotModel& model, const robot::Mounting& mounting,
-         const robot::GoalClauses& clauses)
-    : model_(model), mounting_(mounting) {
+         const robot::GoalClauses& clauses, double turn_radius)
+    : model_(model), mounting_(mounting), turn_radius_(turn_radius) {
   find_vehicle();
   const auto locked = [&](int i) { return i >= 0 && clauses.locks(i); };
   if (locked(drive_) || locked(heading_) || locked(place_[0]) || locked(place_[1])) {
@@ -37,8 +38,9 @@ Leg::Leg(const robot::RobotModel& model, const robot::Mounting& mounting,
     if (p.step > 0) stepped_.push_back(i);
     if (clauses.locks(i)) continue;
     const bool driven = i == place_[0] || i == place_[1];
-    if (p.step > 0 && p.direct) plain_.push_back(i);
-    if (driven || (p.step > 0 && p.direct)) parameters_.push_back(i);
+    const bool plain = p.step > 0 && (p.direct || i == heading_);
+    if (plain) plain_.push_back(i);
+    if (driven || plain) parameters_.push_back(i);
   }
   if (refusal_.empty() && stepped_.empty()) refusal_ = "no parameter of it has a step or a speed";
 }
@@ -56,7 +58,7 @@ std::vector<int> Leg::parameters_driven_by(int drive) const {
 void Leg::find_vehicle() {
   for (int i = 0; i < static_cast<int>(model_.parameters.size()); ++i) {
     const robot::Parameter& p = parameter(i);
-    if (p.derived || p.direct || !(p.step > 0)) continue;
+    if (p.derived || p.direct || !(p.step > 0) || turns_alone(i)) continue;
     if (drive_ >= 0 || p.rotation) {
       refusal_ = fmt::format("the rule of {} is neither plain nor that of one local parameter",
                              p.display_name);
@@ -69,7 +71,8 @@ void Leg::find_vehicle() {
   const std::vector<int> driven = parameters_driven_by(drive_);
   for (int i = 0; i < static_cast<int>(model_.parameters.size()); ++i) {
     const robot::Parameter& p = parameter(i);
-    if (p.rotation && p.direct && p.step > 0 && p.body == parameter(drive_).body) heading_ = i;
+    const bool turns = p.rotation && p.step > 0 && !p.derived && (p.direct || turns_alone(i));
+    if (turns && p.body == parameter(drive_).body) heading_ = i;
   }
   if (heading_ < 0 || driven.size() != 2 || parameter(driven[0]).rotation ||
       parameter(driven[1]).rotation) {
@@ -81,7 +84,56 @@ void Leg::find_vehicle() {
   if (!turns_with_heading()) {
     refusal_ = fmt::format("the way that {} drives it does not turn with {}", name,
                            parameter(heading_).display_name);
+    return;
   }
+  std::vector<double> q = model_.start_values();
+  q[at(heading_)] = 0;
+  double x = 0;
+  double y = 0;
+  direction(q, x, y);
+  drift_deg_ = math::atan2_deg(y, x);
+  chords_ = drives_chords();
+}
+
+/// Whether a step of an angle alone turns it by that step and changes nothing else of its body,
+/// though rules of others read it: of a vehicle that turns while it drives.
+bool Leg::turns_alone(int index) const {
+  const robot::Parameter& p = parameter(index);
+  if (!p.rotation || p.derived || p.direct || !(p.step > 0)) return false;
+  constexpr double kSame = 1e-9;
+  for (const double shift : {0.0, 37.3}) {
+    std::vector<double> q = model_.start_values();
+    for (double& value : q) value += shift;
+    std::vector<double> steps(q.size(), 0.0);
+    std::vector<double> next(q.size());
+    steps[at(index)] = 1;
+    robot::apply_rules(model_, mounting_, q, steps, next);
+    for (int i = 0; i < static_cast<int>(q.size()); ++i) {
+      if (parameter(i).derived) continue;
+      if (std::fabs(next[at(i)] - q[at(i)] - (i == index ? 1 : 0)) > kSame) return false;
+    }
+  }
+  return true;
+}
+
+/// Whether a step that turns by an angle leads along the chord of an arc of that angle.
+bool Leg::drives_chords() const {
+  std::vector<double> q = model_.start_values();
+  double x = 0;
+  double y = 0;
+  constexpr double kSame = 1e-9;
+  constexpr double kTurned = 10;
+  q[at(heading_)] = kTurned / 2;
+  direction(q, x, y);
+  q[at(heading_)] = 0;
+  std::vector<double> steps(q.size(), 0.0);
+  std::vector<double> next(q.size());
+  steps[at(heading_)] = kTurned;
+  steps[at(drive_)] = 1;
+  robot::apply_rules(model_, mounting_, q, steps, next);
+  return std::fabs(next[at(place_[0])] - q[at(place_[0])] - x) <= kSame &&
+         std::fabs(next[at(place_[1])] - q[at(place_[1])] - y) <= kSame &&
+         std::fabs(next[at(heading_)] - kTurned) <= kSame;
 }
 
 void Leg::direction(std::span<const double> q, double& along_x, double& along_y) const {
@@ -153,6 +205,7 @@ Leg::Facing Leg::facing(std::span<const double> q, std::span<const double> targe
 bool Leg::next_step(std::span<const double> q, std::span<const double> target,
                     std::span<double> steps) const {
   std::fill(steps.begin(), steps.end(), 0.0);
+  if (steers() && next_chord(q, target, steps)) return true;
   if (const Facing face = facing(q, target); !face.there) {
     const int moved = face.turn != 0 ? heading_ : drive_;
     const double off = face.turn != 0 ? face.turn : face.distance;
@@ -182,6 +235,7 @@ bool Leg::is_there(std::span<const double> q, std::span<const double> target) co
 
 std::vector<std::vector<double>> Leg::corners(std::span<const double> q,
                                               std::span<const double> target) const {
+  if (steers()) return steered_corners(q, target, false);
   std::vector<std::vector<double>> result;
   std::vector<double> now(q.begin(), q.end());
   std::vector<double> steps(q.size(), 0.0);
@@ -207,6 +261,135 @@ std::vector<std::vector<double>> Leg::corners(std::span<const double> q,
   }
   if (something) go();
   return result;
+}
+
+PlanePose Leg::plane_pose(std::span<const double> q) const {
+  return {q[at(place_[0])], q[at(place_[1])], q[at(heading_)] + drift_deg_};
+}
+
+ReedsSheppWay Leg::steered(std::span<const double> q, std::span<const double> target) const {
+  return reeds_shepp_way(plane_pose(q), plane_pose(target), turn_radius_);
+}
+
+double Leg::driven(std::span<const double> q, std::span<const double> target) const {
+  return steered(q, target).length();
+}
+
+std::vector<double> Leg::driven_by(std::span<const double> q, const PlanePart& part) const {
+  std::vector<double> result(q.begin(), q.end());
+  const PlanePose pose = after(plane_pose(q), part);
+  result[at(place_[0])] = pose.x;
+  result[at(place_[1])] = pose.y;
+  result[at(heading_)] = robot::reduced(parameter(heading_), pose.heading_deg - drift_deg_);
+  return result;
+}
+
+std::vector<double> Leg::partway(std::span<const double> q, std::span<const double> target,
+                                 double share) const {
+  std::vector<double> result(q.begin(), q.end());
+  for (const int i : plain_) {
+    if (i == heading_) continue;
+    result[at(i)] += share * robot::way_between(parameter(i), q[at(i)], target[at(i)]);
+  }
+  const ReedsSheppWay way = steered(q, target);
+  double left = share * way.length();
+  PlanePose pose = plane_pose(q);
+  for (const PlanePart& part : way.parts) {
+    const double length = std::fabs(part.driven);
+    const double of_part = left < length ? left / length : 1;
+    pose = after(pose, {part.turned_deg * of_part, part.driven * of_part});
+    left -= length;
+    if (left <= 0) break;
+  }
+  result[at(place_[0])] = pose.x;
+  result[at(place_[1])] = pose.y;
+  result[at(heading_)] = robot::reduced(parameter(heading_), pose.heading_deg - drift_deg_);
+  return result;
+}
+
+std::vector<std::vector<double>> Leg::stops(std::span<const double> q,
+                                            std::span<const double> target) const {
+  if (steers()) return steered_corners(q, target, true);
+  return {std::vector<double>(target.begin(), target.end())};
+}
+
+std::vector<std::vector<double>> Leg::steered_corners(std::span<const double> q,
+                                                      std::span<const double> target,
+                                                      bool stops_only) const {
+  std::vector<std::vector<double>> result;
+  std::vector<double> now(q.begin(), q.end());
+  std::vector<double> steps(q.size(), 0.0);
+  std::vector<double> next(q.size());
+  const auto go = [&](double turned_deg, double driven, bool stop) {
+    if (turned_deg == 0 && driven == 0) return;
+    steps[at(heading_)] = turned_deg;
+    steps[at(drive_)] = driven;
+    robot::apply_rules(model_, mounting_, now, steps, next);
+    if (stop || !stops_only) result.push_back(next);
+    now = next;
+  };
+  for (const PlanePart& part : steered(q, target).parts) {
+    const double turned = std::fabs(part.turned_deg);
+    const double chords =
+        part.turned_deg == 0 ? 1
+                             : std::ceil(std::max(turned / parameter(heading_).step,
+                                                  std::fabs(part.driven) / parameter(drive_).step));
+    const double turn = part.turned_deg / chords;
+    const double half = math::sin_deg(turn / 2);
+    const double chord =
+        turn == 0 ? part.driven : 2 * part.driven / math::radians(part.turned_deg) * half;
+    for (int i = 0; i < static_cast<int>(chords); ++i) {
+      if (chords_) {
+        go(turn, chord, true);
+        continue;
+      }
+      go(turn / 2, 0, false);
+      go(0, chord, turn == 0);
+      go(turn / 2, 0, true);
+    }
+  }
+  std::fill(steps.begin(), steps.end(), 0.0);
+  bool something = false;
+  for (const int i : plain_) {
+    if (i == heading_) continue;
+    steps[at(i)] = robot::way_between(parameter(i), now[at(i)], target[at(i)]);
+    something = something || steps[at(i)] != 0;
+  }
+  if (something) {
+    robot::apply_rules(model_, mounting_, now, steps, next);
+    result.push_back(next);
+  }
+  return result;
+}
+
+/// The next step along one chord, or along a straight way: forwards or backwards, whichever way it
+/// has to turn less for. False: it is there.
+bool Leg::next_chord(std::span<const double> q, std::span<const double> target,
+                     std::span<double> steps) const {
+  Facing face = facing(q, target);
+  if (face.there) return false;
+  if (std::fabs(face.turn) > 90) {
+    face.turn = math::normalised_deg(face.turn + 180);
+    face.distance = -face.distance;
+  }
+  const double drive_step = parameter(drive_).step;
+  const double turn = missing(heading_, q, target);
+  const double beside = face.distance * math::sin_deg(face.turn - turn / 2);
+  // A chord that is exactly a step may be longer by rounding.
+  constexpr double kLonger = 1 + 1e-9;
+  const bool on_chord = std::fabs(beside) <= kBeside &&
+                        std::fabs(face.distance) <= drive_step * kLonger &&
+                        std::fabs(turn) <= parameter(heading_).step * kLonger;
+  if (chords_ && on_chord) {
+    steps[at(heading_)] = turn;
+    steps[at(drive_)] = face.distance;
+  } else if (std::fabs(face.distance * math::sin_deg(face.turn)) > kBeside) {
+    const double most = parameter(heading_).step;
+    steps[at(heading_)] = std::clamp(face.turn, -most, most);
+  } else {
+    steps[at(drive_)] = std::clamp(face.distance, -drive_step, drive_step);
+  }
+  return true;
 }
 
 }  // namespace rubicon::guides

@@ -18,8 +18,11 @@ Search search(Space& space, const GuideTask& task, const Point& start, const Poi
     case GuideKind::rrt_connect:
       return connect_trees(space, start, goal, *task.model, task.loaded);
     case GuideKind::astar:
-      found = search_lattice(space, start, goal);
+      found = space.leg().steers() ? search_arcs(space, start, goal)
+                                   : search_lattice(space, start, goal);
       break;
+    case GuideKind::potential:
+      return descend(space, start, goal);
     case GuideKind::prm:
       found = search_roadmap(space, start, goal, memory.roadmap);
       break;
@@ -73,6 +76,7 @@ PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<cons
   }
   if (!kept) return end(Outcome::goal_not_kept);
   if (goal == nullptr) return end(Outcome::goal_blocked);
+  report.goal = *goal;
   const Point target = space.point(*goal);
   // Steps are refused where the whole leg is free only within what the engine leaves undecided.
   // Then legs are tested as they are stepped.
@@ -82,6 +86,10 @@ PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<cons
                                         : search(space, task, start, target, memory);
     report.nodes += found.nodes;
     report.events = std::move(found.events);
+    report.tree.clear();
+    for (const auto& [from, to] : found.tree) {
+      report.tree.emplace_back(space.configuration(from), space.configuration(to));
+    }
     if (found.way.empty() && !found.cause.empty()) {
       report.cause = std::move(found.cause);
       return end(Outcome::no_way);
@@ -89,14 +97,24 @@ PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<cons
     if (found.way.empty()) {
       return end(found.out_of_nodes ? Outcome::out_of_nodes : Outcome::out_of_checks);
     }
+    found.way = space.with_chords(found.way);
     found.way.erase(found.way.begin());
     if (!space.steps_are_free(q, found.way)) continue;
     report.way.emplace_back(q.begin(), q.end());
     for (const Point& point : found.way) report.way.push_back(space.configuration(point));
-    report.metrics = way_metrics(*task.model, task.mounting, report.way, task.loaded);
+    report.metrics =
+        way_metrics(*task.model, task.mounting, report.way, task.loaded, spec.turn_radius);
     return end(Outcome::found);
   }
   return end(Outcome::not_certified);
+}
+
+bool way_is_free(const GuideSpec& spec, const GuideTask& task, std::span<const double> q,
+                 const std::vector<std::vector<double>>& way, MotionTests& tests) {
+  Space space(*task.model, task.mounting, q, spec, tests, task.clauses);
+  std::vector<Point> points;
+  for (std::size_t k = 1; k < way.size(); ++k) points.push_back(space.point(way[k]));
+  return space.steps_are_free(q, points);
 }
 
 std::unique_ptr<Guide> make_guide(const GuideSpec& spec, GuideTask task) {

@@ -18,7 +18,8 @@ struct Search {
   double cost = 0;  ///< of a way over a lattice, before legs are joined
   std::size_t nodes = 0;
   std::vector<std::string> events = {};  ///< see PlanReport
-  std::string cause;          ///< of no way, where it is not that the search was too short
+  std::string cause;  ///< of no way, where it is not that the search was too short
+  std::vector<std::pair<Point, Point>> tree = {};  ///< see PlanReport
   bool out_of_nodes = false;  ///< it stopped at the limit of nodes or had no more, else at that of
                               ///< checks
 };
@@ -35,6 +36,16 @@ Search connect_trees(Space& space, const Point& start, const Point& goal,
 /// The cheapest way over the lattice about the goal (lattice.hpp): a leg costs its weighted length,
 /// and with `safety` so many times more as nodes beside its end are blocked.
 Search search_lattice(Space& space, const Point& start, const Point& goal);
+
+/// The shortest way of a vehicle that steers over arcs and straight pieces, forwards and backwards,
+/// that are as long as the diagonal of the pitch, with one way of Reeds and Shepp at its end.
+/// Places and headings nearer to each other than a pitch and its turn count as one (after Dolgov,
+/// Thrun, Montemerlo, Diebel, IJRR 29, 2010).
+Search search_arcs(Space& space, const Point& start, const Point& goal);
+
+/// Down a field over the lattice (potential.hpp), leg by leg, until it is at the goal or in a
+/// minimum that is not the goal.
+Search descend(Space& space, const Point& start, const Point& goal);
 
 /// The shortest way over the roadmap of the memory, which is made if there is none yet.
 Search search_roadmap(Space& space, const Point& start, const Point& goal, RoadmapMemory& memory);

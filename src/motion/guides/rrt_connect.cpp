@@ -25,6 +25,10 @@ class Connector {
     search.way = find();
     search.nodes = from_start_.size() + from_goal_.size();
     search.out_of_nodes = full();
+    if (space_.spec().tells_tree) {
+      from_start_.tell(search.tree);
+      from_goal_.tell(search.tree);
+    }
     return search;
   }
 

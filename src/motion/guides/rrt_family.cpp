@@ -30,6 +30,7 @@ class Growth {
     Search search;
     search.nodes = tree_.size();
     search.out_of_nodes = full();
+    if (spec_.tells_tree) tree_.tell(search.tree);
     if (end) search.way = smoothed(tree_.way_to(*end));
     return search;
   }

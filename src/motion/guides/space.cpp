@@ -36,7 +36,7 @@ Space::Space(const robot::RobotModel& model, const robot::Mounting& mounting,
       q_(q.begin(), q.end()),
       spec_(spec),
       tests_(tests),
-      leg_(model, mounting, clauses) {
+      leg_(model, mounting, clauses, spec.turn_radius) {
   for (std::size_t i = 0; i < size(); ++i) {
     double weight = parameter(i).rotation ? 1 : kWeightOfMetre;
     for (const auto& [index, value] : spec.weights) {
@@ -67,7 +67,15 @@ double Space::offset(std::span<const double> a, std::span<const double> b, std::
 
 double Space::distance(std::span<const double> a, std::span<const double> b) const {
   double sum = 0;
+  if (leg_.steers()) {
+    const double driven = leg_.driven(configuration(a), configuration(b)) * kWeightOfMetre;
+    sum = driven * driven;
+  }
   for (std::size_t i = 0; i < size(); ++i) {
+    const int index = leg_.parameters()[i];
+    const auto place = leg_.place();
+    const bool steered = index == leg_.heading() || index == place[0] || index == place[1];
+    if (leg_.steers() && steered) continue;
     const double off = offset(a, b, i);
     sum += off * off;
   }
@@ -77,6 +85,9 @@ double Space::distance(std::span<const double> a, std::span<const double> b) con
 Point Space::towards(std::span<const double> a, std::span<const double> b, double length) const {
   const double whole = distance(a, b);
   if (whole <= length) return {b.begin(), b.end()};
+  if (leg_.steers()) {
+    return point(leg_.partway(configuration(a), configuration(b), length / whole));
+  }
   Point result(size());
   for (std::size_t i = 0; i < size(); ++i) {
     const double off = robot::way_between(parameter(i), a[i], b[i]);
@@ -214,6 +225,18 @@ bool Space::follow_is_free(std::vector<double>& q, std::span<const double> targe
     robot::normalise(model_, q);
   }
   return leg_.is_there(q, target);
+}
+
+std::vector<Point> Space::with_chords(const std::vector<Point>& way) const {
+  if (!leg_.steers()) return way;
+  std::vector<Point> result{way.front()};
+  for (std::size_t k = 0; k + 1 < way.size(); ++k) {
+    for (std::vector<double>& q : leg_.stops(configuration(way[k]), configuration(way[k + 1]))) {
+      robot::normalise(model_, q);
+      result.push_back(point(q));
+    }
+  }
+  return result;
 }
 
 bool Space::steps_are_free(std::span<const double> q, const std::vector<Point>& way) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/motion/guides/guide_spec.hpp"
@@ -41,6 +43,16 @@ struct LaneQuestion {
   bool reached = false;   ///< it has come to the node that it was sent to last
 };
 
+/// What comes nearest to a robot that stands somewhere.
+struct Nearness {
+  double distance = 0;  ///< m; infinite: nothing is in range
+  std::string moved;    ///< a body of the robot, or its load
+  std::string met;      ///< what stands there
+};
+
+/// Pairs of names, as of `Nearness`, that are not looked at.
+using PairsLeftOut = std::vector<std::pair<std::string, std::string>>;
+
 /// What a guide asks of the site; configurations have all parameters of the robot.
 class MotionTests {
  public:
@@ -51,6 +63,10 @@ class MotionTests {
   virtual bool sweeps_free(std::span<const double> q_from, std::span<const double> q_to) = 0;
   /// All that is on the site but the robot, as it stands now: for ways in the plan view.
   virtual std::vector<Thing> things() const { return {}; }
+  /// What comes nearest within `range` (m) to anything that the robot can move, if it stands at q.
+  virtual Nearness nearest(std::span<const double>, double, const PairsLeftOut&) {
+    return {std::numeric_limits<double>::infinity(), {}, {}};
+  }
   /// The next node for a vehicle of a fleet, which it may enter now and holds from now on.
   virtual LaneAnswer next_node(const LaneQuestion&) {
     LaneAnswer answer;
@@ -104,6 +120,12 @@ class Space {
   bool leg_is_free(std::span<const double> a, std::span<const double> b);
   /// Tests a way again by the very steps that `follow` makes.
   bool steps_are_free(std::span<const double> q, const std::vector<Point>& way);
+  /// A way of a vehicle that steers, with the ends of the chords that its arcs are driven in; of
+  /// any other the way itself.
+  std::vector<Point> with_chords(const std::vector<Point>& way) const;
+  Nearness nearest(std::span<const double> point, double range, const PairsLeftOut& left_out) {
+    return tests_.nearest(configuration(point), range, left_out);
+  }
   /// From now on legs are tested by the steps of `follow`.
   void test_by_steps() { by_steps_ = true; }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "src/motion/guides/space.hpp"
@@ -38,6 +39,7 @@ class Tree {
 
   /// Of equally near nodes the first.
   int nearest(std::span<const double> point) const {
+    if (space_.leg().steers()) return nearest_steered(point);
     int best = 0;
     double least = std::numeric_limits<double>::infinity();
     const bool quick = reduced_ && is_reduced(point);
@@ -48,6 +50,13 @@ class Tree {
       best = static_cast<int>(i);
     }
     return best;
+  }
+
+  /// Its legs, parent first, behind those of others.
+  void tell(std::vector<std::pair<Point, Point>>& legs) const {
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (parents_[i] >= 0) legs.emplace_back(point(parents_[i]), points_[i]);
+    }
   }
 
   /// From the root to a node.
@@ -64,6 +73,29 @@ class Tree {
       if (!(std::fabs(point[d]) <= half_turns_[d])) return false;
     }
     return true;
+  }
+
+  /// By the ways that a vehicle steers. None is shorter than the straight line between two places:
+  /// where that is farther than the nearest so far the way is not looked for.
+  int nearest_steered(std::span<const double> point) const {
+    int best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    const std::vector<int>& parameters = space_.leg().parameters();
+    const auto place = space_.leg().place();
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      double square = 0;
+      for (std::size_t d = 0; d < point.size(); ++d) {
+        if (parameters[d] != place[0] && parameters[d] != place[1]) continue;
+        const double off = (point[d] - points_[i][d]) * kWeightOfPlace;
+        square += off * off;
+      }
+      if (std::sqrt(square) >= least) continue;
+      const double distance = space_.distance(points_[i], point);
+      if (distance >= least) continue;
+      least = distance;
+      best = static_cast<int>(i);
+    }
+    return best;
   }
 
   /// The square of the distance from a node, both reduced: what `Space::offset` says, without
@@ -89,6 +121,9 @@ class Tree {
     }
     return sum;
   }
+
+  /// Of a metre, in distances of a vehicle that steers.
+  static constexpr double kWeightOfPlace = 10;
 
   const Space& space_;
   std::vector<double> weights_;

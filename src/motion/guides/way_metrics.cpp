@@ -33,10 +33,20 @@ double piece_time(const robot::RobotModel& model, const Leg& leg, std::span<cons
                   std::span<const double> next, bool loaded) {
   double time = 0;
   if (leg.is_there(q, next)) return time;
-  for (const int i : leg.parameters()) {
+  const auto speed_of = [&](int i) {
     const robot::Parameter& p = model.parameters[at(i)];
-    const double speed = loaded ? p.loaded_speed : p.speed;
-    if (!(speed > 0)) continue;
+    return loaded ? p.loaded_speed : p.speed;
+  };
+  const auto place = leg.place();
+  if (leg.steers() && speed_of(leg.drive()) > 0) {
+    const double dx = next[at(place[0])] - q[at(place[0])];
+    const double dy = next[at(place[1])] - q[at(place[1])];
+    time = std::sqrt(dx * dx + dy * dy) / speed_of(leg.drive());
+  }
+  for (const int i : leg.parameters()) {
+    const double speed = speed_of(i);
+    const bool driven = leg.steers() && (i == place[0] || i == place[1]);
+    if (!(speed > 0) || driven) continue;
     time = std::max(time, std::fabs(next[at(i)] - q[at(i)]) / speed);
   }
   return time;
@@ -56,9 +66,10 @@ double leg_time(const robot::RobotModel& model, const Leg& leg, std::span<const 
 }
 
 WayMetrics way_metrics(const robot::RobotModel& model, const robot::Mounting& mounting,
-                       const std::vector<std::vector<double>>& way, bool loaded) {
+                       const std::vector<std::vector<double>>& way, bool loaded,
+                       double turn_radius) {
   WayMetrics metrics;
-  const Leg leg(model, mounting);
+  const Leg leg(model, mounting, {}, turn_radius);
   std::vector<double> before;  // unit direction of the leg before
   for (std::size_t k = 0; k + 1 < way.size(); ++k) {
     metrics.motion_time += leg_time(model, leg, way[k], way[k + 1], loaded);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "src/motion/guides/vehicle.hpp"
+#include "src/results/comparison/looked_at.hpp"
 #include "src/simulation/site/make_site.hpp"
 #include "src/simulation/site/robot_view.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
@@ -13,37 +14,6 @@
 namespace rubicon::comparison {
 
 namespace {
-
-using interpreter::HitPair;
-using interpreter::MotionStep;
-
-/// A world that is looked at: no step is made.
-class LookedAt : public interpreter::World {
- public:
-  explicit LookedAt(const interpreter::World& world) : world_(world) {}
-  std::optional<HitPair> propose(const MotionStep&) override { return HitPair{}; }
-  std::optional<HitPair> refusal(const MotionStep& step) const override {
-    return world_.refusal(step);
-  }
-  double free_distance(std::span<const double> q, double heading_deg, double range) const override {
-    return world_.free_distance(q, heading_deg, range);
-  }
-  bool is_met_moving(std::span<const double> q, double heading_deg, double range) const override {
-    return world_.is_met_moving(q, heading_deg, range);
-  }
-  std::optional<HitPair> blocked_at(std::span<const double> q) const override {
-    return world_.blocked_at(q);
-  }
-  std::uint64_t version() const override { return world_.version(); }
-  bool situation(const std::string& name, std::span<const double> q,
-                 std::span<const double> q_goal) const override {
-    return world_.situation(name, q, q_goal);
-  }
-  bool loaded() const override { return world_.loaded(); }
-
- private:
-  const interpreter::World& world_;
-};
 
 /// What the first guide of a motion says.
 class FirstPlan : public interpreter::EventSink {

@@ -151,6 +151,8 @@ void RecordingReader::fill(Event& event, const trace::GuidePlan& plan) {
   event.value = plan.checks;
 }
 
+void RecordingReader::fill(Event& event, const trace::Think& think) { event.n = think.checks; }
+
 void RecordingReader::fill(Event& event, const trace::WayPoint& point) {
   event.n = point.k;
   event.value = point.n;

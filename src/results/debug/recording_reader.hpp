@@ -48,6 +48,7 @@ class RecordingReader : public trace::TraceSink {
   void fill(Event& event, const trace::MotionEnd& end);
   void fill(Event& event, const trace::TaskEnd& end);
   void fill(Event&, const trace::Stop&) {}
+  void fill(Event& event, const trace::Think& think);
   void fill(Event&, const trace::Moving&) {}  // of no task, as the next two
   void fill(Event&, const trace::Breakdown&) {}
   void fill(Event&, const trace::LostDays&) {}

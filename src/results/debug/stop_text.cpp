@@ -154,6 +154,8 @@ std::string record_text(const Recording& recording, const TaskRun& run, const Ev
       return fmt::format("{} is turned by {:.6g} degrees about the vertical", text, event.value);
     case EventKind::stop:
       return "the machine comes to a stop";
+    case EventKind::think:
+      return fmt::format("the guide has thought: {} checks", event.n);
     case EventKind::guide:
       return event.ok ? fmt::format("guide {} has a way ({} nodes, {} checks)", text, event.n,
                                     event.value)

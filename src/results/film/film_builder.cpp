@@ -207,6 +207,8 @@ void FilmBuilder::write(const trace::Wait&, int run) { tracks_->stand(run, runs_
 
 void FilmBuilder::write(const trace::Stop&, int run) { tracks_->stand(run, runs_[run].last); }
 
+void FilmBuilder::write(const trace::Think&, int run) { tracks_->stand(run, runs_[run].last); }
+
 void FilmBuilder::write(const trace::GuidePlan& plan, int) {
   columns_.guide_name.add(string(plan.name));
   columns_.guide_kind.add(string(plan.kind));

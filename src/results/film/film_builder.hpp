@@ -46,6 +46,7 @@ class FilmBuilder {
   void write(const trace::MotionEnd& end, int run);
   void write(const trace::TaskEnd& end, int run);
   void write(const trace::Stop& stop, int run);
+  void write(const trace::Think& think, int run);
   void write(const trace::GuidePlan& plan, int run);
   void write(const trace::WayPoint& point, int run);
   void write(const trace::Turn& turn, int run);

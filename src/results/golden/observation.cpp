@@ -96,6 +96,7 @@ struct GoldenMembers {
   }
   void operator()(const trace::Wait& wait) const { event["n"] = wait.n; }
   void operator()(const trace::Stop& stop) const { event["time"] = time_json(stop.t); }
+  void operator()(const trace::Think& think) const { event["time"] = time_json(think.t); }
   void operator()(const trace::GuidePlan& plan) const {
     event["name"] = plan.name;
     event["found"] = plan.found;
@@ -166,7 +167,7 @@ const trace::RecordKinds kWanted = {
     trace::RecordKind::attempt,    trace::RecordKind::wait,  trace::RecordKind::attach,
     trace::RecordKind::detach,     trace::RecordKind::end,   trace::RecordKind::task_end,
     trace::RecordKind::stop,       trace::RecordKind::guide, trace::RecordKind::way_point,
-    trace::RecordKind::soil,       trace::RecordKind::turn};
+    trace::RecordKind::soil,       trace::RecordKind::turn,  trace::RecordKind::think};
 
 }  // namespace
 
@@ -259,6 +260,10 @@ void Observation::write_event(const trace::Record&, const trace::Wait& wait) {
 
 void Observation::write_event(const trace::Record&, const trace::Stop& stop) {
   write(fmt::format("stop, at {} s", brief(trace::seconds(stop.t))));
+}
+
+void Observation::write_event(const trace::Record&, const trace::Think& think) {
+  write(fmt::format("think, until {} s", brief(trace::seconds(think.t))));
 }
 
 void Observation::write_event(const trace::Record&, const trace::GuidePlan& plan) {

@@ -66,6 +66,7 @@ class Observation : public trace::TraceSink {
   void write_event(const trace::Record& record, const trace::Attempt& attempt);
   void write_event(const trace::Record& record, const trace::Wait& wait);
   void write_event(const trace::Record& record, const trace::Stop& stop);
+  void write_event(const trace::Record& record, const trace::Think& think);
   void write_event(const trace::Record& record, const trace::GuidePlan& plan);
   void write_event(const trace::Record& record, const trace::WayPoint& point);
   void write_event(const trace::Record& record, const trace::Attach& attach);

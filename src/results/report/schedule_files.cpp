@@ -102,6 +102,7 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   json.key("machine").seconds(task.waits.machine).key("shift").seconds(task.waits.shift);
   if (schedule.breaks_down) json.key("repair").seconds(task.waits.repair);
   json.end_object();
+  if (task.thinking > 0) json.key("thinking").seconds(task.thinking);
   if (schedule.costed) json.field("cost", task.cost);
   json.field("tried", task.tried).field("accepted", task.accepted);
   json.field("result", name_of(task.result)).field("reason", std::string_view(task.reason));
@@ -314,13 +315,25 @@ std::string schedule_json(const Schedule& schedule) {
   return text + "}\n";
 }
 
+namespace {
+
+/// Whether a guide took time to think.
+bool has_thought(const Schedule& schedule) {
+  return std::any_of(schedule.tasks.begin(), schedule.tasks.end(),
+                     [](const TaskOutcome& task) { return task.thinking > 0; });
+}
+
+}  // namespace
+
 std::string schedule_csv(const Schedule& schedule) {
   const AttributeColumns attributes(schedule);
+  const bool thinks = has_thought(schedule);
   std::string text = fmt::format(
       "task,robot,crew,start,duration,tried,accepted,result,reason,motion,work,waited_predecessor,"
       "waited_resource,waited_machine,waited_shift,cost,begins,ends,due,late,baseline_start,"
-      "baseline_finish,total_float,free_float,{}{}\n",
-      AttributeColumns::kNames, schedule.breaks_down ? ",waited_repair" : "");
+      "baseline_finish,total_float,free_float,{}{}{}\n",
+      AttributeColumns::kNames, schedule.breaks_down ? ",waited_repair" : "",
+      thinks ? ",thinking" : "");
   for (const TaskOutcome& task : schedule.tasks) {
     const auto date_field = [&](interpreter::Ticks time) {
       return schedule.start_at ? date_text(*schedule.start_at, time) : std::string();
@@ -329,7 +342,7 @@ std::string schedule_csv(const Schedule& schedule) {
       return time ? seconds_text(*time) : std::string();
     };
     text += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}{}\n",
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}{}{}\n",
         csv_field(task.task), csv_field(task.robot), csv_field(crew_text(task)),
         seconds_text(task.start), seconds_text(task.duration), task.tried, task.accepted,
         name_of(task.result), csv_field(task.reason), seconds_text(task.motion_time),
@@ -342,7 +355,8 @@ std::string schedule_csv(const Schedule& schedule) {
         task.baseline ? seconds_text(task.baseline->finish) : std::string(),
         task.floats ? seconds_text(task.floats->total) : std::string(),
         task.floats ? seconds_text(task.floats->free) : std::string(), attributes.of(task),
-        schedule.breaks_down ? "," + seconds_text(task.waits.repair) : std::string());
+        schedule.breaks_down ? "," + seconds_text(task.waits.repair) : std::string(),
+        thinks ? "," + seconds_text(task.thinking) : std::string());
   }
   return text;
 }

@@ -74,6 +74,7 @@ TaskOutcome read_task(const ExactJson& json) {
   task.waits = {waits.at("predecessor").ticks(), waits.at("resource").ticks(),
                 waits.at("machine").ticks(), waits.at("shift").ticks()};
   if (waits.has("repair")) task.waits.repair = waits.at("repair").ticks();
+  if (json.has("thinking")) task.thinking = json.at("thinking").ticks();
   if (json.has("cost")) task.cost = amount(json.at("cost"));
   task.tried = json.at("tried").integer();
   task.accepted = json.at("accepted").integer();

@@ -94,6 +94,19 @@ std::string task_table(const Schedule& schedule) {
   return columns(rows, right);
 }
 
+/// What of the motion of tasks is execution and what is computation, where guides think.
+std::string thinking_text(const Schedule& schedule) {
+  std::string text;
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (task.thinking == 0) continue;
+    text +=
+        fmt::format("{}: motion {} s is {} s of execution and {} s of computation by its guide\n",
+                    task.task, seconds_text(task.motion_time),
+                    seconds_text(task.motion_time - task.thinking), seconds_text(task.thinking));
+  }
+  return text;
+}
+
 std::string total_line(const Schedule& schedule) {
   std::string text = count_text(count_tasks(schedule));
   text += fmt::format(", process time {} ({} s)", clock_text(schedule.process_time),
@@ -468,8 +481,8 @@ std::string moment_text(const schedule::CivilTime& start_at, Ticks time) {
 }
 
 std::string schedule_table(const Schedule& schedule) {
-  std::string text = task_table(schedule) + "\n" + total_line(schedule) + sample_text(schedule) +
-                     chance_text(schedule);
+  std::string text = task_table(schedule) + thinking_text(schedule) + "\n" + total_line(schedule) +
+                     sample_text(schedule) + chance_text(schedule);
   const auto add = [&text](const std::string& table) {
     if (!table.empty()) text += "\n" + table;
   };

@@ -32,6 +32,8 @@ class RobotView : public interpreter::World {
   bool situation(const std::string& name, std::span<const double> q,
                  std::span<const double> q_goal) const override;
   std::vector<guides::Thing> things() const override { return site_.things(index_); }
+  guides::Nearness nearest(std::span<const double> q, double range,
+                           const guides::PairsLeftOut& left_out) const override;
   guides::LaneAnswer next_node(const guides::LaneQuestion& question,
                                std::optional<interpreter::HitPair>& before) override {
     return site_.next_node(index_, question, before);
@@ -45,6 +47,7 @@ class RobotView : public interpreter::World {
   std::optional<interpreter::HitPair> turn_hit(double angle_deg, Ticks until) const;
 
  private:
+  bool is_ever_moved(int part) const;
   const SiteRobot& robot() const { return site_.robot(index_); }
   std::optional<interpreter::HitPair> swept_hit(const interpreter::MotionStep& step) const;
   bool look_ahead(const interpreter::MotionStep& step) const;
@@ -75,6 +78,7 @@ class RobotView : public interpreter::World {
   int index_;
   mutable collision::ClearanceBudget budget_;  ///< never changes an answer
   mutable FreeLine line_;                      ///< nor does this: what lies on it is free
+  mutable std::vector<bool> moved_bodies_;     ///< those that a step of it can move; found once
 };
 
 }  // namespace rubicon::site

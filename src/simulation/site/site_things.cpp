@@ -52,4 +52,18 @@ std::vector<guides::Thing> SiteWorld::things(int robot) const {
   return things;
 }
 
+std::vector<SiteWorld::NamedPart> SiteWorld::parts_of_others(int robot) const {
+  std::vector<NamedPart> parts;
+  for (int i = 0; i < static_cast<int>(robots_.size()); ++i) {
+    if (i == robot) continue;
+    const RobotEntry& other = entry(i);
+    for (ReservedPart& part : reserved_parts(other)) {
+      if (part.is_buffer) continue;
+      std::string name = part_name(other, part.part);
+      parts.push_back({std::move(name), std::move(part)});
+    }
+  }
+  return parts;
+}
+
 }  // namespace rubicon::site

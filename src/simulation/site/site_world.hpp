@@ -204,6 +204,13 @@ class SiteWorld {
   /// All of it but the robot and what hangs on it, where it is now.
   std::vector<guides::Thing> things(int robot) const;
 
+  /// What belongs to other machines now, by name; buffers left out.
+  struct NamedPart {
+    std::string name;
+    ReservedPart part;
+  };
+  std::vector<NamedPart> parts_of_others(int robot) const;
+
   // site_traffic.cpp: the vehicles of fleets
   /// The traffic of a network and the robots that drive there, to each vehicle.
   void add_network(std::string name, traffic::Traffic traffic, std::vector<int> robots);

@@ -69,6 +69,10 @@ void HitRecorder::wait(int n, interpreter::Ticks time, interpreter::Span span) {
   if (next_) next_->wait(n, time, span);
 }
 
+void HitRecorder::think(const interpreter::Thinking& thinking) {
+  if (next_) next_->think(thinking);
+}
+
 void HitRecorder::stop(interpreter::Ticks time) {
   if (next_) next_->stop(time);
 }

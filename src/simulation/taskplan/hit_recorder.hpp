@@ -60,6 +60,7 @@ class HitRecorder : public interpreter::EventSink {
   void attempt(const interpreter::Attempt& attempt) override;
   void wait(int n, interpreter::Ticks time, interpreter::Span span) override;
   void stop(interpreter::Ticks time) override;
+  void think(const interpreter::Thinking& thinking) override;
 
  private:
   interpreter::EventSink* next_;

@@ -306,6 +306,7 @@ Step MotionActivity::end_motion(ActiveTask& task, Stage& stage) {
   made.purpose = task.now().purpose;
   made.start = machine_start_;
   made.end = machine_->end();
+  task.account.outcome.thinking += machine_->thinking();
   machine_.reset();
   TaskOutcome& outcome = task.account.outcome;
   outcome.tried += made.end.tries;

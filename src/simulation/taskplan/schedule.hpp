@@ -106,6 +106,7 @@ struct TaskOutcome {
   Ticks start = 0;
   Ticks duration = 0;     ///< to its finish; nights included
   Ticks motion_time = 0;  ///< of the duration, what motions took
+  Ticks thinking = 0;     ///< of `motion_time`, what its guides took to think
   Ticks work_time = 0;    ///< of the duration, what crews took
   WaitTimes waits;        ///< with motion_time and work_time this adds up to start + duration
   double cost =

@@ -61,6 +61,7 @@ Schedule run_short(const interpreter::PlanModel& plan, const interpreter::Source
   outcome.task = plan.name;
   outcome.robot = plan.robots[0].name;
   outcome.duration = outcome.motion_time = end.time;
+  outcome.thinking = machine.thinking();
   outcome.tried = end.tries;
   outcome.accepted = end.accepted;
   if (!end.reached) {

@@ -68,7 +68,7 @@ bool Simulation::apply_rejection() {
   }
   outcome.result = TaskResult::rejected;
   outcome.reason = rejection.reason;
-  outcome.duration = outcome.motion_time = outcome.work_time = 0;
+  outcome.duration = outcome.motion_time = outcome.work_time = outcome.thinking = 0;
   outcome.holds.clear();
   outcome.lift.reset();
   outcome.waits = {};

@@ -189,6 +189,12 @@ struct GuidePlan {
   Ticks t = 0;
 };
 
+/// A guide thought about what it has planned; its robot stood meanwhile.
+struct Think {
+  int checks = 0;  ///< of the plan
+  Ticks t = 0;     ///< when it is over
+};
+
 /// The script begins at waypoint k of the n of its guide's way.
 struct WayPoint {
   int k = 0;
@@ -258,7 +264,7 @@ struct Record {
   using What =
       std::variant<TaskStart, GoalStart, Assignment, LoopStart, LoopEnd, Choice, Attempt, Wait,
                    Work, Pause, Attach, Detach, Removal, MotionEnd, TaskEnd, Stop, GuidePlan,
-                   WayPoint, Turn, Moving, ColdJoint, Breakdown, LostDays, Soil>;
+                   WayPoint, Turn, Moving, ColdJoint, Breakdown, LostDays, Soil, Think>;
 
   std::string_view task;
   std::string_view robot;  ///< "": crew work

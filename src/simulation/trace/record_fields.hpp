@@ -167,6 +167,13 @@ struct RecordFields<Stop> {
 };
 
 template <>
+struct RecordFields<Think> {
+  static constexpr RecordKind kKind = RecordKind::think;
+  static constexpr auto kFields =
+      std::tuple(required<&Think::checks>("checks"), required<&Think::t>("t"));
+};
+
+template <>
 struct RecordFields<GuidePlan> {
   static constexpr RecordKind kKind = RecordKind::guide;
   static constexpr auto kFields = std::tuple(

@@ -295,16 +295,22 @@ void write_clauses(JsonBuilder& json, const PlanModel& plan, int robot,
   json.end_array();
 }
 
-/// What guides keep on their ways; nothing where none keeps anything.
+/// What guides keep on their ways, how they steer, what thinking takes; nothing where none does any
+/// of it.
 void write_kept(JsonBuilder& json, const PlanModel& plan, int robot,
                 const std::vector<guides::GuideSpec>& guides) {
-  const auto keeps = [](const guides::GuideSpec& guide) { return !guide.keep.empty(); };
+  const auto keeps = [](const guides::GuideSpec& guide) {
+    return !guide.keep.empty() || guide.turn_radius > 0 || guide.thinks > 0;
+  };
   if (std::none_of(guides.begin(), guides.end(), keeps)) return;
   const robot::RobotModel& model = plan.robots[static_cast<std::size_t>(robot)].robot->model;
   json.key("guides").begin_array();
   for (const guides::GuideSpec& guide : guides) {
     if (!keeps(guide)) continue;
-    json.begin_object().field("name", guide.name).key("keep").begin_array();
+    json.begin_object().field("name", guide.name);
+    if (guide.turn_radius > 0) json.field("turn_radius", guide.turn_radius);
+    if (guide.thinks > 0) json.field("thinks", guide.thinks);
+    json.key("keep").begin_array();
     for (const guides::KeptBound& bound : guide.keep) {
       json.begin_object().key("sum");
       write_values(json, model, bound.terms);

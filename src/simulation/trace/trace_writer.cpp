@@ -527,6 +527,14 @@ void TraceWriter::attempt(const interpreter::Attempt& attempt) {
   finish();
 }
 
+void TraceWriter::think(const interpreter::Thinking& thinking) {
+  begin("think");
+  fmt::format_to(std::back_inserter(line_), ",\"checks\":{}", thinking.checks);
+  line_ += ",\"t\":";
+  append_seconds(line_, thinking.time);
+  finish();
+}
+
 void TraceWriter::wait(int n, interpreter::Ticks time, interpreter::Span) {
   if (!steps()) return;
   begin("wait");

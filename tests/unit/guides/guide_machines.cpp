@@ -88,6 +88,25 @@ robot::RobotModel vehicle() {
   return model;
 }
 
+robot::RobotModel steered_vehicle() {
+  robot::RobotModel model = vehicle();
+  for (const int place : {0, 1}) {
+    robot::Parameter& p = model.parameters[static_cast<std::size_t>(place)];
+    p.rule = of({{Kind::parameter, place, 0},
+                 {Kind::step, 0, 0},
+                 {Kind::parameter, 2, 0},
+                 {Kind::step, 2, 0},
+                 {Kind::constant, 0, 2},
+                 {Kind::divide, 0, 0},
+                 {Kind::add, 0, 0},
+                 {place == 0 ? Kind::cos : Kind::sin, 0, 0},
+                 {Kind::multiply, 0, 0},
+                 {Kind::add, 0, 0}});
+  }
+  model.parameters[2].direct = false;
+  return model;
+}
+
 robot::RobotModel excavator() {
   robot::RobotModel model;
   model.name = "excavator";

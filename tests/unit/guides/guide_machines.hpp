@@ -13,6 +13,9 @@ robot::RobotModel gantry();
 /// x along the heading theta, as a tow motor drives; steps of 0.5 m and 10 degrees.
 robot::RobotModel vehicle();
 
+/// The same, but it turns while it drives: along the chord of an arc.
+robot::RobotModel steered_vehicle();
+
 /// The excavator of PLANNERS 5.1: swing, boom, stick and bucket (inner angles), limits and speeds
 /// of the ZX200; the tool is the tip.
 robot::RobotModel excavator();

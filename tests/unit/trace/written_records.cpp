@@ -128,6 +128,7 @@ std::vector<std::string> written_records() {
   write_ends(writer);
   writer.task_end(2'500'000'000, "not reached", "a \"b\"");
   writer.stop(2 * kSecond);
+  writer.think({321, 3 * kSecond});
   guides::PlanReport report;
   report.way = {{1, 2}, {3, 4.5}};
   report.metrics = {0.5, 2.5, 12};

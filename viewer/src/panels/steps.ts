@@ -153,7 +153,7 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
       case 'task_end': return runs.isRefused(trail.run) ? 'event refused' : 'event';
       case 'guide': return film.text(record, 'guide.cause') ? 'event warn' : 'event';
       case 'task_start': case 'goal': case 'way_point': case 'attach': case 'detach': case 'remove': case 'work': case 'turn': return 'event';
-      case 'pause': case 'wait': case 'stop': return 'idle';
+      case 'pause': case 'wait': case 'stop': case 'think': return 'idle';
       default: return '';
     }
   }

@@ -218,10 +218,12 @@ SceneGuides read_guides(const JsonFields& fields, const SceneRobot& robot) {
   SceneGuides guides;
   for (const Json& object : list_or_empty(fields, "guides")) {
     const JsonFields guide(object, "a guide");
-    std::vector<SceneKept>& keep = guides[guide.text("name")];
+    SceneGuide& its = guides[guide.text("name")];
+    if (guide.has("turn_radius")) its.turn_radius = guide.number("turn_radius");
+    if (guide.has("thinks")) its.thinks = guide.number("thinks");
     for (const Json& bound : guide.array("keep")) {
       const JsonFields kept(bound, "what a guide keeps");
-      keep.push_back({read_values(kept.object("sum"), robot), kept.number("most")});
+      its.keep.push_back({read_values(kept.object("sum"), robot), kept.number("most")});
     }
   }
   return guides;

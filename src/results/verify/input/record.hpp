@@ -48,6 +48,12 @@ struct GuidePlan {
   std::string name;
   std::vector<std::vector<double>> way;  ///< where it begins, its waypoints; all parameters
   double motion_time = 0;                ///< s
+  int checks = 0;
+};
+
+/// The guide thought about a plan of so many checks, from the record before it.
+struct Think {
+  int checks = 0;
 };
 
 /// The script begins for waypoint k of the n of its guide.
@@ -135,7 +141,7 @@ struct Record {
   int robot = -1;  ///< -1: crew work
   Ticks time = 0;  ///< when it is over
   std::variant<TaskStart, Goal, Try, Wait, Stop, Work, Pause, LoadChange, LoadTurn, MotionEnd,
-               TaskEnd, GuidePlan, WayPoint, ColdJoint, SoilTaken>
+               TaskEnd, GuidePlan, WayPoint, ColdJoint, SoilTaken, Think>
       what;
 };
 

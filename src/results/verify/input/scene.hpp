@@ -259,8 +259,14 @@ struct SceneKept {
   double most = 0;
 };
 
-/// By the name of the guide; of those that keep something.
-using SceneGuides = std::map<std::string, std::vector<SceneKept>>;
+/// A guide that keeps something, steers or thinks.
+struct SceneGuide {
+  std::vector<SceneKept> keep;
+  double turn_radius = 0;  ///< m: its way has no narrower turn; 0: anything
+  double thinks = 0;       ///< s for each check
+};
+/// By name.
+using SceneGuides = std::map<std::string, SceneGuide>;
 
 struct SceneTask {
   std::string name;

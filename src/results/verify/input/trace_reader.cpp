@@ -53,6 +53,8 @@ class RecordReader {
       record_.what = Wait{fields_.integer("n")};
     } else if (type == "stop") {
       record_.what = Stop{};
+    } else if (type == "think") {
+      record_.what = Think{fields_.integer("checks")};
     } else if (type == "guide") {
       record_.what = read_guide();
     } else if (type == "work") {
@@ -134,6 +136,7 @@ class RecordReader {
       plan.way.back().push_back(values[i].get<double>());
     }
     plan.motion_time = fields_.number("motion_time");
+    plan.checks = fields_.integer("checks");
     return plan;
   }
 

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <optional>
 #include <utility>
 
+#include "src/motion/math/angles.hpp"
 #include "src/motion/math/index.hpp"
 #include "src/motion/math/turns.hpp"
 #include "src/results/verify/replay/step_rules.hpp"
@@ -24,8 +27,14 @@ class GuideCheck {
   void check() {
     for (const int index : run_.records) {
       record_ = &trace_.records[at(index)];
+      if (!std::holds_alternative<Think>(record_->what) &&
+          !std::holds_alternative<Stop>(record_->what)) {
+        expect_thought();
+      }
       if (const auto* plan = std::get_if<GuidePlan>(&record_->what)) {
         begin(*plan);
+      } else if (const auto* thought = std::get_if<Think>(&record_->what)) {
+        follow(*thought);
       } else if (const auto* point = std::get_if<WayPoint>(&record_->what)) {
         begin(*point);
       } else if (const auto* attempt = std::get_if<Try>(&record_->what)) {
@@ -37,7 +46,9 @@ class GuideCheck {
         way_.clear();
         next_ = 0;
       }
+      before_ = record_->time;
     }
+    expect_thought();
   }
 
  private:
@@ -54,18 +65,134 @@ class GuideCheck {
     way_ = plan.way;
     next_ = 0;
     check_kept(plan);
+    check_steering(plan);
+    const SceneGuide* const guide = guide_of(plan);
+    thinks_ = guide != nullptr ? guide->thinks : 0;
+    if (thinks_ > 0) checks_ = plan.checks;
     // Where the robot stands then is judged with its track.
     if (!way_.empty()) q_ = way_.front();
   }
 
-  /// Sums that are kept at both ends of a straight leg are kept all along it.
-  void check_kept(const GuidePlan& plan) {
-    if (run_.task < 0) return;
+  const SceneGuide* guide_of(const GuidePlan& plan) const {
+    if (run_.task < 0) return nullptr;
     const SceneGuides& guides = trace_.scene.tasks[at(run_.task)].guides;
     const auto guide = guides.find(plan.name);
-    if (guide == guides.end()) return;
+    return guide == guides.end() ? nullptr : &guide->second;
+  }
+
+  static Ticks ticks_of(double seconds) {
+    return static_cast<Ticks>(std::llround(seconds * static_cast<double>(kSecond)));
+  }
+
+  /// What a plan takes is thought before anything else happens; less than half a tick is nothing.
+  void expect_thought() {
+    if (checks_ > 0 && ticks_of(thinks_ * checks_) > 0) {
+      fault(FaultKind::clock, "its guide planned, and did not think");
+    }
+    checks_ = 0;
+  }
+
+  void follow(const Think& thought) {
+    const Ticks expected = ticks_of(thinks_ * checks_);
+    if (checks_ == 0 || thought.checks != checks_) {
+      fault(FaultKind::order, fmt::format("its guide thinks about {} checks where it planned {}",
+                                          thought.checks, checks_));
+    } else if (std::llabs(record_->time - before_ - expected) > kTimeSlack) {
+      fault(FaultKind::clock,
+            fmt::format("{} checks take {:g} s of thinking instead of {:g} s", checks_,
+                        static_cast<double>(record_->time - before_) / kSecond,
+                        static_cast<double>(expected) / kSecond));
+    }
+    checks_ = 0;
+  }
+
+  /// A vehicle that steers: where it is displaced from one point of its way to the next it lies in
+  /// the direction of the mean heading, forwards or backwards, and turns no more than its radius
+  /// allows for that. Which parameters those are the way itself tells: an angle, and the two that
+  /// driving changes.
+  void check_steering(const GuidePlan& plan) {
+    const SceneGuide* const guide = guide_of(plan);
+    if (guide == nullptr || !(guide->turn_radius > 0)) return;
+    const auto vehicle = find_vehicle();
+    if (!vehicle) return;
+    constexpr double kOnChord = 1e-6;  // m
+    for (std::size_t k = 1; k < plan.way.size(); ++k) {
+      const std::vector<double>& from = plan.way[k - 1];
+      const std::vector<double>& to = plan.way[k];
+      const double dx = to[vehicle->x] - from[vehicle->x];
+      const double dy = to[vehicle->y] - from[vehicle->y];
+      const double turned = math::normalised_deg(to[vehicle->heading] - from[vehicle->heading]);
+      const double mean = from[vehicle->heading] + turned / 2 + vehicle->drift_deg;
+      const double beside = dx * math::sin_deg(mean) - dy * math::cos_deg(mean);
+      const double chord = std::sqrt(dx * dx + dy * dy);
+      const double least = 2 * guide->turn_radius * std::fabs(math::sin_deg(turned / 2));
+      if (std::fabs(beside) <= kOnChord && chord + kOnChord >= least) continue;
+      fault(
+          FaultKind::motion,
+          fmt::format("from waypoint {} to {} of its way it turns by {:g} degrees on {:g} m, {:g} "
+                      "m beside its heading: narrower than its radius of {:g} m",
+                      k - 1, k, turned, chord, std::fabs(beside), guide->turn_radius));
+      return;
+    }
+  }
+
+  struct SteeredVehicle {
+    std::size_t x = 0, y = 0, heading = 0;
+    double drift_deg = 0;  ///< the direction that it drives in at heading 0
+  };
+
+  /// By what the rules of the robot make of one step of each parameter.
+  std::optional<SteeredVehicle> find_vehicle() const {
+    const std::size_t n = robot_.parameters.size();
+    for (std::size_t drive = 0; drive < n; ++drive) {
+      for (std::size_t turn = 0; turn < n; ++turn) {
+        const SceneParameter& angle = robot_.parameters[turn];
+        if (turn == drive || angle.derived || !(angle.step > 0)) continue;
+        if (angle.body != robot_.parameters[drive].body || !(robot_.parameters[drive].step > 0)) {
+          continue;
+        }
+        const std::vector<double> ahead = moved_by(drive, turn, 0);
+        const std::vector<double> across = moved_by(drive, turn, 90);
+        std::vector<std::size_t> changed;
+        for (std::size_t i = 0; i < n; ++i) {
+          if (std::fabs(ahead[i]) > kValueSlack || std::fabs(across[i]) > kValueSlack) {
+            changed.push_back(i);
+          }
+        }
+        if (changed.size() != 2) continue;
+        const std::size_t x = changed[0];
+        const std::size_t y = changed[1];
+        if (std::fabs(across[x] + ahead[y]) > kValueSlack ||
+            std::fabs(across[y] - ahead[x]) > kValueSlack) {
+          continue;
+        }
+        return SteeredVehicle{x, y, turn, math::atan2_deg(ahead[y], ahead[x])};
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// What a step of a metre changes at a heading; the others stand at 0.
+  std::vector<double> moved_by(std::size_t drive, std::size_t heading, double heading_deg) const {
+    std::vector<double> q(robot_.parameters.size(), 0.0);
+    std::vector<double> steps(q.size(), 0.0);
+    std::vector<double> change(q.size(), 0.0);
+    q[heading] = heading_deg;
+    steps[drive] = 1;
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      const SceneParameter& p = robot_.parameters[i];
+      if (p.derived || p.body != robot_.parameters[drive].body) continue;
+      change[i] = p.rule.value({q, steps, robot_.starts}) - q[i];
+    }
+    return change;
+  }
+
+  /// Sums that are kept at both ends of a straight leg are kept all along it.
+  void check_kept(const GuidePlan& plan) {
+    const SceneGuide* const guide = guide_of(plan);
+    if (guide == nullptr) return;
     for (std::size_t k = 0; k < plan.way.size(); ++k) {
-      for (const SceneKept& kept : guide->second) {
+      for (const SceneKept& kept : guide->keep) {
         double sum = 0;
         double slack = kValueSlack;
         for (const auto& [parameter, factor] : kept.terms) {
@@ -178,7 +305,10 @@ class GuideCheck {
   Faults& faults_;
   const SceneRobot& robot_;
   std::vector<std::vector<double>> way_;
-  int next_ = 0;  ///< the waypoint that has begun
+  int next_ = 0;       ///< the waypoint that has begun
+  double thinks_ = 0;  ///< s for each check, of the guide that planned last
+  int checks_ = 0;     ///< that it has not thought about yet
+  Ticks before_ = 0;   ///< when the record before this one was over
   double spread_ = 0;
   std::vector<double> q_;  ///< once it is known
   const Record* record_ = nullptr;

@@ -51,6 +51,7 @@ class LineCheck {
         if (!plan->way.empty()) q_ = plan->way.front();
       } else if (!std::holds_alternative<Wait>(record.what) &&
                  !std::holds_alternative<Stop>(record.what) &&
+                 !std::holds_alternative<Think>(record.what) &&
                  !std::holds_alternative<Pause>(record.what)) {
         judge();
       }

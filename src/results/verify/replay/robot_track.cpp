@@ -136,6 +136,7 @@ class TrackBuilder {
   }
 
   void follow(const Wait&) { expect_standing("a wait begins"); }
+  void follow(const Think&) { expect_standing("a guide thinks"); }
   void follow(const Work&) { expect_standing("a work begins"); }
   void follow(const Pause&) { expect_standing("a pause begins"); }
 

@@ -55,6 +55,12 @@ class Bookkeeper {
     steps_.emplace_back(now_, record_->time);
   }
 
+  void add(const Think&) {
+    account_.steps += record_->time - now_;
+    account_.thinking += record_->time - now_;
+    steps_.emplace_back(now_, record_->time);
+  }
+
   void add(const Work& work) {
     account_.work += work.time;
     account_.shift += record_->time - work.from - work.time;

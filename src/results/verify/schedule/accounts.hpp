@@ -20,6 +20,7 @@ struct HeldTime {
 /// Where the time of a task went after its start, and whom it had, added up from its records.
 struct TaskAccount {
   Ticks steps = 0;         ///< of its robot
+  Ticks thinking = 0;      ///< of its guides, which is part of these
   Ticks script_waits = 0;  ///< `wait`s of the script: motion, or waiting for a machine
   int script_wait_count = 0;
   Ticks work = 0;  ///< in shifts

@@ -121,6 +121,7 @@ void check_split(const TaskRun& run, const TaskAccount& account, const ScheduleR
   check.at_least("the wait for machines", split.machine, account.machine);
   check.at_least("the time out of shift", split.shift, account.shift);
   check.exactly("the time under repair", split.repair, account.repair);
+  check.exactly("the thinking of guides", split.thinking, account.thinking);
 }
 
 void check_uses(const Trace& trace, const std::vector<TaskRun>& runs,

@@ -60,6 +60,7 @@ class MachineDoings {
     push(now_, time_ - now_, time_ - now_, false);
     doings_.back().safe = false;  // it is on its way to rest, whatever for
   }
+  void add(const Think&) { push(now_, time_ - now_, time_ - now_, false); }
   void add(const Work& work) { push(work.from, work.time, work.time, work.what == "takes"); }
   void add(const LoadChange& change) {
     if (change.kind == LoadChange::Kind::attach) hangs_ = true;

@@ -73,6 +73,7 @@ class ShiftCheck {
   void follow(const Stop&) {}  // part of the step before it
   void follow(const Try&) { attempt(); }
   void follow(const Wait&) { attempt(); }
+  void follow(const Think&) { attempt(); }
 
   /// Whether at that moment a lift is under way that ends in overtime.
   bool hangs(Ticks time) const {

@@ -137,6 +137,7 @@ ScheduleRow read_row(const JsonFields& fields) {
   row.split = {fields.time("motion"),   fields.time("work"),    waited.time("predecessor"),
                waited.time("resource"), waited.time("machine"), waited.time("shift")};
   if (waited.has("repair")) row.split.repair = waited.time("repair");
+  if (fields.has("thinking")) row.split.thinking = fields.time("thinking");
   row.cost = number_if_any(fields, "cost");
   row.begins = fields.text_or("begins", "");
   row.ends = fields.text_or("ends", "");
@@ -255,6 +256,7 @@ std::vector<ScheduleRow> read_schedule_csv(const std::string& text) {
     row.split = {ticks("motion"),          ticks("work"),           ticks("waited_predecessor"),
                  ticks("waited_resource"), ticks("waited_machine"), ticks("waited_shift")};
     if (columns.contains("waited_repair")) row.split.repair = ticks("waited_repair");
+    if (columns.contains("thinking")) row.split.thinking = ticks("thinking");
     if (!field("cost").empty()) row.cost = number_in(field("cost"), line);
     row.begins = field("begins");
     row.ends = field("ends");

@@ -20,6 +20,7 @@ struct TimeSplit {
   Ticks machine = 0;
   Ticks shift = 0;
   Ticks repair = 0;
+  Ticks thinking = 0;  ///< part of the motion
 };
 
 /// How much later a task could have been.

@@ -92,6 +92,7 @@ class ClockCheck {
   }
 
   void follow(const Stop&) { lasts_until(record_->time); }
+  void follow(const Think&) { lasts_until(record_->time); }
 
   void follow(const Work& work) {
     begins_at(work.from);

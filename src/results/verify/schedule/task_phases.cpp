@@ -116,6 +116,7 @@ class PhaseCheck {
   bool follow(const Try&) { return in_motion("an attempt"); }
   bool follow(const Wait&) { return in_motion("an attempt"); }
   bool follow(const Stop&) { return in_motion("a stop"); }
+  bool follow(const Think&) { return in_motion("the thinking of a guide"); }
   bool follow(const ColdJoint&) { return true; }
 
   bool digs() const { return next_ < phases_.size() && phases_[next_].kind == Phase::Kind::dig; }

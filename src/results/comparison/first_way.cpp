@@ -1,0 +1,86 @@
+#include "src/results/comparison/first_way.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "interpreter/syntax/name_suggestion.hpp"
+#include "src/results/comparison/looked_at.hpp"
+#include "src/simulation/taskplan/run_plan.hpp"
+
+namespace rubicon::comparison {
+
+namespace {
+
+/// What the first plan of a motion says.
+class FirstReport : public interpreter::EventSink {
+ public:
+  void guide(const interpreter::GuidePlan& plan) override {
+    if (report) return;
+    report = *plan.report;
+    cause = plan.cause;
+  }
+  void goal(int, int) override {}
+  void way_point(int, int) override {}
+  void set(const std::string&, double, interpreter::Span) override {}
+  void enter(interpreter::LoopKind, interpreter::Span) override {}
+  void exit(interpreter::LoopKind, interpreter::Span, bool, int) override {}
+  void which(const std::string&, interpreter::Span) override {}
+  void attempt(const interpreter::Attempt&) override {}
+  void wait(int, interpreter::Ticks, interpreter::Span) override {}
+  void stop(interpreter::Ticks) override {}
+
+  std::optional<guides::PlanReport> report;
+  std::string cause;
+};
+
+/// The guide of the task of that kind, or one as it is by default.
+guides::GuideSpec chosen_guide(const std::vector<guides::GuideSpec>& named,
+                               const std::string& kind) {
+  if (kind.empty()) {
+    return named.empty() ? guides::default_guide(guides::GuideKind::rrt_connect) : named.front();
+  }
+  const auto found = guides::find_kind(kind);
+  if (!found) {
+    std::vector<std::string> names;
+    for (const guides::KindInfo& info : guides::guide_kinds()) names.emplace_back(info.name);
+    interpreter::NameSuggestions suggestions;
+    throw std::invalid_argument(fmt::format("unknown kind of guide '{}'{}", kind,
+                                            suggestions.ending(kind, [&] { return names; })));
+  }
+  for (const guides::GuideSpec& spec : named) {
+    if (spec.kind == *found) return spec;
+  }
+  return guides::default_guide(*found);
+}
+
+}  // namespace
+
+void with_first_way(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
+                    const std::string& task, const std::string& kind,
+                    const std::function<void(const FirstWay& way)>& use) {
+  bool used = false;
+  taskplan::RunOptions options;
+  options.detail = trace::TraceDetail::none;
+  options.on_motion = [&](const std::string& name, taskplan::MotionPurpose,
+                          const interpreter::Program& program,
+                          const interpreter::MotionTask& motion, const interpreter::World& world) {
+    if (name != task || used) return;
+    interpreter::MotionTask planned = motion;
+    guides::GuideSpec spec = chosen_guide(motion.guides, kind);
+    spec.tells_tree = true;
+    spec.thinks = 0;
+    planned.guides = {spec};
+    LookedAt looked_at(world);
+    FirstReport first;
+    interpreter::Machine(program, planned).advance(looked_at, &first);
+    if (!first.report) return;
+    used = true;
+    use({program, planned, world, spec, *first.report, first.cause});
+  };
+  taskplan::run_plan(plan, sources, nullptr, options);
+}
+
+}  // namespace rubicon::comparison

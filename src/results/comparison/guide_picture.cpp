@@ -1,0 +1,461 @@
+#include "src/results/comparison/guide_picture.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "src/motion/guides/guide.hpp"
+#include "src/motion/guides/potential.hpp"
+#include "src/motion/math/index.hpp"
+#include "src/motion/robot/turns.hpp"
+#include "src/results/comparison/first_way.hpp"
+#include "src/results/gantt/svg_text.hpp"
+#include "src/results/palette/palette.hpp"
+
+namespace rubicon::comparison {
+
+namespace {
+
+using guides::Point;
+using math::at;
+
+/// Cells along the longer side.
+constexpr int kPictureCells = 120;
+/// Pixels of the longer side, and round the picture.
+constexpr double kPictureSide = 640;
+constexpr double kLeftMargin = 64, kTopMargin = 44, kBottomMargin = 76, kRightMargin = 24;
+/// Bands of the field, and nodes of a lattice whose minima are looked for, at most.
+constexpr int kBands = 14;
+constexpr std::size_t kMostNodes = 40000;
+
+/// The site as a guide asks it, by a robot.
+class SiteTests : public guides::MotionTests {
+ public:
+  SiteTests(const robot::RobotModel& model, const interpreter::World& world)
+      : model_(model), world_(world) {}
+  bool stands(std::span<const double> q) override { return in_range(q) && !world_.blocked_at(q); }
+  bool sweeps_free(std::span<const double> q_from, std::span<const double> q_to) override {
+    return in_range(q_to) && !world_.refusal({q_from, q_to, 0, 0});
+  }
+  std::vector<guides::Thing> things() const override { return world_.things(); }
+  guides::Nearness nearest(std::span<const double> q, double range,
+                           const guides::PairsLeftOut& left_out) override {
+    return world_.nearest(q, range, left_out);
+  }
+
+ private:
+  bool in_range(std::span<const double> q) const {
+    constexpr double kRounding = 1e-9;
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      const robot::Parameter& p = model_.parameters[i];
+      if (!p.cyclic && (q[i] < p.lower - kRounding || q[i] > p.upper + kRounding)) return false;
+    }
+    return true;
+  }
+
+  const robot::RobotModel& model_;
+  const interpreter::World& world_;
+};
+
+/// One of the two parameters of the picture.
+struct PictureAxis {
+  std::size_t coordinate = 0;
+  std::string title;
+  double low = 0, high = 1;
+  double pixels = kPictureSide;
+};
+
+/// A round step of an axis that has some five to ten of them.
+double tick_step(double range) {
+  double step = 1;
+  while (step * 10 < range) step *= 10;
+  while (step > range) step /= 10;
+  if (range / step < 3) return step / 2;
+  return range / step > 8 ? step * 2 : step;
+}
+
+class Picture {
+ public:
+  explicit Picture(const FirstWay& way)
+      : model_(way.program.robot->model),
+        spec_(way.spec),
+        report_(way.report),
+        cause_(way.cause),
+        tests_(model_, way.world),
+        space_(model_, way.motion.mounting, way.motion.q, unbounded(spec_), tests_,
+               way.motion.clauses),
+        start_(space_.point(way.motion.q)),
+        goal_(space_.point(way.report.goal.empty() ? way.motion.q : way.report.goal)) {}
+
+  void choose_axes(const std::vector<std::string>& names) {
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < space_.size(); ++i) all.push_back(space_.parameter(i).display_name);
+    if (all.size() < 2)
+      throw std::invalid_argument("a picture needs two parameters that a leg moves");
+    std::vector<std::size_t> chosen;
+    for (const std::string& name : names) {
+      const auto found = std::find_if(all.begin(), all.end(), [&](const std::string& each) {
+        return each == name || each.ends_with("." + name);
+      });
+      if (found == all.end()) {
+        throw std::invalid_argument(
+            fmt::format("'{}' is no parameter that a leg of the robot "
+                        "moves; these are {}",
+                        name, fmt::join(all, ", ")));
+      }
+      chosen.push_back(static_cast<std::size_t>(found - all.begin()));
+    }
+    for (std::size_t i = 0; i < all.size() && names.empty() && chosen.size() < 2; ++i) {
+      const std::vector<int>& over = spec_.over;
+      const bool spanned = over.size() < 2 || std::find(over.begin(), over.end(),
+                                                        space_.leg().parameters()[i]) != over.end();
+      if (spanned) chosen.push_back(i);
+    }
+    if (chosen.size() != 2 || chosen[0] == chosen[1]) {
+      throw std::invalid_argument(
+          "--axes takes two different parameters, such as boom.phi,stick.phi");
+    }
+    for (std::size_t k = 0; k < 2; ++k) axes_[k] = axis(chosen[k]);
+    fit_scales();
+  }
+
+  std::string svg() {
+    const palette::Drawing& colours = palette::kDrawing;
+    const double width = kLeftMargin + axes_[0].pixels + kRightMargin;
+    const double height = kTopMargin + axes_[1].pixels + kBottomMargin;
+    text_ = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
+        "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"12\" "
+        "fill=\"{2}\">\n<rect width=\"100%\" height=\"100%\" fill=\"{3}\"/>\n",
+        width, height, colours.text, colours.panel);
+    cells();
+    text_ += "<g>\n";
+    tree();
+    way();
+    if (spec_.kind == guides::GuideKind::potential) minima();
+    mark(start_, colours.machine, "start");
+    mark(goal_, colours.critical, "goal");
+    text_ += "</g>\n";
+    frame(width, height);
+    return text_ + "</svg>\n";
+  }
+
+ private:
+  /// The picture asks as often as it has to.
+  static const guides::GuideSpec& unbounded(guides::GuideSpec& spec) {
+    spec.checks = std::numeric_limits<double>::infinity();
+    return spec;
+  }
+
+  PictureAxis axis(std::size_t coordinate) const {
+    const robot::Parameter& p = space_.parameter(coordinate);
+    PictureAxis axis;
+    axis.coordinate = coordinate;
+    axis.title = fmt::format("{}, {}", p.display_name, p.rotation ? "degrees" : "m");
+    axis.low = space_.lower(coordinate);
+    axis.high = space_.upper(coordinate);
+    if (p.rotation) return axis;
+    double low = std::min(start_[coordinate], goal_[coordinate]);
+    double high = std::max(start_[coordinate], goal_[coordinate]);
+    for (const std::vector<double>& q : report_.way) {
+      low = std::min(low, space_.point(q)[coordinate]);
+      high = std::max(high, space_.point(q)[coordinate]);
+    }
+    // Of a wide range what lies about the way.
+    constexpr double kAbout = 0.35;
+    constexpr double kLeastAbout = 2;
+    const double about = std::max(kLeastAbout, kAbout * extent());
+    axis.low = std::max(axis.low, low - about);
+    axis.high = std::min(axis.high, high + about);
+    return axis;
+  }
+
+  /// m, of start, goal and way along the longest of the parameters.
+  double extent() const {
+    double most = 0;
+    for (std::size_t i = 0; i < space_.size(); ++i) {
+      if (space_.parameter(i).rotation) continue;
+      double low = std::min(start_[i], goal_[i]);
+      double high = std::max(start_[i], goal_[i]);
+      for (const std::vector<double>& q : report_.way) {
+        low = std::min(low, space_.point(q)[i]);
+        high = std::max(high, space_.point(q)[i]);
+      }
+      most = std::max(most, high - low);
+    }
+    return most;
+  }
+
+  /// The same metres or degrees are as long on both axes.
+  void fit_scales() {
+    const bool same = space_.parameter(axes_[0].coordinate).rotation ==
+                      space_.parameter(axes_[1].coordinate).rotation;
+    double ranges[2] = {axes_[0].high - axes_[0].low, axes_[1].high - axes_[1].low};
+    if (!same) ranges[1] = ranges[0];
+    const double most = std::max(ranges[0], ranges[1]);
+    for (std::size_t k = 0; k < 2; ++k) {
+      constexpr double kLeastSide = 160;
+      axes_[k].pixels = std::max(kLeastSide, kPictureSide * ranges[k] / most);
+    }
+  }
+
+  double pixel_x(double value) const {
+    return kLeftMargin + (value - axes_[0].low) / (axes_[0].high - axes_[0].low) * axes_[0].pixels;
+  }
+  double pixel_y(double value) const {
+    return kTopMargin + axes_[1].pixels -
+           (value - axes_[1].low) / (axes_[1].high - axes_[1].low) * axes_[1].pixels;
+  }
+  double value(const Point& point, std::size_t k) const { return point[axes_[k].coordinate]; }
+  bool is_shown(const Point& point) const {
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (value(point, k) < axes_[k].low || value(point, k) > axes_[k].high) return false;
+    }
+    return true;
+  }
+
+  /// Where the robot may not stand, and the bands of the field; runs of equal cells are one
+  /// rectangle.
+  void cells() {
+    const double most = std::max(axes_[0].pixels, axes_[1].pixels);
+    const int nx = static_cast<int>(std::ceil(kPictureCells * axes_[0].pixels / most));
+    const int ny = static_cast<int>(std::ceil(kPictureCells * axes_[1].pixels / most));
+    const bool field = spec_.kind == guides::GuideKind::potential;
+    std::optional<guides::PotentialField> potential;
+    if (field) potential.emplace(space_, start_, goal_);
+    std::vector<double> values(at(nx * ny));
+    Point point = start_;
+    for (int j = 0; j < ny; ++j) {
+      for (int i = 0; i < nx; ++i) {
+        point[axes_[0].coordinate] = cell_value(0, i, nx);
+        point[axes_[1].coordinate] = cell_value(1, j, ny);
+        double& here = values[at(j * nx + i)];
+        if (field) {
+          here = potential->value(point);
+        } else {
+          here = space_.stands(point) ? 0 : guides::PotentialField::kBlocked;
+        }
+        if (std::isfinite(here)) highest_ = std::max(highest_, here);
+      }
+    }
+    text_ += "<g shape-rendering=\"crispEdges\">\n";
+    const double w = axes_[0].pixels / nx;
+    const double h = axes_[1].pixels / ny;
+    for (int j = 0; j < ny; ++j) {
+      for (int i = 0; i < nx;) {
+        const std::string fill = colour(values[at(j * nx + i)]);
+        int end = i + 1;
+        while (end < nx && colour(values[at(j * nx + end)]) == fill) ++end;
+        if (!fill.empty()) {
+          text_ += fmt::format(
+              "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/>\n",
+              kLeftMargin + i * w, kTopMargin + axes_[1].pixels - (j + 1) * h, (end - i) * w, h,
+              fill);
+        }
+        i = end;
+      }
+    }
+    text_ += "</g>\n";
+  }
+
+  double cell_value(std::size_t k, int cell, int count) const {
+    return axes_[k].low + (cell + 0.5) / count * (axes_[k].high - axes_[k].low);
+  }
+
+  /// "": the ground.
+  std::string colour(double value) const {
+    if (!std::isfinite(value)) return "#5b6470";
+    if (spec_.kind != guides::GuideKind::potential || !(highest_ > 0)) return {};
+    // Close to obstacles the field is many times what it is elsewhere.
+    const double share = std::sqrt(std::sqrt(value / highest_));
+    const int band = std::min(static_cast<int>(share * kBands), kBands - 1);
+    const double tone = static_cast<double>(band) / (kBands - 1);
+    const auto mixed = [tone](int light, int dark) {
+      return static_cast<int>(std::floor(light + (dark - light) * tone + 0.5));
+    };
+    return fmt::format("#{:02x}{:02x}{:02x}", mixed(0xf4, 0x2c), mixed(0xf8, 0x6a),
+                       mixed(0xfb, 0x9c));
+  }
+
+  void line(const std::vector<Point>& points, const char* style) {
+    std::string path;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      // Past the end of a turn an angle begins at its other end.
+      const bool jumps = i > 0 && jump(points[i - 1], points[i]);
+      path += fmt::format("{}{:.2f} {:.2f}", i == 0 || jumps ? "M" : "L",
+                          pixel_x(value(points[i], 0)), pixel_y(value(points[i], 1)));
+    }
+    text_ += fmt::format("<path d=\"{}\" fill=\"none\" {}/>\n", path, style);
+  }
+
+  bool jump(const Point& a, const Point& b) const {
+    for (const PictureAxis& axis : axes_) {
+      if (space_.parameter(axis.coordinate).cyclic &&
+          std::fabs(a[axis.coordinate] - b[axis.coordinate]) > 180) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void tree() {
+    text_ += fmt::format("<g clip-path=\"url(#frame)\" stroke=\"{}\" stroke-width=\"0.6\">\n",
+                         palette::kDrawing.muted);
+    for (const auto& [from, to] : report_.tree) {
+      line(space_.with_chords({space_.point(from), space_.point(to)}), "");
+    }
+    text_ += "</g>\n";
+  }
+
+  void way() {
+    if (report_.way.empty()) return;
+    std::vector<Point> points;
+    for (const std::vector<double>& q : report_.way) points.push_back(space_.point(q));
+    line(points, fmt::format("stroke=\"{}\" stroke-width=\"2.4\"", palette::kDrawing.bad).c_str());
+  }
+
+  /// Of a lattice over these two parameters: nodes below which none lies that a free leg leads to.
+  void minima() {
+    guides::FieldOnLattice field(space_, start_, goal_);
+    const guides::Lattice& lattice = field.lattice();
+    std::vector<guides::Lattice::Node> nodes = lattice.at_goal();
+    std::set<guides::Lattice::Node> seen(nodes.begin(), nodes.end());
+    for (std::size_t i = 0; i < nodes.size() && nodes.size() < kMostNodes; ++i) {
+      const guides::Lattice::Node node = nodes[i];
+      for (const guides::Lattice::Node& next : lattice.next_to(node)) {
+        if (is_shown(lattice.point(next)) && seen.insert(next).second) nodes.push_back(next);
+      }
+      const double here = field.value(node);
+      if (lattice.is_at_goal(node) || !std::isfinite(here) || field.below(node)) continue;
+      ++minima_;
+      const Point point = lattice.point(node);
+      text_ += fmt::format(
+          "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"3.5\" fill=\"none\" stroke=\"{}\" "
+          "stroke-width=\"1.6\"><title>{}</title></circle>\n",
+          pixel_x(value(point, 0)), pixel_y(value(point, 1)), palette::kDrawing.bad,
+          minimum_text(field.field().nearest(point)));
+    }
+  }
+
+  static std::string minimum_text(const guides::Nearness& near) {
+    if (!std::isfinite(near.distance)) return "minimum";
+    return gantt::xml_text(
+        fmt::format("minimum: {} is {:.2f} m from {}", near.moved, near.distance, near.met));
+  }
+
+  void mark(const Point& point, std::string_view fill, const char* name) {
+    text_ += fmt::format(
+        "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"5\" fill=\"{}\" stroke=\"#ffffff\"/>\n"
+        "<text x=\"{:.2f}\" y=\"{:.2f}\" paint-order=\"stroke\" stroke=\"#ffffff\" "
+        "stroke-width=\"3\">{}</text>\n",
+        pixel_x(value(point, 0)), pixel_y(value(point, 1)), fill, pixel_x(value(point, 0)) + 8,
+        pixel_y(value(point, 1)) - 6, name);
+  }
+
+  void frame(double width, double height) {
+    const palette::Drawing& colours = palette::kDrawing;
+    text_ += fmt::format(
+        "<clipPath id=\"frame\"><rect x=\"{0}\" y=\"{1}\" width=\"{2:.2f}\" "
+        "height=\"{3:.2f}\"/></clipPath>\n<rect x=\"{0}\" y=\"{1}\" width=\"{2:.2f}\" "
+        "height=\"{3:.2f}\" fill=\"none\" stroke=\"{4}\"/>\n",
+        kLeftMargin, kTopMargin, axes_[0].pixels, axes_[1].pixels, colours.line);
+    ticks(0);
+    ticks(1);
+    const double below = kTopMargin + axes_[1].pixels;
+    text_ +=
+        fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"middle\">{}</text>\n",
+                    kLeftMargin + axes_[0].pixels / 2, below + 36, gantt::xml_text(axes_[0].title));
+    text_ += fmt::format(
+        "<text transform=\"translate(14 {:.2f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
+        kTopMargin + axes_[1].pixels / 2, gantt::xml_text(axes_[1].title));
+    text_ += fmt::format("<text x=\"{}\" y=\"20\" font-weight=\"bold\">{}</text>\n", kLeftMargin,
+                         gantt::xml_text(title()));
+    text_ += fmt::format("<text x=\"{}\" y=\"36\" fill=\"{}\">{}</text>\n", kLeftMargin,
+                         colours.muted, gantt::xml_text(legend()));
+    const std::string others = others_text();
+    if (!others.empty()) {
+      text_ += fmt::format("<text x=\"{}\" y=\"{:.2f}\" fill=\"{}\">{}</text>\n", kLeftMargin,
+                           height - 12, colours.muted, gantt::xml_text(others));
+    }
+    static_cast<void>(width);
+  }
+
+  std::string title() const {
+    return fmt::format(
+        "{}: {}", guides::name_of(spec_.kind),
+        report_.found()
+            ? fmt::format("a way of {} waypoint{}, {:.1f} s", report_.way.size() - 1,
+                          report_.way.size() == 2 ? "" : "s", report_.metrics.motion_time)
+            : cause_);
+  }
+
+  std::string legend() const {
+    if (spec_.kind == guides::GuideKind::potential) {
+      return fmt::format("dark: forbidden; blue: the field; rings: its {} minima but the goal",
+                         minima_);
+    }
+    return "dark: forbidden; thin: what was tried; red: the way";
+  }
+
+  /// What stands still in the picture.
+  std::string others_text() const {
+    std::string text;
+    for (std::size_t i = 0; i < space_.size(); ++i) {
+      if (i == axes_[0].coordinate || i == axes_[1].coordinate) continue;
+      text += fmt::format("{}{} {:.4g}", text.empty() ? "forbidden with " : ", ",
+                          space_.parameter(i).display_name, start_[i]);
+    }
+    return text;
+  }
+
+  void ticks(std::size_t k) {
+    const PictureAxis& axis = axes_[k];
+    const double step = tick_step(axis.high - axis.low);
+    for (double n = std::ceil(axis.low / step); n * step <= axis.high; ++n) {
+      const double value = n * step;
+      const double x = k == 0 ? pixel_x(value) : kLeftMargin;
+      const double y = k == 0 ? kTopMargin + axes_[1].pixels : pixel_y(value);
+      text_ += fmt::format("<path d=\"M{:.2f} {:.2f}{}\" stroke=\"{}\"/>\n", x, y,
+                           k == 0 ? "v5" : "h-5", palette::kDrawing.line);
+      text_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\">{:g}</text>\n",
+                           k == 0 ? x : x - 8, k == 0 ? y + 18 : y + 4, k == 0 ? "middle" : "end",
+                           value == 0 ? 0.0 : value);
+    }
+  }
+
+  const robot::RobotModel& model_;
+  guides::GuideSpec spec_;
+  const guides::PlanReport& report_;
+  std::string cause_;
+  SiteTests tests_;
+  guides::Space space_;
+  Point start_;
+  Point goal_;
+  std::array<PictureAxis, 2> axes_;
+  double highest_ = 0;
+  int minima_ = 0;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string guide_picture(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
+                          const std::string& task, const PictureQuery& query) {
+  std::string svg;
+  with_first_way(plan, sources, task, query.kind, [&](const FirstWay& way) {
+    Picture picture(way);
+    picture.choose_axes(query.axes);
+    svg = picture.svg();
+  });
+  return svg;
+}
+
+}  // namespace rubicon::comparison

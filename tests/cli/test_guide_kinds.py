@@ -1,0 +1,185 @@
+"""Guides that think, that steer and that go down a field: what runs, what verify finds in a changed result, and the picture."""
+
+import json
+import math
+import os
+import re
+import unittest
+import xml.etree.ElementTree as xml
+
+from result_case import ResultCase, rubicon
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+TRUCK = os.path.join(HERE, "..", "..", "robots", "truck", "steered_truck.robot")
+PARK = os.path.join(HERE, "..", "..", "robots", "truck", "cases", "park_in_a_bay", "site.plan")
+FIELD = os.path.join(HERE, "..", "..", "examples", "22_down_a_field", "site.plan")
+
+CAR = """robot %s {
+  body car {
+    param x step(0.5) speed(1 m/s) range(-20, 20);
+    param y step(0.5) speed(1 m/s) range(-20, 20);
+    frame trans(x, y, 0);
+    shape box(-0.5, -0.5, 0, 0.5, 0.5, 1);
+  }
+  tool car;
+  behaviour { chain { follow }; }
+}
+"""
+THINKS = """plan p {
+  robot car "car.robot";
+  robot other "other.robot" { start x 6, y 9; }
+  component wall { shape box(-0.5, -6, 0, 0.5, 6, 2); at trans(5, 0, 0); }
+  guide way rrt_connect { seed 3; thinks 100 ms per check; }
+  task over { by car; go x 10, y 0; guide way; }
+}
+"""
+
+
+class GuideKinds(ResultCase):
+    def setUp(self):
+        super().setUp()
+        for name in ("car", "other"):
+            self.write(f"{name}.robot", CAR % name)
+
+    def records(self, *types):
+        with open(os.path.join(self.out, "trace.jsonl"), encoding="utf-8") as file:
+            return [record for record in map(json.loads, file) if record["type"] in types]
+
+    def checked(self, clauses, robot="car.robot", kind="rrt_connect"):
+        path = self.write("bad.plan", f'plan p {{ robot "{robot}"; guide way {kind} {{ {clauses} }} goal x 1; guide way; }}')
+        told = rubicon("check", path)
+        return told.returncode, told.stderr
+
+    def test_thinking_takes_its_time_and_is_told_apart(self):
+        _, tasks = self.run_plan(THINKS)
+        task = tasks["over"]
+        plan, = self.records("guide")
+        think, = self.records("think")
+        self.assertEqual(think["checks"], plan["checks"])
+        self.assertAlmostEqual(think["t"], 0.1 * plan["checks"], places=6)
+        self.assertAlmostEqual(task["thinking"], 0.1 * plan["checks"], places=6)
+        self.assertAlmostEqual(task["motion"] - task["thinking"], plan["motion_time"], delta=0.01)
+        self.assertIn("s of computation by its guide", self.run_result.stdout)
+        with open(os.path.join(self.out, "schedule.csv"), encoding="utf-8") as file:
+            self.assertTrue(file.readline().rstrip().endswith(",thinking"))
+
+    def test_a_way_that_is_blocked_meanwhile_is_planned_again(self):
+        blocked = THINKS.replace("guide way; }\n}", """guide way; }
+  task block { by other; go x 5, y 7.2; }
+}""").replace("-6, 0, 0.5, 6", "-20.5, 0, 0.5, 6").replace("seed 3", "seed 3; replans 4")
+        _, tasks = self.run_plan(blocked)
+        self.assertEqual(tasks["over"]["result"], "done")
+        plans = [plan for plan in self.records("guide") if plan["task"] == "over"]
+        self.assertGreater(len(plans), 1)
+        self.assertAlmostEqual(tasks["over"]["thinking"], sum(0.1 * plan["checks"] for plan in plans), places=6)
+
+    def test_verify_finds_thinking_that_is_none(self):
+        self.run_plan(THINKS)
+
+        def shorter(result):
+            for record in result.records:
+                if record["type"] == "think":
+                    record["t"] -= 1
+
+        def none(result):
+            result.records[:] = [record for record in result.records if record["type"] != "think"]
+
+        def other_count(result):
+            next(record for record in result.records if record["type"] == "think")["checks"] += 1
+
+        def not_told(result):
+            result.schedule["tasks"][0]["thinking"] -= 0.5
+
+        self.assertIn("of thinking instead of", self.faults_of(shorter))
+        self.assertIn("its guide planned, and did not think", self.faults_of(none))
+        self.assertIn("where it planned", self.faults_of(other_count))
+        self.assertIn("the thinking of guides is", self.faults_of(not_told))
+
+    def test_a_truck_parks_on_arcs(self):
+        out = self.out
+        told = rubicon("run", PARK, "--out", out)
+        self.assertEqual(told.returncode, 0, told.stdout + told.stderr)
+        self.assertEqual(rubicon("verify", out).returncode, 0)
+        guide, = self.records("guide")
+        way = [guide["way"][i:i + 3] for i in range(0, len(guide["way"]), 3)]
+        cusps, before = 0, 1
+        for (x, y, theta), (to_x, to_y, to_theta) in zip(way, way[1:]):
+            turned = (to_theta - theta + 180) % 360 - 180
+            chord = math.hypot(to_x - x, to_y - y)
+            self.assertGreaterEqual(chord + 1e-9, 2 * 6.5 * math.sin(math.radians(abs(turned) / 2)))
+            ahead = (to_x - x) * math.cos(math.radians(theta)) + (to_y - y) * math.sin(math.radians(theta))
+            cusps += ahead * before < 0
+            before = ahead
+        self.assertGreater(cusps, 0)
+
+        def narrower(result):
+            result.records[0]["guides"][0]["turn_radius"] = 8
+
+        self.assertIn("narrower than its radius of 8 m", self.faults_of(narrower))
+
+    def test_a_field_names_its_minimum_and_another_guide_goes_on(self):
+        told = rubicon("run", FIELD, "--out", self.out)
+        self.assertEqual(told.returncode, 0, told.stdout + told.stderr)
+        self.assertEqual(rubicon("verify", self.out).returncode, 0)
+        plans = [(plan["kind"], plan["found"]) for plan in self.records("guide")]
+        self.assertEqual(plans, [("potential", True), ("potential", False), ("rrt_connect", True)])
+        cause = next(plan["cause"] for plan in self.records("guide") if not plan["found"])
+        self.assertRegex(cause, r"^no way: the field has a minimum at cart\.x [\d.]+, cart\.y [\d.]+, where cart\.cart is [\d.]+ m "
+                                r"from (shelf|wing)$|^no way: the field has a minimum at x [\d.]+, y [\d.]+, where cart\.cart is [\d.]+ m from (shelf|wing)$")
+        why = rubicon("why", self.out, "behind_the_shelf")
+        self.assertIn("the field has a minimum", why.stdout)
+
+    def test_its_picture_has_the_way_and_the_minima(self):
+        picture = os.path.join(self.folder, "field.svg")
+        told = rubicon("guides", FIELD, "behind_the_shelf", "--svg", picture, "--kind", "potential")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        with open(picture, encoding="utf-8") as file:
+            text = file.read()
+        xml.fromstring(text)
+        self.assertRegex(text, r"minimum: cart\.cart is [\d.]+ m from (shelf|wing)")
+        again = rubicon("guides", FIELD, "behind_the_shelf", "--svg", picture, "--kind", "potential")
+        self.assertEqual(again.returncode, 0)
+        with open(picture, encoding="utf-8") as file:
+            self.assertEqual(text, file.read())
+        for arguments, message in ((("--axes", "x,w"), "'w' is no parameter"), (("--axes", "x,x"), "two different parameters"),
+                                   (("--kind", "rtr"), "unknown kind of guide 'rtr'")):
+            told = rubicon("guides", FIELD, "behind_the_shelf", "--svg", picture, *arguments)
+            self.assertEqual(told.returncode, 2)
+            self.assertIn(message, told.stderr)
+        self.assertEqual(rubicon("guides", FIELD, "behind_the_shelf", "--axes", "x,y").returncode, 2)
+        self.assertEqual(rubicon("guides", FIELD, "behind_the_shelf", "--kind", "rrt").returncode, 2)
+
+    def test_its_chart_has_each_parameter_that_moves(self):
+        chart = os.path.join(self.folder, "chart.svg")
+        told = rubicon("guides", FIELD, "behind_the_shelf", "--chart", chart, "--kind", "rrt_connect")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        with open(chart, encoding="utf-8") as file:
+            text = file.read()
+        xml.fromstring(text)
+        self.assertEqual(len(re.findall(r"<path ", text)), 4)
+        self.assertIn(">x, m<", re.sub(r"cart\.", "", text))
+        told = rubicon("guides", FIELD, "behind_the_shelf", "--chart", chart, "--kind", "potential")
+        self.assertEqual(told.returncode, 2)
+        self.assertIn("the field has a minimum", told.stderr)
+
+    def test_what_is_said_wrongly_has_its_place(self):
+        for clauses, message in (
+                ("thinks 20 per check;", "us, ms or s"), ("thinks us per check;", "a number after thinks"),
+                ("thinks 20 us;", "'per' check"), ("thinks 20 us per leg;", "'check'"),
+                ("thinks 61 s per check;", "a check may take at most 60 s"), ("turn_radius 2 deg;", "turn_radius"),
+                ("turn_radius -1 m;", "turn_radius must be a number from 0"),
+                ("turn_radius 2 m;", "turn_radius is for vehicles"), ("influence 2 m;", "rrt_connect has no clause 'influence'")):
+            code, told = self.checked(clauses)
+            self.assertEqual(code, 2, clauses)
+            self.assertIn(message, told, clauses)
+            self.assertRegex(told, r"bad\.plan:1:\d+: error", clauses)
+        code, told = self.checked("turn_radius 2 m; safety 1;", TRUCK, "astar")
+        self.assertEqual(code, 2)
+        self.assertIn("there is no safety", told)
+        self.assertEqual(self.checked("thinks 0 s per check;")[0], 0)
+        self.assertEqual(self.checked("repulsion 0; influence 20 cm; attraction 3; step 5;", kind="potential")[0], 0)
+        self.assertRegex(self.checked("turn_radius 2 m;", TRUCK, "potential")[1], "potential has no clause 'turn_radius'")
+
+
+if __name__ == "__main__":
+    unittest.main()
