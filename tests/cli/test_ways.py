@@ -1,5 +1,5 @@
-"""The pictures and the tables of docs/travel.md are what taskplans/draw_ways.py and cross_yard.py make of the results of this
-program."""
+"""The pictures and the tables of docs/travel.md are what taskplans/draw_ways.py, draw_figures.py and cross_yard.py make of the results of
+this program."""
 
 import importlib
 import os
@@ -13,6 +13,7 @@ ROOT = os.path.join(HERE, "..", "..")
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(ROOT, "taskplans"))
 draw = importlib.import_module("draw_ways")
+figures = importlib.import_module("draw_figures")
 yard = importlib.import_module("cross_yard")
 
 
@@ -52,6 +53,11 @@ class Ways(unittest.TestCase):
             for _, points in draw.stretches(method):
                 joined += points if not joined else points[1:]
             self.assertEqual([tuple(p) for p in method["way"]], joined, method["method"])
+
+
+class Figures(unittest.TestCase):
+    def test_the_picture_is_drawn_from_these_results(self):
+        self.assertEqual(figures.draw(os.environ["RUBICON"]), read("docs", "pictures", "ace_figures.svg"))
 
 
 class BusyYard(unittest.TestCase):
