@@ -31,8 +31,8 @@ void add_pose(PoseColumn& column, const math::Pose& X) {
 
 /// The kinds of guides whose ways are seen from above (docs/guides.md).
 bool is_plan_view(std::string_view kind) {
-  constexpr std::array<std::string_view, 8> kKinds = {"bug1",   "bug2",    "visbug21", "pledge",
-                                                      "simple", "tangent", "ace",      "visibility"};
+  constexpr std::array<std::string_view, 8> kKinds = {
+      "bug1", "bug2", "visbug21", "pledge", "simple", "tangent", "ace", "visibility"};
   return std::find(kKinds.begin(), kKinds.end(), kind) != kKinds.end();
 }
 
