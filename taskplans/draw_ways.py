@@ -18,8 +18,6 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROBOTS = os.path.join(os.path.dirname(HERE), "robots")
 PLAN = os.path.join(HERE, "yard_without_map.plan")
 GUIDES = ("bug1", "bug2", "visbug21", "simple", "tangent", "ace", "visibility")
-# What an event of a method begins; all others begin the straight way to the destination.
-MODE_AFTER = {"hit": "searching", "target": "searching", "track": "tracking"}
 COLOUR = {"towards": "#2b6cb0", "searching": "#d4a017", "tracking": "#c2410c"}
 SCALE = 3.6
 WEST, SOUTH, EAST, NORTH = -36, -31, 42, 31
@@ -60,27 +58,25 @@ def on_the_site(rubicon, guide):
 def once(way):
     """The way until it goes on as it did before: a loop without end is drawn once."""
     seen = set()
-    for before, point in zip([None] + way, way):
+    for (before, _), (point, mode) in zip([(None, 0)] + way, way):
         if (before, point) in seen:
             return
         seen.add((before, point))
-        yield point
+        yield point, mode
 
 
 def stretches(method):
     """The way in stretches of one mode: (mode, points)."""
-    events = [(tuple(event["at"]), event["kind"]) for event in method["events"]]
-    mode, part, result = "towards", [], []
-    way = [tuple(point) for point in method["way"]]
-    for point in once(way) if method["verdict"] == "limit" else way:
-        part.append(point)
-        while events and events[0][0] == point:
-            after = MODE_AFTER.get(events.pop(0)[1], "towards")
-            if after != mode:
-                result.append((mode, part))
-                mode, part = after, [point]
-    result.append((mode, part))
-    return [(mode, points) for mode, points in result if len(points) > 1]
+    way = [(tuple(point), tuple(COLOUR)[mode]) for point, mode in zip(method["way"], method["modes"])]
+    result = []
+    before = None
+    for point, mode in once(way) if method["verdict"] == "limit" else way:
+        if before is not None and result and result[-1][0] == mode:
+            result[-1][1].append(point)
+        elif before is not None:
+            result.append((mode, [before, point]))
+        before = point
+    return result
 
 
 def place(x, y):

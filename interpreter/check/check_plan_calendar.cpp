@@ -10,12 +10,12 @@ namespace rubicon::interpreter::plan_check {
 
 namespace {
 
+constexpr std::array<std::string_view, 7> kWeek = {"mon", "tue", "wed", "thu", "fri", "sat", "sun"};
+
 /// 0 for mon ... 6 for sun.
 std::optional<int> day_of(Subject& subject, const syntax::Name& name) {
-  constexpr std::array<std::string_view, 7> kDays = {"mon", "tue", "wed", "thu",
-                                                     "fri", "sat", "sun"};
-  const auto day = std::find(kDays.begin(), kDays.end(), name.text);
-  if (day != kDays.end()) return static_cast<int>(day - kDays.begin());
+  const auto day = std::find(kWeek.begin(), kWeek.end(), name.text);
+  if (day != kWeek.end()) return static_cast<int>(day - kWeek.begin());
   const std::string nearest =
       did_you_mean(name.text, {"mon", "tue", "wed", "thu", "fri", "sat", "sun"});
   subject.error("P11", name.span,
@@ -93,6 +93,28 @@ class LostDaysCheck {
   std::optional<Span> any_;
 };
 
+/// A shift over midnight, in the lines that it has to be.
+std::string night_hint(std::optional<int> first, std::optional<int> last, std::string_view from,
+                       std::string_view to) {
+  constexpr const char* kText = "split a night shift at 24:00";
+  if (!first || !last || *last < *first) return kText;
+  const auto days = [](int from_day, int to_day) {
+    const std::string_view first_name = kWeek[static_cast<std::size_t>(from_day)];
+    const std::string_view last_name = kWeek[static_cast<std::size_t>(to_day)];
+    return from_day == to_day ? std::string(first_name)
+                              : fmt::format("{}-{}", first_name, last_name);
+  };
+  std::string lines = fmt::format("{} {}-24:00;", days(*first, *last), from);
+  if (*first == 0 && *last == 6) {
+    lines += fmt::format(" {} 00:00-{};", days(0, 6), to);
+  } else if (to != "00:00") {
+    if (*last == 6) lines += fmt::format(" {} 00:00-{};", days(0, 0), to);
+    if (*first < 6)
+      lines += fmt::format(" {} 00:00-{};", days(*first + 1, std::min(*last + 1, 6)), to);
+  }
+  return fmt::format("{}: {}", kText, lines);
+}
+
 void check_shift(Subject& subject, const syntax::Shift& shift, CalendarSpec& calendar) {
   const std::optional<int> first = day_of(subject, shift.first_day);
   const std::optional<int> last = shift.last_day ? day_of(subject, *shift.last_day) : first;
@@ -115,7 +137,7 @@ void check_shift(Subject& subject, const syntax::Shift& shift, CalendarSpec& cal
       subject.error(
           "P11", to_text.span,
           fmt::format("this shift ends at {} and begins at {}", to_text.text, from_text.text),
-          "split a night shift at 24:00");
+          night_hint(first, last, from_text.text, to_text.text));
     } else if (*from < end) {
       subject.error("P11", from_text.span,
                     fmt::format("the shifts of a day follow each other: this one begins at {}, "

@@ -395,10 +395,12 @@ class KindChecker {
   void check_sensor(const Expression& call, const Function& function) {
     const robot::RobotModel* robot = subject_.context.robot;
     if (robot == nullptr || robot->sensor > 0) return;
-    diagnostics_.warning("W09", call.span,
-                         fmt::format("{} is always 0: robot '{}' has no sensor; give it a range "
-                                     "such as 'sensor 10;' in the robot file",
-                                     function.name, robot->name));
+    const bool condition = function.result == Result::condition;
+    diagnostics_.warning(
+        "W09", call.span,
+        fmt::format("{} {}: robot '{}' has no sensor; give it a range such as "
+                    "'sensor 10;' in the robot file",
+                    function.name, condition ? "never holds" : "is always 0", robot->name));
   }
 
   ValueKind kind_of_parameter_call(const Expression& call, const Function& function,

@@ -155,7 +155,8 @@ class Spacer {
     if (token.is("(") && begins_number(before)) return true;
     if (token.is("(")) {
       return before.kind != Kind::name || before.is("and") || before.is("or") || before.is("not") ||
-             before.is("until") || before.is("when") || before.is("capacity") || before.is("at");
+             before.is("until") || before.is("when") || before.is("capacity") || before.is("at") ||
+             (kind_ != TextKind::script && (before.is("from") || before.is("to")));
     }
     return true;
   }

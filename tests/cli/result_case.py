@@ -1,7 +1,11 @@
 """Tests that run a plan into a result folder, and look whether verify finds what is changed in it."""
 
+import base64
+import gzip
 import json
 import os
+import re
+import struct
 import subprocess
 import tempfile
 import unittest
@@ -14,6 +18,15 @@ ROBOTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "verify_result
 
 def rubicon(*arguments):
     return subprocess.run([RUBICON, *arguments], capture_output=True, text=True, timeout=300)
+
+
+def film_of(folder):
+    """The head of the film in the report page."""
+    with open(os.path.join(folder, "report.html"), encoding="utf-8") as file:
+        packed = re.search(r'<script type="text/plain" id="film">([^<]*)<', file.read()).group(1)
+    film = gzip.decompress(base64.b64decode(packed))
+    (length,) = struct.unpack_from("<I", film, 12)
+    return json.loads(film[16:16 + length])
 
 
 class ResultCase(unittest.TestCase):

@@ -495,6 +495,31 @@ def shift_what_carries(good, rng):
     return Fault("shift what carries", result, [""], words=f"{name} does not stand: its centre of mass")
 
 
+def outweigh(good, rng):
+    """What was put down is much heavier than what it stands on can balance."""
+    places = good.places("detach")
+    if "friction" not in good.header.get("support", {}) or not places:
+        return None
+    name = good.records[rng.choice(places)]["component"]
+    result = copy.deepcopy(good)
+    next(each for each in result.header["components"] if each["name"] == name)["mass"] *= rng.choice((50, 200))
+    return Fault("outweigh", result, [""], words="their weights cannot be balanced")
+
+
+def fix_it_later(good, rng):
+    """It holds only after a task that ends when its brace has gone."""
+    held = [(i, k) for i, each in enumerate(good.header["components"]) for k, task in enumerate(each.get("fixed_after", [])) if task]
+    last = max((record for record in good.records if record["type"] == "task_end"), key=lambda record: record["t"], default=None)
+    if not held or not any(record["type"] == "remove" for record in good.records):
+        return None
+    component, k = rng.choice(held)
+    result = copy.deepcopy(good)
+    result.header["components"][component]["fixed_after"][k] = last["task"]
+    return Fault("fix it later", result, [""], 
+                 words=good.header["components"][component]["name"]
+                 + (" and what it rests on do not stand" if "friction" in good.header["support"] else " does not stand"))
+
+
 def lengthen_work(good, rng):
     places = good.places("work")
     if not places:
@@ -1408,7 +1433,7 @@ KINDS = (shift_a_step, shift_the_rest_of_a_task, drop_a_wait, close_a_wait_up, s
          drop_a_goal, double_a_goal, shift_a_date, end_in_a_livelock, change_a_checksum, change_a_residual,
          rename_a_hit, give_another_reason, edit_the_critical_path, change_the_currency, drop_a_turn,
          turn_by_another_angle, turn_neatly_wrong, turn_the_barred_way, turn_before_adjusting, turn_without_leave, leave_the_line,
-         lock_what_moves, enter_without_leave)
+         lock_what_moves, enter_without_leave, outweigh, fix_it_later)
 
 
 def seeded(results, seed, rounds):

@@ -86,6 +86,23 @@ class BadInput(unittest.TestCase):
                 with self.subTest(title, kind=kind):
                     self.check("case." + kind, text, expectation)
 
+    def test_a_night_shift_is_told_as_the_lines_that_it_has_to_be(self):
+        plan = 'plan p { calendar a { %s } robot "crane.robot"; goal theta 0, x 20, z 10; }\n'
+        for days, times, lines in (
+                ("mon", "22:00-06:00", "mon 22:00-24:00; tue 00:00-06:00;"),
+                ("mon-fri", "22:00-06:00", "mon-fri 22:00-24:00; tue-sat 00:00-06:00;"),
+                ("mon-sun", "20:00-04:30", "mon-sun 20:00-24:00; mon-sun 00:00-04:30;"),
+                ("fri-sun", "22:00-06:00", "fri-sun 22:00-24:00; mon 00:00-06:00; sat-sun 00:00-06:00;"),
+                ("sun", "22:00-06:00", "sun 22:00-24:00; mon 00:00-06:00;"),
+                ("tue", "16:00-00:00", "tue 16:00-24:00;")):
+            with self.subTest(days + " " + times):
+                said = self.check("night.plan", plan % f"{days} {times};", "this shift ends at")
+                self.assertIn(f"split a night shift at 24:00: {lines}\n", said)
+                with open(os.path.join(self.folder, "night.plan"), "w", encoding="utf-8") as file:
+                    file.write(plan % lines)
+                done = subprocess.run([RUBICON, "check", "night.plan"], capture_output=True, cwd=self.folder, timeout=LIMIT_SECONDS)
+                self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_bytes_that_are_no_text(self):
         robot = b'robot r { body b { param x step(1); } behaviour "ok.motion"; }\n'
         for title, kind, content, expectation in (

@@ -4,6 +4,7 @@ judged by verify with its own geometry."""
 import json
 import os
 import random
+import struct
 import unittest
 
 from result_case import ResultCase, rubicon
@@ -72,6 +73,51 @@ class Moving(ResultCase):
         self.assertEqual(self.stops(), [(5, "left.car", 0), (6, "", 1)])
         self.assertEqual(schedule["timetables"], [{"name": "visitor", "stops": 1, "late": 1, "stands_before": ""}])
         self.assertRegex(self.run_result.stdout, r"timetable +stops +late by +stands before\nvisitor +1 +0:00:01 +-\n")
+
+    def animation_of(self, node):
+        """Times (s of the plan) and values of a node's channels in the exported film, by path."""
+        film = os.path.join(self.folder, "site.glb")
+        self.assertEqual(rubicon("export", self.out, "--gltf", film).returncode, 0)
+        with open(film, "rb") as file:
+            content = file.read()
+        (length,) = struct.unpack_from("<I", content, 12)
+        document, binary = json.loads(content[20:20 + length]), content[20 + length + 8:]
+        (number,) = [i for i, each in enumerate(document["nodes"]) if each["name"] == node]
+        (animation,) = document["animations"]
+
+        def floats(accessor):
+            accessor = document["accessors"][accessor]
+            view = document["bufferViews"][accessor["bufferView"]]
+            width = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}[accessor["type"]]
+            start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+            values = struct.unpack_from(f"<{width * accessor['count']}f", binary, start)
+            return [values[i:i + width] for i in range(0, len(values), width)]
+
+        curves = {}
+        for channel in animation["channels"]:
+            if channel["target"]["node"] != number:
+                continue
+            sampler = animation["samplers"][channel["sampler"]]
+            times = [t * animation["extras"]["speed_up"] for (t,) in floats(sampler["input"])]
+            curves[channel["target"]["path"]] = list(zip(times, floats(sampler["output"])))
+        return curves
+
+    def test_chart_and_animation_show_it_with_its_stops(self):
+        self.run_plan(car_plan("path 2 s trans(6, -4, 0), 6 s trans(6, 0, 0), 8 s trans(6, 0, 0), 12 s trans(6, 4, 0);", start=1))
+        self.assertEqual(self.stops(), [(5, "left.car", 0), (6, "", 1)])
+        curves = self.animation_of("visitor")
+        places = [(round(t, 4), [round(v, 5) for v in value]) for t, value in curves["translation"]]
+        # From 5 to 6 it stands before the car, 1 m short of the lane; all after that is a second later. The plan ends at 11.
+        self.assertEqual(places, [(2, [6, -4, 0]), (5, [6, -1, 0]), (6, [6, -1, 0]), (7, [6, 0, 0]), (9, [6, 0, 0]), (12, [6, 3, 0])])
+        scale = [(round(t, 4), value) for t, value in curves["scale"]]
+        self.assertEqual(scale, [(0, (0, 0, 0)), (2, (1, 1, 1))])
+        chart = os.path.join(self.folder, "chart.svg")
+        self.assertEqual(rubicon("export", self.out, "--svg", chart).returncode, 0)
+        with open(chart, encoding="utf-8") as file:
+            text = file.read()
+        self.assertIn(">Timetables<", text)
+        self.assertIn("<title>visitor: 1 stop, 0:00:01 late</title>", text)
+        self.assertIn(">0:00:01 late<", text)
 
     def test_a_step_is_tested_over_its_whole_duration(self):
         # One step of 12 s: the visitor would be in it after five.

@@ -7,7 +7,7 @@ import math
 import os
 import unittest
 
-from result_case import ResultCase, rubicon
+from result_case import ResultCase, film_of, rubicon
 
 CAR = """robot car {
   body car {
@@ -150,6 +150,22 @@ class Travel(ResultCase):
         self.assertRegex(why, r"    guide way \(bug2\): \d+ waypoints, \d+\.\d\d m, \d+ tests of legs\n      hit at ")
         why = json.loads(rubicon("why", self.out, "over", "--format", "json").stdout)
         self.assertEqual(why["motions"][0]["guides"][0]["events"], record["events"])
+
+    def test_the_page_has_the_way_with_what_was_met(self):
+        self.drive("tangent;", U)
+        with open(os.path.join(self.out, "trace.jsonl"), encoding="utf-8") as file:
+            record = next(record for record in map(json.loads, file) if record["type"] == "guide")
+        self.assertEqual(film_of(self.out)["walks"], [{"run": 0, "t": 0, "way": record["way"], "events": record["events"]}])
+        self.assertEqual([event.split(" at ")[0] for event in record["events"]], ["hit", "track", "leave", "reached"])
+
+    def test_the_truck_follows_with_all_its_bodies(self):
+        shipped = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "robots", "truck", "swap_body_truck.robot")
+        with open(shipped, encoding="utf-8") as file:
+            truck = self.write("swap_body_truck.robot", file.read().replace('behaviour "straight_there.motion";', "behaviour { chain { follow } }"))
+        for kind in ("bug2", "tangent", "visibility"):
+            _, tasks = self.run_plan('plan yard {\n  robot car "%s" { start x 0, y -30, theta 90; }\n  support off;\n  %s\n  guide way %s;\n'
+                                     "  task over { by car; go x 0, y 40, theta 90; guide way; }\n}\n" % (truck, BLOCK, kind))
+            self.assertEqual(tasks["over"]["result"], "done", kind)
 
     def test_what_is_nearer_than_the_disc_where_it_stands_is_no_obstacle_to_leaving(self):
         kerb = BLOCK + " component kerb { shape box(0.5, -22, 0, 1.5, -18, 1); }"

@@ -24,7 +24,7 @@ def rubicon(*arguments):
 
 def plans():
     """Plans whose results are verified: ours, those that are shipped, those of the tour and the robots' cases."""
-    found = [os.path.join(HERE, "verify_results", name) for name in ("yard.plan", "meeting.plan")]
+    found = [os.path.join(HERE, "verify_results", name) for name in ("yard.plan", "meeting.plan", "propped.plan")]
     for folder in ("taskplans", "examples", "robots", os.path.join("tests", "language")):
         for path, _, files in sorted(os.walk(os.path.join(ROOT, folder))):
             found += [os.path.join(path, name) for name in sorted(files) if name.endswith(".plan")]
@@ -108,6 +108,7 @@ class Verify(unittest.TestCase):
     def test_every_seeded_fault_is_found_at_its_place(self):
         names = [os.path.join(HERE, "verify_results", "yard.plan"),
                  os.path.join(HERE, "verify_results", "meeting.plan"),
+                 os.path.join(HERE, "verify_results", "propped.plan"),
                  os.path.join(ROOT, "tests", "language", "63_turned_by_people", "site.plan"),
                  os.path.join(ROOT, "examples", "07_three_blocks", "site.plan"),
                  os.path.join(ROOT, "examples", "05_level_bucket", "site.plan"),

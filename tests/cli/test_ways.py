@@ -1,14 +1,20 @@
-"""The picture and the table of docs/travel.md are what taskplans/draw_ways.py makes of the results of this program."""
+"""The pictures and the tables of docs/travel.md are what taskplans/draw_ways.py, draw_figures.py and cross_yard.py make of the results of
+this program."""
 
-import importlib.util
+import importlib
 import os
+import subprocess
+import sys
+import tempfile
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.join(HERE, "..", "..")
-spec = importlib.util.spec_from_file_location("draw_ways", os.path.join(ROOT, "taskplans", "draw_ways.py"))
-draw = importlib.util.module_from_spec(spec)
-spec.loader.exec_module(draw)
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(ROOT, "taskplans"))
+draw = importlib.import_module("draw_ways")
+figures = importlib.import_module("draw_figures")
+yard = importlib.import_module("cross_yard")
 
 
 def read(*path):
@@ -47,6 +53,26 @@ class Ways(unittest.TestCase):
             for _, points in draw.stretches(method):
                 joined += points if not joined else points[1:]
             self.assertEqual([tuple(p) for p in method["way"]], joined, method["method"])
+
+
+class Figures(unittest.TestCase):
+    def test_the_picture_is_drawn_from_these_results(self):
+        self.assertEqual(figures.draw(os.environ["RUBICON"]), read("docs", "pictures", "ace_figures.svg"))
+
+
+class BusyYard(unittest.TestCase):
+    def test_the_table_holds_these_results(self):
+        text = read("docs", "travel.md")
+        for line in yard.table(os.environ["RUBICON"]):
+            self.assertIn(line + "\n", text)
+
+    def test_what_each_guide_leads_is_verified(self):
+        for way, guide in enumerate(yard.GUIDES, 1):
+            with self.subTest(guide), tempfile.TemporaryDirectory() as out:
+                told = subprocess.run([os.environ["RUBICON"], "run", yard.PLAN, "--set", f"way={way}", "--out", out], capture_output=True, text=True, check=False)
+                self.assertIn(told.returncode, (0, 1), told.stderr)
+                verdict = subprocess.run([os.environ["RUBICON"], "verify", out], capture_output=True, text=True, check=False)
+                self.assertEqual(verdict.returncode, 0, verdict.stdout)
 
 
 if __name__ == "__main__":

@@ -181,6 +181,19 @@ class PeopleBelow(Shipped):
         self.assertEqual(tasks["bring_drum_5"]["result"], "done")
 
 
+class BusyYard(Shipped):
+    plan = "busy_yard"
+    is_upright = False
+    test_no_machine_is_ever_in_another = None
+    test_no_machine_is_ever_in_a_zone = None
+    test_no_load_is_ever_above_people = None
+    test_every_component_ends_where_its_last_task_puts_it = None
+    meetings = [("motor", "walker_6")]
+
+    def test_people_stop_for_the_motor(self):
+        self.assertTrue(any(r["name"].startswith("walker_") and r["by"] == "motor.truck" for r in self.run_1.of_type("moving")))
+
+
 class Trench(Shipped):
     plan = "trench"
     # One machine and no zone; the replay knows frames that stay upright only.

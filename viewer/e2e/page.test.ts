@@ -98,6 +98,29 @@ describe.skipIf(!hasBrowser)('the page', () => {
     expect(await length()).toBe(60);
   });
 
+  test('draws the way that a guide walked, by its mode', async () => {
+    const yard = runPlan('taskplans/yard_without_map.plan');
+    const look = await openReport(browser, yard.report);
+    const legend = look.page.locator('.view-legend');
+    const modes: string[] = [];
+    const end = await look.page.evaluate(() => window.rubicon?.player.end ?? 0);
+    for (let time = 1; time < end; time += 4) {
+      await seek(look.page, time);
+      await look.page.waitForTimeout(60);
+      const now = await legend.locator('.view-now').allInnerTexts();
+      expect(now).toHaveLength(1);
+      if (modes.at(-1) !== now[0]) modes.push(now[0]);
+    }
+    // Into the store, along its wall, in its trap out of it; then one thing after the other.
+    expect(modes.slice(0, 4)).toEqual(['towards', 'searching', 'tracking', 'towards']);
+    expect(await legend.innerText()).toContain('line to the destination');
+    await look.page.getByRole('button', { name: 'Paths' }).click();
+    await expect.poll(() => legend.isVisible()).toBe(false);
+    expect(look.complaints).toEqual([]);
+    await look.close();
+    yard.remove();
+  });
+
   test('says what goes on until the end', async () => {
     const pour = runPlan({ 'plan.plan': `plan pour {
   crew masons {}

@@ -40,6 +40,14 @@ export interface SoilTaken {
   heights: number[];
 }
 
+/** A way that a guide walked in the plan view at a moment (s): its waypoints (all parameters of each), what it met and decided. */
+export interface WalkData {
+  run: number;
+  t: number;
+  way: number[];
+  events: string[];
+}
+
 /** How a robot moved; docs/film.md says how its keys stand in the columns. */
 export interface Track {
   robot: number;
@@ -63,6 +71,7 @@ interface Head {
   flow?: FlowData | null;
   movings?: MovingStop[];
   soils?: SoilTaken[];
+  walks?: WalkData[];
   end: number;
   strings: string[];
   places: [number, number, number][];
@@ -89,6 +98,7 @@ export class Film {
   /** In the order in which they happened. */
   readonly movingStops: MovingStop[];
   readonly soils: SoilTaken[];
+  readonly walks: WalkData[];
   readonly end: number;
   readonly runs: Run[];
   readonly tracks: Track[];
@@ -117,6 +127,7 @@ export class Film {
       this.header.calendars.find(({ name }) => name === calendar)?.off.push(...dates);
     }
     this.soils = this.head.soils ?? [];
+    this.walks = this.head.walks ?? [];
     this.records = this.head.columns['record.kind']?.count ?? 0;
   }
 

@@ -63,6 +63,12 @@ export interface ComponentData {
   grip: PoseRows;
   mass: number;
   shapes: ShapeData[];
+  /** What it is fixed to, and for each the task that must be done first ("": none). */
+  fixed_to?: string[];
+  fixed_after?: string[];
+  braced_by?: string[];
+  /** Who braces it by hand. */
+  braced_by_crews?: string[];
   /** What the client says of it, by name: `storey`, `fire`; `name` is the client's own. */
   attributes?: Record<string, string>;
 }
@@ -143,6 +149,8 @@ export interface Header {
   site_names?: string[];
   movings?: MovingData[];
   networks?: NetworkData[];
+  /** `friction` only where forces must balance. */
+  support?: { mode: 'on' | 'warn' | 'off'; gap: number; friction?: number; floating?: string[] };
   components: ComponentData[];
   robots: RobotData[];
   carry: ShapeData[];

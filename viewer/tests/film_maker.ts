@@ -1,4 +1,4 @@
-import { Film, kinds, type Kind, type MovingStop, type Run, type SoilTaken } from '../src/film';
+import { Film, kinds, type Kind, type MovingStop, type Run, type SoilTaken, type WalkData } from '../src/film';
 import type { Header, RobotData, ScheduleData } from '../src/header';
 
 // Writes films as docs/film.md says, for tests; nothing of it comes from the code that reads them.
@@ -26,6 +26,7 @@ export interface FilmData {
   runs: (Partial<Run> & { task: string })[];
   records?: RecordData[];
   movings?: MovingStop[];
+  walks?: WalkData[];
   soils?: SoilTaken[];
   /** Keys of the robot of that number (or, with a run, of what it tried): times and rows of values. */
   tracks?: { robot: number; run?: number; t: number[]; q: number[][] }[];
@@ -45,7 +46,7 @@ export function makeFilm(data: FilmData): Film {
   return new Film(encodeFilm(data));
 }
 
-export function encodeFilm({ header, schedule = null, end, runs, records = [], movings, soils, tracks = [] }: FilmData): Uint8Array {
+export function encodeFilm({ header, schedule = null, end, runs, records = [], movings, soils, walks, tracks = [] }: FilmData): Uint8Array {
   const strings = [''];
   const stringOf = (text: string) => {
     if (!strings.includes(text)) strings.push(text);
@@ -98,7 +99,7 @@ export function encodeFilm({ header, schedule = null, end, runs, records = [], m
     }
   }
   const head = {
-    ...(movings ? { movings } : {}), ...(soils ? { soils } : {}),
+    ...(movings ? { movings } : {}), ...(soils ? { soils } : {}), ...(walks ? { walks } : {}),
     header: { plan: 'p', path: 'p.plan', form: 'full', detail: 'steps', start_at: null, currency: '', calendars: [], files: [],
       site: [],
       components: [], robots: [], carry: [], crews: [], tasks: [], meshes: [], ...header },

@@ -1,9 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { Clock } from '../src/clock';
-import { firstAfter, lanesOf, layoutGantt, piecesOf, stretched, type Bar } from '../src/gantt/layout';
+import { firstAfter, lanesOf, layoutGantt, noRun, piecesOf, stretched, type Bar } from '../src/gantt/layout';
 import { axisHeight, paintGantt, runsAt, type Scene } from '../src/gantt/paint';
 import type { Painter } from '../src/gantt/painter';
 import { panned, showing, timeOf, wholeView, xOf, zoomed } from '../src/gantt/view';
+import type { MovingData } from '../src/header';
 import { Runs } from '../src/runs';
 import { makeFilm, robot } from './film_maker';
 
@@ -34,6 +35,17 @@ describe('layout', () => {
     expect(rows[2].lanes[0].map((bar) => [bar.run, bar.from, bar.to])).toEqual([[1, 50, 100]]);
     expect(rows[0].points).toEqual([{ run: 2, t: 50, kind: 'rejected' }]);
     expect(rows[3].points).toEqual([{ run: 3, t: 100, kind: 'milestone' }]);
+  });
+
+  it('has what keeps a timetable in rows of their own, of no task', () => {
+    const pose = (x: number): number[] => [1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0];
+    const path = [{ t: 0, pose: pose(0) }, { t: 10, pose: pose(5) }, { t: 30, pose: pose(5) }] as MovingData['path'];
+    const { groups, rows } = layoutGantt(new Runs(makeFilm({ header: { robots: [robot('crane', ['x'])], movings:
+      [{ name: 'gate', path, repeat: false, shapes: [] }] }, end: 100, runs: [],
+      movings: [{ name: 'gate', by: 'crane.hook', delay: 0, t: 4 }, { name: 'gate', by: '', delay: 2, t: 6 }] })));
+    expect(groups.map((group) => group.title)).toEqual(['Machines', 'Timetables']);
+    expect(rows[1].lanes).toEqual([[{ run: noRun, from: 0, to: 32, critical: false, pieces: [{ from: 0, to: 4, kind: 'motion' },
+      { from: 4, to: 6, kind: 'wait' }, { from: 6, to: 12, kind: 'motion' }, { from: 12, to: 32, kind: 'off' }] }]]);
   });
 
   it('makes rows higher where there is room, within bounds', () => {

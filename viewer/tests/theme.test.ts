@@ -50,8 +50,8 @@ describe('theme', () => {
     ];
     const linear = (colour: string) => [1, 3, 5].map((i) => (parseInt(colour.slice(i, i + 2), 16) / 255) ** 2.2);
     for (const colours of blocks) {
-      const marks = ['machine', 'crew', 'wait'].map((name) => linear(colours[name]));
-      for (const seen of kinds) {
+      for (const [seen, marks] of kinds.flatMap((each) => [['machine', 'crew', 'wait'], ['towards', 'searching', 'tracking']]
+        .map((names) => [each, names.map((name) => linear(colours[name]))] as const))) {
         for (const [a, b] of [[0, 1], [0, 2], [1, 2]]) {
           const [left, right] = [seen(marks[a]), seen(marks[b])].map((rgb) => rgb.map((c) => Math.max(c, 0) ** (1 / 2.2)));
           expect(Math.hypot(...left.map((c, i) => c - right[i]))).toBeGreaterThan(0.2);
@@ -69,7 +69,7 @@ describe('theme', () => {
       for (const back of ['bg', 'panel']) {
         for (const text of ['accent', 'good', 'bad', 'warn']) expect(contrast(colours[text], colours[back]),
           `${text} on ${back}`).toBeGreaterThanOrEqual(4.5);
-        for (const drawn of ['machine', 'crew', 'critical', 'focus']) expect(contrast(colours[drawn], colours[back]),
+        for (const drawn of ['machine', 'crew', 'critical', 'focus', 'towards', 'searching', 'tracking']) expect(contrast(colours[drawn], colours[back]),
           `${drawn} on ${back}`).toBeGreaterThanOrEqual(3);
       }
       expect(contrast(colours['on-accent'], colours.accent)).toBeGreaterThanOrEqual(4.5);

@@ -128,6 +128,8 @@ std::string travel_json(const TravelComparison& comparison) {
     }
     json.end_array().key("way").begin_array();
     for (const travel::WayPoint& point : result.way) write_place(json, point.point);
+    json.end_array().key("modes").begin_array();
+    for (const travel::WayPoint& point : result.way) json.value(static_cast<int>(point.mode));
     json.end_array().end_object();
   }
   json.end_array().end_object();

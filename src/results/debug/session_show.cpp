@@ -70,7 +70,7 @@ std::string Session::loop_text(const LoopState& loop) const {
   std::string text = fmt::format("{} at {}", recording_.texts[loop.kind],
                                  place == nullptr ? "?" : recording_.place_text(*place));
   if (loop.visit > 1) text += fmt::format(", begun {} times", loop.visit);
-  text += fmt::format(": round {}, {} tried, {} made", loop.rounds, loop.tried, loop.made);
+  text += fmt::format(": round {}, {} tried, {} accepted", loop.rounds, loop.tried, loop.made);
   const std::span<const Event> events = run().events();
   const std::uint32_t exit = events[loop.entered].row;
   if (exit == kNone) return text + "; it never ends by itself\n";
@@ -154,9 +154,9 @@ std::string Session::tasks(const Words& words) const {
     const PlannedTask* task = recording_.task_of(run);
     const std::string begins = run.size() > 0 ? time_text(recording_, run.events().front().t) : "";
     text += fmt::format(
-        "{}{:4}  {:<{}}  {:6} tried  {:6} made  {}  {}{}\n", scope_[at_.run] == i ? "->" : "  ",
-        i + 1, name, std::min<std::size_t>(width, 40), run.last().tried, run.last().made, begins,
-        recording_.texts[run.robot()],
+        "{}{:4}  {:<{}}  {:6} tried  {:6} accepted  {}  {}{}\n", scope_[at_.run] == i ? "->" : "  ",
+        i + 1, name, std::min<std::size_t>(width, 40), run.last().tried + run.last().waits,
+        run.last().made + run.last().waits, begins, recording_.texts[run.robot()],
         task != nullptr && task->result != "done" && !task->result.empty() ? "  " + task->result
                                                                            : "");
   }
@@ -170,9 +170,10 @@ std::string Session::info() const {
   std::string text = stop_text(recording_, run(), state_, paint_);
   text += fmt::format("  {}{}\n", robot.empty() ? std::string() : robot + ": ",
                       situation_text(recording_, run(), state_));
-  text +=
-      fmt::format("  {} tried so far, {} made, {}; record {} of {}\n", state_.tried, state_.made,
-                  counted(state_.waits, "wait", "waits"), at_.position, run().size());
+  // A wait counts as a step that was accepted, as in all results.
+  text += fmt::format("  {} tried so far, {} accepted, {} of them waits; record {} of {}\n",
+                      state_.tried + state_.waits, state_.made + state_.waits, state_.waits,
+                      at_.position, run().size());
   if (const std::optional<Place> place = here()) {
     text += fmt::format("  in {}:{}\n", recording_.files[place->file].path, place->line);
   }

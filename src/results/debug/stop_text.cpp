@@ -145,8 +145,8 @@ std::string record_text(const Recording& recording, const TaskRun& run, const Ev
     case EventKind::remove:
       return text + " leaves the site";
     case EventKind::end:
-      return fmt::format("the motion ends {}, {} tried, {} made{}{}", text, event.n, event.value,
-                         other.empty() ? "" : ": ", other);
+      return fmt::format("the motion ends {}, {} tried, {} accepted{}{}", text, event.n,
+                         event.value, other.empty() ? "" : ": ", other);
     case EventKind::task_end:
       return fmt::format("{} is {}{}{}", recording.texts[run.name()], text,
                          other.empty() ? "" : ": ", other);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <utility>
@@ -26,6 +27,13 @@ void add_pose(PoseColumn& column, const math::Pose& X) {
     millionths(value, "a pose");
     column.values.push_back(value);
   }
+}
+
+/// The kinds of guides whose ways are seen from above (docs/guides.md).
+bool is_plan_view(std::string_view kind) {
+  constexpr std::array<std::string_view, 8> kKinds = {
+      "bug1", "bug2", "visbug21", "pledge", "simple", "tangent", "ace", "visibility"};
+  return std::find(kKinds.begin(), kKinds.end(), kind) != kKinds.end();
 }
 
 }  // namespace
@@ -209,7 +217,15 @@ void FilmBuilder::write(const trace::Stop&, int run) { tracks_->stand(run, runs_
 
 void FilmBuilder::write(const trace::Think&, int run) { tracks_->stand(run, runs_[run].last); }
 
-void FilmBuilder::write(const trace::GuidePlan& plan, int) {
+void FilmBuilder::write(const trace::GuidePlan& plan, int run) {
+  if (is_plan_view(plan.kind) && !plan.way.empty()) {
+    for (const double value : plan.way) millionths(value, "a way");
+    Walk& walk = walks_.emplace_back();
+    walk.run = run;
+    walk.t = trace::seconds(plan.t);
+    walk.way.assign(plan.way.begin(), plan.way.end());
+    walk.events.assign(plan.events.begin(), plan.events.end());
+  }
   columns_.guide_name.add(string(plan.name));
   columns_.guide_kind.add(string(plan.kind));
   columns_.guide_cause.add(string(plan.cause));

@@ -83,6 +83,14 @@ class FilmBuilder {
     std::vector<double> cells, heights;  ///< whole numbers; mm
   };
   std::vector<SoilTaken> soils_;
+  /// Ways that guides walked in the plan view, as the trace tells them.
+  struct Walk {
+    int run = 0;
+    double t = 0;
+    std::vector<double> way;
+    std::vector<std::string> events;
+  };
+  std::vector<Walk> walks_;
 };
 
 }  // namespace rubicon::film

@@ -99,13 +99,13 @@ Film FilmBuilder::finish(std::string_view schedule, std::string_view flow) {
     }
     head += ",\"movings\":" + json.end_array().take();
   }
+  const auto list = [](trace::JsonBuilder& json, const char* name,
+                       const std::vector<double>& values) {
+    json.key(name).begin_array();
+    for (const double value : values) json.value(value);
+    json.end_array();
+  };
   if (!soils_.empty()) {
-    const auto list = [](trace::JsonBuilder& json, const char* name,
-                         const std::vector<double>& values) {
-      json.key(name).begin_array();
-      for (const double value : values) json.value(value);
-      json.end_array();
-    };
     trace::JsonBuilder json;
     json.begin_array();
     for (const SoilTaken& each : soils_) {
@@ -116,6 +116,16 @@ Film FilmBuilder::finish(std::string_view schedule, std::string_view flow) {
       json.end_object();
     }
     head += ",\"soils\":" + json.end_array().take();
+  }
+  if (!walks_.empty()) {
+    trace::JsonBuilder json;
+    json.begin_array();
+    for (const Walk& each : walks_) {
+      json.begin_object().field("run", each.run).field("t", each.t);
+      list(json, "way", each.way);
+      json.key("events").strings(each.events).end_object();
+    }
+    head += ",\"walks\":" + json.end_array().take();
   }
   head += ",\"end\":";
   trace::append_number(head, runs_.end());

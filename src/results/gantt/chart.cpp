@@ -20,6 +20,9 @@ using taskplan::TaskResult;
 /// Shades of more times out of shift than this, in all lanes, make the file too large to open.
 constexpr std::size_t kMostShades = 100'000;
 
+/// Of what goes and stops more often only the whole is drawn.
+constexpr std::size_t kMostStretches = 5'000;
+
 class ChartBuilder {
  public:
   ChartBuilder(const Schedule& schedule, const TraceTimes* times)
@@ -40,6 +43,9 @@ class ChartBuilder {
     for (const auto& use : schedule_.resources) add_resource(use);
     find_nobody();
     add_tasks();
+    if (times_ != nullptr) {
+      for (const MovingTimes& moving : times_->movings) add_moving(moving);
+    }
     return std::move(chart_);
   }
 
@@ -97,6 +103,45 @@ class ChartBuilder {
       chart_.has_baselines = true;
     }
     chart_.rows = chart_rows(bars, chart_.rows_title);
+  }
+
+  /// What moves by itself: when it goes, stays as its path says, and is stopped.
+  void add_moving(const MovingTimes& moving) {
+    std::vector<trace::MovingStretch> stretches =
+        trace::moving_stretches(moving.timetable, moving.stops, chart_.end, kMostStretches);
+    Lane& lane = chart_.movings.emplace_back();
+    lane.name = moving.name;
+    if (stretches.empty()) return;
+    Bar bar;
+    bar.name = moving.name;
+    bar.span = {stretches.front().from, stretches.back().to};
+    int stops = 0;
+    Ticks late = 0;
+    const bool many = stretches.size() == kMostStretches;
+    for (const trace::MovingStretch& each : stretches) {
+      using Kind = trace::MovingStretch::Kind;
+      const bool stopped = each.kind == Kind::stopped;
+      if (stopped) late += each.to - each.from;
+      const auto kind = stopped                    ? Part::Kind::wait
+                        : each.kind == Kind::stays ? Part::Kind::off
+                                                   : Part::Kind::motion;
+      if (stopped) ++stops;
+      if (!bar.parts.empty() && bar.parts.back().kind == kind) {
+        bar.parts.back().span.to = each.to;
+      } else {
+        bar.parts.push_back({kind, {each.from, each.to}});
+      }
+    }
+    if (many) {
+      // Of what goes round for months it only tells that it does.
+      bar.span.to = chart_.end;
+      bar.parts = {{Part::Kind::motion, bar.span}};
+    } else if (stops > 0) {
+      lane.note = stopped_label(stops, late);
+      lane.brief = duration_label(late) + " late";
+    }
+    bar.text = moving.name + (lane.note.empty() ? "" : ": " + lane.note);
+    lane.bars.push_back(std::move(bar));
   }
 
   const TaskTimes* times_of(const TaskOutcome& task) const {

@@ -12,7 +12,7 @@ namespace rubicon::gantt {
 
 /// Part of a bar: what went on.
 struct Part {
-  enum class Kind { motion, work, wait, off };  ///< off: out of shift
+  enum class Kind { motion, work, wait, off };  ///< off: out of shift, or as its path says
   Kind kind = Kind::motion;
   Span span;
 };
@@ -53,7 +53,8 @@ struct Chart {
   std::vector<Lane> resources;
   std::string rows_title;  ///< what the rows are: tasks, or groups of them
   std::vector<Lane> rows;
-  std::vector<Span> nobody;  ///< times in which no machine and no crew has a shift
+  std::vector<Lane> movings;  ///< what keeps a timetable by itself
+  std::vector<Span> nobody;   ///< times in which no machine and no crew has a shift
   std::vector<NotDone> not_done;
 };
 

@@ -46,6 +46,10 @@ std::vector<std::string> fact_labels(const Schedule& schedule) {
   return facts;
 }
 
+std::string stopped_label(int stops, Ticks late) {
+  return fmt::format("{} {}, {} late", stops, stops == 1 ? "stop" : "stops", duration_label(late));
+}
+
 std::string use_label(const Schedule& schedule, const taskplan::ResourceUse& use) {
   std::string text = fmt::format("{} tasks, {:.0f} % used", use.tasks, 100 * use.utilisation());
   if (use.tasks == 1) text = fmt::format("1 task, {:.0f} % used", 100 * use.utilisation());

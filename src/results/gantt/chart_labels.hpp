@@ -25,6 +25,9 @@ std::string use_label(const taskplan::Schedule& schedule, const taskplan::Resour
 /// The same, shorter: "16 %".
 std::string percent_label(const taskplan::ResourceUse& use);
 
+/// How often something with a timetable was stopped, and for how long: "2 stops, 0:00:04 late".
+std::string stopped_label(int stops, interpreter::Ticks late);
+
 /// All about a task, in lines.
 std::string task_label(const taskplan::Schedule& schedule, const taskplan::TaskOutcome& task,
                        bool critical);

@@ -43,11 +43,12 @@ class SvgWriter {
     const bool many = chart_.resources.size() > kMostTallLanes;
     write_lanes("Machines and crews", chart_.resources, many ? kRowHeight : kLaneHeight,
                 many ? kRowBar : kLaneBar);
+    write_lanes("Timetables", chart_.movings, kRowHeight, kRowBar);
     if (!chart_.rows.empty()) {
       write_off(chart_.nobody, y_ + 24, kRowHeight * static_cast<double>(chart_.rows.size()));
       write_lanes(chart_.rows_title, chart_.rows, kRowHeight, kRowBar);
     }
-    if (chart_.resources.empty() && chart_.rows.empty()) {
+    if (chart_.resources.empty() && chart_.rows.empty() && chart_.movings.empty()) {
       text(kLeft, y_ + 20, kTextSize, kColours.muted, "Nothing was planned.");
       y_ += 40;
     }

@@ -42,6 +42,10 @@ void TraceTimesReader::line(std::string_view text) {
           add(record, {Stretch::Kind::wait, pause->from, pause->t, {}, std::string(pause->why)});
         } else if (const auto* lost = std::get_if<trace::LostDays>(&record.what)) {
           lose_days(*lost);
+        } else if (const auto* moving = std::get_if<trace::Moving>(&record.what)) {
+          for (MovingTimes& each : times_.movings) {
+            if (each.name == moving->name) each.stops.push_back({moving->t, moving->by.empty()});
+          }
         }
       });
 }
@@ -57,6 +61,9 @@ void TraceTimesReader::read_header(const trace::TraceHeader& header) {
   };
   for (const trace::HeaderRobot& robot : header.robots) keep_calendar(robot.name, robot.calendar);
   for (const trace::HeaderCrew& crew : header.crews) keep_calendar(crew.name, crew.calendar);
+  for (const trace::HeaderMoving& moving : header.movings) {
+    times_.movings.push_back({moving.name, moving.timetable, {}});
+  }
   for (const trace::HeaderTask& task : header.tasks) times_.held[task.name] = task.crews;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/simulation/schedule/calendar_rules.hpp"
+#include "src/simulation/trace/moving_stretches.hpp"
 #include "src/simulation/trace/record.hpp"
 #include "src/simulation/trace/trace_reader.hpp"
 
@@ -32,6 +33,13 @@ struct TaskTimes {
   std::vector<Stretch> stretches;
 };
 
+/// What keeps a timetable by itself.
+struct MovingTimes {
+  std::string name;
+  geometry::Timetable timetable;
+  std::vector<trace::MovingStop> stops;
+};
+
 /// What a trace tells of when things were done. Tasks that were undone are not in it.
 struct TraceTimes {
   std::string plan;
@@ -39,6 +47,7 @@ struct TraceTimes {
   std::map<std::string, std::string> calendar_of;        ///< by robot or crew; not if it has none
   std::map<std::string, std::vector<std::string>> held;  ///< by task: the crews of `by`
   std::map<std::pair<std::string, Ticks>, TaskTimes> runs;  ///< by task and start
+  std::vector<MovingTimes> movings;
 };
 
 /// Reads a trace line by line, of any detail.
@@ -59,7 +68,7 @@ class TraceTimesReader {
 
   trace::TraceReader reader_{{trace::RecordKind::task_start, trace::RecordKind::task_end,
                               trace::RecordKind::work, trace::RecordKind::pause,
-                              trace::RecordKind::lost_days}};
+                              trace::RecordKind::lost_days, trace::RecordKind::moving}};
   TraceTimes times_;
   std::map<std::string, TaskTimes, std::less<>> open_;  ///< by task
   bool short_form_ = false;

@@ -62,6 +62,21 @@ void Animation::add_element(int node, const ElementCurve& curve) {
   add_channel(node, turns ? "rotation" : "translation", "LINEAR", keys, turns ? 4 : 3);
 }
 
+void Animation::add_poses(int node, const std::vector<PoseKey>& keys) {
+  std::vector<FilmKey> places, turns;
+  Eigen::Quaterniond last = Eigen::Quaterniond::Identity();
+  for (const PoseKey& key : keys) {
+    const Vec3 p = key.X.translation();
+    Eigen::Quaterniond turn = Eigen::Quaterniond(math::Mat3(key.X.linear())).normalized();
+    if (!turns.empty() && turn.dot(last) < 0) turn.coeffs() = -turn.coeffs();
+    last = turn;
+    add_key(places, key.time, {p.x(), p.y(), p.z(), 0});
+    add_key(turns, key.time, {turn.x(), turn.y(), turn.z(), turn.w()});
+  }
+  add_channel(node, "translation", "LINEAR", places, 3);
+  add_channel(node, "rotation", "LINEAR", turns, 4);
+}
+
 void Animation::add_length(int node, const KeyCurve& length) {
   std::vector<FilmKey> keys;
   for (const Key& key : length) add_key(keys, key.time, {1, 1, key.value.x(), 0});

@@ -20,6 +20,13 @@ class Animation {
   /// A node's translation or rotation along a curve that has keys.
   void add_element(int node, const ElementCurve& curve);
 
+  /// A node that goes from pose to pose: straight, and turning the short way.
+  struct PoseKey {
+    double time = 0;  ///< s of the plan
+    math::Pose X = math::Pose::Identity();
+  };
+  void add_poses(int node, const std::vector<PoseKey>& keys);
+
   /// A node that is as long along z as a curve says (its first component).
   void add_length(int node, const KeyCurve& length);
 

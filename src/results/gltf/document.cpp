@@ -29,6 +29,9 @@ using robot::FrameElement;
 
 using math::at;
 
+/// Places and stops of one thing with a timetable; after more of them it is not there any more.
+constexpr std::size_t kMostStretches = 20'000;
+
 /// s, of an animation whose speed nobody chose: the length with which the report page begins.
 constexpr double kUsualLength = 60;
 
@@ -63,6 +66,7 @@ class DocumentBuilder {
     for (const Stay& stay : replay_.stays) add_stay(stay);
     for (std::size_t i = 0; i < replay_.machines.size(); ++i) add_robot(i);
     for (const replay::TaskRun& run : replay_.runs) add_zones(run);
+    for (std::size_t i = 0; i < scene_.movings.size(); ++i) add_moving(i);
     return finish();
   }
 
@@ -140,6 +144,30 @@ class DocumentBuilder {
     set_extras(node, {{"task", task.name}, {"is", "zone"}}, task.attributes);
     nodes_.show(node, *use);
     add_presence(node, run.start, run.end);
+  }
+
+  /// What keeps a timetable, as long as it is on the site.
+  void add_moving(std::size_t number) {
+    const trace::HeaderMoving& moving = scene_.movings[number];
+    const std::vector<trace::MovingStretch> stretches = trace::moving_stretches(
+        moving.timetable, replay_.moving_stops[number], replay_.until, kMostStretches);
+    const auto use = meshes_.use(moving.shapes, looks_.moving(!moving.overhead.empty()));
+    if (!use || stretches.empty()) return;
+    const int node = nodes_.add(root_, moving.name);
+    nodes_.place(node, near(stretches.front().X_from));
+    set_extras(node, {{"moving", moving.name}}, {});
+    nodes_.show(node, *use);
+    add_presence(node, stretches.front().from, stretches.back().to);
+    std::vector<Animation::PoseKey> keys;
+    bool moves = false;
+    for (const trace::MovingStretch& each : stretches) {
+      moves = moves || each.kind == trace::MovingStretch::Kind::goes;
+      if (keys.empty()) keys.push_back({trace::seconds(each.from), near(each.X_from)});
+      keys.push_back({trace::seconds(each.to), near(each.X_to)});
+    }
+    keys_ += 2 * keys.size();
+    if (keys_ > kMostKeys) throw std::invalid_argument("expected a film within bounds");
+    if (moves) animation_.add_poses(node, keys);
   }
 
   void add_robot(std::size_t number) {

@@ -64,6 +64,11 @@ Look Looks::placed(std::size_t component) const {
   return {fmt::format("placed, kind {}", colour + 1), linear_rgb(kDrawing.components[colour])};
 }
 
+Look Looks::moving(bool people) const {
+  return people ? Look{"people", linear_rgb(kDrawing.zone)}
+                : Look{"moving", linear_rgb(kDrawing.fixture, -0.35)};
+}
+
 Look Looks::zone() const { return {"zone", linear_rgb(kDrawing.zone), kEnvelopeOpacity}; }
 
 }  // namespace rubicon::gltf

@@ -25,6 +25,8 @@ class Looks {
   Look placed(std::size_t component) const;
   /// Of people.
   Look zone() const;
+  /// What keeps a timetable; people.
+  Look moving(bool people) const;
 
  private:
   std::vector<std::size_t> kinds_;  ///< by component

@@ -21,7 +21,8 @@ constexpr Ticks kSecond = 1'000'000'000;
 const trace::RecordKinds kWanted = {RecordKind::task_start, RecordKind::attempt, RecordKind::wait,
                                     RecordKind::work,       RecordKind::pause,   RecordKind::attach,
                                     RecordKind::detach,     RecordKind::remove,  RecordKind::end,
-                                    RecordKind::task_end,   RecordKind::stop,    RecordKind::turn};
+                                    RecordKind::task_end,   RecordKind::stop,    RecordKind::turn,
+                                    RecordKind::moving};
 
 std::string quoted(std::string_view name) {
   std::string text;
@@ -88,6 +89,8 @@ void ReplayReader::begin(trace::TraceHeader&& header) {
   tasks_ = numbers_of(header.tasks, "tasks");
   robots_ = numbers_of(header.robots, "robots");
   components_ = numbers_of(header.components, "components");
+  movings_ = numbers_of(header.movings, "movings");
+  replay_.moving_stops.resize(header.movings.size());
   for (const trace::HeaderRobot& robot : header.robots) {
     replay_.machines.push_back(make_machine(robot));
   }
@@ -110,6 +113,12 @@ TaskRun& ReplayReader::run_of(const trace::Record& record) {
 }
 
 void ReplayReader::add(const trace::Record& record) {
+  if (const auto* moving = std::get_if<trace::Moving>(&record.what)) {
+    const int number = number_of(movings_, moving->name, "a moving");
+    replay_.moving_stops[static_cast<std::size_t>(number)].push_back(
+        {moving->t, moving->by.empty()});
+    return;
+  }
   TaskRun& run = run_of(record);
   std::visit([&](const auto& what) { add(run, what); }, record.what);
 }
@@ -132,7 +141,8 @@ void ReplayReader::add(TaskRun& run, const trace::TaskStart& start) {
 void ReplayReader::add(TaskRun& run, const trace::Attempt& attempt) {
   if (!attempt.ok) {
     add_event(run, attempt.t, {});
-    run.events.back().refused = true;
+    // At its goal, or without a direction, nothing was refused: there was nothing to do.
+    run.events.back().refused = attempt.reason == "hit" || attempt.reason.starts_with("limit");
     return;
   }
   Step step{{}, values(run, attempt.q)};

@@ -10,6 +10,7 @@
 #include "src/results/replay/robot_track.hpp"
 #include "src/results/replay/task_run.hpp"
 #include "src/simulation/trace/header.hpp"
+#include "src/simulation/trace/moving_stretches.hpp"
 #include "src/simulation/trace/record.hpp"
 #include "src/simulation/trace/trace_reader.hpp"
 
@@ -25,6 +26,8 @@ struct Replay {
   Ticks until = 0;                 ///< 1 s later: where tracks and stays end
   std::vector<RobotTrack> tracks;  ///< by machine
   std::vector<Stay> stays;         ///< by component, then by time
+  /// Of each `moving` of the header when it stopped and went on.
+  std::vector<std::vector<trace::MovingStop>> moving_stops;
 };
 
 /// Reads the lines of a trace with every step.
@@ -59,7 +62,7 @@ class ReplayReader {
   trace::TraceReader reader_;
   int lines_ = 0;
   Replay replay_;
-  std::map<std::string, int, std::less<>> tasks_, robots_, components_;
+  std::map<std::string, int, std::less<>> tasks_, robots_, components_, movings_;
   std::map<std::string, std::size_t, std::less<>> latest_;  ///< by task: the last run of it
 };
 

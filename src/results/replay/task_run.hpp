@@ -37,7 +37,7 @@ struct Event {
   int line = 0;    ///< of the trace
   /// Nothing: time passes and all stand still.
   std::variant<std::monostate, Step, LoadChange, LoadTurn> what;
-  bool refused = false;  ///< an attempt that was not accepted
+  bool refused = false;  ///< an attempt that met something, or a limit
 };
 
 /// One task as the trace tells it, with the events of its records.

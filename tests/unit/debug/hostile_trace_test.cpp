@@ -190,9 +190,9 @@ TEST(HostileTrace, ALoopThatTellsAConfigurationEndsAllTheSame) {
                     hand_record("set", R"("var":"v","value":1e300)")}),
       "", {});
   session.execute("step");
-  EXPECT_EQ(
-      session.execute("where"),
-      "#0  chain at s.motion:1: round 1, 1 tried, 1 made; ends reached after try 1, 1 success\n");
+  EXPECT_EQ(session.execute("where"),
+            "#0  chain at s.motion:1: round 1, 1 tried, 1 accepted; ends reached after try 1, 1 "
+            "success\n");
 }
 
 TEST(HostileTrace, CleanTextKeepsLetters) {

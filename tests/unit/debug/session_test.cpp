@@ -55,7 +55,7 @@ TEST(Session, TellsEachStep) {
   EXPECT_EQ(session.execute("s"),
             "  chain ends reached, 2 successes  s.motion:1\n"
             "p  after 5/5  t 3 s\n"
-            "  the motion ends done, 5 tried, 2 made\n");
+            "  the motion ends done, 5 tried, 2 accepted\n");
   EXPECT_EQ(session.execute("s"), "this is the end\n");
   EXPECT_EQ(session.execute("back 5"),
             "p  try 1/5  t 1 s\n"
@@ -68,9 +68,9 @@ TEST(Session, ShowsLoopsVariablesAndConfiguration) {
   EXPECT_EQ(session.execute("where"), "in no loop\n");
   EXPECT_EQ(session.execute("print"), "no variable is set\n");
   session.execute("run to 3");
-  EXPECT_EQ(
-      session.execute("where"),
-      "#0  chain at s.motion:1: round 2, 3 tried, 2 made; ends reached after try 5, 2 successes\n");
+  EXPECT_EQ(session.execute("where"),
+            "#0  chain at s.motion:1: round 2, 3 tried, 2 accepted; ends reached after try 5, 2 "
+            "successes\n");
   EXPECT_EQ(session.execute("print"), "var(side) = -1\n");
   EXPECT_EQ(session.execute("print var(side)"), "var(side) = -1\n");
   EXPECT_EQ(session.execute("p y"), "y = 1\n");
@@ -84,7 +84,7 @@ TEST(Session, ShowsLoopsVariablesAndConfiguration) {
             "  s.motion:2  move_to(x, 3),\n"
             "  move_to x  1  refused: arm of r meets wall\n"
             "  r: motion 1 of 1: going; waypoint 1\n"
-            "  2 tried so far, 1 made, 0 waits; record 5 of 10\n"
+            "  2 tried so far, 1 accepted, 0 of them waits; record 5 of 10\n"
             "  in s.motion:2\n");
 }
 
@@ -114,7 +114,7 @@ TEST(Session, GoesToMomentsTriesAndEndsOfLoops) {
   EXPECT_EQ(session.execute("next"),
             "p  after 5/5  t 3 s\n  s.motion:1  chain {\n  chain ends reached, 2 successes\n");
   EXPECT_EQ(session.execute("next"),
-            "p  after 5/5  t 3 s\n  the motion ends done, 5 tried, 2 made\n");
+            "p  after 5/5  t 3 s\n  the motion ends done, 5 tried, 2 accepted\n");
   EXPECT_EQ(session.execute("next"), "this is the end\n");
   EXPECT_EQ(session.execute("run to 9"), "there is no try 9 in this task: they are 1 to 5\n");
   EXPECT_EQ(session.execute("run"), "run to what? run to N, the number of a try\n");

@@ -112,6 +112,16 @@ TEST(Format, Robots) {
       "}\n");
 }
 
+TEST(Format, PlacesBehindWords) {
+  EXPECT_EQ(formatted("plan p{network n{policy grid{map \"a.map\";agent a from(1,2)to(3,4);}}"
+                      "task t{cover hall{from(0,0);inlet( 3,4);}}}",
+                      TextKind::plan),
+            "plan p {\n"
+            "  network n { policy grid { map \"a.map\"; agent a from (1, 2) to (3, 4); } }\n"
+            "  task t { cover hall { from (0, 0); inlet (3, 4); } }\n"
+            "}\n");
+}
+
 TEST(Format, Meshes) {
   EXPECT_EQ(
       formatted("robot r{body b{shape mesh( \"a.stl\",mm,hull ,part \"x\");}}", TextKind::robot),

@@ -1,5 +1,6 @@
 import type { CalendarData } from '../header';
 import type { Runs, Span } from '../runs';
+import { Timetables } from '../timetable';
 
 /** How high a lane is at least and at most, and the space below a row (px). */
 const lowestLane = 28;
@@ -18,6 +19,7 @@ export interface Piece {
 }
 
 export interface Bar {
+  /** `noRun` of what keeps a timetable by itself. */
   run: number;
   from: number;
   to: number;
@@ -34,7 +36,7 @@ export interface Point {
 
 export interface Row {
   name: string;
-  kind: 'machine' | 'crew' | 'nobody';
+  kind: 'machine' | 'crew' | 'nobody' | 'moving';
   calendar: CalendarData | null;
   /** Bars of a lane follow one another and do not overlap. */
   lanes: Bar[][];
@@ -51,6 +53,12 @@ export interface Group {
   top: number;
   rows: Row[];
 }
+
+/** The run of a bar that is of no task. */
+export const noRun = -2;
+
+/** Of what goes and stops more often only the whole is drawn. */
+const mostStretches = 5000;
 
 export interface Layout {
   groups: Group[];
@@ -102,7 +110,20 @@ export function layoutGantt(runs: Runs): Layout {
   });
   for (const [each, own] of bars) each.lanes = lanesOf(own);
   const hasNobody = nobody.points.length > 0 || (bars.get(nobody)?.length ?? 0) > 0;
-  const groups: [string, Row[]][] = [['Machines', machines], ['Crews', crews], ['Without a machine', hasNobody ? [nobody] : []]];
+  const timetables = new Timetables(runs.film);
+  const kinds = { goes: 'motion', stays: 'off', stopped: 'wait' } as const;
+  const movings = (header.movings ?? []).map(({ name }, i) => {
+    const each = row('moving', name, '');
+    const stretches = timetables.stretches(i, runs.film.end, mostStretches);
+    if (stretches.length === 0) return each;
+    const many = stretches.length === mostStretches;
+    const [from, to] = [stretches[0].from, many ? runs.film.end : stretches[stretches.length - 1].to];
+    const pieces: Piece[] = many ? [{ from, to, kind: 'motion' }]
+      : stretches.map((stretch) => ({ from: stretch.from, to: stretch.to, kind: kinds[stretch.kind] }));
+    each.lanes = [[{ run: noRun, from, to, critical: false, pieces }]];
+    return each;
+  });
+  const groups: [string, Row[]][] = [['Machines', machines], ['Timetables', movings], ['Crews', crews], ['Without a machine', hasNobody ? [nobody] : []]];
   const filled = groups.filter(([, rows]) => rows.length > 0);
   return stacked(filled.map(([title, rows]) => ({ title, top: 0, rows })), lowestLane);
 }

@@ -2,7 +2,7 @@ import type { Clock } from '../clock';
 import { day } from '../clock';
 import { offShift, type Interval } from '../shifts';
 import { ticks } from '../ticks';
-import { firstAfter, rowGap, type Bar, type Layout, type Row } from './layout';
+import { firstAfter, noRun, rowGap, type Bar, type Layout, type Row } from './layout';
 import type { Painter } from './painter';
 import { timeOf, xOf, type TimeView } from './view';
 
@@ -115,7 +115,7 @@ function paintLane(painter: Painter, scene: Scene, lane: readonly Bar[], y: numb
     if (bar.critical) paintCritical(painter, scene, bar, y);
     const from = Math.max(left, labelWidth);
     const room = Math.floor((left + wide - from - 3) / letterWidth);
-    if (room >= 5) painter.text(from + 1, y + 7, clipped(scene.nameOf(bar.run), room), colours.text, isPicked);
+    if (room >= 5 && bar.run !== noRun) painter.text(from + 1, y + 7, clipped(scene.nameOf(bar.run), room), colours.text, isPicked);
   }
 }
 
@@ -195,5 +195,5 @@ export function runsAt(scene: Scene, x: number, y: number): number[] {
   // Two px beside a narrow bar are near enough.
   const near = 2 / view.width * (view.to - view.from);
   const bar = lane[firstAfter(lane, t - near)];
-  return bar && bar.from - near <= t ? [bar.run] : [];
+  return bar && bar.run !== noRun && bar.from - near <= t ? [bar.run] : [];
 }

@@ -1,5 +1,6 @@
 import { day, duration, money, number, roughly } from '../clock';
 import type { ScheduleData, ScheduledTask, Waited } from '../header';
+import { supportWords } from '../holding';
 import { tallyText } from '../runs';
 import { button, cut, make, named } from './dom';
 import { materialOf } from './material';
@@ -58,6 +59,8 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
     add(`Days lost, ${cut(calendar, 12)}`, `${lost} of ${working_days}`, which);
   }
   if (schedule?.cost !== undefined) add('Cost', money(schedule.cost, ''), cut(schedule.currency ?? header.currency, 12));
+  const support = supportWords(film);
+  if (support) add('Support', support.mode, support.more);
   const tally = runs.tally();
   add('Tasks done', `${tally.done} of ${tally.tasks}`, tallyText(tally));
   if (tally.elements > 0) add('Elements in place', `${tally.placed} of ${tally.elements}`);

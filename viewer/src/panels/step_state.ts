@@ -113,6 +113,6 @@ function loops(state: BehaviourState): HTMLElement {
     const cells = [named(loop.kind, 60), String(loop.place.line), String(loop.tries), String(loop.accepted)];
     body.append(make('tr', {}, ...cells.map((cell) => make('td', {}, cell))));
   }
-  box.append(make('table', { class: 'fixed loops' }, head('', 'line', 'tries', 'made'), body));
+  box.append(make('table', { class: 'fixed loops' }, head('', 'line', 'tried', 'accepted'), body));
   return box;
 }

@@ -2,6 +2,7 @@ import type { Activity } from '../activity';
 import { attributeRows } from '../attributes';
 import { Clock } from '../clock';
 import type { Film } from '../film';
+import { fixedTo } from '../holding';
 import type { Player } from '../player';
 import { make } from './elements';
 import { icon } from './icons';
@@ -65,6 +66,11 @@ export class Card {
     const now = item.state === 'carried' ? `carried by ${carrier}` : stateWords[item.state];
     rows.push(['Now', now]);
     if (mass > 0) rows.push(['Mass', mass >= 1000 ? `${quantity(mass / 1000, 2)} t` : `${quantity(mass, 0)} kg`]);
+    const fixed = fixedTo(this.film, index, this.player.time);
+    if (fixed.length > 0) rows.push(['Fixed to', fixed.join('; ')]);
+    const { braced_by: things = [], braced_by_crews: crews = [] } = header.components[index];
+    const braced = [...things, ...crews];
+    if (braced.length > 0) rows.push(['Braced by', braced.join(', ')]);
     for (const task of header.tasks) if (task.move === name) rows.push(['Task', task.name], ...this.times(task.name));
     return [name, [...attributeRows(attributes), ...rows]];
   }

@@ -26,6 +26,7 @@ import { SiteModel } from './site_model';
 import { Stage, type Stats } from './stage';
 import { themeOf, type Theme } from './theme';
 import { Toolbar, type Tool } from './toolbar';
+import { WalkLines } from './walks';
 import './view.css';
 
 /** Room (m) about what is flown to. */
@@ -50,6 +51,7 @@ export class SiteView {
   private readonly activity: Activity;
   private readonly overlay: Overlay;
   private readonly paths: Paths;
+  private readonly walks: WalkLines;
   private readonly ropes: Ropes;
   private readonly lanes: Lanes;
   private readonly joints: Joints;
@@ -80,6 +82,7 @@ export class SiteView {
     this.looks = new Looks(film, this.model, player);
     this.overlay = new Overlay(film, this.light);
     this.paths = new Paths(film, motion, this.light);
+    this.walks = new WalkLines(film, motion, this.light);
     this.ropes = new Ropes(this.model, this.light);
     this.lanes = new Lanes(film, this.light);
     this.joints = new Joints(film, this.light);
@@ -94,14 +97,15 @@ export class SiteView {
     this.stage = new Stage(host, canvas, this.rig.camera, (ratio, width, height) => {
       this.rig.resize(width, height);
       this.light.pixelRatio.value = ratio;
-      for (const { strokes } of [this.paths, this.ropes, this.lanes, this.joints, this.floors]) strokes.size.set(width * ratio, height * ratio);
+      for (const strokes of [this.paths.strokes, this.ropes.strokes, this.lanes.strokes, this.joints.strokes, this.floors.strokes,
+        this.walks.strokes, this.walks.planned]) strokes.size.set(width * ratio, height * ratio);
     });
     this.picker = new Picker(this.stage.renderer, this.rig.camera, this.model);
     this.stage.still.add(this.model.still, this.labels.mesh);
     this.stage.moving.add(this.model.moving, this.paths.strokes.mesh, this.ropes.strokes.mesh, this.lanes.strokes.mesh, this.joints.strokes.mesh,
-      this.floors.strokes.mesh, this.overlay.group);
+      this.floors.strokes.mesh, this.walks.planned.mesh, this.walks.strokes.mesh, this.overlay.group);
     canvas.tabIndex = 0;
-    host.append(canvas, this.section.element, this.toolbar.element, this.card.element);
+    host.append(canvas, this.walks.legend, this.section.element, this.toolbar.element, this.card.element);
     const { components, robots, site } = film.header;
     const note = 'This plan has no site, no components and no machines: there is nothing to see here yet.';
     if (components.length + robots.length + site.length === 0) host.append(make('p', 'view-note', note));
@@ -249,8 +253,15 @@ export class SiteView {
       this.ropes.show(this.theme);
       this.lanes.show(this.theme);
       this.joints.show(this.theme);
+<<<<<<< HEAD
       this.floors.show(this.steps, this.theme);
       this.paths.show(machines && this.shows.paths ? running : [], tried, player.time, (robot) => looks.machineColour(robot),
+=======
+      const ways = machines && this.shows.paths ? running : [];
+      this.walks.show(ways, tried, player.time, this.theme);
+      // Where a guide walked, the way of the vehicle stands for that of its tool.
+      this.paths.show(ways.filter((run) => !this.walks.has(run)), tried, player.time, (robot) => looks.machineColour(robot),
+>>>>>>> i14
                       this.theme.dark);
       if (!machines) this.ropes.strokes.mesh.visible = false;
       const cut = player.section;

@@ -11,6 +11,7 @@ uniform vec2 size;
 uniform float width;
 uniform float pixelRatio;
 uniform float now;
+uniform float ahead;
 in vec2 corner;
 in vec3 a;
 in vec3 b;
@@ -36,7 +37,7 @@ void main() {
   vAcross = corner.y * (vHalf + 1.0);
   vec4 here = corner.x < 0.5 ? from : to;
   here.xy += normal * vAcross * 2.0 / size * here.w;
-  vTint = vec4(tint.rgb, (corner.x < 0.5 ? times.x : times.y) <= now ? tint.a : tint.a * 0.45);
+  vTint = vec4(tint.rgb, (corner.x < 0.5 ? times.x : times.y) <= now ? tint.a : tint.a * ahead);
   vWorld = corner.x < 0.5 ? a : b;
   gl_Position = here;
 }
@@ -72,8 +73,9 @@ export class Strokes {
   private numbers: number[] = [];
   private buffer: InterleavedBuffer | null = null;
 
-  constructor(light: Light, width: number) {
-    const uniforms = { ...light, size: { value: this.size }, width: { value: width }, now: this.now };
+  /** `ahead`: how much of its opacity is left of what comes after `now`. */
+  constructor(light: Light, width: number, ahead = 0.45) {
+    const uniforms = { ...light, size: { value: this.size }, width: { value: width }, now: this.now, ahead: { value: ahead } };
     this.mesh = new Mesh(new BufferGeometry(), new ShaderMaterial({
       glslVersion: GLSL3, vertexShader, fragmentShader, uniforms, transparent: true, depthWrite: false, side: 2,
     }));

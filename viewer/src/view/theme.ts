@@ -32,6 +32,8 @@ export interface Theme {
   zone: Colour;
   goal: Colour;
   rope: Colour;
+  /** The ways of guides in the plan view, by mode: towards the goal, round an obstacle, in a trap. */
+  modes: Colour[];
   machines: Colour[];
   components: Colour[];
 }
@@ -43,7 +45,7 @@ function themeOn(ground: Ground): Theme {
     earth: hex(site.earth), soil: hex(site.soil),
     grid: hex(site.grid), label: hex(site.label), edge: hex(site.edge), waiting: hex(site.waiting), carried: hex(site.carried),
     selected: hex(site.selected), moved: hex(page.moved), met: hex(page.met), zone: hex(site.zone), goal: hex(site.goal),
-    rope: hex(site.rope), machines: site.machines.map(hex), components: site.components.map(hex),
+    rope: hex(site.rope), modes: [page.towards, page.searching, page.tracking].map(hex), machines: site.machines.map(hex), components: site.components.map(hex),
   };
 }
 

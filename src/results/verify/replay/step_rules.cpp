@@ -228,6 +228,13 @@ class StepSolver {
         run.parts.push_back({p, step});
       }
     }
+    if (run.parts.empty() && !moved.empty()) {
+      // A turn of less than that was still a turn, if nothing else moved.
+      const int most = *std::max_element(moved.begin(), moved.end(), [&](int a, int b) {
+        return std::fabs(steps_[at(a)]) < std::fabs(steps_[at(b)]);
+      });
+      run.parts.push_back({most, steps_[at(most)]});
+    }
     result_.goes_on = !run.parts.empty() && run.is_of_same_parts(query_.run);
     run.steps = 1;
     if (!result_.goes_on) return;
