@@ -253,15 +253,11 @@ export class SiteView {
       this.ropes.show(this.theme);
       this.lanes.show(this.theme);
       this.joints.show(this.theme);
-<<<<<<< HEAD
       this.floors.show(this.steps, this.theme);
-      this.paths.show(machines && this.shows.paths ? running : [], tried, player.time, (robot) => looks.machineColour(robot),
-=======
       const ways = machines && this.shows.paths ? running : [];
       this.walks.show(ways, tried, player.time, this.theme);
       // Where a guide walked, the way of the vehicle stands for that of its tool.
       this.paths.show(ways.filter((run) => !this.walks.has(run)), tried, player.time, (robot) => looks.machineColour(robot),
->>>>>>> i14
                       this.theme.dark);
       if (!machines) this.ropes.strokes.mesh.visible = false;
       const cut = player.section;
