@@ -285,25 +285,32 @@ class Picture {
                        mixed(0xfb, 0x9c));
   }
 
-  void line(const std::vector<Point>& points, const char* style) {
+  /// A leg that turns an angle past the end of its range leaves the picture, and comes in on the
+  /// other side.
+  void line(const std::vector<Point>& points, const std::string& style) {
     std::string path;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      // Past the end of a turn an angle begins at its other end.
-      const bool jumps = i > 0 && jump(points[i - 1], points[i]);
-      path += fmt::format("{}{:.2f} {:.2f}", i == 0 || jumps ? "M" : "L",
-                          pixel_x(value(points[i], 0)), pixel_y(value(points[i], 1)));
+    const auto go = [&](char how, double x, double y) {
+      path += fmt::format("{}{:.2f} {:.2f}", how, pixel_x(x), pixel_y(y));
+    };
+    go('M', value(points.front(), 0), value(points.front(), 1));
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const double x = way_on(points[i - 1], points[i], 0);
+      const double y = way_on(points[i - 1], points[i], 1);
+      go('L', value(points[i - 1], 0) + x, value(points[i - 1], 1) + y);
+      const bool comes_in = value(points[i - 1], 0) + x != value(points[i], 0) ||
+                            value(points[i - 1], 1) + y != value(points[i], 1);
+      if (!comes_in) continue;
+      go('M', value(points[i], 0) - x, value(points[i], 1) - y);
+      go('L', value(points[i], 0), value(points[i], 1));
     }
     text_ += fmt::format("<path d=\"{}\" fill=\"none\" {}/>\n", path, style);
   }
 
-  bool jump(const Point& a, const Point& b) const {
-    for (const PictureAxis& axis : axes_) {
-      if (space_.parameter(axis.coordinate).cyclic &&
-          std::fabs(a[axis.coordinate] - b[axis.coordinate]) > 180) {
-        return true;
-      }
-    }
-    return false;
+  /// From one point to the next along an axis, the short way round.
+  double way_on(const Point& a, const Point& b, std::size_t k) const {
+    const double off = value(b, k) - value(a, k);
+    if (!space_.parameter(axes_[k].coordinate).cyclic) return off;
+    return off > 180 ? off - 360 : off < -180 ? off + 360 : off;
   }
 
   void tree() {
@@ -319,7 +326,8 @@ class Picture {
     if (report_.way.empty()) return;
     std::vector<Point> points;
     for (const std::vector<double>& q : report_.way) points.push_back(space_.point(q));
-    line(points, fmt::format("stroke=\"{}\" stroke-width=\"2.4\"", palette::kDrawing.bad).c_str());
+    line(points, fmt::format("clip-path=\"url(#frame)\" stroke=\"{}\" stroke-width=\"2.4\"",
+                             palette::kDrawing.bad));
   }
 
   /// Of a lattice over these two parameters: nodes below which none lies that a free leg leads to.
@@ -399,7 +407,7 @@ class Picture {
 
   std::string legend() const {
     if (spec_.kind == guides::GuideKind::potential) {
-      return fmt::format("dark: forbidden; blue: the field; rings: its {} minima but the goal",
+      return fmt::format("dark: forbidden; blue: the field; rings: minima but the goal ({})",
                          minima_);
     }
     return "dark: forbidden; thin: what was tried; red: the way";

@@ -40,8 +40,9 @@ PlanReport plan(const robot::RobotModel& model, GuideKind kind, double seed, con
   GuideSpec spec = default_guide(kind);
   spec.seed = seed;
   spec.turn_radius = kRadius;
+  spec.improve = 20;
   if (kind != GuideKind::astar && kind != GuideKind::rrt_connect) spec.goal_bias = 0.3;
-  if (kind == GuideKind::astar) spec.step = 5;
+  if (kind == GuideKind::astar) spec.step = 8;
   GuideTask task;
   task.model = &model;
   task.mounting = test::standing(model);
