@@ -65,7 +65,8 @@ TEST(Messages, WhatIsDamagedIsRefusedOrIsAnotherMessage) {
     std::string damaged = text;
     damaged[random() % damaged.size()] = static_cast<char>(random());
     // What is read after all can be written: all of it is there.
-    if (const auto read = read_message(damaged, 3)) EXPECT_FALSE(write_message(*read).empty());
+    const auto read = read_message(damaged, 3);
+    EXPECT_TRUE(!read || !write_message(*read).empty());
   }
 }
 

@@ -44,7 +44,7 @@ class SupportTest : public ::testing::Test {
   /// Why a component does not stand where it is; "" if it does.
   std::string why_not(int component) {
     const SiteWorld site = make_site(plan_);
-    Support support(plan_, site);
+    Support support(plan_, site, prepare_site(plan_).surfaces);
     support.find_floating();
     return support.why_not(component, spec(component).X_WO).value_or("");
   }
@@ -151,7 +151,7 @@ TEST_F(SupportTest, WhatIsFixedAfterATaskHangsOnlyThen) {
   plan_.tasks.emplace_back().name = "bolt";
   spec(shelf).fixed_to = {Fixing{component_ref(wall), 0}};
   SiteWorld site = make_site(plan_);
-  Support support(plan_, site);
+  Support support(plan_, site, prepare_site(plan_).surfaces);
   bool is_bolted = false;
   support.set_done([&](int task) { return task == 0 && is_bolted; });
   const math::Pose X_WO = site.X_WO(shelf);
@@ -171,7 +171,7 @@ TEST_F(SupportTest, WhatOthersStandOnCannotBeTakenAway) {
   const int lamp = add_box("lamp", {1, 1, 0.5}, {1.1, 1.1, 1});
   spec(lamp).fixed_to = {Fixing{component_ref(slab)}};
   SiteWorld site = make_site(plan_);
-  Support support(plan_, site);
+  Support support(plan_, site, prepare_site(plan_).surfaces);
   EXPECT_TRUE(support.find_floating().empty());
   EXPECT_THAT(support.left_without(left), ::testing::ElementsAre(slab));
   EXPECT_THAT(support.left_without(middle), ::testing::IsEmpty());

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "src/simulation/site/make_site.hpp"
 #include "src/simulation/taskplan/work_activity.hpp"
 #include "tests/unit/taskplan/crane_plan.hpp"
 
@@ -31,7 +32,7 @@ class CheckpointTest : public testing::Test {
  protected:
   CheckpointTest()
       : plan_(crew_plan()),
-        stage_(plan_, sources_, nullptr, trace::TraceDetail::none),
+        stage_(plan_, sources_, nullptr, trace::TraceDetail::none, site::prepare_site(plan_)),
         records_(stage_.tasks()),
         checkpoints_(stage_, records_, zone_waits_) {}
 
