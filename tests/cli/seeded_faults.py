@@ -492,7 +492,9 @@ def shift_what_carries(good, rng):
     result = copy.deepcopy(good)
     component = next(each for each in result.header["components"] if each["name"] == name)
     component["shapes"].append({"type": "box", "lower": [40, 40, 60], "upper": [50, 50, 70], "pose": IDENTITY})
-    return Fault("shift what carries", result, [""], words=f"{name} does not stand: its centre of mass")
+    by_forces = "friction" in good.header["support"]
+    return Fault("shift what carries", result, [""],
+                 words=f"{name} and what it rests on do not stand" if by_forces else f"{name} does not stand: its centre of mass")
 
 
 def outweigh(good, rng):

@@ -113,11 +113,11 @@ TEST(Format, Robots) {
 }
 
 TEST(Format, PlacesBehindWords) {
-  EXPECT_EQ(formatted("plan p{network n{policy grid{map \"a.map\";agent a from(1,2)to(3,4);}}"
+  EXPECT_EQ(formatted("plan p{network n{map \"a.map\";agent a from(1,2)to(3,4);}"
                       "task t{cover hall{from(0,0);inlet( 3,4);}}}",
                       TextKind::plan),
             "plan p {\n"
-            "  network n { policy grid { map \"a.map\"; agent a from (1, 2) to (3, 4); } }\n"
+            "  network n { map \"a.map\"; agent a from (1, 2) to (3, 4); }\n"
             "  task t { cover hall { from (0, 0); inlet (3, 4); } }\n"
             "}\n");
 }
