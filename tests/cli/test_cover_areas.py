@@ -186,9 +186,6 @@ class CoverAreas(ResultCase):
             checked = rubicon("check", self.write("p.plan", text))
             self.assertEqual(checked.returncode, 2, text + checked.stderr)
             self.assertIn(message, checked.stderr)
-        svg = rubicon("guides", self.write("p.plan", self.paint().replace("cover facade { width 0.5 m; clearance 0.25 m; above 0.3 m;  }", "go x 1;")),
-                      "--svg", "a.svg")
-        self.assertIn("covers none", svg.stderr)
 
 
 if __name__ == "__main__":
