@@ -4,7 +4,7 @@ export default defineConfig({
   test: {
     // Whole pages share the processors with the browser that shows them: one file after the other.
     fileParallelism: false,
-    testTimeout: 120_000,
-    hookTimeout: 120_000,
+    testTimeout: 300_000,
+    hookTimeout: 300_000,
   },
 });
