@@ -1,30 +1,19 @@
 """Guides that think, that steer and that go down a field: what runs, what verify finds in a changed result, and the picture."""
 
-import json
 import math
 import os
 import re
 import unittest
 import xml.etree.ElementTree as xml
 
-from result_case import ResultCase, rubicon
+from guide_case import GuideCase
+from result_case import rubicon
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TRUCK = os.path.join(HERE, "..", "..", "robots", "truck", "steered_truck.robot")
 PARK = os.path.join(HERE, "..", "..", "robots", "truck", "cases", "park_in_a_bay", "site.plan")
 FIELD = os.path.join(HERE, "..", "..", "examples", "22_down_a_field", "site.plan")
 
-CAR = """robot %s {
-  body car {
-    param x step(0.5) speed(1 m/s) range(-20, 20);
-    param y step(0.5) speed(1 m/s) range(-20, 20);
-    frame trans(x, y, 0);
-    shape box(-0.5, -0.5, 0, 0.5, 0.5, 1);
-  }
-  tool car;
-  behaviour { chain { follow }; }
-}
-"""
 THINKS = """plan p {
   robot car "car.robot";
   robot other "other.robot" { start x 6, y 9; }
@@ -35,16 +24,7 @@ THINKS = """plan p {
 """
 
 
-class GuideKinds(ResultCase):
-    def setUp(self):
-        super().setUp()
-        for name in ("car", "other"):
-            self.write(f"{name}.robot", CAR % name)
-
-    def records(self, *types):
-        with open(os.path.join(self.out, "trace.jsonl"), encoding="utf-8") as file:
-            return [record for record in map(json.loads, file) if record["type"] in types]
-
+class GuideKinds(GuideCase):
     def checked(self, clauses, robot="car.robot", kind="rrt_connect"):
         path = self.write("bad.plan", f'plan p {{ robot "{robot}"; guide way {kind} {{ {clauses} }} goal x 1; guide way; }}')
         told = rubicon("check", path)

@@ -8,7 +8,8 @@ import os
 import random
 import unittest
 
-from result_case import ResultCase, rubicon
+from guide_case import GuideCase
+from result_case import rubicon
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 EXCAVATOR = os.path.join(HERE, "..", "..", "robots", "excavator", "excavator.robot")
@@ -16,17 +17,6 @@ SCENE = os.path.join(HERE, "..", "..", "robots", "excavator", "cases", "trench_t
 SEED = int(os.environ.get("RUBICON_SEED", "1995"))
 ROUNDS = int(os.environ.get("RUBICON_ROUNDS", "8"))
 
-CAR = """robot %s {
-  body car {
-    param x step(0.5) speed(1 m/s) range(-20, 20);
-    param y step(0.5) speed(1 m/s) range(-20, 20);
-    frame trans(x, y, 0);
-    shape box(-0.5, -0.5, 0, 0.5, 0.5, 1);
-  }
-  tool car;
-  behaviour { chain { follow }; }
-}
-"""
 ROUND_THE_WALL = """plan p {
   robot car "car.robot";
   component wall { shape box(-0.5, -6, 0, 0.5, 6, 2); at trans(5, 0, 0); }
@@ -36,17 +26,7 @@ ROUND_THE_WALL = """plan p {
 """
 
 
-class Guides(ResultCase):
-    def setUp(self):
-        super().setUp()
-        for name in ("car", "other"):
-            with open(os.path.join(self.folder, f"{name}.robot"), "w", encoding="utf-8") as file:
-                file.write(CAR % name)
-
-    def records(self, *types):
-        with open(os.path.join(self.out, "trace.jsonl"), encoding="utf-8") as file:
-            return [record for record in map(json.loads, file) if record["type"] in types]
-
+class Guides(GuideCase):
     def test_a_way_is_followed_without_a_refusal(self):
         _, tasks = self.run_plan(ROUND_THE_WALL)
         self.assertEqual(tasks["over"]["result"], "done")

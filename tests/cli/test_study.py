@@ -10,44 +10,19 @@ import subprocess
 import time
 import unittest
 
-from result_case import RUBICON, ResultCase, rubicon
-
-PLAN = """plan house {
-  start_at "2026-03-02 08:00";
-  currency "EUR";
-  parameter floors = 3;
-  parameter gang = 2;
-  crew masons { size gang; cost 40 per h; }
-  crew carpenters { cost 45 per h; }
-  for i from 1 to floors {
-    task wall[i] { by masons; takes pert(4 h, 6 h, 14 h); when (i > 1) { after slab[i - 1]; } }
-    task form[i] { by carpenters; takes triangular(2 h, 3 h, 7 h); after wall[i]; }
-    task slab[i] { by masons; needs 2 masons; takes lognormal(5 h, 1.5 h); after form[i]; }
-  }
-}
-"""
+from result_case import RUBICON, rubicon
+from study_case import PLAN, StudyCase
 
 
-class Study(ResultCase):
-    def setUp(self):
-        super().setUp()
-        self.write("house.plan", PLAN)
-
+class Study(StudyCase):
     def study(self, items, *arguments, expected=0, name="s.study"):
-        path = self.write(name, 'study s { plan "house.plan"; %s }' % items)
+        path = self.path_of(items, name)
         self.result = rubicon("study", path, *arguments)
         self.assertEqual(self.result.returncode, expected, self.result.stdout + self.result.stderr)
         return self.result.stdout
 
     def json_of(self, items, *arguments, expected=0):
         return json.loads(self.study(items, "--format", "json", *arguments, expected=expected))
-
-    def files(self, folder):
-        result = {}
-        for name in sorted(os.listdir(folder)):
-            with open(os.path.join(folder, name), "rb") as file:
-                result[name] = file.read()
-        return result
 
     def test_a_run_of_a_study_is_the_run_that_its_row_names(self):
         out = os.path.join(self.folder, "out")

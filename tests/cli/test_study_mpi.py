@@ -7,25 +7,11 @@ import subprocess
 import time
 import unittest
 
-from result_case import RUBICON, ResultCase, rubicon
+from result_case import RUBICON, rubicon
+from study_case import StudyCase
 
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
                    OMPI_MCA_btl_base_warn_component_unused="0")
-
-PLAN = """plan house {
-  start_at "2026-03-02 08:00";
-  currency "EUR";
-  parameter floors = 3;
-  parameter gang = 2;
-  crew masons { size gang; cost 40 per h; }
-  crew carpenters { cost 45 per h; }
-  for i from 1 to floors {
-    task wall[i] { by masons; takes pert(4 h, 6 h, 14 h); when (i > 1) { after slab[i - 1]; } }
-    task form[i] { by carpenters; takes triangular(2 h, 3 h, 7 h); after wall[i]; }
-    task slab[i] { by masons; needs 2 masons; takes lognormal(5 h, 1.5 h); after form[i]; }
-  }
-}
-"""
 ITEMS = "vary floors 2 to 5; vary gang 2, 1; runs at most 600 until width(p80(finish)) < 2 h; seed 3; choose least p95(cost);"
 
 
@@ -33,21 +19,7 @@ def mpi(ranks, *arguments, options=()):
     return ["mpirun", "--oversubscribe", *options, "-n", str(ranks), RUBICON, "study", *arguments]
 
 
-class StudyOnRanks(ResultCase):
-    def setUp(self):
-        super().setUp()
-        self.write("house.plan", PLAN)
-
-    def files(self, folder):
-        result = {}
-        for name in sorted(os.listdir(folder)):
-            with open(os.path.join(folder, name), "rb") as file:
-                result[name] = file.read()
-        return result
-
-    def path_of(self, items, name="s.study"):
-        return self.write(name, 'study s { plan "house.plan"; %s }' % items)
-
+class StudyOnRanks(StudyCase):
     def on_threads(self, path, folder="threads"):
         out = os.path.join(self.folder, folder)
         made = rubicon("study", path, "--out", out)

@@ -5,6 +5,7 @@
 
 #include "src/motion/guides/lattice.hpp"
 #include "src/motion/guides/planners.hpp"
+#include "src/motion/guides/queued_leg.hpp"
 
 namespace rubicon::guides {
 
@@ -38,12 +39,7 @@ class LatticeSearch {
       if (lattice_.is_at_goal(next.node)) add_goal(here);
       for (const Lattice::Node& node : lattice_.next_to(next.node)) add(here, node);
     }
-    search.nodes = reached_.size();
-    search.out_of_nodes = !space_.spent();
-    for (std::size_t i = 1; space_.spec().tells_tree && i < reached_.size(); ++i) {
-      const auto from = static_cast<std::size_t>(reached_[i].from);
-      search.tree.emplace_back(reached_[from].point, reached_[i].point);
-    }
+    tell_reached(reached_, space_, search);
     return search;
   }
 
@@ -55,23 +51,9 @@ class LatticeSearch {
     int from = -1;
   };
 
-  /// A leg that may lead further.
-  struct Candidate {
-    double whole = 0;  ///< cost to its end, and what is left from there
-    double cost = 0;
-    std::size_t number = 0;
-    int from = 0;
-    bool at_goal = false;
+  struct Candidate : QueuedLeg {
     bool tested = false;
     Lattice::Node node;
-
-    /// Whether it comes after another one: of equals the one nearer to the goal is first, then the
-    /// one found first.
-    bool operator<(const Candidate& other) const {
-      if (whole != other.whole) return whole > other.whole;
-      if (cost != other.cost) return cost < other.cost;
-      return number > other.number;
-    }
   };
 
   bool full() const { return static_cast<double>(reached_.size()) >= space_.spec().nodes; }

@@ -2,11 +2,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <queue>
+#include <set>
 #include <utility>
 
 #include "src/motion/guides/planners.hpp"
+#include "src/motion/guides/queued_leg.hpp"
 #include "src/motion/math/angles.hpp"
 #include "src/motion/math/index.hpp"
 #include "src/motion/math/turns.hpp"
@@ -44,7 +45,7 @@ class ArcSearch {
 
   Search run() {
     add_goal(0);
-    cells_.emplace(cell_of(reached_[0].point), 0);
+    cells_.insert(cell_of(reached_[0].point));
     add_pieces(0);
     Search search;
     while (!queue_.empty() && !full() && !space_.spent()) {
@@ -53,7 +54,7 @@ class ArcSearch {
       if (!next.at_goal && cells_.count(cell_of(next.point)) != 0) continue;
       if (!space_.leg_is_free(reached_[at(next.from)].point, next.point)) continue;
       const int here = static_cast<int>(reached_.size());
-      if (!next.at_goal) cells_.emplace(cell_of(next.point), here);
+      if (!next.at_goal) cells_.insert(cell_of(next.point));
       reached_.push_back({std::move(next.point), next.cost, next.from});
       if (next.at_goal) {
         search.way = way();
@@ -63,12 +64,7 @@ class ArcSearch {
       add_goal(here);
       add_pieces(here);
     }
-    search.nodes = reached_.size();
-    search.out_of_nodes = !space_.spent();
-    for (std::size_t i = 1; space_.spec().tells_tree && i < reached_.size(); ++i) {
-      const auto from = static_cast<std::size_t>(reached_[i].from);
-      search.tree.emplace_back(reached_[from].point, reached_[i].point);
-    }
+    tell_reached(reached_, space_, search);
     return search;
   }
 
@@ -78,20 +74,8 @@ class ArcSearch {
     double cost = 0;
     int from = -1;
   };
-  struct Candidate {
-    double whole = 0;
-    double cost = 0;
-    std::size_t number = 0;
-    int from = 0;
-    bool at_goal = false;
+  struct Candidate : QueuedLeg {
     Point point;
-    /// Whether it comes after another one: of equals the one nearer to the goal is first, then the
-    /// one found first.
-    bool operator<(const Candidate& other) const {
-      if (whole != other.whole) return whole > other.whole;
-      if (cost != other.cost) return cost < other.cost;
-      return number > other.number;
-    }
   };
   using Cell = std::array<std::int64_t, 3>;
 
@@ -159,7 +143,7 @@ class ArcSearch {
   double turn_deg_ = 0;                      ///< that an arc of a piece turns by
   double cells_of_turn_ = 0;
   std::vector<Reached> reached_;  ///< the start first
-  std::map<Cell, int> cells_;
+  std::set<Cell> cells_;          ///< those that were reached
   std::priority_queue<Candidate> queue_;
   std::size_t added_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "src/motion/guides/vehicle.hpp"
+#include "src/results/comparison/first_report.hpp"
 #include "src/results/comparison/looked_at.hpp"
 #include "src/simulation/site/make_site.hpp"
 #include "src/simulation/site/robot_view.hpp"
@@ -15,38 +16,19 @@ namespace rubicon::comparison {
 
 namespace {
 
-/// What the first guide of a motion says.
-class FirstPlan : public interpreter::EventSink {
- public:
-  void guide(const interpreter::GuidePlan& plan) override {
-    if (trial_) return;
-    const guides::PlanReport& report = *plan.report;
-    GuideTrial trial;
-    trial.found = report.found();
-    trial.cause = plan.cause;
-    trial.nodes = static_cast<double>(report.nodes);
-    trial.checks = static_cast<double>(report.checks);
-    trial.refused = static_cast<double>(report.refused);
-    trial.roughness = report.metrics.roughness;
-    trial.length = report.metrics.length;
-    trial.motion_time = report.metrics.motion_time;
-    trial_ = std::move(trial);
-  }
-  void goal(int, int) override {}
-  void way_point(int, int) override {}
-  void set(const std::string&, double, interpreter::Span) override {}
-  void enter(interpreter::LoopKind, interpreter::Span) override {}
-  void exit(interpreter::LoopKind, interpreter::Span, bool, int) override {}
-  void which(const std::string&, interpreter::Span) override {}
-  void attempt(const interpreter::Attempt&) override {}
-  void wait(int, interpreter::Ticks, interpreter::Span) override {}
-  void stop(interpreter::Ticks) override {}
-
-  const std::optional<GuideTrial>& trial() const { return trial_; }
-
- private:
-  std::optional<GuideTrial> trial_;
-};
+GuideTrial trial_of(const FirstReport& first) {
+  const guides::PlanReport& report = *first.report;
+  GuideTrial trial;
+  trial.found = report.found();
+  trial.cause = first.cause;
+  trial.nodes = static_cast<double>(report.nodes);
+  trial.checks = static_cast<double>(report.checks);
+  trial.refused = static_cast<double>(report.refused);
+  trial.roughness = report.metrics.roughness;
+  trial.length = report.metrics.length;
+  trial.motion_time = report.metrics.motion_time;
+  return trial;
+}
 
 /// The guide that the task names of each kind, else that kind as it is by default; those of travel
 /// for machines that travel.
@@ -96,14 +78,15 @@ class Comparer {
                                  const interpreter::MotionTask& motion,
                                  const interpreter::World& world) {
     LookedAt looked_at(world);
-    FirstPlan first;
+    FirstReport first;
     interpreter::Machine machine(program, motion);
     const double begin = clock_();
     // To the first attempt, which is refused.
     machine.advance(looked_at, &first);
     const double end = clock_();
-    std::optional<GuideTrial> trial = first.trial();
-    if (trial) trial->milliseconds = (end - begin) * 1e3;
+    if (!first.report) return std::nullopt;
+    GuideTrial trial = trial_of(first);
+    trial.milliseconds = (end - begin) * 1e3;
     return trial;
   }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "src/results/report/grid_map_json.hpp"
+
 namespace rubicon::report {
 
 namespace {
@@ -85,6 +87,17 @@ std::string grid_csv(const interpreter::GridSpec& spec, const GridSolution& solu
   return text;
 }
 
+nlohmann::ordered_json grid_map_json(const interpreter::GridSpec& spec) {
+  const grid::GridMap& map = spec.problem.map;
+  auto rows = nlohmann::ordered_json::array();
+  for (int y = 0; y < map.rows; ++y) {
+    std::string row;
+    for (int x = 0; x < map.columns; ++x) row += map.is_open({x, y}) ? '.' : '@';
+    rows.push_back(row);
+  }
+  return {{"file", spec.map}, {"rows", std::move(rows)}};
+}
+
 std::string grid_json(const interpreter::GridSpec& spec, const GridSolution& solution) {
   using Json = nlohmann::ordered_json;
   Json json;
@@ -102,14 +115,7 @@ std::string grid_json(const interpreter::GridSpec& spec, const GridSolution& sol
   json["first_expansions"] = solution.first_expansions;
   json["budget"] = spec.query.expansions;
   json["seed"] = spec.query.seed;
-  const grid::GridMap& map = spec.problem.map;
-  Json rows = Json::array();
-  for (int y = 0; y < map.rows; ++y) {
-    std::string row;
-    for (int x = 0; x < map.columns; ++x) row += map.is_open({x, y}) ? '.' : '@';
-    rows.push_back(row);
-  }
-  json["map"] = {{"file", spec.map}, {"rows", std::move(rows)}};
+  json["map"] = grid_map_json(spec);
   if (!spec.scenario.empty()) json["scenario"] = spec.scenario;
   Json agents = Json::array();
   for (std::size_t i = 0; i < spec.problem.agents.size(); ++i) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "src/results/report/grid_map_json.hpp"
+
 namespace rubicon::report {
 
 namespace {
@@ -167,14 +169,7 @@ std::string jobs_json(const GridSpec& spec, const JobsResult& result) {
   json["window"] = spec.job_query.window;
   json["late"] = spec.job_query.late;
   json["late_ticks"] = spec.job_query.late_ticks;
-  const grid::GridMap& map = spec.problem.map;
-  Json rows = Json::array();
-  for (int y = 0; y < map.rows; ++y) {
-    std::string row;
-    for (int x = 0; x < map.columns; ++x) row += map.is_open({x, y}) ? '.' : '@';
-    rows.push_back(row);
-  }
-  json["map"] = {{"file", spec.map}, {"rows", std::move(rows)}};
+  json["map"] = grid_map_json(spec);
   Json agents = Json::array();
   for (std::size_t i = 0; i < spec.problem.agents.size(); ++i) {
     const grid::GridAgent& agent = spec.problem.agents[i];

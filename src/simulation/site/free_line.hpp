@@ -51,7 +51,7 @@ class FreeLine {
   bool is_first_ = false;  ///< it did not go on where another ended
   bool is_used_ = false;   ///< since then a step was on the line
   bool is_eager_ = true;   ///< whether lines from first steps have been of use
-  int steps_ = 4;          ///< to look ahead next time
+  int steps_ = 0;          ///< to look ahead next time
   int pause_ = 0;          ///< steps to test alone before
 };
 

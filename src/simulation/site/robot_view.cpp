@@ -109,12 +109,8 @@ bool RobotView::look_ahead(const interpreter::MotionStep& step) const {
     return false;
   }
   const collision::SweptQuery movers = query.against_others();
-  std::vector<int> parts;
-  for (std::size_t i = 0; i < movers.items.size(); ++i) {
-    parts.push_back(query.part_of_mover(static_cast<int>(i)));
-  }
   collision::MovingBodies bodies(movers);
-  if (zone_met(movers, parts, bodies)) {
+  if (zone_met(movers, query.parts_of_movers(), bodies)) {
     line_.found_blocked();
     return false;
   }
@@ -262,10 +258,7 @@ std::optional<interpreter::HitPair> RobotView::others_hit(const StepQuery& step,
                                                           Ticks until) const {
   if (!site_.has_others(index_)) return std::nullopt;
   const collision::SweptQuery movers = step.against_others();
-  std::vector<int> moving;
-  for (std::size_t i = 0; i < movers.items.size(); ++i) {
-    moving.push_back(step.part_of_mover(static_cast<int>(i)));
-  }
+  const std::vector<int> moving = step.parts_of_movers();
   const auto met = other_met(movers, moving, until);
   if (!met) return std::nullopt;
   return interpreter::HitPair{part_name(moving[static_cast<std::size_t>(met->item)]), met->name,

@@ -159,8 +159,11 @@ collision::SweptQuery StepQuery::against_others() const {
   return others;
 }
 
-int StepQuery::part_of_mover(int item) const {
-  return part_of(movers_[static_cast<std::size_t>(item)]);
+std::vector<int> StepQuery::parts_of_movers() const {
+  std::vector<int> parts;
+  parts.reserve(movers_.size());
+  for (const int mover : movers_) parts.push_back(part_of(mover));
+  return parts;
 }
 
 }  // namespace rubicon::site

@@ -31,8 +31,9 @@ class StepQuery {
   collision::SweptQuery against_others() const;
   /// The part behind an item of `query`.
   int part_of(int item) const { return part_of_[static_cast<std::size_t>(item)]; }
-  /// The same of `against_others`.
-  int part_of_mover(int item) const;
+  /// The same of `against_others`, and of all its items.
+  int part_of_mover(int item) const { return part_of(movers_[static_cast<std::size_t>(item)]); }
+  std::vector<int> parts_of_movers() const;
   /// Of a body or the load.
   bool moves(int part) const { return moves_[static_cast<std::size_t>(part)]; }
 

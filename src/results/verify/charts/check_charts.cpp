@@ -17,8 +17,6 @@ namespace rubicon::verify {
 namespace {
 
 constexpr std::size_t kMostChartFaults = 20;
-/// A longer text than the head of a result need not be looked at to know one.
-constexpr std::size_t kChartsHead = 200;
 /// Driving times are rounded once each; parts of a lane, which are differences of such, to 2 ns,
 /// and a lane that was left half way to as many more.
 constexpr Ticks kRounding = 4;
@@ -674,9 +672,7 @@ class ChartsCheck {
 
 }  // namespace
 
-bool is_charts_result(const std::string& text) {
-  return text.substr(0, kChartsHead).find("\"rubicon-charts\"") != std::string::npos;
-}
+bool is_charts_result(const std::string& text) { return has_format(text, "rubicon-charts"); }
 
 ChartsVerdict check_charts(const std::string& text) {
   const Json json = parse_json(text);

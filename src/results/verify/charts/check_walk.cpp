@@ -15,7 +15,6 @@ namespace rubicon::verify {
 namespace {
 
 constexpr std::size_t kMostWalkFaults = 20;
-constexpr std::size_t kWalkHead = 200;
 
 class WalkCheck {
  public:
@@ -166,9 +165,7 @@ class WalkCheck {
 
 }  // namespace
 
-bool is_walk_result(const std::string& text) {
-  return text.substr(0, kWalkHead).find("\"rubicon-walk\"") != std::string::npos;
-}
+bool is_walk_result(const std::string& text) { return has_format(text, "rubicon-walk"); }
 
 WalkVerdict check_walk(const std::string& text) {
   const Json json = parse_json(text);

@@ -15,8 +15,6 @@ namespace rubicon::verify {
 namespace {
 
 constexpr std::size_t kListedFaults = 20;
-/// A longer text than the head of a result need not be looked at to know one.
-constexpr std::size_t kHeadOfJobs = 200;
 constexpr int kMostTicks = 1'000'000'000;
 
 struct Driver {
@@ -374,9 +372,7 @@ class JobsCheck {
 
 }  // namespace
 
-bool is_jobs_result(const std::string& text) {
-  return text.substr(0, kHeadOfJobs).find("\"rubicon-jobs\"") != std::string::npos;
-}
+bool is_jobs_result(const std::string& text) { return has_format(text, "rubicon-jobs"); }
 
 JobsVerdict check_jobs(const std::string& text) {
   const Json json = parse_json(text);

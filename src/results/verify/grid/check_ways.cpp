@@ -14,8 +14,6 @@ namespace rubicon::verify {
 namespace {
 
 constexpr std::size_t kListed = 20;
-/// A longer text than the head of a result need not be looked at to know one.
-constexpr std::size_t kHead = 200;
 
 struct Place {
   int x = 0, y = 0;
@@ -230,9 +228,7 @@ class WaysCheck {
 
 }  // namespace
 
-bool is_grid_result(const std::string& text) {
-  return text.substr(0, kHead).find("\"rubicon-grid\"") != std::string::npos;
-}
+bool is_grid_result(const std::string& text) { return has_format(text, "rubicon-grid"); }
 
 WaysVerdict check_ways(const std::string& text) {
   const Json json = parse_json(text);

@@ -41,6 +41,11 @@ bool too_deep(const std::string& text) {
 
 }  // namespace
 
+bool has_format(const std::string& text, const std::string& format) {
+  constexpr std::size_t kHead = 200;
+  return text.substr(0, kHead).find("\"" + format + "\"") != std::string::npos;
+}
+
 Json parse_json(const std::string& text) {
   if (too_deep(text)) throw UnreadableInput("expected JSON, found too many brackets");
   try {

@@ -15,6 +15,10 @@ using Json = nlohmann::json;
 /// m or degrees: more than this is no building site, and its squares would overflow.
 inline constexpr double kLargestNumber = 1e12;
 
+/// Whether a text is a result without tasks of this format ("rubicon-grid"), by its head: a longer
+/// text need not be looked at to know one.
+bool has_format(const std::string& text, const std::string& format);
+
 /// Reads JSON text that is not nested deeper than any trace; throws UnreadableInput.
 Json parse_json(const std::string& text);
 
