@@ -168,8 +168,8 @@ strip their comparison follows in the table.
   --dt S           in slices of so many seconds, 0.25 if not given
   --svg FILE       instead, draws the configurations that two parameters span where the first motion of the task begins:
                    where the robot may not stand, what was tried, the way; of potential its field and the minima in it.
-                   Of a task that covers an area, without --kind and --axes, each step of the method that found its way.
-                   - is standard output
+                   Of a task that covers an area, without --kind and --axes, each step of the method that found its way,
+                   beside the table. - is standard output, with nothing else on it
   --chart FILE     instead, draws the parameters of the robot over time on that way: as they are driven, and as each would
                    be by itself at its full speed
   --kind KIND      of which kind of guide; the first that the task names if not given
