@@ -38,14 +38,15 @@ double piece_time(const robot::RobotModel& model, const Leg& leg, std::span<cons
     return loaded ? p.loaded_speed : p.speed;
   };
   const auto place = leg.place();
-  if (leg.steers() && speed_of(leg.drive()) > 0) {
+  const bool vehicle = leg.drive() >= 0;
+  if (vehicle && speed_of(leg.drive()) > 0) {
     const double dx = next[at(place[0])] - q[at(place[0])];
     const double dy = next[at(place[1])] - q[at(place[1])];
     time = std::sqrt(dx * dx + dy * dy) / speed_of(leg.drive());
   }
   for (const int i : leg.parameters()) {
     const double speed = speed_of(i);
-    const bool driven = leg.steers() && (i == place[0] || i == place[1]);
+    const bool driven = vehicle && (i == place[0] || i == place[1]);
     if (!(speed > 0) || driven) continue;
     time = std::max(time, std::fabs(next[at(i)] - q[at(i)]) / speed);
   }

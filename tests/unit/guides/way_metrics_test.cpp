@@ -37,6 +37,15 @@ TEST(WayMetrics, SpeedsAreThoseOfTheThesis) {
   EXPECT_NEAR(metrics(model, {{0, 0, 100, 100}, {0, 10, 110, 100}}).motion_time, 10 / 5.5, 1e-12);
 }
 
+TEST(WayMetrics, AVehicleTakesTheSameTimeInAllDirections) {
+  // 1 m/s and 20 degrees a second: it turns to face the place, drives there and turns back.
+  const robot::RobotModel model = test::vehicle();
+  EXPECT_NEAR(metrics(model, {{0, 0, 0}, {5, 0, 0}}).motion_time, 5, 1e-9);
+  EXPECT_NEAR(metrics(model, {{0, 0, 90}, {0, 5, 90}}).motion_time, 5, 1e-9);
+  EXPECT_NEAR(metrics(model, {{0, 0, 0}, {0, 5, 0}}).motion_time, 5 + 2 * 90 / 20.0, 1e-9);
+  EXPECT_NEAR(metrics(model, {{1, 1, 45}, {4, 4, 45}}).motion_time, std::sqrt(18), 1e-9);
+}
+
 /// The effective arms of Langari's appendix A, by the law of cosines.
 TEST(WayMetrics, LengthIsTheSumOfArmsTimesAngles) {
   const robot::RobotModel model = test::excavator();
