@@ -195,6 +195,7 @@ int run_plan_command(const RunOptions& options) {
     ProgressLine progress(kQuiet, kBetweenProgress);
     taskplan::RunOptions run;
     run.detail = detail_of(options.trace_detail);
+    run.traces_graphs = options.trace_detail == "full";
     run.on_task = [&](int done, int total, const taskplan::TaskOutcome& last) {
       if (progress.is_due()) progress.show(fmt::format("{}/{} {}", done, total, last.task));
     };

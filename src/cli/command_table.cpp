@@ -29,7 +29,7 @@ Action declare_run(CLI::App& app) {
   app.add_option("--format", options->format)->check(IsMember({"table", "json", "csv"}));
   app.add_option("--trace", options->trace);
   app.add_option("--trace-detail", options->trace_detail)
-      ->check(IsMember({"steps", "tasks", "none"}));
+      ->check(IsMember({"full", "steps", "tasks", "none"}));
   app.add_option("--out", options->out);
   app.add_flag("--compress", options->compress);
   declare_set(app, options->set);

@@ -46,7 +46,7 @@ examples:
 const std::string_view kRun =
     R"(rubicon run - simulate a plan
 
-usage: rubicon run PLAN [--format table|json|csv] [--trace FILE] [--trace-detail steps|tasks|none]
+usage: rubicon run PLAN [--format table|json|csv] [--trace FILE] [--trace-detail full|steps|tasks|none]
                         [--out DIR [--compress]] [--set NAME=VALUE]... [--sample SEED[:RUN]]
 
 Checks the plan, then simulates it: tasks start when their links, robots, crews and shifts allow, several machines move in
@@ -63,7 +63,8 @@ walk of each robot that explores the network is printed.
   --format FORMAT        table (the default), json or csv, on standard output; times in seconds
   --trace FILE           write what happened, one JSON object a line (docs/trace.md); - is standard output; packed if the name
                          ends in .gz
-  --trace-detail DETAIL  steps (the default: everything), tasks (no single attempts), none (header and results only)
+  --trace-detail DETAIL  steps (the default: everything that happened), full (what guides searched through as well: the page shows
+                         it), tasks (no single attempts), none (header and results only)
   --out DIR              write schedule.csv, schedule.json, trace.jsonl and report.html, the page that shows it all, into DIR; of a
                          network of cells ways.json and ways.csv, of one with jobs jobs.json, jobs.csv and agents.csv, of charts
                          charts.json, charts.csv and charts.svg, of an exploration walk.json and walk.csv

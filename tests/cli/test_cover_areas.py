@@ -134,6 +134,10 @@ class CoverAreas(ResultCase):
             result.header["tasks"][0]["cover"]["floor"]["shafts"][0] = [0, 0.6, 12, 0.6, 12, 5.4, 0, 5.4]
         self.assertIn("into shaft 1 of its area", self.faults_of(over_the_shaft))
 
+        def over_a_column(result):
+            result.header["tasks"][0]["cover"]["floor"]["columns"].append([2, 3, 3, True])
+        self.assertIn("into column 1 of its area", self.faults_of(over_a_column))
+
     def test_guides_tells_what_the_way_does(self):
         path = self.write("p.plan", self.paint())
         told = rubicon("guides", path, "--format", "json")

@@ -97,7 +97,7 @@ class Travel(ResultCase):
         told = rubicon("guides", os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "taskplans", "trench.plan"), "--exact")
         self.assertEqual(told.returncode, 2)
 
-    def drive(self, guide, things=BLOCK, expected=0):
+    def drive(self, guide, things=BLOCK, expected=0, options=()):
         """A vehicle that turns and drives follows a guide; the plan is verified."""
         self.write("truck.robot", """robot truck {
   time_step 1;
@@ -117,12 +117,16 @@ class Travel(ResultCase):
 """)
         return self.run_plan('plan yard {\n  robot car "%s" { start x 0, y -20, theta 90; }\n  support off;\n  %s\n  guide way %s\n'
                              "  task over { by car; go x 0, y 30, theta 90; guide way; }\n}\n"
-                             % (os.path.join(self.folder, "truck.robot"), things, guide), expected)
+                             % (os.path.join(self.folder, "truck.robot"), things, guide), expected, options)
 
-    def way_of(self):
+    def record_of(self):
         with open(os.path.join(self.out, "trace.jsonl"), encoding="utf-8") as file:
             record = next(record for record in map(json.loads, file) if record["type"] == "guide")
         self.assertTrue(record["found"], record.get("cause"))
+        return record
+
+    def way_of(self):
+        record = self.record_of()
         numbers = record["way"]
         return [tuple(numbers[i:i + 2]) for i in range(0, len(numbers), 3)]
 
@@ -139,6 +143,37 @@ class Travel(ResultCase):
         self.assertAlmostEqual(lengths["bug1"], 130, delta=9)
         for kind, length in lengths.items():
             self.assertGreaterEqual(length, lengths["visibility"] - 1e-6, kind)
+
+    def legs_of(self, record):
+        numbers = record["graph"]
+        return [(tuple(numbers[i:i + 2]), tuple(numbers[i + 3:i + 5])) for i in range(0, len(numbers), 6)]
+
+    def test_a_full_trace_has_what_guides_searched_through(self):
+        self.drive("visibility;")
+        self.assertNotIn("graph", self.record_of())
+        self.drive("visibility;", options=("--trace-detail", "full"))
+        record, way = self.record_of(), self.way_of()
+        legs = self.legs_of(record)
+        self.assertEqual(record["legs"], len(legs))
+        near = lambda a, b: math.dist(a, b) < 1e-6
+        for a, b in zip(way, way[1:]):
+            self.assertTrue(any((near(a, c) and near(b, d)) or (near(a, d) and near(b, c)) for c, d in legs), (a, b))
+        # Round the block, the disc of 0.72 m: start and destination do not see each other, and nothing is seen through the block.
+        for (ax, ay), (bx, by) in legs:
+            for i in range(1, 20):
+                x, y = ax + (bx - ax) * i / 20, ay + (by - ay) * i / 20
+                self.assertFalse(-10.7 < x < 10.7 and -0.7 < y < 10.7 and (abs(x) < 10 or 0 < y < 10), (ax, ay, bx, by))
+
+        def lead_out(result):
+            guide = next(record for record in result.records if record["type"] == "guide")
+            guide["graph"][3] = 1000
+
+        self.assertIn("leg 1 of what the guide searched leads past the limits of x: 1000", self.faults_of(lead_out))
+        self.drive("rrt_connect { seed 2; improve 0; }", options=("--trace-detail", "full"))
+        record, way = self.record_of(), self.way_of()
+        ends = {end for leg in self.legs_of(record) for end in leg}
+        for place in way:
+            self.assertTrue(any(near(place, end) for end in ends), place)
 
     def test_what_happens_on_the_way_is_told(self):
         self.drive("bug2;")

@@ -48,6 +48,14 @@ export interface WalkData {
   events: string[];
 }
 
+/** What a guide searched through at a moment (s): of each leg both configurations, and how many legs there were. */
+export interface GraphData {
+  run: number;
+  t: number;
+  legs: number;
+  graph: number[];
+}
+
 /** How a robot moved; docs/film.md says how its keys stand in the columns. */
 export interface Track {
   robot: number;
@@ -72,6 +80,7 @@ interface Head {
   movings?: MovingStop[];
   soils?: SoilTaken[];
   walks?: WalkData[];
+  graphs?: GraphData[];
   end: number;
   strings: string[];
   places: [number, number, number][];
@@ -99,6 +108,7 @@ export class Film {
   readonly movingStops: MovingStop[];
   readonly soils: SoilTaken[];
   readonly walks: WalkData[];
+  readonly graphs: GraphData[];
   readonly end: number;
   readonly runs: Run[];
   readonly tracks: Track[];
@@ -128,6 +138,7 @@ export class Film {
     }
     this.soils = this.head.soils ?? [];
     this.walks = this.head.walks ?? [];
+    this.graphs = this.head.graphs ?? [];
     this.records = this.head.columns['record.kind']?.count ?? 0;
   }
 

@@ -1,5 +1,6 @@
 import { Vector3 } from 'three';
 import type { Film, WalkData } from './film';
+import type { RobotData } from './header';
 import { Mechanism } from './kinematics';
 import type { Motion } from './motion';
 
@@ -119,13 +120,16 @@ export class Walks {
     return pieces;
   }
 
-  /** The body of a robot whose place the parameters x and y are, -1: none. */
   private travelling(robot: number): number {
-    const { bodies, parameters } = this.film.header.robots[robot];
-    const has = (body: string, name: string) =>
-      parameters.some((each) => each.body === body && each.name.slice(each.name.lastIndexOf('.') + 1) === name);
-    return bodies.findIndex(({ name }) => has(name, 'x') && has(name, 'y'));
+    return travellingBody(this.film.header.robots[robot]);
   }
+}
+
+/** The body of a robot whose place the parameters x and y are, -1: none. */
+export function travellingBody({ bodies, parameters }: RobotData): number {
+  const has = (body: string, name: string) =>
+    parameters.some((each) => each.body === body && each.name.slice(each.name.lastIndexOf('.') + 1) === name);
+  return bodies.findIndex(({ name }) => has(name, 'x') && has(name, 'y'));
 }
 
 /** What an event of docs/travel.md begins; all others begin the straight way to the destination. */

@@ -1,4 +1,4 @@
-import { Film, kinds, type Kind, type MovingStop, type Run, type SoilTaken, type WalkData } from '../src/film';
+import { Film, kinds, type GraphData, type Kind, type MovingStop, type Run, type SoilTaken, type WalkData } from '../src/film';
 import type { Header, RobotData, ScheduleData } from '../src/header';
 
 // Writes films as docs/film.md says, for tests; nothing of it comes from the code that reads them.
@@ -27,6 +27,7 @@ export interface FilmData {
   records?: RecordData[];
   movings?: MovingStop[];
   walks?: WalkData[];
+  graphs?: GraphData[];
   soils?: SoilTaken[];
   /** Keys of the robot of that number (or, with a run, of what it tried): times and rows of values. */
   tracks?: { robot: number; run?: number; t: number[]; q: number[][] }[];
@@ -46,7 +47,7 @@ export function makeFilm(data: FilmData): Film {
   return new Film(encodeFilm(data));
 }
 
-export function encodeFilm({ header, schedule = null, end, runs, records = [], movings, soils, walks, tracks = [] }: FilmData): Uint8Array {
+export function encodeFilm({ header, schedule = null, end, runs, records = [], movings, soils, walks, graphs, tracks = [] }: FilmData): Uint8Array {
   const strings = [''];
   const stringOf = (text: string) => {
     if (!strings.includes(text)) strings.push(text);
@@ -99,7 +100,7 @@ export function encodeFilm({ header, schedule = null, end, runs, records = [], m
     }
   }
   const head = {
-    ...(movings ? { movings } : {}), ...(soils ? { soils } : {}), ...(walks ? { walks } : {}),
+    ...(movings ? { movings } : {}), ...(soils ? { soils } : {}), ...(walks ? { walks } : {}), ...(graphs ? { graphs } : {}),
     header: { plan: 'p', path: 'p.plan', form: 'full', detail: 'steps', start_at: null, currency: '', calendars: [], files: [],
       site: [],
       components: [], robots: [], carry: [], crews: [], tasks: [], meshes: [], ...header },

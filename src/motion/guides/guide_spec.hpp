@@ -86,7 +86,7 @@ struct GuideSpec {
   std::vector<int> over;  ///< astar: the parameters that its lattice spans; none: all
   Neighbours neighbours = Neighbours::all;
   Heuristic heuristic = Heuristic::fitting;
-  bool tells_tree = false;  ///< no clause: for pictures
+  bool tells_tree = false;  ///< no clause: for pictures and full traces
 };
 
 /// What a kind is called, and in a few words what it does.

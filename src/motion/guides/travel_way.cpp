@@ -72,6 +72,31 @@ std::string text_of(const travel::Event& event) {
   return text;
 }
 
+/// The edges of a visibility graph whose ends the machine may be at, turned as it stands.
+std::vector<std::pair<Point, Point>> sight_lines(const Space& space, const Vehicle& vehicle,
+                                                 std::span<const double> q,
+                                                 const travel::VisibilityResult& shortest) {
+  std::vector<Point> points;
+  std::vector<double> there(q.begin(), q.end());
+  for (const Vec2& node : shortest.nodes) {
+    vehicle.set_place(node, there);
+    points.push_back(space.point(there));
+  }
+  const auto is_in_range = [&](const Point& point) {
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      if (point[i] < space.lower(i) || point[i] > space.upper(i)) return false;
+    }
+    return true;
+  };
+  std::vector<std::pair<Point, Point>> lines;
+  for (const auto& [a, b] : shortest.edges) {
+    const Point& from = points[at(a)];
+    const Point& to = points[at(b)];
+    if (is_in_range(from) && is_in_range(to)) lines.emplace_back(from, to);
+  }
+  return lines;
+}
+
 /// The first of very many, and how many more there are.
 std::vector<std::string> texts_of(const std::vector<travel::Event>& events) {
   constexpr std::size_t kMostTold = 200;
@@ -105,6 +130,7 @@ Search travel_way(Space& space, const GuideTask& task, std::span<const double> q
   if (spec.kind == GuideKind::visibility) {
     travel::VisibilityResult shortest = travel::shortest_way(query);
     search.nodes = shortest.nodes.size();
+    if (spec.tells_tree) search.tree = sight_lines(space, vehicle, q, shortest);
     if (!shortest.reached) {
       search.cause = "there is none round what stands, for a disc that holds the machine";
       return search;

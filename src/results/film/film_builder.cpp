@@ -226,6 +226,11 @@ void FilmBuilder::write(const trace::GuidePlan& plan, int run) {
     walk.way.assign(plan.way.begin(), plan.way.end());
     walk.events.assign(plan.events.begin(), plan.events.end());
   }
+  if (!plan.graph.empty()) {
+    for (const double value : plan.graph) millionths(value, "a graph");
+    graphs_.push_back(
+        {run, trace::seconds(plan.t), plan.legs, {plan.graph.begin(), plan.graph.end()}});
+  }
   columns_.guide_name.add(string(plan.name));
   columns_.guide_kind.add(string(plan.kind));
   columns_.guide_cause.add(string(plan.cause));

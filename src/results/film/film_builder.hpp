@@ -91,6 +91,14 @@ class FilmBuilder {
     std::vector<std::string> events;
   };
   std::vector<Walk> walks_;
+  /// What guides searched through, in full traces: of each leg both configurations.
+  struct SearchGraph {
+    int run = 0;
+    double t = 0;
+    int legs = 0;
+    std::vector<double> values;
+  };
+  std::vector<SearchGraph> graphs_;
 };
 
 }  // namespace rubicon::film

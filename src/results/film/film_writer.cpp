@@ -127,6 +127,16 @@ Film FilmBuilder::finish(std::string_view schedule, std::string_view flow) {
     }
     head += ",\"walks\":" + json.end_array().take();
   }
+  if (!graphs_.empty()) {
+    trace::JsonBuilder json;
+    json.begin_array();
+    for (const SearchGraph& each : graphs_) {
+      json.begin_object().field("run", each.run).field("t", each.t).field("legs", each.legs);
+      list(json, "graph", each.values);
+      json.end_object();
+    }
+    head += ",\"graphs\":" + json.end_array().take();
+  }
   head += ",\"end\":";
   trace::append_number(head, runs_.end());
   head += ",\"strings\":" + strings_json(strings_);

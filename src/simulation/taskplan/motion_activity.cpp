@@ -133,6 +133,7 @@ Step MotionActivity::start_machine(ActiveTask& task, Stage& stage) {
   motion.situations = situations_of(stage.plan, spec, purpose);
   if (leg_) motion.situations.push_back(leg_->situation);
   if (!leg_ || leg_->guided) motion.guides = spec.guides;
+  for (guides::GuideSpec& guide : motion.guides) guide.tells_tree = stage.traces_graphs;
   if (spec.cover && !motion.guides.empty()) {
     motion.fence = std::make_shared<const interpreter::FloorFence>(
         stage.plan.areas[static_cast<std::size_t>(spec.cover->area)], *spec.cover);

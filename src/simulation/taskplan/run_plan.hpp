@@ -19,6 +19,8 @@ using MotionObserver = std::function<void(
 
 struct RunOptions {
   trace::TraceDetail detail = trace::TraceDetail::steps;
+  /// Guides put into the trace what they searched through, too.
+  bool traces_graphs = false;
   /// Called after every task with how many of how many are behind us.
   std::function<void(int done, int total, const TaskOutcome& last)> on_task;
   /// Called before a motion of a task begins; a plan that is begun again calls it again.

@@ -33,6 +33,7 @@ Schedule run_short(const interpreter::PlanModel& plan, const interpreter::Source
   motion.goals.push_back(*plan.goal);
   motion.situations = plan.situations;
   motion.guides = plan.guides;
+  for (guides::GuideSpec& guide : motion.guides) guide.tells_tree = options.traces_graphs;
   motion.within = plan.within;
   motion.clauses = plan.clauses;
   site.let_enter(0, plan.clauses.entered);

@@ -23,6 +23,7 @@ Simulation::Simulation(const interpreter::PlanModel& plan, const interpreter::So
       failed_choices_(std::move(known.failed_choices)) {
   parking_failed_.resize(plan.robots.size());
   stage_.on_motion = options.on_motion;
+  stage_.traces_graphs = options.traces_graphs;
   if (stage_.support) {
     stage_.support->set_done([this](int task) { return records_.status(task) == Status::done; });
   }

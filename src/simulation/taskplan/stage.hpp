@@ -151,6 +151,7 @@ class Stage {
   std::function<bool(int task)> is_over;
   std::function<bool(int task)> has_begun;
   MotionObserver on_motion;  ///< may be empty
+  bool traces_graphs = false;
 
   /// Why the component cannot be taken.
   std::string gone(int component) const;

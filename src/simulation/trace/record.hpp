@@ -182,7 +182,9 @@ struct GuidePlan {
   /// Where it begins and its waypoints, the goal last: of each all parameters of the robot, in
   /// their order (m, degrees).
   Numbers way;
-  Names events;  ///< of guides that travel without a map: "hit at (4.28, 22.00) by ring"
+  Numbers graph;  ///< of each leg both configurations; only in full traces
+  int legs = 0;   ///< of all that it searched through
+  Names events;   ///< of guides that travel without a map: "hit at (4.28, 22.00) by ring"
   double roughness = 0;
   double length = 0;       ///< m
   double motion_time = 0;  ///< s

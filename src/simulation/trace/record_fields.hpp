@@ -182,6 +182,7 @@ struct RecordFields<GuidePlan> {
       optional<&GuidePlan::cause>("cause"), required<&GuidePlan::nodes>("nodes"),
       required<&GuidePlan::checks>("checks"), required<&GuidePlan::refused>("refused"),
       required<&GuidePlan::way>("way"), optional<&GuidePlan::events>("events"),
+      optional<&GuidePlan::graph>("graph"), optional<&GuidePlan::legs>("legs"),
       required<&GuidePlan::roughness>("roughness"), required<&GuidePlan::length>("length"),
       required<&GuidePlan::motion_time>("motion_time"), required<&GuidePlan::t>("t"));
 };

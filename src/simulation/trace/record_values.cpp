@@ -141,11 +141,12 @@ void RecordValues::read(Value& from, Names& into) {
 }
 
 void RecordValues::read(Value& from, Numbers& into) {
-  numbers_.clear();
+  std::vector<double>& values = numbers_[used_numbers_++ % numbers_.size()];
+  values.clear();
   each_element(from, "a list of numbers", [&](Value& element) {
-    numbers_.push_back(get<double>(element, "a list of numbers"));
+    values.push_back(get<double>(element, "a list of numbers"));
   });
-  into = numbers_;
+  into = values;
 }
 
 void RecordValues::read(Value& from, Configuration& into) {

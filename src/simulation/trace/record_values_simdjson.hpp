@@ -23,7 +23,7 @@ class RecordValues {
   using Value = simdjson::ondemand::value;
 
   /// The next record begins.
-  void clear() { used_lists_ = 0; }
+  void clear() { used_lists_ = used_numbers_ = 0; }
 
   void read(Value& from, std::string_view& into);
   void read(Value& from, bool& into);
@@ -52,10 +52,11 @@ class RecordValues {
   static bool is_null(Value& from);
 
   std::vector<std::string_view> parameters_;
-  std::vector<double> numbers_;
+  std::array<std::vector<double>, 2> numbers_;  ///< no record has more lists of numbers
   std::vector<ParameterValue> q_;
   std::array<std::vector<NamedValue>, 2> lists_;  ///< `residual` and `vars`
   std::size_t used_lists_ = 0;
+  std::size_t used_numbers_ = 0;
 };
 
 }  // namespace rubicon::trace

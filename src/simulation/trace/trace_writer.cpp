@@ -393,6 +393,23 @@ void TraceWriter::goal(int k, int n) {
   finish();
 }
 
+/// The first legs of very many.
+void TraceWriter::append_graph(const guides::PlanReport& report) {
+  constexpr std::size_t kMostLegs = 5000;
+  if (report.tree.empty()) return;
+  line_ += ",\"graph\":[";
+  bool first = true;
+  for (std::size_t i = 0; i < std::min(report.tree.size(), kMostLegs); ++i) {
+    for (const std::vector<double>* const q : {&report.tree[i].first, &report.tree[i].second}) {
+      for (const double value : *q) {
+        if (!std::exchange(first, false)) line_ += ',';
+        append_number(line_, value);
+      }
+    }
+  }
+  fmt::format_to(std::back_inserter(line_), "],\"legs\":{}", report.tree.size());
+}
+
 void TraceWriter::guide(const interpreter::GuidePlan& plan) {
   const guides::PlanReport& report = *plan.report;
   begin("guide");
@@ -428,6 +445,7 @@ void TraceWriter::guide(const interpreter::GuidePlan& plan) {
     }
     line_ += ']';
   }
+  append_graph(report);
   line_ += ",\"roughness\":";
   append_number(line_, report.metrics.roughness);
   line_ += ",\"length\":";

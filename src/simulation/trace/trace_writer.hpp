@@ -108,6 +108,7 @@ class TraceWriter : public interpreter::EventSink {
   void hit(const interpreter::HitPair& pair);
   void configuration(std::span<const double> q);
   void configuration_key(int parameter);
+  void append_graph(const guides::PlanReport& report);
   bool steps() const { return detail_ == TraceDetail::steps; }
 
   TraceSink& sink_;

@@ -84,6 +84,19 @@ TEST(TraceReader, ReadsTheEndOfAMotion) {
   });
 }
 
+TEST(TraceReader, ListsOfNumbersOfARecordAreKeptApart) {
+  int looked_at = 0;
+  read(R"({"type":"soil","task":"a","robot":"r","component":"ground","cells":[7,8,9],)"
+       R"("heights":[-100,-200,-300],"volume":5,"from":0,"t":1})",
+       [&](const Record& record) {
+         const auto& soil = std::get<Soil>(record.what);
+         EXPECT_THAT(soil.cells, testing::ElementsAre(7, 8, 9));
+         EXPECT_THAT(soil.heights, testing::ElementsAre(-100, -200, -300));
+         ++looked_at;
+       });
+  EXPECT_EQ(looked_at, 1);
+}
+
 TEST(TraceReader, TimesAreExact) {
   const auto time = [](const std::string& text) {
     std::optional<Ticks> t;

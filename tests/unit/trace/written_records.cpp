@@ -133,6 +133,7 @@ std::vector<std::string> written_records() {
   report.way = {{1, 2}, {3, 4.5}};
   report.metrics = {0.5, 2.5, 12};
   report.events = {"hit at (1.00, 2.00) by wall"};
+  report.tree = {{{0, 0, 0, 0}, {0, 10, 0, 0}}};
   interpreter::GuidePlan guide;
   guide.name = "way";
   guide.kind = "rrt";

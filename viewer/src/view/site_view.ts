@@ -20,6 +20,7 @@ import { Picker } from './picker';
 import { cabOf } from './ride';
 import { Rig, type ViewName } from './rig';
 import { Ropes } from './ropes';
+import { SearchGraphs } from './search_graphs';
 import { Section } from './section';
 import { cornersOf, expandBy } from './shapes';
 import { SiteModel } from './site_model';
@@ -52,6 +53,7 @@ export class SiteView {
   private readonly overlay: Overlay;
   private readonly paths: Paths;
   private readonly walks: WalkLines;
+  private readonly graphs: SearchGraphs;
   private readonly ropes: Ropes;
   private readonly lanes: Lanes;
   private readonly joints: Joints;
@@ -63,7 +65,7 @@ export class SiteView {
   private readonly rig: Rig;
   private readonly stage: Stage;
   private readonly picker: Picker;
-  private readonly shows = { paths: true, zones: true };
+  private readonly shows = { paths: true, zones: true, search: false };
   /** Steps of the ways over areas that are shown. */
   private readonly steps = new Set<FloorStep>();
   private theme: Theme;
@@ -83,6 +85,7 @@ export class SiteView {
     this.overlay = new Overlay(film, this.light);
     this.paths = new Paths(film, motion, this.light);
     this.walks = new WalkLines(film, motion, this.light);
+    this.graphs = new SearchGraphs(film, this.light);
     this.ropes = new Ropes(this.model, this.light);
     this.lanes = new Lanes(film, this.light);
     this.joints = new Joints(film, this.light);
@@ -98,12 +101,12 @@ export class SiteView {
       this.rig.resize(width, height);
       this.light.pixelRatio.value = ratio;
       for (const strokes of [this.paths.strokes, this.ropes.strokes, this.lanes.strokes, this.joints.strokes, this.floors.strokes,
-        this.walks.strokes, this.walks.planned]) strokes.size.set(width * ratio, height * ratio);
+        this.walks.strokes, this.walks.planned, this.graphs.strokes]) strokes.size.set(width * ratio, height * ratio);
     });
     this.picker = new Picker(this.stage.renderer, this.rig.camera, this.model);
     this.stage.still.add(this.model.still, this.labels.mesh);
     this.stage.moving.add(this.model.moving, this.paths.strokes.mesh, this.ropes.strokes.mesh, this.lanes.strokes.mesh, this.joints.strokes.mesh,
-      this.floors.strokes.mesh, this.walks.planned.mesh, this.walks.strokes.mesh, this.overlay.group);
+      this.floors.strokes.mesh, this.graphs.strokes.mesh, this.walks.planned.mesh, this.walks.strokes.mesh, this.overlay.group);
     canvas.tabIndex = 0;
     host.append(canvas, this.walks.legend, this.section.element, this.toolbar.element, this.card.element);
     const { components, robots, site } = film.header;
@@ -201,9 +204,15 @@ export class SiteView {
       [{ name: 'paths', label: 'Paths', title: 'Ways of the hooks and tools (P in the view)', toggle: true,
         press: () => this.toggle('paths') },
       { name: 'zones', label: 'Zones', title: 'Zones of people (Z in the view)', toggle: true,
-        press: () => this.toggle('zones') }],
+        press: () => this.toggle('zones') },
+      ...this.searchTools()],
       ...this.stepTools(),
     ]);
+  }
+
+  private searchTools(): Tool[] {
+    return this.film.graphs.length === 0 ? [] : [{ name: 'search', label: 'Search', toggle: true,
+      title: 'What guides searched through before they found a way', press: () => this.toggle('search') }];
   }
 
   /** Of the ways over areas: a button for each step of the method. */
@@ -229,7 +238,7 @@ export class SiteView {
     this.stage.setTheme(this.theme);
     this.repainted = true;
     this.stage.touch();
-    for (const what of ['paths', 'zones'] as const) this.toolbar.setPressed(what, this.shows[what]);
+    for (const what of ['paths', 'zones', 'search'] as const) this.toolbar.setPressed(what, this.shows[what]);
   }
 
   /** Brings what is drawn to what the player shows. */
@@ -255,6 +264,7 @@ export class SiteView {
       this.joints.show(this.theme);
       this.floors.show(this.steps, this.theme);
       const ways = machines && this.shows.paths ? running : [];
+      this.graphs.show(running, machines && this.shows.search, player.time, this.theme);
       this.walks.show(ways, tried, player.time, this.theme);
       // Where a guide walked, the way of the vehicle stands for that of its tool.
       this.paths.show(ways.filter((run) => !this.walks.has(run)), tried, player.time, (robot) => looks.machineColour(robot),
@@ -340,7 +350,7 @@ export class SiteView {
     return robots.find((robot) => robot >= 0) ?? 0;
   }
 
-  private toggle(what: 'paths' | 'zones'): void {
+  private toggle(what: keyof typeof this.shows): void {
     this.shows[what] = !this.shows[what];
     this.toolbar.setPressed(what, this.shows[what]);
     this.repainted = true;

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
+#include "src/motion/math/angles.hpp"
 #include "src/results/verify/input/json_fields.hpp"
 #include "src/results/verify/input/read_robot.hpp"
 #include "src/results/verify/input/read_shapes.hpp"
@@ -268,7 +270,33 @@ void read_via(const Json& list, const Scene& scene, SceneTask& task) {
 /// m
 constexpr double kWidestStrip = 100;
 
-void read_shafts(const JsonFields& floor, SceneTask& task) {
+/// Sides of what a round column is looked at as, inside its circle.
+constexpr int kRoundSides = 32;
+
+/// A row of `columns`: x, y, size, round or not.
+FloorHole read_column(const JsonFields& floor, const Json& row, std::size_t number) {
+  if (!row.is_array() || row.size() != 4 || !row[0].is_number() || !row[1].is_number() ||
+      !row[2].is_number() || !row[3].is_boolean()) {
+    floor.fail("x, y, size, and whether it is round, for each of 'columns'");
+  }
+  FloorHole column{fmt::format("column {}", number), {}};
+  const double half = row[2].get<double>() / 2;
+  const bool round = row[3].get<bool>();
+  const int sides = round ? kRoundSides : 4;
+  for (int i = 0; i < sides; ++i) {
+    const math::SineCosine turn = math::sine_cosine_deg(360.0 * (i + 0.5) / sides);
+    const double reach = round ? half : half * std::sqrt(2.0);
+    column.corners.emplace_back(row[0].get<double>() + reach * turn.cosine,
+                                row[1].get<double>() + reach * turn.sine);
+  }
+  return column;
+}
+
+void read_holes(const JsonFields& floor, SceneTask& task) {
+  for (const Json& column : floor.array("columns")) {
+    task.holes.push_back(read_column(floor, column, task.holes.size() + 1));
+  }
+  int number = 0;
   for (const Json& shaft : floor.array("shafts")) {
     std::vector<std::pair<double, double>> corners;
     const bool is_ring = shaft.is_array() && shaft.size() >= 6 && shaft.size() % 2 == 0;
@@ -279,7 +307,7 @@ void read_shafts(const JsonFields& floor, SceneTask& task) {
     if (!is_ring || 2 * corners.size() != shaft.size()) {
       floor.fail("x and y of three corners or more for each of 'shafts'");
     }
-    task.shafts.push_back(std::move(corners));
+    task.holes.push_back({fmt::format("shaft {}", ++number), std::move(corners)});
   }
 }
 
@@ -290,7 +318,7 @@ void read_cover(const JsonFields& cover, SceneTask& task) {
     if (!(task.width > 0 && task.width <= kWidestStrip)) cover.fail("a width up to 100 m");
   }
   if (cover.has("pose")) task.area = cover.pose("pose");
-  if (cover.has("guided")) read_shafts(cover.object("floor"), task);
+  if (cover.has("guided")) read_holes(cover.object("floor"), task);
   if (cover.has("turn_radius")) task.turn_radius = cover.number("turn_radius");
   if (cover.has("cold_after")) task.cold_after = cover.time("cold_after");
   for (const Json& works : cover.array("working")) {

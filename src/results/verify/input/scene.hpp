@@ -268,6 +268,12 @@ struct SceneGuide {
 /// By name.
 using SceneGuides = std::map<std::string, SceneGuide>;
 
+/// A shaft or column of an area, in its frame (m), over which guides lead no tool.
+struct FloorHole {
+  std::string name;  ///< "shaft 1"
+  std::vector<std::pair<double, double>> corners;
+};
+
 struct SceneTask {
   std::string name;
   int robot = -1;
@@ -287,10 +293,8 @@ struct SceneTask {
   double pace = 0;           ///< m/s of the tool where it works over a floor, at most; 0: none
   double width = 0;          ///< m of its strips
   std::optional<Pose> area;  ///< of a task that covers an area that is not level: its frame
-  /// Of one that guides lead from strip to strip: shafts of the area, x and y in its frame, where
-  /// its tool does not come then.
-  std::vector<std::vector<std::pair<double, double>>> shafts = {};
-  double turn_radius = 0;          ///< m: its way has no narrower turn; 0: anything
+  std::vector<FloorHole> holes = {};  ///< of one that guides lead from strip to strip
+  double turn_radius = 0;             ///< m: its way has no narrower turn; 0: anything
   Ticks cold_after = 0;            ///< a joint between its strips is cold after this; 0: not asked
   std::vector<bool> working = {};  ///< of a task that covers a floor: by waypoint, the goal last
   std::optional<SceneWork> hook, adjust, release;

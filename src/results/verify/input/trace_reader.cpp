@@ -122,18 +122,33 @@ class RecordReader {
     return attempt;
   }
 
+  std::vector<std::vector<double>> read_configurations(const char* key) const {
+    const Json& values = fields_.array(key);
+    const std::size_t width = robot().parameters.size();
+    std::vector<std::vector<double>> points;
+    if (values.size() % width != 0) {
+      fields_.fail(fmt::format("the values of all parameters for each point of '{}'", key));
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!values[i].is_number()) fields_.fail(fmt::format("numbers in '{}'", key));
+      if (i % width == 0) points.emplace_back();
+      points.back().push_back(values[i].get<double>());
+    }
+    return points;
+  }
+
   GuidePlan read_guide() const {
     GuidePlan plan;
     plan.name = fields_.text("name");
-    const Json& values = fields_.array("way");
-    const std::size_t width = robot().parameters.size();
-    if (fields_.truth("found") == values.empty() || values.size() % width != 0) {
-      fields_.fail("the values of all parameters for each point of 'way'");
-    }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!values[i].is_number()) fields_.fail("numbers in 'way'");
-      if (i % width == 0) plan.way.emplace_back();
-      plan.way.back().push_back(values[i].get<double>());
+    plan.way = read_configurations("way");
+    if (fields_.truth("found") == plan.way.empty()) fields_.fail("points of 'way' if one is found");
+    if (fields_.has("graph")) {
+      plan.graph = read_configurations("graph");
+      const std::size_t legs = plan.graph.size() / 2;
+      if (legs == 0 || plan.graph.size() % 2 != 0 ||
+          fields_.integer("legs") < static_cast<int>(legs)) {
+        fields_.fail("two configurations for each leg of 'graph', and how many 'legs' there are");
+      }
     }
     plan.motion_time = fields_.number("motion_time");
     plan.checks = fields_.integer("checks");

@@ -66,6 +66,7 @@ class GuideCheck {
     next_ = 0;
     check_kept(plan);
     check_steering(plan);
+    check_graph(plan);
     const SceneGuide* const guide = guide_of(plan);
     thinks_ = guide != nullptr ? guide->thinks : 0;
     if (thinks_ > 0) checks_ = plan.checks;
@@ -204,6 +205,25 @@ class GuideCheck {
               fmt::format("waypoint {} of {} does not keep what the guide has to: {:g} is more "
                           "than {:g}",
                           k, plan.way.size() - 1, sum, kept.most));
+        return;
+      }
+    }
+  }
+
+  /// What it searched through are configurations that the robot can have.
+  void check_graph(const GuidePlan& plan) {
+    for (std::size_t k = 0; k < plan.graph.size(); ++k) {
+      for (std::size_t i = 0; i < robot_.parameters.size(); ++i) {
+        const SceneParameter& p = robot_.parameters[i];
+        const double value = plan.graph[k][i];
+        if (p.derived || p.cyclic) continue;
+        if (value >= p.lower.value_or(value) - kValueSlack &&
+            value <= p.upper.value_or(value) + kValueSlack) {
+          continue;
+        }
+        fault(FaultKind::motion, fmt::format("leg {} of what the guide searched leads past the "
+                                             "limits of {}: {:g}",
+                                             k / 2 + 1, p.name, value));
         return;
       }
     }

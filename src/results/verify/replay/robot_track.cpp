@@ -164,7 +164,7 @@ class TrackBuilder {
     for (std::string& text : result.faults) fault(FaultKind::motion, std::move(text));
     check_load_chart(attempt.q);
     note_aside(attempt.q);
-    expect_off_shafts(attempt.q);
+    expect_off_holes(attempt.q);
     track_.legs.push_back(
         {now_, record_->time, q_, std::move(result.reached), hanging_, run_, record_->line});
     q_ = attempt.q;
@@ -227,10 +227,11 @@ class TrackBuilder {
     aside_ = std::max(aside_, (gone - share * along).norm());
   }
 
-  /// A tool that guides lead from strip to strip does not come over a shaft: places along the step.
-  void expect_off_shafts(const std::vector<double>& after) {
+  /// A tool that guides lead from strip to strip comes over no shaft or column: places along the
+  /// step.
+  void expect_off_holes(const std::vector<double>& after) {
     const SceneTask* const task = covering();
-    if (task == nullptr || task->shafts.empty() || waypoint(*task) == 0) return;
+    if (task == nullptr || task->holes.empty() || waypoint(*task) == 0) return;
     if (task->working[waypoint(*task)]) return;
     constexpr int kPlaces = 8;
     std::vector<double> q = q_;
@@ -240,12 +241,11 @@ class TrackBuilder {
       }
       const Vec3 p_W = tool_at(q);
       const Vec3 p = task->area ? Vec3(task->area->inverse() * p_W) : p_W;
-      for (std::size_t shaft = 0; shaft < task->shafts.size(); ++shaft) {
-        const double deep = depth_inside(task->shafts[shaft], p.x(), p.y());
+      for (const FloorHole& hole : task->holes) {
+        const double deep = depth_inside(hole.corners, p.x(), p.y());
         if (deep <= kMostAside) continue;
-        fault(FaultKind::motion,
-              fmt::format("a guide leads the tool {:.1f} mm into shaft {} of its area", deep * 1000,
-                          shaft + 1));
+        fault(FaultKind::motion, fmt::format("a guide leads the tool {:.1f} mm into {} of its area",
+                                             deep * 1000, hole.name));
         return;
       }
     }
