@@ -12,6 +12,7 @@
 #include "interpreter/check/charts_spec.hpp"
 #include "interpreter/check/check.hpp"
 #include "interpreter/check/explore_spec.hpp"
+#include "interpreter/check/rare.hpp"
 #include "interpreter/expand/expand.hpp"
 #include "src/earth/hauling/hauling.hpp"
 #include "src/earth/soil/terrain.hpp"
@@ -292,9 +293,9 @@ struct TaskSpec {
   std::optional<int> move;                        ///< component index
   math::Pose X_WO_goal = math::Pose::Identity();  ///< where the component's frame {O} shall stand
   std::optional<GoalSpec> go;
-  std::optional<CoverSpec> cover = {};  ///< then `via` and `go` are its way
-  std::optional<DigSpec> dig = {};
-  std::optional<MotionDigSpec> motion_dig = {};
+  Rare<CoverSpec> cover = {};  ///< then `via` and `go` are its way
+  Rare<DigSpec> dig = {};
+  Rare<MotionDigSpec> motion_dig = {};
   std::vector<int> remove;  ///< component indices
   std::optional<WorkSpec> hook, adjust, release;
   std::vector<WorkSpec> takes;

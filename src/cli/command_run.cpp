@@ -206,6 +206,7 @@ int run_plan_command(const RunOptions& options) {
     if (const auto failure = write_result(*folder, *plan, schedule, trace_files))
       return fail(*failure);
   }
+  if (!options.prints) return schedule.feasible ? kFine : kInfeasible;
   const std::string text = options.format == "json"  ? report::schedule_json(schedule)
                            : options.format == "csv" ? report::schedule_csv(schedule)
                                                      : report::schedule_table(schedule);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -174,6 +175,24 @@ study::SearchResult search(LoadedStudy& study, study::RunnerOptions& runner) {
   return search_study(model, costed, tools);
 }
 
+/// Runs again what is worth looking at, each into a folder of its own; false: one could not be
+/// written, and was reported.
+bool write_films(const StudyOptions& options, const study::StudyModel& study,
+                 const std::vector<study::VariantRuns>& variants,
+                 const study::StudyAnswers& answers) {
+  for (const study::KeptRun& each : answers.kept) {
+    RunOptions run;
+    run.plan = (std::filesystem::path(options.study).parent_path() / study.plan).string();
+    run.out = options.out + "/" + each.folder;
+    run.prints = false;
+    for (const auto& [name, value] : variants[each.variant].set)
+      run.set.push_back(name + "=" + value);
+    if (study.sampled) run.sample = fmt::format("{}:{}", study.seed, each.run);
+    if (run_plan_command(run) == kWrongInput) return false;
+  }
+  return true;
+}
+
 int exit_code(const std::vector<study::VariantRuns>& variants, const study::StudyAnswers& answers) {
   if (answers.choice && !answers.choice->chosen) return kInfeasible;
   for (const study::VariantRuns& each : variants) {
@@ -302,8 +321,12 @@ int make_study(const StudyOptions& options, cluster::MpiChannel* channel) {
   if (ranks) ranks->let_go();
   if (log && log->failure()) return fail(fmt::format("'{}': {}", options.out, *log->failure()));
   if (!variants) return fail(fmt::format("the search cannot go on: {}", failure));
-  const study::StudyAnswers answers = study::answers_of(*study.model, *variants);
+  study::StudyAnswers answers = study::answers_of(*study.model, *variants);
   if (log) {
+    if (options.films) {
+      answers.kept = study::runs_to_keep(*study.model, *variants, answers);
+      if (!write_films(options, *study.model, *variants, answers)) return kWrongInput;
+    }
     auto opened = files::ResultFolder::open(options.out);
     if (auto* message = std::get_if<std::string>(&opened)) return fail(*message);
     folder.emplace(std::get<files::ResultFolder>(std::move(opened)));

@@ -95,6 +95,7 @@ Action declare_study(CLI::App& app) {
   app.add_option("--format", options->format)->check(IsMember({"table", "json", "csv"}));
   CLI::Option* const out = app.add_option("--out", options->out);
   app.add_flag("--resume", options->resume)->needs(out);
+  app.add_flag("--films", options->films)->needs(out);
   app.add_option("--jobs", options->jobs)->check(CLI::Range(1, 256));
   return [options] { return run_study_command(*options); };
 }

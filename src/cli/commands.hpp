@@ -40,6 +40,7 @@ struct RunOptions {
   bool compress = false;
   std::vector<std::string> set;
   std::string sample;  ///< SEED or SEED:RUN; "": means
+  bool prints = true;  ///< the table
 };
 int run_plan_command(const RunOptions& options);
 
@@ -48,6 +49,7 @@ struct StudyOptions {
   std::string format = "table";
   std::string out;
   bool resume = false;
+  bool films = false;  ///< the runs that are worth looking at get folders of their own
   int jobs = 0;
 };
 int run_study_command(const StudyOptions& options);

@@ -90,7 +90,7 @@ examples:
 const std::string_view kStudy =
     R"(rubicon study - run many variants of a plan and compare their time, cost and risk
 
-usage: rubicon study STUDY [--out DIR [--resume]] [--jobs N] [--format table|json|csv]
+usage: rubicon study STUDY [--out DIR [--resume] [--films]] [--jobs N] [--format table|json|csv]
 
 Runs the plan of a study (NAME.study, docs/studies.md) with every combination of the values that it varies, each as often
 as it says, with the durations drawn that are not certain. Run number 7 of each variant has the same draws, so that
@@ -101,6 +101,8 @@ allows it.
 
   --out DIR        write study.json, variants.csv, runs.csv, drivers.csv, progress.csv and study.html, the page that shows it
                    all, into DIR
+  --films          run again what is worth looking at, each into DIR/films/..., and link study.html to the animations: of the variant
+                   that is chosen the runs at the quantiles of the process time, of the others of the Pareto front that at the median
   --resume         go on where a study that was stopped had come to; its runs are kept in DIR/study.progress
   --jobs N         threads; by default as many as there are processors; the result is the same
   --format FORMAT  table (the default), json or csv (a row a variant), on standard output; times in seconds

@@ -192,6 +192,25 @@ class Study(StudyCase):
         for part in ('"drivers":', '"progress":', '"difference":', "What drives the time", "Progress", "less variant"):
             self.assertIn(part, page)
 
+    def test_films_are_those_of_the_runs_at_the_quantiles(self):
+        out = os.path.join(self.folder, "out")
+        self.study("vary floors 2, 3; vary gang 2, 3; runs 40; seed 5; choose least p80(makespan);", "--out", out, "--films")
+        with open(os.path.join(out, "study.json"), encoding="utf-8") as file:
+            study = json.load(file)
+        chosen = study["choice"]["chosen"]
+        quantiles = study["variants"][chosen - 1]["answers"][0]["quantiles"]
+        self.assertEqual({film["run"] for film in study["films"] if film["variant"] == chosen}, {each["run"] for each in quantiles})
+        for film in study["films"]:
+            variant = study["variants"][film["variant"] - 1]
+            verified = rubicon("verify", os.path.join(out, film["folder"]))
+            self.assertEqual(verified.returncode, 0, verified.stdout)
+            with open(os.path.join(out, film["folder"], "schedule.json"), encoding="utf-8") as file:
+                time = json.load(file)["process_time"]
+            self.assertIn(time, [each["value"] for each in variant["answers"][0]["quantiles"] if each["run"] == film["run"]])
+        with open(os.path.join(out, "study.html"), encoding="utf-8") as file:
+            self.assertIn('"films":[', file.read())
+        self.assertIn("--out", rubicon("study", os.path.join(self.folder, "s.study"), "--films").stderr)
+
     def test_a_full_disk_loses_no_run_that_is_noted(self):
         """A file system of 64 KB: the study ends with a message; with more room it goes on, and the result is that of one that never stopped."""
         items = "vary floors 2 to 5; runs 2000; seed 3;"

@@ -362,8 +362,6 @@ Step DigActivity::begin_leg(ActiveTask& task, Stage& stage, const math::Pose& X_
   }
   leg.what = fmt::format("bucket {}, {} {}", task.account.outcome.motion_dig->buckets.size() + 1,
                          what, place_text(task, stage));
-  // The motion before it is in the trace.
-  task.account.outcome.motions.clear();
   inner_ = Snapshot<Activity>(std::make_unique<MotionActivity>(std::move(leg)));
   return inner_->begin(task, stage);
 }

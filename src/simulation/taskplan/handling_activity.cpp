@@ -249,7 +249,7 @@ Step HandlingActivity::detach(ActiveTask& task, Stage& stage) {
   }
   stage.site_changes.detach(robot);
   if (auto* const trace = stage.trace_of(task.task)) {
-    const std::optional<LiftOutcome>& lift = task.account.outcome.lift;
+    const interpreter::Rare<LiftOutcome>& lift = task.account.outcome.lift;
     trace->detach(stage.site.component_name(component), stage.site.X_WO(component), stage.now(),
                   lift ? lift->overtime : 0);
   }

@@ -91,7 +91,7 @@ Step MotionActivity::begin(ActiveTask& task, Stage& stage) {
     held.end.q = q;
     held.end.time = stage.now();
     if (auto* const trace = stage.trace_of(task.task)) trace->motion_end(held.end);
-    task.account.outcome.motions.push_back(std::move(held));
+    ++task.account.outcome.motions;
     return Step::over;
   }
   return start_machine(task, stage);
@@ -319,8 +319,8 @@ Step MotionActivity::end_motion(ActiveTask& task, Stage& stage) {
   if (!made.end.reached && may_try_again(made.end.status)) {
     blockers = blockers_of(enough ? task.hits.open() : task.hits.given_way());
   }
-  outcome.motions.push_back(std::move(made));
-  const interpreter::MotionEnd& end = outcome.motions.back().end;
+  ++outcome.motions;
+  const interpreter::MotionEnd& end = made.end;
   const std::size_t behind =
       blockers.empty() ? goals_.size() : std::min(first_way_point(task.hits), goals_.size() - 1);
   // What it tries again may yet be reached.
@@ -332,8 +332,7 @@ Step MotionActivity::end_motion(ActiveTask& task, Stage& stage) {
     if (enough) return Step::over;
     const interpreter::TaskSpec& spec = stage.spec(task.task);
     const std::string component = spec.move ? stage.site.component_name(*spec.move) : std::string();
-    std::string reason =
-        task_reason(outcome.motions.back(), task.hits.last(), component, stage.sources);
+    std::string reason = task_reason(made, task.hits.last(), component, stage.sources);
     if (leg_) reason = leg_->what + ": " + reason;
     const bool spent = end.status == MotionStatus::budget;
     if (spent && waits_ > 0) reason += "; " + text_of_waits(task, stage);

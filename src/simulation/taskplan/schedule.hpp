@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "interpreter/check/plan_model.hpp"
+#include "interpreter/check/rare.hpp"
 #include "interpreter/machine/machine.hpp"
 #include "interpreter/program/world.hpp"
 #include "src/motion/coverage/joints.hpp"
@@ -117,9 +118,9 @@ struct TaskOutcome {
   std::string reason;     ///< why not done; of one that ended short how far from its goal
   std::string component;  ///< that it moves; "": none
   interpreter::Attributes attributes;  ///< as the plan gives them
-  std::vector<MotionOutcome> motions;
+  int motions = 0;                     ///< how many it made; the trace tells of each
   std::vector<ResourceHold> holds;
-  std::optional<LiftOutcome> lift;
+  interpreter::Rare<LiftOutcome> lift;
   std::string choice;                             ///< by pools: whom it has and why
   std::optional<Ticks> due;                       ///< after the beginning of the plan
   std::optional<interpreter::Baseline> baseline;  ///< when others planned it
@@ -128,14 +129,14 @@ struct TaskOutcome {
   /// it takes.
   std::vector<std::string> support;
   std::vector<std::string> missed;  ///< waypoints that its motions left without reaching them
-  std::optional<interpreter::CoverSpec> cover;  ///< of a task that covers a floor
-  std::string area;                             ///< this floor
+  interpreter::Rare<interpreter::CoverSpec> cover;  ///< of a task that covers a floor
+  std::string area;                                 ///< this floor
   /// Where `cover` says when joints are cold: what the tool laid, until the task is done; then the
   /// joints of it.
   std::vector<coverage::LaidStretch> laid;
-  std::optional<coverage::JointFindings> joints;
-  std::optional<interpreter::DigSpec> dig;     ///< of a task that digs by durations
-  std::optional<MotionDigOutcome> motion_dig;  ///< of a task whose robot digs
+  interpreter::Rare<coverage::JointFindings> joints;
+  interpreter::Rare<interpreter::DigSpec> dig;     ///< of a task that digs by durations
+  interpreter::Rare<MotionDigOutcome> motion_dig;  ///< of a task whose robot digs
 
   /// How much later than `due` it was done; nothing if it is not done or not due.
   std::optional<Ticks> late() const;

@@ -73,7 +73,7 @@ Schedule run_short(const interpreter::PlanModel& plan, const interpreter::Source
   for (const interpreter::MissedWayPoint& each : end.missed) {
     outcome.missed.push_back(missed_text(each.k, each.off));
   }
-  outcome.motions.push_back({MotionPurpose::go, 0, end});
+  outcome.motions = 1;
   if (trace) {
     trace->motion_end(end);
     trace->task_end(end.time, name_of(outcome.result), outcome.reason);

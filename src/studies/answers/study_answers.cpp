@@ -1,5 +1,7 @@
 #include "src/studies/answers/study_answers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -262,6 +264,29 @@ StudyAnswers answers_of(const StudyModel& study, const std::vector<VariantRuns>&
   result.pareto = front_of(result.variants);
   if (study.choice) result.choice = Chooser(study, variants).choose();
   return result;
+}
+
+std::vector<KeptRun> runs_to_keep(const StudyModel& study, const std::vector<VariantRuns>& variants,
+                                  const StudyAnswers& answers) {
+  std::vector<KeptRun> kept;
+  const auto keep = [&](std::size_t variant, std::int64_t run) {
+    const auto same = [&](const KeptRun& each) {
+      return each.variant == variant && each.run == run;
+    };
+    if (std::any_of(kept.begin(), kept.end(), same)) return;
+    kept.push_back({variant, run, fmt::format("films/variant_{}_run_{}", variant + 1, run)});
+  };
+  const auto keep_those_of = [&](std::size_t variant, bool median_only) {
+    if (!variants[variant].fault.empty()) return;
+    if (!study.sampled) return keep(variant, 0);
+    for (const QuantileAnswer& each : answers.variants[variant].answers[kMakespan].quantiles) {
+      if (std::isfinite(each.value) && (!median_only || each.p == 0.5)) keep(variant, each.run);
+    }
+  };
+  if (answers.choice && answers.choice->chosen) keep_those_of(*answers.choice->chosen, false);
+  for (const std::size_t variant : answers.pareto) keep_those_of(variant, !kept.empty());
+  for (std::size_t v = 0; v < variants.size() && kept.empty(); ++v) keep_those_of(v, false);
+  return kept;
 }
 
 }  // namespace rubicon::study

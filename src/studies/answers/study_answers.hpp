@@ -100,13 +100,27 @@ struct ChoiceAnswer {
   std::vector<Difference> judged;
 };
 
+/// A run whose result, with its animation, is kept.
+struct KeptRun {
+  std::size_t variant = 0;
+  std::int64_t run = 0;
+  std::string folder;  ///< in that of the study
+};
+
 struct StudyAnswers {
   std::vector<VariantAnswers> variants;
   std::vector<std::size_t> pareto;  ///< of mean process time and cost, by time
   std::optional<ChoiceAnswer> choice;
+  std::vector<KeptRun> kept;  ///< whoever keeps runs fills it
 };
 
 /// What the runs of a study say. `variants` as run_study gives them.
 StudyAnswers answers_of(const StudyModel& study, const std::vector<VariantRuns>& variants);
+
+/// The runs that are worth looking at, each once: of the chosen variant those at the quantiles of
+/// the process time, of the others of the Pareto front that at the median; where nothing is drawn
+/// the one run of each. Of no choice and no front, of the first variant that runs.
+std::vector<KeptRun> runs_to_keep(const StudyModel& study, const std::vector<VariantRuns>& variants,
+                                  const StudyAnswers& answers);
 
 }  // namespace rubicon::study

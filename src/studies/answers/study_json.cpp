@@ -65,6 +65,7 @@ class Json {
     for (const std::size_t v : answers_.pareto) json_.value(static_cast<std::int64_t>(v + 1));
     json_.end_array();
     if (answers_.choice) choice(*answers_.choice);
+    if (!answers_.kept.empty()) kept();
     return json_.end_object().take() + "\n";
   }
 
@@ -178,6 +179,15 @@ class Json {
       json_.field("why", each.why).end_object();
     }
     json_.end_array().end_object();
+  }
+
+  void kept() {
+    json_.key("films").begin_array();
+    for (const KeptRun& each : answers_.kept) {
+      json_.begin_object().field("variant", static_cast<std::int64_t>(each.variant + 1));
+      json_.field("run", each.run).field("folder", each.folder).end_object();
+    }
+    json_.end_array();
   }
 
   const StudyModel& study_;

@@ -59,7 +59,7 @@ class LoadedMpi : public MpiChannel {
     const long size = plugin_.look(&received.from);
     if (size < 0) return std::nullopt;
     received.message.resize(static_cast<std::size_t>(size));
-    plugin_.take(received.from, received.message.data(), size);
+    if (plugin_.take(received.from, received.message.data(), size) == 0) return std::nullopt;
     return received;
   }
   std::string identity() const override { return fmt::format("{} {}", ::getpid(), host_); }

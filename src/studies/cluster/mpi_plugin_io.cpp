@@ -14,19 +14,19 @@ namespace {
 
 constexpr int kTag = 18;
 
-struct Sending {
+struct MessageUnderWay {
   std::string bytes;
   MPI_Request request = MPI_REQUEST_NULL;
 };
 
 /// Messages on their way. MPI knows one job a process.
-std::list<Sending>& sendings() {
-  static std::list<Sending> list;
+std::list<MessageUnderWay>& sendings() {
+  static std::list<MessageUnderWay> list;
   return list;
 }
 
 void let_go_of_sent() {
-  sendings().remove_if([](Sending& each) {
+  sendings().remove_if([](MessageUnderWay& each) {
     int sent = 0;
     return MPI_Test(&each.request, &sent, MPI_STATUS_IGNORE) != MPI_SUCCESS || sent != 0;
   });
@@ -46,7 +46,7 @@ int mpi_size() {
 
 void mpi_send(int to, const char* bytes, long size) {
   let_go_of_sent();
-  Sending& each = sendings().emplace_back();
+  MessageUnderWay& each = sendings().emplace_back();
   each.bytes.assign(bytes, static_cast<std::size_t>(size));
   MPI_Isend(each.bytes.data(), static_cast<int>(size), MPI_BYTE, to, kTag, MPI_COMM_WORLD,
             &each.request);
@@ -66,8 +66,29 @@ long mpi_look(int* from) {
   return size;
 }
 
-void mpi_take(int from, char* bytes, long size) {
-  MPI_Recv(bytes, static_cast<int>(size), MPI_BYTE, from, kTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+/// A long message is fetched from its sender, who may be lost by then: MPI would wait for ever.
+int mpi_take(int from, char* bytes, long size) {
+  using namespace std::chrono_literals;
+  constexpr auto kLongest = 20s;
+  static std::list<MessageUnderWay> given_up;  // MPI may still write there
+  std::list<MessageUnderWay> own(1);
+  MessageUnderWay& each = own.front();
+  each.bytes.resize(static_cast<std::size_t>(size));
+  if (MPI_Irecv(each.bytes.data(), static_cast<int>(size), MPI_BYTE, from, kTag, MPI_COMM_WORLD,
+                &each.request) != MPI_SUCCESS) {
+    return 0;
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  int is_there = 0;
+  while (MPI_Test(&each.request, &is_there, MPI_STATUS_IGNORE) == MPI_SUCCESS && is_there == 0) {
+    if (std::chrono::steady_clock::now() - begin > kLongest) {
+      given_up.splice(given_up.end(), own);
+      return 0;
+    }
+    std::this_thread::sleep_for(50us);
+  }
+  each.bytes.copy(bytes, each.bytes.size());
+  return is_there;
 }
 
 void mpi_end(int all_there) {

@@ -296,7 +296,7 @@ TEST(SeveralMachines, WhatAnUndoneTaskTookKeepsItsRank) {
   const SiteRun beside = run_site(items + R"(
     task undone { by hoist; move near_one to trans(5, -8, 0); remove gone; after clear; })");
   EXPECT_EQ(beside.tasks.at("undone").result, TaskResult::rejected);
-  EXPECT_GT(beside.tasks.at("undone").motions.size(), 2U);
+  EXPECT_GT(beside.tasks.at("undone").motions, 2);
   EXPECT_THAT(alone.tasks.at("drive").reason, HasSubstr("blocked by near_one"));
   EXPECT_EQ(beside.tasks.at("drive").reason, alone.tasks.at("drive").reason);
 }

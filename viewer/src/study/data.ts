@@ -59,6 +59,8 @@ export interface Study {
   variants: Variant[];
   pareto: number[];
   choice?: Choice;
+  /** Runs whose results are kept, each in a folder. */
+  films?: { variant: number; run: number; folder: string }[];
 }
 
 /** The first questions of every study. */
@@ -113,6 +115,12 @@ export function settings(variant: Variant): string {
 /** The command for one run of a variant; `again` is that of run 0. */
 export function command(variant: Variant, run: number): string {
   return (variant.again ?? '').replace(/:0$/, `:${run}`);
+}
+
+/** The page of a run that is kept, undefined: it is not. */
+export function filmOf(study: Study, variant: Variant, run: number): string | undefined {
+  const film = study.films?.find((each) => each.variant === variant.variant && each.run === run);
+  return film && `${film.folder}/report.html`;
 }
 
 /** The one to be shown first: the chosen, else the fastest of the Pareto front, else the first that runs. */

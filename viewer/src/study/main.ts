@@ -1,6 +1,6 @@
 import '../study.css';
 import { button, make, named } from '../panels/dom';
-import { command, comparedWith, differenceText, firstShown, MAKESPAN, REJECTED, rowsOf, settings, shown, type Key, type Study, type Variant } from './data';
+import { command, comparedWith, differenceText, filmOf, firstShown, MAKESPAN, REJECTED, rowsOf, settings, shown, type Key, type Study, type Variant } from './data';
 import { criticality, finishText, paretoPicture, progressPicture, sureness, tornado } from './pictures';
 
 const MOST_ROWS = 500;
@@ -176,11 +176,15 @@ class Page {
         .map((each) => ({ name: `P${Math.round(100 * each.p)}: ${finishText(variant, each.value!)}`, run: each.run! }))
       : [{ name: 'the run', run: 0 }];
     return [make('h3', {}, 'Watch a run'),
-      make('p', { class: 'muted' }, 'In the folder of the study; film/report.html is its animation.'),
+      make('p', { class: 'muted' }, this.study.films?.some((each) => each.variant === variant.variant)
+        ? 'Links open the animation of a run. The commands make it again, in the folder of the study: film/report.html.'
+        : 'In the folder of the study; film/report.html is its animation.'),
       make('ul', { class: 'commands' }, ...rows.map((row) => {
         const text = `${this.study.sampled ? command(variant, row.run) : variant.again!} --out film`;
         const copy = button('copy', () => void navigator.clipboard?.writeText(text).then(() => { copy.textContent = 'copied'; }), { class: 'link' });
-        return make('li', {}, make('span', { class: 'muted' }, `${row.name} `), make('code', {}, text), ' ', copy);
+        const film = filmOf(this.study, variant, row.run);
+        const name = film ? make('a', { href: film }, row.name) : make('span', { class: 'muted' }, row.name);
+        return make('li', {}, name, ' ', make('code', {}, text), ' ', copy);
       }))];
   }
 }
