@@ -1,7 +1,10 @@
 #include "src/motion/coverage/free_space.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include "src/motion/coverage/cells.hpp"
 #include "src/motion/math/index.hpp"
@@ -394,6 +397,62 @@ double FreeSpace::shortest_length(const Point& a, const Point& b) const {
 double FreeSpace::shortest_length_within(const Point& a, const Point& b, double limit) const {
   const std::vector<Point> way = way_within(a, b, limit);
   return way.empty() ? kNoWay : length_of(way);
+}
+
+/// The corners that can be reached from a place, those nearest to another place first.
+class FreeSpace::Flood {
+ public:
+  Flood(const FreeSpace& space, const Point& from, const Point& to)
+      : space_(space), from_(from), to_(to), reached_(space.nodes_.size(), false) {}
+
+  /// Goes on by a corner; false: all were looked at.
+  bool step() {
+    if (!std::exchange(begun_, true)) {
+      look_from(-1);
+      return true;
+    }
+    if (open_.empty()) return false;
+    std::pop_heap(open_.begin(), open_.end(), std::greater<>());
+    const int node = open_.back().second;
+    open_.pop_back();
+    look_from(node);
+    return true;
+  }
+  bool found() const { return found_; }
+
+ private:
+  void look_from(int node) {
+    const Point& p = node < 0 ? from_ : space_.nodes_[at(node)];
+    found_ = found_ || space_.sees(p, to_);
+    for (std::size_t i = 0; i < reached_.size() && !found_; ++i) {
+      const int other = static_cast<int>(i);
+      if (reached_[i] || other == node) continue;
+      const Point& q = space_.nodes_[i];
+      if (!(node < 0 ? space_.sees(p, q) : space_.nodes_see(node, other))) continue;
+      reached_[i] = true;
+      open_.emplace_back(distance(q, to_), other);
+      std::push_heap(open_.begin(), open_.end(), std::greater<>());
+    }
+  }
+
+  const FreeSpace& space_;
+  const Point from_, to_;
+  std::vector<bool> reached_;
+  std::vector<std::pair<double, int>> open_;  ///< a heap
+  bool begun_ = false;
+  bool found_ = false;
+};
+
+bool FreeSpace::reaches(const Point& a, const Point& b) const {
+  // Most are near each other. Else one of the two may lie in a small part of the space: a search
+  // from there comes to its end soon.
+  const double near = 2 * distance(a, b) + 4 * static_cast<double>(kUnitsPerMetre);
+  if (!way_within(a, b, near).empty()) return true;
+  Flood there(*this, a, b);
+  Flood back(*this, b, a);
+  while (there.step() && !there.found() && back.step() && !back.found()) {
+  }
+  return there.found() || back.found();
 }
 
 }  // namespace rubicon::coverage

@@ -58,8 +58,12 @@ class FreeSpace {
   double shortest_length(const Point& a, const Point& b) const;
   /// The same where it is `limit` or less; else anything more, found with less search.
   double shortest_length_within(const Point& a, const Point& b, double limit) const;
+  /// Whether there is a way between two allowed places.
+  bool reaches(const Point& a, const Point& b) const;
 
  private:
+  class Flood;
+
   bool leaves_floor(const Point& a, const Point& b) const;
   bool nodes_see(int a, int b) const;
   /// The shortest way where it is no longer than `limit`, else none.

@@ -95,7 +95,7 @@ class LineOrderer {
     std::vector<std::vector<int>> parts;
     std::vector<std::size_t> part_of(lines_.size());
     const auto reaches = [&](const Point& p, int line) {
-      return std::isfinite(query_.space->shortest_length(p, lines_[at(line)].points.front()));
+      return query_.space->reaches(p, lines_[at(line)].points.front());
     };
     Box box = box_of(lines_[0].points.front(), lines_[0].points.front());
     for (const WorkLine& line : lines_) {
@@ -130,7 +130,7 @@ class LineOrderer {
         length += distance(lines_[at(line)].points.front(), lines_[at(line)].points.back());
       }
       const Point& p = lines_[at(part.front())].points.front();
-      if (query_.from && std::isfinite(query_.space->shortest_length(*query_.from, p))) {
+      if (query_.from && query_.space->reaches(*query_.from, p)) {
         length = kFar;
       }
       if (length <= most) continue;
