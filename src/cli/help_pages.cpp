@@ -196,7 +196,9 @@ usage: rubicon flow PLAN|RESULT|TRACE [--format table|csv|json] [--set NAME=VALU
 Of each component: the storage place where it stands at first and at the end, how often it was lifted, how long it
 lay before that (waited), how long and how far it hung on a machine (the way of the middle of the box round it), and
 how many steps with it were refused. Of each storage place (storage yard box(...); in the plan): what came and went,
-the greatest stock and when, and how long components lay there. What happened counts; rejected tasks do not.
+the greatest stock and when, and how long components lay there. Of each vehicle of a fleet: how long it was held, moved
+and waited for other machines, and how far it came; and of each node of its network how often, how long and how many at
+a time waited there. What happened counts; rejected tasks do not.
 
   --format FORMAT  table (the default); csv, a line for each component; json, with the stock over time
   --set NAME=VALUE another value for a parameter of the PLAN
