@@ -37,7 +37,9 @@ class Place {
 };
 
 double distance_between(std::pair<double, double> a, std::pair<double, double> b) {
-  return std::hypot(a.first - b.first, a.second - b.second);
+  const double x = a.first - b.first;
+  const double y = a.second - b.second;
+  return std::sqrt(x * x + y * y);
 }
 
 /// Where a robot is at a moment; its values there.
