@@ -213,6 +213,36 @@ examples:
   rubicon flow result --format json
 )";
 
+const std::string_view kLayout =
+    R"(rubicon layout - lay rows and lanes out in a hall, the best of many ways
+
+usage: rubicon layout PLAN --module "LENGTH x DEPTH [x HEIGHT]" [--spacing LENGTH] [--format table|csv|json]
+       rubicon layout PLAN --module SIZE --out FILE [--choose N] [--spacing LENGTH] [--format table|csv|json]
+
+PLAN describes a hall: one area (its outline; columns and shafts are in the way), and one network with the gates as nodes
+and no lanes. The first class of the network is for aisles, the second, if there is one, for cross aisles and gates; their
+width is that of a lane. Modules (racks, stacks) stand in rows back to back, an aisle beside each row. Tried are rows along
+x and along y; aisles with a lane one way, with a shared lane and with two lanes; none, one and two cross aisles beside
+those at the walls; and many places for the first aisle. All of it is the same on every machine.
+
+The table has each layout that no other beats in all of three: modules that every gate reaches, the mean trip (from a gate to a
+module and from there to a gate, each pair as often), and the trips in an hour that the busiest node lets through (time to
+load not counted). Beside them, how it is laid out, and the metres of its lanes. The most modules stand first.
+
+  --module SIZE    a module: along its aisle, across it, and its height (2 m if not given)
+  --spacing LENGTH from node to node in an aisle at least; the width of a lane if not given. Not less than a vehicle is long
+  --out FILE       write the plan with the layout in it: nodes and lanes in its network, each module a shape of the site,
+                   and, if the plan has a fleet and no tasks, up to 20 trips from the gates to modules
+  --choose N       which layout of the table; 1 if not given
+  --format FORMAT  table (the default), csv or json (with places of modules, nodes and lanes), on standard output
+
+Exit code: 0; 1 no layout fits; 2 the plan cannot be read, or has no such area and network.
+
+examples:
+  rubicon layout taskplans/hall.plan --module "2.7 m x 1.1 m"
+  rubicon layout taskplans/hall.plan --module "2.7 m x 1.1 m x 2 m" --choose 2 --out build/hall.plan
+)";
+
 const std::string_view kReport =
     R"(rubicon report - make the page that shows a result
 
