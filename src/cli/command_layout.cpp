@@ -185,7 +185,7 @@ int run_layout(const LayoutOptions& options) {
   layout::Sizes sizes;
   if (const auto wrong = take_module(options.module, sizes)) return fail(*wrong);
   interpreter::SourceMap sources;
-  const auto plan = load_runnable_plan(options.plan, sources, {});
+  const auto plan = load_runnable_plan(options.plan, sources, {}, true);
   if (!plan) return kWrongInput;
   const interpreter::FileId file = 0;
   Asked asked;

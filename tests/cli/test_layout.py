@@ -113,7 +113,7 @@ class Layout(ResultCase):
 
     def test_the_shipped_hall(self):
         told = rubicon("layout", SHIPPED, "--module", "2.7 m x 1.1 m x 2 m")
-        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertEqual((told.returncode, told.stderr), (0, ""))
         self.assertIn("1 *", told.stdout)
 
 
