@@ -34,8 +34,8 @@ double ratio(lanes::Nanoseconds cost, double least) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int executions = argc > 1 ? std::atoi(argv[1]) : 3000;
-  const int exact_nodes = argc > 2 ? std::atoi(argv[2]) : 3000;
+  const int executions = argc > 1 ? std::atoi(argv[1]) : 300;
+  const int exact_nodes = argc > 2 ? std::atoi(argv[2]) : 300;
   const Yard yards[] = {{"170 nodes, 349 edges", {170, 349, 200, 6, 1}, 1'500'000, 2.5},
                         {"878 nodes, 7341 edges", {878, 7341, 400, 6, 1}, 150'000, 0}};
   int contacts = 0;

@@ -126,6 +126,7 @@ class Fleet(ResultCase):
         table = rubicon("flow", self.out).stdout
         self.assertIn("carts_1      1  0:00:30      100.0 %  0:00:30      0  0:00:00    26.0 m", table)
         self.assertIn("No vehicle waited for another machine.", table)
+        self.assertNotIn("Nothing was moved", table)
 
     def test_flow_tells_where_they_waited(self):
         self.run_plan(plan(yard(4), "at bay[1], bay[2];", "task a { by carts_1; go at yard.bay[4]; } task b { by carts_2; go at yard.gate; }"))

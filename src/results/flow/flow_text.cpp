@@ -121,14 +121,16 @@ void write_lanes(trace::JsonBuilder& json, const LaneFlow& lanes) {
 
 std::string flow_text(const MaterialFlow& flow) {
   std::string text = fmt::format("{}: the flow of material\n\n", flow.plan);
-  text += components_table(flow);
+  // Vehicles may drive with nothing to carry.
+  if (!flow.components.empty() || flow.lanes.vehicles.empty()) text += components_table(flow);
   const auto still = std::count_if(flow.components.begin(), flow.components.end(),
                                    [](const ComponentFlow& each) { return !was_moved(each); });
   if (still > 0)
     text += fmt::format("{} more {} never moved.\n", still, still == 1 ? "was" : "were");
   if (!flow.storages.empty()) text += '\n' + storages_table(flow);
   if (!flow.lanes.vehicles.empty()) {
-    text += '\n' + vehicles_table(flow) + '\n' + nodes_table(flow);
+    if (!flow.components.empty() || !flow.storages.empty()) text += '\n';
+    text += vehicles_table(flow) + '\n' + nodes_table(flow);
   }
   return text;
 }
