@@ -72,6 +72,17 @@ Action declare_flow(CLI::App& app) {
   return [options] { return run_flow(*options); };
 }
 
+Action declare_layout(CLI::App& app) {
+  const auto options = std::make_shared<LayoutOptions>();
+  app.add_option("PLAN", options->plan)->required();
+  app.add_option("--module", options->module)->required();
+  app.add_option("--spacing", options->spacing);
+  CLI::Option* const out = app.add_option("--out", options->out);
+  app.add_option("--choose", options->choose)->check(CLI::Range(1, 10000))->needs(out);
+  app.add_option("--format", options->format)->check(IsMember({"table", "json", "csv"}));
+  return [options] { return run_layout(*options); };
+}
+
 Action declare_report(CLI::App& app) {
   const auto options = std::make_shared<ReportOptions>();
   app.add_option("RESULT", options->result)->required();
@@ -181,6 +192,8 @@ const std::vector<Command>& command_table() {
        pages::kGuides, declare_guides},
       {"flow", "PLAN|RESULT", "tell what became of the components, and the stock of storage places",
        pages::kFlow, declare_flow},
+      {"layout", "PLAN --module SIZE", "lay rows and lanes out in a hall, the best of many ways",
+       pages::kLayout, declare_layout},
       {"report", "RESULT", "make the page that shows a result: the film, the Gantt, the tables",
        pages::kReport, declare_report},
       {"debug", "PLAN|RESULT [TASK]", "step through the behaviour of machines, forward and back",

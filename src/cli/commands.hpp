@@ -94,6 +94,16 @@ struct FlowOptions {
 };
 int run_flow(const FlowOptions& options);
 
+struct LayoutOptions {
+  std::string plan;
+  std::string module;   ///< length x depth, or length x depth x height
+  std::string spacing;  ///< a length; "": the width of a lane
+  int choose = 1;       ///< row of the table
+  std::string out;      ///< "": no plan is written
+  std::string format = "table";
+};
+int run_layout(const LayoutOptions& options);
+
 struct ReportOptions {
   std::string result;  ///< a result folder or a trace
   std::string out;

@@ -199,7 +199,9 @@ usage: rubicon flow PLAN|RESULT|TRACE [--format table|csv|json] [--set NAME=VALU
 Of each component: the storage place where it stands at first and at the end, how often it was lifted, how long it
 lay before that (waited), how long and how far it hung on a machine (the way of the middle of the box round it), and
 how many steps with it were refused. Of each storage place (storage yard box(...); in the plan): what came and went,
-the greatest stock and when, and how long components lay there. What happened counts; rejected tasks do not.
+the greatest stock and when, and how long components lay there. Of each vehicle of a fleet: how long it was held, moved
+and waited for other machines, and how far it came; and of each node of its network how often, how long and how many at
+a time waited there. What happened counts; rejected tasks do not.
 
   --format FORMAT  table (the default); csv, a line for each component; json, with the stock over time
   --set NAME=VALUE another value for a parameter of the PLAN
@@ -212,6 +214,36 @@ Exit code: 0; 2 the input cannot be read, or has no trace of every step.
 examples:
   rubicon flow taskplans/unit.plan
   rubicon flow result --format json
+)";
+
+const std::string_view kLayout =
+    R"(rubicon layout - lay rows and lanes out in a hall, the best of many ways
+
+usage: rubicon layout PLAN --module "LENGTH x DEPTH [x HEIGHT]" [--spacing LENGTH] [--format table|csv|json]
+       rubicon layout PLAN --module SIZE --out FILE [--choose N] [--spacing LENGTH] [--format table|csv|json]
+
+PLAN describes a hall: one area (its outline; columns and shafts are in the way), and one network with the gates as nodes
+and no lanes. The first class of the network is for aisles, the second, if there is one, for cross aisles and gates; their
+width is that of a lane. Modules (racks, stacks) stand in rows back to back, an aisle beside each row. Tried are rows along
+x and along y; aisles with a lane one way, with a shared lane and with two lanes; none, one and two cross aisles beside
+those at the walls; and many places for the first aisle. All of it is the same on every machine.
+
+The table has each layout that no other beats in all of three: modules that every gate reaches, the mean trip (from a gate to a
+module and from there to a gate, each pair as often), and the trips in an hour that the busiest node lets through (time to
+load not counted). Beside them, how it is laid out, and the metres of its lanes. The most modules stand first.
+
+  --module SIZE    a module: along its aisle, across it, and its height (2 m if not given)
+  --spacing LENGTH from node to node in an aisle at least; the width of a lane if not given. Not less than a vehicle is long
+  --out FILE       write the plan with the layout in it: nodes and lanes in its network, each module a shape of the site,
+                   and, if the plan has a fleet and no tasks, up to 20 trips from the gates to modules
+  --choose N       which layout of the table; 1 if not given
+  --format FORMAT  table (the default), csv or json (with places of modules, nodes and lanes), on standard output
+
+Exit code: 0; 1 no layout fits; 2 the plan cannot be read, or has no such area and network.
+
+examples:
+  rubicon layout taskplans/hall.plan --module "2.7 m x 1.1 m"
+  rubicon layout taskplans/hall.plan --module "2.7 m x 1.1 m x 2 m" --choose 2 --out build/hall.plan
 )";
 
 const std::string_view kReport =

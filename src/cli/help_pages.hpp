@@ -9,7 +9,7 @@ namespace rubicon::cli::pages {
 /// What stands before and behind the list of commands in the overview.
 extern const std::string_view kOverviewBegin, kOverviewEnd;
 
-extern const std::string_view kCheck, kRun, kStudy, kWhy, kGuides, kFlow, kReport, kDebug, kTest,
-    kVerify, kImport, kExport, kFmt, kHelp;
+extern const std::string_view kCheck, kRun, kStudy, kWhy, kGuides, kFlow, kLayout, kReport, kDebug,
+    kTest, kVerify, kImport, kExport, kFmt, kHelp;
 
 }  // namespace rubicon::cli::pages

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <string_view>
 #include <utility>
 
 #include "src/exchange/files/plan_files_io.hpp"
@@ -13,6 +14,9 @@
 namespace rubicon::cli {
 
 namespace {
+
+/// The warning that a plan has no task and no goal.
+constexpr std::string_view kNothingToDo = "P15";
 
 /// What is in each other at the beginning, into the plan, and what is to be said of it.
 void look_at_beginning(interpreter::PlanModel& plan, interpreter::Diagnostics& diagnostics) {
@@ -47,7 +51,8 @@ ReadPlan read_runnable_plan(const std::string& plan, interpreter::FileProvider& 
 
 std::unique_ptr<interpreter::PlanModel> load_runnable_plan(const std::string& path,
                                                            interpreter::SourceMap& sources,
-                                                           const interpreter::ParameterTexts& set) {
+                                                           const interpreter::ParameterTexts& set,
+                                                           bool without_tasks) {
   files::PlanFiles disk(path);
   ReadPlan read;
   const auto text = disk.read_text(disk.plan());
@@ -57,6 +62,10 @@ std::unique_ptr<interpreter::PlanModel> load_runnable_plan(const std::string& pa
     read.found = diagnostics.sorted();
   } else {
     read = read_runnable_plan(disk.plan(), disk, sources, set);
+  }
+  if (without_tasks) {
+    std::erase_if(read.found,
+                  [](const interpreter::Diagnostic& each) { return each.code == kNothingToDo; });
   }
   if (!read.found.empty()) {
     const std::string messages =

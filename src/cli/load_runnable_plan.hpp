@@ -23,8 +23,10 @@ ReadPlan read_runnable_plan(const std::string& plan, interpreter::FileProvider& 
 /// Reads and checks a plan that is to be run, with `set` for its parameters, and prints what is
 /// wrong with it; null if it cannot be run. Paths in the plan and in `sources` are relative to the
 /// folder of the plan.
+/// A plan need not have anything to do `without_tasks`.
 std::unique_ptr<interpreter::PlanModel> load_runnable_plan(const std::string& path,
                                                            interpreter::SourceMap& sources,
-                                                           const interpreter::ParameterTexts& set);
+                                                           const interpreter::ParameterTexts& set,
+                                                           bool without_tasks = false);
 
 }  // namespace rubicon::cli

@@ -6,7 +6,7 @@ import os
 import random
 import unittest
 
-from result_case import ResultCase
+from result_case import ResultCase, rubicon
 
 RANDOM_PLANS = int(os.environ.get("RUBICON_RANDOM_PLANS", "40"))
 CART = """robot cart {
@@ -110,6 +110,40 @@ class Fleet(ResultCase):
         header = self.records("header")[0]
         self.assertEqual(len(header["networks"][0]["lanes"]), 8)
         self.assertEqual(header["fleets"], [{"name": "carts", "network": "yard", "robots": ["carts_1"], "nodes": [2]}])
+
+    def lanes(self):
+        told = rubicon("flow", self.out, "--format", "json")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        return json.loads(told.stdout)["lanes"]
+
+    def test_flow_tells_how_far_one_came(self):
+        self.run_plan(plan(yard(3), "at bay[1];", "task go { by carts; go at yard.bay[2]; }"))
+        lanes = self.lanes()
+        [vehicle] = lanes["vehicles"]
+        self.assertEqual({**vehicle, "held": round(vehicle["held"], 6), "moving": round(vehicle["moving"], 6)},
+                         {"name": "carts_1", "fleet": "carts", "tasks": 1, "held": 30, "moving": 30, "waits": 0, "waited": 0, "distance": 26})
+        self.assertEqual((lanes["nodes"], [each["lengths"] for each in lanes["queues"]]), ([], [[{"t": 0, "count": 0}]]))
+        table = rubicon("flow", self.out).stdout
+        self.assertIn("carts_1      1  0:00:30      100.0 %  0:00:30      0  0:00:00    26.0 m", table)
+        self.assertIn("No vehicle waited for another machine.", table)
+        self.assertNotIn("Nothing was moved", table)
+
+    def test_flow_tells_where_they_waited(self):
+        self.run_plan(plan(yard(4), "at bay[1], bay[2];", "task a { by carts_1; go at yard.bay[4]; } task b { by carts_2; go at yard.gate; }"))
+        lanes = self.lanes()
+        waited = {}
+        for pause in self.records("pause"):
+            waited.setdefault(pause["robot"], []).append((pause["from"], pause["t"]))
+        for vehicle in lanes["vehicles"]:
+            own = waited.get(vehicle["name"], [])
+            self.assertEqual(vehicle["waits"], len(own))
+            self.assertAlmostEqual(vehicle["waited"], sum(end - begin for begin, end in own), 6)
+        # The second one stands in its bay until the first has passed.
+        [node] = lanes["nodes"]
+        self.assertEqual((node["network"], node["node"], node["waits"], node["most"]), ("yard", "bay_2", 1, 1))
+        [(begin, end)] = waited["carts_2"]
+        self.assertAlmostEqual(node["waited"], end - begin, 6)
+        self.assertEqual([each["count"] for each in lanes["queues"][0]["lengths"]][-2:], [1, 0])
 
     def test_a_parking_that_failed_and_was_undone_leaves_no_mark(self):
         # The parking under way when the run goes back had another one after it, which failed.

@@ -236,6 +236,14 @@ export interface FlowData {
   components: { name: string; from: string; to: string; removed: boolean; lifts: number; waited: number; carried: number;
     distance: number; refused: number }[];
   storages: { name: string; in: number; out: number; mean_stay: number | null; stock: Stock[] }[];
+  /** Of a plan with fleets: what vehicles did, and where and when they stood for other machines. */
+  lanes?: LaneFlow;
+}
+
+export interface LaneFlow {
+  vehicles: { name: string; fleet: string; tasks: number; held: number; moving: number; waits: number; waited: number; distance: number }[];
+  nodes: { network: string; node: string; waits: number; waited: number; longest: number; most: number }[];
+  queues: { network: string; lengths: { t: number; count: number }[] }[];
 }
 
 export interface ResourceData {

@@ -18,6 +18,16 @@ Nanoseconds safe_until(const std::vector<Hold>& holds, std::size_t interval) {
   return interval == holds.size() ? lanes::kEndOfTime : holds[interval].from;
 }
 
+/// The first moment from `enter` on at which nobody is too near to the lane for so long.
+Nanoseconds enter_between(const std::vector<Hold>& holds, Nanoseconds enter, Nanoseconds takes) {
+  for (const Hold& hold : holds) {
+    if (hold.until <= enter) continue;
+    if (hold.from >= enter + takes) break;
+    enter = hold.until;
+  }
+  return enter;
+}
+
 }  // namespace
 
 TimedWays::TimedWays(const TimedWayQuery& query) {
@@ -32,19 +42,25 @@ TimedWays::TimedWays(const TimedWayQuery& query) {
   struct Open {
     Label label;
     std::size_t state = 0;
+    Nanoseconds rank = 0;  ///< arrival, at the goal at least if there is one
     std::int64_t number = 0;
     bool operator<(const Open& other) const {
-      return std::tie(label.arrive, number) > std::tie(other.label.arrive, other.number);
+      return std::tie(rank, number) > std::tie(other.rank, other.number);
     }
   };
   std::priority_queue<Open> open;
   std::int64_t number = 0;
+  const bool is_led = !query.least.empty();
+  const auto rank_of = [&](NodeIndex node, Nanoseconds arrive) {
+    return is_led ? arrive + query.least[at(node)] : arrive;
+  };
   const auto& own = query.holds[at(query.from)];
   // The vehicle stands there, so that the interval that it stands in is its own.
   std::size_t interval = 0;
   while (interval < own.size() && own[interval].until <= query.start) ++interval;
   open.push({{query.from, safe_until(own, interval), query.start, query.start, lanes::kNone, -1},
              first_interval[at(query.from)] + interval,
+             rank_of(query.from, query.start),
              number++});
   while (!open.empty()) {
     const Open best = open.top();
@@ -54,21 +70,29 @@ TimedWays::TimedWays(const TimedWayQuery& query) {
     const int index = static_cast<int>(labels_.size());
     labels_.push_back(best.label);
     const Label& label = best.label;
-    if (label.end == lanes::kEndOfTime && last_[at(label.node)] < 0) last_[at(label.node)] = index;
+    if (label.end == lanes::kEndOfTime && last_[at(label.node)] < 0) {
+      last_[at(label.node)] = index;
+      if (label.node == query.goal) return;
+    }
     for (const LaneIndex lane : network.leaving(label.node)) {
       if (network.class_of(lane).width < query.width) continue;
       const NodeIndex to = network.lane(lane).to;
       const Nanoseconds takes = network.time(lane, query.speed);
       if (takes >= lanes::kEndOfTime - label.arrive) continue;
+      if (is_led && query.least[at(to)] >= lanes::kEndOfTime - label.arrive - takes) continue;
       const std::vector<Hold>& holds = query.holds[at(to)];
       for (std::size_t i = 0; i <= holds.size(); ++i) {
-        const Nanoseconds enter = std::max(label.arrive, safe_from(holds, i));
+        Nanoseconds enter = std::max(label.arrive, safe_from(holds, i));
+        if (!query.lane_holds.empty()) {
+          enter = enter_between(query.lane_holds[at(lane)], enter, takes);
+          if (enter >= lanes::kEndOfTime - takes) break;
+        }
         const Nanoseconds arrive = enter + takes;
         if (arrive > label.end) break;  // the node behind it is needed by then
         const Nanoseconds end = safe_until(holds, i);
         const std::size_t state = first_interval[at(to)] + i;
         if (arrive > end || settled[state]) continue;
-        open.push({{to, end, enter, arrive, lane, index}, state, number++});
+        open.push({{to, end, enter, arrive, lane, index}, state, rank_of(to, arrive), number++});
       }
     }
   }

@@ -36,6 +36,13 @@ struct TimedWayQuery {
   double width = 0;       ///< m
   /// By node: what others hold, ascending, without overlaps.
   std::span<const std::vector<Hold>> holds;
+  /// By lane: when it may not be driven because others are too near to it; empty: lanes are far
+  /// enough from all but their own nodes. Ascending, without overlaps.
+  std::span<const std::vector<Hold>> lane_holds = {};
+  /// With a goal the search ends there, led by `least`, by node: how long it takes to the goal at
+  /// least.
+  NodeIndex goal = lanes::kNone;
+  std::span<const Nanoseconds> least = {};
 };
 
 /// Earliest arrivals between what others hold, by safe intervals (M. Phillips and M. Likhachev,
@@ -51,6 +58,8 @@ class TimedWays {
   std::optional<std::vector<TimedNode>> to(NodeIndex goal) const;
   /// The nodes where it may stay for good, the earliest first, the one it stands at among them.
   std::vector<NodeIndex> resting_places() const;
+  /// From how many pairs of node and interval the search went on.
+  std::int64_t expanded() const { return static_cast<std::int64_t>(labels_.size()); }
 
  private:
   struct Label {

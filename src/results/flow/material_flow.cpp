@@ -166,6 +166,7 @@ MaterialFlow material_flow(const replay::Replay& replay) {
     each.mass = component.mass;
     each.removed = true;  // unless it stands at the end
   }
+  flow.lanes = lane_flow(replay);
   add_carrying(replay, middles, flow.components);
   for (const replay::TaskRun& run : replay.runs) {
     if (run.happened) add_refusals(run, flow.components);

@@ -4,11 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "src/results/flow/lane_flow.hpp"
 #include "src/results/replay/replay.hpp"
 
 namespace rubicon::flow {
-
-using interpreter::Ticks;
 
 /// What became of a component from the beginning of the plan to its end (1995 paper, section 1: the
 /// flow of material).
@@ -47,13 +46,15 @@ struct MaterialFlow {
   Ticks end = 0;
   std::vector<ComponentFlow> components;  ///< as the header has them
   std::vector<StorageFlow> storages;
+  LaneFlow lanes;
 };
 
 /// What happened counts: the tries of a rejected task do not. Throws std::invalid_argument for
 /// shapes without extent.
 MaterialFlow material_flow(const replay::Replay& replay);
 
-/// A table of components that were moved, and one of storage places.
+/// A table of components that were moved, one of storage places, and of a plan with fleets one of
+/// vehicles and one of the nodes where they waited.
 std::string flow_text(const MaterialFlow& flow);
 /// The components, a line each.
 std::string flow_csv(const MaterialFlow& flow);

@@ -176,6 +176,13 @@ void ReplayReader::add(TaskRun& run, const trace::Removal& removal) {
       LoadChange{LoadChange::Kind::remove, component(removal.component), math::Pose::Identity()});
 }
 
+void ReplayReader::add(TaskRun& run, const trace::Pause& pause) {
+  if (pause.why == "machine") {
+    run.waits.push_back({std::string(pause.whom), pause.from, pause.t});
+  }
+  add_event(run, pause.t, {});
+}
+
 void ReplayReader::add(TaskRun& run, const trace::TaskEnd& end) {
   run.ended = true;
   run.end = end.t;

@@ -53,6 +53,7 @@ class ReplayReader {
   void add(TaskRun& run, const trace::Detach& detach);
   void add(TaskRun& run, const trace::Turn& turn);
   void add(TaskRun& run, const trace::Removal& removal);
+  void add(TaskRun& run, const trace::Pause& pause);
   void add(TaskRun& run, const trace::TaskEnd& end);
   /// Of the others only the time counts.
   template <typename Other>

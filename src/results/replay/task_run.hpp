@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -40,6 +41,13 @@ struct Event {
   bool refused = false;  ///< an attempt that met something, or a limit
 };
 
+/// A robot stood still for another machine.
+struct MachineWait {
+  std::string whom;
+  Ticks from = 0;
+  Ticks to = 0;
+};
+
 /// One task as the trace tells it, with the events of its records.
 struct TaskRun {
   int task = -1;   ///< index into the header's tasks; -1: it has none of this name (`park`)
@@ -52,6 +60,7 @@ struct TaskRun {
   Ticks start = 0;
   Ticks end = 0;
   std::vector<Event> events;
+  std::vector<MachineWait> waits;
 };
 
 }  // namespace rubicon::replay

@@ -155,6 +155,23 @@ struct HeaderStorage {
   std::vector<geometry::Shape> shapes;
 };
 
+struct HeaderNode {
+  std::string name;
+  math::Pose X_WN = math::Pose::Identity();
+};
+
+/// A network of lanes: of it only its nodes.
+struct HeaderNetwork {
+  std::string name;
+  std::vector<HeaderNode> nodes;
+};
+
+struct HeaderFleet {
+  std::string name;
+  std::string network;
+  std::vector<std::string> robots;
+};
+
 /// What moves by a timetable (times in ns, poses X_WO).
 struct HeaderMoving {
   std::string name;
@@ -181,6 +198,8 @@ struct TraceHeader {
   std::vector<geometry::Shape> site;                     ///< in {W}
   std::vector<std::string> site_names;                   ///< whose they are, as in the plan
   std::vector<HeaderStorage> storages;
+  std::vector<HeaderNetwork> networks;
+  std::vector<HeaderFleet> fleets;
   std::vector<HeaderMoving> movings;
   std::vector<HeaderComponent> components;
   std::vector<HeaderRobot> robots;

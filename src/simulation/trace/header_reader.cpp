@@ -307,6 +307,20 @@ TraceHeader read_scene(const JsonObject& header) {
       read.storages.push_back({object.text("name"), read_shapes(object, "shapes", read.meshes)});
     });
   }
+  if (header.has("networks")) {
+    header.each_object("networks", [&](const JsonObject& object) {
+      HeaderNetwork& network = read.networks.emplace_back();
+      network.name = object.text("name");
+      object.each_object("nodes", [&](const JsonObject& node) {
+        network.nodes.push_back({node.text("name"), node.pose("pose")});
+      });
+    });
+  }
+  if (header.has("fleets")) {
+    header.each_object("fleets", [&](const JsonObject& object) {
+      read.fleets.push_back({object.text("name"), object.text("network"), object.texts("robots")});
+    });
+  }
   if (header.has("movings")) {
     header.each_object("movings", [&](const JsonObject& object) {
       read.movings.push_back(read_moving(object, read.meshes));

@@ -7,8 +7,11 @@ const mostListed = 300;
 const chartWidth = 110;
 const chartHeight = 28;
 
+/** So many of something from `t` on. */
+export type Level = Pick<Stock, 't' | 'count'> & Partial<Stock>;
+
 /** The stock over time as a stepped line, from the bottom (0) to the top (`most`) of the chart. */
-export function stockPath(stock: Stock[], end: number, most: number): string {
+export function stockPath(stock: Level[], end: number, most: number): string {
   const x = (t: number) => number((chartWidth * Math.min(t, end)) / Math.max(end, 1e-9), 2);
   const y = (count: number) => number(chartHeight - 1 - ((chartHeight - 2) * count) / Math.max(most, 1), 2);
   let path = '';
@@ -16,7 +19,7 @@ export function stockPath(stock: Stock[], end: number, most: number): string {
   return `${path}H${chartWidth}`;
 }
 
-function chartOf(stock: Stock[], end: number, most: number): SVGSVGElement {
+export function chartOf(stock: Level[], end: number, most: number): SVGSVGElement {
   const space = 'http://www.w3.org/2000/svg';
   const svg = document.createElementNS(space, 'svg');
   svg.setAttribute('viewBox', `0 0 ${chartWidth} ${chartHeight}`);

@@ -3,6 +3,7 @@ import type { ScheduleData, ScheduledTask, Waited } from '../header';
 import { supportWords } from '../holding';
 import { tallyText } from '../runs';
 import { button, cut, make, named } from './dom';
+import { lanesOf } from './lanes';
 import { materialOf } from './material';
 import { goToRun, goToStep, type Page } from './page';
 
@@ -22,7 +23,7 @@ export function mountOverview(host: HTMLElement, page: Page): { showRefusals(): 
   if (refusals) host.append(refusals);
   if (film.schedule) host.append(...lateOf(page, film.schedule), ...supportOf(page, film.schedule), ...missedOf(page, film.schedule), ...resourcesOf(page, film.schedule), ...earthworkOf(page, film.schedule), ...costsOf(page, film.schedule),
     ...waitsOf(film.schedule), ...breakdownsOf(page, film.schedule), ...timetablesOf(film.schedule));
-  if (film.flow) host.append(...materialOf(film.flow));
+  if (film.flow) host.append(...lanesOf(film.flow, film.header.networks ?? []), ...materialOf(film.flow));
   if (film.schedule) host.append(...chainOf(page, film.schedule));
   return {
     showRefusals: () => {
