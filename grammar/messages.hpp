@@ -267,14 +267,31 @@ RUBICON_EXPECT(earth_height_value, "a height, or from and a file in quotes");
 RUBICON_EXPECT(earth_number_value, "a number");
 RUBICON_EXPECT(earth_at_frame, "a frame");
 RUBICON_EXPECT(earth_name, "a name after earth");
-RUBICON_EXPECT(earth_part, "earth", Explain::item, "grid cell height at stands swell density");
+RUBICON_EXPECT(earth_part, "earth", Explain::item,
+               "grid cell height at stands swell density repose");
 RUBICON_EXPECT(dig_number_value, "a number");
 RUBICON_EXPECT(dig_trucks, "the name of the crew of trucks after load");
 RUBICON_EXPECT(dig_stage_takes, "takes");
 RUBICON_EXPECT(dig_server, "a name after by");
 RUBICON_EXPECT(dig_part, "dig", Explain::item,
                "load swell density bed payload bucket fill_factor efficiency loaded limit layer "
-               "tolerance clearance cut carry open dump");
+               "tolerance clearance cut carry open dump queue");
+RUBICON_EXPECT(dig_place_at, "at and a place");
+RUBICON_EXPECT(dig_place_frame, "a place, such as trans(2, 6, 0) * rotz(90)");
+RUBICON_EXPECT(workspaces_machine, "the name of a robot or a fleet after of");
+RUBICON_EXPECT(workspaces_number_value, "a number");
+RUBICON_EXPECT(workspaces_part, "workspaces", Explain::item,
+               "of reaction braking turn_braking");
+RUBICON_EXPECT(haul_number_value, "a number");
+RUBICON_EXPECT(haul_place_at, "at and a place");
+RUBICON_EXPECT(haul_place_frame, "a place, such as trans(2, 6, 0) * rotz(90)");
+RUBICON_EXPECT(haul_tip_takes, "at and a place, or takes and a duration");
+RUBICON_EXPECT(haul_heap_earth, "the name of an earth after heap");
+RUBICON_EXPECT(haul_heap_at, "at and where it falls, as seen from the truck");
+RUBICON_EXPECT(haul_heap_frame, "a place as seen from the truck, such as trans(-5, 0, 0)");
+RUBICON_EXPECT(haul_raise_values, "a parameter and its value");
+RUBICON_EXPECT(haul_part, "haul", Explain::item, "bed payload out tip back heap raise");
+RUBICON_EXPECT(haul_dig, "the name of a task that digs after haul");
 RUBICON_EXPECT(dig_attitude_frame, "a frame, such as roty(90)");
 RUBICON_EXPECT(dig_dump_at, "at after dump");
 RUBICON_EXPECT(dig_dump_frame, "a place, such as trans(2, 6, 3.5)");
@@ -391,7 +408,7 @@ RUBICON_EXPECT(up_to_height, "the height that it reaches");
 RUBICON_EXPECT(baseline_to, "'to' and the end of the baseline");
 RUBICON_EXPECT(
     task_part, "task", Explain::item,
-    "by needs move go remove hook adjust release takes dig via guide situation within free "
+    "by needs move go remove hook adjust release takes dig haul via guide situation within free "
     "near lock enter deviation budget "
     "priority not_before due baseline zone after name group attribute for when whole");
 RUBICON_EXPECT(task_name, "a name after task");

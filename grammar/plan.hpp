@@ -289,7 +289,8 @@ struct earth_height
               plan_semicolon> {};
 struct earth_number_key
     : token<sor<word<TAO_PEGTL_STRING("cell")>, word<TAO_PEGTL_STRING("stands")>,
-                word<TAO_PEGTL_STRING("swell")>, word<TAO_PEGTL_STRING("density")>>> {};
+                word<TAO_PEGTL_STRING("swell")>, word<TAO_PEGTL_STRING("density")>,
+                word<TAO_PEGTL_STRING("repose")>>> {};
 struct earth_number_value : quantity {};
 struct earth_number : if_must<earth_number_key, earth_number_value, plan_semicolon> {};
 struct earth_at_frame : frame {};
@@ -300,6 +301,24 @@ struct earth_parts : nested<star<not_at<block_end>, recover<whole_earth_part, it
 struct earth_key : token<word<TAO_PEGTL_STRING("earth")>> {};
 struct earth_name : name {};
 struct earth_item : if_must<earth_key, earth_name, block_open, earth_parts, block_close> {};
+
+// The dynamic workspaces of machines: no two of them overlap.
+struct workspaces_of_key : token<word<TAO_PEGTL_STRING("of")>> {};
+struct workspaces_machine : qualified_indexed_name {};
+struct workspaces_of : if_must<workspaces_of_key, workspaces_machine,
+                               star<if_must<comma, workspaces_machine>>, plan_semicolon> {};
+struct workspaces_number_key
+    : token<sor<word<TAO_PEGTL_STRING("reaction")>, word<TAO_PEGTL_STRING("braking")>,
+                word<TAO_PEGTL_STRING("turn_braking")>>> {};
+struct workspaces_number_value : quantity {};
+struct workspaces_number : if_must<workspaces_number_key, workspaces_number_value, plan_semicolon> {
+};
+struct workspaces_part : sor<workspaces_of, workspaces_number> {};
+struct whole_workspaces_part : must<workspaces_part> {};
+struct workspaces_parts
+    : nested<star<not_at<block_end>, recover<whole_workspaces_part, item_end>>> {};
+struct workspaces_key : token<word<TAO_PEGTL_STRING("workspaces")>> {};
+struct workspaces_item : if_must<workspaces_key, block_open, workspaces_parts, block_close> {};
 
 struct cover_number_key
     : token<sor<word<TAO_PEGTL_STRING("width")>, word<TAO_PEGTL_STRING("clearance")>,
@@ -669,7 +688,15 @@ struct dig_dump_key
 struct dig_dump_at : token<word<TAO_PEGTL_STRING("at")>> {};
 struct dig_dump_frame : frame {};
 struct dig_dump : if_must<dig_dump_key, dig_dump_at, dig_dump_frame, plan_semicolon> {};
-struct dig_part : sor<dig_load, dig_dump, dig_number, dig_stage, dig_attitude> {};
+/// Where trucks with bodies are loaded, and where they wait for that.
+struct dig_place_key
+    : token<seq<sor<word<TAO_PEGTL_STRING("load")>, word<TAO_PEGTL_STRING("queue")>>,
+                at<space, word<TAO_PEGTL_STRING("at")>>>> {};
+struct dig_place_at : token<word<TAO_PEGTL_STRING("at")>> {};
+struct dig_place_frame : frame {};
+struct dig_place : if_must<dig_place_key, dig_place_at, dig_place_frame,
+                           star<if_must<comma, dig_place_frame>>, plan_semicolon> {};
+struct dig_part : sor<dig_place, dig_load, dig_dump, dig_number, dig_stage, dig_attitude> {};
 struct whole_dig_part : must<dig_part> {};
 struct dig_parts : nested<star<not_at<block_end>, recover<whole_dig_part, item_end>>> {};
 struct dig_key : token<word<TAO_PEGTL_STRING("dig")>> {};
@@ -678,6 +705,37 @@ struct dig_earth : token<seq<name_text, at<space, word<TAO_PEGTL_STRING("to")>>>
 struct dig_shape : shape {};
 struct dig_pit : if_must<dig_earth, to_word, dig_shape> {};
 struct dig_item : if_must<dig_key, sor<dig_pit, dig_volume>, block_open, dig_parts, block_close> {};
+// A truck with a body goes between those who dig and where it tips.
+struct haul_number_key
+    : token<sor<word<TAO_PEGTL_STRING("bed")>, word<TAO_PEGTL_STRING("payload")>>> {};
+struct haul_number_value : quantity {};
+struct haul_number : if_must<haul_number_key, haul_number_value, plan_semicolon> {};
+struct haul_place_key : token<seq<sor<word<TAO_PEGTL_STRING("out")>, word<TAO_PEGTL_STRING("tip")>,
+                                      word<TAO_PEGTL_STRING("back")>>,
+                                  at<space, word<TAO_PEGTL_STRING("at")>>>> {};
+struct haul_place_at : token<word<TAO_PEGTL_STRING("at")>> {};
+struct haul_place_frame : frame {};
+struct haul_place : if_must<haul_place_key, haul_place_at, haul_place_frame,
+                            star<if_must<comma, haul_place_frame>>, plan_semicolon> {};
+struct haul_tip_key : token<word<TAO_PEGTL_STRING("tip")>> {};
+struct haul_tip_takes : token<word<TAO_PEGTL_STRING("takes")>> {};
+struct haul_tip : if_must<haul_tip_key, haul_tip_takes, duration, plan_semicolon> {};
+struct haul_heap_key : token<word<TAO_PEGTL_STRING("heap")>> {};
+struct haul_heap_earth : name {};
+struct haul_heap_at : token<word<TAO_PEGTL_STRING("at")>> {};
+struct haul_heap_frame : frame {};
+struct haul_heap
+    : if_must<haul_heap_key, haul_heap_earth, haul_heap_at, haul_heap_frame, plan_semicolon> {};
+struct haul_raise_key : token<word<TAO_PEGTL_STRING("raise")>> {};
+struct haul_raise_values : values {};
+struct haul_raise : if_must<haul_raise_key, haul_raise_values, plan_semicolon> {};
+struct haul_part : sor<haul_place, haul_tip, haul_number, haul_heap, haul_raise> {};
+struct whole_haul_part : must<haul_part> {};
+struct haul_parts : nested<star<not_at<block_end>, recover<whole_haul_part, item_end>>> {};
+struct haul_key : token<word<TAO_PEGTL_STRING("haul")>> {};
+struct haul_dig : qualified_indexed_name {};
+struct haul_item : if_must<haul_key, haul_dig, star<if_must<comma, haul_dig>>, block_open,
+                           haul_parts, block_close> {};
 struct via_key : token<word<TAO_PEGTL_STRING("via")>> {};
 struct via_item : if_must<via_key, goal, plan_semicolon> {};
 // What a motion asks beside its goals.
@@ -722,10 +780,11 @@ struct task_parts;
 struct task_repetition : if_must<for_head, block_open, task_parts, block_close> {};
 struct task_choice : if_must<given_head, block_open, task_parts, block_close> {};
 struct task_block : sor<task_repetition, task_choice> {};
-struct task_part : sor<task_block, by_item, needs_item, move_item, cover_item, go_item, remove_item,
-                       crew_work_item, takes_item, dig_item, via_item, guide_use, situation_item,
-                       within_item, motion_clause, task_number_item, date_item, zone_item,
-                       after_item, task_attribute, group_item, free_attribute, whole_item> {};
+struct task_part
+    : sor<task_block, by_item, needs_item, move_item, cover_item, go_item, remove_item,
+          crew_work_item, takes_item, dig_item, haul_item, via_item, guide_use, situation_item,
+          within_item, motion_clause, task_number_item, date_item, zone_item, after_item,
+          task_attribute, group_item, free_attribute, whole_item> {};
 struct whole_task_part : must<task_part> {};
 struct task_parts : nested<star<not_at<block_end>, recover<whole_task_part, item_end>>> {};
 struct task_key : token<word<TAO_PEGTL_STRING("task")>> {};
@@ -815,10 +874,10 @@ struct plan_guide : if_must<guide_key, guide_name, plan_guide_end> {};
 
 struct plan_item
     : sor<plan_block, parameter_item, component_item, robot_use, crew_item, pool_item,
-          overhead_item, task_item, module_item, place_item, import_item, waiver, site_item,
-          storage_item, moving_item, area_item, earth_item, network_item, fleet_item, number_item,
-          text_item, calendar_item, situation_item, short_start, short_goal, via_item, carry_item,
-          within_item, motion_clause, whole_item, support_item, plan_guide> {};
+          workspaces_item, overhead_item, task_item, module_item, place_item, import_item, waiver,
+          site_item, storage_item, moving_item, area_item, earth_item, network_item, fleet_item,
+          number_item, text_item, calendar_item, situation_item, short_start, short_goal, via_item,
+          carry_item, within_item, motion_clause, whole_item, support_item, plan_guide> {};
 struct whole_plan_item : must<plan_item> {};
 struct plan_items : nested<star<not_at<block_end>, recover<whole_plan_item, item_end>>> {};
 struct plan_file_key : token<word<TAO_PEGTL_STRING("plan")>> {};

@@ -78,7 +78,9 @@ std::unique_ptr<PlanModel> load_plan(const std::string& path, SourceMap& sources
   plan_check::check_areas(subject);
   plan_check::check_earths(subject);
   plan_check::check_tasks(subject);
+  plan_check::finish_hauls(subject);
   plan_check::finish_earths(subject);
+  plan_check::check_workspaces(subject);
   plan_check::finish_covers(subject);
   plan_check::check_scale(subject);
   plan_check::check_short_form(subject);

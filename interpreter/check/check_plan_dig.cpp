@@ -109,7 +109,8 @@ class DigCheck {
       subject_.twice(clause.key.span, key + " is given twice", first->second);
       return;
     }
-    if (clause.frame || key == "layer" || key == "tolerance" || key == "clearance") {
+    if (clause.frame || !clause.places.empty() || key == "layer" || key == "tolerance" ||
+        key == "clearance") {
       wrong(clause.key.span,
             fmt::format("{} is of a dig by a robot, and here crews dig by durations", key),
             "by EXCAVATOR; where EXCAVATOR is a robot");

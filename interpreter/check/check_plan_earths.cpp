@@ -84,8 +84,10 @@ class EarthCheck {
 
   std::optional<double> number(const syntax::Number& value, UnitKind kind, double least,
                                double most, const std::string& key) {
-    return bounded(subject_, value, kind,
-                   fmt::format("the {} of {}", key == "stands" ? "slope" : key, who_), least, most);
+    return bounded(
+        subject_, value, kind,
+        fmt::format("the {} of {}", key == "stands" || key == "repose" ? "slope" : key, who_),
+        least, most);
   }
 
   void take(const syntax::EarthItem::Clause& clause) {
@@ -133,6 +135,8 @@ class EarthCheck {
       earth_.stands_deg = number(value, UnitKind::angle, 1, 90, key).value_or(90);
     } else if (key == "swell") {
       earth_.swell = number(value, UnitKind::none, 0, kMostSwell, key).value_or(0);
+    } else if (key == "repose") {
+      earth_.repose_deg = number(value, UnitKind::angle, 1, 89, key);
     } else {
       earth_.density = number(value, UnitKind::density, 1, kMostDensity, key);
     }

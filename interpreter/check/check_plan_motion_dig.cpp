@@ -62,8 +62,14 @@ class MotionDigCheck {
     need("bucket", "how much a bucket takes", "bucket 1.2 m3;");
     need("layer", "how deep a layer is", "layer 0.5 m;");
     need("cut", "how the tool is held where it cuts", "cut roty(90);");
+    if (has("queue at") && !has("load at")) {
+      wrong(place_of("queue at"), "trucks queue for a place where they are loaded",
+            "load at trans(2, 6, 0);");
+    }
     need("dump at", "where the bucket is emptied", "dump at trans(2, 6, 3.5);");
-    if (dig_.trucks < 0) {
+    if (dig_.loads_bodies()) {
+      check_bodies();
+    } else if (dig_.trucks < 0) {
       check_no_trucks();
     } else {
       check_trucks();
@@ -112,14 +118,16 @@ class MotionDigCheck {
   }
 
   void take(const Clause& clause) {
-    const bool is_place = clause.frame && clause.key.text == "dump";
-    const std::string key = is_place ? "dump at" : clause.key.text;
+    const bool is_place = (clause.frame && clause.key.text == "dump") || !clause.places.empty();
+    const std::string key = is_place ? clause.key.text + " at" : clause.key.text;
     const auto [first, is_new] = given_.emplace(key, clause.key.span);
     if (!is_new) {
       subject_.twice(clause.key.span, key + " is given twice", first->second);
       return;
     }
-    if (clause.frame) {
+    if (!clause.places.empty()) {
+      take_places(key, clause);
+    } else if (clause.frame) {
       take_frame(key, *clause.frame);
     } else if (clause.trucks) {
       take_trucks(clause);
@@ -153,6 +161,40 @@ class MotionDigCheck {
     } else {
       dig_.X_HT_open = X;
     }
+  }
+
+  /// Of trucks with bodies.
+  void take_places(const std::string& key, const Clause& clause) {
+    std::vector<math::Pose> places;
+    for (const syntax::Frame& frame : clause.places) {
+      places.push_back(resolve_placed_frame(subject_, frame, math::Pose::Identity()));
+    }
+    if (key == "queue at") {
+      dig_.queue = std::move(places);
+    } else if (places.size() > 1) {
+      wrong(clause.places[1].span, "one truck is loaded at a time, and load at has several places",
+            "queue at for those where trucks wait");
+    } else {
+      dig_.X_WL = places.front();
+    }
+  }
+
+  /// What trucks with bodies take and do is said where they haul.
+  void check_bodies() {
+    if (dig_.trucks >= 0) {
+      wrong(place_of("load"), "trucks are a crew or have bodies; dig says both",
+            "either load CREW; or load at trans(2, 6, 0);");
+    }
+    for (const char* key : {"bed", "payload", "efficiency"}) {
+      if (has(key)) {
+        wrong(place_of(key), fmt::format("{} is of the tasks that haul what is loaded here", key),
+              "haul DIG { bed 8 m3; }");
+      }
+    }
+    if (dig_.hauls.stages.empty()) return;
+    const std::string& name = dig_.hauls.stages.front().name;
+    wrong(place_of(name),
+          fmt::format("{} is a stage of a crew of trucks, and trucks with bodies drive", name));
   }
 
   void take_trucks(const Clause& clause) {

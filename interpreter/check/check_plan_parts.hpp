@@ -219,6 +219,13 @@ std::optional<DigSpec> resolve_dig(Subject& subject, const syntax::DigItem& item
 std::optional<MotionDigSpec> resolve_motion_dig(Subject& subject, const syntax::DigItem& item,
                                                 const DugSoil& soil, const RobotSpec& robot,
                                                 const std::function<int(int crew)>& units_of);
+/// How the robot of a task hauls what others dig; nothing after P01, P02, P09, P62. What it takes
+/// of each of them is said by `finish_hauls`, when all tasks are checked.
+std::optional<HaulSpec> resolve_haul(Subject& subject, const Scope& scope,
+                                     const syntax::HaulItem& item, const RobotSpec& robot);
+void finish_hauls(Subject& subject);
+/// Which machines keep their workspaces apart: P01, P02, P09, P63.
+void check_workspaces(Subject& subject);
 /// The law of a duration; nothing after P09, P52, F01.
 std::optional<sampling::DurationLaw> resolve_law(Subject& subject,
                                                  const syntax::DurationLaw& written);

@@ -34,6 +34,7 @@ class TaskChecker {
       if (const auto* go = std::get_if<syntax::GoItem>(&part)) note_go(*go);
       if (const auto* cover = std::get_if<syntax::CoverItem>(&part)) note_cover(*cover);
       if (const auto* dig = std::get_if<syntax::DigItem>(&part)) note_dig(*dig);
+      if (const auto* haul = std::get_if<syntax::HaulItem>(&part)) note_haul(*haul);
     }
     for (const syntax::TaskPart& part : item_.parts) {
       if (const auto* by = std::get_if<syntax::ByItem>(&part)) check_by(*by);
@@ -53,6 +54,7 @@ class TaskChecker {
     if (task_.go) goals.push_back(*task_.go);
     check_clauses(subject_, robot(), task_.clauses, goals, move_ != nullptr, given_);
     if (dig_ != nullptr) check_dig(diggers);
+    if (haul_ != nullptr) check_haul();
     check_robot();
   }
 
@@ -64,6 +66,9 @@ class TaskChecker {
                            : &subject_.model.robots[static_cast<std::size_t>(task_.robot)];
   }
   bool moves() const { return move_ != nullptr || go_ != nullptr || cover_ != nullptr; }
+  bool drives() const {
+    return moves() || haul_ != nullptr || (dig_ != nullptr && robot() != nullptr);
+  }
 
   void check_by(const syntax::ByItem& item) {
     by_ = &item;
@@ -312,6 +317,40 @@ class TaskChecker {
 
   void check_part(const syntax::CoverItem& /*item*/) {}
   void check_part(const syntax::DigItem& /*item*/) {}
+  void check_part(const syntax::HaulItem& /*item*/) {}
+
+  void note_haul(const syntax::HaulItem& item) {
+    if (haul_ != nullptr) {
+      subject_.twice(item.span, "haul is given twice", haul_->span);
+      return;
+    }
+    haul_ = &item;
+  }
+
+  void check_haul() {
+    const Span place = haul_->digs.front().span;
+    if (move_ != nullptr || go_ != nullptr || cover_ != nullptr || dig_ != nullptr) {
+      subject_.error("P05", place, "a task that hauls does nothing else", "make it two tasks");
+      return;
+    }
+    if (!task_.takes.empty() || !task_.via.empty()) {
+      subject_.error("P62", place,
+                     task_.via.empty() ? "a task that hauls takes as long as its rounds: no takes"
+                                       : "a task that hauls has its waypoints in haul",
+                     "out at trans(10, 0, 0); loaded, back at trans(0, 10, 0); empty");
+      return;
+    }
+    if (!all_known_) return;
+    if (robot() == nullptr || !task_.also_robots.empty()) {
+      subject_.error(
+          "P62", place,
+          robot() == nullptr ? "haul is done by a robot, the truck" : "one truck hauls in a task",
+          "a task for each truck: by lorry; haul dig { ... }");
+      return;
+    }
+    if (!robot()->robot || !robot()->robot->usable) return;
+    task_.haul = resolve_haul(subject_, scope_, *haul_, *robot());
+  }
 
   void note_dig(const syntax::DigItem& item) {
     if (dig_ != nullptr) {
@@ -422,7 +461,7 @@ class TaskChecker {
   }
 
   void check_robot() {
-    if (moves() && robot() != nullptr && robot()->fleet >= 0) {
+    if ((moves() || haul_ != nullptr) && robot() != nullptr && robot()->fleet >= 0) {
       task_.guides = {subject_.model.fleets[static_cast<std::size_t>(robot()->fleet)].guide};
     }
     if (!moves() || task_.robot >= 0 || !all_known_) return;
@@ -636,7 +675,7 @@ class TaskChecker {
   }
 
   void needs_motion(Span span, const char* what) {
-    if (moves()) return;
+    if (drives()) return;
     subject_.error("P06", span,
                    fmt::format("{} is about a motion, but task '{}' has neither move nor go", what,
                                item_.name.text));
@@ -660,6 +699,7 @@ class TaskChecker {
   const syntax::GoItem* go_ = nullptr;
   const syntax::CoverItem* cover_ = nullptr;
   const syntax::DigItem* dig_ = nullptr;
+  const syntax::HaulItem* haul_ = nullptr;
   bool all_known_ = true;
   Span robot_span_;
   std::map<std::string, Span> by_spans_;

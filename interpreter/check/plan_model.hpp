@@ -249,7 +249,9 @@ struct EarthSpec {
   soil::Terrain after;                       ///< when all that is to be dug of it is dug
   double stands_deg = 90;                    ///< undisturbed soil stands so steep
   double swell = 0;
-  std::optional<double> density = {};  ///< kg/m3, as it lies
+  std::optional<double> density = {};     ///< kg/m3, as it lies
+  std::optional<double> repose_deg = {};  ///< loose soil lies no steeper
+  int heap = -1;                          ///< the component that is tipped on it, -1: nothing is
 };
 
 /// How a task digs, loads and hauls soil by the durations of its stages. How long that takes is its
@@ -284,6 +286,36 @@ struct MotionDigSpec {
   WorkSpec fill, dump;                   ///< of no duration where the plan gives none
   int trucks = -1;                       ///< index into crews, -1: the soil vanishes where it falls
   hauling::Operation hauls;              ///< with trucks: their loads and stages
+  // with trucks that have bodies
+  std::optional<math::Pose> X_WL = {};  ///< where the tool frame of one that is loaded stands
+  std::vector<math::Pose> queue = {};   ///< where others wait for that, in this order
+  std::vector<int> haulers = {};        ///< the tasks that haul what it digs
+  bool loads_bodies() const { return X_WL.has_value(); }
+};
+
+/// How a truck with a body hauls what robots dig: it goes to one of them, is loaded, goes to where
+/// it tips, and comes back, until all of them are done. Places are those of its tool frame.
+struct HaulSpec {
+  std::vector<int> digs;                           ///< tasks
+  std::vector<soil::CubicMillimetres> loads = {};  ///< bank volume that it takes, to each of them
+  double bed = 0;                                  ///< m3, loose; 0: not given
+  double payload = 0;                              ///< kg; 0: not given
+  std::vector<math::Pose> out = {}, back = {};     ///< waypoints, loaded and empty
+  std::vector<math::Pose> tips = {};
+  WorkSpec tip = {};                                ///< of no duration where the plan gives none
+  std::vector<std::pair<int, double>> raised = {};  ///< parameters while it tips
+  int earth = -1;  ///< on which its loads lie in a heap, -1: they leave the site
+  math::Vec3 p_TH = math::Vec3::Zero();  ///< where they fall, in its tool frame
+};
+
+/// The dynamic workspace of a machine is what it would sweep until it stands if it had to stop now,
+/// in the plan view. No two of those of these machines overlap.
+struct WorkspacesSpec {
+  std::vector<int> robots;                ///< those named first go first
+  double reaction = 1;                    ///< s until it brakes
+  double braking = 2;                     ///< m/s2
+  double turn_braking = 30;               ///< deg/s2
+  Span span = {};
 };
 
 struct TaskSpec {
@@ -296,6 +328,7 @@ struct TaskSpec {
   Rare<CoverSpec> cover = {};  ///< then `via` and `go` are its way
   Rare<DigSpec> dig = {};
   Rare<MotionDigSpec> motion_dig = {};
+  Rare<HaulSpec> haul = {};
   std::vector<int> remove;  ///< component indices
   std::optional<WorkSpec> hook, adjust, release;
   std::vector<WorkSpec> takes;
@@ -405,6 +438,7 @@ struct PlanModel {
   /// What overlaps at the beginning and is not waived; nothing: nobody has looked.
   std::optional<std::vector<OverlapSpec>> overlaps;
   SupportRules support;
+  std::optional<WorkspacesSpec> workspaces = {};
   /// Components that do not stand at the beginning; nothing: nobody has looked.
   std::optional<std::vector<int>> floating;
   std::optional<schedule::CivilTime> start_at;

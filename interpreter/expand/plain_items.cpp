@@ -112,7 +112,29 @@ void PlainItems::item(syntax::DigItem& value) {
     each(clause.duration);
     law(clause.law);
     each(clause.by);
+    each(clause.frame);
+    each(clause.places);
   }
+}
+
+void PlainItems::item(syntax::HaulItem& value) {
+  each(value.digs);
+  for (syntax::HaulItem::Clause& clause : value.clauses) {
+    mark(clause.key.span);
+    each(clause.number);
+    each(clause.places);
+    each(clause.duration);
+    law(clause.law);
+    if (clause.earth) mark(clause.earth->span);
+    each(clause.frame);
+    each(clause.values);
+  }
+}
+
+void PlainItems::item(syntax::WorkspacesItem& value) {
+  mark(value.keyword);
+  each(value.of);
+  each_number(value.numbers);
 }
 
 void PlainItems::law(std::optional<syntax::DurationLaw>& value) {

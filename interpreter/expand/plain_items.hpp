@@ -34,6 +34,8 @@ class PlainItems {
   void item(syntax::AreaItem& value);
   void item(syntax::CoverItem& value);
   void item(syntax::DigItem& value);
+  void item(syntax::HaulItem& value);
+  void item(syntax::WorkspacesItem& value);
   void item(syntax::EarthItem& value);
   void law(std::optional<syntax::DurationLaw>& value);
   void item(syntax::NetworkItem& value) { name(value.name); }

@@ -183,6 +183,9 @@ class Qualifier {
         }
       } else if (auto* cover = std::get_if<syntax::CoverItem>(&part)) {
         refer(cover->area, areas_);
+      } else if (auto* haul = std::get_if<syntax::HaulItem>(&part)) {
+        for (syntax::QualifiedName& each : haul->digs) refer(each, tasks_, inner_tasks_);
+        for (syntax::HaulItem::Clause& clause : haul->clauses) find_times(clause.law);
       } else if (auto* move = std::get_if<syntax::MoveItem>(&part)) {
         refer(move->component, components_, inner_components_);
       } else if (auto* remove = std::get_if<syntax::RemoveItem>(&part)) {

@@ -48,7 +48,7 @@ bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
 
   std::optional<HitPair> hit;
   if (refusal == Refusal::none) {
-    hit = world.propose({q_, q_next_, time_, duration});
+    hit = world.propose({q_, q_next_, time_, duration, goal_.q});
     if (hit) refusal = Refusal::hit;
   }
   switch (refusal) {
@@ -210,7 +210,7 @@ Ticks Machine::plan_run(bool loaded) {
 /// refused try ends no run.
 bool Machine::must_stop(const World& world, Ticks duration) const {
   if (run_.empty() || goes_on_) return false;
-  return world.would_accept({q_, q_next_, time_, duration});
+  return world.would_accept({q_, q_next_, time_, duration, goal_.q});
 }
 
 /// Forms the key of LANGUAGE 9.2 and 9.3 before an attempt; false ends the motion.

@@ -477,6 +477,19 @@ RUBICON_ACTION(PlanAction, PlanState, size_value) { st.crew.size.push_back(st.ta
 RUBICON_ACTION(PlanAction, PlanState, cost_amount) { st.quantity = st.take_quantity(); }
 RUBICON_ACTION(PlanAction, PlanState, crew_item) { st.add(std::move(st.crew), begin); }
 
+RUBICON_ACTION(PlanAction, PlanState, workspaces_key) {
+  st.workspaces = {};
+  st.workspaces.keyword = st.span_from(begin);
+  st.announce("workspaces");
+}
+RUBICON_ACTION(PlanAction, PlanState, workspaces_machine) {
+  st.workspaces.of.push_back(st.take_dotted_name());
+}
+RUBICON_ACTION(PlanAction, PlanState, workspaces_number_key) { st.key = st.word(begin); }
+RUBICON_ACTION(PlanAction, PlanState, workspaces_number) {
+  st.workspaces.numbers.push_back({st.key, st.take_quantity(), st.span_from(begin)});
+}
+RUBICON_ACTION(PlanAction, PlanState, workspaces_item) { st.add(std::move(st.workspaces), begin); }
 RUBICON_ACTION(PlanAction, PlanState, pool_key) {
   st.pool = {};
   st.announce("pool");
@@ -787,6 +800,11 @@ RUBICON_ACTION(PlanAction, PlanState, dig_attitude) { st.add_dig_clause(); }
 RUBICON_ACTION(PlanAction, PlanState, dig_dump_key) { st.begin_dig_clause(begin); }
 RUBICON_ACTION(PlanAction, PlanState, dig_dump_frame) { st.dig_clause.frame = st.take_frame(); }
 RUBICON_ACTION(PlanAction, PlanState, dig_dump) { st.add_dig_clause(); }
+RUBICON_ACTION(PlanAction, PlanState, dig_place_key) { st.begin_dig_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, dig_place_frame) {
+  st.dig_clause.places.push_back(st.take_frame());
+}
+RUBICON_ACTION(PlanAction, PlanState, dig_place) { st.add_dig_clause(); }
 RUBICON_ACTION(PlanAction, PlanState, dig_stage_key) {
   st.begin_dig_clause(begin);
   st.dig_clause.is_stage = true;
@@ -797,6 +815,46 @@ RUBICON_ACTION(PlanAction, PlanState, dig_stage) {
   st.add_dig_clause();
 }
 RUBICON_ACTION(PlanAction, PlanState, dig_item) { st.add_to_task(std::move(st.dig), begin); }
+RUBICON_ACTION(PlanAction, PlanState, haul_key) {
+  st.haul = {};
+  st.announce("haul");
+}
+RUBICON_ACTION(PlanAction, PlanState, haul_dig) {
+  st.haul.digs.push_back(st.take_qualified_name());
+}
+RUBICON_ACTION(PlanAction, PlanState, haul_number_key) { st.begin_haul_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, haul_number_value) {
+  st.haul_clause.number = st.take_quantity();
+}
+RUBICON_ACTION(PlanAction, PlanState, haul_number) { st.add_haul_clause(); }
+RUBICON_ACTION(PlanAction, PlanState, haul_place_key) { st.begin_haul_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, haul_place_frame) {
+  st.haul_clause.places.push_back(st.take_frame());
+}
+RUBICON_ACTION(PlanAction, PlanState, haul_place) { st.add_haul_clause(); }
+RUBICON_ACTION(PlanAction, PlanState, haul_tip_key) {
+  st.begin_haul_clause(begin);
+  st.duration = {};
+  st.law.reset();
+}
+RUBICON_ACTION(PlanAction, PlanState, haul_tip) {
+  st.haul_clause.duration = st.duration;
+  st.haul_clause.law = st.law;
+  st.add_haul_clause();
+}
+RUBICON_ACTION(PlanAction, PlanState, haul_heap_key) { st.begin_haul_clause(begin); }
+RUBICON_ACTION(PlanAction, PlanState, haul_heap_earth) { st.haul_clause.earth = st.take_name(); }
+RUBICON_ACTION(PlanAction, PlanState, haul_heap_frame) { st.haul_clause.frame = st.take_frame(); }
+RUBICON_ACTION(PlanAction, PlanState, haul_heap) { st.add_haul_clause(); }
+RUBICON_ACTION(PlanAction, PlanState, haul_raise_key) {
+  st.begin_haul_clause(begin);
+  st.values = {};
+}
+RUBICON_ACTION(PlanAction, PlanState, haul_raise) {
+  st.haul_clause.values = std::move(st.values);
+  st.add_haul_clause();
+}
+RUBICON_ACTION(PlanAction, PlanState, haul_item) { st.add_to_task(std::move(st.haul), begin); }
 RUBICON_ACTION(PlanAction, PlanState, via_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, via_item) {
   st.add_to_task(syntax::ViaItem{std::move(st.goal), {}}, begin);
@@ -932,7 +990,7 @@ std::vector<std::string_view> plan_words() {
       "mobilisation", "overtime", "overhead",  "whole",     "not_before", "due",      "baseline",
       "support",      "fixed",    "braced",    "free",      "near",       "lock",     "deviation",
       "enter",        "moving",   "path",      "repeat",    "area",       "outline",  "shaft",
-      "cover",        "dig",      "earth"};
+      "cover",        "dig",      "earth",     "haul",      "workspaces"};
 }
 
 }  // namespace

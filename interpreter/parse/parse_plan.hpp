@@ -170,6 +170,13 @@ class PlanState : public GuideState {
     dig_clause.duration = duration;
     dig_clause.law = law;
   }
+  syntax::HaulItem haul;
+  syntax::HaulItem::Clause haul_clause;
+  void begin_haul_clause(const char* from) {
+    haul_clause = {};
+    haul_clause.key = word(from);
+  }
+  void add_haul_clause() { haul.clauses.push_back(std::move(haul_clause)); }
   void add_cover_clause() { cover.clauses.push_back(std::move(cover_clause)); }
   void begin_clause(const char* from) {
     clause_of_motion = {};
@@ -205,6 +212,7 @@ class PlanState : public GuideState {
   syntax::Overtime overtime;
   syntax::Breakdown breakdown;
   syntax::PoolItem pool;
+  syntax::WorkspacesItem workspaces;
   syntax::NetworkItem network;
   bool in_network = false;
   syntax::PolicyItem policy;

@@ -25,6 +25,7 @@ struct MotionStep {
   std::span<const double> q_to;
   Ticks start = 0;
   Ticks duration = 0;
+  std::span<const double> q_goal = {};  ///< where the machine will stand next; empty: not told
 };
 
 /// Who is in the way: what moved (robot.body, or the load by its component's name) and what it met.

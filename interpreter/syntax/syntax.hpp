@@ -615,6 +615,13 @@ struct PoolItem {
   std::vector<Name> choose;
   Span span;
 };
+/// workspaces { of digger_a, digger_b, lorries; reaction 1 s; braking 2 m/s2; }
+struct WorkspacesItem {
+  std::vector<Name> of;
+  std::vector<NumberItem> numbers;
+  Span keyword = {};
+  Span span = {};
+};
 /// fleet NAME { robot "FILE"; size 3; on yard; at bay[1], bay[2], bay[3]; choose nearest; }
 struct FleetItem {
   Name name;
@@ -661,6 +668,7 @@ struct DigItem {
     std::optional<DurationLaw> law;  ///< in place of the duration
     std::optional<Name> by;          ///< of stages: who serves
     std::optional<Frame> frame;      ///< of cut, carry, open, and dump at
+    std::vector<Frame> places = {};  ///< of load at, queue at
     bool is_stage = false;
     bool is_timed = false;  ///< load takes ...
   };
@@ -672,6 +680,23 @@ struct DigItem {
 
   /// Where its volume or its earth stands.
   Span place() const { return volume ? volume->span : earth->span; }
+};
+/// haul DIG, DIG { bed 8 m3; tip at trans(40, 0, 0); tip takes 30 s; heap dump at trans(-5, 0, 0);
+/// }
+struct HaulItem {
+  struct Clause {
+    Name key;
+    std::optional<Number> number = {};    ///< of bed, payload
+    std::vector<Frame> places = {};       ///< of out, tip, back
+    std::optional<Number> duration = {};  ///< of tip takes
+    std::optional<DurationLaw> law = {};  ///< in place of the duration: an error of the checker
+    std::optional<Name> earth = {};       ///< of heap,
+    std::optional<Frame> frame = {};      ///< with where it falls
+    std::optional<Values> values = {};    ///< of raise
+  };
+  std::vector<QualifiedName> digs;
+  std::vector<Clause> clauses;
+  Span span;
 };
 /// by crane, riggers;   by all of cranes;   by same as TASK;
 struct ByItem {
@@ -770,7 +795,7 @@ using TaskPart =
     std::variant<ByItem, MoveItem, GoItem, RemoveItem, WorkItem, ViaItem, GuideItem, SituationItem,
                  WithinItem, NumberItem /* budget, priority */, ZoneItem, AfterItem, AttributeItem,
                  NeedsItem, std::shared_ptr<const TaskBlock>, WholeItem, DateItem, MotionClause,
-                 CoverItem, DigItem>;
+                 CoverItem, DigItem, HaulItem>;
 struct TaskBlock {
   BlockHead head;
   std::vector<TaskPart> items;
@@ -843,7 +868,7 @@ using PlanItem =
                  GoalItem, ViaItem, CarryItem, WithinItem, WaiverItem, PlanParameter, PoolItem,
                  OverheadItem, std::shared_ptr<const PlanBlock>, WholeItem, SupportItem,
                  GuideDeclaration, GuideItem, MotionClause, StorageItem, MovingItem, NetworkItem,
-                 FleetItem, AreaItem, EarthItem>;
+                 FleetItem, AreaItem, EarthItem, WorkspacesItem>;
 struct PlanBlock {
   BlockHead head;
   std::vector<PlanItem> items;

@@ -313,6 +313,65 @@ class TrenchDug(Shipped):
         self.assertEqual(set(heights.values()), {-2000})
 
 
+class Hauled(Shipped):
+    """Trucks with bodies: what is dug is tipped, and lies in heaps."""
+
+    test_no_machine_is_ever_in_another = None
+    test_no_machine_is_ever_in_a_zone = None
+    test_no_load_is_ever_above_people = None
+
+    def test_all_that_is_dug_is_tipped(self):
+        soils = self.run_1.of_type("soil")
+        hauls = {name for name, task in self.run_1.tasks.items() if "haul" in task}
+        dug = sum(soil["volume"] for soil in soils if soil["task"] not in hauls)
+        self.assertGreater(dug, 0)
+        self.assertEqual(sum(soil["volume"] for soil in soils if soil["task"] in hauls and soil["volume"] > 0), dug)
+        self.assertEqual(sum(soil["volume"] for soil in soils if soil["task"] in hauls and soil["volume"] < 0), -dug)
+
+    def test_the_heap_holds_the_loose_soil(self):
+        heights = {}
+        for soil in self.run_1.of_type("soil"):
+            if soil["component"] == "tip.heap":
+                heights.update(zip(soil["cells"], soil["heights"]))
+        dug = sum(soil["volume"] for soil in self.run_1.of_type("soil") if soil["volume"] > 0 and "haul" not in self.run_1.tasks[soil["task"]])
+        self.assertAlmostEqual(sum(heights.values()) * 500 * 500 / (1.25 * dug), 1, 4)
+
+
+class TrenchHauled(Hauled):
+    plan = "trench_hauled"
+
+
+class Pit(Hauled):
+    plan = "pit"
+
+
+class Dew(Shipped):
+    plan = "dew"
+    test_no_machine_is_ever_in_another = None
+    test_no_machine_is_ever_in_a_zone = None
+    test_no_load_is_ever_above_people = None
+
+    def test_the_empty_truck_stops_and_both_go_on(self):
+        tries = [r for r in self.run_1.of_type("try") if not r["ok"] and r["reason"] == "hit"]
+        stopped = [r for r in tries if r["task"] == "back"]
+        self.assertEqual({tuple(r["hit"]) for r in stopped}, {("the workspace of lorry_2", "the workspace of lorry_1")})
+        self.assertGreater(self.run_1.tasks["back"]["duration"], 25)
+        # the loaded one stops for the surveyor only
+        self.assertEqual({tuple(r["hit"]) for r in tries if r["task"] == "out"}, {("the workspace of lorry_1", "surveyor")})
+
+
+class LoadingSettings(Shipped):
+    plan = "loading_settings"
+    test_no_machine_is_ever_in_another = None
+    test_no_machine_is_ever_in_a_zone = None
+    test_no_load_is_ever_above_people = None
+
+    def test_the_truck_below_has_the_shortest_cycle(self):
+        cycle = {name: task["motion_dig"]["mean"]["cycle"] for name, task in self.run_1.tasks.items()}
+        self.assertLess(cycle["below"], cycle["deep"])
+        self.assertLess(cycle["below"], cycle["behind"])
+
+
 class Ceiling(Shipped):
     plan = "ceiling"
     is_upright = False

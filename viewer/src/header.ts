@@ -148,6 +148,8 @@ export interface Header {
   /** Whose they are, "" for those of the site itself. */
   site_names?: string[];
   movings?: MovingData[];
+  /** The ground on which trucks tip, cell by cell (mm). */
+  heaps?: { component: string; pose: PoseRows; columns: number; cell: number; ground: number[] }[];
   networks?: NetworkData[];
   /** `friction` only where forces must balance. */
   support?: { mode: 'on' | 'warn' | 'off'; gap: number; friction?: number; floating?: string[] };

@@ -3,9 +3,11 @@ import type { Film } from './film';
 import type { ShapeData } from './header';
 import { poseMatrix } from './kinematics';
 
-/** A cell of soil that a robot digs: a column from `after` to `before` in the frame of its earth. */
+/** A cell of soil that a robot digs, or that trucks tip: a column from `after` to `before` in the frame of its earth. */
 interface Cell {
   X_WE: Matrix4;
+  /** How high it is at first. */
+  start: number;
   before: number;
   after: number;
   /** When it was lowered, and to which height (m); in the order of time. */
@@ -40,7 +42,7 @@ export class SoilCells {
         const y = Math.floor(cell / dig.columns) * side;
         const [before, after] = [dig.before[i] / 1000, dig.after[i] / 1000];
         this.shapes.push([{ type: 'box', pose, lower: [x, y, after], upper: [x + side, y + side, before] }]);
-        this.cells.push({ X_WE, before, after, changes: [], left: -1 });
+        this.cells.push({ X_WE, start: before, before, after, changes: [], left: -1 });
       });
       for (const bucket of film.soils) {
         if (bucket.component !== component || !film.runs[bucket.run].happened) continue;
@@ -49,12 +51,42 @@ export class SoilCells {
         });
       }
     }
+    this.addHeaps(film);
+  }
+
+  /** Heaps: of each cell on which something was ever tipped the column that it became. */
+  private addHeaps(film: Film): void {
+    const pose = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0] as ShapeData['pose'];
+    for (const heap of film.header.heaps ?? []) {
+      const component = film.header.components.findIndex(({ name }) => name === heap.component);
+      this.components.add(component);
+      const X_WE = poseMatrix(heap.pose);
+      const side = heap.cell / 1000;
+      const known = new Map<number, Cell>();
+      const tipped = film.soils.filter((each) => each.component === component && film.runs[each.run].happened).sort((a, b) => a.t - b.t);
+      for (const load of tipped) {
+        load.cells.forEach((cell, i) => {
+          const height = load.heights[i] / 1000;
+          const ground = heap.ground[cell] / 1000;
+          const column = known.get(cell) ?? { X_WE, start: ground, before: height, after: ground, changes: [], left: -1 };
+          column.before = Math.max(column.before, height);
+          column.changes.push({ t: load.t, height });
+          known.set(cell, column);
+        });
+      }
+      for (const [cell, column] of known) {
+        const x = (cell % heap.columns) * side;
+        const y = Math.floor(cell / heap.columns) * side;
+        this.shapes.push([{ type: 'box', pose, lower: [x, y, column.after], upper: [x + side, y + side, column.before] }]);
+        this.cells.push(column);
+      }
+    }
   }
 
   /** The cells that are not as they were, and the frame of each of them. */
   seek(time: number): [cell: number, frame: Matrix4][] {
     return this.cells.flatMap((cell, i) => {
-      let height = cell.before;
+      let height = cell.start;
       for (const change of cell.changes) if (change.t <= time) height = change.height;
       const left = (height - cell.after) / (cell.before - cell.after);
       if (left === cell.left) return [];

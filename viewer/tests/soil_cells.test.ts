@@ -38,3 +38,21 @@ describe('soil that a robot digs', () => {
     expect(drawn(soil('rejected'), 40)).toEqual([[0, -1], [0.2, -1]]);
   });
 });
+
+describe('soil that trucks tip', () => {
+  it('grows cell by cell from the ground', () => {
+    const pose = [1, 0, 0, 10, 0, 1, 0, 0, 0, 0, 1, 0];
+    const component = { name: 'yard.heap', mass: 0, pose, shapes: [] } as unknown as ComponentData;
+    const heaps = [{ component: 'yard.heap', pose: pose as never, columns: 3, cell: 500, ground: [0, 100, 0, 0, 0, 0] }];
+    const cells = new SoilCells(makeFilm({ header: { tasks: [], components: [component], heaps }, end: 50,
+      runs: [{ task: 'haul', start: 0, end: 50, result: 'done', happened: true }],
+      soils: [{ run: 0, component: 0, t: 10, cells: [1, 4], heights: [600, 200] }, { run: 0, component: 0, t: 20, cells: [1], heights: [1100] }] }));
+    expect([...cells.components]).toEqual([0]);
+    expect(cells.shapes[0][0].upper).toEqual([1, 0.5, 1.1]);
+    const [before, none] = drawn(cells, 5);
+    expect(before?.[0]).toBeLessThan(-1e5);
+    expect(none?.[0]).toBeLessThan(-1e5);
+    expect(drawn(cells, 12)).toEqual([[0.6, 0.1], [0.2, 0]]);
+    expect(drawn(cells, 30)).toEqual([[1.1, 0.1], null]);
+  });
+});

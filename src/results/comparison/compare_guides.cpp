@@ -104,6 +104,8 @@ const char* motion_name(taskplan::MotionPurpose purpose) {
       return "place";
     case taskplan::MotionPurpose::dig:
       return "dig";
+    case taskplan::MotionPurpose::haul:
+      return "haul";
     case taskplan::MotionPurpose::go:
       break;
   }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
+#include <string>
 
 #include "src/results/report/columns.hpp"
 
@@ -93,10 +95,12 @@ std::string bucket_table(const taskplan::Schedule& schedule) {
     if (!dug_by_robot(task)) continue;
     const taskplan::MotionDigOutcome& dig = *task.motion_dig;
     const double volume = cubic_metres(dig.dug());
-    const bool has_trucks = !dig.trucks.empty();
+    const bool has_trucks = !dig.trucks.empty() || dig.bodies > 0;
+    const std::size_t loads =
+        dig.bodies > 0 ? static_cast<std::size_t>(dig.body_loads) : dig.loads.size();
     rows.push_back({task.task, fmt::format("{:.1f}", volume), fmt::format("{}", dig.buckets.size()),
                     fmt::format("{:.2f}", volume / static_cast<double>(dig.buckets.size())),
-                    has_trucks ? fmt::format("{}", dig.loads.size()) : "-",
+                    has_trucks ? fmt::format("{}", loads) : "-",
                     time_text(interpreter::seconds_from_ticks(dig.time)),
                     has_trucks ? time_text(interpreter::seconds_from_ticks(dig.waited)) : "-",
                     fmt::format("{:.1f}", dig.per_hour())});
@@ -108,6 +112,103 @@ std::string bucket_table(const taskplan::Schedule& schedule) {
                      seconds(dig.mean_dig()), seconds(dig.mean_swing()), seconds(dig.mean_dump())});
   }
   return columns(rows, {1, 2, 3, 4, 5, 6, 7, 8}) + "\n" + columns(parts, {1, 2, 3, 4, 5});
+}
+
+bool hauled(const TaskOutcome& task) {
+  return task.haul && task.result == taskplan::TaskResult::done;
+}
+
+/// Means over the loads of a truck with a body, s.
+struct RoundTimes {
+  double queue = 0, loading = 0, haul = 0, tip = 0;
+  double back = 0;  ///< to the queue again, over all loads but the first
+};
+RoundTimes round_of(const taskplan::HaulOutcome& haul) {
+  RoundTimes sum;
+  const taskplan::HauledLoad* before = nullptr;
+  const auto seconds = [](auto from, auto to) {
+    return interpreter::seconds_from_ticks(to - from);
+  };
+  for (const taskplan::HauledLoad& load : haul.loads) {
+    sum.queue += seconds(load.arrived, load.began);
+    sum.loading += seconds(load.began, load.loaded);
+    sum.haul += seconds(load.loaded, load.at_tip);
+    sum.tip += seconds(load.at_tip, load.tipped);
+    if (before != nullptr) sum.back += seconds(before->tipped, load.arrived);
+    before = &load;
+  }
+  const auto count = static_cast<double>(haul.loads.size());
+  if (count == 0) return sum;
+  for (double* each : {&sum.queue, &sum.loading, &sum.haul, &sum.tip}) *each /= count;
+  if (count > 1) sum.back /= count - 1;
+  return sum;
+}
+
+/// All that trucks with bodies hauled, and what dug it.
+struct HauledTogether {
+  double volume = 0;   ///< m3
+  double working = 0;  ///< s, of the truck that took longest
+  double cost = 0;
+  /// Trucks x loading / (diggers x round without waiting); nothing where no truck made two rounds.
+  std::optional<double> match_factor;
+
+  double per_hour() const { return working > 0 ? volume / working * 3600 : 0; }
+};
+HauledTogether hauled_together(const taskplan::Schedule& schedule) {
+  HauledTogether all;
+  double loading = 0, round = 0, trucks = 0;
+  std::set<std::string> diggers;
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (dug_by_robot(task) && task.motion_dig->bodies > 0) {
+      diggers.insert(task.robot);
+      all.cost += task.cost;
+    }
+    if (!hauled(task)) continue;
+    all.volume += cubic_metres(task.haul->hauled());
+    all.working = std::max(all.working, interpreter::seconds_from_ticks(task.haul->time));
+    all.cost += task.cost;
+    if (task.haul->loads.size() < 2) continue;
+    const RoundTimes times = round_of(*task.haul);
+    ++trucks;
+    loading += times.loading;
+    round += times.loading + times.haul + times.tip + times.back;
+  }
+  if (trucks > 0 && !diggers.empty() && round > 0) {
+    all.match_factor = trucks * loading / (static_cast<double>(diggers.size()) * round);
+  }
+  return all;
+}
+
+/// What trucks with bodies hauled, and the parts of their rounds: seconds, on average.
+std::string haul_table(const taskplan::Schedule& schedule) {
+  std::vector<Row> rows = {{"hauls", "truck", "loads", "m3", "m3 a load", "queue", "loading",
+                            "haul", "tip", "back", "m3 per h"}};
+  const auto seconds = [](double value) { return fmt::format("{:.1f} s", value); };
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (!hauled(task)) continue;
+    const taskplan::HaulOutcome& haul = *task.haul;
+    const double volume = cubic_metres(haul.hauled());
+    const auto count = static_cast<double>(haul.loads.size());
+    const RoundTimes times = round_of(haul);
+    const double hours = interpreter::seconds_from_ticks(haul.time) / 3600;
+    rows.push_back({task.task, task.robot, fmt::format("{}", haul.loads.size()),
+                    fmt::format("{:.1f}", volume),
+                    count > 0 ? fmt::format("{:.2f}", volume / count) : "-", seconds(times.queue),
+                    seconds(times.loading), seconds(times.haul), seconds(times.tip),
+                    count > 1 ? seconds(times.back) : "-",
+                    hours > 0 ? fmt::format("{:.1f}", volume / hours) : "-"});
+  }
+  std::string text = columns(rows, {2, 3, 4, 5, 6, 7, 8, 9, 10});
+  const HauledTogether all = hauled_together(schedule);
+  text += fmt::format("together {:.1f} m3 in {}, {:.1f} m3 per h", all.volume,
+                      time_text(all.working), all.per_hour());
+  if (schedule.costed && all.volume > 0) {
+    text += fmt::format(", {:.3f} {} with diggers and trucks", all.cost / all.volume,
+                        schedule.currency.empty() ? "cost per m3" : schedule.currency + " per m3");
+  }
+  if (all.match_factor) text += fmt::format(", match factor {:.2f}", *all.match_factor);
+  text += "\n";
+  return text;
 }
 
 void add_queues(const std::string& task, const std::vector<Queue>& queues,
@@ -143,6 +244,7 @@ std::string earthwork_table(const taskplan::Schedule& schedule) {
   std::vector<std::string> tables;
   if (any(dug)) tables.push_back(production_table(schedule));
   if (any(dug_by_robot)) tables.push_back(bucket_table(schedule));
+  if (any(hauled)) tables.push_back(haul_table(schedule));
   if (tables.empty()) return {};
   tables.push_back(queue_table(schedule));
   if (tables.back().empty()) tables.pop_back();
@@ -200,7 +302,10 @@ void write_motion_dig(trace::JsonBuilder& json, const TaskOutcome& task, bool is
   json.key("mean").begin_object().field("cycle", dig.mean_cycle());
   json.field("to_the_cut", dig.mean_return()).field("cut", dig.mean_dig());
   json.field("swing", dig.mean_swing()).field("dump", dig.mean_dump()).end_object();
-  if (!dig.trucks.empty()) {
+  if (dig.bodies > 0) {
+    json.field("trucks", dig.bodies).field("loads", dig.body_loads);
+    json.key("waited").seconds(dig.waited);
+  } else if (!dig.trucks.empty()) {
     json.field("trucks", dig.truck_count).field("load", cubic_metres(dig.load));
     json.field("loads", static_cast<std::int64_t>(dig.loads.size()));
     json.key("waited").seconds(dig.waited);
@@ -209,6 +314,34 @@ void write_motion_dig(trace::JsonBuilder& json, const TaskOutcome& task, bool is
     json.end_array();
   }
   json.end_object();
+}
+
+void write_haul(trace::JsonBuilder& json, const TaskOutcome& task) {
+  const taskplan::HaulOutcome& haul = *task.haul;
+  json.key("haul").begin_object();
+  json.field("hauled", cubic_metres(haul.hauled())).key("working").seconds(haul.time);
+  const RoundTimes times = round_of(haul);
+  json.key("mean").begin_object().field("queue", times.queue).field("loading", times.loading);
+  json.field("haul", times.haul).field("tip", times.tip).field("back", times.back).end_object();
+  json.key("loads").begin_array();
+  for (const taskplan::HauledLoad& load : haul.loads) {
+    json.begin_object().field("dig", std::string_view(load.dig));
+    json.field("volume", cubic_metres(load.volume)).key("arrived").seconds(load.arrived);
+    json.key("began").seconds(load.began).key("loaded").seconds(load.loaded);
+    json.key("at_tip").seconds(load.at_tip).key("tipped").seconds(load.tipped).end_object();
+  }
+  json.end_array().end_object();
+}
+
+std::string hauling_json(const taskplan::Schedule& schedule) {
+  if (std::none_of(schedule.tasks.begin(), schedule.tasks.end(), hauled)) return {};
+  const HauledTogether all = hauled_together(schedule);
+  trace::JsonBuilder json;
+  json.begin_object().field("hauled", all.volume).field("working", all.working);
+  json.field("per_hour", all.per_hour());
+  if (schedule.costed && all.volume > 0) json.field("cost_per_m3", all.cost / all.volume);
+  if (all.match_factor) json.field("match_factor", *all.match_factor);
+  return json.end_object().take();
 }
 
 std::string loads_csv(const interpreter::PlanModel& plan, const taskplan::Schedule& schedule) {
@@ -223,6 +356,15 @@ std::string loads_csv(const interpreter::PlanModel& plan, const taskplan::Schedu
                    seconds(load.tipped), cubic_metres(load.volume));
   };
   for (const TaskOutcome& task : schedule.tasks) {
+    if (hauled(task)) {
+      if (text.empty()) text = "task,load,truck,by,arrived,began,loaded,tipped,volume\r\n";
+      std::int64_t number = 0;
+      for (const taskplan::HauledLoad& load : task.haul->loads) {
+        add(task, load.dig,
+            {++number, 0, -1, load.volume, load.arrived, load.began, load.loaded, load.tipped});
+      }
+      continue;
+    }
     const bool has_loads = dug_by_robot(task) && !task.motion_dig->trucks.empty();
     if (!dug(task) && !has_loads) continue;
     if (text.empty()) text = "task,load,truck,by,arrived,began,loaded,tipped,volume\r\n";

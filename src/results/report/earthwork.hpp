@@ -17,6 +17,13 @@ void write_dig(trace::JsonBuilder& json, const taskplan::TaskOutcome& task, bool
 /// The same of one whose robot digs, as member "motion_dig".
 void write_motion_dig(trace::JsonBuilder& json, const taskplan::TaskOutcome& task, bool is_costed);
 
+/// What the truck of a task hauled, as member "haul".
+void write_haul(trace::JsonBuilder& json, const taskplan::TaskOutcome& task);
+
+/// What all trucks of a plan hauled, and what a cubic metre cost with those who dug it; "" where no
+/// robot hauled.
+std::string hauling_json(const taskplan::Schedule& schedule);
+
 /// loads.csv: each load of each task that is done, from the arrival of its truck in the queue to
 /// where it was tipped (s of working time since the task began, m3 of bank volume); "" where nobody
 /// dug.

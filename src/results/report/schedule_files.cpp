@@ -132,6 +132,7 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   if (task.motion_dig && task.result == taskplan::TaskResult::done) {
     write_motion_dig(json, task, schedule.costed);
   }
+  if (task.haul && task.result == taskplan::TaskResult::done) write_haul(json, task);
   if (!task.choice.empty()) json.field("choice", std::string_view(task.choice));
   json.end_object();
   return json.take();
@@ -296,6 +297,9 @@ std::string schedule_json(const Schedule& schedule) {
     cost.end_object();
     const std::string both = cost.take();
     text += "," + both.substr(1, both.size() - 2);
+  }
+  if (const std::string hauling = hauling_json(schedule); !hauling.empty()) {
+    text += ",\"hauling\":" + hauling;
   }
   text += ",\n" + list_text("resources", schedule.resources,
                             [&](const ResourceUse& use) { return use_json(schedule, use); });

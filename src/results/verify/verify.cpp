@@ -15,8 +15,10 @@
 #include "src/results/verify/replay/check_lines.hpp"
 #include "src/results/verify/replay/check_support.hpp"
 #include "src/results/verify/replay/check_turns.hpp"
+#include "src/results/verify/replay/check_workspaces.hpp"
 #include "src/results/verify/replay/contact_check.hpp"
 #include "src/results/verify/replay/dug_soil.hpp"
+#include "src/results/verify/replay/hauled_soil.hpp"
 #include "src/results/verify/schedule/check_accounts.hpp"
 #include "src/results/verify/schedule/check_chance.hpp"
 #include "src/results/verify/schedule/check_choices.hpp"
@@ -78,6 +80,8 @@ void check_motions(const Trace& trace, const std::vector<TaskRun>& runs, Verdict
                          verdict.faults);
   }
   check_dug_soil(trace, runs, tracks, site, verdict.faults);
+  check_hauled_soil(trace, runs, tracks, site, verdict.faults);
+  check_workspaces(trace, runs, tracks, site, verdict.faults);
   const ContactCounts counts = check_contacts(trace, runs, tracks, site, movings, verdict.faults);
   verdict.steps = counts.steps;
   verdict.pairs = counts.pairs;
@@ -139,7 +143,8 @@ Verdict verify(const Result& result) {
     const std::size_t before = verdict.faults.size();
     check_phases(trace, run, verdict.faults);
     // Where the phases of a task are wrong, its motions belong to none.
-    const bool digs = run.task >= 0 && trace.scene.tasks[at(run.task)].motion_dig;
+    const bool digs = run.task >= 0 && (trace.scene.tasks[at(run.task)].motion_dig ||
+                                        trace.scene.tasks[at(run.task)].haul);
     if (verdict.faults.size() == before && !digs) check_goals(trace, run, verdict.faults);
     if (verdict.faults.size() == before) check_guides(trace, run, verdict.faults);
     if (verdict.faults.size() == before) check_lines(trace, run, verdict.faults);

@@ -109,6 +109,20 @@ SiteWorld make_site(const interpreter::PlanModel& plan, const PreparedSite& prep
     site.add_network(plan.networks[i].name,
                      traffic::Traffic(std::move(network), std::move(vehicles)), std::move(robots));
   }
+  for (const interpreter::TaskSpec& task : plan.tasks) {
+    if (task.haul) site.set_drives(task.robot);
+    for (const interpreter::TaskSpec& choice : task.choices) {
+      if (choice.haul) site.set_drives(choice.robot);
+    }
+    if (!task.motion_dig) continue;
+    const interpreter::MotionDigSpec& dig = *task.motion_dig;
+    site.add_pit({task.name, dig.soil, plan.earths[static_cast<std::size_t>(dig.earth)].X_WE,
+                  dig.before, dig.after});
+  }
+  if (plan.workspaces) {
+    const interpreter::WorkspacesSpec& spec = *plan.workspaces;
+    site.set_workspaces({spec.robots, spec.reaction, spec.braking, spec.turn_braking});
+  }
   if (prepared.carry) site.attach_carry(0, prepared.carry);
   return site;
 }

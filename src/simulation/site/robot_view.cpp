@@ -72,6 +72,13 @@ bool RobotView::nothing_to_meet() const {
 std::optional<interpreter::HitPair> RobotView::refusal(const interpreter::MotionStep& step) const {
   if (nothing_to_meet()) return std::nullopt;
   if (auto pair = swept_hit(step)) return pair;
+  if (const auto task = site_.pit_met(index_, step)) {
+    return interpreter::HitPair{part_name(robot().model->tool_body), "the pit of " + *task};
+  }
+  if (const auto met = site_.workspace_met(index_, step)) {
+    return interpreter::HitPair{"the workspace of " + robot().name, met->name, met->machine, -1,
+                                met->moving};
+  }
   return overload(step);
 }
 

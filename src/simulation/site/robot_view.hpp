@@ -38,7 +38,9 @@ class RobotView : public interpreter::World {
                                std::optional<interpreter::HitPair>& before) override {
     return site_.next_node(index_, question, before);
   }
-  bool loaded() const override { return site_.load(index_).has_value(); }
+  bool loaded() const override {
+    return site_.load(index_).has_value() || site_.carries_soil(index_);
+  }
 
   /// What the load would meet that people turn by the angle about the vertical through the tool's
   /// origin, over all that it sweeps: what stands, the robot's own bodies but the hook, zones, and

@@ -4,6 +4,8 @@
 
 #include "src/earth/soil/blocks.hpp"
 #include "src/motion/math/index.hpp"
+#include "src/motion/robot/kinematics.hpp"
+#include "src/simulation/site/ground_under.hpp"
 #include "src/simulation/site/site_world.hpp"
 
 namespace rubicon::site {
@@ -28,7 +30,48 @@ std::vector<geometry::Shape> boxes_of(const std::vector<soil::Block>& blocks, in
   return shapes;
 }
 
+/// m: a machine drives over ground that is so much lower than its wheels.
+constexpr double kDrivenOver = 0.15;
+
 }  // namespace
+
+void SiteWorld::set_drives(int robot) {
+  RobotEntry& machine = entry(robot);
+  machine.wheels = corners_of(*machine.robot.model);
+  const auto tool = at(machine.robot.model->tool_body);
+  for (std::size_t i = 0; i < machine.wheels.size(); ++i) {
+    if (i != tool) machine.wheels[i].clear();
+  }
+}
+
+std::optional<std::string> SiteWorld::pit_met(int robot,
+                                              const interpreter::MotionStep& step) const {
+  const RobotEntry& machine = entry(robot);
+  if (pits_.empty() || machine.wheels.empty()) return std::nullopt;
+  if (std::equal(step.q_from.begin(), step.q_from.end(), step.q_to.begin())) return std::nullopt;
+  std::optional<PlanRegion> region;
+  double lowest = 0;  // that the ground may be
+  for (const Pit& pit : pits_) {
+    const auto opened = soils_.find(pit.component);
+    // Nobody has dug there yet.
+    if (opened == soils_.end() && components_[at(pit.component)].standing) continue;
+    const soil::Terrain& now = opened == soils_.end() ? *pit.after : opened->second.surface;
+    if (!region) {
+      region = workspace_of(machine.robot, machine.wheels, {step.q_from, step.q_to, {}, 0}, {});
+      lowest = robot::tool_pose(*machine.robot.model, machine.robot.mounting, step.q_to)
+                   .translation()
+                   .z() -
+               kDrivenOver;
+    }
+    const double z = pit.X_WE.translation().z();
+    const bool is_over = has_cell_under(*region, pit.X_WE, now, [&](std::size_t cell) {
+      return pit.before->heights[cell] != pit.after->heights[cell] &&
+             z + static_cast<double>(now.heights[cell]) * 1e-3 < lowest;
+    });
+    if (is_over) return pit.task;
+  }
+  return std::nullopt;
+}
 
 void SiteWorld::open_soil(int component, soil::Terrain surface,
                           std::shared_ptr<const soil::Terrain> bottom) {

@@ -81,6 +81,8 @@ void SiteWorld::begin_step(int robot, const interpreter::MotionStep& step, std::
     moving.step.q_from.assign(step.q_from.begin(), step.q_from.end());
     moving.step.q_to.assign(step.q_to.begin(), step.q_to.end());
     moving.step.end = step.start + step.duration;
+    moving.step.duration = step.duration;
+    moving.step.q_goal.assign(step.q_goal.begin(), step.q_goal.end());
   }
   changed(moving);
 }
@@ -93,6 +95,11 @@ void SiteWorld::begin_turn(int robot, double angle_deg, Ticks end) {
   ++standing.turns;
   load.X_TO = turned(tool_pose(robot), load.X_TO, angle_deg);
   changed(standing);
+}
+
+void SiteWorld::set_carries_soil(int robot, bool carries) {
+  entry(robot).carries_soil = carries;
+  ++changes_;
 }
 
 void SiteWorld::let_enter(int robot, std::vector<std::pair<int, int>> entered) {
@@ -118,7 +125,8 @@ std::vector<collision::ObstacleId> SiteWorld::entered_by(int robot, int body) co
 
 MachineState SiteWorld::machine_state(int robot) const {
   const RobotEntry& machine = entry(robot);
-  MachineState state{machine.q, machine.load, std::nullopt, machine.turn};
+  MachineState state{machine.q,    machine.load,         std::nullopt,
+                     machine.turn, machine.carries_soil, machine.partner};
   if (machine.stepping) state.step = machine.step;
   return state;
 }
@@ -128,6 +136,9 @@ void SiteWorld::set_machine_state(int robot, MachineState state) {
   machine.q = std::move(state.q);
   machine.load = std::move(state.load);
   machine.turn = std::move(state.turn);
+  machine.carries_soil = state.carries_soil;
+  machine.partner = state.partner;
+  machine.workspace_now.reset();
   machine.stepping = state.step.has_value();
   if (state.step) machine.step = std::move(*state.step);
   machine.reserved.reset();
@@ -193,6 +204,14 @@ collision::SweptQuery standing_query(const collision::BodyPtr& body, double cont
 }
 
 }  // namespace
+
+std::optional<std::string> SiteWorld::standing_in(
+    const std::vector<geometry::Shape>& shapes) const {
+  if (shapes.empty()) return std::nullopt;
+  const collision::BodyPtr body = collision::prepare(shapes);
+  const auto hit = obstacles_.test(standing_query(body, contact_tolerance_)).hit;
+  return hit && hit->obstacle ? std::optional(obstacle_name(*hit->obstacle)) : std::nullopt;
+}
 
 std::optional<int> SiteWorld::machine_in(const PeopleZone& zone, int exempt_robot) const {
   if (zone.shapes.empty()) return std::nullopt;
@@ -386,6 +405,7 @@ void SiteWorld::lift(Component& component) {
 void SiteWorld::changed(RobotEntry& robot) {
   ++robot.changes;
   robot.reserved.reset();
+  robot.workspace_now.reset();
   note_machine_change();
 }
 

@@ -15,6 +15,7 @@
 #include "src/simulation/site/moving_thing.hpp"
 #include "src/simulation/site/reserved_volume.hpp"
 #include "src/simulation/site/site_robot.hpp"
+#include "src/simulation/site/workspace.hpp"
 
 namespace rubicon::site {
 
@@ -26,6 +27,8 @@ struct MachineStep {
   std::vector<double> q_from;
   std::vector<double> q_to;
   Ticks end = 0;
+  Ticks duration = 0;
+  std::vector<double> q_goal;  ///< where it will stand next; empty: not known
 };
 
 /// A load that people are turning about the vertical through the origin of the tool.
@@ -41,6 +44,16 @@ struct MachineState {
   std::optional<Load> load;
   std::optional<MachineStep> step;
   std::optional<LoadTurn> turn;
+  bool carries_soil = false;
+  int partner = -1;  ///< a machine with which its workspace may overlap
+};
+
+/// A pit that a robot digs, cell by cell of its earth: `after` is below `before` where it is dug.
+struct Pit {
+  std::string task;
+  int component = -1;  ///< its soil
+  math::Pose X_WE = math::Pose::Identity();
+  std::shared_ptr<const soil::Terrain> before, after;  // shared: they are large, and the plan's
 };
 
 /// Where a component stands, or stood at last.
@@ -136,6 +149,8 @@ class SiteWorld {
   void open_soil(int component, soil::Terrain surface, std::shared_ptr<const soil::Terrain> bottom);
   /// The soil of a component that was opened; null: it was not.
   const soil::Terrain* surface(int component) const;
+  /// What stands where these shapes (world) would be, by name: nothing, where it is free.
+  std::optional<std::string> standing_in(const std::vector<geometry::Shape>& shapes) const;
   /// New heights of cells of it.
   void set_surface(int component, const std::map<int, soil::Millimetres>& heights);
   /// As it was before it was opened.
@@ -148,6 +163,27 @@ class SiteWorld {
   /// People turn what hangs on the robot, which stands, until `end`; from now on all that it sweeps
   /// meanwhile belongs to the robot. At the end it hangs as it was turned.
   void begin_turn(int robot, double angle_deg, Ticks end);
+
+  /// The robot carries soil, which is no body: it drives as loaded.
+  void set_carries_soil(int robot, bool carries);
+  bool carries_soil(int robot) const { return entry(robot).carries_soil; }
+
+  /// Pits, and robots that drive on the ground: these do not drive over what is dug. The tool frame
+  /// of such a robot is on the ground.
+  void add_pit(Pit pit) { pits_.push_back(std::move(pit)); }
+  void set_drives(int robot);
+  /// The task whose pit the robot would be over in the step; nothing where there is ground.
+  std::optional<std::string> pit_met(int robot, const interpreter::MotionStep& step) const;
+
+  // site_workspaces.cpp: dynamic workspaces, which do not overlap
+  void set_workspaces(WorkspaceRules rules);
+  /// The machine that is loaded by the other, or loads it: their workspaces may overlap; -1: none.
+  void set_partner(int robot, int other);
+  /// The machine, or the people with a timetable, whose workspace that of the robot would overlap
+  /// in the step; or that of a machine that goes first, and would in its next step.
+  std::optional<OtherMet> workspace_met(int robot, const interpreter::MotionStep& step) const;
+  /// What the robot's workspace is now; empty where it has none.
+  const PlanRegion& workspace(int robot) const;
 
   /// Bodies of the robot and components that they may cut into, from now on; what was said before
   /// is forgotten.
@@ -279,8 +315,13 @@ class SiteWorld {
     std::optional<LoadTurn> turn;              ///< the one in progress
     std::uint64_t turns = 0;                   ///< how often its load was turned
     std::vector<std::pair<int, int>> entered;  ///< body, component
-    std::uint64_t changes = 0;                 ///< of what belongs to it
-    mutable bool near_moving = false;          ///< it was where something with a timetable goes
+    bool carries_soil = false;
+    int partner = -1;
+    BodyCorners corners;  ///< of one whose workspace is kept apart
+    BodyCorners wheels;   ///< of one that drives on the ground: of its tool's body, no others
+    mutable std::optional<PlanRegion> workspace_now;  ///< made when asked for
+    std::uint64_t changes = 0;                        ///< of what belongs to it
+    mutable bool near_moving = false;  ///< it was where something with a timetable goes
     mutable std::unique_ptr<ReservedVolume>
         reserved;  ///< of what belongs to it now; made when asked for
   };
@@ -306,6 +347,7 @@ class SiteWorld {
     return (soil.surface.columns + kPiece - 1) / kPiece;
   }
   void show_soil(int component, bool stands);
+  bool goes_before(int robot, int other) const;
 
   RobotEntry& entry(int index) { return robots_[static_cast<std::size_t>(index)]; }
   const RobotEntry& entry(int index) const { return robots_[static_cast<std::size_t>(index)]; }
@@ -347,8 +389,11 @@ class SiteWorld {
   collision::CollisionWorld obstacles_;
   std::map<collision::ObstacleId, std::string> names_;
   std::vector<Component> components_;
-  std::map<int, Soil> soils_;     ///< by component
-  std::vector<int> with_people_;  ///< components in or on which people are
+  std::map<int, Soil> soils_;  ///< by component
+  std::vector<Pit> pits_;
+  WorkspaceRules workspaces_;
+  std::vector<BodyCorners> moving_corners_;  ///< of people with a timetable
+  std::vector<int> with_people_;             ///< components in or on which people are
   std::vector<int> component_changes_;
   std::vector<RobotEntry> robots_;
   std::map<int, Zone> zones_;                                          ///< by task

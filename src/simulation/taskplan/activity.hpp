@@ -14,11 +14,12 @@ struct Phase;
 class Stage;
 
 /// Something happened that others may wait for: a machine moved or stands still for good, people
-/// left a zone, something with a timetable stopped or goes on.
+/// left a zone, something with a timetable stopped or goes on, a truck came or is full.
 struct SiteEvent {
-  int robot = -1;      ///< the machine
-  int zone_task = -1;  ///< the task whose people left
-  int moving = -1;     ///< the thing with a timetable
+  int robot = -1;        ///< the machine
+  int zone_task = -1;    ///< the task whose people left
+  int moving = -1;       ///< the thing with a timetable
+  bool haulage = false;  ///< those who dig and haul for each other came further
 };
 
 /// How an activity stands when it has begun or resumed.

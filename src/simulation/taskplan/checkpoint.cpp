@@ -27,6 +27,7 @@ void Checkpoints::add(int task, Journal::Mark resources) {
   point.progress = stage_.progress;
   point.breakdowns = stage_.breakdowns;
   point.breakdown_outcomes = stage_.breakdown_outcomes.size();
+  point.haulage = stage_.haulage;
   point.zone_waits = zone_waits_;
   point.zone_waits.erase(task);
 }
@@ -61,6 +62,7 @@ bool Checkpoints::go_back(int task, bool keeps_lines) {
   stage_.breakdowns = std::move(point.breakdowns);
   stage_.breakdown_outcomes.resize(point.breakdown_outcomes);
   zone_waits_ = std::move(point.zone_waits);
+  stage_.haulage = std::move(point.haulage);
   stage_.site_changes.go_back(point.site, stage_.now());
   // A parking that is under way again: one of the same robot that failed later never was.
   for (std::size_t i = 0; i < stage_.active.size(); ++i) {

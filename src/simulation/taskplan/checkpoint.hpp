@@ -39,6 +39,7 @@ class Checkpoints {
     Breakdowns breakdowns;
     std::size_t breakdown_outcomes = 0;
     ZoneWaits zone_waits;
+    Haulage haulage;
   };
 
   Stage& stage_;

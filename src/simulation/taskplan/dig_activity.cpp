@@ -131,12 +131,21 @@ Step DigActivity::begin(ActiveTask& task, Stage& stage) {
     if (stage.plan.sample) by = {stage.plan.sample->seed, stage.plan.sample->run};
     trucks_ = hauling::TruckRounds(dig.hauls, by, spec.name);
   }
+  if (dig.loads_bodies()) {
+    outcome.bodies = static_cast<int>(dig.haulers.size());
+    LoadingPlace& place = stage.haulage.places[task.task];
+    place = {};
+    place.is_open = true;
+    place.claims.assign(1 + dig.queue.size(), -1);
+  }
   task.account.outcome.motion_dig = std::move(outcome);
+  if (dig.loads_bodies()) stage.announce({-1, -1, -1, true});
   return go_on(task, stage, call_truck(task, stage));
 }
 
 Step DigActivity::resume(ActiveTask& task, Stage& stage) {
   if (inner_) return go_on(task, stage, inner_->resume(task, stage));
+  if (part_ == Part::awaiting) return go_on(task, stage, await_truck(task, stage));
   if (waits_for_truck_) {
     waits_for_truck_ = false;
     if (part_ == Part::calling) {
@@ -200,6 +209,9 @@ Step DigActivity::next(ActiveTask& task, Stage& stage) {
         const Step step = choose_cut(task, stage);
         if (part_ == Part::approaching || step != Step::over) return step;
       }
+      part_ = Part::awaiting;
+      return dig.loads_bodies() ? await_truck(task, stage) : Step::over;
+    case Part::awaiting:
       part_ = Part::swinging;
       return begin_leg(task, stage, dump_pose(dig.X_HT_carry), "loaded",
                        "to where it is emptied, from");
@@ -253,6 +265,47 @@ Step DigActivity::call_truck(ActiveTask& task, Stage& stage) {
   if (then > now) return wait_for_trucks(task, stage, then);
   trucks_.call(now);
   return Step::over;
+}
+
+/// Whether a truck with a body stands where it is loaded; it waits for one with a full bucket.
+Step DigActivity::await_truck(ActiveTask& task, Stage& stage) {
+  const interpreter::MotionDigSpec& dig = spec_of(task, stage);
+  const LoadingPlace& place = stage.haulage.places.at(task.task);
+  if (place.standing >= 0 && !stage.haulage.trucks.at(place.standing).is_full) {
+    if (!std::exchange(waits_for_truck_, false)) return Step::over;
+    task.account.outcome.motion_dig->waited +=
+        stage.calendar(task.task).work_between(since_, stage.now());
+    task.account.outcome.waits.resource += stage.now() - since_;
+    stage.pause(task.task, "truck", stage.robot_spec(stage.spec(place.standing).robot).name,
+                since_);
+    return Step::over;
+  }
+  if (std::all_of(dig.haulers.begin(), dig.haulers.end(),
+                  [&](int truck) { return stage.is_over(truck); })) {
+    stage.reject(task.task,
+                 fmt::format("bucket {}: no truck is left to load",
+                             task.account.outcome.motion_dig->buckets.size() + 1),
+                 dig.haulers);
+    return Step::pending;
+  }
+  if (!waits_for_truck_) since_ = stage.now();
+  waits_for_truck_ = true;
+  stage.begins_to_wait(task.task);
+  return Step::pending;
+}
+
+/// The truck that stands there has the bucket; it leaves when no whole one goes on it any more.
+void DigActivity::load_truck(ActiveTask& task, Stage& stage) {
+  const interpreter::MotionDigSpec& dig = spec_of(task, stage);
+  const int standing = stage.haulage.places.at(task.task).standing;
+  TruckLoad& truck = stage.haulage.trucks.at(standing);
+  truck.volume += bucket_.volume;
+  const interpreter::HaulSpec& haul = *stage.spec(standing).haul;
+  const auto which = std::find(haul.digs.begin(), haul.digs.end(), task.task) - haul.digs.begin();
+  truck.is_full = truck.volume + dig.bucket > haul.loads[static_cast<std::size_t>(which)];
+  if (!truck.is_full) return;
+  ++task.account.outcome.motion_dig->body_loads;
+  stage.announce({-1, -1, -1, true});
 }
 
 /// Whether the bucket makes another pass before it is emptied.
@@ -436,7 +489,13 @@ bool DigActivity::raise(ActiveTask& task, Stage& stage) {
 void DigActivity::empty(ActiveTask& task, Stage& stage) {
   const interpreter::MotionDigSpec& dig = spec_of(task, stage);
   bucket_.empty = worked(task, stage);
+  if (dig.loads_bodies()) {
+    const int standing = stage.haulage.places.at(task.task).standing;
+    bucket_.truck = static_cast<int>(std::find(dig.haulers.begin(), dig.haulers.end(), standing) -
+                                     dig.haulers.begin());
+  }
   task.account.outcome.motion_dig->buckets.push_back(bucket_);
+  if (dig.loads_bodies()) load_truck(task, stage);
   if (dig.trucks < 0) return;
   trucks_.load(bucket_.volume);
   if (trucks_.loaded() + dig.bucket > dig.hauls.load) trucks_.leave(bucket_.empty);
@@ -452,6 +511,17 @@ Step DigActivity::finish(ActiveTask& task, Stage& stage) {
     if (tipped > now) return wait_for_trucks(task, stage, tipped);
   }
   MotionDigOutcome& outcome = *task.account.outcome.motion_dig;
+  if (dig.loads_bodies()) {
+    LoadingPlace& place = stage.haulage.places.at(task.task);
+    place.is_open = false;
+    place.is_over = true;
+    if (place.standing >= 0) {
+      TruckLoad& truck = stage.haulage.trucks.at(place.standing);
+      if (!truck.is_full && truck.volume > 0) ++outcome.body_loads;
+      truck.is_full = true;
+    }
+    stage.announce({-1, -1, -1, true});
+  }
   outcome.time = now;
   outcome.loads = trucks_.loads();
   outcome.queues = trucks_.queues();
@@ -464,21 +534,33 @@ Step DigActivity::granted(ActiveTask& task, Stage& stage, const ResourceAllocato
 }
 
 WaitSet DigActivity::waits(const ActiveTask& task, const Stage& stage) const {
-  return inner_ ? inner_->waits(task, stage) : WaitSet();
+  if (inner_) return inner_->waits(task, stage);
+  WaitSet waits;
+  if (part_ != Part::awaiting || !waits_for_truck_) return waits;
+  waits.any = true;
+  WaitTarget target;
+  for (const int truck : spec_of(task, stage).haulers) {
+    if (!stage.is_over(truck)) target.by.push_back(truck);
+  }
+  waits.targets.push_back(std::move(target));
+  return waits;
 }
 
 std::string DigActivity::text_of(const ActiveTask& task, const Stage& stage,
                                  const WaitTarget& target) const {
-  return inner_ ? inner_->text_of(task, stage, target) : std::string();
+  if (inner_) return inner_->text_of(task, stage, target);
+  return fmt::format("{} waits for a truck", stage.who_is(task.task));
 }
 
 std::string DigActivity::standstill_reason(const ActiveTask& task, const Stage& stage) const {
-  return inner_ ? inner_->standstill_reason(task, stage) : std::string();
+  if (inner_) return inner_->standstill_reason(task, stage);
+  return part_ == Part::awaiting ? "no truck ever comes to be loaded" : std::string();
 }
 
 bool DigActivity::wakes_at(const ActiveTask& task, const Stage& stage,
                            const SiteEvent& event) const {
-  return inner_ && inner_->wakes_at(task, stage, event);
+  if (inner_) return inner_->wakes_at(task, stage, event);
+  return part_ == Part::awaiting && waits_for_truck_ && event.haulage;
 }
 
 std::vector<int> DigActivity::robots_in_the_way(const Stage& stage) const {

@@ -42,6 +42,7 @@ class DigActivity : public Activity {
     cutting,      ///< towards the machine
     filling,      ///< work
     raising,      ///< up, out of the soil
+    awaiting,     ///< for a truck with a body, before it goes there
     swinging,     ///< to where the bucket is emptied
     opening,
     dumping,  ///< work
@@ -64,6 +65,8 @@ class DigActivity : public Activity {
   bool raise(ActiveTask& task, Stage& stage);
   void empty(ActiveTask& task, Stage& stage);
   Step finish(ActiveTask& task, Stage& stage);
+  Step await_truck(ActiveTask& task, Stage& stage);
+  void load_truck(ActiveTask& task, Stage& stage);
 
   static const interpreter::MotionDigSpec& spec_of(const ActiveTask& task, const Stage& stage);
   math::Pose X_WE(const ActiveTask& task, const Stage& stage) const;

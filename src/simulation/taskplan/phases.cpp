@@ -2,6 +2,7 @@
 
 #include "src/simulation/taskplan/dig_activity.hpp"
 #include "src/simulation/taskplan/handling_activity.hpp"
+#include "src/simulation/taskplan/haul_activity.hpp"
 #include "src/simulation/taskplan/motion_activity.hpp"
 #include "src/simulation/taskplan/work_activity.hpp"
 
@@ -37,6 +38,7 @@ std::vector<Phase> phases_of(const interpreter::TaskSpec& task) {
   if (task.motion_dig) {
     phases.push_back({Kind::dig, MotionPurpose::dig, nullptr, "", task.motion_dig->soil, false});
   }
+  if (task.haul) phases.push_back({Kind::haul, MotionPurpose::haul, nullptr, "", -1, false});
   for (const interpreter::WorkSpec& extra : task.takes) work(extra, "takes");
   for (const int component : task.remove) handle(Kind::remove, component);
   return phases;
@@ -50,6 +52,8 @@ std::unique_ptr<Activity> activity_of(const Phase& phase) {
       return std::make_unique<WorkActivity>();
     case Phase::Kind::dig:
       return std::make_unique<DigActivity>();
+    case Phase::Kind::haul:
+      return std::make_unique<HaulActivity>();
     case Phase::Kind::weigh:
     case Phase::Kind::attach:
     case Phase::Kind::detach:

@@ -12,7 +12,7 @@ namespace rubicon::taskplan {
 
 /// What a task does, one after the other (LANGUAGE section 12).
 struct Phase {
-  enum class Kind { motion, weigh, work, attach, detach, remove, dig };
+  enum class Kind { motion, weigh, work, attach, detach, remove, dig, haul };
   Kind kind = Kind::work;
   MotionPurpose purpose = MotionPurpose::go;  ///< of a motion
   const interpreter::WorkSpec* work = nullptr;

@@ -33,6 +33,7 @@ std::string task_reason(const MotionOutcome& motion, const RecordedHit* hit,
       return fmt::format("{}, while placing {}", reason, component);
     case MotionPurpose::go:
     case MotionPurpose::dig:
+    case MotionPurpose::haul:
       break;
   }
   return reason;

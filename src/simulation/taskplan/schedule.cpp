@@ -92,6 +92,12 @@ soil::CubicMillimetres MotionDigOutcome::dug() const {
   return sum;
 }
 
+soil::CubicMillimetres HaulOutcome::hauled() const {
+  soil::CubicMillimetres sum = 0;
+  for (const HauledLoad& each : loads) sum += each.volume;
+  return sum;
+}
+
 namespace {
 
 /// s, over the buckets of a dig.

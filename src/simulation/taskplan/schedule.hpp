@@ -24,7 +24,7 @@ enum class TaskResult { done, ended_short, rejected, not_reached };
 const char* name_of(TaskResult result);
 
 /// What a motion of a task is for.
-enum class MotionPurpose { grip, carry, place, go, dig };
+enum class MotionPurpose { grip, carry, place, go, dig, haul };
 
 /// One motion of a task and how it ended. One whose goal held already has no tries. A motion that
 /// waited for another machine and went on is several of these.
@@ -83,6 +83,8 @@ struct MotionDigOutcome {
   std::vector<BucketOutcome> buckets;
   std::vector<hauling::Load> loads;    ///< in the order in which they were tipped
   std::vector<hauling::Queue> queues;  ///< of stages that serve
+  int bodies = 0;      ///< trucks with bodies that haul for it, in tasks of their own
+  int body_loads = 0;  ///< that these took
   int truck_count = 0;
   bool uncertain = false;  ///< stages of the trucks are
 
@@ -95,6 +97,25 @@ struct MotionDigOutcome {
   double mean_return() const;
   /// m3 of bank volume in an hour that is worked.
   double per_hour() const;
+};
+
+/// One load of a truck with a body. Times that are worked, from the beginning of its task.
+struct HauledLoad {
+  std::string dig;                    ///< the task that loaded it
+  soil::CubicMillimetres volume = 0;  ///< bank volume
+  Ticks arrived = 0;                  ///< in the queue, or at once where it is loaded
+  Ticks began = 0;                    ///< it stands there
+  Ticks loaded = 0;
+  Ticks at_tip = 0;
+  Ticks tipped = 0;
+};
+
+/// What a truck with a body hauled.
+struct HaulOutcome {
+  std::vector<HauledLoad> loads;
+  Ticks time = 0;  ///< worked
+
+  soil::CubicMillimetres hauled() const;
 };
 
 /// One task as it went. A rejected task leaves no mark: it takes no time.
@@ -137,6 +158,7 @@ struct TaskOutcome {
   interpreter::Rare<coverage::JointFindings> joints;
   interpreter::Rare<interpreter::DigSpec> dig;     ///< of a task that digs by durations
   interpreter::Rare<MotionDigOutcome> motion_dig;  ///< of a task whose robot digs
+  interpreter::Rare<HaulOutcome> haul;             ///< of a task whose robot hauls
 
   /// How much later than `due` it was done; nothing if it is not done or not due.
   std::optional<Ticks> late() const;

@@ -94,6 +94,8 @@ bool Simulation::apply_rejection() {
   give_second_chances(task);
   free_groups();
   look_again_at_all();
+  // Those who dig and haul for each other have one less.
+  stage_.announce({-1, -1, -1, true});
   return true;
 }
 

@@ -27,10 +27,19 @@ void SiteChanges::remove(int component) {
 }
 
 void SiteChanges::open_soil(int component, const interpreter::MotionDigSpec& dig) {
+  open(component, *dig.before, dig.after);
+}
+
+void SiteChanges::open_heap(int component, std::shared_ptr<const soil::Terrain> ground) {
+  open(component, *ground, ground);
+}
+
+void SiteChanges::open(int component, const soil::Terrain& surface,
+                       std::shared_ptr<const soil::Terrain> bottom) {
   journal_.on_undo([&site = site_, component, before = site_.component_state(component)] {
     site.close_soil(component, before);
   });
-  site_.open_soil(component, *dig.before, dig.after);
+  site_.open_soil(component, surface, std::move(bottom));
 }
 
 void SiteChanges::set_surface(int component, const std::map<int, soil::Millimetres>& heights) {

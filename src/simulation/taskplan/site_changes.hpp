@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ class SiteChanges {
   void remove(int component);
   /// The component is soil from now on, which is dug bit by bit.
   void open_soil(int component, const interpreter::MotionDigSpec& dig);
+  /// The component is soil that is tipped on this ground.
+  void open_heap(int component, std::shared_ptr<const soil::Terrain> ground);
   void set_surface(int component, const std::map<int, soil::Millimetres>& heights);
   /// People of `task` work in the shapes from now on.
   void hold_zone(int task, const std::string& task_name, const site::PeopleZone& zone,
@@ -53,6 +56,8 @@ class SiteChanges {
 
  private:
   void keep(int component);
+  void open(int component, const soil::Terrain& surface,
+            std::shared_ptr<const soil::Terrain> bottom);
 
   site::SiteWorld& site_;
   Journal journal_;

@@ -18,6 +18,7 @@
 #include "src/simulation/taskplan/active_tasks.hpp"
 #include "src/simulation/taskplan/breakdowns.hpp"
 #include "src/simulation/taskplan/event_queue.hpp"
+#include "src/simulation/taskplan/haulage.hpp"
 #include "src/simulation/taskplan/overtime_hours.hpp"
 #include "src/simulation/taskplan/resource_allocator.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
@@ -64,6 +65,7 @@ class Stage {
   LiftNotes lift_notes;               ///< whatever the run goes back to
   std::optional<int> lift_to_repeat;  ///< a task that is to begin again: its note says why
   std::optional<ResourceAllocator> allocator;
+  Haulage haulage;
   OvertimeHours overtime;
   Breakdowns breakdowns;
   std::vector<BreakdownOutcome> breakdown_outcomes;  ///< by their begin

@@ -411,12 +411,75 @@ void write_motion_dig(JsonBuilder& json, const PlanModel& plan,
   json.end_array();
   if (dig.fill.duration > 0) write_work(json.key("fill"), plan, dig.fill);
   if (dig.dump.duration > 0) write_work(json.key("dump"), plan, dig.dump);
+  if (dig.loads_bodies()) {
+    json.key("load_at").pose(*dig.X_WL).key("queue").begin_array();
+    for (const math::Pose& X : dig.queue) json.pose(X);
+    json.end_array();
+  }
   if (dig.trucks >= 0) {
     json.field("hauled_by", plan.crews[static_cast<std::size_t>(dig.trucks)].name);
     json.field("trucks", dig.hauls.trucks).field("load", dig.hauls.load);
     write_stages(json, dig.hauls);
   }
   json.end_object();
+}
+
+/// How a truck hauls what others dig.
+void write_haul(JsonBuilder& json, const PlanModel& plan, const interpreter::TaskSpec& task) {
+  const interpreter::HaulSpec& haul = *task.haul;
+  json.key("haul").begin_object().key("digs").begin_array();
+  for (const int dig : haul.digs) {
+    json.value(std::string_view(plan.tasks[static_cast<std::size_t>(dig)].name));
+  }
+  json.end_array().key("loads").begin_array();
+  for (const soil::CubicMillimetres load : haul.loads) json.value(load);
+  json.end_array().key("tips").begin_array();
+  for (const math::Pose& X : haul.tips) json.pose(X);
+  json.end_array();
+  if (haul.tip.duration > 0) write_work(json.key("tip"), plan, haul.tip);
+  if (haul.earth >= 0) {
+    const interpreter::EarthSpec& earth = plan.earths[static_cast<std::size_t>(haul.earth)];
+    json.field("heap", plan.components[static_cast<std::size_t>(earth.heap)].name);
+    json.key("falls_at").begin_array();
+    for (const double value : {haul.p_TH.x(), haul.p_TH.y(), haul.p_TH.z()}) json.value(value);
+    json.end_array();
+  }
+  json.end_object();
+}
+
+/// Whose workspaces are kept apart, and how far ahead they reach.
+void write_workspaces(JsonBuilder& json, const PlanModel& plan) {
+  if (!plan.workspaces) return;
+  const interpreter::WorkspacesSpec& spec = *plan.workspaces;
+  json.key("workspaces").begin_object().key("of").begin_array();
+  for (const int robot : spec.robots) {
+    json.value(std::string_view(plan.robots[static_cast<std::size_t>(robot)].name));
+  }
+  json.end_array().field("reaction", spec.reaction).field("braking", spec.braking);
+  json.field("turn_braking", spec.turn_braking).end_object();
+}
+
+/// The ground on which loads are tipped, cell by cell (mm), and where none may lie.
+void write_heaps(JsonBuilder& json, const PlanModel& plan) {
+  const auto is_heap = [](const interpreter::EarthSpec& earth) { return earth.heap >= 0; };
+  if (std::none_of(plan.earths.begin(), plan.earths.end(), is_heap)) return;
+  json.key("heaps").begin_array();
+  for (const interpreter::EarthSpec& earth : plan.earths) {
+    if (!is_heap(earth)) continue;
+    json.begin_object();
+    json.field("component", plan.components[static_cast<std::size_t>(earth.heap)].name);
+    json.field("earth", earth.name).key("pose").pose(earth.X_WE);
+    json.field("columns", earth.before.columns).field("cell", earth.before.cell);
+    json.field("repose", *earth.repose_deg).key("ground").begin_array();
+    for (const soil::Millimetres height : earth.before.heights) json.value(height);
+    json.end_array().key("dug").begin_array();
+    for (std::size_t i = 0; i < earth.before.heights.size(); ++i) {
+      if (earth.before.heights[i] == earth.after.heights[i]) continue;
+      json.value(static_cast<std::int64_t>(i));
+    }
+    json.end_array().end_object();
+  }
+  json.end_array();
 }
 
 void write_task_work(JsonBuilder& json, const PlanModel& plan, const interpreter::TaskSpec& task) {
@@ -430,6 +493,7 @@ void write_task_work(JsonBuilder& json, const PlanModel& plan, const interpreter
   }
   if (task.dig) write_dig(json, plan, *task.dig);
   if (task.motion_dig) write_motion_dig(json, plan, *task.motion_dig);
+  if (task.haul) write_haul(json, plan, task);
   if (!task.remove.empty()) {
     json.key("remove").begin_array();
     for (const int component : task.remove) {
@@ -681,6 +745,8 @@ std::string header_line(const PlanModel& plan, const interpreter::SourceMap& sou
     write_kept(json, plan, 0, plan.guides);
   }
   write_tasks(json, plan, meshes);
+  write_heaps(json, plan);
+  write_workspaces(json, plan);
   write_beginning(json, plan);
   write_support(json, plan);
   meshes.write(json.key("meshes"));

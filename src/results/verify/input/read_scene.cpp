@@ -443,6 +443,8 @@ SceneMotionDig read_motion_dig(const JsonFields& fields, Scene& scene) {
   for (int i = 0; i < 3; ++i) {
     dig.p_W[i] = number_of(place[static_cast<std::size_t>(i)], "a coordinate");
   }
+  if (fields.has("swell")) dig.swell = fields.number("swell");
+  if (fields.has("load_at")) dig.load_at = fields.pose("load_at");
   if (fields.has("fill")) dig.fill = read_work(fields.any("fill"), "fill", scene);
   if (fields.has("dump")) dig.dump = read_work(fields.any("dump"), "dump", scene);
   if (!fields.has("trucks")) return dig;
@@ -462,6 +464,49 @@ SceneMotionDig read_motion_dig(const JsonFields& fields, Scene& scene) {
   return dig;
 }
 
+Vec3 read_point(const JsonFields& fields, const char* name) {
+  const Json& place = fields.array(name);
+  if (place.size() != 3) fields.fail(fmt::format("three numbers as '{}'", name));
+  Vec3 p = Vec3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    p[i] = number_of(place[static_cast<std::size_t>(i)], "a coordinate");
+  }
+  return p;
+}
+
+SceneHaul read_haul(const JsonFields& fields, Scene& scene) {
+  SceneHaul haul;
+  for (const Json& name : fields.array("digs")) haul.digs.push_back(text_of(name, "a task"));
+  for (const Json& load : fields.array("loads")) {
+    if (!load.is_number_integer()) fields.fail("whole mm3 as 'loads'");
+    haul.loads.push_back(load.get<std::int64_t>());
+  }
+  if (haul.loads.size() != haul.digs.size()) fields.fail("a load for each dig");
+  for (const Json& pose : fields.array("tips")) haul.tips.push_back(pose_of(pose, "a tip"));
+  if (fields.has("tip")) haul.tip = read_work(fields.any("tip"), "tip", scene);
+  if (!fields.has("heap")) return haul;
+  haul.heap = index_in(scene.component_index, fields.text("heap"), "a component");
+  haul.p_TH = read_point(fields, "falls_at");
+  return haul;
+}
+
+SceneHeap read_heap(const JsonFields& fields, Scene& scene) {
+  SceneHeap heap;
+  heap.component = index_in(scene.component_index, fields.text("component"), "a component");
+  heap.X_WE = fields.pose("pose");
+  heap.columns = integer_of(fields.any("columns"), "'columns'", 1, 1'000'000);
+  heap.cell = integer_of(fields.any("cell"), "'cell'", 1, 1'000'000);
+  heap.repose_deg = fields.number("repose");
+  heap.ground = read_heights(fields, "ground", fields.array("ground").size());
+  if (heap.ground.size() % static_cast<std::size_t>(heap.columns) != 0) {
+    fields.fail("whole rows as 'ground'");
+  }
+  for (const Json& cell : fields.array("dug")) {
+    heap.dug.push_back(integer_of(cell, "'dug'", 0, static_cast<int>(heap.ground.size()) - 1));
+  }
+  return heap;
+}
+
 void read_task_work(const JsonFields& fields, Scene& scene, SceneTask& task) {
   if (fields.has("hook")) task.hook = read_work(fields.any("hook"), "hook", scene);
   if (fields.has("adjust")) task.adjust = read_work(fields.any("adjust"), "adjust", scene);
@@ -473,6 +518,7 @@ void read_task_work(const JsonFields& fields, Scene& scene, SceneTask& task) {
   if (fields.has("motion_dig")) {
     task.motion_dig = read_motion_dig(fields.object("motion_dig"), scene);
   }
+  if (fields.has("haul")) task.haul = read_haul(fields.object("haul"), scene);
   for (const Json& name : list_or_empty(fields, "remove")) {
     task.remove.push_back(
         index_in(scene.component_index, text_of(name, "'remove'"), "a component"));
@@ -684,6 +730,22 @@ Scene read_scene(const std::string& line) {
     add_short_task(header, scene);
   } else {
     read_tasks(header, scene);
+  }
+  if (header.has("workspaces")) {
+    const JsonFields fields(header.any("workspaces"), "'workspaces'");
+    SceneWorkspaces& rules = scene.workspaces.emplace();
+    for (const Json& name : fields.array("of")) {
+      rules.robots.push_back(index_in(scene.robot_index, text_of(name, "a robot"), "a robot"));
+    }
+    rules.reaction = fields.number("reaction");
+    rules.braking = fields.number("braking");
+    rules.turn_braking = fields.number("turn_braking");
+    if (!(rules.reaction >= 0 && rules.braking > 0 && rules.turn_braking > 0)) {
+      fields.fail("a reaction from 0, brakings above 0");
+    }
+  }
+  for (const Json& object : list_or_empty(header, "heaps")) {
+    scene.heaps.push_back(read_heap(JsonFields(object, "a heap"), scene));
   }
   return scene;
 }

@@ -234,6 +234,29 @@ struct SceneMotionDig {
   std::vector<SceneStage> stages;
   std::size_t tip = 0;
   double efficiency = 1;
+  double swell = 0;
+  std::optional<Pose> load_at;  ///< where trucks with bodies stand when they are loaded
+};
+
+/// How a truck with a body hauls.
+struct SceneHaul {
+  std::vector<std::string> digs;    ///< tasks
+  std::vector<std::int64_t> loads;  ///< mm3 that it takes of each
+  std::vector<Pose> tips;
+  std::optional<SceneWork> tip;
+  int heap = -1;  ///< component, -1: what is tipped leaves the site
+  Vec3 p_TH = Vec3::Zero();
+};
+
+/// The ground of an earth on which loads are tipped; heights in mm.
+struct SceneHeap {
+  int component = -1;
+  Pose X_WE = Pose::Identity();
+  int columns = 1;
+  std::int64_t cell = 1;
+  double repose_deg = 0;
+  std::vector<std::int64_t> ground;  ///< of all cells
+  std::vector<int> dug;              ///< cells of pits
 };
 
 /// What a motion is to reach: values by parameter, or a pose X_WT.
@@ -302,6 +325,7 @@ struct SceneTask {
   std::vector<SceneWork> takes;
   std::optional<SceneDig> dig;
   std::optional<SceneMotionDig> motion_dig;
+  std::optional<SceneHaul> haul;
   std::vector<int> remove;
   std::vector<ShapeData> zones;           ///< in {W}
   std::vector<ShapeData> zones_overhead;  ///< where no load may hang, in {W}
@@ -336,8 +360,16 @@ struct SceneSupport {
   std::vector<std::string> floating;
 };
 
+/// Machines whose dynamic workspaces are kept apart.
+struct SceneWorkspaces {
+  std::vector<int> robots;
+  double reaction = 0, braking = 1, turn_braking = 1;
+};
+
 /// The header of a trace: all that stands, moves and is to be done.
 struct Scene {
+  std::vector<SceneHeap> heaps;
+  std::optional<SceneWorkspaces> workspaces;
   std::string plan;
   bool short_form = false;
   bool sampled = false;             ///< durations were drawn

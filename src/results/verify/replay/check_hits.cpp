@@ -103,7 +103,30 @@ class HitCheck {
            });
   }
 
+  /// Machines may keep out of what is no body: dynamic workspaces, and pits under their wheels.
+  bool is_of_workspaces(const std::string& moved, const std::string& met) const {
+    const auto& rules = trace_.scene.workspaces;
+    if (!rules || moved != "the workspace of " + robot_.name) return false;
+    const auto is_people = [&](const SceneMoving& each) {
+      return !each.overhead.empty() && each.name == met;
+    };
+    return std::any_of(rules->robots.begin(), rules->robots.end(),
+                       [&](int other) {
+                         const std::string& name = trace_.scene.robots[at(other)].name;
+                         return name != robot_.name && met == "the workspace of " + name;
+                       }) ||
+           std::any_of(trace_.scene.movings.begin(), trace_.scene.movings.end(), is_people);
+  }
+  bool is_pit(const std::string& met) const {
+    if (run_.task < 0 || !trace_.scene.tasks[at(run_.task)].haul) return false;
+    return std::any_of(
+        trace_.scene.tasks.begin(), trace_.scene.tasks.end(),
+        [&](const SceneTask& task) { return task.motion_dig && met == "the pit of " + task.name; });
+  }
+
   void check_names(const std::string& moved, const std::string& met) {
+    if (is_of_workspaces(moved, met)) return;
+    if (is_pit(met) && has_body(robot_, moved)) return;
     if (!has_body(robot_, moved) && (load_.empty() || moved != load_)) {
       fault(FaultKind::contact, fmt::format("'{}' is no part of {}", moved, robot_.name));
     }

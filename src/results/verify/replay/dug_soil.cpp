@@ -318,6 +318,23 @@ bool Cuts::allow(const Leg& leg, int component) const {
   return next != dig.times.begin() && leg.to <= std::prev(next)->second;
 }
 
+std::vector<EmptiedBucket> emptied_buckets(const Trace& trace, const TaskRun& run,
+                                           const Mechanism& mechanism) {
+  std::vector<EmptiedBucket> buckets;
+  const SceneMotionDig& dig = *dig_of(trace, run);
+  std::int64_t volume = 0;
+  for (const int index : run.records) {
+    const Record& record = trace.records[at(index)];
+    if (const auto* taken = std::get_if<SoilTaken>(&record.what)) volume += taken->volume;
+    const auto* end = std::get_if<MotionEnd>(&record.what);
+    if (end == nullptr || volume == 0 || !end->reached) continue;
+    const Vec3 p = mechanism.pose(mechanism.tool(), end->q).translation();
+    if ((p - dig.p_W).norm() > kPlaceSlack) continue;
+    buckets.push_back({record.time, std::exchange(volume, 0)});
+  }
+  return buckets;
+}
+
 void check_dug_soil(const Trace& trace, const std::vector<TaskRun>& runs,
                     const std::vector<RobotTrack>& tracks, const SiteParts& site, Faults& faults) {
   for (std::size_t i = 0; i < runs.size(); ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <set>
 #include <vector>
 
@@ -31,5 +32,14 @@ class Cuts {
 /// and no farther; and that trucks were there to be loaded.
 void check_dug_soil(const Trace& trace, const std::vector<TaskRun>& runs,
                     const std::vector<RobotTrack>& tracks, const SiteParts& site, Faults& faults);
+
+/// A bucket of a robot that digs, when it came to where it is emptied.
+struct EmptiedBucket {
+  Ticks time = 0;
+  std::int64_t volume = 0;
+};
+/// Those of the robot of a run, by its own kinematics.
+std::vector<EmptiedBucket> emptied_buckets(const Trace& trace, const TaskRun& run,
+                                           const Mechanism& mechanism);
 
 }  // namespace rubicon::verify

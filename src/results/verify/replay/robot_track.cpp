@@ -131,6 +131,12 @@ class TrackBuilder {
     stopped_ = std::exchange(moving_, {});
   }
 
+  /// A truck that carries soil drives as loaded.
+  void follow(const SoilTaken& taken) {
+    const int task = runs_[at(run_)].task;
+    if (task >= 0 && trace_.scene.tasks[at(task)].haul) soil_ = taken.volume > 0;
+  }
+
   void follow(const GuidePlan& plan) {
     if (!plan.way.empty()) expect_values(plan.way.front(), "the way of a guide");
   }
@@ -150,7 +156,7 @@ class TrackBuilder {
     StepQuery query{q_,
                     attempt.q,
                     attempt.moved,
-                    hanging_ >= 0,
+                    hanging_ >= 0 || soil_,
                     record_->time - now_,
                     moving_,
                     least_time(attempt.q)};
@@ -429,6 +435,7 @@ class TrackBuilder {
   std::vector<LoadEvent>& loads_;
   Faults& faults_;
   RobotTrack track_;
+  bool soil_ = false;  ///< it carries some
   std::vector<double> q_;
   /// m: how far a tool that works was beside its strip since its waypoint began
   double aside_ = 0;

@@ -8,6 +8,7 @@
 
 #include "src/motion/math/index.hpp"
 #include "src/results/verify/replay/dug_soil.hpp"
+#include "src/results/verify/replay/hauled_soil.hpp"
 #include "src/results/verify/replay/step_rules.hpp"
 
 namespace rubicon::verify {
@@ -87,6 +88,7 @@ SiteParts make_site_parts(const Trace& trace, const std::vector<TaskRun>& runs,
     parts.components.push_back(make_solid(component.shapes, scene.meshes));
   }
   const std::set<int> dug = add_dug_soil(trace, runs, stays, parts.obstacles);
+  add_heaps(trace, runs, until, parts.obstacles);
   for (const Stay& stay : stays) {
     if (dug.contains(stay.component)) continue;
     const auto& solid = parts.components[at(stay.component)];

@@ -128,9 +128,12 @@ void WaitCheck::check_pauses(int index, Faults& faults) const {
           });
       if (!known) fault(FaultKind::order, "its machine is repaired, and did not break down");
     } else if (pause->why == "truck") {
-      const auto crew = trace_.scene.crew_index.find(pause->whom);
-      if (run.task < 0 || !trace_.scene.tasks[at(run.task)].motion_dig ||
-          crew == trace_.scene.crew_index.end()) {
+      const SceneTask* const task = run.task < 0 ? nullptr : &trace_.scene.tasks[at(run.task)];
+      const bool by_body =
+          task != nullptr && (task->haul || (task->motion_dig && task->motion_dig->load_at));
+      const bool is_known = by_body ? trace_.scene.robot_index.contains(pause->whom)
+                                    : trace_.scene.crew_index.contains(pause->whom);
+      if (task == nullptr || !(task->motion_dig || task->haul) || !is_known) {
         fault(FaultKind::resource, "it waits for a truck, and loads none");
       }
     } else if (pause->why == "held" && !finish_is_due(run, record.time)) {

@@ -16,7 +16,7 @@ using math::at;
 
 /// What a task does, one after the other.
 struct Phase {
-  enum class Kind { motion, work, attach, detach, remove, dig };
+  enum class Kind { motion, work, attach, detach, remove, dig, haul };
   Kind kind = Kind::motion;
   bool must_reach = false;  ///< of a motion
   SceneWork work;           ///< of a work
@@ -45,6 +45,7 @@ std::vector<Phase> planned_phases(const Trace& trace, const TaskRun& run) {
   if (task.move >= 0) add_move(task, phases);
   if (task.goes) phases.push_back({Phase::Kind::motion, !trace.scene.short_form, {}, -1});
   if (task.motion_dig) phases.push_back({Phase::Kind::dig, true, {}, task.motion_dig->soil});
+  if (task.haul) phases.push_back({Phase::Kind::haul, true, {}, -1});
   for (const SceneWork& work : task.takes) {
     if (work.time > 0) phases.push_back({Phase::Kind::work, false, work, -1});
   }
@@ -67,6 +68,8 @@ std::string describe(const Phase& phase, const Scene& scene) {
       return fmt::format("putting down {}", component());
     case Phase::Kind::dig:
       return fmt::format("digging {}", component());
+    case Phase::Kind::haul:
+      return "hauling";
     case Phase::Kind::remove:
       return fmt::format("removing {}", component());
   }
@@ -119,7 +122,11 @@ class PhaseCheck {
   bool follow(const Think&) { return in_motion("the thinking of a guide"); }
   bool follow(const ColdJoint&) { return true; }
 
-  bool digs() const { return next_ < phases_.size() && phases_[next_].kind == Phase::Kind::dig; }
+  /// Or hauls: motions that the plan does not list.
+  bool digs() const { return is_in(Phase::Kind::dig) || is_in(Phase::Kind::haul); }
+  bool is_in(Phase::Kind kind) const {
+    return next_ < phases_.size() && phases_[next_].kind == kind;
+  }
 
   /// Whether the last motion of a dig has come to its goal.
   bool has_reached() {
@@ -129,6 +136,7 @@ class PhaseCheck {
   }
 
   bool follow(const SoilTaken& taken) {
+    if (is_in(Phase::Kind::haul)) return has_reached();
     if (!digs() || phases_[next_].component != taken.component) {
       fault(fmt::format("expected {}, found a bucket of soil", expected()));
       return false;
@@ -137,6 +145,14 @@ class PhaseCheck {
   }
 
   bool dig_work(const Work& work) {
+    if (is_in(Phase::Kind::haul)) {
+      const auto& tip = trace_.scene.tasks[at(run_.task)].haul->tip;
+      if (work.what != "tip" || !tip || work.crew >= 0 ||
+          std::llabs(tip->time - work.time) > kTimeSlack) {
+        fault(fmt::format("the work '{}' is not one of the hauling, or not as long", work.what));
+      }
+      return has_reached();
+    }
     const SceneMotionDig& dig = *trace_.scene.tasks[at(run_.task)].motion_dig;
     const auto& planned = work.what == "fill" ? dig.fill : dig.dump;
     const bool known = work.what == "fill" || work.what == "dump";
@@ -241,6 +257,10 @@ class PhaseCheck {
   bool follow(const TaskEnd& end) {
     if (end.result != TaskResult::done) return true;
     if (!leave_motions()) return false;
+    if (is_in(Phase::Kind::haul)) {
+      if (!has_reached()) return false;
+      ++next_;
+    }
     if (next_ < phases_.size()) {
       fault(fmt::format("expected {}, found the end of the task", expected()));
     }
