@@ -67,7 +67,7 @@ std::string comparison_text(const GuideComparison& comparison) {
                         "nodes", "checks", "ms", "ms p95", "roughness", "length m", "time s");
     std::string causes;
     for (const GuideTrials& trials : motion.guides) {
-      const char* const kind = guides::name_of(trials.spec.kind);
+      const std::string kind = guides::full_name(trials.spec);
       if (trials.trials.empty()) {
         text += fmt::format("{:<16}{:>9}\n", kind, "at goal");
         continue;
@@ -95,7 +95,7 @@ std::string comparison_csv(const GuideComparison& comparison) {
     for (const GuideTrials& trials : motion.guides) {
       for (const GuideTrial& trial : trials.trials) {
         text += fmt::format("{},{},{:g},{},{:g},{:g},{:g},{:.4f},{},{},{}\n", motion.motion,
-                            guides::name_of(trials.spec.kind), trial.seed, trial.found ? 1 : 0,
+                            guides::full_name(trials.spec), trial.seed, trial.found ? 1 : 0,
                             trial.nodes, trial.checks, trial.refused, trial.milliseconds,
                             trial.roughness, trial.length, trial.motion_time);
       }
@@ -117,7 +117,7 @@ std::string comparison_json(const GuideComparison& comparison) {
     const char* guide_separator = "";
     for (const GuideTrials& trials : motion.guides) {
       text += fmt::format("{}{{\"kind\":\"{}\",\"trials\":[", guide_separator,
-                          guides::name_of(trials.spec.kind));
+                          guides::full_name(trials.spec));
       guide_separator = ",";
       const char* separator = "";
       for (const GuideTrial& trial : trials.trials) {
