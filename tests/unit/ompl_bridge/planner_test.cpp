@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <set>
 
 #include "src/motion/ompl_bridge/ompl_planners.hpp"
 #include "src/motion/ompl_bridge/ompl_plugin.hpp"
@@ -128,15 +127,14 @@ TEST(OmplPlanners, AllFindAFreeWayAndInAnyOrderTheSameSeedGivesTheSame) {
   }
   std::vector<std::string> names = taken();
   std::reverse(names.begin(), names.end());
-  std::set<std::vector<Point>> all;
   for (const std::string& name : names) {
-    Square other(in_wall, checks_for(name));
-    all.insert(plugin().plan(other, asked_of(name, 2)).way);
     Square square(in_wall, checks_for(name));
     EXPECT_EQ(plugin().plan(square, asked_of(name)).way, ways[name]) << name;
-    all.insert(ways[name]);
   }
-  EXPECT_GT(all.size(), 2 * names.size() - 6);  // some are of one way only
+  for (const std::string name : {"RRT", "RRTConnect", "EST"}) {
+    Square square(in_wall);
+    EXPECT_NE(plugin().plan(square, asked_of(name, 2)).way, ways[name]) << name;
+  }
 }
 
 TEST(OmplPlanners, LimitsEndASearchWithoutAWay) {
@@ -201,11 +199,8 @@ TEST(OmplPlanners, ParametersAreSet) {
   }
   EXPECT_NEAR(longest, 4, 1e-9);
   asked.planner = "FMT";
-  asked.settings = {{"num_samples", 1.5}};
-  answer = plugin().plan(again, asked);
-  EXPECT_TRUE(answer.way.empty());
-  EXPECT_NE(answer.cause.find("does not take the value of num_samples"), std::string::npos)
-      << answer.cause;
+  asked.settings = {{"num_samples", 60}};
+  EXPECT_LE(plugin().plan(again, asked).nodes, 62u);
 }
 
 }  // namespace
