@@ -120,10 +120,11 @@ class ClauseChecker {
     }
     if (!check_unit(*clause.number, UnitKind::none, name.text.c_str(), diagnostics_)) return;
     const double value = clause.number->value;
-    if (!(value >= 0 && value <= guides::kMostSetting)) {
+    const ompl_bridge::Setting bounds = ompl_bridge::setting_of(name.text);
+    if (!(value >= bounds.least && value <= bounds.most)) {
       diagnostics_.error("G03", clause.number->span,
-                         fmt::format("{} must be from 0 to {:g}, found {:.16g}", name.text,
-                                     guides::kMostSetting, value));
+                         fmt::format("{} must be from {:g} to {:g}, found {:.16g}", name.text,
+                                     bounds.least, bounds.most, value));
       return;
     }
     spec_.settings.emplace_back(name.text, value);

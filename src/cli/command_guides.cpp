@@ -11,6 +11,7 @@
 #include "interpreter/syntax/name_suggestion.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/fail.hpp"
+#include "src/cli/input_file.hpp"
 #include "src/cli/load_runnable_plan.hpp"
 #include "src/cli/set_option.hpp"
 #include "src/exchange/files/atomic_file_io.hpp"

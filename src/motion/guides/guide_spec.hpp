@@ -150,7 +150,6 @@ inline constexpr const char* kKeepClause = "keep";
 
 /// The clause that sets a parameter of a planner of OMPL: `set "range" 20;`.
 inline constexpr const char* kSetClause = "set";
-inline constexpr double kMostSetting = 1e9;
 
 /// The clause that says what planning takes of the site's time: `thinks 20 us per check;`.
 inline constexpr const char* kThinksClause = "thinks";

@@ -93,10 +93,7 @@ constexpr std::array kPlanners{
     OmplPlanner{"SPARS", "", "a thread of its own looks for the way; take LazyPRM"},
     OmplPlanner{"SPARStwo", "", "a thread of its own looks for the way; take LazyPRM"},
     OmplPlanner{"SST", "goal_bias pruning_radius range selection_radius", ""},
-    OmplPlanner{"STRIDE",
-                "degree estimated_dimension goal_bias max_degree max_pts_per_leaf min_degree "
-                "min_valid_path_fraction range use_projected_distance",
-                ""},
+    OmplPlanner{"STRIDE", "goal_bias min_valid_path_fraction range use_projected_distance", ""},
     OmplPlanner{"ThunderRetrieveRepair", "", "it needs ways of former runs"},
     OmplPlanner{"TRRT",
                 "cost_threshold frontier_node_ratio frontier_threshold goal_bias init_temperature "
@@ -129,6 +126,14 @@ std::vector<std::string> parameters_of(const OmplPlanner& planner) {
     if (!name.empty()) names.push_back(std::exchange(name, {}));
     if (*c == '\0') return names;
   }
+}
+
+Setting setting_of(std::string_view parameter) {
+  for (const char* count : {"samples_per_batch", "num_samples", "max_nearest_neighbors",
+                            "number_sampling_attempts", "ordering_batch_size"}) {
+    if (parameter == count) return {1, 20000};
+  }
+  return {0, 1e9};
 }
 
 }  // namespace rubicon::ompl_bridge
