@@ -11,6 +11,9 @@ struct guide_key : token<word<TAO_PEGTL_STRING("guide")>> {};
 struct guide_name : indexed_name {};
 struct guide_kind : name {};
 
+// A planner of OMPL, by its name there.
+struct guide_planner : string_literal {};
+
 struct clause_semicolon : semicolon {};
 struct clause_key : name {};
 struct clause_number : sor<computed_number, signed_number> {};
@@ -38,13 +41,18 @@ struct thinks_check : token<word<TAO_PEGTL_STRING("check")>> {};
 struct thinks_clause
     : if_must<thinks_key, thinks_number, thinks_unit, thinks_per, thinks_check, clause_semicolon> {
 };
+// set "goal_bias" 0.1;
+struct set_key : token<word<TAO_PEGTL_STRING("set")>> {};
+struct set_name : string_literal {};
+struct set_number : sor<computed_number, signed_number> {};
+struct set_clause : if_must<set_key, set_name, set_number, clause_semicolon> {};
 struct number_clause : if_must<clause_key, clause_content, clause_semicolon> {};
-struct guide_clause : sor<keep_clause, thinks_clause, number_clause> {};
+struct guide_clause : sor<keep_clause, thinks_clause, set_clause, number_clause> {};
 struct whole_guide_clause : must<guide_clause> {};
 struct guide_clauses : nested<star<not_at<block_end>, recover<whole_guide_clause, item_end>>> {};
 struct guide_block : if_must<block_open, guide_clauses, block_close> {};
 struct guide_end : sor<clause_semicolon, guide_block> {};
-struct guide_declared : if_must<guide_kind, guide_end> {};
+struct guide_declared : if_must<guide_kind, opt<guide_planner>, guide_end> {};
 struct guide_declaration : if_must<guide_key, guide_name, guide_declared> {};
 
 // How far the tool may be beside a straight way: of a robot, and of a motion.

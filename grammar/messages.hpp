@@ -128,7 +128,7 @@ RUBICON_EXPECT(
     guide_clause, "guide", Explain::item,
     "seed nodes checks step goal_bias uniform_nodes rejections greed concentration "
     "smooth improve replans safety nearest neighbours heuristic over weight keep attraction "
-    "repulsion influence turn_radius thinks hand vision");
+    "repulsion influence turn_radius thinks hand vision set");
 RUBICON_EXPECT(keep_open, "'(' after keep");
 RUBICON_EXPECT(keep_condition, "a condition");
 RUBICON_EXPECT(keep_close, "')'", Explain::expected, "==");
@@ -136,6 +136,8 @@ RUBICON_EXPECT(thinks_number, "a number after thinks");
 RUBICON_EXPECT(thinks_unit, "us, ms or s: thinks 20 us per check");
 RUBICON_EXPECT(thinks_per, "'per' check: thinks 20 us per check");
 RUBICON_EXPECT(thinks_check, "'check': thinks 20 us per check");
+RUBICON_EXPECT(set_name, "the name of a parameter of the planner in quotes");
+RUBICON_EXPECT(set_number, "a number");
 RUBICON_EXPECT(clause_content, "a number, a word, or a parameter and a number");
 RUBICON_EXPECT(clause_value, "a parameter and a number");
 RUBICON_EXPECT(clause_number, "a number");

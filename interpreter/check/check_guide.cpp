@@ -11,6 +11,7 @@
 #include "interpreter/check/resolve_keep.hpp"
 #include "src/motion/guides/leg.hpp"
 #include "src/motion/guides/vehicle.hpp"
+#include "src/motion/ompl_bridge/ompl_planners.hpp"
 
 namespace rubicon::interpreter {
 
@@ -54,6 +55,8 @@ class ClauseChecker {
     spec_ = guides::default_guide(*kind);
     spec_.name = guide_.name.text;
     const int errors = diagnostics_.errors();
+    check_planner();
+    if (diagnostics_.errors() != errors) return std::nullopt;
     for (const syntax::GuideClause& clause : guide_.clauses) check_clause(clause);
     if (diagnostics_.errors() != errors) return std::nullopt;
     check_steering();
@@ -63,22 +66,93 @@ class ClauseChecker {
   }
 
  private:
+  /// Of OMPL: a planner that it has, and that guides take.
+  void check_planner() {
+    const bool of_ompl = spec_.kind == guides::GuideKind::ompl;
+    std::vector<std::string> taken;
+    for (const ompl_bridge::OmplPlanner& each : ompl_bridge::ompl_planners()) {
+      if (each.taken()) taken.emplace_back(each.name);
+    }
+    const std::string list = fmt::format("planners are {}", fmt::join(taken, ", "));
+    if (!guide_.planner) {
+      if (!of_ompl) return;
+      diagnostics_.error("G08", guide_.kind.span,
+                         "ompl needs the name of a planner in quotes, as ompl \"RRTConnect\"",
+                         list);
+      return;
+    }
+    const syntax::String& name = *guide_.planner;
+    if (!of_ompl) {
+      diagnostics_.error("G08", name.span,
+                         fmt::format("{} takes no name of a planner", guide_.kind.text),
+                         "leave it out, or write ompl");
+      return;
+    }
+    const ompl_bridge::OmplPlanner* const planner = ompl_bridge::find_ompl_planner(name.text);
+    if (planner == nullptr) {
+      diagnostics_.error("G08", name.span,
+                         fmt::format("OMPL has no geometric planner '{}'{}", name.text,
+                                     suggestion(name.text, taken)),
+                         list);
+    } else if (!planner->taken()) {
+      diagnostics_.error(
+          "G08", name.span,
+          fmt::format("guides do not take {} of OMPL: {}", name.text, planner->refusal), list);
+    }
+    spec_.planner = name.text;
+  }
+
+  /// set "goal_bias" 0.1;
+  void check_setting(const syntax::GuideClause& clause) {
+    if (spec_.kind != guides::GuideKind::ompl) {
+      report_unknown(clause, true);
+      return;
+    }
+    const syntax::String& name = *clause.setting;
+    const auto names = ompl_bridge::parameters_of(*ompl_bridge::find_ompl_planner(spec_.planner));
+    if (std::find(names.begin(), names.end(), name.text) == names.end()) {
+      diagnostics_.error(
+          "G02", name.span,
+          fmt::format("{} of OMPL has no parameter '{}'{}", spec_.planner, name.text,
+                      suggestion(name.text, names)),
+          names.empty() ? "it has none" : fmt::format("it has {}", fmt::join(names, ", ")));
+      return;
+    }
+    if (!check_unit(*clause.number, UnitKind::none, name.text.c_str(), diagnostics_)) return;
+    const double value = clause.number->value;
+    const ompl_bridge::Setting bounds = ompl_bridge::setting_of(name.text);
+    if (!(value >= bounds.least && value <= bounds.most)) {
+      diagnostics_.error("G03", clause.number->span,
+                         fmt::format("{} must be from {:g} to {:g}, found {:.16g}", name.text,
+                                     bounds.least, bounds.most, value));
+      return;
+    }
+    spec_.settings.emplace_back(name.text, value);
+  }
+
   void check_clause(const syntax::GuideClause& clause) {
     // One without anything in it did not parse: that was said.
     if (!clause.number && clause.values.empty() && clause.words.empty() && !clause.condition) {
       return;
     }
-    const auto [place, is_new] = given_.emplace(clause.key.text, clause.key.span);
+    const std::string key = clause.setting
+                                ? fmt::format("{} \"{}\"", clause.key.text, clause.setting->text)
+                                : clause.key.text;
+    const auto [place, is_new] = given_.emplace(key, clause.key.span);
     if (!is_new) {
       Diagnostic twice;
       twice.code = "G02";
       twice.span = clause.key.span;
-      twice.message = fmt::format("{} is given twice", clause.key.text);
+      twice.message = fmt::format("{} is given twice", key);
       twice.notes.push_back({place->second, "first given here"});
       diagnostics_.add(std::move(twice));
       return;
     }
     if (clause.key.text == guides::kKeepClause) return;
+    if (clause.setting) {
+      if (clause.number) check_setting(clause);
+      return;
+    }
     if (clause.thinking) {
       check_thinking(clause);
       return;
@@ -185,6 +259,7 @@ class ClauseChecker {
       if (info.is_of(spec_.kind)) add(info.name);
     }
     if (guides::has_over(spec_.kind)) add(guides::kOverClause);
+    if (spec_.kind == guides::GuideKind::ompl) add(guides::kSetClause);
     diagnostics_.error("G02", clause.key.span,
                        of_another_kind
                            ? fmt::format("{} has no clause '{}'", guide_.kind.text, clause.key.text)

@@ -307,9 +307,11 @@ void PlainItems::item(syntax::MotionClause& value) {
 void PlainItems::item(syntax::GuideDeclaration& value) {
   name(value.name);
   mark(value.kind.span);
+  if (value.planner) text(*value.planner);
   for (syntax::GuideClause& clause : value.clauses) {
     mark(clause.span);
     mark(clause.key.span);
+    if (clause.setting) text(*clause.setting);
     each(clause.number);
     for (syntax::QualifiedName& word : clause.words) name(word);
     for (syntax::GuideClause::Value& each : clause.values) {

@@ -195,7 +195,7 @@ bool Machine::take(GuideAnswer answer, const GuideTests& tests, EventSink* event
       const std::vector<HitPair> others = tests.others();
       GuidePlan plan;
       plan.name = spec.name;
-      plan.kind = guides::name_of(spec.kind);
+      plan.kind = guides::full_name(spec);
       plan.seed = answer.planned->seed;
       plan.report = &*answer.planned;
       plan.cause = cause;
@@ -249,7 +249,7 @@ bool Machine::use(const GuideAnswer& answer, EventSink* events) {
     const guides::GuideSpec& spec = task_.guides[guide_index_];
     if (guide_cause_.empty()) {
       guide_cause_ =
-          fmt::format("guide {} ({}): {}", spec.name, guides::name_of(spec.kind), answer.reason);
+          fmt::format("guide {} ({}): {}", spec.name, guides::full_name(spec), answer.reason);
       guide_found_no_way_ = answer.planned && !answer.planned->found();
     }
     guide_.reset();

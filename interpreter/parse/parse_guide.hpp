@@ -32,6 +32,7 @@ RUBICON_ACTION(GuideAction, GuideState, guide_name) {
   st.guide_names = {st.guide.name};
 }
 RUBICON_ACTION(GuideAction, GuideState, guide_kind) { st.guide.kind = st.take_name(); }
+RUBICON_ACTION(GuideAction, GuideState, guide_planner) { st.guide.planner = st.string; }
 RUBICON_ACTION(GuideAction, GuideState, clause_key) {
   st.guide.clauses.emplace_back();
   st.clause().key = st.take_name();
@@ -56,6 +57,12 @@ RUBICON_ACTION(GuideAction, GuideState, thinks_unit) {
   const double seconds = unit == "us" ? 1e6 : unit == "ms" ? 1e3 : 1;
   st.clause().thinking = st.clause().number->value / seconds;
 }
+RUBICON_ACTION(GuideAction, GuideState, set_key) {
+  st.guide.clauses.emplace_back();
+  st.clause().key = {std::string(begin, st.last_end), st.span_from(begin)};
+}
+RUBICON_ACTION(GuideAction, GuideState, set_name) { st.clause().setting = st.string; }
+RUBICON_ACTION(GuideAction, GuideState, set_number) { st.clause().number = st.number; }
 RUBICON_ACTION(GuideAction, GuideState, clause_parameter) {
   st.clause_parameter = st.take_qualified_name();
 }

@@ -35,7 +35,7 @@ struct Attempt {
 /// A way that a guide has planned, or tried to.
 struct GuidePlan {
   std::string_view name;
-  const char* kind = "";
+  std::string kind = {};
   double seed = 0;
   const guides::PlanReport* report = nullptr;
   std::string_view cause;           ///< of no way

@@ -281,12 +281,14 @@ struct GuideClause {
   std::vector<QualifiedName> words;  ///< instead of the number: of a choice, or parameters
   ExpressionPtr condition;           ///< keep
   std::optional<double> thinking;    ///< thinks: s for each check
+  std::optional<String> setting;     ///< set: the name of what it sets to the number
   Span span;
 };
 /// guide NAME KIND { clauses }   of a robot or a plan
 struct GuideDeclaration {
   Name name;
   Name kind;
+  std::optional<String> planner;  ///< of the kind ompl
   std::vector<GuideClause> clauses;
   Span span;
 };

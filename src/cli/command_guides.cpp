@@ -6,10 +6,12 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "interpreter/syntax/name_suggestion.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/fail.hpp"
+#include "src/cli/input_file.hpp"
 #include "src/cli/load_runnable_plan.hpp"
 #include "src/cli/set_option.hpp"
 #include "src/exchange/files/atomic_file_io.hpp"
@@ -17,6 +19,7 @@
 #include "src/results/comparison/compare_travel.hpp"
 #include "src/results/comparison/cover_way.hpp"
 #include "src/results/comparison/guide_picture.hpp"
+#include "src/results/comparison/ompl_guide.hpp"
 #include "src/results/comparison/way_chart.hpp"
 
 namespace rubicon::cli {
@@ -51,6 +54,17 @@ int print_travel(const GuidesOptions& options, const interpreter::PlanModel& pla
   return kFine;
 }
 
+/// What stands between commas.
+std::vector<std::string> names_in(const std::string& list) {
+  std::vector<std::string> names;
+  std::string name;
+  for (const char c : list + ",") {
+    if (c == ',' && !name.empty()) names.push_back(std::exchange(name, {}));
+    if (c != ',' && c != ' ') name += c;
+  }
+  return names;
+}
+
 /// To a file, or to standard output.
 int write_picture(const GuidesOptions& options, const std::string& path, const std::string& svg) {
   if (path == "-") {
@@ -76,11 +90,7 @@ int draw_guide(const GuidesOptions& options, const interpreter::PlanModel& plan,
                const interpreter::SourceMap& sources, const std::string& task) {
   comparison::PictureQuery query;
   query.kind = options.kind;
-  std::string name;
-  for (const char c : options.axes + ",") {
-    if (c == ',' && !name.empty()) query.axes.push_back(std::exchange(name, {}));
-    if (c != ',' && c != ' ') name += c;
-  }
+  query.axes = names_in(options.axes);
   std::string svg;
   const bool chart = !options.chart.empty();
   try {
@@ -129,7 +139,11 @@ int run_guides(const GuidesOptions& options) {
   }
   comparison::GuideComparison result;
   try {
-    result = comparison::compare_guides(*plan, sources, task, options.seeds, seconds_now);
+    std::vector<guides::GuideSpec> added;
+    for (const std::string& name : names_in(options.ompl)) {
+      added.push_back(comparison::ompl_guide(name));
+    }
+    result = comparison::compare_guides(*plan, sources, task, options.seeds, seconds_now, added);
   } catch (const std::invalid_argument& error) {
     return fail(error.what());
   }

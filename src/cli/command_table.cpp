@@ -58,6 +58,7 @@ Action declare_guides(CLI::App& app) {
   CLI::Option* const chart =
       app.add_option("--chart", options->chart)->excludes(exact)->excludes(svg);
   app.add_option("--kind", options->kind);
+  app.add_option("--ompl", options->ompl)->excludes(exact)->excludes(svg)->excludes(chart);
   app.add_option("--axes", options->axes)->needs(svg)->excludes(chart);
   app.add_option("--format", options->format)->check(IsMember({"table", "json", "csv"}));
   declare_set(app, options->set);

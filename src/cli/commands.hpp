@@ -81,6 +81,7 @@ struct GuidesOptions {
   std::string svg;    ///< file for the picture of one guide, or of a way over an area; "": none
   std::string chart;  ///< file for the chart of its way; "": none
   std::string kind;   ///< of that guide; "": the first of the task
+  std::string ompl;   ///< planners of OMPL to compare with, commas between them
   std::string axes;   ///< of the picture: two parameters, a comma between them
   std::string format = "table";
   std::vector<std::string> set;

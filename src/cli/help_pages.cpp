@@ -148,13 +148,15 @@ examples:
 const std::string_view kGuides =
     R"(rubicon guides - compare all kinds of guides on the motions of one task
 
-usage: rubicon guides PLAN [TASK] [--seeds N | --exact [--dt S]] [--format table|csv|json] [--set NAME=VALUE]...
+usage: rubicon guides PLAN [TASK] [--seeds N] [--ompl NAME,...] [--format table|csv|json] [--set NAME=VALUE]...
+       rubicon guides PLAN [TASK] --exact [--dt S] [--format table|csv|json] [--set NAME=VALUE]...
        rubicon guides PLAN [TASK] --svg FILE [--kind KIND] [--axes P,Q] [--set NAME=VALUE]...
        rubicon guides PLAN [TASK] --chart FILE [--kind KIND] [--set NAME=VALUE]...
 
 Runs the plan up to the task. Where a motion of it begins, each kind of guide plans a way to its first goal, once for
 each seed from 1 to N, on the site as it stands then; nothing is moved by that. A guide that the task names stands for its
-kind, with its clauses. TASK may be left out where only one task moves; of a short plan it is the plan's name.
+kind, with its clauses. Planners of OMPL are there if the task names them, or --ompl does. TASK may be left out where only
+one task moves; of a short plan it is the plan's name.
 
 The table has, of all tries, how many found a way, and the medians of nodes, checks (legs and configurations tested) and
 milliseconds, these also as 95th percentile; of the ways found the medians of roughness, length and motion time
@@ -175,10 +177,11 @@ strip their comparison follows in the table.
                    beside the table. - is standard output, with nothing else on it
   --chart FILE     instead, draws the parameters of the robot over time on that way: as they are driven, and as each would
                    be by itself at its full speed
-  --kind KIND      of which kind of guide; the first that the task names if not given
+  --kind KIND      of which kind of guide, as rrt_connect or "ompl RRTConnect"; the first that the task names if not given
   --axes P,Q       of which two parameters; the first two that the guide searches if not given. The others stand in the
                    picture as they do when the motion begins
   --seeds N        tries of each kind, 10 if not given
+  --ompl NAME,...  these planners of OMPL too, by their names there: --ompl RRTConnect,BITstar
   --format FORMAT  table (the default), csv or json (each try by itself), on standard output
   --set NAME=VALUE another value for a parameter of the PLAN
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "src/exchange/files/plan_files_io.hpp"
+#include "src/motion/ompl_bridge/ompl_library_io.hpp"
 #include "src/results/report/diagnostic_printer.hpp"
 #include "src/simulation/site/beginning.hpp"
 #include "src/simulation/taskplan/preflight_errors.hpp"
@@ -30,6 +31,25 @@ void look_at_beginning(interpreter::PlanModel& plan, interpreter::Diagnostics& d
   for (auto& each : site::warnings_of(plan, beginning)) diagnostics.add(std::move(each));
 }
 
+void find_ompl(const std::vector<guides::GuideSpec>& guides, interpreter::Span span,
+               interpreter::Diagnostics& diagnostics) {
+  for (const guides::GuideSpec& guide : guides) {
+    if (guide.kind != guides::GuideKind::ompl || ompl_bridge::ompl_library() != nullptr) continue;
+    diagnostics.error("G09", span,
+                      fmt::format("guide '{}' is a planner of OMPL, and {}", guide.name,
+                                  ompl_bridge::ompl_fault()),
+                      ompl_bridge::kGetOmpl);
+  }
+}
+
+/// Planners of OMPL need it to be there.
+void find_ompl(const interpreter::PlanModel& plan, interpreter::Diagnostics& diagnostics) {
+  find_ompl(plan.guides, {}, diagnostics);
+  for (const interpreter::TaskSpec& task : plan.tasks) {
+    find_ompl(task.guides, task.span, diagnostics);
+  }
+}
+
 }  // namespace
 
 ReadPlan read_runnable_plan(const std::string& plan, interpreter::FileProvider& files,
@@ -43,6 +63,7 @@ ReadPlan read_runnable_plan(const std::string& plan, interpreter::FileProvider& 
       diagnostics.add(std::move(mistake));
     }
   }
+  if (result.plan) find_ompl(*result.plan, diagnostics);
   if (result.plan && !diagnostics.has_errors()) look_at_beginning(*result.plan, diagnostics);
   if (diagnostics.has_errors()) result.plan.reset();
   result.found = diagnostics.sorted();

@@ -8,9 +8,9 @@ namespace rubicon::guides {
 namespace {
 
 constexpr unsigned bit(GuideKind kind) { return 1u << static_cast<unsigned>(kind); }
-constexpr unsigned kPlanners = 0x3ff;
+constexpr unsigned kPlanners = 0x7ff;
 constexpr unsigned kVisibility = bit(GuideKind::visibility);
-constexpr unsigned kTravel = 0x3ffff & ~kPlanners & ~kVisibility;
+constexpr unsigned kTravel = 0x7ffff & ~kPlanners & ~kVisibility;
 constexpr unsigned kAll = kPlanners | kTravel | kVisibility;
 constexpr unsigned kAstar = bit(GuideKind::astar);
 constexpr unsigned kPrm = bit(GuideKind::prm);
@@ -18,9 +18,10 @@ constexpr unsigned kConnect = bit(GuideKind::rrt_connect);
 constexpr unsigned kDstar = bit(GuideKind::dstar_lite);
 constexpr unsigned kDrrt = bit(GuideKind::drrt);
 constexpr unsigned kPotential = bit(GuideKind::potential);
+constexpr unsigned kOmpl = bit(GuideKind::ompl);
 constexpr unsigned kSearched = kAstar | kDstar;
 constexpr unsigned kLattice = kSearched | kPotential;
-constexpr unsigned kThesis = kPlanners & ~kConnect & ~kLattice & ~kPrm & ~kDrrt;
+constexpr unsigned kThesis = kPlanners & ~kConnect & ~kLattice & ~kPrm & ~kDrrt & ~kOmpl;
 constexpr unsigned kSteered = (kThesis & ~bit(GuideKind::rrt_limcon)) | kConnect | kAstar;
 constexpr unsigned kPlus = bit(GuideKind::rrt_plus);
 constexpr unsigned kGathered = kPlus | bit(GuideKind::rrt_nonuniform);
@@ -45,6 +46,8 @@ constexpr std::array kKinds{
              "a tree from the goal, cut where it is no longer free and grown again"},
     KindInfo{GuideKind::potential, "potential",
              "down a field that draws to the goal and away from obstacles; stops in a minimum"},
+    KindInfo{GuideKind::ompl, "ompl",
+             "a planner of OMPL by its name, over the same tests: ompl \"RRTConnect\""},
     KindInfo{GuideKind::bug1, "bug1",
              "without a map: once round each obstacle, then on from its nearest point"},
     KindInfo{GuideKind::bug2, "bug2",
@@ -72,7 +75,8 @@ constexpr std::array kClauses{
     ClauseInfo{
         "step", &GuideSpec::step, false, 1e-3, 1e6, kPlanners & ~kPrm,
         "the longest leg of a tree, weighted (a degree counts 1, a metre 10); of "
-        "rrt_connect the shortest, of astar, dstar_lite and potential the pitch of the lattice"},
+        "rrt_connect the shortest, of astar, dstar_lite and potential the pitch of the lattice, of "
+        "ompl its range"},
     ClauseInfo{"goal_bias", &GuideSpec::goal_bias, false, 0, 1, kThesis | kDrrt,
                "the share of samples that are the goal itself; of drrt the start"},
     ClauseInfo{"uniform_nodes", &GuideSpec::uniform_nodes, true, 0, 1e6, kPlus,
@@ -84,7 +88,8 @@ constexpr std::array kClauses{
                "how closely samples gather about the goal"},
     ClauseInfo{"smooth", &GuideSpec::smooth, false, 0, 1000, kThesis,
                "the longest shortcut, in steps; 0: none"},
-    ClauseInfo{"improve", &GuideSpec::improve, true, 0, 1e6, kConnect | kSearched | kPrm | kDrrt,
+    ClauseInfo{"improve", &GuideSpec::improve, true, 0, 1e6,
+               kConnect | kSearched | kPrm | kDrrt | kOmpl,
                "tests of shortcuts after a way is found"},
     ClauseInfo{"safety", &GuideSpec::safety, false, 0, 1000, kAstar,
                "a leg to where all about is blocked costs so many times its length more"},
@@ -129,6 +134,11 @@ const char* name_of(GuideKind kind) {
   return kind == GuideKind::lanes ? "lanes" : kKinds[static_cast<std::size_t>(kind)].name;
 }
 
+std::string full_name(const GuideSpec& spec) {
+  const std::string kind = name_of(spec.kind);
+  return spec.planner.empty() ? kind : kind + ' ' + spec.planner;
+}
+
 std::optional<GuideKind> find_kind(std::string_view name) {
   for (const KindInfo& info : kKinds) {
     if (info.name == name) return info.kind;
@@ -167,6 +177,10 @@ GuideSpec default_guide(GuideKind kind) {
   if (kind == GuideKind::potential) spec.nodes = 20000;
   if (kind == GuideKind::dstar_lite) spec.nodes = 100000;
   if (kind == GuideKind::drrt) spec.nodes = 8000;
+  if (kind == GuideKind::ompl) {
+    spec.step = 0;  // as OMPL sets it
+    spec.checks = 20000;
+  }
   return spec;
 }
 

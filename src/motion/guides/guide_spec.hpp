@@ -22,6 +22,7 @@ enum class GuideKind : std::uint8_t {
   dstar_lite,
   drrt,
   potential,
+  ompl,  ///< a planner of OMPL, by its name
   // of vehicles, without a map
   bug1,
   bug2,
@@ -86,6 +87,8 @@ struct GuideSpec {
   std::vector<int> over;  ///< astar: the parameters that its lattice spans; none: all
   Neighbours neighbours = Neighbours::all;
   Heuristic heuristic = Heuristic::fitting;
+  std::string planner;                                   ///< ompl: the name of the planner
+  std::vector<std::pair<std::string, double>> settings;  ///< ompl: of the planner's parameters
   bool tells_tree = false;  ///< no clause: for pictures and full traces
 };
 
@@ -97,6 +100,8 @@ struct KindInfo {
 };
 std::span<const KindInfo> guide_kinds();
 const char* name_of(GuideKind kind);
+/// The name of the kind, and of which planner it is: "ompl RRTConnect".
+std::string full_name(const GuideSpec& spec);
 std::optional<GuideKind> find_kind(std::string_view name);
 
 /// A clause with one number.
@@ -142,6 +147,9 @@ inline constexpr const char* kWeightClause = "weight";
 
 /// The clause that says what holds on the whole way: `keep (abs(boom.phi + stick.phi) <= 90);`.
 inline constexpr const char* kKeepClause = "keep";
+
+/// The clause that sets a parameter of a planner of OMPL: `set "range" 20;`.
+inline constexpr const char* kSetClause = "set";
 
 /// The clause that says what planning takes of the site's time: `thinks 20 us per check;`.
 inline constexpr const char* kThinksClause = "thinks";

@@ -32,6 +32,9 @@ Search search(Space& space, const GuideTask& task, const Point& start, const Poi
     case GuideKind::drrt:
       found = search_tree(space, start, goal, memory.tree);
       break;
+    case GuideKind::ompl:
+      found = plan_by_ompl(space, start, goal);
+      break;
     default:
       return grow_to_goal(space, start, goal);
   }

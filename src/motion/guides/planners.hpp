@@ -59,6 +59,9 @@ Search repair_lattice(Space& space, const Point& start, const Point& goal,
 Search search_tree(Space& space, const Point& start, const Point& goal,
                    std::shared_ptr<const GoalTree>& memory);
 
+/// By a planner of OMPL (src/motion/ompl_bridge), whose way is then tested again, leg by leg.
+Search plan_by_ompl(Space& space, const Point& start, const Point& goal);
+
 /// The way of a vehicle in the plan view of what stands on the site: without a map (travel.hpp), or
 /// the shortest (`visibility`). The machine is the disc about its place that holds it. `nodes` of
 /// the result are the events of the way, or the nodes of the visibility graph.

@@ -63,6 +63,47 @@ AccelerationBound acceleration_bound(std::span<const FrameElement* const> elemen
   return bound;
 }
 
+void PosesOnStep::go_to(const RobotModel& model, std::span<const double> q0,
+                        std::span<const double> q1, double s) {
+  for (place_ = 0; place_ < used_; ++place_) {
+    if (s_[place_] == s) return;
+  }
+  if (used_ == 0) {
+    count_ = q0.size();
+    q_.resize(kPlaces * count_);
+    X_.resize(kPlaces * model.bodies.size());
+  }
+  place_ = next_;
+  next_ = (next_ + 1) % kPlaces;
+  used_ = std::max(used_, place_ + 1);
+  s_[place_] = s;
+  known_[place_] = 0;
+  configuration_at(q0, q1, s, {q_.data() + place_ * count_, count_});
+}
+
+const Pose& PosesOnStep::pose(const RobotModel& model, const Mounting& mounting,
+                              std::span<const double> q0, std::span<const double> q1, double s,
+                              int body) {
+  go_to(model, q0, q1, s);
+  Pose* const X = X_.data() + place_ * model.bodies.size();
+  std::uint64_t& known = known_[place_];
+  const FormulaInput input = {configuration(), {}, mounting.starts};
+  InlineBuffer<int> chain(model.bodies.size());
+  std::size_t length = 0;
+  for (int b = body; b >= 0 && (known >> b & 1U) == 0;
+       b = model.bodies[static_cast<std::size_t>(b)].parent) {
+    chain[length++] = b;
+  }
+  while (length > 0) {
+    const auto b = static_cast<std::size_t>(chain[--length]);
+    const int parent = model.bodies[b].parent;
+    X[b] = parent < 0 ? mounting.X_WM : X[static_cast<std::size_t>(parent)];
+    append(X[b], model.bodies[b].frame, input);
+    known |= std::uint64_t{1} << b;
+  }
+  return X[body];
+}
+
 ChainMotion::ChainMotion(std::shared_ptr<const StepPath> path, int body,
                          const std::optional<AccelerationBound>& known)
     : path_(std::move(path)), body_(body) {
@@ -80,6 +121,14 @@ Pose ChainMotion::pose(double s) const {
   if (s == 0 || s == 1) {
     const std::vector<Pose>& ends = s == 0 ? path.X0 : path.X1;
     return body_ < 0 ? ends.back() : ends[static_cast<std::size_t>(body_)];
+  }
+  if (path.model->bodies.size() <= PosesOnStep::kMostBodies) {
+    const int last = body_ < 0 ? path.model->tool_body : body_;
+    Pose X = path.between.pose(*path.model, path.mounting, path.q0, path.q1, s, last);
+    if (body_ < 0) {
+      append(X, path.model->tool_frame, {path.between.configuration(), {}, path.mounting.starts});
+    }
+    return X;
   }
   InlineBuffer<double> buffer(path.q0.size());
   const std::span<double> q = buffer.span();

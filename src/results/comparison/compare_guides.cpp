@@ -31,12 +31,18 @@ GuideTrial trial_of(const FirstReport& first) {
 }
 
 /// The guide that the task names of each kind, else that kind as it is by default; those of travel
-/// for machines that travel.
+/// for machines that travel. Planners of OMPL are those that the task names.
 std::vector<guides::GuideSpec> specs_for(const std::vector<guides::GuideSpec>& named,
                                          bool travels) {
   std::vector<guides::GuideSpec> specs;
   for (const guides::KindInfo& info : guides::guide_kinds()) {
     if (guides::is_travel(info.kind) && !travels) continue;
+    if (info.kind == guides::GuideKind::ompl) {
+      for (const guides::GuideSpec& spec : named) {
+        if (spec.kind == info.kind) specs.push_back(spec);
+      }
+      continue;
+    }
     const auto found = std::find_if(named.begin(), named.end(), [&](const guides::GuideSpec& spec) {
       return spec.kind == info.kind;
     });
@@ -47,13 +53,21 @@ std::vector<guides::GuideSpec> specs_for(const std::vector<guides::GuideSpec>& n
 
 class Comparer {
  public:
-  Comparer(int seeds, const std::function<double()>& clock) : seeds_(seeds), clock_(clock) {}
+  Comparer(int seeds, const std::function<double()>& clock,
+           const std::vector<guides::GuideSpec>& added)
+      : seeds_(seeds), clock_(clock), added_(added) {}
 
   std::vector<GuideTrials> compare(const interpreter::Program& program,
                                    interpreter::MotionTask motion,
                                    const interpreter::World& world) {
     std::vector<GuideTrials> all;
-    const std::vector<guides::GuideSpec> named = std::move(motion.guides);
+    std::vector<guides::GuideSpec> named = std::move(motion.guides);
+    for (const guides::GuideSpec& spec : added_) {
+      const bool there = std::any_of(named.begin(), named.end(), [&](const auto& each) {
+        return guides::full_name(each) == guides::full_name(spec);
+      });
+      if (!there) named.push_back(spec);
+    }
     const guides::Vehicle vehicle(program.robot->model, motion.mounting);
     for (const guides::GuideSpec& spec : specs_for(named, vehicle.travels())) {
       GuideTrials trials{spec, {}};
@@ -92,6 +106,7 @@ class Comparer {
 
   int seeds_;
   const std::function<double()>& clock_;
+  const std::vector<guides::GuideSpec>& added_;
 };
 
 const char* motion_name(taskplan::MotionPurpose purpose) {
@@ -125,9 +140,10 @@ std::vector<std::string> moving_tasks(const interpreter::PlanModel& plan) {
 
 GuideComparison compare_guides(const interpreter::PlanModel& plan,
                                const interpreter::SourceMap& sources, const std::string& task,
-                               int seeds, const std::function<double()>& clock) {
+                               int seeds, const std::function<double()>& clock,
+                               const std::vector<guides::GuideSpec>& added) {
   GuideComparison comparison{plan.name, task, {}};
-  Comparer comparer(seeds, clock);
+  Comparer comparer(seeds, clock, added);
   // A plan that is begun again tells of its motions again: the last time counts.
   std::map<std::string, std::vector<GuideTrials>> motions;
   taskplan::RunOptions options;

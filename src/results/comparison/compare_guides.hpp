@@ -39,10 +39,12 @@ struct GuideComparison {
 
 /// Plans a way for the first goal of each motion of the task (of a short plan: its name), by every
 /// kind of guide with the seeds from 1 on. A guide that the task names stands for its kind, with
-/// its clauses. `clock` gives seconds. A motion that never begins is not there.
+/// its clauses; of OMPL its own, and those that are `added`. `clock` gives seconds. A motion that
+/// never begins is not there.
 GuideComparison compare_guides(const interpreter::PlanModel& plan,
                                const interpreter::SourceMap& sources, const std::string& task,
-                               int seeds, const std::function<double()>& clock);
+                               int seeds, const std::function<double()>& clock,
+                               const std::vector<guides::GuideSpec>& added = {});
 
 /// The names of the tasks that move, those that `compare_guides` takes.
 std::vector<std::string> moving_tasks(const interpreter::PlanModel& plan);

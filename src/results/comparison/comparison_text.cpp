@@ -63,18 +63,24 @@ std::string comparison_text(const GuideComparison& comparison) {
     if (!text.empty()) text += '\n';
     text += fmt::format("{}: the {} motion of {}; medians, ms also as 95th percentile\n",
                         comparison.plan, motion.motion, comparison.task);
-    text += fmt::format("{:<16}{:>9}{:>8}{:>9}{:>10}{:>10}{:>11}{:>10}{:>8}\n", "guide", "solved",
-                        "nodes", "checks", "ms", "ms p95", "roughness", "length m", "time s");
+    // Names of planners may be longer than those of kinds.
+    std::size_t width = 16;
+    for (const GuideTrials& trials : motion.guides) {
+      width = std::max(width, guides::full_name(trials.spec).size() + 1);
+    }
+    text +=
+        fmt::format("{:<{}}{:>9}{:>8}{:>9}{:>10}{:>10}{:>11}{:>10}{:>8}\n", "guide", width,
+                    "solved", "nodes", "checks", "ms", "ms p95", "roughness", "length m", "time s");
     std::string causes;
     for (const GuideTrials& trials : motion.guides) {
-      const char* const kind = guides::name_of(trials.spec.kind);
+      const std::string kind = guides::full_name(trials.spec);
       if (trials.trials.empty()) {
-        text += fmt::format("{:<16}{:>9}\n", kind, "at goal");
+        text += fmt::format("{:<{}}{:>9}\n", kind, width, "at goal");
         continue;
       }
       const Row row = row_of(trials);
       const int found = solved(trials);
-      text += fmt::format("{:<16}{:>9}{:>8g}{:>9g}{:>10.3f}{:>10.3f}", kind,
+      text += fmt::format("{:<{}}{:>9}{:>8g}{:>9g}{:>10.3f}{:>10.3f}", kind, width,
                           fmt::format("{}/{}", found, trials.trials.size()), row.nodes, row.checks,
                           row.ms, row.ms_p95);
       text += found > 0 ? fmt::format("{:>11.2f}{:>10.2f}{:>8.2f}\n", row.roughness, row.length,
@@ -95,7 +101,7 @@ std::string comparison_csv(const GuideComparison& comparison) {
     for (const GuideTrials& trials : motion.guides) {
       for (const GuideTrial& trial : trials.trials) {
         text += fmt::format("{},{},{:g},{},{:g},{:g},{:g},{:.4f},{},{},{}\n", motion.motion,
-                            guides::name_of(trials.spec.kind), trial.seed, trial.found ? 1 : 0,
+                            guides::full_name(trials.spec), trial.seed, trial.found ? 1 : 0,
                             trial.nodes, trial.checks, trial.refused, trial.milliseconds,
                             trial.roughness, trial.length, trial.motion_time);
       }
@@ -117,7 +123,7 @@ std::string comparison_json(const GuideComparison& comparison) {
     const char* guide_separator = "";
     for (const GuideTrials& trials : motion.guides) {
       text += fmt::format("{}{{\"kind\":\"{}\",\"trials\":[", guide_separator,
-                          guides::name_of(trials.spec.kind));
+                          guides::full_name(trials.spec));
       guide_separator = ",";
       const char* separator = "";
       for (const GuideTrial& trial : trials.trials) {

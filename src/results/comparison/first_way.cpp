@@ -3,22 +3,32 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include "interpreter/syntax/name_suggestion.hpp"
 #include "src/results/comparison/first_report.hpp"
 #include "src/results/comparison/looked_at.hpp"
+#include "src/results/comparison/ompl_guide.hpp"
 #include "src/simulation/taskplan/run_plan.hpp"
 
 namespace rubicon::comparison {
 
 namespace {
 
+constexpr std::string_view kOmplPrefix = "ompl ";
+
 /// The guide of the task of that kind, or one as it is by default.
 guides::GuideSpec chosen_guide(const std::vector<guides::GuideSpec>& named,
                                const std::string& kind) {
   if (kind.empty()) {
     return named.empty() ? guides::default_guide(guides::GuideKind::rrt_connect) : named.front();
+  }
+  if (kind.starts_with(kOmplPrefix)) {
+    for (const guides::GuideSpec& spec : named) {
+      if (guides::full_name(spec) == kind) return spec;
+    }
+    return ompl_guide(kind.substr(kOmplPrefix.size()));
   }
   const auto found = guides::find_kind(kind);
   if (!found) {
@@ -30,6 +40,10 @@ guides::GuideSpec chosen_guide(const std::vector<guides::GuideSpec>& named,
   }
   for (const guides::GuideSpec& spec : named) {
     if (spec.kind == *found) return spec;
+  }
+  if (*found == guides::GuideKind::ompl) {
+    throw std::invalid_argument(
+        "which planner of OMPL? The task names none; for example --kind \"ompl RRTConnect\"");
   }
   return guides::default_guide(*found);
 }

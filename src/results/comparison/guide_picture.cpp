@@ -398,7 +398,7 @@ class Picture {
 
   std::string title() const {
     return fmt::format(
-        "{}: {}", guides::name_of(spec_.kind),
+        "{}: {}", guides::full_name(spec_),
         report_.found()
             ? fmt::format("a way of {} waypoint{}, {:.1f} s", report_.way.size() - 1,
                           report_.way.size() == 2 ? "" : "s", report_.metrics.motion_time)

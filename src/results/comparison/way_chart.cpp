@@ -75,7 +75,7 @@ class WayChart {
         "<text x=\"16\" y=\"20\" font-weight=\"bold\">{}</text>\n<text x=\"16\" y=\"36\" "
         "fill=\"{}\">thick: as driven, all arrive together; thin: each by itself at its full "
         "speed</text>\n",
-        gantt::xml_text(fmt::format("{}: {} waypoints, {:.1f} s", guides::name_of(way_.spec.kind),
+        gantt::xml_text(fmt::format("{}: {} waypoints, {:.1f} s", guides::full_name(way_.spec),
                                     way_.report.way.size() - 1, time_)),
         colours.muted);
     double top = kChartTop + kStripGap / 2;
