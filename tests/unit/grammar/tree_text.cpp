@@ -411,8 +411,36 @@ class Writer {
         number(*clause.duration);
       }
       if (clause.by) name(*clause.by);
+      if (clause.frame) frame(*clause.frame);
+      for (const syntax::Frame& place : clause.places) frame(place);
       close();
     }
+    close();
+  }
+  void item(const syntax::HaulItem& value) {
+    open("haul");
+    for (const syntax::QualifiedName& dig : value.digs) name(dig);
+    for (const syntax::HaulItem::Clause& clause : value.clauses) {
+      open("clause");
+      name(clause.key);
+      if (clause.number) number(*clause.number);
+      for (const syntax::Frame& place : clause.places) frame(place);
+      if (clause.law) {
+        law(clause.law);
+      } else if (clause.duration) {
+        number(*clause.duration);
+      }
+      if (clause.earth) name(*clause.earth);
+      if (clause.frame) frame(*clause.frame);
+      if (clause.values) values(*clause.values);
+      close();
+    }
+    close();
+  }
+  void item(const syntax::WorkspacesItem& value) {
+    open("workspaces");
+    names(value.of);
+    for (const syntax::NumberItem& each : value.numbers) item(each);
     close();
   }
   void item(const syntax::WorkItem& value) {
