@@ -311,10 +311,10 @@ struct HaulSpec {
 /// The dynamic workspace of a machine is what it would sweep until it stands if it had to stop now,
 /// in the plan view. No two of those of these machines overlap.
 struct WorkspacesSpec {
-  std::vector<int> robots;                ///< those named first go first
-  double reaction = 1;                    ///< s until it brakes
-  double braking = 2;                     ///< m/s2
-  double turn_braking = 30;               ///< deg/s2
+  std::vector<int> robots;   ///< those named first go first
+  double reaction = 1;       ///< s until it brakes
+  double braking = 2;        ///< m/s2
+  double turn_braking = 30;  ///< deg/s2
   Span span = {};
 };
 
