@@ -206,7 +206,8 @@ class WorkspaceCheck {
       double length2 = 0;
       for (std::size_t i = 0; i < end.size(); ++i) {
         const SceneParameter& p = machine.parameters[i];
-        if (!p.rotation && !p.derived) length2 += std::pow(leg.q1[i] - leg.q0[i], 2);
+        const double off = leg.q1[i] - leg.q0[i];
+        if (!p.rotation && !p.derived) length2 += off * off;
       }
       const double speed = std::sqrt(length2) / seconds;
       const std::optional<std::vector<double>> goal = goal_of(robot, leg);

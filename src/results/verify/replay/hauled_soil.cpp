@@ -259,14 +259,15 @@ class HaulReplay {
 
   void check_slopes(const SceneHeap& heap, const std::vector<std::int64_t>& heights,
                     const Tipping& tipped) {
-    const double slope = std::tan(heap.repose_deg * 3.14159265358979323846 / 180);
+    const double slope = math::sin_deg(heap.repose_deg) / math::cos_deg(heap.repose_deg);
     const int rows = static_cast<int>(heights.size()) / heap.columns;
     for (const int cell : tipped.taken->cells) {
       const int column = cell % heap.columns;
       const int row = cell / heap.columns;
       for (int r = std::max(row - 1, 0); r <= std::min(row + 1, rows - 1); ++r) {
         for (int c = std::max(column - 1, 0); c <= std::min(column + 1, heap.columns - 1); ++c) {
-          const double apart = std::hypot(c - column, r - row) * static_cast<double>(heap.cell);
+          const double apart = std::sqrt((c - column) * (c - column) + (r - row) * (r - row)) *
+                               static_cast<double>(heap.cell);
           const double down =
               static_cast<double>(heights[at(cell)] - heights[at(r * heap.columns + c)]);
           if (down <= slope * apart + kSlopeSlack) continue;
