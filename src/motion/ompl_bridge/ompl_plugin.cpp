@@ -48,6 +48,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 namespace rubicon::ompl_bridge {
 
@@ -141,10 +142,11 @@ class PlainProjection : public ob::ProjectionEvaluator {
 /// The configurations, each coordinate times its weight, so that distances are Euclidean.
 class WeightedSpace : public ob::RealVectorStateSpace {
  public:
-  WeightedSpace(Question& question, Budget& budget)
+  /// OMPL keeps spaces, and frees states of them when the program ends: so they share the budget.
+  WeightedSpace(Question& question, std::shared_ptr<Budget> budget)
       : ob::RealVectorStateSpace(static_cast<unsigned>(question.size())),
         question_(question),
-        budget_(budget) {
+        budget_(std::move(budget)) {
     ob::RealVectorBounds bounds(dimension_);
     for (unsigned i = 0; i < dimension_; ++i) {
       bounds.setLow(i, question.lower(i) * question.weight(i));
@@ -177,7 +179,7 @@ class WeightedSpace : public ob::RealVectorStateSpace {
     for (unsigned i = 0; i < dimension_; ++i) value(state, i) = point[i] * question_.weight(i);
   }
   void fit(ob::State* state) const {
-    budget_.draws();
+    budget_->draws();
     enforceBounds(state);
     if (!question_.keeps()) return;
     Point moved = point(state);
@@ -186,7 +188,7 @@ class WeightedSpace : public ob::RealVectorStateSpace {
   }
 
   double distance(const ob::State* a, const ob::State* b) const override {
-    budget_.asks();
+    budget_->asks();
     double sum = 0;
     for (unsigned i = 0; i < dimension_; ++i) {
       const double off = offset(a, b, i);
@@ -224,12 +226,12 @@ class WeightedSpace : public ob::RealVectorStateSpace {
   }
   ob::StateSamplerPtr allocDefaultStateSampler() const override;
   ob::State* allocState() const override {
-    budget_.keeps(1);
-    budget_.asks();
+    budget_->keeps(1);
+    budget_->asks();
     return ob::RealVectorStateSpace::allocState();
   }
   void freeState(ob::State* state) const override {
-    budget_.keeps(-1);
+    budget_->keeps(-1);
     ob::RealVectorStateSpace::freeState(state);
   }
 
@@ -248,7 +250,7 @@ class WeightedSpace : public ob::RealVectorStateSpace {
   }
 
   Question& question_;
-  Budget& budget_;
+  std::shared_ptr<Budget> budget_;
   bool any_cyclic_ = false;
 };
 
@@ -416,8 +418,9 @@ class Planning {
  public:
   Planning(Question& question, const Asked& asked)
       : asked_(asked),
-        budget_(question, asked.nodes),
-        space_(std::make_shared<WeightedSpace>(question, budget_)),
+        shared_budget_(std::make_shared<Budget>(question, asked.nodes)),
+        budget_(*shared_budget_),
+        space_(std::make_shared<WeightedSpace>(question, shared_budget_)),
         si_(std::make_shared<ob::SpaceInformation>(space_)),
         problem_(std::make_shared<ob::ProblemDefinition>(si_)) {
     si_->setStateValidityChecker(std::make_shared<Standing>(si_, *space_, question, budget_));
@@ -505,7 +508,8 @@ class Planning {
   }
 
   const Asked& asked_;
-  Budget budget_;
+  std::shared_ptr<Budget> shared_budget_;
+  Budget& budget_;
   std::shared_ptr<WeightedSpace> space_;
   ob::SpaceInformationPtr si_;
   ob::ProblemDefinitionPtr problem_;
