@@ -19,6 +19,7 @@
 
 #include "bench/chain.hpp"
 #include "bench/chain_scenes.hpp"
+#include "bench/site_tests.hpp"
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/machine/machine.hpp"
 #include "src/motion/guides/guide.hpp"
@@ -32,6 +33,7 @@ namespace {
 using namespace rubicon;
 using bench::Chain;
 using bench::ChainProblem;
+using bench::SiteTests;
 using Way = std::vector<std::vector<double>>;
 
 /// m: what the engine lets bodies touch by, so that the machine is taken smaller by that.
@@ -57,30 +59,6 @@ class DiskFiles : public test::MemoryFiles {
     if (!file) return test::MemoryFiles::read_text(path);
     return std::string(std::istreambuf_iterator<char>(file), {});
   }
-};
-
-/// What guides ask, answered by the site as the machine answers it.
-class SiteTests : public guides::MotionTests {
- public:
-  SiteTests(const robot::RobotModel& model, const interpreter::World& world)
-      : model_(model), world_(world) {}
-
-  bool stands(std::span<const double> q) override { return in_range(q) && !world_.blocked_at(q); }
-  bool sweeps_free(std::span<const double> q_from, std::span<const double> q_to) override {
-    return in_range(q_to) && !world_.refusal({q_from, q_to, 0, 0});
-  }
-
- private:
-  bool in_range(std::span<const double> q) const {
-    for (std::size_t i = 0; i < q.size(); ++i) {
-      const robot::Parameter& p = model_.parameters[i];
-      if (!p.cyclic && (q[i] < p.lower || q[i] > p.upper)) return false;
-    }
-    return true;
-  }
-
-  const robot::RobotModel& model_;
-  const interpreter::World& world_;
 };
 
 /// A plan with one robot and one goal, ready to plan for.
