@@ -18,6 +18,12 @@ class SiteTests : public guides::MotionTests {
     return in_range(q_to) && !world_.refusal({q_from, q_to, 0, 0});
   }
 
+  guides::LegShares look_along(std::span<const double> q_from, std::span<const double> q_to,
+                               bool whole, double least) override {
+    const interpreter::LegLook look = world_.look_along(q_from, q_to, whole, least);
+    return {look.free_until, look.met_from};
+  }
+
  private:
   bool in_range(std::span<const double> q) const {
     for (std::size_t i = 0; i < q.size(); ++i) {

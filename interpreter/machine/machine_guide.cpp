@@ -61,6 +61,15 @@ class Machine::GuideTests : public guides::MotionTests {
     return true;
   }
 
+  guides::LegShares look_along(std::span<const double> q_from, std::span<const double> q_to,
+                               bool whole, double least) override {
+    if (machine_.task_.fence && machine_.way_point_ != 0) return {};
+    const LegLook look = world_.look_along(q_from, q_to, whole, least);
+    const bool refused = look.met_from <= 1 && look.free_until < std::min(least, 1.0);
+    if (refused && look.pair) note(*look.pair);
+    return {look.free_until, look.met_from};
+  }
+
   std::vector<guides::Thing> things() const override { return world_.things(); }
 
   guides::LaneAnswer next_node(const guides::LaneQuestion& question) override {

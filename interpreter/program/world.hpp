@@ -43,6 +43,14 @@ struct HitPair {
   bool may_leave() const { return machine >= 0 || zone_task >= 0 || moving >= 0; }
 };
 
+/// What a look along a leg found: shares of it, between which nothing is known.
+struct LegLook {
+  double free_until = 0;  ///< proved free up to here
+  /// All longer parts of the leg would be refused; infinite: nothing is known to be met.
+  double met_from = std::numeric_limits<double>::infinity();
+  std::optional<HitPair> pair = {};  ///< that is met there, where it was seen
+};
+
 /// What the machine knows of the site: it accepts or refuses steps and says who is in the way.
 /// Owned by the interpreter, implemented by the site; the machine never sees geometry.
 class World {
@@ -57,6 +65,16 @@ class World {
   /// changes.
   virtual std::optional<HitPair> refusal(const MotionStep& step) const = 0;
   bool would_accept(const MotionStep& step) const { return !refusal(step); }
+
+  /// How far a straight leg of the robot is free, for guides: sooner answered than by `refusal`,
+  /// which says the same. `whole`: only whether the whole leg is. Else the longest of its parts
+  /// 1, 1/2, 1/4 ... that is free is wanted, and none shorter than `least` of it.
+  virtual LegLook look_along(std::span<const double>, std::span<const double>, bool whole,
+                             double least) const {
+    static_cast<void>(whole);
+    static_cast<void>(least);
+    return {};
+  }
 
   /// How far (m) the robot, standing at q, could be pushed along the horizontal heading (degrees,
   /// world) before a step would be refused; at most `range`.

@@ -105,6 +105,10 @@ class ClearanceBudget {
   std::unique_ptr<Impl> impl_;
 };
 
+struct LegQuery;
+struct LegAnswer;
+class LegMotion;
+
 /// The standing bodies of a site, and the one question of the product: is this step free over its
 /// whole swept volume? Never optimistic (see docs/collision.md for the bounds). Const queries may
 /// run on several threads at once.
@@ -132,6 +136,10 @@ class CollisionWorld {
   /// differ by no more, or, for motions about which little is known, by as little as can be shown.
   /// Throws std::invalid_argument unless both are finite, range >= 0 and resolution > 0.
   Clearance clearance(const SweptQuery& query, double range, double resolution = 1e-3) const;
+
+  /// How far bodies may go along a leg (leg_query.hpp): sooner answered than by tests of ever
+  /// shorter parts of it. What it calls free or met, `test` does too; it may leave things open.
+  LegAnswer look_along(const LegQuery& query, const LegMotion& motion) const;
 
   /// Poses only: does `body` at X penetrate anything deeper than the tolerance, or stand wholly
   /// inside it (or it inside)?

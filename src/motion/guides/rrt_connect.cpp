@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "src/motion/guides/planners.hpp"
@@ -12,88 +14,146 @@ namespace {
 /// A shortcut must save this share of the time that it replaces: rounding is no progress.
 constexpr double kWorthwhile = 1e-9;
 
+/// Dynamic domains (Yershova, Jaillet, Simeon, LaValle, ICRA 2005; Jaillet and others, IROS 2005):
+/// that of a node which could not be left is this share of the diagonal of the space, and grows or
+/// shrinks by that share each time it is tried again.
+constexpr double kDomainShare = 0.1;
+constexpr double kDomainChange = 0.05;
+/// A sample that lies in no domain is taken after so many draws.
+constexpr int kMostDraws = 100;
+
 class Connector {
  public:
   Connector(Space& space, const Point& start, const Point& goal)
       : space_(space),
         random_(static_cast<std::uint64_t>(space.spec().seed)),
-        from_start_(space, start),
-        from_goal_(space, goal) {}
+        from_start_{Tree(space, start)},
+        from_goal_{Tree(space, goal)} {
+    double square = 0;
+    for (std::size_t i = 0; i < space.size(); ++i) {
+      const double range = (space.upper(i) - space.lower(i)) * space.weight(i);
+      square += range * range;
+    }
+    first_domain_ = std::sqrt(square) * kDomainShare;
+  }
 
   Search run() {
     Search search;
     search.way = find();
-    search.nodes = from_start_.size() + from_goal_.size();
+    search.nodes = from_start_.tree.size() + from_goal_.tree.size();
     search.out_of_nodes = full();
     if (space_.spec().tells_tree) {
-      from_start_.tell(search.tree);
-      from_goal_.tell(search.tree);
+      from_start_.tree.tell(search.tree);
+      from_goal_.tree.tell(search.tree);
     }
     return search;
   }
 
  private:
   bool full() const {
-    return static_cast<double>(from_start_.size() + from_goal_.size()) >= space_.spec().nodes;
+    return static_cast<double>(from_start_.tree.size() + from_goal_.tree.size()) >=
+           space_.spec().nodes;
   }
 
   std::vector<Point> find() {
-    if (space_.leg_is_free(from_start_.point(0), from_goal_.point(0))) {
-      return {from_start_.point(0), from_goal_.point(0)};
+    if (space_.leg_is_free(from_start_.tree.point(0), from_goal_.tree.point(0))) {
+      return {from_start_.tree.point(0), from_goal_.tree.point(0)};
     }
     for (bool forward = true; !full() && !space_.spent(); forward = !forward) {
-      Tree& grown = forward ? from_start_ : from_goal_;
-      Tree& other = forward ? from_goal_ : from_start_;
-      const Point sample = space_.sample(random_);
-      const int node = extend(grown, grown.nearest(sample), sample, forward);
+      Side& grown = forward ? from_start_ : from_goal_;
+      Side& other = forward ? from_goal_ : from_start_;
+      const auto [sample, nearest] = draw(grown);
+      const int node = extend(grown.tree, nearest, sample, forward).node;
+      note(grown, nearest, node >= 0);
       if (node < 0) continue;
-      const Point reached = grown.point(node);
-      const int met = connect(other, reached, !forward);
+      const Point reached = grown.tree.point(node);
+      const int met = connect(other.tree, reached, !forward);
       if (met >= 0) return forward ? joined(node, met) : joined(met, node);
     }
     return {};
   }
 
-  /// Legs of the tree from the goal are driven towards it.
-  bool is_free(const Point& from, const Point& to, bool forward) {
-    return forward ? space_.leg_is_free(from, to) : space_.leg_is_free(to, from);
+  /// A tree, and of each node within which distance it is drawn for.
+  struct Side {
+    Tree tree;
+    std::vector<double> domains = {};
+  };
+
+  /// A sample and the node nearest to it, in whose domain it lies.
+  std::pair<Point, int> draw(Side& side) {
+    side.domains.resize(side.tree.size(), std::numeric_limits<double>::infinity());
+    for (int n = 1;; ++n) {
+      Point sample = space_.sample(random_);
+      const int nearest = side.tree.nearest(sample);
+      const double domain = side.domains[static_cast<std::size_t>(nearest)];
+      if (n == kMostDraws || std::isinf(domain) ||
+          space_.distance(side.tree.point(nearest), sample) <= domain) {
+        return {std::move(sample), nearest};
+      }
+    }
   }
 
-  /// The longest leg of those that are 1, 1/2, 1/4 ... of the way to the target and free; -1: none.
-  int extend(Tree& tree, int from, const Point& target, bool forward) {
+  /// A node that could not be left has obstacles near it: samples far behind them are no use.
+  void note(Side& side, int node, bool left) {
+    double& domain = side.domains[static_cast<std::size_t>(node)];
+    if (left) {
+      domain *= 1 + kDomainChange;
+    } else if (std::isinf(domain)) {
+      domain = first_domain_;
+    } else {
+      domain = std::max(domain * (1 - kDomainChange), space_.spec().step);
+    }
+  }
+
+  struct Extended {
+    int node = -1;       ///< -1: none
+    bool stuck = false;  ///< what lies behind it is not free
+  };
+
+  /// Goes from a node towards the target as far as that is free. Where that cannot be seen at once,
+  /// by the longest leg of those that are 1, 1/2, 1/4 ... of the way. Legs of the tree from the
+  /// goal are driven towards it.
+  Extended extend(Tree& tree, int from, const Point& target, bool forward) {
     const Point start = tree.point(from);
     double length = space_.distance(start, target);
-    while (length > 0 && !space_.spent()) {
+    if (!(length > 0)) return {};
+    if (const auto share = space_.free_share(start, target, space_.spec().step / length)) {
+      if (*share <= 0) return {};
+      return {tree.add(space_.towards(start, target, *share * length), from), *share < 1};
+    }
+    while (!space_.spent()) {
       Point next = space_.towards(start, target, length);
-      if (is_free(start, next, forward)) return tree.add(std::move(next), from);
-      if (length <= space_.spec().step) return -1;
+      const bool free = forward ? space_.leg_is_free(start, next) : space_.leg_is_free(next, start);
+      if (free) return {tree.add(std::move(next), from)};
+      if (length <= space_.spec().step) break;
       length = std::max(length / 2, space_.spec().step);
     }
-    return -1;
+    return {};
   }
 
   /// Goes on from the nearest node until it is at the target or stuck; the node there, or -1.
   int connect(Tree& tree, const Point& target, bool forward) {
-    int node = tree.nearest(target);
-    while (!full()) {
-      node = extend(tree, node, target, forward);
-      if (node < 0) return -1;
-      if (space_.distance(tree.point(node), target) == 0) return node;
+    Extended reached{tree.nearest(target), false};
+    while (!full() && !reached.stuck) {
+      reached = extend(tree, reached.node, target, forward);
+      if (reached.node < 0) return -1;
+      if (space_.distance(tree.point(reached.node), target) == 0) return reached.node;
     }
     return -1;
   }
 
   std::vector<Point> joined(int of_start, int of_goal) const {
-    std::vector<Point> way = from_start_.way_to(of_start);
-    std::vector<Point> rest = from_goal_.way_to(of_goal);
+    std::vector<Point> way = from_start_.tree.way_to(of_start);
+    std::vector<Point> rest = from_goal_.tree.way_to(of_goal);
     way.insert(way.end(), rest.rbegin() + 1, rest.rend());
     return way;
   }
 
   Space& space_;
   Random random_;
-  Tree from_start_;
-  Tree from_goal_;
+  Side from_start_;
+  Side from_goal_;
+  double first_domain_ = 0;
 };
 
 /// Makes a way shorter by legs between random places of it that are free and take less time.

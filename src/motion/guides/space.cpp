@@ -201,6 +201,15 @@ bool Space::leg_is_free(std::span<const double> a, std::span<const double> b) {
     if (!free) ++refused_;
     return free;
   }
+  if (const auto end = end_of_straight(q, target)) {
+    const LegShares looked = tests_.look_along(q, *end, true, 1);
+    if (looked.free_until >= 1 || looked.met_from <= 1) {
+      ++checks_;
+      if (looked.free_until >= 1) return true;
+      ++refused_;
+      return false;
+    }
+  }
   for (const std::vector<double>& corner : leg_.corners(q, target)) {
     ++checks_;
     if (!sweeps_free(q, corner)) {
@@ -213,14 +222,45 @@ bool Space::leg_is_free(std::span<const double> a, std::span<const double> b) {
   return true;
 }
 
+/// Where a leg ends, if it is one straight piece between values in their ranges that the guide
+/// keeps: what can be looked along.
+std::optional<std::vector<double>> Space::end_of_straight(std::span<const double> q,
+                                                          std::span<const double> target) const {
+  if (leg_.drive() >= 0 || !keeps(q) || !keeps(target)) return std::nullopt;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const robot::Parameter& p = model_.parameters[i];
+    if (!p.cyclic && (target[i] < p.lower || target[i] > p.upper)) return std::nullopt;
+  }
+  std::vector<std::vector<double>> corners = leg_.corners(q, target);
+  if (corners.size() != 1) return std::nullopt;
+  return std::move(corners.front());
+}
+
+std::optional<double> Space::free_share(std::span<const double> a, std::span<const double> b,
+                                        double least) {
+  if (by_steps_) return std::nullopt;
+  const std::vector<double> q = configuration(a);
+  const auto end = end_of_straight(q, configuration(b));
+  if (!end) return std::nullopt;
+  const LegShares looked = tests_.look_along(q, *end, false, least);
+  const bool free = looked.free_until >= std::min(least, 1.0);
+  if (!free && looked.met_from > 1) return std::nullopt;
+  ++checks_;
+  if (!free) ++refused_;
+  return free ? looked.free_until : 0;
+}
+
 /// Goes from q to the target as `follow` does; q is then where that leads.
 bool Space::follow_is_free(std::vector<double>& q, std::span<const double> target) {
+  // What is proved free of the whole leg needs no proof for its steps.
+  const auto end = by_steps_ ? std::nullopt : end_of_straight(q, target);
+  const bool proved = end && tests_.look_along(q, *end, true, 1).free_until >= 1;
   std::vector<double> steps(q.size());
   std::vector<double> next(q.size());
   for (int n = 0; n < kMostSteps && leg_.next_step(q, target, steps); ++n) {
     robot::apply_rules(model_, mounting_, q, steps, next);
     ++checks_;
-    if (!sweeps_free(q, next)) return false;
+    if (!proved && !sweeps_free(q, next)) return false;
     q = next;
     robot::normalise(model_, q);
   }

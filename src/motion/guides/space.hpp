@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -53,6 +54,13 @@ struct Nearness {
 /// Pairs of names, as of `Nearness`, that are not looked at.
 using PairsLeftOut = std::vector<std::pair<std::string, std::string>>;
 
+/// What a look along a leg found, in shares of it.
+struct LegShares {
+  double free_until = 0;  ///< proved free up to here
+  /// All longer parts of the leg are refused; infinite: nothing is known to be met.
+  double met_from = std::numeric_limits<double>::infinity();
+};
+
 /// What a guide asks of the site; configurations have all parameters of the robot.
 class MotionTests {
  public:
@@ -61,6 +69,16 @@ class MotionTests {
   virtual bool stands(std::span<const double> q) = 0;
   /// Whether all that it sweeps is free while q runs straight from one value to the other.
   virtual bool sweeps_free(std::span<const double> q_from, std::span<const double> q_to) = 0;
+  /// How far it is free while q runs straight from one value to the other: sooner answered than by
+  /// tests of ever shorter parts, and as `sweeps_free` would answer. `whole`: only whether all of
+  /// it is free; else the longest of its parts 1, 1/2, 1/4 ... that is, if it is no shorter than
+  /// `least` of it.
+  virtual LegShares look_along(std::span<const double>, std::span<const double>, bool whole,
+                               double least) {
+    static_cast<void>(whole);
+    static_cast<void>(least);
+    return {};
+  }
   /// All that is on the site but the robot, as it stands now: for ways in the plan view.
   virtual std::vector<Thing> things() const { return {}; }
   /// What comes nearest within `range` (m) to anything that the robot can move, if it stands at q.
@@ -118,6 +136,10 @@ class Space {
   bool keeps(std::span<const double> q) const;
   bool stands(std::span<const double> point);
   bool leg_is_free(std::span<const double> a, std::span<const double> b);
+  /// How far the leg from a to b is free, as a share of it, where that can be seen at once; none:
+  /// ask for each part of it. Parts shorter than the share `least` count as none. One check.
+  std::optional<double> free_share(std::span<const double> a, std::span<const double> b,
+                                   double least);
   /// Tests a way again by the very steps that `follow` makes.
   bool steps_are_free(std::span<const double> q, const std::vector<Point>& way);
   /// A way of a vehicle that steers, with the ends of the chords that its arcs are driven in; of
@@ -137,6 +159,8 @@ class Space {
  private:
   void make_kept(Point& point) const;
   bool sweeps_free(std::span<const double> q_from, std::span<const double> q_to);
+  std::optional<std::vector<double>> end_of_straight(std::span<const double> q,
+                                                     std::span<const double> target) const;
   bool follow_is_free(std::vector<double>& q, std::span<const double> target);
 
   const robot::RobotModel& model_;

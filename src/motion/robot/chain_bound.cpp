@@ -126,7 +126,9 @@ void ChainBound::append_translation(const LinearValue& x, const LinearValue& y,
   // The length of a vector that runs linearly is greatest at an end.
   const auto add = [&](const Vec3& part, double rates) {
     const double length = std::max(start.cwiseProduct(part).norm(), end.cwiseProduct(part).norm());
-    origin_ += rates * (rates * length + 2 * rate.cwiseProduct(part).norm());
+    const double grows = rate.cwiseProduct(part).norm();
+    origin_ += rates * (rates * length + 2 * grows);
+    origin_speed_ += rates * length + grows;
   };
   add(along, earlier_rates_);
   add(across, earlier_rates_ + last_rate());
@@ -136,6 +138,12 @@ std::optional<AccelerationBound> ChainBound::bound() const {
   if (!linear_) return std::nullopt;
   const double rates = earlier_rates_ + last_rate();
   return AccelerationBound{origin_ * kBoundRounding, rates * rates * kBoundRounding};
+}
+
+std::optional<SpeedBound> ChainBound::speed() const {
+  if (!linear_) return std::nullopt;
+  const double rates = earlier_rates_ + last_rate();
+  return SpeedBound{origin_speed_ * kBoundRounding, rates * kBoundRounding};
 }
 
 }  // namespace rubicon::robot

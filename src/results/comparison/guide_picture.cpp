@@ -45,6 +45,11 @@ class SiteTests : public guides::MotionTests {
   bool sweeps_free(std::span<const double> q_from, std::span<const double> q_to) override {
     return in_range(q_to) && !world_.refusal({q_from, q_to, 0, 0});
   }
+  guides::LegShares look_along(std::span<const double> q_from, std::span<const double> q_to,
+                               bool whole, double least) override {
+    const interpreter::LegLook look = world_.look_along(q_from, q_to, whole, least);
+    return {look.free_until, look.met_from};
+  }
   std::vector<guides::Thing> things() const override { return world_.things(); }
   guides::Nearness nearest(std::span<const double> q, double range,
                            const guides::PairsLeftOut& left_out) override {

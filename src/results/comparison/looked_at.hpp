@@ -28,6 +28,10 @@ class LookedAt : public interpreter::World {
   std::optional<interpreter::HitPair> blocked_at(std::span<const double> q) const override {
     return world_.blocked_at(q);
   }
+  interpreter::LegLook look_along(std::span<const double> q_from, std::span<const double> q_to,
+                                  bool whole, double least) const override {
+    return world_.look_along(q_from, q_to, whole, least);
+  }
   std::uint64_t version() const override { return world_.version(); }
   bool situation(const std::string& name, std::span<const double> q,
                  std::span<const double> q_goal) const override {

@@ -26,6 +26,8 @@ class RobotView : public interpreter::World {
   double free_distance(std::span<const double> q, double heading_deg, double range) const override;
   bool is_met_moving(std::span<const double> q, double heading_deg, double range) const override;
   std::optional<interpreter::HitPair> blocked_at(std::span<const double> q) const override;
+  interpreter::LegLook look_along(std::span<const double> q_from, std::span<const double> q_to,
+                                  bool whole, double least) const override;
   std::uint64_t version() const override { return site_.version(index_); }
   /// `transport`, while a component is attached; `safety`, while what hangs on the tool, or else
   /// the tool, would be over people on the straight way to the goal (1995 paper, 3.2 and 4.2).
@@ -49,6 +51,9 @@ class RobotView : public interpreter::World {
   std::optional<interpreter::HitPair> turn_hit(double angle_deg, Ticks until) const;
 
  private:
+  class BodiesOnLeg;
+
+  bool can_look_along() const;
   bool is_ever_moved(int part) const;
   const SiteRobot& robot() const { return site_.robot(index_); }
   std::optional<interpreter::HitPair> swept_hit(const interpreter::MotionStep& step) const;

@@ -171,6 +171,7 @@ class SiteWorld {
   /// Pits, and robots that drive on the ground: these do not drive over what is dug. The tool frame
   /// of such a robot is on the ground.
   void add_pit(Pit pit) { pits_.push_back(std::move(pit)); }
+  bool has_pits() const { return !pits_.empty(); }
   void set_drives(int robot);
   /// The task whose pit the robot would be over in the step; nothing where there is ground.
   std::optional<std::string> pit_met(int robot, const interpreter::MotionStep& step) const;

@@ -286,6 +286,40 @@ TEST(ChordDeviation, IsNotMuchLooserForLinearChainsThanByIntervals) {
   EXPECT_LT(ratios[ratios.size() / 2], 3);
 }
 
+TEST(SpeedBound, BoundsEveryPointOfLinearChainsByDenseSampling) {
+  std::mt19937_64 random(23);
+  std::uniform_real_distribution<double> unit(0, 1);
+  double closest = 0;
+  for (int i = 0; i < 500; ++i) {
+    const RandomChain chain = random_chain(random, Elements::linear);
+    const Mounting mounting = mounting_of(chain.model, Pose::Identity());
+    ChainBound chain_bound;
+    for (const FrameElement* each : elements_to_tool(chain.model)) {
+      chain_bound.append(*each, chain.q0, chain.q1, mounting.starts);
+    }
+    const auto speed = chain_bound.speed();
+    ASSERT_TRUE(speed.has_value());
+    const double reach = 4 * unit(random);
+    const Vec3 point =
+        reach * Vec3(unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.5).normalized();
+    const double bound = speed->origin + speed->turning * reach;
+    constexpr int kPieces = 50;
+    Vec3 before = Vec3::Zero();
+    for (int k = 0; k <= kPieces; ++k) {
+      const double s = k / static_cast<double>(kPieces);
+      const Vec3 x =
+          tool_pose(chain.model, mounting, configuration_at(chain.q0, chain.q1, s)) * point;
+      if (k > 0) {
+        const double way = (x - before).norm();
+        EXPECT_LE(way, bound / kPieces + 1e-12);
+        if (bound > 0) closest = std::max(closest, way * kPieces / bound);
+      }
+      before = x;
+    }
+  }
+  EXPECT_GT(closest, 0.5) << "the bound is uselessly loose";
+}
+
 TEST(ChordDeviation, ShrinksWithTheSquareOfTheIntervalAndIsTightForACircle) {
   const RobotModel model = crane();
   const Mounting mounting = mounting_of(model);

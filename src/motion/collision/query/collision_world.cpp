@@ -17,6 +17,7 @@
 #include "src/motion/collision/pair/fast_path.hpp"
 #include "src/motion/collision/pair/standing_body.hpp"
 #include "src/motion/collision/query/clearance_budget.hpp"
+#include "src/motion/collision/query/leg_scan.hpp"
 #include "src/motion/collision/swept_query.hpp"
 #include "src/motion/collision/tree/wide_tree.hpp"
 #include "src/motion/math/angles.hpp"
@@ -326,6 +327,21 @@ SweptResult CollisionWorld::test(const SweptQuery& query) const {
 
 SweptResult CollisionWorld::test(const SweptQuery& query, ClearanceBudget& budget) const {
   return impl_->test(query, budget.impl_.get());
+}
+
+LegAnswer CollisionWorld::look_along(const LegQuery& query, const LegMotion& motion) const {
+  require_tolerance(query.contact_tolerance);
+  const LegScan::Collect collect = [&](const Bounds& bounds, std::vector<ScannedObstacle>& found) {
+    ItemList places;
+    impl_->tree.collect(bounds, places);
+    std::sort(places.begin(), places.end(),
+              [&](int a, int b) { return impl_->obstacles[a].id < impl_->obstacles[b].id; });
+    for (const int place : places) {
+      const Obstacle& each = impl_->obstacles[place];
+      found.push_back({each.id, each.body.get(), &each.place.X_WC});
+    }
+  };
+  return LegScan(query, motion, collect).run();
 }
 
 Contact CollisionWorld::contact(const SweptQuery& query, const SweptHit& hit) const {
