@@ -54,6 +54,8 @@ class RobotView : public interpreter::World {
   class BodiesOnLeg;
 
   bool can_look_along() const;
+  bool others_leave_free(std::span<const double> q_from, std::span<const double> q_to,
+                         double share) const;
   bool is_ever_moved(int part) const;
   const SiteRobot& robot() const { return site_.robot(index_); }
   std::optional<interpreter::HitPair> swept_hit(const interpreter::MotionStep& step) const;
