@@ -26,6 +26,7 @@ struct MotionStep {
   Ticks start = 0;
   Ticks duration = 0;
   std::span<const double> q_goal = {};  ///< where the machine will stand next; empty: not told
+  std::span<const double> q_aim = {};   ///< where it goes now: the goal, or a guide's waypoint
 };
 
 /// Who is in the way: what moved (robot.body, or the load by its component's name) and what it met.
@@ -41,6 +42,15 @@ struct HitPair {
 
   /// Whether what was met may go out of the way.
   bool may_leave() const { return machine >= 0 || zone_task >= 0 || moving >= 0; }
+};
+
+/// What another machine that goes first is foreseen to sweep (docs/earthwork.md, looking ahead).
+struct ForeseenWay {
+  std::string machine;
+  double seconds = 0;         ///< so far ahead
+  std::vector<double> q_aim;  ///< where it goes now
+  /// In the plan view (m): convex, counter-clockwise, x and y in turn.
+  std::vector<std::vector<double>> outlines;
 };
 
 /// What the machine knows of the site: it accepts or refuses steps and says who is in the way.
@@ -72,6 +82,14 @@ class World {
 
   /// Changes whenever anything but this robot's own steps changed what would be accepted.
   virtual std::uint64_t version() const = 0;
+
+  /// What others are foreseen to sweep of which the straight way would meet any.
+  virtual std::vector<ForeseenWay> foreseen(std::span<const double>, std::span<const double>) {
+    return {};
+  }
+  /// From now on `refusal` of steps without a duration and `blocked_at` keep out of what was
+  /// foreseen last; or no more.
+  virtual void keep_out_of_foreseen(bool) {}
 
   /// All that is on the site but the robot, as it stands now, for guides that go by the plan view.
   virtual std::vector<guides::Thing> things() const { return {}; }
