@@ -169,7 +169,8 @@ Step DigActivity::go_on(ActiveTask& task, Stage& stage, Step step) {
   return step;
 }
 
-/// The truck under the bucket is in its way: it stands there until it is loaded.
+/// The truck under the bucket is in its way: it stands there until it is loaded. Nothing that
+/// another task does would help.
 void DigActivity::reject_for_truck(ActiveTask& task, Stage& stage) {
   const interpreter::MotionDigSpec& dig = spec_of(task, stage);
   if (!dig.loads_bodies() || stage.rejection) return;
@@ -178,13 +179,12 @@ void DigActivity::reject_for_truck(ActiveTask& task, Stage& stage) {
   const int truck = stage.spec(standing).robot;
   const std::vector<int> met = inner_->robots_in_the_way(stage);
   if (std::find(met.begin(), met.end(), truck) == met.end()) return;
-  stage.reject(
-      task.task,
-      fmt::format("bucket {}: {} cannot empty it over {}, which is in its way where it "
-                  "stands to be loaded",
-                  task.account.outcome.motion_dig->buckets.size() + 1,
-                  stage.robot_spec(stage.spec(task.task).robot).name, stage.robot_spec(truck).name),
-      {standing});
+  stage.reject(task.task,
+               fmt::format("bucket {}: {} cannot empty it over {}, which is in its way where it "
+                           "stands to be loaded",
+                           task.account.outcome.motion_dig->buckets.size() + 1,
+                           stage.robot_spec(stage.spec(task.task).robot).name,
+                           stage.robot_spec(truck).name));
 }
 
 Step DigActivity::next(ActiveTask& task, Stage& stage) {

@@ -2,7 +2,7 @@ import { Vector3 } from 'three';
 import type { Film, ForeseenData } from '../film';
 import type { Light } from './batch';
 import { Strokes } from './strokes';
-import type { Colour } from './theme';
+import type { Theme } from './theme';
 
 /** Above the ground (m). */
 const above = 0.08;
@@ -15,21 +15,20 @@ export class ForeseenWays {
   private shown = '';
 
   constructor(private readonly film: Film, light: Light) {
-    this.strokes = new Strokes(light, 1.8);
+    this.strokes = new Strokes(light, 2.6);
   }
 
   /** What was looked at last by each of the runs under way, for as long as it reached ahead. */
-  show(running: number[], on: boolean, time: number, colourOf: (robot: number) => Colour, dark: boolean): void {
-    const { foreseen, header } = this.film;
+  show(running: number[], on: boolean, time: number, theme: Theme): void {
+    const { foreseen } = this.film;
     const last = on ? Math.max(-1, ...foreseen.filter(({ run, t }) => running.includes(run) && t <= time).map(({ t }) => t)) : -1;
     const now = foreseen.flatMap((each, i) => (each.t === last && running.includes(each.run) && time < each.t + each.seconds ? [i] : []));
-    const key = `${now.join(' ')} ${dark}`;
+    const key = `${now.join(' ')} ${theme.dark}`;
     if (key === this.shown) return;
     this.shown = key;
     this.strokes.clear();
     for (const i of now) {
-      const colour = colourOf(header.robots.findIndex(({ name }) => name === foreseen[i].machine));
-      for (const [a, b] of borderOf(foreseen[i])) this.strokes.add(new Vector3(...a, above), new Vector3(...b, above), colour);
+      for (const [a, b] of borderOf(foreseen[i])) this.strokes.add(new Vector3(...a, above), new Vector3(...b, above), theme.met);
     }
     this.strokes.flush();
   }

@@ -268,7 +268,7 @@ export class SiteView {
       this.floors.show(this.steps, this.theme);
       const ways = machines && this.shows.paths ? running : [];
       this.graphs.show(running, machines && this.shows.search, player.time, this.theme);
-      this.foreseen.show(running, machines && this.shows.zones, player.time, (robot) => looks.machineColour(robot), this.theme.dark);
+      this.foreseen.show(running, machines && this.shows.zones, player.time, this.theme);
       this.walks.show(ways, tried, player.time, this.theme);
       // Where a guide walked, the way of the vehicle stands for that of its tool.
       this.paths.show(ways.filter((run) => !this.walks.has(run)), tried, player.time, (robot) => looks.machineColour(robot),
