@@ -282,7 +282,8 @@ RUBICON_EXPECT(dig_place_at, "at and a place");
 RUBICON_EXPECT(dig_place_frame, "a place, such as trans(2, 6, 0) * rotz(90)");
 RUBICON_EXPECT(workspaces_machine, "the name of a robot or a fleet after of");
 RUBICON_EXPECT(workspaces_number_value, "a number");
-RUBICON_EXPECT(workspaces_part, "workspaces", Explain::item, "of reaction braking turn_braking");
+RUBICON_EXPECT(workspaces_part, "workspaces", Explain::item,
+               "of reaction braking turn_braking look_ahead risk watch");
 RUBICON_EXPECT(haul_number_value, "a number");
 RUBICON_EXPECT(haul_place_at, "at and a place");
 RUBICON_EXPECT(haul_place_frame, "a place, such as trans(2, 6, 0) * rotz(90)");

@@ -309,11 +309,14 @@ struct workspaces_of : if_must<workspaces_of_key, workspaces_machine,
                                star<if_must<comma, workspaces_machine>>, plan_semicolon> {};
 struct workspaces_number_key
     : token<sor<word<TAO_PEGTL_STRING("reaction")>, word<TAO_PEGTL_STRING("braking")>,
-                word<TAO_PEGTL_STRING("turn_braking")>>> {};
+                word<TAO_PEGTL_STRING("turn_braking")>, word<TAO_PEGTL_STRING("look_ahead")>,
+                word<TAO_PEGTL_STRING("risk")>>> {};
 struct workspaces_number_value : quantity {};
 struct workspaces_number : if_must<workspaces_number_key, workspaces_number_value, plan_semicolon> {
 };
-struct workspaces_part : sor<workspaces_of, workspaces_number> {};
+struct workspaces_watch_key : token<word<TAO_PEGTL_STRING("watch")>> {};
+struct workspaces_watch : if_must<workspaces_watch_key, plan_semicolon> {};
+struct workspaces_part : sor<workspaces_of, workspaces_number, workspaces_watch> {};
 struct whole_workspaces_part : must<workspaces_part> {};
 struct workspaces_parts
     : nested<star<not_at<block_end>, recover<whole_workspaces_part, item_end>>> {};

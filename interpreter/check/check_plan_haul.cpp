@@ -7,9 +7,11 @@
 
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
+#include "src/motion/geometry/extent.hpp"
 #include "src/motion/guides/leg.hpp"
 #include "src/motion/guides/vehicle.hpp"
 #include "src/motion/math/index.hpp"
+#include "src/motion/robot/kinematics.hpp"
 
 namespace rubicon::interpreter::plan_check {
 
@@ -22,6 +24,8 @@ constexpr double kMostBed = 1e6;           // m3
 constexpr double kLeastHaulPayload = 0.1;  // kg
 constexpr double kMostHaulPayload = 1e7;   // kg
 constexpr std::size_t kMostHaulPlaces = 1000;
+/// m: a bucket is wider than the point where it is emptied.
+constexpr double kMostBesideTruck = 1;
 
 /// One task in which a robot hauls.
 class HaulCheck {
@@ -171,6 +175,29 @@ class HaulCheck {
   std::map<std::string, Span> given_;
 };
 
+/// m, in the plan view: how far the place where buckets are emptied is from the box round a truck
+/// that stands to be loaded.
+double off_truck(const RobotSpec& truck, const MotionDigSpec& dig) {
+  const robot::RobotModel& model = truck.robot->model;
+  const robot::Mounting mounting = {truck.X_WM, truck.start};
+  std::vector<math::Pose> X_WB;
+  robot::body_poses(model, mounting, truck.start, X_WB);
+  const math::Pose X_TW = robot::tool_pose(model, mounting, truck.start).inverse(Eigen::Isometry);
+  Eigen::AlignedBox2d box;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    for (const geometry::Shape& shape : model.bodies[i].shapes) {
+      const Eigen::AlignedBox3d own = geometry::extent_of(shape);
+      for (int corner = 0; corner < 8; ++corner) {
+        const math::Vec3 p = own.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
+        box.extend((X_TW * X_WB[i] * p).head<2>());
+      }
+    }
+  }
+  if (box.isEmpty()) return 0;
+  const math::Vec3 p_TD = dig.X_WL->inverse(Eigen::Isometry) * dig.p_WD;
+  return box.exteriorDistance(Eigen::Vector2d(p_TD.head<2>()));
+}
+
 /// What a truck takes of what a task digs.
 void finish_haul(Subject& subject, TaskSpec& task) {
   HaulSpec& haul = *task.haul;
@@ -209,6 +236,14 @@ void finish_haul(Subject& subject, TaskSpec& task) {
       return;
     }
     haul.loads.push_back(whole);
+    const double beside = off_truck(subject.model.robots[at(task.robot)], dig);
+    if (beside > kMostBesideTruck) {
+      wrong(fmt::format("'{}' empties its bucket {:.1f} m beside the truck of '{}', where that "
+                        "stands to be loaded",
+                        other.name, beside, task.name),
+            "dump at a place over it, or load at another");
+      return;
+    }
   }
 }
 
@@ -295,9 +330,21 @@ void check_workspaces(Subject& subject) {
         spec.reaction = value(UnitKind::time, 0, 60).value_or(1);
       } else if (key == "braking") {
         spec.braking = value(UnitKind::acceleration, 0.01, 100).value_or(1);
-      } else {
+      } else if (key == "turn_braking") {
         spec.turn_braking = value(UnitKind::turn_acceleration, 0.1, 10000).value_or(1);
+      } else if (key == "look_ahead") {
+        spec.look_ahead = value(UnitKind::time, 0.1, 60);
+      } else {
+        spec.risk = value(UnitKind::none, 0.01, 1).value_or(1);
       }
+    }
+    if (given.contains("risk") && !given.contains("look_ahead")) {
+      subject.error("P63", given.at("risk"), "risk is of what is foreseen, and nothing is",
+                    "look_ahead 2.3 s;");
+    }
+    for (const Span& each_watch : item->watch) {
+      if (spec.watch) subject.twice(each_watch, "watch is given twice", item->watch.front());
+      spec.watch = true;
     }
     if (spec.robots.size() < 2) {
       subject.error("P63", item->keyword,

@@ -311,11 +311,19 @@ struct HaulSpec {
 /// The dynamic workspace of a machine is what it would sweep until it stands if it had to stop now,
 /// in the plan view. No two of those of these machines overlap.
 struct WorkspacesSpec {
-  std::vector<int> robots;   ///< those named first go first
-  double reaction = 1;       ///< s until it brakes
-  double braking = 2;        ///< m/s2
-  double turn_braking = 30;  ///< deg/s2
+  std::vector<int> robots;                ///< those named first go first
+  double reaction = 1;                    ///< s until it brakes
+  double braking = 2;                     ///< m/s2
+  double turn_braking = 30;               ///< deg/s2
+  std::optional<double> look_ahead = {};  ///< s, by which the risk has fallen to kRiskAhead
+  double risk = 0.8;                      ///< from which on what is foreseen counts
+  bool watch = false;                     ///< where they overlap it is only told
   Span span = {};
+
+  /// The risk that a machine is where it is foreseen falls evenly from 1 now.
+  static constexpr double kRiskAhead = 0.8;
+  /// s: so far ahead what is foreseen counts; 0: nothing is foreseen.
+  double foreseen() const { return look_ahead.value_or(0) * (1 - risk) / (1 - kRiskAhead); }
 };
 
 struct TaskSpec {

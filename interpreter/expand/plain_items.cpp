@@ -135,6 +135,7 @@ void PlainItems::item(syntax::WorkspacesItem& value) {
   mark(value.keyword);
   each(value.of);
   each_number(value.numbers);
+  for (syntax::Span& span : value.watch) mark(span);
 }
 
 void PlainItems::law(std::optional<syntax::DurationLaw>& value) {

@@ -17,6 +17,9 @@ namespace {
 /// Below it (m or degrees) a distance is rounding: a message says 0 instead.
 constexpr double kRounding = 1e-6;
 
+/// Plans round what is foreseen, on the way to one waypoint: after these only workspaces stop it.
+constexpr int kMostLooks = 12;
+
 double readable(double distance) { return distance < kRounding ? 0 : distance; }
 
 /// Where only a turn is missing that no parameter of the robot makes: which.
@@ -109,6 +112,8 @@ bool Machine::go_on(World& world, EventSink* events) {
       if (thought_) return true;
       if (!way_point_begun_ && !begin_way_point(world, events)) return false;
       if (thought_) return true;
+      look_ahead(world, events);
+      if (thought_) return true;
       if (run_to_attempt(world, events)) return true;
       if (end_) return false;
       if (guide_ && next_way_point(world, events)) {
@@ -194,6 +199,8 @@ bool Machine::begin_way_point(World& world, EventSink* events) {
   world_version_ = world.version();
   way_point_begun_ = true;
   aside_ = 0;
+  looks_left_ = kMostLooks;
+  no_round_.clear();
   if (task_.goals[way_point_].work == GoalSpec::Work::working) {
     strip_from_ = robot::tool_pose(*model_, task_.mounting, q_).translation();
   }

@@ -29,6 +29,8 @@ struct MotionTask {
   /// Of a task that covers an area and is led by guides: where they may not lead its tool from
   /// strip to strip. Shared: the machine is copied.
   std::shared_ptr<const FloorFence> fence = {};
+  /// Its guides plan again where their way meets what others are foreseen to sweep.
+  bool looks_ahead = false;
   Within within;  ///< when the goal counts as reached
   MotionClauses clauses;
   double budget = 20000;   ///< attempts
@@ -120,6 +122,9 @@ class Machine {
   int tries() const { return tries_; }
   /// Time of it that its guides took to think.
   Ticks thinking() const { return thinking_; }
+  /// How often its way met what others are foreseen to sweep, and guides found one round that.
+  int foreseen() const { return foreseen_; }
+  int rounds() const { return rounds_; }
   /// Waypoints behind it.
   std::size_t way_point() const { return way_point_; }
 
@@ -181,6 +186,8 @@ class Machine {
   // machine_guide.cpp: waypoints of guides
   const guides::Leg& leg();
   bool begin_guides(std::size_t first, World& world, EventSink* events);
+  bool try_guides(std::size_t first, World& world, EventSink* events);
+  void look_ahead(World& world, EventSink* events);
   void add_goals(const guides::GuideSpec& spec, guides::MotionTests& tests,
                  std::vector<std::vector<double>>& goals) const;
   bool take(guides::GuideAnswer answer, const GuideTests& tests, EventSink* events);
@@ -294,7 +301,10 @@ class Machine {
   int accepted_at_way_point_ = 0;
   /// What its guide has said when it has done thinking; it stands meanwhile.
   std::optional<guides::GuideAnswer> thought_;
-  std::string guide_cause_;  ///< why the first guide gave up
+  Ticks looked_ahead_ = -1;                    ///< when it looked last
+  int looks_left_ = 0;                         ///< that lead to a plan, for this waypoint
+  std::vector<std::vector<double>> no_round_;  ///< where others went when no way round was found
+  std::string guide_cause_;                    ///< why the first guide gave up
   bool guide_found_no_way_ = false;
   std::shared_ptr<const guides::Leg> leg_;       // shared: it does not change
   std::shared_ptr<const guides::Leg> arc_leg_;   // of a vehicle that steers
@@ -306,6 +316,8 @@ class Machine {
   int tries_ = 0;
   int accepted_ = 0;
   Ticks thinking_ = 0;
+  int foreseen_ = 0;
+  int rounds_ = 0;
   RefusalCounts rejected_;
   std::optional<HitPair> last_hit_;
   StateTable seen_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "interpreter/machine/floor_fence.hpp"
@@ -153,6 +154,12 @@ guides::GuideTask Machine::guide_task(const World& world) const {
 
 /// Asks the guides for a first waypoint, from guide `first` on. False: the motion has ended.
 bool Machine::begin_guides(std::size_t first, World& world, EventSink* events) {
+  if (try_guides(first, world, events)) return true;
+  give_up();
+  return false;
+}
+
+bool Machine::try_guides(std::size_t first, World& world, EventSink* events) {
   for (guide_index_ = first; guide_index_ < task_.guides.size(); ++guide_index_) {
     const guides::GuideSpec& spec = task_.guides[guide_index_];
     GuideTests tests(*this, world);
@@ -162,8 +169,41 @@ bool Machine::begin_guides(std::size_t first, World& world, EventSink* events) {
     idle_way_points_ = 0;
     if (take(guide_->begin(q_, tests), tests, events)) return true;
   }
-  give_up();
   return false;
+}
+
+/// Where the way to the next waypoint meets what others are foreseen to sweep the guides plan one
+/// round that, from here. Where they find none all goes on as it was, and who comes too near stops.
+void Machine::look_ahead(World& world, EventSink* events) {
+  if (!task_.looks_ahead || task_.guides.empty() || looked_ahead_ == time_) return;
+  looked_ahead_ = time_;
+  if (looks_left_ == 0 || task_.goals[way_point_].work == GoalSpec::Work::working) return;
+  const std::vector<ForeseenWay> ways = world.foreseen(q_, target_.q);
+  std::vector<std::vector<double>> goals;
+  for (const ForeseenWay& way : ways) goals.push_back(way.q_aim);
+  if (ways.empty() || goals == no_round_) return;
+  --looks_left_;
+  ++foreseen_;
+  if (events) {
+    for (const ForeseenWay& way : ways) events->foreseen(way, time_);
+  }
+  const guides::GuideValue guide = guide_;
+  const WayPoint target = target_;
+  const auto before = std::tuple(leads_to_goal_, guide_point_, guide_index_, guide_cause_,
+                                 guide_found_no_way_, goal_.q);
+  world.keep_out_of_foreseen(true);
+  const bool found = try_guides(0, world, events);
+  world.keep_out_of_foreseen(false);
+  if (found) {
+    ++rounds_;
+    no_round_.clear();
+    return;
+  }
+  no_round_ = std::move(goals);
+  guide_ = guide;
+  target_ = target;
+  std::tie(leads_to_goal_, guide_point_, guide_index_, guide_cause_, guide_found_no_way_, goal_.q) =
+      before;
 }
 
 /// Other configurations that bring the tool to the goal frame: from random ones, the first in which

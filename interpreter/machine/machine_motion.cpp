@@ -48,7 +48,7 @@ bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
 
   std::optional<HitPair> hit;
   if (refusal == Refusal::none) {
-    hit = world.propose({q_, q_next_, time_, duration, goal_.q});
+    hit = world.propose({q_, q_next_, time_, duration, goal_.q, target_.q});
     if (hit) refusal = Refusal::hit;
   }
   switch (refusal) {

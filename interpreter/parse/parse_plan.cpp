@@ -489,6 +489,9 @@ RUBICON_ACTION(PlanAction, PlanState, workspaces_number_key) { st.key = st.word(
 RUBICON_ACTION(PlanAction, PlanState, workspaces_number) {
   st.workspaces.numbers.push_back({st.key, st.take_quantity(), st.span_from(begin)});
 }
+RUBICON_ACTION(PlanAction, PlanState, workspaces_watch_key) {
+  st.workspaces.watch.push_back(st.span_from(begin));
+}
 RUBICON_ACTION(PlanAction, PlanState, workspaces_item) { st.add(std::move(st.workspaces), begin); }
 RUBICON_ACTION(PlanAction, PlanState, pool_key) {
   st.pool = {};

@@ -54,6 +54,8 @@ class EventSink {
  public:
   virtual ~EventSink() = default;
   virtual void goal(int k, int n) = 0;  ///< waypoint k of n begins
+  /// The way to the next waypoint meets what another machine is foreseen to sweep.
+  virtual void foreseen(const ForeseenWay&, Ticks) {}
   /// A guide planned a way for the goal that has begun, or found none.
   virtual void guide(const GuidePlan& plan) = 0;
   /// What it planned took time.

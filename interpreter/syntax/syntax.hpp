@@ -621,6 +621,7 @@ struct PoolItem {
 struct WorkspacesItem {
   std::vector<Name> of;
   std::vector<NumberItem> numbers;
+  std::vector<Span> watch = {};
   Span keyword = {};
   Span span = {};
 };

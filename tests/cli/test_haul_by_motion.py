@@ -192,6 +192,15 @@ class HaulByMotion(ResultCase):
         _, tasks = self.run_plan(cross % people)
         self.assertGreater(tasks["go_a"]["waited"]["machine"], 0)
 
+    def test_what_no_truck_can_do(self):
+        # the bucket would have to go into the cart; a wall before the tip; deeper than the tool reaches
+        _, tasks = self.run_plan(plan().replace("dump at trans(0, 4, 1.5)", "dump at trans(0, 4, 0.3)"), 1)
+        self.assertIn("bucket 1: digger cannot empty it over cart_1, which is in its way", tasks["dig"]["reason"])
+        _, tasks = self.run_plan(plan(more="component wall { shape box(12, -30, 0, 12.2, 40, 3); } support off;"), 1)
+        self.assertIn("load 1, on its way to tip: blocked by wall", tasks["haul_1"]["reason"])
+        _, tasks = self.run_plan(plan().replace("-0.8, 5", "-60, 5").replace("layer 0.4", "layer 5"), 1)
+        self.assertIn("bucket 1: digger cannot reach (4.90, -0.50, -5.00) to dig there", tasks["dig"]["reason"])
+
     def test_mistakes(self):
         for text, expected in (
                 (plan(tip=""), "does not say where the truck tips"),
@@ -199,6 +208,10 @@ class HaulByMotion(ResultCase):
                 (plan(bed="bed 0.4 m3;"), "less than a bucket"),
                 (plan(bed="payload 3 t;", digs="dig").replace("density 1.8 t per m3;", ""), "needs the density"),
                 (plan(digs="dug"), "did you mean dig?"),
+                (plan().replace("load at trans(0, 4, 0)", "load at trans(0, 9, 0)"), "empties its bucket 4.6 m beside the truck of 'haul_1'"),
+                (plan().replace("swell 0.25", "swell -0.25"), "the swell of earth 'ground' cannot be negative"),
+                (plan(bed="bed 1e9 m3;"), "expected a volume from 0.001 to 1e+06 m3 as bed"),
+                (plan().replace("tip takes 5 s", "tip takes -5 s"), "tip cannot be negative"),
                 (plan(digs="dig, dig"), "is named twice"),
                 (plan(carts=0), "nobody hauls what 'dig' loads"),
                 (plan().replace("repose 35 deg;", ""), "how steep loose soil lies"),

@@ -48,6 +48,16 @@ export interface WalkData {
   events: string[];
 }
 
+/** What a machine is foreseen to sweep from a moment on (s), for so many seconds: outlines with so many corners each, x and y in turn (m). */
+export interface ForeseenData {
+  run: number;
+  machine: string;
+  seconds: number;
+  t: number;
+  corners: number[];
+  points: number[];
+}
+
 /** What a guide searched through at a moment (s): of each leg both configurations, and how many legs there were. */
 export interface GraphData {
   run: number;
@@ -79,6 +89,7 @@ interface Head {
   flow?: FlowData | null;
   movings?: MovingStop[];
   soils?: SoilTaken[];
+  foreseen?: ForeseenData[];
   walks?: WalkData[];
   graphs?: GraphData[];
   end: number;
@@ -107,6 +118,7 @@ export class Film {
   /** In the order in which they happened. */
   readonly movingStops: MovingStop[];
   readonly soils: SoilTaken[];
+  readonly foreseen: ForeseenData[];
   readonly walks: WalkData[];
   readonly graphs: GraphData[];
   readonly end: number;
@@ -137,6 +149,7 @@ export class Film {
       this.header.calendars.find(({ name }) => name === calendar)?.off.push(...dates);
     }
     this.soils = this.head.soils ?? [];
+    this.foreseen = this.head.foreseen ?? [];
     this.walks = this.head.walks ?? [];
     this.graphs = this.head.graphs ?? [];
     this.records = this.head.columns['record.kind']?.count ?? 0;

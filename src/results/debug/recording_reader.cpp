@@ -223,6 +223,11 @@ void RecordingReader::fill(Event& event, const trace::Removal& removal) {
   event.text = recording_.texts.add(removal.component);
 }
 
+void RecordingReader::fill(Event& event, const trace::Foreseen& foreseen) {
+  event.text = recording_.texts.add(foreseen.machine);
+  event.value = foreseen.seconds;
+}
+
 void RecordingReader::fill(Event& event, const trace::Soil& soil) {
   event.text = recording_.texts.add(soil.component);
   event.value = soil.volume;

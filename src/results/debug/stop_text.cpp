@@ -169,6 +169,9 @@ std::string record_text(const Recording& recording, const TaskRun& run, const Ev
       break;
     case EventKind::soil:
       return fmt::format("the bucket has taken {:.3f} m3 of {}", event.value * 1e-9, text);
+    case EventKind::foreseen:
+      return fmt::format("the way meets what {} is foreseen to sweep within {:g} s", text,
+                         event.value);
     case EventKind::way_point:
       return fmt::format("waypoint {} of {} of the guide begins", event.n, event.value);
   }

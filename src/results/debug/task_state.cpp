@@ -133,6 +133,7 @@ void apply(const Event& event, TaskState& state) {
     case EventKind::breakdown:
     case EventKind::lost_days:
     case EventKind::soil:
+    case EventKind::foreseen:
     case EventKind::think:
       break;
   }

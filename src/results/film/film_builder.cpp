@@ -80,6 +80,16 @@ void FilmBuilder::record(const trace::Record& record) {
     runs_[run].last = t;
     return;
   }
+  if (const auto* way = std::get_if<trace::Foreseen>(&record.what)) {
+    foreseen_.push_back({run,
+                         std::string(way->machine),
+                         way->seconds,
+                         t,
+                         {way->corners.begin(), way->corners.end()},
+                         {way->points.begin(), way->points.end()}});
+    runs_[run].last = t;
+    return;
+  }
   columns_.kind.add(static_cast<int>(record.kind()));
   columns_.run.add(run);
   columns_.t.add(millionths(t, "a time"));

@@ -54,7 +54,8 @@ class FilmBuilder {
   void write(const trace::Breakdown&, int) {}
   void write(const trace::LostDays&, int) {}
   void write(const trace::ColdJoint& joint, int run);
-  void write(const trace::Soil&, int) {}  // in soils_
+  void write(const trace::Soil&, int) {}      // in soils_
+  void write(const trace::Foreseen&, int) {}  // in foreseen_
 
   std::int64_t string(std::string_view text) { return strings_.number(text); }
   std::int64_t place(const trace::InText& place);
@@ -83,6 +84,14 @@ class FilmBuilder {
     std::vector<double> cells, heights;  ///< whole numbers; mm
   };
   std::vector<SoilTaken> soils_;
+  /// What machines were foreseen to sweep, as the trace tells it.
+  struct ForeseenWay {
+    int run = 0;
+    std::string machine;
+    double seconds = 0, t = 0;
+    std::vector<double> corners, points;
+  };
+  std::vector<ForeseenWay> foreseen_;
   /// Ways that guides walked in the plan view, as the trace tells them.
   struct Walk {
     int run = 0;

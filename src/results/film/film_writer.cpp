@@ -117,6 +117,18 @@ Film FilmBuilder::finish(std::string_view schedule, std::string_view flow) {
     }
     head += ",\"soils\":" + json.end_array().take();
   }
+  if (!foreseen_.empty()) {
+    trace::JsonBuilder json;
+    json.begin_array();
+    for (const ForeseenWay& each : foreseen_) {
+      json.begin_object().field("run", each.run).field("machine", each.machine);
+      json.field("seconds", each.seconds).field("t", each.t);
+      list(json, "corners", each.corners);
+      list(json, "points", each.points);
+      json.end_object();
+    }
+    head += ",\"foreseen\":" + json.end_array().take();
+  }
   if (!walks_.empty()) {
     trace::JsonBuilder json;
     json.begin_array();

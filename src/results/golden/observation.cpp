@@ -130,6 +130,10 @@ struct GoldenMembers {
     event["volume"] = number_json(soil.volume);
     event["cells"] = soil.cells.size();
   }
+  void operator()(const trace::Foreseen& foreseen) const {
+    event["machine"] = foreseen.machine;
+    event["time"] = time_json(foreseen.t);
+  }
   // Crew work, pauses, removals, joints, breakdowns and lost days are in the schedule.
   void operator()(const trace::ColdJoint&) const {}
   void operator()(const trace::Work&) const {}
@@ -167,7 +171,8 @@ const trace::RecordKinds kWanted = {
     trace::RecordKind::attempt,    trace::RecordKind::wait,  trace::RecordKind::attach,
     trace::RecordKind::detach,     trace::RecordKind::end,   trace::RecordKind::task_end,
     trace::RecordKind::stop,       trace::RecordKind::guide, trace::RecordKind::way_point,
-    trace::RecordKind::soil,       trace::RecordKind::turn,  trace::RecordKind::think};
+    trace::RecordKind::soil,       trace::RecordKind::turn,  trace::RecordKind::think,
+    trace::RecordKind::foreseen};
 
 }  // namespace
 

@@ -237,6 +237,40 @@ std::string queue_table(const taskplan::Schedule& schedule) {
 
 }  // namespace
 
+bool keeps_workspace(const taskplan::Schedule& schedule, const TaskOutcome& task) {
+  return std::find(schedule.workspaces.begin(), schedule.workspaces.end(), task.robot) !=
+         schedule.workspaces.end();
+}
+
+std::string workspaces_table(const taskplan::Schedule& schedule) {
+  if (schedule.workspaces.empty()) return {};
+  std::vector<Row> rows = {{"workspaces", "machine", "stops", "waited"}};
+  if (schedule.foresees) {
+    for (const char* name : {"ways foreseen to meet", "went round"}) rows.front().push_back(name);
+  }
+  if (schedule.watches) rows.front().push_back("overlaps");
+  for (const TaskOutcome& task : schedule.tasks) {
+    if (!keeps_workspace(schedule, task)) continue;
+    Row& row = rows.emplace_back();
+    row = {task.task, task.robot, fmt::format("{}", task.stops),
+           time_text(static_cast<double>(task.waits.machine) / kPerSecond)};
+    if (schedule.foresees) {
+      for (const int count : {task.foreseen, task.rounds}) row.push_back(fmt::format("{}", count));
+    }
+    if (schedule.watches) row.push_back(fmt::format("{}", task.overlaps));
+  }
+  return columns(rows, {2, 3, 4, 5});
+}
+
+void write_workspaces(trace::JsonBuilder& json, const taskplan::Schedule& schedule,
+                      const TaskOutcome& task) {
+  if (!keeps_workspace(schedule, task)) return;
+  json.key("workspaces").begin_object().field("stops", task.stops);
+  if (schedule.foresees) json.field("foreseen", task.foreseen).field("rounds", task.rounds);
+  if (schedule.watches) json.field("overlaps", task.overlaps);
+  json.end_object();
+}
+
 std::string earthwork_table(const taskplan::Schedule& schedule) {
   const auto any = [&](const auto& holds) {
     return std::any_of(schedule.tasks.begin(), schedule.tasks.end(), holds);

@@ -11,6 +11,13 @@ namespace rubicon::report {
 /// What was dug, how fast and at which cost, and the queues of the trucks; "" where nobody dug.
 std::string earthwork_table(const taskplan::Schedule& schedule);
 
+/// How often the tasks of machines with dynamic workspaces waited for others, planned round what
+/// these were foreseen to sweep, or made workspaces overlap; "" where there are none.
+std::string workspaces_table(const taskplan::Schedule& schedule);
+/// The same of one task, as member "workspaces" of its object.
+void write_workspaces(trace::JsonBuilder& json, const taskplan::Schedule& schedule,
+                      const taskplan::TaskOutcome& task);
+
 /// The same of one task that digs, as member "dig" of its object.
 void write_dig(trace::JsonBuilder& json, const taskplan::TaskOutcome& task, bool is_costed);
 

@@ -133,6 +133,7 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
     write_motion_dig(json, task, schedule.costed);
   }
   if (task.haul && task.result == taskplan::TaskResult::done) write_haul(json, task);
+  write_workspaces(json, schedule, task);
   if (!task.choice.empty()) json.field("choice", std::string_view(task.choice));
   json.end_object();
   return json.take();

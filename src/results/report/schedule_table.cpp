@@ -498,6 +498,7 @@ std::string schedule_table(const Schedule& schedule) {
   add(holes_table(schedule));
   add(joint_table(schedule));
   add(earthwork_table(schedule));
+  add(workspaces_table(schedule));
   add(timetable_table(schedule));
   if (schedule.has_kinds) add(cost_table(schedule));
   if (!schedule.critical.empty()) add(chain_text(schedule));

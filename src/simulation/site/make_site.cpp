@@ -121,7 +121,8 @@ SiteWorld make_site(const interpreter::PlanModel& plan, const PreparedSite& prep
   }
   if (plan.workspaces) {
     const interpreter::WorkspacesSpec& spec = *plan.workspaces;
-    site.set_workspaces({spec.robots, spec.reaction, spec.braking, spec.turn_braking});
+    site.set_workspaces(
+        {spec.robots, spec.reaction, spec.braking, spec.turn_braking, spec.foreseen(), spec.watch});
   }
   if (prepared.carry) site.attach_carry(0, prepared.carry);
   return site;

@@ -30,6 +30,7 @@ std::vector<int> numbers_of(const std::vector<ReservedPart>& parts) {
 
 std::optional<interpreter::HitPair> RobotView::propose(const interpreter::MotionStep& step) {
   if (auto pair = refusal(step)) return pair;
+  site_.watch_workspaces(index_, step);
   std::vector<double> q(step.q_to.begin(), step.q_to.end());
   robot::normalise(*robot().model, q);
   site_.begin_step(index_, step, std::move(q));
@@ -69,9 +70,50 @@ bool RobotView::nothing_to_meet() const {
          !site_.has_others(index_);
 }
 
+std::vector<interpreter::ForeseenWay> RobotView::foreseen(std::span<const double> q,
+                                                          std::span<const double> q_goal) {
+  foreseen_.clear();
+  if (!site_.foresees(index_)) return {};
+  std::vector<double> q_to(q_goal.begin(), q_goal.end());
+  for (std::size_t i = 0; i < q_to.size(); ++i) {
+    q_to[i] = q[i] + robot::way_between(robot().model->parameters[i], q[i], q_goal[i]);
+  }
+  foreseen_ = site_.foreseen_regions(index_);
+  // Where none is met the others are of no interest.
+  if (!foreseen_hit(q, q_to)) foreseen_.clear();
+  std::vector<interpreter::ForeseenWay> ways;
+  for (const ForeseenRegion& each : foreseen_) {
+    interpreter::ForeseenWay& way = ways.emplace_back();
+    way.machine = site_.robot(each.robot).name;
+    way.seconds = each.seconds;
+    way.q_aim = each.q_aim;
+    for (const PlanPolygon& polygon : each.region.polygons) {
+      std::vector<double>& outline = way.outlines.emplace_back();
+      for (const Eigen::Vector2d& p : polygon) outline.insert(outline.end(), {p.x(), p.y()});
+    }
+  }
+  return ways;
+}
+
+/// What others are foreseen to sweep that the robot would sweep, too.
+std::optional<interpreter::HitPair> RobotView::foreseen_hit(std::span<const double> q_from,
+                                                            std::span<const double> q_to) const {
+  if (foreseen_.empty()) return std::nullopt;
+  const PlanRegion own = site_.region_of(index_, q_from, q_to);
+  for (const ForeseenRegion& each : foreseen_) {
+    if (!own.overlaps(each.region)) continue;
+    return interpreter::HitPair{
+        robot().name, "what " + site_.robot(each.robot).name + " is foreseen to sweep", each.robot};
+  }
+  return std::nullopt;
+}
+
 std::optional<interpreter::HitPair> RobotView::refusal(const interpreter::MotionStep& step) const {
   if (nothing_to_meet()) return std::nullopt;
   if (auto pair = swept_hit(step)) return pair;
+  if (keeps_out_ && step.duration == 0) {
+    if (auto pair = foreseen_hit(step.q_from, step.q_to)) return pair;
+  }
   if (const auto task = site_.pit_met(index_, step)) {
     return interpreter::HitPair{part_name(robot().model->tool_body), "the pit of " + *task};
   }
@@ -350,6 +392,9 @@ double RobotView::free_distance(std::span<const double> q, double heading_deg, d
 
 std::optional<interpreter::HitPair> RobotView::blocked_at(std::span<const double> q) const {
   if (nothing_to_meet()) return std::nullopt;
+  if (keeps_out_) {
+    if (auto pair = foreseen_hit(q, q)) return pair;
+  }
   const SiteRobot& machine = robot();
   const double tolerance = site_.contact_tolerance();
   const std::vector<ReservedPart> parts = parts_at(q);

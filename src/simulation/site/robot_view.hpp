@@ -40,6 +40,9 @@ class RobotView : public interpreter::World {
                                std::optional<interpreter::HitPair>& before) override {
     return site_.next_node(index_, question, before);
   }
+  std::vector<interpreter::ForeseenWay> foreseen(std::span<const double> q,
+                                                 std::span<const double> q_goal) override;
+  void keep_out_of_foreseen(bool keeps) override { keeps_out_ = keeps; }
   bool loaded() const override {
     return site_.load(index_).has_value() || site_.carries_soil(index_);
   }
@@ -83,8 +86,13 @@ class RobotView : public interpreter::World {
       const std::vector<ReservedPart>& parts) const;
   const std::string& part_name(int part) const;
 
+  std::optional<interpreter::HitPair> foreseen_hit(std::span<const double> q_from,
+                                                   std::span<const double> q_to) const;
+
   SiteWorld& site_;
   int index_;
+  std::vector<ForeseenRegion> foreseen_;       ///< when it was asked last
+  bool keeps_out_ = false;                     ///< of these
   mutable collision::ClearanceBudget budget_;  ///< never changes an answer
   mutable FreeLine line_;                      ///< nor does this: what lies on it is free
   mutable std::vector<bool> moved_bodies_;     ///< those that a step of it can move; found once

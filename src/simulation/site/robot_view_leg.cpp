@@ -155,7 +155,8 @@ bool RobotView::can_look_along() const {
   const SiteRobot& machine = robot();
   const auto& load = site_.load(index_);
   const bool has_chart = load && load->mass > 0 && !machine.model->capacity.empty();
-  return !site_.may_enter(index_) && !site_.has_pits() && machine.buffers.empty() &&
+  const bool keeps_out = keeps_out_ && !foreseen_.empty();
+  return !keeps_out && !site_.may_enter(index_) && !site_.has_pits() && machine.buffers.empty() &&
          machine.ropes.empty() && !has_chart;
 }
 

@@ -5,6 +5,7 @@
 
 #include "src/motion/geometry/extent.hpp"
 #include "src/motion/math/index.hpp"
+#include "src/motion/robot/turns.hpp"
 #include "src/simulation/site/site_world.hpp"
 
 namespace rubicon::site {
@@ -64,9 +65,65 @@ bool SiteWorld::goes_before(int robot, int other) const {
   return key(robot) < key(other);
 }
 
+/// Those named before the robot, in a step of which it is known where it leads: they go on straight
+/// to their next waypoint or goal, all parameters together, as fast as the slowest of them allows.
+std::vector<ForeseenRegion> SiteWorld::foreseen_regions(int robot) const {
+  std::vector<ForeseenRegion> regions;
+  for (const int other : workspaces_.order) {
+    if (other == robot) break;
+    const RobotEntry& machine = entry(other);
+    if (!machine.stepping || machine.step.q_aim.empty() || machine.partner == robot) continue;
+    const MachineStep& step = machine.step;
+    const auto& parameters = machine.robot.model->parameters;
+    const bool loaded = machine.carries_soil || machine.load.has_value();
+    std::vector<double> way(step.q_to.size());
+    double needs = 0;
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      way[i] = robot::way_between(parameters[i], step.q_to[i], step.q_aim[i]);
+      const double speed = loaded ? parameters[i].loaded_speed : parameters[i].speed;
+      if (speed > 0) needs = std::max(needs, std::fabs(way[i]) / speed);
+    }
+    const double left =
+        workspaces_.foreseen - static_cast<double>(step.end - now_) / kSecondInTicks;
+    const double share = needs > 0 ? std::clamp(left / needs, 0.0, 1.0) : 1;
+    std::vector<double> q_end = step.q_to;
+    for (std::size_t i = 0; i < way.size(); ++i) q_end[i] += way[i] * share;
+    ForeseenRegion& foreseen = regions.emplace_back();
+    foreseen.robot = other;
+    foreseen.seconds = workspaces_.foreseen;
+    foreseen.q_aim = step.q_aim;
+    foreseen.region = swept_region(machine.robot, machine.corners, step.q_from, step.q_to);
+    PlanRegion rest = swept_region(machine.robot, machine.corners, step.q_to, q_end);
+    for (PlanPolygon& polygon : rest.polygons) foreseen.region.add(std::move(polygon));
+  }
+  return regions;
+}
+
+void SiteWorld::watch_workspaces(int robot, const interpreter::MotionStep& step) {
+  if (!workspaces_.watch || workspaces_.rank_of(robot) < 0) return;
+  if (std::equal(step.q_from.begin(), step.q_from.end(), step.q_to.begin())) return;
+  RobotEntry& own = entry(robot);
+  const PlanRegion region = workspace_of(
+      own.robot, own.corners,
+      {step.q_from, step.q_to, step.q_goal, static_cast<double>(step.duration) / kSecondInTicks},
+      workspaces_);
+  for (const int other : workspaces_.order) {
+    RobotEntry& machine = entry(other);
+    if (other == robot || own.partner == other || machine.partner == robot) continue;
+    if (!region.overlaps(workspace(other))) {
+      own.too_near.erase(other);
+      machine.too_near.erase(robot);
+    } else if (own.too_near.insert(other).second) {
+      machine.too_near.insert(robot);
+      ++own.overlaps;
+    }
+  }
+}
+
 std::optional<OtherMet> SiteWorld::workspace_met(int robot,
                                                  const interpreter::MotionStep& step) const {
-  if (step.duration <= 0 || workspaces_.rank_of(robot) < 0) return std::nullopt;
+  if (step.duration <= 0 || workspaces_.watch) return std::nullopt;
+  if (workspaces_.rank_of(robot) < 0) return std::nullopt;
   if (std::equal(step.q_from.begin(), step.q_from.end(), step.q_to.begin())) return std::nullopt;
   const RobotEntry& own = entry(robot);
   const auto seconds = static_cast<double>(step.duration) / kSecondInTicks;

@@ -83,6 +83,7 @@ void SiteWorld::begin_step(int robot, const interpreter::MotionStep& step, std::
     moving.step.end = step.start + step.duration;
     moving.step.duration = step.duration;
     moving.step.q_goal.assign(step.q_goal.begin(), step.q_goal.end());
+    moving.step.q_aim.assign(step.q_aim.begin(), step.q_aim.end());
   }
   changed(moving);
 }

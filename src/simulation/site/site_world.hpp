@@ -4,7 +4,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interpreter/program/world.hpp"
@@ -29,6 +31,7 @@ struct MachineStep {
   Ticks end = 0;
   Ticks duration = 0;
   std::vector<double> q_goal;  ///< where it will stand next; empty: not known
+  std::vector<double> q_aim;   ///< where it goes now: the same, or a waypoint before it
 };
 
 /// A load that people are turning about the vertical through the origin of the tool.
@@ -54,6 +57,14 @@ struct Pit {
   int component = -1;  ///< its soil
   math::Pose X_WE = math::Pose::Identity();
   std::shared_ptr<const soil::Terrain> before, after;  // shared: they are large, and the plan's
+};
+
+/// What a machine is foreseen to sweep.
+struct ForeseenRegion {
+  int robot = -1;
+  double seconds = 0;  ///< so far ahead
+  std::vector<double> q_aim;
+  PlanRegion region;
 };
 
 /// Where a component stands, or stood at last.
@@ -183,6 +194,22 @@ class SiteWorld {
   /// The machine, or the people with a timetable, whose workspace that of the robot would overlap
   /// in the step; or that of a machine that goes first, and would in its next step.
   std::optional<OtherMet> workspace_met(int robot, const interpreter::MotionStep& step) const;
+  /// Where nobody stops before workspaces overlap: notes that the step makes some overlap that did
+  /// not before.
+  void watch_workspaces(int robot, const interpreter::MotionStep& step);
+  /// How often that was since it was asked last.
+  int take_overlaps(int robot) { return std::exchange(entry(robot).overlaps, 0); }
+  /// Whether the robot looks at what others are foreseen to sweep, and what that is now: of those
+  /// that are in a step and go first.
+  bool foresees(int robot) const {
+    return workspaces_.foreseen > 0 && workspaces_.rank_of(robot) > 0;
+  }
+  std::vector<ForeseenRegion> foreseen_regions(int robot) const;
+  /// What a robot whose workspace is kept apart sweeps from one configuration to the other.
+  PlanRegion region_of(int robot, std::span<const double> q_from,
+                       std::span<const double> q_to) const {
+    return swept_region(entry(robot).robot, entry(robot).corners, q_from, q_to);
+  }
   /// What the robot's workspace is now; empty where it has none.
   const PlanRegion& workspace(int robot) const;
 
@@ -321,7 +348,9 @@ class SiteWorld {
     BodyCorners corners;  ///< of one whose workspace is kept apart
     BodyCorners wheels;   ///< of one that drives on the ground: of its tool's body, no others
     mutable std::optional<PlanRegion> workspace_now;  ///< made when asked for
-    std::uint64_t changes = 0;                        ///< of what belongs to it
+    std::set<int> too_near;     ///< robots whose workspaces its own overlaps, where that is watched
+    int overlaps = 0;           ///< how often that came about, not yet taken
+    std::uint64_t changes = 0;  ///< of what belongs to it
     mutable bool near_moving = false;  ///< it was where something with a timetable goes
     mutable std::unique_ptr<ReservedVolume>
         reserved;  ///< of what belongs to it now; made when asked for

@@ -79,14 +79,20 @@ int WorkspaceRules::rank_of(int robot) const {
 
 void PlanRegion::add(std::vector<Eigen::Vector2d> points) {
   if (points.empty()) return;
-  for (const Eigen::Vector2d& point : points) bounds.extend(point);
+  Eigen::AlignedBox2d& box = boxes.emplace_back();
+  for (const Eigen::Vector2d& point : points) box.extend(point);
+  bounds.extend(box);
   polygons.push_back(hull_of(std::move(points)));
 }
 
 bool PlanRegion::overlaps(const PlanRegion& other) const {
   if (!bounds.intersects(other.bounds)) return false;
-  for (const PlanPolygon& a : polygons) {
-    for (const PlanPolygon& b : other.polygons) {
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    if (!boxes[i].intersects(other.bounds)) continue;
+    for (std::size_t k = 0; k < other.polygons.size(); ++k) {
+      if (!boxes[i].intersects(other.boxes[k])) continue;
+      const PlanPolygon& a = polygons[i];
+      const PlanPolygon& b = other.polygons[k];
       if (!is_parted_by(a, b) && !is_parted_by(b, a)) return true;
     }
   }
@@ -121,7 +127,6 @@ PlanRegion workspace_of(const SiteRobot& robot, const BodyCorners& corners,
   };
   const double by_length =
       step.seconds > 0 ? goes_on(std::sqrt(length2) / step.seconds, rules.braking) : 0;
-  double turned = 0;
   for (std::size_t i = 0; i < q_end.size(); ++i) {
     const double gone = step.q_to[i] - step.q_from[i];
     if (gone == 0 || !(step.seconds > 0)) continue;
@@ -134,16 +139,25 @@ PlanRegion workspace_of(const SiteRobot& robot, const BodyCorners& corners,
       if (left * more >= 0 && std::fabs(left) < std::fabs(more)) more = left;
     }
     q_end[i] += more;
-    if (parameters[i].rotation) turned = std::max(turned, std::fabs(gone + more));
+  }
+  return swept_region(robot, corners, step.q_from, q_end);
+}
+
+PlanRegion swept_region(const SiteRobot& robot, const BodyCorners& corners,
+                        std::span<const double> q_from, std::span<const double> q_to) {
+  const auto& parameters = robot.model->parameters;
+  double turned = 0;
+  for (std::size_t i = 0; i < q_to.size(); ++i) {
+    if (parameters[i].rotation) turned = std::max(turned, std::fabs(q_to[i] - q_from[i]));
   }
   const int parts =
       std::clamp(static_cast<int>(std::ceil(turned / kTurnApart)), 1, kMostPlacesOfWay);
   PlanRegion region;
-  std::vector<std::vector<Eigen::Vector2d>> before = seen_from_above(robot, corners, step.q_from);
+  std::vector<std::vector<Eigen::Vector2d>> before = seen_from_above(robot, corners, q_from);
   for (int part = 1; part <= parts; ++part) {
-    std::vector<double> q(q_end.size());
+    std::vector<double> q(q_to.size());
     for (std::size_t i = 0; i < q.size(); ++i) {
-      q[i] = step.q_from[i] + (q_end[i] - step.q_from[i]) * part / parts;
+      q[i] = q_from[i] + (q_to[i] - q_from[i]) * part / parts;
     }
     std::vector<std::vector<Eigen::Vector2d>> here = seen_from_above(robot, corners, q);
     for (std::size_t i = 0; i < here.size(); ++i) {

@@ -14,6 +14,8 @@ struct WorkspaceRules {
   double reaction = 1;       ///< s until a machine brakes
   double braking = 2;        ///< m/s2
   double turn_braking = 30;  ///< deg/s2
+  double foreseen = 0;       ///< s for which the ways of those that go first are foreseen; 0: not
+  bool watch = false;        ///< where they overlap it is counted, and nobody stops
 
   int rank_of(int robot) const;  ///< -1: its workspace is not kept apart
 };
@@ -23,6 +25,7 @@ using PlanPolygon = std::vector<Eigen::Vector2d>;
 /// A part of the site in the plan view, as convex polygons, with the box around it.
 struct PlanRegion {
   std::vector<PlanPolygon> polygons;
+  std::vector<Eigen::AlignedBox2d> boxes;  ///< round each
   Eigen::AlignedBox2d bounds;
 
   void add(std::vector<Eigen::Vector2d> points);
@@ -46,6 +49,10 @@ struct WorkspaceStep {
 /// that.
 PlanRegion workspace_of(const SiteRobot& robot, const BodyCorners& corners,
                         const WorkspaceStep& step, const WorkspaceRules& rules, int more_steps = 0);
+
+/// What the machine sweeps in the plan view from one configuration straight to another, no more.
+PlanRegion swept_region(const SiteRobot& robot, const BodyCorners& corners,
+                        std::span<const double> q_from, std::span<const double> q_to);
 
 /// What the machine covers where it stands.
 PlanRegion footprint_of(const SiteRobot& robot, const BodyCorners& corners,

@@ -165,7 +165,26 @@ Step DigActivity::go_on(ActiveTask& task, Stage& stage, Step step) {
     inner_ = {};
     step = next(task, stage);
   }
+  if (step == Step::pending && is_over_truck()) reject_for_truck(task, stage);
   return step;
+}
+
+/// The truck under the bucket is in its way: it stands there until it is loaded. Nothing that
+/// another task does would help.
+void DigActivity::reject_for_truck(ActiveTask& task, Stage& stage) {
+  const interpreter::MotionDigSpec& dig = spec_of(task, stage);
+  if (!dig.loads_bodies() || stage.rejection) return;
+  const int standing = stage.haulage.places.at(task.task).standing;
+  if (standing < 0) return;
+  const int truck = stage.spec(standing).robot;
+  const std::vector<int> met = inner_->robots_in_the_way(stage);
+  if (std::find(met.begin(), met.end(), truck) == met.end()) return;
+  stage.reject(task.task,
+               fmt::format("bucket {}: {} cannot empty it over {}, which is in its way where it "
+                           "stands to be loaded",
+                           task.account.outcome.motion_dig->buckets.size() + 1,
+                           stage.robot_spec(stage.spec(task.task).robot).name,
+                           stage.robot_spec(truck).name));
 }
 
 Step DigActivity::next(ActiveTask& task, Stage& stage) {

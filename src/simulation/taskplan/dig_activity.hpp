@@ -65,6 +65,10 @@ class DigActivity : public Activity {
   bool raise(ActiveTask& task, Stage& stage);
   void empty(ActiveTask& task, Stage& stage);
   Step finish(ActiveTask& task, Stage& stage);
+  bool is_over_truck() const {
+    return inner_ && (part_ == Part::swinging || part_ == Part::opening);
+  }
+  void reject_for_truck(ActiveTask& task, Stage& stage);
   Step await_truck(ActiveTask& task, Stage& stage);
   void load_truck(ActiveTask& task, Stage& stage);
 

@@ -73,6 +73,10 @@ void HitRecorder::think(const interpreter::Thinking& thinking) {
   if (next_) next_->think(thinking);
 }
 
+void HitRecorder::foreseen(const interpreter::ForeseenWay& way, interpreter::Ticks time) {
+  if (next_) next_->foreseen(way, time);
+}
+
 void HitRecorder::stop(interpreter::Ticks time) {
   if (next_) next_->stop(time);
 }

@@ -61,6 +61,7 @@ class HitRecorder : public interpreter::EventSink {
   void wait(int n, interpreter::Ticks time, interpreter::Span span) override;
   void stop(interpreter::Ticks time) override;
   void think(const interpreter::Thinking& thinking) override;
+  void foreseen(const interpreter::ForeseenWay& way, interpreter::Ticks time) override;
 
  private:
   interpreter::EventSink* next_;

@@ -111,6 +111,13 @@ Schedule Simulation::make_schedule() {
         stage_.allocator->hours(static_cast<int>(i)).work_between(0, end);
   }
   add_lost_days(schedule, end);
+  if (plan_.workspaces) {
+    for (const int robot : plan_.workspaces->robots) {
+      schedule.workspaces.push_back(plan_.robots[static_cast<std::size_t>(robot)].name);
+    }
+    schedule.foresees = plan_.workspaces->foreseen() > 0;
+    schedule.watches = plan_.workspaces->watch;
+  }
   schedule.breaks_down = interpreter::has_breakdowns(plan_);
   schedule.breakdowns = std::move(stage_.breakdown_outcomes);
   count_uses(schedule);

@@ -134,6 +134,12 @@ Step MotionActivity::start_machine(ActiveTask& task, Stage& stage) {
   if (leg_) motion.situations.push_back(leg_->situation);
   if (!leg_ || leg_->guided) motion.guides = spec.guides;
   for (guides::GuideSpec& guide : motion.guides) guide.tells_tree = stage.traces_graphs;
+  // On the lanes of a fleet who goes first is known.
+  motion.looks_ahead =
+      stage.site.foresees(spec.robot) &&
+      std::none_of(motion.guides.begin(), motion.guides.end(), [](const guides::GuideSpec& guide) {
+        return guide.kind == guides::GuideKind::lanes;
+      });
   if (spec.cover && !motion.guides.empty()) {
     motion.fence = std::make_shared<const interpreter::FloorFence>(
         stage.plan.areas[static_cast<std::size_t>(spec.cover->area)], *spec.cover);
@@ -223,6 +229,7 @@ void MotionActivity::count_step(ActiveTask& task, Stage& stage, Ticks to, bool w
   const int tries = machine_->tries();
   if (waited) charge_wait(has_others(stage, task.task) ? tries - tries_before_ - 1 : 0);
   tries_before_ = tries;
+  task.account.outcome.overlaps += stage.site.take_overlaps(stage.spec(task.task).robot);
   count_time(task, stage, to, waited);
 }
 
@@ -308,6 +315,8 @@ Step MotionActivity::end_motion(ActiveTask& task, Stage& stage) {
   made.start = machine_start_;
   made.end = machine_->end();
   task.account.outcome.thinking += machine_->thinking();
+  task.account.outcome.foreseen += machine_->foreseen();
+  task.account.outcome.rounds += machine_->rounds();
   machine_.reset();
   TaskOutcome& outcome = task.account.outcome;
   outcome.tried += made.end.tries;
@@ -422,6 +431,7 @@ Step MotionActivity::retry(ActiveTask& task, Stage& stage) {
                          task.account.outcome.accepted == account.outcome.accepted;
   if (!fruitless) {
     before.wait_.note_wait(stage, task.task);
+    ++task.account.outcome.stops;
     return step;
   }
   std::vector<Blocker> blockers = std::move(wait_.blockers);
@@ -463,6 +473,7 @@ bool MotionActivity::settle(ActiveTask& task, Stage& stage) {
   if (doing_ != Doing::waiting_for_machine || !wait_.is_enough) return false;
   task.account.outcome.waits.machine += stage.now() - wait_.since;
   stage.pause(task.task, "machine", wait_.blockers.front().met, wait_.since);
+  ++task.account.outcome.stops;
   return true;
 }
 

@@ -129,6 +129,10 @@ struct TaskOutcome {
   Ticks duration = 0;     ///< to its finish; nights included
   Ticks motion_time = 0;  ///< of the duration, what motions took
   Ticks thinking = 0;     ///< of `motion_time`, what its guides took to think
+  int stops = 0;          ///< how often it waited for other machines
+  int foreseen = 0;       ///< how often its way met what others are foreseen to sweep
+  int rounds = 0;         ///< and guides found one round that
+  int overlaps = 0;       ///< how often it made workspaces overlap, where that is watched
   Ticks work_time = 0;    ///< of the duration, what crews took
   WaitTimes waits;        ///< with motion_time and work_time this adds up to start + duration
   double cost =
@@ -255,6 +259,9 @@ struct Schedule {
   std::optional<interpreter::SampleSpec> sample;  ///< by which they were drawn; nothing: means
   bool loses_days = false;  ///< the plan has calendars that do; without a sample none is lost
   std::vector<LostDaysOutcome> lost_days;  ///< of these, as in the file
+  std::vector<std::string> workspaces;  ///< machines that keep theirs apart, those first in front
+  bool foresees = false;                ///< those behind look at what those before will sweep
+  bool watches = false;                 ///< where workspaces overlap it is only told
   bool breaks_down = false;  ///< the plan has machines that do; without a sample none does
   std::vector<BreakdownOutcome> breakdowns;  ///< by their begin
 };

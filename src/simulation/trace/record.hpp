@@ -260,13 +260,23 @@ struct Soil {
   Ticks t = 0;
 };
 
+/// What another machine is foreseen to sweep, in the plan view, which the way of the task's would
+/// meet.
+struct Foreseen {
+  std::string_view machine;
+  double seconds = 0;  ///< so far ahead
+  Numbers corners;     ///< of each outline
+  Numbers points;      ///< x and y in turn, outline by outline
+  Ticks t = 0;
+};
+
 /// One record of a trace. Its texts and lists belong to the reader that gave it.
 struct Record {
   /// In the order of RecordKind.
   using What =
       std::variant<TaskStart, GoalStart, Assignment, LoopStart, LoopEnd, Choice, Attempt, Wait,
                    Work, Pause, Attach, Detach, Removal, MotionEnd, TaskEnd, Stop, GuidePlan,
-                   WayPoint, Turn, Moving, ColdJoint, Breakdown, LostDays, Soil, Think>;
+                   WayPoint, Turn, Moving, ColdJoint, Breakdown, LostDays, Soil, Think, Foreseen>;
 
   std::string_view task;
   std::string_view robot;  ///< "": crew work

@@ -247,6 +247,15 @@ struct RecordFields<Soil> {
                  required<&Soil::from>("from"), required<&Soil::t>("t"));
 };
 
+template <>
+struct RecordFields<Foreseen> {
+  static constexpr RecordKind kKind = RecordKind::foreseen;
+  static constexpr auto kFields =
+      std::tuple(required<&Foreseen::machine>("machine"), required<&Foreseen::seconds>("seconds"),
+                 required<&Foreseen::corners>("corners"), required<&Foreseen::points>("points"),
+                 required<&Foreseen::t>("t"));
+};
+
 /// What a member is in the text.
 enum class FieldType {
   text,

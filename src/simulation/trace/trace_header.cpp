@@ -456,7 +456,10 @@ void write_workspaces(JsonBuilder& json, const PlanModel& plan) {
     json.value(std::string_view(plan.robots[static_cast<std::size_t>(robot)].name));
   }
   json.end_array().field("reaction", spec.reaction).field("braking", spec.braking);
-  json.field("turn_braking", spec.turn_braking).end_object();
+  json.field("turn_braking", spec.turn_braking);
+  if (spec.foreseen() > 0) json.field("foreseen", spec.foreseen());
+  if (spec.watch) json.field("watch", true);
+  json.end_object();
 }
 
 /// The ground on which loads are tipped, cell by cell (mm), and where none may lie.

@@ -37,6 +37,7 @@ struct LostDays;
 struct Turn;
 struct ColdJoint;
 struct Soil;
+struct Foreseen;
 struct Think;
 
 /// Reads the first line of a trace. Throws std::invalid_argument, with a message for the user, for

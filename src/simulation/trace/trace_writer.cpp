@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -11,6 +12,9 @@
 namespace rubicon::trace {
 
 namespace {
+
+/// Places of what is foreseen are told in whole millimetres.
+constexpr double kForeseenPerMetre = 1000;
 
 void append_truth(std::string& out, bool truth) { out += truth ? "true" : "false"; }
 
@@ -311,6 +315,33 @@ void TraceWriter::soil(std::string_view component, soil::CubicMillimetres volume
   }
   line_ += ']';
   span_of_time(from, to);
+  finish();
+}
+
+void TraceWriter::foreseen(const interpreter::ForeseenWay& way, interpreter::Ticks time) {
+  if (detail_ == TraceDetail::none) return;
+  begin("foreseen");
+  line_ += ",\"machine\":";
+  append_string(line_, way.machine);
+  line_ += ",\"seconds\":";
+  append_number(line_, way.seconds);
+  line_ += ",\"corners\":[";
+  const char* separator = "";
+  for (const std::vector<double>& outline : way.outlines) {
+    fmt::format_to(std::back_inserter(line_), "{}{}", separator, outline.size() / 2);
+    separator = ",";
+  }
+  line_ += "],\"points\":[";
+  separator = "";
+  for (const std::vector<double>& outline : way.outlines) {
+    for (const double value : outline) {
+      line_ += separator;
+      append_number(line_, std::round(value * kForeseenPerMetre) / kForeseenPerMetre);
+      separator = ",";
+    }
+  }
+  line_ += "],\"t\":";
+  append_seconds(line_, time);
   finish();
 }
 

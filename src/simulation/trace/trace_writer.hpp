@@ -88,6 +88,7 @@ class TraceWriter : public interpreter::EventSink {
   void goal(int k, int n) override;
   void guide(const interpreter::GuidePlan& plan) override;
   void think(const interpreter::Thinking& thinking) override;
+  void foreseen(const interpreter::ForeseenWay& way, interpreter::Ticks time) override;
   void way_point(int k, int n) override;
   void set(const std::string& variable, double value, interpreter::Span span) override;
   void enter(interpreter::LoopKind kind, interpreter::Span span) override;

@@ -129,6 +129,8 @@ std::vector<std::string> written_records() {
   writer.task_end(2'500'000'000, "not reached", "a \"b\"");
   writer.stop(2 * kSecond);
   writer.think({321, 3 * kSecond});
+  writer.foreseen({"digger", 2.3, {1, 2}, {{0, 0, 1, 0, 1, 1.5}, {2, 2, 3, 2, 3, 3, 2, 3}}},
+                  kSecond);
   guides::PlanReport report;
   report.way = {{1, 2}, {3, 4.5}};
   report.metrics = {0.5, 2.5, 12};

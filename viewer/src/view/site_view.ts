@@ -10,6 +10,7 @@ import { Card } from './card';
 import { make } from './elements';
 import { bindKeys } from './keys';
 import { Floors, type FloorStep } from './floors';
+import { ForeseenWays } from './foreseen_ways';
 import { GroundLabels } from './labels';
 import { Joints } from './joints';
 import { Lanes } from './lanes';
@@ -54,6 +55,7 @@ export class SiteView {
   private readonly paths: Paths;
   private readonly walks: WalkLines;
   private readonly graphs: SearchGraphs;
+  private readonly foreseen: ForeseenWays;
   private readonly ropes: Ropes;
   private readonly lanes: Lanes;
   private readonly joints: Joints;
@@ -86,6 +88,7 @@ export class SiteView {
     this.paths = new Paths(film, motion, this.light);
     this.walks = new WalkLines(film, motion, this.light);
     this.graphs = new SearchGraphs(film, this.light);
+    this.foreseen = new ForeseenWays(film, this.light);
     this.ropes = new Ropes(this.model, this.light);
     this.lanes = new Lanes(film, this.light);
     this.joints = new Joints(film, this.light);
@@ -101,12 +104,12 @@ export class SiteView {
       this.rig.resize(width, height);
       this.light.pixelRatio.value = ratio;
       for (const strokes of [this.paths.strokes, this.ropes.strokes, this.lanes.strokes, this.joints.strokes, this.floors.strokes,
-        this.walks.strokes, this.walks.planned, this.graphs.strokes]) strokes.size.set(width * ratio, height * ratio);
+        this.walks.strokes, this.walks.planned, this.graphs.strokes, this.foreseen.strokes]) strokes.size.set(width * ratio, height * ratio);
     });
     this.picker = new Picker(this.stage.renderer, this.rig.camera, this.model);
     this.stage.still.add(this.model.still, this.labels.mesh);
     this.stage.moving.add(this.model.moving, this.paths.strokes.mesh, this.ropes.strokes.mesh, this.lanes.strokes.mesh, this.joints.strokes.mesh,
-      this.floors.strokes.mesh, this.graphs.strokes.mesh, this.walks.planned.mesh, this.walks.strokes.mesh, this.overlay.group);
+      this.floors.strokes.mesh, this.graphs.strokes.mesh, this.foreseen.strokes.mesh, this.walks.planned.mesh, this.walks.strokes.mesh, this.overlay.group);
     canvas.tabIndex = 0;
     host.append(canvas, this.walks.legend, this.section.element, this.toolbar.element, this.card.element);
     const { components, robots, site } = film.header;
@@ -265,6 +268,7 @@ export class SiteView {
       this.floors.show(this.steps, this.theme);
       const ways = machines && this.shows.paths ? running : [];
       this.graphs.show(running, machines && this.shows.search, player.time, this.theme);
+      this.foreseen.show(running, machines && this.shows.zones, player.time, this.theme);
       this.walks.show(ways, tried, player.time, this.theme);
       // Where a guide walked, the way of the vehicle stands for that of its tool.
       this.paths.show(ways.filter((run) => !this.walks.has(run)), tried, player.time, (robot) => looks.machineColour(robot),

@@ -13,6 +13,8 @@ constexpr std::size_t kProbesPerPiece = 8;
 /// A search for a deep point: its steps add up to 25 times the first and end at 1e-4 of it.
 constexpr int kDeepeningRounds = 225;
 constexpr double kStepShrinks = 0.96;
+/// A point of so much of the largest depth there can be is not searched for any more.
+constexpr double kDeepEnough = 1 - 1e-9;
 /// Bodies of more parts than this have a tree over them.
 constexpr std::size_t kFewParts = 8;
 /// Corners that are as near as this (m) to those of a box make a box: a tenth of the depth that
@@ -32,6 +34,15 @@ Vec3 deep_point(const ConvexPiece& piece) {
   const Convex convex = piece.view();
   std::vector<Interval> extents;
   for (const Vec3& normal : piece.normals) extents.push_back(convex.extent(normal));
+  // Nothing is deeper than half of the least extent: of a box that is its middle.
+  double deepest = std::numeric_limits<double>::infinity();
+  double depth = deepest;
+  for (std::size_t i = 0; i < extents.size(); ++i) {
+    const double at = piece.normals[i].dot(point);
+    deepest = std::min(deepest, 0.5 * (extents[i].greatest - extents[i].least));
+    depth = std::min({depth, at - extents[i].least, extents[i].greatest - at});
+  }
+  if (depth >= kDeepEnough * deepest) return point;
   double step = 0.5 * piece.width;
   for (int round = 0; round < kDeepeningRounds; ++round) {
     double nearest = std::numeric_limits<double>::infinity();

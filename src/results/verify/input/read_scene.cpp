@@ -740,6 +740,8 @@ Scene read_scene(const std::string& line) {
     rules.reaction = fields.number("reaction");
     rules.braking = fields.number("braking");
     rules.turn_braking = fields.number("turn_braking");
+    if (fields.has("foreseen")) rules.foreseen = fields.number("foreseen");
+    rules.watch = fields.has("watch") && fields.truth("watch");
     if (!(rules.reaction >= 0 && rules.braking > 0 && rules.turn_braking > 0)) {
       fields.fail("a reaction from 0, brakings above 0");
     }

@@ -105,6 +105,14 @@ struct SoilTaken {
   Ticks from = 0;
 };
 
+/// What another machine is foreseen to sweep so many seconds ahead, which the way of the task's
+/// would meet; outlines with x and y in turn, m.
+struct Foreseen {
+  int robot = -1;
+  double seconds = 0;
+  std::vector<std::vector<double>> outlines;
+};
+
 /// A motion ended.
 struct MotionEnd {
   std::string status;
@@ -142,7 +150,7 @@ struct Record {
   int robot = -1;  ///< -1: crew work
   Ticks time = 0;  ///< when it is over
   std::variant<TaskStart, Goal, Try, Wait, Stop, Work, Pause, LoadChange, LoadTurn, MotionEnd,
-               TaskEnd, GuidePlan, WayPoint, ColdJoint, SoilTaken, Think>
+               TaskEnd, GuidePlan, WayPoint, ColdJoint, SoilTaken, Think, Foreseen>
       what;
 };
 

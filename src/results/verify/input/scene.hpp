@@ -364,6 +364,8 @@ struct SceneSupport {
 struct SceneWorkspaces {
   std::vector<int> robots;
   double reaction = 0, braking = 1, turn_braking = 1;
+  double foreseen = 0;  ///< s; 0: nothing is
+  bool watch = false;   ///< nobody stops where they overlap
 };
 
 /// The header of a trace: all that stands, moves and is to be done.

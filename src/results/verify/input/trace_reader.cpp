@@ -67,6 +67,8 @@ class RecordReader {
       record_.what = read_turn();
     } else if (type == "cold_joint") {
       record_.what = read_cold_joint();
+    } else if (type == "foreseen") {
+      record_.what = read_foreseen();
     } else if (type == "soil") {
       record_.what = read_soil();
     } else if (type == "end") {
@@ -184,6 +186,27 @@ class RecordReader {
     joint.laid = fields_.time("laid");
     joint.joined = fields_.time("joined");
     return joint;
+  }
+
+  Foreseen read_foreseen() const {
+    robot();
+    Foreseen foreseen;
+    const auto found = scene_.robot_index.find(fields_.text("machine"));
+    if (found == scene_.robot_index.end()) fields_.fail("a robot of the header");
+    foreseen.robot = found->second;
+    foreseen.seconds = fields_.number("seconds");
+    const Json& points = fields_.array("points");
+    std::size_t next = 0;
+    for (const Json& corners : fields_.array("corners")) {
+      const int count = integer_of(corners, "'corners'", 1, 1'000'000);
+      std::vector<double>& outline = foreseen.outlines.emplace_back();
+      for (int i = 0; i < 2 * count; ++i) {
+        if (next >= points.size()) fields_.fail("x and y of each corner in 'points'");
+        outline.push_back(number_of(points[next++], "'points'"));
+      }
+    }
+    if (next != points.size()) fields_.fail("a corner for each place in 'points'");
+    return foreseen;
   }
 
   SoilTaken read_soil() const {

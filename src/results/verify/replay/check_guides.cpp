@@ -33,6 +33,8 @@ class GuideCheck {
       }
       if (const auto* plan = std::get_if<GuidePlan>(&record_->what)) {
         begin(*plan);
+      } else if (std::holds_alternative<Foreseen>(record_->what)) {
+        foreseen_ = record_->time;
       } else if (const auto* thought = std::get_if<Think>(&record_->what)) {
         follow(*thought);
       } else if (const auto* point = std::get_if<WayPoint>(&record_->what)) {
@@ -62,8 +64,11 @@ class GuideCheck {
   }
 
   void begin(const GuidePlan& plan) {
-    way_ = plan.way;
-    next_ = 0;
+    // Where no way round what is foreseen was found, all goes on as it was.
+    if (!plan.way.empty() || record_->time != foreseen_) {
+      way_ = plan.way;
+      next_ = 0;
+    }
     check_kept(plan);
     check_steering(plan);
     check_graph(plan);
@@ -325,10 +330,11 @@ class GuideCheck {
   Faults& faults_;
   const SceneRobot& robot_;
   std::vector<std::vector<double>> way_;
-  int next_ = 0;       ///< the waypoint that has begun
-  double thinks_ = 0;  ///< s for each check, of the guide that planned last
-  int checks_ = 0;     ///< that it has not thought about yet
-  Ticks before_ = 0;   ///< when the record before this one was over
+  int next_ = 0;         ///< the waypoint that has begun
+  Ticks foreseen_ = -1;  ///< when its way met what others are foreseen to sweep last
+  double thinks_ = 0;    ///< s for each check, of the guide that planned last
+  int checks_ = 0;       ///< that it has not thought about yet
+  Ticks before_ = 0;     ///< when the record before this one was over
   double spread_ = 0;
   std::vector<double> q_;  ///< once it is known
   const Record* record_ = nullptr;

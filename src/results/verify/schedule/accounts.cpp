@@ -20,6 +20,8 @@ class Bookkeeper {
     account_ = {};
     steps_.clear();
     works_.clear();
+    foreseen_ = -1;
+    may_go_round_ = false;
     const TaskRun& run = runs[at(index)];
     if (!run.happened) return account_;
     lift_ = find_lift(trace_, run);
@@ -39,6 +41,7 @@ class Bookkeeper {
   void add(const Other&) {}
 
   void add(const Try& attempt) {
+    may_go_round_ = false;
     if (!attempt.ok) return;
     account_.steps += record_->time - now_;
     steps_.emplace_back(now_, record_->time);
@@ -48,6 +51,16 @@ class Bookkeeper {
     account_.script_waits += record_->time - now_;
     ++account_.script_wait_count;
     steps_.emplace_back(now_, record_->time);
+  }
+
+  void add(const Foreseen&) {
+    if (record_->time != foreseen_) ++account_.foreseen;
+    foreseen_ = record_->time;
+    may_go_round_ = true;
+  }
+
+  void add(const WayPoint&) {
+    if (std::exchange(may_go_round_, false)) ++account_.rounds;
   }
 
   void add(const Stop&) {
@@ -155,6 +168,8 @@ class Bookkeeper {
   std::optional<Lift> lift_;
   bool whole_ = false;
   Ticks now_ = 0;
+  Ticks foreseen_ = -1;        ///< when its way met what is foreseen last
+  bool may_go_round_ = false;  ///< it has made no step since then
 };
 
 }  // namespace

@@ -21,6 +21,8 @@ struct HeldTime {
 struct TaskAccount {
   Ticks steps = 0;         ///< of its robot
   Ticks thinking = 0;      ///< of its guides, which is part of these
+  int foreseen = 0;        ///< times at which its way met what others are foreseen to sweep
+  int rounds = 0;          ///< and a guide then led it
   Ticks script_waits = 0;  ///< `wait`s of the script: motion, or waiting for a machine
   int script_wait_count = 0;
   Ticks work = 0;  ///< in shifts

@@ -122,6 +122,12 @@ void check_split(const TaskRun& run, const TaskAccount& account, const ScheduleR
   check.at_least("the time out of shift", split.shift, account.shift);
   check.exactly("the time under repair", split.repair, account.repair);
   check.exactly("the thinking of guides", split.thinking, account.thinking);
+  if (row.foreseen && *row.foreseen != std::pair(account.foreseen, account.rounds)) {
+    check.fault(
+        fmt::format("its way met {} times what others are foreseen to sweep and went round "
+                    "{} times, by the trace {} and {}",
+                    row.foreseen->first, row.foreseen->second, account.foreseen, account.rounds));
+  }
 }
 
 void check_uses(const Trace& trace, const std::vector<TaskRun>& runs,

@@ -138,6 +138,12 @@ ScheduleRow read_row(const JsonFields& fields) {
                waited.time("resource"), waited.time("machine"), waited.time("shift")};
   if (waited.has("repair")) row.split.repair = waited.time("repair");
   if (fields.has("thinking")) row.split.thinking = fields.time("thinking");
+  if (fields.has("workspaces")) {
+    const JsonFields workspaces = fields.object("workspaces");
+    if (workspaces.has("foreseen")) {
+      row.foreseen = std::pair(workspaces.integer("foreseen"), workspaces.integer("rounds"));
+    }
+  }
   row.cost = number_if_any(fields, "cost");
   row.begins = fields.text_or("begins", "");
   row.ends = fields.text_or("ends", "");

@@ -47,6 +47,8 @@ struct ScheduleRow {
   Ticks start = 0;
   Ticks duration = 0;
   TimeSplit split;
+  /// How often its way met what others are foreseen to sweep, and went round.
+  std::optional<std::pair<int, int>> foreseen;
   std::optional<double> cost;
   std::string begins, ends;  ///< YYYY-MM-DD HH:MM; "": not given
   int tried = 0;
