@@ -92,6 +92,7 @@ std::unique_ptr<PlanModel> load_plan(const std::string& path, SourceMap& sources
   if (diagnostics.errors() == errors_before) plan_check::check_masses(subject);
   diagnostics.name_copies(said_before, sources);
   if (diagnostics.errors() != errors_before || plan.broken) return nullptr;
+  number_draws(*model);
   return model;
 }
 

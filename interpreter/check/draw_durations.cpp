@@ -25,28 +25,73 @@ void for_each_uncertain(Task& task, const Use& use) {
   }
 }
 
+double drawn_work(const WorkSpec& work, const std::string& place, const SampleSpec& sample) {
+  return sampling::draw(*work.law, {sample.seed, sample.run, place});
+}
+
+hauling::Result drawn_dig(const TaskSpec& task, const SampleSpec& sample) {
+  return simulate(task.dig->operation, hauling::Draws{sample.seed, sample.run, task.name});
+}
+
+/// s
+double work_of(const hauling::Result& dig) {
+  return static_cast<double>(dig.time) / hauling::kPerSecond;
+}
+
+/// Calls `use_work` with each work that is drawn and its place, `use_dig` with each task whose dig
+/// is; in one order for all that number and draw.
+template <typename Plan, typename UseWork, typename UseDig>
+void for_each_draw(Plan& plan, const UseWork& use_work, const UseDig& use_dig) {
+  const auto one = [&](auto& task) {
+    for_each_uncertain(task, use_work);
+    if (task.dig && task.dig->operation.uncertain_stages() > 0) use_dig(task);
+  };
+  for (auto& task : plan.tasks) {
+    one(task);
+    for (auto& choice : task.choices) one(choice);
+  }
+}
+
 }  // namespace
 
 void draw_durations(PlanModel& plan, const SampleSpec& sample) {
   plan.sample = sample;
-  const auto draw = [&](WorkSpec& work, const std::string& place) {
-    work.duration = sampling::draw(*work.law, {sample.seed, sample.run, place});
-  };
-  const auto draw_dig = [&](TaskSpec& task) {
-    if (!task.dig || task.dig->operation.uncertain_stages() == 0) return;
-    task.dig->result =
-        simulate(task.dig->operation, hauling::Draws{sample.seed, sample.run, task.name});
-    task.takes.front().duration = static_cast<double>(task.dig->result.time) / hauling::kPerSecond;
-  };
-  for (TaskSpec& task : plan.tasks) {
-    for_each_uncertain(task, draw);
-    draw_dig(task);
-    for (TaskSpec& choice : task.choices) {
-      for_each_uncertain(choice, draw);
-      draw_dig(choice);
-    }
-  }
+  for_each_draw(
+      plan,
+      [&](WorkSpec& work, const std::string& place) {
+        work.duration = drawn_work(work, place, sample);
+      },
+      [&](TaskSpec& task) {
+        task.dig->result = drawn_dig(task, sample);
+        task.takes.front().duration = work_of(task.dig->result);
+      });
   for (CalendarSpec& calendar : plan.calendars) calendar.weather = {{sample.seed, sample.run}};
+}
+
+void number_draws(PlanModel& plan) {
+  int works = 0;
+  int digs = 0;
+  for_each_draw(
+      plan, [&](WorkSpec& work, const std::string&) { work.draw = works++; },
+      [&](TaskSpec& task) {
+        task.dig->draw = digs++;
+        task.takes.front().draw = works++;
+      });
+}
+
+Draws draws_of(const PlanModel& plan, const SampleSpec& sample) {
+  Draws draws;
+  draws.sample = sample;
+  for_each_draw(
+      plan,
+      [&](const WorkSpec& work, const std::string& place) {
+        draws.durations.push_back(drawn_work(work, place, sample));
+      },
+      [&](const TaskSpec& task) {
+        draws.digs.push_back(drawn_dig(task, sample));
+        draws.durations.push_back(work_of(draws.digs.back()));
+      });
+  return draws;
 }
 
 std::vector<UncertainDuration> uncertain_durations(const PlanModel& plan) {

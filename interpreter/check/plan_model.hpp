@@ -197,6 +197,7 @@ struct WorkSpec {
   bool turning = false;  ///< people turn the load about the vertical, to how it is to stand
   /// Of one that is not certain; then `duration` is its mean, or what was drawn.
   std::optional<sampling::DurationLaw> law = {};
+  int draw = -1;  ///< its number among what is drawn (`Draws`), -1: it is certain
 };
 
 /// When a client or a schedule of others wants a task: ticks after the beginning of the plan.
@@ -263,6 +264,7 @@ struct DigSpec {
   int earth = -1;          ///< index into earths, -1: only a volume is given
   int soil = -1;           ///< then the component that it takes away
   hauling::Result result;  ///< with the means, or as its durations were drawn
+  int draw = -1;           ///< its number among the digs that are drawn (`Draws`)
 };
 
 /// How a robot digs a pit bucket by bucket, with its own body. How long that takes comes out of its
@@ -484,6 +486,27 @@ std::vector<int> crews_of_lift(const TaskSpec& task);
 /// "pour.takes", of several "pour.takes_2"): the same place has the same draw whatever else the
 /// plan has.
 void draw_durations(PlanModel& plan, const SampleSpec& sample);
+
+/// What is drawn for a run, apart from the plan: threads that run one plan share it.
+struct Draws {
+  std::optional<SampleSpec> sample = {};   ///< nothing: all is as the plan has it
+  std::vector<double> durations = {};      ///< s, by `WorkSpec::draw`; empty: as the plan has them
+  std::vector<hauling::Result> digs = {};  ///< by `DigSpec::draw`, likewise
+
+  /// s
+  double duration(const WorkSpec& work) const {
+    const auto at = static_cast<std::size_t>(work.draw);
+    return work.draw >= 0 && at < durations.size() ? durations[at] : work.duration;
+  }
+  const hauling::Result& result(const DigSpec& dig) const {
+    const auto at = static_cast<std::size_t>(dig.draw);
+    return dig.draw >= 0 && at < digs.size() ? digs[at] : dig.result;
+  }
+};
+/// Numbers what is drawn for a run; `load_plan` does it.
+void number_draws(PlanModel& plan);
+/// The same draws as those of `draw_durations`.
+Draws draws_of(const PlanModel& plan, const SampleSpec& sample);
 /// How many durations are not certain.
 int count_uncertain(const PlanModel& plan);
 /// Whether a calendar loses days.

@@ -67,15 +67,13 @@ ReadVariant read_variant(const LoadedStudy& study, const interpreter::ParameterT
   return result;
 }
 
-/// What is wrong with the plan, told of the study's `plan` clause: with the first variant, which
-/// nobody typed, a place in the plan alone would not be understood.
-void check_first_variant(LoadedStudy& study, interpreter::Diagnostics& diagnostics) {
-  ReadVariant read = read_variant(study, study.variants.front());
-  if (read.loaded.plan) {
-    check_names(*study.model, *read.loaded.plan, diagnostics);
-    study.first = std::move(read.loaded);
-    return;
-  }
+/// So many variants are read until one can run: where none of these can it is the plan.
+constexpr std::size_t kMostTriedFirst = 16;
+
+/// Tells of a variant that cannot run at the study's `plan` clause: a place in the plan alone, with
+/// values that nobody typed, would not be understood.
+void tell_fault(const LoadedStudy& study, const ReadVariant& read,
+                interpreter::Diagnostics& diagnostics) {
   if (read.errors.empty()) diagnostics.error("U12", study.model->plan_span, read.loaded.fault);
   const interpreter::SourceMap typed = study.files->plan_files().typed(read.loaded.sources);
   for (const interpreter::Diagnostic& each : read.errors) {
@@ -87,6 +85,35 @@ void check_first_variant(LoadedStudy& study, interpreter::Diagnostics& diagnosti
                       fmt::format("the plan cannot run with the first values: {}{}",
                                   place_text(typed, each.span), each.message));
   }
+}
+
+/// Whether a variant cannot run because of a setting that the plan does not know: a slip of the
+/// study.
+bool has_wrong_setting(const LoadedStudy& study, const ReadVariant& read) {
+  return std::any_of(read.errors.begin(), read.errors.end(),
+                     [&](const interpreter::Diagnostic& each) {
+                       return variable_of(*study.model, each.message) != nullptr;
+                     });
+}
+
+/// Looks at the first variant that can run. Those before it are told with the others, when all
+/// have run; where none can, what is wrong with the first.
+void check_first_variant(LoadedStudy& study, interpreter::Diagnostics& diagnostics) {
+  const std::size_t most = std::min(study.variants.size(), kMostTriedFirst);
+  std::optional<ReadVariant> failed;
+  for (std::size_t i = 0; i < most; ++i) {
+    ReadVariant read = read_variant(study, study.variants[i]);
+    if (read.loaded.plan) {
+      check_names(*study.model, *read.loaded.plan, diagnostics);
+      study.first = std::move(read.loaded);
+      study.first_number = i;
+      return;
+    }
+    const bool slip = has_wrong_setting(study, read);
+    if (!failed) failed = std::move(read);
+    if (slip) break;
+  }
+  tell_fault(study, *failed, diagnostics);
 }
 
 }  // namespace
@@ -115,7 +142,7 @@ LoadedStudy load_study(const std::string& path, interpreter::SourceMap& sources,
 
 study::LoadedVariant load_variant(LoadedStudy& study, std::size_t variant,
                                   const interpreter::ParameterTexts& set) {
-  if (variant == 0 && study.first) {
+  if (study.first && variant == study.first_number) {
     study::LoadedVariant first = *std::move(study.first);
     study.first.reset();
     return first;

@@ -19,11 +19,13 @@ struct LoadedStudy {
   std::vector<interpreter::ParameterTexts> variants;
   std::unique_ptr<files::CachedPlanFiles> files;
   std::string text;                           ///< of the study itself
-  std::optional<study::LoadedVariant> first;  ///< read to check the study
+  std::optional<study::LoadedVariant> first;  ///< read to check the study: the first that can run
+  std::size_t first_number = 0;               ///< of the variant that it is
 };
 
-/// Reads a study, and with `look_at_plan` its plan with the settings of the first variant, which
-/// must have all that the study names. What is wrong goes to `diagnostics`; the model is null then.
+/// Reads a study, and with `look_at_plan` its plan with the settings of the first variant that can
+/// run, which must have all that the study names. What is wrong goes to `diagnostics`; the model is
+/// null then.
 LoadedStudy load_study(const std::string& path, interpreter::SourceMap& sources,
                        interpreter::Diagnostics& diagnostics, bool look_at_plan = true);
 

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -97,6 +98,8 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file that may not grow (ulimit -f) is a full disk, with a message, not the end.
+  std::signal(SIGXFSZ, SIG_IGN);
   int code = kInternalFault;
   try {
     code = dispatch(argc, argv);

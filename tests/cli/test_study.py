@@ -5,6 +5,7 @@ import io
 import json
 import os
 import random
+import resource
 import signal
 import subprocess
 import time
@@ -136,6 +137,17 @@ class Study(StudyCase):
         self.assertIn("fault", study["variants"][1])
         self.assertEqual([variant.get("runs") for variant in study["variants"]], [20, None, 20])
         self.assertEqual(study["choice"]["passed_over"], [{"variant": 2, "why": "cannot run"}])
+        # Also the first one: what is compared with the first is compared with the first that runs.
+        study = self.json_of("vary gang 1, 2, 3; runs 20; choose least mean(cost);")
+        self.assertEqual([variant.get("runs") for variant in study["variants"]], [None, 20, 20])
+        self.assertIn("fault", study["variants"][0])
+        self.assertNotIn("difference", study["variants"][1]["answers"][0])
+        self.assertIn("difference", study["variants"][2]["answers"][0])
+        # Where none runs, and where a setting has a wrong kind, the study is wrong.
+        self.study("vary gang 1; runs 20;", expected=2)
+        self.assertIn("the plan cannot run with the first values", self.result.stderr)
+        self.study("vary gang 2 m, 2; runs 20;", expected=2)
+        self.assertIn("s.study:1:35: error: the parameter is", self.result.stderr)
 
     def test_mistakes_are_told_at_their_places(self):
         for items, message in (("vary flors 2;", "s.study:1:35: error: the plan has no parameter 'flors'; did you mean floors?"),
@@ -236,6 +248,17 @@ class Study(StudyCase):
             self.assertEqual(self.files(out), self.files(whole))
         finally:
             subprocess.run(["umount", small], check=True)
+
+    def test_a_file_that_may_not_grow_is_a_full_disk(self):
+        items = "vary floors 2 to 5; runs 2000; seed 3;"
+        out, whole = os.path.join(self.folder, "out"), os.path.join(self.folder, "whole")
+        expected = self.study(items, "--out", whole)
+        command = [RUBICON, "study", self.path_of(items), "--out", out]
+        limited = subprocess.run(command, capture_output=True, text=True, check=False, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (99_000, 99_000)))
+        self.assertEqual(limited.returncode, 2, limited.stderr)
+        self.assertIn("File too large", limited.stderr)
+        self.assertEqual(self.study(items, "--out", out, "--resume"), expected)
+        self.assertEqual(self.files(out), self.files(whole))
 
     def test_a_distribution_with_negative_durations_is_told(self):
         self.write("house.plan", PLAN.replace("pert(4 h, 6 h, 14 h)", "triangular(-4 h, 6 h, 14 h)"))

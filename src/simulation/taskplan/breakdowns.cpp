@@ -20,16 +20,12 @@ constexpr Ticks kLeastBetweenBreakdowns = schedule::kSecond;
 /// So often machines break down in a run: more is a slip of the pen, and would fill the memory.
 constexpr std::size_t kMostBreakdowns = 100'000;
 
-Ticks drawn(const interpreter::PlanModel& plan, const sampling::DurationLaw& law,
-            const std::string& name, std::uint64_t use) {
-  const sampling::Place place{plan.sample->seed, plan.sample->run, name, use};
-  return schedule::within_time(schedule::ticks_from_seconds(sampling::draw(law, place)));
-}
-
 }  // namespace
 
-Breakdowns::Breakdowns(const interpreter::PlanModel& plan) : plan_(&plan) {
-  if (!plan.sample || !interpreter::has_breakdowns(plan)) return;
+Breakdowns::Breakdowns(const interpreter::PlanModel& plan,
+                       const std::optional<interpreter::SampleSpec>& sample)
+    : plan_(&plan), sample_(sample) {
+  if (!sample || !interpreter::has_breakdowns(plan)) return;
   machines_.resize(plan.robots.size());
   for (std::size_t i = 0; i < machines_.size(); ++i) {
     if (!plan.robots[i].breakdown) continue;
@@ -38,11 +34,17 @@ Breakdowns::Breakdowns(const interpreter::PlanModel& plan) : plan_(&plan) {
   }
 }
 
+Ticks Breakdowns::drawn(const sampling::DurationLaw& law, const std::string& name,
+                        std::uint64_t use) const {
+  const sampling::Place place{sample_->seed, sample_->run, name, use};
+  return schedule::within_time(schedule::ticks_from_seconds(sampling::draw(law, place)));
+}
+
 void Breakdowns::draw(int robot) {
   const interpreter::RobotSpec& spec = plan_->robots[static_cast<std::size_t>(robot)];
   Machine& each = machine(robot);
   each.every = std::max(kLeastBetweenBreakdowns,
-                        drawn(*plan_, spec.breakdown->every, spec.name + ".breakdown", each.uses));
+                        drawn(spec.breakdown->every, spec.name + ".breakdown", each.uses));
 }
 
 Ticks Breakdowns::left(int robot, Ticks in_task) const {
@@ -56,7 +58,7 @@ Breakdowns::Repair Breakdowns::begin_repair(int robot, Ticks in_task) {
   Repair repair;
   repair.every = each.every;
   repair.worked = each.worked + in_task;
-  repair.time = drawn(*plan_, spec.breakdown->takes, spec.name + ".repair", each.uses++);
+  repair.time = drawn(spec.breakdown->takes, spec.name + ".repair", each.uses++);
   each.worked = -in_task;
   draw(robot);
   return repair;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace rubicon::taskplan {
 class Breakdowns {
  public:
   Breakdowns() = default;
-  explicit Breakdowns(const interpreter::PlanModel& plan);
+  Breakdowns(const interpreter::PlanModel& plan,
+             const std::optional<interpreter::SampleSpec>& sample);
 
   /// Whether the machine breaks down at all.
   bool breaks(int robot) const { return robot >= 0 && !machines_.empty() && machine(robot).breaks; }
@@ -51,9 +53,11 @@ class Breakdowns {
   };
   Machine& machine(int robot) { return machines_[static_cast<std::size_t>(robot)]; }
   const Machine& machine(int robot) const { return machines_[static_cast<std::size_t>(robot)]; }
+  Ticks drawn(const sampling::DurationLaw& law, const std::string& name, std::uint64_t use) const;
   void draw(int robot);
 
   const interpreter::PlanModel* plan_ = nullptr;
+  std::optional<interpreter::SampleSpec> sample_;
   std::vector<Machine> machines_;
 };
 

@@ -128,7 +128,7 @@ Step DigActivity::begin(ActiveTask& task, Stage& stage) {
     outcome.load = dig.hauls.load;
     outcome.uncertain = dig.hauls.uncertain_stages() > 0;
     std::optional<std::pair<std::uint64_t, std::uint64_t>> by;
-    if (stage.plan.sample) by = {stage.plan.sample->seed, stage.plan.sample->run};
+    if (const auto& sample = stage.draws.sample) by = {sample->seed, sample->run};
     trucks_ = hauling::TruckRounds(dig.hauls, by, spec.name);
   }
   if (dig.loads_bodies()) {

@@ -60,7 +60,9 @@ std::vector<geometry::Shape> boxes_on(const soil::Terrain& surface, const math::
     geometry::Box box;
     box.lower = {x, y, static_cast<double>(surface.heights[at(cell)]) * 1e-3};
     box.upper = {x + side, y + side, static_cast<double>(height) * 1e-3};
-    shapes.push_back({box, X_WE});
+    geometry::Shape& shape = shapes.emplace_back();
+    shape.solid = box;
+    shape.X_BS = X_WE;
   }
   return shapes;
 }

@@ -86,6 +86,8 @@ Schedule Simulation::make_schedule() {
   for (const std::size_t place : order) {
     row_of[place] = schedule.tasks.size();
     schedule.tasks.push_back(std::move(*all[place]));
+    // Room for the next.
+    if (place < plan_.tasks.size()) records_.outcome(static_cast<int>(place)).reset();
   }
 
   for (const interpreter::RobotSpec& robot : plan_.robots) {
@@ -130,8 +132,8 @@ Schedule Simulation::make_schedule() {
 /// What the weather took up to the end of the plan, also in the trace.
 void Simulation::add_lost_days(Schedule& schedule, Ticks end) {
   schedule.loses_days = interpreter::loses_days(plan_);
-  if (!schedule.loses_days || !plan_.sample) return;
-  const std::vector<schedule::WorkCalendar> calendars = calendars_of(plan_);
+  if (!schedule.loses_days || !stage_.draws.sample) return;
+  const std::vector<schedule::WorkCalendar> calendars = calendars_of(plan_, stage_.draws);
   for (std::size_t i = 0; i < calendars.size(); ++i) {
     if (!plan_.calendars[i].loses_days()) continue;
     const schedule::WorkCalendar::Lost lost = calendars[i].lost_until(end);

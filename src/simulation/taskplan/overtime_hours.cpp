@@ -6,8 +6,8 @@
 
 namespace rubicon::taskplan {
 
-OvertimeHours::OvertimeHours(const interpreter::PlanModel& plan) {
-  const std::vector<schedule::WorkCalendar> calendars = calendars_of(plan);
+OvertimeHours::OvertimeHours(const interpreter::PlanModel& plan, const interpreter::Draws& draws) {
+  const std::vector<schedule::WorkCalendar> calendars = calendars_of(plan, draws);
   const auto named = [&](const std::string& name) {
     const int index = calendar_index(plan, name);
     return index < 0 ? schedule::WorkCalendar() : calendars[static_cast<std::size_t>(index)];

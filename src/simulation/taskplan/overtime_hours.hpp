@@ -14,7 +14,7 @@ using schedule::Ticks;
 class OvertimeHours {
  public:
   OvertimeHours() = default;
-  explicit OvertimeHours(const interpreter::PlanModel& plan);
+  OvertimeHours(const interpreter::PlanModel& plan, const interpreter::Draws& draws);
 
   /// Overtime in the shifts of its own calendar.
   Ticks in_shifts(int resource, Ticks from, Ticks to) const;

@@ -8,7 +8,7 @@
 
 namespace rubicon::taskplan {
 
-std::vector<Phase> phases_of(const interpreter::TaskSpec& task) {
+std::vector<Phase> phases_of(const interpreter::TaskSpec& task, const interpreter::Draws& draws) {
   using Kind = Phase::Kind;
   std::vector<Phase> phases;
   const auto work = [&](const interpreter::WorkSpec& spec, const char* what) {
@@ -24,7 +24,7 @@ std::vector<Phase> phases_of(const interpreter::TaskSpec& task) {
     motion(MotionPurpose::grip);
     handle(Kind::weigh, *task.move);
     if (task.hook) work(*task.hook, "hook");
-    const bool hooks = task.hook && interpreter::ticks_from_seconds(task.hook->duration) > 0;
+    const bool hooks = task.hook && interpreter::ticks_from_seconds(draws.duration(*task.hook)) > 0;
     if (hooks) phases.back().begins_lift = true;
     handle(Kind::attach, *task.move);
     phases.back().begins_lift = !hooks;

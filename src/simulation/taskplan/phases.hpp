@@ -25,7 +25,7 @@ struct Phase {
 };
 
 /// The phases of a task; they point into it.
-std::vector<Phase> phases_of(const interpreter::TaskSpec& task);
+std::vector<Phase> phases_of(const interpreter::TaskSpec& task, const interpreter::Draws& draws);
 
 /// What is done in a phase.
 std::unique_ptr<Activity> activity_of(const Phase& phase);

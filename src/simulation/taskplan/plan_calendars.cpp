@@ -10,9 +10,11 @@ schedule::CivilTime start_of(const interpreter::PlanModel& plan) {
   return plan.start_at.value_or(schedule::kUndatedStart);
 }
 
-std::vector<schedule::WorkCalendar> calendars_of(const interpreter::PlanModel& plan) {
+std::vector<schedule::WorkCalendar> calendars_of(const interpreter::PlanModel& plan,
+                                                 const interpreter::Draws& draws) {
   std::vector<schedule::WorkCalendar> calendars;
-  for (const interpreter::CalendarSpec& rules : plan.calendars) {
+  for (interpreter::CalendarSpec rules : plan.calendars) {
+    if (draws.sample) rules.weather = {{draws.sample->seed, draws.sample->run}};
     calendars.push_back(
         std::get<schedule::WorkCalendar>(schedule::calendar_of(rules, start_of(plan))));
   }

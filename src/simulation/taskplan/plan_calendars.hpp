@@ -12,8 +12,10 @@ namespace rubicon::taskplan {
 /// When a plan begins: its `start_at`, else `schedule::kUndatedStart`.
 schedule::CivilTime start_of(const interpreter::PlanModel& plan);
 
-/// The plan's calendars, as in the file. They must be without mistakes.
-std::vector<schedule::WorkCalendar> calendars_of(const interpreter::PlanModel& plan);
+/// The plan's calendars, as in the file, with the weather that was drawn. They must be without
+/// mistakes.
+std::vector<schedule::WorkCalendar> calendars_of(const interpreter::PlanModel& plan,
+                                                 const interpreter::Draws& draws = {});
 
 /// The calendar of that name, -1 for none.
 int calendar_index(const interpreter::PlanModel& plan, const std::string& name);

@@ -4,7 +4,8 @@
 
 namespace rubicon::taskplan {
 
-std::vector<schedule::NetworkTask> network_tasks(const interpreter::PlanModel& plan) {
+std::vector<schedule::NetworkTask> network_tasks(const interpreter::PlanModel& plan,
+                                                 const interpreter::Draws& draws) {
   std::vector<schedule::NetworkTask> tasks;
   tasks.reserve(plan.tasks.size());
   for (const interpreter::TaskSpec& spec : plan.tasks) {
@@ -16,11 +17,11 @@ std::vector<schedule::NetworkTask> network_tasks(const interpreter::PlanModel& p
     for (const int resource : task.resources) {
       task.units.push_back(people_of(plan, spec, resource));
     }
-    for (const auto& work : {spec.hook, spec.adjust, spec.release}) {
-      if (work) task.work += schedule::ticks_from_seconds(work->duration);
+    for (const auto* const work : {&spec.hook, &spec.adjust, &spec.release}) {
+      if (*work) task.work += schedule::ticks_from_seconds(draws.duration(**work));
     }
     for (const interpreter::WorkSpec& work : spec.takes) {
-      task.work += schedule::ticks_from_seconds(work.duration);
+      task.work += schedule::ticks_from_seconds(draws.duration(work));
     }
     for (const interpreter::LinkSpec& link : spec.after) {
       task.after.push_back({link.task, link.type, link.lag, schedule::LagClock::elapsed});

@@ -9,6 +9,7 @@ namespace rubicon::taskplan {
 
 /// The tasks of a plan with their links, priorities and crew work, as in the file; the work of a
 /// task with motions is only its crews' share.
-std::vector<schedule::NetworkTask> network_tasks(const interpreter::PlanModel& plan);
+std::vector<schedule::NetworkTask> network_tasks(const interpreter::PlanModel& plan,
+                                                 const interpreter::Draws& draws);
 
 }  // namespace rubicon::taskplan

@@ -32,8 +32,9 @@ std::vector<bool> precomputable(const interpreter::PlanModel& plan,
     const bool chosen = !spec.choices.empty();
     if (spec.robot >= 0 || chosen || !spec.zones.empty() || !spec.remove.empty()) rule_out(task);
     // Crews that a robot's task needs for a work only.
-    for (const auto& work : {spec.hook, spec.adjust, spec.release}) {
-      if (work && work->crew >= 0) users[plan.robots.size() + at(work->crew)].push_back(task);
+    for (const auto* const work : {&spec.hook, &spec.adjust, &spec.release}) {
+      if (*work && (*work)->crew >= 0)
+        users[plan.robots.size() + at((*work)->crew)].push_back(task);
     }
     for (const interpreter::WorkSpec& work : spec.takes) {
       if (work.crew >= 0) users[plan.robots.size() + at(work.crew)].push_back(task);
@@ -57,8 +58,9 @@ std::vector<bool> precomputable(const interpreter::PlanModel& plan,
     for (const int resource : tasks[at(task)].resources) rule_out_users(users[at(resource)]);
     for (const int resource : may_have[at(task)]) rule_out_users(users[at(resource)]);
     const interpreter::TaskSpec& spec = plan.tasks[at(task)];
-    for (const auto& work : {spec.hook, spec.adjust, spec.release}) {
-      if (work && work->crew >= 0) rule_out_users(users[plan.robots.size() + at(work->crew)]);
+    for (const auto* const work : {&spec.hook, &spec.adjust, &spec.release}) {
+      if (!*work || (*work)->crew < 0) continue;
+      rule_out_users(users[plan.robots.size() + at((*work)->crew)]);
     }
     for (const interpreter::WorkSpec& work : spec.takes) {
       if (work.crew >= 0) rule_out_users(users[plan.robots.size() + at(work.crew)]);
@@ -70,7 +72,8 @@ std::vector<bool> precomputable(const interpreter::PlanModel& plan,
 }  // namespace
 
 std::vector<std::optional<schedule::TaskTimes>> precomputed_times(
-    const interpreter::PlanModel& plan, const std::vector<schedule::NetworkTask>& tasks) {
+    const interpreter::PlanModel& plan, const std::vector<schedule::NetworkTask>& tasks,
+    const interpreter::Draws& draws) {
   std::vector<std::optional<schedule::TaskTimes>> result(tasks.size());
   const std::vector<bool> chosen = precomputable(plan, tasks);
   std::vector<int> number(tasks.size(), -1);
@@ -82,7 +85,7 @@ std::vector<std::optional<schedule::TaskTimes>> precomputed_times(
   }
   if (original.empty()) return result;
   schedule::Network network;
-  network.calendars = calendars_of(plan);
+  network.calendars = calendars_of(plan, draws);
   for (const interpreter::RobotSpec& robot : plan.robots) {
     network.resources.push_back({robot.name, calendar_index(plan, robot.calendar)});
   }

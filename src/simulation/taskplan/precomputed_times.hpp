@@ -13,6 +13,7 @@ namespace rubicon::taskplan {
 /// remove. For them links may look ahead (LANGUAGE section 12: a task may start before the one it
 /// is tied to). `tasks` are the plan's (`network_tasks`); to each its times, or nothing.
 std::vector<std::optional<schedule::TaskTimes>> precomputed_times(
-    const interpreter::PlanModel& plan, const std::vector<schedule::NetworkTask>& tasks);
+    const interpreter::PlanModel& plan, const std::vector<schedule::NetworkTask>& tasks,
+    const interpreter::Draws& draws);
 
 }  // namespace rubicon::taskplan

@@ -14,13 +14,15 @@ Schedule run_plan(const interpreter::PlanModel& plan, const interpreter::SourceM
   std::optional<site::PreparedSite> own;
   if (!options.prepared) own = site::prepare_site(plan);
   const site::PreparedSite& prepared = own ? *own : *options.prepared;
+  const interpreter::Draws own_draws{plan.sample};
+  const interpreter::Draws& draws = options.draws ? *options.draws : own_draws;
   Verdicts known;
   while (true) {
-    Simulation simulation(plan, sources, sink, options, prepared, std::move(known));
+    Simulation simulation(plan, sources, draws, sink, options, prepared, std::move(known));
     if (auto schedule = simulation.run()) {
       add_attributes(plan, *schedule);
       schedule->uncertain = interpreter::count_uncertain(plan);
-      schedule->sample = plan.sample;
+      schedule->sample = draws.sample;
       return *std::move(schedule);
     }
     known = simulation.verdicts();

@@ -27,6 +27,8 @@ struct RunOptions {
   MotionObserver on_motion;
   /// Of the same plan, with whatever durations; null: it is made for this run.
   const site::PreparedSite* prepared = nullptr;
+  /// Of this run, without a trace: its header tells of the plan. Null: all is as the plan has it.
+  const interpreter::Draws* draws = nullptr;
 };
 
 /// Simulates a plan from its beginning (docs/simulation.md) and writes the trace to `sink` unless

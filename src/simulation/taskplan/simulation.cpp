@@ -10,11 +10,12 @@ namespace rubicon::taskplan {
 using schedule::TaskEnd;
 
 Simulation::Simulation(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
-                       trace::TraceSink* sink, const RunOptions& options,
-                       const site::PreparedSite& prepared, Verdicts known)
+                       const interpreter::Draws& draws, trace::TraceSink* sink,
+                       const RunOptions& options, const site::PreparedSite& prepared,
+                       Verdicts known)
     : plan_(plan),
       options_(options),
-      stage_(plan, sources, sink, options.detail, prepared),
+      stage_(plan, sources, draws, sink, options.detail, prepared),
       records_(stage_.tasks()),
       checkpoints_(stage_, records_, zone_waits_),
       excluded_(std::move(known.tasks)),
@@ -191,7 +192,7 @@ ActiveTask& Simulation::activate(int task) {
   const interpreter::TaskSpec& each = stage_.spec(task);
   ActiveTask active;
   active.task = task;
-  active.phases = phases_of(each);
+  active.phases = phases_of(each, stage_.draws);
   active.hits = HitRecorder(stage_.trace.events());
   active.account.over_time.resize(stage_.held_by(task).size(), 0);
   active.account.worked = active.account.outside = active.account.over_time;
@@ -202,6 +203,7 @@ ActiveTask& Simulation::activate(int task) {
   outcome.crews = crew_names(plan_, each);
   outcome.start = stage_.now();
   outcome.dig = each.dig;
+  if (outcome.dig) outcome.dig->result = stage_.draws.result(*each.dig);
   if (stage_.has_choices(task)) outcome.choice = choice_text(task);
   stage_.active.add(std::move(active));
   return *stage_.active.find(task);

@@ -64,8 +64,8 @@ class Simulation : private LinkState::Listener {
   /// `sink` may be null. All arguments must outlive it. The plan must be without preflight errors.
   /// Tasks of `known` are left out from the beginning.
   Simulation(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
-             trace::TraceSink* sink, const RunOptions& options, const site::PreparedSite& prepared,
-             Verdicts known);
+             const interpreter::Draws& draws, trace::TraceSink* sink, const RunOptions& options,
+             const site::PreparedSite& prepared, Verdicts known);
 
   /// Runs to the end; nothing if the whole must begin again with the `verdicts` so far, which
   /// happens when a task that was done turns out to be impossible without a later one.

@@ -15,8 +15,10 @@
 namespace rubicon::taskplan {
 
 Stage::Stage(const interpreter::PlanModel& the_plan, const interpreter::SourceMap& the_sources,
-             trace::TraceSink* sink, trace::TraceDetail detail, const site::PreparedSite& prepared)
+             const interpreter::Draws& the_draws, trace::TraceSink* sink, trace::TraceDetail detail,
+             const site::PreparedSite& prepared)
     : plan(the_plan),
+      draws(the_draws),
       sources(the_sources),
       trace(the_plan, the_sources, sink, detail),
       site(site::make_site(the_plan, prepared)),
@@ -66,16 +68,16 @@ Stage::Stage(const interpreter::PlanModel& the_plan, const interpreter::SourceMa
   for (std::size_t i = 0; i < names.size(); ++i) {
     network.resources.push_back({names[i], -1, sizes[i]});
   }
-  allocator.emplace(std::move(names), sizes, std::move(calendars), calendars_of(plan));
-  overtime = OvertimeHours(plan);
-  breakdowns = Breakdowns(plan);
+  allocator.emplace(std::move(names), sizes, std::move(calendars), calendars_of(plan, draws));
+  overtime = OvertimeHours(plan, draws);
+  breakdowns = Breakdowns(plan, draws.sample);
   queue_.resize(specs_.size());
   choice_queues_.resize(specs_.size());
   std::vector<Ticks> work;
   for (int task = 0; task < tasks(); ++task) work.push_back(prepare_queue(task));
 
-  network.tasks = network_tasks(plan);
-  const auto precomputed = precomputed_times(plan, network.tasks);
+  network.tasks = network_tasks(plan, draws);
+  const auto precomputed = precomputed_times(plan, network.tasks, draws);
   for (const interpreter::TaskSpec& park : parks_) network.tasks.emplace_back().name = park.name;
   for (std::size_t i = 0; i < specs_.size(); ++i) {
     // Motions are work too.
@@ -98,10 +100,11 @@ Ticks Stage::prepare_queue(int task) {
   }
   // What may fail or has to wait for a machine is known only when it is done.
   if (each.robot >= 0 || !each.remove.empty()) return -1;
-  const Ticks work = std::accumulate(each.takes.begin(), each.takes.end(), Ticks{0},
-                                     [](Ticks sum, const interpreter::WorkSpec& one) {
-                                       return sum + interpreter::ticks_from_seconds(one.duration);
-                                     });
+  const Ticks work =
+      std::accumulate(each.takes.begin(), each.takes.end(), Ticks{0},
+                      [this](Ticks sum, const interpreter::WorkSpec& one) {
+                        return sum + interpreter::ticks_from_seconds(draws.duration(one));
+                      });
   if (work == 0 && !each.zones.empty()) return -1;
   // A milestone waits for nobody.
   if (work == 0) queue_[at(task)] = std::get<int>(allocator->queue_for({}, {}));

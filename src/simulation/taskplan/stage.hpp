@@ -50,9 +50,11 @@ struct SiteProgress {
 class Stage {
  public:
   Stage(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
-        trace::TraceSink* sink, trace::TraceDetail detail, const site::PreparedSite& prepared);
+        const interpreter::Draws& draws, trace::TraceSink* sink, trace::TraceDetail detail,
+        const site::PreparedSite& prepared);
 
   const interpreter::PlanModel& plan;
+  const interpreter::Draws& draws;
   const interpreter::SourceMap& sources;
   TraceOutput trace;
   site::SiteWorld site;                  ///< components are changed through `site_changes`

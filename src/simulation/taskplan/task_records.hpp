@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,7 +29,7 @@ class TaskRecords {
   /// The task is done.
   void finish(int task, TaskOutcome outcome) {
     set_status(task, Status::done);
-    std::optional<TaskOutcome>& place = outcomes_[at(task)];
+    interpreter::Rare<TaskOutcome>& place = outcomes_[at(task)];
     place = std::move(outcome);
     journal_.on_undo([&place] { place.reset(); });
   }
@@ -41,7 +40,7 @@ class TaskRecords {
     journal_.on_undo([this] { parkings_.pop_back(); });
   }
   /// The outcome of a task; nothing if it is not done.
-  std::optional<TaskOutcome>& outcome(int task) { return outcomes_[at(task)]; }
+  interpreter::Rare<TaskOutcome>& outcome(int task) { return outcomes_[at(task)]; }
   std::vector<TaskOutcome>& parkings() { return parkings_; }
 
   /// A robot was asked out of the way for the sake of the task.
@@ -68,7 +67,7 @@ class TaskRecords {
   static std::size_t at(int task) { return static_cast<std::size_t>(task); }
 
   std::vector<Status> status_;
-  std::vector<std::optional<TaskOutcome>> outcomes_;
+  std::vector<interpreter::Rare<TaskOutcome>> outcomes_;
   std::vector<TaskOutcome> parkings_;
   std::vector<int> asked_for_;
   int behind_ = 0;

@@ -11,7 +11,7 @@ namespace rubicon::taskplan {
 
 Step WorkActivity::begin(ActiveTask& task, Stage& stage) {
   const interpreter::WorkSpec& spec = *task.now().work;
-  if (interpreter::ticks_from_seconds(spec.duration) == 0) return Step::over;
+  if (interpreter::ticks_from_seconds(stage.draws.duration(spec)) == 0) return Step::over;
   const LiftNote* const note = stage.lift_notes.of(task.task);
   if (task.now().begins_lift && note && stage.now() < note->not_before) {
     doing_ = Doing::waiting_for_lift;
@@ -58,7 +58,7 @@ Step WorkActivity::resume(ActiveTask& task, Stage& stage) {
     stage.pause(task.task, "repair", stage.robot_spec(stage.spec(task.task).robot).name, since_);
     return ask(task, stage);
   }
-  if (done_ < interpreter::ticks_from_seconds(task.now().work->duration)) {
+  if (done_ < interpreter::ticks_from_seconds(stage.draws.duration(*task.now().work))) {
     return work(task, stage);
   }
   if (turning_.angle_deg != 0) stage.announce({stage.spec(task.task).robot, -1});
@@ -69,7 +69,7 @@ Step WorkActivity::resume(ActiveTask& task, Stage& stage) {
 /// How people can turn the load now; true if they can, or if nobody who is in their way will leave:
 /// then the task is rejected.
 bool WorkActivity::finds_a_turn(ActiveTask& task, Stage& stage) {
-  const Ticks duration = interpreter::ticks_from_seconds(task.now().work->duration);
+  const Ticks duration = interpreter::ticks_from_seconds(stage.draws.duration(*task.now().work));
   turning_ = load_turning(stage, task.task, duration);
   wait_.blockers.clear();
   for (const interpreter::HitPair& hit : turning_.hits) {
@@ -179,7 +179,7 @@ Step WorkActivity::work(ActiveTask& task, Stage& stage) {
   }
   if (spec.turning && !may_turn(task, stage)) return Step::pending;
   const Ticks duration =
-      part_of(task, stage, interpreter::ticks_from_seconds(spec.duration) - done_);
+      part_of(task, stage, interpreter::ticks_from_seconds(stage.draws.duration(spec)) - done_);
   done_ += duration;
   if (begins) begin_lift(task, stage, held_back_ ? stage.lift_notes.of(task.task) : nullptr);
   const bool whole = lift_of(stage, task.task) != nullptr;
@@ -248,7 +248,7 @@ void WorkActivity::give_back(ActiveTask& task, Stage& stage) {
     hold.held = stage.now() - crew_since_;
     hold.overtime += stage.overtime.out_of_shift(crew_, crew_since_, stage.now());
   }
-  hold.busy = interpreter::ticks_from_seconds(task.now().work->duration);
+  hold.busy = interpreter::ticks_from_seconds(stage.draws.duration(*task.now().work));
   task.account.outcome.holds.push_back(hold);
   stage.allocator->release(crew_, task.task, stage.now(), true, hold.held);
   crew_ = -1;

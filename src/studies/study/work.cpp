@@ -55,22 +55,19 @@ PieceResult Worker::work(const Piece& piece) {
     result.facts = facts_of(*entry->loaded.plan);
     return result;
   }
-  if (entry != entry_) {
-    plan_.reset();
-    plan_ = std::make_unique<interpreter::PlanModel>(*entry->loaded.plan);
-    entry_ = entry;
-  }
+  const interpreter::PlanModel& plan = *entry->loaded.plan;
+  interpreter::Draws draws;
   taskplan::RunOptions options;
   options.detail = trace::TraceDetail::none;
   options.prepared = &entry->site;
+  options.draws = &draws;
   for (const std::int64_t run : piece.runs) {
     if (stop_ && *stop_) break;
-    if (study_.sampled) draw_durations(*plan_, {study_.seed, static_cast<std::uint64_t>(run)});
+    if (study_.sampled) draws = draws_of(plan, {study_.seed, static_cast<std::uint64_t>(run)});
     try {
       const taskplan::Schedule schedule =
-          taskplan::run_plan(*plan_, entry->loaded.sources, nullptr, options);
-      result.runs.push_back(
-          {piece.variant, run, record_of(study_, *plan_, schedule, run < kCurves)});
+          taskplan::run_plan(plan, entry->loaded.sources, nullptr, options);
+      result.runs.push_back({piece.variant, run, record_of(study_, plan, schedule, run < kCurves)});
     } catch (const std::invalid_argument& error) {
       result.fault = error.what();
       break;

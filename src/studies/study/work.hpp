@@ -87,9 +87,6 @@ class Worker {
   const StudyModel& study_;
   OpenVariants& variants_;
   const std::atomic<bool>* stop_;
-  std::shared_ptr<const OpenVariants::Entry> entry_;
-  /// Of its own: drawn durations are written into it.
-  std::unique_ptr<interpreter::PlanModel> plan_;
 };
 
 /// The work of a study as remote workers see it; its functions may be called while threads work.

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <string>
 
 #include "interpreter/parse/parse.hpp"
+#include "src/simulation/taskplan/run_plan.hpp"
 #include "src/studies/answers/study_answers.hpp"
 #include "src/studies/answers/study_text.hpp"
 
@@ -170,6 +172,45 @@ TEST(Runner, ChoosesTheFirstOfThoseThatAreAsGood) {
   const Made made = make(plan, "vary idle 3, 1, 2; runs 60; choose least p80(makespan);");
   EXPECT_EQ(*made.answers.choice->chosen, 0u);
   EXPECT_EQ(made.answers.choice->equal.size(), 3u);
+}
+
+TEST(Runner, DrawsApartFromThePlanWhatIsDrawnIntoIt) {
+  // Works, works of a choice, a dig by its stages, weather: all that is drawn for a run.
+  const std::string plan =
+      "plan p { start_at \"2026-03-02 07:00\"; currency \"EUR\"; "
+      "calendar days { mon-fri 07:00-15:00; lost 0.3; } "
+      "crew far { calendar days; cost 40 per h; } crew near { calendar days; cost 50 per h; } "
+      "pool carts { of far, near; choose least_used; } "
+      "crew digger { calendar days; cost 90 per h; } crew trucks { size 3; cost 60 per h; } "
+      "task dig { by digger; dig 60 m3 { bed 6 m3; bucket 1 m3; pass takes uniform(10 s, 30 s); "
+      "load trucks; haul takes triangular(5 min, 6 min, 15 min); tip takes 1 min; "
+      "return takes uniform(4 min, 9 min); } } "
+      "for i from 1 to 4 { task t[i] { by carts; takes exponential(1 h); takes uniform(1 h, 2 h); "
+      "after dig; } } }";
+  const Made made = make(plan, "runs 8; seed 3; ask makespan, cost, waiting, production(dig);");
+  interpreter::SourceMap sources;
+  interpreter::Diagnostics diagnostics;
+  OnePlan files(plan);
+  const auto model = load_plan("p.plan", sources, files, diagnostics);
+  ASSERT_TRUE(model) << diagnostics.sorted().front().message;
+  ASSERT_EQ(interpreter::count_uncertain(*model), 11);
+  std::set<double> makespans, productions;
+  std::set<std::size_t> lost;
+  for (std::uint64_t run = 0; run < 8; ++run) {
+    draw_durations(*model, {3, run});
+    const taskplan::Schedule schedule = taskplan::run_plan(*model, sources, nullptr);
+    const RunRecord record = record_of(made.model, *model, schedule, false);
+    for (std::size_t i = 0; i < record.values.size(); ++i) {
+      EXPECT_EQ(made.variants[0].values[i][run], record.values[i])
+          << made.model.questions[i].text << " of run " << run;
+    }
+    makespans.insert(record.values.front());
+    productions.insert(record.values.back());
+    lost.insert(schedule.lost_days.front().dates.size());
+  }
+  EXPECT_EQ(makespans.size(), 8u);
+  EXPECT_EQ(productions.size(), 8u);
+  EXPECT_GT(lost.size(), 1u);
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ class CheckpointTest : public testing::Test {
  protected:
   CheckpointTest()
       : plan_(crew_plan()),
-        stage_(plan_, sources_, nullptr, trace::TraceDetail::none, site::prepare_site(plan_)),
+        stage_(plan_, sources_, draws_, nullptr, trace::TraceDetail::none,
+               site::prepare_site(plan_)),
         records_(stage_.tasks()),
         checkpoints_(stage_, records_, zone_waits_) {}
 
@@ -45,7 +46,7 @@ class CheckpointTest : public testing::Test {
     records_.set_status(task, TaskRecords::Status::active);
     ActiveTask active;
     active.task = task;
-    active.phases = phases_of(stage_.spec(task));
+    active.phases = phases_of(stage_.spec(task), draws_);
     active.account.over_time.resize(1);
     active.account.worked.resize(1);
     active.activity = Snapshot(activity_of(active.phases.front()));
@@ -55,6 +56,7 @@ class CheckpointTest : public testing::Test {
 
   interpreter::PlanModel plan_;
   interpreter::SourceMap sources_;
+  interpreter::Draws draws_;
   Stage stage_;
   TaskRecords records_;
   ZoneWaits zone_waits_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "src/motion/math/angles.hpp"
 
@@ -24,9 +23,9 @@ double displacement(const Body& body, const Mat3& R, const Vec3& t, const Placem
   return turned == 0 ? shifted : shifted + std::sqrt(turned) * body.extent().radius;
 }
 
-/// Bit for bit; three whole columns lie side by side in a pose.
+/// Number for number, all of them finite.
 bool same_rotation(const Pose& a, const Pose& b) {
-  return std::memcmp(a.matrix().data(), b.matrix().data(), 12 * sizeof(double)) == 0;
+  return (a.linear() - b.linear()).cwiseAbs().sum() == 0;
 }
 
 }  // namespace
@@ -50,26 +49,43 @@ double greatest_displacement(const Body& body, const Motion& motion, const Place
   return at_start + math::radians(std::fabs(screw->angle_deg)) * radius + screw->slide.norm();
 }
 
-void ClearanceBudget::Impl::look_at(const WorldState& now) {
-  if (state == now) return;
+void ClearanceBudget::Impl::forget(const WorldState& now) {
   state = now;
   items.clear();
+}
+
+bool ClearanceBudget::Impl::covers_slide(std::size_t item, const Body& body,
+                                         const geometry::ScrewMotion& slide) const {
+  if (item >= items.size()) return false;
+  const Known& known = items[item];
+  if (known.body.get() != &body || !(known.clear > kDisplacementRounding)) return false;
+  // By far the most steps: no turn at all since the space was measured. What is no number, or not
+  // finite, is not less than anything, so no more is to be asked of the motion: its rotation was
+  // found to be one when the space was measured.
+  const double allowed = known.clear - kDisplacementRounding;
+  const double squared = allowed * allowed;
+  const Vec3 from = slide.X0.translation() - known.pose.translation();
+  return from.squaredNorm() < squared && (from + slide.slide).squaredNorm() < squared &&
+         same_rotation(slide.X0, known.pose);
 }
 
 bool ClearanceBudget::Impl::covers(std::size_t item, const Body& body, const Motion& motion) const {
   if (item >= items.size()) return false;
   const Known& known = items[item];
   if (known.body.get() != &body || !(known.clear > kDisplacementRounding)) return false;
-  const double allowed = known.clear - kDisplacementRounding;
-  const geometry::ScrewMotion* screw = screw_of(motion);
-  if (screw != nullptr && screw->angle_deg == 0 && same_rotation(screw->X0, known.pose)) {
-    // By far the most steps: no turn at all since the space was measured.
-    const Vec3 from = screw->X0.translation() - known.pose.translation();
-    // Not by their greater one, which a number that is none would hide in.
-    const double squared = allowed * allowed;
-    return from.squaredNorm() < squared && (from + screw->slide).squaredNorm() < squared;
+  return greatest_displacement(body, motion, known.X) < known.clear - kDisplacementRounding;
+}
+
+void ClearanceBudget::Impl::measure_slide(std::size_t item, const Body& body, const Motion& motion,
+                                          const WideTree& obstacles) {
+  if (item >= items.size()) items.resize(item + 1);
+  Known& known = items[item];
+  const Pose& X0 = screw_of(motion)->X0;
+  if (same_rotation(X0, known.slid)) {
+    measure(item, body, motion, obstacles);
+  } else {
+    known.slid = X0;
   }
-  return greatest_displacement(body, motion, known.X) < allowed;
 }
 
 void ClearanceBudget::Impl::measure(std::size_t item, const Body& body, const Motion& motion,
@@ -77,7 +93,9 @@ void ClearanceBudget::Impl::measure(std::size_t item, const Body& body, const Mo
   if (item >= items.size()) items.resize(item + 1);
   Known& known = items[item];
   if (known.body.get() != &body) {
+    const Pose slid = known.slid;
     known = {};
+    known.slid = slid;
     known.body = body.weak_from_this().lock();
     if (!known.body) return;
   }

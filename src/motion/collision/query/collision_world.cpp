@@ -107,6 +107,8 @@ struct CollisionWorld::Impl {
   }
 
   SweptResult test(const SweptQuery& query, ClearanceBudget::Impl* budget) const;
+  bool stays_far(const SweptQuery& query, int item, ClearanceBudget::Impl* budget) const;
+  SweptResult test_near(const SweptQuery& query, ClearanceBudget::Impl* budget, int from) const;
 
   void insert(ObstacleId id, BodyPtr body, const Pose& X_WB) {
     if (!body) throw std::invalid_argument("an obstacle needs a body");
@@ -294,19 +296,47 @@ void CollisionWorld::remove(ObstacleId id) {
   impl_->changed();
 }
 
+/// Whether the item is seen to be far from all obstacles without its sweep. Throws where its motion
+/// is not valid.
+bool CollisionWorld::Impl::stays_far(const SweptQuery& query, int item,
+                                     ClearanceBudget::Impl* budget) const {
+  const MovingBody& moving = query.items[item].moving;
+  const geometry::ScrewMotion* screw = screw_of(moving.motion);
+  const bool slides = budget != nullptr && screw != nullptr && screw->angle_deg == 0;
+  if (slides && budget->covers_slide(item, *moving.body, *screw)) return true;
+  require_valid(moving.motion);
+  if (comes_near(*moving.body, moving.motion)) return false;
+  if (slides) budget->measure_slide(item, *moving.body, moving.motion, tree);
+  return true;
+}
+
 SweptResult CollisionWorld::Impl::test(const SweptQuery& query,
                                        ClearanceBudget::Impl* budget) const {
   require_valid_query(query);
   if (budget != nullptr) budget->look_at(state);
+  // Most steps go far from everything: for them no room is made for sweeps.
+  const bool pairs = !query.pairs.empty();
+  const int count = static_cast<int>(query.items.size());
+  for (int i = 0; i < count; ++i) {
+    if (!query.items[i].against_world) continue;
+    if (!stays_far(query, i, pairs && in_pair(query, i) ? nullptr : budget)) {
+      return test_near(query, budget, i);
+    }
+  }
+  return pairs ? test_near(query, budget, count) : SweptResult();
+}
+
+/// The same where the items before `from` stay far, and that one does not.
+SweptResult CollisionWorld::Impl::test_near(const SweptQuery& query, ClearanceBudget::Impl* budget,
+                                            int from) const {
   Sweeps sweeps(query);
-  for (int i = 0; i < static_cast<int>(query.items.size()); ++i) {
+  for (int i = from; i < static_cast<int>(query.items.size()); ++i) {
     const SweptQuery::Item& item = query.items[i];
     if (!item.against_world) continue;
     const Body& body = *item.moving.body;
     // Who is in a pair needs its sweep anyway, and with it the tree costs less than the budget.
     ClearanceBudget::Impl* use = budget != nullptr && !in_pair(query, i) ? budget : nullptr;
-    require_valid(item.moving.motion);
-    if (!comes_near(body, item.moving.motion)) continue;
+    if (i != from && stays_far(query, i, use)) continue;
     if (use != nullptr && use->covers(i, body, item.moving.motion)) continue;
     const std::optional<ObstacleId> met =
         first_met(sweeps.of_valid(i), query.contact_tolerance, query.ignore);
