@@ -104,8 +104,7 @@ int main(int count, char** arguments) {
         100 * (static_cast<double>(result.with_job) /
                    static_cast<double>(result.least + result.stood) -
                1),
-        result.pressed,
-        static_cast<double>(result.expansions) / static_cast<double>(jobs.size()));
+        result.pressed, static_cast<double>(result.expansions) / static_cast<double>(jobs.size()));
   }
   rubicon::bench::PibtJobs pibt(problem, jobs, 1);
   measure("pibt", pibt, [&] { return pibt.board().delivered(); });
