@@ -125,7 +125,7 @@ class NetworkPicture {
       const auto index = static_cast<lanes::LaneIndex>(i);
       const lanes::Lane& lane = network_.lane(index);
       Point a = point(lane.from), b = point(lane.to);
-      const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
+      const double dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
       if (length <= 0) continue;
       // To the right of the direction; y grows downwards.
       const double right_x = -dy / length * kBesideAxis, right_y = dx / length * kBesideAxis;
