@@ -5,6 +5,7 @@
 
 #include "interpreter/syntax/source.hpp"
 #include "src/fleets/charts/reports.hpp"
+#include "src/fleets/charts/stopping.hpp"
 
 namespace rubicon::interpreter {
 
@@ -16,6 +17,7 @@ struct ChartsSpec {
   std::vector<charts::SiteReport> reports;  ///< by time
   std::vector<Span> report_spans;           ///< of each
   std::vector<charts::Barrier> barriers;
+  charts::Stopping stopping;
 };
 
 }  // namespace rubicon::interpreter

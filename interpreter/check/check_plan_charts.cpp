@@ -28,6 +28,9 @@ constexpr double kMostAcross = 1000;  // m, of a travelway
 constexpr double kMostDelay = 3e7;
 /// s: less is below what a chart tells apart.
 constexpr double kLeastDelay = 1e-3;
+constexpr double kLeastBraking = 1e-3;   // m/s2
+constexpr double kMostBraking = 100;     // m/s2, ten times what tyres can do
+constexpr double kMostSensing = 10'000;  // m
 /// Charts that are made in all, so that memory stays within bounds.
 constexpr std::size_t kMostCharts = 200000;
 /// Errands times nodes, so that ways are found within seconds.
@@ -47,6 +50,7 @@ class ChartsCheck {
     check_alone();
     for (const syntax::NumberItem& number : policy_.numbers) take(number);
     check_criterion();
+    check_sensing();
     for (std::size_t i = 0; i < network_.description.nodes.size(); ++i) {
       nodes_.emplace(network_.description.nodes[i].name, static_cast<int>(i));
     }
@@ -124,11 +128,14 @@ class ChartsCheck {
                                                                {"delay", &settings.delay},
                                                                {"clearance", &settings.clearance}};
     const auto found = known.find(item.name.text);
+    if (found == known.end() && take_stopping(item)) return;
     if (found == known.end()) {
       const std::string near =
-          did_you_mean(item.name.text, {"tolerance", "delay", "clearance", "minimise"});
+          did_you_mean(item.name.text, {"tolerance", "delay", "clearance", "minimise", "braking",
+                                        "scan", "reaction", "standoff", "sensing"});
       wrong(item.name.span,
-            fmt::format("expected tolerance, delay, clearance or minimise, found '{}'{}",
+            fmt::format("expected tolerance, delay, clearance, minimise, braking, scan, reaction, "
+                        "standoff or sensing, found '{}'{}",
                         item.name.text, near.empty() ? "" : "; did you mean " + near + "?"),
             "policy charts { tolerance 5 s; delay 5 s; minimise time; }");
       return;
@@ -137,6 +144,65 @@ class ChartsCheck {
     const double least = item.name.text == "tolerance" ? 0 : kLeastDelay;
     if (const auto value = time(item.value, "the " + item.name.text, least, kMostDelay)) {
       *found->second = *value;
+    }
+  }
+
+  /// What is said of how robots see and stop; false if it is something else.
+  bool take_stopping(const syntax::NumberItem& item) {
+    charts::Stopping& stopping = spec_.stopping;
+    const std::string& key = item.name.text;
+    const std::string what = "the " + key + " of policy charts";
+    if (key == "scan" || key == "reaction") {
+      if (!first(key, item.name.span, "policy charts")) return true;
+      const auto value = time(item.value, "the " + key, 0, kMostDelay);
+      if (value)
+        (key == "scan" ? stopping.scan : stopping.reaction) =
+            static_cast<double>(*value) / static_cast<double>(lanes::kSecond);
+    } else if (key == "braking") {
+      if (!first(key, item.name.span, "policy charts")) return true;
+      const auto value =
+          bounded(subject_, item.value, UnitKind::acceleration, what, kLeastBraking, kMostBraking);
+      stopping.braking = value.value_or(0);
+    } else if (key == "standoff" || key == "sensing") {
+      if (!first(key, item.name.span, "policy charts")) return true;
+      const double least = key == "sensing" ? 1e-3 : 0;
+      const auto value = bounded(subject_, item.value, UnitKind::length, what, least, kMostSensing);
+      (key == "standoff" ? stopping.standoff : stopping.sensing) = value.value_or(0);
+    } else {
+      return false;
+    }
+    if (stopping_span_ == nullptr) stopping_span_ = &item.name;
+    return true;
+  }
+
+  /// Whether robots can stop before what they see, at the speed of each class.
+  void check_sensing() {
+    const charts::Stopping& stopping = spec_.stopping;
+    if (stopping_span_ == nullptr) return;
+    if (given_.count("braking") == 0) {
+      wrong(stopping_span_->span,
+            fmt::format("{} needs braking, how hard robots brake", stopping_span_->text),
+            "write braking 1 m/s2;");
+      return;
+    }
+    if (!stopping.is_known() || stopping.sensing <= 0) return;
+    for (const syntax::NetworkPart& part : item_.parts) {
+      const auto* item = std::get_if<syntax::LaneClassItem>(&part);
+      if (item == nullptr) continue;
+      const auto& classes = network_.description.classes;
+      const auto found =
+          std::find_if(classes.begin(), classes.end(),
+                       [&](const lanes::LaneClass& each) { return each.name == item->name.text; });
+      if (found == classes.end()) continue;
+      const charts::SensingNeed need = charts::sensing_need(stopping, found->speed);
+      if (need.to_stop <= stopping.sensing) continue;
+      const double fastest = charts::greatest_speed(stopping, stopping.sensing);
+      doubt(item->name.span,
+            fmt::format("robots cannot stop before what they see in class '{}': at {:.4g} m/s that "
+                        "takes {:.4g} m, and they see {:.4g} m",
+                        item->name.text, found->speed, need.to_stop, stopping.sensing),
+            fastest > 0 ? fmt::format("with that range {:.4g} m/s is the most", fastest)
+                        : std::string("the range is no longer than the standoff"));
     }
   }
 
@@ -418,6 +484,7 @@ class ChartsCheck {
   std::string who_;
   ChartsSpec spec_;
   std::map<std::string, Span> given_;
+  const syntax::Name* stopping_span_ = nullptr;  ///< of the first that is said of stopping
   std::map<std::string, int> nodes_, robots_;
   std::map<std::pair<int, int>, int> lanes_;
   std::vector<const syntax::ErrandItem*> errands_;  ///< of each robot

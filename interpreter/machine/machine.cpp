@@ -231,8 +231,7 @@ bool Machine::resolve_goal(const GoalSpec& spec) {
   goal_.named.assign(q_.size(), 0);
   if (spec.X_WG) {
     name_values(spec);
-    const robot::GoalSolution solution = robot::solve_goal(
-        *model_, task_.mounting, goal_.q, *spec.X_WG, frame_tolerance(), frame_clauses(spec));
+    const robot::GoalSolution solution = solved(spec);
     if (!solution.reachable) {
       finish(MotionStatus::goal_impossible,
              fmt::format(
@@ -260,6 +259,16 @@ bool Machine::resolve_goal(const GoalSpec& spec) {
     goal_.p_WG = robot::tool_pose(*model_, task_.mounting, goal_.q).translation();
   }
   return true;
+}
+
+/// The configuration of a goal frame, for `goal_.q`.
+robot::GoalSolution Machine::solved(const GoalSpec& spec) {
+  GoalMemory* const memory = task_.memory.get();
+  if (memory != nullptr && memory->knows(goal_.q, spec.values, *spec.X_WG)) return memory->solution;
+  robot::GoalSolution solution = robot::solve_goal(*model_, task_.mounting, goal_.q, *spec.X_WG,
+                                                   frame_tolerance(), frame_clauses(spec));
+  if (memory != nullptr) *memory = {goal_.q, spec.values, *spec.X_WG, solution};
+  return solution;
 }
 
 void Machine::name_values(const GoalSpec& spec) {

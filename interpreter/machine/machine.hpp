@@ -10,6 +10,7 @@
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/functions/way_log.hpp"
 #include "interpreter/machine/floor_fence.hpp"
+#include "interpreter/machine/goal_memory.hpp"
 #include "interpreter/machine/motion_run.hpp"
 #include "interpreter/machine/state_table.hpp"
 #include "interpreter/program/events.hpp"
@@ -31,6 +32,9 @@ struct MotionTask {
   std::shared_ptr<const FloorFence> fence = {};
   /// Its guides plan again where their way meets what others are foreseen to sweep.
   bool looks_ahead = false;
+  /// What motions of the same kind know of goals; null: each finds out by itself. It changes no
+  /// answer. Shared: the machine is copied.
+  std::shared_ptr<GoalMemory> memory = {};
   Within within;  ///< when the goal counts as reached
   MotionClauses clauses;
   double budget = 20000;   ///< attempts
@@ -173,6 +177,7 @@ class Machine {
   void note_aside();
   bool begin_way_point(World& world, EventSink* events);
   bool resolve_goal(const GoalSpec& spec);
+  robot::GoalSolution solved(const GoalSpec& spec);
   void name_values(const GoalSpec& spec);
   robot::GoalClauses frame_clauses(const GoalSpec& spec) const;
   void begin_script();

@@ -67,7 +67,7 @@ walk of each robot that explores the network is printed.
                          it), tasks (no single attempts), none (header and results only)
   --out DIR              write schedule.csv, schedule.json, trace.jsonl and report.html, the page that shows it all, into DIR; of a
                          network of cells ways.json and ways.csv, of one with jobs jobs.json, jobs.csv and agents.csv, of charts
-                         charts.json, charts.csv and charts.svg, of an exploration walk.json and walk.csv
+                         charts.json, charts.csv, charts.svg and report.html, of an exploration walk.json and walk.csv
   --compress             write trace.jsonl.gz there, packed to a tenth or less; every command reads it as it is
   --set NAME=VALUE       another value for a parameter of the plan: --set bays=6 --set "pitch=4.2 m"; the trace keeps it
   --sample SEED[:RUN]    draw the durations that are not certain, such as triangular(2 min, 3 min, 7 min), instead of taking

@@ -9,6 +9,7 @@
 #include "src/cli/taskless_result.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/exchange/files/plan_files_io.hpp"
+#include "src/results/gantt/charts_page.hpp"
 #include "src/results/gantt/charts_picture.hpp"
 #include "src/results/report/charts_text.hpp"
 #include "src/results/report/diagnostic_printer.hpp"
@@ -42,7 +43,8 @@ int run_charts(const RunOptions& options, const interpreter::PlanModel& plan,
   result.json = [&] { return report::charts_json(charts); };
   result.files = {{"charts.json", result.json},
                   {"charts.csv", result.csv},
-                  {"charts.svg", [&] { return gantt::charts_picture(charts); }}};
+                  {"charts.svg", [&] { return gantt::charts_picture(charts); }},
+                  {"report.html", [&] { return gantt::charts_page(charts); }}};
   if (report::outcome_of(charts.course) != report::ChartsOutcome::all_at_goals) {
     result.code = kInfeasible;
   }

@@ -103,7 +103,7 @@ class ChartsTest(ResultCase):
     def test_a_folder_is_verified(self):
         out = self.path("out")
         self.ran(WAREHOUSE, "--out", out)
-        self.assertEqual(sorted(os.listdir(out)), ["charts.csv", "charts.json", "charts.svg"])
+        self.assertEqual(sorted(os.listdir(out)), ["charts.csv", "charts.json", "charts.svg", "report.html"])
         done = rubicon("verify", out)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn("verified: 3 robots, 2 plans", done.stdout)
@@ -233,6 +233,53 @@ class ChartsTest(ResultCase):
         self.assertIn("verified: 400 robots", rubicon("verify", self.out).stdout)
         with open(os.path.join(self.out, "charts.svg")) as file:
             self.assertIn("and 370 more, not drawn", file.read())
+
+    def test_the_sensing_range_of_each_speed(self):
+        # 1 m/s: 0.7 m until it brakes, 1^2 / (2 * 2) = 0.25 m braked; 0.5 m/s: 0.35 m and 0.0625 m; 0.5 m are left before it.
+        errand = "errand r1 from a to d at 0 s;"
+        stops = "braking 2 m/s2; scan 0.2 s; reaction 0.5 s; standoff 0.5 m;"
+        text = self.ran(self.yard(errand, stops))
+        self.assertIn("sensing range: a scan every 0.2 s, reaction 0.5 s, braking 2 m/s2, standoff 0.5 m", text)
+        lines = [re.split(r"\s{2,}", line) for line in text[text.index("sensing range"):].split("\n")[1:4]]
+        self.assertEqual(lines[0], ["class", "speed", "until it brakes", "brakes", "range needed", "for two scans", "oncoming"])
+        self.assertEqual(lines[1], ["road", "1 m/s", "0.70 m", "0.25 m", "1.45 m", "1.65 m", "2.40 m"])
+        self.assertEqual(lines[2][:6], ["path", "0.5 m/s", "0.35 m", "0.06 m", "0.91 m", "1.01 m"])
+        # The quickest robot counts where all are slower than the lanes.
+        needs = json.loads(self.ran(self.yard("errand r1 from a to d at 0 s { speed 0.8 m/s; }", stops), "--format", "json"))["sensing"]["needs"]
+        self.assertEqual([need["speed"] for need in needs], [0.8, 0.5])
+        self.assertAlmostEqual(needs[0]["to_stop"], 0.5 + 0.8 * 0.7 + 0.16, 12)
+        # What a range is good for: 0.7 v + v^2 / 4 = 0.62 m at 0.7071 m/s.
+        plan = self.yard(errand, stops + " sensing 1.12 m;")
+        done = rubicon("run", plan, "--out", self.path("seen"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("robots cannot stop before what they see in class 'road': at 1 m/s that takes 1.45 m, and they see 1.12 m", done.stderr)
+        self.assertNotIn("class 'path'", done.stderr)
+        self.assertIn("with 1.12 m they can stop from 0.7071 m/s", done.stdout)
+        self.assertIn("0.33 m short", done.stdout)
+        with open(os.path.join(self.path("seen"), "report.html"), encoding="utf-8") as file:
+            page = file.read()
+        self.assertIn("0.33 m short", page)
+        self.assertEqual(page.count("<svg "), 2)
+        self.assertEqual(page.count("b to c, road, 10 m"), 1)
+        self.assertEqual(rubicon("verify", self.path("seen")).returncode, 0)
+        good = json.loads(self.ran(plan, "--format", "json"))
+        for key in ("speed", "until_brakes", "braked", "to_stop", "two_scans", "oncoming"):
+            wrong = json.loads(json.dumps(good))
+            wrong["sensing"]["needs"][1][key] += 0.001
+            self.assertEqual(rubicon("verify", self.write("charts.json", json.dumps(wrong))).returncode, 1, key)
+        good["sensing"]["greatest_speed"] += 0.001
+        self.assertIn("is not the most for its range", rubicon("verify", self.write("charts.json", json.dumps(good))).stdout)
+        for policy, message in [
+            ("scan 0.2 s;", "scan needs braking, how hard robots brake"),
+            ("braking 0 m/s2;", "the braking of policy charts must be between"),
+            ("braking 1 m;", "needs an acceleration"),
+            ("braking 1 m/s2; scan 5;", "the scan has no unit, found 5"),
+            ("braking 1 m/s2; standoff -1 m;", "the standoff of policy charts cannot be negative"),
+            ("braking 1 m/s2; sensing 0 m;", "the sensing of policy charts must be between"),
+            ("braking 1 m/s2; braking 2 m/s2;", "braking of policy charts is given twice"),
+            ("breaking 1 m/s2;", "did you mean braking?"),
+        ]:
+            self.assertIn(message, self.said(errand, policy), policy)
 
     def test_verify_finds_what_was_changed(self):
         """Each fault is put in alone, and has to be found by name."""

@@ -7,6 +7,7 @@ import glob
 import os
 import re
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -164,6 +165,30 @@ class WholeBuilding(unittest.TestCase):
         for end in (".plan", "_elements.csv"):
             self.assertTrue(filecmp.cmp(os.path.join(self.folder, "building" + end),
                                         os.path.join(self.folder, "again" + end), shallow=False), end)
+
+
+class YardOfTheBuilding(unittest.TestCase):
+    """taskplans/real_yard.py: twenty tow motors among all that the models have."""
+
+    def test_twenty_motors_bring_forty_pallets(self):
+        script = os.path.join(scene.ROOT, "taskplans", "real_yard.py")
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([sys.executable, "-B", script, os.environ["RUBICON"], folder], check=True, timeout=120)
+            self.assertEqual(scene.rubicon("fmt", "--check", "yard.plan", cwd=folder).returncode, 0)
+            outcome = scene.Run(os.path.join(folder, "yard.plan"), folder, "--out", os.path.join(folder, "result"))
+            self.assertEqual(outcome.exit_code, 0, outcome.stderr)
+            self.assertEqual(sorted(outcome.results("done")), sorted(f"bring_{i}" for i in range(1, 41)))
+            self.assertEqual({task["robot"] for task in outcome.tasks.values()}, {f"tow_motors_{i}" for i in range(1, 21)})
+            verified = scene.rubicon("verify", "result", cwd=folder)
+            self.assertEqual(verified.returncode, 0, verified.stdout)
+            self.assertIn("40 tasks (40 done)", verified.stdout)
+
+    def test_without_the_models_it_says_so(self):
+        script = os.path.join(scene.ROOT, "taskplans", "real_yard.py")
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([sys.executable, "-B", script, os.environ["RUBICON"], folder, "--data", folder], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("has no models: they are not part of this project", done.stderr)
 
 
 if __name__ == "__main__":

@@ -115,6 +115,22 @@ class PalletYard(unittest.TestCase):
             self.assertEqual(self.run_with(motors), seconds)
 
 
+class Store(unittest.TestCase):
+    """A hundred jobs with bodies among each other; verify has its own geometry."""
+
+    def test_all_jobs_are_done(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = scene.rubicon("run", os.path.join(PLANS, "store.plan"), "--out", folder, "--format", "json")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            schedule = json.loads(run.stdout)
+            self.assertEqual(round(schedule["process_time"]), promised_times()["store"])
+            self.assertEqual({task["result"] for task in schedule["tasks"]}, {"done"})
+            self.assertEqual(len(schedule["tasks"]), 100)
+            verified = scene.rubicon("verify", folder)
+        self.assertIn("100 tasks (100 done)", verified.stdout)
+        self.assertIn("no fault", verified.stdout)
+
+
 class Yard(unittest.TestCase):
     """Three kinds of machines in one yard: verify has its own geometry."""
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "src/results/report/columns.hpp"
@@ -64,6 +65,8 @@ class ChartsTable {
         seconds_told(settings.avoidance.clearance));
     for (const CourseStep& step : result_.course.steps) add(step);
     if (!robots_.empty()) add_journeys();
+    const std::string sensing = sensing_table(result_);
+    if (!sensing.empty()) text_ += "\n" + sensing;
     const ChartsOutcome outcome = outcome_of(result_.course);
     if (outcome == ChartsOutcome::not_settled) {
       text_ += "\nnot settled: the robots push each other on without end; charts have conflicts\n";
@@ -172,6 +175,7 @@ class ChartsWriter {
                       {"clearance_ns", settings.avoidance.clearance},
                       {"minimise", lanes::name_of(settings.criterion)}};
     add_network(json);
+    add_sensing(json);
     json["robots"] = ChartsJson::array();
     for (const Robot& robot : robots_) {
       ChartsJson each = {{"name", robot.name},
@@ -228,6 +232,31 @@ class ChartsWriter {
                            {"beside", lane(each.beside)}};
       if (each.length) object["length"] = *each.length;
       json["lanes"].push_back(std::move(object));
+    }
+  }
+
+  void add_sensing(ChartsJson& json) const {
+    const charts::Stopping& stopping = result_.spec.stopping;
+    if (!stopping.is_known()) return;
+    ChartsJson& object = json["sensing"];
+    object = {{"braking", stopping.braking},
+              {"scan_s", stopping.scan},
+              {"reaction_s", stopping.reaction},
+              {"standoff", stopping.standoff}};
+    if (stopping.sensing > 0) {
+      object["range"] = stopping.sensing;
+      object["greatest_speed"] = charts::greatest_speed(stopping, stopping.sensing);
+    }
+    object["needs"] = ChartsJson::array();
+    const std::vector<charts::SensingNeed> needs = sensing_needs(result_);
+    for (std::size_t i = 0; i < needs.size(); ++i) {
+      object["needs"].push_back({{"class", result_.network.classes()[i].name},
+                                 {"speed", needs[i].speed},
+                                 {"until_brakes", needs[i].until_brakes},
+                                 {"braked", needs[i].braked},
+                                 {"to_stop", needs[i].to_stop},
+                                 {"two_scans", needs[i].two_scans},
+                                 {"oncoming", needs[i].oncoming}});
     }
   }
 
@@ -349,6 +378,47 @@ std::string report_told(const ChartsResult& result, const CourseStep& step) {
           lane, step.travelled, report.obstacle_from, report.obstacle_to);
   }
   return {};
+}
+
+std::vector<charts::SensingNeed> sensing_needs(const ChartsResult& result) {
+  std::vector<charts::SensingNeed> needs;
+  const charts::Stopping& stopping = result.spec.stopping;
+  if (!stopping.is_known()) return needs;
+  double fastest = result.spec.robots.empty() ? std::numeric_limits<double>::infinity() : 0;
+  for (const Robot& robot : result.spec.robots) fastest = std::max(fastest, robot.speed);
+  for (const lanes::LaneClass& each : result.network.classes()) {
+    needs.push_back(charts::sensing_need(stopping, std::min(each.speed, fastest)));
+  }
+  return needs;
+}
+
+std::string sensing_table(const ChartsResult& result) {
+  const std::vector<charts::SensingNeed> needs = sensing_needs(result);
+  if (needs.empty()) return {};
+  const charts::Stopping& stopping = result.spec.stopping;
+  std::string text = fmt::format(
+      "sensing range: a scan every {:g} s, reaction {:g} s, braking {:g} m/s2, standoff {:g} m\n",
+      stopping.scan, stopping.reaction, stopping.braking, stopping.standoff);
+  const bool has_range = stopping.sensing > 0;
+  std::vector<TableRow> rows = {
+      {"class", "speed", "until it brakes", "brakes", "range needed", "for two scans", "oncoming"}};
+  if (has_range) rows.front().push_back(fmt::format("sees {:g} m", stopping.sensing));
+  const auto metres = [](double length) { return fmt::format("{:.2f} m", length); };
+  for (std::size_t i = 0; i < needs.size(); ++i) {
+    const charts::SensingNeed& need = needs[i];
+    rows.push_back({result.network.classes()[i].name, fmt::format("{:.4g} m/s", need.speed),
+                    metres(need.until_brakes), metres(need.braked), metres(need.to_stop),
+                    metres(need.two_scans), metres(need.oncoming)});
+    if (!has_range) continue;
+    const double left = stopping.sensing - need.to_stop;
+    rows.back().push_back(left >= 0 ? "enough" : fmt::format("{} short", metres(-left)));
+  }
+  text += columns(rows, {1, 2, 3, 4, 5, 6});
+  if (has_range) {
+    text += fmt::format("with {:g} m they can stop from {:.4g} m/s\n", stopping.sensing,
+                        charts::greatest_speed(stopping, stopping.sensing));
+  }
+  return text;
 }
 
 std::string charts_table(const ChartsResult& result) { return ChartsTable(result).write(); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "interpreter/check/plan_model.hpp"
 
@@ -20,6 +21,12 @@ ChartsOutcome outcome_of(const charts::Course& course);
 
 /// "ROB1 reports: an obstacle lies in B3 to B3B5, 2.25 m along, from 0 m to 4 m across".
 std::string report_told(const ChartsResult& result, const charts::CourseStep& step);
+
+/// How far robots have to see, for the speed of each class of lanes (of the quickest robot there,
+/// where all are slower). Empty if the plan does not say how they stop.
+std::vector<charts::SensingNeed> sensing_needs(const ChartsResult& result);
+/// The same as a table; "" if it is empty.
+std::string sensing_table(const ChartsResult& result);
 
 /// For people: the charts one after the other with what led to each, then a line for each robot.
 std::string charts_table(const ChartsResult& result);

@@ -74,6 +74,7 @@ Step MotionActivity::begin(ActiveTask& task, Stage& stage) {
   }
   goals_ = leg_ ? leg_->goals : goals_of(stage.plan, spec, purpose, stage.site);
   if (purpose == MotionPurpose::grip) task.X_WO = stage.site.X_WO(*spec.move);
+  memory_ = std::make_shared<interpreter::GoalMemory>();
   budget_ = spec.budget.value_or(stage.plan.budget);
   waits_ = 0;
   way_points_ = goals_dropped_ = 0;
@@ -159,6 +160,7 @@ Step MotionActivity::start_machine(ActiveTask& task, Stage& stage) {
     stage.on_motion(spec.name, purpose, stage.program_of(spec.robot), motion,
                     stage.view(spec.robot));
   }
+  motion.memory = memory_;  // not for observers, which may ask from other threads
   doing_ = Doing::moving;
   machine_start_ = stage.now();
   tries_before_ = free_tries_ = 0;

@@ -75,8 +75,9 @@ class MotionActivity : public Activity {
   MachineWait wait_;
   std::vector<WaitPlace> places_;  ///< where it began to wait
   std::optional<interpreter::Machine> machine_;
-  std::vector<interpreter::GoalSpec> goals_;  ///< those that are left
-  double budget_ = 0;                         ///< attempts left
+  std::vector<interpreter::GoalSpec> goals_;         ///< those that are left
+  std::shared_ptr<interpreter::GoalMemory> memory_;  ///< of the motion that begin() began
+  double budget_ = 0;                                ///< attempts left
   Ticks machine_start_ = 0;
   int tries_before_ = 0;             ///< of the machine, up to its last step
   int free_tries_ = 0;               ///< of these, what waiting for other machines took

@@ -166,6 +166,41 @@ TEST(JobTraffic, ManyRandomFloors) {
   EXPECT_GT(late, static_cast<int>(runs) / 2);
 }
 
+/// Racks of eight cells, with aisles of one cell between them, and vehicles here and there.
+GridProblem store_floor(std::size_t agents) {
+  GridProblem problem;
+  problem.map.columns = 40;
+  problem.map.rows = 21;
+  for (int i = 0; i < 40 * 21; ++i) {
+    const int x = i % 40, y = i / 40;
+    const bool is_rack = y % 2 == 1 && x > 1 && x < 38 && x % 9 != 0;
+    problem.map.open.push_back(is_rack ? 0 : 1);
+  }
+  for (std::size_t i = 0; i < agents; ++i) {
+    const Cell cell{static_cast<int>(7 * i % 40), 2 * static_cast<int>(i % 11)};
+    problem.agents.push_back({"a" + std::to_string(i), cell, cell});
+  }
+  return problem;
+}
+
+/// What vehicles wait for because of late ones: beyond the shortest ways and their own late moves.
+TEST(JobTraffic, LateMovesHoldOthersUpLittle) {
+  const GridProblem problem = store_floor(20);
+  ASSERT_TRUE(faults_of(problem).empty());
+  const auto jobs = draw_jobs(problem, 300, 0, 5);
+  JobQuery query;
+  for (const double late : {0.0, 0.05}) {
+    query.late = late;
+    query.late_ticks = late > 0 ? 20 : 0;
+    const JobsResult result = do_jobs(problem, jobs, query);
+    ASSERT_EQ(result.end, JobsResult::End::done);
+    ASSERT_EQ(fault_of(problem, jobs, result), "");
+    const auto own = static_cast<double>(result.least + result.stood);
+    RecordProperty(late > 0 ? "over_late" : "over", std::to_string(result.with_job / own));
+    EXPECT_LT(static_cast<double>(result.with_job), (late > 0 ? 1.15 : 1.05) * own);
+  }
+}
+
 TEST(JobTraffic, SameInputSameWays) {
   const GridProblem problem = random_floor(7, 12, 15, 20);
   const auto jobs = draw_jobs(problem, 60, 0.5, 3);

@@ -28,6 +28,7 @@ class ChartsReader {
     }
     result_.outcome = fields_.text("outcome");
     read_network();
+    if (fields_.has("sensing")) read_sensing(fields_.object("sensing"));
     for (const Json& each : fields_.array("robots")) read_robot(each);
     if (fields_.has("barriers")) {
       for (const Json& each : fields_.array("barriers")) read_barrier(each);
@@ -124,6 +125,31 @@ class ChartsReader {
       lane.length = fields.has("length") ? above_zero(fields, "length") : straight(from, to);
       result_.lanes.push_back(lane);
     }
+  }
+
+  void read_sensing(const JsonFields& fields) {
+    ChartSensing sensing;
+    sensing.braking = above_zero(fields, "braking");
+    sensing.scan = fields.number("scan_s");
+    sensing.reaction = fields.number("reaction_s");
+    sensing.standoff = fields.number("standoff");
+    if (fields.has("range")) {
+      sensing.range = above_zero(fields, "range");
+      sensing.greatest_speed = fields.number("greatest_speed");
+    }
+    const Json& classes = fields_.array("classes");
+    const Json& needs = fields.array("needs");
+    if (needs.size() != classes.size()) fields.fail("a need for each class of lanes");
+    for (std::size_t i = 0; i < needs.size(); ++i) {
+      const JsonFields of(classes[i], "a class of lanes");
+      const JsonFields each(needs[i], "a need of sensing");
+      if (each.text("class") != of.text("name")) each.fail("the class '" + of.text("name") + "'");
+      sensing.needs.push_back({above_zero(of, "speed"), above_zero(each, "speed"),
+                               each.number("until_brakes"), each.number("braked"),
+                               each.number("to_stop"), each.number("two_scans"),
+                               each.number("oncoming")});
+    }
+    result_.sensing = std::move(sensing);
   }
 
   void read_robot(const Json& json) {

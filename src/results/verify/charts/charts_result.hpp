@@ -84,6 +84,20 @@ struct ChartWay {
   std::vector<ChartStop> visits;
 };
 
+/// How far robots have to see in one class of lanes, m.
+struct ChartSensingNeed {
+  double class_speed = 0;
+  double speed = 0;
+  double until_brakes = 0, braked = 0, to_stop = 0, two_scans = 0, oncoming = 0;
+};
+
+struct ChartSensing {
+  double braking = 0, scan = 0, reaction = 0, standoff = 0;
+  double range = 0;  ///< 0: not said
+  double greatest_speed = 0;
+  std::vector<ChartSensingNeed> needs;  ///< by class
+};
+
 /// Something that stands at the beginning of a lane.
 struct ChartBarrier {
   int lane = -1;
@@ -101,6 +115,7 @@ struct ChartsResult {
   std::vector<ChartLane> lanes;
   std::vector<ChartRobot> robots;
   std::vector<ChartBarrier> barriers;
+  std::optional<ChartSensing> sensing;
   std::vector<ChartStep> steps;
   std::vector<ChartWay> ways;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -23,6 +24,9 @@ constexpr Ticks kRounding = 4;
 /// A share of what rounding may make of two sums of the same lanes, as a detour is worth it only
 /// beyond.
 constexpr double kWorthwhile = 1e-9;
+
+/// Lengths, as a share or in m: they are written in full.
+constexpr double kSameLength = 1e-9;
 
 std::size_t place(int i) { return static_cast<std::size_t>(i); }
 
@@ -74,6 +78,8 @@ class ChartsCheck {
       step_ = i;
       check_step();
     }
+    step_ = 0;
+    check_sensing();
     check_ways();
     check_outcome();
     return std::move(verdict_);
@@ -104,6 +110,50 @@ class ChartsCheck {
 
   Ticks full_time(int i, std::size_t of) const {
     return driving_time(lane(i), lane(i).length, robot(of).speed);
+  }
+
+  // ---- how far robots see
+
+  /// By what a robot that brakes does: it drives on until it brakes, then its energy is used up.
+  void check_sensing() {
+    if (!result_.sensing) return;
+    const ChartSensing& sensing = *result_.sensing;
+    const auto differ = [](double a, double b) {
+      return !(std::abs(a - b) <= kSameLength * std::max(1.0, std::abs(b)));
+    };
+    double fastest = result_.robots.empty() ? std::numeric_limits<double>::infinity() : 0;
+    for (const ChartRobot& each : result_.robots) fastest = std::max(fastest, each.speed);
+    // What is left of a range at a speed when the robot stands.
+    const auto left = [&](double range, double speed) {
+      const double stops_after = speed / sensing.braking;
+      return range - sensing.standoff - speed * (sensing.scan + sensing.reaction) -
+             speed * stops_after / 2;
+    };
+    for (const ChartSensingNeed& need : sensing.needs) {
+      const std::string at = fmt::format("sensing at {:.9g} m/s: ", need.speed);
+      if (differ(need.speed, std::min(need.class_speed, fastest))) {
+        fault(at + fmt::format("the class has {:.9g} m/s", need.class_speed));
+      }
+      if (differ(left(need.to_stop, need.speed), 0)) fault(at + "the range is not what it takes");
+      if (differ(need.until_brakes, need.speed * (sensing.scan + sensing.reaction))) {
+        fault(at + "it brakes sooner or later than that");
+      }
+      if (differ(need.until_brakes + need.braked + sensing.standoff, need.to_stop)) {
+        fault(at + "the parts of the range are not the range");
+      }
+      if (differ(need.two_scans - need.to_stop, need.speed * sensing.scan)) {
+        fault(at + "a second scan takes another length");
+      }
+      if (differ(need.oncoming + sensing.standoff, 2 * need.to_stop)) {
+        fault(at + "two that stop need another range");
+      }
+    }
+    const bool is_far = sensing.range > sensing.standoff;
+    if (sensing.range > 0 && (is_far ? differ(left(sensing.range, sensing.greatest_speed), 0)
+                                     : sensing.greatest_speed != 0)) {
+      fault(
+          fmt::format("sensing: {:.9g} m/s is not the most for its range", sensing.greatest_speed));
+    }
   }
 
   // ---- one plan
