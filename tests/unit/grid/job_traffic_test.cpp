@@ -196,7 +196,6 @@ TEST(JobTraffic, LateMovesHoldOthersUpLittle) {
     ASSERT_EQ(result.end, JobsResult::End::done);
     ASSERT_EQ(fault_of(problem, jobs, result), "");
     const auto own = static_cast<double>(result.least + result.stood);
-    RecordProperty(late > 0 ? "over_late" : "over", std::to_string(result.with_job / own));
     EXPECT_LT(static_cast<double>(result.with_job), (late > 0 ? 1.15 : 1.05) * own);
   }
 }
