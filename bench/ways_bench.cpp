@@ -1,9 +1,9 @@
 // How long first ways take, beside RRTConnect of OMPL over FCL in the same run, and whether they
 // are free by FCL at dense poses: an excavator from trench to truck, and an arm of seven joints in
 // seven kinds of scenes. Then what the test of an edge costs, and how that grows with what is far
-// away. Processor time on one core.
+// away; and whether looks along legs say what the test of them says. Processor time on one core.
 //
-//   ways_bench [excavator|cases|arm|edges]... [--problems N]     in the project's folder
+//   ways_bench [excavator|cases|arm|edges|legs]... [--problems N]     in the project's folder
 
 #include <fmt/format.h>
 #include <time.h>
@@ -255,6 +255,7 @@ void edges() {
     bench::Random draws(11);
     std::vector<double> free;
     std::vector<double> refused;
+    std::vector<double> looked;  // along those that are free
     while (free.size() < 400) {
       std::vector<double> from;
       std::vector<double> to;
@@ -269,14 +270,81 @@ void edges() {
       const double begin = now();
       for (int i = 0; i < kTimes; ++i) is_free = !site.world().refusal(step).has_value();
       (is_free ? free : refused).push_back((now() - begin) / kTimes);
+      if (!is_free) continue;
+      const double look = now();
+      for (int i = 0; i < kTimes; ++i) {
+        is_free = site.world().look_along(from, to, true, 1).free_until >= 1;
+      }
+      if (is_free) looked.push_back((now() - look) / kTimes);
     }
     const double median = quantile(free, 0.5);
     if (far == 0) with_fewest = median;
     fmt::print(
         "edge, 7 joints by 0.2 rad, 100 boxes near and {:>6} far: free {:.2f} us (p95 {:.2f}), "
-        "refused {:.2f} us, growth {:.2f}\n",
+        "refused {:.2f} us, growth {:.2f}; looked along {} of {}: {:.2f} us (p95 {:.2f})\n",
         far, median * 1e6, quantile(free, 0.95) * 1e6, quantile(refused, 0.5) * 1e6,
-        median / with_fewest);
+        median / with_fewest, looked.size(), free.size(), quantile(looked, 0.5) * 1e6,
+        quantile(looked, 0.95) * 1e6);
+  }
+}
+
+/// Looks along random legs against the test of the same legs, and of the parts called free or met.
+void compare_looks(const OurSite& site, const std::string& name, int count, std::uint32_t seed) {
+  const robot::RobotModel& model = site.model();
+  robot::Mounting mounting;
+  mounting.starts = site.start();
+  bench::Random draws(seed);
+  const auto is_free = [&](const std::vector<double>& from, const std::vector<double>& to,
+                           double share) {
+    const auto end = robot::configuration_at(from, to, share);
+    return !site.world().refusal({from, end, 0, 0}).has_value();
+  };
+  int free = 0;
+  int met = 0;
+  int open = 0;
+  int differ = 0;
+  for (int n = 0; n < count; ++n) {
+    std::vector<double> from;
+    std::vector<double> to;
+    const double most = n % 3 == 0 ? 1 : n % 3 == 1 ? 0.2 : 0.03;  // of the ranges
+    for (const robot::Parameter& p : model.parameters) {
+      const double lower = p.cyclic ? -180 : p.lower;
+      const double upper = p.cyclic ? 180 : p.upper;
+      const double way = most * (upper - lower);
+      from.push_back(p.derived ? 0 : draws.between(lower, upper));
+      to.push_back(p.derived ? 0
+                             : std::clamp(from.back() + draws.between(-way, way), lower, upper));
+    }
+    robot::update_derived(model, mounting, from);
+    robot::update_derived(model, mounting, to);
+    if (site.world().blocked_at(from)) continue;
+    for (const bool whole : {true, false}) {
+      const interpreter::LegLook look = site.world().look_along(from, to, whole, 0.01);
+      if (look.free_until > 0) ++free;
+      if (look.met_from <= 1) ++met;
+      if (look.met_from > 1 && look.free_until < (whole ? 1 : 1e-300)) ++open;
+      if (look.free_until > 0 && !is_free(from, to, look.free_until)) ++differ;
+      if (look.met_from <= 1 && is_free(from, to, look.met_from)) ++differ;
+    }
+  }
+  fmt::print(
+      "{:<16} looks that tell of a free part {:>6}, of contact {:>6}, open {:>4}; differ {}\n",
+      name, free, met, open, differ);
+}
+
+void legs() {
+  constexpr int kLegs = 20'000;
+  for (const std::string name : {"trench_to_truck", "truck_to_trench"}) {
+    const OurSite site("robots/excavator/cases/" + name + "/site.plan");
+    compare_looks(site, name, kLegs, 5);
+  }
+  const Chain arm = bench::seven_axis_arm();
+  for (const std::string& scene : bench::arm_scenes()) {
+    for (std::uint32_t seed = 1; seed <= 2; ++seed) {
+      bench::Random random(seed);
+      const auto problem = bench::arm_problem(scene, arm, random);
+      if (problem) compare_looks(OurSite(arm, *problem), scene, kLegs / 4, seed);
+    }
   }
 }
 
@@ -296,6 +364,7 @@ int main(int count, char** words) {
     return asked.empty() || std::find(asked.begin(), asked.end(), name) != asked.end();
   };
   if (wanted("edges")) edges();
+  if (wanted("legs")) legs();
   if (wanted("cases")) cases();
   if (wanted("excavator")) excavator(problems);
   if (wanted("arm")) arm(problems);
