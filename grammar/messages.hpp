@@ -232,7 +232,8 @@ RUBICON_EXPECT(breakdown_repair, "a duration");
 RUBICON_EXPECT(robot_start_values, "a parameter and its value");
 RUBICON_EXPECT(park_values, "a parameter and its value");
 RUBICON_EXPECT(robot_use_part, "robot", Explain::item,
-               "start cost rental mobilisation overtime calendar breakdown park");
+               "start cost rental mobilisation overtime calendar breakdown park behaviour");
+RUBICON_EXPECT(robot_behaviour_file, "the script's file in quotes");
 RUBICON_EXPECT(robot_file_name, "the robot's file in quotes");
 RUBICON_EXPECT(robot_frame, kFrame, Explain::expected, kFrameWords);
 RUBICON_EXPECT(robot_use_end, "';' or '{'");

@@ -411,7 +411,11 @@ struct robot_start : if_must<start_key, robot_start_values, plan_semicolon> {};
 struct park_key : token<word<TAO_PEGTL_STRING("park")>> {};
 struct park_values : values {};
 struct robot_park : if_must<park_key, park_values, plan_semicolon> {};
-struct robot_use_part : sor<robot_start, charge_item, uses_calendar, breakdown_item, robot_park> {};
+struct robot_behaviour_key : token<behaviour_word> {};
+struct robot_behaviour_file : string_literal {};
+struct robot_behaviour : if_must<robot_behaviour_key, robot_behaviour_file, plan_semicolon> {};
+struct robot_use_part
+    : sor<robot_start, charge_item, uses_calendar, breakdown_item, robot_park, robot_behaviour> {};
 struct whole_robot_use_part : must<robot_use_part> {};
 struct robot_use_parts : nested<star<not_at<block_end>, recover<whole_robot_use_part, item_end>>> {
 };

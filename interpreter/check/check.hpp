@@ -59,10 +59,17 @@ std::shared_ptr<const CheckedRobot> load_robot(const std::string& path, SourceMa
                                                const std::vector<std::string>* plan_situations,
                                                Diagnostics& diagnostics);
 
-/// The same for a robot whose text is already in `sources`.
+/// A script that a plan gives a robot.
+struct GivenScript {
+  syntax::String written;
+  std::string path;
+};
+
+/// The same for a robot whose text is already in `sources`; `script`: in place of that of its file.
 std::shared_ptr<const CheckedRobot> check_robot(FileId file, SourceMap& sources,
                                                 FileProvider& files,
                                                 const std::vector<std::string>* plan_situations,
-                                                Diagnostics& diagnostics);
+                                                Diagnostics& diagnostics,
+                                                const GivenScript* script = nullptr);
 
 }  // namespace rubicon::interpreter

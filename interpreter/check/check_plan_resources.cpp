@@ -58,7 +58,7 @@ class RobotLoader {
   void load(const syntax::RobotUse& item) {
     RobotSpec robot;
     robot.span = item.name ? item.name->span : item.file.span;
-    robot.robot = load_file(item.file);
+    robot.robot = load_file(item);
     const std::string fallback = robot.robot ? robot.robot->model.name : std::string("robot");
     robot.name = item.name ? item.name->text : fallback;
     if (item.at) robot.X_WM = resolve_frame_or_identity(subject_, *item.at);
@@ -81,22 +81,40 @@ class RobotLoader {
   }
 
  private:
-  std::shared_ptr<const CheckedRobot> load_file(const syntax::String& written) {
-    const std::string path = resolve_path(subject_.model.path, written.text);
-    const auto known = loaded_.find(path);
+  /// The robot of a file, with the script that the plan gives it, if any.
+  std::shared_ptr<const CheckedRobot> load_file(const syntax::RobotUse& item) {
+    const std::string path = resolve_path(subject_.model.path, item.file.text);
+    const std::string who = item.name ? "robot '" + item.name->text + "'" : std::string("robot");
+    const auto span_of = [](const syntax::String& script) { return script.span; };
+    const auto* written = only_one(subject_, item.behaviour, "the behaviour of " + who, span_of);
+    std::optional<GivenScript> script;
+    if (written != nullptr) script = {*written, resolve_path(subject_.model.path, written->text)};
+    const auto key = std::pair(path, script ? script->path : std::string());
+    const auto known = loaded_.find(key);
     if (known != loaded_.end()) return known->second;
     std::shared_ptr<const CheckedRobot> robot;
+    if (const auto file = open_robot(item.file, path)) {
+      robot = check_robot(*file, subject_.sources, subject_.files, &situations_,
+                          subject_.diagnostics, script ? &*script : nullptr);
+    }
+    loaded_.emplace(key, robot);
+    return robot;
+  }
+
+  /// Nothing after reporting why it cannot be read.
+  std::optional<FileId> open_robot(const syntax::String& written, const std::string& path) {
+    const auto known = files_.find(path);
+    if (known != files_.end()) return known->second;
+    std::optional<FileId> file;
     std::variant<std::string, FileFailure> text = subject_.files.read_text(path);
     if (const auto* failure = std::get_if<FileFailure>(&text)) {
       subject_.error("F01", written.span,
                      fmt::format("robot file '{}': {}", written.text, failure->message));
     } else {
-      const FileId file = subject_.sources.add(path, std::get<std::string>(std::move(text)));
-      robot =
-          check_robot(file, subject_.sources, subject_.files, &situations_, subject_.diagnostics);
+      file = subject_.sources.add(path, std::get<std::string>(std::move(text)));
     }
-    loaded_.emplace(path, robot);
-    return robot;
+    files_.emplace(path, file);
+    return file;
   }
 
   void declare(const syntax::RobotUse& item, RobotSpec robot) {
@@ -115,7 +133,9 @@ class RobotLoader {
 
   Subject& subject_;
   const std::vector<std::string>& situations_;
-  std::map<std::string, std::shared_ptr<const CheckedRobot>> loaded_;
+  std::map<std::pair<std::string, std::string>, std::shared_ptr<const CheckedRobot>>
+      loaded_;                                          ///< by robot file and given script
+  std::map<std::string, std::optional<FileId>> files_;  ///< robot files by path
 };
 
 }  // namespace

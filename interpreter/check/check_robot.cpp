@@ -57,7 +57,8 @@ std::shared_ptr<const CheckedRobot> load_robot(const std::string& path, SourceMa
 std::shared_ptr<const CheckedRobot> check_robot(FileId file, SourceMap& sources,
                                                 FileProvider& files,
                                                 const std::vector<std::string>* plan_situations,
-                                                Diagnostics& diagnostics) {
+                                                Diagnostics& diagnostics,
+                                                const GivenScript* script) {
   const int errors_before = diagnostics.errors();
   syntax::Robot robot = parse_robot(sources, file, diagnostics);
   auto checked = std::make_shared<CheckedRobot>();
@@ -83,7 +84,7 @@ std::shared_ptr<const CheckedRobot> check_robot(FileId file, SourceMap& sources,
     if (guide != nullptr) checked->guides.push_back(*guide);
   }
   check_guides(*checked, diagnostics, errors_before);
-  robot_check::check_behaviours(subject, *checked, sources, files, plan_situations);
+  robot_check::check_behaviours(subject, *checked, sources, files, plan_situations, script);
   checked->usable = diagnostics.errors() == errors_before && !robot.broken;
   return checked;
 }

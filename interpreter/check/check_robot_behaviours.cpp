@@ -47,8 +47,9 @@ std::optional<syntax::Script> take_script(Subject& subject, syntax::BehaviourIte
 }  // namespace
 
 void check_behaviours(Subject& subject, CheckedRobot& checked, SourceMap& sources,
-                      FileProvider& files, const std::vector<std::string>* plan_situations) {
-  bool named = false;  // some behaviour was written, even if it could not be read
+                      FileProvider& files, const std::vector<std::string>* plan_situations,
+                      const GivenScript* script) {
+  bool named = script != nullptr;  // some behaviour was written, even if it could not be read
   checked.body_scripts.resize(subject.bodies.size());
   for (std::size_t i = 0; i < subject.bodies.size(); ++i) {
     auto& items = subject.bodies[i]->behaviours;
@@ -71,7 +72,13 @@ void check_behaviours(Subject& subject, CheckedRobot& checked, SourceMap& source
       continue;
     }
     first = item;
-    checked.script = take_script(subject, *item, checked.path, sources, files);
+    if (script == nullptr) {
+      checked.script = take_script(subject, *item, checked.path, sources, files);
+    }
+  }
+  if (script != nullptr) {
+    const auto file = open_behaviour(subject, script->written, script->path, sources, files);
+    if (file) checked.script = parse_script(sources, *file, subject.diagnostics);
   }
   if (!named && subject.judges_names() && !subject.bodies.empty()) {
     subject.diagnostics.warning(

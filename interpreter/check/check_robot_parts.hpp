@@ -117,6 +117,7 @@ void complete_parameters(Subject& subject);
 
 /// Reads and checks the behaviours of the robot and its bodies: R03, R19, F01 and those of scripts.
 void check_behaviours(Subject& subject, CheckedRobot& checked, SourceMap& sources,
-                      FileProvider& files, const std::vector<std::string>* plan_situations);
+                      FileProvider& files, const std::vector<std::string>* plan_situations,
+                      const GivenScript* script);
 
 }  // namespace rubicon::interpreter::robot_check

@@ -220,6 +220,7 @@ void PlainItems::item(syntax::FleetItem& value) {
 void PlainItems::item(syntax::RobotUse& value) {
   each(value.name);
   text(value.file);
+  for (syntax::String& script : value.behaviour) text(script);
   each(value.at);
   each(value.start);
   each(value.cost);

@@ -73,6 +73,7 @@ class Qualifier {
     }
     prefix(*item.name);
     find_file(item.file);
+    for (syntax::String& script : item.behaviour) find_file(script);
     for (syntax::Name& each : item.calendar) refer(each, calendars_);
     for (syntax::Breakdown& each : item.breakdowns) {
       find_times(each.every_law);

@@ -461,6 +461,9 @@ RUBICON_ACTION(PlanAction, PlanState, robot_use_key) {
 }
 RUBICON_ACTION(PlanAction, PlanState, robot_use_name) { st.robot.name = st.take_name(); }
 RUBICON_ACTION(PlanAction, PlanState, robot_file_name) { st.robot.file = st.string; }
+RUBICON_ACTION(PlanAction, PlanState, robot_behaviour_file) {
+  st.robot.behaviour.push_back(st.string);
+}
 RUBICON_ACTION(PlanAction, PlanState, robot_frame) { st.robot.at = st.take_frame(); }
 RUBICON_ACTION(PlanAction, PlanState, robot_start_values) {
   st.robot.start.push_back(st.take_values());

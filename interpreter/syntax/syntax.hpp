@@ -594,6 +594,7 @@ struct RobotUse {
   std::optional<Name> name;
   String file;
   std::optional<Frame> at;
+  std::vector<String> behaviour = {};  ///< a script in place of that of the robot file
   std::vector<Values> start;
   std::vector<Cost> cost;
   std::vector<Name> calendar;

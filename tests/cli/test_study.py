@@ -149,6 +149,31 @@ class Study(StudyCase):
         self.study("vary gang 2 m, 2; runs 20;", expected=2)
         self.assertIn("s.study:1:35: error: the parameter is", self.result.stderr)
 
+    def test_behaviours_are_varied_by_their_files(self):
+        texts = {
+            "cart.robot": "robot cart { time_step 1; body base { param x range(0, 20) step(1) start(0); param y range(0, 20) step(1) start(0);"
+                          " frame trans(x, y, 0); shape box(-0.3, -0.3, 0, 0.3, 0.3, 1); } tool base; behaviour \"both.motion\"; }",
+            "both.motion": "chain { move_to(x, goal(x)), move_to(y, goal(y)) };",
+            "diagonal.motion": "chain { follow };",
+            "carts.plan": "plan carts { parameter way = \"both\"; robot plain \"cart.robot\";"
+                          " robot other \"cart.robot\" at trans(0, 30, 0) { behaviour \"{way}.motion\"; }"
+                          " task a { by plain; go x 8, y 6; } task b { by other; go x 8, y 6; after a; } }",
+            "carts.study": "study carts { plan \"carts.plan\"; vary way \"both\", \"diagonal\"; ask finish(a), makespan; }",
+        }
+        for name, text in texts.items():
+            with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        result = rubicon("study", os.path.join(self.folder, "carts.study"), "--format", "json")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        study = json.loads(result.stdout)
+        asked = [[variant["answers"][k]["mean"] for k in study["asked"]] for variant in study["variants"]]
+        # 8 and 6 steps one after the other, or at once.
+        self.assertEqual(asked, [[14, 28], [14, 22]])
+        plan = os.path.join(self.folder, "carts.plan")
+        result = rubicon("check", plan, "--set", "way=bott")
+        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+        self.assertIn("behaviour 'bott.motion'", result.stderr)
+
     def test_mistakes_are_told_at_their_places(self):
         for items, message in (("vary flors 2;", "s.study:1:35: error: the plan has no parameter 'flors'; did you mean floors?"),
                                ("ask utilisation(mason);", "the plan has no robot or crew 'mason'; did you mean masons?"),

@@ -344,6 +344,7 @@ class Writer {
     if (value.name) name(*value.name);
     string(value.file);
     frame(value.at);
+    for (const syntax::String& entry : value.behaviour) word("behaviour"), string(entry);
     for (const syntax::Values& entry : value.start) values(entry);
     costs(value.cost);
     names(value.calendar);
