@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/motion/collision/swept_query.hpp"
+#include "src/motion/math/lanes.hpp"
 
 namespace rubicon::collision {
 
@@ -12,34 +13,37 @@ namespace rubicon::collision {
 class LegMotion {
  public:
   virtual ~LegMotion() = default;
-  /// Where the items of the query are at a share of the leg in [0, 1], world.
-  virtual void poses(double share, std::vector<Pose>& X_WB) const = 0;
+  /// Where all frames of the query are at four shares of the leg in [0, 1], and how they move.
+  virtual void frames(const double (&shares)[math::kLanes], math::LaneFrame* X_WF) const = 0;
   /// Whether the piece between two shares is free, by `CollisionWorld::test`.
   virtual bool is_free(double from, double to) const = 0;
 };
 
 /// Asks how far bodies may go along a leg.
 struct LegQuery {
-  /// Bounds how far points go over the whole leg, by the length of their paths: of a point at the
-  /// distance r from the origin of its body, origin + turning * r.
-  struct Speed {
+  /// Bounds the second derivative by the share of the leg: of a point at the distance r from the
+  /// origin of its frame, origin + turning * r.
+  struct Acceleration {
     double origin = 0;   ///< m
     double turning = 0;  ///< m per m of distance
   };
   struct Item {
     const Body* body = nullptr;
-    Speed speed = {};
-    /// The same for second derivatives by the share of the leg.
-    Speed acceleration = {};
+    int frame = 0;      ///< which carries it
+    bool moves = true;  ///< where not, it is not tested against what stands
+    Acceleration acceleration = {};
   };
-  /// Two items that may not meet, and their speeds as seen from a frame that is the same for both.
+  /// Two items that may not meet, and their accelerations as seen from a frame that carries both
+  /// (-1: the world).
   struct Pair {
     int first = 0;
     int second = 0;
-    Speed of_first = {};
-    Speed of_second = {};
+    int base = -1;
+    Acceleration of_first = {};
+    Acceleration of_second = {};
   };
-  std::vector<Item> items;  ///< each is tested against what stands, unless its speed is 0
+  int frames = 0;
+  std::vector<Item> items;
   std::vector<Pair> pairs;
   double contact_tolerance = 1e-3;
   /// What is asked. `whole`: whether the whole leg is free, no matter how far it is free else.

@@ -87,63 +87,76 @@ void ChainBound::append(const FrameElement& element, std::span<const double> q0,
   const auto a = linear_value(element.a, q0, q1, starts);
   if (element.kind != FrameElement::Kind::trans) {
     linear_ = a.has_value();
-    if (a) append_rotation(element.kind, math::radians(a->rate));
+    const int axis = element.kind == FrameElement::Kind::rotx   ? 0
+                     : element.kind == FrameElement::Kind::roty ? 1
+                                                                : 2;
+    if (a) append_turn(axis, math::radians(a->rate));
     return;
   }
   const auto b = linear_value(element.b, q0, q1, starts);
   const auto c = linear_value(element.c, q0, q1, starts);
   linear_ = a && b && c;
-  if (linear_) append_translation(*a, *b, *c);
+  if (linear_) append_translation({a->at0, b->at0, c->at0}, {a->rate, b->rate, c->rate});
 }
 
-void ChainBound::append_rotation(FrameElement::Kind axis, double rate) {
+void ChainBound::append_turn(int axis, double rate) {
   if (axis != last_axis_) {
-    earlier_rates_ += last_rate();
+    end_row();
     last_axis_ = axis;
-    last_sum_ = 0;
-    last_magnitude_ = 0;
   }
   last_sum_ += rate;
   last_magnitude_ += std::fabs(rate);
+}
+
+void ChainBound::end_row() {
+  earlier_rates_ += last_rate();
+  last_axis_ = -1;
+  last_sum_ = 0;
+  last_magnitude_ = 0;
 }
 
 double ChainBound::last_rate() const {
   return std::fabs(last_sum_) + kSumRounding * last_magnitude_;
 }
 
-void ChainBound::append_translation(const LinearValue& x, const LinearValue& y,
-                                    const LinearValue& z) {
-  const Vec3 start(x.at0, y.at0, z.at0);
-  const Vec3 rate(x.rate, y.rate, z.rate);
-  const Vec3 end = start + rate;
-  Vec3 along = Vec3::Zero();
-  if (last_axis_ != FrameElement::Kind::trans) {
-    along[last_axis_ == FrameElement::Kind::rotx   ? 0
-          : last_axis_ == FrameElement::Kind::roty ? 1
-                                                   : 2] = 1;
-  }
-  const Vec3 across = Vec3::Ones() - along;
-  // The length of a vector that runs linearly is greatest at an end.
-  const auto add = [&](const Vec3& part, double rates) {
-    const double length = std::max(start.cwiseProduct(part).norm(), end.cwiseProduct(part).norm());
-    const double grows = rate.cwiseProduct(part).norm();
+void ChainBound::append_lengths(double along, double across, double along_grows,
+                                double across_grows) {
+  const auto add = [&](double rates, double length, double grows) {
     origin_ += rates * (rates * length + 2 * grows);
-    origin_speed_ += rates * length + grows;
   };
-  add(along, earlier_rates_);
-  add(across, earlier_rates_ + last_rate());
+  add(earlier_rates_, along, along_grows);
+  add(earlier_rates_ + last_rate(), across, across_grows);
+}
+
+void ChainBound::append_translation(const Vec3& at0, const Vec3& rate) {
+  const Vec3 end = at0 + rate;
+  Vec3 along = Vec3::Zero();
+  if (last_axis_ >= 0) along[last_axis_] = 1;
+  const Vec3 across = Vec3::Ones() - along;
+  const auto length = [](const Vec3& v, const Vec3& part) { return v.cwiseProduct(part).norm(); };
+  // The length of a vector that runs linearly is greatest at an end.
+  append_lengths(std::max(length(at0, along), length(end, along)),
+                 std::max(length(at0, across), length(end, across)), length(rate, along),
+                 length(rate, across));
+}
+
+void ChainBound::append_constant(const Vec3& translation, bool turns) {
+  if (earlier_rates_ > 0 || last_magnitude_ > 0) {
+    double along = 0;
+    Vec3 across = translation;
+    if (last_axis_ >= 0) {
+      along = std::fabs(translation[last_axis_]);
+      across[last_axis_] = 0;
+    }
+    append_lengths(along, across.norm(), 0, 0);
+  }
+  if (turns) end_row();
 }
 
 std::optional<AccelerationBound> ChainBound::bound() const {
   if (!linear_) return std::nullopt;
   const double rates = earlier_rates_ + last_rate();
   return AccelerationBound{origin_ * kBoundRounding, rates * rates * kBoundRounding};
-}
-
-std::optional<SpeedBound> ChainBound::speed() const {
-  if (!linear_) return std::nullopt;
-  const double rates = earlier_rates_ + last_rate();
-  return SpeedBound{origin_speed_ * kBoundRounding, rates * kBoundRounding};
 }
 
 }  // namespace rubicon::robot

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -55,6 +56,7 @@ class RobotView : public interpreter::World {
 
  private:
   class BodiesOnLeg;
+  struct Legs;
 
   bool can_look_along() const;
   bool others_leave_free(std::span<const double> q_from, std::span<const double> q_to,
@@ -95,6 +97,7 @@ class RobotView : public interpreter::World {
   bool keeps_out_ = false;                     ///< of these
   mutable collision::ClearanceBudget budget_;  ///< never changes an answer
   mutable FreeLine line_;                      ///< nor does this: what lies on it is free
+  mutable std::shared_ptr<Legs> legs_;         // shared: of a type that is not known here
   mutable std::vector<bool> moved_bodies_;     ///< those that a step of it can move; found once
 };
 

@@ -2,31 +2,13 @@
 #include <utility>
 
 #include "src/motion/collision/leg_query.hpp"
-#include "src/motion/robot/chain_bound.hpp"
 #include "src/motion/robot/frame_chain.hpp"
+#include "src/motion/robot/leg_frames.hpp"
 #include "src/simulation/site/robot_view.hpp"
 
 namespace rubicon::site {
 
 namespace {
-
-/// Bounds of the motions of all bodies while q runs from q0 to q1, as seen from `base` (-1: the
-/// world); only of bodies that stand on it.
-std::vector<robot::ChainBound> chains_from(const robot::RobotModel& model,
-                                           const robot::Mounting& mounting,
-                                           std::span<const double> q0, std::span<const double> q1,
-                                           int base) {
-  std::vector<robot::ChainBound> chains(model.bodies.size());
-  for (std::size_t i = static_cast<std::size_t>(base + 1); i < chains.size(); ++i) {
-    const int parent = model.bodies[i].parent;
-    if (parent < base) continue;
-    if (parent != base) chains[i] = chains[static_cast<std::size_t>(parent)];
-    for (const robot::FrameElement& each : model.bodies[i].frame) {
-      chains[i].append(each, q0, q1, mounting.starts);
-    }
-  }
-  return chains;
-}
 
 /// The last body that both stand on, or are; -1: none.
 int common_base(const robot::RobotModel& model, int a, int b) {
@@ -37,67 +19,86 @@ int common_base(const robot::RobotModel& model, int a, int b) {
   return a;
 }
 
+collision::LegQuery::Acceleration at_arm(const robot::AccelerationBound& bound, double arm) {
+  return {bound.origin + bound.turning * arm, bound.turning};
+}
+
 }  // namespace
+
+/// The frames of a robot on a leg, and what its queries have in common.
+struct RobotView::Legs {
+  explicit Legs(const SiteRobot& robot) : frames(*robot.model, robot.mounting) {
+    for (const OwnPair& pair : robot.own_pairs) add_base(robot, pair.first, pair.second);
+    for (const OwnPair& pair : robot.load_pairs) add_base(robot, robot.load_part(), pair.first);
+  }
+
+  void add_base(const SiteRobot& robot, int a, int b) {
+    bases.push_back(common_base(*robot.model, robot.body_of(a), robot.body_of(b)));
+  }
+
+  robot::LegFrames frames;
+  std::vector<int> bases;  ///< of the own pairs, then of those of the load
+  collision::LegQuery query;
+  std::vector<int> parts;    ///< of the items
+  std::vector<int> item_of;  ///< of the parts
+};
 
 /// The bodies of a robot on a leg.
 class RobotView::BodiesOnLeg : public collision::LegMotion {
  public:
-  BodiesOnLeg(const RobotView& view, std::span<const double> q_from, std::span<const double> q_to)
-      : view_(view),
-        q_from_(q_from),
-        q_to_(q_to),
-        item_of_(view.robot().bodies.size() + 1, -1),
-        chains_(view.robot().bodies.size() + 1) {}
+  BodiesOnLeg(const RobotView& view, Legs& legs, std::span<const double> q_from,
+              std::span<const double> q_to)
+      : view_(view), legs_(legs), q_from_(q_from), q_to_(q_to) {}
 
-  /// False: nothing is known of how fast its bodies go.
-  bool ask(collision::LegQuery& query) {
+  /// False: nothing is known of how its bodies go.
+  bool ask(double contact_tolerance, bool whole, double least) {
+    if (!legs_.frames.set_leg(q_from_, q_to_)) return false;
     const SiteRobot& robot = view_.robot();
     const auto& load = view_.site_.load(view_.index_);
-    bool known = true;
+    collision::LegQuery& query = legs_.query;
+    query.frames = load_frame() + 1;
+    query.contact_tolerance = contact_tolerance;
+    query.whole = whole;
+    query.least = least;
+    query.items.clear();
+    query.pairs.clear();
+    legs_.parts.clear();
+    legs_.item_of.assign(robot.bodies.size() + 1, -1);
     const auto add = [&](const collision::Body* body, int part) {
-      item_of_[static_cast<std::size_t>(part)] = static_cast<int>(query.items.size());
-      parts_.push_back(part);
-      const auto motion = motion_of(part, -1);
-      known = known && motion;
-      if (motion) query.items.push_back({body, motion->speed, motion->acceleration});
+      legs_.item_of[static_cast<std::size_t>(part)] = static_cast<int>(query.items.size());
+      legs_.parts.push_back(part);
+      const robot::LegFrames::Motion& motion = legs_.frames.motion(-1, frame_of(part));
+      query.items.push_back({body, part == robot.load_part() ? load_frame() : part, motion.moves,
+                             at_arm(motion.acceleration, arm_of(part))});
     };
-    for (std::size_t i = 0; i < robot.bodies.size() && known; ++i) {
+    for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
       if (robot.bodies[i]) add(robot.bodies[i].get(), static_cast<int>(i));
     }
-    if (load && load->body && known) add(load->body.get(), robot.load_part());
-    const auto add_pair = [&](const OwnPair& pair, int first, int second) {
-      if (!known || !pair.moves(q_from_, q_to_)) return;
-      const int base = common_base(*robot.model, robot.body_of(first), robot.body_of(second));
-      const auto of_first = motion_of(first, base);
-      const auto of_second = motion_of(second, base);
-      known = of_first && of_second;
-      if (!known) return;
-      query.pairs.push_back({item_of_[static_cast<std::size_t>(first)],
-                             item_of_[static_cast<std::size_t>(second)], of_first->speed,
-                             of_second->speed});
+    if (load && load->body) add(load->body.get(), robot.load_part());
+    const auto add_pair = [&](const OwnPair& pair, int first, int second, int base) {
+      if (!pair.moves(q_from_, q_to_)) return;
+      query.pairs.push_back({legs_.item_of[static_cast<std::size_t>(first)],
+                             legs_.item_of[static_cast<std::size_t>(second)], base,
+                             seen_from(base, first), seen_from(base, second)});
     };
-    for (const OwnPair& pair : robot.own_pairs) add_pair(pair, pair.first, pair.second);
-    if (load && load->body) {
-      for (const OwnPair& pair : robot.load_pairs) add_pair(pair, robot.load_part(), pair.first);
+    std::size_t n = 0;
+    for (const OwnPair& pair : robot.own_pairs) {
+      add_pair(pair, pair.first, pair.second, legs_.bases[n++]);
     }
-    return known;
+    if (load && load->body) {
+      for (const OwnPair& pair : robot.load_pairs) {
+        add_pair(pair, robot.load_part(), pair.first, legs_.bases[n++]);
+      }
+    }
+    return true;
   }
 
-  void poses(double share, std::vector<math::Pose>& X_WB) const override {
-    const SiteRobot& robot = view_.robot();
-    q_.resize(q_from_.size());
-    robot::configuration_at(q_from_, q_to_, share, q_);
-    robot::body_poses(*robot.model, robot.mounting, q_, all_);
-    X_WB.resize(parts_.size());
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-      if (parts_[i] != robot.load_part()) {
-        X_WB[i] = all_[static_cast<std::size_t>(parts_[i])];
-        continue;
-      }
-      X_WB[i] = all_[static_cast<std::size_t>(robot.model->tool_body)];
-      robot::append(X_WB[i], robot.model->tool_frame, {q_, {}, robot.mounting.starts});
-      X_WB[i] = X_WB[i] * view_.site_.load(view_.index_)->X_TO;
-    }
+  void frames(const double (&shares)[math::kLanes], math::LaneFrame* X_WF) const override {
+    legs_.frames.poses(shares, X_WF);
+    const auto& load = view_.site_.load(view_.index_);
+    math::LaneFrame& X_WO = X_WF[load_frame()];
+    X_WO = X_WF[legs_.frames.tool_frame()];
+    if (load && load->body) robot::append(X_WO, load->X_TO);
   }
 
   bool is_free(double from, double to) const override {
@@ -111,43 +112,28 @@ class RobotView::BodiesOnLeg : public collision::LegMotion {
   const std::optional<interpreter::HitPair>& refused() const { return refused_; }
 
   /// The part of the robot that an item is.
-  int part_of(int item) const { return parts_[static_cast<std::size_t>(item)]; }
+  int part_of(int item) const { return legs_.parts[static_cast<std::size_t>(item)]; }
 
  private:
-  struct PartMotion {
-    collision::LegQuery::Speed speed;
-    collision::LegQuery::Speed acceleration;
-  };
-
-  /// How a part moves as seen from a body that carries it (-1: the world), where that is known.
-  std::optional<PartMotion> motion_of(int part, int base) {
-    const SiteRobot& robot = view_.robot();
-    auto& chains = chains_[static_cast<std::size_t>(base + 1)];
-    if (chains.empty()) chains = chains_from(*robot.model, robot.mounting, q_from_, q_to_, base);
-    robot::ChainBound chain = chains[static_cast<std::size_t>(robot.body_of(part))];
-    double arm = 0;  // m, from the origin of the frame at the end of the chain to that of the part
-    if (part == robot.load_part()) {
-      for (const robot::FrameElement& each : robot.model->tool_frame) {
-        chain.append(each, q_from_, q_to_, robot.mounting.starts);
-      }
-      arm = view_.site_.load(view_.index_)->X_TO.translation().norm();
-    }
-    const auto speed = chain.speed();
-    const auto acceleration = chain.bound();
-    if (!speed || !acceleration) return std::nullopt;
-    return PartMotion{{speed->origin + speed->turning * arm, speed->turning},
-                      {acceleration->origin + acceleration->turning * arm, acceleration->turning}};
+  int load_frame() const { return legs_.frames.count(); }
+  /// Which carries a part: of the load that of the tool.
+  int frame_of(int part) const {
+    return part == view_.robot().load_part() ? legs_.frames.tool_frame() : part;
+  }
+  /// m, from its origin to that of the part.
+  double arm_of(int part) const {
+    if (part != view_.robot().load_part()) return 0;
+    return view_.site_.load(view_.index_)->X_TO.translation().norm();
+  }
+  collision::LegQuery::Acceleration seen_from(int base, int part) const {
+    return at_arm(legs_.frames.motion(base, frame_of(part)).acceleration, arm_of(part));
   }
 
   const RobotView& view_;
+  Legs& legs_;
   std::span<const double> q_from_;
   std::span<const double> q_to_;
-  std::vector<int> parts_;                              ///< of the items
-  std::vector<int> item_of_;                            ///< of the parts
-  std::vector<std::vector<robot::ChainBound>> chains_;  ///< as seen from the world, from bodies
   mutable std::optional<interpreter::HitPair> refused_;
-  mutable std::vector<double> q_;
-  mutable std::vector<math::Pose> all_;
 };
 
 /// Only where all that the robot moves is rigid, and meets no more than shapes.
@@ -175,13 +161,10 @@ interpreter::LegLook RobotView::look_along(std::span<const double> q_from,
                                            double least) const {
   interpreter::LegLook look;
   if (!can_look_along()) return look;
-  BodiesOnLeg bodies(*this, q_from, q_to);
-  collision::LegQuery query;
-  query.contact_tolerance = site_.contact_tolerance();
-  query.whole = whole;
-  query.least = least;
-  if (!bodies.ask(query)) return look;
-  const collision::LegAnswer answer = site_.obstacles().look_along(query, bodies);
+  if (!legs_) legs_ = std::make_shared<Legs>(robot());
+  BodiesOnLeg bodies(*this, *legs_, q_from, q_to);
+  if (!bodies.ask(site_.contact_tolerance(), whole, least)) return look;
+  const collision::LegAnswer answer = site_.obstacles().look_along(legs_->query, bodies);
   const bool free = answer.free_until > 0 && answer.free_until >= std::min(least, 1.0) &&
                     others_leave_free(q_from, q_to, answer.free_until);
   look.free_until = free ? answer.free_until : 0;

@@ -10,6 +10,7 @@
 #include "src/motion/math/angles.hpp"
 #include "src/motion/robot/chain_bound.hpp"
 #include "src/motion/robot/frame_chain.hpp"
+#include "src/motion/robot/leg_frames.hpp"
 #include "tests/unit/robot/robots.hpp"
 
 namespace rubicon::robot {
@@ -286,38 +287,72 @@ TEST(ChordDeviation, IsNotMuchLooserForLinearChainsThanByIntervals) {
   EXPECT_LT(ratios[ratios.size() / 2], 3);
 }
 
-TEST(SpeedBound, BoundsEveryPointOfLinearChainsByDenseSampling) {
+/// X_WF of a lane.
+Pose pose_of(const math::LaneFrame& frame, int lane) {
+  Pose X = Pose::Identity();
+  for (int row = 0; row < 3; ++row) {
+    for (int col = 0; col < 3; ++col) X.linear()(row, col) = frame.R[row][col].v[lane];
+    X.translation()[row] = frame.t[row].v[lane];
+  }
+  return X;
+}
+
+TEST(LegFrames, StandAndMoveAsTheFramesDo) {
   std::mt19937_64 random(23);
   std::uniform_real_distribution<double> unit(0, 1);
   double closest = 0;
   for (int i = 0; i < 500; ++i) {
     const RandomChain chain = random_chain(random, Elements::linear);
-    const Mounting mounting = mounting_of(chain.model, Pose::Identity());
-    ChainBound chain_bound;
-    for (const FrameElement* each : elements_to_tool(chain.model)) {
-      chain_bound.append(*each, chain.q0, chain.q1, mounting.starts);
-    }
-    const auto speed = chain_bound.speed();
-    ASSERT_TRUE(speed.has_value());
-    const double reach = 4 * unit(random);
+    const Mounting mounting =
+        mounting_of(chain.model, math::translation(3, 4, 5) * math::rotation_x_deg(20));
+    LegFrames frames(chain.model, mounting);
+    ASSERT_TRUE(frames.set_leg(chain.q0, chain.q1));
+    const double middle = 0.1 + 0.8 * unit(random);
+    constexpr double kHalf = 0.05;
+    const double shares[] = {middle - kHalf, middle, middle + kHalf, 1};
+    std::vector<math::LaneFrame> at(static_cast<std::size_t>(frames.count()));
+    frames.poses(shares, at.data());
     const Vec3 point =
-        reach * Vec3(unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.5).normalized();
-    const double bound = speed->origin + speed->turning * reach;
-    constexpr int kPieces = 50;
-    Vec3 before = Vec3::Zero();
-    for (int k = 0; k <= kPieces; ++k) {
-      const double s = k / static_cast<double>(kPieces);
-      const Vec3 x =
-          tool_pose(chain.model, mounting, configuration_at(chain.q0, chain.q1, s)) * point;
-      if (k > 0) {
-        const double way = (x - before).norm();
-        EXPECT_LE(way, bound / kPieces + 1e-12);
-        if (bound > 0) closest = std::max(closest, way * kPieces / bound);
+        4 * unit(random) * Vec3(unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.5);
+    for (int lane = 0; lane < math::kLanes; ++lane) {
+      const auto q = configuration_at(chain.q0, chain.q1, shares[lane]);
+      std::vector<Pose> X_WB;
+      body_poses(chain.model, mounting, q, X_WB);
+      X_WB.push_back(tool_pose(chain.model, mounting, q));
+      for (std::size_t f = 0; f < at.size(); ++f) {
+        EXPECT_LT((pose_of(at[f], lane).matrix() - X_WB[f].matrix()).norm(), 1e-10);
       }
-      before = x;
+    }
+    // A point goes as its velocity says, but for what it accelerates at most.
+    for (int f = 0; f < frames.count(); ++f) {
+      const math::LaneFrame& frame = at[static_cast<std::size_t>(f)];
+      const auto [acceleration, moves] = frames.motion(-1, f);
+      const double most = acceleration.origin + acceleration.turning * point.norm();
+      const Vec3 arm = pose_of(frame, 1).linear() * point;
+      const Vec3 v(frame.v[0].v[1], frame.v[1].v[1], frame.v[2].v[1]);
+      const Vec3 w(frame.w[0].v[1], frame.w[1].v[1], frame.w[2].v[1]);
+      for (const int side : {-1, 1}) {
+        const Vec3 went = pose_of(frame, 1 + side) * point - pose_of(frame, 1) * point;
+        const double off = (went - side * kHalf * (v + w.cross(arm))).norm();
+        const double bound = 0.5 * kHalf * kHalf * most;
+        EXPECT_LE(off, bound + 1e-10);
+        if (bound > 1e-6) closest = std::max(closest, off / bound);
+        EXPECT_TRUE(moves || went.norm() < 1e-12);
+      }
     }
   }
   EXPECT_GT(closest, 0.5) << "the bound is uselessly loose";
+}
+
+TEST(LegFrames, SeenFromABodyThatCarriesThemTheyAccelerateLess) {
+  // A jib that slews carries a hook: as the jib sees it, the hook runs straight on.
+  const RobotModel model = crane();
+  LegFrames frames(model, mounting_of(model));
+  ASSERT_TRUE(frames.set_leg(std::vector<double>{0, 20, 10}, std::vector<double>{90, 25, 10}));
+  EXPECT_GT(frames.motion(-1, 2).acceleration.origin, 10);
+  EXPECT_EQ(frames.motion(1, 2).acceleration.origin, 0);
+  EXPECT_TRUE(frames.motion(1, 2).moves);
+  EXPECT_FALSE(frames.motion(-1, 0).moves);
 }
 
 TEST(ChordDeviation, ShrinksWithTheSquareOfTheIntervalAndIsTightForACircle) {

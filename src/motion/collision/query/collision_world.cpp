@@ -371,7 +371,9 @@ LegAnswer CollisionWorld::look_along(const LegQuery& query, const LegMotion& mot
       found.push_back({each.id, each.body.get(), &each.place.X_WC});
     }
   };
-  return LegScan(query, motion, collect).run();
+  // Thousands of looks are made for a way: they share the room.
+  thread_local LegScanRoom room;
+  return LegScan(query, motion, collect, room).run();
 }
 
 Contact CollisionWorld::contact(const SweptQuery& query, const SweptHit& hit) const {

@@ -1,70 +1,26 @@
 #include "src/motion/collision/query/leg_scan.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace rubicon::collision {
 
 namespace {
 
-/// m: so much more than what is needed is asked for, so that rounding decides nothing.
-constexpr double kScanMargin = 1e-6;
+/// m, and share of the coordinates: so much more than what is needed is asked for, so that rounding
+/// decides nothing.
+constexpr double kMargin = 1e-6;
+constexpr double kMarginShare = 1e-12;
 
-/// Intervals in which nothing moves farther than this (m), or of the last depth, are left to the
+/// Intervals in which no box is grown by more than this (m), or of the last depth, are left to the
 /// exact test.
-constexpr double kShortestPath = 4e-3;
-constexpr int kDeepest = 7;
+constexpr double kShortestPath = 2e-3;
+constexpr int kDeepest = 3;
 /// After so many exact tests the rest of the leg stays open.
 constexpr int kMostExactTests = 3;
 
-/// Cross products of unit vectors shorter than this have no direction left.
-constexpr double kParallelEdges = 1e-4;
-
-/// No less than the square root of 1/2.
-constexpr double kRootOfHalf = 0.70710678118655;
-
-/// How two boxes lie to each other.
-struct BoxGap {
-  double apart = 0;  ///< m: they are at least so far apart; 0 if that is not known
-  double depth = 0;  ///< m: they overlap so deep along every axis; negative: along one they do not
-};
-
-/// Stops where they are known to be farther apart than `enough`.
-BoxGap box_gap(const OrientedBox& a, const OrientedBox& b, double enough) {
-  const Mat3 R = a.R.transpose() * b.R;
-  const Mat3 R_abs = R.cwiseAbs();
-  const Vec3 t = a.R.transpose() * (b.centre - a.centre);
-  const Vec3 of_a = t.cwiseAbs() - a.half - R_abs * b.half;
-  const double apart_a = of_a.cwiseMax(0.0).norm();
-  if (apart_a > enough) return {apart_a, -1};
-  const Vec3 u = R.transpose() * t;
-  const Vec3 of_b = u.cwiseAbs() - b.half - R_abs.transpose() * a.half;
-  const double apart_b = of_b.cwiseMax(0.0).norm();
-  BoxGap gap{std::max(apart_a, apart_b), -std::max(of_a.maxCoeff(), of_b.maxCoeff())};
-  if (gap.apart > enough) return gap;
-  for (int i = 0; i < 3; ++i) {
-    const int i1 = (i + 1) % 3;
-    const int i2 = (i + 2) % 3;
-    for (int j = 0; j < 3; ++j) {
-      const double square = 1 - R(i, j) * R(i, j);
-      if (square < kParallelEdges) continue;
-      const int j1 = (j + 1) % 3;
-      const int j2 = (j + 2) % 3;
-      const double reach = a.half[i1] * R_abs(i2, j) + a.half[i2] * R_abs(i1, j) +
-                           b.half[j1] * R_abs(i, j2) + b.half[j2] * R_abs(i, j1);
-      const double off = std::fabs(t[i2] * R(i1, j) - t[i1] * R(i2, j)) - reach;
-      const double along = off / std::sqrt(square);
-      gap.depth = std::min(gap.depth, -along);
-      gap.apart = std::max(gap.apart, along);
-      if (gap.apart > enough) return gap;
-    }
-  }
-  return gap;
-}
-
-double farthest(const LegQuery::Speed& speed, const Body& body) {
-  return speed.origin + speed.turning * body.extent().reach;
-}
+constexpr unsigned kAllIntervals = (1U << math::kLanes) - 1;
 
 /// The longest of the parts 1, 1/2, 1/4 ... of a leg that is shorter than `met`.
 double longest_part(double met) {
@@ -73,191 +29,294 @@ double longest_part(double met) {
   return part;
 }
 
+/// The middles of the four intervals of a part of a leg.
+struct Middles {
+  double shares[math::kLanes];
+  Middles(double from, double to) {
+    const double half = (to - from) / (2 * math::kLanes);
+    for (int i = 0; i < math::kLanes; ++i) shares[i] = from + (2 * i + 1) * half;
+  }
+};
+
+double acceleration(const LegQuery::Acceleration& bound, double reach) {
+  return bound.origin + bound.turning * reach;
+}
+
+StandingBox standing_box(const BodyPart& part, const Placement& X_WC, int obstacle) {
+  const Mat3 R = part.aligned ? X_WC.R : Mat3(X_WC.R * part.box.R);
+  const Vec3 centre = X_WC * part.box.centre;
+  const Vec3 around = R.cwiseAbs() * part.box.half;
+  StandingBox box;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) box.R[i][j] = R(i, j);
+    box.centre[i] = centre[i];
+    box.half[i] = part.box.half[i];
+    box.around[i] = around[i];
+  }
+  box.obstacle = obstacle;
+  box.exact = part.is_box;
+  return box;
+}
+
 }  // namespace
 
-LegScan::LegScan(const LegQuery& query, const LegMotion& motion, const Collect& collect)
-    : query_(query), motion_(motion), collect_(collect) {
-  for (const LegQuery::Item& item : query_.items) {
-    first_box_.push_back(items_.size());
-    items_.resize(items_.size() + item.body->parts().size());
-  }
+LegScan::LegScan(const LegQuery& query, const LegMotion& motion, const Collect& collect,
+                 LegScanRoom& room)
+    : query_(query), motion_(motion), collect_(collect), room_(room), kernels_(leg_kernels()) {
+  room_.frames.resize(static_cast<std::size_t>(query.frames));
+  room_.parts.clear();
+  room_.first_part.clear();
+  room_.standing.clear();
+  room_.pairs.clear();
+  room_.obstacles.clear();
+  room_.first_standing.assign(1, 0);
+  room_.candidates.clear();
 }
 
-void LegScan::place(const Body& body, const Placement& X_WC, std::vector<PartBox>& boxes,
-                    std::size_t at) {
-  for (const BodyPart& part : body.parts()) {
-    const OrientedBox box = placed(part.box, X_WC);
-    boxes[at++] = {box, box.R.cwiseAbs() * box.half, part.is_box};
-  }
-}
-
-void LegScan::find_places(double share, ItemPlaces& places) {
-  motion_.poses(share, X_WB_);
-  places.resize(query_.items.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Placement X_WB(X_WB_[i]);
-    places[i] = {X_WB.R, X_WB * query_.items[i].body->extent().centre};
-  }
-}
-
-void LegScan::place_items(const ItemPlaces& places) {
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    place(*query_.items[i].body, places[i], items_, first_box_[i]);
-  }
-}
-
-/// Between two places a point is no farther from the one than the other is, and what it deviates
-/// from the straight way.
-void LegScan::find_ways(const ItemPlaces& from, const ItemPlaces& middle, const ItemPlaces& to,
-                        double half) {
-  ways_.resize(middle.size());
-  for (std::size_t i = 0; i < middle.size(); ++i) {
-    const LegQuery::Item& item = query_.items[i];
-    const double by_speed = half * farthest(item.speed, *item.body);
-    const double deviation = half * half / 8 * farthest(item.acceleration, *item.body);
-    if (deviation >= by_speed) {
-      ways_[i] = by_speed;
-      continue;
-    }
-    const double radius = item.body->extent().radius;
-    const auto way = [&](const Placement& X) {
-      // The norm of a difference of rotations is that of its columns by the root of two.
-      return (X.t - middle[i].t).norm() + (X.R - middle[i].R).norm() * kRootOfHalf * radius;
-    };
-    ways_[i] = std::min(by_speed, std::max(way(from[i]), way(to[i])) + deviation);
-  }
-}
-
-/// What any item may meet on the whole leg.
-void LegScan::collect_obstacles(const ItemPlaces& middle) {
-  std::vector<ScannedObstacle> found;
-  std::vector<std::pair<ObstacleId, std::size_t>> known;  // with its first box
+void LegScan::add_parts() {
   for (int i = 0; i < static_cast<int>(query_.items.size()); ++i) {
     const LegQuery::Item& item = query_.items[static_cast<std::size_t>(i)];
-    const double speed = farthest(item.speed, *item.body);
-    if (!(speed > 0)) continue;
-    Bounds bounds = placed(item.body->bounds(), middle[static_cast<std::size_t>(i)]);
-    bounds.grow(Vec3::Constant(ways_[static_cast<std::size_t>(i)] + kScanMargin));
-    found.clear();
-    collect_(bounds, found);
-    for (const ScannedObstacle& each : found) {
-      const auto same = [&](const auto& other) { return other.first == each.id; };
-      auto place_of = std::find_if(known.begin(), known.end(), same);
-      if (place_of == known.end()) {
-        known.emplace_back(each.id, standing_.size());
-        place_of = known.end() - 1;
-        standing_.resize(standing_.size() + each.body->parts().size());
-        place(*each.body, *each.X_WC, standing_, place_of->second);
-        obstacle_ids_.push_back(each.id);
+    room_.first_part.push_back(room_.parts.size());
+    for (const BodyPart& each : item.body->parts()) {
+      LegPart part;
+      const Vec3 centre = item.body->extent().centre + each.box.centre;
+      for (int k = 0; k < 3; ++k) {
+        for (int j = 0; j < 3; ++j) part.R[k][j] = each.box.R(k, j);
+        part.centre[k] = centre[k];
+        part.half[k] = each.box.half[k];
       }
-      const int met = static_cast<int>(place_of - known.begin());
-      for (std::size_t p = 0; p < item.body->parts().size(); ++p) {
-        for (std::size_t o = 0; o < each.body->parts().size(); ++o) {
-          candidates_.push_back({i, static_cast<int>(first_box_[static_cast<std::size_t>(i)] + p),
-                                 static_cast<int>(place_of->second + o), met, false, speed});
-        }
-      }
+      part.reach = centre.norm() + each.box.half.norm();
+      part.acceleration = acceleration(item.acceleration, part.reach);
+      part.item = i;
+      part.frame = item.frame;
+      part.turned = !each.aligned;
+      part.exact = each.is_box;
+      room_.parts.push_back(part);
     }
   }
+  room_.first_part.push_back(room_.parts.size());
+  room_.placed.resize(room_.parts.size());
+  room_.placed_in.assign(room_.parts.size(), 0);
 }
 
 void LegScan::add_pairs() {
   for (const LegQuery::Pair& pair : query_.pairs) {
     const auto first = static_cast<std::size_t>(pair.first);
     const auto second = static_cast<std::size_t>(pair.second);
-    const double speed = farthest(pair.of_first, *query_.items[first].body) +
-                         farthest(pair.of_second, *query_.items[second].body);
-    for (std::size_t p = 0; p < query_.items[first].body->parts().size(); ++p) {
-      for (std::size_t o = 0; o < query_.items[second].body->parts().size(); ++o) {
-        candidates_.push_back({pair.first, static_cast<int>(first_box_[first] + p),
-                               static_cast<int>(first_box_[second] + o), pair.second, true, speed});
+    for (std::size_t a = room_.first_part[first]; a < room_.first_part[first + 1]; ++a) {
+      for (std::size_t b = room_.first_part[second]; b < room_.first_part[second + 1]; ++b) {
+        const int index = static_cast<int>(room_.pairs.size());
+        room_.pairs.push_back({static_cast<int>(a), static_cast<int>(b), pair.base,
+                               acceleration(pair.of_first, room_.parts[a].reach),
+                               acceleration(pair.of_second, room_.parts[b].reach)});
+        room_.candidates.push_back({-1, index, kAllIntervals, 0});
       }
     }
   }
+}
+
+/// What any item may meet on the whole leg; all parts are placed in its four intervals.
+void LegScan::collect_obstacles() {
+  for (const LegQuery::Item& item : query_.items) {
+    if (!item.moves) continue;
+    const auto index = static_cast<std::size_t>(&item - query_.items.data());
+    const auto first = static_cast<int>(room_.first_part[index]);
+    const auto last = static_cast<int>(room_.first_part[index + 1]);
+    Bounds bounds;
+    for (int p = first; p < last; ++p) {
+      const LanePart& at = room_.placed[static_cast<std::size_t>(p)];
+      for (int i = 0; i < 3; ++i) {
+        for (int lane = 0; lane < math::kLanes; ++lane) {
+          bounds.lower[i] = std::min(bounds.lower[i], at.centre[i].v[lane] - at.around[i].v[lane]);
+          bounds.upper[i] = std::max(bounds.upper[i], at.centre[i].v[lane] + at.around[i].v[lane]);
+        }
+      }
+    }
+    room_.found.clear();
+    collect_(bounds, room_.found);
+    for (const ScannedObstacle& each : room_.found) {
+      const auto known = std::find(room_.obstacles.begin(), room_.obstacles.end(), each.id);
+      const auto obstacle = static_cast<std::size_t>(known - room_.obstacles.begin());
+      if (known == room_.obstacles.end()) {
+        room_.obstacles.push_back(each.id);
+        for (const BodyPart& part : each.body->parts()) {
+          room_.standing.push_back(standing_box(part, *each.X_WC, static_cast<int>(obstacle)));
+        }
+        room_.first_standing.push_back(room_.standing.size());
+      }
+      for (int p = first; p < last; ++p) {
+        for (std::size_t s = room_.first_standing[obstacle]; s < room_.first_standing[obstacle + 1];
+             ++s) {
+          room_.candidates.push_back({p, static_cast<int>(s), kAllIntervals, 0});
+        }
+      }
+    }
+  }
+}
+
+/// Begins to look at the four intervals of a part of the leg, whose frames are known.
+LegIntervals LegScan::begin_look(double from, double to) {
+  ++looks_;
+  return {(to - from) / (2 * math::kLanes), margin_, query_.contact_tolerance + margin_,
+          room_.frames.data()};
+}
+
+LegIntervals LegScan::look_at(double from, double to) {
+  motion_.frames(Middles(from, to).shares, room_.frames.data());
+  return begin_look(from, to);
+}
+
+void LegScan::place(const LegIntervals& intervals, int part) {
+  int& in = room_.placed_in[static_cast<std::size_t>(part)];
+  if (in == looks_) return;
+  in = looks_;
+  kernels_.place(intervals, room_.parts[static_cast<std::size_t>(part)],
+                 room_.placed[static_cast<std::size_t>(part)]);
 }
 
 LegAnswer LegScan::run() {
-  constexpr double kMiddle = 0.5;
-  middles_.resize(kDeepest + 1);
-  ItemPlaces at_start;
-  ItemPlaces at_end;
-  find_places(0, at_start);
-  find_places(1, at_end);
-  find_places(kMiddle, middles_[0]);
-  find_ways(at_start, middles_[0], at_end, kMiddle);
-  collect_obstacles(middles_[0]);
-  add_pairs();
-  for (const LegQuery::Item& item : query_.items) {
-    fastest_ = std::max(fastest_, farthest(item.speed, *item.body));
+  add_parts();
+  motion_.frames(Middles(0, 1).shares, room_.frames.data());
+  double farthest = 0;
+  for (const math::LaneFrame& frame : room_.frames) {
+    for (const math::Lanes& each : frame.t) {
+      for (int lane = 0; lane < math::kLanes; ++lane) {
+        farthest = std::max(farthest, std::fabs(each.v[lane]));
+      }
+    }
   }
-  scan(0, 1, at_start, at_end, 0, candidates_.size(), 0, false);
+  margin_ = kMargin + kMarginShare * farthest;
+  const LegIntervals whole = begin_look(0, 1);
+  for (int p = 0; p < static_cast<int>(room_.parts.size()); ++p) place(whole, p);
+  collect_obstacles();
+  add_pairs();
+  const std::size_t all = room_.candidates.size();
+  double part = 1;
+  Outcome outcome = scan(whole, 0, 1, 0, all, 0);
+  while (outcome == Outcome::met && !query_.whole) {
+    part = longest_part(answer_.met_from);
+    if (part <= answer_.free_until || part < query_.least) break;
+    outcome = scan(look_at(0, part), 0, part, 0, all, 0);
+  }
   return answer_;
 }
 
-bool LegScan::is_answered() const {
-  if (query_.whole) return answer_.met_from <= 1;
-  const double part = longest_part(answer_.met_from);
-  return part <= answer_.free_until || part < query_.least;
+void LegScan::note_free(double until) { answer_.free_until = std::max(answer_.free_until, until); }
+
+void LegScan::note_met(double share, const LegCandidate& candidate) {
+  if (share >= answer_.met_from) return;
+  answer_.met_from = share;
+  if (candidate.part < 0) {
+    const LegPair& pair = room_.pairs[static_cast<std::size_t>(candidate.other)];
+    answer_.hit = SweptHit{room_.parts[static_cast<std::size_t>(pair.first)].item,
+                           {},
+                           room_.parts[static_cast<std::size_t>(pair.second)].item};
+    return;
+  }
+  const StandingBox& box = room_.standing[static_cast<std::size_t>(candidate.other)];
+  answer_.hit = SweptHit{room_.parts[static_cast<std::size_t>(candidate.part)].item,
+                         room_.obstacles[static_cast<std::size_t>(box.obstacle)],
+                         {}};
 }
 
-/// Looks at an interval, all before which is free. False: there is no need to go on, or no way.
-/// The items stand where the interval is halved, if it is the whole.
-bool LegScan::scan(double from, double to, const ItemPlaces& at_from, const ItemPlaces& at_to,
-                   std::size_t begin, std::size_t end, int depth, bool met_at_end) {
-  const double middle = 0.5 * (from + to);
-  const double half = 0.5 * (to - from);
-  ItemPlaces& at_middle = middles_[static_cast<std::size_t>(depth)];
-  if (depth > 0) {
-    find_places(middle, at_middle);
-    find_ways(at_from, at_middle, at_to, half);
-  }
-  place_items(at_middle);
-  bool met = false;
-  for (std::size_t k = begin; k < end; ++k) {
-    const Candidate each = candidates_[k];
-    const PartBox& a = items_[static_cast<std::size_t>(each.part)];
-    const PartBox& b = (each.own ? items_ : standing_)[static_cast<std::size_t>(each.other)];
-    const double way = each.own ? half * each.speed : ways_[static_cast<std::size_t>(each.item)];
-    const double enough = way + kScanMargin;
-    const Vec3 off = (a.box.centre - b.box.centre).cwiseAbs() - (a.half_W + b.half_W);
-    if (off.cwiseMax(0.0).squaredNorm() > enough * enough) continue;
-    const BoxGap gap = box_gap(a.box, b.box, enough);
-    if (gap.apart > enough) continue;
-    candidates_.push_back(each);
-    const bool deep = a.exact && b.exact && gap.depth > query_.contact_tolerance + kScanMargin;
-    if (!deep || met) continue;
-    met = true;
-    answer_.met_from = middle;
-    answer_.hit = SweptHit{each.item, {}, {}};
-    if (each.own) {
-      answer_.hit->other_item = each.met;
-    } else {
-      answer_.hit->obstacle = obstacle_ids_[static_cast<std::size_t>(each.met)];
-    }
-    if (query_.whole) return false;
-  }
-  const std::size_t last = candidates_.size();
-  bool go_on = !met || !is_answered();
-  if (go_on && last == end) {
-    answer_.free_until = to;
-  } else if (go_on && (depth == kDeepest || half * fastest_ < kShortestPath)) {
-    go_on = !met && !met_at_end && exact_tests_ < kMostExactTests;
-    if (go_on) {
-      ++exact_tests_;
-      go_on = motion_.is_free(from, to);
-      if (go_on) {
-        answer_.free_until = to;
-      } else if (to < answer_.met_from) {
-        answer_.met_from = to;
-        answer_.hit.reset();
+/// Whether what is left moves so little in each interval that halving it is of no use.
+bool LegScan::is_short(std::size_t begin, std::size_t end) const {
+  const auto grows = [&](int part) {
+    const auto p = static_cast<std::size_t>(part);
+    double most = 0;
+    for (int i = 0; i < 3; ++i) {
+      for (int lane = 0; lane < math::kLanes; ++lane) {
+        most = std::max(most, room_.placed[p].grown[i].v[lane] - room_.parts[p].half[i]);
       }
     }
-  } else if (go_on) {
-    go_on = scan(from, middle, at_from, at_middle, end, last, depth + 1, met) && !met &&
-            !is_answered() && scan(middle, to, at_middle, at_to, end, last, depth + 1, met_at_end);
+    return most;
+  };
+  for (std::size_t k = begin; k < end; ++k) {
+    const LegCandidate& each = room_.candidates[k];
+    if (each.part >= 0) {
+      if (grows(each.part) > kShortestPath) return false;
+      continue;
+    }
+    const LegPair& pair = room_.pairs[static_cast<std::size_t>(each.other)];
+    if (std::max(grows(pair.first), grows(pair.second)) > kShortestPath) return false;
   }
-  candidates_.resize(end);
-  return go_on;
+  return true;
+}
+
+LegScan::Outcome LegScan::test_exactly(double from, double to) {
+  if (exact_tests_ == kMostExactTests) return Outcome::open;
+  ++exact_tests_;
+  if (motion_.is_free(from, to)) {
+    note_free(to);
+    return Outcome::free;
+  }
+  if (to < answer_.met_from) {
+    answer_.met_from = to;
+    answer_.hit.reset();
+  }
+  return Outcome::met;
+}
+
+/// Looks at a part of the leg, all before which is free, and at the candidates there. Ends at the
+/// first contact that is seen.
+LegScan::Outcome LegScan::scan(const LegIntervals& intervals, double from, double to,
+                               std::size_t begin, std::size_t end, int depth) {
+  std::vector<LegCandidate>& candidates = room_.candidates;
+  for (std::size_t k = begin; k < end; ++k) {
+    const LegCandidate each = candidates[k];
+    if (each.part >= 0) {
+      place(intervals, each.part);
+    } else {
+      const LegPair& pair = room_.pairs[static_cast<std::size_t>(each.other)];
+      place(intervals, pair.first);
+      place(intervals, pair.second);
+    }
+    candidates.push_back({each.part, each.other, kAllIntervals, 0});
+  }
+  const int kept =
+      kernels_.look(intervals, room_.parts.data(), room_.placed.data(), room_.standing.data(),
+                    room_.pairs.data(), candidates.data() + end, static_cast<int>(end - begin));
+  const std::size_t last = end + static_cast<std::size_t>(kept);
+  candidates.resize(last);
+  unsigned open = 0;
+  unsigned met = 0;
+  for (std::size_t k = end; k < last; ++k) {
+    open |= candidates[k].open;
+    met |= candidates[k].met;
+  }
+  const auto end_of = [&](int interval) {
+    return interval + 1 == math::kLanes ? to : from + 2 * (interval + 1) * intervals.half;
+  };
+  Outcome outcome = Outcome::free;
+  if (met != 0) {
+    const int first = std::countr_zero(met);
+    const auto meets = [&](const LegCandidate& each) { return (each.met >> first & 1U) != 0; };
+    const auto by = std::find_if(candidates.begin() + static_cast<std::ptrdiff_t>(end),
+                                 candidates.end(), meets);
+    note_met(from + (2 * first + 1) * intervals.half, *by);
+    outcome = Outcome::met;
+  }
+  // What is free before the first open interval is known in any case.
+  if ((open & 1U) == 0) note_free(open == 0 ? to : end_of(std::countr_zero(open) - 1));
+  const bool is_last = depth == kDeepest || is_short(end, last);
+  for (int interval = 0; interval < math::kLanes && outcome == Outcome::free; ++interval) {
+    const double begins = interval == 0 ? from : end_of(interval - 1);
+    if ((open >> interval & 1U) == 0) {
+      note_free(end_of(interval));
+    } else if (is_last) {
+      outcome = test_exactly(begins, end_of(interval));
+    } else {
+      const std::size_t first = candidates.size();
+      for (std::size_t k = end; k < last; ++k) {
+        if ((candidates[k].open >> interval & 1U) != 0) candidates.push_back(candidates[k]);
+      }
+      outcome = scan(look_at(begins, end_of(interval)), begins, end_of(interval), first,
+                     candidates.size(), depth + 1);
+      candidates.resize(last);
+    }
+  }
+  candidates.resize(end);
+  return outcome;
 }
 
 }  // namespace rubicon::collision

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "src/motion/collision/base/bounds.hpp"
 #include "src/motion/collision/leg_query.hpp"
+#include "src/motion/collision/query/leg_kernels.hpp"
 #include "src/motion/collision/sweep/body.hpp"
 
 namespace rubicon::collision {
@@ -16,63 +18,60 @@ struct ScannedObstacle {
   const Placement* X_WC = nullptr;
 };
 
-/// Answers a query about a leg by halving it. At the middle of an interval no point is farther from
-/// where it is in the rest of it than half of the interval times its speed: pairs of boxes that are
-/// farther apart than that are done with for the whole interval, and only the others are looked at
-/// in its halves. Boxes around parts decide what is free; what is met is only known of parts that
-/// are boxes. What stays open in short intervals goes to the exact test. docs/collision.md, Legs.
+/// The room of a scan, kept for the next one.
+struct LegScanRoom {
+  std::vector<math::LaneFrame> frames;
+  std::vector<LegPart> parts;
+  std::vector<LanePart> placed;
+  std::vector<int> placed_in;           ///< to each part: in which look it was placed last
+  std::vector<std::size_t> first_part;  ///< of each item, and one more
+  std::vector<StandingBox> standing;
+  std::vector<LegPair> pairs;
+  std::vector<ScannedObstacle> found;
+  std::vector<ObstacleId> obstacles;
+  std::vector<std::size_t> first_standing;  ///< of each of these, and one more
+  std::vector<LegCandidate> candidates;
+};
+
+/// Answers a query about a leg by looking at the middles of four parts of it. A box that holds a
+/// part of a body in the whole of such an interval is found from where it is in the middle, how it
+/// moves there, and what it accelerates at most: pairs that such boxes are apart of are done with
+/// for the interval, and only the others are looked at in quarters of it. Boxes around parts decide
+/// what is free; what is met is only known of parts that are boxes. What stays open in short
+/// intervals goes to the exact test. docs/collision.md, Legs.
 class LegScan {
  public:
   using Collect = std::function<void(const Bounds&, std::vector<ScannedObstacle>&)>;
 
-  LegScan(const LegQuery& query, const LegMotion& motion, const Collect& collect);
+  LegScan(const LegQuery& query, const LegMotion& motion, const Collect& collect,
+          LegScanRoom& room);
   LegAnswer run();
 
  private:
-  /// A box around a part of a body, world.
-  struct PartBox {
-    OrientedBox box;
-    Vec3 half_W = Vec3::Zero();  ///< m, of the box around it along the axes of the world
-    bool exact = false;          ///< the part is this box
-  };
-  /// A part of an item against one of an obstacle, or of another item.
-  struct Candidate {
-    int item = 0;
-    int part = 0;   ///< index into the boxes of all items
-    int other = 0;  ///< index into the boxes of obstacles, or of all items
-    int met = 0;    ///< index into the obstacles, or the other item
-    bool own = false;
-    double speed = 0;  ///< of an own pair
-  };
+  enum class Outcome { free, met, open };
 
-  /// Where the items' centred coordinates are.
-  using ItemPlaces = std::vector<Placement>;
-
-  void collect_obstacles(const ItemPlaces& middle);
+  void add_parts();
   void add_pairs();
-  void find_places(double share, ItemPlaces& places);
-  void place_items(const ItemPlaces& places);
-  void find_ways(const ItemPlaces& from, const ItemPlaces& middle, const ItemPlaces& to,
-                 double half);
-  void place(const Body& body, const Placement& X_WC, std::vector<PartBox>& boxes, std::size_t at);
-  bool scan(double from, double to, const ItemPlaces& at_from, const ItemPlaces& at_to,
-            std::size_t begin, std::size_t end, int depth, bool met_at_end);
-  bool is_answered() const;
+  void collect_obstacles();
+  void place(const LegIntervals& intervals, int part);
+  LegIntervals begin_look(double from, double to);
+  LegIntervals look_at(double from, double to);
+  Outcome scan(const LegIntervals& intervals, double from, double to, std::size_t begin,
+               std::size_t end, int depth);
+  Outcome test_exactly(double from, double to);
+  bool is_short(std::size_t begin, std::size_t end) const;
+  void note_free(double until);
+  void note_met(double share, const LegCandidate& candidate);
 
   const LegQuery& query_;
   const LegMotion& motion_;
   const Collect& collect_;
+  LegScanRoom& room_;
+  const LegKernels& kernels_;
   LegAnswer answer_;
-  std::vector<Pose> X_WB_;
-  std::vector<ItemPlaces> middles_;  ///< of the intervals that are looked at, by their depth
-  std::vector<double> ways_;  ///< m: no point of an item is farther from where it is in the middle
-  std::vector<PartBox> items_;          ///< at the share looked at last
-  std::vector<std::size_t> first_box_;  ///< of each item
-  std::vector<PartBox> standing_;
-  std::vector<ObstacleId> obstacle_ids_;
-  std::vector<Candidate> candidates_;  ///< a stack: those of an interval after those of its parent
+  double margin_ = 0;  ///< m: so much more than what is needed is asked for
+  int looks_ = 0;
   int exact_tests_ = 0;
-  double fastest_ = 0;  ///< m: the greatest speed of a candidate
 };
 
 }  // namespace rubicon::collision
