@@ -2,22 +2,13 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "src/motion/collision/swept_query.hpp"
 #include "src/motion/math/lanes.hpp"
 
 namespace rubicon::collision {
-
-/// A leg: bodies that move all at once along a way of any length, asked about by the share of it.
-class LegMotion {
- public:
-  virtual ~LegMotion() = default;
-  /// Where all frames of the query are at four shares of the leg in [0, 1], and how they move.
-  virtual void frames(const double (&shares)[math::kLanes], math::LaneFrame* X_WF) const = 0;
-  /// Whether the piece between two shares is free, by `CollisionWorld::test`.
-  virtual bool is_free(double from, double to) const = 0;
-};
 
 /// Asks how far bodies may go along a leg.
 struct LegQuery {
@@ -33,14 +24,11 @@ struct LegQuery {
     bool moves = true;  ///< where not, it is not tested against what stands
     Acceleration acceleration = {};
   };
-  /// Two items that may not meet, and their accelerations as seen from a frame that carries both
-  /// (-1: the world).
+  /// Two items that may not meet, and a frame that carries both (-1: the world).
   struct Pair {
     int first = 0;
     int second = 0;
     int base = -1;
-    Acceleration of_first = {};
-    Acceleration of_second = {};
   };
   int frames = 0;
   std::vector<Item> items;
@@ -51,6 +39,19 @@ struct LegQuery {
   /// than `least` are of no use.
   bool whole = false;
   double least = 0;
+};
+
+/// A leg: bodies that move all at once along a way of any length, asked about by the share of it.
+class LegMotion {
+ public:
+  virtual ~LegMotion() = default;
+  /// Where all frames of the query are at four shares of the leg in [0, 1], and how they move.
+  virtual void frames(const double (&shares)[math::kLanes], math::LaneFrame* X_WF) const = 0;
+  /// Of the two items of a pair, as seen from its base; only asked for where they come near.
+  virtual std::pair<LegQuery::Acceleration, LegQuery::Acceleration> seen_from_base(
+      const LegQuery::Pair& pair) const = 0;
+  /// Whether the piece between two shares is free, by `CollisionWorld::test`.
+  virtual bool is_free(double from, double to) const = 0;
 };
 
 /// Shares of the leg. Between the two nothing is known.

@@ -78,8 +78,7 @@ class RobotView::BodiesOnLeg : public collision::LegMotion {
     const auto add_pair = [&](const OwnPair& pair, int first, int second, int base) {
       if (!pair.moves(q_from_, q_to_)) return;
       query.pairs.push_back({legs_.item_of[static_cast<std::size_t>(first)],
-                             legs_.item_of[static_cast<std::size_t>(second)], base,
-                             seen_from(base, first), seen_from(base, second)});
+                             legs_.item_of[static_cast<std::size_t>(second)], base});
     };
     std::size_t n = 0;
     for (const OwnPair& pair : robot.own_pairs) {
@@ -99,6 +98,11 @@ class RobotView::BodiesOnLeg : public collision::LegMotion {
     math::LaneFrame& X_WO = X_WF[load_frame()];
     X_WO = X_WF[legs_.frames.tool_frame()];
     if (load && load->body) robot::append(X_WO, load->X_TO);
+  }
+
+  std::pair<collision::LegQuery::Acceleration, collision::LegQuery::Acceleration> seen_from_base(
+      const collision::LegQuery::Pair& pair) const override {
+    return {seen_from(pair.base, part_of(pair.first)), seen_from(pair.base, part_of(pair.second))};
   }
 
   bool is_free(double from, double to) const override {

@@ -53,6 +53,16 @@ class TwoScrews : public LegMotion {
     query.pairs = {{0, 1}};
     return !world_.test(query).hit;
   }
+  LegQuery::Acceleration acceleration(int i) const {
+    const ScrewMotion& screw = screws_[static_cast<std::size_t>(i)];
+    const double turning = math::radians(std::fabs(screw.angle_deg));
+    const double radius = screw.axis.cross(screw.X0.translation() - screw.point).norm();
+    return {turning * turning * radius, turning * turning};
+  }
+  std::pair<LegQuery::Acceleration, LegQuery::Acceleration> seen_from_base(
+      const LegQuery::Pair&) const override {
+    return {acceleration(0), acceleration(1)};
+  }
   LegQuery query(bool whole) const {
     LegQuery query;
     query.whole = whole;
@@ -60,14 +70,10 @@ class TwoScrews : public LegMotion {
     query.frames = 2;
     for (int i : {0, 1}) {
       const ScrewMotion& screw = screws_[i];
-      const double turning = math::radians(std::fabs(screw.angle_deg));
-      const double radius = screw.axis.cross(screw.X0.translation() - screw.point).norm();
-      query.items.push_back({bodies_[i].get(),
-                             i,
-                             turning > 0 || screw.slide.norm() > 0,
-                             {turning * turning * radius, turning * turning}});
+      const bool moves = screw.angle_deg != 0 || screw.slide.norm() > 0;
+      query.items.push_back({bodies_[i].get(), i, moves, acceleration(i)});
     }
-    query.pairs = {{0, 1, -1, query.items[0].acceleration, query.items[1].acceleration}};
+    query.pairs = {{0, 1, -1}};
     return query;
   }
 

@@ -65,6 +65,9 @@ RUBICON_LANES void place_part(const LegIntervals& intervals, const LegPart& part
   }
 }
 
+RUBICON_LANES Lanes all_lanes(double x) { return lanes(x); }
+RUBICON_LANES const Lanes& all_lanes(const Lanes& x) { return x; }
+
 /// A box of four lanes: half in its own axes.
 struct LaneBox {
   const Lanes (&R)[3][3];
@@ -177,15 +180,21 @@ RUBICON_LANES void spread(const double (&of)[3], Lanes (&to)[3]) {
   for (int i = 0; i < 3; ++i) to[i] = lanes(of[i]);
 }
 
+/// In which of the lanes of `open` boxes along the axes of the world meet.
+template <class Box>
+RUBICON_LANES unsigned near(const LanePart& at, const Box& other, unsigned open) {
+  LaneMask apart = math::no_lane();
+  for (int i = 0; i < 3; ++i) {
+    apart = apart | (math::abs(at.centre[i] - all_lanes(other.centre[i])) >
+                     at.around[i] + all_lanes(other.around[i]));
+  }
+  return open & ~math::bits(apart);
+}
+
 RUBICON_LANES void look_at_standing(const LegIntervals& intervals, const LegPart& part,
                                     const LanePart& at, const StandingBox& box,
                                     LegCandidate& candidate) {
-  LaneMask apart = math::no_lane();
-  for (int i = 0; i < 3; ++i) {
-    apart = apart |
-            (math::abs(at.centre[i] - lanes(box.centre[i])) > at.around[i] + lanes(box.around[i]));
-  }
-  candidate.open &= ~math::bits(apart);
+  candidate.open = near(at, box, candidate.open);
   candidate.met = 0;
   if (candidate.open == 0) return;
   Between between;
@@ -229,7 +238,9 @@ RUBICON_LANES void look_at_pair(const LegIntervals& intervals, const LegPart* pa
   const LegPart& second = parts[pair.second];
   const LanePart& a = placed[pair.first];
   const LanePart& b = placed[pair.second];
+  candidate.open = near(a, b, candidate.open);
   candidate.met = 0;
+  if (candidate.open == 0) return;
   const LaneFrame* base = pair.base < 0 ? nullptr : intervals.frames + pair.base;
   Lanes of_first[3];
   Lanes of_second[3];
@@ -265,6 +276,8 @@ void place_baseline(const LegIntervals& intervals, const LegPart& part, LanePart
   place_part(intervals, part, placed);
 }
 
+unsigned near_baseline(const LanePart& a, const LanePart& b) { return near(a, b, kAllIntervals); }
+
 int look_baseline(const LegIntervals& intervals, const LegPart* parts, const LanePart* placed,
                   const StandingBox* standing, const LegPair* pairs, LegCandidate* candidates,
                   int count) {
@@ -273,6 +286,10 @@ int look_baseline(const LegIntervals& intervals, const LegPart* parts, const Lan
 
 RUBICON_AVX2 void place_avx2(const LegIntervals& intervals, const LegPart& part, LanePart& placed) {
   place_part(intervals, part, placed);
+}
+
+RUBICON_AVX2 unsigned near_avx2(const LanePart& a, const LanePart& b) {
+  return near(a, b, kAllIntervals);
 }
 
 RUBICON_AVX2 int look_avx2(const LegIntervals& intervals, const LegPart* parts,
@@ -284,8 +301,8 @@ RUBICON_AVX2 int look_avx2(const LegIntervals& intervals, const LegPart* parts,
 }  // namespace
 
 const LegKernels& leg_kernels() {
-  static const LegKernels baseline{place_baseline, look_baseline};
-  static const LegKernels avx2{place_avx2, look_avx2};
+  static const LegKernels baseline{place_baseline, near_baseline, look_baseline};
+  static const LegKernels avx2{place_avx2, near_avx2, look_avx2};
   return simd_in_use() == Simd::kAvx2 ? avx2 : baseline;
 }
 

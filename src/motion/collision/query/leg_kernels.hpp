@@ -4,6 +4,8 @@
 
 namespace rubicon::collision {
 
+inline constexpr unsigned kAllIntervals = (1U << math::kLanes) - 1;
+
 /// A box around a part of a body that goes along a leg, as the inner loops need it. Plain data.
 struct LegPart {
   double R[3][3];       ///< of the box, in its frame
@@ -64,6 +66,8 @@ struct LegIntervals {
 /// The inner loops. All forms do the same operations in the same order on each number.
 struct LegKernels {
   void (*place)(const LegIntervals& intervals, const LegPart& part, LanePart& placed);
+  /// Bit i: the boxes of two parts along the axes of the world meet in interval i.
+  unsigned (*near)(const LanePart& a, const LanePart& b);
   /// Looks at candidates; those that are open in an interval that they were open in are kept at the
   /// front. Their number.
   int (*look)(const LegIntervals& intervals, const LegPart* parts, const LanePart* placed,

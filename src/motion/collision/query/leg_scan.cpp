@@ -20,8 +20,6 @@ constexpr int kDeepest = 3;
 /// After so many exact tests the rest of the leg stays open.
 constexpr int kMostExactTests = 3;
 
-constexpr unsigned kAllIntervals = (1U << math::kLanes) - 1;
-
 /// The longest of the parts 1, 1/2, 1/4 ... of a leg that is shorter than `met`.
 double longest_part(double met) {
   double part = 1;
@@ -99,16 +97,21 @@ void LegScan::add_parts() {
   room_.placed_in.assign(room_.parts.size(), 0);
 }
 
+/// The parts of pairs that come near each other on the whole leg; all are placed in its four
+/// intervals.
 void LegScan::add_pairs() {
   for (const LegQuery::Pair& pair : query_.pairs) {
     const auto first = static_cast<std::size_t>(pair.first);
     const auto second = static_cast<std::size_t>(pair.second);
+    std::optional<std::pair<LegQuery::Acceleration, LegQuery::Acceleration>> seen;
     for (std::size_t a = room_.first_part[first]; a < room_.first_part[first + 1]; ++a) {
       for (std::size_t b = room_.first_part[second]; b < room_.first_part[second + 1]; ++b) {
+        if (kernels_.near(room_.placed[a], room_.placed[b]) == 0) continue;
+        if (!seen) seen = motion_.seen_from_base(pair);
         const int index = static_cast<int>(room_.pairs.size());
         room_.pairs.push_back({static_cast<int>(a), static_cast<int>(b), pair.base,
-                               acceleration(pair.of_first, room_.parts[a].reach),
-                               acceleration(pair.of_second, room_.parts[b].reach)});
+                               acceleration(seen->first, room_.parts[a].reach),
+                               acceleration(seen->second, room_.parts[b].reach)});
         room_.candidates.push_back({-1, index, kAllIntervals, 0});
       }
     }
