@@ -11,9 +11,18 @@ namespace rubicon::robot {
 ///   trans(x, y, z) * rotz(theta)                       a vehicle (any of the four may be constant)
 ///   rotz(theta) * trans(x, 0, z) [* rotz(theta')]      a crane, with or without a turning hook;
 ///                                                      x may be y, z constant.
+///   ... * rotz(theta) * roty(phi) * roty(phi') * roty(phi'')
+///                                                      an excavator's arm on whatever; any axes, if
+///                                                      the last three are parallel, and not to the
+///                                                      first
 /// In the place of a parameter that slides may stand slope * z + offset, of one that turns theta +
-/// offset. Of a crane's two solutions the better one (see GoalProblem::better). Nothing if the
-/// frames are of another form, or if no solution inside the ranges meets the position.
+/// offset; in an arm offset - theta, too. Of two solutions the better one (see
+/// GoalProblem::better), of equals that in which the arm bends by a positive turn. Nothing if the
+/// frames are of another form, or if no solution inside the ranges meets the position; of an arm,
+/// the frame, with what is below it as it is. Vehicles and cranes: only if nothing is locked.
 std::optional<GoalState> closed_form_goal(const GoalProblem& problem);
+
+/// The goal configuration by search, for robots of any form.
+GoalState search_goal(const GoalProblem& problem);
 
 }  // namespace rubicon::robot
