@@ -11,6 +11,7 @@
 #include "src/motion/robot/turns.hpp"
 
 namespace rubicon::robot {
+
 namespace {
 
 /// File units by which a value may miss its limit, or the value now, by rounding; it is then set to
@@ -22,8 +23,10 @@ constexpr double kOnAxis = 1e-12;
 
 constexpr int kNone = -1;
 
+}  // namespace
+
 /// A moving element of the chain and the constant frame behind it.
-struct Joint {
+struct ChainJoint {
   bool rotation = false;                                  ///< about z; else a translation
   bool is_turned = false;                                 ///< about x or y, or the other way round
   std::array<int, 3> parameters = {kNone, kNone, kNone};  ///< a rotation has its parameter first
@@ -31,16 +34,19 @@ struct Joint {
   Pose after = Pose::Identity();
 };
 
+/// The frames between mounting and tool: what moves, and constant frames.
 struct JointChain {
   Pose before = Pose::Identity();
-  std::vector<Joint> joints;
+  std::vector<ChainJoint> joints;
 
   /// No rotation about anything but z.
   bool is_plain() const {
     return std::none_of(joints.begin(), joints.end(),
-                        [](const Joint& joint) { return joint.is_turned; });
+                        [](const ChainJoint& joint) { return joint.is_turned; });
   }
 };
+
+namespace {
 
 /// What a formula is to the solver: constant; slope * parameter + offset of one free parameter; or
 /// anything more.
@@ -140,7 +146,7 @@ std::optional<JointChain> joint_chain(const GoalProblem& problem) {
   for (const FrameElement* element : problem.elements()) {
     const bool rotation = element->kind != FrameElement::Kind::trans;
     FrameElement constant = *element;
-    Joint joint;
+    ChainJoint joint;
     joint.rotation = rotation;
     bool moving = false;
     const std::array<Formula*, 3> formulas = {&constant.a, &constant.b, &constant.c};
@@ -169,7 +175,7 @@ std::optional<JointChain> joint_chain(const GoalProblem& problem) {
       behind = behind * C;
       joint.after = C.inverse();
     }
-    Joint* previous = chain.joints.empty() ? nullptr : &chain.joints.back();
+    ChainJoint* previous = chain.joints.empty() ? nullptr : &chain.joints.back();
     const bool joins = !rotation && previous != nullptr && !previous->rotation &&
                        previous->after.linear() == math::Mat3::Identity();
     if (!joins) {
@@ -187,7 +193,7 @@ std::optional<JointChain> joint_chain(const GoalProblem& problem) {
   }
   // A parameter that moves two elements is no plain joint.
   std::vector<int> used;
-  for (const Joint& joint : chain.joints) {
+  for (const ChainJoint& joint : chain.joints) {
     for (const int parameter : joint.parameters) {
       if (parameter == kNone) continue;
       if (std::find(used.begin(), used.end(), parameter) != used.end()) return std::nullopt;
@@ -222,7 +228,7 @@ bool set(const GoalProblem& problem, std::vector<double>& q, int parameter, doub
 }
 
 /// The same for the length by which a joint is to slide along one of its axes.
-bool set_slide(const GoalProblem& problem, std::vector<double>& q, const Joint& joint,
+bool set_slide(const GoalProblem& problem, std::vector<double>& q, const ChainJoint& joint,
                std::size_t axis, double length) {
   return set(problem, q, joint.parameters[axis], length / joint.slopes[axis]);
 }
@@ -231,8 +237,8 @@ bool set_slide(const GoalProblem& problem, std::vector<double>& q, const Joint& 
 /// plain gantry.
 std::vector<std::vector<double>> vehicle_solutions(const GoalProblem& problem,
                                                    const JointChain& chain) {
-  const Joint& slide = chain.joints[0];
-  const Joint* turn = chain.joints.size() > 1 ? &chain.joints[1] : nullptr;
+  const ChainJoint& slide = chain.joints[0];
+  const ChainJoint* turn = chain.joints.size() > 1 ? &chain.joints[1] : nullptr;
   // before * trans(t) * slide.after * rotz(theta) * turn.after = goal
   const Pose H = chain.before.inverse() * problem.goal();
   std::vector<double> q = problem.q_now();
@@ -256,9 +262,9 @@ std::vector<std::vector<double>> vehicle_solutions(const GoalProblem& problem,
 
 std::vector<std::vector<double>> crane_solutions(const GoalProblem& problem,
                                                  const JointChain& chain) {
-  const Joint& boom = chain.joints[0];
-  const Joint& trolley = chain.joints[1];
-  const Joint* hook = chain.joints.size() > 2 ? &chain.joints[2] : nullptr;
+  const ChainJoint& boom = chain.joints[0];
+  const ChainJoint& trolley = chain.joints[1];
+  const ChainJoint* hook = chain.joints.size() > 2 ? &chain.joints[2] : nullptr;
   if (!keeps_z(boom.after) || (hook != nullptr && !keeps_z(trolley.after))) return {};
   const bool along_x = trolley.parameters[0] != kNone;
   if (along_x == (trolley.parameters[1] != kNone)) return {};
@@ -309,7 +315,7 @@ std::vector<std::vector<double>> crane_solutions(const GoalProblem& problem,
 /// The last four joints of a chain: a turn, then three in one plane that it turns.
 constexpr std::size_t kArmJoints = 4;
 
-double turn_of(const Joint& joint, const std::vector<double>& q) {
+double turn_of(const ChainJoint& joint, const std::vector<double>& q) {
   return joint.slopes[0] * q[static_cast<std::size_t>(joint.parameters[0])];
 }
 
@@ -317,7 +323,7 @@ double turn_of(const Joint& joint, const std::vector<double>& q) {
 Pose frames_now(const GoalProblem& problem, const JointChain& chain, std::size_t count) {
   Pose X = chain.before;
   for (std::size_t i = 0; i < count; ++i) {
-    const Joint& joint = chain.joints[i];
+    const ChainJoint& joint = chain.joints[i];
     if (joint.rotation) {
       X = X * math::rotation_z_deg(turn_of(joint, problem.q_now()));
     } else {
@@ -336,7 +342,7 @@ Pose frames_now(const GoalProblem& problem, const JointChain& chain, std::size_t
 
 bool is_arm(const JointChain& chain) {
   if (chain.joints.size() < kArmJoints) return false;
-  const Joint* const arm = chain.joints.data() + (chain.joints.size() - kArmJoints);
+  const ChainJoint* const arm = chain.joints.data() + (chain.joints.size() - kArmJoints);
   for (std::size_t i = 0; i < kArmJoints; ++i) {
     if (!arm[i].rotation) return false;
   }
@@ -349,7 +355,7 @@ bool is_arm(const JointChain& chain) {
 std::vector<std::vector<double>> arm_solutions(const GoalProblem& problem,
                                                const JointChain& chain) {
   const std::size_t first = chain.joints.size() - kArmJoints;
-  const Joint* const arm = chain.joints.data() + first;
+  const ChainJoint* const arm = chain.joints.data() + first;
   const Pose X_WY = frames_now(problem, chain, first);
   const Pose H = X_WY.inverse(Eigen::Isometry) * problem.goal() * arm[3].after.inverse();
 
@@ -388,11 +394,9 @@ std::vector<std::vector<double>> arm_solutions(const GoalProblem& problem,
     if (!set(problem, q, arm[2].parameters[0], arm[2].slopes[0] * second)) continue;
     const double second_set = turn_of(arm[2], q);
     const Vec3 reach = upper + math::rotation_z_deg(middle_deg + second_set) * lower;
-    const double lifted =
-        math::atan2_deg(p.y(), p.x()) - math::atan2_deg(reach.y(), reach.x());
+    const double lifted = math::atan2_deg(p.y(), p.x()) - math::atan2_deg(reach.y(), reach.x());
     if (!set(problem, q, arm[1].parameters[0], arm[1].slopes[0] * lifted)) continue;
-    const double third =
-        heading_deg - turn_of(arm[1], q) - middle_deg - second_set - last_deg;
+    const double third = heading_deg - turn_of(arm[1], q) - middle_deg - second_set - last_deg;
     if (!set(problem, q, arm[3].parameters[0], arm[3].slopes[0] * third)) continue;
     solutions.push_back(std::move(q));
   }
@@ -413,12 +417,26 @@ std::optional<GoalState> best_of(const GoalProblem& problem,
 
 }  // namespace
 
+ArmFormula::ArmFormula(JointChain chain)
+    : chain_(std::make_shared<const JointChain>(std::move(chain))) {}
+
+std::optional<ArmFormula> ArmFormula::of(const GoalProblem& problem) {
+  if (problem.variables().size() != kArmJoints || problem.turns_freely()) return std::nullopt;
+  auto chain = joint_chain(problem);
+  if (!chain || chain->joints.size() != kArmJoints || !is_arm(*chain)) return std::nullopt;
+  return ArmFormula(std::move(*chain));
+}
+
+std::optional<GoalState> ArmFormula::solve(const GoalProblem& problem) const {
+  return best_of(problem, arm_solutions(problem, *chain_), true);
+}
+
 std::optional<GoalState> closed_form_goal(const GoalProblem& problem) {
   const auto chain = joint_chain(problem);
   if (!chain) return std::nullopt;
   if (is_arm(*chain)) return best_of(problem, arm_solutions(problem, *chain), true);
   if (!chain->is_plain() || problem.locks_any()) return std::nullopt;
-  const std::vector<Joint>& joints = chain->joints;
+  const std::vector<ChainJoint>& joints = chain->joints;
   std::vector<std::vector<double>> solutions;
   if (!joints.empty() && !joints[0].rotation &&
       (joints.size() == 1 || (joints.size() == 2 && joints[1].rotation))) {

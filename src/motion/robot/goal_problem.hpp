@@ -67,8 +67,10 @@ class GoalProblem {
 
   /// Whether the solver may change a parameter, as far as locks say.
   bool moves(int parameter) const {
-    return model_.parameters[static_cast<std::size_t>(parameter)].free && !clauses_.locks(parameter);
+    return model_.parameters[static_cast<std::size_t>(parameter)].free &&
+           !clauses_.locks(parameter);
   }
+  bool turns_freely() const { return clauses_.free != FreeTurn::none; }
   bool locks_any() const { return !clauses_.locked.empty(); }
 
   bool solved(const GoalState& state) const {
