@@ -210,6 +210,13 @@ std::vector<int> ToolLine::steered(const Way& way, std::span<const double> q,
   }
   const GoalProblem problem(model_, mounting_, q, way.at(0), clauses_);
   const auto& variables = problem.variables();
+  const std::size_t needed = clauses_.free == FreeTurn::none  ? 6u
+                             : clauses_.free == FreeTurn::all ? 3u
+                                                              : 5u;
+  if (variables.size() <= needed) {
+    std::sort(result.begin(), result.end());
+    return result;
+  }
   const PoseJacobian jacobian =
       problem.jacobian(problem.at({q.begin(), q.end()}), variables.size());
   std::vector<int> moving;  // tip first
@@ -218,9 +225,6 @@ std::vector<int> ToolLine::steered(const Way& way, std::span<const double> q,
     const bool is_named = std::find(result.begin(), result.end(), i) != result.end();
     if (!is_named && jacobian.col(static_cast<Eigen::Index>(v)).norm() > kIdle) moving.push_back(i);
   }
-  const std::size_t needed = clauses_.free == FreeTurn::none  ? 6u
-                             : clauses_.free == FreeTurn::all ? 3u
-                                                              : 5u;
   while (moving.size() > needed) {
     result.push_back(moving.back());
     moving.pop_back();
@@ -254,7 +258,6 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
   std::sort(clauses.locked.begin(), clauses.locked.end());
   // An arm that moves alone has a formula; where that leads nowhere the search says how near it is.
   std::optional<ArmFormula> arm;
-  if (even.empty()) arm = ArmFormula::of({model_, mounting_, q, way.at(0), clauses});
   const auto solve = [&](double part) {
     std::vector<double> q_even(q.begin(), q.end());
     for (const int i : even) q_even[at(i)] += part * whole[at(i)];
@@ -290,6 +293,7 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
     std::copy(whole.begin(), whole.end(), steps.begin());
     return {Step::Kind::made, -1};
   }
+  if (even.empty()) arm = ArmFormula::of({model_, mounting_, q, way.at(0), clauses});
   // How the parameters run along it tells how long a step may be.
   const double probe = way.part(kProbe);
   const auto [leads_on, q_probe] = solve(probe);

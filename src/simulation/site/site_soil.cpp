@@ -125,6 +125,7 @@ void SiteWorld::set_surface(int component, const std::map<int, soil::Millimetres
     pieces.insert(row * pieces_in_row(soil) + column);
   }
   for (const int piece : pieces) set_piece(components_[at(component)], soil, piece);
+  list_standing(soil);
   ++changes_;
 }
 
@@ -184,6 +185,14 @@ void SiteWorld::show_soil(int component, bool stands) {
       erase(*soil.ids[piece]);
       soil.stands[piece] = false;
     }
+  }
+  list_standing(soil);
+}
+
+void SiteWorld::list_standing(Soil& soil) {
+  soil.standing.clear();
+  for (std::size_t piece = 0; piece < soil.ids.size(); ++piece) {
+    if (soil.stands[piece]) soil.standing.push_back(*soil.ids[piece]);
   }
 }
 

@@ -370,10 +370,12 @@ class SiteWorld {
     soil::Terrain surface;
     std::shared_ptr<const soil::Terrain> bottom;  // shared: it is large, and the plan's
     std::vector<std::optional<collision::ObstacleId>> ids;
-    std::vector<bool> stands;  ///< to each piece: there is something of it
+    std::vector<bool> stands;                     ///< to each piece: there is something of it
+    std::vector<collision::ObstacleId> standing;  ///< the ids of these, in the order of the pieces
   };
   static constexpr int kPiece = 6;
   void set_piece(const Component& component, Soil& soil, int piece);
+  static void list_standing(Soil& soil);
   static int pieces_in_row(const Soil& soil) {
     return (soil.surface.columns + kPiece - 1) / kPiece;
   }
