@@ -10,11 +10,8 @@ namespace {
 /// m: a height that is a whole number of mm may come out so much larger.
 constexpr double kHeightRounding = 1e-9;
 
-}  // namespace
-
-std::optional<double> lowest_over(const BucketBox& box, const math::Pose& X_EB, double x,
-                                  double y) {
-  const math::Pose X_SE = (X_EB * box.X_BS).inverse(Eigen::Isometry);
+/// `lowest_over` of a box where {E} is so in its frame.
+std::optional<double> lowest_in(const BucketBox& box, const math::Pose& X_SE, double x, double y) {
   const math::Vec3 p = X_SE * math::Vec3(x, y, 0);
   const math::Vec3 up = X_SE.linear().col(2);
   double least = -1e300;
@@ -30,6 +27,13 @@ std::optional<double> lowest_over(const BucketBox& box, const math::Pose& X_EB, 
     most = std::min(most, std::max(a, b));
   }
   return least <= most ? std::optional(least) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> lowest_over(const BucketBox& box, const math::Pose& X_EB, double x,
+                                  double y) {
+  return lowest_in(box, (X_EB * box.X_BS).inverse(Eigen::Isometry), x, y);
 }
 
 void BucketFill::take(int cell, Millimetres to) {
@@ -49,7 +53,9 @@ void BucketFill::pass(const math::Pose& X_EB) {
   if (is_full()) return;
   const double side = static_cast<double>(now_.cell) * 1e-3;
   Eigen::AlignedBox3d bounds;
+  std::vector<math::Pose> X_SE;
   for (const BucketBox& box : boxes_) {
+    X_SE.push_back((X_EB * box.X_BS).inverse(Eigen::Isometry));
     const Eigen::AlignedBox3d own(box.lower, box.upper);
     for (int corner = 0; corner < 8; ++corner) {
       bounds.extend(X_EB * box.X_BS *
@@ -80,11 +86,11 @@ void BucketFill::pass(const math::Pose& X_EB) {
       const auto index = static_cast<std::size_t>(cell);
       if (now_.heights[index] <= bottom_.heights[index]) continue;
       std::optional<double> lowest;
-      for (const BucketBox& box : boxes_) {
+      for (std::size_t i = 0; i < boxes_.size(); ++i) {
         for (const double u : kQuarters) {
           for (const double v : kQuarters) {
             const Eigen::Vector2d p = beside((column + u) * side, (row + v) * side);
-            const auto low = lowest_over(box, X_EB, p.x(), p.y());
+            const auto low = lowest_in(boxes_[i], X_SE[i], p.x(), p.y());
             if (low && (!lowest || *low < *lowest)) lowest = low;
           }
         }

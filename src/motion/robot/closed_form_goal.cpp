@@ -11,6 +11,7 @@
 #include "src/motion/robot/turns.hpp"
 
 namespace rubicon::robot {
+
 namespace {
 
 /// File units by which a value may miss its limit, or the value now, by rounding; it is then set to
@@ -22,18 +23,30 @@ constexpr double kOnAxis = 1e-12;
 
 constexpr int kNone = -1;
 
+}  // namespace
+
 /// A moving element of the chain and the constant frame behind it.
-struct Joint {
+struct ChainJoint {
   bool rotation = false;                                  ///< about z; else a translation
+  bool is_turned = false;                                 ///< about x or y, or the other way round
   std::array<int, 3> parameters = {kNone, kNone, kNone};  ///< a rotation has its parameter first
   std::array<double, 3> slopes = {1, 1, 1};               ///< m or degrees per file unit of each
   Pose after = Pose::Identity();
 };
 
+/// The frames between mounting and tool: what moves, and constant frames.
 struct JointChain {
   Pose before = Pose::Identity();
-  std::vector<Joint> joints;
+  std::vector<ChainJoint> joints;
+
+  /// No rotation about anything but z.
+  bool is_plain() const {
+    return std::none_of(joints.begin(), joints.end(),
+                        [](const ChainJoint& joint) { return joint.is_turned; });
+  }
 };
+
+namespace {
 
 /// What a formula is to the solver: constant; slope * parameter + offset of one free parameter; or
 /// anything more.
@@ -67,7 +80,7 @@ Argument argument_of(const GoalProblem& problem, const Formula& formula) {
     if (op.kind != Kind::parameter) continue;
     const Parameter& parameter = problem.model().parameters[static_cast<std::size_t>(op.index)];
     if (parameter.derived) return kOther;
-    if (!parameter.free) continue;
+    if (!problem.moves(op.index)) continue;
     if (argument.parameter != kNone && argument.parameter != op.index) return kOther;
     argument.parameter = op.index;
   }
@@ -113,6 +126,17 @@ Argument argument_of(const GoalProblem& problem, const Formula& formula) {
   return is_usable ? argument : kOther;
 }
 
+/// Takes z to the axis that an element turns about, by exchanging axes; exact.
+Pose from_z_axis(FrameElement::Kind kind) {
+  Pose C = Pose::Identity();
+  if (kind == FrameElement::Kind::rotx) {
+    C.linear() << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  } else if (kind == FrameElement::Kind::roty) {
+    C.linear() << 0, 1, 0, 0, 0, 1, 1, 0, 0;
+  }
+  return C;
+}
+
 /// The chain with its constant elements gathered, neighbouring translations joined; nothing if some
 /// element is no plain joint.
 std::optional<JointChain> joint_chain(const GoalProblem& problem) {
@@ -122,7 +146,7 @@ std::optional<JointChain> joint_chain(const GoalProblem& problem) {
   for (const FrameElement* element : problem.elements()) {
     const bool rotation = element->kind != FrameElement::Kind::trans;
     FrameElement constant = *element;
-    Joint joint;
+    ChainJoint joint;
     joint.rotation = rotation;
     bool moving = false;
     const std::array<Formula*, 3> formulas = {&constant.a, &constant.b, &constant.c};
@@ -131,7 +155,7 @@ std::optional<JointChain> joint_chain(const GoalProblem& problem) {
       if (argument.kind == Argument::Kind::other) return std::nullopt;
       if (argument.kind == Argument::Kind::constant) continue;
       // A turn with a gear is left to the search.
-      if (rotation && argument.slope != 1) return std::nullopt;
+      if (rotation && std::fabs(argument.slope) != 1) return std::nullopt;
       joint.parameters[i] = argument.parameter;
       joint.slopes[i] = argument.slope;
       formulas[i]->code.clear();
@@ -145,8 +169,13 @@ std::optional<JointChain> joint_chain(const GoalProblem& problem) {
       append(behind, *element, now);
       continue;
     }
-    if (rotation && element->kind != FrameElement::Kind::rotz) return std::nullopt;
-    Joint* previous = chain.joints.empty() ? nullptr : &chain.joints.back();
+    if (rotation) {
+      joint.is_turned = element->kind != FrameElement::Kind::rotz || joint.slopes[0] != 1;
+      const Pose C = from_z_axis(element->kind);
+      behind = behind * C;
+      joint.after = C.inverse();
+    }
+    ChainJoint* previous = chain.joints.empty() ? nullptr : &chain.joints.back();
     const bool joins = !rotation && previous != nullptr && !previous->rotation &&
                        previous->after.linear() == math::Mat3::Identity();
     if (!joins) {
@@ -164,7 +193,7 @@ std::optional<JointChain> joint_chain(const GoalProblem& problem) {
   }
   // A parameter that moves two elements is no plain joint.
   std::vector<int> used;
-  for (const Joint& joint : chain.joints) {
+  for (const ChainJoint& joint : chain.joints) {
     for (const int parameter : joint.parameters) {
       if (parameter == kNone) continue;
       if (std::find(used.begin(), used.end(), parameter) != used.end()) return std::nullopt;
@@ -199,7 +228,7 @@ bool set(const GoalProblem& problem, std::vector<double>& q, int parameter, doub
 }
 
 /// The same for the length by which a joint is to slide along one of its axes.
-bool set_slide(const GoalProblem& problem, std::vector<double>& q, const Joint& joint,
+bool set_slide(const GoalProblem& problem, std::vector<double>& q, const ChainJoint& joint,
                std::size_t axis, double length) {
   return set(problem, q, joint.parameters[axis], length / joint.slopes[axis]);
 }
@@ -208,8 +237,8 @@ bool set_slide(const GoalProblem& problem, std::vector<double>& q, const Joint& 
 /// plain gantry.
 std::vector<std::vector<double>> vehicle_solutions(const GoalProblem& problem,
                                                    const JointChain& chain) {
-  const Joint& slide = chain.joints[0];
-  const Joint* turn = chain.joints.size() > 1 ? &chain.joints[1] : nullptr;
+  const ChainJoint& slide = chain.joints[0];
+  const ChainJoint* turn = chain.joints.size() > 1 ? &chain.joints[1] : nullptr;
   // before * trans(t) * slide.after * rotz(theta) * turn.after = goal
   const Pose H = chain.before.inverse() * problem.goal();
   std::vector<double> q = problem.q_now();
@@ -233,9 +262,9 @@ std::vector<std::vector<double>> vehicle_solutions(const GoalProblem& problem,
 
 std::vector<std::vector<double>> crane_solutions(const GoalProblem& problem,
                                                  const JointChain& chain) {
-  const Joint& boom = chain.joints[0];
-  const Joint& trolley = chain.joints[1];
-  const Joint* hook = chain.joints.size() > 2 ? &chain.joints[2] : nullptr;
+  const ChainJoint& boom = chain.joints[0];
+  const ChainJoint& trolley = chain.joints[1];
+  const ChainJoint* hook = chain.joints.size() > 2 ? &chain.joints[2] : nullptr;
   if (!keeps_z(boom.after) || (hook != nullptr && !keeps_z(trolley.after))) return {};
   const bool along_x = trolley.parameters[0] != kNone;
   if (along_x == (trolley.parameters[1] != kNone)) return {};
@@ -283,12 +312,131 @@ std::vector<std::vector<double>> crane_solutions(const GoalProblem& problem,
   return solutions;
 }
 
+/// The last four joints of a chain: a turn, then three in one plane that it turns.
+constexpr std::size_t kArmJoints = 4;
+
+double turn_of(const ChainJoint& joint, const std::vector<double>& q) {
+  return joint.slopes[0] * q[static_cast<std::size_t>(joint.parameters[0])];
+}
+
+/// The frames of joints that stay as they are, in a row.
+Pose frames_now(const GoalProblem& problem, const JointChain& chain, std::size_t count) {
+  Pose X = chain.before;
+  for (std::size_t i = 0; i < count; ++i) {
+    const ChainJoint& joint = chain.joints[i];
+    if (joint.rotation) {
+      X = X * math::rotation_z_deg(turn_of(joint, problem.q_now()));
+    } else {
+      Vec3 t = Vec3::Zero();
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (joint.parameters[axis] == kNone) continue;
+        t[static_cast<Eigen::Index>(axis)] =
+            joint.slopes[axis] * problem.q_now()[static_cast<std::size_t>(joint.parameters[axis])];
+      }
+      X = X * math::translation(t.x(), t.y(), t.z());
+    }
+    X = X * joint.after;
+  }
+  return X;
+}
+
+bool is_arm(const JointChain& chain) {
+  if (chain.joints.size() < kArmJoints) return false;
+  const ChainJoint* const arm = chain.joints.data() + (chain.joints.size() - kArmJoints);
+  for (std::size_t i = 0; i < kArmJoints; ++i) {
+    if (!arm[i].rotation) return false;
+  }
+  return keeps_z(arm[1].after) && keeps_z(arm[2].after) && !keeps_z(arm[0].after);
+}
+
+/// An excavator's arm. Whatever is below it stays as it is: tip first, it moves only if the arm
+/// does not get there alone. The axis of the last joint says how far the arm is turned; it bends
+/// one way, then the other.
+std::vector<std::vector<double>> arm_solutions(const GoalProblem& problem,
+                                               const JointChain& chain) {
+  const std::size_t first = chain.joints.size() - kArmJoints;
+  const ChainJoint* const arm = chain.joints.data() + first;
+  const Pose X_WY = frames_now(problem, chain, first);
+  const Pose H = X_WY.inverse(Eigen::Isometry) * problem.goal() * arm[3].after.inverse();
+
+  std::vector<double> turned = problem.q_now();
+  const Vec3 axis = arm[0].after.linear().col(2);
+  const Vec3 wanted = H.linear().col(2);
+  if (axis.x() * axis.x() + axis.y() * axis.y() < kOnAxis) return {};
+  const double turn_deg =
+      math::atan2_deg(wanted.y(), wanted.x()) - math::atan2_deg(axis.y(), axis.x());
+  if (!set(problem, turned, arm[0].parameters[0], arm[0].slopes[0] * turn_deg)) return {};
+
+  // In the plane: the last axis is to be at p, turned by heading_deg.
+  const Pose in_plane =
+      (math::rotation_z_deg(turn_of(arm[0], turned)) * arm[0].after).inverse(Eigen::Isometry) * H;
+  const Vec3 p = in_plane.translation();
+  const double heading_deg = yaw_deg(in_plane.linear());
+  const Vec3 upper = arm[1].after.translation();
+  const Vec3 lower = arm[2].after.translation();
+  const double a = std::sqrt(upper.x() * upper.x() + upper.y() * upper.y());
+  const double b = std::sqrt(lower.x() * lower.x() + lower.y() * lower.y());
+  const double d = std::sqrt(p.x() * p.x() + p.y() * p.y());
+  if (std::min({a, b, d}) <= kOnAxis) return {};
+  const double area = (a + b + d) * (a + b - d) * (d + a - b) * (d - a + b);
+  const double sine = std::sqrt(std::max(0.0, area));
+  const double cosine = d * d - a * a - b * b;
+  const double upper_deg = math::atan2_deg(upper.y(), upper.x());
+  const double lower_deg = math::atan2_deg(lower.y(), lower.x());
+  const double middle_deg = yaw_deg(arm[1].after.linear());
+  const double last_deg = yaw_deg(arm[2].after.linear());
+
+  std::vector<std::vector<double>> solutions;
+  for (const double sign : {1.0, -1.0}) {
+    const double bend_deg = math::atan2_deg(sign * sine, cosine);
+    std::vector<double> q = turned;
+    const double second = bend_deg + upper_deg - lower_deg - middle_deg;
+    if (!set(problem, q, arm[2].parameters[0], arm[2].slopes[0] * second)) continue;
+    const double second_set = turn_of(arm[2], q);
+    const Vec3 reach = upper + math::rotation_z_deg(middle_deg + second_set) * lower;
+    const double lifted = math::atan2_deg(p.y(), p.x()) - math::atan2_deg(reach.y(), reach.x());
+    if (!set(problem, q, arm[1].parameters[0], arm[1].slopes[0] * lifted)) continue;
+    const double third = heading_deg - turn_of(arm[1], q) - middle_deg - second_set - last_deg;
+    if (!set(problem, q, arm[3].parameters[0], arm[3].slopes[0] * third)) continue;
+    solutions.push_back(std::move(q));
+  }
+  return solutions;
+}
+
+/// Of solutions the best that meets the position, and, if asked for, the orientation.
+std::optional<GoalState> best_of(const GoalProblem& problem,
+                                 std::vector<std::vector<double>> solutions, bool whole) {
+  std::optional<GoalState> best;
+  for (std::vector<double>& q : solutions) {
+    GoalState state = problem.at(std::move(q));
+    if (whole ? !problem.solved(state) : state.position_error > kSolved) continue;
+    if (!best || problem.better(state, *best)) best = std::move(state);
+  }
+  return best;
+}
+
 }  // namespace
+
+ArmFormula::ArmFormula(JointChain chain)
+    : chain_(std::make_shared<const JointChain>(std::move(chain))) {}
+
+std::optional<ArmFormula> ArmFormula::of(const GoalProblem& problem) {
+  if (problem.variables().size() != kArmJoints || problem.turns_freely()) return std::nullopt;
+  auto chain = joint_chain(problem);
+  if (!chain || chain->joints.size() != kArmJoints || !is_arm(*chain)) return std::nullopt;
+  return ArmFormula(std::move(*chain));
+}
+
+std::optional<GoalState> ArmFormula::solve(const GoalProblem& problem) const {
+  return best_of(problem, arm_solutions(problem, *chain_), true);
+}
 
 std::optional<GoalState> closed_form_goal(const GoalProblem& problem) {
   const auto chain = joint_chain(problem);
   if (!chain) return std::nullopt;
-  const std::vector<Joint>& joints = chain->joints;
+  if (is_arm(*chain)) return best_of(problem, arm_solutions(problem, *chain), true);
+  if (!chain->is_plain() || problem.locks_any()) return std::nullopt;
+  const std::vector<ChainJoint>& joints = chain->joints;
   std::vector<std::vector<double>> solutions;
   if (!joints.empty() && !joints[0].rotation &&
       (joints.size() == 1 || (joints.size() == 2 && joints[1].rotation))) {
@@ -297,13 +445,7 @@ std::optional<GoalState> closed_form_goal(const GoalProblem& problem) {
              joints[0].rotation && !joints[1].rotation) {
     solutions = crane_solutions(problem, *chain);
   }
-  std::optional<GoalState> best;
-  for (std::vector<double>& q : solutions) {
-    GoalState state = problem.at(std::move(q));
-    if (state.position_error > kSolved) continue;
-    if (!best || problem.better(state, *best)) best = std::move(state);
-  }
-  return best;
+  return best_of(problem, std::move(solutions), false);
 }
 
 }  // namespace rubicon::robot

@@ -15,7 +15,7 @@ GoalProblem::GoalProblem(const RobotModel& model, const Mounting& mounting,
       mounting_(mounting),
       q_now_(q_now.begin(), q_now.end()),
       X_WG_(X_WG),
-      free_(clauses.free),
+      clauses_(clauses),
       elements_(elements_to_tool(model)) {
   int level = 0;
   for (int b = model.tool_body; b >= 0;
@@ -38,7 +38,7 @@ GoalState GoalProblem::at(std::vector<double> q) const {
   if (has_derived_) update_derived(model_, mounting_, state.q);
   const Pose X_WT = tool_pose(model_, mounting_, state.q);
   state.residual.head<3>() = X_WG_.translation() - X_WT.translation();
-  state.residual.tail<3>() = turn_to_goal(X_WT.linear(), X_WG_.linear(), free_);
+  state.residual.tail<3>() = turn_to_goal(X_WT.linear(), X_WG_.linear(), clauses_.free);
   state.position_error = state.residual.head<3>().norm();
   state.orientation_error = state.residual.tail<3>().norm();
   return state;
@@ -79,10 +79,10 @@ PoseJacobian GoalProblem::jacobian(const GoalState& state, std::size_t count) co
     }
     append(X, *element, input);
   }
-  if (free_ != FreeTurn::none) {
+  if (clauses_.free != FreeTurn::none) {
     const math::Mat3 R_WT = tool_pose(model_, mounting_, state.q).linear();
     for (Eigen::Index v = 0; v < jacobian.cols(); ++v) {
-      jacobian.col(v).tail<3>() = turn_that_counts(jacobian.col(v).tail<3>(), R_WT, free_);
+      jacobian.col(v).tail<3>() = turn_that_counts(jacobian.col(v).tail<3>(), R_WT, clauses_.free);
     }
   }
   return jacobian;

@@ -65,6 +65,14 @@ class GoalProblem {
   /// parents moved less, the base before all; differences below kSolved do not count.
   bool better(const GoalState& a, const GoalState& b) const;
 
+  /// Whether the solver may change a parameter, as far as locks say.
+  bool moves(int parameter) const {
+    return model_.parameters[static_cast<std::size_t>(parameter)].free &&
+           !clauses_.locks(parameter);
+  }
+  bool turns_freely() const { return clauses_.free != FreeTurn::none; }
+  bool locks_any() const { return !clauses_.locked.empty(); }
+
   bool solved(const GoalState& state) const {
     return state.position_error <= kSolved && state.orientation_error <= kSolved;
   }
@@ -81,7 +89,7 @@ class GoalProblem {
   const Mounting& mounting_;
   std::vector<double> q_now_;
   Pose X_WG_;
-  FreeTurn free_;
+  GoalClauses clauses_;
   std::vector<const FrameElement*> elements_;
   std::vector<GoalVariable> variables_;
   bool has_derived_ = false;

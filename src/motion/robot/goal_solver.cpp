@@ -185,6 +185,8 @@ bool finite(std::span<const double> values) {
 
 }  // namespace
 
+GoalState search_goal(const GoalProblem& problem) { return GoalSearch(problem).run(); }
+
 GoalSolution solve_goal(const RobotModel& model, const Mounting& mounting,
                         std::span<const double> q_now, const Pose& X_WG,
                         const PoseTolerance& tolerance, const GoalClauses& clauses) {
@@ -201,13 +203,13 @@ GoalSolution solve_goal(const RobotModel& model, const Mounting& mounting,
     return solution;
   }
   const GoalProblem problem(model, mounting, solution.q, X_WG, clauses);
-  const bool plain = clauses.free == FreeTurn::none && clauses.locked.empty();
+  const bool plain = clauses.free == FreeTurn::none;
   GoalState state = problem.at(solution.q);
   if (!problem.solved(state)) {
     if (auto known = plain ? closed_form_goal(problem) : std::nullopt) {
       state = std::move(*known);
     } else {
-      state = GoalSearch(problem).run();
+      state = search_goal(problem);
     }
   }
   solution.q = std::move(state.q);

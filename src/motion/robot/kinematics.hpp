@@ -61,8 +61,9 @@ struct GoalSolution {
 
 /// LANGUAGE 6.1: the configuration that brings the tool frame to X_WG, tip first: the tool body's
 /// own parameters come as near as they can within their ranges; a parent's are added only for what
-/// remains and move as little as that needs. Closed forms for vehicle and crane, damped least
-/// squares with clamping otherwise, and where there are clauses. Solved to 1e-9 m and rad where it
+/// remains and move as little as that needs. Closed forms for vehicles, cranes and
+/// the arms of excavators (closed_form_goal.hpp), damped least squares with clamping otherwise, and
+/// where a turn is free or, but for arms, something is locked. Solved to 1e-9 m and rad where it
 /// can be; reachable within `tolerance`. Clauses: locked parameters stay at q_now; the search, and
 /// what is near, begins at q_now with the values of `near`.
 GoalSolution solve_goal(const RobotModel& model, const Mounting& mounting,

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "src/motion/math/angles.hpp"
 #include "src/motion/math/index.hpp"
+#include "src/motion/robot/closed_form_goal.hpp"
 #include "src/motion/robot/damped_least_squares.hpp"
 #include "src/motion/robot/frame_chain.hpp"
 #include "src/motion/robot/turns.hpp"
@@ -139,27 +141,27 @@ class StepMotion {
   Pose pose(std::span<const double> q) {
     const FormulaInput input = {q, {}, mounting_.starts};
     Pose X = mounting_.X_WM;
-    std::vector<Vec3> values;
-    std::vector<Vec3> joints;
+    values_now_.clear();
+    joints_.clear();
     for (const FrameElement* element : elements_) {
       const bool shifts = element->kind == FrameElement::Kind::trans;
-      values.emplace_back(element->a.evaluate(input), shifts ? element->b.evaluate(input) : 0,
-                          shifts ? element->c.evaluate(input) : 0);
-      if (!shifts) joints.emplace_back(X.translation());
+      values_now_.emplace_back(element->a.evaluate(input), shifts ? element->b.evaluate(input) : 0,
+                               shifts ? element->c.evaluate(input) : 0);
+      if (!shifts) joints_.emplace_back(X.translation());
       append(X, *element, input);
     }
-    for (const Vec3& joint : joints) {
+    for (const Vec3& joint : joints_) {
       reach_ = std::max(reach_, (X.translation() - joint).norm());
     }
     for (std::size_t i = 0; i < values_.size(); ++i) {
-      const double change = (values[i] - values_[i]).norm();
+      const double change = (values_now_[i] - values_[i]).norm();
       if (elements_[i]->kind == FrameElement::Kind::trans) {
         shift_ += change;
       } else {
         turn_ += math::radians(change);
       }
     }
-    values_ = std::move(values);
+    std::swap(values_, values_now_);
     return X;
   }
 
@@ -172,7 +174,8 @@ class StepMotion {
  private:
   const Mounting& mounting_;
   const std::vector<const FrameElement*>& elements_;
-  std::vector<Vec3> values_;
+  std::vector<Vec3> values_, values_now_;
+  std::vector<Vec3> joints_;
   double turn_ = 0;   ///< rad, of all joints
   double shift_ = 0;  ///< m
   double reach_ = 0;  ///< m, of the tool from the joints
@@ -207,6 +210,13 @@ std::vector<int> ToolLine::steered(const Way& way, std::span<const double> q,
   }
   const GoalProblem problem(model_, mounting_, q, way.at(0), clauses_);
   const auto& variables = problem.variables();
+  const std::size_t needed = clauses_.free == FreeTurn::none  ? 6u
+                             : clauses_.free == FreeTurn::all ? 3u
+                                                              : 5u;
+  if (variables.size() <= needed) {
+    std::sort(result.begin(), result.end());
+    return result;
+  }
   const PoseJacobian jacobian =
       problem.jacobian(problem.at({q.begin(), q.end()}), variables.size());
   std::vector<int> moving;  // tip first
@@ -215,9 +225,6 @@ std::vector<int> ToolLine::steered(const Way& way, std::span<const double> q,
     const bool is_named = std::find(result.begin(), result.end(), i) != result.end();
     if (!is_named && jacobian.col(static_cast<Eigen::Index>(v)).norm() > kIdle) moving.push_back(i);
   }
-  const std::size_t needed = clauses_.free == FreeTurn::none  ? 6u
-                             : clauses_.free == FreeTurn::all ? 3u
-                                                              : 5u;
   while (moving.size() > needed) {
     result.push_back(moving.back());
     moving.pop_back();
@@ -249,10 +256,15 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
   GoalClauses clauses = clauses_;
   clauses.locked.insert(clauses.locked.end(), even.begin(), even.end());
   std::sort(clauses.locked.begin(), clauses.locked.end());
+  // An arm that moves alone has a formula; where that leads nowhere the search says how near it is.
+  std::optional<ArmFormula> arm;
   const auto solve = [&](double part) {
     std::vector<double> q_even(q.begin(), q.end());
     for (const int i : even) q_even[at(i)] += part * whole[at(i)];
     const GoalProblem problem(model_, mounting_, q_even, way.at(part), clauses);
+    if (arm) {
+      if (auto known = arm->solve(problem)) return std::pair(true, std::move(known->q));
+    }
     GoalState state = damped_least_squares(problem, problem.at(q_even), problem.variables().size(),
                                            GoalPart::pose);
     return std::pair(problem.solved(state), std::move(state.q));
@@ -261,13 +273,15 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
     std::vector<double> q_there(q.begin(), q.end());
     for (std::size_t i = 0; i < q_there.size(); ++i) q_there[i] += change[i];
     StepMotion motion(mounting_, elements_);
+    std::vector<double> between(q.size());
     std::pair<double, double> worst = {0, 0};
     for (int k = 0; k <= kParts; ++k) {
       const double fraction = static_cast<double>(k) / kParts;
-      std::vector<double> between = configuration_at(q, q_there, fraction);
+      configuration_at(q, q_there, fraction, between);
       update_derived(model_, mounting_, between);
       const auto [off, turned] = way.off(motion.pose(between), part, fraction);
       worst = {std::max(worst.first, off), std::max(worst.second, turned)};
+      if (worst.first > deviation_.position) return false;
     }
     const Bend bend = motion.bend();
     return worst.first + bend.position <= deviation_.position &&
@@ -279,6 +293,7 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
     std::copy(whole.begin(), whole.end(), steps.begin());
     return {Step::Kind::made, -1};
   }
+  if (even.empty()) arm = ArmFormula::of({model_, mounting_, q, way.at(0), clauses});
   // How the parameters run along it tells how long a step may be.
   const double probe = way.part(kProbe);
   const auto [leads_on, q_probe] = solve(probe);

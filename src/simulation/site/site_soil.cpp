@@ -44,6 +44,24 @@ void SiteWorld::set_drives(int robot) {
   }
 }
 
+void SiteWorld::add_pit(Pit pit) {
+  const soil::Terrain& ground = *pit.before;
+  const double side = static_cast<double>(ground.cell) * 1e-3;
+  for (int row = 0; row < ground.rows; ++row) {
+    for (int column = 0; column < ground.columns; ++column) {
+      const std::size_t cell = ground.index(column, row);
+      if (ground.heights[cell] == pit.after->heights[cell]) continue;
+      for (const int right : {0, 1}) {
+        for (const int up : {0, 1}) {
+          const math::Vec3 corner((column + right) * side, (row + up) * side, 0);
+          pit.around.extend((pit.X_WE * corner).head<2>());
+        }
+      }
+    }
+  }
+  pits_.push_back(std::move(pit));
+}
+
 std::optional<std::string> SiteWorld::pit_met(int robot,
                                               const interpreter::MotionStep& step) const {
   const RobotEntry& machine = entry(robot);
@@ -63,6 +81,7 @@ std::optional<std::string> SiteWorld::pit_met(int robot,
                    .z() -
                kDrivenOver;
     }
+    if (!region->bounds.intersects(pit.around)) continue;
     const double z = pit.X_WE.translation().z();
     const bool is_over = has_cell_under(*region, pit.X_WE, now, [&](std::size_t cell) {
       return pit.before->heights[cell] != pit.after->heights[cell] &&
@@ -106,6 +125,7 @@ void SiteWorld::set_surface(int component, const std::map<int, soil::Millimetres
     pieces.insert(row * pieces_in_row(soil) + column);
   }
   for (const int piece : pieces) set_piece(components_[at(component)], soil, piece);
+  list_standing(soil);
   ++changes_;
 }
 
@@ -165,6 +185,14 @@ void SiteWorld::show_soil(int component, bool stands) {
       erase(*soil.ids[piece]);
       soil.stands[piece] = false;
     }
+  }
+  list_standing(soil);
+}
+
+void SiteWorld::list_standing(Soil& soil) {
+  soil.standing.clear();
+  for (std::size_t piece = 0; piece < soil.ids.size(); ++piece) {
+    if (soil.stands[piece]) soil.standing.push_back(*soil.ids[piece]);
   }
 }
 

@@ -117,9 +117,8 @@ std::vector<collision::ObstacleId> SiteWorld::entered_by(int robot, int body) co
     if (entering == body && id) ids.push_back(*id);
     const auto soil = entering == body ? soils_.find(component) : soils_.end();
     if (soil == soils_.end()) continue;
-    for (std::size_t i = 0; i < soil->second.ids.size(); ++i) {
-      if (soil->second.stands[i]) ids.push_back(*soil->second.ids[i]);
-    }
+    const std::vector<collision::ObstacleId>& standing = soil->second.standing;
+    ids.insert(ids.end(), standing.begin(), standing.end());
   }
   return ids;
 }

@@ -57,6 +57,7 @@ struct Pit {
   int component = -1;  ///< its soil
   math::Pose X_WE = math::Pose::Identity();
   std::shared_ptr<const soil::Terrain> before, after;  // shared: they are large, and the plan's
+  Eigen::AlignedBox2d around = {};  ///< round the cells that are dug, in the plan view
 };
 
 /// What a machine is foreseen to sweep.
@@ -181,7 +182,7 @@ class SiteWorld {
 
   /// Pits, and robots that drive on the ground: these do not drive over what is dug. The tool frame
   /// of such a robot is on the ground.
-  void add_pit(Pit pit) { pits_.push_back(std::move(pit)); }
+  void add_pit(Pit pit);
   bool has_pits() const { return !pits_.empty(); }
   void set_drives(int robot);
   /// The task whose pit the robot would be over in the step; nothing where there is ground.
@@ -369,10 +370,12 @@ class SiteWorld {
     soil::Terrain surface;
     std::shared_ptr<const soil::Terrain> bottom;  // shared: it is large, and the plan's
     std::vector<std::optional<collision::ObstacleId>> ids;
-    std::vector<bool> stands;  ///< to each piece: there is something of it
+    std::vector<bool> stands;                     ///< to each piece: there is something of it
+    std::vector<collision::ObstacleId> standing;  ///< the ids of these, in the order of the pieces
   };
   static constexpr int kPiece = 6;
   void set_piece(const Component& component, Soil& soil, int piece);
+  static void list_standing(Soil& soil);
   static int pieces_in_row(const Soil& soil) {
     return (soil.surface.columns + kPiece - 1) / kPiece;
   }

@@ -93,6 +93,92 @@ TEST(SolveGoal, AlreadyThereNothingMoves) {
   EXPECT_EQ(solve_goal(model, mounting, now, tool_pose(model, mounting, now), {}).q, now);
 }
 
+/// An excavator on tracks: angles as inner angles at the pins, the other way round than the axes.
+RobotModel excavator_on_tracks() {
+  RobotModel model;
+  add_body(model, "tracks", -1);
+  const int x = add_parameter(model, "x", -20, 20, 1);
+  model.bodies.back().frame = {trans(of(x), number(0.3), number(0))};
+  add_body(model, "swing", 0);
+  const int theta = add_cyclic(model, "theta", 5);
+  model.bodies.back().frame = {trans(0, 0, 1.2), rotz(of(theta) + number(15))};
+  add_body(model, "boom", 1);
+  const int boom = add_parameter(model, "phi", -170, 170, 2);
+  model.bodies.back().frame = {trans(0.2, 0.1, 0.6), roty(-of(boom))};
+  add_body(model, "stick", 2);
+  const int stick = add_parameter(model, "phi", 15, 345, 2);
+  model.bodies.back().frame = {trans(5.7, 0.05, 0.4), roty(number(180) - of(stick))};
+  add_body(model, "bucket", 3);
+  const int bucket = add_parameter(model, "phi", 0, 360, 2);
+  model.bodies.back().frame = {trans(2.9, 0, 0), roty(number(180) - of(bucket))};
+  model.tool_frame = {trans(1.5, 0, 0.2), roty(number(20)), rotx(number(30))};
+  return model;
+}
+
+TEST(SolveGoal, AnArmByFormulaIsAsGoodAsTheSearch) {
+  std::mt19937_64 random(41);
+  int same = 0;
+  int both = 0;
+  for (int i = 0; i < 600; ++i) {
+    const bool tracks = i % 2 == 1;
+    const RobotModel model = tracks ? excavator_on_tracks() : excavator();
+    const Mounting mounting =
+        mounting_of(model, translation(2, 3, 1) * rotation_z_deg(uniform(random, -180, 180)));
+    std::vector<double> there;
+    std::vector<double> now;
+    for (const Parameter& p : model.parameters) {
+      const double lower = p.cyclic ? -180 : p.lower;
+      const double upper = p.cyclic ? 180 : p.upper;
+      there.push_back(uniform(random, lower, upper));
+      now.push_back(uniform(random, lower, upper));
+    }
+    if (tracks) now[0] = there[0];
+    const Pose goal = tool_pose(model, mounting, there);
+    const GoalProblem problem(model, mounting, now, goal);
+    const auto known = closed_form_goal(problem);
+    ASSERT_TRUE(known) << i;
+    ASSERT_TRUE(problem.solved(*known)) << i;
+    expect_in_range(model, known->q);
+    if (tracks) {
+      EXPECT_EQ(known->q[0], now[0]) << "what is below the arm stays";
+    }
+    const GoalState searched = search_goal(problem);
+    if (!problem.solved(searched)) continue;
+    EXPECT_FALSE(problem.better(searched, *known)) << i;
+    ++both;
+    double off = 0;
+    for (std::size_t v = 0; v < problem.variables().size(); ++v) {
+      off = std::max(off, std::fabs(problem.moved(*known, v) - problem.moved(searched, v)));
+    }
+    if (off <= 1e-9) ++same;
+  }
+  EXPECT_GE(both, 550);
+  EXPECT_GE(same, both * 9 / 10) << both;
+}
+
+TEST(SolveGoal, AnArmBendsTheWayThatMovesItsBaseLess) {
+  const RobotModel model = excavator_on_tracks();
+  const Mounting mounting = mounting_of(model);
+  const std::vector<double> one = {4, 30, 50, 80, 150};
+  const Pose goal = tool_pose(model, mounting, one);
+  // The other bend, from far away; then each from near it.
+  GoalClauses locked;
+  locked.locked = {0};
+  const auto other =
+      solve_goal(model, mounting, std::vector<double>{4, 30, -60, 280, 150}, goal, {}, locked);
+  expect_meets(model, mounting, other, goal);
+  EXPECT_LT(other.q[2], 0);
+  EXPECT_GT(other.q[3], 180);
+  for (const std::vector<double>& wanted : {one, other.q}) {
+    std::vector<double> near = wanted;
+    for (double& value : near) value += 3;
+    near[0] = 4;
+    const auto found = solve_goal(model, mounting, near, goal, {}, locked);
+    expect_meets(model, mounting, found, goal);
+    for (std::size_t k = 0; k < wanted.size(); ++k) EXPECT_NEAR(found.q[k], wanted[k], 1e-9);
+  }
+}
+
 TEST(SolveGoal, VehicleRoundTrips) {
   RobotModel model = agent();
   model.tool_frame = {trans(1.5, 0.2, 0.3), rotz(number(90))};
