@@ -19,6 +19,10 @@ class MeshInside {
   bool holds(const Vec3& point) const;
   /// Whether it is inside and farther than `depth` (m) from the surface.
   bool holds_deep(const Vec3& point, double depth) const;
+  /// Whether it is in a cell that is known to be wholly inside; false says nothing. Quick.
+  bool surely_holds(const Vec3& point) const {
+    return grid_.at(point) == InsideGrid::Cell::kInside;
+  }
   /// The unit normal of a triangle that points out of the solid; zero for triangles that are almost
   /// needles, whose normals are noise.
   const Vec3& outwards(int triangle) const { return outwards_[static_cast<std::size_t>(triangle)]; }

@@ -31,6 +31,7 @@ TriangleSoup::TriangleSoup(std::vector<Vec3> vertices, std::vector<Triangle> tri
     if (node.count == 0) continue;
     add_pack(node.first, node.first + node.count);
     pack_bounds_.push_back(node.bounds);
+    pack_boxes_.push_back(close_box(node));
   }
   pack_tree_ = WideTree(pack_bounds_);
 }
@@ -48,6 +49,35 @@ void TriangleSoup::add_pack(int begin, int end) {
         smallest_altitude(corner(triangle, 0), corner(triangle, 1), corner(triangle, 2));
     pack.tolerance[i] = thickness_tolerance(altitude);
   }
+}
+
+/// A box along the face of its triangles, or one along the axes if that is no larger.
+OrientedBox TriangleSoup::close_box(const Node& leaf) const {
+  OrientedBox best;
+  best.centre = leaf.bounds.centre();
+  best.half = leaf.bounds.half() + Vec3::Constant(kBoundsMargin);
+  Vec3 normal = Vec3::Zero();
+  Vec3 longest = Vec3::Zero();
+  for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
+    normal += (corner(i, 1) - corner(i, 0)).cross(corner(i, 2) - corner(i, 0));
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 edge = corner(i, (k + 1) % 3) - corner(i, k);
+      if (edge.squaredNorm() > longest.squaredNorm()) longest = edge;
+    }
+  }
+  const Vec3 side = normal.cross(longest);
+  if (!(side.norm() > kSameDirection * normal.norm() * longest.norm())) return best;
+  OrientedBox box;
+  const Vec3 n = normal.normalized();
+  const Vec3 v = side.normalized();
+  box.R << v.cross(n), v, n;
+  Bounds along;
+  for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
+    for (int k = 0; k < 3; ++k) along.add(box.R.transpose() * corner(i, k));
+  }
+  box.centre = box.R * along.centre();
+  box.half = along.half() + Vec3::Constant(kBoundsMargin);
+  return box.half.prod() < best.half.prod() ? box : best;
 }
 
 void TriangleSoup::build(int node, int begin, int end) {

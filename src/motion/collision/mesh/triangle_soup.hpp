@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/motion/collision/base/bounds.hpp"
+#include "src/motion/collision/base/oriented_box.hpp"
 #include "src/motion/collision/tree/triangle_pack.hpp"
 #include "src/motion/collision/tree/wide_tree.hpp"
 
@@ -61,6 +62,9 @@ class TriangleSoup {
   /// The leaves of the tree, each as one pack of triangles side by side, and a wide tree over them.
   const std::vector<TrianglePack>& packs() const { return packs_; }
   const std::vector<Bounds>& pack_bounds() const { return pack_bounds_; }
+  /// A close box around each pack, flat where its triangles are; a little larger than they are, so
+  /// that no rounding counts.
+  const std::vector<OrientedBox>& pack_boxes() const { return pack_boxes_; }
   const WideTree& pack_tree() const { return pack_tree_; }
 
   /// A few points of every connected part, for tests of containment.
@@ -70,12 +74,14 @@ class TriangleSoup {
   void build(int node, int begin, int end);
   void find_probes();
   void add_pack(int begin, int end);
+  OrientedBox close_box(const Node& leaf) const;
 
   std::vector<Vec3> vertices_;
   std::vector<Triangle> triangles_;
   std::vector<Node> nodes_;
   std::vector<TrianglePack> packs_;
   std::vector<Bounds> pack_bounds_;
+  std::vector<OrientedBox> pack_boxes_;
   WideTree pack_tree_;
   std::vector<Vec3> probes_;
   bool closed_ = false;

@@ -10,6 +10,9 @@
 namespace rubicon::collision {
 namespace {
 
+/// So many points of a body, or somewhat fewer, are looked at in haste.
+constexpr std::size_t kFewMiddles = 48;
+
 /// Whether a probe of one body, at `point` in the frame of a mesh of another, is deep in that.
 bool deep_in(const MeshInside& mesh, const Probe& probe, const Vec3& point,
              double contact_tolerance) {
@@ -56,6 +59,22 @@ std::optional<Vec3> deep_middle(const Body& outer, const Body& inner, const Plac
     if (first >= 0) return inner.surface_probes()[static_cast<std::size_t>(first)].point;
   }
   return std::nullopt;
+}
+
+/// Whether one of some points half way through `inner` is deep in a closed mesh of `outer`.
+bool some_middle_is_deep(const Body& outer, const Body& inner, const Placement& to_outer,
+                         double contact_tolerance) {
+  const std::vector<Probe>& probes = inner.surface_probes();
+  const std::size_t stride = probes.size() / kFewMiddles + 1;
+  for (const MeshInside& mesh : outer.mesh_insides()) {
+    for (std::size_t i = 0; i < probes.size(); i += stride) {
+      const Vec3 point = to_outer * probes[i].point;
+      if (mesh.surely_holds(point) && deep_in(mesh, probes[i], point, contact_tolerance)) {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 /// Whether a mesh of one body comes near a mesh of the other, one of them closed.
@@ -106,6 +125,12 @@ std::optional<Vec3> contained_point(const Body& a, const Body& b, const Placemen
   if (const auto point = deep_surface(b, a, a_in_b, contact_tolerance)) return point;
   if (const auto point = deep_surface(a, b, b_in_a, contact_tolerance)) return a_in_b * *point;
   return std::nullopt;
+}
+
+bool surely_contained(const Body& a, const Body& b, const Placement& a_in_b,
+                      double contact_tolerance) {
+  return some_middle_is_deep(b, a, a_in_b, contact_tolerance) ||
+         some_middle_is_deep(a, b, a_in_b.inverse(), contact_tolerance);
 }
 
 bool contained(const Body& a, const Body& b, const Placement& a_in_b, double contact_tolerance) {

@@ -15,4 +15,9 @@ std::optional<Vec3> contained_point(const Body& a, const Body& b, const Placemen
 /// Whether there is one.
 bool contained(const Body& a, const Body& b, const Placement& a_in_b, double contact_tolerance);
 
+/// Looks at some of the points that `contained` looks at, quickly. True is certain: `contained`
+/// says so too. False says nothing.
+bool surely_contained(const Body& a, const Body& b, const Placement& a_in_b,
+                      double contact_tolerance);
+
 }  // namespace rubicon::collision

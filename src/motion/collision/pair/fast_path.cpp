@@ -2,6 +2,7 @@
 
 #include "src/motion/collision/base/tolerances.hpp"
 #include "src/motion/collision/pair/box_mesh_narrow_phase.hpp"
+#include "src/motion/collision/pair/containment.hpp"
 #include "src/motion/collision/pair/mesh_mesh_narrow_phase.hpp"
 
 namespace rubicon::collision {
@@ -122,6 +123,13 @@ Verdict part_verdict(Sweep& sweep, SweepSlice& slice, const BodyPart& moving, co
   const TriangleSoup* moving_soup = moving.soup < 0 ? nullptr : &sweep.body().soups()[moving.soup];
   const TriangleSoup* fixed_soup = fixed.soup < 0 ? nullptr : &standing.soups()[fixed.soup];
   if (moving_soup != nullptr && fixed_soup != nullptr) {
+    // Most steps that hit end inside: then nobody need look where the surfaces cross.
+    if (!sweep.is_translation() && slice.s0() == 0 && halvings == kMeshHalvings &&
+        surely_contained(sweep.body(), standing,
+                         relative(sweep.slice(sweep.slice_count() - 1).end(), X_WB),
+                         contact_tolerance)) {
+      return Verdict::kHit;
+    }
     if (halvings > 0 && !sweep.is_translation() && goes_far(slice, moving)) {
       Verdict result = Verdict::kFree;
       for (SweepSlice* half : {&slice.first_half(), &slice.second_half()}) {

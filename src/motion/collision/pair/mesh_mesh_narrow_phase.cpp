@@ -19,6 +19,23 @@ struct MeshMeshNarrowPhase::Seen {
   double uniform_growth = 0;
 };
 
+namespace {
+
+/// Whether a moving box stays on one side of a flat one that stands, seen along its face.
+bool beside_face(const BoxPassage& moving, const OrientedBox& flat) {
+  const TurnedBox& box = moving.box;
+  const Vec3 n = flat.R.col(2);
+  const double at_start = n.dot(box.start - flat.centre);
+  const double at_end = n.dot(box.end - flat.centre);
+  const double start_reach = (box.R_start.transpose() * n).cwiseAbs().dot(box.half);
+  const double end_reach = (box.R_end.transpose() * n).cwiseAbs().dot(box.half);
+  const double room = flat.half[2] + box.uniform_growth + box.axial_growth;
+  return std::min(at_start - start_reach, at_end - end_reach) >= room ||
+         std::max(at_start + start_reach, at_end + end_reach) <= -room;
+}
+
+}  // namespace
+
 MeshMeshNarrowPhase::MeshMeshNarrowPhase(const Sweep& sweep, const TriangleSoup& moving,
                                          const BodyPart& fixed_part, const TriangleSoup& fixed,
                                          const Placement& X_WB, double contact_tolerance)
@@ -36,7 +53,7 @@ Verdict MeshMeshNarrowPhase::verdict(SweepSlice& slice) const {
   own_packs(slice, own);
   ItemList met;
   for (const int pack : own) {
-    packs_near(slice, pack, met);
+    packs_near(poses, pack, met);
     if (met.size() == 0) continue;
     const TrianglePack& triangles = moving_.packs()[static_cast<std::size_t>(pack)];
     for (int i = triangles.first; i < triangles.first + triangles.count; ++i) {
@@ -66,19 +83,44 @@ void MeshMeshNarrowPhase::own_packs(SweepSlice& slice, ItemList& found) const {
   collect_packs(whole.passage(slice), moving_, found);
 }
 
+/// The close box around a pack of the moving mesh over a slice, in the frame of the standing one.
+BoxPassage MeshMeshNarrowPhase::passage(const Seen& poses, int own) const {
+  const OrientedBox& box = moving_.pack_boxes()[static_cast<std::size_t>(own)];
+  BoxPassage result;
+  result.translation = sweep_.is_translation();
+  result.box.half = box.half;
+  result.box.R_start = poses.start.R * box.R;
+  result.box.start = poses.start * box.centre;
+  result.box.end = poses.end * box.centre;
+  if (result.translation) {
+    result.box.R_end = result.R_middle = result.box.R_start;
+    result.middle = 0.5 * (result.box.start + result.box.end);
+    return result;
+  }
+  result.box.R_end = poses.end.R * box.R;
+  result.R_middle = poses.middle.R * box.R;
+  result.middle = poses.middle * box.centre;
+  result.box.growth_axis = poses.axis;
+  result.box.uniform_growth = poses.uniform_growth;
+  if (poses.unit_sagitta > 0) {
+    const double radius = poses.axis.cross(result.box.start - poses.point).norm() + box.half.norm();
+    result.box.axial_growth = poses.unit_sagitta * radius;
+  }
+  return result;
+}
+
 /// The packs of the standing mesh that the box around one of the moving mesh is not proved free of.
-void MeshMeshNarrowPhase::packs_near(SweepSlice& slice, int own, ItemList& found) const {
-  const Bounds& bounds = moving_.pack_bounds()[static_cast<std::size_t>(own)];
-  BodyPart box;
-  box.aligned = true;
-  box.box.centre = bounds.centre();
-  box.box.half = bounds.half();
-  const BoxPassage passage =
-      BoxMeshNarrowPhase(sweep_, box, fixed_, false, X_WB_, 0).passage(slice);
-  collect_packs(passage, fixed_, found);
+void MeshMeshNarrowPhase::packs_near(const Seen& poses, int own, ItemList& found) const {
+  const BoxPassage whole = passage(poses, own);
+  collect_packs(whole, fixed_, found);
   if (found.size() == 0) return;
-  const BoxPass pass = box_pass(passage, kRoundingDepth);
   int* last = std::remove_if(found.begin(), found.end(), [&](int pack) {
+    return beside_face(whole, fixed_.pack_boxes()[static_cast<std::size_t>(pack)]);
+  });
+  found.set_size(static_cast<int>(last - found.begin()));
+  if (found.size() == 0) return;
+  const BoxPass pass = box_pass(whole, kRoundingDepth);
+  last = std::remove_if(found.begin(), found.end(), [&](int pack) {
     return kernels().meeting_triangles(pass, fixed_.packs()[static_cast<std::size_t>(pack)]) == 0;
   });
   found.set_size(static_cast<int>(last - found.begin()));

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "src/motion/collision/base/verdict.hpp"
+#include "src/motion/collision/sweep/box_passage.hpp"
 #include "src/motion/collision/sweep/sweep.hpp"
 #include "src/motion/collision/tree/triangle_pack.hpp"
 
@@ -27,7 +28,8 @@ class MeshMeshNarrowPhase {
   struct Seen;
 
   void own_packs(SweepSlice& slice, ItemList& found) const;
-  void packs_near(SweepSlice& slice, int own, ItemList& found) const;
+  BoxPassage passage(const Seen& poses, int own) const;
+  void packs_near(const Seen& poses, int own, ItemList& found) const;
   Seen seen(SweepSlice& slice) const;
   TrianglePass pass(const Seen& poses, int triangle) const;
   TrianglePass still(const Placement& pose, int triangle) const;

@@ -69,27 +69,51 @@ void collect_packs(const BoxPassage& passage, const TriangleSoup& soup, ItemList
   Bounds swept;
   swept.lower = (box.start - start_reach).cwiseMin(box.end - end_reach) - growth;
   swept.upper = (box.start + start_reach).cwiseMax(box.end + end_reach) + growth;
-  // The swept box along its middle axes, and across its way along the outlines of its faces.
+  // The swept box along its middle axes, and across its way along the outlines of its faces; both
+  // are worked out in the frame of the middle pose.
+  const Mat3 to_middle = passage.R_middle.transpose();
+  const Vec3 start = to_middle * box.start;
+  const Vec3 end = to_middle * box.end;
+  Mat3 start_axes = Mat3::Identity();
+  Mat3 end_axes = Mat3::Identity();
+  Vec3 middle_growth = Vec3::Constant(box.uniform_growth);
+  if (!passage.translation) {
+    start_axes = to_middle * box.R_start;
+    end_axes = to_middle * box.R_end;
+    middle_growth += box.axial_growth * across_axes(to_middle * box.growth_axis);
+  }
   std::array<Slab, FloatSlabs::kMost> slabs;
   std::size_t count = 0;
-  const auto add = [&](const Vec3& n) {
-    const double start_reach_n = (n.transpose() * box.R_start).cwiseAbs().dot(box.half);
-    const double end_reach_n =
-        passage.translation ? start_reach_n : (n.transpose() * box.R_end).cwiseAbs().dot(box.half);
-    const double at_start = n.dot(box.start);
-    const double at_end = n.dot(box.end);
-    const double growth_n = box.uniform_growth + box.axial_growth * n.cross(box.growth_axis).norm();
-    const double lower = std::min(at_start - start_reach_n, at_end - end_reach_n) - growth_n;
-    const double upper = std::max(at_start + start_reach_n, at_end + end_reach_n) + growth_n;
+  const auto add = [&](const Vec3& n, double lower, double upper) {
     slabs[count++] = {n, 0.5 * (lower + upper), 0.5 * (upper - lower)};
   };
-  for (int j = 0; j < 3; ++j) add(passage.R_middle.col(j));
-  const Vec3 displacement = box.end - box.start;
-  if (displacement.norm() > kShortWay * box.half.norm()) {
+  const Vec3 start_along = start_axes.cwiseAbs() * box.half;
+  const Vec3 end_along = end_axes.cwiseAbs() * box.half;
+  const Vec3 lower = (start - start_along).cwiseMin(end - end_along) - middle_growth;
+  const Vec3 upper = (start + start_along).cwiseMax(end + end_along) + middle_growth;
+  for (int j = 0; j < 3; ++j) add(passage.R_middle.col(j), lower[j], upper[j]);
+  const Vec3 way = end - start;
+  const double squared = way.squaredNorm();
+  if (squared > kShortWay * kShortWay * box.half.squaredNorm()) {
+    // No direction sees more of the growth than all of it.
+    const double all_growth = box.uniform_growth + box.axial_growth;
     for (int j = 0; j < 3; ++j) {
-      const Vec3 across = displacement.cross(passage.R_middle.col(j));
-      const double length = across.norm();
-      if (length > kSameWay * displacement.norm()) add(across / length);
+      const int k = (j + 1) % 3;
+      const int l = (j + 2) % 3;
+      const double across_squared = way[k] * way[k] + way[l] * way[l];
+      if (!(across_squared > kSameWay * kSameWay * squared)) continue;
+      const double length = std::sqrt(across_squared);
+      const double n_k = way[l] / length;
+      const double n_l = -way[k] / length;
+      const double at_start = n_k * start[k] + n_l * start[l];
+      const double at_end = n_k * end[k] + n_l * end[l];
+      const double start_reach_n =
+          (n_k * start_axes.row(k) + n_l * start_axes.row(l)).cwiseAbs().dot(box.half);
+      const double end_reach_n =
+          (n_k * end_axes.row(k) + n_l * end_axes.row(l)).cwiseAbs().dot(box.half);
+      add(n_k * passage.R_middle.col(k) + n_l * passage.R_middle.col(l),
+          std::min(at_start - start_reach_n, at_end - end_reach_n) - all_growth,
+          std::max(at_start + start_reach_n, at_end + end_reach_n) + all_growth);
     }
   }
   soup.pack_tree().collect(swept, std::span<const Slab>(slabs).first(count), found);

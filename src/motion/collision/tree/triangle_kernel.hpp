@@ -24,9 +24,13 @@ RUBICON_INLINE Four least(Four a, Four b) { return a < b ? a : b; }
 RUBICON_INLINE Four greatest(Four a, Four b) { return a > b ? a : b; }
 RUBICON_INLINE Four magnitude(Four a) { return a < 0 ? -a : a; }
 RUBICON_INLINE Four root(Four a) {
+#if defined(__AVX2__)
+  return (Four)_mm256_sqrt_pd((__m256d)a);
+#else
   Four result = a;
   for (int i = 0; i < kPack; ++i) result[i] = __builtin_sqrt(a[i]);
   return result;
+#endif
 }
 RUBICON_INLINE Four dot(const FourVectors& a, const FourVectors& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -42,14 +46,15 @@ RUBICON_INLINE FourVectors difference(const FourVectors& a, const FourVectors& b
 }
 RUBICON_INLINE FourVectors same(const double* v) { return {all(v[0]), all(v[1]), all(v[2])}; }
 
-RUBICON_INLINE FourVectors load(const double (*corner)[kPack]) {
-  FourVectors result;
-  for (int i = 0; i < kPack; ++i) {
-    result.x[i] = corner[0][i];
-    result.y[i] = corner[1][i];
-    result.z[i] = corner[2][i];
-  }
+/// Whole, not number by number: what is put together from parts waits for them in memory.
+RUBICON_INLINE Four load(const double* values) {
+  Four result;
+  __builtin_memcpy(&result, values, sizeof(result));
   return result;
+}
+
+RUBICON_INLINE FourVectors load(const double (*corner)[kPack]) {
+  return {load(corner[0]), load(corner[1]), load(corner[2])};
 }
 
 RUBICON_INLINE FourVectors moved(const BoxPass& box, const FourVectors& p) {
@@ -59,8 +64,12 @@ RUBICON_INLINE FourVectors moved(const BoxPass& box, const FourVectors& p) {
 }
 
 RUBICON_INLINE unsigned bits(FourBits mask) {
+#if defined(__AVX2__)
+  return static_cast<unsigned>(_mm256_movemask_pd((__m256d)mask));
+#else
   return (mask[0] != 0 ? 1U : 0U) | (mask[1] != 0 ? 2U : 0U) | (mask[2] != 0 ? 4U : 0U) |
          (mask[3] != 0 ? 8U : 0U);
+#endif
 }
 
 RUBICON_INLINE Four reach(const BoxPass& box, const double (*axes)[3], const FourVectors& n) {
@@ -116,9 +125,7 @@ unsigned meeting_triangles(const BoxPass& box, const TrianglePack& pack) {
   const FourVectors corners[3] = {moved(box, load(pack.corner[0])),
                                   moved(box, load(pack.corner[1])),
                                   moved(box, load(pack.corner[2]))};
-  Four tolerance;
-  for (int i = 0; i < kPack; ++i) tolerance[i] = pack.tolerance[i];
-  tolerance = least(tolerance, all(box.tolerance));
+  const Four tolerance = least(load(pack.tolerance), all(box.tolerance));
 
   const auto along = [&](Four a, Four b, Four c, int axis) {
     const Four lower = least(a, least(b, c));
@@ -193,9 +200,7 @@ RUBICON_INLINE FourBits apart(const TrianglePass& moving, const FourVectors* cor
 /// The same for a moving triangle: both normals, edge x edge, displacement x edge.
 unsigned met_by_triangle(const TrianglePass& moving, const TrianglePack& pack) {
   const FourVectors corners[3] = {load(pack.corner[0]), load(pack.corner[1]), load(pack.corner[2])};
-  Four tolerance;
-  for (int i = 0; i < kPack; ++i) tolerance[i] = pack.tolerance[i];
-  tolerance = least(tolerance, all(moving.tolerance));
+  const Four tolerance = least(load(pack.tolerance), all(moving.tolerance));
   const Four zero = all(0);
   const Four one = all(1);
   FourBits free = apart(moving, corners, tolerance, {one, zero, zero}, one) |
