@@ -140,17 +140,8 @@ void ChainBound::append_translation(const Vec3& at0, const Vec3& rate) {
                  length(rate, across));
 }
 
-void ChainBound::append_constant(const Vec3& translation, bool turns) {
-  if (earlier_rates_ > 0 || last_magnitude_ > 0) {
-    double along = 0;
-    Vec3 across = translation;
-    if (last_axis_ >= 0) {
-      along = std::fabs(translation[last_axis_]);
-      across[last_axis_] = 0;
-    }
-    append_lengths(along, across.norm(), 0, 0);
-  }
-  if (turns) end_row();
+void ChainBound::append_constant(double along, double across) {
+  append_lengths(along, across, 0, 0);
 }
 
 std::optional<AccelerationBound> ChainBound::bound() const {

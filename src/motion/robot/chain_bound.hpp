@@ -32,10 +32,12 @@ class ChainBound {
   void append(const FrameElement& element, std::span<const double> q0, std::span<const double> q1,
               std::span<const double> starts);
   /// The same for elements that are known to run linearly: a rotation about axis 0, 1 or 2 at a
-  /// rate (rad), a translation (m), and what is constant: a translation, and a rotation after it.
+  /// rate (rad), a translation (m), a constant translation with these lengths (m) along the axis of
+  /// the last rotation and across it, and a constant rotation about any axis.
   void append_turn(int axis, double rate);
   void append_translation(const Vec3& at0, const Vec3& rate);
-  void append_constant(const Vec3& translation, bool turns);
+  void append_constant(double along, double across);
+  void append_constant_turn() { end_row(); }
 
   /// The bound; none where an element does not run linearly.
   std::optional<AccelerationBound> bound() const;

@@ -144,12 +144,21 @@ LegFrames::LegFrames(const RobotModel& model, const Mounting& mounting)
 
 /// Elements that are constant one after the other are one step.
 void LegFrames::add_frame(int parent, const FrameFormula& elements) {
-  frames_.push_back({parent, steps_.size(), 0});
+  int axis = parent < 0 ? -1 : frames_[static_cast<std::size_t>(parent)].axis;
+  frames_.push_back({parent, steps_.size(), 0, -1});
   const std::span<const double> starts = starts_;
   Pose fixed = Pose::Identity();
   const auto end_fixed = [&] {
     if (fixed.matrix() == Pose::Identity().matrix()) return;
-    steps_.push_back(constant_step(fixed));
+    Step step = constant_step(fixed);
+    Vec3 across = fixed.translation();
+    if (axis >= 0) {
+      step.along = std::fabs(across[axis]);
+      across[axis] = 0;
+    }
+    step.across = across.norm();
+    if (step.turns) axis = -1;
+    steps_.push_back(step);
     values_.resize(3 * steps_.size());
     fixed = Pose::Identity();
   };
@@ -167,11 +176,13 @@ void LegFrames::add_frame(int parent, const FrameFormula& elements) {
     step.axis = element.kind == FrameElement::Kind::rotx   ? 0
                 : element.kind == FrameElement::Kind::roty ? 1
                                                            : 2;
+    if (is_turn) axis = step.axis;
     steps_.push_back(step);
     values_.insert(values_.end(), std::begin(of), std::end(of));
   }
   end_fixed();
   frames_.back().last = steps_.size();
+  frames_.back().axis = axis;
 }
 
 LegFrames::Value LegFrames::value_of(const Formula& formula) const {
@@ -238,7 +249,8 @@ void LegFrames::append(Chain& chain, const Step& step) const {
       return;
     }
     case Step::Kind::fixed:
-      chain.bound.append_constant({step.t[0], step.t[1], step.t[2]}, step.turns);
+      chain.bound.append_constant(step.along, step.across);
+      if (step.turns) chain.bound.append_constant_turn();
   }
 }
 

@@ -50,6 +50,8 @@ class LegFrames {
     bool turns = false;          ///< a fixed one turns, too
     double R[3][3] = {};         ///< of a fixed one
     double t[3] = {};            ///< m, of a fixed one
+    double along = 0;            ///< m: what of t is along the axis of the last turn before it,
+    double across = 0;           ///< m: and across it
     LinearValue values[3] = {};  ///< on the leg: of a turn the angle (degrees), of a slide x, y, z
     double sine = 0;             ///< of a turn that stands
     double cosine = 1;
@@ -59,6 +61,7 @@ class LegFrames {
     int parent = -1;
     std::size_t first = 0;  ///< of its steps
     std::size_t last = 0;   ///< after them
+    int axis = -1;          ///< of the last turn; -1: none, or it has been turned since
   };
 
  private:
