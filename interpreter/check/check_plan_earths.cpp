@@ -384,7 +384,7 @@ std::optional<DugSoil> take_soil(Subject& subject, const Scope& scope, const syn
   if (!item.earth) return std::nullopt;
   const auto known = subject.dug.find(&item);
   if (known != subject.dug.end()) return known->second;
-  const auto soil = SoilTaker(subject, scope, item, task).run();
+  auto soil = SoilTaker(subject, scope, item, task).run();
   subject.dug.emplace(&item, soil);
   return soil;
 }

@@ -182,7 +182,7 @@ class ObstacleCheck {
   /// Whether a thing takes something of a slab; corners are rounded to the grid, so less than 1 cm2
   /// is nothing.
   static bool takes_from(const coverage::Region& slab, const coverage::Standing& thing) {
-    constexpr std::int64_t kNothing = 2 * 100 * 100;
+    constexpr std::int64_t kNothing = std::int64_t{2} * 100 * 100;
     const coverage::Ring ring =
         thing.round ? square_around(thing.centre, thing.diameter) : thing.ring;
     if (!coverage::box_of(ring).overlaps(coverage::box_of(slab.outline))) return false;
