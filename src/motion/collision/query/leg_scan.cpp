@@ -15,10 +15,10 @@ constexpr double kMarginShare = 1e-12;
 
 /// Intervals in which no box is grown by more than this (m), or of the last depth, are left to the
 /// exact test.
-constexpr double kShortestPath = 2e-3;
-constexpr int kDeepest = 3;
+constexpr double kShortestPath = 2e-4;
+constexpr int kDeepest = 5;
 /// After so many exact tests the rest of the leg stays open.
-constexpr int kMostExactTests = 3;
+constexpr int kMostExactTests = 24;
 
 /// The longest of the parts 1, 1/2, 1/4 ... of a leg that is shorter than `met`.
 double longest_part(double met) {
