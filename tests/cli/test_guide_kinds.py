@@ -3,11 +3,13 @@
 import math
 import os
 import re
+import subprocess
+import time
 import unittest
 import xml.etree.ElementTree as xml
 
 from guide_case import GuideCase
-from result_case import rubicon
+from result_case import RUBICON, rubicon
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TRUCK = os.path.join(HERE, "..", "..", "robots", "truck", "steered_truck.robot")
@@ -108,6 +110,44 @@ class GuideKinds(GuideCase):
                                 r"from (shelf|wing)$|^no way: the field has a minimum at x [\d.]+, y [\d.]+, where cart\.cart is [\d.]+ m from (shelf|wing)$")
         why = rubicon("why", self.out, "behind_the_shelf")
         self.assertIn("the field has a minimum", why.stdout)
+
+    def test_verify_finds_a_field_that_is_not_as_told(self):
+        self.assertEqual(rubicon("run", FIELD, "--out", self.out).returncode, 0)
+
+        def bent(result):
+            plan = next(record for record in result.records if record["type"] == "guide" and record["kind"] == "potential")
+            plan["way"][len(plan["way"]) // 2] += 0.4
+
+        def left_out(result):
+            points = [i for i, record in enumerate(result.records) if record["type"] == "way_point"]
+            del result.records[points[1]]
+
+        self.assertRegex(self.faults_of(bent), "off the way to waypoint|the way of a guide")
+        self.assertIn("of the guide begins where", self.faults_of(left_out))
+
+    def test_a_run_that_is_killed_while_a_guide_thinks_leaves_the_old_result_or_the_new_one(self):
+        self.run_plan(THINKS)
+        plan = self.write("slower.plan", THINKS.replace("100 ms", "200 ms"))
+        new = os.path.join(self.folder, "new")
+        begin = time.monotonic()
+        self.assertEqual(rubicon("run", plan, "--out", new).returncode, 0)
+        span = time.monotonic() - begin
+
+        def traced(folder):
+            with open(os.path.join(folder, "trace.jsonl"), "rb") as file:
+                return file.read()
+
+        wanted = [traced(self.out), traced(new)]
+        self.assertNotEqual(*wanted)
+        for kill in range(6):
+            command = subprocess.Popen([RUBICON, "run", plan, "--out", self.out], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            time.sleep(span * kill / 5)
+            command.kill()
+            command.wait(timeout=60)
+            self.assertIn(traced(self.out), wanted)
+        self.assertEqual(rubicon("run", plan, "--out", self.out).returncode, 0)
+        self.assertEqual(traced(self.out), wanted[1])
+        self.assertEqual(rubicon("verify", self.out).returncode, 0)
 
     def test_its_picture_has_the_way_and_the_minima(self):
         picture = os.path.join(self.folder, "field.svg")
