@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "src/motion/math/angles.hpp"
+
 /// Small functions that work on lanes are always inlined: so they are compiled for the processor of
 /// the function that they end up in, and no other form of them is left for the linker to choose.
 #define RUBICON_LANES [[gnu::always_inline]] inline
@@ -57,7 +59,6 @@ RUBICON_LANES LaneMask operator&(const LaneMask& a, const LaneMask& b) { return 
 RUBICON_LANES LaneMask operator|(const LaneMask& a, const LaneMask& b) { return {a.v | b.v}; }
 RUBICON_LANES LaneMask operator~(const LaneMask& a) { return {~a.v}; }
 RUBICON_LANES LaneMask no_lane() { return {LaneMask::Vector{0, 0, 0, 0}}; }
-RUBICON_LANES LaneMask all_lanes() { return {LaneMask::Vector{-1, -1, -1, -1}}; }
 
 /// Bit i: lane i.
 RUBICON_LANES unsigned bits(const LaneMask& mask) {
@@ -68,7 +69,6 @@ RUBICON_LANES unsigned bits(const LaneMask& mask) {
 RUBICON_LANES Lanes select(const LaneMask& mask, const Lanes& yes, const Lanes& no) {
   return {(Lanes::Vector)((mask.v & (LaneMask::Vector)yes.v) | (~mask.v & (LaneMask::Vector)no.v))};
 }
-RUBICON_LANES Lanes max(const Lanes& a, const Lanes& b) { return {a.v > b.v ? a.v : b.v}; }
 RUBICON_LANES Lanes abs(const Lanes& a) {
   constexpr std::int64_t kNoSign = INT64_MAX;
   return {(Lanes::Vector)((LaneMask::Vector)a.v &
@@ -84,10 +84,9 @@ struct LaneSineCosine {
 RUBICON_LANES LaneSineCosine sine_cosine_deg(const Lanes& degrees) {
   // The nearest multiple of 90 degrees: where this is added no binary place is left for fractions.
   constexpr double kNoFractions = 6755399441055744.0;
-  constexpr double kDegree = 3.14159265358979323846 / 180.0;
   const Lanes shifted = degrees * lanes(1.0 / 90.0) + lanes(kNoFractions);
   const Lanes quarters = shifted - lanes(kNoFractions);
-  const Lanes x = (degrees - quarters * lanes(90.0)) * lanes(kDegree);
+  const Lanes x = (degrees - quarters * lanes(90.0)) * lanes(radians(1));
   const Lanes u = x * x;
   // Taylor, up to x^13 and x^14.
   Lanes s = lanes(1.0 / 6227020800.0);

@@ -6,6 +6,7 @@
 
 #include "src/motion/math/angles.hpp"
 #include "src/motion/robot/enclosed_point.hpp"
+#include "src/motion/robot/frame_chain.hpp"
 
 namespace rubicon::robot {
 namespace {
@@ -87,10 +88,7 @@ void ChainBound::append(const FrameElement& element, std::span<const double> q0,
   const auto a = linear_value(element.a, q0, q1, starts);
   if (element.kind != FrameElement::Kind::trans) {
     linear_ = a.has_value();
-    const int axis = element.kind == FrameElement::Kind::rotx   ? 0
-                     : element.kind == FrameElement::Kind::roty ? 1
-                                                                : 2;
-    if (a) append_turn(axis, math::radians(a->rate));
+    if (a) append_turn(rotation_axis_index(element.kind), math::radians(a->rate));
     return;
   }
   const auto b = linear_value(element.b, q0, q1, starts);

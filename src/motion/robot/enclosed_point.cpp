@@ -2,15 +2,15 @@
 
 #include <cmath>
 
+#include "src/motion/robot/frame_chain.hpp"
+
 namespace rubicon::robot {
 
 namespace {
 
 /// Turns p about the axis of the element by an angle with this sine and cosine.
 void turn(FrameElement::Kind kind, const Enclosure& s, const Enclosure& c, EnclosedPoint& p) {
-  const std::size_t k = kind == FrameElement::Kind::rotx   ? 0
-                        : kind == FrameElement::Kind::roty ? 1
-                                                           : 2;
+  const auto k = static_cast<std::size_t>(rotation_axis_index(kind));
   const std::size_t i = (k + 1) % 3;
   const std::size_t j = (k + 2) % 3;
   const Enclosure turned_i = c * p[i] - s * p[j];

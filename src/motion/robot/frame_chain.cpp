@@ -33,9 +33,7 @@ void append(Pose& X, const FrameElement& element, const FormulaInput& input) {
   }
   const auto [s, c] = math::sine_cosine_deg(element.a.evaluate(input));
   // A rotation about axis k turns the columns i and j that follow it in cyclic order.
-  const int k = element.kind == FrameElement::Kind::rotx   ? 0
-                : element.kind == FrameElement::Kind::roty ? 1
-                                                           : 2;
+  const int k = rotation_axis_index(element.kind);
   const int i = (k + 1) % 3;
   const int j = (k + 2) % 3;
   const Vec3 u = X.linear().col(i);
@@ -48,16 +46,7 @@ void append(Pose& X, const FrameFormula& frame, const FormulaInput& input) {
   for (const FrameElement& element : frame) append(X, element, input);
 }
 
-Vec3 rotation_axis(FrameElement::Kind kind) {
-  switch (kind) {
-    case FrameElement::Kind::rotx:
-      return Vec3::UnitX();
-    case FrameElement::Kind::roty:
-      return Vec3::UnitY();
-    default:
-      return Vec3::UnitZ();
-  }
-}
+Vec3 rotation_axis(FrameElement::Kind kind) { return Vec3::Unit(rotation_axis_index(kind)); }
 
 Pose body_pose(const RobotModel& model, const Mounting& mounting, std::span<const double> q,
                int body) {

@@ -17,6 +17,11 @@ void append(Pose& X, const FrameElement& element, const FormulaInput& input);
 /// X <- X * frame.
 void append(Pose& X, const FrameFormula& frame, const FormulaInput& input);
 
+/// The axis (0, 1 or 2) that a rotation element turns about.
+constexpr int rotation_axis_index(FrameElement::Kind kind) {
+  return kind == FrameElement::Kind::rotx ? 0 : kind == FrameElement::Kind::roty ? 1 : 2;
+}
+
 /// The unit axis a rotation element turns about, in its own frame.
 Vec3 rotation_axis(FrameElement::Kind kind);
 

@@ -173,9 +173,7 @@ void LegFrames::add_frame(int parent, const FrameFormula& elements) {
     end_fixed();
     Step step;
     step.kind = is_turn ? Step::Kind::turn : Step::Kind::slide;
-    step.axis = element.kind == FrameElement::Kind::rotx   ? 0
-                : element.kind == FrameElement::Kind::roty ? 1
-                                                           : 2;
+    step.axis = rotation_axis_index(element.kind);
     if (is_turn) axis = step.axis;
     steps_.push_back(step);
     values_.insert(values_.end(), std::begin(of), std::end(of));

@@ -25,7 +25,7 @@ class LegFrames {
   /// nothing may be asked.
   bool set_leg(std::span<const double> q_from, std::span<const double> q_to);
 
-  /// To 1e-9 m for machines within 1000 km.
+  /// As `body_poses` and `tool_pose`, but for rounding.
   void poses(const double (&shares)[math::kLanes], math::LaneFrame* frames) const;
 
   struct Motion {
