@@ -2,6 +2,7 @@
 
 import os
 import random
+import shutil
 import signal
 import subprocess
 import time
@@ -114,6 +115,11 @@ class StudyOnRanks(StudyCase):
         progress = os.path.join(out, "study.progress")
         delay, kills, sizes = random.Random(4), 0, [0]
         while True:
+            if os.path.exists(os.path.join(out, "study.json")) and not os.path.exists(progress):
+                # Killed between the results and the end of the job: nothing was left to go on from.
+                self.assertEqual(self.files(out), files, "results are whole or not there")
+                shutil.rmtree(out)
+                sizes = [0]
             process = self.start(path, out)
             if kills < ROUNDS + 2:
                 if kills % 2 == 0:  # as soon as they are there: on a quick machine the study ends soon
@@ -132,12 +138,15 @@ class StudyOnRanks(StudyCase):
             if process.returncode == 0:
                 break
             kills += 1
-            sizes.append(os.path.getsize(progress) if os.path.exists(progress) else 0)
+            if os.path.exists(progress):
+                sizes.append(os.path.getsize(progress))
+                self.assertEqual(sizes, sorted(sizes), "no run that was finished is lost")
+            elif not os.path.exists(os.path.join(out, "study.json")):
+                self.assertEqual(sizes[-1], 0, "the runs are gone")
             self.assertLess(kills, 40)
         self.assertGreaterEqual(kills, 1)
         self.assertEqual(stdout, text)
         self.assertEqual(self.files(out), files)
-        self.assertEqual(sizes, sorted(sizes), "no run that was finished is lost")
 
 
 if __name__ == "__main__":
