@@ -56,6 +56,8 @@ class BiteSearch {
         print_(footprint_of(rules)),
         side_(static_cast<double>(now.cell) * 1e-3),
         step_(side_ * kStepOfCell),
+        half_along_((print_.front - print_.back) / 2 + kGroundGap),
+        half_across_((print_.left - print_.right) / 2 + kGroundGap),
         seen_(now.heights.size(), 0) {}
 
   std::vector<Bite> run() {
@@ -78,12 +80,12 @@ class BiteSearch {
     };
     std::vector<Found> found;
     for (int j = -aside; j <= aside; ++j) {
-      const double heading_deg = bearing_deg + math::degrees(j * step_ / distance);
+      const Heading heading(bearing_deg + math::degrees(j * step_ / distance));
       // with its far edge at that of the cell, or farther back, or farther on
       for (int k = 0; k <= back + on; ++k) {
         const int i = k <= back ? k : back - k;
         const double far = distance + side_ / 2 - kGroundGap - i * step_ - print_.front;
-        if (auto bite = cut(heading_deg, far)) {
+        if (auto bite = cut(heading, far)) {
           found.push_back({*bite, j});
           break;
         }
@@ -99,32 +101,51 @@ class BiteSearch {
   }
 
  private:
+  /// The direction of a cut.
+  struct Heading {
+    explicit Heading(double heading_deg)
+        : deg(heading_deg), c(math::cos_deg(heading_deg)), s(math::sin_deg(heading_deg)) {}
+    double deg, c, s;
+  };
+
   /// What lies under the bucket at a place of the tool.
   struct Under {
-    bool is_free = true;                                           ///< it is all on the grid
+    bool is_free = true;  ///< it is all on the grid, and no ground that stays is above the limit
     Millimetres ground = std::numeric_limits<Millimetres>::min();  ///< highest that stays
     Millimetres soil = std::numeric_limits<Millimetres>::min();    ///< highest of all
     std::vector<int> covered;                                      ///< cells
   };
 
-  Under look(double heading_deg, double distance) const {
-    const double c = math::cos_deg(heading_deg);
-    const double s = math::sin_deg(heading_deg);
-    // the middle of the footprint, in {E}, and half its sides, grown by the gap
+  /// The middle of the footprint, in {E}.
+  Eigen::Vector2d middle_at(const Heading& heading, double distance) const {
+    const auto& [deg, c, s] = heading;
     const double u = distance + (print_.back + print_.front) / 2;
     const double v = (print_.right + print_.left) / 2;
-    const double x = rules_.p_EM.x() + u * c - v * s;
-    const double y = rules_.p_EM.y() + u * s + v * c;
-    const double along = (print_.front - print_.back) / 2 + kGroundGap;
-    const double across = (print_.left - print_.right) / 2 + kGroundGap;
-    const double wide = along * std::fabs(c) + across * std::fabs(s);
-    const double high = along * std::fabs(s) + across * std::fabs(c);
+    return {rules_.p_EM.x() + u * c - v * s, rules_.p_EM.y() + u * s + v * c};
+  }
+
+  /// Whether the bucket covers a cell, with its middle at p.
+  bool covers(const Heading& heading, const Eigen::Vector2d& p, int column, int row) const {
+    const auto& [deg, c, s] = heading;
+    const double more = std::max(rules_.spread, 0.0);
+    const double dx = now_.middle(column) - p.x();
+    const double dy = now_.middle(row) - p.y();
+    return covers(dx * c + dy * s, dy * c - dx * s, c, s, half_along_ - kGroundGap + more,
+                  half_across_ - kGroundGap + more);
+  }
+
+  /// It is looked at no further than to ground that stays above `limit`.
+  Under look(const Heading& heading, double distance, Millimetres limit) const {
+    const auto& [deg, c, s] = heading;
+    const Eigen::Vector2d p = middle_at(heading, distance);
+    const double wide = half_along_ * std::fabs(c) + half_across_ * std::fabs(s);
+    const double high = half_along_ * std::fabs(s) + half_across_ * std::fabs(c);
     const double half = side_ / 2 * (std::fabs(c) + std::fabs(s));
     const double more = std::max(rules_.spread, 0.0);
     Under under;
     const auto cell_of = [&](double value) { return std::floor(value / side_); };
-    const double columns[] = {cell_of(x - wide + kTouches), cell_of(x + wide - kTouches)};
-    const double rows[] = {cell_of(y - high + kTouches), cell_of(y + high - kTouches)};
+    const double columns[] = {cell_of(p.x() - wide + kTouches), cell_of(p.x() + wide - kTouches)};
+    const double rows[] = {cell_of(p.y() - high + kTouches), cell_of(p.y() + high - kTouches)};
     if (columns[0] < 0 || rows[0] < 0 || columns[1] >= now_.columns || rows[1] >= now_.rows) {
       under.is_free = false;
       return under;
@@ -132,20 +153,26 @@ class BiteSearch {
     const auto within = [&](double value, int count) {
       return static_cast<int>(std::clamp(cell_of(value), 0.0, count - 1.0));
     };
-    const int end_row = within(y + high + more, now_.rows);
-    const int end_column = within(x + wide + more, now_.columns);
-    for (int row = within(y - high - more, now_.rows); row <= end_row; ++row) {
-      for (int column = within(x - wide - more, now_.columns); column <= end_column; ++column) {
-        const double dx = now_.middle(column) - x;
-        const double dy = now_.middle(row) - y;
+    const int end_row = within(p.y() + high + more, now_.rows);
+    const int end_column = within(p.x() + wide + more, now_.columns);
+    for (int row = within(p.y() - high - more, now_.rows); row <= end_row; ++row) {
+      for (int column = within(p.x() - wide - more, now_.columns); column <= end_column; ++column) {
+        const double dx = now_.middle(column) - p.x();
+        const double dy = now_.middle(row) - p.y();
         const double du = dx * c + dy * s;
         const double dv = dy * c - dx * s;
         const std::size_t cell = now_.index(column, row);
-        if (std::fabs(du) < along + half - kTouches && std::fabs(dv) < across + half - kTouches) {
+        if (std::fabs(du) < half_along_ + half - kTouches &&
+            std::fabs(dv) < half_across_ + half - kTouches) {
           under.ground = std::max(under.ground, bottom_.heights[cell]);
           under.soil = std::max(under.soil, now_.heights[cell]);
+          if (under.ground > limit) {
+            under.is_free = false;
+            return under;
+          }
         }
-        if (covers(du, dv, c, s, along - kGroundGap + more, across - kGroundGap + more)) {
+        if (covers(du, dv, c, s, half_along_ - kGroundGap + more,
+                   half_across_ - kGroundGap + more)) {
           under.covered.push_back(static_cast<int>(cell));
         }
       }
@@ -174,17 +201,19 @@ class BiteSearch {
   }
 
   /// The cut that begins there; nothing: it does not reach the target, or meets ground that stays.
-  std::optional<Bite> cut(double heading_deg, double far) {
-    const Under first = look(heading_deg, far);
-    const bool reaches =
-        std::find(first.covered.begin(), first.covered.end(), target_.cell) != first.covered.end();
-    if (!first.is_free || !reaches) return std::nullopt;
+  std::optional<Bite> cut(const Heading& heading, double far) {
+    const int column = target_.cell % now_.columns;
+    const int row = target_.cell / now_.columns;
+    if (!covers(heading, middle_at(heading, far), column, row)) return std::nullopt;
+    constexpr auto kGap = static_cast<Millimetres>(kGroundGap * 1e3);
+    const Under first = look(heading, far, target_.floor + rules_.tolerance - kGap);
+    if (!first.is_free) return std::nullopt;
     const Millimetres floor = std::max(target_.floor, first.ground);
-    const auto cutting = floor + static_cast<Millimetres>(kGroundGap * 1e3);
+    const auto cutting = floor + kGap;
     if (cutting > target_.floor + rules_.tolerance) return std::nullopt;
     Bite bite;
     bite.cell = target_.cell;
-    bite.heading_deg = heading_deg;
+    bite.heading_deg = heading.deg;
     bite.far = bite.near = far;
     Millimetres soil = first.soil;
     Millimetres passed = first.soil;
@@ -195,8 +224,8 @@ class BiteSearch {
       const double distance = far - i * step_;
       if (i > 0) {
         if (distance + print_.back < kLeastDistance || bite.near - distance > kMostIdle) break;
-        under = look(heading_deg, distance);
-        if (!under.is_free || under.ground > floor) break;
+        under = look(heading, distance, floor);
+        if (!under.is_free) break;
       }
       passed = std::max(passed, under.soil);
       const CubicMillimetres before = bite.expected;
@@ -225,7 +254,8 @@ class BiteSearch {
   const DigTarget& target_;
   const BiteRules& rules_;
   Footprint print_;
-  double side_, step_;  ///< m
+  double side_, step_;               ///< m
+  double half_along_, half_across_;  ///< m, of the footprint, grown by the gap
   std::vector<std::uint32_t> seen_;
   std::uint32_t stamp_ = 0;
 };

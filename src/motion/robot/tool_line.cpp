@@ -137,6 +137,12 @@ class StepMotion {
   StepMotion(const Mounting& mounting, const std::vector<const FrameElement*>& elements)
       : mounting_(mounting), elements_(elements) {}
 
+  /// What the joints have done so far does not count.
+  void begin_again() {
+    values_.clear();
+    turn_ = shift_ = reach_ = 0;
+  }
+
   /// The pose of the tool at q, with what the joints have done since the pose before.
   Pose pose(std::span<const double> q) {
     const FormulaInput input = {q, {}, mounting_.starts};
@@ -269,23 +275,39 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
                                            GoalPart::pose);
     return std::pair(problem.solved(state), std::move(state.q));
   };
-  const auto fits = [&](const std::vector<double>& change, double part) {
+  // The deviation of a step as a share of what is allowed, as far as it is looked at: no further
+  // than to a moment at which it is too large. In the middle it is largest as a rule.
+  const auto deviation = [&](const std::vector<double>& change, double part) {
     std::vector<double> q_there(q.begin(), q.end());
     for (std::size_t i = 0; i < q_there.size(); ++i) q_there[i] += change[i];
     StepMotion motion(mounting_, elements_);
     std::vector<double> between(q.size());
     std::pair<double, double> worst = {0, 0};
-    for (int k = 0; k <= kParts; ++k) {
+    const auto share = [&](const Bend& bend) {
+      return std::max(
+          (worst.first + bend.position) / deviation_.position,
+          (worst.second + bend.orientation) / math::radians(deviation_.orientation_deg));
+    };
+    const auto look = [&](int k) {
       const double fraction = static_cast<double>(k) / kParts;
       configuration_at(q, q_there, fraction, between);
       update_derived(model_, mounting_, between);
-      const auto [off, turned] = way.off(motion.pose(between), part, fraction);
+      const Pose X = motion.pose(between);
+      const auto [off, turned] = way.off(X, part, fraction);
       worst = {std::max(worst.first, off), std::max(worst.second, turned)};
-      if (worst.first > deviation_.position) return false;
+    };
+    constexpr int kMiddle = kParts / 2;
+    look(kMiddle);
+    if (const double found = share({}); found > 1) return found;
+    motion.begin_again();
+    for (int k = 0; k <= kParts; ++k) {
+      look(k);
+      if (const double found = share({}); found > 1) return found;
     }
-    const Bend bend = motion.bend();
-    return worst.first + bend.position <= deviation_.position &&
-           worst.second + bend.orientation <= math::radians(deviation_.orientation_deg);
+    return share(motion.bend());
+  };
+  const auto fits = [&](const std::vector<double>& change, double part) {
+    return deviation(change, part) <= 1;
   };
 
   // The goal's own configuration, where it is a step away.
@@ -315,12 +337,18 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
     const auto [solved, q_there] = solve(part);
     const std::vector<double> change = change_between(q, q_there);
     const double share = share_allowed(change);
-    if (solved && share == 1 && fits(change, part)) {
-      std::copy(change.begin(), change.end(), steps.begin());
-      return {Step::Kind::made, -1};
-    }
     // A step that is too long in a parameter is nearly as much too long on the way.
-    part *= solved && share < 1 ? std::min(0.999 * share + 1e-3, 0.999) : 0.7;
+    double shorter = solved && share < 1 ? std::min(0.999 * share + 1e-3, 0.999) : 0.7;
+    if (solved && share == 1) {
+      const double found = deviation(change, part);
+      if (found <= 1) {
+        std::copy(change.begin(), change.end(), steps.begin());
+        return {Step::Kind::made, -1};
+      }
+      // It grows with the square of the step.
+      shorter = std::max(0.98 / std::sqrt(found), 0.1);
+    }
+    part *= shorter;
   }
   return {Step::Kind::none, -1};
 }
