@@ -77,7 +77,7 @@ class ValueChecker {
                                  fmt::join(meant_parameters(model_, name.name.text), ", ")));
       return std::nullopt;
     }
-    const std::vector<std::string> names = display_names(model_);
+    std::vector<std::string> names = display_names(model_);
     std::string ending = subject_.suggestions.ending(name.text(), [&] { return names; });
     if (ending.empty() && !names.empty()) {
       ending = fmt::format(" (it has {})", fmt::join(names, ", "));

@@ -92,7 +92,7 @@ class Evaluator {
       result.text = text;
       return result;
     }
-    const std::optional<Value> given = number_of(text);
+    std::optional<Value> given = number_of(text);
     const std::string asked = fmt::format("--set {}={}: ", name, text);
     if (!given) {
       diagnostics_.error("P27", {}, asked + "expected a number, such as 6 or \"3.5 m\"");

@@ -60,6 +60,7 @@ class ExpressionState : public ParseState {
 template <typename Rule>
 struct ExpressionAction : tao::pegtl::nothing<Rule> {};
 
+// NOLINTBEGIN(bugprone-macro-parentheses): names of types
 #define RUBICON_ACTION(Action, State, Rule)                                  \
   template <>                                                                \
   struct Action<grammar::Rule> {                                             \
@@ -71,6 +72,7 @@ struct ExpressionAction : tao::pegtl::nothing<Rule> {};
   };                                                                         \
   inline void Action<grammar::Rule>::act([[maybe_unused]] const char* begin, \
                                          [[maybe_unused]] const char* end, State& st)
+// NOLINTEND(bugprone-macro-parentheses)
 
 // tokens
 RUBICON_ACTION(ExpressionAction, ParseState, end_of_token) { st.last_end = begin; }

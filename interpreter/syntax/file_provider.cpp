@@ -20,11 +20,10 @@ std::string resolve_path(const std::string& naming_file, const std::string& writ
     const std::string_view part = text.substr(begin, end - begin);
     begin = end + 1;
     if (part.empty() || part == ".") continue;
-    if (part != "..") {
-      parts.push_back(part);
-    } else if (!parts.empty() && parts.back() != "..") {
+    const bool is_up = part == "..";
+    if (is_up && !parts.empty() && parts.back() != "..") {
       parts.pop_back();
-    } else if (!absolute) {
+    } else if (!is_up || !absolute) {
       parts.push_back(part);
     }
   }

@@ -62,7 +62,7 @@ std::optional<std::string> call_mistake(const ExportOptions& options) {
   const auto to_screen = std::count_if(files.begin(), files.end(),
                                        [](const auto& file) { return *file.second == "-"; });
   if (to_screen > 1) return "only one of the files can go to standard output";
-  const auto overwritten =
+  auto overwritten =
       overwriting(inputs_of(options), {options.gltf, options.svg, options.mspdi, options.csv});
   if (std::isnan(options.speed_up)) return "expected a number after --speed-up";
   if (options.speed_up > 0 && options.gltf.empty()) return "--speed-up goes with --gltf";

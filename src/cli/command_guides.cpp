@@ -109,7 +109,7 @@ int run_guides(const GuidesOptions& options) {
   interpreter::SourceMap sources;
   const auto plan = load_runnable_plan(options.plan, sources, parameter_texts(options.set));
   if (!plan) return kWrongInput;
-  const std::vector<std::string> tasks = comparison::moving_tasks(*plan);
+  std::vector<std::string> tasks = comparison::moving_tasks(*plan);
   std::string task = options.task;
   if (task.empty() && tasks.size() == 1) task = tasks.front();
   if (task.empty()) return fail("which task? the plan has several that move something");

@@ -59,7 +59,7 @@ std::optional<std::string> take_module(const std::string& text, layout::Sizes& s
     std::string& part = parts[i];
     while (!part.empty() && part.back() == ' ') part.pop_back();
     if (part.empty()) part = " ";  // given, and no length
-    if (const auto wrong = take_length("--module", part, kLeastPart, kMostPart, *places[i])) {
+    if (auto wrong = take_length("--module", part, kLeastPart, kMostPart, *places[i])) {
       return wrong;
     }
   }

@@ -68,7 +68,7 @@ void BucketFill::pass(const math::Pose& X_EB) {
   const auto end = [&](double to, int count) {
     return static_cast<int>(std::clamp(std::ceil(to / side), 0.0, static_cast<double>(count)));
   };
-  const Eigen::Vector2d middle = bounds.center().head<2>();
+  Eigen::Vector2d middle = bounds.center().head<2>();
   // a point, or the one towards the bucket that is as far from it as soil comes away
   const auto beside = [&](double x, double y) -> Eigen::Vector2d {
     const Eigen::Vector2d p(x, y);

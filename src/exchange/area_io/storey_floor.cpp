@@ -22,7 +22,6 @@ namespace {
 using building_io::counted;
 using building_io::Element;
 using building_io::number_text;
-using coverage::Point;
 using math::at;
 using math::Vec3;
 

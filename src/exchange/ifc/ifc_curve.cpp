@@ -68,7 +68,7 @@ std::optional<PointLine> indexed_curve(const StepFile& file, const StepRecord& r
   if (record.keyword != "IFCINDEXEDPOLYCURVE") return std::nullopt;
   const auto values = StepValues::read(record.arguments);
   if (!values) return std::nullopt;
-  const std::optional<PointLine> list = point_list(file, (*values)[0].reference());
+  std::optional<PointLine> list = point_list(file, (*values)[0].reference());
   if (!list || list->points.empty()) return std::nullopt;
   const StepItem segments = (*values)[1];
   if (!segments.is_set()) return list;

@@ -181,7 +181,7 @@ bool balanced(const std::vector<EdgeUse>& uses) {
 /// not cost digits.
 double volume6(const std::vector<Vec3>& v, const std::vector<Triangle>& triangles) {
   if (triangles.empty()) return 0;
-  const Vec3 origin = v[at(triangles[0][0])];
+  const Vec3& origin = v[at(triangles[0][0])];
   double sum = 0;
   for (const Triangle& t : triangles) {
     const Vec3 a = v[at(t[0])] - origin;

@@ -6,7 +6,7 @@ namespace rubicon::project_io {
 
 namespace {
 
-constexpr long long kMinutesPerDay = 24 * 60;
+constexpr long long kMinutesPerDay = 1'440;
 
 }  // namespace
 

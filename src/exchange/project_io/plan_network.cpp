@@ -290,7 +290,7 @@ std::int64_t whole_lag(const Project& project, const Link& link, const Task& pre
   if (link.format.elapsed) return lag;
   const std::int64_t day = std::max(project.minutes_per_day, 1) * std::int64_t{60};
   const std::int64_t week = std::max(project.minutes_per_week, 1) * std::int64_t{60};
-  constexpr std::int64_t kDay = 24 * 3600;
+  constexpr std::int64_t kDay = 86'400;
   return lag / week * 7 * kDay + lag % week / day * kDay + lag % week % day;
 }
 

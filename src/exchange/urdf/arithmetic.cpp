@@ -158,7 +158,7 @@ Value rounded(const std::vector<Value>& arguments) {
 
 Value of_text(std::string_view name, const std::string& text) {
   if (name == "len") return static_cast<int64_t>(text.size());
-  const Value value = literal_value(text);
+  Value value = literal_value(text);
   if (is_text(value)) {
     throw ExpressionError{
         fmt::format("expected a number, found the text '{}'", text.substr(0, 60))};

@@ -181,20 +181,19 @@ class Evaluator {
 
   Value sum(bool live) {
     Value value = product(live);
-    while (token_ == "+" || token_ == "-")
-      value = apply(std::move(value), &Evaluator::product, live);
+    while (token_ == "+" || token_ == "-") value = apply(value, &Evaluator::product, live);
     return value;
   }
 
   Value product(bool live) {
     Value value = factor(live);
     while (token_ == "*" || token_ == "/" || token_ == "//" || token_ == "%") {
-      value = apply(std::move(value), &Evaluator::factor, live);
+      value = apply(value, &Evaluator::factor, live);
     }
     return value;
   }
 
-  Value apply(Value left, Value (Evaluator::*operand)(bool), bool live) {
+  Value apply(const Value& left, Value (Evaluator::*operand)(bool), bool live) {
     const std::string operation(token_);
     next();
     Value right = (this->*operand)(live);

@@ -230,7 +230,7 @@ class RobotWriter {
   }
 
   void new_body(std::size_t link, const Joint* joint) {
-    if (bodies_.size() > kMaxMovingLinks) {
+    if (joint != nullptr && bodies_.size() > kMaxMovingLinks) {
       fail("I21", joint->span,
            fmt::format("expected at most {} joints that move, found more", kMaxMovingLinks));
     }

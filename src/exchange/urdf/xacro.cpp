@@ -213,7 +213,7 @@ class Expander {
     return *value;
   }
 
-  static void know_attributes(const Element& element, std::set<std::string_view> known) {
+  static void know_attributes(const Element& element, const std::set<std::string_view>& known) {
     for (const Attribute& each : element.attributes) {
       if (!known.contains(each.name)) {
         fail("I22", element.span,

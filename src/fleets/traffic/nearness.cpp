@@ -127,8 +127,8 @@ LaneNetwork divided(const LaneNetwork& network, double piece) {
     const lanes::Lane& lane = network.lane(i);
     const auto ends = std::minmax(lane.from, lane.to);
     const auto [found, is_new] = between_ends.try_emplace({ends.first, ends.second});
-    const lanes::Node from = network.node(ends.first);
-    const lanes::Node to = network.node(ends.second);
+    const lanes::Node& from = network.node(ends.first);
+    const lanes::Node& to = network.node(ends.second);
     const int parts = std::max(1, static_cast<int>(network.length(i) / piece));
     for (int k = 1; k < parts && is_new; ++k) {
       found->second.push_back(static_cast<NodeIndex>(description.nodes.size()));

@@ -62,8 +62,8 @@ class TurningFloor {
 
   /// The shortest word that stays on the floor.
   std::optional<DubinsWay> best_way(const Heading& from, const Heading& to) const {
-    for (DubinsWay& way : dubins_ways(from, to, radius_)) {
-      if (is_free(way.corners(kTurnStep_deg))) return std::move(way);
+    for (const DubinsWay& way : dubins_ways(from, to, radius_)) {
+      if (is_free(way.corners(kTurnStep_deg))) return way;
     }
     return std::nullopt;
   }
@@ -346,7 +346,7 @@ class TurningPlanner {
     for (int heading = 0; heading < 360; heading += kStartPitch_deg) {
       auto way =
           floor_.best_way({metres(*query_.from), static_cast<double>(heading)}, inwards(end));
-      if (way && (!best || way->length() < best->length())) best = std::move(way);
+      if (way && (!best || way->length() < best->length())) best = way;
     }
     return best;
   }

@@ -55,7 +55,7 @@ std::optional<Volume> volume_in_shape(const Mesh& mesh) {
   const auto corner = [&](int index) -> const Vec3& {
     return vertices[static_cast<std::size_t>(index)];
   };
-  const Vec3 origin = corner(mesh.mesh->triangles.front()[0]);
+  const Vec3& origin = corner(mesh.mesh->triangles.front()[0]);
   double six_volumes = 0;
   Vec3 moment = Vec3::Zero();
   for (const std::array<int, 3>& triangle : mesh.mesh->triangles) {

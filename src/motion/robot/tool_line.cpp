@@ -323,15 +323,12 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
     const int limit = barring(q, q_probe);
     return {limit < 0 ? Step::Kind::none : Step::Kind::limit, limit};
   }
-  double part = std::min(
-      1.0, probe * [&] {
-        double longest = 0;
-        const std::vector<double> change = change_between(q, q_probe);
-        for (const int i : moved_) {
-          longest = std::max(longest, std::fabs(change[at(i)]) / model_.parameters[at(i)].step);
-        }
-        return longest > 0 ? 1 / longest : 1 / probe;
-      }());
+  const std::vector<double> first = change_between(q, q_probe);
+  double longest = 0;  // of the changes, in steps
+  for (const int i : moved_) {
+    longest = std::max(longest, std::fabs(first[at(i)]) / model_.parameters[at(i)].step);
+  }
+  double part = std::min(1.0, probe * (longest > 0 ? 1 / longest : 1 / probe));
   const double shortest = way.part(kShortest);
   for (int trial = 0; trial < kMostTrials && part >= shortest; ++trial) {
     const auto [solved, q_there] = solve(part);

@@ -40,7 +40,7 @@ std::uint32_t TaskRun::add_row(trace::Configuration q) {
   if (!stays) {
     for (const auto& [name, value] : q) rows_.push_back(value);
   }
-  return static_cast<std::uint32_t>(rows_.size() / width - 1);
+  return width == 0 ? 0 : static_cast<std::uint32_t>(rows_.size() / width - 1);
 }
 
 void TaskRun::add(Event event, trace::Configuration q) {

@@ -9,6 +9,7 @@ namespace rubicon::gltf {
 
 /// A glTF 2.0 document (Khronos, glTF 2.0 Specification, 2021): its JSON, whose one buffer has no
 /// uri yet, and the bytes of that buffer.
+// NOLINTNEXTLINE(bugprone-exception-escape): what moves the JSON throws nothing
 struct Document {
   Json json;
   std::string binary;

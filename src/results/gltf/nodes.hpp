@@ -18,7 +18,9 @@ class Nodes {
 
   /// How it stands in its parent.
   void place(int node, const Pose& X_PN);
-  void set(int node, const char* member, Json value) { nodes_[index(node)].json[member] = value; }
+  void set(int node, const char* member, Json value) {
+    nodes_[index(node)].json[member] = std::move(value);
+  }
   /// Hangs a mesh under it.
   void show(int node, const MeshUse& use);
 

@@ -24,7 +24,6 @@ namespace {
 using interpreter::Diagnostic;
 using interpreter::Diagnostics;
 using interpreter::PlanModel;
-using interpreter::Severity;
 using interpreter::SourceMap;
 using nlohmann::ordered_json;
 

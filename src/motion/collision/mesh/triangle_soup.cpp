@@ -123,8 +123,9 @@ void TriangleSoup::find_probes() {
       std::array<Vec3, 6>& points = found->second;
       if (is_new) points.fill(point);
       for (int axis = 0; axis < 3; ++axis) {
-        if (point[axis] < points[2 * axis][axis]) points[2 * axis] = point;
-        if (point[axis] > points[2 * axis + 1][axis]) points[2 * axis + 1] = point;
+        const auto least = static_cast<std::size_t>(2 * axis);
+        if (point[axis] < points[least][axis]) points[least] = point;
+        if (point[axis] > points[least + 1][axis]) points[least + 1] = point;
       }
     }
   }

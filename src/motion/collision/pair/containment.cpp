@@ -97,7 +97,7 @@ std::optional<Vec3> deep_surface(const Body& outer, const Body& inner, const Pla
     if (!around.soup().closed()) continue;
     for (const MeshInside& mesh : inner.mesh_insides()) {
       SurfaceSearch search(mesh, around, to_outer, contact_tolerance);
-      if (const auto point = search.find()) return point;
+      if (auto point = search.find()) return point;
     }
   }
   return std::nullopt;
@@ -113,17 +113,17 @@ std::optional<Vec3> contained_point(const Body& a, const Body& b, const Placemen
     return std::nullopt;
   }
   if (b.has_closed_soup()) {
-    if (const auto probe = deep_probe(b, a, a_in_b, contact_tolerance)) return a_in_b * *probe;
+    if (auto probe = deep_probe(b, a, a_in_b, contact_tolerance)) return a_in_b * *probe;
   }
   if (a.has_closed_soup()) {
-    if (const auto probe = deep_probe(a, b, b_in_a, contact_tolerance)) return probe;
+    if (auto probe = deep_probe(a, b, b_in_a, contact_tolerance)) return probe;
   }
   if (!surfaces_come_near(a, b, a_in_b, contact_tolerance)) return std::nullopt;
-  if (const auto point = deep_middle(b, a, a_in_b, contact_tolerance)) return a_in_b * *point;
-  if (const auto point = deep_middle(a, b, b_in_a, contact_tolerance)) return point;
+  if (auto point = deep_middle(b, a, a_in_b, contact_tolerance)) return a_in_b * *point;
+  if (auto point = deep_middle(a, b, b_in_a, contact_tolerance)) return point;
   // These points are quick; the search misses nothing.
-  if (const auto point = deep_surface(b, a, a_in_b, contact_tolerance)) return point;
-  if (const auto point = deep_surface(a, b, b_in_a, contact_tolerance)) return a_in_b * *point;
+  if (auto point = deep_surface(b, a, a_in_b, contact_tolerance)) return point;
+  if (auto point = deep_surface(a, b, b_in_a, contact_tolerance)) return a_in_b * *point;
   return std::nullopt;
 }
 

@@ -106,7 +106,7 @@ Placement centred(const Motion& motion, const BodyExtent& extent, double s) {
     return {X.linear(), X * extent.centre};
   }
   // Motion::pose(s), without the detour over matrices of four columns.
-  const Placement start(screw->X0.linear(), screw->X0 * extent.centre);
+  Placement start(screw->X0.linear(), screw->X0 * extent.centre);
   if (s == 0) return start;
   if (screw->angle_deg == 0) return {start.R, start.t + s * screw->slide};
   const Mat3 turned = math::rotation_about_deg(screw->axis, s * screw->angle_deg);

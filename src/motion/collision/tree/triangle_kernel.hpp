@@ -78,10 +78,10 @@ RUBICON_INLINE Four reach(const BoxPass& box, const double (*axes)[3], const Fou
 }
 
 /// Squared lengths of axes below this share of what they could be are rounding alone.
-constexpr double kNoAxis = 1e-24;
+inline constexpr double kNoAxis = 1e-24;
 
 /// Ways below this (m2, squared) have no direction: products of theirs would vanish in rounding.
-constexpr double kNoWay = 1e-100;
+inline constexpr double kNoWay = 1e-100;
 
 /// Where a gap along an axis of this squared length is no deeper than the tolerance.
 RUBICON_INLINE FourBits near_enough(Four gap, Four tolerance, Four squared) {
@@ -121,7 +121,7 @@ RUBICON_INLINE FourBits apart(const BoxPass& box, const FourVectors* corners, Fo
 
 /// Which of the four triangles the box may meet by more than the tolerance (bit i: triangle i). For
 /// a translation exactly those; for a rotation those not proved free.
-unsigned meeting_triangles(const BoxPass& box, const TrianglePack& pack) {
+inline unsigned meeting_triangles(const BoxPass& box, const TrianglePack& pack) {
   const FourVectors corners[3] = {moved(box, load(pack.corner[0])),
                                   moved(box, load(pack.corner[1])),
                                   moved(box, load(pack.corner[2]))};
@@ -198,7 +198,7 @@ RUBICON_INLINE FourBits apart(const TrianglePass& moving, const FourVectors* cor
 }
 
 /// The same for a moving triangle: both normals, edge x edge, displacement x edge.
-unsigned met_by_triangle(const TrianglePass& moving, const TrianglePack& pack) {
+inline unsigned met_by_triangle(const TrianglePass& moving, const TrianglePack& pack) {
   const FourVectors corners[3] = {load(pack.corner[0]), load(pack.corner[1]), load(pack.corner[2])};
   const Four tolerance = least(load(pack.tolerance), all(moving.tolerance));
   const Four zero = all(0);
