@@ -124,8 +124,13 @@ void SiteWorld::set_surface(int component, const std::map<int, soil::Millimetres
     const int column = cell % soil.surface.columns / kPiece;
     pieces.insert(row * pieces_in_row(soil) + column);
   }
-  for (const int piece : pieces) set_piece(components_[at(component)], soil, piece);
-  list_standing(soil);
+  bool is_listed = true;
+  for (const int piece : pieces) {
+    const bool stood = soil.stands[at(piece)];
+    set_piece(components_[at(component)], soil, piece);
+    is_listed = is_listed && soil.stands[at(piece)] == stood;
+  }
+  if (!is_listed) list_standing(soil);
   ++changes_;
 }
 

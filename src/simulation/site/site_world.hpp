@@ -373,7 +373,7 @@ class SiteWorld {
     std::vector<bool> stands;                     ///< to each piece: there is something of it
     std::vector<collision::ObstacleId> standing;  ///< the ids of these, in the order of the pieces
   };
-  static constexpr int kPiece = 6;
+  static constexpr int kPiece = 3;
   void set_piece(const Component& component, Soil& soil, int piece);
   static void list_standing(Soil& soil);
   static int pieces_in_row(const Soil& soil) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "src/motion/collision/base/polygon.hpp"
 #include "src/motion/collision/base/tolerances.hpp"
@@ -42,6 +43,13 @@ ConvexPiece extruded(const Polygon& polygon, double z0, double z1, const Placeme
   return piece;
 }
 
+/// Not by a list of initial values, which would copy it.
+std::vector<ConvexPiece> alone(ConvexPiece piece) {
+  std::vector<ConvexPiece> pieces;
+  pieces.push_back(std::move(piece));
+  return pieces;
+}
+
 }  // namespace
 
 void add_direction(std::vector<Vec3>& directions, const Vec3& direction) {
@@ -70,15 +78,16 @@ std::vector<ConvexPiece> pieces_of(const geometry::Box& box, const Placement& X)
                          "length of a box along z"};
   for (int axis = 0; axis < 3; ++axis) require_positive(upper[axis] - lower[axis], names[axis]);
   ConvexPiece piece;
+  piece.vertices.reserve(8);
   for (int corner = 0; corner < 8; ++corner) {
     piece.vertices.push_back(X * Vec3((corner & 1) ? upper.x() : lower.x(),
                                       (corner & 2) ? upper.y() : lower.y(),
                                       (corner & 4) ? upper.z() : lower.z()));
   }
-  for (int axis = 0; axis < 3; ++axis) piece.normals.push_back(X.R.col(axis));
+  piece.normals = {X.R.col(0), X.R.col(1), X.R.col(2)};
   piece.edges = piece.normals;
   finish_polytope(piece);
-  return {piece};
+  return alone(std::move(piece));
 }
 
 std::vector<ConvexPiece> pieces_of(const geometry::Cylinder& cylinder, const Placement& X) {
@@ -91,7 +100,7 @@ std::vector<ConvexPiece> pieces_of(const geometry::Cylinder& cylinder, const Pla
   piece.disc_axis = X.R.col(2);
   piece.width = std::min(2 * cylinder.radius, std::fabs(cylinder.z1 - cylinder.z0));
   piece.update_bounds();
-  return {piece};
+  return alone(std::move(piece));
 }
 
 std::vector<ConvexPiece> pieces_of(const geometry::Sphere& sphere, const Placement& X) {
@@ -102,7 +111,7 @@ std::vector<ConvexPiece> pieces_of(const geometry::Sphere& sphere, const Placeme
   piece.ball = sphere.radius;
   piece.width = 2 * sphere.radius;
   piece.update_bounds();
-  return {piece};
+  return alone(std::move(piece));
 }
 
 std::vector<ConvexPiece> pieces_of(const geometry::Capsule& capsule, const Placement& X) {
@@ -118,7 +127,7 @@ std::vector<ConvexPiece> pieces_of(const geometry::Capsule& capsule, const Place
   piece.ball = capsule.radius;
   piece.width = 2 * capsule.radius;
   piece.update_bounds();
-  return {piece};
+  return alone(std::move(piece));
 }
 
 std::vector<ConvexPiece> pieces_of(const geometry::Prism& prism, const Placement& X) {

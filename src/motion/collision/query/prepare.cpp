@@ -94,6 +94,7 @@ void grow(std::vector<ConvexPiece>& pieces, double by) {
 BodyPtr prepare(const std::vector<geometry::Shape>& shapes, double grown_by) {
   if (shapes.empty()) throw std::invalid_argument("a body needs at least one shape");
   Parts parts;
+  parts.pieces.reserve(shapes.size());
   for (const geometry::Shape& shape : shapes) {
     require_rigid(shape.X_BS, "the pose of a shape");
     const Placement X(shape.X_BS);

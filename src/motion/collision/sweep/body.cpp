@@ -33,6 +33,7 @@ Vec3 deep_point(const ConvexPiece& piece) {
   if (piece.ball > 0 || piece.disc > 0 || piece.normals.empty()) return point;
   const Convex convex = piece.view();
   std::vector<Interval> extents;
+  extents.reserve(piece.normals.size());
   for (const Vec3& normal : piece.normals) extents.push_back(convex.extent(normal));
   // Nothing is deeper than half of the least extent: of a box that is its middle.
   double deepest = std::numeric_limits<double>::infinity();
@@ -124,6 +125,14 @@ Body::Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, con
     extent_.radius = std::max(extent_.radius, point.norm() + disc);
     extent_.reach = std::max(extent_.reach, (point + extent_.centre).norm() + disc);
   };
+  parts_.reserve(pieces_.size() + soups_.size());
+  convexes_.reserve(pieces_.size());
+  std::size_t probes = 0;
+  for (const ConvexPiece& piece : pieces_) {
+    probes += 1 + std::min(piece.vertices.size(), kProbesPerPiece);
+  }
+  for (const TriangleSoup& soup : soups_) probes += soup.probes().size();
+  probes_.reserve(probes);
   for (const ConvexPiece& piece : pieces_) {
     parts_.push_back(part_of(piece));
     parts_.back().piece = static_cast<int>(convexes_.size());
@@ -159,6 +168,7 @@ Body::Body(std::vector<ConvexPiece> pieces, std::vector<TriangleSoup> soups, con
   surface_probe_tree_ = WideTree(probe_bounds);
   if (parts_.size() <= kFewParts) return;
   std::vector<Bounds> part_bounds;
+  part_bounds.reserve(parts_.size());
   for (const BodyPart& part : parts_) {
     part_bounds.push_back(part.piece >= 0 ? pieces_[part.piece].bounds
                                           : soups_[part.soup].bounds());
