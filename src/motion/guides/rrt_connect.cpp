@@ -17,10 +17,18 @@ constexpr double kWorthwhile = 1e-9;
 /// Dynamic domains (Yershova, Jaillet, Simeon, LaValle, ICRA 2005; Jaillet and others, IROS 2005):
 /// that of a node which could not be left is this share of the diagonal of the space, and grows or
 /// shrinks by that share each time it is tried again.
-constexpr double kDomainShare = 0.1;
+constexpr double kDomainShare = 0.2;
 constexpr double kDomainChange = 0.05;
 /// A sample that lies in no domain is taken after so many draws.
 constexpr int kMostDraws = 100;
+
+/// A leg goes no farther than this share of the diagonal of the space, and is taken only if this
+/// share of it is free: short pieces of legs that end at an obstacle cost more looks than they
+/// help.
+constexpr double kLongestLeg = 0.25;
+constexpr double kLeastShare = 0.3;
+/// The smaller tree grows, but for one draw of so many.
+constexpr int kBalanced = 10;
 
 class Connector {
  public:
@@ -35,6 +43,7 @@ class Connector {
       square += range * range;
     }
     first_domain_ = std::sqrt(square) * kDomainShare;
+    longest_leg_ = std::sqrt(square) * kLongestLeg;
   }
 
   Search run() {
@@ -59,7 +68,9 @@ class Connector {
     if (space_.leg_is_free(from_start_.tree.point(0), from_goal_.tree.point(0))) {
       return {from_start_.tree.point(0), from_goal_.tree.point(0)};
     }
-    for (bool forward = true; !full() && !space_.spent(); forward = !forward) {
+    for (int n = 1; !full() && !space_.spent(); ++n) {
+      const bool is_smaller = from_start_.tree.size() <= from_goal_.tree.size();
+      const bool forward = is_smaller == (n % kBalanced != 0);
       Side& grown = forward ? from_start_ : from_goal_;
       Side& other = forward ? from_goal_ : from_start_;
       const auto [sample, nearest] = draw(grown);
@@ -110,14 +121,19 @@ class Connector {
     bool stuck = false;  ///< what lies behind it is not free
   };
 
-  /// Goes from a node towards the target as far as that is free. Where that cannot be seen at once,
-  /// by the longest leg of those that are 1, 1/2, 1/4 ... of the way. Legs of the tree from the
-  /// goal are driven towards it.
-  Extended extend(Tree& tree, int from, const Point& target, bool forward) {
+  /// Goes from a node towards the target, the longest leg at most, as far as that is free. Where
+  /// that cannot be seen at once, by the longest leg of those that are 1, 1/2, 1/4 ... of the way.
+  /// Legs of the tree from the goal are driven towards it.
+  Extended extend(Tree& tree, int from, Point target, bool forward) {
     const Point start = tree.point(from);
     double length = space_.distance(start, target);
     if (!(length > 0)) return {};
-    if (const auto share = space_.free_share(start, target, space_.spec().step / length)) {
+    if (length > longest_leg_) {
+      target = space_.towards(start, target, longest_leg_);
+      length = longest_leg_;
+    }
+    const double least = std::max(kLeastShare, space_.spec().step / length);
+    if (const auto share = space_.free_share(start, target, least)) {
       if (*share <= 0) return {};
       return {tree.add(space_.towards(start, target, *share * length), from), *share < 1};
     }
@@ -154,6 +170,7 @@ class Connector {
   Side from_start_;
   Side from_goal_;
   double first_domain_ = 0;
+  double longest_leg_ = 0;
 };
 
 /// Makes a way shorter by legs between random places of it that are free and take less time.
