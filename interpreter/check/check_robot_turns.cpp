@@ -126,7 +126,8 @@ Growth growth_of(const robot::Formula& formula, int parameter) {
 }
 
 /// Finds which angles may be reduced to (-180, 180] without anything else jumping. Whoever fails
-/// is taken out until nothing changes: it counts its turns.
+/// is taken out until nothing changes: it counts its turns. So does an angle with a range of which
+/// that holds.
 class TurnCheck {
  public:
   explicit TurnCheck(Subject& subject) : subject_(subject), model_(subject.model) {}
@@ -134,14 +135,19 @@ class TurnCheck {
   void check() {
     const bool any = std::any_of(model_.parameters.begin(), model_.parameters.end(),
                                  [](const robot::Parameter& each) { return each.cyclic; });
-    if (!any) return;
-    for (robot::Parameter& each : model_.parameters) {
-      if (each.derived && each.rotation) each.cyclic = follows_turns(each);
+    if (any) {
+      for (robot::Parameter& each : model_.parameters) {
+        if (each.derived && each.rotation) each.cyclic = follows_turns(each);
+      }
+      while (take_out()) {
+      }
+      for (robot::Parameter& each : model_.parameters) {
+        if (!each.derived) each.start = robot::reduced(each, each.start);
+      }
     }
-    while (take_out()) {
-    }
-    for (robot::Parameter& each : model_.parameters) {
-      if (!each.derived) each.start = robot::reduced(each, each.start);
+    for (int p = 0; p < count(); ++p) {
+      robot::Parameter& each = at(p);
+      each.counts_turns = each.rotation && each.limited() && who_jumps(p).has_value();
     }
   }
 

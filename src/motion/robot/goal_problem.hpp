@@ -70,6 +70,10 @@ class GoalProblem {
     return model_.parameters[static_cast<std::size_t>(parameter)].free &&
            !clauses_.locks(parameter);
   }
+  /// How many parameters a robot needs to meet any goal in reach: 6, less what may turn freely.
+  std::size_t numbers_asked() const {
+    return clauses_.free == FreeTurn::none ? 6 : clauses_.free == FreeTurn::all ? 3 : 5;
+  }
   bool turns_freely() const { return clauses_.free != FreeTurn::none; }
   bool locks_any() const { return !clauses_.locked.empty(); }
 

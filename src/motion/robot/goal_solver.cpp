@@ -23,8 +23,11 @@ constexpr double kLeastPart = 1.0 / 128;
 /// machine has them.
 constexpr std::size_t kMostRefined = 40;
 
-/// Points spread over the ranges that are tried as starts where the obvious ones lead nowhere.
+/// Points spread over the ranges that are tried as starts where the obvious ones lead nowhere: so
+/// many where only some poses can be met at all, and so many by all parameters of a robot that has
+/// as many as the goal asks for.
 constexpr int kSpreadStarts = 10;
+constexpr int kMostSpreadStarts = 200;
 
 /// Unlimited translations are spread over this distance (m) about their value now.
 constexpr double kSpread = 10;
@@ -53,7 +56,9 @@ class GoalSearch {
       while (count < variables.size() && variables[count].level == level) ++count;
       const GoalState start = best;
       for (GoalState& other : starts(start, count)) improve(best, std::move(other), count);
-      for (int i = 1; i <= kSpreadStarts && !problem_.solved(best) && !problem_.exhausted(); ++i) {
+      const bool can_meet = count == variables.size() && count >= problem_.numbers_asked();
+      const int spread_starts = can_meet ? kMostSpreadStarts : kSpreadStarts;
+      for (int i = 1; i <= spread_starts && !problem_.solved(best) && !problem_.exhausted(); ++i) {
         improve(best, problem_.at(spread(start, count, i)), count);
       }
       best = refined(std::move(best), count);

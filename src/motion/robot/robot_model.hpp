@@ -20,7 +20,9 @@ struct Parameter {
   std::string display_name;  ///< `name` where it is unique in the robot, else body.name
   int body = 0;
   bool rotation = false;
-  bool cyclic = false;  ///< an angle in (-180, 180]; nothing else minds a whole turn of it
+  bool cyclic = false;        ///< an angle in (-180, 180]; nothing else minds a whole turn of it
+  bool counts_turns = false;  ///< an angle with a range in which a whole turn changes something
+                              ///< else: a screw, a winch; each of its values stands for itself
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   double step = 0;          ///< 0: cannot be moved by a command

@@ -216,9 +216,7 @@ std::vector<int> ToolLine::steered(const Way& way, std::span<const double> q,
   }
   const GoalProblem problem(model_, mounting_, q, way.at(0), clauses_);
   const auto& variables = problem.variables();
-  const std::size_t needed = clauses_.free == FreeTurn::none  ? 6u
-                             : clauses_.free == FreeTurn::all ? 3u
-                                                              : 5u;
+  const std::size_t needed = problem.numbers_asked();
   if (variables.size() <= needed) {
     std::sort(result.begin(), result.end());
     return result;
@@ -310,8 +308,11 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
     return deviation(change, part) <= 1;
   };
 
-  // The goal's own configuration, where it is a step away.
-  if (share_allowed(whole) == 1 && fits(whole, 1)) {
+  // The goal's own configuration, where it is a step away and no other parameter is to change.
+  std::vector<double> q_whole(q.begin(), q.end());
+  for (std::size_t i = 0; i < q_whole.size(); ++i) q_whole[i] += whole[i];
+  update_derived(model_, mounting_, q_whole);
+  if (share_allowed(whole) == 1 && way_between(q_whole, q_end, named).is_over() && fits(whole, 1)) {
     std::copy(whole.begin(), whole.end(), steps.begin());
     return {Step::Kind::made, -1};
   }

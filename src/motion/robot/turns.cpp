@@ -31,7 +31,10 @@ double way_between(const Parameter& parameter, double from, double to) {
 }
 
 double nearest_turn_equivalent(const Parameter& parameter, double value, double current) {
-  if (!parameter.rotation || !parameter.limited() || !std::isfinite(value)) return value;
+  if (!parameter.rotation || !parameter.limited() || parameter.counts_turns ||
+      !std::isfinite(value)) {
+    return value;
+  }
   // A value that misses a limit by rounding stands on it: 1e-9 degrees are far below every step.
   constexpr double kRounding_deg = 1e-9;
   const double fewest = std::ceil((parameter.lower - kRounding_deg - value) / kTurn_deg);
@@ -45,6 +48,7 @@ double nearest_turn_equivalent(const Parameter& parameter, double value, double 
 }
 
 bool has_turn_equivalent(const Parameter& parameter, double value) {
+  if (parameter.counts_turns) return value >= parameter.lower && value <= parameter.upper;
   return std::floor((parameter.upper - value) / kTurn_deg) >=
          std::ceil((parameter.lower - value) / kTurn_deg);
 }

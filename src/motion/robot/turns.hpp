@@ -6,7 +6,8 @@
 
 /// What whole turns mean for the parameters of a robot (LANGUAGE 6): a cyclic angle is kept in
 /// (-180, 180] and goes the short way round; a limited rotation keeps its turns, and of the angles
-/// that point the same way the one in reach counts; of anything else every value stands for itself.
+/// that point the same way the one in reach counts, unless a whole turn changes something else; of
+/// anything else every value stands for itself.
 /// The arithmetic is that of src/motion/math/turns.hpp. A tie, half a turn both ways, goes the way
 /// the parameter prefers, but in `reduced`, where it is +180.
 namespace rubicon::robot {
@@ -21,8 +22,8 @@ void normalise(const RobotModel& model, std::span<double> q);
 double way_between(const Parameter& parameter, double from, double to);
 
 /// The value of a limited rotation that points as `value` does, lies in its range, and is nearest
-/// to `current`. Other parameters, and values of which none lies in the range, come back as they
-/// are.
+/// to `current`. Other parameters, those that count their turns, and values of which none lies in
+/// the range, come back as they are.
 double nearest_turn_equivalent(const Parameter& parameter, double value, double current);
 
 /// Whether an angle that points as `value` does lies in the range of a rotation.

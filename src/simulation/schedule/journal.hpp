@@ -16,8 +16,8 @@ class Journal {
   /// place = value, to be undone.
   template <typename T>
   void assign(T& place, T value) {
-    undo_.push_back([&place, old = std::move(place)]() mutable { place = std::move(old); });
-    place = std::move(value);
+    T before = std::exchange(place, std::move(value));
+    undo_.push_back([&place, old = std::move(before)]() mutable { place = std::move(old); });
   }
 
   /// Remembers how to undo what was just done.

@@ -10,7 +10,8 @@
 
 namespace rubicon::site {
 
-void SiteWorld::add_obstacle(std::string name, collision::BodyPtr body, const math::Pose& X_WB) {
+void SiteWorld::add_obstacle(const std::string& name, const collision::BodyPtr& body,
+                             const math::Pose& X_WB) {
   insert(name, body, X_WB);
   ++changes_;
 }

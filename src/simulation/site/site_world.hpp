@@ -107,7 +107,8 @@ class SiteWorld {
   explicit SiteWorld(double contact_tolerance) : contact_tolerance_(contact_tolerance) {}
 
   /// An obstacle for good. Obstacles are tested in the order in which they came.
-  void add_obstacle(std::string name, collision::BodyPtr body, const math::Pose& X_WB);
+  void add_obstacle(const std::string& name, const collision::BodyPtr& body,
+                    const math::Pose& X_WB);
   /// A component that stands at X_WO; its index. `body` null: it has no shape and is in nobody's
   /// way.
   int add_component(std::string name, collision::BodyPtr body, const math::Pose& X_WO, double mass);

@@ -56,7 +56,7 @@ std::vector<geometry::Shape> boxes_on(const soil::Terrain& surface, const math::
   const double side = static_cast<double>(surface.cell) * 1e-3;
   for (const auto& [cell, height] : heights) {
     const double x = cell % surface.columns * side;
-    const double y = cell / surface.columns * side;
+    const double y = static_cast<double>(cell / surface.columns) * side;
     geometry::Box box;
     box.lower = {x, y, static_cast<double>(surface.heights[at(cell)]) * 1e-3};
     box.upper = {x + side, y + side, static_cast<double>(height) * 1e-3};

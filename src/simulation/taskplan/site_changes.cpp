@@ -30,7 +30,7 @@ void SiteChanges::open_soil(int component, const interpreter::MotionDigSpec& dig
   open(component, *dig.before, dig.after);
 }
 
-void SiteChanges::open_heap(int component, std::shared_ptr<const soil::Terrain> ground) {
+void SiteChanges::open_heap(int component, const std::shared_ptr<const soil::Terrain>& ground) {
   open(component, *ground, ground);
 }
 

@@ -33,7 +33,7 @@ class SiteChanges {
   /// The component is soil from now on, which is dug bit by bit.
   void open_soil(int component, const interpreter::MotionDigSpec& dig);
   /// The component is soil that is tipped on this ground.
-  void open_heap(int component, std::shared_ptr<const soil::Terrain> ground);
+  void open_heap(int component, const std::shared_ptr<const soil::Terrain>& ground);
   void set_surface(int component, const std::map<int, soil::Millimetres>& heights);
   /// People of `task` work in the shapes from now on.
   void hold_zone(int task, const std::string& task_name, const site::PeopleZone& zone,

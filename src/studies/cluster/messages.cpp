@@ -168,7 +168,7 @@ study::VariantFacts unpack_facts(Unpacker& in) {
     const std::int64_t days = in.number();
     const std::int64_t minute = in.number();
     constexpr std::int64_t kMostDays = 4'000'000;
-    if (days < -kMostDays || days > kMostDays || minute < 0 || minute >= 24 * 60) {
+    if (days < -kMostDays || days > kMostDays || minute < 0 || minute >= 1'440) {
       in.fail();
     } else {
       facts.start_at = {schedule::date_from_days(days), static_cast<int>(minute)};

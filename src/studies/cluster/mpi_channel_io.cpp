@@ -25,10 +25,11 @@ constexpr auto kPause = std::chrono::microseconds(200);
 /// How many ranks the launcher says there are: by Open MPI's mpirun, else by srun and others.
 int ranks_of_launcher() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
-    if (const char* text = std::getenv(name)) return std::atoi(text);
+    if (const char* text = std::getenv(name))
+      return static_cast<int>(std::strtol(text, nullptr, 10));
   }
   const char* slurm = std::getenv("SLURM_NTASKS");
-  return slurm && std::getenv("PMIX_RANK") ? std::atoi(slurm) : 1;
+  return slurm && std::getenv("PMIX_RANK") ? static_cast<int>(std::strtol(slurm, nullptr, 10)) : 1;
 }
 
 std::string folder_of_command() {

@@ -38,7 +38,7 @@ struct Channel {
 
   double number() const {
     double value = 0;
-    const int read = std::scanf("%lf", &value);
+    const int read = std::scanf("%lf", &value);  // NOLINT(cert-err34-c): what is no number ends it
     if (read == EOF) end(0);
     if (read != 1) end(2);
     return value;

@@ -135,7 +135,8 @@ class Runner : private Work {
   std::optional<Piece> take_runs(std::size_t variant) {
     Open& each = open_[variant];
     const std::int64_t left = each.planned - each.next;
-    const std::int64_t most = std::clamp<std::int64_t>(left / (4 * places_), 1, kMostRunsAtOnce);
+    const std::int64_t most =
+        std::clamp<std::int64_t>(left / (std::int64_t{4} * places_), 1, kMostRunsAtOnce);
     Piece piece{options_.first_variant + variant, results_[variant].set, {}};
     while (each.next < each.planned && static_cast<std::int64_t>(piece.runs.size()) < most) {
       const auto run = static_cast<std::size_t>(each.next++);

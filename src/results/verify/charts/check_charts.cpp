@@ -382,13 +382,12 @@ class ChartsCheck {
     const bool was_going_back = next.leg == ChartLeg::against && next.lane == own;
     const Ticks ahead = was_going_back ? full - remaining : remaining;
     Ticks expected = -1;
-    if (now.lane == own && now.leg == ChartLeg::along && now.node == lane(own).to) {
+    const bool is_beside = now.lane >= 0 && now.lane == lane(own).beside &&
+                           now.leg == ChartLeg::against && now.node == lane(now.lane).from;
+    if ((now.lane == own && now.leg == ChartLeg::along && now.node == lane(own).to) || is_beside) {
       expected = ahead;
     } else if (now.lane == own && now.leg == ChartLeg::against && now.node == lane(own).from) {
       expected = std::max<Ticks>(1, full - ahead);
-    } else if (now.lane >= 0 && now.lane == lane(own).beside && now.leg == ChartLeg::against &&
-               now.node == lane(now.lane).from) {
-      expected = ahead;
     }
     if (expected >= 0 && nearly(now.travel, expected)) return true;
     fault(fmt::format("{} cannot be at {} after driving {}", robot(i).name, node_name(now.node),

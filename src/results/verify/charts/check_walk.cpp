@@ -84,7 +84,7 @@ class WalkCheck {
   }
 
   void check(const JsonFields& fields) {
-    const std::string name = fields.text("name");
+    const std::string& name = fields.text("name");
     ++verdict_.robots;
     const int from =
         integer_of(fields.any("from"), "a start", 0, static_cast<int>(nodes_.size()) - 1);

@@ -149,8 +149,8 @@ Balance balance_of(const std::vector<BalancedBody>& bodies, const std::vector<Ba
   const auto add_wrench = [&](Column& column, int body, const Vec3& force, const Vec3& moment) {
     const double size = sizes[static_cast<std::size_t>(body)];
     for (Index axis = 0; axis < 3; ++axis) {
-      if (force[axis] != 0) column.emplace_back(6 * body + axis, force[axis]);
-      if (moment[axis] != 0) column.emplace_back(6 * body + 3 + axis, moment[axis] / size);
+      if (force[axis] != 0) column.emplace_back(Index{6} * body + axis, force[axis]);
+      if (moment[axis] != 0) column.emplace_back(Index{6} * body + 3 + axis, moment[axis] / size);
     }
   };
   const auto add_force = [&](Column& column, int body, const Vec3& force, const Vec3& at) {

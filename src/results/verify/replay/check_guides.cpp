@@ -55,8 +55,10 @@ class GuideCheck {
 
  private:
   void fault(FaultKind kind, std::string text) {
-    faults_.push_back({kind, ResultFile::trace, record_->line, trace_.runs[at(run_.run)],
-                       record_->time, std::move(text)});
+    const int line = record_ != nullptr ? record_->line : run_.end_line;
+    const Ticks time = record_ != nullptr ? record_->time : run_.end;
+    faults_.push_back(
+        {kind, ResultFile::trace, line, trace_.runs[at(run_.run)], time, std::move(text)});
   }
 
   double off(std::size_t i, double from, double to) const {

@@ -35,7 +35,7 @@ std::shared_ptr<const Solid> column(const SceneMotionDig& dig, int cell, std::in
                                     std::int64_t top) {
   const double side = static_cast<double>(dig.cell) * 1e-3;
   const double x = cell % dig.columns * side;
-  const double y = cell / dig.columns * side;
+  const double y = static_cast<double>(cell / dig.columns) * side;
   ShapeData box;
   box.a = {x, y, static_cast<double>(bottom) * 1e-3};
   box.b = {x + side, y + side, static_cast<double>(top) * 1e-3};
@@ -89,7 +89,7 @@ class DigReplay {
   }
 
  private:
-  void fault(std::string text) {
+  void fault(const std::string& text) {
     const int line = record_ != nullptr ? record_->line : run_.end_line;
     const Ticks time = record_ != nullptr ? record_->time : run_.end;
     faults_.push_back({FaultKind::load, ResultFile::trace, line, trace_.runs[at(run_.run)], time,
@@ -176,7 +176,7 @@ class DigReplay {
                  std::int64_t bottom) const {
     const double side = static_cast<double>(dig_.cell) * 1e-3;
     const double x = cell % dig_.columns * side;
-    const double y = cell / dig_.columns * side;
+    const double y = static_cast<double>(cell / dig_.columns) * side;
     // what is left within the tolerance of the bottom comes away, all or some of it
     const double low =
         static_cast<double>(std::max(height, bottom + dig_.tolerance)) * 1e-3 + kPlaceSlack;

@@ -108,7 +108,7 @@ class HaulReplay {
   }
 
  private:
-  void fault(const TaskRun& run, std::string text) {
+  void fault(const TaskRun& run, const std::string& text) {
     const int line = record_ != nullptr ? record_->line : run.end_line;
     const Ticks time = record_ != nullptr ? record_->time : run.end;
     faults_.push_back({FaultKind::load, ResultFile::trace, line, trace_.runs[at(run.run)], time,
@@ -358,7 +358,8 @@ class HaulReplay {
       const double ground = truck.pose(truck.tool(), q).translation().z() - kDriven;
       for (const auto& [cell, heights] : lower) {
         if (heights.front().first > leg.from) continue;
-        const Vec3 p_E((cell % dig.columns + 0.5) * side, (cell / dig.columns + 0.5) * side, 0);
+        const Vec3 p_E((cell % dig.columns + 0.5) * side,
+                       (static_cast<double>(cell / dig.columns) + 0.5) * side, 0);
         const Vec3 p_B = X_BE * p_E;
         if (p_B.x() < bounds.lower.x() || p_B.x() > bounds.upper.x() ||
             p_B.y() < bounds.lower.y() || p_B.y() > bounds.upper.y()) {
@@ -387,7 +388,7 @@ class HaulReplay {
 std::shared_ptr<const Solid> heap_column(const SceneHeap& heap, int cell, std::int64_t top) {
   const double side = static_cast<double>(heap.cell) * 1e-3;
   const double x = cell % heap.columns * side;
-  const double y = cell / heap.columns * side;
+  const double y = static_cast<double>(cell / heap.columns) * side;
   ShapeData box;
   box.a = {x, y, static_cast<double>(heap.ground[at(cell)]) * 1e-3};
   box.b = {x + side, y + side, static_cast<double>(top) * 1e-3};

@@ -41,8 +41,8 @@ std::int64_t day_number(std::string_view text) {
 }
 
 std::int64_t minute_number(std::string_view text) {
-  const int hour = digits(text, 11, 2, 0, 23);
-  return day_number(text) * 24 * 60 + hour * 60 + digits(text, 14, 2, 0, 59);
+  const std::int64_t hour = digits(text, 11, 2, 0, 23);
+  return day_number(text) * kMinutesOfDay + hour * 60 + digits(text, 14, 2, 0, 59);
 }
 
 }  // namespace rubicon::verify

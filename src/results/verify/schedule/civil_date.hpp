@@ -5,7 +5,7 @@
 
 namespace rubicon::verify {
 
-inline constexpr std::int64_t kMinutesOfDay = 24 * 60;
+inline constexpr std::int64_t kMinutesOfDay = 1'440;
 
 /// Days since 1970-01-01 of YYYY-MM-DD, whatever follows. Throws UnreadableInput for what is no
 /// date.

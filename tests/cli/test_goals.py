@@ -1,0 +1,134 @@
+"""Goals that are met: with all turns where a turn counts, by arms of six axes at any frame in reach; and `line` steps only where it leads."""
+
+import json
+import math
+import os
+import random
+import subprocess
+import tempfile
+import unittest
+
+RUBICON = os.environ["RUBICON"]
+
+SCREW = """robot screw {
+  body nut { param theta step(10) range(-1800, 1800); frame trans(0, 0, 0.01 * theta) * rotz(theta); shape box(-0.1, -0.1, 0, 1, 0.1, 0.2); }
+  guide way rrt_connect { seed 1; }
+  behaviour { chain { %s } }
+}
+"""
+WINCH = """robot winch {
+  body drum { param theta step(10) range(0, 1800); frame trans(0, 0, 3) * rotx(theta); shape cylinder(0.2, 0, 0.4); }
+  body hook { param z = 2.5 - 0.001 * drum.theta; frame trans(0, 0, z); shape box(-0.1, -0.1, 0, 0.1, 0.1, 0.1); }
+  tool hook;
+  behaviour { chain { move_to(drum.theta, goal(drum.theta)) } }
+}
+"""
+# A joint that can turn twice round, and nothing that would change by a turn of it.
+JOINT = """robot joint {
+  body arm { param theta step(10) range(-400, 400); frame rotz(theta); shape box(0, -0.1, 0, 1, 0.1, 0.2); }
+  behaviour { chain { move_to(theta, goal(theta)) } }
+}
+"""
+MAST = """robot v {
+  body truck {
+    param x step(0.5) range(-20, 20); param y range(-20, 20); param theta cyclic step(10);
+    rule theta <- theta + theta_s; rule x <- x + x_s * cos(theta) - y_s * sin(theta); rule y <- y + x_s * sin(theta) + y_s * cos(theta);
+    frame trans(x, y, 0) * rotz(theta); shape box(-1, -0.6, 0.1, 1, 0.6, 1);
+  }
+  body mast on truck { param z range(0, 3) step(0.1) speed(0.2 m/s); frame trans(0.8, 0, z); shape box(0, -0.3, 1.2, 0.8, 0.3, 1.5); }
+  tool mast;
+  behaviour { chain { %s } }
+}
+"""
+ARM = """robot arm {
+  body b { param theta range(-170, 170) step(5); frame rotz(theta) * trans(0, 0, 0.5); }
+  body u on b { param phi range(-120, 60) step(5); frame roty(phi) * trans(0, 0, 1); }
+  body f on u { param phi range(-60, 150) step(5); frame roty(phi) * trans(0.2, 0, 0.9); }
+  body w on f { param theta range(-180, 180) step(5); frame rotz(theta); }
+  body h on w { param phi range(-120, 120) step(5); frame roty(phi) * trans(0, 0, 0.1); }
+  body t on h { param theta range(-180, 180) step(5); frame rotz(theta); }
+  tool t;
+  behaviour { chain { follow } }
+}
+"""
+ARM_RANGES = ((-170, 170), (-120, 60), (-60, 150), (-180, 180), (-120, 120), (-180, 180))
+
+
+def product(a, b):
+    return [[sum(a[i][k] * b[k][j] for k in range(4)) for j in range(4)] for i in range(4)]
+
+
+def turn(axis, degrees):
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    matrix = [[1.0 if i == j else 0.0 for j in range(4)] for i in range(4)]
+    i, j = {"y": (2, 0), "z": (0, 1)}[axis]
+    matrix[i][i] = matrix[j][j] = c
+    matrix[i][j], matrix[j][i] = -s, s
+    return matrix
+
+
+def shift(x, z):
+    return [[1, 0, 0, x], [0, 1, 0, 0], [0, 0, 1, z], [0, 0, 0, 1]]
+
+
+def arm_frame(q):
+    """The tool frame of ARM as the language writes it."""
+    matrix = turn("z", q[0])
+    for each in (shift(0, 0.5), turn("y", q[1]), shift(0, 1), turn("y", q[2]), shift(0.2, 0.9), turn("z", q[3]), turn("y", q[4]), shift(0, 0.1),
+                 turn("z", q[5])):
+        matrix = product(matrix, each)
+    rz = math.degrees(math.atan2(matrix[1][0], matrix[0][0]))
+    ry = math.degrees(math.asin(max(-1.0, min(1.0, -matrix[2][0]))))
+    rx = math.degrees(math.atan2(matrix[2][1], matrix[2][2]))
+    return "trans(%.12g, %.12g, %.12g) * rotz(%.12g) * roty(%.12g) * rotx(%.12g)" % (*(row[3] for row in matrix[:3]), rz, ry, rx)
+
+
+class Goals(unittest.TestCase):
+    def run_plan(self, robot, plan):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in (("r.robot", robot), ("p.plan", plan)):
+                with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                    file.write(text)
+            made = subprocess.run([RUBICON, "run", "p.plan", "--trace", "trace.jsonl"], capture_output=True, text=True, timeout=60, cwd=folder)
+            self.assertNotEqual(made.returncode, 2, made.stderr)
+            with open(os.path.join(folder, "trace.jsonl"), encoding="utf-8") as file:
+                tries = [json.loads(line) for line in file if line.startswith('{"type":"try"')]
+            return made, (tries[-1]["q"] if tries else {})
+
+    def check_turns(self, robot, expected, plan):
+        made, q = self.run_plan(robot, plan)
+        self.assertEqual(made.returncode, 0, made.stdout + made.stderr)
+        turned = [value for name, value in q.items() if name.endswith("theta")]
+        self.assertEqual(len(turned), 1)
+        self.assertAlmostEqual(turned[0], expected, 5)
+
+    def test_a_screw_is_turned_as_often_as_the_goal_says(self):
+        self.check_turns(SCREW % "move_to(theta, goal(theta))", 1000, 'plan p { robot "r.robot"; goal theta 1000; }')
+
+    def test_a_screw_goes_where_its_nut_shall_be(self):
+        self.check_turns(SCREW % "follow", -1200, 'plan p { robot "r.robot"; goal at trans(0, 0, -12) * rotz(-120); }')
+        task = "task t { by r; go at trans(0, 0, -12) * rotz(-120); guide way; }"
+        self.check_turns(SCREW % "follow", -1200, 'plan p { robot r "r.robot"; support off; budget 1000; %s }' % task)
+
+    def test_a_winch_counts_the_turns_of_its_drum(self):
+        self.check_turns(WINCH, 1000, 'plan p { robot "r.robot"; goal drum.theta 1000; }')
+
+    def test_a_joint_goes_the_shorter_way_in_its_range(self):
+        self.check_turns(JOINT, 190, 'plan p { robot "r.robot"; start theta 170; goal theta -170; }')
+
+    def test_frames_in_reach_of_six_axes_are_reached(self):
+        draws = random.Random(5)
+        tasks = ["task t_%d { by r; go at %s; }" % (i, arm_frame([draws.uniform(*each) for each in ARM_RANGES])) for i in range(120)]
+        made, _ = self.run_plan(ARM, 'plan p { robot r "r.robot"; support off; budget 100000; %s }' % "\n".join(tasks))
+        self.assertNotIn("out of reach", made.stdout)
+
+    def test_line_leads_nowhere_where_what_it_steps_does_not_move(self):
+        made, _ = self.run_plan(MAST % "line", 'plan p { robot "r.robot"; start x 0, y 0, theta 0, z 1; goal x 3; }')
+        self.assertEqual(made.returncode, 1)
+        self.assertNotIn("livelock", made.stdout)
+        made, _ = self.run_plan(MAST % "line, move_to(x, r_goal(x))", 'plan p { robot "r.robot"; start x 0, y 0, theta 0, z 1; goal x 3; }')
+        self.assertEqual(made.returncode, 0, made.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
