@@ -63,7 +63,7 @@ class Ompl(GuideCase):
         self.assertIn("range must be from 0 to 1e+09", self.checked("RRT", 'set "range" -1;'))
         self.assertIn('set "range" is given twice', self.checked("RRT", 'set "range" 1; set "range" 2;'))
         self.assertIn("a number", self.checked("RRT", 'set "range";'))
-        self.assertIn("has no clause 'turn_radius'", self.checked("RRT", "turn_radius 5 m;"))
+        self.assertIn("turn_radius is for vehicles", self.checked("RRT", "turn_radius 5 m;"))
         self.assertIn("rrt has no clause 'set'", self.checked("", 'set "range" 1;', kind="rrt"))
 
     def test_limits_and_no_way_are_reasons(self):
@@ -96,6 +96,9 @@ class Ompl(GuideCase):
             for q in steps:
                 self.assertAlmostEqual(q["boom.phi"] + q["stick.phi"] + q["bucket.phi"], 265, delta=2 + 1e-5)
         self.assertGreater(len(ways), 4)
+
+    def test_a_truck_parks(self):
+        self.expect_parking('ompl "RRTConnect" {')
 
     def test_the_comparison_has_them_when_asked(self):
         path = self.write("site.plan", self.plan())
