@@ -142,7 +142,17 @@ class Guides(GuideCase):
             text = file.read()
         with open(car, "w", encoding="utf-8") as file:
             file.write(text.replace("speed(1 m/s)", "speed(1 m/s) loaded(0.4 m/s)").replace("tool car;", "tool car at trans(0, 0, 1);"))
-        for plan in (ROUND_THE_WALL, short % (TOW_MOTOR, ""), short % (TRUCK, "turn_radius 6.5 m;"), carrying):
+        # Arcs of whole steps, of a machine that turns half, drives, and turns half.
+        half_turns = """plan p {
+  robot "%s";
+  component post { shape box(-0.6, -0.6, 0, 0.6, 0.6, 2.5); at trans(3.47, -5.13, 0); }
+  guide way rrt_connect { seed 71; turn_radius 3 m; }
+  start x 0, y 0, theta 180;
+  goal x -1.88, y 0, theta 0;
+  guide way;
+}
+""" % TOW_MOTOR
+        for plan in (ROUND_THE_WALL, half_turns, short % (TOW_MOTOR, ""), short % (TRUCK, "turn_radius 6.5 m;"), carrying):
             self.run_plan(plan)
             for key, word in (("roughness", "roughness"), ("length", "length"), ("motion_time", "motion time")):
                 for share in (1 + 1e-5, 1 - 1e-5, 0):
