@@ -260,12 +260,24 @@ class ClauseChecker {
     }
     if (guides::has_over(spec_.kind)) add(guides::kOverClause);
     if (spec_.kind == guides::GuideKind::ompl) add(guides::kSetClause);
-    diagnostics_.error("G02", clause.key.span,
-                       of_another_kind
-                           ? fmt::format("{} has no clause '{}'", guide_.kind.text, clause.key.text)
-                           : fmt::format("unknown clause '{}' of a guide{}", clause.key.text,
-                                         suggestion(clause.key.text, names)),
-                       fmt::format("clauses of {} are {}", guide_.kind.text, list));
+    diagnostics_.error(
+        "G02", clause.key.span,
+        of_another_kind ? fmt::format("{} has no clause '{}'", guide_.kind.text, clause.key.text)
+                        : fmt::format("unknown clause '{}' of a guide{}", clause.key.text,
+                                      suggestion(clause.key.text, names)),
+        why_no_arcs(clause) + fmt::format("clauses of {} are {}", guide_.kind.text, list));
+  }
+
+  /// Of a kind without turn_radius: why.
+  std::string why_no_arcs(const syntax::GuideClause& clause) const {
+    if (clause.key.text != "turn_radius") return {};
+    const char* const instead = "take rrt_connect, astar, drrt or prm; ";
+    if (spec_.kind == guides::GuideKind::rrt_limcon) {
+      return std::string("it moves one parameter at a time, and an arc moves three: ") + instead;
+    }
+    return guides::has_over(spec_.kind)
+               ? std::string("arcs do not lead from node to node of its lattice: ") + instead
+               : std::string();
   }
 
   void check_number(const ClauseInfo& info, const syntax::Number& number) {

@@ -91,16 +91,19 @@ int draw_guide(const GuidesOptions& options, const interpreter::PlanModel& plan,
   comparison::PictureQuery query;
   query.kind = options.kind;
   query.axes = names_in(options.axes);
+  query.at = options.at;
   std::string svg;
   const bool chart = !options.chart.empty();
+  const bool page = !options.page.empty();
   try {
-    svg = chart ? comparison::way_chart(plan, sources, task, options.kind)
-                : comparison::guide_picture(plan, sources, task, query);
+    svg = chart  ? comparison::way_chart(plan, sources, task, options.kind)
+          : page ? comparison::guide_picture_page(plan, sources, task, query)
+                 : comparison::guide_picture(plan, sources, task, query);
   } catch (const std::invalid_argument& error) {
     return fail(error.what());
   }
   if (svg.empty()) return fail(no_motion_text(options, task));
-  return write_picture(options, chart ? options.chart : options.svg, svg);
+  return write_picture(options, chart ? options.chart : page ? options.page : options.svg, svg);
 }
 
 }  // namespace
@@ -123,10 +126,13 @@ int run_guides(const GuidesOptions& options) {
                                   [&](const auto& each) { return each.name == task; });
   const bool covers = found != plan->tasks.end() && found->cover.has_value();
   const bool of_area = covers && options.kind.empty() && options.axes.empty();
-  if (!options.chart.empty() || (!options.svg.empty() && !of_area)) {
+  if (!options.axes.empty() && options.svg.empty() && options.page.empty()) {
+    return fail("--axes goes with --svg or --page");
+  }
+  if (!options.chart.empty() || !options.page.empty() || (!options.svg.empty() && !of_area)) {
     return draw_guide(options, *plan, sources, task);
   }
-  if (!options.kind.empty()) return fail("--kind goes with --svg or --chart");
+  if (!options.kind.empty()) return fail("--kind goes with --svg, --page or --chart");
   if (!options.svg.empty()) {
     const int code =
         write_picture(options, options.svg, comparison::cover_steps_svg(*plan, *found));

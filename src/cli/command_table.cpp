@@ -59,7 +59,13 @@ Action declare_guides(CLI::App& app) {
       app.add_option("--chart", options->chart)->excludes(exact)->excludes(svg);
   app.add_option("--kind", options->kind);
   app.add_option("--ompl", options->ompl)->excludes(exact)->excludes(svg)->excludes(chart);
-  app.add_option("--axes", options->axes)->needs(svg)->excludes(chart);
+  CLI::Option* const axes = app.add_option("--axes", options->axes)->excludes(chart);
+  app.add_option("--at", options->at)->needs(svg)->needs(axes);
+  app.add_option("--page", options->page)
+      ->needs(axes)
+      ->excludes(svg)
+      ->excludes(chart)
+      ->excludes(exact);
   app.add_option("--format", options->format)->check(IsMember({"table", "json", "csv"}));
   declare_set(app, options->set);
   return [options] { return run_guides(*options); };

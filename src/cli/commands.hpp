@@ -82,7 +82,9 @@ struct GuidesOptions {
   std::string chart;  ///< file for the chart of its way; "": none
   std::string kind;   ///< of that guide; "": the first of the task
   std::string ompl;   ///< planners of OMPL to compare with, commas between them
-  std::string axes;   ///< of the picture: two parameters, a comma between them
+  std::string axes;   ///< of the picture: two or three parameters, commas between them
+  std::optional<double> at;  ///< value of the third
+  std::string page;          ///< file for the picture with a slider; "": none
   std::string format = "table";
   std::vector<std::string> set;
 };

@@ -150,7 +150,8 @@ const std::string_view kGuides =
 
 usage: rubicon guides PLAN [TASK] [--seeds N] [--ompl NAME,...] [--format table|csv|json] [--set NAME=VALUE]...
        rubicon guides PLAN [TASK] --exact [--dt S] [--format table|csv|json] [--set NAME=VALUE]...
-       rubicon guides PLAN [TASK] --svg FILE [--kind KIND] [--axes P,Q] [--set NAME=VALUE]...
+       rubicon guides PLAN [TASK] --svg FILE [--kind KIND] [--axes P,Q[,R]] [--at VALUE] [--set NAME=VALUE]...
+       rubicon guides PLAN [TASK] --page FILE --axes P,Q,R [--kind KIND] [--set NAME=VALUE]...
        rubicon guides PLAN [TASK] --chart FILE [--kind KIND] [--set NAME=VALUE]...
 
 Runs the plan up to the task. Where a motion of it begins, each kind of guide plans a way to its first goal, once for
@@ -180,6 +181,9 @@ strip their comparison follows in the table.
   --kind KIND      of which kind of guide, as rrt_connect or "ompl RRTConnect"; the first that the task names if not given
   --axes P,Q       of which two parameters; the first two that the guide searches if not given. The others stand in the
                    picture as they do when the motion begins
+  --at VALUE       of a third parameter in --axes its value in the picture, m or degrees
+  --page FILE      instead, the same with a slider for the third parameter in --axes, as one HTML file: what is forbidden
+                   at each of 25 or so values of its range, and a ring where the way has that value
   --seeds N        tries of each kind, 10 if not given
   --ompl NAME,...  these planners of OMPL too, by their names there: --ompl RRTConnect,BITstar
   --format FORMAT  table (the default), csv or json (each try by itself), on standard output
@@ -192,6 +196,7 @@ examples:
   rubicon guides taskplans/unit.plan set_west_1 --format csv
   rubicon guides taskplans/pour.plan pour --svg build/pour.svg
   rubicon guides examples/13_guides/site.plan reach --svg build/reach.svg --kind potential
+  rubicon guides taskplans/trench.plan to_truck_1 --page build/joints.html --axes boom.phi,stick.phi,theta
 )";
 
 const std::string_view kFlow =

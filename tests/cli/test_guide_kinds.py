@@ -12,6 +12,7 @@ from guide_case import GuideCase
 from result_case import RUBICON, rubicon
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+EXCAVATOR = os.path.join(HERE, "..", "..", "robots", "excavator", "excavator.robot")
 TRUCK = os.path.join(HERE, "..", "..", "robots", "truck", "steered_truck.robot")
 PARK = os.path.join(HERE, "..", "..", "robots", "truck", "cases", "park_in_a_bay", "site.plan")
 FIELD = os.path.join(HERE, "..", "..", "examples", "22_down_a_field", "site.plan")
@@ -99,6 +100,10 @@ class GuideKinds(GuideCase):
 
         self.assertIn("narrower than its radius of 8 m", self.faults_of(narrower))
 
+    def test_a_truck_parks_by_a_roadmap_and_by_a_tree_from_the_goal(self):
+        for kind in ("prm { nodes 1500;", "drrt { step 30;"):
+            self.expect_parking(kind)
+
     def test_a_field_names_its_minimum_and_another_guide_goes_on(self):
         told = rubicon("run", FIELD, "--out", self.out)
         self.assertEqual(told.returncode, 0, told.stdout + told.stderr)
@@ -167,6 +172,69 @@ class GuideKinds(GuideCase):
             self.assertEqual(told.returncode, 2)
             self.assertIn(message, told.stderr)
         self.assertEqual(rubicon("guides", FIELD, "behind_the_shelf", "--axes", "x,y").returncode, 2)
+
+    def test_a_third_parameter_has_a_slider(self):
+        # A pillar that only the upper arm of the excavator meets, on one side: what is forbidden depends on theta.
+        plan = self.write("e.plan", f"""plan p {{
+  robot "{EXCAVATOR}";
+  component pillar {{ shape box(-0.5, -0.5, 0, 0.5, 0.5, 6); at rotz(60) * trans(6, 0, 0); }}
+  guide way rrt_connect {{ seed 2; }}
+  start theta 0, boom.phi 30, stick.phi 100, bucket.phi 100;
+  goal theta 110, boom.phi 30, stick.phi 100, bucket.phi 100;
+  guide way;
+}}
+""")
+        axes = ("--axes", "boom.phi,stick.phi,theta")
+
+        def told(*arguments):
+            result = rubicon("guides", plan, *arguments)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            return result.stdout
+
+        page = told("--page", "-", *axes)
+        self.assertEqual(page, told("--page", "-", *axes))
+        values = re.search(r'data-values="([^"]*)"', page).group(1).split("|")
+        self.assertIn("110 degrees", values)
+        self.assertEqual(values, sorted(values, key=lambda value: float(value.split()[0])))
+        first = int(re.search(r'type="range" .*? value="(\d+)"', page).group(1))
+        self.assertEqual(values[first], "0 degrees")
+        picture = xml.fromstring(page[page.index("<svg"):page.index("</svg>") + 6])
+        layers = [each for each in picture.iter() if each.get("class") == "layer"]
+        self.assertEqual(len(layers), 2 * len(values))
+        shown = [k for k, layer in enumerate(layers) if layer.get("display") == "inline"]
+        self.assertEqual(shown, [first, first + len(values)])
+
+        def area(value):
+            """Cells that are dark in the layer of a value."""
+            paths = [path.get("d") for path in layers[values.index(value)].iter() if path.get("d")]
+            return sum(int(end) - int(begin) for d in paths for end, begin in re.findall(r"H(\d+)v1H(\d+)z", d))
+
+        cell = float(re.search(r"scale\(([\d.]+) ", page).group(1))
+        self.assertGreater(area("60 degrees"), 1.3 * area("0 degrees"))
+        # The picture of one value shows what the page does.
+        for value in ("0", "60"):
+            picture = told("--svg", "-", *axes, "--at", value)
+            widths = [float(each.get("width")) for each in xml.fromstring(picture).iter() if each.get("fill") == "#5b6470"]
+            self.assertAlmostEqual(sum(widths) / cell, area(f"{value} degrees"), delta=1)
+            self.assertIn(f"theta {value}, bucket.phi 100", picture)
+        # The way turns one way or the other: a ring at 60 degrees or at -90.
+        rings = [len([each for each in layers[len(values) + values.index(value)].iter() if each.get("r")]) for value in ("60 degrees", "-90 degrees")]
+        self.assertEqual(min(rings), 0)
+        self.assertGreaterEqual(max(rings), 1)
+        for arguments, message in ((("--svg", "-", "--axes", "boom.phi,stick.phi", "--at", "3"), "third parameter"),
+                                   (("--page", "-", "--axes", "boom.phi,stick.phi"), "three parameters"),
+                                   (("--svg", "-", *axes, "--at", "1000"), "theta is from -180 to 180, found 1000"),
+                                   (("--svg", "-", *axes, "--at", "nan"), ""), (("--page", "-"), ""), (axes, "--axes goes with"),
+                                   (("--page", "-", "--axes", "theta,theta,theta"), "different"),
+                                   (("--page", "-", "--axes", "theta,boom.phi,stick.phi,bucket.phi"), "different"),
+                                   (("--page", plan, *axes), "")):
+            result = rubicon("guides", plan, *arguments)
+            self.assertEqual(result.returncode, 2, arguments)
+            self.assertIn(message, result.stderr)
+        with open(plan, encoding="utf-8") as file:
+            self.assertIn("pillar", file.read())
+
+    def test_pictures_go_with_their_options(self):
         self.assertEqual(rubicon("guides", FIELD, "behind_the_shelf", "--kind", "rrt").returncode, 2)
 
     def test_its_chart_has_each_parameter_that_moves(self):
@@ -199,6 +267,10 @@ class GuideKinds(GuideCase):
         self.assertEqual(self.checked("thinks 0 s per check;")[0], 0)
         self.assertEqual(self.checked("repulsion 0; influence 20 cm; attraction 3; step 5;", kind="potential")[0], 0)
         self.assertRegex(self.checked("turn_radius 2 m;", TRUCK, "potential")[1], "potential has no clause 'turn_radius'")
+        for kind, why in (("dstar_lite", "arcs do not lead from node to node of its lattice"), ("rrt_limcon", "an arc moves three")):
+            told = self.checked("turn_radius 2 m;", TRUCK, kind)[1]
+            self.assertIn(f"{kind} has no clause 'turn_radius'", told)
+            self.assertIn(f"{why}: take rrt_connect", told)
 
 
 if __name__ == "__main__":

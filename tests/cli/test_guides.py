@@ -14,6 +14,8 @@ from result_case import rubicon
 HERE = os.path.dirname(os.path.abspath(__file__))
 EXCAVATOR = os.path.join(HERE, "..", "..", "robots", "excavator", "excavator.robot")
 SCENE = os.path.join(HERE, "..", "..", "robots", "excavator", "cases", "trench_to_truck", "site.plan")
+TRUCK = os.path.join(HERE, "..", "..", "robots", "truck", "steered_truck.robot")
+TOW_MOTOR = os.path.join(HERE, "..", "..", "robots", "tow_motor", "tow_motor_guided.robot")
 SEED = int(os.environ.get("RUBICON_SEED", "1995"))
 ROUNDS = int(os.environ.get("RUBICON_ROUNDS", "8"))
 
@@ -114,6 +116,52 @@ class Guides(GuideCase):
         self.run_plan(ROUND_THE_WALL.replace("task over", "task before { by car; go x 1, y 0; }\n  task over")
                       .replace("guide way; }\n}", "guide way; after before; }\n}"))
         self.assertIn("the way of a guide", self.faults_of(begins_elsewhere))
+
+    def test_verify_reckons_what_a_way_is_like(self):
+        # Joints, a vehicle that turns on the spot, one that steers, and one that carries at its loaded speed.
+        short = """plan p {
+  robot "%s";
+  component pillar { shape box(-0.5, -2, 0, 0.5, 2, 2); at trans(6, 0, 0); }
+  guide way rrt_connect { seed 3; %s }
+  start x 0, y 0, theta 0;
+  goal x 14, y 1, theta 170;
+  guide way;
+}
+"""
+        carrying = """plan p {
+  robot car "car.robot";
+  component block { mass 100 kg; shape box(-0.2, -0.2, 0, 0.2, 0.2, 0.3); at trans(2, 0, 1); }
+  component wall { shape box(-0.5, -4, 0, 0.5, 4, 3); at trans(5, 0, 0); }
+  support off;
+  guide way rrt_connect { seed 3; }
+  task over { by car; move block to trans(9, 0, 1); guide way; }
+}
+"""
+        car = os.path.join(self.folder, "car.robot")
+        with open(car, encoding="utf-8") as file:
+            text = file.read()
+        with open(car, "w", encoding="utf-8") as file:
+            file.write(text.replace("speed(1 m/s)", "speed(1 m/s) loaded(0.4 m/s)").replace("tool car;", "tool car at trans(0, 0, 1);"))
+        # Arcs of whole steps, of a machine that turns half, drives, and turns half.
+        half_turns = """plan p {
+  robot "%s";
+  component post { shape box(-0.6, -0.6, 0, 0.6, 0.6, 2.5); at trans(3.47, -5.13, 0); }
+  guide way rrt_connect { seed 71; turn_radius 3 m; }
+  start x 0, y 0, theta 180;
+  goal x -1.88, y 0, theta 0;
+  guide way;
+}
+""" % TOW_MOTOR
+        for plan in (ROUND_THE_WALL, half_turns, short % (TOW_MOTOR, ""), short % (TRUCK, "turn_radius 6.5 m;"), carrying):
+            self.run_plan(plan)
+            for key, word in (("roughness", "roughness"), ("length", "length"), ("motion_time", "motion time")):
+                for share in (1 + 1e-5, 1 - 1e-5, 0):
+                    def told_otherwise(result):
+                        record = [each for each in result.records if each["type"] == "guide" and each["found"]][-1]
+                        self.assertGreater(record[key], 0)
+                        record[key] *= share
+
+                    self.assertRegex(self.faults_of(told_otherwise), rf"trace.jsonl:\d+.* the {word} of the guide's way is told as [0-9.]+( m| s)? and is [0-9.]+")
 
     def test_verify_finds_a_way_that_does_not_keep_what_it_has_to(self):
         plan = ROUND_THE_WALL.replace("seed 3;", "seed 3; keep (abs(x + 2 * y) <= 30);")

@@ -9,6 +9,7 @@ import unittest
 from guide_case import GuideCase
 from result_case import rubicon, RUBICON
 
+TASKPLANS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "taskplans")
 PLAN = """plan p {
   robot car "car.robot";
   component wall { shape box(-0.5, -6, 0, 0.5, 6, 2); at trans(5, 0, 0); }
@@ -62,7 +63,7 @@ class Ompl(GuideCase):
         self.assertIn("range must be from 0 to 1e+09", self.checked("RRT", 'set "range" -1;'))
         self.assertIn('set "range" is given twice', self.checked("RRT", 'set "range" 1; set "range" 2;'))
         self.assertIn("a number", self.checked("RRT", 'set "range";'))
-        self.assertIn("has no clause 'turn_radius'", self.checked("RRT", "turn_radius 5 m;"))
+        self.assertIn("turn_radius is for vehicles", self.checked("RRT", "turn_radius 5 m;"))
         self.assertIn("rrt has no clause 'set'", self.checked("", 'set "range" 1;', kind="rrt"))
 
     def test_limits_and_no_way_are_reasons(self):
@@ -76,6 +77,28 @@ class Ompl(GuideCase):
         told = rubicon("run", self.write("site.plan", closed.replace("checks 300;", "nodes 40;")), "--out", self.out)
         self.assertEqual(told.returncode, 1, told.stdout + told.stderr)
         self.assertRegex(self.records("guide")[0]["cause"], "^no way found with [34][0-9] nodes")
+
+    def test_the_shipped_plan_does_its_work_whatever_ways_it_goes(self):
+        """taskplans/trench_by_ompl.plan: what holds by every version of OMPL, shown by other seeds and another planner as well."""
+        with open(os.path.join(TASKPLANS, "trench_by_ompl.plan"), encoding="utf-8") as file:
+            text = file.read().replace("../robots", os.path.join(TASKPLANS, "..", "robots"))
+        ways = set()
+        for change in (("", ""), ("seed 3", "seed 4"), ("BITstar", "AITstar")):
+            _, tasks = self.run_plan(text.replace(*change))  # done, and verify finds no contact and no fault
+            self.assertEqual({task["result"] for task in tasks.values()}, {"done"})
+            plans = self.records("guide")
+            self.assertIn("ompl RRTConnect", {plan["kind"] for plan in plans if plan["found"]})
+            for plan in plans:
+                self.assertTrue(plan["found"] or plan["kind"].startswith("ompl"), plan)
+                ways.add(tuple(plan["way"]))
+            steps = [record["q"] for record in self.records("try") if record["task"].startswith("to_truck")]
+            self.assertGreater(len(steps), 20)
+            for q in steps:
+                self.assertAlmostEqual(q["boom.phi"] + q["stick.phi"] + q["bucket.phi"], 265, delta=2 + 1e-5)
+        self.assertGreater(len(ways), 4)
+
+    def test_a_truck_parks(self):
+        self.expect_parking('ompl "RRTConnect" {')
 
     def test_the_comparison_has_them_when_asked(self):
         path = self.write("site.plan", self.plan())
@@ -104,6 +127,9 @@ class Ompl(GuideCase):
         self.assertEqual(told.returncode, 2)
         self.assertIn("guide 'way' is a planner of OMPL, and this build has no OMPL", told.stderr)
         self.assertIn("libompl-dev", told.stderr)
+        told = subprocess.run([command, "run", os.path.join(TASKPLANS, "trench_by_ompl.plan")], capture_output=True, text=True, check=False)
+        self.assertEqual(told.returncode, 2)
+        self.assertIn("this build has no OMPL", told.stderr)
         without = self.write("site.plan", self.plan().replace('ompl "RRTConnect"', "rrt").replace('ompl "BITstar"', "rrt"))
         told = subprocess.run([command, "check", without], capture_output=True, text=True, check=False)
         self.assertEqual(told.returncode, 0, told.stderr)

@@ -3,6 +3,7 @@
 #include <set>
 #include <utility>
 
+#include "src/motion/guides/least_distance.hpp"
 #include "src/motion/guides/planners.hpp"
 
 namespace rubicon::guides {
@@ -58,6 +59,7 @@ class DynamicTree {
   int join() {
     std::vector<std::pair<double, int>> near;
     for (int i = 0; i < static_cast<int>(tree_.points.size()); ++i) {
+      if (space_.leg().steers() && least_distance(space_, start_, point(i)) > spec_.step) continue;
       const double distance = space_.distance(start_, point(i));
       if (distance <= spec_.step) near.emplace_back(distance, i);
     }
@@ -101,9 +103,11 @@ class DynamicTree {
   }
 
   int nearest(const Point& to) const {
+    const bool steers = space_.leg().steers();
     int best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < static_cast<int>(tree_.points.size()); ++i) {
+      if (steers && least_distance(space_, point(i), to) >= least) continue;
       const double distance = space_.distance(point(i), to);
       if (distance >= least) continue;
       least = distance;

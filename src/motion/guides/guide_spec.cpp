@@ -22,7 +22,8 @@ constexpr unsigned kOmpl = bit(GuideKind::ompl);
 constexpr unsigned kSearched = kAstar | kDstar;
 constexpr unsigned kLattice = kSearched | kPotential;
 constexpr unsigned kThesis = kPlanners & ~kConnect & ~kLattice & ~kPrm & ~kDrrt & ~kOmpl;
-constexpr unsigned kSteered = (kThesis & ~bit(GuideKind::rrt_limcon)) | kConnect | kAstar;
+constexpr unsigned kSteered =
+    (kThesis & ~bit(GuideKind::rrt_limcon)) | kConnect | kAstar | kPrm | kDrrt | kOmpl;
 constexpr unsigned kPlus = bit(GuideKind::rrt_plus);
 constexpr unsigned kGathered = kPlus | bit(GuideKind::rrt_nonuniform);
 

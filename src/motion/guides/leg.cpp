@@ -20,6 +20,9 @@ constexpr double kThere = 1e-6;
 /// m by which a vehicle may pass beside its target. Far below what counts as there.
 constexpr double kBeside = 1e-9;
 
+/// A chord that is exactly a step may be longer by rounding.
+constexpr double kLongerChord = 1 + 1e-9;
+
 using math::at;
 
 }  // namespace
@@ -333,7 +336,8 @@ std::vector<std::vector<double>> Leg::steered_corners(std::span<const double> q,
     const double chords =
         part.turned_deg == 0 ? 1
                              : std::ceil(std::max(turned / parameter(heading_).step,
-                                                  std::fabs(part.driven) / parameter(drive_).step));
+                                                  std::fabs(part.driven) / parameter(drive_).step) /
+                                         kLongerChord);
     const double turn = part.turned_deg / chords;
     const double half = math::sin_deg(turn / 2);
     const double chord =
@@ -375,11 +379,9 @@ bool Leg::next_chord(std::span<const double> q, std::span<const double> target,
   const double drive_step = parameter(drive_).step;
   const double turn = missing(heading_, q, target);
   const double beside = face.distance * math::sin_deg(face.turn - turn / 2);
-  // A chord that is exactly a step may be longer by rounding.
-  constexpr double kLonger = 1 + 1e-9;
   const bool on_chord = std::fabs(beside) <= kBeside &&
-                        std::fabs(face.distance) <= drive_step * kLonger &&
-                        std::fabs(turn) <= parameter(heading_).step * kLonger;
+                        std::fabs(face.distance) <= drive_step * kLongerChord &&
+                        std::fabs(turn) <= parameter(heading_).step * kLongerChord;
   if (chords_ && on_chord) {
     steps[at(heading_)] = turn;
     steps[at(drive_)] = face.distance;

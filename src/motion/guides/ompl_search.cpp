@@ -22,6 +22,13 @@ class SpaceQuestion : public ompl_bridge::Question {
   bool cyclic(std::size_t i) const override { return space_.parameter(i).cyclic; }
   bool keeps() const override { return !space_.spec().keep.empty(); }
   bool symmetric() const override { return space_.leg().heading() < 0; }
+  bool steers() const override { return space_.leg().steers(); }
+  double distance(std::span<const double> a, std::span<const double> b) const override {
+    return space_.distance(a, b);
+  }
+  Point partway(std::span<const double> a, std::span<const double> b, double share) const override {
+    return space_.towards(a, b, space_.distance(a, b) * share);
+  }
   void fit(Point& point) const override {
     point = space_.moved(point, std::vector<double>(space_.size()));
   }

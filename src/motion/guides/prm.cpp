@@ -1,10 +1,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <queue>
+#include <set>
 #include <tuple>
 
+#include "src/motion/guides/least_distance.hpp"
 #include "src/motion/guides/planners.hpp"
 #include "src/motion/guides/roadmap.hpp"
 
@@ -16,9 +20,31 @@ namespace {
 /// machines begin and end close to things, where most legs are refused.
 constexpr std::size_t kMoreAtEnds = 4;
 
+/// The same for a vehicle that steers: ways are looked for only where the straight line leaves room
+/// for one that counts.
+std::vector<int> nearest_by_ways(const Space& space, const std::vector<Point>& points,
+                                 const Point& to, std::size_t count, int except) {
+  std::vector<std::pair<double, int>> straight;
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    if (i == except) continue;
+    straight.emplace_back(least_distance(space, points[static_cast<std::size_t>(i)], to), i);
+  }
+  std::sort(straight.begin(), straight.end());
+  std::set<std::pair<double, int>> best;
+  for (const auto& [least, i] : straight) {
+    if (best.size() >= count && (count == 0 || least > best.rbegin()->first)) break;
+    best.emplace(space.distance(points[static_cast<std::size_t>(i)], to), i);
+    if (best.size() > count) best.erase(std::prev(best.end()));
+  }
+  std::vector<int> numbers;
+  for (const auto& [distance, i] : best) numbers.push_back(i);
+  return numbers;
+}
+
 /// The `count` points nearest to one, of equals the first; without number `except`.
 std::vector<int> nearest_to(const Space& space, const std::vector<Point>& points, const Point& to,
                             std::size_t count, int except) {
+  if (space.leg().steers()) return nearest_by_ways(space, points, to, count, except);
   std::vector<std::pair<double, int>> all;
   for (int i = 0; i < static_cast<int>(points.size()); ++i) {
     if (i != except) all.emplace_back(space.distance(points[static_cast<std::size_t>(i)], to), i);
@@ -89,6 +115,14 @@ class RoadmapSearch {
     return blocked_with(from, to).count({from, to}) == 0;
   }
 
+  /// Ways of a vehicle that steers take long to find: each is looked for once.
+  double length_of(int from, int to) {
+    if (!space_.leg().steers()) return space_.distance(point(from), point(to));
+    const auto [place, is_new] = lengths_.try_emplace({from, to}, 0);
+    if (is_new) place->second = space_.distance(point(from), point(to));
+    return place->second;
+  }
+
   /// By A*, with the straight distance to the goal; empty: there is none.
   std::vector<int> untested_way() {
     const auto count = static_cast<std::size_t>(goal_number_) + 1;
@@ -98,7 +132,7 @@ class RoadmapSearch {
     using Entry = std::tuple<double, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
     length[static_cast<std::size_t>(start_number_)] = 0;
-    queue.emplace(space_.distance(start_, goal_), start_number_);
+    queue.emplace(length_of(start_number_, goal_number_), start_number_);
     while (!queue.empty()) {
       const int here = std::get<1>(queue.top());
       queue.pop();
@@ -108,12 +142,11 @@ class RoadmapSearch {
       for_each_next(here, [&](int next) {
         const auto index = static_cast<std::size_t>(next);
         if (done[index] || !may_pass(here, next)) return;
-        const double there =
-            length[static_cast<std::size_t>(here)] + space_.distance(point(here), point(next));
+        const double there = length[static_cast<std::size_t>(here)] + length_of(here, next);
         if (there >= length[index]) return;
         length[index] = there;
         before[index] = here;
-        queue.emplace(there + space_.distance(point(next), goal_), next);
+        queue.emplace(there + length_of(next, goal_number_), next);
       });
     }
     if (before[static_cast<std::size_t>(goal_number_)] < 0) return {};
@@ -158,6 +191,7 @@ class RoadmapSearch {
   std::set<std::pair<int, int>> blocked_;
   std::set<int> free_points_;
   std::set<std::pair<int, int>> free_legs_;
+  std::map<std::pair<int, int>, double> lengths_;
 };
 
 }  // namespace

@@ -244,7 +244,16 @@ ReedsSheppWay reeds_shepp_way(const PlanePose& from, const PlanePose& to, double
     PlanePart each = part_of(part);
     each.driven *= radius;
     const double size = part.turn == Turn::straight ? math::degrees(part.amount) : part.amount;
-    if (std::fabs(size) > kNoPart_deg) way.parts.push_back(each);
+    if (std::fabs(size) <= kNoPart_deg) continue;
+    // Two arcs of one circle with nothing between them are one: where they meet is rounding.
+    const bool goes_on = !way.parts.empty() && way.parts.back().turned_deg * each.turned_deg > 0 &&
+                         way.parts.back().driven * each.driven > 0;
+    if (goes_on) {
+      way.parts.back().turned_deg += each.turned_deg;
+      way.parts.back().driven += each.driven;
+    } else {
+      way.parts.push_back(each);
+    }
   }
   return way;
 }

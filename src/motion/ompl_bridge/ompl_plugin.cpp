@@ -139,7 +139,8 @@ class PlainProjection : public ob::ProjectionEvaluator {
   }
 };
 
-/// The configurations, each coordinate times its weight, so that distances are Euclidean.
+/// The configurations, each coordinate times its weight, so that distances are Euclidean; but those
+/// of a vehicle that steers are lengths of its ways.
 class WeightedSpace : public ob::RealVectorStateSpace {
  public:
   /// OMPL keeps spaces, and frees states of them when the program ends: so they share the budget.
@@ -163,7 +164,7 @@ class WeightedSpace : public ob::RealVectorStateSpace {
   }
 
   /// Whether straight lines are the shortest ways, and all within the ranges may be taken.
-  bool plain() const { return !any_cyclic_ && !question_.keeps(); }
+  bool plain() const { return !any_cyclic_ && !question_.keeps() && !question_.steers(); }
 
   Point point(const ob::State* state) const {
     Point result(dimension_);
@@ -189,6 +190,7 @@ class WeightedSpace : public ob::RealVectorStateSpace {
 
   double distance(const ob::State* a, const ob::State* b) const override {
     budget_->asks();
+    if (question_.steers()) return question_.distance(point(a), point(b));
     double sum = 0;
     for (unsigned i = 0; i < dimension_; ++i) {
       const double off = offset(a, b, i);
@@ -198,6 +200,11 @@ class WeightedSpace : public ob::RealVectorStateSpace {
   }
   void interpolate(const ob::State* a, const ob::State* b, const double t,
                    ob::State* state) const override {
+    if (question_.steers()) {
+      set(state, question_.partway(point(a), point(b), t));
+      wrap(state);
+      return;
+    }
     for (unsigned i = 0; i < dimension_; ++i) {
       const double off = offset(a, b, i);
       value(state, i) = value(a, i) + off * t;

@@ -24,6 +24,13 @@ class Question {
   virtual bool keeps() const = 0;
   /// Whether a leg is free if it is free the other way round.
   virtual bool symmetric() const = 0;
+  /// Of a vehicle that turns no narrower than a radius: then distances are lengths of its ways, and
+  /// places between two others lie on them.
+  virtual bool steers() const { return false; }
+  virtual double distance(std::span<const double>, std::span<const double>) const { return 0; }
+  virtual Point partway(std::span<const double> a, std::span<const double>, double) const {
+    return {a.begin(), a.end()};
+  }
   /// Moves a point into the ranges, and to where what is kept holds.
   virtual void fit(Point& point) const = 0;
   virtual bool stands(std::span<const double> point) = 0;
@@ -58,7 +65,7 @@ struct OmplPlugin {
   std::vector<std::string> (*parameters)(const std::string& planner);
   const char* version;  ///< of OMPL
 };
-inline constexpr int kOmplPluginVersion = 1;
+inline constexpr int kOmplPluginVersion = 2;
 /// The name of the function in the file: `const OmplPlugin* rubicon_ompl(int version)`.
 inline constexpr const char* kOmplBegin = "rubicon_ompl";
 

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -17,6 +19,7 @@
 #include "src/motion/math/index.hpp"
 #include "src/motion/robot/turns.hpp"
 #include "src/results/comparison/first_way.hpp"
+#include "src/results/comparison/slider_page.hpp"
 #include "src/results/gantt/svg_text.hpp"
 #include "src/results/palette/palette.hpp"
 
@@ -34,6 +37,8 @@ constexpr double kPictureSide = 640;
 constexpr double kLeftMargin = 64, kTopMargin = 44, kBottomMargin = 76, kRightMargin = 24;
 /// Bands of the field, and nodes of a lattice whose minima are looked for, at most.
 constexpr int kBands = 14;
+/// Intervals of the range of a third parameter.
+constexpr int kPictureLayers = 24;
 constexpr std::size_t kMostNodes = 40000;
 
 /// The site as a guide asks it, by a robot.
@@ -98,7 +103,8 @@ class Picture {
         space_(model_, way.motion.mounting, way.motion.q, unbounded(spec_), tests_,
                way.motion.clauses),
         start_(space_.point(way.motion.q)),
-        goal_(space_.point(way.report.goal.empty() ? way.motion.q : way.report.goal)) {}
+        goal_(space_.point(way.report.goal.empty() ? way.motion.q : way.report.goal)),
+        shown_(start_) {}
 
   void choose_axes(const std::vector<std::string>& names) {
     std::vector<std::string> all;
@@ -124,12 +130,49 @@ class Picture {
                                                         space_.leg().parameters()[i]) != over.end();
       if (spanned) chosen.push_back(i);
     }
-    if (chosen.size() != 2 || chosen[0] == chosen[1]) {
+    const std::set<std::size_t> different(chosen.begin(), chosen.end());
+    if (chosen.size() < 2 || chosen.size() > 3 || different.size() != chosen.size()) {
       throw std::invalid_argument(
-          "--axes takes two different parameters, such as boom.phi,stick.phi");
+          "--axes takes two different parameters, such as boom.phi,stick.phi, or three for a page");
     }
+    if (chosen.size() == 3) third_ = axis(chosen[2]);
     for (std::size_t k = 0; k < 2; ++k) axes_[k] = axis(chosen[k]);
     fit_scales();
+  }
+
+  bool has_third() const { return third_.has_value(); }
+
+  /// Of a third parameter: its value in the picture.
+  void stand_at(double value) {
+    const robot::Parameter& p = space_.parameter(third_->coordinate);
+    const double low = space_.lower(third_->coordinate);
+    const double high = space_.upper(third_->coordinate);
+    if (!(value >= low && value <= high)) {
+      throw std::invalid_argument(fmt::format("--at: {} is from {:g} to {:g}, found {:g}",
+                                              p.display_name, low, high, value));
+    }
+    shown_[third_->coordinate] = value;
+  }
+
+  std::string page() {
+    SliderPage page;
+    const robot::Parameter& p = space_.parameter(third_->coordinate);
+    std::set<double> values{start_[third_->coordinate], goal_[third_->coordinate]};
+    // Of an angle that turns freely the last is the first.
+    for (int k = 0; k < kPictureLayers + (p.cyclic ? 0 : 1); ++k) {
+      values.insert(third_->low + (third_->high - third_->low) * k / kPictureLayers);
+    }
+    page.first = static_cast<std::size_t>(
+        std::distance(values.begin(), values.find(start_[third_->coordinate])));
+    layers_.assign(values.begin(), values.end());
+    shown_layer_ = page.first;
+    page.svg = svg();
+    page.title = title();
+    page.name = p.display_name;
+    for (const double value : values) {
+      page.values.push_back(fmt::format("{:.4g} {}", value, p.rotation ? "degrees" : "m"));
+    }
+    return slider_page(page);
   }
 
   std::string svg() {
@@ -141,11 +184,12 @@ class Picture {
         "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"12\" "
         "fill=\"{2}\">\n<rect width=\"100%\" height=\"100%\" fill=\"{3}\"/>\n",
         width, height, colours.text, colours.panel);
-    cells();
+    forbidden();
     text_ += "<g>\n";
     tree();
     way();
-    if (spec_.kind == guides::GuideKind::potential) minima();
+    if (spec_.kind == guides::GuideKind::potential && !third_) minima();
+    rings();
     mark(start_, colours.machine, "start");
     mark(goal_, colours.critical, "goal");
     text_ += "</g>\n";
@@ -227,17 +271,63 @@ class Picture {
     return true;
   }
 
-  /// Where the robot may not stand, and the bands of the field; runs of equal cells are one
-  /// rectangle.
-  void cells() {
+  /// Where the robot may not stand, and the bands of the field: as they are shown, or a layer for
+  /// each value of the third parameter.
+  void forbidden() {
+    if (layers_.empty()) return cells(cell_values(shown_));
+    std::vector<std::vector<double>> grids;
+    Point point = shown_;
+    for (const double value : layers_) {
+      point[third_->coordinate] = value;
+      grids.push_back(cell_values(point));
+    }
+    for (std::size_t k = 0; k < grids.size(); ++k) {
+      text_ += layer_begin(k == shown_layer_);
+      cells(grids[k]);
+      text_ += "</g>\n";
+    }
+  }
+
+  /// Where the way has the value of the third parameter, by layers too.
+  void rings() {
+    if (!third_) return;
+    if (layers_.empty()) return rings_at(shown_[third_->coordinate]);
+    for (std::size_t k = 0; k < layers_.size(); ++k) {
+      text_ += layer_begin(k == shown_layer_);
+      rings_at(layers_[k]);
+      text_ += "</g>\n";
+    }
+  }
+
+  void rings_at(double there) {
+    // A vehicle that turns on the spot has no straight legs.
+    if (space_.leg().drive() >= 0 && !space_.leg().steers()) return;
+    for (std::size_t k = 1; k < report_.way.size(); ++k) {
+      const Point from = space_.point(report_.way[k - 1]);
+      const Point to = space_.point(report_.way[k]);
+      const double all = way_to(*third_, from, to[third_->coordinate]);
+      const double part = way_to(*third_, from, there);
+      if (all == 0 || part / all < 0 || part / all > 1) continue;
+      const double share = part / all;
+      text_ += fmt::format(
+          "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"6\" fill=\"none\" stroke=\"{}\" "
+          "stroke-width=\"2\"/>\n",
+          pixel_x(value(from, 0) + share * way_on(from, to, 0)),
+          pixel_y(value(from, 1) + share * way_on(from, to, 1)), palette::kDrawing.bad);
+    }
+  }
+
+  /// Row by row from below; also finds the highest of the field.
+  std::vector<double> cell_values(Point point) {
     const double most = std::max(axes_[0].pixels, axes_[1].pixels);
-    const int nx = static_cast<int>(std::ceil(kPictureCells * axes_[0].pixels / most));
-    const int ny = static_cast<int>(std::ceil(kPictureCells * axes_[1].pixels / most));
+    columns_ = static_cast<int>(std::ceil(kPictureCells * axes_[0].pixels / most));
+    rows_ = static_cast<int>(std::ceil(kPictureCells * axes_[1].pixels / most));
+    const int nx = columns_;
+    const int ny = rows_;
     const bool field = spec_.kind == guides::GuideKind::potential;
     std::optional<guides::PotentialField> potential;
     if (field) potential.emplace(space_, start_, goal_);
     std::vector<double> values(at(nx * ny));
-    Point point = start_;
     for (int j = 0; j < ny; ++j) {
       for (int i = 0; i < nx; ++i) {
         point[axes_[0].coordinate] = cell_value(0, i, nx);
@@ -251,22 +341,36 @@ class Picture {
         if (std::isfinite(here)) highest_ = std::max(highest_, here);
       }
     }
+    return values;
+  }
+
+  /// Runs of equal cells are one rectangle; of a layer all of a colour are one path.
+  void cells(const std::vector<double>& values) {
     text_ += "<g shape-rendering=\"crispEdges\">\n";
-    const double w = axes_[0].pixels / nx;
-    const double h = axes_[1].pixels / ny;
-    for (int j = 0; j < ny; ++j) {
-      for (int i = 0; i < nx;) {
-        const std::string fill = colour(values[at(j * nx + i)]);
+    const double w = axes_[0].pixels / columns_;
+    const double h = axes_[1].pixels / rows_;
+    const double below = kTopMargin + axes_[1].pixels;
+    std::map<std::string, std::string> paths;
+    for (int j = 0; j < rows_; ++j) {
+      for (int i = 0; i < columns_;) {
+        const std::string fill = colour(values[at(j * columns_ + i)]);
         int end = i + 1;
-        while (end < nx && colour(values[at(j * nx + end)]) == fill) ++end;
-        if (!fill.empty()) {
+        while (end < columns_ && colour(values[at(j * columns_ + end)]) == fill) ++end;
+        if (!fill.empty() && layers_.empty()) {
           text_ += fmt::format(
               "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/>\n",
-              kLeftMargin + i * w, kTopMargin + axes_[1].pixels - (j + 1) * h, (end - i) * w, h,
-              fill);
+              kLeftMargin + i * w, below - (j + 1) * h, (end - i) * w, h, fill);
+        } else if (!fill.empty()) {
+          paths[fill] += fmt::format("M{} {}H{}v1H{}z", i, j, end, i);
         }
         i = end;
       }
+    }
+    for (const auto& [fill, path] : paths) {
+      text_ += fmt::format(
+          "<path transform=\"translate({:.2f} {:.2f}) scale({:.4f} {:.4f})\" d=\"{}\" "
+          "fill=\"{}\"/>\n",
+          kLeftMargin, below, w, -h, path, fill);
     }
     text_ += "</g>\n";
   }
@@ -313,8 +417,11 @@ class Picture {
 
   /// From one point to the next along an axis, the short way round.
   double way_on(const Point& a, const Point& b, std::size_t k) const {
-    const double off = value(b, k) - value(a, k);
-    if (!space_.parameter(axes_[k].coordinate).cyclic) return off;
+    return way_to(axes_[k], a, b[axes_[k].coordinate]);
+  }
+  double way_to(const PictureAxis& axis, const Point& from, double to) const {
+    const double off = to - from[axis.coordinate];
+    if (!space_.parameter(axis.coordinate).cyclic) return off;
     return off > 180 ? off - 360 : off < -180 ? off + 360 : off;
   }
 
@@ -411,11 +518,18 @@ class Picture {
   }
 
   std::string legend() const {
+    if (spec_.kind == guides::GuideKind::potential && third_) {
+      return "dark: forbidden; blue: the field; red: the way";
+    }
     if (spec_.kind == guides::GuideKind::potential) {
       return fmt::format("dark: forbidden; blue: the field; rings: minima but the goal ({})",
                          minima_);
     }
-    return "dark: forbidden; thin: what was tried; red: the way";
+    const std::string rings = third_
+                                  ? fmt::format("; rings: where it is at that {}",
+                                                space_.parameter(third_->coordinate).display_name)
+                                  : "";
+    return "dark: forbidden; thin: what was tried; red: the way" + rings;
   }
 
   /// What stands still in the picture.
@@ -423,8 +537,9 @@ class Picture {
     std::string text;
     for (std::size_t i = 0; i < space_.size(); ++i) {
       if (i == axes_[0].coordinate || i == axes_[1].coordinate) continue;
+      if (!layers_.empty() && i == third_->coordinate) continue;
       text += fmt::format("{}{} {:.4g}", text.empty() ? "forbidden with " : ", ",
-                          space_.parameter(i).display_name, start_[i]);
+                          space_.parameter(i).display_name, shown_[i]);
     }
     return text;
   }
@@ -452,7 +567,12 @@ class Picture {
   guides::Space space_;
   Point start_;
   Point goal_;
+  Point shown_;  ///< has the values of what is on no axis
   std::array<PictureAxis, 2> axes_;
+  std::optional<PictureAxis> third_;  ///< what a slider changes
+  std::vector<double> layers_;        ///< its values, of a page; else none
+  std::size_t shown_layer_ = 0;
+  int columns_ = 0, rows_ = 0;  ///< of cells
   double highest_ = 0;
   int minima_ = 0;
   std::string text_;
@@ -466,9 +586,29 @@ std::string guide_picture(const interpreter::PlanModel& plan, const interpreter:
   with_first_way(plan, sources, task, query.kind, [&](const FirstWay& way) {
     Picture picture(way);
     picture.choose_axes(query.axes);
+    if (query.at && !picture.has_third()) {
+      throw std::invalid_argument("--at is the value of a third parameter in --axes");
+    }
+    if (query.at) picture.stand_at(*query.at);
     svg = picture.svg();
   });
   return svg;
+}
+
+std::string guide_picture_page(const interpreter::PlanModel& plan,
+                               const interpreter::SourceMap& sources, const std::string& task,
+                               const PictureQuery& query) {
+  std::string page;
+  with_first_way(plan, sources, task, query.kind, [&](const FirstWay& way) {
+    Picture picture(way);
+    picture.choose_axes(query.axes);
+    if (!picture.has_third()) {
+      throw std::invalid_argument(
+          "--page needs three parameters in --axes; the slider changes the third");
+    }
+    page = picture.page();
+  });
+  return page;
 }
 
 }  // namespace rubicon::comparison

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@ namespace rubicon::comparison {
 struct PictureQuery {
   std::string kind;               ///< "": that of the first guide of the task, or rrt_connect
   std::vector<std::string> axes;  ///< two parameters; none: the first two that it searches
+  /// A third may follow them. Its value in the picture; none: as it is when the motion begins.
+  std::optional<double> at = {};
 };
 
 /// The configurations that two parameters span, as SVG, where the first motion of the task begins:
@@ -20,5 +23,11 @@ struct PictureQuery {
 /// message for the user.
 std::string guide_picture(const interpreter::PlanModel& plan, const interpreter::SourceMap& sources,
                           const std::string& task, const PictureQuery& query);
+
+/// The same for values of a third parameter all over its range, as a page with a slider (HTML). A
+/// ring is where the way has that value. Throws as `guide_picture` does.
+std::string guide_picture_page(const interpreter::PlanModel& plan,
+                               const interpreter::SourceMap& sources, const std::string& task,
+                               const PictureQuery& query);
 
 }  // namespace rubicon::comparison

@@ -43,6 +43,7 @@ PlanReport plan(const robot::RobotModel& model, GuideKind kind, double seed, con
   spec.improve = 20;
   if (kind != GuideKind::astar && kind != GuideKind::rrt_connect) spec.goal_bias = 0.3;
   if (kind == GuideKind::astar) spec.step = 8;
+  if (kind == GuideKind::drrt) spec.step = 20;
   GuideTask task;
   task.model = &model;
   task.mounting = test::standing(model);
@@ -81,7 +82,8 @@ TEST(Steered, AFreeWayIsThatOfReedsAndShepp) {
 
 TEST(Steered, TheThesisKindsGrowArcs) {
   const robot::RobotModel model = test::steered_vehicle();
-  for (const GuideKind kind : {GuideKind::rrt, GuideKind::rrt_nonuniform, GuideKind::rrt_plus}) {
+  for (const GuideKind kind :
+       {GuideKind::rrt, GuideKind::rrt_nonuniform, GuideKind::rrt_plus, GuideKind::drrt}) {
     const PlanReport report =
         plan(model, kind, 4, {0, 0, 0}, {4, 2, 60}, [](std::span<const double>) { return false; });
     ASSERT_TRUE(report.found()) << name_of(kind);
@@ -89,14 +91,25 @@ TEST(Steered, TheThesisKindsGrowArcs) {
   }
 }
 
+/// A range of 30 m by 11 m, so that random places are dense enough.
+robot::RobotModel in_the_lane(robot::RobotModel model) {
+  model.parameters[0].lower = -15;
+  model.parameters[0].upper = 15;
+  model.parameters[1].lower = -5;
+  model.parameters[1].upper = 6;
+  return model;
+}
+
 TEST(Steered, ATruckParks) {
   const Q from{-9, 3, 0};
   const Q to{0, -3.5, 90};
   for (const bool chords : {true, false}) {
-    const robot::RobotModel model = chords ? test::steered_vehicle() : test::vehicle();
-    for (const GuideKind kind : {GuideKind::astar, GuideKind::rrt_connect}) {
-      if (!chords && kind == GuideKind::astar) continue;
-      const PlanReport report = plan(model, kind, 2, from, to, outside_lane_and_bay);
+    const robot::RobotModel any = chords ? test::steered_vehicle() : test::vehicle();
+    const robot::RobotModel narrow = in_the_lane(any);
+    for (const GuideKind kind : {GuideKind::astar, GuideKind::rrt_connect, GuideKind::drrt}) {
+      if (!chords && kind != GuideKind::rrt_connect) continue;
+      const PlanReport report =
+          plan(kind == GuideKind::drrt ? narrow : any, kind, 2, from, to, outside_lane_and_bay);
       ASSERT_TRUE(report.found()) << name_of(kind) << ' ' << report.checks;
       expect_chords(report.way);
       EXPECT_NEAR(report.way.back()[1], to[1], 1e-6);
@@ -111,6 +124,46 @@ TEST(Steered, ATruckParks) {
           << "it cannot come out of the lane into the bay tail first without going back";
     }
   }
+}
+
+/// The roadmap joins each place to those that the shortest ways lead to, found without looking for
+/// all ways; a way that is blocked then is gone round by what is kept.
+TEST(Steered, ARoadmapOfArcsIsKeptWhileThingsComeAndGo) {
+  const robot::RobotModel model = in_the_lane(test::steered_vehicle());
+  const robot::Mounting mounting = test::standing(model);
+  GuideSpec spec = default_guide(GuideKind::prm);
+  spec.nodes = 120;
+  spec.nearest = 6;
+  spec.turn_radius = kRadius;
+  const Q from{-9, 3, 0};
+  const Q to{9, 2, 0};
+  test::PredicateTests open([](std::span<const double>) { return false; });
+  Space space(model, mounting, from, spec, open);
+  RoadmapMemory memory;
+  ASSERT_FALSE(search_roadmap(space, from, to, memory).way.empty());
+  const Roadmap& roadmap = *memory.roadmap;
+  for (std::size_t i = 0; i < roadmap.points.size(); i += 7) {
+    std::vector<double> all;
+    for (std::size_t k = 0; k < roadmap.points.size(); ++k) {
+      if (k != i) all.push_back(space.distance(roadmap.points[k], roadmap.points[i]));
+    }
+    std::sort(all.begin(), all.end());
+    std::size_t nearest = 0;
+    for (const int k : roadmap.next_to[i]) {
+      const Point& there = roadmap.points[static_cast<std::size_t>(k)];
+      if (space.distance(there, roadmap.points[i]) <= all[5] + 1e-9) ++nearest;
+    }
+    EXPECT_EQ(nearest, 6u) << i;
+  }
+  test::PredicateTests pillar(
+      [](std::span<const double> q) { return std::hypot(q[0] - 0, q[1] - 2.5) < 1.2; });
+  Space changed(model, mounting, from, spec, pillar);
+  const Search round = search_roadmap(changed, from, to, memory);
+  ASSERT_FALSE(round.way.empty());
+  for (std::size_t k = 0; k + 1 < round.way.size(); ++k) {
+    EXPECT_TRUE(changed.leg_is_free(round.way[k], round.way[k + 1]));
+  }
+  expect_chords(changed.with_chords(round.way));
 }
 
 TEST(Steered, StepsLeadThroughTheStopsOfALeg) {

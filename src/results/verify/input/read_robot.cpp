@@ -69,6 +69,7 @@ SceneParameter read_parameter(const JsonFields& fields, const std::vector<std::s
   read.body = body_index(robot, fields.text("body"));
   read.rotation = fields.text("kind") == "rotation";
   read.cyclic = fields.truth("cyclic");
+  read.prefers_less = fields.number("prefer") < 0;
   if (fields.has("lower")) read.lower = fields.number("lower");
   if (fields.has("upper")) read.upper = fields.number("upper");
   read.step = fields.number("step");

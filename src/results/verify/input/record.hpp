@@ -46,7 +46,9 @@ struct Stop {};
 /// A guide planned a way; none: it found no way.
 struct GuidePlan {
   std::string name;
-  std::vector<std::vector<double>> way;    ///< where it begins, its waypoints; all parameters
+  std::vector<std::vector<double>> way;  ///< where it begins, its waypoints; all parameters
+  double roughness = 0;
+  double length = 0;                       ///< m
   double motion_time = 0;                  ///< s
   std::vector<std::vector<double>> graph;  ///< both ends of each leg, only in full traces
   int checks = 0;

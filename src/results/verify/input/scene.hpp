@@ -67,6 +67,7 @@ struct SceneParameter {
   int body = 0;
   bool rotation = false;
   bool cyclic = false;
+  bool prefers_less = false;  ///< half a turn, of a cyclic angle, goes down
   std::optional<double> lower;
   std::optional<double> upper;
   double step = 0;

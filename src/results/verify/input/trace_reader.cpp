@@ -152,6 +152,8 @@ class RecordReader {
         fields_.fail("two configurations for each leg of 'graph', and how many 'legs' there are");
       }
     }
+    plan.roughness = fields_.number("roughness");
+    plan.length = fields_.number("length");
     plan.motion_time = fields_.number("motion_time");
     plan.checks = fields_.integer("checks");
     return plan;

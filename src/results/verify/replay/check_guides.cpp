@@ -12,6 +12,8 @@
 #include "src/motion/math/index.hpp"
 #include "src/motion/math/turns.hpp"
 #include "src/results/verify/replay/step_rules.hpp"
+#include "src/results/verify/replay/vehicle_rules.hpp"
+#include "src/results/verify/replay/way_figures.hpp"
 
 namespace rubicon::verify {
 
@@ -47,6 +49,11 @@ class GuideCheck {
       } else if (std::holds_alternative<Goal>(record_->what)) {
         way_.clear();
         next_ = 0;
+      } else if (const auto* load = std::get_if<LoadChange>(&record_->what)) {
+        hanging_ = load->kind == LoadChange::Kind::attach ||
+                   (hanging_ && load->kind != LoadChange::Kind::detach);
+      } else if (const auto* taken = std::get_if<SoilTaken>(&record_->what)) {
+        soil_ = run_.task >= 0 && trace_.scene.tasks[at(run_.task)].haul && taken->volume > 0;
       }
       before_ = record_->time;
     }
@@ -74,6 +81,7 @@ class GuideCheck {
     check_kept(plan);
     check_steering(plan);
     check_graph(plan);
+    check_figures(plan);
     const SceneGuide* const guide = guide_of(plan);
     thinks_ = guide != nullptr ? guide->thinks : 0;
     if (thinks_ > 0) checks_ = plan.checks;
@@ -121,7 +129,7 @@ class GuideCheck {
   void check_steering(const GuidePlan& plan) {
     const SceneGuide* const guide = guide_of(plan);
     if (guide == nullptr || !(guide->turn_radius > 0)) return;
-    const auto vehicle = find_vehicle();
+    const auto vehicle = find_vehicle(robot_);
     if (!vehicle) return;
     constexpr double kOnChord = 1e-6;  // m
     for (std::size_t k = 1; k < plan.way.size(); ++k) {
@@ -144,57 +152,6 @@ class GuideCheck {
     }
   }
 
-  struct SteeredVehicle {
-    std::size_t x = 0, y = 0, heading = 0;
-    double drift_deg = 0;  ///< the direction that it drives in at heading 0
-  };
-
-  /// By what the rules of the robot make of one step of each parameter.
-  std::optional<SteeredVehicle> find_vehicle() const {
-    const std::size_t n = robot_.parameters.size();
-    for (std::size_t drive = 0; drive < n; ++drive) {
-      for (std::size_t turn = 0; turn < n; ++turn) {
-        const SceneParameter& angle = robot_.parameters[turn];
-        if (turn == drive || angle.derived || !(angle.step > 0)) continue;
-        if (angle.body != robot_.parameters[drive].body || !(robot_.parameters[drive].step > 0)) {
-          continue;
-        }
-        const std::vector<double> ahead = moved_by(drive, turn, 0);
-        const std::vector<double> across = moved_by(drive, turn, 90);
-        std::vector<std::size_t> changed;
-        for (std::size_t i = 0; i < n; ++i) {
-          if (std::fabs(ahead[i]) > kValueSlack || std::fabs(across[i]) > kValueSlack) {
-            changed.push_back(i);
-          }
-        }
-        if (changed.size() != 2) continue;
-        const std::size_t x = changed[0];
-        const std::size_t y = changed[1];
-        if (std::fabs(across[x] + ahead[y]) > kValueSlack ||
-            std::fabs(across[y] - ahead[x]) > kValueSlack) {
-          continue;
-        }
-        return SteeredVehicle{x, y, turn, math::atan2_deg(ahead[y], ahead[x])};
-      }
-    }
-    return std::nullopt;
-  }
-
-  /// What a step of a metre changes at a heading; the others stand at 0.
-  std::vector<double> moved_by(std::size_t drive, std::size_t heading, double heading_deg) const {
-    std::vector<double> q(robot_.parameters.size(), 0.0);
-    std::vector<double> steps(q.size(), 0.0);
-    std::vector<double> change(q.size(), 0.0);
-    q[heading] = heading_deg;
-    steps[drive] = 1;
-    for (std::size_t i = 0; i < q.size(); ++i) {
-      const SceneParameter& p = robot_.parameters[i];
-      if (p.derived || p.body != robot_.parameters[drive].body) continue;
-      change[i] = p.rule.value({q, steps, robot_.starts}) - q[i];
-    }
-    return change;
-  }
-
   /// Sums that are kept at both ends of a straight leg are kept all along it.
   void check_kept(const GuidePlan& plan) {
     const SceneGuide* const guide = guide_of(plan);
@@ -215,6 +172,24 @@ class GuideCheck {
         return;
       }
     }
+  }
+
+  /// What is told of the way, reckoned again from its points.
+  void check_figures(const GuidePlan& plan) {
+    if (plan.way.empty()) return;
+    const SceneGuide* const guide = guide_of(plan);
+    const WayFigures own =
+        way_figures(robot_, plan.way, hanging_ || soil_, guide != nullptr ? guide->turn_radius : 0);
+    const auto expect = [&](const char* what, const char* unit, double told,
+                            const WayFigure& found) {
+      if (found.fits(told)) return;
+      fault(FaultKind::motion, fmt::format("the {} of the guide's way is told as {:.9g}{} and is "
+                                           "{:.9g}{}",
+                                           what, told, unit, found.value, unit));
+    };
+    expect("roughness", "", plan.roughness, own.roughness);
+    expect("length", " m", plan.length, own.length);
+    expect("motion time", " s", plan.motion_time, own.motion_time);
   }
 
   /// What it searched through are configurations that the robot can have.
@@ -338,6 +313,8 @@ class GuideCheck {
   int checks_ = 0;       ///< that it has not thought about yet
   Ticks before_ = 0;     ///< when the record before this one was over
   double spread_ = 0;
+  bool hanging_ = false;   ///< a load on its tool
+  bool soil_ = false;      ///< a truck with soil
   std::vector<double> q_;  ///< once it is known
   const Record* record_ = nullptr;
 };
