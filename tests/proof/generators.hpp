@@ -16,5 +16,7 @@ std::span<const Generator> scene_generators();
 std::span<const Generator> static_generators();
 /// Poses and steps of meshes whose faces lie in each other.
 std::span<const Generator> aligned_generators();
+/// Steps over soil that is dug bit by bit.
+std::span<const Generator> soil_generators();
 
 }  // namespace rubicon::collision::proof

@@ -29,6 +29,7 @@ struct Options {
   unsigned threads = 1;
   bool poses = false;
   bool aligned = false;
+  bool soil = false;
   std::vector<std::string> only;
   std::string replay;
 };
@@ -105,7 +106,7 @@ int replay(const std::string& text) {
     return error == std::errc() && end == digits.data() + digits.size() && !digits.empty();
   };
   std::vector<Generator> all = step_generators();
-  for (const auto& list : {static_generators(), aligned_generators()}) {
+  for (const auto& list : {static_generators(), aligned_generators(), soil_generators()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   const std::string name = text.substr(0, first);
@@ -134,6 +135,7 @@ int replay(const std::string& text) {
 int prove(const Options& options) {
   const std::vector<Generator> all = options.poses     ? listed(static_generators())
                                      : options.aligned ? listed(aligned_generators())
+                                     : options.soil    ? listed(soil_generators())
                                                        : step_generators();
   std::uint64_t shares = 0;
   for (const Generator& generator : all) shares += static_cast<std::uint64_t>(generator.share);
@@ -171,15 +173,20 @@ int prove(const Options& options) {
 int run_command(int argc, char** argv) {
   Options options;
   CLI::App app("Proves the collision engine on random questions against independent oracles.");
-  app.add_option("--cases", options.questions,
-                 "questions in all (default 1,000,000; poses 12,000,000; aligned 100,000)");
+  app.add_option(
+      "--cases", options.questions,
+      "questions in all (default 1,000,000; poses 12,000,000; aligned and soil 100,000)");
   app.add_option("--seed", options.seed, "another seed gives other cases");
   app.add_option("--threads", options.threads, "the answers do not depend on it")
       ->check(CLI::Range(1, 64));
   app.add_option("--only", options.only, "these families of cases only");
   CLI::Option* poses = app.add_flag("--static", options.poses, "poses instead of steps");
-  app.add_flag("--aligned", options.aligned, "meshes whose faces lie in each other instead")
-      ->excludes(poses);
+  CLI::Option* aligned =
+      app.add_flag("--aligned", options.aligned, "meshes whose faces lie in each other instead")
+          ->excludes(poses);
+  app.add_flag("--soil", options.soil, "steps over soil that is dug bit by bit instead")
+      ->excludes(poses)
+      ->excludes(aligned);
   app.add_option("--replay", options.replay, "GENERATOR:SEED:INDEX: one case, explained");
   try {
     app.parse(argc, argv);
@@ -188,7 +195,7 @@ int run_command(int argc, char** argv) {
   }
   if (!options.replay.empty()) return replay(options.replay);
   if (options.poses && app.count("--cases") == 0) options.questions = 12'000'000;
-  if (options.aligned && app.count("--cases") == 0) options.questions = 100'000;
+  if ((options.aligned || options.soil) && app.count("--cases") == 0) options.questions = 100'000;
   return prove(options);
 }
 

@@ -151,6 +151,8 @@ export interface Header {
   /** The ground on which trucks tip, cell by cell (mm). */
   heaps?: { component: string; pose: PoseRows; columns: number; cell: number; ground: number[] }[];
   networks?: NetworkData[];
+  /** Machines that keep their dynamic workspaces apart, in their order. */
+  workspaces?: { of: string[]; reaction: number; braking: number; turn_braking: number; foreseen?: number; watch?: boolean };
   /** `friction` only where forces must balance. */
   support?: { mode: 'on' | 'warn' | 'off'; gap: number; friction?: number; floating?: string[] };
   components: ComponentData[];

@@ -7,6 +7,7 @@ const drawings = {
   machine: 'M2 14h5M4.5 14V2M2 4.5h12M4.5 2L14 4.5M12 4.5v4M10.5 8.5h3v2.5h-3z',
   paths: 'M2.5 13.5c4-1 2-6 5.5-7s2.5-3 5-4M2.5 13.5h.01M13 2.5h.01',
   zones: 'M3 3h10v10H3zM3 9l6-6M3 13L13 3M7 13l6-6',
+  workspaces: 'M2 8l3-5h6l3 5-3 5H5zM6.5 6.5h3v3h-3z',
   search: 'M2 14l4-4M6 10l1-5M6 10l5 1M7 5l-3-3M7 5l5-3M11 11l3-3M11 11l2 3',
   beams: 'M2 5h12M2 11h12M5 2v12M11 2v12',
   cells: 'M2.5 2.5h11v11h-11zM8 2.5v11M8 8h5.5',

@@ -29,6 +29,7 @@ import { Stage, type Stats } from './stage';
 import { themeOf, type Theme } from './theme';
 import { Toolbar, type Tool } from './toolbar';
 import { WalkLines } from './walks';
+import { WorkspaceLines } from './workspace_lines';
 import './view.css';
 
 /** Room (m) about what is flown to. */
@@ -56,6 +57,7 @@ export class SiteView {
   private readonly walks: WalkLines;
   private readonly graphs: SearchGraphs;
   private readonly foreseen: ForeseenWays;
+  private readonly workspaces: WorkspaceLines;
   private readonly ropes: Ropes;
   private readonly lanes: Lanes;
   private readonly joints: Joints;
@@ -67,7 +69,7 @@ export class SiteView {
   private readonly rig: Rig;
   private readonly stage: Stage;
   private readonly picker: Picker;
-  private readonly shows = { paths: true, zones: true, search: false };
+  private readonly shows = { paths: true, zones: true, workspaces: true, search: false };
   /** Steps of the ways over areas that are shown. */
   private readonly steps = new Set<FloorStep>();
   private theme: Theme;
@@ -89,6 +91,7 @@ export class SiteView {
     this.walks = new WalkLines(film, motion, this.light);
     this.graphs = new SearchGraphs(film, this.light);
     this.foreseen = new ForeseenWays(film, this.light);
+    this.workspaces = new WorkspaceLines(film, motion, this.light);
     this.ropes = new Ropes(this.model, this.light);
     this.lanes = new Lanes(film, this.light);
     this.joints = new Joints(film, this.light);
@@ -104,12 +107,12 @@ export class SiteView {
       this.rig.resize(width, height);
       this.light.pixelRatio.value = ratio;
       for (const strokes of [this.paths.strokes, this.ropes.strokes, this.lanes.strokes, this.joints.strokes, this.floors.strokes,
-        this.walks.strokes, this.walks.planned, this.graphs.strokes, this.foreseen.strokes]) strokes.size.set(width * ratio, height * ratio);
+        this.walks.strokes, this.walks.planned, this.graphs.strokes, this.foreseen.strokes, this.workspaces.strokes, this.workspaces.marks]) strokes.size.set(width * ratio, height * ratio);
     });
     this.picker = new Picker(this.stage.renderer, this.rig.camera, this.model);
     this.stage.still.add(this.model.still, this.labels.mesh);
     this.stage.moving.add(this.model.moving, this.paths.strokes.mesh, this.ropes.strokes.mesh, this.lanes.strokes.mesh, this.joints.strokes.mesh,
-      this.floors.strokes.mesh, this.graphs.strokes.mesh, this.foreseen.strokes.mesh, this.walks.planned.mesh, this.walks.strokes.mesh, this.overlay.group);
+      this.floors.strokes.mesh, this.graphs.strokes.mesh, this.workspaces.strokes.mesh, this.workspaces.marks.mesh, this.foreseen.strokes.mesh, this.walks.planned.mesh, this.walks.strokes.mesh, this.overlay.group);
     canvas.tabIndex = 0;
     host.append(canvas, this.walks.legend, this.section.element, this.toolbar.element, this.card.element);
     const { components, robots, site } = film.header;
@@ -208,9 +211,14 @@ export class SiteView {
         press: () => this.toggle('paths') },
       { name: 'zones', label: 'Zones', title: 'Zones of people (Z in the view)', toggle: true,
         press: () => this.toggle('zones') },
-      ...this.searchTools()],
+      ...this.workspaceTools(), ...this.searchTools()],
       ...this.stepTools(),
     ]);
+  }
+
+  private workspaceTools(): Tool[] {
+    return this.film.header.workspaces === undefined ? [] : [{ name: 'workspaces', label: 'Workspaces', toggle: true,
+      title: 'What machines would sweep until they stand, what they are foreseen to sweep, and whom that stopped', press: () => this.toggle('workspaces') }];
   }
 
   private searchTools(): Tool[] {
@@ -241,7 +249,7 @@ export class SiteView {
     this.stage.setTheme(this.theme);
     this.repainted = true;
     this.stage.touch();
-    for (const what of ['paths', 'zones', 'search'] as const) this.toolbar.setPressed(what, this.shows[what]);
+    for (const what of ['paths', 'zones', 'workspaces', 'search'] as const) this.toolbar.setPressed(what, this.shows[what]);
   }
 
   /** Brings what is drawn to what the player shows. */
@@ -268,7 +276,8 @@ export class SiteView {
       this.floors.show(this.steps, this.theme);
       const ways = machines && this.shows.paths ? running : [];
       this.graphs.show(running, machines && this.shows.search, player.time, this.theme);
-      this.foreseen.show(running, machines && this.shows.zones, player.time, this.theme);
+      this.foreseen.show(running, machines && this.shows.workspaces, player.time, this.theme);
+      this.workspaces.show(machines && this.shows.workspaces && tried < 0, player.time, (robot) => looks.machineColour(robot), this.theme);
       this.walks.show(ways, tried, player.time, this.theme);
       // Where a guide walked, the way of the vehicle stands for that of its tool.
       this.paths.show(ways.filter((run) => !this.walks.has(run)), tried, player.time, (robot) => looks.machineColour(robot),
