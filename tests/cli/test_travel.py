@@ -220,6 +220,20 @@ class Travel(ResultCase):
                 way = self.way_of()
                 self.assertEqual((way[0], way[-1]), ((x, -19.7), (1.3, 30.1)), kind)
 
+    def test_sight_that_ends_beside_an_obstacle_ends_at_it(self):
+        self.write("disc.robot", """robot disc {
+  sensor 6;
+  body car { param x step(0.5) range(-40, 40); param y range(-40, 40); param theta cyclic step(15);
+    rule theta <- theta + theta_s; rule x <- x + x_s * cos(theta) - y_s * sin(theta); rule y <- y + x_s * sin(theta) + y_s * cos(theta);
+    frame trans(x, y, 0) * rotz(theta); shape cylinder(0.5, 0.1, 1); }
+  behaviour { chain { follow } }
+}
+""")
+        schedule, _ = self.run_plan('plan p { robot "disc.robot"; guide g visbug21; start x -12, y 0, theta 0; goal x 7, y -5; guide g;'
+                                    " component a { shape box(-2.98, -0.21, 0, 2.93, 0.71, 1); at trans(-1.20, -1.31, 0) * rotz(9.49); }"
+                                    " component b { shape box(-1.76, -0.47, 0, 2.34, 0.51, 1); at trans(-7.02, -4.01, 0) * rotz(37.43); } }")
+        self.assertEqual(schedule["tasks"][0]["result"], "done")
+
     def test_a_way_that_only_leads_out_is_none_to_a_goal(self):
         _, tasks = self.drive("pledge;", expected=1)
         self.assertIn("it got out, and seeks no goal; last escaped", tasks["over"]["reason"])
