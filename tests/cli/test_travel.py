@@ -97,7 +97,7 @@ class Travel(ResultCase):
         told = rubicon("guides", os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "taskplans", "trench.plan"), "--exact")
         self.assertEqual(told.returncode, 2)
 
-    def drive(self, guide, things=BLOCK, expected=0, options=()):
+    def drive(self, guide, things=BLOCK, expected=0, options=(), start="x 0, y -20, theta 90", goal="x 0, y 30, theta 90"):
         """A vehicle that turns and drives follows a guide; the plan is verified."""
         self.write("truck.robot", """robot truck {
   time_step 1;
@@ -115,9 +115,9 @@ class Travel(ResultCase):
   behaviour { chain { follow } }
 }
 """)
-        return self.run_plan('plan yard {\n  robot car "%s" { start x 0, y -20, theta 90; }\n  support off;\n  %s\n  guide way %s\n'
-                             "  task over { by car; go x 0, y 30, theta 90; guide way; }\n}\n"
-                             % (os.path.join(self.folder, "truck.robot"), things, guide), expected, options)
+        return self.run_plan('plan yard {\n  robot car "%s" { start %s; }\n  support off;\n  %s\n  guide way %s\n'
+                             "  task over { by car; go %s; guide way; }\n}\n"
+                             % (os.path.join(self.folder, "truck.robot"), start, things, guide, goal), expected, options)
 
     def record_of(self):
         with open(os.path.join(self.out, "trace.jsonl"), encoding="utf-8") as file:
@@ -210,6 +210,33 @@ class Travel(ResultCase):
         # Where it must turn at once, the kerb is in the way.
         _, tasks = self.drive("bug2;", kerb + " component gate { shape box(-3, -18.9, 0, 3, -18.5, 1); }", expected=1)
         self.assertEqual(tasks["over"]["result"], "rejected")
+
+    def test_ways_end_at_the_very_goal(self):
+        """Corners of outlines lie on a lattice; starts and goals of machines do not."""
+        for kind in ("bug1", "bug2", "visbug21", "simple", "tangent", "ace", "visibility"):
+            for things, x in (("", 0.1), (BLOCK, 0.1), ("component post { shape box(1.9, 29, 0, 2.1, 31, 1); }", 1.3)):
+                _, tasks = self.drive(kind + ";", things, start=f"x {x}, y -19.7, theta 90", goal="x 1.3, y 30.1, theta 90")
+                self.assertEqual(tasks["over"]["result"], "done", (kind, things))
+                way = self.way_of()
+                self.assertEqual((way[0], way[-1]), ((x, -19.7), (1.3, 30.1)), kind)
+
+    def test_sight_that_ends_beside_an_obstacle_ends_at_it(self):
+        self.write("disc.robot", """robot disc {
+  sensor 6;
+  body car { param x step(0.5) range(-40, 40); param y range(-40, 40); param theta cyclic step(15);
+    rule theta <- theta + theta_s; rule x <- x + x_s * cos(theta) - y_s * sin(theta); rule y <- y + x_s * sin(theta) + y_s * cos(theta);
+    frame trans(x, y, 0) * rotz(theta); shape cylinder(0.5, 0.1, 1); }
+  behaviour { chain { follow } }
+}
+""")
+        schedule, _ = self.run_plan('plan p { robot "disc.robot"; guide g visbug21; start x -12, y 0, theta 0; goal x 7, y -5; guide g;'
+                                    " component a { shape box(-2.98, -0.21, 0, 2.93, 0.71, 1); at trans(-1.20, -1.31, 0) * rotz(9.49); }"
+                                    " component b { shape box(-1.76, -0.47, 0, 2.34, 0.51, 1); at trans(-7.02, -4.01, 0) * rotz(37.43); } }")
+        self.assertEqual(schedule["tasks"][0]["result"], "done")
+
+    def test_a_way_that_only_leads_out_is_none_to_a_goal(self):
+        _, tasks = self.drive("pledge;", expected=1)
+        self.assertIn("it got out, and seeks no goal; last escaped", tasks["over"]["reason"])
 
     def test_the_hand_says_on_which_side(self):
         sides = []

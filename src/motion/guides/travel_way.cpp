@@ -26,6 +26,10 @@ constexpr double kRoom = 1e-4;
 /// m; corners nearer to a straight line than this are none.
 constexpr double kStraight = 1e-7;
 
+/// m; corners of outlines and the ends of a way are moved to the lattice by less than this. Corners
+/// nearer to an end are none.
+constexpr double kAtEnd = 2 / travel::kPitchesPerMetre;
+
 /// What is seen without a setting: neither the guide nor the robot says how far.
 constexpr double kUsualVision = 10;
 
@@ -63,6 +67,18 @@ std::vector<Vec2> corners_of(const std::vector<Vec2>& way) {
     corners.push_back(p);
   }
   return corners;
+}
+
+/// A way was searched between places of the lattice; it begins and ends where it was asked to.
+void set_ends(std::vector<Vec2>& corners, const travel::TravelQuery& query) {
+  const auto near = [](const Vec2& end) {
+    return [&end](const Vec2& p) { return (p - end).norm() <= kAtEnd; };
+  };
+  while (!corners.empty() && near(query.destination)(corners.back())) corners.pop_back();
+  const auto first = std::find_if_not(corners.begin(), corners.end(), near(query.start));
+  corners.erase(corners.begin(), first);
+  corners.insert(corners.begin(), query.start);
+  corners.push_back(query.destination);
 }
 
 std::string text_of(const travel::Event& event) {
@@ -146,8 +162,9 @@ Search travel_way(Space& space, const GuideTask& task, std::span<const double> q
     const travel::TravelResult result = travel::travel(method_of(spec.kind), query, settings);
     search.nodes = result.events.size();
     search.events = texts_of(result.events);
+    // Pledge may get out and be elsewhere.
     const bool there =
-        !result.way.empty() && (result.way.back().point - query.destination).norm() <= kStraight;
+        !result.events.empty() && result.events.back().kind == travel::EventKind::kReached;
     if (result.verdict != travel::Verdict::kReached || !there) {
       search.cause = result.verdict == travel::Verdict::kUnreachable
                          ? "as far as it was seen the goal cannot be reached"
@@ -159,22 +176,21 @@ Search travel_way(Space& space, const GuideTask& task, std::span<const double> q
     }
     for (const travel::WayPoint& point : result.way) way.push_back(point.point);
   }
-  const std::vector<Vec2> corners = corners_of(way);
+  std::vector<Vec2> corners = corners_of(way);
+  set_ends(corners, query);
   std::vector<double> at_corner(q.begin(), q.end());
   search.way.push_back(space.point(q));
-  for (std::size_t i = 1; i < corners.size(); ++i) {
-    const bool is_last = i + 1 == corners.size();
-    if (is_last) at_corner = q_goal;
-    const int heading = space.leg().heading();
+  const int heading = space.leg().heading();
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
     vehicle.set_place(corners[i], at_corner);
-    if (heading >= 0 && !is_last) {
+    if (heading >= 0) {
       // The heading of arrival: that of the leg, as the vehicle turns to drive it.
       const Vec2 along = corners[i] - corners[i - 1];
       at_corner[at(heading)] = space.heading_along(q, along);
     }
     search.way.push_back(space.point(at_corner));
   }
-  if (corners.size() < 2) search.way.push_back(goal);
+  search.way.push_back(goal);
   return search;
 }
 

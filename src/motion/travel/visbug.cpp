@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "src/motion/travel/methods.hpp"
@@ -36,8 +37,7 @@ class VisBug {
       if (walker_.at_limit()) return walker_.finish(Verdict::kLimit, EventKind::kLimit);
       if (at_target()) {
         if (sees_destination_) return walker_.finish(Verdict::kReached, EventKind::kReached);
-        if (!on_outline_) throw std::logic_error("visbug21 stands still in free space");
-        step_along_outline();
+        on_outline_ ? step_along_outline() : step_along_line();
       } else {
         step_to_target();
       }
@@ -86,6 +86,18 @@ class VisBug {
     walker_.go_to(node(edge().from).p + along * edge().heading);
   }
 
+  /// As bug2, where sight shows no more of a line that is free.
+  void step_along_line() {
+    walker_.set_mode(Mode::kTowards);
+    const std::optional<Hit> hit = hit_ahead();
+    const double end = hit ? hit->distance : line_.length();
+    place_target_on_line(std::min(at_line_ + walker_.settings().stride, end));
+    walker_.go_to(target_);
+  }
+
+  /// Where the line meets the next obstacle, exactly, wherever sight has moved the target since.
+  std::optional<Hit> hit_ahead() const { return first_hit(outline(), line_, free_from_, true); }
+
   void compute_target() {
     const View view(outline(), walker_.position(), walker_.settings().vision);
     if (view.sees(line_.through().p)) {
@@ -104,9 +116,11 @@ class VisBug {
 
   /// Step 2.
   void go_on_along_line(const View& view) {
-    const std::optional<Hit> hit = first_hit(outline(), line_, at_line_, true);
+    const std::optional<Hit> hit = hit_ahead();
     const double end = hit ? hit->distance : line_.length();
-    const double seen = at_line_ + (end - at_line_) * view.seen_up_to(target_, line_.at(end));
+    const double seen = end <= at_line_ + kThere
+                            ? end
+                            : at_line_ + (end - at_line_) * view.seen_up_to(target_, line_.at(end));
     if (hit && seen >= end - kThere) {
       place_target_on_outline({hit->composite, hit->edge, hit->along});
       hit_ = spot_;
@@ -155,6 +169,7 @@ class VisBug {
     if (!(at > -kThere && to_go > -kThere && to_go < hit_distance_ - 1e-8)) return false;
     crossing_ = at;
     if (!opens) return false;
+    free_from_ = at;
     place_target_on_line(at);
     note(EventKind::kLeave);
     return true;
@@ -191,9 +206,16 @@ class VisBug {
     const double left = line_.direction().x() * way.y() - line_.direction().y() * way.x();
     if (left < -kThere) return false;
     const double begin = on_line_ ? at_line_ : crossing_;
-    const double share = view.last_seen(line_.at(begin), line_.through().p);
-    const double at = begin + share * (line_.length() - begin);
-    if (share < 0 || at <= begin + 1e-6) return false;
+    const std::optional<SeenPart> seen = view.last_seen(line_.at(begin), line_.through().p);
+    if (!seen) return false;
+    // Sight ends at an obstacle, rounded. Where the line enters it is known exactly.
+    const double to_go = line_.length() - begin;
+    const double free_from = begin + seen->middle * to_go;
+    double at = begin + seen->end * to_go;
+    const std::optional<Hit> hit = first_hit(outline(), line_, free_from, true);
+    if (hit) at = std::min(at, hit->distance);
+    if (at <= begin + 1e-6) return false;
+    free_from_ = free_from;
     place_target_on_line(at);
     note(EventKind::kTarget);
     return true;
@@ -209,9 +231,10 @@ class VisBug {
   Vec2 target_{0, 0};
   bool on_outline_ = false;
   bool on_line_ = true;
-  Spot spot_;           ///< where it is on an outline
-  double at_line_ = 0;  ///< m from the start, where it is on the line
-  Spot hit_;            ///< H, and how far from the destination it is
+  Spot spot_;             ///< where it is on an outline
+  double at_line_ = 0;    ///< m from the start, where it is on the line
+  double free_from_ = 0;  ///< m from the start, where the line was last known to be free
+  Spot hit_;              ///< H, and how far from the destination it is
   double hit_distance_ = 0;
   double crossing_ = 0;  ///< X, m from the start
   bool sees_destination_ = false;

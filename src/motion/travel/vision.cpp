@@ -139,14 +139,16 @@ double View::seen_up_to(const Vec2& a, const Vec2& b) const {
   return 1;
 }
 
-double View::last_seen(const Vec2& a, const Vec2& b) const {
+std::optional<SeenPart> View::last_seen(const Vec2& a, const Vec2& b) const {
   const std::vector<double> shares = breaks(a, b);
   const double length = (b - a).norm();
   for (std::size_t i = shares.size() - 1; i > 0; --i) {
     if ((shares[i] - shares[i - 1]) * length <= kSamePoint) continue;
-    if (sees(a + (shares[i] + shares[i - 1]) / 2 * (b - a))) return shares[i];
+    const double middle = (shares[i] + shares[i - 1]) / 2;
+    const Vec2 p = a + middle * (b - a);
+    if (sees(p) && !outline_.covers(nearby(p))) return SeenPart{middle, shares[i]};
   }
-  return -1;
+  return std::nullopt;
 }
 
 }  // namespace rubicon::travel

@@ -1,10 +1,17 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "src/motion/travel/outline.hpp"
 
 namespace rubicon::travel {
+
+/// A part of a way that is seen, as shares of the way: it is free in its middle.
+struct SeenPart {
+  double middle = 0;
+  double end = 0;
+};
 
 /// What can be seen from a point, up to some metres, past standing obstacles. Sight along an edge
 /// and past a corner is free, through a point where obstacles meet it is not. Places nearer than
@@ -16,8 +23,8 @@ class View {
   bool sees(const Vec2& p) const;
   /// How far from a, as a share of the way to b, everything is seen; a itself is taken to be.
   double seen_up_to(const Vec2& a, const Vec2& b) const;
-  /// The last point of the way from a to b that is seen, as a share of it; -1: none.
-  double last_seen(const Vec2& a, const Vec2& b) const;
+  /// The last part of the way from a to b that is seen and free, if any.
+  std::optional<SeenPart> last_seen(const Vec2& a, const Vec2& b) const;
 
  private:
   struct Wall {
