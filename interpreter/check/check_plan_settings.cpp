@@ -77,17 +77,25 @@ class Settings {
   std::map<std::string, Span> given_;
 };
 
+/// A limit, or what was found, as one reads it: 1e8 s is 27777.8 h.
+std::string limit_text(double value, UnitKind unit) {
+  if (unit != UnitKind::time) return fmt::format("{}", value);
+  return std::abs(value) < 3600 ? fmt::format("{} s", value)
+                                : fmt::format("{:.6g} h", value / 3600);
+}
+
 }  // namespace
 
 std::optional<double> bounded(Subject& subject, const syntax::Number& number, UnitKind unit,
                               const std::string& what, double lowest, double highest) {
   if (!check_unit(number, unit, what, subject.diagnostics)) return std::nullopt;
   if (number.value >= lowest && number.value <= highest) return number.value;
-  subject.error("P09", number.span,
-                number.value < lowest && lowest == 0
-                    ? fmt::format("{} cannot be negative, found {}", what, number.value)
-                    : fmt::format("{} must be between {} and {}, found {}", what, lowest, highest,
-                                  number.value));
+  subject.error(
+      "P09", number.span,
+      number.value < lowest && lowest == 0
+          ? fmt::format("{} cannot be negative, found {}", what, number.value)
+          : fmt::format("{} must be between {} and {}, found {}", what, limit_text(lowest, unit),
+                        limit_text(highest, unit), limit_text(number.value, unit)));
   return std::nullopt;
 }
 

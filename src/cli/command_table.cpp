@@ -14,6 +14,17 @@ namespace {
 
 using CLI::IsMember;
 
+/// Of a file or folder that is written: an empty name would be none.
+CLI::Validator named() {
+  return CLI::Validator(
+      [](const std::string& name) {
+        return name.empty()
+                   ? std::string("expected the name of a file or folder, found an empty one")
+                   : std::string();
+      },
+      "");
+}
+
 Action declare_check(CLI::App& app) {
   const auto options = std::make_shared<CheckOptions>();
   app.add_option("--robot", options->robot);
@@ -27,10 +38,10 @@ Action declare_run(CLI::App& app) {
   const auto options = std::make_shared<RunOptions>();
   app.add_option("PLAN", options->plan)->required();
   app.add_option("--format", options->format)->check(IsMember({"table", "json", "csv"}));
-  app.add_option("--trace", options->trace);
+  app.add_option("--trace", options->trace)->check(named());
   app.add_option("--trace-detail", options->trace_detail)
       ->check(IsMember({"full", "steps", "tasks", "none"}));
-  app.add_option("--out", options->out);
+  app.add_option("--out", options->out)->check(named());
   app.add_flag("--compress", options->compress);
   declare_set(app, options->set);
   declare_sample(app, options->sample);
@@ -54,9 +65,9 @@ Action declare_guides(CLI::App& app) {
   app.add_option("--seeds", options->seeds)->check(CLI::Range(1, 10000));
   CLI::Option* const exact = app.add_flag("--exact", options->exact);
   app.add_option("--dt", options->slice)->check(CLI::Range(1e-3, 1e3))->needs(exact);
-  CLI::Option* const svg = app.add_option("--svg", options->svg)->excludes(exact);
+  CLI::Option* const svg = app.add_option("--svg", options->svg)->check(named())->excludes(exact);
   CLI::Option* const chart =
-      app.add_option("--chart", options->chart)->excludes(exact)->excludes(svg);
+      app.add_option("--chart", options->chart)->check(named())->excludes(exact)->excludes(svg);
   app.add_option("--kind", options->kind);
   app.add_option("--ompl", options->ompl)->excludes(exact)->excludes(svg)->excludes(chart);
   CLI::Option* const axes = app.add_option("--axes", options->axes)->excludes(chart);
@@ -84,7 +95,7 @@ Action declare_layout(CLI::App& app) {
   app.add_option("PLAN", options->plan)->required();
   app.add_option("--module", options->module)->required();
   app.add_option("--spacing", options->spacing);
-  CLI::Option* const out = app.add_option("--out", options->out);
+  CLI::Option* const out = app.add_option("--out", options->out)->check(named());
   app.add_option("--choose", options->choose)->check(CLI::Range(1, 10000))->needs(out);
   app.add_option("--format", options->format)->check(IsMember({"table", "json", "csv"}));
   return [options] { return run_layout(*options); };
@@ -93,7 +104,7 @@ Action declare_layout(CLI::App& app) {
 Action declare_report(CLI::App& app) {
   const auto options = std::make_shared<ReportOptions>();
   app.add_option("RESULT", options->result)->required();
-  app.add_option("--out", options->out);
+  app.add_option("--out", options->out)->check(named());
   return [options] { return run_report(*options); };
 }
 
@@ -111,7 +122,7 @@ Action declare_study(CLI::App& app) {
   const auto options = std::make_shared<StudyOptions>();
   app.add_option("STUDY", options->study)->required();
   app.add_option("--format", options->format)->check(IsMember({"table", "json", "csv"}));
-  CLI::Option* const out = app.add_option("--out", options->out);
+  CLI::Option* const out = app.add_option("--out", options->out)->check(named());
   app.add_flag("--resume", options->resume)->needs(out);
   app.add_flag("--films", options->films)->needs(out);
   app.add_option("--jobs", options->jobs)->check(CLI::Range(1, 256));
@@ -124,7 +135,7 @@ Action declare_test(CLI::App& app) {
   app.add_option("--filter", options->filter);
   app.add_flag("--update", options->update);
   app.add_option("--jobs", options->jobs)->check(CLI::Range(1, 256));
-  app.add_option("--junit", options->junit);
+  app.add_option("--junit", options->junit)->check(named());
   return [options] { return run_test(*options); };
 }
 
@@ -151,18 +162,18 @@ Action declare_import(CLI::App& app) {
   app.add_option("--layer", options->layers)->take_all();
   app.add_option("--tolerance", options->tolerance);
   app.add_option("--height", options->height);
-  app.add_option("--out", options->out);
+  app.add_option("--out", options->out)->check(named());
   return [options] { return run_import(*options); };
 }
 
 Action declare_export(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
   app.add_option("SOURCE", options->source)->required();
-  app.add_option("--gltf", options->gltf);
+  app.add_option("--gltf", options->gltf)->check(named());
   app.add_option("--speed-up", options->speed_up)->check(CLI::Range(0.01, 1e7));
-  app.add_option("--svg", options->svg);
-  app.add_option("--mspdi", options->mspdi);
-  app.add_option("--csv", options->csv);
+  app.add_option("--svg", options->svg)->check(named());
+  app.add_option("--mspdi", options->mspdi)->check(named());
+  app.add_option("--csv", options->csv)->check(named());
   declare_set(app, options->set);
   return [options] { return run_export(*options); };
 }

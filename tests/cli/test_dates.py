@@ -69,6 +69,14 @@ class Dates(ResultCase):
         self.assertIn(["steel", "2026-03-02", "10:00", "2026-03-02", "12:00", "2:00:00", "later"], lines)
         self.assertIn("2 of 2 tasks with a baseline finish later than planned", self.run_result.stdout)
 
+    def test_tasks_that_are_not_done_stay_in_the_baseline(self):
+        self.run_plan("""plan p { crew c; component a { shape box(0, 0, 0, 1, 1, 1); }
+          task x { by c; remove a; takes 1 h; }
+          task y { by c; remove a; takes 1 h; baseline 1 h to 2 h; after x; }
+        }""", expected=1)
+        self.assertIn(["y", "2:00:00", "rejected"], [line.split() for line in self.run_result.stdout.splitlines()])
+        self.assertIn("0 of 1 tasks with a baseline finish later than planned, 1 are not done\n", self.run_result.stdout)
+
     def test_floats(self):
         _, tasks = self.run_plan(CREWS)
         floats = {name: (task["float"]["total"] / HOUR, task["float"]["free"] / HOUR) for name, task in tasks.items()}

@@ -2,6 +2,7 @@
 
 import csv
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -90,6 +91,44 @@ class Import(unittest.TestCase):
         self.assertIn("there is no such file", result.stderr)
         with open(plan, encoding="utf-8") as file:
             self.assertEqual(file.read(), "plan old { }\n")
+
+    def imported_xer(self, *rows):
+        """The plan and the remarks of a Primavera file with these activities."""
+        lines = ["ERMHDR\t8.0", "%T\tPROJECT", "%F\tproj_id\tproj_short_name\tplan_start_date", "%R\t100\tP\t2026-03-02 08:00",
+                 "%T\tPROJWBS", "%F\twbs_id\tproj_id\tproj_node_flag\twbs_name\tparent_wbs_id", "%R\t10\t100\tY\tP\t", "%T\tTASK",
+                 "%F\ttask_id\tproj_id\twbs_id\ttask_code\ttask_name\ttask_type\ttarget_drtn_hr_cnt\tcstr_type\tcstr_date", *rows, "%E"]
+        result = rubicon("import", self.write("a.xer", "\n".join(lines).encode()))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stdout, result.stderr
+
+    def test_a_negative_duration_is_told(self):
+        plan, told = self.imported_xer("%R\t1\t100\t10\tA1\tdig\tTT_Task\t-8\t\t")
+        self.assertIn("task dig", plan)
+        self.assertIn("a.xer:10:1: warning: expected 0 hours or more in column target_drtn_hr_cnt of TASK, found '-8'; left out", told)
+
+    def test_rows_that_lack_cells_are_told(self):
+        plan, told = self.imported_xer("%R\t1\t100\t10\tA1\tTT_Task\t8\t\t", "%R\t2\t100\t10\tA2\tdig\tTT_Task\t8")
+        self.assertIn("a.xer:10:1: warning: this row has 8 cells, its table 9 columns", told)
+        self.assertIn("a.xer:10:1: warning: cells are missing before the end of this row: its task_type is '8'; the activity is left out", told)
+        self.assertNotIn("tt_task", plan)
+        # Without its empty cells at the end a row is whole.
+        self.assertIn("task dig", plan)
+
+    def test_a_duration_that_is_too_long_is_told_as_such(self):
+        with open(os.path.join(SAMPLES, "house.xml"), encoding="utf-8") as file:
+            house = file.read()
+        for text, words in (("PT8000000H0M0S", "expected a duration of at most 2777777 h in Duration of Task, found 'PT8000000H0M0S'"),
+                            ("PT8", "expected a duration such as PT8H0M0S in Duration of Task, found 'PT8'")):
+            changed = re.sub("<Duration>[^<]*<", f"<Duration>{text}<", house, count=1)
+            self.assertIn(words, rubicon("import", self.write("house.xml", changed.encode())).stderr)
+
+    def test_a_name_of_what_is_written_is_not_empty(self):
+        plan = self.write("p.plan", b"plan p { crew c; task a { by c; takes 1 h; } }")
+        for command in (("run", plan, "--out", ""), ("run", plan, "--trace="), ("import", os.path.join(SAMPLES, "house.xml"), "--out", ""),
+                        ("export", plan, "--svg", ""), ("study", plan, "--out", "")):
+            result = rubicon(*command)
+            self.assertEqual(result.returncode, 2, command)
+            self.assertIn(command[2].rstrip("="), result.stderr)
 
     def test_export_of_a_wrong_plan_exits_with_2(self):
         plan = self.write("wrong.plan", b"plan p { task a { takes 1 h; after b; } }")

@@ -86,6 +86,17 @@ class XerReader {
     seconds = std::llround(value * 3600);
   }
 
+  /// Hours of work or duration.
+  void hours_from_0(const XerRow& row, const char* table, const char* column,
+                    std::int64_t& seconds) {
+    hours(row, table, column, seconds);
+    if (seconds >= 0) return;
+    listing_.add("I03", fmt::format("cell {}.{}", table, column), row.span(),
+                 fmt::format("expected 0 hours or more in column {} of {}, found '{}'; left out",
+                             column, table, clean_text(row[column])));
+    seconds = 0;
+  }
+
   const XerRow* choose_project() {
     const XerRow* chosen = nullptr;
     std::set<std::string_view> with_tasks;
@@ -251,6 +262,15 @@ class XerReader {
   }
 
   void add_task(const XerRow& row, int level) {
+    const std::string_view type = row["task_type"];
+    if (row.is_short() && !type.empty() && !type.starts_with("TT_")) {
+      listing_.add("I03", "shifted row", row.span(),
+                   fmt::format("cells are missing before the end of this row: its task_type is "
+                               "'{}'; the activity is left out",
+                               clean_text(type)),
+                   "export the schedule again, or put the missing cell in");
+      return;
+    }
     Task task;
     task.level = level;
     cell(row, "TASK", "task_id", task.uid);
@@ -261,15 +281,12 @@ class XerReader {
     cell(row, "TASK", "target_end_date", task.finish);
     cell(row, "TASK", "act_start_date", task.actual_start);
     cell(row, "TASK", "act_end_date", task.actual_finish);
-    hours(row, "TASK", "target_drtn_hr_cnt", task.duration.seconds);
-    hours(row, "TASK", "target_work_qty", task.work.seconds);
-    task.duration.seconds = std::max<std::int64_t>(task.duration.seconds, 0);
-    task.work.seconds = std::max<std::int64_t>(task.work.seconds, 0);
+    hours_from_0(row, "TASK", "target_drtn_hr_cnt", task.duration.seconds);
+    hours_from_0(row, "TASK", "target_work_qty", task.work.seconds);
     task.format.unit = TimeUnit::hours;
     double complete = 0;
     cell(row, "TASK", "phys_complete_pct", complete);
     task.percent_complete = static_cast<int>(std::clamp(complete, 0.0, 100.0));
-    const std::string_view type = row["task_type"];
     task.milestone = type == "TT_Mile" || type == "TT_FinMile";
     if (type == "TT_LOE" || type == "TT_WBS") {
       listing_.add(

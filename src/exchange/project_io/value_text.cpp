@@ -124,9 +124,12 @@ bool read(std::string_view text, Moment& value) {
   return true;
 }
 
-bool read(std::string_view text, Duration& value) {
+namespace {
+
+/// Of a duration, however long.
+std::optional<double> seconds_in(std::string_view text) {
   text = trimmed(text);
-  if (text.size() < 3 || text[0] != 'P') return false;
+  if (text.size() < 3 || text[0] != 'P') return std::nullopt;
   double seconds = 0;
   bool in_time = false;
   const char* at = text.data() + 1;
@@ -139,15 +142,27 @@ bool read(std::string_view text, Duration& value) {
     }
     double amount = 0;
     const auto [stop, error] = std::from_chars(at, end, amount, std::chars_format::fixed);
-    if (error != std::errc() || stop == end || !(amount >= 0) || amount > kMaxSeconds) return false;
+    if (error != std::errc() || stop == end || !(amount >= 0)) return std::nullopt;
     const std::optional<double> part = part_seconds(amount, *stop, in_time);
-    if (!part) return false;
+    if (!part) return std::nullopt;
     seconds += *part;
     at = stop + 1;
   }
-  if (!(seconds <= kMaxSeconds)) return false;
-  value.seconds = std::llround(seconds);
+  return seconds;
+}
+
+}  // namespace
+
+bool read(std::string_view text, Duration& value) {
+  const std::optional<double> seconds = seconds_in(text);
+  if (!seconds || !(*seconds <= kMaxSeconds)) return false;
+  value.seconds = std::llround(*seconds);
   return true;
+}
+
+std::string expected_for(std::string_view text, const Duration& value) {
+  if (!seconds_in(text)) return expected(value);
+  return fmt::format("a duration of at most {:.0f} h", std::floor(kMaxSeconds / 3600));
 }
 
 bool read(std::string_view text, TimeFormat& value) {

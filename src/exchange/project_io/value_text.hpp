@@ -44,6 +44,12 @@ template <typename T>
 const char* expected(const T&) {
   return "a number";
 }
+/// The same for a text that is none: a duration may be too long.
+std::string expected_for(std::string_view text, const Duration& value);
+template <typename T>
+std::string expected_for(std::string_view, const T& value) {
+  return expected(value);
+}
 
 /// The number by which MSPDI knows a format (DurationFormat, LagFormat): 7 for days, 8 for elapsed
 /// days, 39 for estimated days, 19 for percent, ...

@@ -61,6 +61,12 @@ class TableReader {
                         cells.size(), table_->columns.size()));
         cells.resize(table_->columns.size());
       }
+      if (cells.size() < table_->columns.size()) {
+        listing_.add("I03", "missing cells", span,
+                     fmt::format("this row has {} cells, its table {} columns; the last ones are "
+                                 "taken to be empty",
+                                 cells.size(), table_->columns.size()));
+      }
       table_->rows.emplace_back(&table_->index, std::move(cells), span);
     } else {
       listing_.add("I03", "line", span,

@@ -20,6 +20,8 @@ class XerRow {
   /// The cell of a column; empty if the row or the table has none.
   std::string_view operator[](std::string_view column) const;
   const std::vector<std::string_view>& cells() const { return cells_; }
+  /// Whether cells are missing; where it is not known.
+  bool is_short() const { return cells_.size() < columns_->size(); }
   interpreter::Span span() const { return span_; }
 
  private:
@@ -36,8 +38,8 @@ struct XerTable {
 };
 
 /// The tables of a XER text: lines of cells between tabs, %T a table, %F its columns, %R a row, %E
-/// the end. Views into `text`. Lines that are none of these, and rows with more cells than columns,
-/// are listed. An end that is missing is told by `complete`.
+/// the end. Views into `text`. Lines that are none of these, and rows with more or fewer cells than
+/// columns, are listed. An end that is missing is told by `complete`.
 struct XerFile {
   std::map<std::string_view, XerTable> tables;
   bool complete = false;

@@ -57,7 +57,7 @@ class XmlElement {
     reading_.listing.add("I03", fmt::format("value {}/{}", node_.name(), element),
                          reading_.span(child),
                          fmt::format("expected {} in {} of {}, found '{}'; left out",
-                                     expected(member), element, node_.name(), text));
+                                     expected_for(text, member), element, node_.name(), text));
   }
 
   /// The first child of that name that was not taken yet; a null node if there is none.

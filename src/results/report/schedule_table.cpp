@@ -342,14 +342,17 @@ constexpr std::size_t kShownLater = 12;
 
 /// Tasks that finish later than others planned it, by how much; and the last of all.
 std::string baseline_table(const Schedule& schedule) {
-  std::vector<const TaskOutcome*> later;
+  std::vector<const TaskOutcome*> later, not_done;
   std::size_t count = 0;
   Ticks planned = 0, simulated = 0;
   for (const TaskOutcome& task : schedule.tasks) {
     if (!task.baseline) continue;
     ++count;
     planned = std::max(planned, task.baseline->finish);
-    if (task.result != taskplan::TaskResult::done) continue;
+    if (task.result != taskplan::TaskResult::done) {
+      not_done.push_back(&task);
+      continue;
+    }
     simulated = std::max(simulated, task.start + task.duration);
     if (task.start + task.duration > task.baseline->finish) later.push_back(&task);
   }
@@ -371,6 +374,12 @@ std::string baseline_table(const Schedule& schedule) {
     rows.push_back({task->task, when_text(schedule, task->baseline->finish),
                     when_text(schedule, task->start + task->duration), change(delay(task))});
   }
+  const std::size_t all_not_done = not_done.size();
+  not_done.resize(std::min(not_done.size(), kShownLater));
+  for (const TaskOutcome* task : not_done) {
+    rows.push_back(
+        {task->task, when_text(schedule, task->baseline->finish), name_of(task->result), ""});
+  }
   if (simulated > 0) {
     rows.push_back({"last finish", when_text(schedule, planned), when_text(schedule, simulated),
                     change(simulated - planned)});
@@ -378,6 +387,10 @@ std::string baseline_table(const Schedule& schedule) {
   std::string text = columns(rows, {1, 2, 3});
   text += fmt::format("{} of {} tasks with a baseline finish later than planned", all_later, count);
   if (all_later > later.size()) text += fmt::format(", the latest {} are shown", later.size());
+  if (all_not_done > 0) text += fmt::format(", {} are not done", all_not_done);
+  if (all_not_done > not_done.size()) {
+    text += fmt::format(", the first {} are shown", not_done.size());
+  }
   return text + "\n";
 }
 
