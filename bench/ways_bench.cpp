@@ -166,7 +166,8 @@ void excavator(int problems) {
     fmt::print("excavator, dig to dump, {}\n",
                moved ? "boxes shifted and turned" : "scene I, 18 boxes");
     Tally ours;
-    std::vector<std::pair<double, Tally>> ompl = {{0.01, {}}, {0.002, {}}, {0.0005, {}}};
+    std::vector<std::pair<double, Tally>> ompl = {
+        {0.01, {}}, {0.002, {}}, {0.0005, {}}, {0.0001, {}}};
     int made = 0;
     for (std::uint32_t seed = 1; made < problems; ++seed) {
       bench::Random random(seed);

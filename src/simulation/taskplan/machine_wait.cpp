@@ -148,8 +148,22 @@ std::string MachineWait::standstill_reason(const Stage& stage) const {
           ? fmt::format("blocked for ever: {} is at {} and does not move any more",
                         stage.robot_spec(blocker.robot).name, blocker.met)
           : fmt::format("blocked for ever: {}, which does not move any more", meeting(blocker));
-  if (blocker.robot >= 0 && !stage.robot_spec(blocker.robot).park) {
-    reason += fmt::format("; give {} a park position", stage.robot_spec(blocker.robot).name);
+  if (blocker.robot < 0) return reason;
+  const std::string& robot = stage.robot_spec(blocker.robot).name;
+  for (int task = 0; !blocker.turn && task < stage.plan_tasks(); ++task) {
+    const interpreter::TaskSpec& each = stage.spec(task);
+    if (each.robot != blocker.robot || !stage.allocator->is_excluded(task)) continue;
+    // Often the two were in each other's way, and the other is done without this one in the end.
+    reason += fmt::format(
+        ", as {} was left out; where {} is done without this task, let this one come after it",
+        each.name, each.name);
+    if (!stage.robot_spec(blocker.robot).park) {
+      reason += fmt::format(", or give {} a park position", robot);
+    }
+    return reason;
+  }
+  if (!stage.robot_spec(blocker.robot).park) {
+    reason += fmt::format("; give {} a park position", robot);
   }
   return reason;
 }

@@ -52,6 +52,7 @@ class ResourceAllocator {
 
   /// Whatever it asks for, it is never given anything any more, also after the run went back.
   void exclude(int task) { excluded_.insert(task); }
+  bool is_excluded(int task) const { return excluded_.contains(task); }
 
   struct Grant {
     int task = -1;

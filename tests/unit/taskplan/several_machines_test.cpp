@@ -118,6 +118,19 @@ TEST(SeveralMachines, TheTaskOfLeastPriorityGivesWay) {
   EXPECT_EQ(ran.tasks.at("west").result, TaskResult::done) << ran.tasks.at("west").reason;
 }
 
+TEST(SeveralMachines, WhoseTaskWasLeftOutIsNamedWhereItStandsInTheWay) {
+  const SiteRun ran = run_site(R"(
+    robot a "line.robot" { start x 0; park x -20; }
+    robot b "line.robot" { start x 10; }
+    task east { by a; go x 10; }
+    task west { by b; go x 0; })");
+  EXPECT_EQ(ran.tasks.at("east").reason,
+            "blocked for ever: a.car meets b.car, which does not move any more, as west was left "
+            "out; where west is done without this task, let this one come after it, or give b a "
+            "park position");
+  EXPECT_EQ(ran.tasks.at("west").result, TaskResult::done) << ran.tasks.at("west").reason;
+}
+
 TEST(SeveralMachines, AnIdleMachineWithoutAParkPositionIsInTheWayForEver) {
   const SiteRun ran = run_site(R"(
     robot a "line.robot" { start x 0; }
