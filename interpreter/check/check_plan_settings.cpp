@@ -81,7 +81,7 @@ class Settings {
 std::string limit_text(double value, UnitKind unit) {
   if (unit != UnitKind::time) return fmt::format("{}", value);
   return std::abs(value) < 3600 ? fmt::format("{} s", value)
-                                : fmt::format("{:.6g} h", value / 3600);
+                                : fmt::format("{:.1f} h", value / 3600);
 }
 
 }  // namespace
