@@ -141,12 +141,12 @@ class Compiler {
               model().parameters[static_cast<std::size_t>(at(parts.back()).target)].display_name);
         }
         set_children(node, parts);
-        describe(node, statement, std::move(names));
+        describe(node, unparse(statement), std::move(names));
         return node;
       }
       case Statement::Kind::wait: {
         const std::int32_t node = add_node(Node::Kind::wait, statement.keyword);
-        describe(node, statement, {});
+        describe(node, unparse(statement), {});
         return node;
       }
       case Statement::Kind::use: {
@@ -190,7 +190,8 @@ class Compiler {
     const std::int32_t target = parameter(statement.name);
     at(node).target = target;
     at(node).value = compile_code(*statement.value);
-    describe(node, statement, {model().parameters[static_cast<std::size_t>(target)].display_name});
+    describe(node, unparse(statement),
+             {model().parameters[static_cast<std::size_t>(target)].display_name});
     return node;
   }
 
@@ -205,7 +206,7 @@ class Compiler {
     for (const int i : stepped) {
       names.push_back(model().parameters[static_cast<std::size_t>(i)].display_name);
     }
-    describe(node, statement, std::move(names));
+    describe(node, name, std::move(names));
     return node;
   }
 
@@ -214,12 +215,12 @@ class Compiler {
     return body >= 0 && body_nodes_[static_cast<std::size_t>(body)] >= 0;
   }
 
-  void describe(std::int32_t node, const Statement& statement, std::vector<std::string> names) {
+  void describe(std::int32_t node, std::string text, std::vector<std::string> names) {
     const auto index = static_cast<std::size_t>(node);
     program_.parameter_names.resize(std::max(program_.parameter_names.size(), index + 1));
     program_.command_texts.resize(std::max(program_.command_texts.size(), index + 1));
     program_.parameter_names[index] = std::move(names);
-    program_.command_texts[index] = unparse(statement);
+    program_.command_texts[index] = std::move(text);
   }
 
   std::int32_t compile_loop(const Statement& statement, LoopKind kind) {
