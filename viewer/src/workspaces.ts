@@ -1,4 +1,5 @@
 import { kinds, type Film } from './film';
+import { firstAfter } from './gantt/layout';
 import { Mechanism } from './kinematics';
 import type { Motion } from './motion';
 
@@ -128,14 +129,8 @@ export class Workspaces {
 
   private stepAt(robot: number, time: number): Step | undefined {
     const steps = this.steps.get(robot) ?? [];
-    let low = 0;
-    let high = steps.length;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (steps[middle].from <= time) low = middle + 1;
-      else high = middle;
-    }
-    return low > 0 && time < steps[low - 1].to ? steps[low - 1] : undefined;
+    const step = steps[firstAfter(steps, time)];
+    return step && step.from <= time ? step : undefined;
   }
 
   /** Where it would stand if it stopped as soon as the step is over. */

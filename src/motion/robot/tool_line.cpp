@@ -137,12 +137,6 @@ class StepMotion {
   StepMotion(const Mounting& mounting, const std::vector<const FrameElement*>& elements)
       : mounting_(mounting), elements_(elements) {}
 
-  /// What the joints have done so far does not count.
-  void begin_again() {
-    values_.clear();
-    turn_ = shift_ = reach_ = 0;
-  }
-
   /// The pose of the tool at q, with what the joints have done since the pose before.
   Pose pose(std::span<const double> q) {
     const FormulaInput input = {q, {}, mounting_.starts};
@@ -286,33 +280,31 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
           (worst.first + bend.position) / deviation_.position,
           (worst.second + bend.orientation) / math::radians(deviation_.orientation_deg));
     };
-    const auto look = [&](int k) {
+    const auto look = [&](int k, const auto& pose_at) {
       const double fraction = static_cast<double>(k) / kParts;
       configuration_at(q, q_there, fraction, between);
       update_derived(model_, mounting_, between);
-      const Pose X = motion.pose(between);
-      const auto [off, turned] = way.off(X, part, fraction);
+      const auto [off, turned] = way.off(pose_at(between), part, fraction);
       worst = {std::max(worst.first, off), std::max(worst.second, turned)};
     };
     constexpr int kMiddle = kParts / 2;
-    look(kMiddle);
+    look(kMiddle, [&](const auto& q_now) { return tool_pose(model_, mounting_, q_now); });
     if (const double found = share({}); found > 1) return found;
-    motion.begin_again();
     for (int k = 0; k <= kParts; ++k) {
-      look(k);
+      look(k, [&](const auto& q_now) { return motion.pose(q_now); });
       if (const double found = share({}); found > 1) return found;
     }
     return share(motion.bend());
   };
-  const auto fits = [&](const std::vector<double>& change, double part) {
-    return deviation(change, part) <= 1;
-  };
 
   // The goal's own configuration, where it is a step away and no other parameter is to change.
-  std::vector<double> q_whole(q.begin(), q.end());
-  for (std::size_t i = 0; i < q_whole.size(); ++i) q_whole[i] += whole[i];
-  update_derived(model_, mounting_, q_whole);
-  if (share_allowed(whole) == 1 && way_between(q_whole, q_end, named).is_over() && fits(whole, 1)) {
+  const auto is_at_end = [&] {
+    std::vector<double> q_whole(q.begin(), q.end());
+    for (std::size_t i = 0; i < q_whole.size(); ++i) q_whole[i] += whole[i];
+    update_derived(model_, mounting_, q_whole);
+    return is_there(q_whole, q_end, named);
+  };
+  if (share_allowed(whole) == 1 && is_at_end() && deviation(whole, 1) <= 1) {
     std::copy(whole.begin(), whole.end(), steps.begin());
     return {Step::Kind::made, -1};
   }

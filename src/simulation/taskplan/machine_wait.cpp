@@ -149,7 +149,7 @@ std::string MachineWait::standstill_reason(const Stage& stage) const {
                         stage.robot_spec(blocker.robot).name, blocker.met)
           : fmt::format("blocked for ever: {}, which does not move any more", meeting(blocker));
   if (blocker.robot < 0) return reason;
-  const std::string& robot = stage.robot_spec(blocker.robot).name;
+  const char* before_park = "; give";
   for (int task = 0; !blocker.turn && task < stage.plan_tasks(); ++task) {
     const interpreter::TaskSpec& each = stage.spec(task);
     if (each.robot != blocker.robot || !stage.allocator->is_excluded(task)) continue;
@@ -157,14 +157,11 @@ std::string MachineWait::standstill_reason(const Stage& stage) const {
     reason += fmt::format(
         ", as {} was left out; where {} is done without this task, let this one come after it",
         each.name, each.name);
-    if (!stage.robot_spec(blocker.robot).park) {
-      reason += fmt::format(", or give {} a park position", robot);
-    }
-    return reason;
+    before_park = ", or give";
+    break;
   }
-  if (!stage.robot_spec(blocker.robot).park) {
-    reason += fmt::format("; give {} a park position", robot);
-  }
+  const interpreter::RobotSpec& robot = stage.robot_spec(blocker.robot);
+  if (!robot.park) reason += fmt::format("{} {} a park position", before_park, robot.name);
   return reason;
 }
 

@@ -193,8 +193,8 @@ function stacked(groups: Group[], laneHeight: number): Layout {
   return { groups: placed, rows, height, laneHeight, labelWidth };
 }
 
-/** The number of the first bar of a lane that ends after `t`. */
-export function firstAfter(lane: readonly Bar[], t: number): number {
+/** The number of the first of a lane (bars, steps; one after the other) that ends after `t`. */
+export function firstAfter(lane: readonly { to: number }[], t: number): number {
   let low = 0;
   let high = lane.length;
   while (low < high) {
