@@ -161,19 +161,24 @@ TEST_F(HandOutTest, ManyRanksHaveTheResultOfOne) {
 TEST_F(HandOutTest, WhatALostRankHadIsDoneByOthers) {
   const std::string expected = run(nullptr);
   for (const int messages : {1, 2, 3, 5, 8}) {
-    Job job(3);
-    Rank zero(job, 0), one(job, 1), two(job, 2, messages);
-    HandOut ranks = hand_out(zero);
-    std::thread a = help_as(one);
-    std::thread b = help_as(two);
-    EXPECT_EQ(run(&ranks), expected) << messages;
-    ranks.end();
-    EXPECT_FALSE(ranks.all_there());
-    zero.send(2, write_message(End{}));  // as if it were killed
-    a.join();
-    b.join();
+    // On a busy machine the others may have done everything before rank 2 is lost: then again.
+    bool was_lost = false;
+    for (int attempt = 0; attempt < 100 && !was_lost; ++attempt) {
+      Job job(3);
+      Rank zero(job, 0), one(job, 1), two(job, 2, messages);
+      HandOut ranks = hand_out(zero);
+      std::thread a = help_as(one);
+      std::thread b = help_as(two);
+      EXPECT_EQ(run(&ranks), expected) << messages;
+      ranks.end();
+      was_lost = !ranks.all_there();
+      zero.send(2, write_message(End{}));  // as if it were killed
+      a.join();
+      b.join();
+    }
+    EXPECT_TRUE(was_lost) << "after " << messages << " messages";
   }
-  EXPECT_FALSE(notes_.empty());
+  ASSERT_FALSE(notes_.empty());
   EXPECT_EQ(notes_.front().find("rank 2 is left out: it has ended"), 0u) << notes_.front();
 }
 
