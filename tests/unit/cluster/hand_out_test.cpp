@@ -183,17 +183,23 @@ TEST_F(HandOutTest, WhatALostRankHadIsDoneByOthers) {
 }
 
 TEST_F(HandOutTest, ARankThatIsSilentIsLost) {
-  Job job(2);
-  Rank zero(job, 0), one(job, 1);
-  one.send(0, write_message(Hello{"study", "1", ""}));  // and never again
-  zero.speed_of_clock = 1000;
-  HandOut ranks = hand_out(zero);
-  EXPECT_EQ(run(&ranks), run(nullptr));
+  const std::string expected = run(nullptr);
+  // Rank 0 may have done everything before it has given rank 1 anything to do: then again.
+  bool was_lost = false;
+  for (int attempt = 0; attempt < 100 && !was_lost; ++attempt) {
+    Job job(2);
+    Rank zero(job, 0), one(job, 1);
+    one.send(0, write_message(Hello{"study", "1", ""}));  // and never again
+    zero.speed_of_clock = 1000;
+    HandOut ranks = hand_out(zero);
+    EXPECT_EQ(run(&ranks), expected);
+    was_lost = !ranks.all_there();
+  }
+  EXPECT_TRUE(was_lost);
   ASSERT_EQ(notes_.size(), 1u);
   EXPECT_NE(notes_[0].find("nothing was heard of it for 60 s; what it had is done by others"),
             std::string::npos)
       << notes_[0];
-  EXPECT_FALSE(ranks.all_there());
 }
 
 TEST_F(HandOutTest, ARankWithOtherFilesIsLeftOut) {
