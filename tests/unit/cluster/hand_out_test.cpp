@@ -5,7 +5,9 @@
 #include <atomic>
 #include <chrono>
 #include <deque>
+#include <functional>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "interpreter/parse/parse.hpp"
@@ -44,7 +46,18 @@ class Rank : public Channel {
     if (box.empty()) return std::nullopt;
     Received received = std::move(box.front());
     box.pop_front();
+    senders_.insert(received.from);
     return received;
+  }
+  /// Waits until something was received of so many others.
+  void wait_for_senders(std::size_t count) {
+    while (true) {
+      {
+        const std::lock_guard lock(job_.mutex);
+        if (senders_.size() >= count) return;
+      }
+      pause();
+    }
   }
   std::string identity() const override { return std::to_string(rank_); }
   bool is_gone(const std::string& identity) const override {
@@ -63,6 +76,7 @@ class Rank : public Channel {
   Job& job_;
   int rank_;
   int left_;
+  std::set<int> senders_;
 };
 
 class OnePlan : public interpreter::FileProvider {
@@ -104,7 +118,10 @@ class HandOutTest : public testing::Test {
     study::RunnerOptions options;
     options.threads = threads;
     options.remote = remote;
-    options.read = [](std::size_t, const interpreter::ParameterTexts& set) { return read(set); };
+    options.read = [this](std::size_t, const interpreter::ParameterTexts& set) {
+      before_read_();
+      return read(set);
+    };
     const auto variants = run_study(*study_, variants_of(*study_), options);
     const auto answers = answers_of(*study_, *variants);
     return study_json(*study_, *variants, answers) + runs_csv(*study_, *variants);
@@ -133,6 +150,7 @@ class HandOutTest : public testing::Test {
 
   std::unique_ptr<study::StudyModel> study_;
   std::vector<std::string> notes_;
+  std::function<void()> before_read_ = [] {};  ///< of rank 0
   std::atomic<int> read_by_helpers_ = 0;
 };
 
@@ -211,8 +229,10 @@ TEST_F(HandOutTest, ARankWithOtherFilesIsLeftOut) {
   wrong.send(0, write_message(Hello{"study", "4", ""}));
   wrong.send(0,
              write_message(Answer{0, {"", "plan", {}, {{0, 99, {{1, 2, 3, 4}, {}, {}, {}, ""}}}}}));
+  const std::string expected = run(nullptr);
   HandOut ranks = hand_out(zero);
-  EXPECT_EQ(run(&ranks), run(nullptr));
+  before_read_ = [&zero] { zero.wait_for_senders(4); };
+  EXPECT_EQ(run(&ranks), expected);
   EXPECT_TRUE(ranks.all_there());
   ranks.end();
   a.join();
