@@ -210,9 +210,7 @@ bool Leg::next_step(std::span<const double> q, std::span<const double> target,
   std::fill(steps.begin(), steps.end(), 0.0);
   if (steers() && next_chord(q, target, steps)) return true;
   if (const Facing face = facing(q, target); !face.there) {
-    const int moved = face.turn != 0 ? heading_ : drive_;
-    const double off = face.turn != 0 ? face.turn : face.distance;
-    steps[at(moved)] = std::clamp(off, -parameter(moved).step, parameter(moved).step);
+    turn_or_drive(face.turn, face.turn != 0, face.distance, steps);
     return true;
   }
   double share = 1;
@@ -228,6 +226,17 @@ bool Leg::next_step(std::span<const double> q, std::span<const double> target,
     for (const int i : plain_) steps[at(i)] *= share;
   }
   return something;
+}
+
+/// Turns first and drives then. A turn too small to be a step is made while it drives: a step of
+/// its own would leave it where it is, as far as can be told.
+void Leg::turn_or_drive(double turn, bool must_turn, double distance,
+                        std::span<double> steps) const {
+  const double most = parameter(heading_).step;
+  const double farthest = parameter(drive_).step;
+  if (must_turn) steps[at(heading_)] = std::clamp(turn, -most, most);
+  if (must_turn && std::fabs(turn) > kThere * parameter(heading_).quantum) return;
+  steps[at(drive_)] = std::clamp(distance, -farthest, farthest);
 }
 
 bool Leg::is_there(std::span<const double> q, std::span<const double> target) const {
@@ -385,11 +394,9 @@ bool Leg::next_chord(std::span<const double> q, std::span<const double> target,
   if (chords_ && on_chord) {
     steps[at(heading_)] = turn;
     steps[at(drive_)] = face.distance;
-  } else if (std::fabs(face.distance * math::sin_deg(face.turn)) > kBeside) {
-    const double most = parameter(heading_).step;
-    steps[at(heading_)] = std::clamp(face.turn, -most, most);
   } else {
-    steps[at(drive_)] = std::clamp(face.distance, -drive_step, drive_step);
+    const bool is_beside = std::fabs(face.distance * math::sin_deg(face.turn)) > kBeside;
+    turn_or_drive(face.turn, is_beside, face.distance, steps);
   }
   return true;
 }

@@ -88,6 +88,7 @@ class Leg {
                                                    bool stops_only) const;
   bool next_chord(std::span<const double> q, std::span<const double> target,
                   std::span<double> steps) const;
+  void turn_or_drive(double turn, bool must_turn, double distance, std::span<double> steps) const;
   /// How the driven parameters change per metre.
   void direction(std::span<const double> q, double& along_x, double& along_y) const;
   Facing facing(std::span<const double> q, std::span<const double> target) const;

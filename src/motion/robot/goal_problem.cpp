@@ -7,6 +7,29 @@
 #include "src/motion/robot/turns.hpp"
 
 namespace rubicon::robot {
+namespace {
+
+/// The parameters that those of a body are derived from, through others too.
+std::vector<bool> sources_of(const RobotModel& model, int body) {
+  const std::size_t count = model.parameters.size();
+  std::vector<bool> sources(count, false);
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (model.parameters[i].body == body && model.parameters[i].derived) left.push_back(i);
+  }
+  while (!left.empty()) {
+    const Formula& formula = model.parameters[left.back()].derived_value;
+    left.pop_back();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (sources[i] || !formula.depends_on_parameter(static_cast<int>(i))) continue;
+      sources[i] = true;
+      if (model.parameters[i].derived) left.push_back(i);
+    }
+  }
+  return sources;
+}
+
+}  // namespace
 
 GoalProblem::GoalProblem(const RobotModel& model, const Mounting& mounting,
                          std::span<const double> q_now, const Pose& X_WG,
@@ -17,18 +40,39 @@ GoalProblem::GoalProblem(const RobotModel& model, const Mounting& mounting,
       X_WG_(X_WG),
       clauses_(clauses),
       elements_(elements_to_tool(model)) {
+  std::vector<bool> is_on_chain(model.bodies.size(), false);
+  for (int b = model.tool_body; b >= 0; b = model.bodies[static_cast<std::size_t>(b)].parent) {
+    is_on_chain[static_cast<std::size_t>(b)] = true;
+  }
+  std::vector<bool> is_taken(model.parameters.size(), false);
+  bool is_any_beside = false;
+  for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+    const Parameter& parameter = model.parameters[i];
+    has_derived_ = has_derived_ || parameter.derived;
+    is_taken[i] = !parameter.free || parameter.derived || clauses.locks(static_cast<int>(i));
+    is_any_beside =
+        is_any_beside || (!is_taken[i] && !is_on_chain[static_cast<std::size_t>(parameter.body)]);
+  }
+  const auto take = [&](std::size_t i, int level) {
+    variables_.push_back({i, level, model.parameters[i].rotation ? 180 / math::kPi : 1});
+    is_taken[i] = true;
+  };
   int level = 0;
   for (int b = model.tool_body; b >= 0;
        b = model.bodies[static_cast<std::size_t>(b)].parent, ++level) {
     for (std::size_t i = 0; i < model.parameters.size(); ++i) {
-      const Parameter& parameter = model.parameters[i];
-      if (parameter.body != b || !parameter.free || parameter.derived) continue;
-      if (clauses.locks(static_cast<int>(i))) continue;
-      variables_.push_back({i, level, parameter.rotation ? 180 / math::kPi : 1});
+      if (model.parameters[i].body == b && !is_taken[i]) take(i, level);
+    }
+    if (!is_any_beside || !has_derived_) continue;
+    // A drum beside the chain lifts the hook by what is derived from it.
+    const std::vector<bool> sources = sources_of(model, b);
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      if (sources[i] && !is_taken[i] &&
+          !is_on_chain[static_cast<std::size_t>(model.parameters[i].body)]) {
+        take(i, level);
+      }
     }
   }
-  for (const Parameter& parameter : model.parameters)
-    has_derived_ = has_derived_ || parameter.derived;
 }
 
 GoalState GoalProblem::at(std::vector<double> q) const {

@@ -22,7 +22,7 @@ using PoseJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 /// A control parameter the solver may move.
 struct GoalVariable {
   std::size_t parameter = 0;
-  int level = 0;     ///< 0: the tool's body, 1: its parent, ...
+  int level = 0;     ///< 0: of the tool's body or what drives it, 1: of its parent, ...
   double scale = 1;  ///< file units per metre or radian
 };
 
@@ -35,7 +35,7 @@ struct GoalState {
 };
 
 /// The task "bring the tool frame to X_WG", as a function of the free parameters between tool and
-/// base that are not locked, tip first.
+/// base that are not locked, tip first; also of those of other bodies that they are derived from.
 class GoalProblem {
  public:
   GoalProblem(const RobotModel& model, const Mounting& mounting, std::span<const double> q_now,

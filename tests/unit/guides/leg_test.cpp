@@ -80,6 +80,18 @@ TEST(Leg, AVehicleOfManyDirectionsArrivesAndStops) {
   }
 }
 
+TEST(Leg, AVehicleGetsSomewhereWithEveryStep) {
+  for (const double beside : {2.9e-7, 1.1e-8, -3e-6, 1e-9, -5e-10}) {
+    const std::vector<Q> places = followed(test::vehicle(), {0, 0, 0}, {12.67, beside, -140});
+    Q before{0, 0, 0};
+    for (const Q& q : places) {
+      const bool drives = std::hypot(q[0] - before[0], q[1] - before[1]) > 1e-6;
+      EXPECT_TRUE(drives || std::fabs(q[2] - before[2]) > 1e-5) << beside;
+      before = q;
+    }
+  }
+}
+
 TEST(Leg, CornersAreWhereTheStepsLead) {
   const robot::RobotModel model = test::vehicle();
   const robot::Mounting mounting = test::standing(model);

@@ -539,6 +539,41 @@ TEST(SolveGoal, LimitedTurnsAreTheNearestToNow) {
               1e-9);
 }
 
+TEST(SolveGoal, WhatDrivesTheToolFromBesideItIsTurnedToo) {
+  RobotModel model;
+  add_body(model, "drum", -1);
+  const int psi = add_parameter(model, "psi", 0, 1800, 10);
+  model.bodies.back().frame = {trans(0, 0, 20), rotx(of(psi))};
+  add_body(model, "jib", -1);
+  const int x = add_parameter(model, "x", 2, 40, 0.5);
+  model.bodies.back().frame = {trans(of(x), number(0), number(20))};
+  model.tool_body = add_body(model, "hook", 1);
+  const int rope = add_parameter(model, "rope", -kInfinity, kInfinity, 0);
+  const int z = add_parameter(model, "z", -kInfinity, kInfinity, 0);
+  for (const int derived : {rope, z}) {
+    model.parameters[static_cast<std::size_t>(derived)].derived = true;
+    model.parameters[static_cast<std::size_t>(derived)].free = false;
+  }
+  model.parameters[static_cast<std::size_t>(rope)].derived_value = number(0.005) * of(psi);
+  model.parameters[static_cast<std::size_t>(z)].derived_value = number(-2) - of(rope);
+  model.bodies.back().frame = {trans(number(0), number(0), of(z))};
+
+  const std::vector<double> now = model.start_values();
+  const auto solution =
+      solve_goal(model, mounting_of(model), now, translation(7.5, 0, 10), kAnyOrientation);
+  ASSERT_TRUE(solution.reachable);
+  EXPECT_NEAR(solution.q[static_cast<std::size_t>(x)], 7.5, 1e-6);
+  EXPECT_NEAR(solution.q[static_cast<std::size_t>(psi)], 1600, 1e-6);
+  EXPECT_FALSE(solve_goal(model, mounting_of(model), now, translation(7.5, 0, 8.9), kAnyOrientation)
+                   .reachable);
+
+  GoalClauses held;
+  held.locked = {psi};
+  EXPECT_FALSE(
+      solve_goal(model, mounting_of(model), now, translation(7.5, 0, 10), kAnyOrientation, held)
+          .reachable);
+}
+
 TEST(SolveGoal, BadInputIsAnswered) {
   const RobotModel model = crane();
   const Mounting mounting = mounting_of(model);
