@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interpreter/check/plan_model.hpp"
@@ -304,6 +305,7 @@ class Machine {
   std::size_t guide_index_ = 0;
   int idle_way_points_ = 0;  ///< in a row, at which no step was made
   int accepted_at_way_point_ = 0;
+  std::pair<Ticks, std::uint64_t> way_point_given_{-1, 0};  ///< when, and the world's version then
   /// What its guide has said when it has done thinking; it stands meanwhile.
   std::optional<guides::GuideAnswer> thought_;
   Ticks looked_ahead_ = -1;                    ///< when it looked last

@@ -167,6 +167,7 @@ bool Machine::try_guides(std::size_t first, World& world, EventSink* events) {
     if (goal_.X_WG && !tests.stands(goal_.q)) add_goals(spec, tests, task.goals);
     guide_ = guides::GuideValue(guides::make_guide(spec, std::move(task)));
     idle_way_points_ = 0;
+    way_point_given_ = {time_, world.version()};
     if (take(guide_->begin(q_, tests), tests, events)) return true;
   }
   return false;
@@ -334,11 +335,16 @@ void Machine::set_target(const GuideAnswer& answer) {
 bool Machine::next_way_point(World& world, EventSink* events) {
   const bool there = leg().is_there(q_, target_.q);
   if (there ? leads_to_goal_ : is_near_goal()) return false;
-  idle_way_points_ = accepted_ == accepted_at_way_point_ ? idle_way_points_ + 1 : 0;
+  const bool is_idle = accepted_ == accepted_at_way_point_;
+  idle_way_points_ = is_idle ? idle_way_points_ + 1 : 0;
+  const std::pair now(time_, world.version());
+  const bool is_same_again = std::exchange(way_point_given_, now) == now && is_idle;
   GuideTests tests(*this, world);
   GuideAnswer answer;
   if (there) {
     answer = guide_->reached(q_, tests);
+  } else if (is_same_again && task_.guides[guide_index_].kind == guides::GuideKind::lanes) {
+    answer.reason = "the script made no step along the lane";
   } else if (idle_way_points_ < kIdleWayPoints) {
     answer = guide_->ended_short(q_, tests);
   } else {

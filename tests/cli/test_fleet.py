@@ -92,6 +92,13 @@ class Fleet(ResultCase):
         self.assertEqual([task["reason"] for task in schedule["tasks"]],
                          ["blocked for ever: carts_2 is at yard.r_3 and does not move any more", "blocked for ever: carts_1 is at yard.r_1 and does not move any more"])
 
+    def test_what_stands_in_a_lane_is_named(self):
+        block = "component block { shape box(14, -1, 0, 16, 1, 1); }"
+        schedule, _ = self.run_plan(plan(yard(3), "at r[1];", block + " task a { by carts; go at yard.r[2]; }"), expected=1)
+        reason = schedule["tasks"][0]["reason"]
+        self.assertTrue(reason.startswith("carts_1: blocked by block at step "), reason)
+        self.assertIn("the script made no step along the lane", reason)
+
     def test_no_lanes_lead_there(self):
         one_way = "network yard { class road { speed 1 m/s; } node a at trans(0, 0, 0); node b at trans(10, 0, 0); lane a to b; }"
         schedule, _ = self.run_plan(plan(one_way, "at b;", "task t { by carts; go at yard.a; }"), expected=1)
