@@ -1,6 +1,7 @@
 #include "src/simulation/schedule/resource_queues.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "src/simulation/schedule/index.hpp"
 
@@ -26,7 +27,8 @@ ResourceQueues::ResourceQueues(const Network& network, std::vector<std::string>&
     : network_(network),
       sets_(calendars_of(network), network.calendars),
       states_(sizes_of(network)),
-      queues_of_(network.resources.size()) {
+      queues_of_(network.resources.size()),
+      starts_(network.tasks.size(), 0) {
   queue_of_.reserve(network.tasks.size());
   for (const NetworkTask& task : network.tasks) {
     std::vector<Share> shares;
@@ -57,7 +59,8 @@ const WorkCalendar& ResourceQueues::calendar(int task) const {
 
 void ResourceQueues::add(int task, Ticks start) {
   const int index = queue_of_[at(task)];
-  queues_[at(index)].later.push({start, -network_.tasks[at(task)].priority, task});
+  starts_[at(task)] = start;
+  queues_[at(index)].later.push({start, order_of(task), task});
   refresh(index);
 }
 
@@ -69,7 +72,12 @@ std::optional<ResourceQueues::Next> ResourceQueues::take() {
   next.start = std::get<Ticks>(place);
   next.task = std::get<int>(place);
   next.last = states_.last_free(sets_.shares(index));
-  (queue.waiting.empty() ? queue.later : queue.waiting).pop();
+  if (queue.waiting.empty()) {
+    queue.later.pop();
+  } else {
+    queue.waiting.erase(queue.waiting.begin());
+    queue.waiting_starts.erase({starts_[at(next.task)], next.task});
+  }
   for (const Share& share : sets_.shares(index)) states_.take(share, next.task);
   refresh(index);  // one without resources is in none of their lists
   refresh_all(next.task);
@@ -86,17 +94,33 @@ void ResourceQueues::release(int task, Ticks finish) {
 std::vector<std::tuple<int, int, int>> ResourceQueues::stuck() const {
   std::vector<std::tuple<int, int, int>> result;
   for (std::size_t i = 0; i < queues_.size(); ++i) {
-    const Heap& heap = queues_[i].waiting.empty() ? queues_[i].later : queues_[i].waiting;
-    if (heap.empty()) continue;
+    const Queue& queue = queues_[i];
+    if (queue.waiting.empty() && queue.later.empty()) continue;
+    const int first =
+        queue.waiting.empty() ? std::get<int>(queue.later.top()) : queue.waiting.begin()->second;
     for (const Share& share : sets_.shares(static_cast<int>(i))) {
       if (states_.are_free({share})) continue;
-      result.emplace_back(std::get<int>(heap.top()), share.resource,
-                          states_.of(share.resource).holder());
+      result.emplace_back(first, share.resource, states_.of(share.resource).holder());
       break;
     }
   }
   std::sort(result.begin(), result.end());
   return result;
+}
+
+void ResourceQueues::sort_out(Queue& queue, Ticks free) {
+  while (!queue.waiting_starts.empty() && queue.waiting_starts.rbegin()->first > free) {
+    const auto [start, task] = *queue.waiting_starts.rbegin();
+    queue.waiting_starts.erase(std::prev(queue.waiting_starts.end()));
+    queue.waiting.erase({order_of(task), task});
+    queue.later.push({start, order_of(task), task});
+  }
+  while (!queue.later.empty() && std::get<Ticks>(queue.later.top()) <= free) {
+    const auto [start, order, task] = queue.later.top();
+    queue.later.pop();
+    queue.waiting.emplace(order, task);
+    queue.waiting_starts.emplace(start, task);
+  }
 }
 
 void ResourceQueues::refresh(int index) {
@@ -108,15 +132,10 @@ void ResourceQueues::refresh(int index) {
   const ResourceStates::Last last = states_.last_free(shares);
   Ticks free = -kEndOfTime;
   if (last.resource >= 0) free = sets_.calendar(index).next_working(last.since);
-  while (!queue.later.empty() && std::get<Ticks>(queue.later.top()) <= free) {
-    Place place = queue.later.top();
-    queue.later.pop();
-    std::get<Ticks>(place) = 0;
-    queue.waiting.push(place);
-  }
+  sort_out(queue, free);
   if (!queue.waiting.empty()) {
-    queue.first = queue.waiting.top();
-    std::get<Ticks>(*queue.first) = free;
+    const auto [order, task] = *queue.waiting.begin();
+    queue.first = {free, order, task};
   } else if (!queue.later.empty()) {
     queue.first = queue.later.top();
   }

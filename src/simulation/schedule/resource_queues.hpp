@@ -53,12 +53,20 @@ class ResourceQueues {
   using Place = std::tuple<Ticks, double, int>;
   using Heap = std::priority_queue<Place, std::vector<Place>, std::greater<>>;
   struct Queue {
-    Heap later;    // by the start that links allow
-    Heap waiting;  // these could start as soon as the resources are free; times are all 0
+    Heap later;  // by the start that links allow
+    // These could start as soon as the resources are free: (-priority, task), and by that start.
+    std::set<std::pair<double, int>> waiting;
+    std::set<std::pair<Ticks, int>> waiting_starts;
     std::optional<Place> first;  // as it stands in order_
   };
 
   void add_queue(int index);
+  double order_of(int task) const {
+    return -network_.tasks[static_cast<std::size_t>(task)].priority;
+  }
+  /// From those that come later to those that wait, and back: what is given back in the meantime
+  /// may be free earlier than what was free before.
+  void sort_out(Queue& queue, Ticks free);
   void refresh(int index);
   void refresh_all(int task);
 
@@ -68,6 +76,7 @@ class ResourceQueues {
   std::vector<std::vector<int>> queues_of_;  // to each resource
   std::vector<Queue> queues_;                // to each set
   std::vector<int> queue_of_;                // to each task
+  std::vector<Ticks> starts_;                // of each task, that links allow
   std::set<std::pair<Place, int>> order_;    // the first of each queue that can go on, queue
 };
 

@@ -38,8 +38,8 @@ Ticks event(const TaskTimes& times, TaskEnd end) {
 
 TEST(NetworkProperty, KeepsLinksShiftsAndWork) {
   Dice dice(1);
-  for (int i = 0; i < kNetworks; ++i) {
-    const Network network = dice.network({});
+  for (int i = 0; i < 2 * kNetworks; ++i) {
+    const Network network = dice.network({.shares = i >= kNetworks});
     const NetworkTimes times = calculated(network);
     Ticks last = 0;
     for (std::size_t t = 0; t < network.tasks.size(); ++t) {
@@ -84,6 +84,35 @@ TEST(NetworkProperty, NeverGivesAResourceTwice) {
       }
     }
   }
+}
+
+TEST(NetworkProperty, NeverGivesMoreOfAResourceThanThereIs) {
+  Dice dice(12);
+  int shared = 0;
+  for (int i = 0; i < kNetworks; ++i) {
+    const Network network = dice.network({.shares = true});
+    const NetworkTimes times = calculated(network);
+    const auto used_at = [&](int resource, Ticks moment) {
+      int units = 0;
+      for (std::size_t t = 0; t < network.tasks.size(); ++t) {
+        const NetworkTask& task = network.tasks[t];
+        const TaskTimes& own = times.tasks[t];
+        if (task.work == 0 || moment < own.start || moment >= own.finish) continue;
+        for (std::size_t k = 0; k < task.resources.size(); ++k) {
+          if (task.resources[k] == resource) units += task.units[k];
+        }
+      }
+      return units;
+    };
+    for (const TaskTimes& own : times.tasks) {
+      for (int resource = 0; resource < 5; ++resource) {
+        const int used = used_at(resource, own.start);
+        ASSERT_LE(used, network.resources[at(resource)].size);
+        shared += used > 1;
+      }
+    }
+  }
+  EXPECT_GT(shared, 1000);
 }
 
 // What is said to have held a task did: sooner by a tick it could not start.

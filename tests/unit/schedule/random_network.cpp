@@ -30,6 +30,9 @@ Network Dice::network(const RandomNetworkWanted& wanted) {
     network.resources.push_back(
         {std::string(1, static_cast<char>('A' + i)), wanted.calendars ? below(3) - 1 : -1});
   }
+  if (wanted.shares) {
+    for (schedule::NetworkResource& each : network.resources) each.size = 1 + below(4);
+  }
   const int count = 1 + below(40);
   std::vector<int> order;
   for (int i = 0; i < count; ++i) order.push_back(i);
@@ -46,6 +49,11 @@ Network Dice::network(const RandomNetworkWanted& wanted) {
       if (below(3) == 0) task.resources.push_back(i);
     }
     if (!wanted.resources) task.resources.clear();
+    if (wanted.shares) {
+      for (const int resource : task.resources) {
+        task.units.push_back(1 + below(network.resources[at(resource)].size));
+      }
+    }
     for (int links = place == 0 ? 0 : below(4); links > 0; --links) {
       Link link;
       link.task = order[at(below(place))];
