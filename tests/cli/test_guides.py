@@ -4,6 +4,7 @@ command that compares them."""
 import csv
 import io
 import json
+import math
 import os
 import random
 import unittest
@@ -79,6 +80,19 @@ class Guides(GuideCase):
         }""", expected=None)
         self.assertEqual(tasks["over"]["result"], "done")
         self.assertGreater(len([plan for plan in self.records("guide") if plan["task"] == "over"]), 1)
+
+    def test_a_vehicle_beside_a_wall_gets_away(self):
+        # Where an earlier way along the wall left it: at the outline of the wall for the disc that holds it, or just outside.
+        radius = math.hypot(1.6, 0.45)
+        for gap in (1e-4, 9e-5, 1e-3, 0.015):
+            for kind in ("bug1", "bug2", "visibility"):
+                _, tasks = self.run_plan("""plan p {
+                  robot motor "%s" { start x %.9f, y -1.2, theta 90; }
+                  component container { shape box(-2, -6, 0, 0.5, 1, 2.6); }
+                  guide way %s;
+                  task over { by motor; go x 12, y 2; guide way; }
+                }""" % (TOW_MOTOR, -2 - radius - gap, kind))
+                self.assertEqual(tasks["over"]["result"], "done", (gap, kind, tasks["over"]["reason"]))
 
     def test_no_way_is_rejected_with_what_was_tried(self):
         _, tasks = self.run_plan(ROUND_THE_WALL.replace("-6, 0, 0.5, 6", "-21, 0, 0.5, 21").replace("seed 3", "nodes 50"), 1)

@@ -1,6 +1,7 @@
 #include "src/motion/robot/goal_problem.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "src/motion/math/angles.hpp"
 #include "src/motion/robot/frame_chain.hpp"
@@ -31,15 +32,8 @@ std::vector<bool> sources_of(const RobotModel& model, int body) {
 
 }  // namespace
 
-GoalProblem::GoalProblem(const RobotModel& model, const Mounting& mounting,
-                         std::span<const double> q_now, const Pose& X_WG,
-                         const GoalClauses& clauses)
-    : model_(model),
-      mounting_(mounting),
-      q_now_(q_now.begin(), q_now.end()),
-      X_WG_(X_WG),
-      clauses_(clauses),
-      elements_(elements_to_tool(model)) {
+GoalChain::GoalChain(const RobotModel& model, GoalClauses clauses)
+    : model_(model), clauses_(std::move(clauses)), elements_(elements_to_tool(model)) {
   std::vector<bool> is_on_chain(model.bodies.size(), false);
   for (int b = model.tool_body; b >= 0; b = model.bodies[static_cast<std::size_t>(b)].parent) {
     is_on_chain[static_cast<std::size_t>(b)] = true;
@@ -49,7 +43,7 @@ GoalProblem::GoalProblem(const RobotModel& model, const Mounting& mounting,
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
     const Parameter& parameter = model.parameters[i];
     has_derived_ = has_derived_ || parameter.derived;
-    is_taken[i] = !parameter.free || parameter.derived || clauses.locks(static_cast<int>(i));
+    is_taken[i] = !parameter.free || parameter.derived || clauses_.locks(static_cast<int>(i));
     is_any_beside =
         is_any_beside || (!is_taken[i] && !is_on_chain[static_cast<std::size_t>(parameter.body)]);
   }
@@ -76,40 +70,41 @@ GoalProblem::GoalProblem(const RobotModel& model, const Mounting& mounting,
 }
 
 GoalState GoalProblem::at(std::vector<double> q) const {
-  work_ += elements_.size();
+  work_ += elements().size();
   GoalState state;
   state.q = std::move(q);
-  if (has_derived_) update_derived(model_, mounting_, state.q);
-  const Pose X_WT = tool_pose(model_, mounting_, state.q);
+  if (chain_.has_derived()) update_derived(model(), mounting_, state.q);
+  const Pose X_WT = tool_pose(model(), mounting_, state.q);
   state.residual.head<3>() = X_WG_.translation() - X_WT.translation();
-  state.residual.tail<3>() = turn_to_goal(X_WT.linear(), X_WG_.linear(), clauses_.free);
+  state.residual.tail<3>() = turn_to_goal(X_WT.linear(), X_WG_.linear(), chain_.clauses().free);
   state.position_error = state.residual.head<3>().norm();
   state.orientation_error = state.residual.tail<3>().norm();
   return state;
 }
 
 PoseJacobian GoalProblem::jacobian(const GoalState& state, std::size_t count) const {
-  work_ += elements_.size() * (1 + count);
+  work_ += elements().size() * (1 + count);
   const FormulaInput input = {state.q, {}, mounting_.starts};
   std::vector<std::vector<double>> rates;
-  if (has_derived_) {
+  if (chain_.has_derived()) {
     for (std::size_t v = 0; v < count; ++v) {
       rates.push_back(
-          rates_by(model_, mounting_, state.q, static_cast<int>(variables_[v].parameter)));
+          rates_by(model(), mounting_, state.q, static_cast<int>(variables()[v].parameter)));
     }
   }
   const auto derivative = [&](const Formula& formula, std::size_t v) {
-    return has_derived_ ? formula.derivative(input, rates[v])
-                        : formula.derivative(input, static_cast<int>(variables_[v].parameter));
+    return chain_.has_derived()
+               ? formula.derivative(input, rates[v])
+               : formula.derivative(input, static_cast<int>(variables()[v].parameter));
   };
 
   PoseJacobian jacobian = PoseJacobian::Zero(6, static_cast<Eigen::Index>(count));
   const Vec3 p_WT = X_WG_.translation() - state.residual.head<3>();
   Pose X = mounting_.X_WM;
-  for (const FrameElement* element : elements_) {
+  for (const FrameElement* element : elements()) {
     for (std::size_t v = 0; v < count; ++v) {
       const auto column = static_cast<Eigen::Index>(v);
-      const double scale = variables_[v].scale;
+      const double scale = variables()[v].scale;
       if (element->kind == FrameElement::Kind::trans) {
         const Vec3 rate(derivative(element->a, v), derivative(element->b, v),
                         derivative(element->c, v));
@@ -123,19 +118,20 @@ PoseJacobian GoalProblem::jacobian(const GoalState& state, std::size_t count) co
     }
     append(X, *element, input);
   }
-  if (clauses_.free != FreeTurn::none) {
-    const math::Mat3 R_WT = tool_pose(model_, mounting_, state.q).linear();
+  if (chain_.clauses().free != FreeTurn::none) {
+    const math::Mat3 R_WT = tool_pose(model(), mounting_, state.q).linear();
     for (Eigen::Index v = 0; v < jacobian.cols(); ++v) {
-      jacobian.col(v).tail<3>() = turn_that_counts(jacobian.col(v).tail<3>(), R_WT, clauses_.free);
+      jacobian.col(v).tail<3>() =
+          turn_that_counts(jacobian.col(v).tail<3>(), R_WT, chain_.clauses().free);
     }
   }
   return jacobian;
 }
 
 double GoalProblem::moved(const GoalState& state, std::size_t variable) const {
-  const std::size_t i = variables_[variable].parameter;
+  const std::size_t i = variables()[variable].parameter;
   const double change = state.q[i] - q_now_[i];
-  return reduced(parameter(variable), change) / variables_[variable].scale;
+  return reduced(parameter(variable), change) / variables()[variable].scale;
 }
 
 bool GoalProblem::better(const GoalState& a, const GoalState& b) const {
@@ -143,11 +139,11 @@ bool GoalProblem::better(const GoalState& a, const GoalState& b) const {
     return a.position_error < b.position_error;
   if (std::fabs(a.orientation_error - b.orientation_error) > kSolved)
     return a.orientation_error < b.orientation_error;
-  for (std::size_t v = variables_.size(); v > 0;) {
-    const int level = variables_[v - 1].level;
+  for (std::size_t v = variables().size(); v > 0;) {
+    const int level = variables()[v - 1].level;
     double a_squared = 0;
     double b_squared = 0;
-    for (; v > 0 && variables_[v - 1].level == level; --v) {
+    for (; v > 0 && variables()[v - 1].level == level; --v) {
       const double a_moved = moved(a, v - 1);
       const double b_moved = moved(b, v - 1);
       a_squared += a_moved * a_moved;

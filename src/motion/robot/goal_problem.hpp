@@ -34,22 +34,48 @@ struct GoalState {
   double orientation_error = 0;                  ///< rad
 };
 
-/// The task "bring the tool frame to X_WG", as a function of the free parameters between tool and
-/// base that are not locked, tip first; also of those of other bodies that they are derived from.
-class GoalProblem {
+/// What a robot may move for a goal: the free parameters between tool and base that are not locked,
+/// tip first; also those of other bodies that they are derived from. The robot must outlive it.
+class GoalChain {
  public:
-  GoalProblem(const RobotModel& model, const Mounting& mounting, std::span<const double> q_now,
-              const Pose& X_WG, const GoalClauses& clauses = {});
+  explicit GoalChain(const RobotModel& model, GoalClauses clauses = {});
 
   const RobotModel& model() const { return model_; }
-  const Mounting& mounting() const { return mounting_; }
-  const Pose& goal() const { return X_WG_; }
-  const std::vector<double>& q_now() const { return q_now_; }
+  const GoalClauses& clauses() const { return clauses_; }
   const std::vector<const FrameElement*>& elements() const { return elements_; }
   /// Ordered by level.
   const std::vector<GoalVariable>& variables() const { return variables_; }
+  bool has_derived() const { return has_derived_; }
+  /// How many parameters a robot needs to meet any goal in reach: 6, less what may turn freely.
+  std::size_t numbers_asked() const {
+    return clauses_.free == FreeTurn::none ? 6 : clauses_.free == FreeTurn::all ? 3 : 5;
+  }
+
+ private:
+  const RobotModel& model_;
+  GoalClauses clauses_;
+  std::vector<const FrameElement*> elements_;
+  std::vector<GoalVariable> variables_;
+  bool has_derived_ = false;
+};
+
+/// The task "bring the tool frame to X_WG", as a function of the variables of a chain. Mounting and
+/// chain must outlive it.
+class GoalProblem {
+ public:
+  GoalProblem(const GoalChain& chain, const Mounting& mounting, std::span<const double> q_now,
+              const Pose& X_WG)
+      : chain_(chain), mounting_(mounting), q_now_(q_now.begin(), q_now.end()), X_WG_(X_WG) {}
+
+  const RobotModel& model() const { return chain_.model(); }
+  const Mounting& mounting() const { return mounting_; }
+  const Pose& goal() const { return X_WG_; }
+  const std::vector<double>& q_now() const { return q_now_; }
+  const std::vector<const FrameElement*>& elements() const { return chain_.elements(); }
+  /// Ordered by level.
+  const std::vector<GoalVariable>& variables() const { return chain_.variables(); }
   const Parameter& parameter(std::size_t variable) const {
-    return model_.parameters[variables_[variable].parameter];
+    return model().parameters[variables()[variable].parameter];
   }
 
   /// Tool pose and errors at q, after the derived parameters are brought up to date.
@@ -67,15 +93,12 @@ class GoalProblem {
 
   /// Whether the solver may change a parameter, as far as locks say.
   bool moves(int parameter) const {
-    return model_.parameters[static_cast<std::size_t>(parameter)].free &&
-           !clauses_.locks(parameter);
+    return model().parameters[static_cast<std::size_t>(parameter)].free &&
+           !chain_.clauses().locks(parameter);
   }
-  /// How many parameters a robot needs to meet any goal in reach: 6, less what may turn freely.
-  std::size_t numbers_asked() const {
-    return clauses_.free == FreeTurn::none ? 6 : clauses_.free == FreeTurn::all ? 3 : 5;
-  }
-  bool turns_freely() const { return clauses_.free != FreeTurn::none; }
-  bool locks_any() const { return !clauses_.locked.empty(); }
+  std::size_t numbers_asked() const { return chain_.numbers_asked(); }
+  bool turns_freely() const { return chain_.clauses().free != FreeTurn::none; }
+  bool locks_any() const { return !chain_.clauses().locked.empty(); }
 
   bool solved(const GoalState& state) const {
     return state.position_error <= kSolved && state.orientation_error <= kSolved;
@@ -89,14 +112,10 @@ class GoalProblem {
   static constexpr std::size_t kMostWork =
       30'000'000;  ///< derivatives of frame elements: about two seconds
 
-  const RobotModel& model_;
+  const GoalChain& chain_;
   const Mounting& mounting_;
   std::vector<double> q_now_;
   Pose X_WG_;
-  GoalClauses clauses_;
-  std::vector<const FrameElement*> elements_;
-  std::vector<GoalVariable> variables_;
-  bool has_derived_ = false;
   mutable std::size_t work_ = 0;
 };
 

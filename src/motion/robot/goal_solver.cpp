@@ -207,7 +207,8 @@ GoalSolution solve_goal(const RobotModel& model, const Mounting& mounting,
     solution.position_error = solution.orientation_error = std::numeric_limits<double>::infinity();
     return solution;
   }
-  const GoalProblem problem(model, mounting, solution.q, X_WG, clauses);
+  const GoalChain chain(model, clauses);
+  const GoalProblem problem(chain, mounting, solution.q, X_WG);
   const bool plain = clauses.free == FreeTurn::none;
   GoalState state = problem.at(solution.q);
   if (!problem.solved(state)) {

@@ -87,11 +87,7 @@ class ToolLine::Way {
 
 ToolLine::ToolLine(const RobotModel& model, const Mounting& mounting, LineDeviation deviation,
                    GoalClauses clauses)
-    : model_(model),
-      mounting_(mounting),
-      deviation_(deviation),
-      clauses_(std::move(clauses)),
-      elements_(elements_to_tool(model)) {
+    : model_(model), mounting_(mounting), deviation_(deviation), clauses_(std::move(clauses)) {
   clauses_.near.clear();
   std::vector<int> held;
   for (int i = 0; i < static_cast<int>(model.parameters.size()); ++i) {
@@ -101,6 +97,7 @@ ToolLine::ToolLine(const RobotModel& model, const Mounting& mounting, LineDeviat
     (steps && !clauses_.locks(i) ? moved_ : held).push_back(i);
   }
   clauses_.locked = held;
+  chain_ = std::make_shared<const GoalChain>(model, clauses_);
   if (stepped_.empty()) refusal_ = "no parameter of it has a step or a speed of its own";
 }
 
@@ -208,13 +205,13 @@ std::vector<int> ToolLine::steered(const Way& way, std::span<const double> q,
   for (const int i : named) {
     if (std::binary_search(moved_.begin(), moved_.end(), i)) result.push_back(i);
   }
-  const GoalProblem problem(model_, mounting_, q, way.at(0), clauses_);
-  const auto& variables = problem.variables();
-  const std::size_t needed = problem.numbers_asked();
+  const auto& variables = chain_->variables();
+  const std::size_t needed = chain_->numbers_asked();
   if (variables.size() <= needed) {
     std::sort(result.begin(), result.end());
     return result;
   }
+  const GoalProblem problem(*chain_, mounting_, q, way.at(0));
   const PoseJacobian jacobian =
       problem.jacobian(problem.at({q.begin(), q.end()}), variables.size());
   std::vector<int> moving;  // tip first
@@ -251,15 +248,20 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
 
   const std::vector<int> even = steered(way, q, named);
   const std::vector<double> whole = change_between(q, q_end);
-  GoalClauses clauses = clauses_;
-  clauses.locked.insert(clauses.locked.end(), even.begin(), even.end());
-  std::sort(clauses.locked.begin(), clauses.locked.end());
+  std::optional<GoalChain> without_even;
+  if (!even.empty()) {
+    GoalClauses clauses = clauses_;
+    clauses.locked.insert(clauses.locked.end(), even.begin(), even.end());
+    std::sort(clauses.locked.begin(), clauses.locked.end());
+    without_even.emplace(model_, std::move(clauses));
+  }
+  const GoalChain& chain = without_even ? *without_even : *chain_;
   // An arm that moves alone has a formula; where that leads nowhere the search says how near it is.
   std::optional<ArmFormula> arm;
   const auto solve = [&](double part) {
     std::vector<double> q_even(q.begin(), q.end());
     for (const int i : even) q_even[at(i)] += part * whole[at(i)];
-    const GoalProblem problem(model_, mounting_, q_even, way.at(part), clauses);
+    const GoalProblem problem(chain, mounting_, q_even, way.at(part));
     if (arm) {
       if (auto known = arm->solve(problem)) return std::pair(true, std::move(known->q));
     }
@@ -267,18 +269,18 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
                                            GoalPart::pose);
     return std::pair(problem.solved(state), std::move(state.q));
   };
+  const double most_orientation = math::radians(deviation_.orientation_deg);
   // The deviation of a step as a share of what is allowed, as far as it is looked at: no further
   // than to a moment at which it is too large. In the middle it is largest as a rule.
   const auto deviation = [&](const std::vector<double>& change, double part) {
     std::vector<double> q_there(q.begin(), q.end());
     for (std::size_t i = 0; i < q_there.size(); ++i) q_there[i] += change[i];
-    StepMotion motion(mounting_, elements_);
+    StepMotion motion(mounting_, chain.elements());
     std::vector<double> between(q.size());
     std::pair<double, double> worst = {0, 0};
     const auto share = [&](const Bend& bend) {
-      return std::max(
-          (worst.first + bend.position) / deviation_.position,
-          (worst.second + bend.orientation) / math::radians(deviation_.orientation_deg));
+      return std::max((worst.first + bend.position) / deviation_.position,
+                      (worst.second + bend.orientation) / most_orientation);
     };
     const auto look = [&](int k, const auto& pose_at) {
       const double fraction = static_cast<double>(k) / kParts;
@@ -308,7 +310,7 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
     std::copy(whole.begin(), whole.end(), steps.begin());
     return {Step::Kind::made, -1};
   }
-  if (even.empty()) arm = ArmFormula::of({model_, mounting_, q, way.at(0), clauses});
+  if (even.empty()) arm = ArmFormula::of({chain, mounting_, q, way.at(0)});
   // How the parameters run along it tells how long a step may be.
   const double probe = way.part(kProbe);
   const auto [leads_on, q_probe] = solve(probe);
@@ -326,10 +328,10 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
   for (int trial = 0; trial < kMostTrials && part >= shortest; ++trial) {
     const auto [solved, q_there] = solve(part);
     const std::vector<double> change = change_between(q, q_there);
-    const double share = share_allowed(change);
+    const double allowed = share_allowed(change);
     // A step that is too long in a parameter is nearly as much too long on the way.
-    double shorter = solved && share < 1 ? std::min(0.999 * share + 1e-3, 0.999) : 0.7;
-    if (solved && share == 1) {
+    double shorter = solved && allowed < 1 ? std::min(0.999 * allowed + 1e-3, 0.999) : 0.7;
+    if (solved && allowed == 1) {
       const double found = deviation(change, part);
       if (found <= 1) {
         std::copy(change.begin(), change.end(), steps.begin());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "src/motion/robot/kinematics.hpp"
 
 namespace rubicon::robot {
+
+class GoalChain;
 
 /// The straight way of the tool frame from where it is to where it shall be, as `line` makes it:
 /// its origin runs along a straight line, its orientation turns evenly with it. At the end of a
@@ -64,7 +67,7 @@ class ToolLine {
   std::string refusal_;
   std::vector<int> stepped_;
   std::vector<int> moved_;  ///< of these the ones that are not locked
-  std::vector<const FrameElement*> elements_;
+  std::shared_ptr<const GoalChain> chain_;
 };
 
 }  // namespace rubicon::robot

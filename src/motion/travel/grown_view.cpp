@@ -14,6 +14,10 @@ namespace {
 /// The share of a disc's radius by which its polygon may not reach beyond it, and m to spare.
 constexpr double kOfDistance = 0.99;
 constexpr double kSpare = 2e-4;
+/// m by which a disc is smaller at first: a place on the outline of a disc is then free. Less than
+/// what the caller's disc is larger than its machine by, and more than the rounding of corners.
+constexpr double kOnOutline = 5e-5;
+constexpr double kOfCorners = 1e-5;
 /// m; a smaller disc is a point.
 constexpr double kLeastDisc = 1e-3;
 
@@ -41,15 +45,39 @@ GrownView::GrownView(const Heights& heights, double radius) : heights_(heights),
   if (radius > 0) footprint_ = disc(radius);
 }
 
-/// The disc by which an outline is grown, empty for a point.
-std::vector<Vec2> GrownView::footprint_for(const std::vector<Vec2>& outline) const {
-  double radius = radius_;
+/// An outline grown by the largest disc that leaves the places free; by less it is grown for a
+/// point.
+std::vector<std::vector<Vec2>> GrownView::grown(const std::vector<Vec2>& outline) const {
+  const auto grown_by = [&](const std::vector<Vec2>& footprint) {
+    std::vector<std::vector<Vec2>> rings;
+    for (const Piece& piece : grown_pieces(outline, footprint, 0)) {
+      rings.push_back(in_metres(piece.ring));
+    }
+    return rings;
+  };
+  double least = radius_;
+  std::vector<Vec2> places;
   for (const Vec2& place : free_) {
     const double distance = distance_to(outline, place);
-    if (distance > kSpare) radius = std::min(radius, kOfDistance * distance - kSpare);
+    if (distance <= kSpare) continue;
+    places.push_back(place);
+    least = std::min(least, kOfDistance * distance - kSpare);
   }
-  if (radius >= radius_) return footprint_;
-  return radius < kLeastDisc ? std::vector<Vec2>() : disc(radius);
+  const auto leaves_free = [&](const std::vector<std::vector<Vec2>>& rings) {
+    return std::all_of(rings.begin(), rings.end(), [&](const std::vector<Vec2>& ring) {
+      return std::all_of(places.begin(), places.end(),
+                         [&](const Vec2& place) { return distance_to(ring, place) > kOfCorners; });
+    });
+  };
+  if (footprint_.empty()) return {outline};
+  std::vector<std::vector<Vec2>> rings = grown_by(footprint_);
+  if (least >= radius_ || leaves_free(rings)) return rings;
+  if (radius_ > kLeastDisc) {
+    rings = grown_by(disc(radius_ - kOnOutline));
+    if (leaves_free(rings)) return rings;
+  }
+  if (least < kLeastDisc) return {outline};
+  return grown_by(disc(least));
 }
 
 Obstacle* GrownView::add(const std::string& name, const std::vector<geometry::Shape>& shapes,
@@ -57,15 +85,8 @@ Obstacle* GrownView::add(const std::string& name, const std::vector<geometry::Sh
   Obstacle obstacle;
   obstacle.name = name;
   for (const geometry::Shape& shape : shapes) {
-    for (std::vector<Vec2>& outline : plan_view(shape, X_WB, heights_)) {
-      const std::vector<Vec2> footprint = footprint_for(outline);
-      if (footprint.empty()) {
-        obstacle.parts.push_back(std::move(outline));
-        continue;
-      }
-      for (const Piece& piece : grown_pieces(outline, footprint, 0)) {
-        obstacle.parts.push_back(in_metres(piece.ring));
-      }
+    for (const std::vector<Vec2>& outline : plan_view(shape, X_WB, heights_)) {
+      for (std::vector<Vec2>& ring : grown(outline)) obstacle.parts.push_back(std::move(ring));
     }
   }
   if (obstacle.parts.empty()) return nullptr;

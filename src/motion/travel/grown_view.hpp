@@ -26,7 +26,7 @@ class GrownView {
   std::vector<Obstacle>& obstacles() { return obstacles_; }
 
  private:
-  std::vector<Vec2> footprint_for(const std::vector<Vec2>& outline) const;
+  std::vector<std::vector<Vec2>> grown(const std::vector<Vec2>& outline) const;
 
   Heights heights_;
   double radius_;

@@ -1,9 +1,11 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <set>
 #include <utility>
 
 #include "src/earth/soil/blocks.hpp"
 #include "src/motion/math/index.hpp"
+#include "src/motion/robot/frame_chain.hpp"
 #include "src/motion/robot/kinematics.hpp"
 #include "src/simulation/site/ground_under.hpp"
 #include "src/simulation/site/site_world.hpp"
@@ -33,6 +35,21 @@ std::vector<geometry::Shape> boxes_of(const std::vector<soil::Block>& blocks, in
 /// m: a machine drives over ground that is so much lower than its wheels.
 constexpr double kDrivenOver = 0.15;
 
+/// A box round all places of a body in a step: between its ends it goes aside by less than it goes
+/// on.
+Eigen::AlignedBox2d around_step(const SiteRobot& robot, int body, double reach,
+                                std::span<const double> q_from, std::span<const double> q_to) {
+  const auto place = [&](std::span<const double> q) -> Eigen::Vector2d {
+    return robot::body_pose(*robot.model, robot.mounting, q, body).translation().head<2>();
+  };
+  const Eigen::Vector2d from = place(q_from);
+  const Eigen::Vector2d to = place(q_to);
+  Eigen::AlignedBox2d box(from);
+  box.extend(to);
+  const Eigen::Vector2d more = Eigen::Vector2d::Constant(reach + (to - from).norm());
+  return {box.min() - more, box.max() + more};
+}
+
 }  // namespace
 
 void SiteWorld::set_drives(int robot) {
@@ -41,6 +58,9 @@ void SiteWorld::set_drives(int robot) {
   const auto tool = at(machine.robot.model->tool_body);
   for (std::size_t i = 0; i < machine.wheels.size(); ++i) {
     if (i != tool) machine.wheels[i].clear();
+  }
+  for (const math::Vec3& corner : machine.wheels[tool]) {
+    machine.wheels_reach = std::max(machine.wheels_reach, corner.norm());
   }
 }
 
@@ -67,9 +87,12 @@ std::optional<std::string> SiteWorld::pit_met(int robot,
   const RobotEntry& machine = entry(robot);
   if (pits_.empty() || machine.wheels.empty()) return std::nullopt;
   if (std::equal(step.q_from.begin(), step.q_from.end(), step.q_to.begin())) return std::nullopt;
+  const Eigen::AlignedBox2d around = around_step(machine.robot, machine.robot.model->tool_body,
+                                                 machine.wheels_reach, step.q_from, step.q_to);
   std::optional<PlanRegion> region;
   double lowest = 0;  // that the ground may be
   for (const Pit& pit : pits_) {
+    if (!around.intersects(pit.around)) continue;
     const auto opened = soils_.find(pit.component);
     // Nobody has dug there yet.
     if (opened == soils_.end() && components_[at(pit.component)].standing) continue;

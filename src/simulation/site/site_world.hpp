@@ -347,8 +347,9 @@ class SiteWorld {
     std::vector<std::pair<int, int>> entered;  ///< body, component
     bool carries_soil = false;
     int partner = -1;
-    BodyCorners corners;  ///< of one whose workspace is kept apart
-    BodyCorners wheels;   ///< of one that drives on the ground: of its tool's body, no others
+    BodyCorners corners;      ///< of one whose workspace is kept apart
+    BodyCorners wheels;       ///< of one that drives on the ground: of its tool's body, no others
+    double wheels_reach = 0;  ///< m, of these from the origin of the body
     mutable std::optional<PlanRegion> workspace_now;  ///< made when asked for
     std::set<int> too_near;     ///< robots whose workspaces its own overlaps, where that is watched
     int overlaps = 0;           ///< how often that came about, not yet taken

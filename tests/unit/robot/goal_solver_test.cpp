@@ -134,7 +134,8 @@ TEST(SolveGoal, AnArmByFormulaIsAsGoodAsTheSearch) {
     }
     if (tracks) now[0] = there[0];
     const Pose goal = tool_pose(model, mounting, there);
-    const GoalProblem problem(model, mounting, now, goal);
+    const GoalChain chain(model);
+    const GoalProblem problem(chain, mounting, now, goal);
     const auto known = closed_form_goal(problem);
     ASSERT_TRUE(known) << i;
     ASSERT_TRUE(problem.solved(*known)) << i;
@@ -282,7 +283,7 @@ TEST(SolveGoal, WhereParametersStandInSumsTheFormulaHoldsToo) {
     const std::vector<double> q = any();
     const std::vector<double> now = any();
     const Pose goal = tool_pose(model, mounting, q);
-    const auto by_formula = closed_form_goal(GoalProblem(model, mounting, now, goal, {}));
+    const auto by_formula = closed_form_goal(GoalProblem(GoalChain(model), mounting, now, goal));
     ASSERT_TRUE(by_formula.has_value()) << i;
     const auto solution = solve_goal(model, mounting, now, goal, {});
     expect_meets(model, mounting, solution, goal);
@@ -290,8 +291,8 @@ TEST(SolveGoal, WhereParametersStandInSumsTheFormulaHoldsToo) {
   }
   model.bodies[3].frame[0] = trans(number(0), number(0), of(2) * of(2));
   const std::vector<double> now = {0, model.parameters[1].start, -5, 0};
-  EXPECT_FALSE(
-      closed_form_goal(GoalProblem(model, mounting_of(model), now, translation(20, 0, 0), {})));
+  EXPECT_FALSE(closed_form_goal(
+      GoalProblem(GoalChain(model), mounting_of(model), now, translation(20, 0, 0))));
 }
 
 TEST(SolveGoal, OfTwoCraneSolutionsTheJibTurnsLess) {
