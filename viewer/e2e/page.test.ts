@@ -257,6 +257,22 @@ describe.skipIf(!hasBrowser)('the page', () => {
     })).toBe('set_wall_4');
   });
 
+  test.each([900, 1400])('has room for names and buttons in a window of %i px', async (width) => {
+    const look = await openReport(browser, result.report, { width, height: 700 });
+    await look.page.getByRole('tab', { name: 'Tasks', exact: true }).click();
+    const names = look.page.locator('.tasks tbody td:first-child:not([colspan])');
+    expect(await names.count()).toBeGreaterThan(10);
+    expect(await names.evaluateAll((cells) => cells.filter((cell) => cell.scrollWidth > cell.clientWidth).map((cell) => cell.textContent))).toEqual([]);
+    expect(await names.first().locator('bdi').getAttribute('title')).toBe('set_wall_1');
+    const heads = await look.page.locator('.tasks th').evaluateAll((cells) => cells.map((cell) => [cell.textContent, getComputedStyle(cell).textAlign]));
+    expect(heads.slice(0, 4)).toEqual([['Task', 'start'], ['Start ▴', 'end'], ['Duration', 'end'], ['Result', 'start']]);
+    for (const name of ['Keys and hints', /colours$/]) {
+      const box = await look.page.getByRole('button', { name }).boundingBox();
+      expect((box?.x ?? width) + (box?.width ?? 0)).toBeLessThanOrEqual(width);
+    }
+    await look.close();
+  });
+
   test('hands the chart out', async () => {
     await tab('Gantt');
     const [svg] = await Promise.all([page.waitForEvent('download'), press('Export SVG')]);
