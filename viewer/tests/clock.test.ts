@@ -13,6 +13,14 @@ describe('clock', () => {
     expect(clock.exact(1.26)).toBe('07:00:01.2');
   });
 
+  it('tells the seconds of a short plan, and the day once where it has but one', () => {
+    const short = new Clock('2026-05-04 07:00', 93);
+    expect([short.short(38), short.brief(38), short.time(38), short.span(0, 92)]).toEqual(['4 May 07:00:38', '07:00:38', '07:00:38', '4 May 07:00:00 – 07:01:32']);
+    const long = new Clock('2026-05-04 23:00', 3 * 3600);
+    expect([long.brief(0), long.span(0, 1800), long.span(0, 7200)]).toEqual(['4 May 23:00', '4 May 23:00 – 23:30', '4 May 23:00 – 5 May 01:00']);
+    expect(new Clock(null, 93).span(1, 92)).toBe('0:00:01 – 0:01:32');
+  });
+
   it('takes 29 February and the end of the year', () => {
     expect(new Clock('2028-02-28 23:59').full(60)).toBe('Tue 29 Feb 2028 00:00:00');
     expect(new Clock('2026-12-31 23:59').full(60)).toBe('Fri 1 Jan 2027 00:00:00');

@@ -56,6 +56,7 @@ test('axes have round numbers', () => {
   expect(step(50 * 60, 6, true)).toBe(600);
   expect(step(1e9, 6, true)).toBe(200000000);
   expect(axisTime(5400, 3600)).toBe('1.5 h');
+  expect(axisTime(23400, 1800)).toBe('6.5 h');
   expect(ticks(3, 3, 5, false)).toEqual([3]);
   expect(padded([10, 10])).toEqual({ low: 9.4, high: 10.6 });
   expect(padded([0, 0])).toEqual({ low: 0, high: 1 });

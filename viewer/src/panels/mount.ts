@@ -19,7 +19,7 @@ export function mountPanels(film: Film, motion: Motion, player: Player): void {
   restoreTheme();
   document.title = `${film.header.plan.slice(0, 80)} · RUBICON`;
   const side = mountSide(element('side'));
-  const page: Page = { film, motion, player, runs: new Runs(film), clock: new Clock(film.header.start_at), open: side.open };
+  const page: Page = { film, motion, player, runs: new Runs(film), clock: new Clock(film.header.start_at, film.schedule?.process_time ?? film.end), open: side.open };
   const overview = mountOverview(side.panel('Overview'), page);
   mountTasks(side.panel('Tasks'), page, side.shows('Tasks'));
   mountGantt(side.panel('Gantt'), page, side.shows('Gantt'));

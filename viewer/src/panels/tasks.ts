@@ -20,7 +20,7 @@ interface Column {
 const seconds = (value: number | null) => (value === null ? '' : duration(value));
 const columns: Column[] = [
   { key: 'name', title: 'Task', most: 220, text: ({ name }) => name },
-  { key: 'start', title: 'Start', text: ({ start }, clock) => clock.short(start) },
+  { key: 'start', title: 'Start', text: ({ start }, clock) => clock.brief(start) },
   { key: 'duration', title: 'Duration', text: (row) => seconds(row.duration) },
   { key: 'result', title: 'Result', most: 110, text: ({ result }) => result },
   { key: 'who', title: 'By', most: 130, text: ({ who }) => who },

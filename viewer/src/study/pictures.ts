@@ -4,6 +4,9 @@ import { clock, COST, MAKESPAN, moment, settings, shown, type Study, type Varian
 
 const WIDTH = 560;
 const HEIGHT = 300;
+/** Of points in the same place: so near are they, and so many are named. */
+const near = 8;
+const mostNames = 6;
 
 function timeAxis(values: number[], label: string): Axis {
   return { ...padded(values), label, text: axisTime, seconds: true };
@@ -32,7 +35,9 @@ export function paretoPicture(study: Study, selected: Variant, select: (variant:
   }
   // What matters most is drawn last, over the others.
   const rank = (each: Variant) => (each === selected ? 2 : study.pareto.includes(each.variant) ? 1 : 0);
-  for (const each of [...points].sort((a, b) => rank(a) - rank(b))) {
+  const order = [...points].sort((a, b) => rank(a) - rank(b));
+  const apart = (a: Variant, b: Variant) => Math.hypot(x(mean(a, MAKESPAN)) - x(mean(b, MAKESPAN)), y(mean(a, COST)) - y(mean(b, COST)));
+  for (const each of order) {
     const [px, py] = [x(mean(each, MAKESPAN)), y(mean(each, COST))];
     const group = draw('g', { class: 'point', tabindex: '0', role: 'button', 'aria-label': `variant ${each.variant}: ${settings(each)}` });
     const ends = [quantile(each, MAKESPAN, 0.1), quantile(each, MAKESPAN, 0.95), quantile(each, COST, 0.1), quantile(each, COST, 0.95)];
@@ -43,7 +48,14 @@ export function paretoPicture(study: Study, selected: Variant, select: (variant:
     const kind = each === selected ? 'chosen' : study.pareto.includes(each.variant) ? 'best' : each.unfinished ? 'failing' : 'other';
     group.append(draw('circle', { cx: px, cy: py, r: points.length > 200 ? 3 : 6, class: kind }),
       draw('title', {}, `variant ${each.variant}: ${settings(each)}\n${clock(mean(each, MAKESPAN))}, ${shown('money', mean(each, COST), each)} ${currency}`));
-    if (points.length <= 30) group.append(draw('text', { x: px + 9, y: py - 7, class: 'tick' }, String(each.variant)));
+    // Of points that lie on each other the uppermost names all.
+    const here = order.filter((other) => apart(each, other) < near);
+    if (points.length <= 30 && here[here.length - 1] === each) {
+      const names = here.map(({ variant }) => variant).sort((a, b) => a - b);
+      const more = names.length > mostNames ? ', …' : '';
+      const right = px > WIDTH - 80;
+      group.append(draw('text', { x: right ? px - 9 : px + 9, y: py - 7, class: right ? 'tick end' : 'tick' }, names.slice(0, mostNames).join(', ') + more));
+    }
     group.addEventListener('click', () => select(each));
     group.addEventListener('keydown', (event) => {
       if ((event as KeyboardEvent).key === 'Enter') select(each);
