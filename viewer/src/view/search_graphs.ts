@@ -14,7 +14,6 @@ const pieces = 4;
 /** What guides searched through: trees, roadmaps, lattices and graphs of sight, as ways of the tool or, of a vehicle, of its place. */
 export class SearchGraphs {
   readonly strokes: Strokes;
-  private shown = '';
 
   constructor(private readonly film: Film, light: Light) {
     this.strokes = new Strokes(light, 1.1);
@@ -24,14 +23,11 @@ export class SearchGraphs {
   show(running: number[], on: boolean, time: number, theme: Theme): void {
     const { graphs } = this.film;
     const now = on ? running.map((run) => graphs.findLastIndex((graph) => graph.run === run && graph.t <= time)).filter((at) => at >= 0) : [];
-    const key = `${now.join(' ')} ${theme.dark}`;
-    if (key === this.shown) return;
-    this.shown = key;
-    this.strokes.clear();
-    for (const at of now) {
-      for (const [from, to] of legsOf(this.film, at)) this.strokes.add(from, to, theme.label, 0.45);
-    }
-    this.strokes.flush();
+    this.strokes.redraw(`${now.join(' ')} ${theme.dark}`, () => {
+      for (const at of now) {
+        for (const [from, to] of legsOf(this.film, at)) this.strokes.add(from, to, theme.label, 0.45);
+      }
+    });
   }
 }
 

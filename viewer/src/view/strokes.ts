@@ -95,6 +95,7 @@ export class Strokes {
   readonly size = new Vector2(1, 1);
   private readonly now: IUniform<number> = { value: 1e30 };
   private numbers: number[] = [];
+  private drawn = '';
   private buffer: InterleavedBuffer | null = null;
 
   /** `ahead`: how much of its opacity is left of what comes after `now`. */
@@ -115,6 +116,15 @@ export class Strokes {
 
   clear(): void {
     this.numbers = [];
+  }
+
+  /** Draws anew if `key` is another than the last time: it says all that the lines depend on. */
+  redraw(key: string, draw: () => void): void {
+    if (key === this.drawn) return;
+    this.drawn = key;
+    this.clear();
+    draw();
+    this.flush();
   }
 
   add(a: Vector3, b: Vector3, colour: Colour, opacity = 1, from = -1e30, to = -1e30): void {
