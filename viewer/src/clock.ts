@@ -126,8 +126,13 @@ export function number(value: number, decimals = 4): string {
   return text === '-0' ? '0' : text;
 }
 
+/** With just so many decimals, as numbers in a column have them: `1,204.0`. */
+export function decimal(value: number, decimals: number): string {
+  return value.toLocaleString('en-GB', { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
+}
+
 /** `66,865.05 EUR`. */
 export function money(value: number, currency: string): string {
-  const text = value.toLocaleString('en-GB', { minimumFractionDigits: 2, maximumFractionDigits: 2 });
+  const text = decimal(value, 2);
   return currency ? `${text} ${currency}` : text;
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { Clock, duration, money, number, roughly } from '../src/clock';
+import { Clock, decimal, duration, money, number, roughly } from '../src/clock';
 import { ticks } from '../src/ticks';
 
 describe('clock', () => {
@@ -60,6 +60,7 @@ describe('clock', () => {
     expect(number(-0.00001)).toBe('0');
     expect(number(1.23456789)).toBe('1.2346');
     expect(money(66865.049, 'EUR')).toBe('66,865.05 EUR');
+    expect([decimal(12, 1), decimal(1204.04, 1), decimal(0.6, 2)]).toEqual(['12.0', '1,204.0', '0.60']);
     expect(roughly(2086681)).toBe('24.2 days');
     expect(roughly(12)).toBe('12 s');
   });

@@ -1,4 +1,4 @@
-import { day, duration, money, number, roughly } from '../clock';
+import { day, decimal, duration, money, number, roughly } from '../clock';
 import type { ScheduleData, ScheduledTask, Waited } from '../header';
 import { supportWords } from '../holding';
 import { tallyText } from '../runs';
@@ -49,7 +49,7 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
     list.append(make('div', {}, make('dt', {}, name), shown));
   };
   const long = schedule?.process_time ?? film.end;
-  if (clock.dated) add('Finishes', clock.short(Math.round(long)), `${clock.dayName(long)}, begins ${clock.short(0)}`);
+  if (clock.dated) add('Finishes', clock.brief(Math.round(long)), `${clock.dayName(long)}, begins ${clock.brief(0)}`);
   add('Process time', duration(long), long < day ? roughly(long) : 'from beginning to end');
   if (schedule?.uncertain) {
     const { sample, uncertain } = schedule;
@@ -158,12 +158,12 @@ function earthworkOf(page: Page, schedule: ScheduleData): HTMLElement[] {
   const production = make('tbody');
   const queues = make('tbody');
   for (const { task, dig } of digs.slice(0, mostListed)) {
-    const cells = [number(dig.tipped, 1), dig.loads.toLocaleString('en-GB'), number(dig.per_hour, 1), number(dig.match_factor, 2)];
-    if (isCosted) cells.push(dig.cost_per_m3 === undefined ? '' : number(dig.cost_per_m3, 2));
+    const cells = [decimal(dig.tipped, 1), dig.loads.toLocaleString('en-GB'), decimal(dig.per_hour, 1), decimal(dig.match_factor, 2)];
+    if (isCosted) cells.push(dig.cost_per_m3 === undefined ? '' : decimal(dig.cost_per_m3, 2));
     production.append(make('tr', {}, make('th', { scope: 'row' }, taskButton(page, byName, task)), ...cells.map((text) => make('td', {}, text))));
     for (const queue of dig.queues) {
       const by = queue.servers > 1 ? `${queue.by} (${queue.servers})` : queue.by;
-      const times = [duration(queue.mean_wait), duration(queue.longest_wait), number(queue.mean_length, 2), `${number(100 * queue.utilisation, 0)} %`];
+      const times = [duration(queue.mean_wait), duration(queue.longest_wait), decimal(queue.mean_length, 2), `${number(100 * queue.utilisation, 0)} %`];
       queues.append(make('tr', {}, make('th', { scope: 'row' }, named(`${task}.${queue.stage}`), make('small', {}, ` before ${by}`)), ...times.map((text) => make('td', {}, text))));
     }
   }
@@ -184,8 +184,8 @@ function bucketsOf(page: Page, schedule: ScheduleData): HTMLElement[] {
   for (const { task, dig } of digs.slice(0, mostListed)) {
     const { mean } = dig;
     const row = (cells: string[]) => make('tr', {}, make('th', { scope: 'row' }, taskButton(page, byName, task)), ...cells.map((text) => make('td', {}, text)));
-    rows.append(row([number(dig.dug, 1), dig.buckets.toLocaleString('en-GB'), number(dig.per_hour, 1), `${number(mean.cycle, 1)} s`]));
-    parts.append(row([mean.to_the_cut, mean.cut, mean.swing, mean.dump].map((seconds) => `${number(seconds, 1)} s`)));
+    rows.append(row([decimal(dig.dug, 1), dig.buckets.toLocaleString('en-GB'), decimal(dig.per_hour, 1), `${decimal(mean.cycle, 1)} s`]));
+    parts.append(row([mean.to_the_cut, mean.cut, mean.swing, mean.dump].map((seconds) => `${decimal(seconds, 1)} s`)));
   }
   return [make('h2', {}, 'Digging'), make('p', { class: 'muted' }, 'm³ are of the volume in the ground, hours are worked. A cycle and its parts, on average.'),
     make('table', {}, head('Task', 'm³', 'Buckets', 'm³ per h', 'Cycle'), rows),
