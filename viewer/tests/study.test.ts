@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
 import { axisTime, padded, step, ticks } from '../src/study/chart';
+import { namesOf } from '../src/study/pictures';
 import { cell, clock, command, comparedWith, differenceText, firstShown, moment, rowsOf, settings, shown, type Study, type Variant } from '../src/study/data';
 
 const answer = (mean: number, p80: number | null) => ({
@@ -48,6 +49,12 @@ test('the chosen one is shown first, or the first that runs', () => {
 
 test('a run of a variant has its command', () => {
   expect(command(variant(1, '10', 1, 2), 31)).toBe('rubicon run p.plan --set floors=10 --sample 7:31');
+});
+
+test('variants in one place of the picture are named together, once', () => {
+  const at = (name: number, x: number) => ({ name, x, y: 50 });
+  expect(namesOf([at(6, 100), at(5, 101), at(1, 300), at(4, 99)])).toEqual(['', '', '1', '4, 5, 6']);
+  expect(namesOf([7, 6, 5, 4, 3, 2, 1].map((name) => at(name, 0)))[6]).toBe('1, 2, 3, 4, 5, 6, …');
 });
 
 test('axes have round numbers', () => {

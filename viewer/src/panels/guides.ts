@@ -73,7 +73,7 @@ export function mountGuides(host: HTMLElement, page: Page, shown: Shown): void {
     const section = chosen();
     const axis = (i: number) => {
       const { low, high } = searched?.ranges.get(i) ?? { low: 0, high: 0 };
-      return { ...padded([low, high]), low: low - 0.06 * (high - low || 1), label: parameters()[i].name + (unitOf(i) === '°' ? ', degrees' : ', m'),
+      return { ...padded([low, high]), label: parameters()[i].name + (unitOf(i) === '°' ? ', degrees' : ', m'),
         text: (each: number) => number(each, 3), seconds: false };
     };
     painted = widthNow();
