@@ -63,9 +63,7 @@ export function mountGuides(host: HTMLElement, page: Page, shown: Shown): void {
       select.replaceChildren(...(i === 2 ? [make('option', { value: '-1' }, 'none')] : []), ...names.map((name, p) => make('option', { value: String(p) }, name)));
       select.value = String(varied[i]?.parameter ?? (i === 2 ? -1 : 0));
     });
-    const third = Number(axes.third.select.value);
-    const range = searched.ranges.get(third);
-    slider.value = String(range && range.high > range.low ? Math.round(steps * ((way[0]?.[0][third] ?? range.low) - range.low) / (range.high - range.low)) : 0);
+    slider.value = String(steps / 2);
   };
 
   const paint = () => {
