@@ -121,6 +121,33 @@ describe.skipIf(!hasBrowser)('the page', () => {
     yard.remove();
   });
 
+  test('shows what a guide searched through, with a slider for a third parameter', async () => {
+    expect(await page.getByRole('tab', { name: 'Guides' }).count()).toBe(0);
+    const trench = runPlan('taskplans/trench.plan', '--trace-detail', 'full');
+    const look = await openReport(browser, trench.report);
+    await seek(look.page, 8);
+    await look.page.getByRole('tab', { name: 'Guides' }).click();
+    const panel = look.page.locator('.guides');
+    const guide = readTrace(trench).find((record) => record.type === 'guide' && record.task === 'to_truck_1');
+    expect(await panel.locator('h2').innerText()).toBe(`to_truck_1 (${guide?.legs} legs searched)`);
+    const [now, ring, near] = [panel.locator('.now'), panel.locator('.ring'), panel.locator('.near')];
+    const before = [await now.getAttribute('cx'), await ring.first().getAttribute('cx'), await near.getAttribute('d')];
+    await panel.getByLabel('Value of the third parameter').fill('120');
+    await seek(look.page, 10);
+    await expect.poll(() => now.getAttribute('cx')).not.toBe(before[0]);
+    expect(await ring.first().getAttribute('cx')).not.toBe(before[1]);
+    expect(await near.getAttribute('d')).not.toBe(before[2]);
+    await panel.getByLabel('Slider').selectOption('none');
+    expect(await ring.count()).toBe(0);
+    // Without a third parameter every leg is near.
+    expect((await near.getAttribute('d'))?.match(/M/g)?.length).toBe(guide?.legs);
+    await seek(look.page, 90);
+    await expect.poll(() => panel.locator('h2').innerText()).toContain('return_3');
+    expect(look.complaints).toEqual([]);
+    await look.close();
+    trench.remove();
+  });
+
   test('says what goes on until the end', async () => {
     const pour = runPlan({ 'plan.plan': `plan pour {
   crew masons {}
@@ -255,6 +282,22 @@ describe.skipIf(!hasBrowser)('the page', () => {
       const { selection, film } = window.rubicon!.player;
       return selection?.kind === 'run' ? film.runs[selection.index].task : '';
     })).toBe('set_wall_4');
+  });
+
+  test.each([900, 1400])('has room for names and buttons in a window of %i px', async (width) => {
+    const look = await openReport(browser, result.report, { width, height: 700 });
+    await look.page.getByRole('tab', { name: 'Tasks', exact: true }).click();
+    const names = look.page.locator('.tasks tbody td:first-child:not([colspan])');
+    expect(await names.count()).toBeGreaterThan(10);
+    expect(await names.evaluateAll((cells) => cells.filter((cell) => cell.scrollWidth > cell.clientWidth).map((cell) => cell.textContent))).toEqual([]);
+    expect(await names.first().locator('bdi').getAttribute('title')).toBe('set_wall_1');
+    const heads = await look.page.locator('.tasks th').evaluateAll((cells) => cells.map((cell) => [cell.textContent, getComputedStyle(cell).textAlign]));
+    expect(heads.slice(0, 4)).toEqual([['Task', 'start'], ['Start ▴', 'end'], ['Duration', 'end'], ['Result', 'start']]);
+    for (const name of ['Keys and hints', /colours$/]) {
+      const box = await look.page.getByRole('button', { name }).boundingBox();
+      expect((box?.x ?? width) + (box?.width ?? 0)).toBeLessThanOrEqual(width);
+    }
+    await look.close();
   });
 
   test('hands the chart out', async () => {

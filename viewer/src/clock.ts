@@ -3,6 +3,9 @@ const months = ['Jan', 'Feb', 'Mar', 'Apr', 'May', 'Jun', 'Jul', 'Aug', 'Sep', '
 
 export const day = 86400;
 
+/** Of plans that are shorter (s), moments are told to the second. */
+const shortPlan = 2 * 3600;
+
 /** Monday 1970-01-05 00:00, where a plan without `start_at` begins, as seconds since 1970 (UTC). */
 const someMonday = 4 * day;
 
@@ -14,12 +17,17 @@ export class Clock {
   /** Seconds since 1970 at the beginning of the plan. */
   readonly epoch: number;
   readonly dated: boolean;
+  private readonly digits: number;
+  private readonly oneDay: boolean;
 
-  constructor(startAt: string | null) {
+  /** `length`: of the plan (s). */
+  constructor(startAt: string | null, length = Infinity) {
     const parts = /^(\d{4})-(\d{2})-(\d{2})[ T](\d{2}):(\d{2})(?::(\d{2}))?$/.exec(startAt ?? '');
     this.dated = parts !== null;
     const [year, month, date, hour, minute, second] = (parts ?? []).slice(1).map((part) => Number(part ?? 0));
     this.epoch = parts ? Date.UTC(year, month - 1, date, hour, minute, second) / 1000 : someMonday;
+    this.digits = length < shortPlan ? 8 : 5;
+    this.oneDay = Math.floor(this.epoch / day) === Math.floor((this.epoch + length) / day);
   }
 
   /** `Mon 4 May 2026 07:18:05`, or `0:18:05`, `12 d 04:10:03`. */
@@ -30,9 +38,20 @@ export class Clock {
     return `${weekday} ${at.getUTCDate()} ${months[at.getUTCMonth()]} ${at.getUTCFullYear()} ${this.clock(t)}`;
   }
 
-  /** `4 May 07:18`, or `0:18:05`, `12 d 04:10`. */
+  /** `4 May 07:18`, or `0:18:05`, `12 d 04:10`; of a short plan `4 May 07:18:05`. */
   short(t: number): string {
-    return this.dated ? `${this.dayOf(t)} ${this.clock(t).slice(0, 5)}` : duration(Math.floor(t + 1e-6));
+    return this.dated ? `${this.dayOf(t)} ${this.time(t)}` : duration(Math.floor(t + 1e-6));
+  }
+
+  /** As `short`, without the day where the plan has but one: `07:18`. */
+  brief(t: number): string {
+    return this.dated && this.oneDay ? this.time(t) : this.short(t);
+  }
+
+  /** `4 May 07:18 – 07:31`, `4 May 07:18 – 5 May 09:00`. */
+  span(from: number, to: number): string {
+    const sameDay = this.dated && this.dayName(from) === this.dayName(to);
+    return `${this.short(from)} – ${sameDay ? this.time(to) : this.short(to)}`;
   }
 
   /** `Mon 4 May 2026`. */
@@ -50,6 +69,11 @@ export class Clock {
   /** The time of the day: `07:18:05`. */
   clock(t: number): string {
     return this.date(t).toISOString().slice(11, 19);
+  }
+
+  /** The time of the day as it is told: `07:18`; of a short plan `07:18:05`. */
+  time(t: number): string {
+    return this.clock(t).slice(0, this.digits);
   }
 
   /** Time of the day with tenths: `07:18:05.3`, or `0:18:05.3`. */
@@ -102,8 +126,13 @@ export function number(value: number, decimals = 4): string {
   return text === '-0' ? '0' : text;
 }
 
+/** With just so many decimals, as numbers in a column have them: `1,204.0`. */
+export function decimal(value: number, decimals: number): string {
+  return value.toLocaleString('en-GB', { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
+}
+
 /** `66,865.05 EUR`. */
 export function money(value: number, currency: string): string {
-  const text = value.toLocaleString('en-GB', { minimumFractionDigits: 2, maximumFractionDigits: 2 });
+  const text = decimal(value, 2);
   return currency ? `${text} ${currency}` : text;
 }

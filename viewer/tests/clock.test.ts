@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { Clock, duration, money, number, roughly } from '../src/clock';
+import { Clock, decimal, duration, money, number, roughly } from '../src/clock';
 import { ticks } from '../src/ticks';
 
 describe('clock', () => {
@@ -11,6 +11,14 @@ describe('clock', () => {
     expect(clock.short(6 * 86400)).toBe('10 May 07:00');
     expect(clock.full(240 * 86400)).toBe('Wed 30 Dec 2026 07:00:00');
     expect(clock.exact(1.26)).toBe('07:00:01.2');
+  });
+
+  it('tells the seconds of a short plan, and the day once where it has but one', () => {
+    const short = new Clock('2026-05-04 07:00', 93);
+    expect([short.short(38), short.brief(38), short.time(38), short.span(0, 92)]).toEqual(['4 May 07:00:38', '07:00:38', '07:00:38', '4 May 07:00:00 – 07:01:32']);
+    const long = new Clock('2026-05-04 23:00', 3 * 3600);
+    expect([long.brief(0), long.span(0, 1800), long.span(0, 7200)]).toEqual(['4 May 23:00', '4 May 23:00 – 23:30', '4 May 23:00 – 5 May 01:00']);
+    expect(new Clock(null, 93).span(1, 92)).toBe('0:00:01 – 0:01:32');
   });
 
   it('takes 29 February and the end of the year', () => {
@@ -52,6 +60,7 @@ describe('clock', () => {
     expect(number(-0.00001)).toBe('0');
     expect(number(1.23456789)).toBe('1.2346');
     expect(money(66865.049, 'EUR')).toBe('66,865.05 EUR');
+    expect([decimal(12, 1), decimal(1204.04, 1), decimal(0.6, 2)]).toEqual(['12.0', '1,204.0', '0.60']);
     expect(roughly(2086681)).toBe('24.2 days');
     expect(roughly(12)).toBe('12 s');
   });

@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
 import { axisTime, padded, step, ticks } from '../src/study/chart';
+import { namesOf } from '../src/study/pictures';
 import { cell, clock, command, comparedWith, differenceText, firstShown, moment, rowsOf, settings, shown, type Study, type Variant } from '../src/study/data';
 
 const answer = (mean: number, p80: number | null) => ({
@@ -50,12 +51,19 @@ test('a run of a variant has its command', () => {
   expect(command(variant(1, '10', 1, 2), 31)).toBe('rubicon run p.plan --set floors=10 --sample 7:31');
 });
 
+test('variants in one place of the picture are named together, once', () => {
+  const at = (name: number, x: number) => ({ name, x, y: 50 });
+  expect(namesOf([at(6, 100), at(5, 101), at(1, 300), at(4, 99)])).toEqual(['', '', '1', '4, 5, 6']);
+  expect(namesOf([7, 6, 5, 4, 3, 2, 1].map((name) => at(name, 0)))[6]).toBe('1, 2, 3, 4, 5, 6, …');
+});
+
 test('axes have round numbers', () => {
   expect(ticks(0, 1, 5, false)).toEqual([0, 0.2, 0.4, 0.6000000000000001, 0.8, 1]);
   expect(step(4 * 86400, 6, true)).toBe(86400);
   expect(step(50 * 60, 6, true)).toBe(600);
   expect(step(1e9, 6, true)).toBe(200000000);
   expect(axisTime(5400, 3600)).toBe('1.5 h');
+  expect(axisTime(23400, 1800)).toBe('6.5 h');
   expect(ticks(3, 3, 5, false)).toEqual([3]);
   expect(padded([10, 10])).toEqual({ low: 9.4, high: 10.6 });
   expect(padded([0, 0])).toEqual({ low: 0, high: 1 });

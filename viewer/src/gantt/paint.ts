@@ -162,7 +162,8 @@ function paintAxis(painter: Painter, { layout: { labelWidth }, view, width, heig
       const x = Math.round(labelWidth + xOf(view, t)) + 0.5;
       if (t < -1e-6) continue;
       painter.line(x, axisHeight - 6, x, major ? height : axisHeight, colours.line, 1);
-      painter.text(x + 3, axisHeight / 2 - 1, label, colours.muted, major);
+      // Half a name tells a wrong time.
+      if (x + 3 + label.length * boldWidth <= width) painter.text(x + 3, axisHeight / 2 - 1, label, colours.muted, major);
     }
     if (now !== null) {
       const x = labelWidth + xOf(view, now);

@@ -76,6 +76,9 @@ function speedText(speed: number): string {
   return `${speed.toLocaleString('en-GB', { maximumSignificantDigits: speed < 100 ? 2 : 3 })}×`;
 }
 
+/** Tasks at a time that are looked at for a place in the line. */
+const mostChips = 12;
+
 /** Tasks that go on: one line, what has no room is counted. */
 function makeChips({ player, runs }: Page): HTMLElement {
   const host = make('div', { class: 'chips', role: 'group', 'aria-label': 'Tasks that go on' });
@@ -84,12 +87,12 @@ function makeChips({ player, runs }: Page): HTMLElement {
     const tried = player.triedRun;
     const now = runs.shown(player);
     const picked = runs.focused(player);
-    const room = Math.max(Math.floor(host.clientWidth / 130), 1);
+    const room = host.clientWidth;
     const idle = player.time >= player.end ? 'the end' : 'nobody works';
     const key = `${now.join(' ')}/${picked}/${room}/${now.length === 0 ? idle : ''}`;
     if (key === shown) return;
     shown = key;
-    const chips: HTMLElement[] = now.slice(0, now.length > room ? room : now.length).map((run) => {
+    const chips = now.slice(0, mostChips).map((run) => {
       const who = runs.who(run);
       const task = runs.all[run].task;
       const kind = run === tried ? 'tried' : run === picked ? 'picked' : '';
@@ -99,11 +102,15 @@ function makeChips({ player, runs }: Page): HTMLElement {
       chip.title = cut(`${who}: ${task}${run === tried ? ' (what is shown was only tried: it did not happen)' : ''}`, 300);
       return chip;
     });
-    if (now.length > room) chips.push(make('span', { class: 'more' }, `+${now.length - room}`));
-    if (now.length === 0 && runs.all.length > 0) {
-      chips.push(make('span', { class: 'more' }, idle));
+    const more = make('span', { class: 'more' }, now.length === 0 && runs.all.length > 0 ? idle : '');
+    host.replaceChildren(...chips, more);
+    // Those that are there are read whole, as far as that goes; the others are counted.
+    const count = () => setText(more, chips.length < now.length ? `+${now.length - chips.length}` : more.textContent ?? '');
+    count();
+    while (chips.length > 1 && host.scrollWidth > host.clientWidth) {
+      chips.pop()?.remove();
+      count();
     }
-    host.replaceChildren(...chips);
   };
   const soon = onceAFrame(show);
   player.on(['time', 'selection', 'record'], soon);

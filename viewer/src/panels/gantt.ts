@@ -156,7 +156,7 @@ export function mountGantt(host: HTMLElement, page: Page, shown: Shown): void {
     const lines = [task];
     if (!runs.all[run].happened) return [...lines, `${result}: ${reason}`];
     const end = runs.end(run);
-    lines.push(`${clock.short(start)} – ${clock.short(end)} (${duration(end - start)})`);
+    lines.push(`${clock.span(start, end)} (${duration(end - start)})`);
     const row = runs.row(run);
     const crew = row?.crew ?? '';
     if (runs.machine(run) || crew) lines.push([runs.machine(run), crew].filter((name) => name !== '').join(', '));

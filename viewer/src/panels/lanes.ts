@@ -1,4 +1,4 @@
-import { duration, number } from '../clock';
+import { decimal, duration, number } from '../clock';
 import type { FlowData, LaneFlow, NetworkData } from '../header';
 import { make, named } from './dom';
 import { chartOf } from './material';
@@ -90,7 +90,7 @@ export function lanesOf(flow: FlowData, networks: NetworkData[]): HTMLElement[] 
   const parts: HTMLElement[] = [make('h2', {}, 'Fleets')];
   parts.push(table(['Vehicle', 'Tasks', 'Held', 'Moved', 'Waits', 'Waited', 'Metres'], lanes.vehicles.slice(0, mostListed).map((each) =>
     [each.name, String(each.tasks), `${number((100 * each.held) / Math.max(flow.end, 1e-9), 0)} %`, duration(each.moving), String(each.waits),
-      duration(each.waited), number(each.distance, 0)])));
+      duration(each.waited), decimal(each.distance, 0)])));
   parts.push(...rest(lanes.vehicles.length, mostListed));
   if (lanes.nodes.length === 0) return [...parts, make('p', { class: 'muted' }, 'No vehicle waited for another machine.')];
   for (const { network: name, lengths } of lanes.queues) {

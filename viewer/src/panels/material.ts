@@ -1,4 +1,4 @@
-import { duration, number } from '../clock';
+import { decimal, duration, number } from '../clock';
 import type { FlowData, Stock } from '../header';
 import { make, named } from './dom';
 
@@ -58,7 +58,7 @@ export function materialOf(flow: FlowData): HTMLElement[] {
   const body = make('tbody');
   for (const each of lifted.slice(0, mostListed)) {
     body.append(row(each.name, ...(places ? [named(each.from, 40)] : []), String(each.lifts), duration(each.waited), duration(each.carried),
-      number(each.distance, 1), String(each.refused)));
+      decimal(each.distance, 1), String(each.refused)));
   }
   const table = make('table', {}, head('Component', ...(places ? ['From'] : []), 'Lifts', 'Waited', 'Carried', 'Metres', 'Refused'), body);
   const more = lifted.length - mostListed;

@@ -1,4 +1,4 @@
-import { day, duration, money, number, roughly } from '../clock';
+import { day, decimal, duration, money, number, roughly } from '../clock';
 import type { ScheduleData, ScheduledTask, Waited } from '../header';
 import { supportWords } from '../holding';
 import { tallyText } from '../runs';
@@ -49,7 +49,7 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
     list.append(make('div', {}, make('dt', {}, name), shown));
   };
   const long = schedule?.process_time ?? film.end;
-  if (clock.dated) add('Finishes', clock.short(long), `${clock.dayName(long)}, begins ${clock.short(0)}`);
+  if (clock.dated) add('Finishes', clock.brief(Math.round(long)), `${clock.dayName(long)}, begins ${clock.brief(0)}`);
   add('Process time', duration(long), long < day ? roughly(long) : 'from beginning to end');
   if (schedule?.uncertain) {
     const { sample, uncertain } = schedule;
@@ -158,19 +158,19 @@ function earthworkOf(page: Page, schedule: ScheduleData): HTMLElement[] {
   const production = make('tbody');
   const queues = make('tbody');
   for (const { task, dig } of digs.slice(0, mostListed)) {
-    const cells = [number(dig.tipped, 1), dig.loads.toLocaleString('en-GB'), number(dig.per_hour, 1), number(dig.match_factor, 2)];
-    if (isCosted) cells.push(dig.cost_per_m3 === undefined ? '' : number(dig.cost_per_m3, 2));
+    const cells = [decimal(dig.tipped, 1), dig.loads.toLocaleString('en-GB'), decimal(dig.per_hour, 1), decimal(dig.match_factor, 2)];
+    if (isCosted) cells.push(dig.cost_per_m3 === undefined ? '' : decimal(dig.cost_per_m3, 2));
     production.append(make('tr', {}, make('th', { scope: 'row' }, taskButton(page, byName, task)), ...cells.map((text) => make('td', {}, text))));
     for (const queue of dig.queues) {
       const by = queue.servers > 1 ? `${queue.by} (${queue.servers})` : queue.by;
-      const times = [duration(queue.mean_wait), duration(queue.longest_wait), number(queue.mean_length, 2), `${number(100 * queue.utilisation, 0)} %`];
+      const times = [duration(queue.mean_wait), duration(queue.longest_wait), decimal(queue.mean_length, 2), `${number(100 * queue.utilisation, 0)} %`];
       queues.append(make('tr', {}, make('th', { scope: 'row' }, named(`${task}.${queue.stage}`), make('small', {}, ` before ${by}`)), ...times.map((text) => make('td', {}, text))));
     }
   }
   const unit = schedule.currency ?? page.film.header.currency;
-  const note = 'Match factor below 1: diggers wait for trucks; above 1: trucks queue. m3 are of the volume in the ground, hours are worked.';
+  const note = 'Match factor below 1: diggers wait for trucks; above 1: trucks queue. m³ are of the volume in the ground, hours are worked.';
   return [make('h2', {}, 'Earthwork'), make('p', { class: 'muted' }, note),
-    make('table', {}, head('Task', 'm3', 'Loads', 'm3 per h', 'Match factor', ...(isCosted ? [unit ? `${cut(unit, 12)} per m3` : 'Cost per m3'] : [])), production),
+    make('table', {}, head('Task', 'm³', 'Loads', 'm³ per h', 'Match factor', ...(isCosted ? [unit ? `${cut(unit, 12)} per m³` : 'Cost per m³'] : [])), production),
     make('table', {}, head('Queue', 'Mean wait', 'Longest', 'Trucks in it', 'Busy'), queues), ...bucketsOf(page, schedule)];
 }
 
@@ -184,11 +184,11 @@ function bucketsOf(page: Page, schedule: ScheduleData): HTMLElement[] {
   for (const { task, dig } of digs.slice(0, mostListed)) {
     const { mean } = dig;
     const row = (cells: string[]) => make('tr', {}, make('th', { scope: 'row' }, taskButton(page, byName, task)), ...cells.map((text) => make('td', {}, text)));
-    rows.append(row([number(dig.dug, 1), dig.buckets.toLocaleString('en-GB'), number(dig.per_hour, 1), `${number(mean.cycle, 1)} s`]));
-    parts.append(row([mean.to_the_cut, mean.cut, mean.swing, mean.dump].map((seconds) => `${number(seconds, 1)} s`)));
+    rows.append(row([decimal(dig.dug, 1), dig.buckets.toLocaleString('en-GB'), decimal(dig.per_hour, 1), `${decimal(mean.cycle, 1)} s`]));
+    parts.append(row([mean.to_the_cut, mean.cut, mean.swing, mean.dump].map((seconds) => `${decimal(seconds, 1)} s`)));
   }
-  return [make('h2', {}, 'Digging'), make('p', { class: 'muted' }, 'm3 are of the volume in the ground, hours are worked. A cycle and its parts, on average.'),
-    make('table', {}, head('Task', 'm3', 'Buckets', 'm3 per h', 'Cycle'), rows),
+  return [make('h2', {}, 'Digging'), make('p', { class: 'muted' }, 'm³ are of the volume in the ground, hours are worked. A cycle and its parts, on average.'),
+    make('table', {}, head('Task', 'm³', 'Buckets', 'm³ per h', 'Cycle'), rows),
     make('table', {}, head('Parts of a cycle', 'To the cut', 'Cut', 'Swing', 'Dump'), parts)];
 }
 
@@ -198,7 +198,7 @@ function breakdownsOf({ clock }: Page, schedule: ScheduleData): HTMLElement[] {
   if (all.length === 0) return [];
   const body = make('tbody');
   for (const each of all.slice(0, mostListed)) {
-    const cells = [each.during, duration(each.worked), clock.short(each.from), clock.short(each.to), duration(each.repair)];
+    const cells = [named(each.during), duration(each.worked), clock.short(each.from), clock.short(each.to), duration(each.repair)];
     body.append(make('tr', {}, make('th', { scope: 'row' }, named(each.robot)), ...cells.map((text) => make('td', {}, text))));
   }
   return [make('h2', {}, 'Breakdowns'), make('table', {}, head('Machine', 'During', 'After work of', 'From', 'To', 'Repair'), body)];
@@ -210,7 +210,7 @@ function timetablesOf(schedule: ScheduleData): HTMLElement[] {
   if (stopped.length === 0) return [];
   const body = make('tbody');
   for (const each of stopped) {
-    const cells = [String(each.stops), duration(each.late), each.stands_before || '-'];
+    const cells = [String(each.stops), duration(each.late), named(each.stands_before || '-')];
     body.append(make('tr', {}, make('th', { scope: 'row' }, named(each.name)), ...cells.map((text) => make('td', {}, text))));
   }
   return [make('h2', {}, 'Timetables'), make('table', {}, head('Name', 'Stops', 'Late by', 'Stands before'), body)];
@@ -230,8 +230,8 @@ function resourcesOf({ film }: Page, schedule: ScheduleData): HTMLElement[] {
     const used = `held ${share(resource.held)}, busy ${share(resource.busy)} of its shifts`;
     const meter = make('div', { class: resource.kind === 'crew' ? 'meter crew' : 'meter', role: 'img', 'aria-label': used,
       title: used }, held, busy);
-    body.append(make('tr', {}, make('th', { scope: 'row' }, named(resource.name)), make('td', {}, String(resource.tasks)),
-      make('td', {}, duration(resource.held)), make('td', {}, duration(resource.busy)), make('td', {}, percent, meter),
+    body.append(make('tr', {}, make('th', { scope: 'row' }, named(resource.name), meter), make('td', {}, String(resource.tasks)),
+      make('td', {}, duration(resource.held)), make('td', {}, duration(resource.busy)), make('td', {}, percent),
       ...(hasCost ? [make('td', {}, resource.cost === undefined ? '' : money(resource.cost, ''))] : [])));
   }
   const currency = cut(schedule.currency ?? film.header.currency, 8);

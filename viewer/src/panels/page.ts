@@ -4,7 +4,7 @@ import type { Motion } from '../motion';
 import type { Player } from '../player';
 import type { Runs } from '../runs';
 
-export type TabName = 'Overview' | 'Tasks' | 'Gantt' | 'Steps';
+export type TabName = 'Overview' | 'Tasks' | 'Gantt' | 'Steps' | 'Guides';
 
 /** What every panel works with. */
 export interface Page {

@@ -1,7 +1,6 @@
 import { button, make } from './dom';
 import type { TabName } from './page';
 
-const names: TabName[] = ['Overview', 'Tasks', 'Gantt', 'Steps'];
 const narrowest = 400;
 /** What is left to the site, at least (px). */
 const leastView = 320;
@@ -19,7 +18,7 @@ export interface Side {
 }
 
 /** The tabs on the right, and the splitter that makes them wider. */
-export function mountSide(host: HTMLElement): Side {
+export function mountSide(host: HTMLElement, names: TabName[]): Side {
   const list = make('div', { role: 'tablist', 'aria-label': 'What is shown' });
   // The mouse takes no focus here: arrows go on meaning components, unless somebody came by the keyboard.
   list.addEventListener('mousedown', (event) => event.preventDefault());

@@ -80,7 +80,7 @@ function configuration(changes: Change[]): HTMLElement {
   const body = make('tbody');
   for (const { name, unit, before, after } of changes) {
     const same = number(before) === number(after);
-    body.append(make('tr', same ? {} : { class: 'changed' }, make('td', {}, named(name, 60)), make('td', {}, number(before)),
+    body.append(make('tr', same ? {} : { class: 'changed' }, make('td', {}, named(name, 60)), make('td', {}, number(before) + unit),
       make('td', {}, number(after) + unit)));
   }
   box.append(make('table', { class: 'fixed values' }, head('', 'before', 'after'), body));

@@ -175,7 +175,7 @@ export function mountSteps(host: HTMLElement, page: Page, shown: Shown): void {
     if (chooser.options.length > 0 || runs.all.length === 0) return;
     chooser.append(...runs.all.map((run, i) => {
       const refused = runs.isRefused(i) ? `✗ ${run.result}: ` : '';
-      const where = `${cut(runs.who(i), 30)}, ${clock.short(run.start)}`;
+      const where = `${cut(runs.who(i), 30)}, ${clock.brief(run.start)}`;
       return make('option', { value: String(i) }, `${refused}${cut(run.task, longestName)} (${where})`);
     }));
   }

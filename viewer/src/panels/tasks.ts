@@ -1,4 +1,4 @@
-import { duration, money } from '../clock';
+import { duration, money, type Clock } from '../clock';
 import { visibleRows, scrollToRow } from '../virtual';
 import { button, cut, make, named, onceAFrame, setText } from './dom';
 import { goToRun, type Page } from './page';
@@ -8,14 +8,48 @@ import { filtered, sorted, tableRows, type SortKey, type TableRow } from '../tas
 const rowHeight = 26;
 const headHeight = 28;
 
-/** Widths in px; the names take what is left. */
-const columns: { key: SortKey; title: string; width: number }[] = [
-  { key: 'name', title: 'Task', width: 0 }, { key: 'start', title: 'Start', width: 104 },
-  { key: 'duration', title: 'Duration', width: 84 }, { key: 'result', title: 'Result', width: 90 },
-  { key: 'waits', title: 'Waited', width: 80 }, { key: 'motion', title: 'Motion', width: 76 },
-  { key: 'work', title: 'Crew work', width: 92 }, { key: 'float', title: 'Float', width: 80 }, { key: 'cost', title: 'Cost', width: 84 },
-  { key: 'who', title: 'By', width: 130 },
+interface Column {
+  key: SortKey;
+  title: string;
+  hint?: string;
+  /** Of words, not numbers: no wider than this, however long (px). */
+  most?: number;
+  text(row: TableRow, clock: Clock): string;
+}
+
+const seconds = (value: number | null) => (value === null ? '' : duration(value));
+const columns: Column[] = [
+  { key: 'name', title: 'Task', most: 220, text: ({ name }) => name },
+  { key: 'start', title: 'Start', text: ({ start }, clock) => clock.brief(start) },
+  { key: 'duration', title: 'Duration', text: (row) => seconds(row.duration) },
+  { key: 'result', title: 'Result', most: 110, text: ({ result }) => result },
+  { key: 'who', title: 'By', most: 130, text: ({ who }) => who },
+  { key: 'waits', title: 'Waited', hint: 'For busy machines and crews, on the way, for shifts; not for the tasks before it', text: ({ waits }) => seconds(waits) },
+  { key: 'motion', title: 'Motion', text: ({ motion }) => seconds(motion) },
+  { key: 'work', title: 'Crew work', text: ({ work }) => seconds(work) },
+  { key: 'float', title: 'Float', hint: 'Total float: how much later the task could be done and the plan end as it does', text: ({ float }) => seconds(float) },
+  { key: 'cost', title: 'Cost', text: ({ cost }) => (cost === null ? '' : money(cost, '')) },
 ];
+/** Of a cell, both sides (px). */
+const padding = 14;
+/** So many of the longest texts of a column are measured. */
+const measured = 20;
+
+/** How wide columns must be for what they say. */
+function widthsOf(shown: Column[], rows: TableRow[], clock: Clock): number[] {
+  const { fontSize, fontFamily } = getComputedStyle(document.body);
+  const pen = make('canvas').getContext('2d');
+  const widest = (weight: number, texts: string[]) => {
+    if (!pen) return 80;
+    pen.font = `${weight} ${fontSize} ${fontFamily}`;
+    return Math.max(0, ...texts.map((text) => pen.measureText(text).width));
+  };
+  return shown.map(({ title, most, text }) => {
+    const texts = [...new Set(rows.map((row) => text(row, clock)))].sort((a, b) => b.length - a.length).slice(0, measured);
+    const said = widest(400, texts);
+    return padding + Math.ceil(Math.max(widest(600, [`${title} ▾`]), Math.min(said, most ?? said)));
+  });
+}
 
 /** The table of all tasks: sorted, filtered, only what is seen is there. */
 export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
@@ -32,16 +66,19 @@ export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
   const own = rows.filter((row) => runs.isTask(row.name)).length;
   const whole = own === rows.length ? `${own} tasks` : `${own} tasks, ${rows.length - own} × out of the way`;
   const headRow = make('tr');
-  const heads = columns.map(({ key, title, width }) => {
-    const cell = make('th', { scope: 'col', class: key === 'who' ? 'start' : '' }, button(title, () => sortBy(key)));
-    if (key === 'waits') cell.title = 'For busy machines and crews, on the way, for shifts; not for the tasks before it';
-    if (key === 'float') cell.title = 'Total float: how much later the task could be done and the plan end as it does';
-    if (width > 0) cell.style.width = `${width}px`;
+  // What no row knows has no column.
+  const told = columns.filter(({ text }, i) => i === 0 || rows.length === 0 || rows.some((row) => text(row, clock) !== ''));
+  const widths = widthsOf(told, rows, clock);
+  const heads = told.map(({ title, key, hint, most }, i) => {
+    const cell = make('th', { scope: 'col', class: most ? 'start' : '', ...(hint ? { title: hint } : {}) }, button(title, () => sortBy(key)));
+    // The names take what is left.
+    if (i > 0) cell.style.width = `${widths[i]}px`;
     headRow.append(cell);
     return cell;
   });
   const body = make('tbody');
   const table = make('table', { class: 'tasks fixed', 'aria-label': 'Tasks' }, make('thead', {}, headRow), body);
+  table.style.minWidth = `${widths.reduce((a, b) => a + b, 0)}px`;
   const scroller = make('div', { class: 'rows', tabindex: '0', role: 'region', 'aria-label': 'Tasks' }, table);
   const empty = make('p', { class: 'empty hidden' }, runs.all.length === 0 ? 'There are no tasks.' : 'No task is called so.');
   host.append(make('div', { class: 'bar' }, search, count), scroller, empty);
@@ -50,7 +87,7 @@ export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
     if (!shown.now()) return;
     const { first, after } = visibleRows(scroller.scrollTop, scroller.clientHeight, rowHeight, order.length);
     const gap = (height: number) => {
-      const cell = make('td', { colspan: String(columns.length) });
+      const cell = make('td', { colspan: String(told.length) });
       cell.style.height = `${height}px`;
       return make('tr', { class: 'gap', 'aria-hidden': 'true' }, cell);
     };
@@ -64,19 +101,19 @@ export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
 
   const rowElement = (row: TableRow, at: number, picked: boolean, now: boolean) => {
     const element = make('tr', { 'aria-rowindex': String(at + 2), 'aria-selected': String(picked), class: now ? 'now' : '' });
-    const cell = (content: Node | string, kind = '') => element.append(make('td', kind ? { class: kind } : {}, content));
-    const seconds = (value: number | null) => cell(value === null ? '' : duration(value));
-    cell(named(row.name, 200));
-    cell(clock.short(row.start));
-    seconds(row.duration);
-    const result = make('span', row.reason ? { title: cut(row.reason, 300) } : {}, row.result);
-    cell(result, row.result === 'done' ? 'good' : row.result === 'rejected' || row.result === 'short' ? 'bad' : 'muted');
-    seconds(row.waits);
-    seconds(row.motion);
-    seconds(row.work);
-    seconds(row.float);
-    cell(row.cost === null ? '' : money(row.cost, ''));
-    cell(named(row.who, 100), 'start');
+    for (const { key, most, text } of told) {
+      if (!most) {
+        element.append(make('td', {}, text(row, clock)));
+        continue;
+      }
+      const words = named(text(row, clock), 200);
+      const cell = make('td', { class: 'start' }, words);
+      if (key === 'result') {
+        cell.classList.add(row.result === 'done' ? 'good' : ['rejected', 'short'].includes(row.result) ? 'bad' : 'muted');
+        if (row.reason) words.title = cut(row.reason, 300);
+      }
+      element.append(cell);
+    }
     element.addEventListener('click', () => goToRun(page, row.run));
     return element;
   };
@@ -84,10 +121,11 @@ export function mountTasks(host: HTMLElement, page: Page, shown: Shown): void {
   const arrange = () => {
     order = sorted(filtered(rows, search.value), sortKey, down);
     heads.forEach((cell, i) => {
-      const is = columns[i].key === sortKey;
+      const { key, title } = told[i];
+      const is = key === sortKey;
       cell.setAttribute('aria-sort', is ? down ? 'descending' : 'ascending' : 'none');
       const label = cell.querySelector('button');
-      if (label) setText(label, columns[i].title + (is ? down ? ' ▾' : ' ▴' : ''));
+      if (label) setText(label, title + (is ? down ? ' ▾' : ' ▴' : ''));
     });
     table.setAttribute('aria-rowcount', String(order.length + 1));
     setText(count, order.length === rows.length ? whole : `${order.length} of ${rows.length}`);

@@ -34,7 +34,7 @@ export function ticks(low: number, high: number, most: number, seconds: boolean)
 /** A time on an axis: days, hours or minutes, by the step. */
 export function axisTime(seconds: number, by: number): string {
   if (by >= 86400) return `${Math.round(seconds / 8640) / 10} d`;
-  if (by >= 3600) return `${Math.round(seconds / 360) / 10} h`;
+  if (by >= 1800) return `${Math.round(seconds / 360) / 10} h`;
   if (by >= 60) return `${Math.round(seconds / 6) / 10} min`;
   return `${Math.round(seconds * 100) / 100} s`;
 }

@@ -4,6 +4,9 @@ import { clock, COST, MAKESPAN, moment, settings, shown, type Study, type Varian
 
 const WIDTH = 560;
 const HEIGHT = 300;
+/** Of points in the same place: so near are they, and so many are named. */
+const near = 8;
+const mostNames = 6;
 
 function timeAxis(values: number[], label: string): Axis {
   return { ...padded(values), label, text: axisTime, seconds: true };
@@ -11,6 +14,16 @@ function timeAxis(values: number[], label: string): Axis {
 
 const quantile = (variant: Variant, question: number, p: number) =>
   variant.answers?.[question]?.quantiles?.find((each) => each.p === p)?.value ?? undefined;
+
+/** What stands at each point, in the order in which they are drawn: of those that lie on each other the uppermost names all. */
+export function namesOf(points: { name: number; x: number; y: number }[]): string[] {
+  return points.map(({ x, y }, i) => {
+    const here = points.flatMap((other, k) => (Math.hypot(other.x - x, other.y - y) < near ? [k] : []));
+    if (here[here.length - 1] !== i) return '';
+    const names = here.map((k) => points[k].name).sort((a, b) => a - b);
+    return names.slice(0, mostNames).join(', ') + (names.length > mostNames ? ', …' : '');
+  });
+}
 
 /** Every variant as a point: mean process time and cost, with bars from P10 to P95; null without costs. */
 export function paretoPicture(study: Study, selected: Variant, select: (variant: Variant) => void): SVGElement | null {
@@ -32,7 +45,9 @@ export function paretoPicture(study: Study, selected: Variant, select: (variant:
   }
   // What matters most is drawn last, over the others.
   const rank = (each: Variant) => (each === selected ? 2 : study.pareto.includes(each.variant) ? 1 : 0);
-  for (const each of [...points].sort((a, b) => rank(a) - rank(b))) {
+  const order = [...points].sort((a, b) => rank(a) - rank(b));
+  const names = namesOf(order.map((each) => ({ name: each.variant, x: x(mean(each, MAKESPAN)), y: y(mean(each, COST)) })));
+  for (const [i, each] of order.entries()) {
     const [px, py] = [x(mean(each, MAKESPAN)), y(mean(each, COST))];
     const group = draw('g', { class: 'point', tabindex: '0', role: 'button', 'aria-label': `variant ${each.variant}: ${settings(each)}` });
     const ends = [quantile(each, MAKESPAN, 0.1), quantile(each, MAKESPAN, 0.95), quantile(each, COST, 0.1), quantile(each, COST, 0.95)];
@@ -43,7 +58,8 @@ export function paretoPicture(study: Study, selected: Variant, select: (variant:
     const kind = each === selected ? 'chosen' : study.pareto.includes(each.variant) ? 'best' : each.unfinished ? 'failing' : 'other';
     group.append(draw('circle', { cx: px, cy: py, r: points.length > 200 ? 3 : 6, class: kind }),
       draw('title', {}, `variant ${each.variant}: ${settings(each)}\n${clock(mean(each, MAKESPAN))}, ${shown('money', mean(each, COST), each)} ${currency}`));
-    if (points.length <= 30) group.append(draw('text', { x: px + 9, y: py - 7, class: 'tick' }, String(each.variant)));
+    const right = px > WIDTH - 80;
+    if (points.length <= 30) group.append(draw('text', { x: right ? px - 9 : px + 9, y: py - 7, class: right ? 'tick end' : 'tick' }, names[i]));
     group.addEventListener('click', () => select(each));
     group.addEventListener('keydown', (event) => {
       if ((event as KeyboardEvent).key === 'Enter') select(each);

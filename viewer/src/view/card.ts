@@ -25,7 +25,7 @@ export class Card {
 
   constructor(private readonly film: Film, private readonly player: Player, private readonly model: SiteModel,
               private readonly activity: Activity) {
-    this.clock = new Clock(film.header.start_at);
+    this.clock = new Clock(film.header.start_at, film.schedule?.process_time ?? film.end);
     this.element.setAttribute('aria-label', 'What is picked');
     this.element.hidden = true;
     const close = make('button', 'view-close');
@@ -109,7 +109,7 @@ export class Card {
     const { film } = this;
     return film.runs.filter((run) => run.task === task).map((run): Row => {
       if (!run.happened) return [run.result === 'rejected' ? 'Rejected' : 'Not reached', run.reason];
-      return ['When', `${this.clock.short(run.start)} – ${this.clock.short(run.end ?? film.end)}`];
+      return ['When', this.clock.span(run.start, run.end ?? film.end)];
     });
   }
 }

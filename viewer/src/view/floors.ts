@@ -46,7 +46,6 @@ function middleOf(points: Flat[]): Flat {
 export class Floors {
   readonly strokes: Strokes;
   private readonly covers: { cover: CoverData; pose: Matrix4 }[];
-  private shown = '';
 
   constructor(film: Film, light: Light) {
     this.strokes = new Strokes(light, 1.8);
@@ -68,10 +67,10 @@ export class Floors {
   }
 
   show(steps: ReadonlySet<FloorStep>, theme: Theme): void {
-    const key = `${[...steps].sort().join(' ')} ${theme.dark}`;
-    if (key === this.shown) return;
-    this.shown = key;
-    this.strokes.clear();
+    this.strokes.redraw(`${[...steps].sort().join(' ')} ${theme.dark}`, () => this.draw(steps, theme));
+  }
+
+  private draw(steps: ReadonlySet<FloorStep>, theme: Theme): void {
     for (const { cover, pose } of this.covers) {
       const at = ([x, y]: Flat) => new Vector3(x, y, above).applyMatrix4(pose);
       this.addFloor(cover, at, theme);
@@ -83,7 +82,6 @@ export class Floors {
       if (steps.has('order')) this.addOrder(found, at, theme);
       if (steps.has('lines')) this.addLines(found, at, theme);
     }
-    this.strokes.flush();
   }
 
   private ring(points: Flat[], at: (p: Flat) => Vector3, colour: Colour, opacity = 1): void {

@@ -12,7 +12,6 @@ type Flat = [x: number, y: number];
 /** What machines are foreseen to sweep: the border of it on the ground, while another machine keeps out of it. */
 export class ForeseenWays {
   readonly strokes: Strokes;
-  private shown = '';
 
   constructor(private readonly film: Film, light: Light) {
     this.strokes = new Strokes(light, 2.6);
@@ -23,14 +22,11 @@ export class ForeseenWays {
     const { foreseen } = this.film;
     const last = on ? Math.max(-1, ...foreseen.filter(({ run, t }) => running.includes(run) && t <= time).map(({ t }) => t)) : -1;
     const now = foreseen.flatMap((each, i) => (each.t === last && running.includes(each.run) && time < each.t + each.seconds ? [i] : []));
-    const key = `${now.join(' ')} ${theme.dark}`;
-    if (key === this.shown) return;
-    this.shown = key;
-    this.strokes.clear();
-    for (const i of now) {
-      for (const [a, b] of borderOf(foreseen[i])) this.strokes.add(new Vector3(...a, above), new Vector3(...b, above), theme.met);
-    }
-    this.strokes.flush();
+    this.strokes.redraw(`${now.join(' ')} ${theme.dark}`, () => {
+      for (const i of now) {
+        for (const [a, b] of borderOf(foreseen[i])) this.strokes.add(new Vector3(...a, above), new Vector3(...b, above), theme.met);
+      }
+    });
   }
 }
 

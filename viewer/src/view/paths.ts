@@ -20,7 +20,6 @@ interface Path {
 export class Paths {
   readonly strokes: Strokes;
   private readonly paths = new Map<number, Path>();
-  private shown = '';
 
   constructor(private readonly film: Film, private readonly motion: Motion, light: Light) {
     this.strokes = new Strokes(light, 2.2);
@@ -29,17 +28,14 @@ export class Paths {
   /** `tried` as in Stock; colours by robot. */
   show(running: number[], tried: number, time: number, colour: (robot: number) => Colour, dark: boolean): void {
     this.strokes.setNow(time);
-    const key = `${running.join(' ')} ${dark}`;
-    if (key === this.shown) return;
-    this.shown = key;
-    this.strokes.clear();
-    for (const run of running) {
-      if (this.film.runs[run].robot < 0) continue;
-      const { points, times } = this.pathOf(run, run === tried ? run : -1);
-      const tint = colour(this.film.runs[run].robot);
-      for (let i = 1; i < points.length; ++i) this.strokes.add(points[i - 1], points[i], tint, 1, times[i - 1], times[i]);
-    }
-    this.strokes.flush();
+    this.strokes.redraw(`${running.join(' ')} ${dark}`, () => {
+      for (const run of running) {
+        if (this.film.runs[run].robot < 0) continue;
+        const { points, times } = this.pathOf(run, run === tried ? run : -1);
+        const tint = colour(this.film.runs[run].robot);
+        for (let i = 1; i < points.length; ++i) this.strokes.add(points[i - 1], points[i], tint, 1, times[i - 1], times[i]);
+      }
+    });
   }
 
   private pathOf(run: number, tried: number): Path {

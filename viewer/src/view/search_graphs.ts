@@ -1,4 +1,5 @@
 import { Vector3 } from 'three';
+import { graphAt, legsOfGraph } from '../configurations';
 import type { Film } from '../film';
 import { Mechanism } from '../kinematics';
 import { travellingBody } from '../walks';
@@ -14,7 +15,6 @@ const pieces = 4;
 /** What guides searched through: trees, roadmaps, lattices and graphs of sight, as ways of the tool or, of a vehicle, of its place. */
 export class SearchGraphs {
   readonly strokes: Strokes;
-  private shown = '';
 
   constructor(private readonly film: Film, light: Light) {
     this.strokes = new Strokes(light, 1.1);
@@ -22,48 +22,36 @@ export class SearchGraphs {
 
   /** Those by which the runs under way planned last. */
   show(running: number[], on: boolean, time: number, theme: Theme): void {
-    const { graphs } = this.film;
-    const now = on ? running.map((run) => graphs.findLastIndex((graph) => graph.run === run && graph.t <= time)).filter((at) => at >= 0) : [];
-    const key = `${now.join(' ')} ${theme.dark}`;
-    if (key === this.shown) return;
-    this.shown = key;
-    this.strokes.clear();
-    for (const at of now) {
-      for (const [from, to] of legsOf(this.film, at)) this.strokes.add(from, to, theme.label, 0.45);
-    }
-    this.strokes.flush();
+    const now = on ? running.map((run) => graphAt(this.film, run, time)).filter((at) => at >= 0) : [];
+    this.strokes.redraw(`${now.join(' ')} ${theme.dark}`, () => {
+      for (const at of now) {
+        for (const [from, to] of legsOf(this.film, at)) this.strokes.add(from, to, theme.label, 0.45);
+      }
+    });
   }
 }
 
 /** The straight pieces of a graph in {W}. */
 export function legsOf(film: Film, at: number): [Vector3, Vector3][] {
-  const { run, graph } = film.graphs[at];
-  const { robot } = film.runs[run];
+  const { robot } = film.runs[film.graphs[at].run];
   if (robot < 0) return [];
   const data = film.header.robots[robot];
   const mechanism = new Mechanism(data);
   const body = travellingBody(data);
-  const width = data.parameters.length;
   const place = (q: number[]) => {
     mechanism.place(q);
     return body < 0 ? new Vector3().setFromMatrixPosition(mechanism.tool)
       : new Vector3().setFromMatrixPosition(mechanism.bodies[body]).setZ(data.pose[11] + above);
   };
   const legs: [Vector3, Vector3][] = [];
-  for (let i = 0; i + 2 * width <= graph.length; i += 2 * width) {
-    const from = graph.slice(i, i + width);
-    const to = graph.slice(i + width, i + 2 * width);
+  for (const [from, to] of legsOfGraph(film, at)) {
     const count = body < 0 ? pieces : 1;
     let before = place(from);
     for (let k = 1; k <= count; ++k) {
-      const next = place(from.map((value, p) => value + shortWay(data.parameters[p].cyclic, to[p] - value) * k / count));
+      const next = place(from.map((value, p) => value + (to[p] - value) * k / count));
       legs.push([before, next]);
       before = next;
     }
   }
   return legs;
-}
-
-function shortWay(cyclic: boolean, off: number): number {
-  return cyclic ? off - 360 * Math.round(off / 360) : off;
 }

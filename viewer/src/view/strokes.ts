@@ -22,9 +22,31 @@ out float vHalf;
 out vec4 vTint;
 out vec3 vWorld;
 
+// By what share of its distance a line counts as nearer to the eye than it is: one in a face is seen before it from however far (depths have 24 bits), one
+// behind a wall is not.
+const float nearer = 0.001;
+
+vec4 projected(vec3 p) {
+  vec4 seen = viewMatrix * vec4(p, 1.0);
+  return projectionMatrix * vec4(seen.xyz * (1.0 - nearer), 1.0);
+}
+
+// The depth of a point beside a line that lies flat, as of a ribbon on the ground: or the half of it towards the eye would be below. Seen at a low angle a
+// ribbon of some pixels is metres wide: no more of it than this share of its distance comes nearer, or it would come out before a wall.
+const float mostNearer = 0.004;
+
+float flatDepth(vec4 middle, vec2 aside) {
+  vec2 scale = vec2(projectionMatrix[0][0], projectionMatrix[1][1]);
+  vec3 up = viewMatrix[2].xyz;
+  float height = dot(up, vec3(middle.xy / scale, -middle.w));
+  if (abs(height) < 1e-3 * middle.w) return middle.z;
+  float inverse = clamp(1.0 / middle.w + dot(up.xy, aside / scale) / height, 0.5 / middle.w, (1.0 + mostNearer) / middle.w);
+  return (projectionMatrix[3][2] * inverse - projectionMatrix[2][2]) * middle.w;
+}
+
 void main() {
-  vec4 from = projectionMatrix * viewMatrix * vec4(a, 1.0);
-  vec4 to = projectionMatrix * viewMatrix * vec4(b, 1.0);
+  vec4 from = projected(a);
+  vec4 to = projected(b);
   // Both ends in front of the eye, or the direction on the screen would be wrong.
   float near = 0.01;
   if (from.w < near && to.w < near) { gl_Position = vec4(0.0, 0.0, 2.0, 1.0); return; }
@@ -36,7 +58,9 @@ void main() {
   vHalf = 0.5 * width * pixelRatio;
   vAcross = corner.y * (vHalf + 1.0);
   vec4 here = corner.x < 0.5 ? from : to;
-  here.xy += normal * vAcross * 2.0 / size * here.w;
+  vec2 aside = normal * vAcross * 2.0 / size;
+  if (abs(a.z - b.z) < 1e-4) here.z = flatDepth(here, aside);
+  here.xy += aside * here.w;
   vTint = vec4(tint.rgb, (corner.x < 0.5 ? times.x : times.y) <= now ? tint.a : tint.a * ahead);
   vWorld = corner.x < 0.5 ? a : b;
   gl_Position = here;
@@ -71,6 +95,7 @@ export class Strokes {
   readonly size = new Vector2(1, 1);
   private readonly now: IUniform<number> = { value: 1e30 };
   private numbers: number[] = [];
+  private drawn = '';
   private buffer: InterleavedBuffer | null = null;
 
   /** `ahead`: how much of its opacity is left of what comes after `now`. */
@@ -91,6 +116,15 @@ export class Strokes {
 
   clear(): void {
     this.numbers = [];
+  }
+
+  /** Draws anew if `key` is another than the last time: it says all that the lines depend on. */
+  redraw(key: string, draw: () => void): void {
+    if (key === this.drawn) return;
+    this.drawn = key;
+    this.clear();
+    draw();
+    this.flush();
   }
 
   add(a: Vector3, b: Vector3, colour: Colour, opacity = 1, from = -1e30, to = -1e30): void {
