@@ -260,9 +260,10 @@ class SoilTaker {
       if (work.last_dig[cell] >= 0) dig.after.insert(work.last_dig[cell]);
       work.last_dig[cell] = static_cast<int>(work.digs.size()) - 1;
     }
-    DugSoil soil{index, add_component(earth, dug), dug.volume,
-                 std::make_shared<const soil::Terrain>(earth.after),
+    if (!work.now) work.now = std::make_shared<const soil::Terrain>(earth.after);
+    DugSoil soil{index, add_component(earth, dug), dug.volume, work.now,
                  std::make_shared<const soil::Terrain>(dug.after)};
+    work.now = soil.after;
     earth.after = dug.after;
     return soil;
   }

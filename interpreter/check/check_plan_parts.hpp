@@ -62,7 +62,8 @@ struct EarthWork {
     std::set<int> after;  ///< digs of it that must be done before
   };
   std::vector<Dig> digs = {};
-  std::vector<int> last_dig = {};  ///< by cell, -1: nobody
+  std::vector<int> last_dig = {};                 ///< by cell, -1: nobody
+  std::shared_ptr<const soil::Terrain> now = {};  ///< after the last of them; shared: it is large
 };
 
 /// One plan on its way from syntax to model.
