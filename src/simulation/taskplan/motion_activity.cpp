@@ -114,6 +114,8 @@ Step MotionActivity::resume(ActiveTask& task, Stage& stage) {
       return retry(task, stage);
     case Doing::under_repair:
       task.account.outcome.waits.repair += stage.now() - since_;
+      task.account.repair +=
+          stage.allocator->hours(stage.spec(task.task).robot).work_between(since_, stage.now());
       stage.pause(task.task, "repair", stage.robot_spec(stage.spec(task.task).robot).name, since_);
       if (!stage.calendar(task.task).works_at(stage.now())) {
         wait_for_shift(task, stage);

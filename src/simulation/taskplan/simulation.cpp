@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "src/simulation/schedule/critical_chain.hpp"
+#include "src/simulation/taskplan/plan_cost.hpp"
 
 namespace rubicon::taskplan {
 
@@ -384,6 +385,8 @@ void Simulation::hold_all(ActiveTask& active) {
         account.over_time[i];
     const bool robot = resource < stage_.robots();
     hold.busy = robot ? account.outcome.motion_time : account.worked[i];
+    if (robot) hold.own_work = account.worked[i];
+    if (resource == stage_.spec(active.task).robot) hold.repair = account.repair;
     hold.people = stage_.share_of(active.task, resource).units;
     hold.overtime = stage_.overtime.in_shifts(resource, account.outcome.start, stage_.now()) +
                     account.outside[i];
@@ -415,7 +418,12 @@ void Simulation::trace_end(int task, Ticks time, const TaskOutcome& outcome) {
     if (choice.robot >= 0 && stage_.robot_spec(choice.robot).name == outcome.robot) spec = &choice;
   }
   if (auto* const trace = stage_.trace.of(task, *spec)) {
-    trace->task_end(time, name_of(outcome.result), outcome.reason);
+    std::optional<trace::TruckTimes> rounds;
+    if (const auto work = burns_fuel(plan_) ? truck_work(plan_, outcome) : std::nullopt) {
+      rounds.emplace().driving = work->driving;
+      for (const auto& [who, seconds] : work->serving) rounds->serving.push_back(seconds);
+    }
+    trace->task_end(time, name_of(outcome.result), outcome.reason, rounds);
   }
 }
 

@@ -55,6 +55,8 @@ Step WorkActivity::resume(ActiveTask& task, Stage& stage) {
   if (doing_ == Doing::waiting_for_machine) return try_again(task, stage);
   if (doing_ == Doing::under_repair) {
     task.account.outcome.waits.repair += stage.now() - since_;
+    task.account.repair +=
+        stage.allocator->hours(stage.spec(task.task).robot).work_between(since_, stage.now());
     stage.pause(task.task, "repair", stage.robot_spec(stage.spec(task.task).robot).name, since_);
     return ask(task, stage);
   }

@@ -134,6 +134,12 @@ void write_charges(JsonBuilder& json, const interpreter::Charges& charges) {
     json.value(schedule::text_of(charges.rental_days->second)).end_array();
   }
   if (charges.mobilisation) json.field("mobilisation", *charges.mobilisation);
+  if (charges.fuel) {
+    json.key("fuel").begin_object().field("working", charges.fuel->working);
+    json.field("idling", charges.fuel->idling);
+    if (charges.fuel->price) json.field("price", *charges.fuel->price);
+    json.end_object();
+  }
   if (charges.overtime == 1) return;
   json.field("overtime", charges.overtime);
   if (!charges.normal.empty()) json.field("overtime_outside", charges.normal);

@@ -125,6 +125,11 @@ SceneCharges read_charges(const JsonFields& fields, const Scene& scene) {
   if (fields.has("overtime")) charges.overtime = fields.number("overtime");
   if (fields.has("overtime_outside"))
     charges.normal = calendar_named(scene, fields, "overtime_outside");
+  if (fields.has("fuel")) {
+    const JsonFields fuel = fields.object("fuel");
+    charges.fuel = SceneFuel{fuel.number("working"), fuel.number("idling"), std::nullopt};
+    if (fuel.has("price")) charges.fuel->price = fuel.number("price");
+  }
   return charges;
 }
 
@@ -357,8 +362,10 @@ SceneStage read_stage(const JsonFields& fields, std::string name, Scene& scene) 
     stage.times = law.times;
   }
   if (stage.law == "sequence" && stage.values.empty()) fields.fail("values of a sequence");
-  if (fields.has("servers"))
+  if (fields.has("servers")) {
     stage.servers = integer_of(fields.any("servers"), "'servers'", 1, 1000000);
+    stage.crew = index_in(scene.crew_index, fields.text("by"), "a crew");
+  }
   return stage;
 }
 
@@ -382,8 +389,10 @@ SceneDig read_dig(const JsonFields& fields, Scene& scene) {
   for (const Json& object : fields.array("diggers")) {
     const JsonFields crew(object, "a crew that digs");
     dig.diggers.push_back(integer_of(crew.any("count"), "'count'", 1, 1000000));
+    dig.digger_crews.push_back(index_in(scene.crew_index, crew.text("crew"), "a crew"));
   }
   dig.trucks = integer_of(fields.any("trucks"), "'trucks'", 1, 1000000);
+  dig.hauled_by = index_in(scene.crew_index, fields.text("hauled_by"), "a crew");
   if (fields.has("loaded"))
     dig.loaded = integer_of(fields.any("loaded"), "'loaded'", 0, dig.trucks);
   bool tips = false;
@@ -448,6 +457,9 @@ SceneMotionDig read_motion_dig(const JsonFields& fields, Scene& scene) {
   if (fields.has("fill")) dig.fill = read_work(fields.any("fill"), "fill", scene);
   if (fields.has("dump")) dig.dump = read_work(fields.any("dump"), "dump", scene);
   if (!fields.has("trucks")) return dig;
+  if (fields.has("hauled_by")) {
+    dig.hauled_by = index_in(scene.crew_index, fields.text("hauled_by"), "a crew");
+  }
   dig.trucks = integer_of(fields.any("trucks"), "'trucks'", 1, 1000000);
   dig.load = volume_of(fields, "load", 1);
   bool tips = false;

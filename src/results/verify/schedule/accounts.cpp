@@ -20,9 +20,11 @@ class Bookkeeper {
     account_ = {};
     steps_.clear();
     works_.clear();
+    repairs_.clear();
     foreseen_ = -1;
     may_go_round_ = false;
     const TaskRun& run = runs[at(index)];
+    run_robot_ = run.robot;
     if (!run.happened) return account_;
     lift_ = find_lift(trace_, run);
     whole_ = run.task >= 0 && trace_.scene.tasks[at(run.task)].whole;
@@ -87,7 +89,10 @@ class Bookkeeper {
     if (pause.why == "crew" || pause.why == "truck") account_.crew += time;
     if (pause.why == "shift" || pause.why == "lift") account_.shift += time;
     if (pause.why == "held") account_.held += time;
-    if (pause.why == "repair") account_.repair += time;
+    if (pause.why == "repair") {
+      account_.repair += time;
+      repairs_.emplace_back(pause.from, record_->time);
+    }
   }
 
   /// Whether a step is part of a lift that is held whole.
@@ -112,6 +117,9 @@ class Bookkeeper {
       }
     }
     add_overtime(calendar, hold, held);
+    if (hold.whole && hold.resource == run_robot_) {
+      for (const auto& [from, to] : repairs_) held.repair += hours_.between(calendar, from, to);
+    }
     // As long as something hangs on the hook those who lift it are held, out of their shifts too.
     if (hold.whole && lift_) {
       held.held += lift_->to - lift_->from - hours_.between(calendar, lift_->from, lift_->to);
@@ -162,7 +170,8 @@ class Bookkeeper {
   const Trace& trace_;
   const WorkingHours& hours_;
   TaskAccount account_;
-  std::vector<std::pair<Ticks, Ticks>> steps_;
+  std::vector<std::pair<Ticks, Ticks>> steps_, repairs_;
+  int run_robot_ = -1;
   std::vector<DoneWork> works_;
   const Record* record_ = nullptr;
   std::optional<Lift> lift_;
