@@ -267,10 +267,12 @@ struct EarthSpec {
 /// work in `takes`.
 struct DigSpec {
   hauling::Operation operation;
-  double swell = 0;        ///< loose volume is (1 + swell) x bank volume
-  int trucks = -1;         ///< index into crews
-  int earth = -1;          ///< index into earths, -1: only a volume is given
-  int soil = -1;           ///< then the component that it takes away
+  double swell = 0;  ///< loose volume is (1 + swell) x bank volume
+  int trucks = -1;   ///< index into crews
+  int earth = -1;    ///< index into earths, -1: only a volume is given
+  int soil = -1;     ///< then the component that it takes away
+  /// Then the ground of the earth without the digs before this one, and without this one, too.
+  std::shared_ptr<const soil::Terrain> before = {}, after = {};  // shared: they are large
   hauling::Result result;  ///< with the means, or as its durations were drawn
   int draw = -1;           ///< its number among the digs that are drawn (`Draws`)
 };

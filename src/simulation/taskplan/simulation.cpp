@@ -205,6 +205,7 @@ ActiveTask& Simulation::activate(int task) {
   outcome.start = stage_.now();
   outcome.dig = each.dig;
   if (outcome.dig) outcome.dig->result = stage_.draws.result(*each.dig);
+  if (each.dig && each.dig->soil >= 0) stage_.site_changes.begin_dig(each.dig->soil);
   if (stage_.has_choices(task)) outcome.choice = choice_text(task);
   stage_.active.add(std::move(active));
   return *stage_.active.find(task);

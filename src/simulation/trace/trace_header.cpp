@@ -366,6 +366,22 @@ void write_stages(JsonBuilder& json, const hauling::Operation& operation) {
   if (operation.efficiency < 1) json.field("efficiency", operation.efficiency);
 }
 
+/// What a task leaves, cell by cell (mm), for those who must not drive over it.
+void write_pit(JsonBuilder& json, const PlanModel& plan, const interpreter::DigSpec& dig) {
+  json.key("pit").begin_object();
+  json.key("pose").pose(plan.earths[static_cast<std::size_t>(dig.earth)].X_WE);
+  json.field("columns", dig.before->columns).field("cell", dig.before->cell);
+  std::vector<std::size_t> cells;
+  for (std::size_t i = 0; i < dig.before->heights.size(); ++i) {
+    if (dig.before->heights[i] > dig.after->heights[i]) cells.push_back(i);
+  }
+  json.key("cells").begin_array();
+  for (const std::size_t cell : cells) json.value(static_cast<std::int64_t>(cell));
+  json.end_array().key("after").begin_array();
+  for (const std::size_t cell : cells) json.value(dig.after->heights[cell]);
+  json.end_array().end_object();
+}
+
 /// How a task digs, with whole mm3 of bank volume, and what came of it.
 void write_dig(JsonBuilder& json, const PlanModel& plan, const interpreter::DigSpec& dig) {
   const hauling::Operation& operation = dig.operation;
@@ -382,6 +398,8 @@ void write_dig(JsonBuilder& json, const PlanModel& plan, const interpreter::DigS
   if (dig.soil >= 0) {
     json.field("earth", plan.earths[static_cast<std::size_t>(dig.earth)].name);
     json.field("soil", plan.components[static_cast<std::size_t>(dig.soil)].name);
+    const auto hauls = [](const interpreter::TaskSpec& task) { return task.haul.has_value(); };
+    if (std::any_of(plan.tasks.begin(), plan.tasks.end(), hauls)) write_pit(json, plan, dig);
   }
   json.field("hauled_by", plan.crews[static_cast<std::size_t>(dig.trucks)].name);
   json.field("trucks", operation.trucks);

@@ -380,6 +380,21 @@ std::string Scene::site_name(std::size_t i) const {
 
 namespace {
 
+std::vector<std::int64_t> read_heights(const JsonFields& fields, const char* name,
+                                       std::size_t count) {
+  std::vector<std::int64_t> heights;
+  for (const Json& value : fields.array(name)) {
+    if (!value.is_number_integer()) fields.fail(fmt::format("whole mm as '{}'", name));
+    heights.push_back(value.get<std::int64_t>());
+  }
+  if (heights.size() != count) fields.fail(fmt::format("a height for each cell as '{}'", name));
+  for (const std::int64_t height : heights) {
+    if (std::llabs(height) > 100'000'000)
+      fields.fail(fmt::format("heights on earth as '{}'", name));
+  }
+  return heights;
+}
+
 SceneDig read_dig(const JsonFields& fields, Scene& scene) {
   SceneDig dig;
   dig.volume = volume_of(fields, "volume", 1);
@@ -407,27 +422,23 @@ SceneDig read_dig(const JsonFields& fields, Scene& scene) {
   if (fields.has("efficiency")) dig.efficiency = fields.number("efficiency");
   if (!(dig.efficiency > 0)) fields.fail("an efficiency above 0");
   dig.soil = fields.text_or("soil", "");
+  if (fields.has("pit")) {
+    const JsonFields pit = fields.object("pit");
+    ScenePit& read = dig.pit.emplace();
+    read.X_WE = pit.pose("pose");
+    read.columns = integer_of(pit.any("columns"), "'columns'", 1, 1'000'000);
+    read.cell = integer_of(pit.any("cell"), "'cell'", 1, 1'000'000);
+    for (const Json& value : pit.array("cells")) {
+      read.cells.push_back(integer_of(value, "'cells'", 0, 1'000'000'000));
+    }
+    read.after = read_heights(pit, "after", read.cells.size());
+  }
   if (fields.has("limit")) dig.limit = fields.time("limit");
   dig.loads =
       fields.any("loads").is_number_integer() ? fields.any("loads").get<std::int64_t>() : -1;
   dig.tipped = volume_of(fields, "tipped", 0);
   dig.time = fields.time("time");
   return dig;
-}
-
-std::vector<std::int64_t> read_heights(const JsonFields& fields, const char* name,
-                                       std::size_t count) {
-  std::vector<std::int64_t> heights;
-  for (const Json& value : fields.array(name)) {
-    if (!value.is_number_integer()) fields.fail(fmt::format("whole mm as '{}'", name));
-    heights.push_back(value.get<std::int64_t>());
-  }
-  if (heights.size() != count) fields.fail(fmt::format("a height for each cell as '{}'", name));
-  for (const std::int64_t height : heights) {
-    if (std::llabs(height) > 100'000'000)
-      fields.fail(fmt::format("heights on earth as '{}'", name));
-  }
-  return heights;
 }
 
 SceneMotionDig read_motion_dig(const JsonFields& fields, Scene& scene) {

@@ -211,6 +211,15 @@ struct SceneStage {
   int crew = -1;  ///< of these
 };
 
+/// What is dug: cells of an earth, heights in mm.
+struct ScenePit {
+  Pose X_WE = Pose::Identity();
+  int columns = 1;
+  std::int64_t cell = 1;            ///< mm, its side
+  std::vector<int> cells;           ///< ascending
+  std::vector<std::int64_t> after;  ///< to each of them
+};
+
 /// How a task digs; volumes in whole mm3.
 struct SceneDig {
   std::int64_t volume = 0, load = 1, bucket = 0;
@@ -223,8 +232,9 @@ struct SceneDig {
   std::vector<SceneStage> stages;
   std::size_t tip = 0;
   double efficiency = 1;
-  Ticks limit = 0;   ///< 0: none
-  std::string soil;  ///< the component that it takes away; "": only a volume is given
+  Ticks limit = 0;              ///< 0: none
+  std::string soil;             ///< the component that it takes away; "": only a volume is given
+  std::optional<ScenePit> pit;  ///< where trucks with bodies must not drive over it
   std::int64_t loads = 0, tipped = 0;
   Ticks time = 0;
 };
