@@ -68,6 +68,13 @@ class Earthwork(ResultCase):
         self.assertEqual(schedule["cost_by_kind"]["fuel"], round(1.5 * trucks, 2))
         self.assertAlmostEqual(tasks["dig_pit"]["dig"]["fuel_per_m3"], schedule["fuel"] / 40, places=9)
 
+        # In the nights of the digger they are off, though they have no calendar. 408 min are on 3 days.
+        shifts = text.replace("plan p {", 'plan p { start_at "2026-03-02 07:00"; calendar d { mon-fri 07:00-09:30; }').replace("size 1;", "size 1; calendar d;")
+        nights, tasks = self.run_plan(shifts)
+        self.assertEqual(tasks["dig_pit"]["duration"], 2 * 86400 + 108 * 60)
+        self.assertEqual((nights["fuel"], nights["cost"]), (schedule["fuel"], schedule["cost"]))
+        self.run_plan(text)
+
         def end(result):
             return next(record for record in result.records if record["type"] == "task_end")
 

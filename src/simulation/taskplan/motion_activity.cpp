@@ -105,6 +105,7 @@ Step MotionActivity::resume(ActiveTask& task, Stage& stage) {
       return move_on(task, stage);
     case Doing::waiting_for_shift:
       task.account.outcome.waits.shift += stage.now() - since_;
+      stage.note_off(task, since_, stage.now());
       stage.pause(task.task, "shift", "", since_);
       if (!machine_) return begin(task, stage);
       machine_->resume_at(stage.now());

@@ -121,10 +121,10 @@ class CostCounter {
     if (payer.charges->fuel) add_fuel(row, hold, payer);
   }
 
-  /// At work, and in the rest of the time in which the task has it idling, but under repair.
+  /// At work, and in the rest of the time in which the task has it idling, unless it is off.
   void add_fuel(int row, const ResourceHold& hold, const Payer& payer) {
     const interpreter::FuelUse& fuel = *payer.charges->fuel;
-    const Wide all = static_cast<Wide>(hold.held - hold.repair) * hold.people;
+    const Wide all = static_cast<Wide>(hold.held - hold.off) * hold.people;
     const Wide working = std::min(time_at_work(schedule_.tasks[at(row)], hold), all);
     const Wide litres = amount(millionths(fuel.working), working, payer.size) +
                         amount(millionths(fuel.idling), all - working, payer.size);

@@ -51,7 +51,7 @@ struct ResourceHold {
   Ticks busy = 0;     ///< of that it moved or worked
   Ticks from = 0, to = 0;
   Ticks own_work = 0;  ///< of a robot, beside `busy`: works of its task that no crew does
-  Ticks repair = 0;    ///< of a robot: of `held` under repair
+  Ticks off = 0;       ///< of `held`: under repair, or nothing goes on out of somebody's shift
   int people = 1;      ///< of a crew, so many of its size
   Ticks overtime = 0;  ///< of `held`, by the plan's `overtime`
 };

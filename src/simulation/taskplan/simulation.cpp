@@ -197,6 +197,7 @@ ActiveTask& Simulation::activate(int task) {
   active.hits = HitRecorder(stage_.trace.events());
   active.account.over_time.resize(stage_.held_by(task).size(), 0);
   active.account.worked = active.account.outside = active.account.over_time;
+  active.account.off = active.account.over_time;
   TaskOutcome& outcome = active.account.outcome;
   outcome.task = each.name;
   outcome.parking = stage_.is_park(task);
@@ -387,7 +388,8 @@ void Simulation::hold_all(ActiveTask& active) {
     const bool robot = resource < stage_.robots();
     hold.busy = robot ? account.outcome.motion_time : account.worked[i];
     if (robot) hold.own_work = account.worked[i];
-    if (resource == stage_.spec(active.task).robot) hold.repair = account.repair;
+    hold.off = account.off[i];
+    if (resource == stage_.spec(active.task).robot) hold.off += account.repair;
     hold.people = stage_.share_of(active.task, resource).units;
     hold.overtime = stage_.overtime.in_shifts(resource, account.outcome.start, stage_.now()) +
                     account.outside[i];

@@ -1,5 +1,6 @@
 #include "src/results/verify/schedule/accounts.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -21,6 +22,7 @@ class Bookkeeper {
     steps_.clear();
     works_.clear();
     repairs_.clear();
+    nights_.clear();
     foreseen_ = -1;
     may_go_round_ = false;
     const TaskRun& run = runs[at(index)];
@@ -87,7 +89,10 @@ class Bookkeeper {
     const Ticks time = record_->time - pause.from;
     if (pause.why == "machine") account_.machine += time;
     if (pause.why == "crew" || pause.why == "truck") account_.crew += time;
-    if (pause.why == "shift" || pause.why == "lift") account_.shift += time;
+    if (pause.why == "shift" || pause.why == "lift") {
+      account_.shift += time;
+      nights_.emplace_back(pause.from, record_->time);
+    }
     if (pause.why == "held") account_.held += time;
     if (pause.why == "repair") {
       account_.repair += time;
@@ -117,8 +122,15 @@ class Bookkeeper {
       }
     }
     add_overtime(calendar, hold, held);
+    if (hold.whole) {
+      for (const auto& [from, to] : nights_) held.off += hours_.between(calendar, from, to);
+      for (const DoneWork& work : works_) {
+        const Ticks there = hours_.between(calendar, work.from, work.to);
+        held.off += std::max<Ticks>(there - work.time, 0);
+      }
+    }
     if (hold.whole && hold.resource == run_robot_) {
-      for (const auto& [from, to] : repairs_) held.repair += hours_.between(calendar, from, to);
+      for (const auto& [from, to] : repairs_) held.off += hours_.between(calendar, from, to);
     }
     // As long as something hangs on the hook those who lift it are held, out of their shifts too.
     if (hold.whole && lift_) {
@@ -132,6 +144,7 @@ class Bookkeeper {
       const bool counts = hold.whole ? own || work.crew < 0 : own && work.from == hold.from;
       if (counts) held.work += work.time;
     }
+    if (!hold.whole) held.off = std::max<Ticks>(held.held - held.work, 0);
     account_.holds.push_back(held);
   }
 
@@ -170,7 +183,7 @@ class Bookkeeper {
   const Trace& trace_;
   const WorkingHours& hours_;
   TaskAccount account_;
-  std::vector<std::pair<Ticks, Ticks>> steps_, repairs_;
+  std::vector<std::pair<Ticks, Ticks>> steps_, repairs_, nights_;
   int run_robot_ = -1;
   std::vector<DoneWork> works_;
   const Record* record_ = nullptr;

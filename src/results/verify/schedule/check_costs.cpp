@@ -116,7 +116,7 @@ void add_fuel(const Trace& trace, const std::vector<TaskRun>& runs,
       const std::optional<SceneFuel>& fuel = charges_of(trace.scene, held.resource).fuel;
       if (!fuel) continue;
       const bool is_robot = held.resource < robots;
-      const long double all = static_cast<long double>(held.held - held.repair) * held.people;
+      const long double all = static_cast<long double>(held.held - held.off) * held.people;
       long double working =
           static_cast<long double>(held.work + (is_robot ? motion : 0)) * held.people;
       if (!is_robot) {
