@@ -106,7 +106,7 @@ struct simple_unit
           word<TAO_PEGTL_STRING("rad")>, word<TAO_PEGTL_STRING("rpm")>,
           word<TAO_PEGTL_STRING("kg/m3")>, word<TAO_PEGTL_STRING("t/m3")>,
           word<TAO_PEGTL_STRING("kg")>, word<TAO_PEGTL_STRING("m2")>, word<TAO_PEGTL_STRING("m3")>,
-          word<one<'m'>>, word<one<'s'>>, word<one<'h'>>, word<one<'t'>>> {};
+          word<one<'m'>>, word<one<'s'>>, word<one<'h'>>, word<one<'t'>>, word<one<'l'>>> {};
 struct per_unit : seq<word<TAO_PEGTL_STRING("per")>, plus<blank>, simple_unit> {};
 /// m, t per m3, per h.
 struct unit_text : sor<seq<simple_unit, opt<seq<plus<blank>, per_unit>>>, per_unit> {};

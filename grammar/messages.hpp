@@ -223,6 +223,9 @@ RUBICON_EXPECT(rental_to_key, "'to' and a date in quotes");
 RUBICON_EXPECT(rental_to, "a date in quotes");
 RUBICON_EXPECT(mobilisation_amount, "an amount of money");
 RUBICON_EXPECT(overtime_factor, "a factor such as 1.5");
+RUBICON_EXPECT(fuel_working, "what it burns at work, such as 18 l per h");
+RUBICON_EXPECT(fuel_idling, "what it burns while it stands, such as 4 l per h");
+RUBICON_EXPECT(fuel_price, "what a litre costs, such as 1.70 per l");
 RUBICON_EXPECT(outside_calendar, "the name of a calendar");
 RUBICON_EXPECT(used_calendar, "the name of a calendar");
 RUBICON_EXPECT(breakdown_every, "every and the hours of work between two breakdowns");
@@ -232,14 +235,15 @@ RUBICON_EXPECT(breakdown_repair, "a duration");
 RUBICON_EXPECT(robot_start_values, "a parameter and its value");
 RUBICON_EXPECT(park_values, "a parameter and its value");
 RUBICON_EXPECT(robot_use_part, "robot", Explain::item,
-               "start cost rental mobilisation overtime calendar breakdown park behaviour");
+               "start cost rental mobilisation overtime fuel calendar breakdown park behaviour");
 RUBICON_EXPECT(robot_behaviour_file, "the script's file in quotes");
 RUBICON_EXPECT(robot_file_name, "the robot's file in quotes");
 RUBICON_EXPECT(robot_frame, kFrame, Explain::expected, kFrameWords);
 RUBICON_EXPECT(robot_use_end, "';' or '{'");
 RUBICON_EXPECT(robot_use_form, "a name or a file in quotes after robot");
 RUBICON_EXPECT(size_value, "a number");
-RUBICON_EXPECT(crew_part, "crew", Explain::item, "size cost rental mobilisation overtime calendar");
+RUBICON_EXPECT(crew_part, "crew", Explain::item,
+               "size cost rental mobilisation overtime fuel calendar");
 RUBICON_EXPECT(crew_end, "';' or '{'");
 RUBICON_EXPECT(crew_name, "a name after crew");
 RUBICON_EXPECT(pool_part, "pool", Explain::item, "of choose");
@@ -383,7 +387,7 @@ RUBICON_EXPECT(beside_end, "the node where the lane beside ends");
 RUBICON_EXPECT(lane_length_value, "a length such as 40 m");
 RUBICON_EXPECT(fleet_name, "a name after fleet");
 RUBICON_EXPECT(fleet_part, "fleet", Explain::item,
-               "robot size on at choose cost rental mobilisation overtime calendar breakdown");
+               "robot size on at choose cost rental mobilisation overtime fuel calendar breakdown");
 RUBICON_EXPECT(fleet_file, "the robot's file in quotes");
 RUBICON_EXPECT(fleet_size_value, "a number");
 RUBICON_EXPECT(fleet_network, "the name of a network");

@@ -389,7 +389,15 @@ struct outside_key : token<word<TAO_PEGTL_STRING("outside")>> {};
 struct outside_calendar : qualified_indexed_name {};
 struct overtime_item : if_must<overtime_key, overtime_factor,
                                opt<if_must<outside_key, outside_calendar>>, plan_semicolon> {};
-struct charge_item : sor<cost_item, rental_item, mobilisation_item, overtime_item> {};
+struct fuel_key : token<word<TAO_PEGTL_STRING("fuel")>> {};
+struct fuel_working : quantity {};
+struct fuel_idling_key : token<word<TAO_PEGTL_STRING("idling")>> {};
+struct fuel_idling : quantity {};
+struct fuel_price_key : token<word<TAO_PEGTL_STRING("price")>> {};
+struct fuel_price : quantity {};
+struct fuel_item : if_must<fuel_key, fuel_working, opt<if_must<fuel_idling_key, fuel_idling>>,
+                           opt<if_must<fuel_price_key, fuel_price>>, plan_semicolon> {};
+struct charge_item : sor<cost_item, rental_item, mobilisation_item, overtime_item, fuel_item> {};
 struct overhead_key : token<word<TAO_PEGTL_STRING("overhead")>> {};
 struct overhead_item : if_must<overhead_key, per_day_amount, per_day, plan_semicolon> {};
 

@@ -88,6 +88,8 @@ class DigCheck {
     operation().volume = soil_->volume;
     dig_.earth = soil_->earth;
     dig_.soil = soil_->component;
+    dig_.before = soil_->before;
+    dig_.after = soil_->after;
     dig_.swell = earth.swell;
     density_ = earth.density;
   }

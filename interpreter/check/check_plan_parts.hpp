@@ -142,8 +142,8 @@ void check_calendars(Subject& subject);
 void check_robots(Subject& subject, const std::vector<std::string>& situations);
 void check_crews(Subject& subject);
 
-/// rental, mobilisation and overtime of `who` ("crew 'c'"), and what a component's material or a
-/// day of the plan costs: P02, P09, P10.
+/// rental, mobilisation, overtime and fuel of `who` ("crew 'c'"), and what a component's material
+/// or a day of the plan costs: P02, P09, P10.
 Charges resolve_charges(Subject& subject, const syntax::Charges& charges, const std::string& who);
 std::optional<double> resolve_money(Subject& subject, const syntax::Number& amount,
                                     const std::string& what);

@@ -100,6 +100,13 @@ struct ComponentSpec {
   bool people = false;                   ///< people are in or on it
 };
 
+/// What a machine, or all of a crew, burns.
+struct FuelUse {
+  double working = 0;           ///< l per h while it moves or works
+  double idling = 0;            ///< l per h in the rest of the time in which a task has it
+  std::optional<double> price;  ///< of a litre
+};
+
 /// What a robot or a crew costs besides its hours.
 struct Charges {
   std::optional<double> rental_per_day;
@@ -107,6 +114,7 @@ struct Charges {
   std::optional<double> mobilisation = {};
   double overtime = 1;      ///< factor for what it is held outside of `normal`
   std::string normal = {};  ///< name of a calendar; "": its own
+  std::optional<FuelUse> fuel = {};
 };
 
 /// When a machine breaks down, by the hours that it moved or worked, and how long a repair takes in
@@ -259,10 +267,12 @@ struct EarthSpec {
 /// work in `takes`.
 struct DigSpec {
   hauling::Operation operation;
-  double swell = 0;        ///< loose volume is (1 + swell) x bank volume
-  int trucks = -1;         ///< index into crews
-  int earth = -1;          ///< index into earths, -1: only a volume is given
-  int soil = -1;           ///< then the component that it takes away
+  double swell = 0;  ///< loose volume is (1 + swell) x bank volume
+  int trucks = -1;   ///< index into crews
+  int earth = -1;    ///< index into earths, -1: only a volume is given
+  int soil = -1;     ///< then the component that it takes away
+  /// Then the ground of the earth without the digs before this one, and without this one, too.
+  std::shared_ptr<const soil::Terrain> before = {}, after = {};  // shared: they are large
   hauling::Result result;  ///< with the means, or as its durations were drawn
   int draw = -1;           ///< its number among the digs that are drawn (`Draws`)
 };

@@ -348,6 +348,12 @@ void PlainItems::part(syntax::Charges& value) {
     number(overtime.factor);
     each(overtime.outside);
   }
+  for (syntax::Fuel& fuel : value.fuel) {
+    mark(fuel.span);
+    number(fuel.working);
+    if (fuel.idling) number(*fuel.idling);
+    if (fuel.price) number(*fuel.price);
+  }
 }
 
 void PlainItems::part(syntax::Frame& value) {

@@ -435,6 +435,16 @@ RUBICON_ACTION(PlanAction, PlanState, overtime_item) {
   st.overtime.span = st.span_from(begin);
   st.charges().overtime.push_back(std::move(st.overtime));
 }
+RUBICON_ACTION(PlanAction, PlanState, fuel_working) {
+  st.fuel = {};
+  st.fuel.working = st.take_quantity();
+}
+RUBICON_ACTION(PlanAction, PlanState, fuel_idling) { st.fuel.idling = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, fuel_price) { st.fuel.price = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, fuel_item) {
+  st.fuel.span = st.span_from(begin);
+  st.charges().fuel.push_back(std::move(st.fuel));
+}
 RUBICON_ACTION(PlanAction, PlanState, overhead_item) {
   st.add(syntax::OverheadItem{st.per_day, {}}, begin);
 }
@@ -996,7 +1006,7 @@ std::vector<std::string_view> plan_words() {
       "mobilisation", "overtime", "overhead",  "whole",     "not_before", "due",      "baseline",
       "support",      "fixed",    "braced",    "free",      "near",       "lock",     "deviation",
       "enter",        "moving",   "path",      "repeat",    "area",       "outline",  "shaft",
-      "cover",        "dig",      "earth",     "haul",      "workspaces"};
+      "cover",        "dig",      "earth",     "haul",      "workspaces", "fuel"};
 }
 
 }  // namespace

@@ -210,6 +210,7 @@ class PlanState : public GuideState {
   syntax::Number per_day;
   syntax::Rental rental;
   syntax::Overtime overtime;
+  syntax::Fuel fuel;
   syntax::Breakdown breakdown;
   syntax::PoolItem pool;
   syntax::WorkspacesItem workspaces;

@@ -24,29 +24,18 @@ struct Unit {
 constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 constexpr Unit kUnits[] = {
-    {"mm", {1, 0, 0, 0}, 1, 1000},
-    {"cm", {1, 0, 0, 0}, 1, 100},
-    {"m", {1, 0, 0, 0}, 1, 1},
-    {"m2", {2, 0, 0, 0}, 1, 1},
-    {"m3", {3, 0, 0, 0}, 1, 1},
-    {"deg", {0, 1, 0, 0}, 1, 1},
-    {"rad", {0, 1, 0, 0}, kDegreesPerRadian, 1},
-    {"s", {0, 0, 1, 0}, 1, 1},
-    {"min", {0, 0, 1, 0}, 60, 1},
-    {"h", {0, 0, 1, 0}, 3600, 1},
-    {"t", {0, 0, 0, 1}, 1000, 1},
-    {"kg", {0, 0, 0, 1}, 1, 1},
-    {"kg/m3", {-3, 0, 0, 1}, 1, 1},
-    {"t/m3", {-3, 0, 0, 1}, 1000, 1},
-    {"m/s", {1, 0, -1, 0}, 1, 1},
-    {"mm/s", {1, 0, -1, 0}, 1, 1000},
-    {"km/h", {1, 0, -1, 0}, 1, 3.6},
-    {"deg/s", {0, 1, -1, 0}, 1, 1},
-    {"rad/s", {0, 1, -1, 0}, kDegreesPerRadian, 1},
-    {"m/s2", {1, 0, -2, 0}, 1, 1},
-    {"mm/s2", {1, 0, -2, 0}, 1, 1000},
-    {"deg/s2", {0, 1, -2, 0}, 1, 1},
-    {"rad/s2", {0, 1, -2, 0}, kDegreesPerRadian, 1},
+    {"mm", {1, 0, 0, 0}, 1, 1000},    {"cm", {1, 0, 0, 0}, 1, 100},
+    {"m", {1, 0, 0, 0}, 1, 1},        {"m2", {2, 0, 0, 0}, 1, 1},
+    {"m3", {3, 0, 0, 0}, 1, 1},       {"l", {3, 0, 0, 0}, 1, 1000},
+    {"deg", {0, 1, 0, 0}, 1, 1},      {"rad", {0, 1, 0, 0}, kDegreesPerRadian, 1},
+    {"s", {0, 0, 1, 0}, 1, 1},        {"min", {0, 0, 1, 0}, 60, 1},
+    {"h", {0, 0, 1, 0}, 3600, 1},     {"t", {0, 0, 0, 1}, 1000, 1},
+    {"kg", {0, 0, 0, 1}, 1, 1},       {"kg/m3", {-3, 0, 0, 1}, 1, 1},
+    {"t/m3", {-3, 0, 0, 1}, 1000, 1}, {"m/s", {1, 0, -1, 0}, 1, 1},
+    {"mm/s", {1, 0, -1, 0}, 1, 1000}, {"km/h", {1, 0, -1, 0}, 1, 3.6},
+    {"deg/s", {0, 1, -1, 0}, 1, 1},   {"rad/s", {0, 1, -1, 0}, kDegreesPerRadian, 1},
+    {"m/s2", {1, 0, -2, 0}, 1, 1},    {"mm/s2", {1, 0, -2, 0}, 1, 1000},
+    {"deg/s2", {0, 1, -2, 0}, 1, 1},  {"rad/s2", {0, 1, -2, 0}, kDegreesPerRadian, 1},
     {"rpm", {0, 1, -1, 0}, 6, 1},  // 360 degrees in 60 seconds
 };
 
@@ -60,7 +49,8 @@ constexpr std::pair<std::string_view, std::string_view> kUnitWords[] = {
     {"hr", "h"},         {"hrs", "h"},       {"hour", "h"},     {"hours", "h"},
     {"degree", "deg"},   {"degrees", "deg"}, {"radian", "rad"}, {"radians", "rad"},
     {"kph", "km/h"},     {"kmh", "km/h"},    {"mps", "m/s"},    {"sqm", "m2"},
-    {"cbm", "m3"},
+    {"cbm", "m3"},       {"L", "l"},         {"liter", "l"},    {"liters", "l"},
+    {"litre", "l"},      {"litres", "l"},
 };
 /// Units that there are not, and what one of them is.
 constexpr std::pair<std::string_view, std::string_view> kForeignUnits[] = {
@@ -198,7 +188,7 @@ void ParseState::unknown_unit(const char* from, const char* to) {
          near.empty() ? fmt::format("unknown unit {}", found(from))
                       : fmt::format("unknown unit {}; did you mean {}?", found(from), near),
          computes_numbers_
-             ? "units are mm, cm, m, m2, m3, deg, rad, s, min, h, t, kg, kg/m3, t/m3, "
+             ? "units are mm, cm, m, m2, m3, l, deg, rad, s, min, h, t, kg, kg/m3, t/m3, "
                "m/s, mm/s, km/h, deg/s, rad/s, rpm, m/s2, mm/s2, deg/s2, rad/s2, and such as per h "
                "or t per m3"
              : "units are mm, cm, m, deg, rad, s, min, h, t, kg, kg/m3, t/m3, "

@@ -561,12 +561,20 @@ struct Overtime {
   std::optional<Name> outside;
   Span span;
 };
+/// fuel 18 l per h [idling 4 l per h] [price 1.70 per l];
+struct Fuel {
+  Number working;
+  std::optional<Number> idling;
+  std::optional<Number> price;
+  Span span;
+};
 /// What a robot or a crew costs besides its hours; more than one of a kind is an error of the
 /// checker.
 struct Charges {
   std::vector<Rental> rental;
   std::vector<Number> mobilisation;
   std::vector<Overtime> overtime;
+  std::vector<Fuel> fuel;
 };
 
 /// triangular(2 min, 3 min, 7 min);   measured("times.csv", min, column "hook")

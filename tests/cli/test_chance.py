@@ -214,7 +214,7 @@ class Weather(Chance):
 class Breakdowns(Chance):
     def test_known_breakdowns(self):
         # 4 m in steps of 1 m at 0.5 m/s; good for 100 s of work, a repair takes 10 min.
-        text = """plan p { support off; robot h "hoist.robot" { breakdown every 100 s takes 10 min; } %s
+        text = """plan p { support off; robot h "hoist.robot" { fuel 36 l per h idling 18 l per h; breakdown every 100 s takes 10 min; } %s
           task lift { by h; move c to trans(0, 0, 11); hook 2 min; release 1 min; }
           task drill { by h; go z 31; takes 4 min; after lift; } }""" % BLOCK
         _, tasks = self.run_plan(text)
@@ -227,6 +227,8 @@ class Breakdowns(Chance):
         self.assertEqual(tasks["lift"]["duration"], 210)
         self.assertEqual((tasks["drill"]["start"], tasks["drill"]["waited"]["resource"], tasks["drill"]["waited"]["repair"]), (810, 600, 1200))
         self.assertEqual(tasks["drill"]["duration"], 278 + 1200)
+        # Under repair its engine is off.
+        self.assertEqual([tasks["lift"]["fuel"], tasks["drill"]["fuel"], schedule["fuel"]], [2.1, 2.78, 4.88])
         self.assertIn("h       lift", self.run_result.stdout)
 
         def earlier(result):

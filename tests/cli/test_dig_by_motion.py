@@ -94,6 +94,52 @@ class DigByMotion(ResultCase):
         self.assertNotIn("waited", alone["motion_dig"])
         self.assertAlmostEqual(one[1]["dig"]["duration"], alone["duration"] + 170 + 110, 3)
 
+    def test_fuel(self):
+        """At work while it moves, fills and empties, idling while it waits for its truck; a truck is at work while it drives and tips."""
+        text = plan(count=1).replace("cost 90 per h;", "cost 90 per h; fuel 18 l per h idling 6 l per h price 2 per l;").replace(
+            "cost 60 per h;", "cost 60 per h; fuel 12 l per h idling 3 l per h;").replace("crew dozer;", "crew dozer { fuel 30 l per h; }")
+        schedule, tasks = self.run_plan(text)
+        dig = tasks["dig"]
+        use = {each["name"]: each for each in schedule["resources"]}
+        working = dig["motion"] + dig["work"]
+        self.assertGreater(dig["duration"] - working, 60)
+        digger = (18 * working + 6 * (dig["duration"] - working)) / 3600
+        self.assertAlmostEqual(use["digger"]["fuel"], digger, delta=6e-4)
+        self.assertAlmostEqual(use["digger"]["cost"], 90 * dig["duration"] / 3600 + 2 * digger, delta=0.011)
+        self.assertAlmostEqual(schedule["cost_by_kind"]["fuel"], 2 * digger, delta=0.011)
+        self.assertNotIn("fuel", use["hand"])
+        # Each load 90 s and 20 s, and 60 s back but after the last.
+        loads = dig["motion_dig"]["loads"]
+        driving = 110 * loads + 60 * (loads - 1)
+        self.assertGreater(loads, 1)
+        self.assertAlmostEqual(use["trucks"]["fuel"], (12 * driving + 3 * (dig["duration"] - driving)) / 3600, delta=6e-4)
+        self.assertAlmostEqual(use["dozer"]["fuel"], 30 * 20 * loads / 3600, delta=6e-4)
+        self.assertAlmostEqual(dig["fuel"], sum(use[name]["fuel"] for name in ("digger", "trucks", "dozer")), delta=2e-3)
+        self.assertAlmostEqual(schedule["fuel"], dig["fuel"], delta=1e-6)
+        self.assertAlmostEqual(dig["motion_dig"]["fuel_per_m3"], dig["fuel"] / dig["motion_dig"]["dug"], places=9)
+        self.assertIn(" l per m3 ", self.run_result.stdout)
+
+        def end(result):
+            return next(record for record in result.records if record["type"] == "task_end" and record["task"] == "dig")
+
+        for change, words in (
+                (lambda result: result.schedule["resources"][0].update(fuel=use["digger"]["fuel"] + 0.01), "digger burnt "),
+                (lambda result: result.schedule["resources"][0].pop("fuel"), "what digger burnt is missing"),
+                (lambda result: result.schedule["tasks"][0].update(fuel=dig["fuel"] - 0.01), "dig burnt "),
+                (lambda result: result.schedule.update(fuel=0), "the whole burnt 0"),
+                (lambda result: result.header["robots"][0]["fuel"].update(price=2.2), "fuel costs "),
+                (lambda result: result.header["robots"][0]["fuel"].update(idling=7), "digger burnt "),
+                (lambda result: end(result).update(driving=driving + 1), f"its trucks drive for {driving + 1} s, by when they left {driving} s"),
+                (lambda result: end(result).update(serving=[1]), "its trucks are not served as long"),
+                (lambda result: end(result).pop("driving"), "trucks burnt ")):
+            self.assertIn(words, self.faults_of(change))
+        # Two trucks that queue for the dozer.
+        self.run_plan(text.replace("size 1", "size 3").replace("tip takes 20 s", "tip takes sequence(150 s, 130 s)"))
+        # Nothing of it where nobody says so.
+        schedule, tasks = self.run_plan(plan())
+        self.assertNotIn("fuel", json.dumps(schedule))
+        self.assertNotIn("l per m3", self.run_result.stdout)
+
     def test_slopes_and_corners(self):
         _, tasks = self.run_plan(plan("box(3, -1.4, -0.8, 4.6, 0.2, 1)", stands=60, trucks=""))
         self.assertEqual(sum(soil["volume"] for soil in self.soils()), round(tasks["dig"]["motion_dig"]["volume"] * 1e9))

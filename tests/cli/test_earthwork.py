@@ -53,6 +53,49 @@ class Earthwork(ResultCase):
             self.assertAlmostEqual(load["utilisation"], loader / (2 * limit), 12)
             self.assertAlmostEqual(weigh["utilisation"], scale / limit, 12)
 
+    def test_fuel(self):
+        """Trucks burn what they burn at work while they drive, and idle while they queue and are loaded."""
+        burns = "fuel 18 l per h idling 4 l per h;", "fuel trucks * 12 l per h idling trucks * 2 l per h price litre;"
+        text = "plan p { parameter litre = 1.5 per l; parameter trucks = 4; crew digger { size 1; %s } crew trucks { size 4; %s } task dig_pit { by digger; %s } }" % (
+            *burns, rounds())
+        # 10 rounds of 40 min, the last truck is loaded at 388 min and tips at 408. On the way back that cuts 6 min of the third's 13, and all of the fourth's.
+        schedule, tasks = self.run_plan(text)
+        self.assertEqual(tasks["dig_pit"]["duration"], 408 * 60)
+        driving = 40 * 20 + 36 * 13 + 13 + 13 + 7
+        digger, trucks = (use["fuel"] for use in schedule["resources"])
+        self.assertAlmostEqual(digger, (18 * 280 + 4 * 128) / 60, delta=6e-4)
+        self.assertAlmostEqual(trucks, (12 * driving + 2 * (4 * 408 - driving)) / 60, delta=6e-4)
+        self.assertEqual(schedule["cost_by_kind"]["fuel"], round(1.5 * trucks, 2))
+        self.assertAlmostEqual(tasks["dig_pit"]["dig"]["fuel_per_m3"], schedule["fuel"] / 40, places=9)
+
+        # In the nights of the digger they are off, though they have no calendar. 408 min are on 3 days.
+        shifts = text.replace("plan p {", 'plan p { start_at "2026-03-02 07:00"; calendar d { mon-fri 07:00-09:30; }').replace("size 1;", "size 1; calendar d;")
+        nights, tasks = self.run_plan(shifts)
+        self.assertEqual(tasks["dig_pit"]["duration"], 2 * 86400 + 108 * 60)
+        self.assertEqual((nights["fuel"], nights["cost"]), (schedule["fuel"], schedule["cost"]))
+        self.run_plan(text)
+
+        def end(result):
+            return next(record for record in result.records if record["type"] == "task_end")
+
+        self.assertIn("its trucks drive for 78000 s, by its rounds 78060 s", self.faults_of(lambda result: end(result).update(driving=78000)))
+        self.assertIn("its trucks are served for 16801 s, by its rounds 16800 s", self.faults_of(lambda result: end(result).update(serving=[16801])))
+        # Of drawn durations verify knows bounds.
+        drawn = text.replace("17 min", "uniform(14 min, 20 min)").replace("tip takes 3 min", "tip takes exponential(3 min) by dozer").replace(
+            "task", "crew dozer { fuel 20 l per h; } task")
+        self.run_plan(drawn, options=("--sample", "1:3"))
+        for wrong in (1e6, 100):
+            self.assertIn(f"its trucks drive for {wrong:g} s, and that is from", self.faults_of(lambda result: end(result).update(driving=wrong)))
+        self.assertIn("trucks are served for 50000 s by 1 in ", self.faults_of(lambda result: end(result).update(serving=[50000, 100])))
+        # A study asks for litres, and varies what they cost.
+        self.write("p.plan", text)
+        study = rubicon("study", self.write("s.study", 'study s { plan "p.plan"; vary litre 0 per l, 1 per l, 3 per l; ask fuel, cost; }'), "--format", "json")
+        study = json.loads(study.stdout)
+        names = [question["text"] for question in study["questions"]]
+        answers = [dict(zip(names, variant["answers"])) for variant in study["variants"]]
+        self.assertEqual({each["fuel"]["mean"] for each in answers}, {schedule["fuel"]})
+        self.assertEqual([round(each["cost"]["mean"], 2) for each in answers], [0, round(trucks, 2), round(3 * trucks, 2)])
+
     def test_a_loader_and_ten_trucks(self):
         text = rounds("100560 m3", "load trucks takes 7 min;", more="bed 60 m3;")
         task, dig = self.dig(plan(text, 1, 10))
@@ -115,6 +158,8 @@ class Earthwork(ResultCase):
             more += chance.choice(("", "", " limit %d s;" % chance.randrange(60, 30000)))
             text = plan(rounds("%.3f m3" % chance.uniform(5, 300), load, stages, more), chance.randrange(1, 4), trucks,
                         "crew second { size 2; }", chance.choice(("digger", "digger, second")))
+            text = text.replace("; cost", "; fuel %d l per h idling 3 l per h price 1.5 per l; cost" % chance.randrange(3, 60))
+            text = text.replace("crew dozer;", "crew dozer { fuel 30 l per h idling 4.25 l per h; }")
             self.dig(text)  # run_plan has it verified
 
     def test_verify_finds_other_rounds(self):

@@ -143,6 +143,25 @@ class HaulByMotion(ResultCase):
         self.assertIn("it drives over the pit of dig", self.faults_of(lambda result: result.robot("cart_1").update(
             pose=[1, 0, 0, 0, 0, 1, 0, -4, 0, 0, 1, 0])))
 
+    def test_nobody_drives_over_the_pit_of_crews(self):
+        pit = "crew hands; crew barrows; task trench { by hands; dig ground to box(6, 3, %s, 6.8, 3.8, 1) { load barrows takes 10 min; bed 1 m3; tip takes 1 s; } %s }"
+        _, tasks = self.run_plan(plan(more=pit % (-0.5, "after haul_1;")))
+        self.assertEqual(tasks["trench"]["result"], "done")
+        begins = tasks["trench"]["start"]
+        self.assertIn("it drives over the pit of trench", self.faults_of(lambda result: [
+            record.update(t=5) for record in result.records if record.get("task") == "trench" and "t" in record]))
+        # From its beginning on, while it is dug and after that; before that the ground is whole.
+        for start, load in ((0, 1), (100, 2), (int(begins) - 1, 0)):
+            _, tasks = self.run_plan(plan(more=pit % (-0.5, "not_before %g s;" % start)), None)
+            self.assertEqual(tasks["trench"]["start"], start)
+            self.assertEqual(tasks["haul_1"]["result"], "rejected" if load else "done")
+            if load:
+                self.assertIn(f"load {load}, ", tasks["haul_1"]["reason"])
+                self.assertIn("cart_1.cart meets the pit of trench", tasks["haul_1"]["reason"])
+        # It drives over what is 0.15 m deep.
+        _, tasks = self.run_plan(plan(more=pit % (-0.1, "")))
+        self.assertEqual(tasks["haul_1"]["result"], "done")
+
     def test_verify_sees_what_is_changed(self):
         self.run_plan(plan())
 

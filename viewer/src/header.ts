@@ -209,6 +209,7 @@ export interface MotionDigData {
   working: number;
   per_hour: number;
   cost_per_m3?: number;
+  fuel_per_m3?: number;
   loads?: number;
   waited?: number;
   mean: { cycle: number; to_the_cut: number; cut: number; swing: number; dump: number };
@@ -222,6 +223,7 @@ export interface DigData {
   working: number;
   per_hour: number;
   cost_per_m3?: number;
+  fuel_per_m3?: number;
   trucks: number;
   match_factor: number;
   queues: { stage: string; by: string; servers: number; served: number; mean_wait: number; longest_wait: number; mean_length: number; utilisation: number }[];
@@ -260,6 +262,8 @@ export interface ResourceData {
   utilisation: number;
   cost_per_hour?: number | null;
   cost?: number;
+  /** l */
+  fuel?: number;
 }
 
 export interface ScheduleData {
@@ -271,6 +275,8 @@ export interface ScheduleData {
   currency?: string;
   /** What the money goes for, in the order of the command's table; where the plan says more than rates. */
   cost_by_kind?: Record<string, number>;
+  /** l */
+  fuel?: number;
   resources: ResourceData[];
   critical: { task: string; work_counts: boolean; text: string }[];
   timetables?: { name: string; stops: number; late: number; stands_before: string }[];

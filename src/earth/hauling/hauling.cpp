@@ -214,6 +214,7 @@ class Run {
     const int stages = static_cast<int>(operation_.stages.size());
     const bool is_served = stage < 0 || station_of_[at(stage)] >= 0;
     const int rank = is_served ? stages - 1 - stage : stages + 1 + stage;
+    if (stage >= 0) result_.driving += static_cast<double>(duration) / kPerSecond;
     events_.push({now_ + duration, rank, ++order_, truck, stage});
   }
 
@@ -249,6 +250,7 @@ class Run {
     for (; !events_.empty(); events_.pop()) {
       const Event& event = events_.top();
       const bool is_served = event.stage < 0 || station_of_[at(event.stage)] >= 0;
+      if (event.stage >= 0) result_.driving -= static_cast<double>(event.time - now_) / kPerSecond;
       if (!is_served) continue;
       result_.queues[at(trucks_[at(event.truck)].station)].busy -= event.time - now_;
     }

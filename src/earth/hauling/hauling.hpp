@@ -115,7 +115,8 @@ struct Result {
   CubicMillimetres tipped = 0;
   std::int64_t passes = 0;    ///< begun
   std::vector<Queue> queues;  ///< of the diggers, in their order, then of stages with servers
-  bool is_complete = false;   ///< all of the volume was tipped
+  double driving = 0;        ///< s, of all trucks together in stages: neither loaded nor in a queue
+  bool is_complete = false;  ///< all of the volume was tipped
 
   double per_hour() const;  ///< m3 of bank volume in an hour that is worked
 };

@@ -56,7 +56,8 @@ void TruckRounds::begin(int truck, int stage, Nanoseconds now) {
     queue.longest = std::max(queue.longest, waited);
     queue.busy += duration;
   }
-  events_.push_back({now + duration, ++order_, truck, stage});
+  driven_ += static_cast<double>(duration) / kPerSecond;
+  events_.push_back({now + duration, ++order_, truck, stage, duration});
 }
 
 void TruckRounds::enter(int truck, int stage, Nanoseconds now) {
@@ -138,6 +139,21 @@ void TruckRounds::leave(Nanoseconds now) {
 Nanoseconds TruckRounds::last_tip() {
   while (static_cast<std::int64_t>(loads_.size()) < begun_ && !events_.empty()) process_first();
   return loads_.empty() ? 0 : loads_.back().tipped;
+}
+
+TruckRounds::Work TruckRounds::work_until(Nanoseconds end) const {
+  Work work;
+  work.driving = driven_;
+  for (const Queue& queue : queues_) {
+    work.serving.push_back(static_cast<double>(queue.busy) / kPerSecond);
+  }
+  for (const Event& event : events_) {
+    const Nanoseconds beyond = std::clamp<Nanoseconds>(event.time - end, 0, event.duration);
+    work.driving -= static_cast<double>(beyond) / kPerSecond;
+    const int queue = queue_of_[at(event.stage)];
+    if (queue >= 0) work.serving[at(queue)] -= static_cast<double>(beyond) / kPerSecond;
+  }
+  return work;
 }
 
 }  // namespace rubicon::hauling

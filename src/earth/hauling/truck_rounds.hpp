@@ -41,6 +41,13 @@ class TruckRounds {
   /// Of stages with servers.
   const std::vector<Queue>& queues() const { return queues_; }
   std::int64_t left() const { return begun_; }
+  /// s up to `end`, no earlier than what was asked last: of all trucks together in stages, and of
+  /// those who serve each of `queues`.
+  struct Work {
+    double driving = 0;
+    std::vector<double> serving;
+  };
+  Work work_until(Nanoseconds end) const;
 
  private:
   struct Event {
@@ -48,6 +55,7 @@ class TruckRounds {
     std::uint64_t order = 0;
     int truck = 0;
     int stage = 0;
+    Nanoseconds duration = 0;
   };
   struct Station {
     int free = 0;
@@ -80,6 +88,7 @@ class TruckRounds {
   std::vector<Load> loads_;
   std::uint64_t order_ = 0;
   std::int64_t begun_ = 0;
+  double driven_ = 0;  ///< s, of all stages that have begun
 };
 
 }  // namespace rubicon::hauling

@@ -76,9 +76,9 @@ void add_schedule(ordered_json& document, const taskplan::Schedule& schedule, bo
   document["process_time"] = trace::seconds(schedule.process_time);
   if (schedule.costed) document["cost"] = schedule.cost;
   if (schedule.has_kinds) {
-    for (std::size_t i = 0; i < taskplan::kCostKinds; ++i) {
-      document["cost_by_kind"][name_of(static_cast<taskplan::CostKind>(i))] =
-          schedule.cost_by_kind[i];
+    for (const taskplan::CostKind kind : told_kinds(schedule)) {
+      document["cost_by_kind"][name_of(kind)] =
+          schedule.cost_by_kind[static_cast<std::size_t>(kind)];
     }
   }
   document["tasks"] = ordered_json::array();

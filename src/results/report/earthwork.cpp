@@ -44,11 +44,22 @@ std::optional<double> cost_per_cubic_metre(const TaskOutcome& task) {
   return volume > 0 ? std::optional(task.cost / volume) : std::nullopt;
 }
 
+/// Litres for each m3 that a task dug; nothing where no volume was.
+std::optional<double> litres_per_cubic_metre(const TaskOutcome& task, double volume) {
+  return volume > 0 ? std::optional(task.fuel / volume) : std::nullopt;
+}
+
+/// "0.342" or "-".
+std::string rate_text(const std::optional<double>& rate) {
+  return rate ? fmt::format("{:.3f}", *rate) : "-";
+}
+
 std::string production_table(const taskplan::Schedule& schedule) {
   const std::string cost =
       schedule.currency.empty() ? "cost per m3" : schedule.currency + " per m3";
   std::vector<Row> rows = {
       {"digs", "m3", "loads", "m3 a load", "working", "m3 per h", "match factor"}};
+  if (schedule.burns_fuel) rows.front().emplace_back("l per m3");
   if (schedule.costed) rows.front().push_back(cost);
   for (const TaskOutcome& task : schedule.tasks) {
     if (!dug(task)) continue;
@@ -64,12 +75,12 @@ std::string production_table(const taskplan::Schedule& schedule) {
                     time_text(static_cast<double>(result.time) / kPerSecond),
                     fmt::format("{:.1f}", result.per_hour()),
                     fmt::format("{:.2f}", operation.match_factor())});
-    const auto per_volume = cost_per_cubic_metre(task);
-    if (schedule.costed) {
-      rows.back().push_back(per_volume ? fmt::format("{:.3f}", *per_volume) : "-");
+    if (schedule.burns_fuel) {
+      rows.back().push_back(rate_text(litres_per_cubic_metre(task, tipped)));
     }
+    if (schedule.costed) rows.back().push_back(rate_text(cost_per_cubic_metre(task)));
   }
-  return columns(rows, {1, 2, 3, 4, 5, 6, 7});
+  return columns(rows, {1, 2, 3, 4, 5, 6, 7, 8});
 }
 
 bool dug_by_robot(const TaskOutcome& task) {
@@ -86,6 +97,7 @@ std::string bucket_table(const taskplan::Schedule& schedule) {
   std::vector<Row> rows = {
       {"digs", "m3", "buckets", "m3 a bucket", "loads", "working", "for trucks", "m3 per h"}};
   std::vector<Row> parts = {{"cycles", "mean", "to the cut", "cut", "swing", "dump"}};
+  if (schedule.burns_fuel) rows.front().emplace_back("l per m3");
   if (schedule.costed) {
     rows.front().push_back(schedule.currency.empty() ? "cost per m3"
                                                      : schedule.currency + " per m3");
@@ -104,14 +116,14 @@ std::string bucket_table(const taskplan::Schedule& schedule) {
                     time_text(interpreter::seconds_from_ticks(dig.time)),
                     has_trucks ? time_text(interpreter::seconds_from_ticks(dig.waited)) : "-",
                     fmt::format("{:.1f}", dig.per_hour())});
-    const auto per_volume = cost_per_dug_metre(task);
-    if (schedule.costed) {
-      rows.back().push_back(per_volume ? fmt::format("{:.3f}", *per_volume) : "-");
+    if (schedule.burns_fuel) {
+      rows.back().push_back(rate_text(litres_per_cubic_metre(task, volume)));
     }
+    if (schedule.costed) rows.back().push_back(rate_text(cost_per_dug_metre(task)));
     parts.push_back({task.task, seconds(dig.mean_cycle()), seconds(dig.mean_return()),
                      seconds(dig.mean_dig()), seconds(dig.mean_swing()), seconds(dig.mean_dump())});
   }
-  return columns(rows, {1, 2, 3, 4, 5, 6, 7, 8}) + "\n" + columns(parts, {1, 2, 3, 4, 5});
+  return columns(rows, {1, 2, 3, 4, 5, 6, 7, 8, 9}) + "\n" + columns(parts, {1, 2, 3, 4, 5});
 }
 
 bool hauled(const TaskOutcome& task) {
@@ -149,6 +161,7 @@ struct HauledTogether {
   double volume = 0;   ///< m3
   double working = 0;  ///< s, of the truck that took longest
   double cost = 0;
+  double fuel = 0;  ///< l
   /// Trucks x loading / (diggers x round without waiting); nothing where no truck made two rounds.
   std::optional<double> match_factor;
 
@@ -162,11 +175,13 @@ HauledTogether hauled_together(const taskplan::Schedule& schedule) {
     if (dug_by_robot(task) && task.motion_dig->bodies > 0) {
       diggers.insert(task.robot);
       all.cost += task.cost;
+      all.fuel += task.fuel;
     }
     if (!hauled(task)) continue;
     all.volume += cubic_metres(task.haul->hauled());
     all.working = std::max(all.working, interpreter::seconds_from_ticks(task.haul->time));
     all.cost += task.cost;
+    all.fuel += task.fuel;
     if (task.haul->loads.size() < 2) continue;
     const RoundTimes times = round_of(*task.haul);
     ++trucks;
@@ -205,6 +220,9 @@ std::string haul_table(const taskplan::Schedule& schedule) {
   if (schedule.costed && all.volume > 0) {
     text += fmt::format(", {:.3f} {} with diggers and trucks", all.cost / all.volume,
                         schedule.currency.empty() ? "cost per m3" : schedule.currency + " per m3");
+  }
+  if (schedule.burns_fuel && all.volume > 0) {
+    text += fmt::format(", {:.3f} l per m3", all.fuel / all.volume);
   }
   if (all.match_factor) text += fmt::format(", match factor {:.2f}", *all.match_factor);
   text += "\n";
@@ -307,7 +325,8 @@ void write_queue(trace::JsonBuilder& json, const Queue& queue, hauling::Nanoseco
 
 }  // namespace
 
-void write_dig(trace::JsonBuilder& json, const TaskOutcome& task, bool is_costed) {
+void write_dig(trace::JsonBuilder& json, const taskplan::Schedule& schedule,
+               const TaskOutcome& task) {
   const hauling::Operation& operation = task.dig->operation;
   const Result& result = task.dig->result;
   json.key("dig").begin_object().field("volume", cubic_metres(operation.volume));
@@ -316,7 +335,9 @@ void write_dig(trace::JsonBuilder& json, const TaskOutcome& task, bool is_costed
   if (operation.bucket > 0) json.field("passes", result.passes);
   json.key("working").seconds(result.time).field("per_hour", result.per_hour());
   const auto per_volume = cost_per_cubic_metre(task);
-  if (is_costed && per_volume) json.field("cost_per_m3", *per_volume);
+  if (schedule.costed && per_volume) json.field("cost_per_m3", *per_volume);
+  const auto litres = litres_per_cubic_metre(task, cubic_metres(result.tipped));
+  if (schedule.burns_fuel && litres) json.field("fuel_per_m3", *litres);
   json.field("trucks", operation.trucks).field("mean_loading", operation.mean_loading());
   json.field("mean_round", operation.mean_round());
   json.field("match_factor", operation.match_factor()).key("queues").begin_array();
@@ -324,7 +345,8 @@ void write_dig(trace::JsonBuilder& json, const TaskOutcome& task, bool is_costed
   json.end_array().end_object();
 }
 
-void write_motion_dig(trace::JsonBuilder& json, const TaskOutcome& task, bool is_costed) {
+void write_motion_dig(trace::JsonBuilder& json, const taskplan::Schedule& schedule,
+                      const TaskOutcome& task) {
   const taskplan::MotionDigOutcome& dig = *task.motion_dig;
   json.key("motion_dig").begin_object().field("earth", dig.earth);
   json.field("volume", cubic_metres(dig.volume)).field("dug", cubic_metres(dig.dug()));
@@ -332,7 +354,9 @@ void write_motion_dig(trace::JsonBuilder& json, const TaskOutcome& task, bool is
   json.field("bucket", cubic_metres(dig.bucket)).key("working").seconds(dig.time);
   json.field("per_hour", dig.per_hour());
   const auto per_volume = cost_per_dug_metre(task);
-  if (is_costed && per_volume) json.field("cost_per_m3", *per_volume);
+  if (schedule.costed && per_volume) json.field("cost_per_m3", *per_volume);
+  const auto litres = litres_per_cubic_metre(task, cubic_metres(dig.dug()));
+  if (schedule.burns_fuel && litres) json.field("fuel_per_m3", *litres);
   json.key("mean").begin_object().field("cycle", dig.mean_cycle());
   json.field("to_the_cut", dig.mean_return()).field("cut", dig.mean_dig());
   json.field("swing", dig.mean_swing()).field("dump", dig.mean_dump()).end_object();
@@ -374,6 +398,7 @@ std::string hauling_json(const taskplan::Schedule& schedule) {
   json.begin_object().field("hauled", all.volume).field("working", all.working);
   json.field("per_hour", all.per_hour());
   if (schedule.costed && all.volume > 0) json.field("cost_per_m3", all.cost / all.volume);
+  if (schedule.burns_fuel && all.volume > 0) json.field("fuel_per_m3", all.fuel / all.volume);
   if (all.match_factor) json.field("match_factor", *all.match_factor);
   return json.end_object().take();
 }

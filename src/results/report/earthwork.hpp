@@ -19,10 +19,12 @@ void write_workspaces(trace::JsonBuilder& json, const taskplan::Schedule& schedu
                       const taskplan::TaskOutcome& task);
 
 /// The same of one task that digs, as member "dig" of its object.
-void write_dig(trace::JsonBuilder& json, const taskplan::TaskOutcome& task, bool is_costed);
+void write_dig(trace::JsonBuilder& json, const taskplan::Schedule& schedule,
+               const taskplan::TaskOutcome& task);
 
 /// The same of one whose robot digs, as member "motion_dig".
-void write_motion_dig(trace::JsonBuilder& json, const taskplan::TaskOutcome& task, bool is_costed);
+void write_motion_dig(trace::JsonBuilder& json, const taskplan::Schedule& schedule,
+                      const taskplan::TaskOutcome& task);
 
 /// What the truck of a task hauled, as member "haul".
 void write_haul(trace::JsonBuilder& json, const taskplan::TaskOutcome& task);

@@ -104,6 +104,7 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
   json.end_object();
   if (task.thinking > 0) json.key("thinking").seconds(task.thinking);
   if (schedule.costed) json.field("cost", task.cost);
+  if (schedule.burns_fuel) json.field("fuel", task.fuel);
   json.field("tried", task.tried).field("accepted", task.accepted);
   json.field("result", name_of(task.result)).field("reason", std::string_view(task.reason));
   if (task.parking) json.field("parking", true);
@@ -127,10 +128,10 @@ std::string task_json(const Schedule& schedule, const TaskOutcome& task) {
     json.end_object();
   }
   if (task.dig && task.result == taskplan::TaskResult::done) {
-    write_dig(json, task, schedule.costed);
+    write_dig(json, schedule, task);
   }
   if (task.motion_dig && task.result == taskplan::TaskResult::done) {
-    write_motion_dig(json, task, schedule.costed);
+    write_motion_dig(json, schedule, task);
   }
   if (task.haul && task.result == taskplan::TaskResult::done) write_haul(json, task);
   write_workspaces(json, schedule, task);
@@ -155,6 +156,7 @@ std::string use_json(const Schedule& schedule, const ResourceUse& use) {
     }
     json.field("cost", use.cost);
   }
+  if (use.fuel) json.field("fuel", *use.fuel);
   json.end_object();
   return json.take();
 }
@@ -290,14 +292,18 @@ std::string schedule_json(const Schedule& schedule) {
     cost.field("currency", std::string_view(schedule.currency));
     if (schedule.has_kinds) {
       cost.key("cost_by_kind").begin_object();
-      for (std::size_t i = 0; i < taskplan::kCostKinds; ++i) {
-        cost.field(name_of(static_cast<taskplan::CostKind>(i)), schedule.cost_by_kind[i]);
+      for (const taskplan::CostKind kind : told_kinds(schedule)) {
+        cost.field(name_of(kind), schedule.cost_by_kind[static_cast<std::size_t>(kind)]);
       }
       cost.end_object();
     }
     cost.end_object();
     const std::string both = cost.take();
     text += "," + both.substr(1, both.size() - 2);
+  }
+  if (schedule.burns_fuel) {
+    trace::JsonBuilder fuel;
+    text += ",\"fuel\":" + fuel.value(schedule.fuel).take();
   }
   if (const std::string hauling = hauling_json(schedule); !hauling.empty()) {
     text += ",\"hauling\":" + hauling;

@@ -76,6 +76,7 @@ TaskOutcome read_task(const ExactJson& json) {
   if (waits.has("repair")) task.waits.repair = waits.at("repair").ticks();
   if (json.has("thinking")) task.thinking = json.at("thinking").ticks();
   if (json.has("cost")) task.cost = amount(json.at("cost"));
+  if (json.has("fuel")) task.fuel = amount(json.at("fuel"));
   task.tried = json.at("tried").integer();
   task.accepted = json.at("accepted").integer();
   task.result = read_result(json.at("result").text());
@@ -128,6 +129,7 @@ ResourceUse read_use(const ExactJson& json) {
   use.shift_time = json.at("shifts").ticks();
   if (json.has("cost_per_hour")) use.rate = amount(json.at("cost_per_hour"));
   if (json.has("cost")) use.cost = amount(json.at("cost"));
+  if (json.has("fuel")) use.fuel = amount(json.at("fuel"));
   return use;
 }
 
@@ -157,11 +159,14 @@ Schedule schedule_from_json(std::string_view text) {
     schedule.has_kinds = json.has("cost_by_kind");
   }
   if (schedule.has_kinds) {
-    for (std::size_t i = 0; i < taskplan::kCostKinds; ++i) {
-      const char* kind = name_of(static_cast<taskplan::CostKind>(i));
-      schedule.cost_by_kind[i] = amount(json.at("cost_by_kind").at(kind));
+    schedule.pays_fuel = json.at("cost_by_kind").has(name_of(taskplan::CostKind::fuel));
+    for (const taskplan::CostKind kind : told_kinds(schedule)) {
+      schedule.cost_by_kind[static_cast<std::size_t>(kind)] =
+          amount(json.at("cost_by_kind").at(name_of(kind)));
     }
   }
+  schedule.burns_fuel = json.has("fuel");
+  if (schedule.burns_fuel) schedule.fuel = amount(json.at("fuel"));
   for (const ExactJson& use : json.at("resources").elements()) {
     schedule.resources.push_back(read_use(use));
   }

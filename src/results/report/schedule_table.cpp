@@ -190,23 +190,29 @@ std::string breakdown_table(const Schedule& schedule) {
 std::string use_table(const Schedule& schedule) {
   const std::string cost = schedule.currency.empty() ? "cost" : "cost " + schedule.currency;
   std::vector<Row> rows = {{"used", "tasks", "held", "of it busy", "of its shifts"}};
+  if (schedule.burns_fuel) rows.front().emplace_back("fuel l");
   if (schedule.costed) rows.front().push_back(cost);
   for (const ResourceUse& use : schedule.resources) {
     rows.push_back({use.name, fmt::format("{}", use.tasks), clock_text(use.held),
                     clock_text(use.busy), fmt::format("{:.1f} %", 100 * use.utilisation())});
+    if (schedule.burns_fuel) {
+      rows.back().push_back(use.fuel ? fmt::format("{:.1f}", *use.fuel) : "");
+    }
     const bool costs = use.rate || use.cost != 0;
     if (schedule.costed) rows.back().push_back(costs ? fmt::format("{:.2f}", use.cost) : "");
   }
   double sum = schedule.cost;
   if (schedule.has_kinds) {
     sum = 0;
-    for (const CostKind kind :
-         {CostKind::use, CostKind::overtime, CostKind::rental, CostKind::mobilisation}) {
+    for (const CostKind kind : {CostKind::use, CostKind::overtime, CostKind::rental,
+                                CostKind::mobilisation, CostKind::fuel}) {
       sum += schedule.cost_by_kind[static_cast<std::size_t>(kind)];
     }
   }
-  if (schedule.costed) rows.push_back({"", "", "", "", "", fmt::format("{:.2f}", sum)});
-  return columns(rows, {1, 2, 3, 4, 5});
+  if (schedule.costed || schedule.burns_fuel) rows.push_back({"", "", "", "", ""});
+  if (schedule.burns_fuel) rows.back().push_back(fmt::format("{:.1f}", schedule.fuel));
+  if (schedule.costed) rows.back().push_back(fmt::format("{:.2f}", sum));
+  return columns(rows, {1, 2, 3, 4, 5, 6});
 }
 
 /// Things with a timetable that stopped; nothing where none did.
@@ -422,9 +428,9 @@ std::string missed_text(const Schedule& schedule) {
 /// What the money goes for.
 std::string cost_table(const Schedule& schedule) {
   std::vector<Row> rows = {{schedule.currency.empty() ? "cost" : "cost " + schedule.currency, ""}};
-  for (std::size_t i = 0; i < taskplan::kCostKinds; ++i) {
-    rows.push_back(
-        {name_of(static_cast<CostKind>(i)), fmt::format("{:.2f}", schedule.cost_by_kind[i])});
+  for (const CostKind kind : told_kinds(schedule)) {
+    rows.push_back({name_of(kind),
+                    fmt::format("{:.2f}", schedule.cost_by_kind[static_cast<std::size_t>(kind)])});
   }
   rows.push_back({"total", fmt::format("{:.2f}", schedule.cost)});
   return columns(rows, {1});

@@ -58,7 +58,8 @@ Ticks end_of(const Trace& trace, const std::vector<TaskRun>& runs) {
   return last + kSecond;
 }
 
-void check_motions(const Trace& trace, const std::vector<TaskRun>& runs, Verdict& verdict) {
+void check_motions(const Trace& trace, const std::vector<TaskRun>& runs, const WorkingHours& hours,
+                   Verdict& verdict) {
   const Ticks until = end_of(trace, runs);
   std::vector<RobotTrack> tracks;
   std::vector<LoadEvent> events;
@@ -79,7 +80,12 @@ void check_motions(const Trace& trace, const std::vector<TaskRun>& runs, Verdict
     movings.emplace_back(trace.scene.movings[i], records, trace.scene.meshes, until,
                          verdict.faults);
   }
-  check_dug_soil(trace, runs, tracks, site, verdict.faults);
+  check_dug_soil(
+      trace, runs, tracks, site,
+      [&](const std::vector<int>& calendars, Ticks from, Ticks to) {
+        return hours.between(calendars, from, to);
+      },
+      verdict.faults);
   check_hauled_soil(trace, runs, tracks, site, verdict.faults);
   check_workspaces(trace, runs, tracks, site, verdict.faults);
   const ContactCounts counts = check_contacts(trace, runs, tracks, site, movings, verdict.faults);
@@ -99,14 +105,15 @@ auto read_file(const char* name, const Read& read) {
 void check_schedules(const Result& result, const Trace& trace, const std::vector<TaskRun>& runs,
                      const WorkingHours& hours, const WaitCheck& waits, Faults& faults) {
   const std::vector<TaskAccount> accounts = task_accounts(trace, runs, hours);
-  const Costs costs = costs_of(trace, runs, accounts);
   if (result.schedule_json) {
     const ScheduleJson schedule =
         read_file("schedule.json", [&] { return read_schedule_json(*result.schedule_json); });
+    const Costs costs = costs_of(trace, runs, accounts, schedule.rows);
     check_rows(trace, runs, accounts, costs, waits, schedule.rows, ResultFile::schedule_json,
                faults);
     check_uses(trace, runs, accounts, hours, schedule, faults);
     check_costs(trace, costs, schedule, faults);
+    check_fuel(trace, runs, costs, schedule, faults);
     check_process_time(runs, schedule.process_time, faults);
     check_dates(trace.scene, schedule.rows, ResultFile::schedule_json, faults);
     check_plan_dates(trace, runs, hours, schedule.rows, ResultFile::schedule_json,
@@ -119,6 +126,7 @@ void check_schedules(const Result& result, const Trace& trace, const std::vector
   if (result.schedule_csv) {
     const auto rows =
         read_file("schedule.csv", [&] { return read_schedule_csv(*result.schedule_csv); });
+    const Costs costs = costs_of(trace, runs, accounts, rows);
     check_rows(trace, runs, accounts, costs, waits, rows, ResultFile::schedule_csv, faults);
     check_dates(trace.scene, rows, ResultFile::schedule_csv, faults);
     check_plan_dates(trace, runs, hours, rows, ResultFile::schedule_csv, 0, faults);
@@ -135,7 +143,7 @@ Verdict verify(const Result& result) {
   const WorkingHours hours(trace.scene);
   const WaitCheck waits(trace, runs, hours);
   check_durations(trace, verdict.faults);
-  check_digs(trace, verdict.faults);
+  check_digs(trace, runs, verdict.faults);
   check_turns(trace, verdict.faults);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const TaskRun& run = runs[i];
@@ -162,7 +170,7 @@ Verdict verify(const Result& result) {
   check_links(trace, runs, verdict.faults);
   check_breakdowns(trace, runs, hours, verdict.faults);
   check_lost_days(trace, runs, hours, verdict.faults);
-  check_motions(trace, runs, verdict);
+  check_motions(trace, runs, hours, verdict);
   check_schedules(result, trace, runs, hours, waits, verdict.faults);
   if (result.report) {
     check_report(*result.report, result.trace_digest, result.schedule_json, verdict.faults);

@@ -69,6 +69,17 @@ PreparedSite prepare_site(const interpreter::PlanModel& plan) {
   return prepared;
 }
 
+namespace {
+
+template <typename Dig>
+void add_pit_of(const Dig& dig, const interpreter::TaskSpec& task,
+                const interpreter::PlanModel& plan, SiteWorld& site) {
+  site.add_pit({task.name, dig.soil, plan.earths[static_cast<std::size_t>(dig.earth)].X_WE,
+                dig.before, dig.after});
+}
+
+}  // namespace
+
 SiteWorld make_site(const interpreter::PlanModel& plan, const PreparedSite& prepared) {
   SiteWorld site(plan.contact);
   for (std::size_t i = 0; i < plan.site.size(); ++i) {
@@ -109,15 +120,15 @@ SiteWorld make_site(const interpreter::PlanModel& plan, const PreparedSite& prep
     site.add_network(plan.networks[i].name,
                      traffic::Traffic(std::move(network), std::move(vehicles)), std::move(robots));
   }
+  const bool hauls = std::any_of(plan.tasks.begin(), plan.tasks.end(),
+                                 [](const auto& task) { return task.haul.has_value(); });
   for (const interpreter::TaskSpec& task : plan.tasks) {
     if (task.haul) site.set_drives(task.robot);
     for (const interpreter::TaskSpec& choice : task.choices) {
       if (choice.haul) site.set_drives(choice.robot);
     }
-    if (!task.motion_dig) continue;
-    const interpreter::MotionDigSpec& dig = *task.motion_dig;
-    site.add_pit({task.name, dig.soil, plan.earths[static_cast<std::size_t>(dig.earth)].X_WE,
-                  dig.before, dig.after});
+    if (task.motion_dig) add_pit_of(*task.motion_dig, task, plan, site);
+    if (hauls && task.dig && task.dig->after) add_pit_of(*task.dig, task, plan, site);
   }
   if (plan.workspaces) {
     const interpreter::WorkspacesSpec& spec = *plan.workspaces;

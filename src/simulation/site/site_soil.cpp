@@ -82,6 +82,15 @@ void SiteWorld::add_pit(Pit pit) {
   pits_.push_back(std::move(pit));
 }
 
+void SiteWorld::set_being_dug(int component, bool is_dug) {
+  if (is_dug) {
+    being_dug_.insert(component);
+  } else {
+    being_dug_.erase(component);
+  }
+  ++changes_;
+}
+
 std::optional<std::string> SiteWorld::pit_met(int robot,
                                               const interpreter::MotionStep& step) const {
   const RobotEntry& machine = entry(robot);
@@ -95,7 +104,8 @@ std::optional<std::string> SiteWorld::pit_met(int robot,
     if (!around.intersects(pit.around)) continue;
     const auto opened = soils_.find(pit.component);
     // Nobody has dug there yet.
-    if (opened == soils_.end() && components_[at(pit.component)].standing) continue;
+    const bool is_soil = components_[at(pit.component)].standing;
+    if (opened == soils_.end() && is_soil && !being_dug_.contains(pit.component)) continue;
     const soil::Terrain& now = opened == soils_.end() ? *pit.after : opened->second.surface;
     if (!region) {
       region = workspace_of(machine.robot, machine.wheels, {step.q_from, step.q_to, {}, 0}, {});

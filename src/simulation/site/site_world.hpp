@@ -52,6 +52,7 @@ struct MachineState {
 };
 
 /// A pit that a robot digs, cell by cell of its earth: `after` is below `before` where it is dug.
+/// One that crews dig by durations is open from their beginning.
 struct Pit {
   std::string task;
   int component = -1;  ///< its soil
@@ -185,6 +186,8 @@ class SiteWorld {
   /// of such a robot is on the ground.
   void add_pit(Pit pit);
   bool has_pits() const { return !pits_.empty(); }
+  /// Crews begin to dig the soil away, or have not begun.
+  void set_being_dug(int component, bool is_dug);
   void set_drives(int robot);
   /// The task whose pit the robot would be over in the step; nothing where there is ground.
   std::optional<std::string> pit_met(int robot, const interpreter::MotionStep& step) const;
@@ -426,6 +429,7 @@ class SiteWorld {
   std::vector<Component> components_;
   std::map<int, Soil> soils_;  ///< by component
   std::vector<Pit> pits_;
+  std::set<int> being_dug_;  ///< soil
   WorkspaceRules workspaces_;
   std::vector<BodyCorners> moving_corners_;  ///< of people with a timetable
   std::vector<int> with_people_;             ///< components in or on which people are

@@ -21,7 +21,9 @@ struct ActiveTask {
     std::vector<Ticks> over_time;  ///< motion out of shift of each robot and crew it holds
     std::vector<Ticks> outside;    ///< of `over_time` what is overtime
     std::vector<Ticks> worked;     ///< crew work of each of these
-    std::uint64_t progress = 0;    ///< grows with every phase done and every new place
+    std::vector<Ticks> off;      ///< in their shifts, while nothing goes on out of somebody's shift
+    Ticks repair = 0;            ///< of its robot, in the shifts of that
+    std::uint64_t progress = 0;  ///< grows with every phase done and every new place
   };
 
   int task = -1;

@@ -544,6 +544,7 @@ Step DigActivity::finish(ActiveTask& task, Stage& stage) {
   outcome.time = now;
   outcome.loads = trucks_.loads();
   outcome.queues = trucks_.queues();
+  outcome.hauling = trucks_.work_until(now);
   part_ = Part::done;
   return Step::over;
 }

@@ -144,6 +144,7 @@ Step HandlingActivity::resume(ActiveTask& task, Stage& stage) {
     const LiftNote* const note = stage.lift_notes.of(task.task);
     held_back_ = note && since_ < note->not_before;
     task.account.outcome.waits.shift += stage.now() - since_;
+    stage.note_off(task, since_, stage.now());
     stage.pause(task.task, held_back_ ? "lift" : "shift", held_back_ ? note->because : "", since_);
     holds_back_ = false;
     return attach(task, stage);

@@ -105,6 +105,7 @@ Step MotionActivity::resume(ActiveTask& task, Stage& stage) {
       return move_on(task, stage);
     case Doing::waiting_for_shift:
       task.account.outcome.waits.shift += stage.now() - since_;
+      stage.note_off(task, since_, stage.now());
       stage.pause(task.task, "shift", "", since_);
       if (!machine_) return begin(task, stage);
       machine_->resume_at(stage.now());
@@ -114,6 +115,8 @@ Step MotionActivity::resume(ActiveTask& task, Stage& stage) {
       return retry(task, stage);
     case Doing::under_repair:
       task.account.outcome.waits.repair += stage.now() - since_;
+      task.account.repair +=
+          stage.allocator->hours(stage.spec(task.task).robot).work_between(since_, stage.now());
       stage.pause(task.task, "repair", stage.robot_spec(stage.spec(task.task).robot).name, since_);
       if (!stage.calendar(task.task).works_at(stage.now())) {
         wait_for_shift(task, stage);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -41,6 +42,13 @@ struct Item {
   Wide amount = 0;    ///< millionths
 };
 
+/// What a robot or a crew burnt in a task.
+struct Burnt {
+  int task = -1;
+  int resource = -1;
+  Wide litres = 0;  ///< millionths
+};
+
 class CostCounter {
  public:
   CostCounter(const interpreter::PlanModel& plan, const Schedule& schedule)
@@ -68,6 +76,9 @@ class CostCounter {
     return std::move(items_);
   }
 
+  /// After `items`.
+  const std::vector<Burnt>& burnt() const { return burnt_; }
+
  private:
   /// A robot or crew as it is paid.
   struct Payer {
@@ -89,7 +100,9 @@ class CostCounter {
 
   /// A rate for the whole of it, a part of its people and a time.
   static Wide amount(Wide rate, Ticks time, int people, int size) {
-    const Wide part = static_cast<Wide>(time) * people;
+    return amount(rate, static_cast<Wide>(time) * people, size);
+  }
+  static Wide amount(Wide rate, Wide part, int size) {
     const Wide hour = static_cast<Wide>(schedule::kHour) * size;
     return rate * (part / hour) + rounded_quotient(rate * (part % hour), hour);
   }
@@ -105,6 +118,42 @@ class CostCounter {
       items_.push_back({CostKind::overtime, row, hold.resource,
                         amount(payer.extra, hold.overtime, hold.people, payer.size)});
     }
+    if (payer.charges->fuel) add_fuel(row, hold, payer);
+  }
+
+  /// At work, and in the rest of the time in which the task has it idling, unless it is off.
+  void add_fuel(int row, const ResourceHold& hold, const Payer& payer) {
+    const interpreter::FuelUse& fuel = *payer.charges->fuel;
+    const Wide all = static_cast<Wide>(hold.held - hold.off) * hold.people;
+    const Wide working = std::min(time_at_work(schedule_.tasks[at(row)], hold), all);
+    const Wide litres = amount(millionths(fuel.working), working, payer.size) +
+                        amount(millionths(fuel.idling), all - working, payer.size);
+    burnt_.push_back({row, hold.resource, litres});
+    if (!fuel.price) return;
+    items_.push_back({CostKind::fuel, row, hold.resource,
+                      rounded_quotient(litres * millionths(*fuel.price), kMillionth)});
+  }
+
+  /// Of all machines or people of a hold together: as long as it moves or works. Of digs, trucks
+  /// are at work while they are neither loaded nor in a queue, and diggers and those who serve a
+  /// stage while they have a truck.
+  Wide time_at_work(const TaskOutcome& task, const ResourceHold& hold) const {
+    const int crew = hold.resource - static_cast<int>(plan_.robots.size());
+    const auto rounds = truck_work(plan_, task);
+    if (crew >= 0 && rounds) {
+      const std::string& name = plan_.crews[at(crew)].name;
+      if (name == rounds->trucks) return in_ticks(rounds->driving);
+      std::optional<double> serving;
+      for (const auto& [who, seconds] : rounds->serving) {
+        if (who == name) serving = serving.value_or(0) + seconds;
+      }
+      if (serving) return in_ticks(*serving);
+    }
+    return static_cast<Wide>(hold.busy + hold.own_work) * hold.people;
+  }
+
+  static Wide in_ticks(double seconds) {
+    return static_cast<Wide>(std::max(std::round(seconds * hauling::kPerSecond), 0.0));
   }
 
   /// Of each component once: with the first task that moved it.
@@ -153,6 +202,7 @@ class CostCounter {
   const Schedule& schedule_;
   std::vector<Payer> payers_;
   std::vector<Item> items_;
+  std::vector<Burnt> burnt_;
 };
 
 /// Whole cents for amounts so that they add up to `total`: each is rounded down, and what is left
@@ -175,15 +225,53 @@ std::vector<std::int64_t> cents_of(const std::vector<Wide>& amounts, std::int64_
 double money(std::int64_t cents) { return static_cast<double>(cents) / 100; }
 
 bool says_more(const interpreter::Charges& charges) {
-  return charges.rental_per_day || charges.mobilisation || charges.overtime != 1;
+  return charges.rental_per_day || charges.mobilisation || charges.overtime != 1 ||
+         (charges.fuel && charges.fuel->price);
+}
+
+template <typename Holds>
+bool any_charges(const interpreter::PlanModel& plan, const Holds& holds) {
+  const auto of_each = [&](const auto& each) -> bool { return bool(holds(each.charges)); };
+  return std::any_of(plan.robots.begin(), plan.robots.end(), of_each) ||
+         std::any_of(plan.crews.begin(), plan.crews.end(), of_each);
+}
+
+}  // namespace
+
+bool burns_fuel(const interpreter::PlanModel& plan) {
+  return any_charges(plan, [](const auto& charges) { return charges.fuel.has_value(); });
+}
+
+namespace {
+
+/// Litres, to the ml.
+double litres_of(Wide millionths_of_litre) {
+  return static_cast<double>(
+             static_cast<std::int64_t>(rounded_quotient(millionths_of_litre, 1000))) /
+         1000;
+}
+
+void add_litres(const interpreter::PlanModel& plan, const std::vector<Burnt>& burnt,
+                Schedule& schedule) {
+  std::vector<Wide> tasks(schedule.tasks.size()), resources(schedule.resources.size());
+  Wide total = 0;
+  for (const Burnt& each : burnt) {
+    total += each.litres;
+    tasks[at(each.task)] += each.litres;
+    resources[at(each.resource)] += each.litres;
+  }
+  schedule.fuel = litres_of(total);
+  for (std::size_t i = 0; i < tasks.size(); ++i) schedule.tasks[i].fuel = litres_of(tasks[i]);
+  for (std::size_t i = 0; i < resources.size(); ++i) {
+    const auto& charges = i < plan.robots.size() ? plan.robots[i].charges
+                                                 : plan.crews[i - plan.robots.size()].charges;
+    if (charges.fuel) schedule.resources[i].fuel = litres_of(resources[i]);
+  }
 }
 
 /// Whether the plan says more than rates for use.
 bool has_cost_kinds(const interpreter::PlanModel& plan) {
-  const auto charges_more = [](const auto& each) { return says_more(each.charges); };
-  return plan.overhead_per_day ||
-         std::any_of(plan.robots.begin(), plan.robots.end(), charges_more) ||
-         std::any_of(plan.crews.begin(), plan.crews.end(), charges_more) ||
+  return plan.overhead_per_day || any_charges(plan, says_more) ||
          std::any_of(plan.components.begin(), plan.components.end(),
                      [](const interpreter::ComponentSpec& component) { return component.cost; });
 }
@@ -199,12 +287,19 @@ bool is_costed(const interpreter::PlanModel& plan) {
 void add_costs(const interpreter::PlanModel& plan, Schedule& schedule) {
   schedule.has_kinds = has_cost_kinds(plan);
   schedule.costed = is_costed(plan);
-  if (!schedule.costed) return;
+  schedule.burns_fuel = burns_fuel(plan);
+  schedule.pays_fuel =
+      any_charges(plan, [](const auto& charges) { return charges.fuel && charges.fuel->price; });
+  if (!schedule.costed && !schedule.burns_fuel) return;
 
   std::vector<Wide> kinds(kCostKinds), tasks(schedule.tasks.size()),
       resources(schedule.resources.size());
   Wide total = 0;
-  for (const Item& item : CostCounter(plan, schedule).items()) {
+  CostCounter counter(plan, schedule);
+  const std::vector<Item> items = counter.items();
+  if (schedule.burns_fuel) add_litres(plan, counter.burnt(), schedule);
+  if (!schedule.costed) return;
+  for (const Item& item : items) {
     total += item.amount;
     kinds[static_cast<std::size_t>(item.kind)] += item.amount;
     if (item.task >= 0) tasks[at(item.task)] += item.amount;
@@ -220,12 +315,12 @@ void add_costs(const interpreter::PlanModel& plan, Schedule& schedule) {
   };
   schedule.cost = money(whole);
   for (std::size_t i = 0; i < kCostKinds; ++i) schedule.cost_by_kind[i] = money(by_kind[i]);
-  const std::vector<std::int64_t> by_task =
-      cents_of(tasks, sum_of({CostKind::use, CostKind::overtime, CostKind::material}));
+  const std::vector<std::int64_t> by_task = cents_of(
+      tasks, sum_of({CostKind::use, CostKind::overtime, CostKind::fuel, CostKind::material}));
   for (std::size_t i = 0; i < by_task.size(); ++i) schedule.tasks[i].cost = money(by_task[i]);
-  const std::vector<std::int64_t> by_resource = cents_of(
-      resources,
-      sum_of({CostKind::use, CostKind::overtime, CostKind::rental, CostKind::mobilisation}));
+  const std::vector<std::int64_t> by_resource =
+      cents_of(resources, sum_of({CostKind::use, CostKind::overtime, CostKind::rental,
+                                  CostKind::mobilisation, CostKind::fuel}));
   for (std::size_t i = 0; i < by_resource.size(); ++i) {
     schedule.resources[i].cost = money(by_resource[i]);
   }

@@ -29,12 +29,43 @@ const char* name_of(CostKind kind) {
       return "rental";
     case CostKind::mobilisation:
       return "mobilisation";
+    case CostKind::fuel:
+      return "fuel";
     case CostKind::material:
       return "material";
     case CostKind::overhead:
       return "overhead";
   }
   return "";
+}
+
+std::vector<CostKind> told_kinds(const Schedule& schedule) {
+  std::vector<CostKind> kinds;
+  for (std::size_t i = 0; i < kCostKinds; ++i) {
+    const auto kind = static_cast<CostKind>(i);
+    if (kind != CostKind::fuel || schedule.pays_fuel) kinds.push_back(kind);
+  }
+  return kinds;
+}
+
+std::optional<TruckWork> truck_work(const interpreter::PlanModel& plan, const TaskOutcome& task) {
+  TruckWork work;
+  if (task.motion_dig && task.motion_dig->truck_count > 0) {
+    const MotionDigOutcome& dig = *task.motion_dig;
+    work.trucks = dig.trucks;
+    work.driving = dig.hauling.driving;
+    for (std::size_t i = 0; i < dig.queues.size() && i < dig.hauling.serving.size(); ++i) {
+      work.serving.emplace_back(dig.queues[i].by, dig.hauling.serving[i]);
+    }
+    return work;
+  }
+  if (!task.dig || task.dig->trucks < 0) return std::nullopt;
+  work.trucks = plan.crews[static_cast<std::size_t>(task.dig->trucks)].name;
+  work.driving = task.dig->result.driving;
+  for (const hauling::Queue& queue : task.dig->result.queues) {
+    work.serving.emplace_back(queue.by, static_cast<double>(queue.busy) / hauling::kPerSecond);
+  }
+  return work;
 }
 
 std::vector<std::string> crew_names(const interpreter::PlanModel& plan,

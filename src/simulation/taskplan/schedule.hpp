@@ -10,6 +10,7 @@
 #include "interpreter/check/rare.hpp"
 #include "interpreter/machine/machine.hpp"
 #include "interpreter/program/world.hpp"
+#include "src/earth/hauling/truck_rounds.hpp"
 #include "src/motion/coverage/joints.hpp"
 #include "src/simulation/schedule/civil_time.hpp"
 #include "src/simulation/schedule/task_float.hpp"
@@ -49,6 +50,8 @@ struct ResourceHold {
   Ticks held = 0;     ///< in its shifts, and motions after their end
   Ticks busy = 0;     ///< of that it moved or worked
   Ticks from = 0, to = 0;
+  Ticks own_work = 0;  ///< of a robot, beside `busy`: works of its task that no crew does
+  Ticks off = 0;       ///< of `held`: under repair, or nothing goes on out of somebody's shift
   int people = 1;      ///< of a crew, so many of its size
   Ticks overtime = 0;  ///< of `held`, by the plan's `overtime`
 };
@@ -83,6 +86,7 @@ struct MotionDigOutcome {
   std::vector<BucketOutcome> buckets;
   std::vector<hauling::Load> loads;    ///< in the order in which they were tipped
   std::vector<hauling::Queue> queues;  ///< of stages that serve
+  hauling::TruckRounds::Work hauling;  ///< of the trucks, and of those who serve these
   int bodies = 0;      ///< trucks with bodies that haul for it, in tasks of their own
   int body_loads = 0;  ///< that these took
   int truck_count = 0;
@@ -137,7 +141,8 @@ struct TaskOutcome {
   WaitTimes waits;        ///< with motion_time and work_time this adds up to start + duration
   double cost =
       0;  ///< of its robot and crews for the time it had them, of its material; in whole cents
-  int tried = 0;  ///< attempts of all its motions, accepted or not
+  double fuel = 0;  ///< l, of these robots and crews
+  int tried = 0;    ///< attempts of all its motions, accepted or not
   int accepted = 0;
   TaskResult result = TaskResult::done;
   std::string reason;     ///< why not done; of one that ended short how far from its goal
@@ -175,9 +180,19 @@ std::string client_name(const interpreter::Attributes& attributes);
 std::vector<std::string> crew_names(const interpreter::PlanModel& plan,
                                     const interpreter::TaskSpec& task);
 
+/// How trucks that haul by durations for a task spent their time, s.
+struct TruckWork {
+  std::string trucks;  ///< the crew
+  double driving = 0;  ///< of all together: neither loaded nor in a queue
+  /// Diggers (not a robot), then those who serve a stage: how long they had a truck, all together.
+  std::vector<std::pair<std::string, double>> serving;
+};
+/// Nothing of a task without such trucks.
+std::optional<TruckWork> truck_work(const interpreter::PlanModel& plan, const TaskOutcome& task);
+
 /// What money is spent on.
-enum class CostKind { use, overtime, rental, mobilisation, material, overhead };
-inline constexpr std::size_t kCostKinds = 6;
+enum class CostKind { use, overtime, rental, mobilisation, fuel, material, overhead };
+inline constexpr std::size_t kCostKinds = 7;
 /// "use", "overtime", ...
 const char* name_of(CostKind kind);
 
@@ -192,7 +207,8 @@ struct ResourceUse {
   Ticks busy = 0;              ///< of that it moved or worked
   Ticks shift_time = 0;        ///< its shifts from the beginning of the plan to its end
   std::optional<double> rate;  ///< per hour
-  double cost = 0;             ///< for the time held, rental and mobilisation; whole cents
+  double cost = 0;             ///< for the time held, rental, mobilisation, fuel; whole cents
+  std::optional<double> fuel;  ///< l; nothing: the plan does not say what it burns
 
   /// Share of its shifts in which tasks had it; 0 without shifts.
   double utilisation() const {
@@ -249,9 +265,12 @@ struct Schedule {
   std::string currency;
   bool costed = false;  ///< the plan says what something costs
   double cost = 0;      ///< whole cents, as all sums: rows are rounded so that they add up
-  /// The same by kind. Tasks have use, overtime and material, robots and crews use, overtime,
-  /// rental and mobilisation.
+  /// The same by kind. Tasks have use, overtime, fuel and material, robots and crews use, overtime,
+  /// rental, mobilisation and fuel.
   std::array<double, kCostKinds> cost_by_kind = {};
+  bool burns_fuel = false;                        ///< the plan says what something burns,
+  bool pays_fuel = false;                         ///< and what that costs
+  double fuel = 0;                                ///< l
   bool has_kinds = false;                         ///< the plan says more than rates for use
   std::vector<ComponentAttributes> components;    ///< those that have attributes, as in the file
   std::vector<TimetableOutcome> timetables;       ///< as in the file
@@ -265,6 +284,9 @@ struct Schedule {
   bool breaks_down = false;  ///< the plan has machines that do; without a sample none does
   std::vector<BreakdownOutcome> breakdowns;  ///< by their begin
 };
+
+/// The kinds that are told of a plan that says more than rates for use.
+std::vector<CostKind> told_kinds(const Schedule& schedule);
 
 /// Adds what the plan says of tasks and components: what moves, dates, attributes.
 void add_attributes(const interpreter::PlanModel& plan, Schedule& schedule);

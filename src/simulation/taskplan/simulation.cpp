@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "src/simulation/schedule/critical_chain.hpp"
+#include "src/simulation/taskplan/plan_cost.hpp"
 
 namespace rubicon::taskplan {
 
@@ -196,6 +197,7 @@ ActiveTask& Simulation::activate(int task) {
   active.hits = HitRecorder(stage_.trace.events());
   active.account.over_time.resize(stage_.held_by(task).size(), 0);
   active.account.worked = active.account.outside = active.account.over_time;
+  active.account.off = active.account.over_time;
   TaskOutcome& outcome = active.account.outcome;
   outcome.task = each.name;
   outcome.parking = stage_.is_park(task);
@@ -204,6 +206,7 @@ ActiveTask& Simulation::activate(int task) {
   outcome.start = stage_.now();
   outcome.dig = each.dig;
   if (outcome.dig) outcome.dig->result = stage_.draws.result(*each.dig);
+  if (each.dig && each.dig->soil >= 0) stage_.site_changes.begin_dig(each.dig->soil);
   if (stage_.has_choices(task)) outcome.choice = choice_text(task);
   stage_.active.add(std::move(active));
   return *stage_.active.find(task);
@@ -384,6 +387,9 @@ void Simulation::hold_all(ActiveTask& active) {
         account.over_time[i];
     const bool robot = resource < stage_.robots();
     hold.busy = robot ? account.outcome.motion_time : account.worked[i];
+    if (robot) hold.own_work = account.worked[i];
+    hold.off = account.off[i];
+    if (resource == stage_.spec(active.task).robot) hold.off += account.repair;
     hold.people = stage_.share_of(active.task, resource).units;
     hold.overtime = stage_.overtime.in_shifts(resource, account.outcome.start, stage_.now()) +
                     account.outside[i];
@@ -415,7 +421,12 @@ void Simulation::trace_end(int task, Ticks time, const TaskOutcome& outcome) {
     if (choice.robot >= 0 && stage_.robot_spec(choice.robot).name == outcome.robot) spec = &choice;
   }
   if (auto* const trace = stage_.trace.of(task, *spec)) {
-    trace->task_end(time, name_of(outcome.result), outcome.reason);
+    std::optional<trace::TruckTimes> rounds;
+    if (const auto work = burns_fuel(plan_) ? truck_work(plan_, outcome) : std::nullopt) {
+      rounds.emplace().driving = work->driving;
+      for (const auto& [who, seconds] : work->serving) rounds->serving.push_back(seconds);
+    }
+    trace->task_end(time, name_of(outcome.result), outcome.reason, rounds);
   }
 }
 

@@ -30,6 +30,11 @@ void SiteChanges::open_soil(int component, const interpreter::MotionDigSpec& dig
   open(component, *dig.before, dig.after);
 }
 
+void SiteChanges::begin_dig(int component) {
+  site_.set_being_dug(component, true);
+  journal_.on_undo([&site = site_, component] { site.set_being_dug(component, false); });
+}
+
 void SiteChanges::open_heap(int component, const std::shared_ptr<const soil::Terrain>& ground) {
   open(component, *ground, ground);
 }

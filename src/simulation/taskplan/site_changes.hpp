@@ -32,6 +32,8 @@ class SiteChanges {
   void remove(int component);
   /// The component is soil from now on, which is dug bit by bit.
   void open_soil(int component, const interpreter::MotionDigSpec& dig);
+  /// Crews dig the component, which is soil, from now on: no truck drives over that.
+  void begin_dig(int component);
   /// The component is soil that is tipped on this ground.
   void open_heap(int component, const std::shared_ptr<const soil::Terrain>& ground);
   void set_surface(int component, const std::map<int, soil::Millimetres>& heights);

@@ -209,6 +209,15 @@ void Stage::pause(int task, const char* why, const std::string& whom, Ticks sinc
   if (auto* const writer = trace_of(task)) writer->pause(why, whom, since, now());
 }
 
+void Stage::note_off(ActiveTask& task, Ticks from, Ticks to, Ticks works) const {
+  if (to - from <= works) return;
+  const std::vector<int>& held = held_by(task.task);
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const Ticks hours = allocator->hours(held[i]).work_between(from, to);
+    task.account.off[i] += std::max<Ticks>(hours - works, 0);
+  }
+}
+
 WaitTarget Stage::move_of(int robot, WaitTarget::Kind kind, int number) const {
   WaitTarget target{kind, number, {}, false, false};
   const int holder = allocator->state(robot).holder();

@@ -140,6 +140,9 @@ class Stage {
   trace::TraceWriter* trace_of(int task) { return trace.of(task, spec(task)); }
   /// The task stood still from `since` until now.
   void pause(int task, const char* why, const std::string& whom, Ticks since);
+  /// From then on, to a moment, all that the task has is off, for it is out of the shift of some,
+  /// but for the time in which it works.
+  void note_off(ActiveTask& task, Ticks from, Ticks to, Ticks works = 0) const;
 
   /// Who may move a robot out of the way: who has it, else the tasks that will have it some day.
   WaitTarget move_of(int robot, WaitTarget::Kind kind, int number) const;

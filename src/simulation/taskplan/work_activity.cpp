@@ -43,11 +43,13 @@ Step WorkActivity::ask(ActiveTask& task, Stage& stage) {
 Step WorkActivity::resume(ActiveTask& task, Stage& stage) {
   if (doing_ == Doing::waiting_for_shift) {
     task.account.outcome.waits.shift += stage.now() - since_;
+    stage.note_off(task, since_, stage.now());
     stage.pause(task.task, "shift", "", since_);
     return work(task, stage);
   }
   if (doing_ == Doing::waiting_for_lift) {
     task.account.outcome.waits.shift += stage.now() - since_;
+    stage.note_off(task, since_, stage.now());
     stage.pause(task.task, "lift", stage.lift_notes.of(task.task)->because, since_);
     held_back_ = true;
     return ask(task, stage);
@@ -55,6 +57,8 @@ Step WorkActivity::resume(ActiveTask& task, Stage& stage) {
   if (doing_ == Doing::waiting_for_machine) return try_again(task, stage);
   if (doing_ == Doing::under_repair) {
     task.account.outcome.waits.repair += stage.now() - since_;
+    task.account.repair +=
+        stage.allocator->hours(stage.spec(task.task).robot).work_between(since_, stage.now());
     stage.pause(task.task, "repair", stage.robot_spec(stage.spec(task.task).robot).name, since_);
     return ask(task, stage);
   }
@@ -143,6 +147,7 @@ Step WorkActivity::granted(ActiveTask& task, Stage& stage, const ResourceAllocat
   const Ticks free = std::clamp(grant.last.since, since_, stage.now());
   task.account.outcome.waits.resource += free - since_;
   task.account.outcome.waits.shift += stage.now() - free;
+  stage.note_off(task, free, stage.now());
   if (auto* const trace = stage.trace_of(task.task)) {
     if (free > since_) trace->pause("crew", stage.allocator->name(crew_), since_, free);
     if (stage.now() > free) trace->pause("shift", "", free, stage.now());
@@ -192,6 +197,7 @@ Step WorkActivity::work(ActiveTask& task, Stage& stage) {
   doing_ = Doing::working;
   task.account.outcome.work_time += duration;
   task.account.outcome.waits.shift += finish - stage.now() - duration;
+  stage.note_off(task, stage.now(), finish, duration);
   const std::vector<int>& held = stage.held_by(task.task);
   for (std::size_t i = 0; i < held.size(); ++i) {
     if (spec.crew < 0 || held[i] == stage.crew_resource(spec.crew)) {
@@ -249,6 +255,7 @@ void WorkActivity::give_back(ActiveTask& task, Stage& stage) {
     hold.overtime += stage.overtime.out_of_shift(crew_, crew_since_, stage.now());
   }
   hold.busy = interpreter::ticks_from_seconds(stage.draws.duration(*task.now().work));
+  hold.off = std::max<Ticks>(hold.held - hold.busy, 0);
   task.account.outcome.holds.push_back(hold);
   stage.allocator->release(crew_, task.task, stage.now(), true, hold.held);
   crew_ = -1;

@@ -162,6 +162,8 @@ struct TaskEnd {
   Ticks t = 0;
   std::string_view result;
   std::string_view reason;
+  std::optional<double> driving;  ///< s, of trucks that haul by durations
+  Numbers serving;                ///< s, of who serves them
 };
 
 /// A machine came to a stop: what was left of its run, from the record before it.

@@ -157,7 +157,8 @@ struct RecordFields<TaskEnd> {
   static constexpr RecordKind kKind = RecordKind::task_end;
   static constexpr auto kFields =
       std::tuple(required<&TaskEnd::t>("t"), required<&TaskEnd::result>("result"),
-                 required<&TaskEnd::reason>("reason"));
+                 required<&TaskEnd::reason>("reason"), optional<&TaskEnd::driving>("driving"),
+                 optional<&TaskEnd::serving>("serving"));
 };
 
 template <>

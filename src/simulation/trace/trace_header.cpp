@@ -134,6 +134,12 @@ void write_charges(JsonBuilder& json, const interpreter::Charges& charges) {
     json.value(schedule::text_of(charges.rental_days->second)).end_array();
   }
   if (charges.mobilisation) json.field("mobilisation", *charges.mobilisation);
+  if (charges.fuel) {
+    json.key("fuel").begin_object().field("working", charges.fuel->working);
+    json.field("idling", charges.fuel->idling);
+    if (charges.fuel->price) json.field("price", *charges.fuel->price);
+    json.end_object();
+  }
   if (charges.overtime == 1) return;
   json.field("overtime", charges.overtime);
   if (!charges.normal.empty()) json.field("overtime_outside", charges.normal);
@@ -360,6 +366,22 @@ void write_stages(JsonBuilder& json, const hauling::Operation& operation) {
   if (operation.efficiency < 1) json.field("efficiency", operation.efficiency);
 }
 
+/// What a task leaves, cell by cell (mm), for those who must not drive over it.
+void write_pit(JsonBuilder& json, const PlanModel& plan, const interpreter::DigSpec& dig) {
+  json.key("pit").begin_object();
+  json.key("pose").pose(plan.earths[static_cast<std::size_t>(dig.earth)].X_WE);
+  json.field("columns", dig.before->columns).field("cell", dig.before->cell);
+  std::vector<std::size_t> cells;
+  for (std::size_t i = 0; i < dig.before->heights.size(); ++i) {
+    if (dig.before->heights[i] > dig.after->heights[i]) cells.push_back(i);
+  }
+  json.key("cells").begin_array();
+  for (const std::size_t cell : cells) json.value(static_cast<std::int64_t>(cell));
+  json.end_array().key("after").begin_array();
+  for (const std::size_t cell : cells) json.value(dig.after->heights[cell]);
+  json.end_array().end_object();
+}
+
 /// How a task digs, with whole mm3 of bank volume, and what came of it.
 void write_dig(JsonBuilder& json, const PlanModel& plan, const interpreter::DigSpec& dig) {
   const hauling::Operation& operation = dig.operation;
@@ -376,6 +398,8 @@ void write_dig(JsonBuilder& json, const PlanModel& plan, const interpreter::DigS
   if (dig.soil >= 0) {
     json.field("earth", plan.earths[static_cast<std::size_t>(dig.earth)].name);
     json.field("soil", plan.components[static_cast<std::size_t>(dig.soil)].name);
+    const auto hauls = [](const interpreter::TaskSpec& task) { return task.haul.has_value(); };
+    if (std::any_of(plan.tasks.begin(), plan.tasks.end(), hauls)) write_pit(json, plan, dig);
   }
   json.field("hauled_by", plan.crews[static_cast<std::size_t>(dig.trucks)].name);
   json.field("trucks", operation.trucks);

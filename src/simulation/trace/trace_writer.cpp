@@ -118,7 +118,7 @@ void TraceWriter::task_start(interpreter::Ticks time, std::string_view because,
 }
 
 void TraceWriter::task_end(interpreter::Ticks time, std::string_view result,
-                           std::string_view reason) {
+                           std::string_view reason, const std::optional<TruckTimes>& rounds) {
   if (detail_ == TraceDetail::none) return;
   begin("task_end");
   line_ += ",\"t\":";
@@ -127,6 +127,16 @@ void TraceWriter::task_end(interpreter::Ticks time, std::string_view result,
   append_string(line_, result);
   line_ += ",\"reason\":";
   append_string(line_, reason);
+  if (rounds) {
+    line_ += ",\"driving\":";
+    append_number(line_, rounds->driving);
+    line_ += ",\"serving\":[";
+    for (std::size_t i = 0; i < rounds->serving.size(); ++i) {
+      if (i > 0) line_ += ',';
+      append_number(line_, rounds->serving[i]);
+    }
+    line_ += ']';
+  }
   finish();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,6 +27,13 @@ struct MachineBreakdown {
   interpreter::Ticks until = 0;
 };
 
+/// Of rounds of trucks by durations, s: in which the trucks together drive, and each of those who
+/// serve them has one.
+struct TruckTimes {
+  double driving = 0;
+  std::vector<double> serving;
+};
+
 /// Writes a run as JSON lines (docs/trace.md), record by record as it happens. One line is kept at
 /// a time. Plan, sources and sink must outlive it.
 class TraceWriter : public interpreter::EventSink {
@@ -48,7 +56,8 @@ class TraceWriter : public interpreter::EventSink {
                   const std::vector<std::pair<int, double>>& to = {});
   /// `result` is done, short, rejected or "not reached"; `time` the clock from which the plan goes
   /// on.
-  void task_end(interpreter::Ticks time, std::string_view result, std::string_view reason);
+  void task_end(interpreter::Ticks time, std::string_view result, std::string_view reason,
+                const std::optional<TruckTimes>& rounds = {});
   /// The component joins the tool; X_TO is where its frame {O} is in the tool frame.
   void attach(std::string_view component, const math::Pose& X_TO, interpreter::Ticks time);
   /// The component stands on its own again, at X_WO.

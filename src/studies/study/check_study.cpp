@@ -34,6 +34,7 @@ constexpr std::array kAskedNames = {
     AskedName{"unit_cost", Asked::unit_cost, "a task that digs"},
     AskedName{"utilisation", Asked::utilisation, "a robot or crew"},
     AskedName{"waiting", Asked::waiting, "machine, resource, shift, repair or predecessor"},
+    AskedName{"fuel", Asked::fuel, nullptr},
 };
 constexpr std::array<const char*, 5> kCauses = {"machine", "resource", "shift", "repair",
                                                 "predecessor"};
@@ -530,6 +531,7 @@ Unit unit_of(Asked asked) {
       return Unit::moment;
     case Asked::production:
     case Asked::unit_cost:
+    case Asked::fuel:
       return Unit::number;
     case Asked::makespan:
     case Asked::waiting:

@@ -60,6 +60,8 @@ double value_of(const Question& question, const taskplan::Schedule& schedule) {
       return schedule::seconds_from_ticks(schedule.process_time);
     case Asked::cost:
       return schedule.cost;
+    case Asked::fuel:
+      return schedule.burns_fuel ? schedule.fuel : kNotThere;
     case Asked::rejected:
       return 0;
     case Asked::utilisation:

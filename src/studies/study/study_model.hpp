@@ -54,7 +54,8 @@ enum class Asked : std::uint8_t {
   task_finish,
   task_duration,
   production,  ///< m3 per h of a task that digs
-  unit_cost    ///< cost per m3 of such a task
+  unit_cost,   ///< cost per m3 of such a task
+  fuel         ///< l, of all
 };
 
 /// One number of a run. Times are in s after the beginning of the plan.

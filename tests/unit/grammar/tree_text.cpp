@@ -378,6 +378,12 @@ class Writer {
       number(overtime.factor);
       if (overtime.outside) name(*overtime.outside);
     }
+    for (const syntax::Fuel& fuel : value.fuel) {
+      word("fuel");
+      number(fuel.working);
+      if (fuel.idling) number(*fuel.idling);
+      if (fuel.price) number(*fuel.price);
+    }
   }
   void item(const syntax::PoolItem& value) {
     name(value.name);

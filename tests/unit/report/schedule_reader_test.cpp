@@ -35,6 +35,9 @@ Schedule full_schedule() {
   schedule.currency = "\"<€>\"";
   schedule.costed = true;
   schedule.cost = 0.1 + 0.2;
+  schedule.has_kinds = schedule.burns_fuel = schedule.pays_fuel = true;
+  schedule.cost_by_kind = {0.1, 0, 0, 0, 0.2, 0, 0};
+  schedule.fuel = 0.125;
   schedule.process_time = 26'000'000'123'456'789;
   taskplan::TaskOutcome task;
   task.task = "a \"b\"\n\x01";
@@ -46,6 +49,7 @@ Schedule full_schedule() {
   task.work_time = 4;
   task.waits = {5, 6, 7, 8};
   task.cost = 1e-7;
+  task.fuel = 0.125;
   task.tried = 9;
   task.accepted = 8;
   task.component = "panel \"1\"";
@@ -57,8 +61,9 @@ Schedule full_schedule() {
   task.result = TaskResult::rejected;
   task.reason = "blocked";
   schedule.tasks.push_back(task);
-  schedule.resources.push_back({"crane", true, 1, 2, 30, 20, 40, 12.5, 3});
-  schedule.resources.push_back({"riggers", false, 2.5, 2, 30, 20, 0, std::nullopt, 0});
+  schedule.resources.push_back({"crane", true, 1, 2, 30, 20, 40, 12.5, 3, 0.125});
+  schedule.resources.push_back(
+      {"riggers", false, 2.5, 2, 30, 20, 0, std::nullopt, 0, std::nullopt});
   schedule.critical.push_back({"a", true, "a starts with the plan"});
   schedule.components.push_back({"panel \"1\"", {{"storey", "0"}, {"fire", "90 min"}}});
   return schedule;

@@ -126,7 +126,7 @@ std::vector<std::string> written_records() {
   writer.remove("slab", 3 * kSecond);
   writer.soil("slab", 1500, {{3, -20}, {7, 0}}, kSecond, 3 * kSecond);
   write_ends(writer);
-  writer.task_end(2'500'000'000, "not reached", "a \"b\"");
+  writer.task_end(2'500'000'000, "not reached", "a \"b\"", trace::TruckTimes{1.5, {2, 0.25}});
   writer.stop(2 * kSecond);
   writer.think({321, 3 * kSecond});
   writer.foreseen({"digger", 2.3, {1, 2}, {{0, 0, 1, 0, 1, 1.5}, {2, 2, 3, 2, 3, 3, 2, 3}}},

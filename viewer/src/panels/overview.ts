@@ -149,16 +149,22 @@ function head(...names: string[]): HTMLElement {
   return make('thead', {}, make('tr', {}, ...names.map((name) => make('th', { scope: 'col' }, name))));
 }
 
+function litres(perVolume: number | undefined): string {
+  return perVolume === undefined ? '' : decimal(perVolume, 3);
+}
+
 /** What tasks dug, how fast, and who waited for whom. */
 function earthworkOf(page: Page, schedule: ScheduleData): HTMLElement[] {
   const digs = schedule.tasks.flatMap(({ task, dig }) => (dig ? [{ task, dig }] : []));
   if (digs.length === 0) return bucketsOf(page, schedule);
   const byName = runsByName(page);
   const isCosted = digs.some(({ dig }) => dig.cost_per_m3 !== undefined);
+  const burns = digs.some(({ dig }) => dig.fuel_per_m3 !== undefined);
   const production = make('tbody');
   const queues = make('tbody');
   for (const { task, dig } of digs.slice(0, mostListed)) {
     const cells = [decimal(dig.tipped, 1), dig.loads.toLocaleString('en-GB'), decimal(dig.per_hour, 1), decimal(dig.match_factor, 2)];
+    if (burns) cells.push(litres(dig.fuel_per_m3));
     if (isCosted) cells.push(dig.cost_per_m3 === undefined ? '' : decimal(dig.cost_per_m3, 2));
     production.append(make('tr', {}, make('th', { scope: 'row' }, taskButton(page, byName, task)), ...cells.map((text) => make('td', {}, text))));
     for (const queue of dig.queues) {
@@ -170,7 +176,7 @@ function earthworkOf(page: Page, schedule: ScheduleData): HTMLElement[] {
   const unit = schedule.currency ?? page.film.header.currency;
   const note = 'Match factor below 1: diggers wait for trucks; above 1: trucks queue. m³ are of the volume in the ground, hours are worked.';
   return [make('h2', {}, 'Earthwork'), make('p', { class: 'muted' }, note),
-    make('table', {}, head('Task', 'm³', 'Loads', 'm³ per h', 'Match factor', ...(isCosted ? [unit ? `${cut(unit, 12)} per m³` : 'Cost per m³'] : [])), production),
+    make('table', {}, head('Task', 'm³', 'Loads', 'm³ per h', 'Match factor', ...(burns ? ['l per m³'] : []), ...(isCosted ? [unit ? `${cut(unit, 12)} per m³` : 'Cost per m³'] : [])), production),
     make('table', {}, head('Queue', 'Mean wait', 'Longest', 'Trucks in it', 'Busy'), queues), ...bucketsOf(page, schedule)];
 }
 
@@ -179,16 +185,17 @@ function bucketsOf(page: Page, schedule: ScheduleData): HTMLElement[] {
   const digs = schedule.tasks.flatMap(({ task, motion_dig: dig }) => (dig ? [{ task, dig }] : []));
   if (digs.length === 0) return [];
   const byName = runsByName(page);
+  const burns = digs.some(({ dig }) => dig.fuel_per_m3 !== undefined);
   const rows = make('tbody');
   const parts = make('tbody');
   for (const { task, dig } of digs.slice(0, mostListed)) {
     const { mean } = dig;
     const row = (cells: string[]) => make('tr', {}, make('th', { scope: 'row' }, taskButton(page, byName, task)), ...cells.map((text) => make('td', {}, text)));
-    rows.append(row([decimal(dig.dug, 1), dig.buckets.toLocaleString('en-GB'), decimal(dig.per_hour, 1), `${decimal(mean.cycle, 1)} s`]));
+    rows.append(row([decimal(dig.dug, 1), dig.buckets.toLocaleString('en-GB'), decimal(dig.per_hour, 1), `${decimal(mean.cycle, 1)} s`, ...(burns ? [litres(dig.fuel_per_m3)] : [])]));
     parts.append(row([mean.to_the_cut, mean.cut, mean.swing, mean.dump].map((seconds) => `${decimal(seconds, 1)} s`)));
   }
   return [make('h2', {}, 'Digging'), make('p', { class: 'muted' }, 'm³ are of the volume in the ground, hours are worked. A cycle and its parts, on average.'),
-    make('table', {}, head('Task', 'm³', 'Buckets', 'm³ per h', 'Cycle'), rows),
+    make('table', {}, head('Task', 'm³', 'Buckets', 'm³ per h', 'Cycle', ...(burns ? ['l per m³'] : [])), rows),
     make('table', {}, head('Parts of a cycle', 'To the cut', 'Cut', 'Swing', 'Dump'), parts)];
 }
 
@@ -219,6 +226,7 @@ function timetablesOf(schedule: ScheduleData): HTMLElement[] {
 function resourcesOf({ film }: Page, schedule: ScheduleData): HTMLElement[] {
   if (schedule.resources.length === 0) return [];
   const hasCost = schedule.resources.some((resource) => resource.cost !== undefined && resource.cost !== null);
+  const hasFuel = schedule.fuel !== undefined;
   const body = make('tbody');
   for (const resource of schedule.resources) {
     const share = (seconds: number) => `${Math.min(resource.shifts > 0 ? 100 * seconds / resource.shifts : 0, 100).toFixed(1)}%`;
@@ -232,14 +240,16 @@ function resourcesOf({ film }: Page, schedule: ScheduleData): HTMLElement[] {
       title: used }, held, busy);
     body.append(make('tr', {}, make('th', { scope: 'row' }, named(resource.name), meter), make('td', {}, String(resource.tasks)),
       make('td', {}, duration(resource.held)), make('td', {}, duration(resource.busy)), make('td', {}, percent),
+      ...(hasFuel ? [make('td', {}, resource.fuel === undefined ? '' : decimal(resource.fuel, 1))] : []),
       ...(hasCost ? [make('td', {}, resource.cost === undefined ? '' : money(resource.cost, ''))] : [])));
   }
   const currency = cut(schedule.currency ?? film.header.currency, 8);
   const costs = currency ? `Cost, ${currency}` : 'Cost';
   return [make('h2', {}, 'Machines and crews'),
     make('p', { class: 'muted' }, 'Held: from the beginning to the end of its tasks. Busy: it moves or works. '
-      + 'Used: how much of its shifts it is held.'),
-    make('table', { class: 'resources' }, head('Name', 'Tasks', 'Held', 'Busy', 'Used', ...(hasCost ? [costs] : [])), body)];
+      + 'Used: how much of its shifts it is held.'
+      + (schedule.fuel === undefined ? '' : ` Fuel of all: ${number(schedule.fuel, 1)} l.`)),
+    make('table', { class: 'resources' }, head('Name', 'Tasks', 'Held', 'Busy', 'Used', ...(hasFuel ? ['Fuel, l'] : []), ...(hasCost ? [costs] : [])), body)];
 }
 
 /** What the money goes for, in the words of the command's table. */

@@ -125,6 +125,11 @@ SceneCharges read_charges(const JsonFields& fields, const Scene& scene) {
   if (fields.has("overtime")) charges.overtime = fields.number("overtime");
   if (fields.has("overtime_outside"))
     charges.normal = calendar_named(scene, fields, "overtime_outside");
+  if (fields.has("fuel")) {
+    const JsonFields fuel = fields.object("fuel");
+    charges.fuel = SceneFuel{fuel.number("working"), fuel.number("idling"), std::nullopt};
+    if (fuel.has("price")) charges.fuel->price = fuel.number("price");
+  }
   return charges;
 }
 
@@ -357,8 +362,10 @@ SceneStage read_stage(const JsonFields& fields, std::string name, Scene& scene) 
     stage.times = law.times;
   }
   if (stage.law == "sequence" && stage.values.empty()) fields.fail("values of a sequence");
-  if (fields.has("servers"))
+  if (fields.has("servers")) {
     stage.servers = integer_of(fields.any("servers"), "'servers'", 1, 1000000);
+    stage.crew = index_in(scene.crew_index, fields.text("by"), "a crew");
+  }
   return stage;
 }
 
@@ -373,6 +380,21 @@ std::string Scene::site_name(std::size_t i) const {
 
 namespace {
 
+std::vector<std::int64_t> read_heights(const JsonFields& fields, const char* name,
+                                       std::size_t count) {
+  std::vector<std::int64_t> heights;
+  for (const Json& value : fields.array(name)) {
+    if (!value.is_number_integer()) fields.fail(fmt::format("whole mm as '{}'", name));
+    heights.push_back(value.get<std::int64_t>());
+  }
+  if (heights.size() != count) fields.fail(fmt::format("a height for each cell as '{}'", name));
+  for (const std::int64_t height : heights) {
+    if (std::llabs(height) > 100'000'000)
+      fields.fail(fmt::format("heights on earth as '{}'", name));
+  }
+  return heights;
+}
+
 SceneDig read_dig(const JsonFields& fields, Scene& scene) {
   SceneDig dig;
   dig.volume = volume_of(fields, "volume", 1);
@@ -382,8 +404,10 @@ SceneDig read_dig(const JsonFields& fields, Scene& scene) {
   for (const Json& object : fields.array("diggers")) {
     const JsonFields crew(object, "a crew that digs");
     dig.diggers.push_back(integer_of(crew.any("count"), "'count'", 1, 1000000));
+    dig.digger_crews.push_back(index_in(scene.crew_index, crew.text("crew"), "a crew"));
   }
   dig.trucks = integer_of(fields.any("trucks"), "'trucks'", 1, 1000000);
+  dig.hauled_by = index_in(scene.crew_index, fields.text("hauled_by"), "a crew");
   if (fields.has("loaded"))
     dig.loaded = integer_of(fields.any("loaded"), "'loaded'", 0, dig.trucks);
   bool tips = false;
@@ -398,27 +422,23 @@ SceneDig read_dig(const JsonFields& fields, Scene& scene) {
   if (fields.has("efficiency")) dig.efficiency = fields.number("efficiency");
   if (!(dig.efficiency > 0)) fields.fail("an efficiency above 0");
   dig.soil = fields.text_or("soil", "");
+  if (fields.has("pit")) {
+    const JsonFields pit = fields.object("pit");
+    ScenePit& read = dig.pit.emplace();
+    read.X_WE = pit.pose("pose");
+    read.columns = integer_of(pit.any("columns"), "'columns'", 1, 1'000'000);
+    read.cell = integer_of(pit.any("cell"), "'cell'", 1, 1'000'000);
+    for (const Json& value : pit.array("cells")) {
+      read.cells.push_back(integer_of(value, "'cells'", 0, 1'000'000'000));
+    }
+    read.after = read_heights(pit, "after", read.cells.size());
+  }
   if (fields.has("limit")) dig.limit = fields.time("limit");
   dig.loads =
       fields.any("loads").is_number_integer() ? fields.any("loads").get<std::int64_t>() : -1;
   dig.tipped = volume_of(fields, "tipped", 0);
   dig.time = fields.time("time");
   return dig;
-}
-
-std::vector<std::int64_t> read_heights(const JsonFields& fields, const char* name,
-                                       std::size_t count) {
-  std::vector<std::int64_t> heights;
-  for (const Json& value : fields.array(name)) {
-    if (!value.is_number_integer()) fields.fail(fmt::format("whole mm as '{}'", name));
-    heights.push_back(value.get<std::int64_t>());
-  }
-  if (heights.size() != count) fields.fail(fmt::format("a height for each cell as '{}'", name));
-  for (const std::int64_t height : heights) {
-    if (std::llabs(height) > 100'000'000)
-      fields.fail(fmt::format("heights on earth as '{}'", name));
-  }
-  return heights;
 }
 
 SceneMotionDig read_motion_dig(const JsonFields& fields, Scene& scene) {
@@ -448,6 +468,9 @@ SceneMotionDig read_motion_dig(const JsonFields& fields, Scene& scene) {
   if (fields.has("fill")) dig.fill = read_work(fields.any("fill"), "fill", scene);
   if (fields.has("dump")) dig.dump = read_work(fields.any("dump"), "dump", scene);
   if (!fields.has("trucks")) return dig;
+  if (fields.has("hauled_by")) {
+    dig.hauled_by = index_in(scene.crew_index, fields.text("hauled_by"), "a crew");
+  }
   dig.trucks = integer_of(fields.any("trucks"), "'trucks'", 1, 1000000);
   dig.load = volume_of(fields, "load", 1);
   bool tips = false;

@@ -134,6 +134,10 @@ enum class TaskResult { done, ended_short, rejected, not_reached };
 struct TaskEnd {
   TaskResult result = TaskResult::done;
   std::string reason;
+  /// Of rounds of trucks, s, where fuel counts: in which the trucks together drive, and those who
+  /// serve them (diggers but robots, then of stages) together have one.
+  std::optional<double> driving = {};
+  std::vector<double> serving = {};
 };
 
 /// A joint between strips of a floor that is over its limit, m.

@@ -78,6 +78,12 @@ struct SceneParameter {
   Formula rule;
 };
 
+/// What a robot or crew burns: l per h at work and in the rest of the time it is held.
+struct SceneFuel {
+  double working = 0, idling = 0;
+  std::optional<double> price;  ///< of a litre
+};
+
 /// What a robot or crew costs besides its hours.
 struct SceneCharges {
   std::optional<double> rental_per_day;
@@ -85,6 +91,7 @@ struct SceneCharges {
   double mobilisation = 0;
   double overtime = 1;
   int normal = -1;  ///< calendar outside of which it is overtime; -1: its own
+  std::optional<SceneFuel> fuel;
 };
 
 /// How far the tool may be beside a straight way.
@@ -201,6 +208,16 @@ struct SceneStage {
   std::vector<double> values = {};
   int times = -1;
   int servers = 0;
+  int crew = -1;  ///< of these
+};
+
+/// What is dug: cells of an earth, heights in mm.
+struct ScenePit {
+  Pose X_WE = Pose::Identity();
+  int columns = 1;
+  std::int64_t cell = 1;            ///< mm, its side
+  std::vector<int> cells;           ///< ascending
+  std::vector<std::int64_t> after;  ///< to each of them
 };
 
 /// How a task digs; volumes in whole mm3.
@@ -208,13 +225,16 @@ struct SceneDig {
   std::int64_t volume = 0, load = 1, bucket = 0;
   SceneStage loading;
   std::vector<int> diggers;  ///< machines of each crew
+  std::vector<int> digger_crews;
   int trucks = 1;
+  int hauled_by = -1;  ///< crew of these
   int loaded = 0;
   std::vector<SceneStage> stages;
   std::size_t tip = 0;
   double efficiency = 1;
-  Ticks limit = 0;   ///< 0: none
-  std::string soil;  ///< the component that it takes away; "": only a volume is given
+  Ticks limit = 0;              ///< 0: none
+  std::string soil;             ///< the component that it takes away; "": only a volume is given
+  std::optional<ScenePit> pit;  ///< where trucks with bodies must not drive over it
   std::int64_t loads = 0, tipped = 0;
   Ticks time = 0;
 };
@@ -230,7 +250,8 @@ struct SceneMotionDig {
   std::vector<std::int64_t> before, after;  ///< to each of them
   Vec3 p_W = Vec3::Zero();                  ///< where buckets are emptied
   std::optional<SceneWork> fill, dump;
-  int trucks = 0;  ///< 0: none
+  int trucks = 0;      ///< 0: none
+  int hauled_by = -1;  ///< crew of these
   std::int64_t load = 0;
   std::vector<SceneStage> stages;
   std::size_t tip = 0;

@@ -74,7 +74,7 @@ class RecordReader {
     } else if (type == "end") {
       record_.what = read_end();
     } else if (type == "task_end") {
-      record_.what = TaskEnd{read_result(), fields_.text("reason")};
+      record_.what = read_task_end();
     } else {
       fields_.fail("a type of record that is known");
     }
@@ -256,6 +256,17 @@ class RecordReader {
       if (fields_.has("overtime")) change.overtime = fields_.time("overtime");
     }
     return change;
+  }
+
+  TaskEnd read_task_end() const {
+    TaskEnd end{read_result(), fields_.text("reason"), {}, {}};
+    if (fields_.has("driving")) end.driving = fields_.number("driving");
+    if (fields_.has("serving")) {
+      for (const Json& seconds : fields_.array("serving")) {
+        end.serving.push_back(number_of(seconds, "'serving'"));
+      }
+    }
+    return end;
   }
 
   MotionEnd read_end() const {

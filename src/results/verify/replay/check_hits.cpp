@@ -119,9 +119,11 @@ class HitCheck {
   }
   bool is_pit(const std::string& met) const {
     if (run_.task < 0 || !trace_.scene.tasks[at(run_.task)].haul) return false;
-    return std::any_of(
-        trace_.scene.tasks.begin(), trace_.scene.tasks.end(),
-        [&](const SceneTask& task) { return task.motion_dig && met == "the pit of " + task.name; });
+    return std::any_of(trace_.scene.tasks.begin(), trace_.scene.tasks.end(),
+                       [&](const SceneTask& task) {
+                         return (task.motion_dig || (task.dig && task.dig->pit)) &&
+                                met == "the pit of " + task.name;
+                       });
   }
 
   void check_names(const std::string& moved, const std::string& met) {

@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "src/motion/math/index.hpp"
+#include "src/results/verify/replay/holds.hpp"
 #include "src/results/verify/replay/leg_motion.hpp"
 
 namespace rubicon::verify {
@@ -22,6 +26,8 @@ using math::at;
 constexpr double kPlaceSlack = 1e-4;
 /// m: soil that no cut reaches comes away with a bucket that passes so near.
 constexpr double kTrimmed = 0.5;
+/// s: moments of the trace are rounded.
+constexpr double kTruckSlack = 1e-3;
 /// A leg in which soil is cut is looked at in so many parts.
 constexpr int kParts = 24;
 
@@ -42,17 +48,35 @@ std::shared_ptr<const Solid> column(const SceneMotionDig& dig, int cell, std::in
   return make_solid({box}, {});
 }
 
+/// The hours of all that a task has.
+struct TaskHours {
+  const TimeWorked& between;
+  std::vector<int> calendars;
+};
+
+std::vector<int> calendars_of(const Trace& trace, const std::vector<TaskRun>& runs, int index) {
+  std::vector<int> calendars;
+  for (const Hold& hold : holds_of(trace, runs, index)) {
+    if (!hold.whole) continue;
+    for (const int calendar : calendar_of_resource(trace.scene, hold.resource)) {
+      calendars.push_back(calendar);
+    }
+  }
+  return calendars;
+}
+
 /// One task in which a robot dug.
 class DigReplay {
  public:
   DigReplay(const Trace& trace, const TaskRun& run, int number, const RobotTrack& track,
-            const RobotParts& machine, Faults& faults)
+            const RobotParts& machine, TaskHours hours, Faults& faults)
       : trace_(trace),
         run_(run),
         number_(number),
         dig_(*dig_of(trace, run)),
         track_(track),
         mechanism_(*machine.mechanism),
+        hours_(std::move(hours)),
         faults_(faults),
         heights_(dig_.before) {
     const SceneRobot& robot = trace.scene.robots[at(run.robot)];
@@ -70,7 +94,14 @@ class DigReplay {
         take(*taken);
         full_ = true;
       } else if (const auto* end = std::get_if<MotionEnd>(&record.what)) {
-        if (full_ && end->reached && is_at_place(*end)) empty();
+        if (!end->reached || !is_at_place(*end)) continue;
+        if (full_) {
+          empty();
+        } else {
+          note_empty();
+        }
+      } else if (const auto* work = std::get_if<Work>(&record.what)) {
+        if (work->what == "dump") note_empty();
       }
     }
     record_ = nullptr;
@@ -86,6 +117,7 @@ class DigReplay {
     }
     if (loaded_ > 0) leave();
     check_tips();
+    check_truck_work();
   }
 
  private:
@@ -200,6 +232,12 @@ class DigReplay {
     if (loaded_ + dig_.bucket > dig_.load) leave();
   }
 
+  /// It goes on to be emptied.
+  void note_empty() {
+    left_ = record_->time;
+    if (loaded_ == 0 && !departures_.empty()) departures_.back() = left_;
+  }
+
   void leave() {
     if (dig_.trucks > 0) departures_.push_back(left_);
     loaded_ = 0;
@@ -236,12 +274,85 @@ class DigReplay {
     if (run_.end + kTimeSlack < tipped) fault("it ends before its last truck can have tipped");
   }
 
+  Ticks worked(Ticks time) const { return hours_.between(hours_.calendars, run_.start, time); }
+
+  /// How long trucks drive and are served, by when they left: stage after stage.
+  void check_truck_work() {
+    const auto* end = std::get_if<TaskEnd>(&trace_.records[at(run_.records.back())].what);
+    if (end == nullptr || !end->driving || dig_.trucks == 0) return;
+    struct Spell {
+      std::size_t stage = 0;
+      Ticks from = 0, to = 0;
+    };
+    std::vector<Ticks> entries;
+    for (const Ticks time : departures_) entries.push_back(worked(time));
+    const std::size_t trucks_out = entries.size();
+    Ticks over = entries.empty() ? 0 : entries.back();
+    std::vector<Spell> spells;
+    bool is_certain = true;
+    double least = 0;
+    for (std::size_t s = 0; s < dig_.stages.size(); ++s) {
+      const SceneStage& stage = dig_.stages[s];
+      const bool is_drawn = trace_.scene.sampled && !stage.law.empty() && stage.law != "sequence";
+      is_certain = is_certain && !is_drawn;
+      if (s <= dig_.tip) least += least_of(stage) / dig_.efficiency;
+      std::stable_sort(entries.begin(), entries.end());
+      std::vector<Ticks> free(at(stage.servers), 0);
+      for (std::size_t i = 0; i < entries.size(); ++i) {
+        const double seconds =
+            stage.law == "sequence" ? stage.values[i % stage.values.size()] : stage.seconds;
+        Ticks from = entries[i];
+        const auto first = std::min_element(free.begin(), free.end());
+        if (first != free.end()) from = std::max(from, *first);
+        entries[i] = from + std::llround(seconds / dig_.efficiency * static_cast<double>(kSecond));
+        if (first != free.end()) *first = entries[i];
+        spells.push_back({s, from, entries[i]});
+        if (s == dig_.tip) over = std::max(over, entries[i]);
+      }
+    }
+    if (!is_certain) {
+      const double most =
+          static_cast<double>(worked(run_.end)) / static_cast<double>(kSecond) * dig_.trucks;
+      const double serving = std::accumulate(end->serving.begin(), end->serving.end(), 0.0);
+      const double lower = std::max(serving, least * static_cast<double>(trucks_out));
+      if (*end->driving < lower * (1 - 1e-9) - 1e-6 || *end->driving > most * (1 + 1e-9) + 1e-6) {
+        fault(fmt::format("its trucks drive for {:g} s, and that is from {:g} s to {:g} s",
+                          *end->driving, lower, most));
+      }
+      return;
+    }
+    double driving = 0;
+    std::vector<double> by_stage(dig_.stages.size(), 0);
+    for (const Spell& spell : spells) {
+      const Ticks time = std::clamp<Ticks>(over - spell.from, 0, spell.to - spell.from);
+      const double seconds = static_cast<double>(time) / static_cast<double>(kSecond);
+      driving += seconds;
+      by_stage[spell.stage] += seconds;
+    }
+    std::vector<double> serving;
+    for (std::size_t s = 0; s < dig_.stages.size(); ++s) {
+      if (dig_.stages[s].servers > 0) serving.push_back(by_stage[s]);
+    }
+    const auto differ = [](double a, double b) {
+      return std::fabs(a - b) > kTruckSlack + 1e-9 * std::fabs(b);
+    };
+    if (differ(*end->driving, driving)) {
+      fault(fmt::format("its trucks drive for {:g} s, by when they left {:g} s", *end->driving,
+                        driving));
+    }
+    if (!std::equal(serving.begin(), serving.end(), end->serving.begin(), end->serving.end(),
+                    [&](double a, double b) { return !differ(b, a); })) {
+      fault("its trucks are not served as long as that takes by when they left");
+    }
+  }
+
   const Trace& trace_;
   const TaskRun& run_;
   int number_;
   const SceneMotionDig& dig_;
   const RobotTrack& track_;
   const Mechanism& mechanism_;
+  TaskHours hours_;
   Faults& faults_;
   const RobotPart* bucket_ = nullptr;
   const Record* record_ = nullptr;
@@ -336,11 +447,13 @@ std::vector<EmptiedBucket> emptied_buckets(const Trace& trace, const TaskRun& ru
 }
 
 void check_dug_soil(const Trace& trace, const std::vector<TaskRun>& runs,
-                    const std::vector<RobotTrack>& tracks, const SiteParts& site, Faults& faults) {
+                    const std::vector<RobotTrack>& tracks, const SiteParts& site,
+                    const TimeWorked& time_worked, Faults& faults) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (dig_of(trace, runs[i]) == nullptr || runs[i].robot < 0) continue;
     DigReplay(trace, runs[i], static_cast<int>(i), tracks[at(runs[i].robot)],
-              site.robots[at(runs[i].robot)], faults)
+              site.robots[at(runs[i].robot)],
+              {time_worked, calendars_of(trace, runs, static_cast<int>(i))}, faults)
         .check();
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <set>
 #include <vector>
 
@@ -27,11 +28,16 @@ class Cuts {
   std::vector<Dig> digs_;  ///< by run
 };
 
+/// Time between two moments in which all of these calendars work.
+using TimeWorked = std::function<Ticks(const std::vector<int>& calendars, Ticks from, Ticks to)>;
+
 /// Looks at what robots dug: that each bucket took from cells of its pit what it told, no more than
 /// it holds, where the tool was, and was emptied where it should; that the pit is dug to its bottom
-/// and no farther; and that trucks were there to be loaded.
+/// and no farther; that trucks were there to be loaded, and drove as long as the trace tells where
+/// it does.
 void check_dug_soil(const Trace& trace, const std::vector<TaskRun>& runs,
-                    const std::vector<RobotTrack>& tracks, const SiteParts& site, Faults& faults);
+                    const std::vector<RobotTrack>& tracks, const SiteParts& site,
+                    const TimeWorked& time_worked, Faults& faults);
 
 /// A bucket of a robot that digs, when it came to where it is emptied.
 struct EmptiedBucket {

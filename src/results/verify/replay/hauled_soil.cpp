@@ -101,9 +101,10 @@ class HaulReplay {
     }
     for (const SceneHeap& heap : trace_.scene.heaps) check_heap(heap);
     for (const TaskRun& run : runs_) {
-      const bool digs =
-          run.happened && run.task >= 0 && trace_.scene.tasks[at(run.task)].motion_dig;
-      if (digs) check_pit(run, *trace_.scene.tasks[at(run.task)].motion_dig);
+      if (!run.happened || run.task < 0) continue;
+      const SceneTask& task = trace_.scene.tasks[at(run.task)];
+      if (task.motion_dig) check_buckets_pit(run, *task.motion_dig);
+      if (task.dig && task.dig->pit) check_crews_pit(run, *task.dig->pit);
     }
   }
 
@@ -315,9 +316,21 @@ class HaulReplay {
     if (!is_known || !is_highest) fault(*tipped.run, "a load does not lie where it fell");
   }
 
-  /// No truck drives over the middle of a cell that was dug.
-  void check_pit(const TaskRun& dug, const SceneMotionDig& dig) {
-    std::map<int, std::vector<std::pair<Ticks, std::int64_t>>> lower;
+  /// When cells were lowered, and to which heights.
+  using Lowered = std::map<int, std::vector<std::pair<Ticks, std::int64_t>>>;
+
+  /// That of a dig by durations is open from its beginning.
+  void check_crews_pit(const TaskRun& dug, const ScenePit& pit) {
+    if (dug.result != TaskResult::done) return;
+    Lowered lower;
+    for (std::size_t i = 0; i < pit.cells.size(); ++i) {
+      lower[pit.cells[i]].emplace_back(dug.start, pit.after[i]);
+    }
+    check_pit(dug, pit, lower);
+  }
+
+  void check_buckets_pit(const TaskRun& dug, const SceneMotionDig& dig) {
+    Lowered lower;
     for (const int index : dug.records) {
       const Record& record = trace_.records[at(index)];
       const auto* taken = std::get_if<SoilTaken>(&record.what);
@@ -326,13 +339,18 @@ class HaulReplay {
         lower[taken->cells[i]].emplace_back(record.time, taken->heights[i]);
       }
     }
+    check_pit(dug, {dig.X_WE, dig.columns, dig.cell, {}, {}}, lower);
+  }
+
+  /// No truck drives over the middle of a cell that was dug.
+  void check_pit(const TaskRun& dug, const ScenePit& pit, const Lowered& lower) {
     record_ = nullptr;
     for (std::size_t r = 0; r < tracks_.size(); ++r) {
       for (const Leg& leg : tracks_[r].legs) {
         if (!leg.moves() || leg.run < 0) continue;
         const TaskRun& run = runs_[at(leg.run)];
         if (run.task < 0 || !trace_.scene.tasks[at(run.task)].haul) continue;
-        if (!is_over(static_cast<int>(r), leg, dig, lower)) continue;
+        if (!is_over(static_cast<int>(r), leg, pit, lower)) continue;
         faults_.push_back({FaultKind::contact, ResultFile::trace, leg.line,
                            trace_.runs[at(run.run)], leg.to,
                            fmt::format("soil: it drives over the pit of {}",
@@ -342,8 +360,7 @@ class HaulReplay {
     }
   }
 
-  bool is_over(int robot, const Leg& leg, const SceneMotionDig& dig,
-               const std::map<int, std::vector<std::pair<Ticks, std::int64_t>>>& lower) const {
+  bool is_over(int robot, const Leg& leg, const ScenePit& dig, const Lowered& lower) const {
     const SceneBody& body =
         trace_.scene.robots[at(robot)].bodies[at(trace_.scene.robots[at(robot)].tool_body)];
     const Mechanism& truck = *site_.robots[at(robot)].mechanism;

@@ -1,5 +1,6 @@
 #include "src/results/verify/schedule/accounts.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -20,9 +21,12 @@ class Bookkeeper {
     account_ = {};
     steps_.clear();
     works_.clear();
+    repairs_.clear();
+    nights_.clear();
     foreseen_ = -1;
     may_go_round_ = false;
     const TaskRun& run = runs[at(index)];
+    run_robot_ = run.robot;
     if (!run.happened) return account_;
     lift_ = find_lift(trace_, run);
     whole_ = run.task >= 0 && trace_.scene.tasks[at(run.task)].whole;
@@ -85,9 +89,15 @@ class Bookkeeper {
     const Ticks time = record_->time - pause.from;
     if (pause.why == "machine") account_.machine += time;
     if (pause.why == "crew" || pause.why == "truck") account_.crew += time;
-    if (pause.why == "shift" || pause.why == "lift") account_.shift += time;
+    if (pause.why == "shift" || pause.why == "lift") {
+      account_.shift += time;
+      nights_.emplace_back(pause.from, record_->time);
+    }
     if (pause.why == "held") account_.held += time;
-    if (pause.why == "repair") account_.repair += time;
+    if (pause.why == "repair") {
+      account_.repair += time;
+      repairs_.emplace_back(pause.from, record_->time);
+    }
   }
 
   /// Whether a step is part of a lift that is held whole.
@@ -112,6 +122,16 @@ class Bookkeeper {
       }
     }
     add_overtime(calendar, hold, held);
+    if (hold.whole) {
+      for (const auto& [from, to] : nights_) held.off += hours_.between(calendar, from, to);
+      for (const DoneWork& work : works_) {
+        const Ticks there = hours_.between(calendar, work.from, work.to);
+        held.off += std::max<Ticks>(there - work.time, 0);
+      }
+    }
+    if (hold.whole && hold.resource == run_robot_) {
+      for (const auto& [from, to] : repairs_) held.off += hours_.between(calendar, from, to);
+    }
     // As long as something hangs on the hook those who lift it are held, out of their shifts too.
     if (hold.whole && lift_) {
       held.held += lift_->to - lift_->from - hours_.between(calendar, lift_->from, lift_->to);
@@ -124,6 +144,7 @@ class Bookkeeper {
       const bool counts = hold.whole ? own || work.crew < 0 : own && work.from == hold.from;
       if (counts) held.work += work.time;
     }
+    if (!hold.whole) held.off = std::max<Ticks>(held.held - held.work, 0);
     account_.holds.push_back(held);
   }
 
@@ -162,7 +183,8 @@ class Bookkeeper {
   const Trace& trace_;
   const WorkingHours& hours_;
   TaskAccount account_;
-  std::vector<std::pair<Ticks, Ticks>> steps_;
+  std::vector<std::pair<Ticks, Ticks>> steps_, repairs_, nights_;
+  int run_robot_ = -1;
   std::vector<DoneWork> works_;
   const Record* record_ = nullptr;
   std::optional<Lift> lift_;

@@ -12,6 +12,7 @@ struct HeldTime {
   int resource = -1;
   Ticks held = 0;  ///< in its shifts, and steps after their end
   Ticks work = 0;  ///< crews: of that they worked
+  Ticks off = 0;   ///< of `held`: under repair, or all stands out of somebody's shift
   int people = 1;
   Ticks overtime = 0;  ///< of `held`
   Ticks from = 0, to = 0;

@@ -7,7 +7,11 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "src/motion/math/index.hpp"
 #include "src/results/verify/schedule/civil_date.hpp"
@@ -19,12 +23,14 @@ namespace {
 /// A row is rounded up or down to a cent so that a list adds up, and the list itself may be a cent
 /// off. Consequence: what is off by less is not seen in one row, but in the sum.
 constexpr long double kRowSlack = 0.0201L;
+/// Litres are rounded to the ml.
+constexpr long double kLitreSlack = 0.00051L;
 /// The total is rounded to the nearest cent, of items that are rounded to a millionth each.
 constexpr long double kTotalSlack = 0.0052L;
 /// Of large amounts doubles have no cents.
 constexpr long double kRelativeSlack = 1e-12L;
 
-enum Kind : std::size_t { kUse, kOvertime, kRental, kMobilisation, kMaterial, kOverhead };
+enum Kind : std::size_t { kUse, kOvertime, kRental, kMobilisation, kFuel, kMaterial, kOverhead };
 
 using math::at;
 
@@ -52,6 +58,79 @@ void add_uses(const Trace& trace, const std::vector<TaskAccount>& accounts, Cost
       costs.of_kind[kOvertime] += overtime;
       costs.of_run[run] += use + overtime;
       costs.of_resource[at(held.resource)] += use + overtime;
+    }
+  }
+}
+
+/// How long, in ticks, all of a crew that trucks or those who serve them are together worked in a
+/// run; nothing of others.
+std::optional<long double> round_work(const Trace& trace, const TaskRun& run, int crew) {
+  if (run.task < 0 || run.records.empty() || crew < 0) return std::nullopt;
+  const SceneTask& task = trace.scene.tasks[at(run.task)];
+  const auto* end = std::get_if<TaskEnd>(&trace.records[at(run.records.back())].what);
+  if (end == nullptr) return std::nullopt;
+  int hauled_by = -1;
+  std::vector<int> servers;
+  const auto add_stages = [&](const auto& dig) {
+    hauled_by = dig.hauled_by;
+    for (const SceneStage& stage : dig.stages) {
+      if (stage.servers > 0) servers.push_back(stage.crew);
+    }
+  };
+  if (task.dig) {
+    servers = task.dig->digger_crews;
+    add_stages(*task.dig);
+  } else if (task.motion_dig && task.motion_dig->trucks > 0) {
+    add_stages(*task.motion_dig);
+  }
+  const long double second = static_cast<long double>(kSecond);
+  if (crew == hauled_by) return end->driving.value_or(0) * second;
+  if (std::find(servers.begin(), servers.end(), crew) == servers.end()) return std::nullopt;
+  long double sum = 0;
+  for (std::size_t i = 0; i < servers.size() && i < end->serving.size(); ++i) {
+    if (servers[i] == crew) sum += end->serving[i] * second;
+  }
+  return sum;
+}
+
+/// At work: a crew as long as it works, a machine as long as it moves, or works of its task go on
+/// that no crew does; trucks while they drive, and who serves them while they have one. All else of
+/// the time in which it is held, and not under repair: idling.
+void add_fuel(const Trace& trace, const std::vector<TaskRun>& runs,
+              const std::vector<TaskAccount>& accounts, const std::vector<ScheduleRow>& rows,
+              Costs& costs) {
+  std::map<std::pair<std::string, Ticks>, Ticks> motions;  // by task and start
+  for (const ScheduleRow& row : rows) motions[{row.task, row.start}] = row.split.motion;
+  const auto robots = static_cast<int>(trace.scene.robots.size());
+  const long double hour = 3600.0L * static_cast<long double>(kSecond);
+  costs.litres_of_run.resize(runs.size());
+  costs.litres_of_resource.resize(costs.of_resource.size());
+  for (std::size_t run = 0; run < accounts.size(); ++run) {
+    const TaskAccount& account = accounts[run];
+    Ticks motion = account.steps;
+    if (account.script_wait_count > 0) {
+      const auto told = motions.find({trace.runs[at(runs[run].run)], runs[run].start});
+      if (told != motions.end()) motion = told->second;
+    }
+    for (const HeldTime& held : account.holds) {
+      const std::optional<SceneFuel>& fuel = charges_of(trace.scene, held.resource).fuel;
+      if (!fuel) continue;
+      const bool is_robot = held.resource < robots;
+      const long double all = static_cast<long double>(held.held - held.off) * held.people;
+      long double working =
+          static_cast<long double>(held.work + (is_robot ? motion : 0)) * held.people;
+      if (!is_robot) {
+        working = round_work(trace, runs[run], held.resource - robots).value_or(working);
+      }
+      working = std::min(working, all);
+      const long double litres = (fuel->working * working + fuel->idling * (all - working)) /
+                                 size_of_resource(trace.scene, held.resource) / hour;
+      costs.litres_of_run[run] += litres;
+      costs.litres_of_resource[at(held.resource)] += litres;
+      const long double cost = litres * fuel->price.value_or(0);
+      costs.of_kind[kFuel] += cost;
+      costs.of_run[run] += cost;
+      costs.of_resource[at(held.resource)] += cost;
     }
   }
 }
@@ -174,7 +253,7 @@ class CostCheck {
     }
     std::int64_t kinds = 0;
     for (std::size_t i = 0; i < kCostKinds.size(); ++i) kinds += cents(kind(i));
-    const std::int64_t use = cents(kind(kUse)) + cents(kind(kOvertime));
+    const std::int64_t use = cents(kind(kUse)) + cents(kind(kOvertime)) + cents(kind(kFuel));
     check_sum("all kinds", kinds, cents(total));
     check_sum("all tasks", tasks, use + cents(kind(kMaterial)));
     check_sum("all robots and crews", resources,
@@ -195,11 +274,12 @@ bool is_rounded(double found, long double exact) {
 }
 
 Costs costs_of(const Trace& trace, const std::vector<TaskRun>& runs,
-               const std::vector<TaskAccount>& accounts) {
+               const std::vector<TaskAccount>& accounts, const std::vector<ScheduleRow>& rows) {
   Costs costs;
   costs.of_run.resize(runs.size());
   costs.of_resource.resize(trace.scene.robots.size() + trace.scene.crews.size());
   add_uses(trace, accounts, costs);
+  add_fuel(trace, runs, accounts, rows, costs);
   add_materials(trace, runs, costs);
   add_charges(trace, accounts, costs);
   Ticks end = 0;
@@ -211,6 +291,41 @@ Costs costs_of(const Trace& trace, const std::vector<TaskRun>& runs,
                                static_cast<long double>(days_between(trace.scene, 0, end));
   }
   return costs;
+}
+
+void check_fuel(const Trace& trace, const std::vector<TaskRun>& runs, const Costs& costs,
+                const ScheduleJson& schedule, Faults& faults) {
+  if (trace.scene.short_form) return;
+  const auto compare = [&](int line, const std::string& who, const std::optional<double>& found,
+                           bool burns, long double exact) {
+    if (!burns && !found) return;
+    if (found && burns && std::fabs(*found - exact) <= kLitreSlack + 1e-9L * exact) return;
+    faults.push_back({FaultKind::schedule, ResultFile::schedule_json, line, "", -1,
+                      found ? fmt::format("{} burnt {} l, by the trace {:.4f}", who, *found,
+                                          static_cast<double>(exact))
+                            : fmt::format("what {} burnt is missing, by the trace {:.4f} l", who,
+                                          static_cast<double>(exact))});
+  };
+  bool any = false;
+  for (std::size_t i = 0; i < costs.litres_of_resource.size(); ++i) {
+    const bool burns = charges_of(trace.scene, static_cast<int>(i)).fuel.has_value();
+    any = any || burns;
+    if (i >= schedule.uses.size()) continue;
+    const UseRow& row = schedule.uses[i];
+    compare(row.line, row.name, row.fuel, burns, costs.litres_of_resource[i]);
+  }
+  std::map<std::pair<std::string, Ticks>, long double> burnt;
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    if (runs[run].happened) {
+      burnt[{trace.runs[at(runs[run].run)], runs[run].start}] = costs.litres_of_run[run];
+    }
+  }
+  for (const ScheduleRow& row : schedule.rows) {
+    const auto found = burnt.find({row.task, row.start});
+    compare(row.line, row.task, row.fuel, any, found == burnt.end() ? 0 : found->second);
+  }
+  compare(0, "the whole", schedule.fuel, any,
+          std::accumulate(costs.litres_of_resource.begin(), costs.litres_of_resource.end(), 0.0L));
 }
 
 void check_costs(const Trace& trace, const Costs& costs, const ScheduleJson& schedule,

@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
+#include <string>
 #include <tuple>
+#include <variant>
+#include <vector>
 
 namespace rubicon::verify {
 
@@ -19,6 +23,8 @@ constexpr double kMostWork = 2e8;
 struct Rounds {
   Ticks time = 0;
   std::int64_t loads = 0, tipped = 0;
+  double driving = 0;           ///< s, of all trucks together
+  std::vector<double> serving;  ///< s, of the diggers of each crew, then those of each stage served
 };
 
 /// Goes through the rounds: of all trucks, which are in a list, the next event is looked for anew.
@@ -29,6 +35,7 @@ class RoundsReplay {
     trucks_.resize(static_cast<std::size_t>(dig.trucks));
     free_ = dig.diggers;
     for (const SceneStage& stage : dig.stages) free_.push_back(stage.servers);
+    serving_.resize(free_.size(), 0);
   }
 
   Rounds run() {
@@ -66,6 +73,7 @@ class RoundsReplay {
       if (place >= 0) serve(place);
     }
     rounds.time = now_;
+    count_work(rounds);
     return rounds;
   }
 
@@ -79,6 +87,27 @@ class RoundsReplay {
     std::int64_t load = 0;
     std::int64_t order = 0;  ///< of what it began last: to wait, or what goes on
   };
+
+  /// All that began, without what the end cuts off.
+  void count_work(Rounds& rounds) const {
+    long double driving = driving_;
+    std::vector<long double> serving = serving_;
+    for (const Truck& truck : trucks_) {
+      if (truck.state != State::busy || truck.until <= now_) continue;
+      const Ticks rest = truck.until - now_;
+      if (truck.stage >= 0) driving -= rest;
+      if (truck.place >= 0) serving[at(truck.place)] -= rest;
+    }
+    const auto seconds = [](long double time) {
+      return static_cast<double>(time / static_cast<long double>(kSecond));
+    };
+    rounds.driving = seconds(driving);
+    for (std::size_t k = 0; k < serving.size(); ++k) {
+      if (k < dig_.diggers.size() || dig_.stages[k - dig_.diggers.size()].servers > 0) {
+        rounds.serving.push_back(seconds(serving[k]));
+      }
+    }
+  }
 
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
   int diggers() const { return static_cast<int>(dig_.diggers.size()); }
@@ -105,6 +134,8 @@ class RoundsReplay {
     if (stage < 0 && dig_.bucket > 0) passes = (truck.load + dig_.bucket - 1) / dig_.bucket;
     for (std::int64_t i = 0; i < passes; ++i) time += duration(stage);
     truck.until = now_ + time;
+    if (stage >= 0) driving_ += time;
+    if (place >= 0) serving_[at(place)] += time;
     truck.order = ++order_;
   }
 
@@ -179,6 +210,8 @@ class RoundsReplay {
   std::int64_t order_ = 0;
   std::vector<Truck> trucks_;
   std::vector<int> free_;
+  long double driving_ = 0;           ///< of all that began
+  std::vector<long double> serving_;  ///< at each place
   std::vector<std::size_t> uses_;
 };
 
@@ -204,12 +237,58 @@ std::string seconds_text(Ticks time) {
   return fmt::format("{:g} s", static_cast<double>(time) / static_cast<double>(kSecond));
 }
 
+bool is_near(double a, double b) { return std::fabs(a - b) <= 1e-6 + 1e-9 * std::fabs(b); }
+
+/// What is wrong with the time that trucks drive and others serve them; "" if nothing is. Where
+/// durations were drawn it is held against what the time and the least durations allow.
+std::string work_fault(const SceneDig& dig, const TaskEnd& told, const Rounds* rounds,
+                       const Scene& scene) {
+  if (!told.driving) return {};
+  std::vector<int> servers = dig.diggers;
+  double to_tip = 0;
+  for (std::size_t i = 0; i < dig.stages.size(); ++i) {
+    if (dig.stages[i].servers > 0) servers.push_back(dig.stages[i].servers);
+    if (i <= dig.tip) to_tip += least_of(dig.stages[i], scene) / dig.efficiency;
+  }
+  if (told.serving.size() != servers.size()) return "it does not tell how long each serves trucks";
+  if (rounds != nullptr) {
+    for (std::size_t i = 0; i < servers.size(); ++i) {
+      if (is_near(told.serving[i], rounds->serving[i])) continue;
+      return fmt::format("its trucks are served for {:g} s, by its rounds {:g} s", told.serving[i],
+                         rounds->serving[i]);
+    }
+    if (is_near(*told.driving, rounds->driving)) return {};
+    return fmt::format("its trucks drive for {:g} s, by its rounds {:g} s", *told.driving,
+                       rounds->driving);
+  }
+  const double time = static_cast<double>(dig.time) / static_cast<double>(kSecond);
+  const double slack = 1e-6 + 1e-9 * time * dig.trucks;
+  double loading = 0, serving = 0;
+  for (std::size_t i = 0; i < servers.size(); ++i) {
+    if (told.serving[i] < -slack || told.serving[i] > servers[i] * time + slack) {
+      return fmt::format("trucks are served for {:g} s by {} in {:g} s", told.serving[i],
+                         servers[i], time);
+    }
+    (i < dig.diggers.size() ? loading : serving) += told.serving[i];
+  }
+  const double most = dig.trucks * time - loading;
+  const double least = std::max(serving, static_cast<double>(dig.loads) * to_tip);
+  if (*told.driving >= least - slack && *told.driving <= most + slack) return {};
+  return fmt::format("its trucks drive for {:g} s, and that is from {:g} s to {:g} s",
+                     *told.driving, least, most);
+}
+
 /// What is wrong with the result of a dig; "" if nothing is.
-std::string fault_of(const SceneDig& dig, const Scene& scene) {
+std::string fault_of(const SceneDig& dig, const TaskEnd* told, const Scene& scene) {
   const bool sampled = scene.sampled;
   const std::int64_t all = (dig.volume + dig.load - 1) / dig.load;
   const bool is_complete = dig.tipped == dig.volume;
-  if (is_complete ? dig.loads != all : dig.tipped != dig.loads * dig.load) {
+  // The last load is what is left, and may overtake one before it.
+  const auto fits = [&] {
+    const std::int64_t with_last = (dig.loads - 1) * dig.load + dig.volume - (all - 1) * dig.load;
+    return dig.tipped == dig.loads * dig.load || dig.tipped == with_last;
+  };
+  if (dig.loads < 0 || dig.loads > all || (is_complete ? dig.loads != all : !fits())) {
     return fmt::format("{} loads of {} mm3 are not the {} mm3 that it tips", dig.loads, dig.load,
                        dig.tipped);
   }
@@ -220,7 +299,7 @@ std::string fault_of(const SceneDig& dig, const Scene& scene) {
     if (static_cast<double>(all) * dig.trucks > kMostWork) return {};
     const Rounds rounds = RoundsReplay(dig).run();
     if (rounds.time == dig.time && rounds.loads == dig.loads && rounds.tipped == dig.tipped) {
-      return {};
+      return told != nullptr ? work_fault(dig, *told, &rounds, scene) : std::string();
     }
     return fmt::format("it tips {} loads in {}, and its rounds {} in {}", dig.loads,
                        seconds_text(dig.time), rounds.loads, seconds_text(rounds.time));
@@ -231,7 +310,9 @@ std::string fault_of(const SceneDig& dig, const Scene& scene) {
   const double full = static_cast<double>(std::max<std::int64_t>(dig.loads - 1 - dig.loaded, 0));
   const double least = full / diggers * static_cast<double>(passes) * least_of(dig.loading, scene) /
                        dig.efficiency * static_cast<double>(kSecond);
-  if (static_cast<double>(dig.time) + 1 >= least * (1 - 1e-9)) return {};
+  if (static_cast<double>(dig.time) + 1 >= least * (1 - 1e-9)) {
+    return told != nullptr ? work_fault(dig, *told, nullptr, scene) : std::string();
+  }
   return fmt::format("it takes {}, and its diggers need {:g} s at least", seconds_text(dig.time),
                      least / static_cast<double>(kSecond));
 }
@@ -250,10 +331,18 @@ std::optional<double> soil_volume(const Scene& scene, const std::string& soil) {
 
 }  // namespace
 
-void check_digs(const Trace& trace, Faults& faults) {
-  for (const SceneTask& task : trace.scene.tasks) {
+void check_digs(const Trace& trace, const std::vector<TaskRun>& runs, Faults& faults) {
+  std::map<int, const TaskEnd*> ends;  // by task
+  for (const TaskRun& run : runs) {
+    if (!run.happened || run.task < 0 || run.records.empty()) continue;
+    const Record& last = trace.records[static_cast<std::size_t>(run.records.back())];
+    if (const auto* end = std::get_if<TaskEnd>(&last.what)) ends[run.task] = end;
+  }
+  for (std::size_t i = 0; i < trace.scene.tasks.size(); ++i) {
+    const SceneTask& task = trace.scene.tasks[i];
     if (!task.dig) continue;
-    std::string text = fault_of(*task.dig, trace.scene);
+    const auto end = ends.find(static_cast<int>(i));
+    std::string text = fault_of(*task.dig, end == ends.end() ? nullptr : end->second, trace.scene);
     // Whole ns of long times are no longer whole as seconds.
     const Ticks slack = 1 + task.dig->time / 1'000'000'000'000'000;
     const bool is_its_work =

@@ -145,6 +145,7 @@ ScheduleRow read_row(const JsonFields& fields) {
     }
   }
   row.cost = number_if_any(fields, "cost");
+  row.fuel = number_if_any(fields, "fuel");
   row.begins = fields.text_or("begins", "");
   row.ends = fields.text_or("ends", "");
   row.tried = fields.integer("tried");
@@ -179,6 +180,7 @@ UseRow read_use(const JsonFields& fields) {
   use.utilisation = fields.number("utilisation");
   use.rate = number_if_any(fields, "cost_per_hour");
   use.cost = number_if_any(fields, "cost");
+  use.fuel = number_if_any(fields, "fuel");
   return use;
 }
 
@@ -190,6 +192,7 @@ ScheduleJson read_schedule_json(const std::string& text) {
   ScheduleJson read;
   read.process_time = schedule.time("process_time");
   read.cost = number_if_any(schedule, "cost");
+  read.fuel = number_if_any(schedule, "fuel");
   if (schedule.has("cost_by_kind")) {
     for (const auto& [kind, amount] : schedule.object("cost_by_kind").json().items()) {
       read.cost_by_kind[kind] = number_of(amount, "'cost_by_kind'");

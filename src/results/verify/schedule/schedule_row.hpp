@@ -50,7 +50,8 @@ struct ScheduleRow {
   /// How often its way met what others are foreseen to sweep, and went round.
   std::optional<std::pair<int, int>> foreseen;
   std::optional<double> cost;
-  std::string begins, ends;  ///< YYYY-MM-DD HH:MM; "": not given
+  std::optional<double> fuel;  ///< l
+  std::string begins, ends;    ///< YYYY-MM-DD HH:MM; "": not given
   int tried = 0;
   int accepted = 0;
   std::optional<Ticks> due, late;
@@ -70,6 +71,7 @@ struct UseRow {
   double utilisation = 0;
   std::optional<double> rate;
   std::optional<double> cost;
+  std::optional<double> fuel;  ///< l
 };
 
 /// One task of the critical path, and the sentence why it came so late.
@@ -96,6 +98,7 @@ struct ScheduleJson {
   std::string currency;
   std::optional<double> cost;
   std::map<std::string, double> cost_by_kind;  ///< empty: not given
+  std::optional<double> fuel;                  ///< l
   std::vector<BreakdownRow> breakdowns;
   std::vector<LostDaysRecord> lost_days;
 };
