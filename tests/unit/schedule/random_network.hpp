@@ -13,9 +13,9 @@ inline constexpr const char* kRandomStart = "2026-03-05 09:20";
 struct RandomNetworkWanted {
   bool calendars = true;
   bool resources = true;
-  bool shares = false;  ///< crews of several, of whom tasks need some
   bool lags = true;
   bool forward = false;  ///< only links whose bound is in the future when it becomes known
+  bool shares = false;   ///< crews of several, of whom tasks need some
 };
 
 /// The same networks from the same seed.
