@@ -54,6 +54,60 @@ plan next {
 }
 """
 
+# What is kept for `again` is part of what `both` needs, and `again` comes after `both`.
+RING = """
+plan ring {
+  start_at "2026-03-02 07:00";
+  crew a; crew b; crew other;
+  pool p { of a, b; }
+  task both { by all of p; takes 1 h; }
+  task one { by p; takes 2 h; priority 1; }
+  task two { by p; takes 45 min; priority 1; }
+  task again { by same as two; takes 45 min; after both, two; }
+  task apart { by other; takes 60 h; }
+}
+"""
+
+# `stuck` cannot drive through the box, which is known at 3 h, so `again` does not come, for which b was kept.
+KEPT = """
+plan kept {
+  start_at "2026-03-02 07:00";
+  robot cart "ROBOTS/cart.robot" { start x -20, y 0; }
+  site box(-15, -3, 0, -14, 3, 2);
+  crew a; crew b; crew other;
+  pool p { of a, b; }
+  task long { by a; takes 210 min; priority 1; }
+  task two { by p; takes 45 min; priority 1; }
+  task early { by other; takes 3 h; }
+  task stuck { by cart; go x 0, y 0; within x 0.6, y 0.6; after early; }
+  task again { by same as two; takes 45 min; after two, stuck; }
+  task next { by p; takes 1 h; }
+}
+"""
+
+# `two` has 2 of 4; `most` needs 3, and those of `again`, who come after it, are never free for it.
+PART = """
+plan part {
+  crew gang { size 4; } crew b; crew other;
+  pool p { of gang, b; }
+  task one { by gang; needs 2 gang; takes 2 h; priority 1; }
+  task two { by p; needs 2 gang; takes 45 min; priority 1; }
+  task most { takes 1 h; needs 3 gang; }
+  task again { by same as two; needs 2 gang; takes 45 min; after two, most; }
+  task apart { by other; takes 60 h; }
+}
+"""
+
+# Only at 3 h, when `both` asks, is it known that `again` cannot come, for which a is kept.
+LATE = """
+  crew a_#; crew b_#; crew other_#; pool p_# { of a_#, b_#; } pool others_# { of other_#; }
+  task two_# { by p_#; takes 45 min; priority 1; }
+  task gate_# { by others_#; takes 3 h; }
+  task both_# { by all of p_#; takes 30 min; after gate_#; priority -1; }
+  task again_# { by same as two_#; takes 45 min; after two_#, both_#; }
+  task next_# { by a_#; takes 4 h; }
+"""
+
 MONEY = """
 plan money {
   start_at "2026-03-06 14:00"; currency "EUR"; overhead 333.33 per day;
@@ -142,6 +196,45 @@ class Pools(ResultCase):
         self.assertEqual(self.starts(tasks), {"one": 0, "two": 0, "all": 3600})
         self.assertEqual([tasks[name]["cost"] for name in ("one", "two", "all")], [10, 20, 30])
         self.assertEqual(tasks["all"]["crew"], "a, b")
+
+    def test_who_waits_for_what_is_kept_for_those_after_it_is_found_at_once(self):
+        _, tasks = self.run_plan(RING, expected=1)
+        self.assertEqual((tasks["both"]["start"], tasks["both"]["waited"]["resource"]), (7200, 7200))
+        self.assertEqual((tasks["again"]["result"], tasks["again"]["start"]), ("rejected", 0))
+        self.assertEqual(tasks["again"]["reason"], "tasks wait for each other: both waits for b, which is kept for again; "
+                         "again does not start until both has finished")
+
+    def test_a_part_of_a_crew_that_is_kept_is_in_a_ring_too(self):
+        _, tasks = self.run_plan(PART, expected=1)
+        self.assertEqual((tasks["most"]["start"], tasks["most"]["result"]), (7200, "done"))
+        self.assertIn("most waits for gang, which is kept for again", tasks["again"]["reason"])
+
+    def test_nothing_is_kept_for_what_is_not_reached(self):
+        _, tasks = self.run_plan(KEPT, expected=1)
+        self.assertEqual(tasks["again"]["result"], "not reached")
+        self.assertEqual((tasks["next"]["start"], tasks["next"]["waited"]["resource"]), (2700, 2700))
+
+    def test_what_was_kept_in_vain_is_waited_for_as_a_resource(self):
+        rings = 51  # the run begins again for 50 of them
+        schedule, tasks = self.run_plan("plan late { start_at \"2026-03-02 07:00\";" + "".join(LATE.replace("#", str(i)) for i in range(rings)) + "}",
+                                        expected=1)
+        waits = [tasks[f"next_{i}"]["waited"] for i in range(rings)]
+        self.assertEqual([wait["shift"] for wait in waits], [0] * rings)
+        self.assertEqual(sorted(wait["resource"] for wait in waits), [2700] * (rings - 1) + [10800])
+        name = schedule["critical"][-1]["task"]
+        number = name.split("_")[1]
+        self.assertEqual(schedule["critical"][-1]["text"], f"{name} starts when 'a_{number}' is kept for nobody any more, which two_{number} had")
+
+        def shift(result):
+            row = next(row for row in result.schedule["tasks"] if row["task"] == name)
+            row["waited"].update(resource=2700, shift=8100)
+
+        def other(result):
+            step = result.schedule["critical"][-1]
+            step["text"] = step["text"].replace("'a_", "'b_")
+
+        self.assertIn("it waits for a shift, and has 2:15:00 of it", self.faults_of(shift))
+        self.assertIn("does not lead from the task before it in the critical path", self.faults_of(other))
 
     def test_verify_finds_somebody_who_is_not_in_the_pool(self):
         self.run_plan(POOL.replace("RULE", "nearest"))

@@ -23,12 +23,17 @@ bool ResourceStates::are_free(const std::vector<Share>& shares) const {
 ResourceStates::Last ResourceStates::last_free(const std::vector<Share>& shares) const {
   Last last;
   for (const Share& share : shares) {
+    const ResourceState& state = of(share.resource);
     int units = 0;
-    for (const ResourceState::Free& free : of(share.resource).free) {
+    for (const ResourceState::Free& free : state.free) {
       units += free.units;
       if (units < share.units) continue;
-      if (free.task_before >= 0 && (last.resource < 0 || free.since > last.since)) {
-        last = {share.resource, free.task_before, free.since, free.midway};
+      const bool kept = state.kept_until > free.since;
+      const Ticks since = kept ? state.kept_until : free.since;
+      // Of a crew some may be kept whom nobody had.
+      const int before = kept && free.task_before < 0 ? state.last : free.task_before;
+      if (before >= 0 && (last.resource < 0 || since > last.since)) {
+        last = {share.resource, before, since, free.midway, kept};
       }
       break;
     }

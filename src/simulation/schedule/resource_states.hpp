@@ -25,6 +25,7 @@ struct ResourceState {
   int free_units = 0;
   int last = -1;         ///< the task that has or had any of it last, -1: nobody yet
   int reserved = -1;     ///< the group for which it is kept while it is free, -1: for nobody
+  Ticks kept_until = 0;  ///< when it was kept last
   Ticks given_back = 0;  ///< for how long those had it who gave it back
 
   /// The first who has any of it, -1: it is free.
@@ -47,8 +48,9 @@ class ResourceStates {
   struct Last {
     int resource = -1;     ///< -1: nobody has had any of them
     int task_before = -1;  ///< who had it
-    Ticks since = 0;       ///< since when all are free
+    Ticks since = 0;       ///< since when all are free and kept for nobody
     bool midway = false;
+    bool kept = false;  ///< it was free before, and kept for others
   };
   /// Of shares that are free.
   Last last_free(const std::vector<Share>& shares) const;
@@ -57,6 +59,10 @@ class ResourceStates {
   /// What the task has of it is free from `since` on; `held_for`: how long it had it.
   void release(int resource, int task, Ticks since, bool midway, Ticks held_for = 0);
   void reserve(int resource, int group) { states_[at(resource)].reserved = group; }
+  void keep_no_more(int resource, Ticks now) {
+    states_[at(resource)].reserved = -1;
+    states_[at(resource)].kept_until = now;
+  }
   void set(int resource, ResourceState state) { states_[at(resource)] = std::move(state); }
 
  private:

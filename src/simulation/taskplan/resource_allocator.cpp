@@ -125,6 +125,11 @@ void ResourceAllocator::reserve(int resource, int group) {
   states_.reserve(resource, group);
 }
 
+void ResourceAllocator::keep_no_more(int resource, Ticks now) {
+  keep_state(resource);
+  states_.keep_no_more(resource, now);
+}
+
 Ticks ResourceAllocator::next_chance(Ticks now) {
   Ticks next = schedule::kEndOfTime;
   for (int i = 0; i < sets_.size(); ++i) {

@@ -67,8 +67,10 @@ class ResourceAllocator {
   void release(int resource, int task, Ticks now, bool midway, Ticks held);
   /// It is under repair until then: nobody is given it before.
   void set_out(int resource, Ticks until);
-  /// Free, only the group is given it; -1: all are.
+  /// Free, only the group is given it.
   void reserve(int resource, int group);
+  /// Free, all are given it from now on.
+  void keep_no_more(int resource, Ticks now);
 
   /// The next moment after `now` at which somebody could be given something if nothing is given
   /// back before; kEndOfTime if never.

@@ -230,6 +230,7 @@ void Simulation::begin_task(const ResourceAllocator::Grant& grant) {
     times.resource = grant.last.resource;
     times.task_before = grant.last.task_before;
     times.given_back_midway = grant.last.midway;
+    times.kept = grant.last.kept;
   }
   times.start = now;
   const schedule::WorkCalendar& calendar = stage_.calendar(task);

@@ -110,7 +110,6 @@ class Simulation : private LinkState::Listener {
   std::string choice_text(int task) const;
   std::string text_of_other(int task, const interpreter::PoolMember& member) const;
   bool try_next_choice(Rejection& rejection);
-  void free_groups();
 
   // simulation_waits.cpp: who waits for whom, and what happens when nobody can go on
   std::optional<WaitSet> waits_of(int task) const;
@@ -134,6 +133,9 @@ class Simulation : private LinkState::Listener {
   bool go_back(int task, bool keeps_lines);
   void exclude(int task, TaskOutcome outcome, int cause);
   void exclude_followers(int task, int cause);
+  void free_groups();
+  bool kept_from_others(int resource, int group) const;
+  bool may_want(int task, int resource) const;
   void give_second_chances(int cause);
   void let_go(ActiveTask& active, int before, schedule::LinkType type);
   TaskOutcome not_reached(int task, int missing) const;

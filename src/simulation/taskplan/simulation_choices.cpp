@@ -131,6 +131,8 @@ void Simulation::take_members(const ResourceAllocator::Grant& grant) {
   for (const interpreter::PoolMember& member : stage_.spec(group).members) {
     stage_.allocator->reserve(resource_of(plan_, member), group);
   }
+  // Whoever waits for these members waits for all of the group from now on.
+  for (const int other : stage_.group(group)) stage_.begins_to_wait(other);
 }
 
 /// Who was chosen of each pool, and why.
@@ -231,15 +233,6 @@ bool Simulation::try_next_choice(Rejection& rejection) {
   if (choice < 0) reason += "; " + rejection.reason;
   rejection.reason = std::move(reason);
   return false;
-}
-
-/// What was kept for tasks that are all over is free for all.
-void Simulation::free_groups() {
-  const int resources = stage_.robots() + static_cast<int>(plan_.crews.size());
-  for (int resource = 0; resource < resources; ++resource) {
-    const int group = stage_.allocator->state(resource).reserved;
-    if (group >= 0 && stage_.group_is_over(group)) stage_.allocator->reserve(resource, -1);
-  }
 }
 
 }  // namespace rubicon::taskplan

@@ -207,6 +207,51 @@ void Simulation::exclude_followers(int first, int cause) {
   }
 }
 
+/// What was kept for tasks that are all over is free for all from now on. If it was kept from
+/// others for one that is not done, the run begins again without that one.
+void Simulation::free_groups() {
+  const int resources = stage_.robots() + static_cast<int>(plan_.crews.size());
+  for (int resource = 0; resource < resources; ++resource) {
+    const int group = stage_.allocator->state(resource).reserved;
+    if (group < 0 || !stage_.group_is_over(group)) continue;
+    const bool in_vain = kept_from_others(resource, group);
+    stage_.allocator->keep_no_more(resource, stage_.now());
+    if (!in_vain || second_chances_.size() >= kMostSecondChances) continue;
+    const std::vector<int>& all = stage_.group(group);
+    const auto out = std::count_if(all.begin(), all.end(),
+                                   [this](int task) { return excluded_.contains(task); });
+    must_restart_ |= second_chances_.emplace(group, -static_cast<int>(out)).second;
+  }
+}
+
+/// Whether others may have had it since the last of the group that is done.
+bool Simulation::kept_from_others(int resource, int group) const {
+  Ticks since = 0;
+  for (const int task : stage_.group(group)) {
+    if (excluded_.contains(task)) continue;
+    since = std::max(since, stage_.links->times(task).finish);
+  }
+  if (since == stage_.now()) return false;
+  for (int task = 0; task < stage_.plan_tasks(); ++task) {
+    if (stage_.group_of(task) == group || excluded_.contains(task)) continue;
+    const bool began = records_.has_begun(task) && stage_.links->times(task).start >= since;
+    if ((began || records_.status(task) == Status::asking) && may_want(task, resource)) return true;
+  }
+  return false;
+}
+
+/// Whether the robot or crew is one of those that the task asks for, or may be.
+bool Simulation::may_want(int task, int resource) const {
+  const auto asks_for = [&](int queue) {
+    const std::vector<int>& all = stage_.allocator->resources(queue);
+    return std::find(all.begin(), all.end(), resource) != all.end();
+  };
+  // A machine's works may need any crew.
+  if (stage_.spec(task).robot >= 0 && resource >= stage_.robots()) return true;
+  const std::vector<int>& queues = stage_.choice_queues(task);
+  return asks_for(stage_.queue_of(task)) || std::any_of(queues.begin(), queues.end(), asks_for);
+}
+
 /// A task that has begun is not held to its finish any more by a link from a task that is not done.
 void Simulation::let_go(ActiveTask& active, int before, schedule::LinkType type) {
   if (!stage_.links->let_go(active.task, before, type) || !active.is_held()) return;

@@ -83,6 +83,8 @@ bool Simulation::find_deadlock() {
   std::vector<int> tasks;
   for (const auto& [task, waits] : deadlocked) tasks.push_back(task);
   if (!lets_one_go_on(tasks)) reject_one_of(cycle_in(deadlocked));
+  // Without that one there may be another cycle among them.
+  for (const int task : tasks) stage_.begins_to_wait(task);
   return true;
 }
 
@@ -127,6 +129,9 @@ std::string Simulation::text_of_wait(const WaitLink& wait) const {
                          stage_.robot_spec(target.number).name, idle(target.number));
     case WaitTarget::Kind::resource:
       return fmt::format("{} waits for {}, which {} holds", who,
+                         stage_.allocator->name(target.number), other);
+    case WaitTarget::Kind::kept:
+      return fmt::format("{} waits for {}, which is kept for {}", who,
                          stage_.allocator->name(target.number), other);
     case WaitTarget::Kind::start:
     case WaitTarget::Kind::finish:

@@ -128,13 +128,14 @@ void Stage::set_groups() {
     if (first == task) continue;
     group_[at(task)] = group_[at(first)] = first;
   }
+  for (int task = 0; task < plan_tasks(); ++task) {
+    if (group_of(task) >= 0) groups_[group_of(task)].push_back(task);
+  }
 }
 
 bool Stage::group_is_over(int group) const {
-  for (int task = 0; task < plan_tasks(); ++task) {
-    if (group_of(task) == group && !is_over(task)) return false;
-  }
-  return true;
+  const std::vector<int>& all = groups_.at(group);
+  return std::all_of(all.begin(), all.end(), [this](int task) { return is_over(task); });
 }
 
 void Stage::choose(int task, int choice) {
@@ -234,43 +235,52 @@ WaitTarget Stage::move_of(int robot, WaitTarget::Kind kind, int number) const {
   return target;
 }
 
-std::vector<int> Stage::holders_before(int task, const Share& share) const {
-  std::vector<int> holders;
-  if (allocator->is_free(share)) return holders;
+/// Of those who hold it so many must give it back as to make up what is missing; those for whom it
+/// is kept must all be over.
+void Stage::add_resource(WaitSet& waits, int task, const Share& share, int choice) const {
+  if (allocator->is_free(share)) return;
   const schedule::ResourceState& state = allocator->state(share.resource);
-  for (const schedule::ResourceState::Held& held : state.held) {
-    if (held.task != task) holders.push_back(held.task);
+  WaitTarget held{WaitTarget::Kind::resource, share.resource, {}, false, false};
+  int given = 0;
+  for (const schedule::ResourceState::Held& each : state.held) {
+    if (each.task == task) continue;
+    held.by.push_back(each.task);
+    held.gives.push_back(each.units);
+    given += each.units;
   }
-  if (state.reserved < 0 || state.reserved == share.group) return holders;
-  for (int other = 0; other < plan_tasks(); ++other) {
-    if (group_of(other) == state.reserved && !is_over(other)) holders.push_back(other);
+  held.choice = choice;
+  held.missing = std::min(share.units - state.free_units, given);
+  if (held.missing > 0) waits.targets.push_back(std::move(held));
+  if (state.reserved < 0 || state.reserved == share.group) return;
+  for (const int other : group(state.reserved)) {
+    if (is_over(other)) continue;
+    WaitTarget& kept = waits.targets.emplace_back();
+    kept.kind = WaitTarget::Kind::kept;
+    kept.number = share.resource;
+    kept.by = {other};
+    kept.choice = choice;
   }
-  return holders;
 }
 
-void Stage::add_resource(WaitSet& waits, int task, const Share& share) const {
-  std::vector<int> holders = holders_before(task, share);
-  if (holders.empty()) return;
-  waits.targets.push_back(
-      {WaitTarget::Kind::resource, share.resource, std::move(holders), false, false});
-}
-
+/// It goes on as soon as it can have all that one of its choices needs, and what it waits for
+/// already has come.
 void Stage::add_choices(WaitSet& waits, int task) const {
-  WaitTarget target{WaitTarget::Kind::resource, -1, {}, false, false};
-  for (const int queue : choice_queues(task)) {
-    if (allocator->asks_no_more(task, queue)) continue;
-    bool is_free = true;
-    for (const Share& share : allocator->shares(queue)) {
-      const std::vector<int> holders = holders_before(task, share);
-      if (holders.empty()) continue;
-      is_free = false;
-      if (target.number < 0) target.number = share.resource;
-      target.by.insert(target.by.end(), holders.begin(), holders.end());
+  const std::vector<WaitTarget> needed = waits.targets;
+  const std::vector<int>& queues = choice_queues(task);
+  WaitSet chosen;
+  chosen.any = true;
+  for (std::size_t i = 0; i < queues.size(); ++i) {
+    if (allocator->asks_no_more(task, queues[i])) continue;
+    const int choice = static_cast<int>(i);
+    const std::size_t before = chosen.targets.size();
+    for (const Share& share : allocator->shares(queues[i])) {
+      add_resource(chosen, task, share, choice);
     }
     // Nobody holds it: it has only to work again.
-    if (is_free) return;
+    if (chosen.targets.size() == before) return;
+    for (const WaitTarget& each : needed) chosen.targets.emplace_back(each).choice = choice;
   }
-  if (target.number >= 0) waits.targets.push_back(std::move(target));
+  if (!chosen.targets.empty()) waits = std::move(chosen);
 }
 
 std::string Stage::gone(int component) const {

@@ -115,6 +115,8 @@ class Stage {
   /// The task whose members this one and others share, -1: it is alone.
   int group_of(int task) const { return group_[at(task)]; }
   bool group_is_over(int group) const;
+  /// The tasks of a group.
+  const std::vector<int>& group(int group) const { return groups_.at(group); }
   Journal& choices() { return choices_; }
   /// What the task holds of robots and crews by this choice; -1: by none.
   std::vector<Share> shares_of(int task, const interpreter::TaskSpec& choice) const;
@@ -146,12 +148,10 @@ class Stage {
 
   /// Who may move a robot out of the way: who has it, else the tasks that will have it some day.
   WaitTarget move_of(int robot, WaitTarget::Kind kind, int number) const;
-  /// For what other tasks hold of the robots and crews that a task by pools may have.
+  /// For what others hold, or is kept for others, of what a task by pools may have.
   void add_choices(WaitSet& waits, int task) const;
-  /// Those who keep the task from having its share: who holds it, or for whom it is reserved.
-  std::vector<int> holders_before(int task, const Share& share) const;
-  /// For a robot or crew that another task holds.
-  void add_resource(WaitSet& waits, int task, const Share& share) const;
+  /// For a robot or crew that others hold or that is kept for others; `choice` that needs it.
+  void add_resource(WaitSet& waits, int task, const Share& share, int choice = -1) const;
   /// Whether an idle robot may still be asked to its park position; the tasks of a robot that are
   /// not over: what the run knows, given by it.
   std::function<bool(int robot)> may_park_some_day;
@@ -179,6 +179,7 @@ class Stage {
   std::vector<std::vector<int>> choice_queues_;  ///< to each task by pools and each of its choices
   std::vector<int> chosen_;
   std::vector<int> group_;
+  std::map<int, std::vector<int>> groups_;
   Journal choices_;
   std::vector<std::vector<int>> tasks_of_;  ///< to each robot: its tasks of the plan
   std::deque<site::RobotView> views_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace rubicon::taskplan {
 
@@ -10,16 +11,33 @@ namespace {
 
 /// Whether none of those who may bring about what a task waits for ever will.
 bool never_comes(const WaitTarget& target, const Deadlocked& deadlocked) {
-  return !target.by.empty() && std::all_of(target.by.begin(), target.by.end(),
-                                           [&](int task) { return deadlocked.contains(task); });
+  if (target.by.empty()) return false;
+  if (target.gives.empty()) {
+    return std::all_of(target.by.begin(), target.by.end(),
+                       [&](int task) { return deadlocked.contains(task); });
+  }
+  int given = 0;
+  for (std::size_t i = 0; i < target.by.size(); ++i) {
+    if (!deadlocked.contains(target.by[i])) given += target.gives[i];
+  }
+  return given < target.missing;
 }
 
 /// Whether a task that waits so can never go on.
 bool is_deadlocked(const WaitSet& waits, const Deadlocked& deadlocked) {
   const auto never = [&](const WaitTarget& target) { return never_comes(target, deadlocked); };
   const auto& all = waits.targets;
-  if (waits.any) return !all.empty() && std::all_of(all.begin(), all.end(), never);
-  return std::any_of(all.begin(), all.end(), never);
+  if (!waits.any) return std::any_of(all.begin(), all.end(), never);
+  for (auto first = all.begin(); first != all.end();) {
+    const auto last = first->choice < 0
+                          ? std::next(first)
+                          : std::find_if(first, all.end(), [&](const WaitTarget& target) {
+                              return target.choice != first->choice;
+                            });
+    if (std::none_of(first, last, never)) return false;
+    first = last;
+  }
+  return !all.empty();
 }
 
 }  // namespace
@@ -69,8 +87,12 @@ WaitCycle cycle_in(const Deadlocked& deadlocked) {
     const auto target = std::find_if(all.begin(), all.end(), [&](const WaitTarget& each) {
       return never_comes(each, deadlocked);
     });
-    cycle.push_back({task, *target});
-    task = target->by.front();
+    WaitTarget& link = cycle.emplace_back(WaitLink{task, *target}).target;
+    // The next of the cycle goes first: another may yet give back what it has, and too little.
+    const auto next = std::find_if(link.by.begin(), link.by.end(),
+                                   [&](int each) { return deadlocked.contains(each); });
+    std::rotate(link.by.begin(), next, link.by.end());
+    task = link.by.front();
   }
   const auto first =
       std::min_element(cycle.begin(), cycle.end(),

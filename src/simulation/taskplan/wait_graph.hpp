@@ -17,21 +17,30 @@ struct WaitTarget {
     zone,      ///< a machine in its own zone; `number`: the robot
     resource,  ///< a robot or crew that another task holds; `number`: the
                ///< resource
+    kept,      ///< a robot or crew that is kept for another task; `number`: the
+               ///< resource
     start,     ///< its links do not let it start; `number`: the link
     finish     ///< its links hold its finish; `number`: the link
   };
   Kind kind = Kind::activity;
   int number = -1;
-  std::vector<int> by;   ///< the tasks any of which may bring it about; empty: nobody will
-  bool idle = false;     ///< a robot that nobody has: `by` are those who would move
-                         ///< it some day
-  bool machine = false;  ///< a machine that a task has, in the way
+  std::vector<int> by;          ///< the tasks any of which may bring it about; empty: nobody will
+  bool idle = false;            ///< a robot that nobody has: `by` are those who would move
+                                ///< it some day
+  bool machine = false;         ///< a machine that a task has, in the way
+  std::vector<int> gives = {};  ///< to each of `by` the people of a crew that it gives back; empty:
+                                ///< any of `by` is enough
+  int missing = 0;  ///< so many people of those are needed
+  int choice = -1;  ///< the way of going on that needs it, where there are several; -1: it is
+                    ///< one by itself
 };
 
 /// All that a task waits for; nothing, if it goes on by itself.
 struct WaitSet {
   std::vector<WaitTarget> targets;
-  bool any = false;  ///< it goes on as soon as one of them comes; else it needs all
+  /// It goes on as soon as one of them comes, or all of one `choice`, which stand together; else
+  /// it needs all.
+  bool any = false;
 };
 
 /// What a task waits for; nothing for one that is over.

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <set>
@@ -79,6 +80,26 @@ TEST(WaitGraph, OneOfSeveralWaysOutIsEnoughForAny) {
   EXPECT_THAT(deadlocked(graph, {1}), IsEmpty());
 }
 
+TEST(WaitGraph, OneOfSeveralChoicesIsEnoughIfAllOfItComes) {
+  Graph graph = {{2, all({{1}})}, {3, {}}};
+  graph[1] = any({{3}, {2}, {3}});
+  graph[1].targets[0].choice = graph[1].targets[1].choice = 0;
+  graph[1].targets[2].choice = 1;
+  EXPECT_THAT(deadlocked(graph, {1}), IsEmpty());
+  graph[1].targets.pop_back();
+  EXPECT_THAT(deadlocked(graph, {1}), ElementsAre(1, 2));
+}
+
+TEST(WaitGraph, SoManyPeopleMustComeAsAreMissing) {
+  Graph graph = {{1, all({{3, 2}})}, {2, all({{1}})}, {3, {}}};
+  graph[1].targets.front().gives = {1, 2};
+  graph[1].targets.front().missing = 1;
+  EXPECT_THAT(deadlocked(graph, {1}), IsEmpty());
+  graph[1].targets.front().missing = 2;
+  EXPECT_THAT(deadlocked(graph, {1}), ElementsAre(1, 2));
+  EXPECT_THAT(tasks_of(cycle_in(deadlocked_from({1}, in(graph)))), ElementsAre(1, 2));
+}
+
 TEST(WaitGraph, WhatNobodyBringsAboutIsNoDeadlock) {
   EXPECT_THAT(deadlocked({{1, all({{}})}}, {1}), IsEmpty());
 }
@@ -93,6 +114,15 @@ TEST(WaitGraph, LooksAtSoManyTasksOnly) {
   EXPECT_THAT(deadlocked(graph, {0}), IsEmpty());
 }
 
+/// Whether nobody outside of `left` brings it about.
+bool is_barred(const WaitTarget &each, const std::set<int> &left) {
+  int given = 0;
+  for (std::size_t i = 0; i < each.by.size(); ++i) {
+    if (!left.contains(each.by[i])) given += each.gives.empty() ? 1 : each.gives[i];
+  }
+  return !each.by.empty() && given < (each.gives.empty() ? 1 : each.missing);
+}
+
 /// By the definition: the greatest set each member of which waits for members only.
 std::set<int> deadlocked_by_definition(const Graph &graph) {
   std::set<int> left;
@@ -101,14 +131,15 @@ std::set<int> deadlocked_by_definition(const Graph &graph) {
     changed = false;
     for (const auto &[task, waits] : graph) {
       if (!left.contains(task)) continue;
-      int never = 0;
-      for (const WaitTarget &each : waits.targets) {
-        bool helped = each.by.empty();
-        for (const int by : each.by) helped = helped || !left.contains(by);
-        if (!helped) ++never;
+      std::map<int, bool> ways;  // whether each is barred; a target without a choice is one
+      for (std::size_t i = 0; i < waits.targets.size(); ++i) {
+        const int choice = waits.targets[i].choice;
+        const int way = !waits.any ? 0 : choice < 0 ? -1 - static_cast<int>(i) : choice;
+        ways[way] = ways[way] || is_barred(waits.targets[i], left);
       }
-      const int count = static_cast<int>(waits.targets.size());
-      if (waits.any ? never == count && count > 0 : never > 0) continue;
+      bool barred = !ways.empty();
+      for (const auto &[way, is] : ways) barred = barred && is;
+      if (barred) continue;
       left.erase(task);
       changed = true;
     }
@@ -131,8 +162,17 @@ TEST(WaitGraph, AgreesWithTheDefinition) {
       for (int i = below(4); i > 0; --i) {
         std::vector<int> by;
         for (int j = below(3); j >= 0; --j) by.push_back(below(count + 1));
-        waits.targets.push_back(target(std::move(by)));
+        WaitTarget &each = waits.targets.emplace_back(target(std::move(by)));
+        if (below(2) == 0) each.choice = below(2);
+        if (below(3) != 0) continue;
+        int most = 0;
+        for (std::size_t j = 0; j < each.by.size(); ++j) {
+          most += each.gives.emplace_back(1 + below(3));
+        }
+        each.missing = 1 + below(most);
       }
+      std::stable_sort(waits.targets.begin(), waits.targets.end(),
+                       [](const auto &a, const auto &b) { return a.choice < b.choice; });
     }
     const Deadlocked tasks = deadlocked_from(roots, in(graph));
     std::set<int> names;

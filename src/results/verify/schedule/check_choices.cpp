@@ -33,6 +33,15 @@ std::set<int> members_of(const Scene& scene, const SceneTask& task) {
   return members;
 }
 
+/// The task whose members it has: what all of a group lead to.
+int first_of(const Scene& scene, int task) {
+  std::set<int> seen;  // a hostile header may go round
+  while (scene.tasks[at(task)].same_as >= 0 && seen.insert(task).second) {
+    task = scene.tasks[at(task)].same_as;
+  }
+  return task;
+}
+
 }  // namespace
 
 std::optional<Trace> with_choices(const Trace& trace, Faults& faults) {
@@ -84,13 +93,6 @@ void check_same_as(const Trace& trace, const std::vector<TaskRun>& runs, Faults&
       holds[hold.resource].push_back(hold);
     }
   }
-  const auto first_of = [&](int task) {
-    std::set<int> seen;  // a hostile header may go round
-    while (scene.tasks[at(task)].same_as >= 0 && seen.insert(task).second) {
-      task = scene.tasks[at(task)].same_as;
-    }
-    return task;
-  };
   for (std::size_t i = 0; i < scene.tasks.size(); ++i) {
     const SceneTask& task = scene.tasks[i];
     const int run = run_of[i];
@@ -115,12 +117,41 @@ void check_same_as(const Trace& trace, const std::vector<TaskRun>& runs, Faults&
         }
         // Of what takes no time, at the same moment, the order of the records counts.
         if (other.end_line < before.start_line || other.start_line > own.start_line) continue;
-        if (first_of(other.task) == first_of(static_cast<int>(i))) continue;
+        if (first_of(scene, other.task) == first_of(scene, static_cast<int>(i))) continue;
         fault(fmt::format("{} is in {} before, and was kept for it", name,
                           scene.tasks[at(other.task)].name));
       }
     }
   }
+}
+
+std::vector<Kept> kept_for_nothing(const Trace& trace, const std::vector<TaskRun>& runs) {
+  struct Group {
+    std::set<int> members;  // whom those of it had that are done
+    Ticks until = 0;
+    bool for_nothing = false;
+  };
+  const Scene& scene = trace.scene;
+  std::set<int> firsts;
+  for (std::size_t i = 0; i < scene.tasks.size(); ++i) {
+    if (scene.tasks[i].same_as >= 0) firsts.insert(first_of(scene, static_cast<int>(i)));
+  }
+  std::map<int, Group> groups;
+  for (const TaskRun& run : runs) {
+    if (run.task < 0 || !run.ended) continue;
+    const int first = first_of(scene, run.task);
+    if (!firsts.contains(first)) continue;
+    Group& group = groups[first];
+    if (run.happened) group.members.merge(members_of(scene, scene.tasks[at(run.task)]));
+    if (run.end > group.until) group.for_nothing = !run.happened;
+    group.until = std::max(group.until, run.end);
+  }
+  std::vector<Kept> kept;
+  for (const auto& [first, group] : groups) {
+    if (!group.for_nothing) continue;
+    for (const int resource : group.members) kept.push_back({resource, group.until});
+  }
+  return kept;
 }
 
 }  // namespace rubicon::verify

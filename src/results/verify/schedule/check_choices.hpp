@@ -15,4 +15,11 @@ std::optional<Trace> with_choices(const Trace& trace, Faults& faults);
 /// Tasks with the same members as another have them, and nobody has these in between.
 void check_same_as(const Trace& trace, const std::vector<TaskRun>& runs, Faults& faults);
 
+/// What tasks with the same members had was kept until then for one of them that was not done.
+struct Kept {
+  int resource = -1;  ///< robots first, then crews
+  Ticks until = 0;
+};
+std::vector<Kept> kept_for_nothing(const Trace& trace, const std::vector<TaskRun>& runs);
+
 }  // namespace rubicon::verify

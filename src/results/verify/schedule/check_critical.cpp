@@ -12,6 +12,7 @@
 
 #include "src/motion/math/index.hpp"
 #include "src/results/verify/replay/holds.hpp"
+#include "src/results/verify/schedule/check_choices.hpp"
 
 namespace rubicon::verify {
 
@@ -53,7 +54,11 @@ class CriticalCheck {
  public:
   CriticalCheck(const Trace& trace, const std::vector<TaskRun>& runs, const ScheduleJson& schedule,
                 Faults& faults)
-      : trace_(trace), runs_(runs), rows_(schedule.critical), faults_(faults) {
+      : trace_(trace),
+        runs_(runs),
+        rows_(schedule.critical),
+        faults_(faults),
+        kept_(kept_for_nothing(trace, runs)) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
       holds_.push_back(holds_of(trace, runs, static_cast<int>(i)));
       runs_of_[trace.runs[at(runs[i].run)]].push_back(i);
@@ -195,6 +200,9 @@ class CriticalCheck {
       if (text == " starts when " + quoted + " is free" + had) {
         return given_over(before, name, resource, later);
       }
+      if (text == " starts when " + quoted + " is kept for nobody any more" + had) {
+        return kept_no_more(before, name, resource, later);
+      }
       if (!any_hold(before, resource, [](const Hold&) { return true; })) return false;
       for (const char* way : {"", ", to be out of the way"}) {
         if (text == " waits on its way for " + quoted + had + way) return true;
@@ -223,6 +231,19 @@ class CriticalCheck {
       return any_hold(before, resource, [&](const Hold& given) {
         return std::llabs(taken.from - later - free_from(given)) <= kTimeSlack;
       });
+    });
+  }
+
+  /// The one had it, and the other has it from when it was kept no more, or from the next shift.
+  bool kept_no_more(const std::string& before, const std::string& name, int resource,
+                    Ticks later) const {
+    return std::any_of(kept_.begin(), kept_.end(), [&](const Kept& kept) {
+      if (kept.resource != resource) return false;
+      const auto gave_back = [&](const Hold& given) { return given.to < kept.until; };
+      const auto takes = [&](const Hold& taken) {
+        return std::llabs(taken.from - later - kept.until) <= kTimeSlack;
+      };
+      return any_hold(before, resource, gave_back) && any_hold(name, resource, takes);
     });
   }
 
@@ -265,6 +286,7 @@ class CriticalCheck {
   const std::vector<TaskRun>& runs_;
   const std::vector<CriticalRow>& rows_;
   Faults& faults_;
+  std::vector<Kept> kept_;
   std::vector<std::vector<Hold>> holds_;  ///< by run
   std::map<std::string, std::vector<std::size_t>> runs_of_;
 };

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "src/motion/math/index.hpp"
+#include "src/results/verify/schedule/check_choices.hpp"
 #include "src/results/verify/schedule/check_lifts.hpp"
 #include "src/results/verify/schedule/task_clock.hpp"
 
@@ -50,6 +51,9 @@ WaitCheck::WaitCheck(const Trace& trace, const std::vector<TaskRun>& runs,
              std::llabs(run.end - each.from) <= kTimeSlack;
     });
     if (outlasts) given_back_[at(each.robot)].emplace(each.until, -1);
+  }
+  for (const Kept& kept : kept_for_nothing(trace, runs)) {
+    given_back_[at(kept.resource)].emplace(kept.until, -1);
   }
 }
 

@@ -32,7 +32,7 @@ class WaitCheck {
   const std::vector<TaskRun>& runs_;
   const WorkingHours& hours_;
   std::vector<const TaskRun*> run_of_;  ///< by task; null: it did not happen
-  /// By robot or crew: when which run gave it back.
+  /// By robot or crew: when which run gave it back; -1: when it was repaired, or kept no more.
   std::vector<std::multimap<Ticks, int>> given_back_;
   std::vector<std::vector<int>> held_;  ///< by run: what it holds from its start to its finish
 };
