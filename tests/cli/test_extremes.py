@@ -44,6 +44,14 @@ class Extremes(ResultCase):
         found = self.faults_of(lambda result: result.schedule.update(cost=result.schedule["cost"] * (1 + 1e-9)))
         self.assertIn("the whole costs", found)
 
+    def test_a_plan_of_a_hundred_years(self):
+        parts = 36
+        plan = "plan long { crew c; for i from 1 to %d { task h[i] { by c; takes 27000 h; when (i > 1) { after h[i - 1]; } } } }" % parts
+        schedule, _ = self.run_plan(plan)
+        self.assertEqual(schedule["process_time"], parts * 27_000 * HOUR)
+        self.assertEqual(film_of(self.out)["end"], parts * 27_000 * HOUR)
+        self.read_all()
+
 
 if __name__ == "__main__":
     unittest.main()
