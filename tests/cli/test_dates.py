@@ -57,6 +57,16 @@ class Dates(ResultCase):
                          "steel starts at its not_before, 3 h after the beginning of the plan")
         self.assertEqual([step["task"] for step in schedule["critical"]], ["steel", "pour"])
 
+    def test_dates_come_back_over_a_schedule_of_the_plan(self):
+        _, tasks = self.run_plan(CREWS)
+        plan, schedule_file, again = (os.path.join(self.folder, name) for name in ("p.plan", "crews.xml", "again.plan"))
+        exported = rubicon("export", plan, "--mspdi", schedule_file)
+        self.assertEqual((exported.returncode, exported.stderr), (0, ""))
+        self.assertEqual(rubicon("import", schedule_file, "--out", again).returncode, 0)
+        with open(again, encoding="utf-8") as file:
+            _, back = self.run_plan(file.read())
+        self.assertEqual({name: back[name]["start"] for name in tasks}, {name: task["start"] for name, task in tasks.items()})
+
     def test_late_tasks_and_baselines_are_listed(self):
         _, tasks = self.run_plan(CREWS)
         late = {name: task.get("late") for name, task in tasks.items()}

@@ -11,6 +11,7 @@
 #include "interpreter/syntax/attribute_text.hpp"
 #include "src/exchange/project_io/carried_project.hpp"
 #include "src/exchange/project_io/dates.hpp"
+#include "src/exchange/project_io/left_out.hpp"
 #include "src/exchange/project_io/plan_network.hpp"
 #include "src/exchange/project_io/plan_terms.hpp"
 #include "src/exchange/project_io/tidy_project.hpp"
@@ -39,6 +40,7 @@ class ProjectBuilder {
     build_links();
     build_assignments();
     build_texts();
+    list_left_out(plan_, specs_, run_ != nullptr, listing_);
     if (run_ != nullptr) take_run(*run_, planned_lines(), project_);
     tidy_project(project_, {}, listing_);
     listing_.report(diagnostics_);
@@ -52,7 +54,16 @@ class ProjectBuilder {
   void build_settings() {
     project_ = carried_.project.value_or(Project{});
     if (!carried_.project) project_.name = plan_.name;
-    start_ = plan_.start_at ? Moment{schedule::text_of(*plan_.start_at)} : Moment{};
+    start_ = plan_.start_at ? moment_at(0) : Moment{};
+    const bool has_dates = std::any_of(plan_.tasks.begin(), plan_.tasks.end(),
+                                       [](const TaskSpec& spec) { return spec.not_before > 0; });
+    if (!plan_.start_at && has_dates) {
+      start_ = moment_at(0);
+      if (run_ == nullptr) {
+        listing_.add("I09", "start", {},
+                     "the plan has no start_at; its schedule begins at " + start_.text);
+      }
+    }
     Project with_tasks;
     with_tasks.start = project_.start;
     for (const auto& [name, carried] : carried_.tasks) with_tasks.tasks.push_back(carried.task);
@@ -255,7 +266,6 @@ class ProjectBuilder {
     names_.push_back(name);
     if (spec == nullptr) return;
     take_dates(*spec, project_.tasks.back());
-    list_unsayable(*spec);
   }
 
   void push_new(std::size_t i, int level) {
@@ -279,18 +289,24 @@ class ProjectBuilder {
     if (name != nullptr && *name != usual) task.name = *name;
   }
 
-  void take_dates(const TaskSpec& spec, Task& task) const {
+  /// So many ticks after the beginning; with seconds where it is not on the minute, rounded up.
+  Moment moment_at(schedule::Ticks time) const {
+    const schedule::Ticks seconds =
+        time / schedule::kSecond + (time % schedule::kSecond > 0 ? 1 : 0);
     const schedule::CivilTime start = plan_.start_at.value_or(schedule::kUndatedStart);
-    const auto moment = [&](schedule::Ticks time) {
-      return Moment{schedule::text_of(schedule::civil_time_at(start, time))};
-    };
+    Moment moment{schedule::text_of(schedule::civil_time_at(start, seconds * schedule::kSecond))};
+    if (seconds % 60 > 0) moment.text += fmt::format(":{:02}", seconds % 60);
+    return moment;
+  }
+
+  void take_dates(const TaskSpec& spec, Task& task) const {
     if (spec.baseline) {
-      task.baseline_start = moment(spec.baseline->start);
-      task.baseline_finish = moment(spec.baseline->finish);
+      task.baseline_start = moment_at(spec.baseline->start);
+      task.baseline_finish = moment_at(spec.baseline->finish);
     }
     // A plan says a deadline to the minute: one that it does not change keeps its seconds.
-    if (spec.due && !task.deadline.text.starts_with(moment(*spec.due).text)) {
-      task.deadline = moment(*spec.due);
+    if (spec.due && !task.deadline.text.starts_with(moment_at(*spec.due).text)) {
+      task.deadline = moment_at(*spec.due);
     }
   }
 
@@ -305,26 +321,6 @@ class ProjectBuilder {
 
   static void take_duration(const TaskSpec& spec, Task& task) {
     if (plan_seconds(task) != work_seconds(spec)) task.duration.seconds = work_seconds(spec);
-  }
-
-  void list_unsayable(const TaskSpec& spec) {
-    if ((spec.move || spec.go) && run_ == nullptr) {
-      listing_.add("I09", "motion", spec.span,
-                   fmt::format("the motions of task '{}' are left out: a schedule knows its crew "
-                               "work only",
-                               spec.name),
-                   "what a run takes is in its own schedule (rubicon run --out)");
-    }
-    if (!spec.zones.empty() || !spec.remove.empty()) {
-      listing_.add("I09", "zone", spec.span,
-                   fmt::format("zones and what task '{}' removes are left out: a schedule has no "
-                               "place",
-                               spec.name));
-    }
-    if (spec.priority != 0) {
-      listing_.add("I09", "priority", spec.priority_span,
-                   fmt::format("the priority of task '{}' is left out", spec.name));
-    }
   }
 
   // ---- links, assignments
@@ -366,7 +362,31 @@ class ProjectBuilder {
         task.constraint = Constraint::as_soon_as_possible;
         task.constraint_date = {};
       }
+      take_not_before(*specs_[i], task);
     }
+    for (const TaskSpec& spec : plan_.tasks) {
+      if (spec.not_before <= 0 || !carried_.milestones.contains(spec.name)) continue;
+      listing_.add("I09", "not_before", spec.span,
+                   fmt::format("the not_before of '{}' is left out: the schedule has no such task",
+                               spec.name));
+    }
+  }
+
+  /// A task has one constraint: a `not_before` takes the place of one that does not imply it.
+  void take_not_before(const TaskSpec& spec, Task& task) {
+    if (spec.not_before <= 0) return;
+    const Moment date = moment_at(spec.not_before);
+    const bool starts = task.constraint == Constraint::start_no_earlier_than;
+    const auto held = second_number(task.constraint_date.text), now = second_number(date.text);
+    if ((starts || task.constraint == Constraint::must_start_on) && held >= now) return;
+    if (!starts && task.constraint != Constraint::as_soon_as_possible) {
+      listing_.add("I09", "constraint", spec.span,
+                   fmt::format("the other constraint of task '{}' is left out: a schedule has one "
+                               "for each task, and not_before takes its place",
+                               spec.name));
+    }
+    task.constraint = Constraint::start_no_earlier_than;
+    task.constraint_date = date;
   }
 
   /// A carried link holds by itself where the plan has no task for one of its ends; else it only
@@ -397,10 +417,24 @@ class ProjectBuilder {
     // Who the plan says works on what; taken out one by one.
     std::set<std::pair<std::int64_t, std::int64_t>> said;
     std::vector<std::pair<std::int64_t, std::int64_t>> order;
+    std::map<std::pair<std::int64_t, std::int64_t>, double> units;
     const auto say = [&](std::int64_t task, const std::string& name) {
       const auto resource = resource_uid_.find(name);
       if (resource == resource_uid_.end()) return;
       if (said.emplace(task, resource->second).second) order.emplace_back(task, resource->second);
+    };
+    const std::set<int> shared = shared_crews(plan_);
+    const auto say_crew = [&](std::int64_t task, const TaskSpec& spec, int index) {
+      const interpreter::CrewSpec& crew = plan_.crews[static_cast<std::size_t>(index)];
+      say(task, crew.name);
+      const auto resource = resource_uid_.find(crew.name);
+      if (resource == resource_uid_.end() || !shared.contains(index)) return;
+      // Of a crew that tasks share each assignment says how many people it has.
+      double people = crew.size;
+      for (const auto& need : spec.needs) {
+        if (need.crew == index) people = need.people;
+      }
+      units[{task, resource->second}] = people;
     };
     std::set<std::int64_t> planned, workers;
     for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
@@ -409,16 +443,15 @@ class ProjectBuilder {
       // What runs day and night has nobody in the plan, and keeps those it had.
       const bool nobody = specs_[i]->crews.empty() && specs_[i]->robot < 0;
       if (!nobody || !runs_day_and_night(project_.tasks[i])) planned.insert(task);
-      for (const int crew : specs_[i]->crews) {
-        say(task, plan_.crews[static_cast<std::size_t>(crew)].name);
-      }
+      for (const int crew : specs_[i]->crews) say_crew(task, *specs_[i], crew);
       if (specs_[i]->robot >= 0) {
         say(task, plan_.robots[static_cast<std::size_t>(specs_[i]->robot)].name);
       }
+      for (const int robot : specs_[i]->also_robots) {
+        say(task, plan_.robots[static_cast<std::size_t>(robot)].name);
+      }
       for (const auto* work : {&specs_[i]->hook, &specs_[i]->adjust, &specs_[i]->release}) {
-        if (*work && (*work)->crew >= 0) {
-          say(task, plan_.crews[static_cast<std::size_t>((*work)->crew)].name);
-        }
+        if (*work && (*work)->crew >= 0) say_crew(task, *specs_[i], (*work)->crew);
       }
     }
     for (const Resource& resource : project_.resources) {
@@ -437,6 +470,8 @@ class ProjectBuilder {
       if (in_plan && !said.contains(pair)) continue;  // somebody took it out of the plan
       kept.insert(pair);
       project_.assignments.push_back(each);
+      const auto people = units.find(pair);
+      if (people != units.end()) project_.assignments.back().units = people->second;
     }
     for (const auto& pair : order) {
       if (kept.contains(pair)) continue;
@@ -444,6 +479,8 @@ class ProjectBuilder {
       assignment.uid = ++last;
       assignment.task = pair.first;
       assignment.resource = pair.second;
+      const auto people = units.find(pair);
+      if (people != units.end()) assignment.units = people->second;
       project_.assignments.push_back(assignment);
     }
   }

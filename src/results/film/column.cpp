@@ -51,4 +51,12 @@ std::int64_t millionths(double value, const char* what) {
   return std::llround(value * 1e6);
 }
 
+std::int64_t time_millionths(double t) {
+  if (!(t >= 0 && t <= kLatestTime)) {
+    throw std::invalid_argument(
+        fmt::format("a time is {}: a film goes from 0 to {:g}", t, kLatestTime));
+  }
+  return std::llround(t * 1e6);
+}
+
 }  // namespace rubicon::film

@@ -33,12 +33,19 @@ class Column {
 /// Metres, degrees and seconds per whole number.
 inline constexpr double kMillionth = 1e-6;
 
-/// No length (m), angle (degrees) or time (s) of a film is larger: the page reads whole numbers as
-/// doubles, and twice a difference of two such values in millionths must stay below 2^53.
+/// No length (m) or angle (degrees) of a film is larger: the page reads whole numbers as doubles,
+/// and twice a difference of two such values in millionths must stay below 2^53.
 inline constexpr double kLargestValue = 1e9;
+
+/// No time (s) of a film is later, by the same measure, as none is before 0; moments of a plan lie
+/// within 126 years.
+inline constexpr double kLatestTime = 4e9;
 
 /// Rounded to millionths; throws std::invalid_argument for what is not finite or too large, `what`
 /// says what it is.
 std::int64_t millionths(double value, const char* what);
+
+/// A time (s) in millionths; throws std::invalid_argument for one before 0 or too late.
+std::int64_t time_millionths(double t);
 
 }  // namespace rubicon::film

@@ -92,7 +92,7 @@ void FilmBuilder::record(const trace::Record& record) {
   }
   columns_.kind.add(static_cast<int>(record.kind()));
   columns_.run.add(run);
-  columns_.t.add(millionths(t, "a time"));
+  columns_.t.add(time_millionths(t));
   runs_[run].last = t;
   std::visit([&](const auto& what) { write(what, run); }, record.what);
 }
@@ -258,15 +258,15 @@ void FilmBuilder::write(const trace::WayPoint& point, int) {
 void FilmBuilder::write(const trace::Work& work, int run) {
   columns_.work_what.add(string(work.what));
   columns_.work_crew.add(string(work.crew));
-  columns_.work_from.add(millionths(trace::seconds(work.from), "a time"));
-  columns_.work_time.add(millionths(trace::seconds(work.time), "a time"));
+  columns_.work_from.add(time_millionths(trace::seconds(work.from)));
+  columns_.work_time.add(time_millionths(trace::seconds(work.time)));
   tracks_->stand(run, runs_[run].last);
 }
 
 void FilmBuilder::write(const trace::Pause& pause, int run) {
   columns_.pause_why.add(string(pause.why));
   columns_.pause_for.add(string(pause.whom));
-  columns_.pause_from.add(millionths(trace::seconds(pause.from), "a time"));
+  columns_.pause_from.add(time_millionths(trace::seconds(pause.from)));
   tracks_->stand(run, runs_[run].last);
 }
 
@@ -283,7 +283,7 @@ void FilmBuilder::write(const trace::Detach& detach, int) {
 void FilmBuilder::write(const trace::Turn& turn, int) {
   columns_.turn_component.add(component(turn.component));
   columns_.turn_angle.add(millionths(turn.angle_deg, "an angle"));
-  columns_.turn_from.add(millionths(trace::seconds(turn.from), "a time"));
+  columns_.turn_from.add(time_millionths(trace::seconds(turn.from)));
   add_pose(columns_.turn_pose, turn.X_TO);
   const trace::Hit hit = turn.hit.value_or(trace::Hit{});
   columns_.turn_moved.add(string(hit.moved));
@@ -299,7 +299,7 @@ void FilmBuilder::write(const trace::ColdJoint& joint, int) {
   for (const double each : joint.ends) {
     columns_.cold_joint_ends.add(millionths(each, "a place"));
   }
-  columns_.cold_joint_age.add(millionths(trace::seconds(joint.age), "a time"));
+  columns_.cold_joint_age.add(time_millionths(trace::seconds(joint.age)));
 }
 
 void FilmBuilder::write(const trace::MotionEnd& end, int run) {

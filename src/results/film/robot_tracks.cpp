@@ -31,7 +31,7 @@ RobotTracks::RobotTracks(const std::vector<SceneRobot>& robots) {
 
 Key RobotTracks::key(double t, const std::vector<double>& q) const {
   Key key;
-  key.t = millionths(t, "a time");
+  key.t = time_millionths(t);
   key.q.reserve(q.size());
   for (const double value : q) key.q.push_back(millionths(value, "a control parameter"));
   return key;
@@ -52,7 +52,7 @@ void RobotTracks::stand(int run, double t) {
   Motion* motion = find(run);
   if (motion == nullptr || t <= motion->t) return;
   Key still = motion->keys.last();
-  still.t = millionths(t, "a time");
+  still.t = time_millionths(t);
   motion->keys.add(still);
   motion->t = t;
 }

@@ -19,8 +19,8 @@ using taskplan::Schedule;
 using taskplan::TaskOutcome;
 using taskplan::TaskResult;
 
-/// More people or money than this is no building site, and sums of it would overflow.
-constexpr double kLargestAmount = 1e15;
+/// More people or money than this no run writes (rates are at most 1e12 per hour).
+constexpr double kLargestAmount = 1e24;
 
 double amount(const ExactJson& value) {
   const double number = value.number();

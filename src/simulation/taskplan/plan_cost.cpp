@@ -207,22 +207,22 @@ class CostCounter {
 
 /// Whole cents for amounts so that they add up to `total`: each is rounded down, and what is left
 /// goes to the largest remainders, of equals to the first.
-std::vector<std::int64_t> cents_of(const std::vector<Wide>& amounts, std::int64_t total) {
-  std::vector<std::int64_t> cents;
-  for (const Wide amount : amounts) cents.push_back(static_cast<std::int64_t>(amount / kCent));
+std::vector<Wide> cents_of(const std::vector<Wide>& amounts, Wide total) {
+  std::vector<Wide> cents;
+  for (const Wide amount : amounts) cents.push_back(amount / kCent);
   std::vector<std::size_t> order(amounts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return amounts[a] % kCent > amounts[b] % kCent;
   });
-  std::int64_t left = total - std::accumulate(cents.begin(), cents.end(), std::int64_t{0});
+  Wide left = total - std::accumulate(cents.begin(), cents.end(), Wide{0});
   for (std::size_t i = 0; left > 0 && !order.empty(); i = (i + 1) % order.size(), --left) {
     ++cents[order[i]];
   }
   return cents;
 }
 
-double money(std::int64_t cents) { return static_cast<double>(cents) / 100; }
+double money(Wide cents) { return static_cast<double>(cents) / 100; }
 
 bool says_more(const interpreter::Charges& charges) {
   return charges.rental_per_day || charges.mobilisation || charges.overtime != 1 ||
@@ -305,20 +305,19 @@ void add_costs(const interpreter::PlanModel& plan, Schedule& schedule) {
     if (item.task >= 0) tasks[at(item.task)] += item.amount;
     if (item.resource >= 0) resources[at(item.resource)] += item.amount;
   }
-  const auto whole = static_cast<std::int64_t>(rounded_quotient(total, kCent));
-  const std::vector<std::int64_t> by_kind = cents_of(kinds, whole);
+  const Wide whole = rounded_quotient(total, kCent);
+  const std::vector<Wide> by_kind = cents_of(kinds, whole);
   const auto sum_of = [&](std::initializer_list<CostKind> some) {
-    return std::accumulate(some.begin(), some.end(), std::int64_t{0},
-                           [&](std::int64_t sum, CostKind kind) {
-                             return sum + by_kind[static_cast<std::size_t>(kind)];
-                           });
+    return std::accumulate(some.begin(), some.end(), Wide{0}, [&](Wide sum, CostKind kind) {
+      return sum + by_kind[static_cast<std::size_t>(kind)];
+    });
   };
   schedule.cost = money(whole);
   for (std::size_t i = 0; i < kCostKinds; ++i) schedule.cost_by_kind[i] = money(by_kind[i]);
-  const std::vector<std::int64_t> by_task = cents_of(
+  const std::vector<Wide> by_task = cents_of(
       tasks, sum_of({CostKind::use, CostKind::overtime, CostKind::fuel, CostKind::material}));
   for (std::size_t i = 0; i < by_task.size(); ++i) schedule.tasks[i].cost = money(by_task[i]);
-  const std::vector<std::int64_t> by_resource =
+  const std::vector<Wide> by_resource =
       cents_of(resources, sum_of({CostKind::use, CostKind::overtime, CostKind::rental,
                                   CostKind::mobilisation, CostKind::fuel}));
   for (std::size_t i = 0; i < by_resource.size(); ++i) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "src/exchange/encoding/gzip.hpp"
+#include "src/results/film/column.hpp"
 #include "tests/support/header_json.hpp"
 #include "tests/unit/film/film_decoder.hpp"
 
@@ -174,6 +175,18 @@ TEST(FilmWriter, RestartForgetsAll) {
     fresh.line(header("second").dump());
     return fresh.finish("").bytes;
   }());
+}
+
+TEST(FilmWriter, TimesGoAsFarAsPlansDo) {
+  const DecodedFilm film = film_of(
+      header(),
+      {kStart, step(3'900'000'000.5, 1.5, 175),
+       R"({"type":"task_end","task":"a","robot":"crane","t":3950000000,"result":"done","reason":""})"});
+  EXPECT_EQ(film.columns.at("t"),
+            (std::vector<std::int64_t>{2'000'000, 3'900'000'000'500'000, 3'950'000'000'000'000}));
+  EXPECT_EQ(film.track(0).t.back(), 3'900'000'000'500'000);
+  EXPECT_THROW(time_millionths(4.1e9), std::invalid_argument);
+  EXPECT_THROW(time_millionths(-1), std::invalid_argument);
 }
 
 /// What a line is answered with; "" if it is taken.

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -113,6 +114,109 @@ TEST_F(EditedPlan, a_plan_without_import_block_goes_out_as_well) {
   EXPECT_EQ(project.assignments.size(), 1u);
   EXPECT_TRUE(reading.says("I09", "the priority of task 'done'"));
   EXPECT_TRUE(reading.says("I09", "zones"));
+}
+
+TEST_F(EditedPlan, a_not_before_is_a_start_no_earlier_than) {
+  for (const char* start : {"start_at \"2026-03-02 07:00\";", ""}) {
+    const Reading reading =
+        project_of_plan(fmt::format("plan p {{ {} crew a; task now {{ by a; takes 1 h; }}\n"
+                                    "task later {{ by a; takes 1 h; not_before 50 h; }}\n"
+                                    "task after {{ by a; takes 1 h; not_before 180090 s; }} }}",
+                                    start));
+    ASSERT_TRUE(reading.project);
+    const Project& project = *reading.project;
+    const bool dated = *start != 0;
+    EXPECT_EQ(project.start.text, dated ? "2026-03-02 07:00" : "2024-01-01 00:00");
+    EXPECT_EQ(reading.says("I09", "the plan has no start_at"), !dated);
+    EXPECT_EQ(project.tasks.at(0).constraint, Constraint::as_soon_as_possible);
+    for (const std::size_t i : {1u, 2u}) {
+      EXPECT_EQ(project.tasks.at(i).constraint, Constraint::start_no_earlier_than);
+    }
+    EXPECT_EQ(project.tasks[1].constraint_date.text,
+              dated ? "2026-03-04 09:00" : "2024-01-03 02:00");
+    EXPECT_EQ(project.tasks[2].constraint_date.text,
+              dated ? "2026-03-04 09:01:30" : "2024-01-03 02:01:30");
+    const std::string back = plan_of(project).text;
+    EXPECT_NE(back.find("after plan_begins FS + 50 h;"), std::string::npos) << back;
+    EXPECT_NE(back.find("after plan_begins FS + 180090 s;"), std::string::npos) << back;
+  }
+}
+
+TEST_F(EditedPlan, a_not_before_joins_the_constraint_that_was_carried) {
+  const std::string link = "after plan_begins FS + 1176 h";  // 2026-04-20 07:00
+  replace(link, "not_before \"2026-04-19 07:00\"; " + link);
+  EXPECT_TRUE(back() == project_);
+  replace("2026-04-19 07:00\"; " + link, "2026-04-21 08:30\"; " + link);
+  const Reading reading = project_of_plan(text_);
+  ASSERT_TRUE(reading.project);
+  project_.tasks[8].constraint_date.text = "2026-04-21 08:30";
+  EXPECT_TRUE(*reading.project == project_);
+  EXPECT_TRUE(reading.said.empty()) << testing::PrintToString(reading.said);
+
+  // A date for the finish gives way, and that is told.
+  Project other;
+  other.start.text = "2026-03-02 07:00";
+  Task task;
+  task.uid = task.id = 1;
+  task.name = "roof";
+  task.duration.seconds = 3600;
+  task.constraint = Constraint::finish_no_earlier_than;
+  task.constraint_date.text = "2026-03-04 07:00";
+  other.tasks = {task};
+  std::string text = plan_of(other).text;
+  const std::string takes = "takes 1 h;";
+  text.replace(text.find(takes), takes.size(), takes + " not_before 1 h;");
+  const Reading replaced = project_of_plan(text);
+  ASSERT_TRUE(replaced.project);
+  EXPECT_EQ(replaced.project->tasks.at(0).constraint, Constraint::start_no_earlier_than);
+  EXPECT_EQ(replaced.project->tasks[0].constraint_date.text, "2026-03-02 08:00");
+  EXPECT_TRUE(replaced.says("I09", "the other constraint of task 'roof'"));
+}
+
+TEST_F(EditedPlan, people_of_a_crew_are_units) {
+  const Reading reading = project_of_plan(
+      "plan p { start_at \"2026-03-02 07:00\"; crew gang { size 4; cost 90 per h; } crew two { "
+      "size "
+      "2; }\n"
+      "task part { by gang; takes 1 h; needs 2 gang; } task all { by gang, two; takes 1 h; } }");
+  ASSERT_TRUE(reading.project);
+  const Project& project = *reading.project;
+  ASSERT_EQ(project.assignments.size(), 3u);
+  EXPECT_EQ(project.resources.at(0).max_units, 4);
+  EXPECT_EQ(project.assignments[0].units, 2);
+  EXPECT_EQ(project.assignments[1].units, 4);
+  EXPECT_EQ(project.assignments[2].units, 1);  // nobody shares it
+  EXPECT_TRUE(reading.says("I09", "the cost of crew 'gang' is written as the plan has it"));
+  // They come back with the plan that is made of the schedule.
+  const Reading back = project_of_plan(plan_of(project).text);
+  ASSERT_TRUE(back.project);
+  EXPECT_EQ(back.project->assignments, project.assignments);
+}
+
+TEST_F(EditedPlan, what_a_schedule_has_no_word_for_is_listed_by_kind) {
+  const Reading reading = project_of_plan(
+      "plan p { start_at \"2026-03-02 07:00\"; overhead 100 per day;\n"
+      "calendar day { mon-fri 07:00-16:00; lost 0.1; } crew x { calendar day; rental 10 per day; "
+      "}\n"
+      "crew y { mobilisation 5; overtime 1.5; } pool people { of x, y; }\n"
+      "for i from 1 to 6 { task t[i] { by people; takes uniform(1 h, 2 h); priority i; } }\n"
+      "task u { by same as t[1]; takes 1 h; after t[1]; priority 1; } }");
+  ASSERT_TRUE(reading.project);
+  EXPECT_THAT(
+      reading.said,
+      testing::UnorderedElementsAre(
+          testing::HasSubstr("the overhead of the plan is left out"),
+          testing::HasSubstr("the lost days of calendar 'day' are left out"),
+          testing::HasSubstr("the rental of 'x' is left out"),
+          testing::HasSubstr("the mobilisation of 'y' is left out"),
+          testing::HasSubstr("the overtime of 'y' is left out"),
+          testing::HasSubstr("the priority of tasks 't_1', 't_2', 't_3' and 4 more is left out"),
+          testing::HasSubstr(
+              "the choice of who does tasks 't_1', 't_2', 't_3' and 3 more is left out"),
+          testing::HasSubstr("'same as' of task 'u' is left out"),
+          testing::HasSubstr(
+              "the spread of the durations of tasks 't_1', 't_2', 't_3' and 3 more")));
+  for (const std::string& each : reading.said) EXPECT_EQ(each.substr(0, 3), "I09") << each;
 }
 
 TEST_F(EditedPlan, imports_of_other_things_are_left_alone) {

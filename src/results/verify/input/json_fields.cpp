@@ -79,6 +79,10 @@ double JsonFields::number(const char* name) const {
   return number_of(any(name), fmt::format("'{}' of {}", name, what_));
 }
 
+double JsonFields::money(const char* name) const {
+  return number_of(any(name), fmt::format("'{}' of {}", name, what_), kLargestMoney);
+}
+
 int JsonFields::integer(const char* name) const {
   return integer_of(any(name), fmt::format("'{}' of {}", name, what_), -kLargestInteger,
                     kLargestInteger);
@@ -126,10 +130,10 @@ math::Vec3 JsonFields::point(const char* name) const {
   return p;
 }
 
-double number_of(const Json& value, const std::string& what) {
+double number_of(const Json& value, const std::string& what, double largest) {
   if (!value.is_number()) throw UnreadableInput(fmt::format("expected a number: {}", what));
   const double number = value.get<double>();
-  if (!(std::fabs(number) <= kLargestNumber)) {
+  if (!(std::fabs(number) <= largest)) {
     throw UnreadableInput(fmt::format("expected a smaller number: {}", what));
   }
   return number;

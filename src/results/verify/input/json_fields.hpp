@@ -14,6 +14,8 @@ using Json = nlohmann::json;
 
 /// m or degrees: more than this is no building site, and its squares would overflow.
 inline constexpr double kLargestNumber = 1e12;
+/// Rates are at most 1e12 per hour, a plan lasts a million hours, and has some thousand crews.
+inline constexpr double kLargestMoney = 1e24;
 
 /// Whether a text is a result without tasks of this format ("rubicon-grid"), by its head: a longer
 /// text need not be looked at to know one.
@@ -32,6 +34,7 @@ class JsonFields {
   bool has(const char* name) const;  ///< there, and not null
   const Json& any(const char* name) const;
   double number(const char* name) const;
+  double money(const char* name) const;
   int integer(const char* name) const;
   bool truth(const char* name) const;
   const std::string& text(const char* name) const;
@@ -52,7 +55,7 @@ class JsonFields {
 };
 
 /// A number that is not absurdly large, of this element; throws UnreadableInput.
-double number_of(const Json& value, const std::string& what);
+double number_of(const Json& value, const std::string& what, double largest = kLargestNumber);
 /// A whole number in a range; throws UnreadableInput.
 int integer_of(const Json& value, const std::string& what, int least, int most);
 /// A name; throws UnreadableInput.

@@ -86,14 +86,16 @@ class CsvReader {
   int line_ = 1;
 };
 
-/// Seconds or attempts in a table; more is none.
-constexpr double kLargest = 2e9;
+/// Seconds in a table: moments of a plan lie within 126 years.
+constexpr double kLongestInTable = 4e9;
+/// Attempts in a table; more is none.
+constexpr double kMostAttempts = 2e9;
 
-double number_in(const std::string& field, int line) {
+double number_in(const std::string& field, int line, double largest) {
   double value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc() || end != field.data() + field.size() ||
-      !(std::fabs(value) < kLargest)) {
+      !(std::fabs(value) <= largest)) {
     throw UnreadableInput(fmt::format("{}: expected a number, found '{}'", line, field));
   }
   return value;
@@ -101,6 +103,10 @@ double number_in(const std::string& field, int line) {
 
 Ticks ticks_of(double seconds) {
   return static_cast<Ticks>(std::floor(seconds * static_cast<double>(kSecond) + 0.5));
+}
+
+std::optional<double> money_if_any(const JsonFields& fields, const char* name) {
+  return fields.has(name) ? std::optional(fields.money(name)) : std::nullopt;
 }
 
 std::optional<double> number_if_any(const JsonFields& fields, const char* name) {
@@ -144,7 +150,7 @@ ScheduleRow read_row(const JsonFields& fields) {
       row.foreseen = std::pair(workspaces.integer("foreseen"), workspaces.integer("rounds"));
     }
   }
-  row.cost = number_if_any(fields, "cost");
+  row.cost = money_if_any(fields, "cost");
   row.fuel = number_if_any(fields, "fuel");
   row.begins = fields.text_or("begins", "");
   row.ends = fields.text_or("ends", "");
@@ -178,8 +184,8 @@ UseRow read_use(const JsonFields& fields) {
   use.busy = fields.time("busy");
   use.shifts = fields.time("shifts");
   use.utilisation = fields.number("utilisation");
-  use.rate = number_if_any(fields, "cost_per_hour");
-  use.cost = number_if_any(fields, "cost");
+  use.rate = money_if_any(fields, "cost_per_hour");
+  use.cost = money_if_any(fields, "cost");
   use.fuel = number_if_any(fields, "fuel");
   return use;
 }
@@ -191,11 +197,11 @@ ScheduleJson read_schedule_json(const std::string& text) {
   const JsonFields schedule(json, "the schedule");
   ScheduleJson read;
   read.process_time = schedule.time("process_time");
-  read.cost = number_if_any(schedule, "cost");
+  read.cost = money_if_any(schedule, "cost");
   read.fuel = number_if_any(schedule, "fuel");
   if (schedule.has("cost_by_kind")) {
     for (const auto& [kind, amount] : schedule.object("cost_by_kind").json().items()) {
-      read.cost_by_kind[kind] = number_of(amount, "'cost_by_kind'");
+      read.cost_by_kind[kind] = number_of(amount, "'cost_by_kind'", kLargestMoney);
     }
   }
   read.start_at = schedule.text_or("start_at", "");
@@ -252,7 +258,9 @@ std::vector<ScheduleRow> read_schedule_csv(const std::string& text) {
     }
     return fields[column->second];
   };
-  const auto ticks = [&](const char* name) { return ticks_of(number_in(field(name), line)); };
+  const auto ticks = [&](const char* name) {
+    return ticks_of(number_in(field(name), line, kLongestInTable));
+  };
   std::vector<ScheduleRow> rows;
   while (reader.next(fields, line)) {
     ScheduleRow row;
@@ -266,11 +274,11 @@ std::vector<ScheduleRow> read_schedule_csv(const std::string& text) {
                  ticks("waited_resource"), ticks("waited_machine"), ticks("waited_shift")};
     if (columns.contains("waited_repair")) row.split.repair = ticks("waited_repair");
     if (columns.contains("thinking")) row.split.thinking = ticks("thinking");
-    if (!field("cost").empty()) row.cost = number_in(field("cost"), line);
+    if (!field("cost").empty()) row.cost = number_in(field("cost"), line, kLargestMoney);
     row.begins = field("begins");
     row.ends = field("ends");
-    row.tried = static_cast<int>(number_in(field("tried"), line));
-    row.accepted = static_cast<int>(number_in(field("accepted"), line));
+    row.tried = static_cast<int>(number_in(field("tried"), line, kMostAttempts));
+    row.accepted = static_cast<int>(number_in(field("accepted"), line, kMostAttempts));
     row.result = field("result");
     row.reason = field("reason");
     if (!field("due").empty()) row.due = ticks("due");
