@@ -93,11 +93,12 @@ void list_tasks(const PlanModel& plan, const std::vector<const TaskSpec*>& tasks
 }
 
 void list_resources(const PlanModel& plan, bool of_run, Listing& listing) {
-  Things rentals, mobilisations, overtimes, breakdowns, parts;
+  Things rentals, mobilisations, overtimes, fuels, breakdowns, parts;
   const auto add_charges = [&](const auto& owner) {
     add_if(owner.charges.rental_per_day.has_value(), owner, rentals);
     add_if(owner.charges.mobilisation.has_value(), owner, mobilisations);
     add_if(owner.charges.overtime != 1, owner, overtimes);
+    add_if(owner.charges.fuel.has_value(), owner, fuels);
   };
   for (const interpreter::RobotSpec& robot : plan.robots) {
     add_charges(robot);
@@ -111,6 +112,7 @@ void list_resources(const PlanModel& plan, bool of_run, Listing& listing) {
   rentals.list("rental", "of", "of", "the rental {} is left out", listing);
   mobilisations.list("mobilisation", "of", "of", "the mobilisation {} is left out", listing);
   overtimes.list("overtime", "of", "of", "the overtime {} is left out", listing);
+  fuels.list("fuel", "of", "of", "the fuel {} is left out", listing);
   breakdowns.list("breakdown", "of", "of", "breakdowns {} are left out", listing);
   parts.list("shared cost", "crew", "crews",
              "the cost of {} is written as the plan has it, for the whole crew: a schedule takes "
