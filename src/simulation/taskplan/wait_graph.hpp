@@ -30,7 +30,7 @@ struct WaitTarget {
   bool machine = false;         ///< a machine that a task has, in the way
   std::vector<int> gives = {};  ///< to each of `by` the people of a crew that it gives back; empty:
                                 ///< any of `by` is enough
-  int missing = 0;  ///< so many people of those are needed
+  int missing = 0;              ///< so many people of those are needed
   int choice = -1;  ///< the way of going on that needs it, where there are several; -1: it is
                     ///< one by itself
 };
