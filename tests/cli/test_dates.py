@@ -153,6 +153,23 @@ class Dates(ResultCase):
         self.assertIn("late by", self.faults_of(lambda result: cell(result, "pour", "late", "60")))
         self.assertIn("above its total float", self.faults_of(lambda result: cell(result, "dig", "total_float", "60")))
 
+    def test_verify_finds_a_wrong_latest_start(self):
+        _, tasks = self.run_plan("""plan late { start_at "2026-03-02 07:00"; calendar day { mon-fri 07:00-16:00; }
+          crew a { calendar day; } crew b { calendar day; } crew c;
+          task long { by a; takes 16 h; } task short { by b; takes 2 h; } task night { by c; takes 2 h; } task end { after long, short; } }""")
+        latest = {name: tasks[name]["float"]["latest_start"] / HOUR for name in tasks}
+        self.assertEqual(latest, {"long": 0, "short": 29, "night": 29, "end": 31})
+
+        def moved(name, to):
+            def change(result):
+                next(each for each in result.schedule["tasks"] if each["task"] == name)["float"]["latest_start"] = to
+            return change
+
+        # The second day begins after 24 h; the last is in the night before it.
+        for name, to in (("long", 2), ("end", 31 * HOUR - 1), ("night", 29 * HOUR + 1), ("short", 29 * HOUR + 2), ("short", 29 * HOUR - 2),
+                         ("short", 20 * HOUR)):
+            self.assertIn("its latest start is", self.faults_of(moved(name, to)), (name, to))
+
 
 if __name__ == "__main__":
     unittest.main()

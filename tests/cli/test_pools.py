@@ -156,6 +156,18 @@ class Pools(ResultCase):
             self.assertIn("people at once, and it has", self.faults_of(crew_is_smaller))
             self.assertIn("people at once, and it has", self.faults_of(task_needs_more))
 
+    def test_verify_finds_another_size_of_a_crew(self):
+        self.run_plan(SHARES)
+
+        def size(people):
+            return lambda result: result.schedule["resources"][0].update(size=people)
+
+        def no_size(result):
+            del result.schedule["resources"][0]["size"]
+
+        for change in (size(3), size(5), no_size):
+            self.assertIn("masons: the size is", self.faults_of(change))
+
     def test_the_nearest_is_chosen(self):
         _, tasks = self.run_plan(POOL.replace("RULE", "nearest"))
         self.assertEqual({name: task["robot"] for name, task in tasks.items()},

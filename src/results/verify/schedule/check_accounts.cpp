@@ -169,6 +169,8 @@ void check_uses(const Trace& trace, const std::vector<TaskRun>& runs,
       }
     }
     const Ticks shifts = hours.between(calendar_of_resource(scene, resource), 0, end);
+    const int people = i < robots ? 0 : scene.crews[i - robots].size;  // a robot has none
+    check.number("the size", row.size.value_or(0), people);
     check.number("the number of tasks", row.tasks, uses[i].tasks);
     check.time("the time held", row.held, static_cast<Ticks>(uses[i].held));
     check.time("the time busy", row.busy, busy);

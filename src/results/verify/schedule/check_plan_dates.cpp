@@ -124,7 +124,29 @@ class PlanDateCheck {
                              "latest finish",
                              clock_text(floats.total), clock_text(total)));
     }
+    check_latest_start(place, calendars);
     for (const SceneLink& link : trace_.scene.tasks[at(task)].after) check_link(task, link);
+  }
+
+  /// At its latest it has as much working time as it had, and starts where all that it needs work;
+  /// a second sooner where that is the end of a shift. What has no working time takes as long as it
+  /// took.
+  void check_latest_start(const Place& place, const std::vector<int>& calendars) {
+    const TaskRun& own = run(place);
+    const RowFloat& floats = *place.row->floats;
+    const Ticks work = hours_.between(calendars, own.start, own.end);
+    const Ticks least = floats.latest_finish - floats.latest_start;
+    if (!has_room(own.task) || work == 0) {
+      if (!differ(least, own.end - own.start)) return;
+    } else {
+      const Ticks left = hours_.between(calendars, floats.latest_start, floats.latest_finish);
+      const bool works =
+          hours_.between(calendars, floats.latest_start, floats.latest_start + 2 * kSecond) > 0;
+      if (left >= work - kTimeSlack && left <= work + kSecond + kTimeSlack && works) return;
+    }
+    fault(*place.row, fmt::format("it works for {}, and its latest start is {} before its latest "
+                                  "finish",
+                                  clock_text(work), clock_text(least)));
   }
 
   void check_link(int task, const SceneLink& link) {

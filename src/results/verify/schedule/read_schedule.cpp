@@ -179,6 +179,7 @@ ScheduleRow read_row(const JsonFields& fields) {
 UseRow read_use(const JsonFields& fields) {
   UseRow use;
   use.name = fields.text("name");
+  if (fields.has("size")) use.size = fields.integer("size");
   use.tasks = fields.integer("tasks");
   use.held = fields.time("held");
   use.busy = fields.time("busy");

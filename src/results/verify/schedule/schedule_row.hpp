@@ -64,6 +64,7 @@ struct ScheduleRow {
 struct UseRow {
   int line = 0;
   std::string name;
+  std::optional<int> size;  ///< of a crew: people
   int tasks = 0;
   Ticks held = 0;
   Ticks busy = 0;
