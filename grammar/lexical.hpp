@@ -116,8 +116,10 @@ struct unit_text : sor<seq<simple_unit, opt<seq<plus<blank>, per_unit>>>, per_un
 struct follows_number
     : sor<reserved_word, word<TAO_PEGTL_STRING("by")>, word<TAO_PEGTL_STRING("at")>,
           word<TAO_PEGTL_STRING("as")>, word<TAO_PEGTL_STRING("after")>,
-          word<TAO_PEGTL_STRING("to")>, word<TAO_PEGTL_STRING("of")>, word<one<'x', 'y', 'z'>>,
-          word<TAO_PEGTL_STRING("psi")>, word<TAO_PEGTL_STRING("phi")>,
+          word<TAO_PEGTL_STRING("to")>, word<TAO_PEGTL_STRING("of")>,
+          word<TAO_PEGTL_STRING("outside")>,
+          seq<word<TAO_PEGTL_STRING("per")>, plus<blank>, word<TAO_PEGTL_STRING("day")>>,
+          word<one<'x', 'y', 'z'>>, word<TAO_PEGTL_STRING("psi")>, word<TAO_PEGTL_STRING("phi")>,
           word<TAO_PEGTL_STRING("theta")>, word<greek_letter>,
           seq<identifier_text, star<blank>, one<'(', '.', '{', ':', '='>>> {};
 /// Any other word in a unit's place is a misspelt unit; an action reports it.

@@ -364,14 +364,20 @@ struct cover_item : if_must<cover_key, cover_area, block_open, cover_parts, bloc
 struct start_key : token<word<TAO_PEGTL_STRING("start")>> {};
 struct cost_key : token<word<TAO_PEGTL_STRING("cost")>> {};
 struct cost_amount : quantity {};
-struct cost_item : if_must<cost_key, cost_amount, plan_semicolon> {};
+/// Behind a calculation: of all of it. A number has taken its own as its unit.
+struct cost_per_hour : token<seq<word<TAO_PEGTL_STRING("per")>, plus<blank>, word<one<'h'>>>> {};
+struct cost_item : if_must<cost_key, cost_amount, opt<cost_per_hour>, plan_semicolon> {};
 
 // A bare number before a word that is no unit of it; a computed one stands in parentheses.
 struct computed_plain_number : seq<at<one<'('>>, quantity> {};
 struct plain_number : sor<computed_plain_number, token<number_text>> {};
 struct per_day
     : token<seq<word<TAO_PEGTL_STRING("per")>, plus<blank>, word<TAO_PEGTL_STRING("day")>>> {};
-struct per_day_amount : plain_number {};
+struct lone_number
+    : seq<at<token<number_text>, not_at<one<'*', '/', '+', '-'>>>, token<number_text>> {};
+struct computed_charge : seq<not_at<per_day>, quantity> {};
+struct charge_number : sor<lone_number, computed_charge> {};
+struct per_day_amount : charge_number {};
 struct rental_key : token<word<TAO_PEGTL_STRING("rental")>> {};
 struct rental_from_key : token<word<TAO_PEGTL_STRING("from")>> {};
 struct rental_from : string_literal {};
@@ -384,7 +390,7 @@ struct mobilisation_key : token<word<TAO_PEGTL_STRING("mobilisation")>> {};
 struct mobilisation_amount : quantity {};
 struct mobilisation_item : if_must<mobilisation_key, mobilisation_amount, plan_semicolon> {};
 struct overtime_key : token<word<TAO_PEGTL_STRING("overtime")>> {};
-struct overtime_factor : plain_number {};
+struct overtime_factor : charge_number {};
 struct outside_key : token<word<TAO_PEGTL_STRING("outside")>> {};
 struct outside_calendar : qualified_indexed_name {};
 struct overtime_item : if_must<overtime_key, overtime_factor,

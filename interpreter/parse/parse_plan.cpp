@@ -14,6 +14,32 @@ void PlanState::set_cost(const char* from) {
   (in_crew ? crew.cost : robot.cost).push_back(std::move(cost));
 }
 
+void PlanState::divide_by_hour(const char* from) {
+  const auto number_of = [](syntax::Number written) {
+    auto literal = std::make_unique<syntax::Expression>();
+    literal->span = written.span;
+    literal->number = std::move(written);
+    return literal;
+  };
+  auto rate = std::make_unique<syntax::Expression>();
+  rate->kind = syntax::Expression::Kind::binary;
+  rate->op = syntax::Expression::Operator::divide;
+  rate->op_span = span_from(from);
+  rate->span = quantity.span;
+  rate->span.end = rate->op_span.end;
+  syntax::ExpressionPtr amount = std::move(quantity.expression);
+  if (!amount) amount = number_of(std::move(quantity));
+  number = {};
+  number.value = 1;
+  number.span = rate->op_span;
+  set_unit(last_end - 1, last_end);  // the h
+  rate->operands.push_back(std::move(amount));
+  rate->operands.push_back(number_of(std::move(number)));
+  quantity = {};
+  quantity.span = rate->span;
+  quantity.expression = std::move(rate);
+}
+
 syntax::Name PlanState::take_dotted_name() {
   syntax::QualifiedName written = take_qualified_name();
   if (!written.body) return std::move(written.name);
@@ -412,7 +438,8 @@ RUBICON_ACTION(PlanAction, PlanState, cover_item) { st.add_to_task(std::move(st.
 RUBICON_ACTION(PlanAction, PlanState, start_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, park_key) { st.values = {}; }
 RUBICON_ACTION(PlanAction, PlanState, cost_item) { st.set_cost(begin); }
-RUBICON_ACTION(PlanAction, PlanState, per_day_amount) { st.per_day = st.take_plain_number(begin); }
+RUBICON_ACTION(PlanAction, PlanState, computed_charge) { st.number = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, per_day_amount) { st.per_day = std::move(st.number); }
 RUBICON_ACTION(PlanAction, PlanState, rental_key) { st.rental = {}; }
 RUBICON_ACTION(PlanAction, PlanState, rental_from) { st.rental.from = st.string; }
 RUBICON_ACTION(PlanAction, PlanState, rental_to) { st.rental.to = st.string; }
@@ -426,7 +453,7 @@ RUBICON_ACTION(PlanAction, PlanState, mobilisation_amount) {
 }
 RUBICON_ACTION(PlanAction, PlanState, overtime_factor) {
   st.overtime = {};
-  st.overtime.factor = st.take_plain_number(begin);
+  st.overtime.factor = std::move(st.number);
 }
 RUBICON_ACTION(PlanAction, PlanState, outside_calendar) {
   st.overtime.outside = st.take_dotted_name();
@@ -488,6 +515,7 @@ RUBICON_ACTION(PlanAction, PlanState, crew_key) {
 RUBICON_ACTION(PlanAction, PlanState, crew_name) { st.crew.name = st.take_name(); }
 RUBICON_ACTION(PlanAction, PlanState, size_value) { st.crew.size.push_back(st.take_quantity()); }
 RUBICON_ACTION(PlanAction, PlanState, cost_amount) { st.quantity = st.take_quantity(); }
+RUBICON_ACTION(PlanAction, PlanState, cost_per_hour) { st.divide_by_hour(begin); }
 RUBICON_ACTION(PlanAction, PlanState, crew_item) { st.add(std::move(st.crew), begin); }
 
 RUBICON_ACTION(PlanAction, PlanState, workspaces_key) {

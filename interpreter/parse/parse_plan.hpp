@@ -106,6 +106,8 @@ class PlanState : public GuideState {
   syntax::Number take_plain_number(const char* from) {
     return *from == '(' ? take_quantity() : number;
   }
+  /// The cost that was just read is an amount for each hour.
+  void divide_by_hour(const char* from);
   void add_import(const char* from);
   /// One more text of a `group`.
   void add_heading();

@@ -204,8 +204,15 @@ class NetworkBuilder {
                               constraint == Constraint::finish_no_earlier_than ||
                               constraint == Constraint::must_finish_on;
     // Dates before the beginning hold by themselves.
-    if (bounds_below && !start_.text.empty() && !task(i).constraint_date.text.empty() &&
-        !is_heading(i)) {
+    const auto begin = second_number(start_.text),
+               date = second_number(task(i).constraint_date.text);
+    const bool is_task = bounds_below && begin && date && !is_heading(i);
+    if (is_task && (*date <= *begin || far_start(task(i), start_))) return;
+    if (is_task) {
+      listing_.add("I08", "far constraint", {},
+                   fmt::format("the date of '{}', {}, is carried along: it is farther from the "
+                               "beginning than a plan can say",
+                               task(i).name, task(i).constraint_date.text));
       return;
     }
     listing_.add(
@@ -319,6 +326,18 @@ std::optional<PlanLink> constraint_link(const Task& task, const Moment& start) {
     default:
       return std::nullopt;
   }
+}
+
+std::optional<Moment> far_start(const Task& task, const Moment& start) {
+  constexpr long long kFarthest = 100LL * 365 * 86'400;  // s; dates of a plan go a little farther
+  const auto begin = second_number(start.text), date = second_number(task.constraint_date.text);
+  const bool starts = task.constraint == Constraint::start_no_earlier_than ||
+                      task.constraint == Constraint::must_start_on;
+  if (!starts || !begin || !date || *date <= *begin || constraint_link(task, start)) {
+    return std::nullopt;
+  }
+  if (*date - *begin > kFarthest) return std::nullopt;
+  return Moment{task.constraint_date.text.substr(0, 16)};
 }
 
 PlanNetwork plan_network(const Project& project, const Moment& start, Listing& listing,

@@ -76,4 +76,8 @@ TimeFormat plan_lag_format(std::int64_t lag);
 /// not because the date is not after `start`.
 std::optional<PlanLink> constraint_link(const Task& task, const Moment& start);
 
+/// The date before which a task does not start, where it is too far from the beginning for such a
+/// link, to the minute: the plan says it as `not_before`. Nothing where there is none.
+std::optional<Moment> far_start(const Task& task, const Moment& start);
+
 }  // namespace rubicon::project_io

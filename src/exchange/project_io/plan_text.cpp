@@ -305,6 +305,9 @@ class PlanWriter {
       listing_.add("I08", "long task", {},
                    fmt::format("task '{}' takes longer than a plan can say", task.name));
     }
+    if (const auto date = far_start(task, start_)) {
+      out_ += fmt::format("not_before \"{}\";\n", date->text);
+    }
     if (baselines_ == Baselines::written) write_dates(task);
     out_ += links_text(planned.after);
     if (constraint_link(task, start_)) {

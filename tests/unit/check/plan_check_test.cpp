@@ -151,6 +151,35 @@ TEST(PlanCheck, ReadsTheShortForm) {
   EXPECT_TRUE(plan.uses.empty());
 }
 
+TEST(PlanCheck, ComputesChargesFromCalculations) {
+  const Loaded loaded(R"(plan p {
+  parameter n = 2; parameter rate = 30 per h;
+  overhead 100 * n + 50 per day;
+  crew a { cost 50 * n per h; rental n * 40 per day; mobilisation 2 * n; overtime 1 + n / 4; }
+  crew b { cost 50 + n per h; rental (n) per day from "2026-03-02" to "2026-03-04"; overtime n * 1.5 outside day; }
+  crew c { cost n per h; rental n per day; } crew d { cost (n + 1) * 2 per h; }
+  crew e { cost n * 50 per h; } crew f { cost rate * n; } crew g { cost 7
+    per h; }
+  calendar day { mon 07:00-12:00; }
+  task t { by a, b, c, d, e, f, g; takes 1 h; }
+})");
+  ASSERT_EQ(loaded.said(), "");
+  const PlanModel& plan = *loaded.plan;
+  EXPECT_EQ(plan.overhead_per_day, 250);
+  const std::vector<double> costs = {100, 52, 2, 6, 100, 60, 7};
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    EXPECT_DOUBLE_EQ(plan.crews.at(i).cost_per_hour.value(), costs[i]) << plan.crews[i].name;
+  }
+  EXPECT_EQ(plan.crews[0].charges.rental_per_day, 80);
+  EXPECT_EQ(plan.crews[0].charges.mobilisation, 4);
+  EXPECT_EQ(plan.crews[0].charges.overtime, 1.5);
+  EXPECT_EQ(plan.crews[1].charges.rental_per_day, 2);
+  EXPECT_TRUE(plan.crews[1].charges.rental_days);
+  EXPECT_EQ(plan.crews[1].charges.overtime, 3);
+  EXPECT_EQ(plan.crews[1].charges.normal, "day");
+  EXPECT_EQ(plan.crews[2].charges.rental_per_day, 2);
+}
+
 const char* const kFullPlan = R"(plan unit {
   start_at "2026-03-02 07:00";
   currency "EUR";

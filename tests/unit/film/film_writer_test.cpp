@@ -182,9 +182,9 @@ TEST(FilmWriter, TimesGoAsFarAsPlansDo) {
       header(),
       {kStart, step(3'900'000'000.5, 1.5, 175),
        R"({"type":"task_end","task":"a","robot":"crane","t":3950000000,"result":"done","reason":""})"});
-  EXPECT_EQ(film.columns.at("t"),
+  EXPECT_EQ(film.columns.at("record.t"),
             (std::vector<std::int64_t>{2'000'000, 3'900'000'000'500'000, 3'950'000'000'000'000}));
-  EXPECT_EQ(film.track(0).t.back(), 3'900'000'000'500'000);
+  EXPECT_THAT(film.track(0).t, testing::Contains(3'900'000'000'500'000));
   EXPECT_THROW(time_millionths(4.1e9), std::invalid_argument);
   EXPECT_THROW(time_millionths(-1), std::invalid_argument);
 }

@@ -173,6 +173,27 @@ TEST_F(EditedPlan, a_not_before_joins_the_constraint_that_was_carried) {
   EXPECT_TRUE(replaced.says("I09", "the other constraint of task 'roof'"));
 }
 
+TEST_F(EditedPlan, dates_that_are_too_far_for_a_lag_come_back_as_not_before) {
+  const Reading reading = project_of_plan(
+      "plan p { start_at \"2026-03-02 07:00\"; task near { takes 1 h; not_before \"2029-05-02 "
+      "07:00\"; }\n"
+      "task far { takes 1 h; not_before \"2031-03-02 07:30\"; } }");
+  ASSERT_TRUE(reading.project);
+  const Planned plan = plan_of(*reading.project);
+  EXPECT_EQ(plan.mistakes, "") << plan.text;
+  EXPECT_NE(plan.text.find("not_before \"2031-03-02 07:30\";"), std::string::npos) << plan.text;
+  EXPECT_EQ(plan.text.find("not_before \"2029"), std::string::npos) << plan.text;
+  const Reading back = project_of_plan(plan.text);
+  ASSERT_TRUE(back.project);
+  EXPECT_EQ(back.project->tasks, reading.project->tasks);
+  // What no plan can say is told.
+  Project never = *reading.project;
+  never.tasks.at(1).constraint_date.text = "2199-01-01 00:00";
+  const Planned told = plan_of(never);
+  EXPECT_EQ(told.mistakes, "") << told.text;
+  EXPECT_THAT(told.said, testing::Contains(testing::HasSubstr("the date of 'far', 2199-01-01")));
+}
+
 TEST_F(EditedPlan, people_of_a_crew_are_units) {
   const Reading reading = project_of_plan(
       "plan p { start_at \"2026-03-02 07:00\"; crew gang { size 4; cost 90 per h; } crew two { "
