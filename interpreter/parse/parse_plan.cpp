@@ -1,5 +1,7 @@
 #include "interpreter/parse/parse_plan.hpp"
 
+#include <algorithm>
+
 #include "interpreter/parse/parse_grid.hpp"
 
 namespace rubicon::interpreter {
@@ -15,6 +17,18 @@ void PlanState::set_cost(const char* from) {
 }
 
 void PlanState::divide_by_hour(const char* from) {
+  // Behind a number it is the unit of that, and stands on its line.
+  Span last = quantity.span;
+  bool is_number = !quantity.expression;
+  for (const syntax::Expression* at = quantity.expression.get(); at != nullptr;) {
+    last = at->span;
+    is_number = at->kind == syntax::Expression::Kind::number;
+    const bool goes_on = !at->operands.empty() && at->kind != syntax::Expression::Kind::call;
+    at = goes_on ? at->operands.back().get() : nullptr;
+  }
+  if (is_number && std::find(begin() + last.end, from, ')') == from) {
+    report_token("P00", from, "expected 'per h' on the line of its number");
+  }
   const auto number_of = [](syntax::Number written) {
     auto literal = std::make_unique<syntax::Expression>();
     literal->span = written.span;

@@ -158,8 +158,7 @@ TEST(PlanCheck, ComputesChargesFromCalculations) {
   crew a { cost 50 * n per h; rental n * 40 per day; mobilisation 2 * n; overtime 1 + n / 4; }
   crew b { cost 50 + n per h; rental (n) per day from "2026-03-02" to "2026-03-04"; overtime n * 1.5 outside day; }
   crew c { cost n per h; rental n per day; } crew d { cost (n + 1) * 2 per h; }
-  crew e { cost n * 50 per h; } crew f { cost rate * n; } crew g { cost 7
-    per h; }
+  crew e { cost n * 50 per h; } crew f { cost rate * n; } crew g { cost 7 per h; }
   calendar day { mon 07:00-12:00; }
   task t { by a, b, c, d, e, f, g; takes 1 h; }
 })");
