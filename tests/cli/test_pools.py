@@ -3,6 +3,7 @@
 import os
 import unittest
 
+import pool_plans
 from result_case import ResultCase, rubicon
 
 SHARES = """
@@ -247,6 +248,20 @@ class Pools(ResultCase):
 
         self.assertIn("it waits for a shift, and has 2:15:00 of it", self.faults_of(shift))
         self.assertIn("does not lead from the task before it in the critical path", self.faults_of(other))
+
+    def test_what_is_not_done_holds_nothing_up(self):
+        """The long form by hand: RUBICON_POOL_PLANS=400."""
+        rejected = 0
+        for seed in range(int(os.environ.get("RUBICON_POOL_PLANS", "40"))):
+            with self.subTest(seed=seed):
+                plan = pool_plans.make_tasks(seed)
+                starts = {name: task["start"] for name, task in self.run_plan(pool_plans.text_of(plan), expected=None)[1].items() if task["result"] == "done"}
+                without = {number for number, *_ in plan[1] if f"t{number}" not in starts}
+                if not without:
+                    continue
+                rejected += 1
+                self.assertEqual(self.starts(self.run_plan(pool_plans.text_of(plan, without))[1]), starts)
+        self.assertGreater(rejected, 3)
 
     def test_verify_finds_somebody_who_is_not_in_the_pool(self):
         self.run_plan(POOL.replace("RULE", "nearest"))
