@@ -352,7 +352,7 @@ void Simulation::complete(ActiveTask& active) {
   } else {
     if (options_.on_task) options_.on_task(records_.count_one(), stage_.plan_tasks(), outcome);
     records_.finish(task, std::move(outcome));
-    if (stage_.group_of(task) >= 0) free_groups();
+    if (stage_.group_of(task) >= 0) free_groups(false);
   }
   stage_.events.cancel(task);
   stage_.active.erase(task);

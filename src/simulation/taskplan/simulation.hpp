@@ -133,7 +133,7 @@ class Simulation : private LinkState::Listener {
   bool go_back(int task, bool keeps_lines);
   void exclude(int task, TaskOutcome outcome, int cause);
   void exclude_followers(int task, int cause);
-  void free_groups();
+  void free_groups(bool rejected);
   bool kept_from_others(int resource, int group) const;
   bool may_want(int task, int resource) const;
   void give_second_chances(int cause);

@@ -92,7 +92,7 @@ bool Simulation::apply_rejection() {
   }
   exclude_followers(task, task);
   give_second_chances(task);
-  free_groups();
+  free_groups(true);
   look_again_at_all();
   // Those who dig and haul for each other have one less.
   stage_.announce({-1, -1, -1, true});
@@ -209,12 +209,12 @@ void Simulation::exclude_followers(int first, int cause) {
 
 /// What was kept for tasks that are all over is free for all from now on. If it was kept from
 /// others for one that is not done, the run begins again without that one.
-void Simulation::free_groups() {
+void Simulation::free_groups(bool rejected) {
   const int resources = stage_.robots() + static_cast<int>(plan_.crews.size());
   for (int resource = 0; resource < resources; ++resource) {
     const int group = stage_.allocator->state(resource).reserved;
     if (group < 0 || !stage_.group_is_over(group)) continue;
-    const bool in_vain = kept_from_others(resource, group);
+    const bool in_vain = rejected && kept_from_others(resource, group);
     stage_.allocator->keep_no_more(resource, stage_.now());
     if (!in_vain || second_chances_.size() >= kMostSecondChances) continue;
     const std::vector<int>& all = stage_.group(group);
@@ -231,11 +231,12 @@ bool Simulation::kept_from_others(int resource, int group) const {
     if (excluded_.contains(task)) continue;
     since = std::max(since, stage_.links->times(task).finish);
   }
-  if (since == stage_.now()) return false;
   for (int task = 0; task < stage_.plan_tasks(); ++task) {
     if (stage_.group_of(task) == group || excluded_.contains(task)) continue;
     const bool began = records_.has_begun(task) && stage_.links->times(task).start >= since;
-    if ((began || records_.status(task) == Status::asking) && may_want(task, resource)) return true;
+    // Where it is kept for no time others may yet have been given what the task asks for besides.
+    const bool waited = records_.status(task) == Status::asking;
+    if ((began || waited) && may_want(task, resource)) return true;
   }
   return false;
 }
