@@ -45,9 +45,10 @@ GrownView::GrownView(const Heights& heights, double radius) : heights_(heights),
   if (radius > 0) footprint_ = disc(radius);
 }
 
-/// An outline grown by the largest disc that leaves the places free; by less it is grown for a
-/// point.
+/// An outline grown by the largest of three discs that leaves the places free: the whole one, one
+/// that is hardly smaller, and one that leaves them room.
 std::vector<std::vector<Vec2>> GrownView::grown(const std::vector<Vec2>& outline) const {
+  if (footprint_.empty()) return {outline};
   const auto grown_by = [&](const std::vector<Vec2>& footprint) {
     std::vector<std::vector<Vec2>> rings;
     for (const Piece& piece : grown_pieces(outline, footprint, 0)) {
@@ -69,7 +70,6 @@ std::vector<std::vector<Vec2>> GrownView::grown(const std::vector<Vec2>& outline
                          [&](const Vec2& place) { return distance_to(ring, place) > kOfCorners; });
     });
   };
-  if (footprint_.empty()) return {outline};
   std::vector<std::vector<Vec2>> rings = grown_by(footprint_);
   if (least >= radius_ || leaves_free(rings)) return rings;
   if (radius_ > kLeastDisc) {

@@ -246,9 +246,7 @@ namespace {
 
 /// Litres, to the ml.
 double litres_of(Wide millionths_of_litre) {
-  return static_cast<double>(
-             static_cast<std::int64_t>(rounded_quotient(millionths_of_litre, 1000))) /
-         1000;
+  return static_cast<double>(rounded_quotient(millionths_of_litre, 1000)) / 1000;
 }
 
 void add_litres(const interpreter::PlanModel& plan, const std::vector<Burnt>& burnt,

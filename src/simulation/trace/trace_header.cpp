@@ -366,9 +366,9 @@ void write_stages(JsonBuilder& json, const hauling::Operation& operation) {
   if (operation.efficiency < 1) json.field("efficiency", operation.efficiency);
 }
 
-/// What a task leaves, cell by cell (mm), for those who must not drive over it.
-void write_pit(JsonBuilder& json, const PlanModel& plan, const interpreter::DigSpec& dig) {
-  json.key("pit").begin_object();
+/// The cells that a task digs, with where they lie; they are returned.
+template <typename Dig>
+std::vector<std::size_t> write_cells(JsonBuilder& json, const PlanModel& plan, const Dig& dig) {
   json.key("pose").pose(plan.earths[static_cast<std::size_t>(dig.earth)].X_WE);
   json.field("columns", dig.before->columns).field("cell", dig.before->cell);
   std::vector<std::size_t> cells;
@@ -377,9 +377,23 @@ void write_pit(JsonBuilder& json, const PlanModel& plan, const interpreter::DigS
   }
   json.key("cells").begin_array();
   for (const std::size_t cell : cells) json.value(static_cast<std::int64_t>(cell));
-  json.end_array().key("after").begin_array();
-  for (const std::size_t cell : cells) json.value(dig.after->heights[cell]);
-  json.end_array().end_object();
+  json.end_array();
+  return cells;
+}
+
+/// Heights of these cells, mm.
+void write_heights(JsonBuilder& json, const char* key, const soil::Terrain& ground,
+                   const std::vector<std::size_t>& cells) {
+  json.key(key).begin_array();
+  for (const std::size_t cell : cells) json.value(ground.heights[cell]);
+  json.end_array();
+}
+
+/// What a task leaves, cell by cell, for those who must not drive over it.
+void write_pit(JsonBuilder& json, const PlanModel& plan, const interpreter::DigSpec& dig) {
+  json.key("pit").begin_object();
+  write_heights(json, "after", *dig.after, write_cells(json, plan, dig));
+  json.end_object();
 }
 
 /// How a task digs, with whole mm3 of bank volume, and what came of it.
@@ -418,19 +432,11 @@ void write_motion_dig(JsonBuilder& json, const PlanModel& plan,
   json.field("soil", plan.components[static_cast<std::size_t>(dig.soil)].name);
   json.field("volume", dig.volume).field("bucket", dig.bucket).field("layer", dig.layer);
   json.field("tolerance", dig.tolerance).field("clearance", dig.clearance);
-  json.field("swell", dig.swell).key("pose").pose(earth.X_WE);
-  json.field("columns", dig.before->columns).field("cell", dig.before->cell);
-  std::vector<std::size_t> cells;
-  for (std::size_t i = 0; i < dig.before->heights.size(); ++i) {
-    if (dig.before->heights[i] > dig.after->heights[i]) cells.push_back(i);
-  }
-  json.key("cells").begin_array();
-  for (const std::size_t cell : cells) json.value(static_cast<std::int64_t>(cell));
-  json.end_array().key("before").begin_array();
-  for (const std::size_t cell : cells) json.value(dig.before->heights[cell]);
-  json.end_array().key("after").begin_array();
-  for (const std::size_t cell : cells) json.value(dig.after->heights[cell]);
-  json.end_array().key("place").begin_array();
+  json.field("swell", dig.swell);
+  const std::vector<std::size_t> cells = write_cells(json, plan, dig);
+  write_heights(json, "before", *dig.before, cells);
+  write_heights(json, "after", *dig.after, cells);
+  json.key("place").begin_array();
   for (const double value : {dig.p_WD.x(), dig.p_WD.y(), dig.p_WD.z()}) json.value(value);
   json.end_array();
   if (dig.fill.duration > 0) write_work(json.key("fill"), plan, dig.fill);
