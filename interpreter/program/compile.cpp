@@ -55,7 +55,7 @@ class Compiler {
 
   Program compile() {
     const auto bodies = static_cast<int>(robot_->body_scripts.size());
-    body_nodes_.assign(static_cast<std::size_t>(bodies), -1);
+    body_nodes_.assign(model().bodies.size(), -1);  // ropes have none
     for (int b = 0; b < bodies; ++b) {
       if (robot_->body_scripts[static_cast<std::size_t>(b)]) {
         body_nodes_[static_cast<std::size_t>(b)] = add_node(Node::Kind::sequence, {});

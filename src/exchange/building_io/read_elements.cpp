@@ -56,6 +56,7 @@ class ElementReader {
     move_origin();
     leave_out_what_no_plan_holds();
     make_names();
+    warn_of_sheets();
     return std::move(result_);
   }
 
@@ -241,6 +242,25 @@ class ElementReader {
       element.component =
           names.make(element.storey.empty() ? name : name + "_" + element.storey, "element");
     }
+  }
+
+  /// Elements in which a machine could stand unnoticed.
+  void warn_of_sheets() {
+    constexpr std::size_t kMostNamed = 20;
+    std::vector<std::string> names;
+    std::size_t sheets = 0;
+    for (const Element& element : result_.all) {
+      if (element.frame.volume > 0) continue;
+      if (++sheets <= kMostNamed) names.push_back(element.component);
+    }
+    if (sheets == 0) return;
+    std::string text = fmt::format(
+        "{} with a surface that is not closed; only the surface itself stands in the way of "
+        "machines, not "
+        "what it should enclose: {}",
+        counted(sheets, "element"), fmt::join(names, ", "));
+    if (sheets > kMostNamed) text += fmt::format(", and {} more", sheets - kMostNamed);
+    diagnostics_.warning("I14", {}, text, "export them as solids");
   }
 
   const ModelTerms& terms_;

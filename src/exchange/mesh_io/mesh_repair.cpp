@@ -104,26 +104,54 @@ Triangle canonical(Triangle t) {
   return t;
 }
 
-int drop_duplicates(std::vector<Triangle>& triangles) {
+/// Indices of triangles with their canonical form, equal ones side by side.
+std::vector<std::pair<Triangle, int>> in_order(const std::vector<Triangle>& triangles) {
   std::vector<std::pair<Triangle, int>> order;
   order.reserve(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     order.emplace_back(canonical(triangles[i]), static_cast<int>(i));
   }
   std::sort(order.begin(), order.end());
-  std::vector<char> duplicate(triangles.size(), 0);
-  int count = 0;
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    if (order[i].first != order[i - 1].first) continue;
-    duplicate[at(order[i].second)] = 1;
-    ++count;
-  }
+  return order;
+}
+
+/// Without those that are marked. How many these were.
+int drop(std::vector<Triangle>& triangles, const std::vector<char>& marked) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (duplicate[i] == 0) triangles[kept++] = triangles[i];
+    if (marked[i] == 0) triangles[kept++] = triangles[i];
   }
+  const auto dropped = static_cast<int>(triangles.size() - kept);
   triangles.resize(kept);
-  return count;
+  return dropped;
+}
+
+int drop_duplicates(std::vector<Triangle>& triangles) {
+  const std::vector<std::pair<Triangle, int>> order = in_order(triangles);
+  std::vector<char> duplicate(triangles.size(), 0);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (order[i].first == order[i - 1].first) duplicate[at(order[i].second)] = 1;
+  }
+  return drop(triangles, duplicate);
+}
+
+/// Strikes out pairs of a triangle and the same one seen from behind. Every edge of a closed
+/// surface is still used equally often in both directions; without one of two equal triangles it
+/// would not be.
+int drop_opposite_pairs(std::vector<Triangle>& triangles) {
+  const std::vector<std::pair<Triangle, int>> order = in_order(triangles);
+  const auto less = [](const auto& a, const auto& b) { return a.first < b.first; };
+  std::vector<char> struck(triangles.size(), 0);
+  for (std::size_t i = 0; i < order.size();) {
+    const Triangle& front = order[i].first;
+    const auto [first, last] = std::equal_range(order.begin(), order.end(), order[i], less);
+    const std::pair<Triangle, int> behind{{front[0], front[2], front[1]}, 0};
+    const auto [back, back_last] = std::equal_range(order.begin(), order.end(), behind, less);
+    const auto pairs = std::min(last - first, back_last - back);
+    for (auto k = first; k < first + pairs; ++k) struck[at(k->second)] = 1;
+    i = static_cast<std::size_t>(last - order.begin());
+  }
+  return drop(triangles, struck);
 }
 
 bool on_a_line(const std::vector<Vec3>& v, const Triangle& t, double tolerance) {
@@ -317,15 +345,27 @@ RepairedMesh repair(const std::vector<Vec3>& vertices, const std::vector<Triangl
       kept.push_back(w);
     }
   }
+  std::vector<Triangle> netted = kept;
   report.duplicate_triangles = drop_duplicates(kept);
 
   const auto thin = [&](const Triangle& t) { return on_a_line(vertices, t, tolerance); };
-  const auto thin_count = static_cast<int>(std::count_if(kept.begin(), kept.end(), thin));
+  const auto count_thin = [&] {
+    return static_cast<int>(std::count_if(kept.begin(), kept.end(), thin));
+  };
   std::optional<std::vector<Triangle>> closed = closed_surface(vertices, kept, tolerance);
+  if (!closed && report.duplicate_triangles > 0) {
+    // Where welding folds thin triangles onto each other, equal ones may belong to it.
+    const int struck = drop_opposite_pairs(netted);
+    closed = closed_surface(vertices, netted, tolerance);
+    if (closed) {
+      kept = std::move(netted);
+      report.duplicate_triangles = struck;
+    }
+  }
   if (closed) {
     // Without its thin triangles a closed surface would have slits.
-    report.thin_triangles_kept = thin_count;
-  } else if (thin_count > 0) {
+    report.thin_triangles_kept = count_thin();
+  } else if (const int thin_count = count_thin(); thin_count > 0) {
     kept.erase(std::remove_if(kept.begin(), kept.end(), thin), kept.end());
     report.degenerate_triangles += thin_count;
     closed = closed_surface(vertices, kept, tolerance);

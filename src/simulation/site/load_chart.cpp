@@ -1,9 +1,112 @@
 #include "src/simulation/site/load_chart.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
+
+#include "src/motion/math/angles.hpp"
 
 namespace rubicon::site {
+
+namespace {
+
+/// m: rounding of a radius along a step that keeps it. A load at the limit of its chart must still
+/// be allowed to turn.
+constexpr double kRadiusRounding = 1e-9;
+
+/// m: what lies between two looked at radii so near to each other is as they are.
+constexpr double kRadiusResolution = 1e-3;
+
+/// Halvings of a step, for motions without a useful bound.
+constexpr int kMostHalvings = 24;
+
+/// Upper bound (m) of how far the origin of a frame is beside its chord from s0 to s1.
+double chord_deviation(const geometry::Motion& motion, double s0, double s1) {
+  if (const auto* screw = std::get_if<geometry::ScrewMotion>(&motion.kind)) {
+    const double turn = math::radians(std::fabs(screw->angle_deg) * (s1 - s0));
+    const double radius =
+        screw->axis.cross(screw->X0.translation() - screw->point).norm();  // 1 - cos a <= a^2 / 2
+    return radius * turn * turn / 8;
+  }
+  return std::get<std::shared_ptr<const geometry::GeneralMotion>>(motion.kind)
+      ->chord_deviation(s0, s1, 0);
+}
+
+/// A step of a loaded machine, seen by its load chart.
+class LoadedStep {
+ public:
+  LoadedStep(const std::vector<robot::CapacityPoint>& chart, double mass, const math::Pose& X_WM,
+             const geometry::Motion& X_WT)
+      : chart_(chart), mass_(mass), X_MW_(X_WM.inverse(Eigen::Isometry)), X_WT_(X_WT) {}
+
+  bool is_allowed() {
+    const Place start = place(0);
+    const Place end = place(1);
+    radius_at_start_ = start.norm();
+    capacity_at_start_ = capacity_at(chart_, radius_at_start_);
+    return allows(end.norm()) && allows_between(0, start, 1, end, 0);
+  }
+
+ private:
+  /// Beside the axis of the mounting, m.
+  using Place = Eigen::Vector2d;
+
+  Place place(double s) const { return (X_MW_ * X_WT_.pose(s).translation()).head<2>(); }
+
+  bool allows(double radius) const {
+    const double capacity = capacity_at(chart_, radius);
+    if (mass_ <= capacity || std::fabs(radius - radius_at_start_) <= kRadiusRounding) return true;
+    if (capacity_at_start_ >= mass_) return false;
+    return capacity > capacity_at_start_ ||
+           (capacity == capacity_at_start_ && radius < radius_at_start_);
+  }
+
+  /// The same for all radii of an interval.
+  bool allows_all(double inner, double outer) const {
+    const double capacity = least_capacity(chart_, inner, outer);
+    if (mass_ <= capacity) return true;
+    if (capacity_at_start_ >= mass_) return false;
+    return capacity > capacity_at_start_ ||
+           (capacity == capacity_at_start_ && outer < radius_at_start_);
+  }
+
+  bool allows_between(double s0, const Place& from, double s1, const Place& to,
+                      int halvings) const {
+    const double deviation = chord_deviation(X_WT_, s0, s1);
+    const Place along = to - from;
+    const double length2 = along.squaredNorm();
+    const double nearest = length2 > 0 ? std::clamp(-from.dot(along) / length2, 0.0, 1.0) : 0.0;
+    const double inner = std::max((from + nearest * along).norm() - deviation, 0.0);
+    const double outer = std::max(from.norm(), to.norm()) + deviation;
+    if (allows_all(inner, outer)) return true;
+    if (outer - inner <= kRadiusResolution || halvings == kMostHalvings) return true;
+    const double s = (s0 + s1) / 2;
+    const Place middle = place(s);
+    return allows(middle.norm()) && allows_between(s0, from, s, middle, halvings + 1) &&
+           allows_between(s, middle, s1, to, halvings + 1);
+  }
+
+  const std::vector<robot::CapacityPoint>& chart_;
+  double mass_;
+  math::Pose X_MW_;
+  const geometry::Motion& X_WT_;
+  double radius_at_start_ = 0;
+  double capacity_at_start_ = 0;
+};
+
+/// capacity_at where it has its extremes: at the ends and at the points of the chart between.
+template <class Better>
+double extreme_capacity(const std::vector<robot::CapacityPoint>& chart, double inner, double outer,
+                        Better better) {
+  double found = better(capacity_at(chart, inner), capacity_at(chart, outer));
+  for (const robot::CapacityPoint& point : chart) {
+    if (point.radius > inner && point.radius < outer) found = better(found, point.mass);
+  }
+  return found;
+}
+
+}  // namespace
 
 double capacity_at(const std::vector<robot::CapacityPoint>& chart, double radius) {
   if (chart.empty()) return std::numeric_limits<double>::infinity();
@@ -16,6 +119,19 @@ double capacity_at(const std::vector<robot::CapacityPoint>& chart, double radius
     return inner.mass + part * (outer.mass - inner.mass);
   }
   return 0;
+}
+
+double least_capacity(const std::vector<robot::CapacityPoint>& chart, double inner, double outer) {
+  return extreme_capacity(chart, inner, outer, [](double a, double b) { return std::min(a, b); });
+}
+
+double most_capacity(const std::vector<robot::CapacityPoint>& chart, double inner, double outer) {
+  return extreme_capacity(chart, inner, outer, [](double a, double b) { return std::max(a, b); });
+}
+
+bool allows_step(const std::vector<robot::CapacityPoint>& chart, double mass,
+                 const math::Pose& X_WM, const geometry::Motion& X_WT) {
+  return chart.empty() || mass <= 0 || LoadedStep(chart, mass, X_WM, X_WT).is_allowed();
 }
 
 double chart_radius(const math::Pose& X_WM, const math::Vec3& p_WT) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "src/motion/math/angles.hpp"
+#include "src/motion/robot/body_motion.hpp"
 #include "src/motion/robot/turns.hpp"
 #include "src/simulation/site/load_chart.hpp"
 #include "src/simulation/site/load_turn.hpp"
@@ -15,10 +16,6 @@ namespace {
 /// m: how exactly `free` is found. Far below every contact tolerance in use; each halving costs a
 /// query.
 constexpr double kFreeDistanceResolution = 1e-6;
-
-/// m: rounding of a radius along a step that keeps it. A load at the limit of its chart must still
-/// be allowed to turn.
-constexpr double kRadiusRounding = 1e-9;
 
 std::vector<int> numbers_of(const std::vector<ReservedPart>& parts) {
   std::vector<int> numbers;
@@ -124,18 +121,16 @@ std::optional<interpreter::HitPair> RobotView::refusal(const interpreter::Motion
   return overload(step);
 }
 
-/// The load chart: a load heavier than the chart allows may only come nearer in.
+/// The load chart, all along the step.
 std::optional<interpreter::HitPair> RobotView::overload(const interpreter::MotionStep& step) const {
   const SiteRobot& machine = robot();
   const auto& load = site_.load(index_);
   if (!load || load->mass <= 0 || machine.model->capacity.empty()) return std::nullopt;
-  const auto radius = [&](std::span<const double> q) {
-    return chart_radius(machine.mounting.X_WM,
-                        robot::tool_pose(*machine.model, machine.mounting, q).translation());
-  };
-  const double after = radius(step.q_to);
-  if (load->mass <= capacity_at(machine.model->capacity, after)) return std::nullopt;
-  if (after <= radius(step.q_from) + kRadiusRounding) return std::nullopt;
+  const std::vector<geometry::Motion> motions =
+      robot::step_motions(*machine.model, machine.mounting, step.q_from, step.q_to);
+  if (allows_step(machine.model->capacity, load->mass, machine.mounting.X_WM, motions.back())) {
+    return std::nullopt;
+  }
   return interpreter::HitPair{load->name, "the load chart of " + machine.name};
 }
 

@@ -34,9 +34,10 @@ std::optional<std::string> too_heavy(const Stage& stage, int task) {
   };
   const double up = radius_at(stage.site.X_WO(*spec.move));
   const double down = radius_at(spec.X_WO_goal);
-  const double nearest_down = std::max(down - leeway(spec, model), 0.0);
-  if (component.mass <= site::capacity_at(model.capacity, up) &&
-      component.mass <= site::capacity_at(model.capacity, nearest_down)) {
+  const double beside = leeway(spec, model);
+  const double most_down =
+      site::most_capacity(model.capacity, std::max(down - beside, 0.0), down + beside);
+  if (component.mass <= site::capacity_at(model.capacity, up) && component.mass <= most_down) {
     return std::nullopt;
   }
   return fmt::format(

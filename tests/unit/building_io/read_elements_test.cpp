@@ -147,6 +147,14 @@ TEST(ReadElements, AFileOfOneMeshIsOneElement) {
   }
 }
 
+TEST(ReadElements, WhatIsNotClosedIsListed) {
+  auto soup = box_soup({0, 0, 0}, {4, 0.2, 2.5});
+  soup.pop_back();
+  const ReadModels read = read_models({{"mesh.obj", mesh_io::testing::as_obj(soup)}}, "m");
+  ASSERT_EQ(read.elements.all.size(), 1U);
+  EXPECT_TRUE(test::says(read.said, "I14 1 element with a surface that is not closed"));
+}
+
 TEST(ReadElements, GltfSaysItsUnitAndAxes) {
   const auto soup = box_soup({0, 0, 0}, {4, 2.5, 0.2});
   const ReadModels read = read_models({{"a.gltf", mesh_io::testing::as_gltf(soup, "")}});

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "src/exchange/ifc/solid_cut.hpp"
+#include "src/motion/math/angles.hpp"
 #include "tests/unit/mesh_io/mesh_files_io.hpp"
 
 namespace rubicon::mesh_io::testing {
@@ -135,6 +137,47 @@ TEST(MeshRepair, KeepsAThinTriangleThatAClosedSurfaceNeeds) {
   EXPECT_TRUE(result.mesh.closed);
   EXPECT_EQ(result.report.thin_triangles_kept, 1);
   EXPECT_EQ(result.mesh.triangles.size(), 6U);
+}
+
+TEST(MeshRepair, AFoldOfTwoEqualTrianglesOfAClosedSurfaceIsNotTorn) {
+  // A tetrahedron whose corner d is split in two that lie nearer than is welded: two equal
+  // triangles and one seen from behind remain of what lay between.
+  const Vec3 a(0, 0, 0);
+  const Vec3 b(2, 0, 0);
+  const Vec3 c(0, 2, 0);
+  const Vec3 d(0, 0, 2);
+  const Soup soup = {{a, c, b}, {a, b, d}, {b, c, d}, {b, c, d}, {c, b, d}, {c, a, d}};
+  const RepairedMesh result = repair_soup(soup);
+  EXPECT_TRUE(result.mesh.closed);
+  EXPECT_EQ(result.report.duplicate_triangles, 2);
+  EXPECT_EQ(result.mesh.triangles.size(), 4U);
+}
+
+TEST(MeshRepair, ARoundHoleAsDeepAsItsBlockLeavesAClosedBody) {
+  // What is cut has hundreds of thin triangles, some of which fold when corners are welded.
+  ifc::Solid block;
+  for (int i = 0; i < 8; ++i) {
+    block.points.emplace_back((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 2 : -2, (i & 4) != 0 ? 3 : 0);
+  }
+  block.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                     {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  for (int sides = 15; sides <= 40; ++sides) {
+    SCOPED_TRACE(sides);
+    const double half_deg = 180.0 / sides;
+    ifc::Cell hole = {{{0, 0, 1}, 3}, {{0, 0, -1}, 0}};
+    for (int i = 0; i < sides; ++i) {
+      const double towards = (2 * i + 1) * half_deg;
+      const Vec3 n(math::cos_deg(towards), math::sin_deg(towards), 0);
+      hole.push_back({n, 1.5 * n.y() + 0.3 * math::cos_deg(half_deg)});
+    }
+    ifc::WorkBudget budget(10'000'000);
+    const auto rest = ifc::subtract(block, hole, budget);
+    ASSERT_TRUE(rest);
+    const RepairedMesh result = repair(rest->points, rest->triangles);
+    EXPECT_TRUE(result.mesh.closed);
+    const double removed = 3 * sides * 0.3 * 0.3 * math::sin_deg(2 * half_deg) / 2;
+    EXPECT_NEAR(volume(result.mesh), 24 - removed, 1e-4);
+  }
 }
 
 TEST(MeshRepair, ASheetWithTwoFacesEnclosesNothing) {

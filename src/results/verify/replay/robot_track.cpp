@@ -34,6 +34,8 @@ constexpr double kMassSlack = 1e-6;
 constexpr double kMostAside = 0.02;
 /// m: rounding of the radius of a load that keeps its distance.
 constexpr double kRadiusSlack = 1e-7;
+/// m: how exactly the radius is judged in the middle of a step.
+constexpr double kRadiusSlackOnWay = 2e-3;
 /// m: rounding of how far the tool is from a waypoint.
 constexpr double kMissedSlack = 1e-6;
 
@@ -168,7 +170,7 @@ class TrackBuilder {
     stopped_ = {};
     moving_ = std::move(result.run);
     for (std::string& text : result.faults) fault(FaultKind::motion, std::move(text));
-    check_load_chart(attempt.q);
+    check_load_chart(result.reached);
     note_aside(attempt.q);
     expect_off_holes(attempt.q);
     track_.legs.push_back(
@@ -419,12 +421,30 @@ class TrackBuilder {
     fault(FaultKind::load, fmt::format("{:g} kg are too heavy at {:g} m", mass(), r));
   }
 
+  /// At moments of a step, to the resolution with which the run judges it.
   void check_load_chart(const std::vector<double>& after) {
     if (robot_.capacity.empty() || !(mass() > 0)) return;
-    const double r = radius(after);
-    if (r <= radius(q_) + kRadiusSlack) return;
-    if (mass() <= std::max(allowed(r - kRadiusSlack), allowed(r)) + kMassSlack) return;
-    fault(FaultKind::load, fmt::format("{:g} kg are carried out to {:g} m", mass(), r));
+    const auto is_within = [&](double r, double slack) {
+      const double most =
+          std::max({allowed(std::max(r - slack, 0.0)), allowed(r), allowed(r + slack)});
+      return mass() <= most + kMassSlack;
+    };
+    const double before = radius(q_);
+    const bool is_too_heavy_before = !is_within(before, kRadiusSlack);
+    constexpr int kMoments = 64;
+    std::vector<double> q = q_;
+    for (int moment = kMoments; moment > 0; --moment) {
+      const double s = static_cast<double>(moment) / kMoments;
+      for (std::size_t i = 0; i < q.size(); ++i) q[i] = q_[i] + s * (after[i] - q_[i]);
+      const double slack = moment == kMoments ? kRadiusSlack : kRadiusSlackOnWay;
+      const double r = radius(q);
+      if (is_within(r, slack) || std::fabs(r - before) <= slack) continue;
+      if (is_too_heavy_before && r < before) continue;
+      fault(FaultKind::load,
+            fmt::format("{:g} kg are carried {} {:g} m, where the load chart allows {:g} kg",
+                        mass(), r > before ? "out to" : "in to", r, allowed(r)));
+      return;
+    }
   }
 
   const Trace& trace_;
