@@ -107,7 +107,8 @@ std::optional<interpreter::HitPair> RobotView::foreseen_hit(std::span<const doub
 
 std::optional<interpreter::HitPair> RobotView::refusal(const interpreter::MotionStep& step) const {
   if (nothing_to_meet()) return std::nullopt;
-  if (auto pair = swept_hit(step)) return pair;
+  const bool on_line = look_ahead(step);
+  if (auto pair = swept_hit(step, on_line)) return pair;
   if (keeps_out_ && step.duration == 0) {
     if (auto pair = foreseen_hit(step.q_from, step.q_to)) return pair;
   }
@@ -118,20 +119,36 @@ std::optional<interpreter::HitPair> RobotView::refusal(const interpreter::Motion
     return interpreter::HitPair{"the workspace of " + robot().name, met->name, met->machine, -1,
                                 met->moving};
   }
-  return overload(step);
+  return overload(step, on_line);
 }
 
-/// The load chart, all along the step.
-std::optional<interpreter::HitPair> RobotView::overload(const interpreter::MotionStep& step) const {
-  const SiteRobot& machine = robot();
+bool RobotView::has_chart_for_load() const {
   const auto& load = site_.load(index_);
-  if (!load || load->mass <= 0 || machine.model->capacity.empty()) return std::nullopt;
+  return load && load->mass > 0 && !robot().model->capacity.empty();
+}
+
+/// All along the way.
+bool RobotView::is_allowed_by_chart(std::span<const double> q_from,
+                                    std::span<const double> q_to) const {
+  const SiteRobot& machine = robot();
   const std::vector<geometry::Motion> motions =
-      robot::step_motions(*machine.model, machine.mounting, step.q_from, step.q_to);
-  if (allows_step(machine.model->capacity, load->mass, machine.mounting.X_WM, motions.back())) {
-    return std::nullopt;
-  }
-  return interpreter::HitPair{load->name, "the load chart of " + machine.name};
+      robot::step_motions(*machine.model, machine.mounting, q_from, q_to);
+  return allows_step(machine.model->capacity, site_.load(index_)->mass, machine.mounting.X_WM,
+                     motions.back());
+}
+
+bool RobotView::is_within_chart(std::span<const double> q) const {
+  const SiteRobot& machine = robot();
+  const math::Vec3 p_WT = robot::tool_pose(*machine.model, machine.mounting, q).translation();
+  return site_.load(index_)->mass <=
+         capacity_at(machine.model->capacity, chart_radius(machine.mounting.X_WM, p_WT));
+}
+
+std::optional<interpreter::HitPair> RobotView::overload(const interpreter::MotionStep& step,
+                                                        bool on_line) const {
+  if (!has_chart_for_load() || (on_line && line_is_within_chart_)) return std::nullopt;
+  if (is_allowed_by_chart(step.q_from, step.q_to)) return std::nullopt;
+  return interpreter::HitPair{site_.load(index_)->name, "the load chart of " + robot().name};
 }
 
 const std::string& RobotView::part_name(int part) const {
@@ -158,13 +175,15 @@ bool RobotView::look_ahead(const interpreter::MotionStep& step) const {
     line_.found_blocked();
     return false;
   }
+  // Of a load that is too heavy each step is judged by where it begins.
+  line_is_within_chart_ = has_chart_for_load() && is_within_chart(step.q_from) &&
+                          is_allowed_by_chart(step.q_from, q_end);
   line_.found_free(step.q_from, std::move(q_end), version, bodies.bounds());
   return true;
 }
 
-std::optional<interpreter::HitPair> RobotView::swept_hit(
-    const interpreter::MotionStep& step) const {
-  const bool on_line = look_ahead(step);
+std::optional<interpreter::HitPair> RobotView::swept_hit(const interpreter::MotionStep& step,
+                                                         bool on_line) const {
   if (on_line && site_.is_alone_in(index_, line_.bounds())) return std::nullopt;
   const StepQuery query(robot(), site_.load(index_), step.q_from, step.q_to,
                         site_.contact_tolerance(), site_.has_obstacles());

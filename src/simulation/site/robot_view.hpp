@@ -63,9 +63,14 @@ class RobotView : public interpreter::World {
                          double share) const;
   bool is_ever_moved(int part) const;
   const SiteRobot& robot() const { return site_.robot(index_); }
-  std::optional<interpreter::HitPair> swept_hit(const interpreter::MotionStep& step) const;
+  std::optional<interpreter::HitPair> swept_hit(const interpreter::MotionStep& step,
+                                                bool on_line) const;
   bool look_ahead(const interpreter::MotionStep& step) const;
-  std::optional<interpreter::HitPair> overload(const interpreter::MotionStep& step) const;
+  std::optional<interpreter::HitPair> overload(const interpreter::MotionStep& step,
+                                               bool on_line) const;
+  bool has_chart_for_load() const;
+  bool is_allowed_by_chart(std::span<const double> q_from, std::span<const double> q_to) const;
+  bool is_within_chart(std::span<const double> q) const;
   collision::SweptResult entering_hit(const StepQuery& step) const;
   std::optional<interpreter::HitPair> own_hit(const StepQuery& step) const;
   std::optional<interpreter::HitPair> others_hit(const StepQuery& step, Ticks until) const;
@@ -97,6 +102,7 @@ class RobotView : public interpreter::World {
   bool keeps_out_ = false;                     ///< of these
   mutable collision::ClearanceBudget budget_;  ///< never changes an answer
   mutable FreeLine line_;                      ///< nor does this: what lies on it is free
+  mutable bool line_is_within_chart_ = false;  ///< of the load, everywhere on it
   mutable std::shared_ptr<Legs> legs_;         // shared: of a type that is not known here
   mutable std::vector<bool> moved_bodies_;     ///< those that a step of it can move; found once
 };

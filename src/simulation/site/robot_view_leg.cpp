@@ -108,7 +108,8 @@ class RobotView::BodiesOnLeg : public collision::LegMotion {
   bool is_free(double from, double to) const override {
     const std::vector<double> q0 = robot::configuration_at(q_from_, q_to_, from);
     const std::vector<double> q1 = robot::configuration_at(q_from_, q_to_, to);
-    refused_ = view_.swept_hit({q0, q1, 0, 0});
+    const interpreter::MotionStep step{q0, q1, 0, 0};
+    refused_ = view_.swept_hit(step, view_.look_ahead(step));
     return !refused_;
   }
 
@@ -143,11 +144,9 @@ class RobotView::BodiesOnLeg : public collision::LegMotion {
 /// Only where all that the robot moves is rigid, and meets no more than shapes.
 bool RobotView::can_look_along() const {
   const SiteRobot& machine = robot();
-  const auto& load = site_.load(index_);
-  const bool has_chart = load && load->mass > 0 && !machine.model->capacity.empty();
   const bool keeps_out = keeps_out_ && !foreseen_.empty();
   return !keeps_out && !site_.may_enter(index_) && !site_.has_pits() && machine.buffers.empty() &&
-         machine.ropes.empty() && !has_chart;
+         machine.ropes.empty() && !has_chart_for_load();
 }
 
 /// Of others only what the free part meets is looked at: what they are in the way of stays open.
