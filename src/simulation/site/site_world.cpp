@@ -126,8 +126,9 @@ std::vector<collision::ObstacleId> SiteWorld::entered_by(int robot, int body) co
 
 MachineState SiteWorld::machine_state(int robot) const {
   const RobotEntry& machine = entry(robot);
-  MachineState state{machine.q,    machine.load,         std::nullopt,
-                     machine.turn, machine.carries_soil, machine.partner};
+  MachineState state{machine.q,         machine.load,         std::nullopt,
+                     machine.turn,      machine.carries_soil, machine.partner,
+                     machine.changed_at};
   if (machine.stepping) state.step = machine.step;
   return state;
 }
@@ -139,6 +140,7 @@ void SiteWorld::set_machine_state(int robot, MachineState state) {
   machine.turn = std::move(state.turn);
   machine.carries_soil = state.carries_soil;
   machine.partner = state.partner;
+  machine.changed_at = state.changed_at;
   machine.workspace_now.reset();
   machine.stepping = state.step.has_value();
   if (state.step) machine.step = std::move(*state.step);
@@ -405,6 +407,7 @@ void SiteWorld::lift(Component& component) {
 
 void SiteWorld::changed(RobotEntry& robot) {
   ++robot.changes;
+  robot.changed_at = now_;
   robot.reserved.reset();
   robot.workspace_now.reset();
   note_machine_change();

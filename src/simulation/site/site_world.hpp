@@ -49,6 +49,7 @@ struct MachineState {
   std::optional<LoadTurn> turn;
   bool carries_soil = false;
   int partner = -1;  ///< a machine with which its workspace may overlap
+  Ticks changed_at = 0;
 };
 
 /// A pit that a robot digs, cell by cell of its earth: `after` is below `before` where it is dug.
@@ -226,6 +227,8 @@ class SiteWorld {
   bool may_enter(int robot) const { return !entry(robot).entered.empty(); }
 
   bool is_in_step(int robot) const { return entry(robot).stepping; }
+  /// When the robot last began or ended a step, or a turn of its load.
+  Ticks changed_at(int robot) const { return entry(robot).changed_at; }
 
   MachineState machine_state(int robot) const;
   void set_machine_state(int robot, MachineState state);
@@ -357,6 +360,7 @@ class SiteWorld {
     std::set<int> too_near;     ///< robots whose workspaces its own overlaps, where that is watched
     int overlaps = 0;           ///< how often that came about, not yet taken
     std::uint64_t changes = 0;  ///< of what belongs to it
+    Ticks changed_at = 0;       ///< when the last of these came about
     mutable bool near_moving = false;  ///< it was where something with a timetable goes
     mutable std::unique_ptr<ReservedVolume>
         reserved;  ///< of what belongs to it now; made when asked for

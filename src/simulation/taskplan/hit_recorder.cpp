@@ -52,11 +52,9 @@ void HitRecorder::attempt(const interpreter::Attempt& attempt) {
     });
   }
   if (attempt.hit != nullptr) {
-    const RecordedHit hit{attempt.n,
-                          {attempt.parameters.begin(), attempt.parameters.end()},
-                          attempt.span,
-                          *attempt.hit,
-                          way_point_};
+    const RecordedHit hit{attempt.n,    {attempt.parameters.begin(), attempt.parameters.end()},
+                          attempt.span, *attempt.hit,
+                          way_point_,   attempt.time};
     if (hit.pair.may_leave()) given_way_.push_back(hit);
     note(hit.pair);
     open_.push_back(hit);

@@ -19,12 +19,24 @@ std::vector<Blocker> blockers_of(const std::vector<RecordedHit>& hits) {
   std::vector<Blocker> blockers;
   for (const RecordedHit& hit : hits) {
     if (!hit.pair.may_leave()) continue;
-    const Blocker blocker = Blocker::of(hit.pair);
-    const bool known = std::any_of(blockers.begin(), blockers.end(),
-                                   [&](const Blocker& other) { return other.same_as(blocker); });
-    if (!known) blockers.push_back(blocker);
+    Blocker blocker = Blocker::of(hit.pair);
+    blocker.time = hit.time;
+    const auto known = std::find_if(blockers.begin(), blockers.end(),
+                                    [&](const Blocker& other) { return other.same_as(blocker); });
+    if (known == blockers.end()) {
+      blockers.push_back(blocker);
+    } else {
+      known->time = std::max(known->time, hit.time);
+    }
   }
   return blockers;
+}
+
+bool has_gone(const Stage& stage, const Blocker& blocker) {
+  if (blocker.zone_task >= 0) return !stage.active.look_at(blocker.zone_task);
+  if (blocker.robot < 0 || blocker.turn) return false;
+  return !stage.active.look_at(stage.allocator->state(blocker.robot).holder()) &&
+         stage.site.changed_at(blocker.robot) > blocker.time;
 }
 
 namespace {

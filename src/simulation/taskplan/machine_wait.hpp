@@ -18,6 +18,7 @@ struct Blocker {
   std::string moved;  ///< the part that met it
   std::string met;    ///< what it met; with `turn` the node where the robot goes first
   bool turn = false;
+  Ticks time = 0;  ///< when it was met
 
   static Blocker of(const interpreter::HitPair& pair) {
     return {pair.machine, pair.zone_task, pair.moving, pair.moved, pair.met, pair.turn};
@@ -26,6 +27,9 @@ struct Blocker {
     return robot == other.robot && zone_task == other.zone_task && moving == other.moving;
   }
 };
+
+/// Whether a machine or a zone has gone since it was met: nothing more will be told of it.
+bool has_gone(const Stage& stage, const Blocker& blocker);
 
 /// The machines and zones among hits, each once.
 std::vector<Blocker> blockers_of(const std::vector<RecordedHit>& hits);

@@ -171,8 +171,11 @@ bool Simulation::resolve_standstill() {
   if (!walk.cycle.empty()) {
     reject_one_of(walk.cycle);
   } else {
-    const int last = walk.tasks.back();
-    stage_.rejection = Rejection{last, standstill_reason(last), {}};
+    // What is over is waited for in vain; who waits for it is to go.
+    const auto last = std::find_if(walk.tasks.rbegin(), walk.tasks.rend(),
+                                   [this](int each) { return !is_over(each); });
+    const int rejected = last == walk.tasks.rend() ? task : *last;
+    stage_.rejection = Rejection{rejected, standstill_reason(rejected), {}};
   }
   return true;
 }

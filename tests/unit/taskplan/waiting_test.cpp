@@ -176,5 +176,37 @@ TEST(WaitingBetweenWayPoints, Ends) {
   EXPECT_EQ(tasks.at("go_left").result, TaskResult::rejected);
 }
 
+// Meets what is in the way at 4 s, and is back where it began to look, far from it, when that has
+// long gone: it goes there again instead of waiting for what comes no more.
+constexpr const char* kTurnsBack =
+    "chain { move_to(x, goal(x)) }; chain { move_dir(x, -1) } until (x <= -20);";
+
+TEST(WaitingForWhatHasGone, EndsWithoutTheZone) {
+  const auto tasks = run(R"(
+    crew people;
+    robot left "left.robot" { start x 0; }
+    task work { by people; takes 8 s; zone box(5, -2, 0, 6, 2, 2); }
+    task drive { by left; go x 10; }
+  )",
+                         kTurnsBack, kPlainWait);
+  EXPECT_EQ(tasks.at("work").result, TaskResult::done);
+  EXPECT_EQ(tasks.at("drive").tried, 29 + 60);
+  EXPECT_THAT(tasks.at("drive").reason, StartsWith("short of the goal"));
+}
+
+TEST(WaitingForWhatHasGone, EndsWithoutTheMachine) {
+  const auto tasks = run(R"(
+    crew people;
+    robot left "left.robot" { start x 0; }
+    robot right "right.robot" { start x 6; }
+    task drive { by left; go x 10; }
+    task work { by people; takes 6 s; }
+    task leave { by right; go x 20; after work; }
+  )",
+                         kTurnsBack, kPlainWait);
+  EXPECT_EQ(tasks.at("leave").result, TaskResult::done);
+  EXPECT_THAT(tasks.at("drive").reason, StartsWith("short of the goal"));
+}
+
 }  // namespace
 }  // namespace rubicon::taskplan
