@@ -77,7 +77,8 @@ void check_motions(const Trace& trace, const std::vector<TaskRun>& runs, const W
     std::vector<MovingRecord> records;
     std::copy_if(trace.movings.begin(), trace.movings.end(), std::back_inserter(records),
                  [&](const MovingRecord& each) { return each.moving == static_cast<int>(i); });
-    movings.emplace_back(trace.scene.movings[i], records, trace.scene.meshes, until,
+    // How they go on after the end nobody has looked at.
+    movings.emplace_back(trace.scene.movings[i], records, trace.scene.meshes, until - kSecond,
                          verdict.faults);
   }
   check_dug_soil(
