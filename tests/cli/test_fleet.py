@@ -92,6 +92,11 @@ class Fleet(ResultCase):
         self.assertEqual([task["reason"] for task in schedule["tasks"]],
                          ["blocked for ever: carts_2 is at yard.r_3 and does not move any more", "blocked for ever: carts_1 is at yard.r_1 and does not move any more"])
 
+    def test_a_lane_to_the_first_waypoint_that_is_barred_for_a_while(self):
+        people = "task people { takes 1 min; zone box(14, -2, 0, 16, 2, 2); }"
+        schedule, _ = self.run_plan(plan(yard(3), "at r[1];", people + " task a { by carts; go at yard.r[3]; via at yard.r[2]; }"))
+        self.assertEqual([(task["task"], task["result"]) for task in schedule["tasks"]], [("people", "done"), ("a", "done")])
+
     def test_what_stands_in_a_lane_is_named(self):
         block = "component block { shape box(14, -1, 0, 16, 1, 1); }"
         schedule, _ = self.run_plan(plan(yard(3), "at r[1];", block + " task a { by carts; go at yard.r[2]; }"), expected=1)

@@ -72,6 +72,8 @@ class GoalCheck {
       } else if (std::holds_alternative<Try>(record_->what) ||
                  std::holds_alternative<Wait>(record_->what)) {
         if (goals_.empty()) return fault("an attempt before the waypoint of its motion begins");
+      } else if (std::holds_alternative<GuidePlan>(record_->what)) {
+        guided_ = true;
       } else if (const auto* end = std::get_if<MotionEnd>(&record_->what)) {
         if (!finish(*end)) return;
       } else if (std::holds_alternative<Work>(record_->what) ||
@@ -119,8 +121,11 @@ class GoalCheck {
     const std::vector<Goal> goals = std::exchange(goals_, {});
     const std::vector<State> before = std::exchange(states_, {});
     const int k = static_cast<int>(goals.size());
-    // Over a floor no waypoint is left out: the motion ends at one that is not reached.
+    // Under a guide, and over a floor, no waypoint is left out: the motion ends at one that is not
+    // reached.
     const bool covers = run_.task >= 0 && !trace_.scene.tasks[at(run_.task)].working.empty();
+    const bool is_guided = std::exchange(guided_, false);
+    const bool leaves_none_out = covers || is_guided;
     bool fits = false;
     for (const State& state : before) {
       if (state.motion >= motions_.size()) continue;
@@ -133,7 +138,7 @@ class GoalCheck {
         const bool at_once = end.status == "done" && end.reached && motion.goals.size() == 1;
         if (end.tries != 0 || !(at_once || undone)) continue;
       } else if (n < state.least || n > state.most ||
-                 (end.status == "done" && k != n && !(covers && !end.reached))) {
+                 (end.status == "done" && k != n && !(leaves_none_out && !end.reached))) {
         continue;
       }
       fits = true;
@@ -244,6 +249,7 @@ class GoalCheck {
   const std::vector<PlannedMotion> motions_;
   std::vector<State> states_;
   std::vector<Goal> goals_;  ///< of the motion under way
+  bool guided_ = false;      ///< the motion under way
   std::string last_status_;
   const Record* record_ = nullptr;
   const Record* judged_ = nullptr;
