@@ -7,6 +7,7 @@ import unittest
 
 from result_case import ResultCase, rubicon
 
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 # A bucket on a turntable, an arm that goes out, a mast: each joint by itself, so that times can be worked out.
 DIGGER = """robot digger {
   time_step 1;
@@ -143,6 +144,18 @@ class DigByMotion(ResultCase):
     def test_slopes_and_corners(self):
         _, tasks = self.run_plan(plan("box(3, -1.4, -0.8, 4.6, 0.2, 1)", stands=60, trucks=""))
         self.assertEqual(sum(soil["volume"] for soil in self.soils()), round(tasks["dig"]["motion_dig"]["volume"] * 1e9))
+
+    def test_a_cut_that_takes_nothing_is_not_made_again(self):
+        # A tilted bucket that comes near the cells of a slope and not over them.
+        excavator = os.path.join(ROOT, "robots", "excavator", "excavator_digging.robot")
+        for tilt, depth in ((110, 0.8), (100, 0.5), (70, 0.8)):
+            with self.subTest(tilt=tilt):
+                reason = self.rejected("""plan p {
+                  earth ground { grid 48, 28; cell 0.5 m; at trans(-6, -7, 0); height 0 m; stands 60 deg; swell 0; density 2.2 t per m3; }
+                  robot ex "%s";
+                  task dig { by ex; dig ground to box(4, -0.35, -%g, 5.3, 0.35, 1) { bucket 1.4 m3; fill_factor 0.95; layer 0.8 m; cut roty(%d); open roty(40);
+                    dump at trans(2, 6.2, 2.9); fill takes 2 s; dump takes 2 s; } } }""" % (excavator, depth, tilt))
+                self.assertRegex(reason, "does not (get down|fit in)")
 
     def test_what_is_in_the_way_is_named(self):
         reason = self.rejected(plan(more="component pipe { shape box(3.9, -2, -0.5, 4.1, 2, -0.3); fixed to site; } touching pipe site;"))

@@ -490,7 +490,10 @@ bool DigActivity::raise(ActiveTask& task, Stage& stage) {
   bucket_.raised = worked(task, stage);
   if (!cut_.empty()) stage.site_changes.set_surface(dig.soil, cut_);
   const soil::Terrain& surface = *stage.site.surface(dig.soil);
-  if (!is_full_ && surface.heights[at(target_.cell)] > target_.floor + dig.tolerance) {
+  const bool stays_above = surface.heights[at(target_.cell)] > target_.floor + dig.tolerance;
+  // The next cut would be the same, for the soil is: what is left there is within the tolerance.
+  if (!is_full_ && !stays_above && cut_.empty()) leave_cell();
+  if (!is_full_ && stays_above) {
     stage.reject(task.task, fmt::format("bucket {}: {} does not get down to the soil at {}",
                                         task.account.outcome.motion_dig->buckets.size() + 1,
                                         stage.robot_spec(stage.spec(task.task).robot).name,
@@ -502,6 +505,14 @@ bool DigActivity::raise(ActiveTask& task, Stage& stage) {
   }
   stage.made_progress();
   return true;
+}
+
+/// The cell that is dug now is not looked at any more.
+void DigActivity::leave_cell() {
+  auto cells = std::make_shared<std::vector<int>>(*cells_);
+  std::erase(*cells, target_.cell);
+  cells_ = std::move(cells);
+  put_off_.erase(target_.cell);
 }
 
 /// The bucket is empty. A truck leaves when no whole bucket goes into it any more.

@@ -63,6 +63,7 @@ class DigActivity : public Activity {
                   const char* what);
   void fill(ActiveTask& task, Stage& stage);
   bool raise(ActiveTask& task, Stage& stage);
+  void leave_cell();
   void empty(ActiveTask& task, Stage& stage);
   Step finish(ActiveTask& task, Stage& stage);
   bool is_over_truck() const {
