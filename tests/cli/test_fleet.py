@@ -97,6 +97,15 @@ class Fleet(ResultCase):
         schedule, _ = self.run_plan(plan(yard(3), "at r[1];", people + " task a { by carts; go at yard.r[3]; via at yard.r[2]; }"))
         self.assertEqual([(task["task"], task["result"]) for task in schedule["tasks"]], [("people", "done"), ("a", "done")])
 
+    def test_who_asks_again_is_not_forgotten(self):
+        # Several members fail before these tasks are shared out, and the run goes back each time. (Seed 377 of random yards.)
+        network = """network y { class road { speed 0.5 m/s; width 3; }
+            node n[0] at trans(-0.06, 4.22, 0) * rotz(90); node n[1] at trans(-13.86, -6.44, 0); node n[2] at trans(2.25, -14.67, 0) * rotz(90); node n[3] at trans(5.34, 7.62, 0);
+            lane n[0] to n[1] road both; lane n[1] to n[2] road both; }"""
+        tasks = "task t0 { by c; go at y.n[0]; takes 30 s; } task t4 { by c; go at y.n[2]; takes 15 s; } task t5 { by c; go at y.n[3]; takes 22 s; } task t6 { by c; go at y.n[3]; takes 4 s; }"
+        schedule, _ = self.run_plan('plan p { %s fleet c { robot "cart.robot"; size 3; on y; at n[1], n[3], n[0]; choose first; } %s }' % (network, tasks))
+        self.assertEqual([(task["robot"], task["start"]) for task in schedule["tasks"] if task["task"] in ("t5", "t6")], [("c_2", 0), ("c_2", 22)])
+
     def test_what_stands_in_a_lane_is_named(self):
         block = "component block { shape box(14, -1, 0, 16, 1, 1); }"
         schedule, _ = self.run_plan(plan(yard(3), "at r[1];", block + " task a { by carts; go at yard.r[2]; }"), expected=1)

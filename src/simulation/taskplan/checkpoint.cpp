@@ -27,6 +27,7 @@ void Checkpoints::add(int task, Journal::Mark resources) {
   point.progress = stage_.progress;
   point.breakdowns = stage_.breakdowns;
   point.breakdown_outcomes = stage_.breakdown_outcomes.size();
+  point.failed_parkings = stage_.failed_parkings.size();
   point.haulage = stage_.haulage;
   point.zone_waits = zone_waits_;
   point.zone_waits.erase(task);
@@ -67,7 +68,14 @@ bool Checkpoints::go_back(int task, bool keeps_lines) {
   // A parking that is under way again: one of the same robot that failed later never was.
   for (std::size_t i = 0; i < stage_.active.size(); ++i) {
     const int active = stage_.active[i].task;
-    if (stage_.is_park(active)) stage_.trace.drop_kept(point.trace, active);
+    if (!stage_.is_park(active)) continue;
+    stage_.trace.drop_kept(point.trace, active);
+    auto& failed = stage_.failed_parkings;
+    const auto later = failed.begin() + static_cast<std::ptrdiff_t>(point.failed_parkings);
+    const std::string& name = stage_.spec(active).name;
+    failed.erase(std::remove_if(later, failed.end(),
+                                [&](const TaskOutcome& each) { return each.task == name; }),
+                 failed.end());
   }
   return true;
 }

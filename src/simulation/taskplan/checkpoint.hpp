@@ -38,6 +38,7 @@ class Checkpoints {
     SiteProgress progress;
     Breakdowns breakdowns;
     std::size_t breakdown_outcomes = 0;
+    std::size_t failed_parkings = 0;
     ZoneWaits zone_waits;
     Haulage haulage;
   };

@@ -32,13 +32,6 @@ std::vector<Blocker> blockers_of(const std::vector<RecordedHit>& hits) {
   return blockers;
 }
 
-bool has_gone(const Stage& stage, const Blocker& blocker) {
-  if (blocker.zone_task >= 0) return !stage.active.look_at(blocker.zone_task);
-  if (blocker.robot < 0 || blocker.turn) return false;
-  return !stage.active.look_at(stage.allocator->state(blocker.robot).holder()) &&
-         stage.site.changed_at(blocker.robot) > blocker.time;
-}
-
 namespace {
 
 const site::MovingThing& moving_of(const Stage& stage, const Blocker& blocker) {
@@ -64,6 +57,14 @@ std::string text_of_stop(const Stage& stage, const Blocker& blocker) {
 }
 
 }  // namespace
+
+bool has_gone(const Stage& stage, const Blocker& blocker) {
+  if (blocker.zone_task >= 0) return !stage.active.look_at(blocker.zone_task);
+  if (blocker.moving >= 0) return moving_of(stage, blocker).is_gone(stage.now());
+  if (blocker.robot < 0 || blocker.turn) return false;
+  return !stage.active.look_at(stage.allocator->state(blocker.robot).holder()) &&
+         stage.site.changed_at(blocker.robot) > blocker.time;
+}
 
 std::string text_of_way(const Stage& stage, int task, const Blocker& blocker) {
   if (blocker.moving >= 0) {

@@ -76,7 +76,7 @@ Schedule Simulation::make_schedule() {
     }
   }
   for (TaskOutcome& parking : records_.parkings()) add(parking);
-  for (TaskOutcome& parking : failed_parkings_) add(parking);
+  for (TaskOutcome& parking : stage_.failed_parkings) add(parking);
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),

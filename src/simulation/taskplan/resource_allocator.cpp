@@ -28,7 +28,7 @@ std::variant<int, std::string> ResourceAllocator::queue_for(std::vector<Share> s
 
 void ResourceAllocator::ask(int queue, int task, double priority, Ticks from) {
   const auto place = std::make_tuple(from, -priority, task);
-  queues_[at(queue)].later.insert(place);
+  if (!queues_[at(queue)].later.insert(place).second) return;
   journal_.on_undo([this, queue, place] { queues_[at(queue)].later.erase(place); });
 }
 
@@ -39,9 +39,10 @@ void ResourceAllocator::move_up(int index, Ticks now) {
     const auto place = *queue.later.begin();
     const Place waits{std::get<double>(place), std::get<int>(place)};
     queue.later.erase(queue.later.begin());
-    queue.waiting.insert(waits);
-    journal_.on_undo([this, index, place, waits] {
-      queues_[at(index)].waiting.erase(waits);
+    // A task that asks again may have waited here all the time.
+    const bool is_new = queue.waiting.insert(waits).second;
+    journal_.on_undo([this, index, place, waits, is_new] {
+      if (is_new) queues_[at(index)].waiting.erase(waits);
       queues_[at(index)].later.insert(place);
     });
   }

@@ -130,7 +130,6 @@ class Simulation : private LinkState::Listener {
   // simulation_undo.cpp: tasks that are not done, and going back
   bool apply_rejection();
   bool repeat_lift();
-  bool go_back(int task, bool keeps_lines);
   void exclude(int task, TaskOutcome outcome, int cause);
   void exclude_followers(int task, int cause);
   void free_groups(bool rejected);
@@ -160,7 +159,6 @@ class Simulation : private LinkState::Listener {
 
   // for good, whatever the run goes back to
   Excluded excluded_;
-  std::vector<TaskOutcome> failed_parkings_;
   std::vector<ParkingFailure> parking_failed_;
   std::set<int> known_before_;  ///< of `excluded_` those rejected before the run began
   std::set<int> doubtful_;  ///< of `excluded_` those in whose rejection other tasks are involved

@@ -212,7 +212,7 @@ bool Simulation::try_next_choice(Rejection& rejection) {
     for (int i = 0; i < static_cast<int>(choices.size()); ++i) is_left |= !is_out(task, i);
   }
   if (is_left) {
-    if (go_back(task, false)) {
+    if (checkpoints_.go_back(task, false)) {
       ask(task, stage_.now());
       stage_.begins_to_wait(task);
     } else {

@@ -36,7 +36,7 @@ bool Simulation::repeat_lift() {
   const int task = *std::exchange(stage_.lift_to_repeat, std::nullopt);
   stage_.links->drop_pending();
   // What it asked for was given to it: it asks again.
-  if (go_back(task, false)) ask(task, stage_.now());
+  if (checkpoints_.go_back(task, false)) ask(task, stage_.now());
   stage_.lift_notes.forget_unless(
       [&](int other) { return other == task || records_.has_begun(other); });
   look_again_at_all();
@@ -72,14 +72,14 @@ bool Simulation::apply_rejection() {
   outcome.holds.clear();
   outcome.lift.reset();
   outcome.waits = {};
-  if (!go_back(task, true) && stage_.active.look_at(task)) must_restart_ = true;
+  if (!checkpoints_.go_back(task, true) && stage_.active.look_at(task)) must_restart_ = true;
   stage_.lift_notes.forget_unless([&](int other) { return records_.has_begun(other); });
   if (stage_.is_park(task)) {
     ParkingFailure& failure = parking_failed_[index(task - stage_.plan_tasks())];
     failure.last = std::max(failure.last, stage_.now());
     ++failure.count;
     stage_.trace.keep([&] { trace_end(task, outcome.start, outcome); });
-    failed_parkings_.push_back(std::move(outcome));
+    stage_.failed_parkings.push_back(std::move(outcome));
     look_again_at_all();
     return true;
   }
@@ -96,21 +96,6 @@ bool Simulation::apply_rejection() {
   look_again_at_all();
   // Those who dig and haul for each other have one less.
   stage_.announce({-1, -1, -1, true});
-  return true;
-}
-
-/// To the moment before the task started; false if there is none. Of parkings that are under way
-/// again, what failed of the same robot later never was.
-bool Simulation::go_back(int task, bool keeps_lines) {
-  if (!checkpoints_.go_back(task, keeps_lines)) return false;
-  for (std::size_t i = 0; i < stage_.active.size(); ++i) {
-    const ActiveTask& active = stage_.active[i];
-    if (!stage_.is_park(active.task)) continue;
-    const TaskOutcome& outcome = active.account.outcome;
-    std::erase_if(failed_parkings_, [&](const TaskOutcome& failed) {
-      return failed.task == outcome.task && failed.start >= outcome.start;
-    });
-  }
   return true;
 }
 

@@ -71,6 +71,7 @@ class Stage {
   OvertimeHours overtime;
   Breakdowns breakdowns;
   std::vector<BreakdownOutcome> breakdown_outcomes;  ///< by their begin
+  std::vector<TaskOutcome> failed_parkings;          ///< as the trace keeps them
   std::optional<LinkState> links;
   std::optional<Rejection> rejection;
   std::vector<int> new_waits;  ///< tasks that may have closed a cycle of waiting
