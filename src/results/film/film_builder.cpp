@@ -90,6 +90,10 @@ void FilmBuilder::record(const trace::Record& record) {
     runs_[run].last = t;
     return;
   }
+  if (const auto* grid = std::get_if<trace::Forbidden>(&record.what)) {
+    add_forbidden(*grid, run);
+    return;
+  }
   columns_.kind.add(static_cast<int>(record.kind()));
   columns_.run.add(run);
   columns_.t.add(time_millionths(t));
@@ -248,6 +252,32 @@ void FilmBuilder::write(const trace::GuidePlan& plan, int run) {
       string(fmt::format("{}", fmt::join(plan.events.begin(), plan.events.end(), "; "))));
   columns_.guide_nodes.add(plan.nodes);
   columns_.guide_checks.add(plan.checks);
+}
+
+/// It belongs to the search that was told just before.
+void FilmBuilder::add_forbidden(const trace::Forbidden& grid, int run) {
+  const double t = trace::seconds(grid.t);
+  if (graphs_.empty() || graphs_.back().run != run || graphs_.back().t != t) {
+    throw std::invalid_argument("'forbidden' follows a 'guide' with what it searched through");
+  }
+  double cells = grid.layers.empty() ? 1 : static_cast<double>(grid.layers.size());
+  for (const double count : grid.cells) cells *= count;
+  for (const double run : grid.runs) cells -= run;
+  if (grid.low.size() != 2 || grid.high.size() != 2 || grid.cells.size() != 2 ||
+      grid.parameters.size() != (grid.layers.empty() ? 2u : 3u) || cells != 0) {
+    throw std::invalid_argument("'runs' of 'forbidden' has each of its cells once");
+  }
+  const auto list = [](trace::Numbers values) {
+    for (const double value : values) millionths(value, "forbidden cells");
+    return std::vector<double>(values.begin(), values.end());
+  };
+  graphs_.back().forbidden = ForbiddenCells{{grid.parameters.begin(), grid.parameters.end()},
+                                            list(grid.low),
+                                            list(grid.high),
+                                            list(grid.cells),
+                                            list(grid.layers),
+                                            list(grid.at),
+                                            list(grid.runs)};
 }
 
 void FilmBuilder::write(const trace::WayPoint& point, int) {

@@ -30,7 +30,8 @@ class GuideCheck {
     for (const int index : run_.records) {
       record_ = &trace_.records[at(index)];
       if (!std::holds_alternative<Think>(record_->what) &&
-          !std::holds_alternative<Stop>(record_->what)) {
+          !std::holds_alternative<Stop>(record_->what) &&
+          !std::holds_alternative<Forbidden>(record_->what)) {
         expect_thought();
       }
       if (const auto* plan = std::get_if<GuidePlan>(&record_->what)) {
