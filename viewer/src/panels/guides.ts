@@ -2,9 +2,12 @@ import { number } from '../clock';
 import { crossings, graphAt, legsOfGraph, nearPart, variedOf, wayAfter, withinATurn, type Leg, type Section } from '../configurations';
 import { rangeOf, rectangles, sampledBy, sliceOf, type Slice } from '../forbidden';
 import { chart, draw, padded, path, type Axis, type Chart } from '../study/chart';
-import { givesBackFocus, make, named, onceAFrame, setText } from './dom';
+import { button, givesBackFocus, make, named, onceAFrame, setText } from './dom';
+import { download, fileName } from './download';
 import type { Page } from './page';
 import type { Shown } from './side';
+import { svgFile } from './svg_file';
+import { palette } from './theme';
 
 /** Of the picture (px): at least and at most, and its height as a share of its width. */
 const narrowest = 340;
@@ -40,7 +43,8 @@ export function mountGuides(host: HTMLElement, page: Page, shown: Shown): void {
   const region = make('p', { class: 'region' });
   const note = make('p', { class: 'muted' }, 'Pale: what the guide searched through; strong what of it is near the value of the slider. Thick: how the machine went, with a ring '
     + 'where it has that value, and a dot where it is now.');
-  host.append(title, make('div', { class: 'axes' }, ...Object.values(axes).map(({ label }) => label), make('label', { class: 'field' }, slider, value)), picture, region, note);
+  host.append(title, make('div', { class: 'axes' }, ...Object.values(axes).map(({ label }) => label), make('label', { class: 'field' }, slider, value),
+    button('Export SVG', () => exportSvg())), picture, region, note);
   let chosenByHand = false;
   let searched: Searched | null = null;
   let plot: Chart | null = null;
@@ -148,15 +152,15 @@ export function mountGuides(host: HTMLElement, page: Page, shown: Shown): void {
     const swatch = (name: string) => make('span', { class: `swatch ${name}` });
     const valueOf = (i: number, each: number) => `${names[i]} ${number(each, 3)}${unitOf(i)}`;
     if (!forbidden) {
-      region.replaceChildren(swatch('not-sampled'), `Where the robot may not stand was not sampled for this search: a run tells it of its first ${told} searches.`);
+      region.replaceChildren(swatch('not-sampled'), `Hatched: where the robot may not stand was not sampled for this search. A run tells it of its first ${told} searches.`);
     } else if (!slice) {
-      region.replaceChildren(swatch('not-sampled'), 'Where the robot may not stand was not sampled for these two parameters, only for ', named(forbidden.parameters.join(', ')), '.');
+      region.replaceChildren(swatch('not-sampled'), 'Hatched: where the robot may not stand was not sampled for these two parameters, only for ', named(forbidden.parameters.join(', ')), '.');
     } else {
       const on = slice.third === section.third ? ', the sampled value nearest to the slider' : ', as where the search began';
       const layer = slice.third < 0 ? [] : ['at ', named(valueOf(slice.third, slice.value)), on];
       const others = names.flatMap((_, i) => (sampledBy(forbidden, names).includes(i) || forbidden.at[i] === undefined ? [] : [valueOf(i, forbidden.at[i])]));
-      region.replaceChildren(swatch('forbidden'), 'Forbidden ', ...layer, others.length ? `${layer.length ? '; ' : ''}with ` : '', ...(others.length ? [named(others.join(', '))] : []),
-        '. Each cell is judged in its middle, as the site is when the search begins. ', ...(beyond ? [swatch('not-sampled'), 'Not sampled.'] : []));
+      region.replaceChildren(swatch('forbidden'), 'Grey: forbidden ', ...layer, others.length ? `${layer.length ? '; ' : ''}with ` : '', ...(others.length ? [named(others.join(', '))] : []),
+        '. Each cell is judged in its middle, as the site is when the search begins. ', ...(beyond ? [swatch('not-sampled'), 'Hatched: not sampled.'] : []));
     }
   };
 
@@ -180,6 +184,11 @@ export function mountGuides(host: HTMLElement, page: Page, shown: Shown): void {
   const repaint = () => {
     paint();
     show();
+  };
+  const exportSvg = () => {
+    if (!plot) return;
+    const text = svgFile(plot.svg, palette().panel, [title.textContent, region.textContent, note.textContent]);
+    download(fileName(film.header.plan, 'svg', 'configurations'), new Blob([text], { type: 'image/svg+xml' }));
   };
   for (const { select } of Object.values(axes)) {
     givesBackFocus(select);
