@@ -193,6 +193,15 @@ class Guides(GuideCase):
         def past_the_limits(result):
             next(record for record in result.records if record["type"] == "forbidden")["high"][1] = 21
 
+        def elsewhere(result):
+            next(record for record in result.records if record["type"] == "forbidden")["at"][0] = 3
+
+        def later(result):
+            place = next(i for i, record in enumerate(result.records) if record["type"] == "forbidden")
+            result.records.insert(place + 1, result.records.pop(place))
+
+        self.assertIn("what is forbidden is told with x at 3 where the search began at 0", self.faults_of(elsewhere))
+        self.assertIn("what is forbidden is told without a search right before it", self.faults_of(later))
         self.assertRegex(self.faults_of(all_free), r"cell \d+ of what is forbidden is told as free, and car\.car meets wall there")
         self.assertIn("what is told as forbidden goes past the limits of y: from", self.faults_of(past_the_limits))
         for key, value, expected in (("runs", grid["runs"][:-1], "cells of the grid in 'runs'"), ("cells", [0, 5], "'cells'"), ("layers", [1, 0], "ascending"),
@@ -206,6 +215,10 @@ class Guides(GuideCase):
             verified = rubicon("verify", bad)
             self.assertEqual(verified.returncode, 2, key)
             self.assertIn(expected, verified.stderr)
+            if key == "runs":
+                shown = rubicon("report", bad, "--out", os.path.join(self.folder, "bad.html"))
+                self.assertEqual(shown.returncode, 2, shown.stderr)
+                self.assertIn("'runs' of 'forbidden' has each of its cells once", shown.stderr)
 
     def test_where_a_robot_may_not_stand_is_told_of_the_first_searches(self):
         tasks = "".join(f"task t{i} {{ by car; go x {10 * (1 - i % 2)}, y 0; guide way; {f'after t{i - 1};' if i else ''} }}\n" for i in range(34))

@@ -65,6 +65,7 @@ export function sliceOf(grid: ForbiddenData, names: string[], cyclic: boolean[],
   const sampled = sampledBy(grid, names);
   const [a, b] = [sampled.indexOf(across), sampled.indexOf(up)];
   if (a < 0 || b < 0 || a === b) return null;
+  if (sampled.includes(-1)) return null;
   const c = 3 - a - b;
   const fixed = sampled[c] ?? -1;
   const wanted = third === fixed ? value : withinTurn(grid.at[fixed] ?? 0, cyclic[fixed]);

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -260,11 +261,20 @@ void FilmBuilder::add_forbidden(const trace::Forbidden& grid, int run) {
   if (graphs_.empty() || graphs_.back().run != run || graphs_.back().t != t) {
     throw std::invalid_argument("'forbidden' follows a 'guide' with what it searched through");
   }
+  constexpr double kMostCells = 1e7;
   double cells = grid.layers.empty() ? 1 : static_cast<double>(grid.layers.size());
-  for (const double count : grid.cells) cells *= count;
-  for (const double run : grid.runs) cells -= run;
+  bool counts = true;
+  for (const double count : grid.cells) {
+    counts = counts && count >= 1 && count == std::floor(count);
+    cells *= count;
+  }
+  counts = counts && cells <= kMostCells;
+  for (const double run : grid.runs) {
+    counts = counts && run >= 0 && run == std::floor(run);
+    cells -= run;
+  }
   if (grid.low.size() != 2 || grid.high.size() != 2 || grid.cells.size() != 2 ||
-      grid.parameters.size() != (grid.layers.empty() ? 2u : 3u) || cells != 0) {
+      grid.parameters.size() != (grid.layers.empty() ? 2u : 3u) || !counts || cells != 0) {
     throw std::invalid_argument("'runs' of 'forbidden' has each of its cells once");
   }
   const auto list = [](trace::Numbers values) {

@@ -75,7 +75,7 @@ export function mountGuides(host: HTMLElement, page: Page, shown: Shown): void {
     title.replaceChildren(named(film.runs[run].task, 200), ` (${film.graphs[at].legs.toLocaleString('en-GB')} legs searched)`);
     if (before) return;
     const { forbidden } = film.graphs[at];
-    const first = forbidden ? sampledBy(forbidden, names) : [];
+    const first = forbidden ? sampledBy(forbidden, names).filter((each) => each >= 0) : [];
     const order = [...first, ...varied.map(({ parameter }) => parameter).filter((each) => !first.includes(each))];
     Object.values(axes).forEach(({ select }, i) => {
       select.replaceChildren(...(i === 2 ? [make('option', { value: '-1' }, 'none')] : []), ...names.map((name, p) => make('option', { value: String(p) }, name)));
