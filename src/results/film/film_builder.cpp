@@ -269,9 +269,9 @@ void FilmBuilder::add_forbidden(const trace::Forbidden& grid, int run) {
     cells *= count;
   }
   counts = counts && cells <= kMostCells;
-  for (const double run : grid.runs) {
-    counts = counts && run >= 0 && run == std::floor(run);
-    cells -= run;
+  for (const double length : grid.runs) {
+    counts = counts && length >= 0 && length == std::floor(length);
+    cells -= length;
   }
   if (grid.low.size() != 2 || grid.high.size() != 2 || grid.cells.size() != 2 ||
       grid.parameters.size() != (grid.layers.empty() ? 2u : 3u) || !counts || cells != 0) {
