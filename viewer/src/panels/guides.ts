@@ -157,9 +157,9 @@ export function mountGuides(host: HTMLElement, page: Page, shown: Shown): void {
       region.replaceChildren(swatch('not-sampled'), 'Hatched: where the robot may not stand was not sampled for these two parameters, only for ', named(forbidden.parameters.join(', ')), '.');
     } else {
       const on = slice.third === section.third ? ', the sampled value nearest to the slider' : ', as where the search began';
-      const layer = slice.third < 0 ? [] : ['at ', named(valueOf(slice.third, slice.value)), on];
+      const layer = slice.third < 0 ? [] : [' at ', named(valueOf(slice.third, slice.value)), on];
       const others = names.flatMap((_, i) => (sampledBy(forbidden, names).includes(i) || forbidden.at[i] === undefined ? [] : [valueOf(i, forbidden.at[i])]));
-      region.replaceChildren(swatch('forbidden'), 'Grey: forbidden ', ...layer, others.length ? `${layer.length ? '; ' : ''}with ` : '', ...(others.length ? [named(others.join(', '))] : []),
+      region.replaceChildren(swatch('forbidden'), 'Grey: forbidden', ...layer, others.length ? `${layer.length ? ';' : ''} with ` : '', ...(others.length ? [named(others.join(', '))] : []),
         '. Each cell is judged in its middle, as the site is when the search begins. ', ...(beyond ? [swatch('not-sampled'), 'Hatched: not sampled.'] : []));
     }
   };

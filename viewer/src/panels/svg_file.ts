@@ -1,7 +1,7 @@
 import { draw } from '../study/chart';
 
 /** What the style sheets of the page give to parts of a drawing. */
-const looks = ['fill', 'fill-opacity', 'stroke', 'stroke-opacity', 'stroke-width', 'paint-order', 'font-family', 'font-size', 'font-weight', 'text-anchor'];
+const looks = ['fill', 'fill-opacity', 'stroke', 'stroke-opacity', 'stroke-width', 'stroke-linecap', 'paint-order', 'font-family', 'font-size', 'font-weight', 'text-anchor'];
 const hidden = new Set(['none', 'hidden']);
 /** Of the lines below the drawing (px). */
 const lineHeight = 16;
