@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/site_tests.hpp"
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/machine/machine.hpp"
+#include "interpreter/machine/world_tests.hpp"
 #include "src/motion/guides/guide.hpp"
 #include "src/motion/robot/kinematics.hpp"
 #include "src/simulation/site/make_site.hpp"
@@ -23,7 +23,7 @@
 namespace {
 
 using namespace rubicon;
-using bench::SiteTests;
+using interpreter::WorldTests;
 
 class DiskFiles : public test::MemoryFiles {
  public:
@@ -62,7 +62,7 @@ void leg(benchmark::State& state) {
   const Scene scene;
   const double most_deg = static_cast<double>(state.range(0));
   const bool free = state.range(1) != 0;
-  SiteTests tests(scene.model(), *scene.view);
+  WorldTests tests(scene.model(), *scene.view);
   std::mt19937_64 random(7);
   const auto between = [&](double lower, double upper) {
     return lower + (upper - lower) * static_cast<double>(random() >> 11) * 0x1p-53;
@@ -106,7 +106,7 @@ void way(benchmark::State& state) {
   task.goals = {goal};
   guides::GuideSpec spec = guides::default_guide(guides::GuideKind::rrt_connect);
   spec.improve = static_cast<double>(state.range(0));
-  SiteTests tests(scene.model(), *scene.view);
+  WorldTests tests(scene.model(), *scene.view);
   double checks = 0;
   double motion_time = 0;
   spec.seed = 0;

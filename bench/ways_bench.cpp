@@ -19,9 +19,9 @@
 
 #include "bench/chain.hpp"
 #include "bench/chain_scenes.hpp"
-#include "bench/site_tests.hpp"
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/machine/machine.hpp"
+#include "interpreter/machine/world_tests.hpp"
 #include "src/motion/guides/guide.hpp"
 #include "src/motion/robot/kinematics.hpp"
 #include "src/simulation/site/make_site.hpp"
@@ -33,7 +33,7 @@ namespace {
 using namespace rubicon;
 using bench::Chain;
 using bench::ChainProblem;
-using bench::SiteTests;
+using interpreter::WorldTests;
 using Way = std::vector<std::vector<double>>;
 
 /// m: what the engine lets bodies touch by, so that the machine is taken smaller by that.
@@ -85,7 +85,7 @@ class OurSite {
     }
     robot::update_derived(model(), mounting_, goal);
     task.goals = {goal};
-    SiteTests tests(model(), *view_);
+    WorldTests tests(model(), *view_);
     return guides::plan_way(spec, task, start(), tests);
   }
 

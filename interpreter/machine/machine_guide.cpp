@@ -7,6 +7,7 @@
 
 #include "interpreter/machine/floor_fence.hpp"
 #include "interpreter/machine/machine.hpp"
+#include "interpreter/machine/world_tests.hpp"
 #include "src/motion/guides/lane_guide.hpp"
 #include "src/motion/robot/turns.hpp"
 
@@ -79,6 +80,8 @@ class Machine::GuideTests : public guides::MotionTests {
     if (before) note(*before);
     return answer;
   }
+
+  const World& world() const { return world_; }
 
   /// The pair that was met most; of equals the one met first. Null: nothing was.
   const Meeting* most() const {
@@ -251,6 +254,13 @@ bool Machine::take(GuideAnswer answer, const GuideTests& tests, EventSink* event
       plan.cause = cause;
       plan.others = others;
       plan.time = time_;
+      if (!answer.planned->tree.empty()) {
+        plan.forbidden = [&] {
+          WorldTests unnoted(*model_, tests.world());
+          return guides::sample_forbidden(spec, guide_task(tests.world()), q_, *answer.planned,
+                                          unnoted);
+        };
+      }
       events->guide(plan);
     }
   }

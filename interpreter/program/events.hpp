@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -7,6 +9,7 @@
 
 #include "interpreter/program/world.hpp"
 #include "interpreter/syntax/source.hpp"
+#include "src/motion/guides/forbidden_grid.hpp"
 #include "src/motion/guides/guide.hpp"
 
 namespace rubicon::interpreter {
@@ -41,6 +44,9 @@ struct GuidePlan {
   std::string_view cause;           ///< of no way
   std::span<const HitPair> others;  ///< other machines and zones that were in the way
   Ticks time = 0;
+  /// Where the robot may not stand about what was searched, for who tells of that: it takes many
+  /// tests. Empty where the guide does not tell what it searched through.
+  std::function<std::optional<guides::ForbiddenGrid>()> forbidden = {};
 };
 
 /// A guide thinks: its checks take time, in which the robot stands.

@@ -63,8 +63,9 @@ walk of each robot that explores the network is printed.
   --format FORMAT        table (the default), json or csv, on standard output; times in seconds
   --trace FILE           write what happened, one JSON object a line (docs/trace.md); - is standard output; packed if the name
                          ends in .gz
-  --trace-detail DETAIL  steps (the default: everything that happened), full (what guides searched through as well: the page shows
-                         it), tasks (no single attempts), none (header and results only)
+  --trace-detail DETAIL  steps (the default: everything that happened), full (what guides searched through as well, and
+                         where robots may not stand there: the page shows it), tasks (no single attempts), none (header and
+                         results only)
   --out DIR              write schedule.csv, schedule.json, trace.jsonl and report.html, the page that shows it all, into DIR; of a
                          network of cells ways.json and ways.csv, of one with jobs jobs.json, jobs.csv and agents.csv, of charts
                          charts.json, charts.csv, charts.svg and report.html, of an exploration walk.json and walk.csv

@@ -44,5 +44,8 @@ class GuideCase(ResultCase):
         self.assertIn("narrower than its radius of 8 m", self.faults_of(narrower))
 
     def records(self, *types):
+        return [record for record in self.all_records() if record["type"] in types]
+
+    def all_records(self):
         with open(os.path.join(self.out, "trace.jsonl"), encoding="utf-8") as file:
-            return [record for record in map(json.loads, file) if record["type"] in types]
+            return [json.loads(line) for line in file]

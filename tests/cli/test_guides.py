@@ -10,7 +10,7 @@ import random
 import unittest
 
 from guide_case import GuideCase
-from result_case import rubicon
+from result_case import film_of, rubicon
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 EXCAVATOR = os.path.join(HERE, "..", "..", "robots", "excavator", "excavator.robot")
@@ -130,6 +130,103 @@ class Guides(GuideCase):
         self.run_plan(ROUND_THE_WALL.replace("task over", "task before { by car; go x 1, y 0; }\n  task over")
                       .replace("guide way; }\n}", "guide way; after before; }\n}"))
         self.assertIn("the way of a guide", self.faults_of(begins_elsewhere))
+
+    def forbidden_cells(self, grid):
+        """Each cell: the values of its parameters in its middle, and whether it is forbidden."""
+        columns, rows = grid["cells"]
+        layers = grid.get("layers", [None])
+        told = [bool(i % 2) for i, run in enumerate(grid["runs"]) for _ in range(run)]
+        self.assertEqual(len(told), columns * rows * len(layers))
+        for cell, blocked in enumerate(told):
+            place = (cell % columns, cell // columns % rows)
+            at = [low + (k + 0.5) / n * (high - low) for k, n, low, high in zip(place, grid["cells"], grid["low"], grid["high"])]
+            yield [*at, layers[cell // columns // rows]], blocked
+
+    def test_a_full_trace_has_where_the_robot_may_not_stand(self):
+        """Judged again by the separating axes of two rectangles, but within 5 mm of where they touch."""
+        long, wide, heading = 1.5, 0.5, lambda degrees: (math.cos(math.radians(degrees)), math.sin(math.radians(degrees)))
+
+        def gap(x, y, theta):
+            c, s = (abs(value) for value in heading(theta))
+            own_x, own_y = long * c + wide * s, long * s + wide * c
+            dx, dy = x - 5, y
+            cx, sx = heading(theta)
+            across = (abs(dx * cx + dy * sx) - long - 0.5 * c - 6 * s, abs(dy * cx - dx * sx) - wide - 0.5 * s - 6 * c)
+            return max(abs(dx) - 0.5 - own_x, abs(dy) - 6 - own_y, *across)
+
+        self.write("car.robot", """robot car {
+          body car {
+            param x step(0.5) speed(1 m/s) range(-20, 20);
+            param y step(0.5) speed(1 m/s) range(-20, 20);
+            param theta step(10) speed(30 deg/s) cyclic;
+            frame trans(x, y, 0) * rotz(theta);
+            shape box(-1.5, -0.5, 0, 1.5, 0.5, 1);
+          }
+          tool car;
+          behaviour { chain { follow }; }
+        }""")
+        plan = ROUND_THE_WALL.replace("y 0; guide", "y 0, theta 90; guide")
+        self.run_plan(plan)
+        plain = self.all_records()
+        self.run_plan(plan, options=("--trace-detail", "full"))
+        grid, = self.records("forbidden")
+        guide, = self.records("guide")
+        records = self.all_records()
+        self.assertEqual(records.index(grid), records.index(guide) + 1)
+        # Nothing else is another.
+        bare = [{key: value for key, value in record.items() if key not in ("graph", "legs")} for record in records if record != grid]
+        self.assertEqual(bare, plain)
+        self.assertEqual((grid["parameters"], grid["at"]), (["x", "y", "theta"], [0, 0, 0]))
+        self.assertLessEqual({0, 90}, set(grid["layers"]))
+        counts = {True: 0, False: 0}
+        for at, blocked in self.forbidden_cells(grid):
+            if abs(gap(*at)) < 0.005:
+                continue
+            self.assertEqual(blocked, gap(*at) < 0, at)
+            counts[blocked] += 1
+        self.assertGreater(min(counts.values()), 1000)
+
+        def all_free(result):
+            found = next(record for record in result.records if record["type"] == "forbidden")
+            found["runs"] = [sum(found["runs"])]
+
+        def past_the_limits(result):
+            next(record for record in result.records if record["type"] == "forbidden")["high"][1] = 21
+
+        def elsewhere(result):
+            next(record for record in result.records if record["type"] == "forbidden")["at"][0] = 3
+
+        def later(result):
+            place = next(i for i, record in enumerate(result.records) if record["type"] == "forbidden")
+            result.records.insert(place + 1, result.records.pop(place))
+
+        self.assertIn("what is forbidden is told with x at 3 where the search began at 0", self.faults_of(elsewhere))
+        self.assertIn("what is forbidden is told without a search right before it", self.faults_of(later))
+        self.assertRegex(self.faults_of(all_free), r"cell \d+ of what is forbidden is told as free, and car\.car meets wall there")
+        self.assertIn("what is told as forbidden goes past the limits of y: from", self.faults_of(past_the_limits))
+        for key, value, expected in (("runs", grid["runs"][:-1], "cells of the grid in 'runs'"), ("cells", [0, 5], "'cells'"), ("layers", [1, 0], "ascending"),
+                                     ("parameters", ["x", "y"], "two different parameters, or three"), ("parameters", ["x", "z", "y"], "parameters of the robot")):
+            with open(os.path.join(self.out, "trace.jsonl"), encoding="utf-8") as file:
+                lines = [json.loads(line) for line in file]
+            for record in lines:
+                if record["type"] == "forbidden":
+                    record[key] = value
+            bad = self.write("bad.jsonl", "".join(json.dumps(record) + "\n" for record in lines))
+            verified = rubicon("verify", bad)
+            self.assertEqual(verified.returncode, 2, key)
+            self.assertIn(expected, verified.stderr)
+            if key == "runs":
+                shown = rubicon("report", bad, "--out", os.path.join(self.folder, "bad.html"))
+                self.assertEqual(shown.returncode, 2, shown.stderr)
+                self.assertIn("'runs' of 'forbidden' has each of its cells once", shown.stderr)
+
+    def test_where_a_robot_may_not_stand_is_told_of_the_first_searches(self):
+        tasks = "".join(f"task t{i} {{ by car; go x {10 * (1 - i % 2)}, y 0; guide way; {f'after t{i - 1};' if i else ''} }}\n" for i in range(34))
+        self.run_plan(ROUND_THE_WALL.replace("task over { by car; go x 10, y 0; guide way; }", tasks), options=("--trace-detail", "full"))
+        self.assertEqual(len(self.records("guide")), 34)
+        self.assertEqual([grid["task"] for grid in self.records("forbidden")], [f"t{i}" for i in range(32)])
+        graphs = film_of(self.out)["graphs"]
+        self.assertEqual(["forbidden" in graph for graph in graphs], [i < 32 for i in range(34)])
 
     def test_verify_reckons_what_a_way_is_like(self):
         # Joints, a vehicle that turns on the spot, one that steers, and one that carries at its loaded speed.

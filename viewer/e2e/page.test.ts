@@ -137,10 +137,30 @@ describe.skipIf(!hasBrowser)('the page', () => {
     await expect.poll(() => now.getAttribute('cx')).not.toBe(before[0]);
     expect(await ring.first().getAttribute('cx')).not.toBe(before[1]);
     expect(await near.getAttribute('d')).not.toBe(before[2]);
+    // Where the robot may not stand: of the search's own parameters, in the layer that is nearest to the slider.
+    const grid = readTrace(trench).find((record) => record.type === 'forbidden' && record.task === 'to_truck_1');
+    const [region, cells] = [panel.locator('.region'), panel.locator('path.forbidden')];
+    const sampled = grid?.parameters as string[];
+    expect(sampled).toEqual(await Promise.all(['Across', 'Up', 'Slider'].map((name) =>
+      panel.getByLabel(name, { exact: true }).locator('option:checked').innerText())));
+    const told = async () => [await region.innerText(), (await cells.count()) ? await cells.getAttribute('d') : null];
+    const [words, shape] = await told();
+    expect(words).toContain(`forbidden at ${sampled[2]} `);
+    await panel.getByLabel('Value of the third parameter').fill('40');
+    expect((await told())[0]).not.toBe(words);
+    expect((await told())[1]).not.toBe(shape);
+    const [file] = await Promise.all([look.page.waitForEvent('download'), panel.getByRole('button', { name: 'Export SVG' }).click()]);
+    const svg = readFileSync((await file.path())!, 'utf8');
+    expect(svg).toContain('fill="rgb(91, 100, 112)"');
+    expect(svg.replaceAll(/<[^>]*>/g, ' ')).toMatch(/to_truck_1 \(\d+ legs searched\) .*forbidden at/s);
     await panel.getByLabel('Slider').selectOption('none');
+    expect((await told())[0]).toContain('as where the search began');
     expect(await ring.count()).toBe(0);
     // Without a third parameter every leg is near.
     expect((await near.getAttribute('d'))?.match(/M/g)?.length).toBe(guide?.legs);
+    await panel.getByLabel('Up').selectOption('stick.phi');
+    expect(await cells.count()).toBe(0);
+    expect((await told())[0]).toContain('not sampled for these two parameters');
     await seek(look.page, 90);
     await expect.poll(() => panel.locator('h2').innerText()).toContain('return_3');
     expect(look.complaints).toEqual([]);

@@ -5,6 +5,9 @@ export type Point = [x: number, y: number];
 /** Straight from a configuration to another: values of all parameters (m, degrees). */
 export type Leg = [from: number[], to: number[]];
 
+/** Shares of a leg that are the same. */
+const rounding = 1e-9;
+
 /** Two parameters of a robot, by their numbers, and about which value a third one has; `third` -1: whatever. */
 export interface Section {
   across: number;
@@ -84,7 +87,7 @@ export function crossings(way: Leg[], { across, up, third, value }: Section): Po
   return way.flatMap(([from, to]): Point[] => {
     const span = to[third] - from[third];
     const share = (value - from[third]) / span;
-    return span !== 0 && share >= 0 && share < 1 ? [[from[across] + share * (to[across] - from[across]), from[up] + share * (to[up] - from[up])]] : [];
+    return span !== 0 && share >= -rounding && share < 1 - rounding ? [[from[across] + share * (to[across] - from[across]), from[up] + share * (to[up] - from[up])]] : [];
   });
 }
 

@@ -58,12 +58,27 @@ export interface ForeseenData {
   points: number[];
 }
 
+/** Where a robot may not stand about what its guide searched through: cells that two parameters span, by name, in layers for values of a third. */
+export interface ForbiddenData {
+  parameters: string[];
+  low: number[];
+  high: number[];
+  cells: number[];
+  layers: number[];
+  /** All parameters, where the search began. */
+  at: number[];
+  /** So many free cells, so many that are forbidden, and so on: along the first parameter, row by row, layer by layer. */
+  runs: number[];
+}
+
 /** What a guide searched through at a moment (s): of each leg both configurations, and how many legs there were. */
 export interface GraphData {
   run: number;
   t: number;
   legs: number;
   graph: number[];
+  /** Not of all: a run tells it of its first searches. */
+  forbidden?: ForbiddenData;
 }
 
 /** How a robot moved; docs/film.md says how its keys stand in the columns. */

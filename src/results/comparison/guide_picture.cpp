@@ -14,6 +14,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "interpreter/machine/world_tests.hpp"
+#include "src/motion/guides/forbidden_grid.hpp"
 #include "src/motion/guides/guide.hpp"
 #include "src/motion/guides/potential.hpp"
 #include "src/motion/math/index.hpp"
@@ -40,40 +42,6 @@ constexpr int kBands = 14;
 /// Intervals of the range of a third parameter.
 constexpr int kPictureLayers = 24;
 constexpr std::size_t kMostNodes = 40000;
-
-/// The site as a guide asks it, by a robot.
-class SiteTests : public guides::MotionTests {
- public:
-  SiteTests(const robot::RobotModel& model, const interpreter::World& world)
-      : model_(model), world_(world) {}
-  bool stands(std::span<const double> q) override { return in_range(q) && !world_.blocked_at(q); }
-  bool sweeps_free(std::span<const double> q_from, std::span<const double> q_to) override {
-    return in_range(q_to) && !world_.refusal({q_from, q_to, 0, 0});
-  }
-  guides::LegShares look_along(std::span<const double> q_from, std::span<const double> q_to,
-                               bool whole, double least) override {
-    const interpreter::LegLook look = world_.look_along(q_from, q_to, whole, least);
-    return {look.free_until, look.met_from};
-  }
-  std::vector<guides::Thing> things() const override { return world_.things(); }
-  guides::Nearness nearest(std::span<const double> q, double range,
-                           const guides::PairsLeftOut& left_out) override {
-    return world_.nearest(q, range, left_out);
-  }
-
- private:
-  bool in_range(std::span<const double> q) const {
-    constexpr double kRounding = 1e-9;
-    for (std::size_t i = 0; i < q.size(); ++i) {
-      const robot::Parameter& p = model_.parameters[i];
-      if (!p.cyclic && (q[i] < p.lower - kRounding || q[i] > p.upper + kRounding)) return false;
-    }
-    return true;
-  }
-
-  const robot::RobotModel& model_;
-  const interpreter::World& world_;
-};
 
 /// One of the two parameters of the picture.
 struct PictureAxis {
@@ -322,26 +290,28 @@ class Picture {
     const double most = std::max(axes_[0].pixels, axes_[1].pixels);
     columns_ = static_cast<int>(std::ceil(kPictureCells * axes_[0].pixels / most));
     rows_ = static_cast<int>(std::ceil(kPictureCells * axes_[1].pixels / most));
-    const int nx = columns_;
-    const int ny = rows_;
-    const bool field = spec_.kind == guides::GuideKind::potential;
-    std::optional<guides::PotentialField> potential;
-    if (field) potential.emplace(space_, start_, goal_);
-    std::vector<double> values(at(nx * ny));
-    for (int j = 0; j < ny; ++j) {
-      for (int i = 0; i < nx; ++i) {
-        point[axes_[0].coordinate] = cell_value(0, i, nx);
-        point[axes_[1].coordinate] = cell_value(1, j, ny);
-        double& here = values[at(j * nx + i)];
-        if (field) {
-          here = potential->value(point);
-        } else {
-          here = space_.stands(point) ? 0 : guides::PotentialField::kBlocked;
-        }
-        if (std::isfinite(here)) highest_ = std::max(highest_, here);
+    const std::array<guides::GridAxis, 2> axes = {grid_axis(0, columns_), grid_axis(1, rows_)};
+    std::vector<double> values;
+    if (spec_.kind != guides::GuideKind::potential) {
+      for (const bool blocked : guides::blocked_cells(space_, point, axes)) {
+        values.push_back(blocked ? guides::PotentialField::kBlocked : 0);
+      }
+      return values;
+    }
+    guides::PotentialField potential(space_, start_, goal_);
+    for (int j = 0; j < rows_; ++j) {
+      for (int i = 0; i < columns_; ++i) {
+        point[axes[0].coordinate] = axes[0].middle(i);
+        point[axes[1].coordinate] = axes[1].middle(j);
+        values.push_back(potential.value(point));
+        if (std::isfinite(values.back())) highest_ = std::max(highest_, values.back());
       }
     }
     return values;
+  }
+
+  guides::GridAxis grid_axis(std::size_t k, int cells) const {
+    return {axes_[k].coordinate, axes_[k].low, axes_[k].high, cells};
   }
 
   /// Runs of equal cells are one rectangle; of a layer all of a colour are one path.
@@ -375,13 +345,9 @@ class Picture {
     text_ += "</g>\n";
   }
 
-  double cell_value(std::size_t k, int cell, int count) const {
-    return axes_[k].low + (cell + 0.5) / count * (axes_[k].high - axes_[k].low);
-  }
-
   /// "": the ground.
   std::string colour(double value) const {
-    if (!std::isfinite(value)) return "#5b6470";
+    if (!std::isfinite(value)) return std::string(palette::kDrawing.forbidden);
     if (spec_.kind != guides::GuideKind::potential || !(highest_ > 0)) return {};
     // Close to obstacles the field is many times what it is elsewhere.
     const double share = std::sqrt(std::sqrt(value / highest_));
@@ -563,7 +529,7 @@ class Picture {
   guides::GuideSpec spec_;
   const guides::PlanReport& report_;
   std::string cause_;
-  SiteTests tests_;
+  interpreter::WorldTests tests_;
   guides::Space space_;
   Point start_;
   Point goal_;

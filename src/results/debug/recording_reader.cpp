@@ -83,6 +83,7 @@ void RecordingReader::read_record(const trace::Record& record) {
       record.kind() == EventKind::lost_days) {
     return;  // of no task
   }
+  if (record.kind() == EventKind::forbidden) return;  // a picture, no step
   const auto* end = std::get_if<trace::TaskEnd>(&record.what);
   if (end != nullptr && !open_.contains(record.task)) {
     PlannedTask& task = planned(record.task);

@@ -55,6 +55,7 @@ class RecordingReader : public trace::TraceSink {
   void fill(Event& event, const trace::ColdJoint& joint);
   void fill(Event& event, const trace::Soil& soil);
   void fill(Event& event, const trace::Foreseen& foreseen);
+  void fill(Event&, const trace::Forbidden&) {}  // not read
   void fill(Event& event, const trace::GuidePlan& plan);
   void fill(Event& event, const trace::WayPoint& point);
   TaskRun& run_of(const trace::Record& record);

@@ -166,6 +166,7 @@ std::string record_text(const Recording& recording, const TaskRun& run, const Ev
     case EventKind::moving:
     case EventKind::breakdown:
     case EventKind::lost_days:
+    case EventKind::forbidden:
       break;
     case EventKind::soil:
       return fmt::format("the bucket has taken {:.3f} m3 of {}", event.value * 1e-9, text);

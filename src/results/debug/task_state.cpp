@@ -134,6 +134,7 @@ void apply(const Event& event, TaskState& state) {
     case EventKind::lost_days:
     case EventKind::soil:
     case EventKind::foreseen:
+    case EventKind::forbidden:
     case EventKind::think:
       break;
   }

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -88,6 +89,10 @@ void FilmBuilder::record(const trace::Record& record) {
                          {way->corners.begin(), way->corners.end()},
                          {way->points.begin(), way->points.end()}});
     runs_[run].last = t;
+    return;
+  }
+  if (const auto* grid = std::get_if<trace::Forbidden>(&record.what)) {
+    add_forbidden(*grid, run);
     return;
   }
   columns_.kind.add(static_cast<int>(record.kind()));
@@ -248,6 +253,41 @@ void FilmBuilder::write(const trace::GuidePlan& plan, int run) {
       string(fmt::format("{}", fmt::join(plan.events.begin(), plan.events.end(), "; "))));
   columns_.guide_nodes.add(plan.nodes);
   columns_.guide_checks.add(plan.checks);
+}
+
+/// It belongs to the search that was told just before.
+void FilmBuilder::add_forbidden(const trace::Forbidden& grid, int run) {
+  const double t = trace::seconds(grid.t);
+  if (graphs_.empty() || graphs_.back().run != run || graphs_.back().t != t) {
+    throw std::invalid_argument("'forbidden' follows a 'guide' with what it searched through");
+  }
+  constexpr double kMostCells = 1e7;
+  double cells = grid.layers.empty() ? 1 : static_cast<double>(grid.layers.size());
+  bool counts = true;
+  for (const double count : grid.cells) {
+    counts = counts && count >= 1 && count == std::floor(count);
+    cells *= count;
+  }
+  counts = counts && cells <= kMostCells;
+  for (const double length : grid.runs) {
+    counts = counts && length >= 0 && length == std::floor(length);
+    cells -= length;
+  }
+  if (grid.low.size() != 2 || grid.high.size() != 2 || grid.cells.size() != 2 ||
+      grid.parameters.size() != (grid.layers.empty() ? 2u : 3u) || !counts || cells != 0) {
+    throw std::invalid_argument("'runs' of 'forbidden' has each of its cells once");
+  }
+  const auto list = [](trace::Numbers values) {
+    for (const double value : values) millionths(value, "forbidden cells");
+    return std::vector<double>(values.begin(), values.end());
+  };
+  graphs_.back().forbidden = ForbiddenCells{{grid.parameters.begin(), grid.parameters.end()},
+                                            list(grid.low),
+                                            list(grid.high),
+                                            list(grid.cells),
+                                            list(grid.layers),
+                                            list(grid.at),
+                                            list(grid.runs)};
 }
 
 void FilmBuilder::write(const trace::WayPoint& point, int) {

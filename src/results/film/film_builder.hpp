@@ -54,8 +54,9 @@ class FilmBuilder {
   void write(const trace::Breakdown&, int) {}
   void write(const trace::LostDays&, int) {}
   void write(const trace::ColdJoint& joint, int run);
-  void write(const trace::Soil&, int) {}      // in soils_
-  void write(const trace::Foreseen&, int) {}  // in foreseen_
+  void write(const trace::Soil&, int) {}       // in soils_
+  void write(const trace::Foreseen&, int) {}   // in foreseen_
+  void write(const trace::Forbidden&, int) {}  // in graphs_
 
   std::int64_t string(std::string_view text) { return strings_.number(text); }
   std::int64_t place(const trace::InText& place);
@@ -100,12 +101,19 @@ class FilmBuilder {
     std::vector<std::string> events;
   };
   std::vector<Walk> walks_;
+  /// Where a robot may not stand about what its guide searched through, as the trace tells it.
+  struct ForbiddenCells {
+    std::vector<std::string> parameters;
+    std::vector<double> low, high, cells, layers, at, runs;
+  };
+  void add_forbidden(const trace::Forbidden& grid, int run);
   /// What guides searched through, in full traces: of each leg both configurations.
   struct SearchGraph {
     int run = 0;
     double t = 0;
     int legs = 0;
     std::vector<double> values;
+    std::optional<ForbiddenCells> forbidden = {};
   };
   std::vector<SearchGraph> graphs_;
 };

@@ -145,6 +145,17 @@ Film FilmBuilder::finish(std::string_view schedule, std::string_view flow) {
     for (const SearchGraph& each : graphs_) {
       json.begin_object().field("run", each.run).field("t", each.t).field("legs", each.legs);
       list(json, "graph", each.values);
+      if (const auto& grid = each.forbidden) {
+        json.key("forbidden").begin_object();
+        json.key("parameters").strings(grid->parameters);
+        list(json, "low", grid->low);
+        list(json, "high", grid->high);
+        list(json, "cells", grid->cells);
+        list(json, "layers", grid->layers);
+        list(json, "at", grid->at);
+        list(json, "runs", grid->runs);
+        json.end_object();
+      }
       json.end_object();
     }
     head += ",\"graphs\":" + json.end_array().take();

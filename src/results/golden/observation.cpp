@@ -141,6 +141,8 @@ struct GoldenMembers {
   void operator()(const trace::Removal&) const {}
   void operator()(const trace::Breakdown&) const {}
   void operator()(const trace::LostDays&) const {}
+  // Of full traces.
+  void operator()(const trace::Forbidden&) const {}
 };
 
 std::string_view type_of(const trace::Record& record) {

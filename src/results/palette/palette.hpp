@@ -9,12 +9,13 @@ namespace rubicon::palette {
 /// palette.json, which the report page reads too.
 struct Drawing {
   std::string_view text, muted, line, panel;
-  std::string_view machine;   ///< motion of a machine, in charts
-  std::string_view crew;      ///< crew work
-  std::string_view wait;      ///< waiting
-  std::string_view critical;  ///< outlines of the critical path
-  std::string_view off;       ///< ground of times without a shift
-  std::string_view bad;       ///< what was rejected
+  std::string_view machine;    ///< motion of a machine, in charts
+  std::string_view crew;       ///< crew work
+  std::string_view wait;       ///< waiting
+  std::string_view critical;   ///< outlines of the critical path
+  std::string_view off;        ///< ground of times without a shift
+  std::string_view bad;        ///< what was rejected
+  std::string_view forbidden;  ///< where a robot may not stand
   std::string_view ground, fixture;
   std::string_view waiting;  ///< a component that is not placed yet
   std::string_view carried;

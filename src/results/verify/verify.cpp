@@ -9,6 +9,7 @@
 #include "src/motion/math/index.hpp"
 #include "src/results/verify/input/check_files.hpp"
 #include "src/results/verify/replay/check_beginning.hpp"
+#include "src/results/verify/replay/check_forbidden.hpp"
 #include "src/results/verify/replay/check_goals.hpp"
 #include "src/results/verify/replay/check_guides.hpp"
 #include "src/results/verify/replay/check_hits.hpp"
@@ -89,6 +90,7 @@ void check_motions(const Trace& trace, const std::vector<TaskRun>& runs, const W
       verdict.faults);
   check_hauled_soil(trace, runs, tracks, site, verdict.faults);
   check_workspaces(trace, runs, tracks, site, verdict.faults);
+  check_forbidden(trace, runs, tracks, site, verdict.faults);
   const ContactCounts counts = check_contacts(trace, runs, tracks, site, movings, verdict.faults);
   verdict.steps = counts.steps;
   verdict.pairs = counts.pairs;

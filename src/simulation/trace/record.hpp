@@ -272,13 +272,28 @@ struct Foreseen {
   Ticks t = 0;
 };
 
+/// Where the robot may not stand about what its guide searched through: configurations that two
+/// parameters span, in layers for values of a third. Only in full traces, behind its `guide`.
+struct Forbidden {
+  Names parameters;  ///< two, or three with layers
+  Numbers low;       ///< of the first two
+  Numbers high;
+  Numbers cells;   ///< along each of the first two
+  Numbers layers;  ///< values of the third, ascending
+  Numbers at;      ///< where the search began: all parameters, in their order (m, degrees)
+  /// So many cells in a row that are free, then so many that are not, and so on: along the first
+  /// parameter, row by row, layer by layer. Each is judged at its middle.
+  Numbers runs;
+  Ticks t = 0;
+};
+
 /// One record of a trace. Its texts and lists belong to the reader that gave it.
 struct Record {
   /// In the order of RecordKind.
-  using What =
-      std::variant<TaskStart, GoalStart, Assignment, LoopStart, LoopEnd, Choice, Attempt, Wait,
-                   Work, Pause, Attach, Detach, Removal, MotionEnd, TaskEnd, Stop, GuidePlan,
-                   WayPoint, Turn, Moving, ColdJoint, Breakdown, LostDays, Soil, Think, Foreseen>;
+  using What = std::variant<TaskStart, GoalStart, Assignment, LoopStart, LoopEnd, Choice, Attempt,
+                            Wait, Work, Pause, Attach, Detach, Removal, MotionEnd, TaskEnd, Stop,
+                            GuidePlan, WayPoint, Turn, Moving, ColdJoint, Breakdown, LostDays, Soil,
+                            Think, Foreseen, Forbidden>;
 
   std::string_view task;
   std::string_view robot;  ///< "": crew work

@@ -257,6 +257,16 @@ struct RecordFields<Foreseen> {
                  required<&Foreseen::t>("t"));
 };
 
+template <>
+struct RecordFields<Forbidden> {
+  static constexpr RecordKind kKind = RecordKind::forbidden;
+  static constexpr auto kFields =
+      std::tuple(required<&Forbidden::parameters>("parameters"), required<&Forbidden::low>("low"),
+                 required<&Forbidden::high>("high"), required<&Forbidden::cells>("cells"),
+                 optional<&Forbidden::layers>("layers"), required<&Forbidden::at>("at"),
+                 required<&Forbidden::runs>("runs"), required<&Forbidden::t>("t"));
+};
+
 /// What a member is in the text.
 enum class FieldType {
   text,

@@ -36,15 +36,16 @@ enum class RecordKind : std::uint8_t {
   lost_days,   ///< of a calendar, by the weather
   soil,        ///< a bucket has taken it
   think,       ///< a guide, while its robot stands
-  foreseen     ///< what another machine is foreseen to sweep, and a way would meet
+  foreseen,    ///< what another machine is foreseen to sweep, and a way would meet
+  forbidden    ///< where a robot may not stand about what its guide searched through
 };
 
 /// As the member `type` writes them, in the order of RecordKind.
-inline constexpr std::array<std::string_view, 26> kRecordTypes = {
-    "task_start", "goal",      "set",   "enter",     "exit",    "which",  "try",
-    "wait",       "work",      "pause", "attach",    "detach",  "remove", "end",
-    "task_end",   "stop",      "guide", "way_point", "turn",    "moving", "cold_joint",
-    "breakdown",  "lost_days", "soil",  "think",     "foreseen"};
+inline constexpr std::array<std::string_view, 27> kRecordTypes = {
+    "task_start", "goal",      "set",   "enter",     "exit",     "which",    "try",
+    "wait",       "work",      "pause", "attach",    "detach",   "remove",   "end",
+    "task_end",   "stop",      "guide", "way_point", "turn",     "moving",   "cold_joint",
+    "breakdown",  "lost_days", "soil",  "think",     "foreseen", "forbidden"};
 
 /// The kind of a record by its `type`; nothing for what is none, such as a header.
 constexpr std::optional<RecordKind> record_kind(std::string_view type) {

@@ -52,7 +52,7 @@ class RecordValues {
   static bool is_null(Value& from);
 
   std::vector<std::string_view> parameters_;
-  std::array<std::vector<double>, 2> numbers_;  ///< no record has more lists of numbers
+  std::array<std::vector<double>, 6> numbers_;  ///< no record has more lists of numbers
   std::vector<ParameterValue> q_;
   std::array<std::vector<NamedValue>, 2> lists_;  ///< `residual` and `vars`
   std::size_t used_lists_ = 0;

@@ -38,6 +38,7 @@ struct Turn;
 struct ColdJoint;
 struct Soil;
 struct Foreseen;
+struct Forbidden;
 struct Think;
 
 /// Reads the first line of a trace. Throws std::invalid_argument, with a message for the user, for

@@ -496,6 +496,48 @@ void TraceWriter::guide(const interpreter::GuidePlan& plan) {
   line_ += ",\"t\":";
   append_seconds(line_, plan.time);
   finish();
+  if (!plan.forbidden || grids_left_ == 0) return;
+  --grids_left_;
+  if (const auto grid = plan.forbidden()) forbidden(*grid, plan.time);
+}
+
+void TraceWriter::append_list(const char* name, std::span<const double> values) {
+  fmt::format_to(std::back_inserter(line_), ",\"{}\":[", name);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i > 0) line_ += ',';
+    append_number(line_, values[i]);
+  }
+  line_ += ']';
+}
+
+void TraceWriter::forbidden(const guides::ForbiddenGrid& grid, interpreter::Ticks time) {
+  begin("forbidden");
+  line_ += ",\"parameters\":[";
+  for (std::size_t i = 0; i < grid.parameters.size(); ++i) {
+    if (i > 0) line_ += ',';
+    configuration_key(grid.parameters[i]);
+    line_.pop_back();  // its colon
+  }
+  line_ += ']';
+  append_list("low", grid.low);
+  append_list("high", grid.high);
+  fmt::format_to(std::back_inserter(line_), ",\"cells\":[{},{}]", grid.cells[0], grid.cells[1]);
+  if (!grid.layers.empty()) append_list("layers", grid.layers);
+  append_list("at", grid.q);
+  line_ += ",\"runs\":[";
+  std::size_t length = 0;
+  bool blocked = false;
+  for (const bool each : grid.blocked) {
+    if (each != blocked) {
+      fmt::format_to(std::back_inserter(line_), "{},", length);
+      length = 0;
+      blocked = each;
+    }
+    ++length;
+  }
+  fmt::format_to(std::back_inserter(line_), "{}],\"t\":", length);
+  append_seconds(line_, time);
+  finish();
 }
 
 void TraceWriter::way_point(int k, int n) {

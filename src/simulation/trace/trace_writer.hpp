@@ -34,6 +34,10 @@ struct TruckTimes {
   std::vector<double> serving;
 };
 
+/// So many searches of a run are told with where their robot may not stand, the first: each takes
+/// tens of thousands of tests. What is taken back counts.
+inline constexpr int kMostGrids = 32;
+
 /// Writes a run as JSON lines (docs/trace.md), record by record as it happens. One line is kept at
 /// a time. Plan, sources and sink must outlive it.
 class TraceWriter : public interpreter::EventSink {
@@ -119,6 +123,8 @@ class TraceWriter : public interpreter::EventSink {
   void configuration(std::span<const double> q);
   void configuration_key(int parameter);
   void append_graph(const guides::PlanReport& report);
+  void append_list(const char* name, std::span<const double> values);
+  void forbidden(const guides::ForbiddenGrid& grid, interpreter::Ticks time);
   bool steps() const { return detail_ == TraceDetail::steps; }
 
   TraceSink& sink_;
@@ -130,6 +136,7 @@ class TraceWriter : public interpreter::EventSink {
   std::map<std::pair<interpreter::FileId, std::uint32_t>, std::string>
       places_;  ///< file, line and column members, by start of span
   std::string line_;
+  int grids_left_ = kMostGrids;  ///< of those that are sampled
 };
 
 }  // namespace rubicon::trace

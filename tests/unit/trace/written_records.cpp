@@ -141,7 +141,19 @@ std::vector<std::string> written_records() {
   guide.kind = "rrt";
   guide.seed = 7;
   guide.report = &report;
+  guide.forbidden = [] {
+    guides::ForbiddenGrid grid;
+    grid.parameters = {0, 2, 1};
+    grid.low = {0, -1.5};
+    grid.high = {10, 1.5};
+    grid.cells = {2, 1};
+    grid.layers = {0, 90};
+    grid.q = {5, 10, 20, 0};
+    grid.blocked = {true, false, false, true};
+    return std::optional(grid);
+  };
   writer.guide(guide);
+  guide.forbidden = nullptr;
   report = {};
   report.outcome = guides::PlanReport::Outcome::out_of_nodes;
   guide.cause = "no way found";

@@ -8,7 +8,7 @@ export function download(name: string, content: Blob): void {
 }
 
 /** A name that every file system takes: letters and digits of a plan's name. */
-export function fileName(plan: string, ending: string): string {
+export function fileName(plan: string, ending: string, what = 'gantt'): string {
   const plain = plan.replace(/[^A-Za-z0-9_-]+/g, '_').replace(/^_+|_+$/g, '').slice(0, 60);
-  return `${plain || 'plan'}_gantt.${ending}`;
+  return `${plain || 'plan'}_${what}.${ending}`;
 }

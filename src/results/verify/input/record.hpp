@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -115,6 +116,18 @@ struct Foreseen {
   std::vector<std::vector<double>> outlines;
 };
 
+/// Where the robot may not stand about what its guide searched through: in cells that two
+/// parameters span, in layers for values of a third.
+struct Forbidden {
+  std::vector<int> parameters;     ///< two, or three with layers
+  std::array<double, 2> low = {};  ///< of the first two
+  std::array<double, 2> high = {};
+  std::array<int, 2> cells = {};
+  std::vector<double> layers;
+  std::vector<double> at;  ///< all parameters, where the search began
+  std::vector<long> runs;  ///< so many free cells, so many that are not, and so on
+};
+
 /// A motion ended.
 struct MotionEnd {
   std::string status;
@@ -156,7 +169,7 @@ struct Record {
   int robot = -1;  ///< -1: crew work
   Ticks time = 0;  ///< when it is over
   std::variant<TaskStart, Goal, Try, Wait, Stop, Work, Pause, LoadChange, LoadTurn, MotionEnd,
-               TaskEnd, GuidePlan, WayPoint, ColdJoint, SoilTaken, Think, Foreseen>
+               TaskEnd, GuidePlan, WayPoint, ColdJoint, SoilTaken, Think, Foreseen, Forbidden>
       what;
 };
 

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <limits>
+#include <set>
 #include <utility>
 
 #include "src/results/verify/input/json_fields.hpp"
@@ -69,6 +72,8 @@ class RecordReader {
       record_.what = read_cold_joint();
     } else if (type == "foreseen") {
       record_.what = read_foreseen();
+    } else if (type == "forbidden") {
+      record_.what = read_forbidden();
     } else if (type == "soil") {
       record_.what = read_soil();
     } else if (type == "end") {
@@ -209,6 +214,63 @@ class RecordReader {
     }
     if (next != points.size()) fields_.fail("a corner for each place in 'points'");
     return foreseen;
+  }
+
+  /// More cells than anybody samples: along a side, and in all.
+  static constexpr int kMostCells = 10'000;
+  static constexpr long kMostCellsInAll = 10'000'000;
+  static constexpr std::size_t kMostLayers = 1'000;
+
+  Forbidden read_forbidden() const {
+    Forbidden grid;
+    const std::size_t width = robot().parameters.size();
+    for (const Json& name : fields_.array("parameters")) {
+      grid.parameters.push_back(parameter(name));
+    }
+    const auto pair = [&](const char* key, auto read) {
+      const Json& values = fields_.array(key);
+      if (values.size() != 2) fields_.fail(fmt::format("two numbers as '{}'", key));
+      return std::array{read(values[0]), read(values[1])};
+    };
+    const auto number = [](const Json& value) { return number_of(value, "a place of a cell"); };
+    grid.low = pair("low", number);
+    grid.high = pair("high", number);
+    grid.cells = pair(
+        "cells", [](const Json& value) { return integer_of(value, "'cells'", 1, kMostCells); });
+    if (fields_.has("layers")) {
+      for (const Json& value : fields_.array("layers")) {
+        if (!grid.layers.empty() && !(number(value) > grid.layers.back())) {
+          fields_.fail("ascending values as 'layers'");
+        }
+        grid.layers.push_back(number(value));
+      }
+      if (grid.layers.empty() || grid.layers.size() > kMostLayers) {
+        fields_.fail("some values as 'layers'");
+      }
+    }
+    const std::set<int> different(grid.parameters.begin(), grid.parameters.end());
+    if (grid.parameters.size() != (grid.layers.empty() ? 2 : 3) ||
+        different.size() != grid.parameters.size()) {
+      fields_.fail("two different parameters, or three with 'layers'");
+    }
+    if (!(grid.low[0] < grid.high[0]) || !(grid.low[1] < grid.high[1])) {
+      fields_.fail("'low' below 'high'");
+    }
+    for (const Json& value : fields_.array("at")) grid.at.push_back(number(value));
+    if (grid.at.size() != width) fields_.fail("the values of all parameters as 'at'");
+    const long all = static_cast<long>(grid.cells[0]) * grid.cells[1] *
+                     static_cast<long>(std::max<std::size_t>(1, grid.layers.size()));
+    if (all > kMostCellsInAll) fields_.fail(fmt::format("at most {} cells", kMostCellsInAll));
+    long left = all;
+    for (const Json& value : fields_.array("runs")) {
+      constexpr int kLongest = std::numeric_limits<int>::max();
+      const int least = grid.runs.empty() ? 0 : 1;
+      grid.runs.push_back(integer_of(value, "'runs'", least, kLongest));
+      left -= grid.runs.back();
+      if (left < 0) break;
+    }
+    if (left != 0) fields_.fail(fmt::format("the {} cells of the grid in 'runs'", all));
+    return grid;
   }
 
   SoilTaken read_soil() const {

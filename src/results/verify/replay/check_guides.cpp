@@ -30,7 +30,8 @@ class GuideCheck {
     for (const int index : run_.records) {
       record_ = &trace_.records[at(index)];
       if (!std::holds_alternative<Think>(record_->what) &&
-          !std::holds_alternative<Stop>(record_->what)) {
+          !std::holds_alternative<Stop>(record_->what) &&
+          !std::holds_alternative<Forbidden>(record_->what)) {
         expect_thought();
       }
       if (const auto* plan = std::get_if<GuidePlan>(&record_->what)) {
@@ -55,6 +56,8 @@ class GuideCheck {
       } else if (const auto* taken = std::get_if<SoilTaken>(&record_->what)) {
         soil_ = run_.task >= 0 && trace_.scene.tasks[at(run_.task)].haul && taken->volume > 0;
       }
+      if (const auto* grid = std::get_if<Forbidden>(&record_->what)) check_place(*grid);
+      told_ = std::get_if<GuidePlan>(&record_->what);
       before_ = record_->time;
     }
     expect_thought();
@@ -66,6 +69,21 @@ class GuideCheck {
     const Ticks time = record_ != nullptr ? record_->time : run_.end;
     faults_.push_back(
         {kind, ResultFile::trace, line, trace_.runs[at(run_.run)], time, std::move(text)});
+  }
+
+  /// What is forbidden is told right behind a search, of where the robot stands then.
+  void check_place(const Forbidden& grid) {
+    if (told_ == nullptr || told_->graph.empty() || record_->time != before_) {
+      fault(FaultKind::order, "what is forbidden is told without a search right before it");
+      return;
+    }
+    for (std::size_t i = 0; i < q_.size(); ++i) {
+      if (std::fabs(off(i, q_[i], grid.at[i])) <= kValueSlack) continue;
+      fault(FaultKind::motion, fmt::format("what is forbidden is told with {} at {:g} where the "
+                                           "search began at {:g}",
+                                           robot_.parameters[i].name, grid.at[i], q_[i]));
+      return;
+    }
   }
 
   double off(std::size_t i, double from, double to) const {
@@ -307,11 +325,12 @@ class GuideCheck {
   Faults& faults_;
   const SceneRobot& robot_;
   std::vector<std::vector<double>> way_;
-  int next_ = 0;         ///< the waypoint that has begun
-  Ticks foreseen_ = -1;  ///< when its way met what others are foreseen to sweep last
-  double thinks_ = 0;    ///< s for each check, of the guide that planned last
-  int checks_ = 0;       ///< that it has not thought about yet
-  Ticks before_ = 0;     ///< when the record before this one was over
+  int next_ = 0;                     ///< the waypoint that has begun
+  Ticks foreseen_ = -1;              ///< when its way met what others are foreseen to sweep last
+  double thinks_ = 0;                ///< s for each check, of the guide that planned last
+  int checks_ = 0;                   ///< that it has not thought about yet
+  const GuidePlan* told_ = nullptr;  ///< the record before this one, if it is a plan
+  Ticks before_ = 0;                 ///< when the record before this one was over
   double spread_ = 0;
   bool hanging_ = false;   ///< a load on its tool
   bool soil_ = false;      ///< a truck with soil

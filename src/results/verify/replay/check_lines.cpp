@@ -52,6 +52,7 @@ class LineCheck {
       } else if (!std::holds_alternative<Wait>(record.what) &&
                  !std::holds_alternative<Stop>(record.what) &&
                  !std::holds_alternative<Think>(record.what) &&
+                 !std::holds_alternative<Forbidden>(record.what) &&
                  !std::holds_alternative<Pause>(record.what)) {
         judge();
       }

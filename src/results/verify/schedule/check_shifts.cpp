@@ -67,6 +67,7 @@ class ShiftCheck {
   }
   void follow(const Goal&) {}
   void follow(const GuidePlan&) {}
+  void follow(const Forbidden&) {}
   void follow(const WayPoint&) {}
   void follow(const Pause&) {}
   void follow(const MotionEnd&) {}

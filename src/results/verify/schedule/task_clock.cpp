@@ -108,6 +108,7 @@ class ClockCheck {
   void follow(const LoadTurn&) { takes_no_time(); }
   void follow(const ColdJoint&) { takes_no_time(); }
   void follow(const SoilTaken&) { takes_no_time(); }
+  void follow(const Forbidden&) { takes_no_time(); }
   void follow(const Foreseen&) { takes_no_time(); }
 
   void follow(const MotionEnd& end) {

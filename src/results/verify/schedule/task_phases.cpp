@@ -120,6 +120,7 @@ class PhaseCheck {
   bool follow(const Wait&) { return in_motion("an attempt"); }
   bool follow(const Stop&) { return in_motion("a stop"); }
   bool follow(const Think&) { return in_motion("the thinking of a guide"); }
+  bool follow(const Forbidden&) { return in_motion("what is forbidden"); }
   bool follow(const Foreseen&) { return in_motion("what is foreseen"); }
   bool follow(const ColdJoint&) { return true; }
 
