@@ -116,6 +116,14 @@ class ChartsTest(ResultCase):
             picture = file.read()
         for word in ("B3B5", "ROB3 waits from 40 s to 145 s", "report, 35 s", "Closed lanes"):
             self.assertIn(word, picture)
+        # ROB1 stands in a lane, drives back on the one beside, and against a third.
+        with open(os.path.join(out, "charts.json")) as file:
+            text = file.read()
+        for visit in (1, 2, 3):
+            changed = json.loads(text)
+            changed["ways"][0]["visits"][visit]["lane"] = 50
+            done = rubicon("verify", self.write("charts.json", json.dumps(changed)))
+            self.assertIn("the way of ROB1 comes to", done.stdout + done.stderr, visit)
         # It is the one that docs/fleets.md shows.
         with open(os.path.join(ROOT, "docs", "pictures", "charts.svg")) as file:
             self.assertEqual(file.read(), picture)

@@ -674,16 +674,27 @@ class ChartsCheck {
     }
   }
 
-  /// From node to node along the lane that is said.
+  /// From place to place over the lane that is said: along it, or against its direction; from the
+  /// middle of one on it or on the one beside.
   void check_lanes(std::size_t i, const std::vector<ChartStop>& visits) {
     for (std::size_t k = 1; k < visits.size(); ++k) {
       const ChartStop& from = visits[k - 1];
       const ChartStop& to = visits[k];
-      if (from.node < 0 || to.node < 0 || to.leg != ChartLeg::along) continue;
-      if (to.lane >= 0 && lane(to.lane).from == from.node && lane(to.lane).to == to.node) continue;
-      fault(fmt::format("the way of {} comes to {} by {}", robot(i).name, node_name(to.node),
+      if (to.lane < 0 && to.leg != ChartLeg::along) continue;  // across, where no lane is
+      if (to.lane >= 0 && leads(from, to)) continue;
+      fault(fmt::format("the way of {} comes to {} by {}", robot(i).name,
+                        to.node < 0 ? std::string("a place in a lane") : node_name(to.node),
                         lane_name(to.lane)));
     }
+  }
+
+  bool leads(const ChartStop& from, const ChartStop& to) const {
+    const ChartLane& over = lane(to.lane);
+    const bool against = to.leg == ChartLeg::against;
+    const bool ends = to.node < 0 || to.node == (against ? over.from : over.to);
+    const bool begins = from.node < 0 ? from.lane == to.lane || over.beside == from.lane
+                                      : from.node == (against ? over.to : over.from);
+    return begins && ends;
   }
 
   /// Nobody enters a lane while something stands at its beginning.
