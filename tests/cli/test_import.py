@@ -7,6 +7,7 @@ import subprocess
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
+from datetime import datetime, timedelta
 from random import Random
 
 RUBICON = os.environ["RUBICON"]
@@ -178,6 +179,75 @@ def schedule_xml(tasks, assignments=(), resources=()):
         text += (f"<Assignment><UID>{uid}</UID><TaskUID>{task}</TaskUID><ResourceUID>{resource}</ResourceUID>"
                  "<Units>1</Units></Assignment>")
     return (text + "</Assignments></Project>").encode()
+
+
+def xer_calendar(uid, name, *shifts, days=range(1, 8), default="N"):
+    """A row of CALENDAR: these shifts ("08:00|f|12:00") on these days of the week, 1 Sunday."""
+    times = "".join(f"(0||{i}(s|{shift})())" for i, shift in enumerate(shifts))
+    week = "".join(f"(0||{day}()({times if day in days else ''}))" for day in range(1, 8))
+    return (uid, default, name, f"(0||CalendarData()((0||DaysOfWeek()({week}))(0||VIEW(ShowTotal|N)())(0||Exceptions()())))")
+
+
+def schedule_xer(calendars, tasks, resources=(), work=(), links=(), more=""):
+    """tasks: (calendar, type, name, hours, cells of the columns `more`...); resources: (calendar, name); work: (task, resource);
+    links: (predecessor, successor, type); numbers from 1."""
+    tables = (("PROJECT", "proj_id clndr_id proj_short_name plan_start_date", [(9, 1, "X", "2026-03-02 08:00")]),
+              ("CALENDAR", "clndr_id default_flag clndr_name clndr_data", calendars),
+              ("PROJWBS", "wbs_id proj_id proj_node_flag wbs_name", [(90, 9, "Y", "X")]),
+              ("TASK", "task_id proj_id wbs_id clndr_id task_type task_name target_drtn_hr_cnt " + more,
+               [(i, 9, 90, *task) for i, task in enumerate(tasks, 1)]),
+              ("RSRC", "rsrc_id rsrc_type clndr_id rsrc_name", [(i, "RT_Labor", *each) for i, each in enumerate(resources, 1)]),
+              ("TASKRSRC", "taskrsrc_id proj_id task_id rsrc_id", [(i, 9, *each) for i, each in enumerate(work, 1)]),
+              ("TASKPRED", "proj_id lag_hr_cnt pred_task_id task_id pred_type", [(9, 0, *each) for each in links]))
+    text = "ERMHDR\t19.12\n"
+    for name, columns, rows in tables:
+        text += f"%T\t{name}\n%F\t" + "\t".join(columns.split()) + "\n"
+        text += "".join("%R\t" + "\t".join(map(str, row)) + "\n" for row in rows)
+    return (text + "%E\n").encode()
+
+
+CALENDARS = [xer_calendar(1, "Std", "08:00|f|12:00", "13:00|f|17:00", days=range(2, 7), default="Y"),
+             xer_calendar(2, "Always", "00:00|f|00:00"), xer_calendar(3, "Night", "22:00|f|00:00", "00:00|f|06:00", days=range(2, 7))]
+
+
+class Dates(unittest.TestCase):
+    """A run of an imported schedule has the dates of the schedule's own program."""
+
+    setUp, path, write, round_trip = Import.setUp, Import.path, Import.write, Import.round_trip
+
+    def dates(self, name, schedule, *options):
+        """When each task starts and finishes, by its name; and what the import said."""
+        plan = self.path("s.plan")
+        done = rubicon("import", self.write(name, schedule), "--out", plan, *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        run = rubicon("run", plan, "--format", "csv")
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        begin = datetime(2026, 3, 2, 8)
+        dates = {}
+        for row in csv.DictReader(run.stdout.splitlines()):
+            start = begin + timedelta(seconds=float(row["start"]))
+            dates[row["task"]] = tuple(str(each)[5:] for each in (start, start + timedelta(seconds=float(row["duration"]))))
+        return dates, done.stderr
+
+    def test_primavera_goes_by_the_calendar_of_the_activity_or_of_its_resources(self):
+        tasks = [(2, "TT_Task", "pump", 48), (2, "TT_Rsrc", "check", 16), (1, "TT_Task", "paint", 8), (2, "TT_Rsrc", "watch", 16)]
+        resources = [(1, "Operator"), (3, "Guard")]
+        schedule = schedule_xer(CALENDARS, tasks, resources, [(1, 1), (2, 1), (3, 2)], [(1, 2, "PR_FS")])
+        for options in ((), ("--level",)):
+            dates, _ = self.dates("a.xer", schedule, *options)
+            self.assertEqual(dates["pump"], ("03-02 08:00:00", "03-04 08:00:00"))  # nights are its own, whoever is on it
+            self.assertEqual(dates["check"], ("03-04 08:00:00", "03-05 17:00:00"))  # the operator's shifts
+            self.assertEqual(dates["paint"], ("03-02 08:00:00", "03-02 17:00:00"))  # none in common with the guard
+            self.assertEqual(dates["watch"], ("03-02 08:00:00", "03-03 00:00:00"))  # nobody is on it: its own
+        with open(self.path("s.plan"), encoding="utf-8") as file:
+            self.assertEqual(file.read().count("  crew operator {"), 1)  # one crew for both, with --level or without
+        # The way back knows both kinds, and the calendars of the resources.
+        xml, plan = self.round_trip(self.path("a.xer"))
+        space = "{http://schemas.microsoft.com/project}"
+        root = ElementTree.parse(self.path("b.xml")).getroot()
+        self.assertEqual([(each.findtext(space + "CalendarUID"), each.findtext(space + "IgnoreResourceCalendar"))
+                          for each in root.iter(space + "Task")], [("2", "1"), ("-1", "0"), ("1", "1"), ("2", "0")])
+        self.assertEqual([each.findtext(space + "CalendarUID") for each in root.iter(space + "Resource")], ["1", "3"])
 
 
 class Levelling(unittest.TestCase):

@@ -74,6 +74,8 @@ class BlockReader {
       result_.milestones.insert(record.name);
     } else if (keyword == "own_crew") {
       result_.own_crews.insert(record.name);
+    } else if (keyword == "free_crew") {
+      result_.free_crews.insert(record.name);
     } else if (keyword == "crew_of") {
       CarriedReader reader(record);
       reader("resource", "", result_.crews_of[record.name]);

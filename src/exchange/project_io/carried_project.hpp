@@ -33,6 +33,7 @@ struct CarriedProject {
   std::vector<std::string> calendar_order, resource_order, task_order;
   std::set<std::string> milestones;  ///< tasks of the plan that are no line of the schedule
   std::set<std::string> own_crews;   ///< crews of the plan that are no resource
+  std::set<std::string> free_crews;  ///< crews that work at any time though their resource does not
   /// Further crews of a resource that is not levelled, and its first.
   std::map<std::string, std::string> crews_of;
   std::vector<Assignment> assignments;

@@ -36,6 +36,31 @@ std::vector<TaskAndResource> workers_of(const Project& project) {
   return pairs;
 }
 
+/// Which crews are free of the calendar of their resource, and what then holds by itself.
+void free_crews(const Project& project, const PlanNetwork& network,
+                const std::vector<TaskAndResource>& pairs, PlanCrews& crews) {
+  const auto works = [&](std::size_t task) {
+    return network.tasks[task].planned && plan_seconds(project.tasks[task]) > 0 &&
+           !runs_day_and_night(project.tasks[task]);
+  };
+  std::vector<std::size_t> nth(project.tasks.size(), 0);
+  std::vector<std::string> names;  // by pair
+  for (const auto& [task, resource] : pairs) {
+    names.push_back(crews.of_task[task][nth[task]++]);
+    if (works(task) && goes_by_itself(project.tasks[task])) crews.free.insert(names.back());
+  }
+  crews.calendars.resize(project.tasks.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [task, resource] = pairs[i];
+    if (!works(task) || goes_by_itself(project.tasks[task]) || !crews.free.contains(names[i])) {
+      continue;
+    }
+    const std::int64_t calendar = crew_calendar(project, project.resources[resource]);
+    std::vector<std::int64_t>& known = crews.calendars[task];
+    if (std::find(known.begin(), known.end(), calendar) == known.end()) known.push_back(calendar);
+  }
+}
+
 }  // namespace
 
 PlanCrews plan_crews(const Project& project, const PlanNetwork& network, Levelling levelling,
@@ -73,6 +98,7 @@ PlanCrews plan_crews(const Project& project, const PlanNetwork& network, Levelli
     crews.of_task[pair.first].push_back(
         crews.names[pair.second][lane == lane_of.end() ? 0 : lane->second]);
   }
+  free_crews(project, network, pairs, crews);
   return crews;
 }
 

@@ -37,6 +37,10 @@ bool runs_day_and_night(const Task& task) {
   return task.format.elapsed && task.duration.seconds > 0;
 }
 
+bool goes_by_itself(const Task& task) {
+  return task.ignores_resource_calendars && task.calendar != kNone;
+}
+
 double crew_size(const Resource& resource) {
   return std::floor(std::clamp(resource.max_units, 1.0, kMaxCrew));
 }

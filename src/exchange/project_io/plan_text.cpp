@@ -226,10 +226,13 @@ class PlanWriter {
                                  resource.name));
       }
       const std::int64_t calendar = crew_calendar(project_, resource);
-      if (planned_calendars_.contains(calendar)) {
-        terms += fmt::format("calendar {};\n", calendar_name_.at(calendar));
+      for (const std::string& name : names) {
+        out_ += fmt::format("crew {} {{\n{}", name, terms);
+        if (planned_calendars_.contains(calendar) && !crews_.free.contains(name)) {
+          out_ += fmt::format("calendar {};\n", calendar_name_.at(calendar));
+        }
+        out_ += "}\n";
       }
-      for (const std::string& name : names) out_ += fmt::format("crew {} {{\n{}}}\n", name, terms);
     }
   }
 
@@ -288,9 +291,9 @@ class PlanWriter {
                                task.name));
       by.clear();
     }
-    if (const auto calendar = own_calendar(task, !by.empty())) {
+    for (const std::string& calendar : own_calendars(i, !by.empty())) {
       const std::string name = crew_names_.make("crew_" + planned.name, "crew_" + planned.name);
-      out_ += fmt::format("crew {} {{ calendar {}; }}\n", name, *calendar);
+      out_ += fmt::format("crew {} {{ calendar {}; }}\n", name, calendar);
       own_crews_.push_back(name);
       by.push_back(name);
     }
@@ -332,14 +335,30 @@ class PlanWriter {
     out_ += fmt::format("baseline \"{}\" to \"{}\";\n", start, finish);
   }
 
-  /// The calendar for a crew that the task has to itself: where it has one of its own, or nobody
-  /// whose calendar would hold.
-  std::optional<std::string> own_calendar(const Task& task, bool has_crew) const {
-    if (plan_seconds(task) == 0 || runs_day_and_night(task)) return std::nullopt;
-    if (task.calendar == kNone && has_crew) return std::nullopt;
-    const std::int64_t calendar = task.calendar != kNone ? task.calendar : project_.calendar;
-    if (!planned_calendars_.contains(calendar)) return std::nullopt;
-    return calendar_name_.at(calendar);
+  /// The calendars for crews that the task has to itself: its own, or the project's where nobody's
+  /// would hold; and those of resources whose crews are free of theirs for the sake of other tasks.
+  std::vector<std::string> own_calendars(std::size_t i, bool has_crew) const {
+    std::vector<std::string> names;
+    for (const std::int64_t each : own_calendar_uids(i, has_crew)) {
+      if (planned_calendars_.contains(each)) names.push_back(calendar_name_.at(each));
+    }
+    return names;
+  }
+  std::vector<std::int64_t> own_calendar_uids(std::size_t i, bool has_crew) const {
+    const Task& task = project_.tasks[i];
+    if (plan_seconds(task) == 0 || runs_day_and_night(task)) return {};
+    std::vector<std::int64_t> calendars;
+    if (task.calendar != kNone) {
+      calendars.push_back(task.calendar);
+    } else if (!has_crew) {
+      calendars.push_back(project_.calendar);
+    }
+    for (const std::int64_t each : crews_.calendars[i]) {
+      if (std::find(calendars.begin(), calendars.end(), each) == calendars.end()) {
+        calendars.push_back(each);
+      }
+    }
+    return calendars;
   }
 
   // ---- what is carried along
@@ -370,6 +389,7 @@ class PlanWriter {
         out_ += fmt::format("milestone {};\n", part.name);
       }
     }
+    for (const std::string& name : crews_.free) out_ += fmt::format("free_crew {};\n", name);
     for (const std::string& name : own_crews_) out_ += fmt::format("own_crew {};\n", name);
     carry_tasks();
     const CarriedWriter usual_assignment = fields_of(Assignment());

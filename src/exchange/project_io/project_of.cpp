@@ -192,7 +192,10 @@ class ProjectBuilder {
 
   void take_crew(const interpreter::CrewSpec& crew, Resource& resource) {
     if (crew_size(resource) != crew.size) resource.max_units = crew.size;
+    const bool free = crew.calendar.empty() && carried_.free_crews.contains(crew.name);
+    const std::int64_t calendar = resource.calendar;
     take_terms(crew.cost_per_hour, crew.calendar, resource);
+    if (free) resource.calendar = calendar;
   }
 
   /// A rate by the day has been divided and written with digits: the last bit may differ.

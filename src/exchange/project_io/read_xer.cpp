@@ -38,6 +38,7 @@ class XerReader {
     read_tasks();
     read_links();
     read_assignments();
+    settle_calendars();
     tidy_project(project_, places_, listing_);
     list_unread(xer_, listing_);
     return std::move(project_);
@@ -295,6 +296,7 @@ class XerReader {
                       "it is taken with the duration it has now",
                       task.name));
     }
+    if (type == "TT_Rsrc") goes_by_resources_.insert(task.uid);
     read_constraint(row, task);
     push(std::move(task), row.span());
   }
@@ -381,6 +383,27 @@ class XerReader {
     }
   }
 
+  /// An activity goes by the calendars of its resources if it is resource dependent and has any;
+  /// else by its own alone.
+  void settle_calendars() {
+    std::set<std::int64_t> workers, busy;
+    for (const Resource& each : project_.resources) {
+      if (each.type == ResourceType::work) workers.insert(each.uid);
+    }
+    for (const Assignment& each : project_.assignments) {
+      if (workers.contains(each.resource)) busy.insert(each.task);
+    }
+    for (Task& task : project_.tasks) {
+      if (!busy.contains(task.uid)) continue;
+      if (goes_by_resources_.contains(task.uid)) {
+        task.calendar = kNone;
+      } else {
+        if (task.calendar == kNone) task.calendar = project_.calendar;
+        task.ignores_resource_calendars = task.calendar != kNone;
+      }
+    }
+  }
+
   const XerFile& xer_;
   Listing& listing_;
   Project project_;
@@ -388,6 +411,7 @@ class XerReader {
   std::string_view project_id_;
   std::unordered_map<std::int64_t, std::size_t> index_;
   std::int64_t largest_uid_ = 0;
+  std::set<std::int64_t> goes_by_resources_;  ///< uids of resource dependent activities
 };
 
 }  // namespace
