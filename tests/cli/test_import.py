@@ -156,7 +156,7 @@ DAY = 86400
 
 
 def schedule_xml(tasks, assignments=(), resources=()):
-    """tasks: (hours, [(predecessor, type, lag in hours)]); assignments: (task, resource); numbers from 1."""
+    """tasks: (hours, [(predecessor, type, lag in hours)], more elements...); assignments: (task, resource); numbers from 1."""
     text = ('<?xml version="1.0" encoding="UTF-8"?><Project xmlns="http://schemas.microsoft.com/project">'
             "<Name>site</Name><StartDate>2026-03-02T08:00:00</StartDate><CalendarUID>1</CalendarUID><Calendars><Calendar>"
             "<UID>1</UID><Name>Site</Name><IsBaseCalendar>1</IsBaseCalendar><BaseCalendarUID>-1</BaseCalendarUID><WeekDays>")
@@ -165,13 +165,13 @@ def schedule_xml(tasks, assignments=(), resources=()):
                  "</WorkingTimes>" if 1 < day < 7 else "")
         text += f"<WeekDay><DayType>{day}</DayType><DayWorking>{1 if times else 0}</DayWorking>{times}</WeekDay>"
     text += "</WeekDays></Calendar></Calendars><Tasks>"
-    for uid, (hours, links) in enumerate(tasks, 1):
+    for uid, (hours, links, *more) in enumerate(tasks, 1):
         text += (f"<Task><UID>{uid}</UID><ID>{uid}</ID><Name>t{uid}</Name><OutlineLevel>1</OutlineLevel>"
                  f"<Duration>PT{hours}H0M0S</Duration><DurationFormat>5</DurationFormat>")
         for predecessor, kind, lag in links:
             text += (f"<PredecessorLink><PredecessorUID>{predecessor}</PredecessorUID><Type>{kind}</Type>"
                      f"<LinkLag>{lag * 600}</LinkLag><LagFormat>6</LagFormat></PredecessorLink>")
-        text += "</Task>"
+        text += "".join(f"<{key}>{value}</{key}>" for key, value in more) + "</Task>"
     text += "</Tasks><Resources>" + "".join(
         f"<Resource><UID>{uid}</UID><ID>{uid}</ID><Name>{name}</Name><Type>1</Type></Resource>"
         for uid, name in enumerate(resources, 1)) + "</Resources><Assignments>"
@@ -208,6 +208,18 @@ def schedule_xer(calendars, tasks, resources=(), work=(), links=(), more=""):
 
 CALENDARS = [xer_calendar(1, "Std", "08:00|f|12:00", "13:00|f|17:00", days=range(2, 7), default="Y"),
              xer_calendar(2, "Always", "00:00|f|00:00"), xer_calendar(3, "Night", "22:00|f|00:00", "00:00|f|06:00", days=range(2, 7))]
+
+
+def moment(text):
+    return f"2026-{text}:00:00"
+
+
+def stands(start, finish):
+    return ("Start", moment(start)), ("Finish", moment(finish))
+
+
+def fact(start, finish):
+    return ("ActualStart", moment(start)), ("ActualFinish", moment(finish)), *stands(start, finish)
 
 
 class Dates(unittest.TestCase):
@@ -248,6 +260,66 @@ class Dates(unittest.TestCase):
         self.assertEqual([(each.findtext(space + "CalendarUID"), each.findtext(space + "IgnoreResourceCalendar"))
                           for each in root.iter(space + "Task")], [("2", "1"), ("-1", "0"), ("1", "1"), ("2", "0")])
         self.assertEqual([each.findtext(space + "CalendarUID") for each in root.iter(space + "Resource")], ["1", "3"])
+
+
+    # By the project's calendar work is from 8:00 to 16:00, Monday to Friday; 2026-03-02 is a Monday.
+    BEGUN = [(16, [], *fact("03-10T08", "03-11T16")), (8, [(1, 1, 0)]),  # 1, 2
+             (8, [(4, 1, 0)], ("Manual", 1), *stands("03-20T08", "03-20T16")), (160, []),  # 3, 4
+             (16, [], *fact("03-07T09", "03-08T12")), (8, [(5, 1, 0)]),  # 5, 6: on a weekend
+             (24, [], ("ActualStart", moment("03-04T12")), *stands("03-04T12", "03-12T12")),  # 7: with a break
+             (32, [], *fact("02-26T08", "03-03T16")), (8, [(8, 1, 0), (1, 1, 0)], *fact("03-05T08", "03-05T16"))]  # 8, 9
+
+    def test_what_has_begun_or_is_placed_by_hand_keeps_its_dates(self):
+        schedule = schedule_xml(self.BEGUN, [(1, 1), (5, 1), (7, 1)], ["Masons"])
+        dates, said = self.dates("s.xml", schedule)
+        self.assertEqual([f"{name} {' - '.join(dates[name])}".replace(":00:00", "") for name in sorted(dates)],
+                         ["t1 03-10 08 - 03-11 16", "t2 03-12 08 - 03-12 16", "t3 03-20 08 - 03-20 16", "t4 03-02 08 - 03-27 16",
+                          "t5 03-07 09 - 03-08 12", "t6 03-09 08 - 03-09 16", "t7 03-04 12 - 03-12 12",
+                          "t8 03-02 08 - 03-03 16", "t9 03-05 08 - 03-05 16"])
+        self.assertIn("the link from 't4' to 't3' is carried along: 't3' has begun or is placed by hand", said)
+        self.assertIn("(1 more like it)", said.split("the link from", 1)[1].split("warning")[0])  # from 1 to 9; that from 8 to 9 holds
+        self.assertIn("task 't5' begins or ends when those on it have no shift: in the plan nobody is on it", said)
+        self.assertIn("'t8' begins before 2026-03-02 08:00, at which the plan does", said)
+        self.assertEqual(said.count("warning:"), 3, said)
+        _, plan = self.round_trip(self.path("s.xml"))
+        self.assertIn('not_before "2026-03-10 08:00";', plan)
+        self.assertIn("after t8;", plan)
+        space = "{http://schemas.microsoft.com/project}"
+
+        def task(number):
+            return [each for each in ElementTree.parse(self.path("b.xml")).getroot().iter(space + "Task")][number - 1]
+
+        self.assertEqual([(each.findtext(space + "PredecessorUID")) for each in task(9).iter(space + "PredecessorLink")], ["1", "8"])
+        self.assertEqual([task(7).findtext(space + key) for key in ("Duration", "ActualStart")], ["PT24H0M0S", moment("03-04T12")])
+        # Where somebody moves it in the plan, it goes by that, and by its links again.
+        with open(self.path("s.plan"), encoding="utf-8") as file:
+            text = file.read()
+        moved = self.write("s.plan", text.replace('not_before "2026-03-20 08:00"', 'not_before "2026-03-24 08:00"').encode())
+        done = rubicon("export", moved, "--mspdi", self.path("b.xml"))
+        self.assertIn("the dates of task 't3' in fact or by hand are left out: the plan says others", done.stderr)
+        self.assertEqual([task(3).findtext(space + key) for key in ("Manual", "ConstraintType", "ConstraintDate")],
+                         ["0", "4", moment("03-24T08")])
+        self.assertEqual(task(3).find(space + "PredecessorLink").findtext(space + "PredecessorUID"), "4")
+
+    def test_what_must_be_before_the_plan_begins_is_told(self):
+        _, said = self.dates("s.xml", schedule_xml([(8, [], ("ConstraintType", 2), ("ConstraintDate", "2025-01-01T08:00:00"))]))
+        self.assertIn("'t1' must be on 2025-01-01 08:00 there, before the plan begins", said)
+
+    def test_primavera_keeps_what_has_begun_and_begins_nothing_before_the_data_date(self):
+        tasks = [(1, "TT_Task", "dug", 16, "2026-03-02 08:00", "2026-03-04 12:00", ""),
+                 (1, "TT_Task", "pour", 24, "2026-03-04 13:00", "", "2026-03-12 17:00"),
+                 (1, "TT_Task", "fill", 8, "", "", ""), (1, "TT_Task", "build", 8, "", "", ""), (1, "TT_FinMile", "ready", 0, "", "", "")]
+        schedule = schedule_xer(CALENDARS, tasks, links=[(1, 3, "PR_FS"), (2, 4, "PR_FS"), (4, 5, "PR_FS")],
+                                more="act_start_date act_end_date reend_date").replace(
+            b"plan_start_date\n%R\t9\t1\tX\t2026-03-02 08:00", b"plan_start_date\tlast_recalc_date\n%R\t9\t1\tX\t2026-03-02 08:00\t2026-03-10 08:00")
+        dates, said = self.dates("a.xer", schedule)
+        self.assertEqual(dates["dug"], ("03-02 08:00:00", "03-04 12:00:00"))
+        self.assertEqual(dates["pour"], ("03-04 13:00:00", "03-12 17:00:00"))
+        self.assertEqual(dates["fill"], ("03-10 08:00:00", "03-10 17:00:00"))  # the data date
+        self.assertEqual(dates["build"], ("03-13 08:00:00", "03-13 17:00:00"))
+        self.assertEqual(dates["ready"][0], "03-13 17:00:00")
+        self.assertEqual(said, "")
+        self.round_trip(self.path("a.xer"))
 
 
 class Levelling(unittest.TestCase):

@@ -22,6 +22,14 @@ struct CarriedTask {
   Task task;
   bool planned = false;     ///< the plan has a task of that name
   std::vector<Link> links;  ///< those that the plan does not say, or says in other words
+  /// Those that the plan leaves out because the task stands at dates of its own.
+  std::vector<Link> held;
+  /// Where it does: what the plan was written with, in seconds.
+  struct Fixed {
+    std::int64_t start = 0;
+    std::int64_t takes = 0;
+  };
+  std::optional<Fixed> fixed;
 };
 
 /// What the import block of a plan carries, by the names that the plan uses.

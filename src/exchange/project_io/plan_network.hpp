@@ -26,6 +26,7 @@ struct PlanTask {
   bool in_parts = false;  ///< other tasks do it, between its milestones; it is not planned itself
   std::vector<PlanLink> after;
   std::vector<bool> said;  ///< which of the line's links the plan says just so
+  std::vector<bool> held;  ///< which it leaves out because the task stands at dates of its own
 };
 
 /// A task without work that stands for the beginning or the end of a heading, or of the plan.

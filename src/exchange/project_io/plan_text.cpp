@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <unordered_map>
 
 #include "interpreter/parse/parse.hpp"
@@ -11,11 +12,13 @@
 #include "interpreter/syntax/token.hpp"
 #include "src/exchange/project_io/carried.hpp"
 #include "src/exchange/project_io/dates.hpp"
+#include "src/exchange/project_io/fixed_dates.hpp"
 #include "src/exchange/project_io/identifiers.hpp"
 #include "src/exchange/project_io/listing.hpp"
 #include "src/exchange/project_io/plan_crews.hpp"
 #include "src/exchange/project_io/plan_network.hpp"
 #include "src/exchange/project_io/plan_terms.hpp"
+#include "src/exchange/project_io/working_time.hpp"
 
 namespace rubicon::project_io {
 
@@ -143,7 +146,7 @@ class PlanWriter {
                                  calendar.name));
         continue;
       }
-      planned_calendars_.emplace(calendar.uid, true);
+      planned_calendars_.emplace(calendar.uid, *plan);
       list_doubts(calendar, *plan);
       out_ += fmt::format("\n{}calendar {} {{\n", remark_line(name, calendar.name), name);
       write_week(plan->week);
@@ -284,6 +287,11 @@ class PlanWriter {
     const Task& task = project_.tasks[i];
     const PlanTask& planned = network_.tasks[i];
     std::vector<std::string> by = crews_.of_task[i];
+    const std::optional<FixedDates> dates = fixed_dates(task, start_);
+    std::int64_t seconds = plan_seconds(task);
+    bool has_shifts = true;
+    if (dates) take_fixed(i, *dates, seconds, has_shifts);
+    if (!has_shifts) by.clear();
     if (runs_day_and_night(task) && !by.empty()) {
       listing_.add("I08", "elapsed", {},
                    fmt::format("task '{}' runs day and night, whatever the shifts of those on it: "
@@ -291,7 +299,9 @@ class PlanWriter {
                                task.name));
       by.clear();
     }
-    for (const std::string& calendar : own_calendars(i, !by.empty())) {
+    const std::vector<std::string> own =
+        has_shifts ? own_calendars(i, !by.empty()) : std::vector<std::string>();
+    for (const std::string& calendar : own) {
       const std::string name = crew_names_.make("crew_" + planned.name, "crew_" + planned.name);
       out_ += fmt::format("crew {} {{ calendar {}; }}\n", name, calendar);
       own_crews_.push_back(name);
@@ -303,23 +313,92 @@ class PlanWriter {
       out_ += fmt::format("name \"{}\";\n", client_name);
     }
     if (!by.empty()) out_ += fmt::format("by {};\n", fmt::join(by, ", "));
-    out_ += fmt::format("takes {};\n", time_text(plan_seconds(task)));
-    if (plan_seconds(task) != task.duration.seconds) {
+    out_ += fmt::format("takes {};\n", time_text(seconds));
+    if (!dates && plan_seconds(task) != task.duration.seconds) {
       listing_.add("I08", "long task", {},
                    fmt::format("task '{}' takes longer than a plan can say", task.name));
     }
-    if (const auto date = far_start(task, start_)) {
+    if (dates) {
+      write_fixed_start(planned.name, *dates, seconds);
+    } else if (const auto date = far_start(task, start_)) {
       out_ += fmt::format("not_before \"{}\";\n", date->text);
     }
     if (baselines_ == Baselines::written) write_dates(task);
     out_ += links_text(planned.after);
-    if (constraint_link(task, start_)) {
+    if (!dates && constraint_link(task, start_)) {
       out_ += fmt::format(
           "// not {} {}\n",
           constraint_link(task, start_)->type == LinkType::FS ? "before" : "finished before",
           task.constraint_date.text);
     }
     out_ += "}\n";
+  }
+
+  /// How long a task takes that stands at its dates, and whether in the shifts of those on it: if
+  /// these do not begin and end with the dates, nobody is on it.
+  void take_fixed(std::size_t i, const FixedDates& dates, std::int64_t& seconds, bool& has_shifts) {
+    const Task& task = project_.tasks[i];
+    if (!dates.finish) {
+      const FixedDates first_second{dates.start, dates.start + 1};
+      if (seconds == 0 || runs_day_and_night(task) ||
+          work_between(first_second, calendars_on(i), start_)) {
+        return;
+      }
+      listing_.add(
+          "I08", "begins out of shift", {},
+          fmt::format("task '{}' begins when those on it have no shift: in the plan it "
+                      "begins with the next, because the schedule does not say when it ends",
+                      task.name));
+      return;
+    }
+    const std::int64_t whole = *dates.finish - dates.start;
+    const auto work = runs_day_and_night(task) ? std::optional(whole)
+                                               : work_between(dates, calendars_on(i), start_);
+    has_shifts = work.has_value();
+    seconds = std::min(work.value_or(whole), static_cast<std::int64_t>(kMaxPlanSeconds));
+    if (work || whole == 0 || crews_.of_task[i].empty()) return;
+    listing_.add("I08", "out of shift", {},
+                 fmt::format("task '{}' begins or ends when those on it have no shift: in the plan "
+                             "nobody is on it, and it lasts as long as there; who it is is carried "
+                             "along",
+                             task.name));
+  }
+
+  /// The calendars that hold together for a task, as the plan has them.
+  std::vector<PlanCalendar> calendars_on(std::size_t i) const {
+    std::set<std::int64_t> uids;
+    for (std::size_t k = 0; k < project_.resources.size(); ++k) {
+      for (const std::string& name : crews_.names[k]) {
+        const auto& on = crews_.of_task[i];
+        if (std::find(on.begin(), on.end(), name) == on.end() || crews_.free.contains(name)) {
+          continue;
+        }
+        uids.insert(crew_calendar(project_, project_.resources[k]));
+      }
+    }
+    for (const std::int64_t uid : own_calendar_uids(i, !crews_.of_task[i].empty())) {
+      uids.insert(uid);
+    }
+    std::vector<PlanCalendar> calendars;
+    for (const std::int64_t uid : uids) {
+      const auto found = planned_calendars_.find(uid);
+      if (found != planned_calendars_.end()) calendars.push_back(found->second);
+    }
+    return calendars;
+  }
+
+  /// As a date; where that is not on the minute, as a time behind the beginning of the plan.
+  void write_fixed_start(const std::string& name, const FixedDates& dates, std::int64_t seconds) {
+    std::int64_t start = dates.start;
+    const bool to_the_second = start % 60 != 0 && static_cast<double>(start) <= kMaxPlanSeconds;
+    if (!to_the_second) start -= start % 60;
+    if (to_the_second) {
+      out_ += fmt::format("not_before {};\n", time_text(start));
+    } else if (start > 0) {
+      out_ += fmt::format("not_before \"{}\";\n",
+                          moment_text(*minute_number(start_.text) + start / 60));
+    }
+    fixed_ += fmt::format("fixed {} start {} takes {};\n", name, start, seconds);
   }
 
   /// To the minute, as plans have it.
@@ -392,6 +471,7 @@ class PlanWriter {
     for (const std::string& name : crews_.free) out_ += fmt::format("free_crew {};\n", name);
     for (const std::string& name : own_crews_) out_ += fmt::format("own_crew {};\n", name);
     carry_tasks();
+    out_ += fixed_;
     const CarriedWriter usual_assignment = fields_of(Assignment());
     for (const Assignment& each : project_.assignments) {
       out_ += fmt::format("assignment {}{};\n", network_.tasks[task_index_.at(each.task)].name,
@@ -435,15 +515,17 @@ class PlanWriter {
       const PlanTask& planned = network_.tasks[i];
       Task task = project_.tasks[i];
       // What the plan says need not be said twice.
-      if (planned.planned && plan_seconds(task) == task.duration.seconds) task.duration = {};
+      const bool is_said = planned.planned && !fixed_dates(task, start_) &&
+                           plan_seconds(task) == task.duration.seconds;
+      if (is_said) task.duration = {};
       out_ += fmt::format("{} {}{};\n", planned.planned ? "task" : "row", planned.name,
                           fields_of(task).changed(usual));
       for (std::size_t k = 0; k < task.after.size(); ++k) {
         if (planned.said[k]) continue;
         const Link& link = task.after[k];
-        out_ += fmt::format("link {} predecessor {} type \"{}\" lag \"{}\" format \"{}\";\n",
+        out_ += fmt::format("link {} predecessor {} type \"{}\" lag \"{}\" format \"{}\"{};\n",
                             planned.name, link.predecessor, schedule::name_of(link.type), link.lag,
-                            text_of(link.format));
+                            text_of(link.format), planned.held[k] ? " held 1" : "");
       }
     }
   }
@@ -460,10 +542,11 @@ class PlanWriter {
   std::string out_;
   Identifiers calendar_names_, crew_names_;
   std::unordered_map<std::int64_t, std::string> calendar_name_;
-  std::unordered_map<std::int64_t, bool> planned_calendars_;
+  std::unordered_map<std::int64_t, PlanCalendar> planned_calendars_;
   std::unordered_map<std::int64_t, std::size_t> task_index_;
   PlanCrews crews_;
   std::vector<std::string> own_crews_;
+  std::string fixed_;  ///< what the import block says of tasks that stand at their dates
 };
 
 }  // namespace

@@ -253,7 +253,8 @@ class ProjectBuilder {
       if (!task_uid_.emplace(name, carried.task.uid).second) continue;
       if (carried.planned) {
         take_name(plan_.tasks[found->second], carried.task);
-        take_duration(plan_.tasks[found->second], carried.task);
+        take_fixed(plan_.tasks[found->second], carried);
+        if (!carried.fixed) take_duration(plan_.tasks[found->second], carried.task);
       }
       level = carried.task.level;
       push_task(carried.task, carried.planned ? &plan_.tasks[found->second] : nullptr, name);
@@ -322,6 +323,28 @@ class ProjectBuilder {
     return std::llround(seconds);
   }
 
+  /// A task that stands at its dates keeps them unless the plan says others: then it goes by links.
+  void take_fixed(const TaskSpec& spec, CarriedTask& carried) {
+    if (!carried.fixed) return;
+    const bool moved =
+        moment_at(spec.not_before) != moment_at(carried.fixed->start * schedule::kSecond);
+    const bool longer = work_seconds(spec) != carried.fixed->takes;
+    if (!moved && !longer) return;
+    Task& task = carried.task;
+    listing_.add(
+        "I09", "fixed", spec.span,
+        fmt::format("the dates of task '{}' in fact or by hand are left out: the plan says "
+                    "others",
+                    spec.name));
+    if (moved) {
+      task.actual_start = {};
+      task.manual = false;
+    }
+    task.actual_finish = task.finish = {};
+    if (longer) task.duration.seconds = work_seconds(spec);
+    if (moved) carried.fixed.reset();
+  }
+
   static void take_duration(const TaskSpec& spec, Task& task) {
     if (plan_seconds(task) != work_seconds(spec)) task.duration.seconds = work_seconds(spec);
   }
@@ -360,6 +383,8 @@ class ProjectBuilder {
         }
         task.after.push_back(made);
       }
+      if (carried != carried_.tasks.end()) take_held(carried->second.held, task);
+      if (carried != carried_.tasks.end() && carried->second.fixed) continue;
       // The link that kept the constraint is gone: so is the constraint.
       if (!has_begin && constraint_link(task, carried_start_)) {
         task.constraint = Constraint::as_soon_as_possible;
@@ -372,6 +397,16 @@ class ProjectBuilder {
       listing_.add("I09", "not_before", spec.span,
                    fmt::format("the not_before of '{}' is left out: the schedule has no such task",
                                spec.name));
+    }
+  }
+
+  /// Links to a task that stands at its dates, unless the plan says them now.
+  void take_held(const std::vector<Link>& held, Task& task) const {
+    for (const Link& link : held) {
+      const bool said = std::any_of(task.after.begin(), task.after.end(), [&](const Link& each) {
+        return each.predecessor == link.predecessor && each.type == link.type;
+      });
+      if (!said && uid_index_.contains(link.predecessor)) task.after.push_back(link);
     }
   }
 
@@ -445,7 +480,10 @@ class ProjectBuilder {
       const std::int64_t task = project_.tasks[i].uid;
       // What runs day and night has nobody in the plan, and keeps those it had.
       const bool nobody = specs_[i]->crews.empty() && specs_[i]->robot < 0;
-      if (!nobody || !runs_day_and_night(project_.tasks[i])) planned.insert(task);
+      const auto carried = carried_.tasks.find(names_[i]);
+      const bool keeps = runs_day_and_night(project_.tasks[i]) ||
+                         (carried != carried_.tasks.end() && carried->second.fixed);
+      if (!nobody || !keeps) planned.insert(task);
       for (const int crew : specs_[i]->crews) say_crew(task, *specs_[i], crew);
       if (specs_[i]->robot >= 0) {
         say(task, plan_.robots[static_cast<std::size_t>(specs_[i]->robot)].name);

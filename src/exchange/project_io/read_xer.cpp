@@ -39,6 +39,8 @@ class XerReader {
     read_links();
     read_assignments();
     settle_calendars();
+    cell(*project, "PROJECT", "last_recalc_date", data_date_);
+    hold_to_data_date();
     tidy_project(project_, places_, listing_);
     list_unread(xer_, listing_);
     return std::move(project_);
@@ -282,6 +284,13 @@ class XerReader {
     cell(row, "TASK", "target_end_date", task.finish);
     cell(row, "TASK", "act_start_date", task.actual_start);
     cell(row, "TASK", "act_end_date", task.actual_finish);
+    // Of an activity under way the target is how it was planned; the rest is dated anew.
+    if (!task.actual_start.text.empty() && task.actual_finish.text.empty()) {
+      Moment expected;
+      cell(row, "TASK", "early_end_date", expected);
+      cell(row, "TASK", "reend_date", expected);
+      if (!expected.text.empty()) task.finish = expected;
+    }
     hours_from_0(row, "TASK", "target_drtn_hr_cnt", task.duration.seconds);
     hours_from_0(row, "TASK", "target_work_qty", task.work.seconds);
     task.format.unit = TimeUnit::hours;
@@ -404,9 +413,34 @@ class XerReader {
     }
   }
 
+  /// What has not begun does not begin before the data date. Said of those that wait for nothing
+  /// else that has not begun.
+  void hold_to_data_date() {
+    if (data_date_.text <= project_.start.text) return;
+    const auto has_begun = [](const Task& task) {
+      return !task.actual_start.text.empty() || !task.actual_finish.text.empty();
+    };
+    for (Task& task : project_.tasks) {
+      if (task.summary || has_begun(task)) continue;
+      const bool waits = std::any_of(task.after.begin(), task.after.end(), [&](const Link& link) {
+        const auto from = index_.find(link.predecessor);
+        const bool to_start = link.type == LinkType::FS || link.type == LinkType::SS;
+        return to_start && link.lag >= 0 && from != index_.end() &&
+               !has_begun(project_.tasks[from->second]);
+      });
+      const bool is_free = task.constraint == Constraint::as_soon_as_possible ||
+                           (task.constraint == Constraint::start_no_earlier_than &&
+                            task.constraint_date.text < data_date_.text);
+      if (waits || !is_free) continue;
+      task.constraint = Constraint::start_no_earlier_than;
+      task.constraint_date = data_date_;
+    }
+  }
+
   const XerFile& xer_;
   Listing& listing_;
   Project project_;
+  Moment data_date_;  ///< up to which the schedule knows what has been done
   ProjectPlaces places_;
   std::string_view project_id_;
   std::unordered_map<std::int64_t, std::size_t> index_;
