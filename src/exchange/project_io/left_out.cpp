@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace rubicon::project_io {
@@ -63,9 +64,14 @@ bool is_uncertain(const TaskSpec& task) {
          (task.dig && task.dig->draw >= 0);
 }
 
+bool is_fraction(double seconds) {
+  constexpr double kRounding = 1e-6;  // of sums of numbers as people write them
+  return std::fabs(seconds - std::round(seconds)) > kRounding;
+}
+
 void list_tasks(const PlanModel& plan, const std::vector<const TaskSpec*>& tasks, bool of_run,
                 Listing& listing) {
-  Things motions, zones, priorities, pools, same, uncertain;
+  Things motions, zones, priorities, pools, same, uncertain, fractions;
   for (const TaskSpec* each : tasks) {
     if (each == nullptr) continue;
     const TaskSpec& task = *each;
@@ -76,7 +82,9 @@ void list_tasks(const PlanModel& plan, const std::vector<const TaskSpec*>& tasks
     add_if(!task.same_as && !task.choices.empty(), task, pools);
     add_if(task.same_as.has_value(), task, same);
     // What was drawn is as certain as any other duration.
-    add_if(is_uncertain(task) && !of_run && !plan.sample, task, uncertain);
+    const bool spreads = is_uncertain(task) && !plan.sample;
+    add_if(spreads && !of_run, task, uncertain);
+    add_if(!spreads && !of_run && is_fraction(crew_seconds(task)), task, fractions);
   }
   motions.list("motion", "task", "tasks",
                "the motions of {} are left out: a schedule knows crew work only", listing,
@@ -88,6 +96,8 @@ void list_tasks(const PlanModel& plan, const std::vector<const TaskSpec*>& tasks
              "the choice of who does {} is left out: a schedule has no pools", listing);
   same.list("same as", "task", "tasks", "'same as' of {} is left out: a schedule has no pools",
             listing);
+  fractions.list("fraction", "task", "tasks", "the durations of {} are rounded to whole seconds",
+                 listing);
   uncertain.list("uncertain", "task", "tasks",
                  "the spread of the durations of {} is left out: their means are written", listing);
 }
@@ -140,6 +150,15 @@ void list_plan(const PlanModel& plan, bool of_run, Listing& listing) {
 }
 
 }  // namespace
+
+double crew_seconds(const TaskSpec& task) {
+  double seconds = 0;
+  for (const auto& work : task.takes) seconds += work.duration;
+  for (const auto* work : {&task.hook, &task.adjust, &task.release}) {
+    if (*work) seconds += (*work)->duration;
+  }
+  return seconds;
+}
 
 std::set<int> shared_crews(const PlanModel& plan) {
   std::set<int> crews;

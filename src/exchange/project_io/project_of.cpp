@@ -315,12 +315,7 @@ class ProjectBuilder {
   }
 
   static std::int64_t work_seconds(const TaskSpec& spec) {
-    double seconds = 0;
-    for (const auto& work : spec.takes) seconds += work.duration;
-    for (const auto* work : {&spec.hook, &spec.adjust, &spec.release}) {
-      if (*work) seconds += (*work)->duration;
-    }
-    return std::llround(seconds);
+    return std::llround(crew_seconds(spec));
   }
 
   /// A task that stands at its dates keeps them unless the plan says others: then it goes by links.
@@ -373,13 +368,22 @@ class ProjectBuilder {
         }
         const auto uid = task_uid_.find(name);
         if (uid == task_uid_.end()) continue;
-        const std::int64_t lag = std::llround(schedule::seconds_from_ticks(link.lag));
-        Link made{uid->second, link.type, lag / 6 * 6, plan_lag_format(lag)};
+        const double exact = schedule::seconds_from_ticks(link.lag);
+        const std::int64_t lag = std::llround(exact);
+        constexpr std::int64_t kTenthOfMinute = 6;  // s
+        const std::int64_t rounded = std::llround(exact / kTenthOfMinute) * kTenthOfMinute;
+        Link made{uid->second, link.type, rounded, plan_lag_format(rounded)};
         const auto before = known.find({made.predecessor, made.type});
         if (before != known.end() &&
             plan_lag(project_, before->second, project_.tasks[uid_index_.at(made.predecessor)]) ==
                 lag) {
           made = before->second;
+        } else if (static_cast<double>(rounded) != exact && run_ == nullptr) {
+          listing_.add(
+              "I09", "lag", specs_[i]->span,
+              fmt::format("the lag of {} s from '{}' to '{}' is written as {} s: a schedule "
+                          "has tenths of minutes",
+                          exact, name, specs_[i]->name, rounded));
         }
         task.after.push_back(made);
       }

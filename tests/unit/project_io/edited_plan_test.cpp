@@ -264,5 +264,24 @@ TEST_F(EditedPlan, a_broken_import_block_is_told_and_harms_nothing) {
   EXPECT_TRUE(reading.says("I10", "'link'"));
 }
 
+TEST_F(EditedPlan, what_a_schedule_cannot_say_so_finely_is_rounded_and_told) {
+  const Reading reading = project_of_plan(
+      "plan lags { crew c; task a { by c; takes 100 s; } task b { by c; takes 0.4 s; after a + 5 "
+      "s; }"
+      "task d { by c; takes 2.5 s; after b + 11 s; } task e { by c; takes 10 s; after d - 5 s; }"
+      "task f { by c; takes 1 h; after e + 12 s; } }");
+  ASSERT_TRUE(reading.project);
+  std::vector<std::int64_t> lags;
+  for (const Task& task : reading.project->tasks) {
+    for (const Link& link : task.after) lags.push_back(link.lag);
+  }
+  EXPECT_EQ(lags, (std::vector<std::int64_t>{6, 12, -6, 12}));
+  EXPECT_TRUE(reading.says("I09", "the lag of 5 s from 'a' to 'b' is written as 6 s"));
+  EXPECT_TRUE(reading.says("I09", "(2 more like it)"));
+  EXPECT_TRUE(
+      reading.says("I09", "the durations of tasks 'b' and 'd' are rounded to whole seconds"));
+  EXPECT_EQ(reading.said.size(), 2u);
+}
+
 }  // namespace
 }  // namespace rubicon::test
