@@ -145,7 +145,7 @@ class ElementReader {
   /// A shape that is not all that the model says.
   void note_shape(const ModelFile& model, const ifc::IfcElement& element, const NamedMesh& node) {
     if (node.note.empty()) return;
-    warn(model, element, "is larger than in the model: " + clean(node.note),
+    warn(model, element, "is not quite as in the model: " + clean(node.note),
          "look at it in the report, or export it as triangles");
   }
 

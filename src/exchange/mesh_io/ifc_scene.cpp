@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -106,7 +107,11 @@ class SceneBuilder {
     math::Pose X_SE = *element.X_WE;
     X_SE.translation() = *element.X_WE * (plain_.offsets[index] * model_.metres_per_unit) - origin_;
     append(source.vertices, source.triangles, X_SE, model_.metres_per_unit, element.node);
-    scene_.nodes[static_cast<std::size_t>(element.node)].note = kRough;
+    std::string& note = scene_.nodes[static_cast<std::size_t>(element.node)].note;
+    note = kRough;
+    const bool projects = std::any_of(model_.projections.begin(), model_.projections.end(),
+                                      [&](const auto& each) { return each.element == element.id; });
+    if (projects) note += "; what projects from it is missing";
   }
 
   void append(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
