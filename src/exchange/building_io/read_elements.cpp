@@ -133,13 +133,15 @@ class ElementReader {
   }
 
   void left_out(const ModelFile& model, const ifc::StepFile& file, const ifc::IfcElement& element) {
-    std::string why = "its placement leads nowhere";
+    std::string why = clean(element.no_place);
+    std::string hint = "export it with a placement of its own (IfcLocalPlacement)";
     if (element.X_WE) {
+      hint = "export it as triangles, or as extruded profiles";
       why = "its shape has nothing that can be read";
       const std::vector<std::string> unread = ifc::unread_classes(file, element.shape);
       if (!unread.empty()) why += fmt::format(" ({})", fmt::join(unread, ", "));
     }
-    warn(model, element, "is left out: " + why, "export it as triangles, or as extruded profiles");
+    warn(model, element, "is left out: " + why, hint);
   }
 
   /// A shape that is not all that the model says.

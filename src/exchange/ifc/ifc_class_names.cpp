@@ -31,6 +31,8 @@ constexpr auto kClasses = std::to_array<std::string_view>(
      "IfcVibrationDamper", "IfcVibrationIsolator", "IfcSurfaceFeature", "IfcVoidingFeature",
      "IfcOpeningElement", "IfcOpeningStandardCase", "IfcProjectionElement", "IfcVirtualElement",
      "IfcAnnotation", "IfcGrid", "IfcProxy",
+     // what places them
+     "IfcGridPlacement", "IfcLinearPlacement",
      // services
      "IfcDistributionElement", "IfcDistributionFlowElement", "IfcDistributionControlElement",
      "IfcFlowSegment", "IfcFlowFitting", "IfcFlowTerminal", "IfcFlowController",

@@ -117,6 +117,7 @@ class ModelReader {
     element.tag = (*values)[kTag].decoded();
     element.shape = (*values)[kShape].reference();
     element.X_WE = place((*values)[kPlacement]);
+    if (!element.X_WE) element.no_place = placements_.fault();
     element.node = tree_.node_of(record.id, model_.tree);
     find_storey(element);
     model_.elements.push_back(std::move(element));

@@ -24,6 +24,7 @@ struct IfcElement {
   double storey_height = 0;        ///< m, as the file says of the storey
   std::optional<math::Pose> X_WE;  ///< its placement in the world of the file, z up, translation in
                                    ///< metres; nothing if the file's cannot be followed
+  std::string no_place;            ///< why there is none
   std::uint64_t shape = 0;         ///< its IfcProductDefinitionShape
   int node = -1;                   ///< in IfcModel::tree
 };
