@@ -172,12 +172,15 @@ def schedule_xml(tasks, assignments=(), resources=()):
             text += (f"<PredecessorLink><PredecessorUID>{predecessor}</PredecessorUID><Type>{kind}</Type>"
                      f"<LinkLag>{lag * 600}</LinkLag><LagFormat>6</LagFormat></PredecessorLink>")
         text += "".join(f"<{key}>{value}</{key}>" for key, value in more) + "</Task>"
-    text += "</Tasks><Resources>" + "".join(
-        f"<Resource><UID>{uid}</UID><ID>{uid}</ID><Name>{name}</Name><Type>1</Type></Resource>"
-        for uid, name in enumerate(resources, 1)) + "</Resources><Assignments>"
-    for uid, (task, resource) in enumerate(assignments, 1):
+    text += "</Tasks><Resources>"
+    for uid, name in enumerate(resources, 1):
+        name, *more = (name,) if isinstance(name, str) else name
+        text += f"<Resource><UID>{uid}</UID><ID>{uid}</ID><Name>{name}</Name><Type>1</Type>"
+        text += "".join(f"<{key}>{value}</{key}>" for key, value in more) + "</Resource>"
+    text += "</Resources><Assignments>"
+    for uid, (task, resource, *units) in enumerate(assignments, 1):
         text += (f"<Assignment><UID>{uid}</UID><TaskUID>{task}</TaskUID><ResourceUID>{resource}</ResourceUID>"
-                 "<Units>1</Units></Assignment>")
+                 f"<Units>{units[0] if units else 1}</Units></Assignment>")
     return (text + "</Assignments></Project>").encode()
 
 
@@ -300,6 +303,16 @@ class Dates(unittest.TestCase):
         self.assertEqual([task(3).findtext(space + key) for key in ("Manual", "ConstraintType", "ConstraintDate")],
                          ["0", "4", moment("03-24T08")])
         self.assertEqual(task(3).find(space + "PredecessorLink").findtext(space + "PredecessorUID"), "4")
+
+    def test_a_rate_is_by_the_hour_of_one(self):
+        gang = ("Gang", ("MaxUnits", 4), ("StandardRate", 100), ("StandardRateFormat", 3))  # shown by the day
+        schedule = self.write("s.xml", schedule_xml([(8, []), (8, [(1, 1, 0)])], [(1, 1, 4), (2, 1, 2)], [gang]))
+        plan = self.path("s.plan")
+        for options in ((), ("--level",)):
+            self.assertEqual(rubicon("import", schedule, "--out", plan, *options).stderr.count("warning:"), 0)
+            run = rubicon("run", plan, "--format", "csv")
+            self.assertEqual([float(row["cost"]) for row in csv.DictReader(run.stdout.splitlines())], [3200, 1600])
+        self.round_trip(schedule)
 
     def test_what_must_be_before_the_plan_begins_is_told(self):
         _, said = self.dates("s.xml", schedule_xml([(8, [], ("ConstraintType", 2), ("ConstraintDate", "2025-01-01T08:00:00"))]))

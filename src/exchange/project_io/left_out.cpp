@@ -103,7 +103,7 @@ void list_tasks(const PlanModel& plan, const std::vector<const TaskSpec*>& tasks
 }
 
 void list_resources(const PlanModel& plan, bool of_run, Listing& listing) {
-  Things rentals, mobilisations, overtimes, fuels, breakdowns, parts;
+  Things rentals, mobilisations, overtimes, fuels, breakdowns;
   const auto add_charges = [&](const auto& owner) {
     add_if(owner.charges.rental_per_day.has_value(), owner, rentals);
     add_if(owner.charges.mobilisation.has_value(), owner, mobilisations);
@@ -115,19 +115,11 @@ void list_resources(const PlanModel& plan, bool of_run, Listing& listing) {
     add_if(robot.breakdown && !of_run, robot, breakdowns);
   }
   for (const interpreter::CrewSpec& crew : plan.crews) add_charges(crew);
-  for (const int index : shared_crews(plan)) {
-    const interpreter::CrewSpec& crew = plan.crews[static_cast<std::size_t>(index)];
-    add_if(crew.cost_per_hour.has_value(), crew, parts);
-  }
   rentals.list("rental", "of", "of", "the rental {} is left out", listing);
   mobilisations.list("mobilisation", "of", "of", "the mobilisation {} is left out", listing);
   overtimes.list("overtime", "of", "of", "the overtime {} is left out", listing);
   fuels.list("fuel", "of", "of", "the fuel {} is left out", listing);
   breakdowns.list("breakdown", "of", "of", "breakdowns {} are left out", listing);
-  parts.list("shared cost", "crew", "crews",
-             "the cost of {} is written as the plan has it, for the whole crew: a schedule takes "
-             "it for each of the people that tasks need",
-             listing);
 }
 
 void list_plan(const PlanModel& plan, bool of_run, Listing& listing) {
@@ -158,17 +150,6 @@ double crew_seconds(const TaskSpec& task) {
     if (*work) seconds += (*work)->duration;
   }
   return seconds;
-}
-
-std::set<int> shared_crews(const PlanModel& plan) {
-  std::set<int> crews;
-  for (const TaskSpec& task : plan.tasks) {
-    for (const interpreter::NeedSpec& need : task.needs) {
-      const double size = plan.crews[static_cast<std::size_t>(need.crew)].size;
-      if (need.people < size) crews.insert(need.crew);
-    }
-  }
-  return crews;
 }
 
 void list_left_out(const PlanModel& plan, const std::vector<const TaskSpec*>& tasks, bool of_run,

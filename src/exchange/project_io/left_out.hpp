@@ -1,15 +1,11 @@
 #pragma once
 
-#include <set>
 #include <vector>
 
 #include "interpreter/check/plan_model.hpp"
 #include "src/exchange/project_io/listing.hpp"
 
 namespace rubicon::project_io {
-
-/// The crews of which some task needs a part only: indices into PlanModel::crews.
-std::set<int> shared_crews(const interpreter::PlanModel& plan);
 
 /// The crew work of a task, in seconds: the mean of what is not certain.
 double crew_seconds(const interpreter::TaskSpec& task);

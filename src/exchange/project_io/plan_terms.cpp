@@ -45,33 +45,14 @@ double crew_size(const Resource& resource) {
   return std::floor(std::clamp(resource.max_units, 1.0, kMaxCrew));
 }
 
-std::optional<double> cost_per_hour(const Project& project, const Resource& resource) {
-  const double day = std::max(project.minutes_per_day, 1) / 60.0;
-  const double week = std::max(project.minutes_per_week, 1) / 60.0;
-  double hours = 0;
-  switch (resource.rate_format) {
-    case 1:
-      hours = 1.0 / 60;
-      break;
-    case 2:
-      hours = 1;
-      break;
-    case 3:
-      hours = day;
-      break;
-    case 4:
-      hours = week;
-      break;
-    case 5:
-      hours = day * std::max(project.days_per_month, 1);
-      break;
-    case 7:
-      hours = week * 52;
-      break;
-    default:
-      return std::nullopt;
-  }
-  const double cost = resource.standard_rate / hours;
+double crew_people(double units, double size) {
+  return std::round(std::clamp(units, 1.0, std::max(size, 1.0)));
+}
+
+std::optional<double> cost_per_hour(const Resource& resource, double size) {
+  constexpr int kPerPiece = 8;
+  if (resource.rate_format == kPerPiece) return std::nullopt;
+  const double cost = resource.standard_rate * size;
   if (!(cost > 0) || cost > kMaxCost) return std::nullopt;
   return cost;
 }

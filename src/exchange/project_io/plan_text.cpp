@@ -215,13 +215,12 @@ class PlanWriter {
       const double size = crew_size(resource);
       std::string terms;
       if (size != 1) terms += fmt::format("size {};\n", size);
-      if (size != 1 && levelling_ == Levelling::resources) {
-        listing_.add("I08", "units", {},
-                     fmt::format("there are {} of '{}': in the plan it is one crew of that size, "
-                                 "which does one task at a time",
-                                 size, resource.name));
+      if (size != resource.max_units) {
+        listing_.add("I08", "max units", {},
+                     fmt::format("there are {} of '{}': in the plan it is a crew of {}",
+                                 resource.max_units, resource.name, size));
       }
-      if (const auto cost = cost_per_hour(project_, resource)) {
+      if (const auto cost = cost_per_hour(resource, size)) {
         terms += fmt::format("cost {} per h;\n", *cost);
       } else if (resource.standard_rate != 0) {
         listing_.add("I08", "rate", {},
@@ -286,7 +285,8 @@ class PlanWriter {
   void write_task(std::size_t i) {
     const Task& task = project_.tasks[i];
     const PlanTask& planned = network_.tasks[i];
-    std::vector<std::string> by = crews_.of_task[i];
+    std::vector<std::string> by, needs;
+    for (const PlanWorker& worker : crews_.of_task[i]) by.push_back(worker.crew);
     const std::optional<FixedDates> dates = fixed_dates(task, start_);
     std::int64_t seconds = plan_seconds(task);
     bool has_shifts = true;
@@ -299,6 +299,7 @@ class PlanWriter {
                                task.name));
       by.clear();
     }
+    const bool has_workers = !by.empty();
     const std::vector<std::string> own =
         has_shifts ? own_calendars(i, !by.empty()) : std::vector<std::string>();
     for (const std::string& calendar : own) {
@@ -313,7 +314,9 @@ class PlanWriter {
       out_ += fmt::format("name \"{}\";\n", client_name);
     }
     if (!by.empty()) out_ += fmt::format("by {};\n", fmt::join(by, ", "));
+    if (has_workers) needs = needs_of(i);
     out_ += fmt::format("takes {};\n", time_text(seconds));
+    if (!needs.empty()) out_ += fmt::format("needs {};\n", fmt::join(needs, ", "));
     if (!dates && plan_seconds(task) != task.duration.seconds) {
       listing_.add("I08", "long task", {},
                    fmt::format("task '{}' takes longer than a plan can say", task.name));
@@ -332,6 +335,23 @@ class PlanWriter {
           task.constraint_date.text);
     }
     out_ += "}\n";
+  }
+
+  /// How many of its crews a task needs, where not all of them.
+  std::vector<std::string> needs_of(std::size_t i) {
+    std::vector<std::string> needs;
+    for (const PlanWorker& worker : crews_.of_task[i]) {
+      const Resource& resource = project_.resources[worker.resource];
+      const double size = crew_size(resource), people = crew_people(worker.units, size);
+      if (people != worker.units) {
+        listing_.add("I08", "units", {},
+                     fmt::format("{} of '{}' {} on '{}': in the plan {}, of whom the cost is",
+                                 worker.units, resource.name, worker.units == 1 ? "is" : "are",
+                                 project_.tasks[i].name, people));
+      }
+      if (people < size) needs.push_back(fmt::format("{} {}", people, worker.crew));
+    }
+    return needs;
   }
 
   /// How long a task takes that stands at its dates, and whether in the shifts of those on it: if
@@ -367,14 +387,9 @@ class PlanWriter {
   /// The calendars that hold together for a task, as the plan has them.
   std::vector<PlanCalendar> calendars_on(std::size_t i) const {
     std::set<std::int64_t> uids;
-    for (std::size_t k = 0; k < project_.resources.size(); ++k) {
-      for (const std::string& name : crews_.names[k]) {
-        const auto& on = crews_.of_task[i];
-        if (std::find(on.begin(), on.end(), name) == on.end() || crews_.free.contains(name)) {
-          continue;
-        }
-        uids.insert(crew_calendar(project_, project_.resources[k]));
-      }
+    for (const PlanWorker& worker : crews_.of_task[i]) {
+      if (crews_.free.contains(worker.crew)) continue;
+      uids.insert(crew_calendar(project_, project_.resources[worker.resource]));
     }
     for (const std::int64_t uid : own_calendar_uids(i, !crews_.of_task[i].empty())) {
       uids.insert(uid);

@@ -194,20 +194,22 @@ class ProjectBuilder {
     if (crew_size(resource) != crew.size) resource.max_units = crew.size;
     const bool free = crew.calendar.empty() && carried_.free_crews.contains(crew.name);
     const std::int64_t calendar = resource.calendar;
-    take_terms(crew.cost_per_hour, crew.calendar, resource);
+    take_terms(crew.cost_per_hour, crew.calendar, resource, crew.size);
     if (free) resource.calendar = calendar;
   }
 
-  /// A rate by the day has been divided and written with digits: the last bit may differ.
+  /// A rate has been multiplied and written with digits: the last bit may differ.
   static bool same_cost(std::optional<double> usual, std::optional<double> now) {
     constexpr double kRounding = 1e-12;
     if (!usual || !now) return usual == now;
     return std::abs(*usual - *now) <= kRounding * *usual;
   }
 
-  void take_terms(std::optional<double> cost, const std::string& calendar, Resource& resource) {
-    if (!same_cost(cost_per_hour(project_, resource), cost)) {
-      resource.standard_rate = cost.value_or(0);
+  /// A schedule has the rate of one of a crew, a plan the cost of all.
+  void take_terms(std::optional<double> cost, const std::string& calendar, Resource& resource,
+                  double size = 1) {
+    if (!same_cost(cost_per_hour(resource, size), cost)) {
+      resource.standard_rate = cost.value_or(0) / std::max(size, 1.0);
       resource.rate_format = 2;
     }
     // The calendar that the plan would have written, if it is in the plan.
@@ -459,22 +461,24 @@ class ProjectBuilder {
     // Who the plan says works on what; taken out one by one.
     std::set<std::pair<std::int64_t, std::int64_t>> said;
     std::vector<std::pair<std::int64_t, std::int64_t>> order;
-    std::map<std::pair<std::int64_t, std::int64_t>, double> units;
+    struct People {
+      double count = 1;
+      double size = 1;  ///< of their crew
+    };
+    std::map<std::pair<std::int64_t, std::int64_t>, People> units;
     const auto say = [&](std::int64_t task, const std::string& name) {
       const auto resource = resource_uid_.find(name);
       if (resource == resource_uid_.end()) return;
       if (said.emplace(task, resource->second).second) order.emplace_back(task, resource->second);
     };
-    const std::set<int> shared = shared_crews(plan_);
     const auto say_crew = [&](std::int64_t task, const TaskSpec& spec, int index) {
       const interpreter::CrewSpec& crew = plan_.crews[static_cast<std::size_t>(index)];
       say(task, crew.name);
       const auto resource = resource_uid_.find(crew.name);
-      if (resource == resource_uid_.end() || !shared.contains(index)) return;
-      // Of a crew that tasks share each assignment says how many people it has.
-      double people = crew.size;
+      if (resource == resource_uid_.end()) return;
+      People people{crew.size, crew.size};
       for (const auto& need : spec.needs) {
-        if (need.crew == index) people = need.people;
+        if (need.crew == index) people.count = need.people;
       }
       units[{task, resource->second}] = people;
     };
@@ -506,6 +510,10 @@ class ProjectBuilder {
     std::set<std::pair<std::int64_t, std::int64_t>> kept;
     std::set<std::int64_t> known;
     for (const Resource& resource : project_.resources) known.insert(resource.uid);
+    std::map<std::pair<std::int64_t, std::int64_t>, double> carried_units;
+    for (const Assignment& each : carried_.assignments) {
+      carried_units[{each.task, each.resource}] += each.units;
+    }
     for (const Assignment& each : carried_.assignments) {
       const std::pair pair(each.task, each.resource);
       last = std::max(last, each.uid);
@@ -513,10 +521,15 @@ class ProjectBuilder {
       if (each.resource != kNone && !known.contains(each.resource)) continue;
       const bool in_plan = planned.contains(each.task) && workers.contains(each.resource);
       if (in_plan && !said.contains(pair)) continue;  // somebody took it out of the plan
-      kept.insert(pair);
+      const bool is_first = kept.insert(pair).second;
       project_.assignments.push_back(each);
       const auto people = units.find(pair);
-      if (people != units.end()) project_.assignments.back().units = people->second;
+      // What the plan rounds comes back as it was.
+      if (people == units.end() ||
+          crew_people(carried_units.at(pair), people->second.size) == people->second.count) {
+        continue;
+      }
+      project_.assignments.back().units = is_first ? people->second.count : 0;
     }
     for (const auto& pair : order) {
       if (kept.contains(pair)) continue;
@@ -525,7 +538,7 @@ class ProjectBuilder {
       assignment.task = pair.first;
       assignment.resource = pair.second;
       const auto people = units.find(pair);
-      if (people != units.end()) assignment.units = people->second;
+      if (people != units.end()) assignment.units = people->second.count;
       project_.assignments.push_back(assignment);
     }
   }

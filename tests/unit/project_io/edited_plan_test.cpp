@@ -64,7 +64,7 @@ TEST_F(EditedPlan, dates) {
 TEST_F(EditedPlan, calendars_and_crews) {
   replace("mon-tue 07:00-12:00", "mon-tue 06:00-12:00");
   replace("size 3;", "size 4;");
-  replace("cost 55 per h;", "cost 60 per h;");
+  replace("cost 165 per h;", "cost 240 per h;");
   const Project changed = back();
   EXPECT_EQ(changed.calendars[0].week[0]->front().from, 6 * 60);
   EXPECT_EQ(changed.calendars[0].name, "Baustelle");
@@ -206,12 +206,14 @@ TEST_F(EditedPlan, people_of_a_crew_are_units) {
   EXPECT_EQ(project.resources.at(0).max_units, 4);
   EXPECT_EQ(project.assignments[0].units, 2);
   EXPECT_EQ(project.assignments[1].units, 4);
-  EXPECT_EQ(project.assignments[2].units, 1);  // nobody shares it
-  EXPECT_TRUE(reading.says("I09", "the cost of crew 'gang' is written as the plan has it"));
+  EXPECT_EQ(project.assignments[2].units, 2);
+  EXPECT_EQ(project.resources.at(0).standard_rate, 22.5);  // of one of them
+  EXPECT_TRUE(reading.said.empty());
   // They come back with the plan that is made of the schedule.
   const Reading back = project_of_plan(plan_of(project).text);
   ASSERT_TRUE(back.project);
   EXPECT_EQ(back.project->assignments, project.assignments);
+  EXPECT_EQ(back.project->resources, project.resources);
 }
 
 TEST_F(EditedPlan, what_a_schedule_has_no_word_for_is_listed_by_kind) {
