@@ -191,17 +191,18 @@ def xer_calendar(uid, name, *shifts, days=range(1, 8), default="N"):
     return (uid, default, name, f"(0||CalendarData()((0||DaysOfWeek()({week}))(0||VIEW(ShowTotal|N)())(0||Exceptions()())))")
 
 
-def schedule_xer(calendars, tasks, resources=(), work=(), links=(), more=""):
+def schedule_xer(calendars, tasks, resources=(), work=(), links=(), more="", tables=()):
     """tasks: (calendar, type, name, hours, cells of the columns `more`...); resources: (calendar, name); work: (task, resource);
-    links: (predecessor, successor, type); numbers from 1."""
-    tables = (("PROJECT", "proj_id clndr_id proj_short_name plan_start_date", [(9, 1, "X", "2026-03-02 08:00")]),
+    links: (predecessor, successor, type, lag in hours); numbers from 1; tables: (name, columns, rows)."""
+    tables = (*tables, ("PROJECT", "proj_id clndr_id proj_short_name plan_start_date", [(9, 1, "X", "2026-03-02 08:00")]),
               ("CALENDAR", "clndr_id default_flag clndr_name clndr_data", calendars),
               ("PROJWBS", "wbs_id proj_id proj_node_flag wbs_name", [(90, 9, "Y", "X")]),
               ("TASK", "task_id proj_id wbs_id clndr_id task_type task_name target_drtn_hr_cnt " + more,
                [(i, 9, 90, *task) for i, task in enumerate(tasks, 1)]),
               ("RSRC", "rsrc_id rsrc_type clndr_id rsrc_name", [(i, "RT_Labor", *each) for i, each in enumerate(resources, 1)]),
               ("TASKRSRC", "taskrsrc_id proj_id task_id rsrc_id", [(i, 9, *each) for i, each in enumerate(work, 1)]),
-              ("TASKPRED", "proj_id lag_hr_cnt pred_task_id task_id pred_type", [(9, 0, *each) for each in links]))
+              ("TASKPRED", "proj_id pred_task_id task_id pred_type lag_hr_cnt",
+               [(9, *each[:3], each[3] if len(each) > 3 else 0) for each in links]))
     text = "ERMHDR\t19.12\n"
     for name, columns, rows in tables:
         text += f"%T\t{name}\n%F\t" + "\t".join(columns.split()) + "\n"
@@ -264,6 +265,36 @@ class Dates(unittest.TestCase):
                           for each in root.iter(space + "Task")], [("2", "1"), ("-1", "0"), ("1", "1"), ("2", "0")])
         self.assertEqual([each.findtext(space + "CalendarUID") for each in root.iter(space + "Resource")], ["1", "3"])
 
+
+    def test_lags_behind_what_never_stops_run_day_and_night(self):
+        tasks = [(2, "TT_Task", "pour", 8), (2, "TT_Task", "heat", 8), (1, "TT_Task", "strip", 8)]
+        links = [(1, 2, "PR_FS", 72), (1, 3, "PR_FS", 72)]
+        dates, said = self.dates("a.xer", schedule_xer(CALENDARS, tasks, links=links))
+        self.assertEqual((dates["heat"][0], dates["strip"][0]), ("03-05 16:00:00", "03-05 16:00:00"))
+        self.assertEqual(said, "")
+        self.round_trip(self.path("a.xer"))
+        for choice, strip in (("rcal_Successor", "03-13"), ("rcal_24hour", "03-05"), ("rcal_ProjDefault", "03-13")):
+            options = ("SCHEDOPTIONS", "proj_id sched_calendar_on_relationship_lag", [(9, choice)])
+            dates, _ = self.dates("a.xer", schedule_xer(CALENDARS, tasks, links=links, tables=[options]))
+            self.assertEqual(dates["strip"][0][:5], strip, choice)
+        always = ("CalendarUID", 2)
+        schedule = schedule_xml([(8, [], always), (8, [(1, 1, 72)], always)]).replace(
+            b"</Calendars>", b"<Calendar><UID>2</UID><Name>24h</Name><IsBaseCalendar>1</IsBaseCalendar><WeekDays>" + b"".join(
+                b"<WeekDay><DayType>%d</DayType><DayWorking>1</DayWorking><WorkingTimes><WorkingTime><FromTime>00:00:00</FromTime>"
+                b"<ToTime>00:00:00</ToTime></WorkingTime></WorkingTimes></WeekDay>" % day for day in range(1, 8)) +
+            b"</WeekDays></Calendar></Calendars>")
+        dates, said = self.dates("s.xml", schedule)
+        self.assertEqual((dates["t2"][0], said), ("03-05 16:00:00", ""))
+        self.round_trip(self.path("s.xml"))
+
+    def test_of_several_rates_the_one_at_the_beginning_counts(self):
+        columns = "rsrc_rate_id rsrc_id start_date cost_per_qty max_qty_per_hr"
+        rates = [(1, 1, "2026-01-01 00:00", 50, 1), (2, 1, "2027-01-01 00:00", 99, 1), (3, 2, "2027-01-01 00:00", 30, 1),
+                 (4, 2, "2026-06-01 00:00", 20, 1), (5, 3, "2025-01-01 00:00", 8, 1), (6, 3, "2026-02-01 00:00", 9, 1)]
+        schedule = schedule_xer(CALENDARS, [(1, "TT_Task", "dig", 8)], [(1, "A"), (1, "B"), (1, "C")], tables=[("RSRCRATE", columns, rates)])
+        done = rubicon("import", self.write("a.xer", schedule))
+        self.assertEqual(re.findall("cost ([0-9.]+) per h", done.stdout), ["50", "20", "9"])
+        self.assertIn("resource 'A' has several rates: the one at the beginning of the project is taken for all of it (2 more like it)", done.stderr)
 
     # By the project's calendar work is from 8:00 to 16:00, Monday to Friday; 2026-03-02 is a Monday.
     BEGUN = [(16, [], *fact("03-10T08", "03-11T16")), (8, [(1, 1, 0)]),  # 1, 2

@@ -10,6 +10,7 @@
 #include "src/exchange/project_io/dates.hpp"
 #include "src/exchange/project_io/fixed_dates.hpp"
 #include "src/exchange/project_io/identifiers.hpp"
+#include "src/exchange/project_io/plan_terms.hpp"
 #include "src/exchange/project_io/plan_text.hpp"
 
 namespace rubicon::project_io {
@@ -190,8 +191,8 @@ class NetworkBuilder {
                                  task(from).name, task(i).name));
         continue;
       }
-      const std::int64_t whole = whole_lag(project_, link, task(from));
-      const std::int64_t lag = plan_lag(project_, link, task(from));
+      const std::int64_t whole = whole_lag(project_, link, task(from), task(i));
+      const std::int64_t lag = plan_lag(project_, link, task(from), task(i));
       if (fixed_[i] && !is_kept(from, i, link, lag)) {
         network_.tasks[i].held[k] = true;
         listing_.add(
@@ -206,7 +207,7 @@ class NetworkBuilder {
                      fmt::format("the lag from '{}' to '{}' is longer than a plan can say",
                                  task(from).name, task(i).name));
       }
-      if (lag != 0 && !link.format.elapsed) {
+      if (lag != 0 && !counts_always(project_, link, task(from), task(i))) {
         listing_.add(
             "I08", "working lag", {},
             fmt::format("the lag from '{}' to '{}' counts working time there; in the plan "
@@ -355,7 +356,14 @@ class NetworkBuilder {
 
 }  // namespace
 
-std::int64_t whole_lag(const Project& project, const Link& link, const Task& predecessor) {
+bool counts_always(const Project& project, const Link& link, const Task& predecessor,
+                   const Task& successor) {
+  return link.format.elapsed ||
+         (works_always(project, predecessor.calendar) && works_always(project, successor.calendar));
+}
+
+std::int64_t whole_lag(const Project& project, const Link& link, const Task& predecessor,
+                       const Task& successor) {
   std::int64_t lag = link.lag;
   if (link.format.unit == TimeUnit::percent) {
     // Percent of whole seconds, rounded once. Far beyond any duration the caller cuts.
@@ -364,16 +372,17 @@ std::int64_t whole_lag(const Project& project, const Link& link, const Task& pre
     constexpr double kFar = 1e15;
     lag = std::llround(std::clamp(seconds, -kFar, kFar));
   }
-  if (link.format.elapsed) return lag;
+  if (lag == 0 || counts_always(project, link, predecessor, successor)) return lag;
   const std::int64_t day = std::max(project.minutes_per_day, 1) * std::int64_t{60};
   const std::int64_t week = std::max(project.minutes_per_week, 1) * std::int64_t{60};
   constexpr std::int64_t kDay = 86'400;
   return lag / week * 7 * kDay + lag % week / day * kDay + lag % week % day;
 }
 
-std::int64_t plan_lag(const Project& project, const Link& link, const Task& predecessor) {
+std::int64_t plan_lag(const Project& project, const Link& link, const Task& predecessor,
+                      const Task& successor) {
   const auto longest = static_cast<std::int64_t>(kMaxPlanSeconds);
-  return std::clamp(whole_lag(project, link, predecessor), -longest, longest);
+  return std::clamp(whole_lag(project, link, predecessor, successor), -longest, longest);
 }
 
 TimeFormat plan_lag_format(std::int64_t lag) {

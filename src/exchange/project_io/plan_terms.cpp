@@ -41,6 +41,18 @@ bool goes_by_itself(const Task& task) {
   return task.ignores_resource_calendars && task.calendar != kNone;
 }
 
+bool works_always(const Project& project, std::int64_t calendar) {
+  if (calendar == kNone) return false;
+  const auto found = std::find_if(project.calendars.begin(), project.calendars.end(),
+                                  [&](const Calendar& each) { return each.uid == calendar; });
+  if (found == project.calendars.end() || found->base != kNone || !found->exceptions.empty()) {
+    return false;
+  }
+  const DayTimes whole_day{{0, 1440}};
+  return std::all_of(found->week.begin(), found->week.end(),
+                     [&](const std::optional<DayTimes>& day) { return day == whole_day; });
+}
+
 double crew_size(const Resource& resource) {
   return std::floor(std::clamp(resource.max_units, 1.0, kMaxCrew));
 }

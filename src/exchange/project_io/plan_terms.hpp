@@ -25,6 +25,9 @@ bool runs_day_and_night(const Task& task);
 /// Whether its own calendar alone says when it goes on, whatever the shifts of those on it.
 bool goes_by_itself(const Task& task);
 
+/// Whether a calendar of the project works day and night, every day.
+bool works_always(const Project& project, std::int64_t calendar);
+
 /// How many people or machines a crew has: whole ones, at least one. A schedule may give a resource
 /// of 150 %, of which half a one can do nothing in a plan.
 double crew_size(const Resource& resource);

@@ -377,8 +377,8 @@ class ProjectBuilder {
         Link made{uid->second, link.type, rounded, plan_lag_format(rounded)};
         const auto before = known.find({made.predecessor, made.type});
         if (before != known.end() &&
-            plan_lag(project_, before->second, project_.tasks[uid_index_.at(made.predecessor)]) ==
-                lag) {
+            plan_lag(project_, before->second, project_.tasks[uid_index_.at(made.predecessor)],
+                     task) == lag) {
           made = before->second;
         } else if (static_cast<double>(rounded) != exact && run_ == nullptr) {
           listing_.add(

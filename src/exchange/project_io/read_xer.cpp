@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "src/exchange/project_io/decode_text.hpp"
+#include "src/exchange/project_io/plan_terms.hpp"
 #include "src/exchange/project_io/read_project.hpp"
 #include "src/exchange/project_io/tidy_project.hpp"
 #include "src/exchange/project_io/value_text.hpp"
@@ -42,6 +43,7 @@ class XerReader {
     cell(*project, "PROJECT", "last_recalc_date", data_date_);
     hold_to_data_date();
     tidy_project(project_, places_, listing_);
+    settle_lags();
     list_unread(xer_, listing_);
     return std::move(project_);
   }
@@ -165,12 +167,29 @@ class XerReader {
       project_.resources.push_back(std::move(resource));
       places_.resources.push_back(row.span());
     }
+    std::unordered_map<std::int64_t, Moment> since;  // by resource, from when its rate is
     for (const XerRow& row : rows("RSRCRATE")) {
       std::int64_t uid = kNone;
       cell(row, "RSRCRATE", "rsrc_id", uid);
       const auto found = index.find(uid);
       if (found == index.end()) continue;
       Resource& resource = project_.resources[found->second];
+      Moment from;
+      cell(row, "RSRCRATE", "start_date", from);
+      const auto [known, is_first] = since.try_emplace(uid, from);
+      if (!is_first) {
+        listing_.add("I07", "rates", row.span(),
+                     fmt::format("resource '{}' has several rates: the one at the beginning of the "
+                                 "project is taken for all of it",
+                                 resource.name));
+        // The last that has begun by then, else the first.
+        const bool has_begun = from.text <= project_.start.text;
+        const bool better = known->second.text <= project_.start.text
+                                ? has_begun && from.text > known->second.text
+                                : has_begun || from.text < known->second.text;
+        if (!better) continue;
+        known->second = from;
+      }
       cell(row, "RSRCRATE", "cost_per_qty", resource.standard_rate);
       cell(row, "RSRCRATE", "max_qty_per_hr", resource.max_units);
     }
@@ -409,6 +428,28 @@ class XerReader {
       } else {
         if (task.calendar == kNone) task.calendar = project_.calendar;
         task.ignores_resource_calendars = task.calendar != kNone;
+      }
+    }
+  }
+
+  /// Lags count in a calendar that the schedule chooses, the predecessor's if it does not say:
+  /// where that one never stops they are elapsed time.
+  void settle_lags() {
+    std::string_view choice = "rcal_Predecessor";
+    for (const XerRow& row : rows("SCHEDOPTIONS")) {
+      const std::string_view said = row["sched_calendar_on_relationship_lag"];
+      if (row["proj_id"] == project_id_ && !said.empty()) choice = said;
+    }
+    std::unordered_map<std::int64_t, std::int64_t> calendars;  // by task
+    for (const Task& task : project_.tasks) calendars.emplace(task.uid, task.calendar);
+    for (Task& task : project_.tasks) {
+      for (Link& link : task.after) {
+        if (link.lag == 0) continue;
+        const std::int64_t calendar = choice == "rcal_Successor" ? task.calendar
+                                      : choice == "rcal_ProjDefault"
+                                          ? project_.calendar
+                                          : calendars.at(link.predecessor);
+        link.format.elapsed = choice == "rcal_24hour" || works_always(project_, calendar);
       }
     }
   }

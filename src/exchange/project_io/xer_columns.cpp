@@ -37,7 +37,7 @@ const std::map<std::string_view, Columns>& known_columns() {
       {"RSRC",
        {"rsrc_id", "rsrc_name", "rsrc_short_name", "clndr_id", "rsrc_type", "email_addr",
         "rsrc_notes"}},
-      {"RSRCRATE", {"rsrc_rate_id", "rsrc_id", "cost_per_qty", "max_qty_per_hr"}},
+      {"RSRCRATE", {"rsrc_rate_id", "rsrc_id", "cost_per_qty", "max_qty_per_hr", "start_date"}},
       {"TASKRSRC",
        {"taskrsrc_id", "task_id", "proj_id", "rsrc_id", "target_qty", "target_qty_per_hr",
         "target_start_date", "target_end_date"}},
@@ -69,6 +69,11 @@ void list_unread(const XerFile& xer, Listing& listing) {
     const auto known = known_columns().find(name);
     if (known == known_columns().end()) {
       if (table.rows.empty()) continue;
+      if (name == "SCHEDOPTIONS") {
+        listing.add("I07", "options", table.span,
+                    "of table SCHEDOPTIONS only the calendar of lags is taken over");
+        continue;
+      }
       listing.add(
           "I07", fmt::format("table {}", name), table.span,
           fmt::format("table {} is not taken over ({} rows)", clean_text(name), table.rows.size()));
