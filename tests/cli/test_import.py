@@ -335,6 +335,14 @@ class Dates(unittest.TestCase):
                          ["0", "4", moment("03-24T08")])
         self.assertEqual(task(3).find(space + "PredecessorLink").findtext(space + "PredecessorUID"), "4")
 
+    def test_actual_dates_that_make_no_sense_are_told(self):
+        dates, said = self.dates("s.xml", schedule_xml([
+            (8, [], ("ActualStart", "9999-12-31T08:00:00")), (8, [], ("ActualFinish", moment("03-05T08"))),
+            (8, [], *fact("03-10T08", "03-09T16"))]))
+        self.assertIn("not all actual dates of 't1' can be kept", said)
+        self.assertIn("(2 more like it)", said)
+        self.assertEqual(dates["t3"], ("03-10 08:00:00", "03-10 16:00:00"))
+
     def test_a_rate_is_by_the_hour_of_one(self):
         gang = ("Gang", ("MaxUnits", 4), ("StandardRate", 100), ("StandardRateFormat", 3))  # shown by the day
         schedule = self.write("s.xml", schedule_xml([(8, []), (8, [(1, 1, 0)])], [(1, 1, 4), (2, 1, 2)], [gang]))

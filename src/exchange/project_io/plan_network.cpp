@@ -98,6 +98,14 @@ class NetworkBuilder {
     for (std::size_t i = 0; i < fixed_.size(); ++i) {
       if (!network_.tasks[i].planned && !is_in_parts(i)) continue;
       const std::optional<FixedDates> dates = fixed_dates(task(i), start_);
+      const bool has_finish = !task(i).actual_finish.text.empty();
+      const bool has_fact = has_finish || !task(i).actual_start.text.empty();
+      if ((has_fact && !dates) || (has_finish && !dates->finish)) {
+        listing_.add("I08", "odd dates", {},
+                     fmt::format("not all actual dates of '{}' can be kept: one is missing, before "
+                                 "the other, or too far from the beginning of the plan",
+                                 task(i).name));
+      }
       if (!dates) continue;
       if (dates->cut) {
         listing_.add("I08", "before start", {},
