@@ -405,7 +405,7 @@ docs/fleets.md.
   --out FILE           write the plan or the robot there instead of standard output
   --schedule SCHEDULE  the schedule whose tasks put the model up
   --match FILE         what of the model belongs to which task
-  --level              a resource does one task at a time, and tasks wait for it; without, links and calendars alone decide,
+  --level              tasks wait until enough of their resources are free; without, links and calendars alone decide,
                        as in Project and Primavera; how many tasks wait, and how long at most, is said
   --baseline           tasks say when the schedule has them (baseline) and their deadlines (due); a run is then compared with that
   --unit UNIT          mm, cm or m: what the numbers of OBJ, STL and PLY files are, and of a drawing that does not say it

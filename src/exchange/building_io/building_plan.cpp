@@ -263,7 +263,8 @@ class WorkWriter {
           "I17", {},
           fmt::format("{} of {} without room {}: {}", names.size(),
                       counted(places.size(), "element"), where, joined(names, kGroupsShown)),
-          "in the match file: stock box(x0, y0, z0, x1, y1, z1) stack 5 gap 0.5 m;");
+          "in the match file: stock box(x0, y0, z0, x1, y1, z1) stack 5 gap 0.5 m; as high as what "
+          "waits there");
     }
   }
 

@@ -133,19 +133,21 @@ class ElementReader {
   }
 
   void left_out(const ModelFile& model, const ifc::StepFile& file, const ifc::IfcElement& element) {
-    std::string why = "its placement leads nowhere";
+    std::string why = clean(element.no_place);
+    std::string hint = "export it with a placement of its own (IfcLocalPlacement)";
     if (element.X_WE) {
+      hint = "export it as triangles, or as extruded profiles";
       why = "its shape has nothing that can be read";
       const std::vector<std::string> unread = ifc::unread_classes(file, element.shape);
       if (!unread.empty()) why += fmt::format(" ({})", fmt::join(unread, ", "));
     }
-    warn(model, element, "is left out: " + why, "export it as triangles, or as extruded profiles");
+    warn(model, element, "is left out: " + why, hint);
   }
 
   /// A shape that is not all that the model says.
   void note_shape(const ModelFile& model, const ifc::IfcElement& element, const NamedMesh& node) {
     if (node.note.empty()) return;
-    warn(model, element, "is larger than in the model: " + clean(node.note),
+    warn(model, element, "is not quite as in the model: " + clean(node.note),
          "look at it in the report, or export it as triangles");
   }
 

@@ -50,6 +50,13 @@ class AreaFiller {
   double next_;
 };
 
+/// Heights are sums of rounded numbers (m).
+constexpr double kHeightRounding = 1e-6;
+
+bool is_low_enough(double height, const StockArea& area) {
+  return height <= area.box.upper.z() - area.box.lower.z() + kHeightRounding;
+}
+
 /// How many of the items from `first` on go onto one pile.
 std::size_t pile_size(const std::vector<StockItem>& items, std::size_t first,
                       const StockArea& area) {
@@ -60,7 +67,7 @@ std::size_t pile_size(const std::vector<StockItem>& items, std::size_t first,
     const StockItem& item = items[first + count];
     height += kBearer + item.size.z();
     const bool fits = item.group == items[first].group && item.stock == items[first].stock &&
-                      is_flat(item.size) && height <= area.box.upper.z() - area.box.lower.z();
+                      is_flat(item.size) && is_low_enough(height, area);
     if (!fits) break;
     ++count;
   }
@@ -77,6 +84,7 @@ std::vector<std::optional<StockPlace>> lay_out(const std::vector<StockItem>& ite
     std::size_t done = 1;
     for (AreaFiller& filler : fillers) {
       if (!items[first].stock.empty() && items[first].stock != filler.area().name) continue;
+      if (!is_low_enough(items[first].size.z(), filler.area())) continue;
       const std::size_t count = pile_size(items, first, filler.area());
       double length = 0;
       double width = 0;

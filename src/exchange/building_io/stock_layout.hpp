@@ -29,8 +29,8 @@ struct StockPlace {
 /// Places in the order of use: rows across each area, beginning at its lower corner, things side by
 /// side with the area's gap between them and their longer sides along the longer side of the area.
 /// Flat things (not higher than half their width) of one group lie on each other where the area
-/// says so, the one that is used first on top, with bearers of 0.1 m between. Areas are filled one
-/// after the other. Nothing for things that found no room.
+/// says so, the one that is used first on top, with bearers of 0.1 m between. Nothing is higher
+/// than its area. Areas are filled one after the other. Nothing for things that found no room.
 std::vector<std::optional<StockPlace>> lay_out(const std::vector<StockItem>& items,
                                                const std::vector<StockArea>& areas);
 

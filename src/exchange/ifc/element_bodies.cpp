@@ -1,6 +1,7 @@
 #include "src/exchange/ifc/element_bodies.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -25,6 +26,7 @@ class BodyReader {
     for (const IfcOpening& opening : model.openings) {
       openings_[opening.element].push_back(opening.id);
     }
+    for (const IfcOpening& each : model.projections) projections_[each.element].push_back(each.id);
   }
 
   std::optional<ElementBody> read(const IfcElement& element) {
@@ -33,6 +35,10 @@ class BodyReader {
     if (!bodies) return std::nullopt;
     const auto openings = openings_.find(element.id);
     if (openings != openings_.end()) cut_openings(element, openings->second, *bodies);
+    const auto projections = projections_.find(element.id);
+    if (projections != projections_.end()) {
+      for (const std::uint64_t id : projections->second) add_projection(element, id, *bodies);
+    }
     ElementBody result;
     for (const Solid& solid : bodies->solids) append(solid, result.solid);
     std::sort(bodies->notes.begin(), bodies->notes.end());
@@ -51,24 +57,32 @@ class BodyReader {
     }
   }
 
-  /// Holes stand in the frame of what they are in.
+  static std::uint64_t shape_of(const StepRecord& record) {
+    constexpr std::size_t kShape = 6;
+    const auto values = StepValues::read(record.arguments);
+    return values ? (*values)[kShape].reference() : 0;
+  }
+
+  /// The bodies of another product in the frame of the element; nothing if they cannot be read.
+  std::optional<Bodies> in_frame_of(const IfcElement& element, std::uint64_t id,
+                                    std::uint64_t shape) {
+    const auto X_WE = placements_.of_product(element.id);
+    const auto X_WO = placements_.of_product(id);
+    std::optional<Bodies> bodies = shapes_.read(shape);
+    if (!bodies || !X_WE || !X_WO) return std::nullopt;
+    const math::Pose X_EO = X_WE->inverse(Eigen::Isometry) * *X_WO;
+    transform(X_EO.linear(), X_EO.translation() * model_.metres_per_unit, bodies->solids);
+    return bodies;
+  }
+
   void cut_openings(const IfcElement& element, const std::vector<std::uint64_t>& openings,
                     Bodies& bodies) {
-    const auto X_WE = placements_.of_product(element.id);
     for (const std::uint64_t id : openings) {
       const StepRecord* record = file_.find(id);
-      const auto values = record == nullptr ? std::nullopt : StepValues::read(record->arguments);
-      const auto X_WO = placements_.of_product(id);
-      constexpr std::size_t kShape = 6;
-      const std::uint64_t shape = values ? (*values)[kShape].reference() : 0;
+      const std::uint64_t shape = record == nullptr ? 0 : shape_of(*record);
       if (shape == 0) continue;  // an opening without a shape takes nothing away
-      std::optional<Bodies> hole = shapes_.read(shape);
-      std::optional<std::vector<Cell>> cells;
-      if (hole && X_WE && X_WO) {
-        math::Pose X_EO = X_WE->inverse(Eigen::Isometry) * *X_WO;
-        transform(X_EO.linear(), X_EO.translation() * model_.metres_per_unit, hole->solids);
-        cells = cells_of(*hole, budget_);
-      }
+      const std::optional<Bodies> hole = in_frame_of(element, id, shape);
+      const auto cells = hole ? cells_of(*hole, budget_) : std::nullopt;
       if (cells) {
         cut_bodies(bodies, *cells, "an opening", budget_);
       } else {
@@ -77,13 +91,56 @@ class BodyReader {
     }
   }
 
+  /// Adds what projects from the element, but for what the element fills already.
+  void add_projection(const IfcElement& element, std::uint64_t id, Bodies& bodies) {
+    const StepRecord* record = file_.find(id);
+    const std::uint64_t shape = record == nullptr ? 0 : shape_of(*record);
+    if (shape == 0) return;
+    std::optional<Bodies> more = in_frame_of(element, id, shape);
+    if (!more) {
+      bodies.notes.emplace_back("a projection cannot be read and is missing");
+      return;
+    }
+    Bodies met;
+    for (const Solid& solid : bodies.solids) {
+      const bool meets = std::any_of(more->solids.begin(), more->solids.end(),
+                                     [&](const Solid& each) { return overlap(solid, each); });
+      if (meets) met.solids.push_back(solid);
+    }
+    const auto cells = cells_of(met, budget_);
+    if (cells) {
+      cut_bodies(*more, *cells, "the part of a projection that is inside of it", budget_);
+    } else {
+      more->notes.emplace_back("the part of a projection that is inside of it counts twice");
+    }
+    for (Solid& solid : more->solids) bodies.solids.push_back(std::move(solid));
+    bodies.notes.insert(bodies.notes.end(), more->notes.begin(), more->notes.end());
+  }
+
+  /// Whether the boxes around two bodies have more than a face in common.
+  static bool overlap(const Solid& a, const Solid& b) {
+    math::Vec3 low = math::Vec3::Constant(-std::numeric_limits<double>::infinity());
+    math::Vec3 high = -low;
+    for (const Solid* each : {&a, &b}) {
+      math::Vec3 from = math::Vec3::Constant(std::numeric_limits<double>::infinity());
+      math::Vec3 to = -from;
+      for (const math::Vec3& p : each->points) {
+        from = from.cwiseMin(p);
+        to = to.cwiseMax(p);
+      }
+      low = low.cwiseMax(from);
+      high = high.cwiseMin(to);
+    }
+    return (high - low).minCoeff() > kOnPlane;
+  }
+
   const StepFile& file_;
   const IfcModel& model_;
   WorkBudget& budget_;
   ShapeTerms terms_;
   ShapeReader shapes_;
   IfcPlacements placements_;
-  std::map<std::uint64_t, std::vector<std::uint64_t>> openings_;  ///< by element
+  std::map<std::uint64_t, std::vector<std::uint64_t>> openings_, projections_;  ///< by element
 };
 
 }  // namespace

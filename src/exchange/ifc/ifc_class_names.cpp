@@ -31,6 +31,8 @@ constexpr auto kClasses = std::to_array<std::string_view>(
      "IfcVibrationDamper", "IfcVibrationIsolator", "IfcSurfaceFeature", "IfcVoidingFeature",
      "IfcOpeningElement", "IfcOpeningStandardCase", "IfcProjectionElement", "IfcVirtualElement",
      "IfcAnnotation", "IfcGrid", "IfcProxy",
+     // what places them
+     "IfcGridPlacement", "IfcLinearPlacement",
      // services
      "IfcDistributionElement", "IfcDistributionFlowElement", "IfcDistributionControlElement",
      "IfcFlowSegment", "IfcFlowFitting", "IfcFlowTerminal", "IfcFlowController",
@@ -60,19 +62,11 @@ std::string class_name(std::string_view keyword) {
 }
 
 bool is_no_element(std::string_view keyword) {
-  constexpr std::array<std::string_view, 13> kNone = {"IFCSPACE",
-                                                      "IFCOPENINGELEMENT",
-                                                      "IFCOPENINGSTANDARDCASE",
-                                                      "IFCVOIDINGFEATURE",
-                                                      "IFCPROJECTIONELEMENT",
-                                                      "IFCVIRTUALELEMENT",
-                                                      "IFCANNOTATION",
-                                                      "IFCGRID",
-                                                      "IFCSPATIALZONE",
-                                                      "IFCREFERENT",
-                                                      "IFCPORT",
-                                                      "IFCDISTRIBUTIONPORT",
-                                                      "IFCEXTERNALSPATIALELEMENT"};
+  constexpr std::array<std::string_view, 12> kNone = {
+      "IFCSPACE",          "IFCOPENINGELEMENT",   "IFCOPENINGSTANDARDCASE",
+      "IFCVOIDINGFEATURE", "IFCVIRTUALELEMENT",   "IFCANNOTATION",
+      "IFCGRID",           "IFCSPATIALZONE",      "IFCREFERENT",
+      "IFCPORT",           "IFCDISTRIBUTIONPORT", "IFCEXTERNALSPATIALELEMENT"};
   return std::find(kNone.begin(), kNone.end(), keyword) != kNone.end() ||
          keyword.starts_with("IFCSTRUCTURAL") || keyword.starts_with("IFCALIGNMENT");
 }

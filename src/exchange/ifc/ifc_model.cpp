@@ -1,5 +1,6 @@
 #include "src/exchange/ifc/ifc_model.hpp"
 
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -34,6 +35,7 @@ class ModelReader {
     if (!unit) return IfcFailure{"it says no unit of length that can be understood"};
     model_.metres_per_unit = *unit;
     X_WC_ = world_coordinates();
+    find_projections();
     for (const StepRecord& record : file_.records()) {
       if (record.keyword == "IFCMAPCONVERSION") read_map_conversion(record);
       read_product(record);
@@ -59,6 +61,19 @@ class ModelReader {
     const auto values = StepValues::read(chosen->arguments);
     if (!values) return math::Pose::Identity();
     return axis_placement(file_, (*values)[kWorld].reference()).value_or(math::Pose::Identity());
+  }
+
+  /// What projects from an element is a part of it; from anything else, an element of its own.
+  void find_projections() {
+    for (const IfcOpening& each : tree_.projections()) {
+      const StepRecord* whole = file_.find(each.element);
+      if (whole == nullptr || is_no_element(whole->keyword)) continue;
+      const auto values = StepValues::read(whole->arguments);
+      if (!values || !is_a((*values)[kShape], "IFCPRODUCTDEFINITIONSHAPE")) continue;
+      // Of a ring, or of two wholes, the first counts.
+      if (each.id == each.element || parts_.contains(each.element)) continue;
+      if (parts_.insert(each.id).second) model_.projections.push_back(each);
+    }
   }
 
   void read_map_conversion(const StepRecord& record) {
@@ -88,6 +103,7 @@ class ModelReader {
         !is_a((*values)[kShape], "IFCPRODUCTDEFINITIONSHAPE")) {
       return;
     }
+    if (parts_.contains(record.id)) return;
     if (is_no_element(record.keyword)) {
       ++model_.no_elements[class_name(record.keyword)];
       return;
@@ -101,6 +117,7 @@ class ModelReader {
     element.tag = (*values)[kTag].decoded();
     element.shape = (*values)[kShape].reference();
     element.X_WE = place((*values)[kPlacement]);
+    if (!element.X_WE) element.no_place = placements_.fault();
     element.node = tree_.node_of(record.id, model_.tree);
     find_storey(element);
     model_.elements.push_back(std::move(element));
@@ -131,6 +148,7 @@ class ModelReader {
   IfcTree tree_;
   IfcPlacements placements_;
   math::Pose X_WC_ = math::Pose::Identity();
+  std::set<std::uint64_t> parts_;  ///< products that project from an element
   IfcModel model_;
 };
 

@@ -24,6 +24,7 @@ struct IfcElement {
   double storey_height = 0;        ///< m, as the file says of the storey
   std::optional<math::Pose> X_WE;  ///< its placement in the world of the file, z up, translation in
                                    ///< metres; nothing if the file's cannot be followed
+  std::string no_place;            ///< why there is none
   std::uint64_t shape = 0;         ///< its IfcProductDefinitionShape
   int node = -1;                   ///< in IfcModel::tree
 };
@@ -34,7 +35,7 @@ struct IfcNode {
   int parent = -1;   ///< an earlier one, -1: none
 };
 
-/// A hole in an element.
+/// A hole in an element, or what projects from it.
 struct IfcOpening {
   std::uint64_t id = 0;
   std::uint64_t element = 0;  ///< record of what it is in
@@ -47,6 +48,7 @@ struct IfcModel {
   std::vector<IfcElement> elements;  ///< in the order of the file
   std::vector<IfcNode> tree;         ///< parents first
   std::vector<IfcOpening> openings;
+  std::vector<IfcOpening> projections;  ///< from elements with a shape: corbels, pilasters
   /// Products with a shape that are nothing built, by class: spaces, openings ...
   std::map<std::string, int> no_elements;
   /// Where its origin lies on the map (east, north, height), if it says so; it is not applied.

@@ -1,10 +1,13 @@
 #include "src/exchange/ifc/ifc_placement.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "src/exchange/ifc/ifc_class_names.hpp"
 #include "src/exchange/ifc/step_values.hpp"
 
 namespace rubicon::ifc {
@@ -110,10 +113,12 @@ std::optional<Pose> IfcPlacements::world(std::uint64_t id) {
   std::vector<Step> steps;
   std::optional<Pose> above = Pose::Identity();
   while (true) {
-    const auto [place, is_new] = known_.try_emplace(id, std::nullopt);
+    const auto [place, is_new] = known_.try_emplace(id);
     // One on the way up is not known yet: that would be a ring.
     if (!is_new) {
-      above = place->second;
+      above = place->second.X_W;
+      fault_ = place->second.fault.empty() ? "the placements it hangs on lead in a ring"
+                                           : place->second.fault;
       break;
     }
     const StepRecord* record = file_->find(id);
@@ -124,6 +129,7 @@ std::optional<Pose> IfcPlacements::world(std::uint64_t id) {
         values ? axis_placement(*file_, (*values)[1].reference()) : std::nullopt;
     if (!relative) {
       above = std::nullopt;
+      fault_ = place->second.fault = fault_of(id);
       break;
     }
     steps.push_back({id, *relative});
@@ -133,9 +139,19 @@ std::optional<Pose> IfcPlacements::world(std::uint64_t id) {
   }
   for (; !steps.empty(); steps.pop_back()) {
     if (above) above = *above * steps.back().relative;
-    known_[steps.back().id] = above;
+    known_[steps.back().id] = {above, above ? std::string() : fault_};
   }
   return above;
+}
+
+std::string IfcPlacements::fault_of(std::uint64_t id) const {
+  const StepRecord* record = file_->find(id);
+  if (record == nullptr) return fmt::format("there is no placement #{}", id);
+  if (record->keyword == "IFCLOCALPLACEMENT") {
+    return fmt::format("its placement #{} leads nowhere", id);
+  }
+  return fmt::format("it is placed by #{}, an {}, which is not read", id,
+                     class_name(record->keyword));
 }
 
 std::optional<math::Pose> IfcPlacements::of_product(std::uint64_t product) {

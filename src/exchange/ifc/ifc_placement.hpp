@@ -38,12 +38,22 @@ class IfcPlacements {
   /// ring.
   std::optional<math::Pose> world(std::uint64_t id);
 
+  /// Why `world` gave nothing the last time: "it is placed by an IfcGridPlacement, which is not
+  /// read".
+  const std::string& fault() const { return fault_; }
+
   /// The pose of a product likewise; the origin where it names no placement.
   std::optional<math::Pose> of_product(std::uint64_t product);
 
  private:
   const StepFile* file_;
-  std::unordered_map<std::uint64_t, std::optional<math::Pose>> known_;
+  struct Place {
+    std::optional<math::Pose> X_W;
+    std::string fault;  ///< why there is none
+  };
+  std::string fault_of(std::uint64_t id) const;
+  std::unordered_map<std::uint64_t, Place> known_;
+  std::string fault_;
 };
 
 }  // namespace rubicon::ifc

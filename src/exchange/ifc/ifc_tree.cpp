@@ -20,11 +20,12 @@ struct Relation {
   int rank;
 };
 
-constexpr std::array<Relation, 5> kRelations = {{
+constexpr std::array<Relation, 6> kRelations = {{
     {"IFCRELAGGREGATES", 4, 5, 0},
     {"IFCRELCONTAINEDINSPATIALSTRUCTURE", 5, 4, 1},
     {"IFCRELNESTS", 4, 5, 2},
     {"IFCRELVOIDSELEMENT", 4, 5, 3},
+    {"IFCRELPROJECTSELEMENT", 4, 5, 3},
     {"IFCRELFILLSELEMENT", 4, 5, 4},
 }};
 
@@ -46,8 +47,10 @@ void IfcTree::relate(const StepRecord& record) {
   const StepItem parts = (*values)[relation->parts];
   if (parts.kind() == StepKind::reference) put(parts.reference(), whole, relation->rank);
   for (const StepItem part : parts) put(part.reference(), whole, relation->rank);
-  if (record.keyword == "IFCRELVOIDSELEMENT" && whole != 0 && parts.reference() != 0) {
-    openings_.push_back({parts.reference(), whole});
+  if (whole == 0 || parts.reference() == 0) return;
+  if (record.keyword == "IFCRELVOIDSELEMENT") openings_.push_back({parts.reference(), whole});
+  if (record.keyword == "IFCRELPROJECTSELEMENT") {
+    projections_.push_back({parts.reference(), whole});
   }
 }
 

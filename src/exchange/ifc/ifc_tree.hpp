@@ -24,6 +24,7 @@ class IfcTree {
   int node_of(std::uint64_t id, std::vector<IfcNode>& tree);
 
   const std::vector<IfcOpening>& openings() const { return openings_; }
+  const std::vector<IfcOpening>& projections() const { return projections_; }
 
  private:
   void relate(const StepRecord& record);
@@ -36,7 +37,7 @@ class IfcTree {
   const StepFile* file_;
   std::unordered_map<std::uint64_t, Parent> parent_;
   std::unordered_map<std::uint64_t, int> node_;
-  std::vector<IfcOpening> openings_;
+  std::vector<IfcOpening> openings_, projections_;
 };
 
 /// Site, building, storey, assembly, part: real files have ten steps.

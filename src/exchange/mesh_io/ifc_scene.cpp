@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -106,7 +107,11 @@ class SceneBuilder {
     math::Pose X_SE = *element.X_WE;
     X_SE.translation() = *element.X_WE * (plain_.offsets[index] * model_.metres_per_unit) - origin_;
     append(source.vertices, source.triangles, X_SE, model_.metres_per_unit, element.node);
-    scene_.nodes[static_cast<std::size_t>(element.node)].note = kRough;
+    std::string& note = scene_.nodes[static_cast<std::size_t>(element.node)].note;
+    note = kRough;
+    const bool projects = std::any_of(model_.projections.begin(), model_.projections.end(),
+                                      [&](const auto& each) { return each.element == element.id; });
+    if (projects) note += "; what projects from it is missing";
   }
 
   void append(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
@@ -130,6 +135,17 @@ class SceneBuilder {
   std::uint64_t triangles_ = 0;
 };
 
+/// What is wrong where no element stands anywhere; empty: one does, or there is none.
+std::string nothing_placed(const ifc::IfcModel& model) {
+  const auto& all = model.elements;
+  const bool any =
+      std::any_of(all.begin(), all.end(), [](const auto& each) { return each.X_WE.has_value(); });
+  if (any || all.empty()) return {};
+  const ifc::IfcElement& first = all.front();
+  return fmt::format("no element stands anywhere: {} '{}' ({}): {}", first.type, first.name,
+                     first.guid, first.no_place);
+}
+
 std::string too_much_work(const ifc::IfcElement& element, const ifc::WorkBudget& budget) {
   return fmt::format(
       "the shapes up to {} '{}' ({}) take more than {} million steps of work (a corner, a side or "
@@ -149,6 +165,7 @@ SceneMessage read_ifc(std::string_view text, const IfcQuery& query) {
   if (const auto* failure = std::get_if<ifc::IfcFailure>(&model)) return failure->message;
   const auto& building = std::get<ifc::IfcModel>(model);
   if (building.tree.size() > query.limits.nodes) return too_many_nodes(query.limits);
+  if (std::string wrong = nothing_placed(building); !wrong.empty()) return wrong;
   ifc::WorkBudget budget = ifc::shape_budget(std::get<ifc::StepFile>(file));
   const auto bodies = ifc::element_bodies(std::get<ifc::StepFile>(file), building, budget);
   if (budget.is_spent()) return too_much_work(building.elements[bodies.size() - 1], budget);

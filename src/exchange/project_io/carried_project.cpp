@@ -74,6 +74,8 @@ class BlockReader {
       result_.milestones.insert(record.name);
     } else if (keyword == "own_crew") {
       result_.own_crews.insert(record.name);
+    } else if (keyword == "free_crew") {
+      result_.free_crews.insert(record.name);
     } else if (keyword == "crew_of") {
       CarriedReader reader(record);
       reader("resource", "", result_.crews_of[record.name]);
@@ -83,6 +85,12 @@ class BlockReader {
           record, [](Task& task, CarriedReader& reader) { visit_task(task, reader); });
       carried.planned = keyword == "task";
       result_.task_order.push_back(record.name);
+    } else if (keyword == "fixed") {
+      CarriedReader reader(record);
+      CarriedTask::Fixed fixed;
+      reader("start", "", fixed.start);
+      reader("takes", "", fixed.takes);
+      result_.tasks[record.name].fixed = fixed;
     } else if (keyword == "link") {
       read_link(record);
     } else if (keyword == "assignment") {
@@ -119,10 +127,13 @@ class BlockReader {
     reader("type", "", type);
     reader("lag", "", link.lag);
     reader("format", "", link.format);
+    bool held = false;
+    reader("held", "", held);
     const auto parsed = schedule::parse_link_type(type);
     if (!parsed) return not_understood(record);
     link.type = *parsed;
-    result_.tasks[record.name].links.push_back(link);
+    CarriedTask& task = result_.tasks[record.name];
+    (held ? task.held : task.links).push_back(link);
   }
 
   Listing& listing_;

@@ -22,6 +22,14 @@ struct CarriedTask {
   Task task;
   bool planned = false;     ///< the plan has a task of that name
   std::vector<Link> links;  ///< those that the plan does not say, or says in other words
+  /// Those that the plan leaves out because the task stands at dates of its own.
+  std::vector<Link> held;
+  /// Where it does: what the plan was written with, in seconds.
+  struct Fixed {
+    std::int64_t start = 0;
+    std::int64_t takes = 0;
+  };
+  std::optional<Fixed> fixed;
 };
 
 /// What the import block of a plan carries, by the names that the plan uses.
@@ -33,6 +41,7 @@ struct CarriedProject {
   std::vector<std::string> calendar_order, resource_order, task_order;
   std::set<std::string> milestones;  ///< tasks of the plan that are no line of the schedule
   std::set<std::string> own_crews;   ///< crews of the plan that are no resource
+  std::set<std::string> free_crews;  ///< crews that work at any time though their resource does not
   /// Further crews of a resource that is not levelled, and its first.
   std::map<std::string, std::string> crews_of;
   std::vector<Assignment> assignments;

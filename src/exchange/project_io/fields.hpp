@@ -55,6 +55,7 @@ void visit_task(TaskType& task, Visit& visit) {
   visit("calendar", "CalendarUID", task.calendar);
   visit("constraint_date", "ConstraintDate", task.constraint_date);
   visit("deadline", "Deadline", task.deadline);
+  visit("ignores_resource_calendars", "IgnoreResourceCalendar", task.ignores_resource_calendars);
   visit("notes", "Notes", task.notes);
   visit("hide_bar", "HideBar", task.hide_bar);
 }

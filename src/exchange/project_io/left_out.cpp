@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace rubicon::project_io {
@@ -63,9 +64,14 @@ bool is_uncertain(const TaskSpec& task) {
          (task.dig && task.dig->draw >= 0);
 }
 
+bool is_fraction(double seconds) {
+  constexpr double kRounding = 1e-6;  // of sums of numbers as people write them
+  return std::fabs(seconds - std::round(seconds)) > kRounding;
+}
+
 void list_tasks(const PlanModel& plan, const std::vector<const TaskSpec*>& tasks, bool of_run,
                 Listing& listing) {
-  Things motions, zones, priorities, pools, same, uncertain;
+  Things motions, zones, priorities, pools, same, uncertain, fractions;
   for (const TaskSpec* each : tasks) {
     if (each == nullptr) continue;
     const TaskSpec& task = *each;
@@ -76,7 +82,9 @@ void list_tasks(const PlanModel& plan, const std::vector<const TaskSpec*>& tasks
     add_if(!task.same_as && !task.choices.empty(), task, pools);
     add_if(task.same_as.has_value(), task, same);
     // What was drawn is as certain as any other duration.
-    add_if(is_uncertain(task) && !of_run && !plan.sample, task, uncertain);
+    const bool spreads = is_uncertain(task) && !plan.sample;
+    add_if(spreads && !of_run, task, uncertain);
+    add_if(!spreads && !of_run && is_fraction(crew_seconds(task)), task, fractions);
   }
   motions.list("motion", "task", "tasks",
                "the motions of {} are left out: a schedule knows crew work only", listing,
@@ -88,12 +96,14 @@ void list_tasks(const PlanModel& plan, const std::vector<const TaskSpec*>& tasks
              "the choice of who does {} is left out: a schedule has no pools", listing);
   same.list("same as", "task", "tasks", "'same as' of {} is left out: a schedule has no pools",
             listing);
+  fractions.list("fraction", "task", "tasks", "the durations of {} are rounded to whole seconds",
+                 listing);
   uncertain.list("uncertain", "task", "tasks",
                  "the spread of the durations of {} is left out: their means are written", listing);
 }
 
 void list_resources(const PlanModel& plan, bool of_run, Listing& listing) {
-  Things rentals, mobilisations, overtimes, fuels, breakdowns, parts;
+  Things rentals, mobilisations, overtimes, fuels, breakdowns;
   const auto add_charges = [&](const auto& owner) {
     add_if(owner.charges.rental_per_day.has_value(), owner, rentals);
     add_if(owner.charges.mobilisation.has_value(), owner, mobilisations);
@@ -105,19 +115,11 @@ void list_resources(const PlanModel& plan, bool of_run, Listing& listing) {
     add_if(robot.breakdown && !of_run, robot, breakdowns);
   }
   for (const interpreter::CrewSpec& crew : plan.crews) add_charges(crew);
-  for (const int index : shared_crews(plan)) {
-    const interpreter::CrewSpec& crew = plan.crews[static_cast<std::size_t>(index)];
-    add_if(crew.cost_per_hour.has_value(), crew, parts);
-  }
   rentals.list("rental", "of", "of", "the rental {} is left out", listing);
   mobilisations.list("mobilisation", "of", "of", "the mobilisation {} is left out", listing);
   overtimes.list("overtime", "of", "of", "the overtime {} is left out", listing);
   fuels.list("fuel", "of", "of", "the fuel {} is left out", listing);
   breakdowns.list("breakdown", "of", "of", "breakdowns {} are left out", listing);
-  parts.list("shared cost", "crew", "crews",
-             "the cost of {} is written as the plan has it, for the whole crew: a schedule takes "
-             "it for each of the people that tasks need",
-             listing);
 }
 
 void list_plan(const PlanModel& plan, bool of_run, Listing& listing) {
@@ -141,15 +143,13 @@ void list_plan(const PlanModel& plan, bool of_run, Listing& listing) {
 
 }  // namespace
 
-std::set<int> shared_crews(const PlanModel& plan) {
-  std::set<int> crews;
-  for (const TaskSpec& task : plan.tasks) {
-    for (const interpreter::NeedSpec& need : task.needs) {
-      const double size = plan.crews[static_cast<std::size_t>(need.crew)].size;
-      if (need.people < size) crews.insert(need.crew);
-    }
+double crew_seconds(const TaskSpec& task) {
+  double seconds = 0;
+  for (const auto& work : task.takes) seconds += work.duration;
+  for (const auto* work : {&task.hook, &task.adjust, &task.release}) {
+    if (*work) seconds += (*work)->duration;
   }
-  return crews;
+  return seconds;
 }
 
 void list_left_out(const PlanModel& plan, const std::vector<const TaskSpec*>& tasks, bool of_run,

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <set>
 #include <vector>
 
 #include "interpreter/check/plan_model.hpp"
@@ -8,8 +7,8 @@
 
 namespace rubicon::project_io {
 
-/// The crews of which some task needs a part only: indices into PlanModel::crews.
-std::set<int> shared_crews(const interpreter::PlanModel& plan);
+/// The crew work of a task, in seconds: the mean of what is not certain.
+double crew_seconds(const interpreter::TaskSpec& task);
 
 /// Lists what of a plan a schedule has no word for: one warning (I09) for each kind, with the
 /// names. `tasks` are those that the schedule has lines for; those that are null are passed over.

@@ -17,8 +17,9 @@ namespace {
 
 using TaskAndResource = std::pair<std::size_t, std::size_t>;
 
-/// Who works on what, each pair once, in the order of the assignments.
-std::vector<TaskAndResource> workers_of(const Project& project) {
+/// Who works on what, each pair once, in the order of the assignments; and with how many.
+std::vector<TaskAndResource> workers_of(const Project& project,
+                                        std::map<TaskAndResource, double>& units) {
   std::unordered_map<std::int64_t, std::size_t> tasks;
   std::unordered_map<std::int64_t, std::size_t> resources;
   for (std::size_t i = 0; i < project.tasks.size(); ++i) tasks.emplace(project.tasks[i].uid, i);
@@ -32,8 +33,34 @@ std::vector<TaskAndResource> workers_of(const Project& project) {
     const TaskAndResource pair(tasks.at(each.task), resources.at(each.resource));
     if (project.resources[pair.second].type != ResourceType::work) continue;
     if (known.insert(pair).second) pairs.push_back(pair);
+    units[pair] += each.units;
   }
   return pairs;
+}
+
+/// Which crews are free of the calendar of their resource, and what then holds by itself.
+void free_crews(const Project& project, const PlanNetwork& network,
+                const std::vector<TaskAndResource>& pairs, PlanCrews& crews) {
+  const auto works = [&](std::size_t task) {
+    return network.tasks[task].planned && plan_seconds(project.tasks[task]) > 0 &&
+           !runs_day_and_night(project.tasks[task]);
+  };
+  std::vector<std::size_t> nth(project.tasks.size(), 0);
+  std::vector<std::string> names;  // by pair
+  for (const auto& [task, resource] : pairs) {
+    names.push_back(crews.of_task[task][nth[task]++].crew);
+    if (works(task) && goes_by_itself(project.tasks[task])) crews.free.insert(names.back());
+  }
+  crews.calendars.resize(project.tasks.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [task, resource] = pairs[i];
+    if (!works(task) || goes_by_itself(project.tasks[task]) || !crews.free.contains(names[i])) {
+      continue;
+    }
+    const std::int64_t calendar = crew_calendar(project, project.resources[resource]);
+    std::vector<std::int64_t>& known = crews.calendars[task];
+    if (std::find(known.begin(), known.end(), calendar) == known.end()) known.push_back(calendar);
+  }
 }
 
 }  // namespace
@@ -45,7 +72,8 @@ PlanCrews plan_crews(const Project& project, const PlanNetwork& network, Levelli
     return taken.make(resource.name, fmt::format("crew_{}", resource.uid));
   };
   for (const Resource& resource : project.resources) crews.names.push_back({new_name(resource)});
-  const std::vector<TaskAndResource> pairs = workers_of(project);
+  std::map<TaskAndResource, double> units;
+  const std::vector<TaskAndResource> pairs = workers_of(project, units);
   std::map<TaskAndResource, std::size_t> lane_of;
   if (levelling == Levelling::none) {
     std::vector<std::vector<std::size_t>> lines(project.resources.size());
@@ -70,9 +98,11 @@ PlanCrews plan_crews(const Project& project, const PlanNetwork& network, Levelli
   crews.of_task.resize(project.tasks.size());
   for (const TaskAndResource& pair : pairs) {
     const auto lane = lane_of.find(pair);
+    const std::vector<std::string>& names = crews.names[pair.second];
     crews.of_task[pair.first].push_back(
-        crews.names[pair.second][lane == lane_of.end() ? 0 : lane->second]);
+        {names[lane == lane_of.end() ? 0 : lane->second], pair.second, units.at(pair)});
   }
+  free_crews(project, network, pairs, crews);
   return crews;
 }
 

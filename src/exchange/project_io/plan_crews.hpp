@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,10 +17,22 @@ enum class Levelling {
   resources  ///< a resource is one crew, which does one task at a time
 };
 
+/// A crew at work on a task.
+struct PlanWorker {
+  std::string crew;
+  std::size_t resource = 0;  ///< index in Project::resources
+  double units = 1;          ///< how many of the resource the schedule has on the task
+};
+
 /// The crews that the resources of a schedule become.
 struct PlanCrews {
-  std::vector<std::vector<std::string>> names;    ///< by resource: at least one
-  std::vector<std::vector<std::string>> of_task;  ///< by line of the schedule: who works on it
+  std::vector<std::vector<std::string>> names;   ///< by resource: at least one
+  std::vector<std::vector<PlanWorker>> of_task;  ///< by line of the schedule: who works on it
+  /// Crews that work at any time although their resource has a calendar, because a task of theirs
+  /// does not go by it.
+  std::set<std::string> free;
+  /// By line of the schedule: calendars of the resources in such crews by which it does go.
+  std::vector<std::vector<std::int64_t>> calendars;
 };
 
 /// A resource becomes one crew; where it is not levelled and its links let tasks of it meet, one

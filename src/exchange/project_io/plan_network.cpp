@@ -8,7 +8,9 @@
 #include <unordered_set>
 
 #include "src/exchange/project_io/dates.hpp"
+#include "src/exchange/project_io/fixed_dates.hpp"
 #include "src/exchange/project_io/identifiers.hpp"
+#include "src/exchange/project_io/plan_terms.hpp"
 #include "src/exchange/project_io/plan_text.hpp"
 
 namespace rubicon::project_io {
@@ -40,6 +42,7 @@ class NetworkBuilder {
     }
     find_parents();
     make_names();
+    find_fixed();
     for (std::size_t i = 0; i < count; ++i) note_headings(i);
     make_milestones();
     for (std::size_t i = 0; i < count; ++i) make_links(i);
@@ -79,12 +82,49 @@ class NetworkBuilder {
       planned.in_parts = planned.planned && parts_.contains(task(i).uid);
       if (planned.in_parts) planned.planned = false;
       planned.said.assign(task(i).after.size(), false);
+      planned.held.assign(task(i).after.size(), false);
       if (!task(i).active) {
         listing_.add("I08", "inactive", {},
                      fmt::format("task '{}' is not active: it is carried along and not planned",
                                  task(i).name));
       }
     }
+  }
+
+  /// Which tasks stand at dates of their own.
+  void find_fixed() {
+    fixed_.resize(project_.tasks.size());
+    begins_then_.resize(project_.tasks.size());
+    for (std::size_t i = 0; i < fixed_.size(); ++i) {
+      if (!network_.tasks[i].planned && !is_in_parts(i)) continue;
+      const std::optional<FixedDates> dates = fixed_dates(task(i), start_);
+      const bool has_finish = !task(i).actual_finish.text.empty();
+      const bool has_fact = has_finish || !task(i).actual_start.text.empty();
+      if ((has_fact && !dates) || (has_finish && !dates->finish)) {
+        listing_.add("I08", "odd dates", {},
+                     fmt::format("not all actual dates of '{}' can be kept: one is missing, before "
+                                 "the other, or too far from the beginning of the plan",
+                                 task(i).name));
+      }
+      if (!dates) continue;
+      if (dates->cut) {
+        listing_.add("I08", "before start", {},
+                     fmt::format("'{}' begins before {}, at which the plan does: in the plan what "
+                                 "was before that is left off",
+                                 task(i).name, start_.text));
+      }
+      (is_in_parts(i) ? begins_then_ : fixed_)[i] = dates;
+    }
+  }
+
+  /// Whether a link to a task that stands at its dates holds by itself.
+  bool is_kept(std::size_t from, std::size_t to, const Link& link, std::int64_t lag) const {
+    if (!fixed_[from]) return false;
+    const bool of_finish = link.type == LinkType::FS || link.type == LinkType::FF;
+    const bool to_finish = link.type == LinkType::FF || link.type == LinkType::SF;
+    const auto before = of_finish ? fixed_[from]->finish : fixed_[from]->start;
+    const auto after = to_finish ? fixed_[to]->finish : fixed_[to]->start;
+    return before && after && *before + lag <= *after;
   }
 
   /// A line that only parts or heads others: no work, no links, and no name or no bar.
@@ -113,10 +153,20 @@ class NetworkBuilder {
       if (!is_heading(from)) continue;
       (link.type == LinkType::FS || link.type == LinkType::FF ? ends_ : begins_)[from] = true;
     }
+    if (fixed_[i]) return;
+    if (begins_then(i)) uses_begin_ = true;
     if (!constraint_link(task(i), start_)) return;
     if (!has_milestones(i) && !network_.tasks[i].planned) return;
     uses_begin_ = true;
     if (is_heading(i)) begins_[i] = true;
+  }
+
+  /// What keeps a task that is done in parts from beginning sooner than it did.
+  std::optional<PlanLink> begins_then(std::size_t i) const {
+    if (!is_in_parts(i) || !begins_then_[i] || begins_then_[i]->start == 0) return std::nullopt;
+    const std::int64_t lag = begins_then_[i]->start;
+    if (static_cast<double>(lag) > kMaxPlanSeconds) return std::nullopt;
+    return PlanLink{kPlanBegins, LinkType::FS, lag};
   }
 
   void make_milestones() {
@@ -149,14 +199,23 @@ class NetworkBuilder {
                                  task(from).name, task(i).name));
         continue;
       }
-      const std::int64_t whole = whole_lag(project_, link, task(from));
-      const std::int64_t lag = plan_lag(project_, link, task(from));
+      const std::int64_t whole = whole_lag(project_, link, task(from), task(i));
+      const std::int64_t lag = plan_lag(project_, link, task(from), task(i));
+      if (fixed_[i] && !is_kept(from, i, link, lag)) {
+        network_.tasks[i].held[k] = true;
+        listing_.add(
+            "I08", "held link", {},
+            fmt::format("the link from '{}' to '{}' is carried along: '{}' has begun or is "
+                        "placed by hand, and its dates hold in the plan",
+                        task(from).name, task(i).name, task(i).name));
+        continue;
+      }
       if (lag != whole) {
         listing_.add("I08", "long lag", {},
                      fmt::format("the lag from '{}' to '{}' is longer than a plan can say",
                                  task(from).name, task(i).name));
       }
-      if (lag != 0 && !link.format.elapsed) {
+      if (lag != 0 && !counts_always(project_, link, task(from), task(i))) {
         listing_.add(
             "I08", "working lag", {},
             fmt::format("the lag from '{}' to '{}' counts working time there; in the plan "
@@ -181,7 +240,15 @@ class NetworkBuilder {
       network_.tasks[i].said[k] = !has_milestones(from) && !has_milestones(i) &&
                                   link.format == plan_lag_format(link.lag) && lag == link.lag;
     }
-    if (!has_milestones(i) && !network_.tasks[i].planned) return;
+    if ((!has_milestones(i) && !network_.tasks[i].planned) || fixed_[i]) return;
+    if (is_in_parts(i) && begins_then_[i]) {
+      listing_.add(
+          "I08", "fixed parts", {},
+          fmt::format("'{}' has begun or is placed by hand, and is done in parts: it is not "
+                      "earlier than there, but may be later and last longer",
+                      task(i).name));
+      if (const auto link = begins_then(i)) begin_links_[i].push_back(*link);
+    }
     if (const auto link = constraint_link(task(i), start_)) {
       links_to(i, is_heading(i) ? LinkType::FS : link->type).push_back(*link);
       if (task(i).constraint == Constraint::must_start_on ||
@@ -207,6 +274,16 @@ class NetworkBuilder {
     const auto begin = second_number(start_.text),
                date = second_number(task(i).constraint_date.text);
     const bool is_task = bounds_below && begin && date && !is_heading(i);
+    const bool must =
+        constraint == Constraint::must_start_on || constraint == Constraint::must_finish_on;
+    if (is_task && must && *date < *begin) {
+      listing_.add(
+          "I08", "must before", {},
+          fmt::format("'{}' must be on {} there, before the plan begins: in the plan it is "
+                      "not earlier than that",
+                      task(i).name, task(i).constraint_date.text));
+      return;
+    }
     if (is_task && (*date <= *begin || far_start(task(i), start_))) return;
     if (is_task) {
       listing_.add("I08", "far constraint", {},
@@ -228,7 +305,7 @@ class NetworkBuilder {
       const std::size_t begin = nearest(i, begins_);
       if (begin != kNone32) {
         const PlanLink link{begin_name_[begin], LinkType::FS, 0};
-        if (network_.tasks[i].planned) network_.tasks[i].after.push_back(link);
+        if (network_.tasks[i].planned && !fixed_[i]) network_.tasks[i].after.push_back(link);
         if (begins_[i]) begin_links_[i].push_back(link);
       }
       const std::size_t end = nearest(i, ends_);
@@ -281,11 +358,20 @@ class NetworkBuilder {
   std::vector<std::string> begin_name_, end_name_;
   std::vector<std::vector<PlanLink>> begin_links_, end_links_;
   bool uses_begin_ = false;
+  std::vector<std::optional<FixedDates>> fixed_;        ///< of tasks that stand at their dates
+  std::vector<std::optional<FixedDates>> begins_then_;  ///< of those that are done in parts
 };
 
 }  // namespace
 
-std::int64_t whole_lag(const Project& project, const Link& link, const Task& predecessor) {
+bool counts_always(const Project& project, const Link& link, const Task& predecessor,
+                   const Task& successor) {
+  return link.format.elapsed ||
+         (works_always(project, predecessor.calendar) && works_always(project, successor.calendar));
+}
+
+std::int64_t whole_lag(const Project& project, const Link& link, const Task& predecessor,
+                       const Task& successor) {
   std::int64_t lag = link.lag;
   if (link.format.unit == TimeUnit::percent) {
     // Percent of whole seconds, rounded once. Far beyond any duration the caller cuts.
@@ -294,16 +380,17 @@ std::int64_t whole_lag(const Project& project, const Link& link, const Task& pre
     constexpr double kFar = 1e15;
     lag = std::llround(std::clamp(seconds, -kFar, kFar));
   }
-  if (link.format.elapsed) return lag;
+  if (lag == 0 || counts_always(project, link, predecessor, successor)) return lag;
   const std::int64_t day = std::max(project.minutes_per_day, 1) * std::int64_t{60};
   const std::int64_t week = std::max(project.minutes_per_week, 1) * std::int64_t{60};
   constexpr std::int64_t kDay = 86'400;
   return lag / week * 7 * kDay + lag % week / day * kDay + lag % week % day;
 }
 
-std::int64_t plan_lag(const Project& project, const Link& link, const Task& predecessor) {
+std::int64_t plan_lag(const Project& project, const Link& link, const Task& predecessor,
+                      const Task& successor) {
   const auto longest = static_cast<std::int64_t>(kMaxPlanSeconds);
-  return std::clamp(whole_lag(project, link, predecessor), -longest, longest);
+  return std::clamp(whole_lag(project, link, predecessor, successor), -longest, longest);
 }
 
 TimeFormat plan_lag_format(std::int64_t lag) {

@@ -26,6 +26,7 @@ struct PlanTask {
   bool in_parts = false;  ///< other tasks do it, between its milestones; it is not planned itself
   std::vector<PlanLink> after;
   std::vector<bool> said;  ///< which of the line's links the plan says just so
+  std::vector<bool> held;  ///< which it leaves out because the task stands at dates of its own
 };
 
 /// A task without work that stands for the beginning or the end of a heading, or of the plan.
@@ -61,13 +62,19 @@ using TaskParts = std::map<std::int64_t, std::vector<TaskPart>>;
 PlanNetwork plan_network(const Project& project, const Moment& start, Listing& listing,
                          const TaskParts& parts = {});
 
+/// Whether a lag counts day and night: elapsed time, or that of tasks which both go on always.
+bool counts_always(const Project& project, const Link& link, const Task& predecessor,
+                   const Task& successor);
+
 /// The lag of a link in a plan, in seconds that run day and night; percents count from the
 /// predecessor's duration. Of working time each whole week of the project counts seven days and
 /// each whole working day of the rest 24 hours: a lag of one day stays the next day.
-std::int64_t whole_lag(const Project& project, const Link& link, const Task& predecessor);
+std::int64_t whole_lag(const Project& project, const Link& link, const Task& predecessor,
+                       const Task& successor);
 
 /// The same as far as a plan can say it.
-std::int64_t plan_lag(const Project& project, const Link& link, const Task& predecessor);
+std::int64_t plan_lag(const Project& project, const Link& link, const Task& predecessor,
+                      const Task& successor);
 
 /// How a lag is written that comes from a plan.
 TimeFormat plan_lag_format(std::int64_t lag);

@@ -37,37 +37,34 @@ bool runs_day_and_night(const Task& task) {
   return task.format.elapsed && task.duration.seconds > 0;
 }
 
+bool goes_by_itself(const Task& task) {
+  return task.ignores_resource_calendars && task.calendar != kNone;
+}
+
+bool works_always(const Project& project, std::int64_t calendar) {
+  if (calendar == kNone) return false;
+  const auto found = std::find_if(project.calendars.begin(), project.calendars.end(),
+                                  [&](const Calendar& each) { return each.uid == calendar; });
+  if (found == project.calendars.end() || found->base != kNone || !found->exceptions.empty()) {
+    return false;
+  }
+  const DayTimes whole_day{{0, 1440}};
+  return std::all_of(found->week.begin(), found->week.end(),
+                     [&](const std::optional<DayTimes>& day) { return day == whole_day; });
+}
+
 double crew_size(const Resource& resource) {
   return std::floor(std::clamp(resource.max_units, 1.0, kMaxCrew));
 }
 
-std::optional<double> cost_per_hour(const Project& project, const Resource& resource) {
-  const double day = std::max(project.minutes_per_day, 1) / 60.0;
-  const double week = std::max(project.minutes_per_week, 1) / 60.0;
-  double hours = 0;
-  switch (resource.rate_format) {
-    case 1:
-      hours = 1.0 / 60;
-      break;
-    case 2:
-      hours = 1;
-      break;
-    case 3:
-      hours = day;
-      break;
-    case 4:
-      hours = week;
-      break;
-    case 5:
-      hours = day * std::max(project.days_per_month, 1);
-      break;
-    case 7:
-      hours = week * 52;
-      break;
-    default:
-      return std::nullopt;
-  }
-  const double cost = resource.standard_rate / hours;
+double crew_people(double units, double size) {
+  return std::round(std::clamp(units, 1.0, std::max(size, 1.0)));
+}
+
+std::optional<double> cost_per_hour(const Resource& resource, double size) {
+  constexpr int kPerPiece = 8;
+  if (resource.rate_format == kPerPiece) return std::nullopt;
+  const double cost = resource.standard_rate * size;
   if (!(cost > 0) || cost > kMaxCost) return std::nullopt;
   return cost;
 }

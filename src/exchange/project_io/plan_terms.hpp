@@ -22,12 +22,23 @@ std::int64_t plan_seconds(const Task& task);
 /// calendars of those who are assigned to it, as in Microsoft Project.
 bool runs_day_and_night(const Task& task);
 
+/// Whether its own calendar alone says when it goes on, whatever the shifts of those on it.
+bool goes_by_itself(const Task& task);
+
+/// Whether a calendar of the project works day and night, every day.
+bool works_always(const Project& project, std::int64_t calendar);
+
 /// How many people or machines a crew has: whole ones, at least one. A schedule may give a resource
 /// of 150 %, of which half a one can do nothing in a plan.
 double crew_size(const Resource& resource);
 
-/// Cost per hour; nothing if there is none, or it is not by time.
-std::optional<double> cost_per_hour(const Project& project, const Resource& resource);
+/// How many people of a crew of that size a task has in the plan, where a schedule has so many
+/// units of the resource on it: whole ones, at least one, at most all.
+double crew_people(double units, double size);
+
+/// Cost per hour of so many of a resource; nothing if there is none, or it is not by time. A rate
+/// is by the hour whatever unit of time it is shown in: rate_format is how Project shows it.
+std::optional<double> cost_per_hour(const Resource& resource, double size);
 
 /// The calendar of a crew: the resource's own, else the project's.
 std::int64_t crew_calendar(const Project& project, const Resource& resource);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <unordered_map>
 
 #include "interpreter/parse/parse.hpp"
@@ -11,11 +12,13 @@
 #include "interpreter/syntax/token.hpp"
 #include "src/exchange/project_io/carried.hpp"
 #include "src/exchange/project_io/dates.hpp"
+#include "src/exchange/project_io/fixed_dates.hpp"
 #include "src/exchange/project_io/identifiers.hpp"
 #include "src/exchange/project_io/listing.hpp"
 #include "src/exchange/project_io/plan_crews.hpp"
 #include "src/exchange/project_io/plan_network.hpp"
 #include "src/exchange/project_io/plan_terms.hpp"
+#include "src/exchange/project_io/working_time.hpp"
 
 namespace rubicon::project_io {
 
@@ -143,7 +146,7 @@ class PlanWriter {
                                  calendar.name));
         continue;
       }
-      planned_calendars_.emplace(calendar.uid, true);
+      planned_calendars_.emplace(calendar.uid, *plan);
       list_doubts(calendar, *plan);
       out_ += fmt::format("\n{}calendar {} {{\n", remark_line(name, calendar.name), name);
       write_week(plan->week);
@@ -212,13 +215,12 @@ class PlanWriter {
       const double size = crew_size(resource);
       std::string terms;
       if (size != 1) terms += fmt::format("size {};\n", size);
-      if (size != 1 && levelling_ == Levelling::resources) {
-        listing_.add("I08", "units", {},
-                     fmt::format("there are {} of '{}': in the plan it is one crew of that size, "
-                                 "which does one task at a time",
-                                 size, resource.name));
+      if (size != resource.max_units) {
+        listing_.add("I08", "max units", {},
+                     fmt::format("there are {} of '{}': in the plan it is a crew of {}",
+                                 resource.max_units, resource.name, size));
       }
-      if (const auto cost = cost_per_hour(project_, resource)) {
+      if (const auto cost = cost_per_hour(resource, size)) {
         terms += fmt::format("cost {} per h;\n", *cost);
       } else if (resource.standard_rate != 0) {
         listing_.add("I08", "rate", {},
@@ -226,10 +228,13 @@ class PlanWriter {
                                  resource.name));
       }
       const std::int64_t calendar = crew_calendar(project_, resource);
-      if (planned_calendars_.contains(calendar)) {
-        terms += fmt::format("calendar {};\n", calendar_name_.at(calendar));
+      for (const std::string& name : names) {
+        out_ += fmt::format("crew {} {{\n{}", name, terms);
+        if (planned_calendars_.contains(calendar) && !crews_.free.contains(name)) {
+          out_ += fmt::format("calendar {};\n", calendar_name_.at(calendar));
+        }
+        out_ += "}\n";
       }
-      for (const std::string& name : names) out_ += fmt::format("crew {} {{\n{}}}\n", name, terms);
     }
   }
 
@@ -280,7 +285,13 @@ class PlanWriter {
   void write_task(std::size_t i) {
     const Task& task = project_.tasks[i];
     const PlanTask& planned = network_.tasks[i];
-    std::vector<std::string> by = crews_.of_task[i];
+    std::vector<std::string> by, needs;
+    for (const PlanWorker& worker : crews_.of_task[i]) by.push_back(worker.crew);
+    const std::optional<FixedDates> dates = fixed_dates(task, start_);
+    std::int64_t seconds = plan_seconds(task);
+    bool has_shifts = true;
+    if (dates) take_fixed(i, *dates, seconds, has_shifts);
+    if (!has_shifts) by.clear();
     if (runs_day_and_night(task) && !by.empty()) {
       listing_.add("I08", "elapsed", {},
                    fmt::format("task '{}' runs day and night, whatever the shifts of those on it: "
@@ -288,9 +299,12 @@ class PlanWriter {
                                task.name));
       by.clear();
     }
-    if (const auto calendar = own_calendar(task, !by.empty())) {
+    const bool has_workers = !by.empty();
+    const std::vector<std::string> own =
+        has_shifts ? own_calendars(i, !by.empty()) : std::vector<std::string>();
+    for (const std::string& calendar : own) {
       const std::string name = crew_names_.make("crew_" + planned.name, "crew_" + planned.name);
-      out_ += fmt::format("crew {} {{ calendar {}; }}\n", name, *calendar);
+      out_ += fmt::format("crew {} {{ calendar {}; }}\n", name, calendar);
       own_crews_.push_back(name);
       by.push_back(name);
     }
@@ -300,23 +314,106 @@ class PlanWriter {
       out_ += fmt::format("name \"{}\";\n", client_name);
     }
     if (!by.empty()) out_ += fmt::format("by {};\n", fmt::join(by, ", "));
-    out_ += fmt::format("takes {};\n", time_text(plan_seconds(task)));
-    if (plan_seconds(task) != task.duration.seconds) {
+    if (has_workers) needs = needs_of(i);
+    out_ += fmt::format("takes {};\n", time_text(seconds));
+    if (!needs.empty()) out_ += fmt::format("needs {};\n", fmt::join(needs, ", "));
+    if (!dates && plan_seconds(task) != task.duration.seconds) {
       listing_.add("I08", "long task", {},
                    fmt::format("task '{}' takes longer than a plan can say", task.name));
     }
-    if (const auto date = far_start(task, start_)) {
+    if (dates) {
+      write_fixed_start(planned.name, *dates, seconds);
+    } else if (const auto date = far_start(task, start_)) {
       out_ += fmt::format("not_before \"{}\";\n", date->text);
     }
     if (baselines_ == Baselines::written) write_dates(task);
     out_ += links_text(planned.after);
-    if (constraint_link(task, start_)) {
+    if (!dates && constraint_link(task, start_)) {
       out_ += fmt::format(
           "// not {} {}\n",
           constraint_link(task, start_)->type == LinkType::FS ? "before" : "finished before",
           task.constraint_date.text);
     }
     out_ += "}\n";
+  }
+
+  /// How many of its crews a task needs, where not all of them.
+  std::vector<std::string> needs_of(std::size_t i) {
+    std::vector<std::string> needs;
+    for (const PlanWorker& worker : crews_.of_task[i]) {
+      const Resource& resource = project_.resources[worker.resource];
+      const double size = crew_size(resource), people = crew_people(worker.units, size);
+      if (people != worker.units) {
+        listing_.add("I08", "units", {},
+                     fmt::format("{} of '{}' {} on '{}': in the plan {}, of whom the cost is",
+                                 worker.units, resource.name, worker.units == 1 ? "is" : "are",
+                                 project_.tasks[i].name, people));
+      }
+      if (people < size) needs.push_back(fmt::format("{} {}", people, worker.crew));
+    }
+    return needs;
+  }
+
+  /// How long a task takes that stands at its dates, and whether in the shifts of those on it: if
+  /// these do not begin and end with the dates, nobody is on it.
+  void take_fixed(std::size_t i, const FixedDates& dates, std::int64_t& seconds, bool& has_shifts) {
+    const Task& task = project_.tasks[i];
+    if (!dates.finish) {
+      const FixedDates first_second{dates.start, dates.start + 1};
+      if (seconds == 0 || runs_day_and_night(task) ||
+          work_between(first_second, calendars_on(i), start_)) {
+        return;
+      }
+      listing_.add(
+          "I08", "begins out of shift", {},
+          fmt::format("task '{}' begins when those on it have no shift: in the plan it "
+                      "begins with the next, because the schedule does not say when it ends",
+                      task.name));
+      return;
+    }
+    const std::int64_t whole = *dates.finish - dates.start;
+    const auto work = runs_day_and_night(task) ? std::optional(whole)
+                                               : work_between(dates, calendars_on(i), start_);
+    has_shifts = work.has_value();
+    seconds = std::min(work.value_or(whole), static_cast<std::int64_t>(kMaxPlanSeconds));
+    if (work || whole == 0 || crews_.of_task[i].empty()) return;
+    listing_.add("I08", "out of shift", {},
+                 fmt::format("task '{}' begins or ends when those on it have no shift: in the plan "
+                             "nobody is on it, and it lasts as long as there; who it is is carried "
+                             "along",
+                             task.name));
+  }
+
+  /// The calendars that hold together for a task, as the plan has them.
+  std::vector<PlanCalendar> calendars_on(std::size_t i) const {
+    std::set<std::int64_t> uids;
+    for (const PlanWorker& worker : crews_.of_task[i]) {
+      if (crews_.free.contains(worker.crew)) continue;
+      uids.insert(crew_calendar(project_, project_.resources[worker.resource]));
+    }
+    for (const std::int64_t uid : own_calendar_uids(i, !crews_.of_task[i].empty())) {
+      uids.insert(uid);
+    }
+    std::vector<PlanCalendar> calendars;
+    for (const std::int64_t uid : uids) {
+      const auto found = planned_calendars_.find(uid);
+      if (found != planned_calendars_.end()) calendars.push_back(found->second);
+    }
+    return calendars;
+  }
+
+  /// As a date; where that is not on the minute, as a time behind the beginning of the plan.
+  void write_fixed_start(const std::string& name, const FixedDates& dates, std::int64_t seconds) {
+    std::int64_t start = dates.start;
+    const bool to_the_second = start % 60 != 0 && static_cast<double>(start) <= kMaxPlanSeconds;
+    if (!to_the_second) start -= start % 60;
+    if (to_the_second) {
+      out_ += fmt::format("not_before {};\n", time_text(start));
+    } else if (start > 0) {
+      out_ += fmt::format("not_before \"{}\";\n",
+                          moment_text(*minute_number(start_.text) + start / 60));
+    }
+    fixed_ += fmt::format("fixed {} start {} takes {};\n", name, start, seconds);
   }
 
   /// To the minute, as plans have it.
@@ -332,14 +429,30 @@ class PlanWriter {
     out_ += fmt::format("baseline \"{}\" to \"{}\";\n", start, finish);
   }
 
-  /// The calendar for a crew that the task has to itself: where it has one of its own, or nobody
-  /// whose calendar would hold.
-  std::optional<std::string> own_calendar(const Task& task, bool has_crew) const {
-    if (plan_seconds(task) == 0 || runs_day_and_night(task)) return std::nullopt;
-    if (task.calendar == kNone && has_crew) return std::nullopt;
-    const std::int64_t calendar = task.calendar != kNone ? task.calendar : project_.calendar;
-    if (!planned_calendars_.contains(calendar)) return std::nullopt;
-    return calendar_name_.at(calendar);
+  /// The calendars for crews that the task has to itself: its own, or the project's where nobody's
+  /// would hold; and those of resources whose crews are free of theirs for the sake of other tasks.
+  std::vector<std::string> own_calendars(std::size_t i, bool has_crew) const {
+    std::vector<std::string> names;
+    for (const std::int64_t each : own_calendar_uids(i, has_crew)) {
+      if (planned_calendars_.contains(each)) names.push_back(calendar_name_.at(each));
+    }
+    return names;
+  }
+  std::vector<std::int64_t> own_calendar_uids(std::size_t i, bool has_crew) const {
+    const Task& task = project_.tasks[i];
+    if (plan_seconds(task) == 0 || runs_day_and_night(task)) return {};
+    std::vector<std::int64_t> calendars;
+    if (task.calendar != kNone) {
+      calendars.push_back(task.calendar);
+    } else if (!has_crew) {
+      calendars.push_back(project_.calendar);
+    }
+    for (const std::int64_t each : crews_.calendars[i]) {
+      if (std::find(calendars.begin(), calendars.end(), each) == calendars.end()) {
+        calendars.push_back(each);
+      }
+    }
+    return calendars;
   }
 
   // ---- what is carried along
@@ -370,8 +483,10 @@ class PlanWriter {
         out_ += fmt::format("milestone {};\n", part.name);
       }
     }
+    for (const std::string& name : crews_.free) out_ += fmt::format("free_crew {};\n", name);
     for (const std::string& name : own_crews_) out_ += fmt::format("own_crew {};\n", name);
     carry_tasks();
+    out_ += fixed_;
     const CarriedWriter usual_assignment = fields_of(Assignment());
     for (const Assignment& each : project_.assignments) {
       out_ += fmt::format("assignment {}{};\n", network_.tasks[task_index_.at(each.task)].name,
@@ -415,15 +530,17 @@ class PlanWriter {
       const PlanTask& planned = network_.tasks[i];
       Task task = project_.tasks[i];
       // What the plan says need not be said twice.
-      if (planned.planned && plan_seconds(task) == task.duration.seconds) task.duration = {};
+      const bool is_said = planned.planned && !fixed_dates(task, start_) &&
+                           plan_seconds(task) == task.duration.seconds;
+      if (is_said) task.duration = {};
       out_ += fmt::format("{} {}{};\n", planned.planned ? "task" : "row", planned.name,
                           fields_of(task).changed(usual));
       for (std::size_t k = 0; k < task.after.size(); ++k) {
         if (planned.said[k]) continue;
         const Link& link = task.after[k];
-        out_ += fmt::format("link {} predecessor {} type \"{}\" lag \"{}\" format \"{}\";\n",
+        out_ += fmt::format("link {} predecessor {} type \"{}\" lag \"{}\" format \"{}\"{};\n",
                             planned.name, link.predecessor, schedule::name_of(link.type), link.lag,
-                            text_of(link.format));
+                            text_of(link.format), planned.held[k] ? " held 1" : "");
       }
     }
   }
@@ -440,10 +557,11 @@ class PlanWriter {
   std::string out_;
   Identifiers calendar_names_, crew_names_;
   std::unordered_map<std::int64_t, std::string> calendar_name_;
-  std::unordered_map<std::int64_t, bool> planned_calendars_;
+  std::unordered_map<std::int64_t, PlanCalendar> planned_calendars_;
   std::unordered_map<std::int64_t, std::size_t> task_index_;
   PlanCrews crews_;
   std::vector<std::string> own_crews_;
+  std::string fixed_;  ///< what the import block says of tasks that stand at their dates
 };
 
 }  // namespace

@@ -116,6 +116,8 @@ struct Task {
   Constraint constraint = Constraint::as_soon_as_possible;
   std::int64_t calendar = kNone;
   Moment constraint_date, deadline;
+  /// Where it has a calendar: that alone says when it goes on, whoever works on it.
+  bool ignores_resource_calendars = false;
   Moment baseline_start, baseline_finish;  ///< the first baseline of the schedule
   bool hide_bar = false;
   std::string notes;

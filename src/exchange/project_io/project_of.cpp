@@ -192,19 +192,24 @@ class ProjectBuilder {
 
   void take_crew(const interpreter::CrewSpec& crew, Resource& resource) {
     if (crew_size(resource) != crew.size) resource.max_units = crew.size;
-    take_terms(crew.cost_per_hour, crew.calendar, resource);
+    const bool free = crew.calendar.empty() && carried_.free_crews.contains(crew.name);
+    const std::int64_t calendar = resource.calendar;
+    take_terms(crew.cost_per_hour, crew.calendar, resource, crew.size);
+    if (free) resource.calendar = calendar;
   }
 
-  /// A rate by the day has been divided and written with digits: the last bit may differ.
+  /// A rate has been multiplied and written with digits: the last bit may differ.
   static bool same_cost(std::optional<double> usual, std::optional<double> now) {
     constexpr double kRounding = 1e-12;
     if (!usual || !now) return usual == now;
     return std::abs(*usual - *now) <= kRounding * *usual;
   }
 
-  void take_terms(std::optional<double> cost, const std::string& calendar, Resource& resource) {
-    if (!same_cost(cost_per_hour(project_, resource), cost)) {
-      resource.standard_rate = cost.value_or(0);
+  /// A schedule has the rate of one of a crew, a plan the cost of all.
+  void take_terms(std::optional<double> cost, const std::string& calendar, Resource& resource,
+                  double size = 1) {
+    if (!same_cost(cost_per_hour(resource, size), cost)) {
+      resource.standard_rate = cost.value_or(0) / std::max(size, 1.0);
       resource.rate_format = 2;
     }
     // The calendar that the plan would have written, if it is in the plan.
@@ -250,7 +255,8 @@ class ProjectBuilder {
       if (!task_uid_.emplace(name, carried.task.uid).second) continue;
       if (carried.planned) {
         take_name(plan_.tasks[found->second], carried.task);
-        take_duration(plan_.tasks[found->second], carried.task);
+        take_fixed(plan_.tasks[found->second], carried);
+        if (!carried.fixed) take_duration(plan_.tasks[found->second], carried.task);
       }
       level = carried.task.level;
       push_task(carried.task, carried.planned ? &plan_.tasks[found->second] : nullptr, name);
@@ -311,12 +317,29 @@ class ProjectBuilder {
   }
 
   static std::int64_t work_seconds(const TaskSpec& spec) {
-    double seconds = 0;
-    for (const auto& work : spec.takes) seconds += work.duration;
-    for (const auto* work : {&spec.hook, &spec.adjust, &spec.release}) {
-      if (*work) seconds += (*work)->duration;
+    return std::llround(crew_seconds(spec));
+  }
+
+  /// A task that stands at its dates keeps them unless the plan says others: then it goes by links.
+  void take_fixed(const TaskSpec& spec, CarriedTask& carried) {
+    if (!carried.fixed) return;
+    const bool moved =
+        moment_at(spec.not_before) != moment_at(carried.fixed->start * schedule::kSecond);
+    const bool longer = work_seconds(spec) != carried.fixed->takes;
+    if (!moved && !longer) return;
+    Task& task = carried.task;
+    listing_.add(
+        "I09", "fixed", spec.span,
+        fmt::format("the dates of task '{}' in fact or by hand are left out: the plan says "
+                    "others",
+                    spec.name));
+    if (moved) {
+      task.actual_start = {};
+      task.manual = false;
     }
-    return std::llround(seconds);
+    task.actual_finish = task.finish = {};
+    if (longer) task.duration.seconds = work_seconds(spec);
+    if (moved) carried.fixed.reset();
   }
 
   static void take_duration(const TaskSpec& spec, Task& task) {
@@ -347,16 +370,27 @@ class ProjectBuilder {
         }
         const auto uid = task_uid_.find(name);
         if (uid == task_uid_.end()) continue;
-        const std::int64_t lag = std::llround(schedule::seconds_from_ticks(link.lag));
-        Link made{uid->second, link.type, lag / 6 * 6, plan_lag_format(lag)};
+        const double exact = schedule::seconds_from_ticks(link.lag);
+        const std::int64_t lag = std::llround(exact);
+        constexpr std::int64_t kTenthOfMinute = 6;  // s
+        const std::int64_t rounded = std::llround(exact / kTenthOfMinute) * kTenthOfMinute;
+        Link made{uid->second, link.type, rounded, plan_lag_format(rounded)};
         const auto before = known.find({made.predecessor, made.type});
         if (before != known.end() &&
-            plan_lag(project_, before->second, project_.tasks[uid_index_.at(made.predecessor)]) ==
-                lag) {
+            plan_lag(project_, before->second, project_.tasks[uid_index_.at(made.predecessor)],
+                     task) == lag) {
           made = before->second;
+        } else if (static_cast<double>(rounded) != exact && run_ == nullptr) {
+          listing_.add(
+              "I09", "lag", specs_[i]->span,
+              fmt::format("the lag of {} s from '{}' to '{}' is written as {} s: a schedule "
+                          "has tenths of minutes",
+                          exact, name, specs_[i]->name, rounded));
         }
         task.after.push_back(made);
       }
+      if (carried != carried_.tasks.end()) take_held(carried->second.held, task);
+      if (carried != carried_.tasks.end() && carried->second.fixed) continue;
       // The link that kept the constraint is gone: so is the constraint.
       if (!has_begin && constraint_link(task, carried_start_)) {
         task.constraint = Constraint::as_soon_as_possible;
@@ -369,6 +403,16 @@ class ProjectBuilder {
       listing_.add("I09", "not_before", spec.span,
                    fmt::format("the not_before of '{}' is left out: the schedule has no such task",
                                spec.name));
+    }
+  }
+
+  /// Links to a task that stands at its dates, unless the plan says them now.
+  void take_held(const std::vector<Link>& held, Task& task) const {
+    for (const Link& link : held) {
+      const bool said = std::any_of(task.after.begin(), task.after.end(), [&](const Link& each) {
+        return each.predecessor == link.predecessor && each.type == link.type;
+      });
+      if (!said && uid_index_.contains(link.predecessor)) task.after.push_back(link);
     }
   }
 
@@ -417,22 +461,24 @@ class ProjectBuilder {
     // Who the plan says works on what; taken out one by one.
     std::set<std::pair<std::int64_t, std::int64_t>> said;
     std::vector<std::pair<std::int64_t, std::int64_t>> order;
-    std::map<std::pair<std::int64_t, std::int64_t>, double> units;
+    struct People {
+      double count = 1;
+      double size = 1;  ///< of their crew
+    };
+    std::map<std::pair<std::int64_t, std::int64_t>, People> units;
     const auto say = [&](std::int64_t task, const std::string& name) {
       const auto resource = resource_uid_.find(name);
       if (resource == resource_uid_.end()) return;
       if (said.emplace(task, resource->second).second) order.emplace_back(task, resource->second);
     };
-    const std::set<int> shared = shared_crews(plan_);
     const auto say_crew = [&](std::int64_t task, const TaskSpec& spec, int index) {
       const interpreter::CrewSpec& crew = plan_.crews[static_cast<std::size_t>(index)];
       say(task, crew.name);
       const auto resource = resource_uid_.find(crew.name);
-      if (resource == resource_uid_.end() || !shared.contains(index)) return;
-      // Of a crew that tasks share each assignment says how many people it has.
-      double people = crew.size;
+      if (resource == resource_uid_.end()) return;
+      People people{crew.size, crew.size};
       for (const auto& need : spec.needs) {
-        if (need.crew == index) people = need.people;
+        if (need.crew == index) people.count = need.people;
       }
       units[{task, resource->second}] = people;
     };
@@ -442,7 +488,10 @@ class ProjectBuilder {
       const std::int64_t task = project_.tasks[i].uid;
       // What runs day and night has nobody in the plan, and keeps those it had.
       const bool nobody = specs_[i]->crews.empty() && specs_[i]->robot < 0;
-      if (!nobody || !runs_day_and_night(project_.tasks[i])) planned.insert(task);
+      const auto carried = carried_.tasks.find(names_[i]);
+      const bool keeps = runs_day_and_night(project_.tasks[i]) ||
+                         (carried != carried_.tasks.end() && carried->second.fixed);
+      if (!nobody || !keeps) planned.insert(task);
       for (const int crew : specs_[i]->crews) say_crew(task, *specs_[i], crew);
       if (specs_[i]->robot >= 0) {
         say(task, plan_.robots[static_cast<std::size_t>(specs_[i]->robot)].name);
@@ -461,6 +510,10 @@ class ProjectBuilder {
     std::set<std::pair<std::int64_t, std::int64_t>> kept;
     std::set<std::int64_t> known;
     for (const Resource& resource : project_.resources) known.insert(resource.uid);
+    std::map<std::pair<std::int64_t, std::int64_t>, double> carried_units;
+    for (const Assignment& each : carried_.assignments) {
+      carried_units[{each.task, each.resource}] += each.units;
+    }
     for (const Assignment& each : carried_.assignments) {
       const std::pair pair(each.task, each.resource);
       last = std::max(last, each.uid);
@@ -468,10 +521,15 @@ class ProjectBuilder {
       if (each.resource != kNone && !known.contains(each.resource)) continue;
       const bool in_plan = planned.contains(each.task) && workers.contains(each.resource);
       if (in_plan && !said.contains(pair)) continue;  // somebody took it out of the plan
-      kept.insert(pair);
+      const bool is_first = kept.insert(pair).second;
       project_.assignments.push_back(each);
       const auto people = units.find(pair);
-      if (people != units.end()) project_.assignments.back().units = people->second;
+      // What the plan rounds comes back as it was.
+      if (people == units.end() ||
+          crew_people(carried_units.at(pair), people->second.size) == people->second.count) {
+        continue;
+      }
+      project_.assignments.back().units = is_first ? people->second.count : 0;
     }
     for (const auto& pair : order) {
       if (kept.contains(pair)) continue;
@@ -480,7 +538,7 @@ class ProjectBuilder {
       assignment.task = pair.first;
       assignment.resource = pair.second;
       const auto people = units.find(pair);
-      if (people != units.end()) assignment.units = people->second;
+      if (people != units.end()) assignment.units = people->second.count;
       project_.assignments.push_back(assignment);
     }
   }

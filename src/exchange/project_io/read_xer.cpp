@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "src/exchange/project_io/decode_text.hpp"
+#include "src/exchange/project_io/plan_terms.hpp"
 #include "src/exchange/project_io/read_project.hpp"
 #include "src/exchange/project_io/tidy_project.hpp"
 #include "src/exchange/project_io/value_text.hpp"
@@ -38,7 +39,11 @@ class XerReader {
     read_tasks();
     read_links();
     read_assignments();
+    settle_calendars();
+    cell(*project, "PROJECT", "last_recalc_date", data_date_);
+    hold_to_data_date();
     tidy_project(project_, places_, listing_);
+    settle_lags();
     list_unread(xer_, listing_);
     return std::move(project_);
   }
@@ -162,12 +167,29 @@ class XerReader {
       project_.resources.push_back(std::move(resource));
       places_.resources.push_back(row.span());
     }
+    std::unordered_map<std::int64_t, Moment> since;  // by resource, from when its rate is
     for (const XerRow& row : rows("RSRCRATE")) {
       std::int64_t uid = kNone;
       cell(row, "RSRCRATE", "rsrc_id", uid);
       const auto found = index.find(uid);
       if (found == index.end()) continue;
       Resource& resource = project_.resources[found->second];
+      Moment from;
+      cell(row, "RSRCRATE", "start_date", from);
+      const auto [known, is_first] = since.try_emplace(uid, from);
+      if (!is_first) {
+        listing_.add("I07", "rates", row.span(),
+                     fmt::format("resource '{}' has several rates: the one at the beginning of the "
+                                 "project is taken for all of it",
+                                 resource.name));
+        // The last that has begun by then, else the first.
+        const bool has_begun = from.text <= project_.start.text;
+        const bool better = known->second.text <= project_.start.text
+                                ? has_begun && from.text > known->second.text
+                                : has_begun || from.text < known->second.text;
+        if (!better) continue;
+        known->second = from;
+      }
       cell(row, "RSRCRATE", "cost_per_qty", resource.standard_rate);
       cell(row, "RSRCRATE", "max_qty_per_hr", resource.max_units);
     }
@@ -281,6 +303,13 @@ class XerReader {
     cell(row, "TASK", "target_end_date", task.finish);
     cell(row, "TASK", "act_start_date", task.actual_start);
     cell(row, "TASK", "act_end_date", task.actual_finish);
+    // Of an activity under way the target is how it was planned; the rest is dated anew.
+    if (!task.actual_start.text.empty() && task.actual_finish.text.empty()) {
+      Moment expected;
+      cell(row, "TASK", "early_end_date", expected);
+      cell(row, "TASK", "reend_date", expected);
+      if (!expected.text.empty()) task.finish = expected;
+    }
     hours_from_0(row, "TASK", "target_drtn_hr_cnt", task.duration.seconds);
     hours_from_0(row, "TASK", "target_work_qty", task.work.seconds);
     task.format.unit = TimeUnit::hours;
@@ -295,6 +324,7 @@ class XerReader {
                       "it is taken with the duration it has now",
                       task.name));
     }
+    if (type == "TT_Rsrc") goes_by_resources_.insert(task.uid);
     read_constraint(row, task);
     push(std::move(task), row.span());
   }
@@ -381,13 +411,82 @@ class XerReader {
     }
   }
 
+  /// An activity goes by the calendars of its resources if it is resource dependent and has any;
+  /// else by its own alone.
+  void settle_calendars() {
+    std::set<std::int64_t> workers, busy;
+    for (const Resource& each : project_.resources) {
+      if (each.type == ResourceType::work) workers.insert(each.uid);
+    }
+    for (const Assignment& each : project_.assignments) {
+      if (workers.contains(each.resource)) busy.insert(each.task);
+    }
+    for (Task& task : project_.tasks) {
+      if (!busy.contains(task.uid)) continue;
+      if (goes_by_resources_.contains(task.uid)) {
+        task.calendar = kNone;
+      } else {
+        if (task.calendar == kNone) task.calendar = project_.calendar;
+        task.ignores_resource_calendars = task.calendar != kNone;
+      }
+    }
+  }
+
+  /// Lags count in a calendar that the schedule chooses, the predecessor's if it does not say:
+  /// where that one never stops they are elapsed time.
+  void settle_lags() {
+    std::string_view choice = "rcal_Predecessor";
+    for (const XerRow& row : rows("SCHEDOPTIONS")) {
+      const std::string_view said = row["sched_calendar_on_relationship_lag"];
+      if (row["proj_id"] == project_id_ && !said.empty()) choice = said;
+    }
+    std::unordered_map<std::int64_t, std::int64_t> calendars;  // by task
+    for (const Task& task : project_.tasks) calendars.emplace(task.uid, task.calendar);
+    for (Task& task : project_.tasks) {
+      for (Link& link : task.after) {
+        if (link.lag == 0) continue;
+        const std::int64_t calendar = choice == "rcal_Successor" ? task.calendar
+                                      : choice == "rcal_ProjDefault"
+                                          ? project_.calendar
+                                          : calendars.at(link.predecessor);
+        link.format.elapsed = choice == "rcal_24hour" || works_always(project_, calendar);
+      }
+    }
+  }
+
+  /// What has not begun does not begin before the data date. Said of those that wait for nothing
+  /// else that has not begun.
+  void hold_to_data_date() {
+    if (data_date_.text <= project_.start.text) return;
+    const auto has_begun = [](const Task& task) {
+      return !task.actual_start.text.empty() || !task.actual_finish.text.empty();
+    };
+    for (Task& task : project_.tasks) {
+      if (task.summary || has_begun(task)) continue;
+      const bool waits = std::any_of(task.after.begin(), task.after.end(), [&](const Link& link) {
+        const auto from = index_.find(link.predecessor);
+        const bool to_start = link.type == LinkType::FS || link.type == LinkType::SS;
+        return to_start && link.lag >= 0 && from != index_.end() &&
+               !has_begun(project_.tasks[from->second]);
+      });
+      const bool is_free = task.constraint == Constraint::as_soon_as_possible ||
+                           (task.constraint == Constraint::start_no_earlier_than &&
+                            task.constraint_date.text < data_date_.text);
+      if (waits || !is_free) continue;
+      task.constraint = Constraint::start_no_earlier_than;
+      task.constraint_date = data_date_;
+    }
+  }
+
   const XerFile& xer_;
   Listing& listing_;
   Project project_;
+  Moment data_date_;  ///< up to which the schedule knows what has been done
   ProjectPlaces places_;
   std::string_view project_id_;
   std::unordered_map<std::int64_t, std::size_t> index_;
   std::int64_t largest_uid_ = 0;
+  std::set<std::int64_t> goes_by_resources_;  ///< uids of resource dependent activities
 };
 
 }  // namespace

@@ -17,6 +17,8 @@ void take_task(const SimulatedTask& simulated, Task& task) {
   task.manual = true;
   task.start = simulated.start;
   task.finish = simulated.finish;
+  if (!task.actual_start.text.empty()) task.actual_start = simulated.start;
+  if (!task.actual_finish.text.empty()) task.actual_finish = simulated.finish;
   task.duration.seconds = simulated.finish_seconds - simulated.start_seconds;
   task.format = kElapsed;
   task.constraint = Constraint::start_no_earlier_than;

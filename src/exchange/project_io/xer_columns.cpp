@@ -19,7 +19,7 @@ const std::map<std::string_view, Columns>& known_columns() {
       {"CURRTYPE", {"curr_id", "curr_short_name", "curr_symbol"}},
       {"PROJECT",
        {"proj_id", "proj_short_name", "plan_start_date", "plan_end_date", "clndr_id",
-        "task_code_base"}},
+        "task_code_base", "last_recalc_date"}},
       {"CALENDAR",
        {"clndr_id", "clndr_name", "base_clndr_id", "clndr_data", "default_flag", "day_hr_cnt",
         "week_hr_cnt", "clndr_type", "proj_id"}},
@@ -29,14 +29,15 @@ const std::map<std::string_view, Columns>& known_columns() {
       {"TASK",
        {"task_id", "proj_id", "wbs_id", "clndr_id", "task_type", "task_code", "task_name",
         "target_drtn_hr_cnt", "target_start_date", "target_end_date", "act_start_date",
-        "act_end_date", "phys_complete_pct", "cstr_type", "cstr_date", "target_work_qty"}},
+        "act_end_date", "early_end_date", "reend_date", "phys_complete_pct", "cstr_type",
+        "cstr_date", "target_work_qty"}},
       {"TASKPRED",
        {"task_pred_id", "task_id", "pred_task_id", "proj_id", "pred_proj_id", "pred_type",
         "lag_hr_cnt"}},
       {"RSRC",
        {"rsrc_id", "rsrc_name", "rsrc_short_name", "clndr_id", "rsrc_type", "email_addr",
         "rsrc_notes"}},
-      {"RSRCRATE", {"rsrc_rate_id", "rsrc_id", "cost_per_qty", "max_qty_per_hr"}},
+      {"RSRCRATE", {"rsrc_rate_id", "rsrc_id", "cost_per_qty", "max_qty_per_hr", "start_date"}},
       {"TASKRSRC",
        {"taskrsrc_id", "task_id", "proj_id", "rsrc_id", "target_qty", "target_qty_per_hr",
         "target_start_date", "target_end_date"}},
@@ -68,6 +69,11 @@ void list_unread(const XerFile& xer, Listing& listing) {
     const auto known = known_columns().find(name);
     if (known == known_columns().end()) {
       if (table.rows.empty()) continue;
+      if (name == "SCHEDOPTIONS") {
+        listing.add("I07", "options", table.span,
+                    "of table SCHEDOPTIONS only the calendar of lags is taken over");
+        continue;
+      }
       listing.add(
           "I07", fmt::format("table {}", name), table.span,
           fmt::format("table {} is not taken over ({} rows)", clean_text(name), table.rows.size()));

@@ -186,12 +186,16 @@ TEST(BuildingPlan, TheScheduleComesBackFromAPlanThatIsPutUp) {
   project.tasks[1].after.push_back(link);
   link.predecessor = 2;
   project.tasks[2].after.push_back(link);
+  project.start.text = "2026-03-02 07:00";
+  project.tasks[1].actual_start.text = "2026-03-03 07:00";
   Elements elements = three_elements();
   // Without files: shapes of their own are not needed to come back.
   Written written =
       write(elements, project,
             "plan { robot crane \"crane.robot\"; }\nstock box(-20, -5, 0, -5, 5, 4);\n"
             "by crane;\ntype IfcSlab -> task \"Floor\";");
+  // In parts a task that has begun is at least not earlier.
+  EXPECT_THAT(written.plan.plan, HasSubstr("after dig, plan_begins FS + 24 h;"));
   const TemporaryFolder folder;
   folder.write(
       "crane.robot",

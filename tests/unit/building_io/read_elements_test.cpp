@@ -73,13 +73,22 @@ TEST(ReadElements, WhatHasNoShapeThatCanBeReadIsListed) {
       "#903= IFCROOF('roof_00000000000000000',$,'dome',$,$,$,#902,$,$);\n"
       "#910= IFCLOCALPLACEMENT(#910,#911);\n"
       "#912= IFCDOOR('door_00000000000000000',$,'ring',$,$,#910,#902,$,$);\n";
+  sample.more +=
+      "#920= IFCDOOR('door_00000000000000001',$,'on the grid',$,$,#921,#902,$,$);\n"
+      "#921= IFCLOCALPLACEMENT(#922,#923);\n#922= IFCGRIDPLACEMENT(#924,$);\n"
+      "#923= IFCAXIS2PLACEMENT3D(#925,$,$);\n#925= IFCCARTESIANPOINT((0.,0.,0.));\n"
+      "#930= IFCDOOR('door_00000000000000002',$,'nowhere',$,$,#931,#902,$,$);\n";
   sample.blocks.push_back({"IFCSPACE", "room", {0, 0, 0}, {1, 1, 1}, 0});
   const ReadModels read = read_models({{"house.ifc", ifc_text(sample)}});
   EXPECT_EQ(read.elements.all.size(), 3U);
+  EXPECT_TRUE(
+      test::says(read.said, "it is placed by #922, an IfcGridPlacement, which is not read"));
+  EXPECT_TRUE(test::says(read.said, "there is no placement #931"));
+  EXPECT_TRUE(test::says(read.said, "export it with a placement of its own"));
   EXPECT_TRUE(test::says(read.said, "I14 IfcRoof 'dome'"));
   EXPECT_TRUE(test::says(read.said, "its shape has nothing that can be read (IfcAdvancedBrep)"));
   EXPECT_TRUE(test::says(read.said, "I14 IfcDoor 'ring'"));
-  EXPECT_TRUE(test::says(read.said, "its placement leads nowhere"));
+  EXPECT_TRUE(test::says(read.said, "its placement #910 leads nowhere"));
   EXPECT_TRUE(test::says(read.elements.notes, "1 IfcSpace left out"));
 }
 
@@ -95,7 +104,7 @@ TEST(ReadElements, WhatIsNotCutOffIsListed) {
   const ReadModels read = read_models({{"house.ifc", ifc_text(sample)}});
   EXPECT_EQ(read.elements.all.size(), 4U);
   EXPECT_TRUE(test::says(read.said, "I14 IfcRoof 'dome'"));
-  EXPECT_TRUE(test::says(read.said, "is larger than in the model: what is to be cut off"));
+  EXPECT_TRUE(test::says(read.said, "is not quite as in the model: what is to be cut off"));
 }
 
 TEST(ReadElements, TwiceTheSameGlobalIdIsNoNameForAPart) {

@@ -55,7 +55,7 @@ TEST(StockLayout, NothingTouchesAndAllLieInTheirArea) {
       bool inside = false;
       for (const StockArea& each : areas) {
         inside = inside || ((block.lower - each.box.lower).head<2>().minCoeff() > -kRounding &&
-                            (each.box.upper - block.upper).head<2>().minCoeff() > -kRounding);
+                            (each.box.upper - block.upper).minCoeff() > -kRounding);
       }
       EXPECT_TRUE(inside);
       for (const Block& other : blocks) {
@@ -67,6 +67,18 @@ TEST(StockLayout, NothingTouchesAndAllLieInTheirArea) {
     }
     EXPECT_FALSE(blocks.empty());
   }
+}
+
+TEST(StockLayout, NothingIsHigherThanItsArea) {
+  StockItem wall, slab;
+  wall.size = {4, 0.3, 3};
+  slab.size = {4, 2.5, 1.2};
+  const std::vector<StockArea> areas = {area({0, 0, -1}, {20, 10, 0}),
+                                        area({30, 0, 0}, {50, 10, 1.2})};
+  const auto places = lay_out({wall, slab}, areas);
+  EXPECT_FALSE(places[0]);
+  ASSERT_TRUE(places[1]);
+  EXPECT_GT(places[1]->origin.x(), 30);
 }
 
 TEST(StockLayout, WhatIsUsedFirstLiesOnTop) {

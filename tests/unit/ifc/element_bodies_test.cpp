@@ -53,6 +53,64 @@ TEST(ElementBodies, AnOpeningThatCannotBeReadIsNoted) {
   EXPECT_THAT(bodies[0]->notes, ElementsAre(HasSubstr("an opening")));
 }
 
+/// A block of 6 x 0.3 x 3 m, and a projection of 1 x DEPTH x 3 m that begins at y.
+std::vector<std::optional<ElementBody>> with_projection(const std::string& y,
+                                                        const std::string& depth,
+                                                        const std::string& shape = "#600001") {
+  return bodies_of(
+      "#1000= IFCBLOCK(#1001,6.,0.3,3.);\n"
+      "#600000= IFCPROJECTIONELEMENT('o',$,$,$,$,#600010," +
+      shape +
+      ",$,$);\n"
+      "#600001= IFCPRODUCTDEFINITIONSHAPE($,$,(#600002));\n"
+      "#600002= IFCSHAPEREPRESENTATION($,'Body','x',(#600003));\n"
+      "#600003= IFCBLOCK(#1001,1.," +
+      depth +
+      ",3.);\n"
+      "#600004= IFCADVANCEDBREP(#1002);\n"
+      "#600005= IFCPRODUCTDEFINITIONSHAPE($,$,(#600006));\n"
+      "#600006= IFCSHAPEREPRESENTATION($,'Body','x',(#600004));\n"
+      "#600010= IFCLOCALPLACEMENT($,#600011);\n#600011= IFCAXIS2PLACEMENT3D(#600012,$,$);\n"
+      "#600012= IFCCARTESIANPOINT((1.," +
+      y +
+      ",0.));\n"
+      "#600020= IFCRELPROJECTSELEMENT('v',$,$,$,#500000,#600000);\n");
+}
+
+TEST(ElementBodies, WhatProjectsIsAPartOfItsElementAndCountsOnce) {
+  for (const auto& [y, depth] :
+       {std::pair("0.3", "0.5"), std::pair("0.1", "0.7"), std::pair("0.", "0.8")}) {
+    const auto bodies = with_projection(y, depth);
+    ASSERT_EQ(bodies.size(), 1U);
+    ASSERT_TRUE(bodies[0]);
+    EXPECT_NEAR(volume_of(bodies[0]->solid), 6 * 0.3 * 3 + 1 * 0.5 * 3, 1e-9) << y;
+    EXPECT_TRUE(is_closed(bodies[0]->solid)) << y;
+    EXPECT_TRUE(bodies[0]->notes.empty()) << y;
+    double reach = 0;
+    for (const auto& p : bodies[0]->solid.points) reach = std::max(reach, p.y());
+    EXPECT_NEAR(reach, 0.8, 1e-9) << y;
+  }
+  // All of it inside: nothing is added.
+  EXPECT_NEAR(volume_of(with_projection("0.1", "0.1")[0]->solid), 5.4, 1e-9);
+}
+
+TEST(ElementBodies, AProjectionThatCannotBeReadIsNoted) {
+  const auto bodies = with_projection("0.3", "0.5", "#600005");
+  ASSERT_EQ(bodies.size(), 1U);
+  EXPECT_NEAR(volume_of(bodies[0]->solid), 5.4, 1e-9);
+  EXPECT_THAT(bodies[0]->notes,
+              ElementsAre(HasSubstr("a projection cannot be read and is missing")));
+}
+
+/// One that projects from nothing that has a shape stands for itself.
+TEST(ElementBodies, AProjectionWithoutItsElementIsAnElement) {
+  const auto bodies = bodies_of(
+      "#1000= IFCBLOCK(#1001,1.,2.,3.);\n#600000= "
+      "IFCPROJECTIONELEMENT('o',$,$,$,$,$,#500001,$,$);\n"
+      "#600020= IFCRELPROJECTSELEMENT('v',$,$,$,#600099,#600000);\n");
+  EXPECT_EQ(bodies.size(), 2U);
+}
+
 TEST(ElementBodies, WhatCannotBeReadWholeIsNotRead) {
   for (const char* item :
        {"#1000= IFCADVANCEDBREP(#1002);\n", "#1000= IFCBLOCK(#1001,0.,2.,3.);\n",

@@ -64,7 +64,7 @@ TEST_F(EditedPlan, dates) {
 TEST_F(EditedPlan, calendars_and_crews) {
   replace("mon-tue 07:00-12:00", "mon-tue 06:00-12:00");
   replace("size 3;", "size 4;");
-  replace("cost 55 per h;", "cost 60 per h;");
+  replace("cost 165 per h;", "cost 240 per h;");
   const Project changed = back();
   EXPECT_EQ(changed.calendars[0].week[0]->front().from, 6 * 60);
   EXPECT_EQ(changed.calendars[0].name, "Baustelle");
@@ -206,12 +206,14 @@ TEST_F(EditedPlan, people_of_a_crew_are_units) {
   EXPECT_EQ(project.resources.at(0).max_units, 4);
   EXPECT_EQ(project.assignments[0].units, 2);
   EXPECT_EQ(project.assignments[1].units, 4);
-  EXPECT_EQ(project.assignments[2].units, 1);  // nobody shares it
-  EXPECT_TRUE(reading.says("I09", "the cost of crew 'gang' is written as the plan has it"));
+  EXPECT_EQ(project.assignments[2].units, 2);
+  EXPECT_EQ(project.resources.at(0).standard_rate, 22.5);  // of one of them
+  EXPECT_TRUE(reading.said.empty());
   // They come back with the plan that is made of the schedule.
   const Reading back = project_of_plan(plan_of(project).text);
   ASSERT_TRUE(back.project);
   EXPECT_EQ(back.project->assignments, project.assignments);
+  EXPECT_EQ(back.project->resources, project.resources);
 }
 
 TEST_F(EditedPlan, what_a_schedule_has_no_word_for_is_listed_by_kind) {
@@ -262,6 +264,25 @@ TEST_F(EditedPlan, a_broken_import_block_is_told_and_harms_nothing) {
   EXPECT_TRUE(reading.says("I10", "the value of 'priority'"));
   EXPECT_TRUE(reading.says("I10", "'exceptions'"));
   EXPECT_TRUE(reading.says("I10", "'link'"));
+}
+
+TEST_F(EditedPlan, what_a_schedule_cannot_say_so_finely_is_rounded_and_told) {
+  const Reading reading = project_of_plan(
+      "plan lags { crew c; task a { by c; takes 100 s; } task b { by c; takes 0.4 s; after a + 5 "
+      "s; }"
+      "task d { by c; takes 2.5 s; after b + 11 s; } task e { by c; takes 10 s; after d - 5 s; }"
+      "task f { by c; takes 1 h; after e + 12 s; } }");
+  ASSERT_TRUE(reading.project);
+  std::vector<std::int64_t> lags;
+  for (const Task& task : reading.project->tasks) {
+    for (const Link& link : task.after) lags.push_back(link.lag);
+  }
+  EXPECT_EQ(lags, (std::vector<std::int64_t>{6, 12, -6, 12}));
+  EXPECT_TRUE(reading.says("I09", "the lag of 5 s from 'a' to 'b' is written as 6 s"));
+  EXPECT_TRUE(reading.says("I09", "(2 more like it)"));
+  EXPECT_TRUE(
+      reading.says("I09", "the durations of tasks 'b' and 'd' are rounded to whole seconds"));
+  EXPECT_EQ(reading.said.size(), 2u);
 }
 
 }  // namespace

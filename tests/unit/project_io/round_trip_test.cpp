@@ -123,29 +123,31 @@ TEST(RoundTrip, elements_stand_in_the_order_of_the_schema) {
   project.tasks[4].notes = "n";
   project.resources[3].notes = "n";
   const std::string xml = write_mspdi(project);
-  EXPECT_EQ(children(xml, "Task", "<UID>4</UID>"), (std::vector<std::string>{"UID",
-                                                                             "ID",
-                                                                             "Name",
-                                                                             "Active",
-                                                                             "Manual",
-                                                                             "Type",
-                                                                             "OutlineNumber",
-                                                                             "OutlineLevel",
-                                                                             "Priority",
-                                                                             "Duration",
-                                                                             "DurationFormat",
-                                                                             "Work",
-                                                                             "EffortDriven",
-                                                                             "Milestone",
-                                                                             "Summary",
-                                                                             "FixedCost",
-                                                                             "FixedCostAccrual",
-                                                                             "PercentComplete",
-                                                                             "ConstraintType",
-                                                                             "CalendarUID",
-                                                                             "Notes",
-                                                                             "HideBar",
-                                                                             "PredecessorLink"}));
+  EXPECT_EQ(children(xml, "Task", "<UID>4</UID>"),
+            (std::vector<std::string>{"UID",
+                                      "ID",
+                                      "Name",
+                                      "Active",
+                                      "Manual",
+                                      "Type",
+                                      "OutlineNumber",
+                                      "OutlineLevel",
+                                      "Priority",
+                                      "Duration",
+                                      "DurationFormat",
+                                      "Work",
+                                      "EffortDriven",
+                                      "Milestone",
+                                      "Summary",
+                                      "FixedCost",
+                                      "FixedCostAccrual",
+                                      "PercentComplete",
+                                      "ConstraintType",
+                                      "CalendarUID",
+                                      "IgnoreResourceCalendar",
+                                      "Notes",
+                                      "HideBar",
+                                      "PredecessorLink"}));
   EXPECT_EQ(children(xml, "Resource", "Miete"),
             (std::vector<std::string>{"UID", "ID", "Name", "Type", "MaxUnits", "StandardRate",
                                       "StandardRateFormat", "OvertimeRate", "OvertimeRateFormat",
@@ -266,6 +268,8 @@ class RandomProject {
     result.hide_bar = chance(10);
     result.format = format();
     if (calendars > 0 && chance(3)) result.calendar = 1 + below(calendars);
+    result.ignores_resource_calendars = chance(3);
+    if (chance(4)) place(result);
     if (chance(3)) {
       result.constraint = static_cast<Constraint>(below(8));
       result.constraint_date.text = fmt::format("2026-0{}-1{} 08:30", 1 + below(9), below(9));
@@ -284,6 +288,19 @@ class RandomProject {
       result.after.push_back(link);
     }
     return result;
+  }
+
+  /// Dates in fact or by hand, some of them nonsense.
+  void place(Task& task) {
+    const auto moment = [&] {
+      return Moment{fmt::format("2026-0{}-1{} 0{}:00{}", 1 + below(5), below(9), 7 + below(3),
+                                chance(3) ? ":20" : "")};
+    };
+    task.manual = chance(2);
+    if (chance(2)) task.start = moment();
+    if (chance(2)) task.finish = moment();
+    if (chance(2)) task.actual_start = moment();
+    if (chance(3)) task.actual_finish = moment();
   }
 
   TimeFormat format() { return {static_cast<TimeUnit>(below(5)), chance(4), chance(4)}; }

@@ -85,6 +85,24 @@ TEST_F(Xer, reads_resources) {
   EXPECT_EQ(reading_.project->assignments.size(), 3u);
 }
 
+TEST_F(Xer, an_activity_goes_by_its_own_calendar_or_by_those_of_its_resources) {
+  ASSERT_TRUE(reading_.project);
+  EXPECT_TRUE(task("Columns").ignores_resource_calendars);  // task dependent
+  EXPECT_EQ(task("Columns").calendar, 501);
+  // Only a material is on it, which works by no calendar.
+  EXPECT_FALSE(task("Slab \"on grade\"").ignores_resource_calendars);
+  std::string text = sample("hall.xer");
+  text.replace(text.find("TT_Task", text.find("%R\t1003")), 7, "TT_Rsrc");
+  text.replace(text.find("TT_Task", text.find("%R\t1002")), 7, "TT_Rsrc");
+  const Reading by_resources = read_schedule(text);
+  ASSERT_TRUE(by_resources.project);
+  for (const Task& each : by_resources.project->tasks) {
+    const bool has_own = each.name != "Columns" && each.code[0] != 'S';  // headings have none
+    EXPECT_EQ(each.calendar, has_own ? 501 : kNone) << each.name;
+    EXPECT_FALSE(each.ignores_resource_calendars);
+  }
+}
+
 TEST_F(Xer, lists_what_it_does_not_understand) {
   EXPECT_TRUE(reading_.says("I07", "project 'OTHER' is left out"));
   EXPECT_TRUE(reading_.says("I07", "'Site management' lasts as long as others"));
