@@ -13,7 +13,7 @@ void HitRecorder::goal(int k, int n) {
 void HitRecorder::guide(const interpreter::GuidePlan& plan) {
   if (!plan.report->found()) {
     for (const interpreter::HitPair& pair : plan.others) {
-      given_way_.push_back({0, {}, {}, pair, way_point_});
+      given_way_.push_back({0, {}, {}, pair, way_point_, plan.time});
       met_.emplace(pair.machine, pair.machine >= 0 ? std::string() : pair.met);
     }
   }

@@ -16,7 +16,7 @@ struct RecordedHit {
   interpreter::Span span;
   interpreter::HitPair pair;
   int way_point = 1;  ///< from 1, of its motion
-  interpreter::Ticks time = 0;
+  interpreter::Ticks time = 0;  ///< when it was met
 };
 
 /// Passes events on (to a trace, if there is one) and remembers who is in the way: the last hit of

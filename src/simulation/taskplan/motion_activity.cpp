@@ -355,14 +355,17 @@ Step MotionActivity::end_motion(ActiveTask& task, Stage& stage) {
   }
   goals_.erase(goals_.begin(), goals_.begin() + static_cast<std::ptrdiff_t>(behind));
   goals_dropped_ += behind;
-  const bool has_one_gone =
+  // Once at a moment, whatever is met then.
+  const bool looks_again =
+      looked_again_ != stage.now() &&
       std::any_of(blockers.begin(), blockers.end(),
                   [&](const Blocker& blocker) { return has_gone(stage, blocker); });
+  if (looks_again) looked_again_ = stage.now();
   wait_for_machine(task, stage, std::move(blockers), enough);
   // What moved while the robot came to its stop will not be told again, nor what left before.
   const bool moved =
       version_at_stop_ && *version_at_stop_ != stage.view(stage.spec(task.task).robot).version();
-  return moved || has_one_gone ? retry(task, stage) : Step::pending;
+  return moved || looks_again ? retry(task, stage) : Step::pending;
 }
 
 /// A script that evades and comes back to where it waited before, while nobody in its way came any

@@ -87,6 +87,7 @@ class MotionActivity : public Activity {
   std::size_t goals_dropped_ = 0;    ///< from the front of `goals_`
   /// What would be accepted when the stop began that its motion may end with.
   std::optional<std::uint64_t> version_at_stop_;
+  Ticks looked_again_ = -1;  ///< when it did so as something had gone since it was met
   bool stands_ = false;  ///< what goes on is a `wait` or a stop, and no step
   StripProgress strip_;  ///< of a task that covers a floor
 };
