@@ -55,6 +55,7 @@ class BodyReader {
   void cut_openings(const IfcElement& element, const std::vector<std::uint64_t>& openings,
                     Bodies& bodies) {
     const auto X_WE = placements_.of_product(element.id);
+    std::vector<BodyCut> cuts;
     for (const std::uint64_t id : openings) {
       const StepRecord* record = file_.find(id);
       const auto values = record == nullptr ? std::nullopt : StepValues::read(record->arguments);
@@ -70,11 +71,12 @@ class BodyReader {
         cells = cells_of(*hole, budget_);
       }
       if (cells) {
-        cut_bodies(bodies, *cells, "an opening", budget_);
+        cuts.push_back({std::move(*cells), "an opening"});
       } else {
         bodies.notes.emplace_back("an opening cannot be read and is not cut out");
       }
     }
+    cut_bodies(bodies, cuts, budget_);
   }
 
   const StepFile& file_;
