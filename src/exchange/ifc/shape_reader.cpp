@@ -101,11 +101,14 @@ bool keep_common(Bodies& bodies, const std::vector<Cell>& cells, WorkBudget& bud
   std::vector<Solid> common;
   for (const Solid& body : bodies.solids) {
     if (!is_closed(body)) return false;
+    WorkBudget share = budget.share(kMostCutSteps);
     for (const Cell& cell : cells) {
-      auto part = intersect(body, cell, budget);
+      auto part = intersect(body, cell, share);
+      budget.spend(part ? 0 : share.used());
       if (!part) return false;
       if (!part->triangles.empty()) common.push_back(std::move(*part));
     }
+    budget.spend(share.used());
   }
   bodies.solids = std::move(common);
   return true;

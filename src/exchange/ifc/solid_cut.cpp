@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
+#include <numeric>
+#include <set>
 #include <utility>
 
 #include "src/exchange/ifc/solid_split.hpp"
@@ -18,25 +21,68 @@ using math::Vec3;
 
 using math::at;
 
+/// Directions that differ by less than kOnPlane over 20 m.
+constexpr double kParallel = 1e-7;
+
 bool same_plane(const HalfSpace& a, const HalfSpace& b) {
-  // Directions differ by less than kOnPlane over 20 m.
-  constexpr double kParallel = 1e-7;
   return (a.n - b.n).norm() < kParallel && std::fabs(a.w - b.w) < kOnPlane;
 }
+
+/// Metres and a direction's difference: faces that cuts of one plane have left lie in one plane.
+constexpr double kOnePlane = 1e-7;
 
 /// The planes of the faces, each once.
 std::vector<HalfSpace> face_planes(const std::vector<Vec3>& points, const std::vector<Face>& faces,
                                    WorkBudget& budget) {
   std::vector<HalfSpace> planes;
+  std::multimap<double, std::size_t> by_x;  // of the normal
   for (const Face& face : faces) {
     const auto plane = plane_of(points, face);
-    if (!plane || !budget.spend(planes.size() + face.edges.size())) continue;
-    const bool known = std::any_of(planes.begin(), planes.end(),
-                                   [&](const HalfSpace& p) { return same_plane(p, *plane); });
-    if (!known) planes.push_back(*plane);
+    if (!plane || !budget.spend(face.edges.size())) continue;
+    const auto first = by_x.lower_bound(plane->n.x() - kParallel);
+    const auto last = by_x.upper_bound(plane->n.x() + kParallel);
+    const bool known = std::any_of(first, last, [&](const auto& each) {
+      return !budget.spend(1) || same_plane(planes[each.second], *plane);
+    });
+    if (known) continue;
+    by_x.emplace(plane->n.x(), planes.size());
+    planes.push_back(*plane);
   }
   return planes;
 }
+
+/// Corners in groups, to tell soon which side of a plane they are all on.
+class CornerGroups {
+ public:
+  CornerGroups(const std::vector<Vec3>& points, std::vector<int> corners)
+      : points_(points), corners_(std::move(corners)) {
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      if (i % kGroup == 0) extents_.emplace_back();
+      extents_.back().add(points_[at(corners_[i])]);
+    }
+  }
+
+  bool any_beyond(const HalfSpace& plane, WorkBudget& budget) const {
+    const double most = 2 * kOnPlane;
+    for (std::size_t g = 0; g < extents_.size(); ++g) {
+      if (!budget.spend(2)) return false;
+      if (extents_[g].distances(plane).second <= most) continue;
+      const std::size_t end = std::min(corners_.size(), (g + 1) * kGroup);
+      if (!budget.spend(end - g * kGroup)) return false;
+      for (std::size_t i = g * kGroup; i < end; ++i) {
+        if (plane.n.dot(points_[at(corners_[i])]) > plane.w + most) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  static constexpr std::size_t kGroup = 32;
+
+  const std::vector<Vec3>& points_;
+  std::vector<int> corners_;
+  std::vector<Extent> extents_;
+};
 
 /// A face of a body as one of a part of it.
 Face share_of(const std::vector<Face>& faces, std::size_t i) {
@@ -226,11 +272,151 @@ void renumber(std::vector<Face*> faces, std::size_t base, std::vector<Vec3>& poi
   points.insert(points.end(), used.begin(), used.end());
 }
 
+/// Joins faces that cuts have left in one plane, and takes corners out that cuts have left within
+/// straight sides.
+class FaceTidier {
+ public:
+  /// Corners before `base` stay.
+  FaceTidier(const std::vector<Vec3>& points, std::vector<Face> faces, std::size_t base)
+      : points_(points), faces_(std::move(faces)), base_(base), root_(faces_.size()) {
+    std::iota(root_.begin(), root_.end(), 0);
+  }
+
+  std::vector<Face> tidy() {
+    join();
+    straighten();
+    std::erase_if(faces_, [](const Face& face) { return face.edges.empty(); });
+    return std::move(faces_);
+  }
+
+ private:
+  std::size_t root(std::size_t i) {
+    while (root_[i] != i) i = root_[i] = root_[root_[i]];
+    return i;
+  }
+
+  void join() {
+    std::vector<std::pair<Edge, std::size_t>> sides;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      for (const auto& [a, b] : faces_[i].edges) sides.emplace_back(std::minmax(a, b), i);
+    }
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 0; i < sides.size();) {
+      std::size_t end = i + 1;
+      while (end < sides.size() && sides[end].first == sides[i].first) ++end;
+      if (end - i == 2 && in_one_plane(sides[i].second, sides[i + 1].second)) {
+        root_[root(sides[i + 1].second)] = root(sides[i].second);
+      }
+      i = end;
+    }
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      const std::size_t to = root(i);
+      if (to == i) continue;
+      Face& face = faces_[to];
+      face.edges.insert(face.edges.end(), faces_[i].edges.begin(), faces_[i].edges.end());
+      faces_[i].edges.clear();
+      face.triangles.clear();
+      changed_.insert(to);
+    }
+    for (const std::size_t i : changed_) faces_[i].edges = net(std::move(faces_[i].edges));
+  }
+
+  bool in_one_plane(std::size_t i, std::size_t k) const {
+    const Face& a = faces_[i];
+    const Face& b = faces_[k];
+    if (i == k || a.normal.isZero(0) || (a.normal - b.normal).norm() > kOnePlane) return false;
+    const Vec3 p = points_[at(a.edges.front().first)];
+    return std::all_of(b.edges.begin(), b.edges.end(), [&](const Edge& edge) {
+      return std::fabs(a.normal.dot(points_[at(edge.first)] - p)) <= kOnePlane;
+    });
+  }
+
+  void straighten() {
+    // Each end of each edge: the corner and the other end.
+    std::vector<Edge> ends;
+    for (const Face& face : faces_) {
+      for (const auto& [a, b] : face.edges) {
+        if (at(a) >= base_) ends.emplace_back(a, b);
+        if (at(b) >= base_) ends.emplace_back(b, a);
+      }
+    }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    std::map<int, Edge> between;  // of corners that may go: their neighbours
+    for (std::size_t i = 0; i < ends.size();) {
+      std::size_t end = i + 1;
+      while (end < ends.size() && ends[end].first == ends[i].first) ++end;
+      const int corner = ends[i].first;
+      if (end - i == 2 && is_between(corner, ends[i].second, ends[i + 1].second)) {
+        between.emplace(corner, Edge(ends[i].second, ends[i + 1].second));
+      }
+      i = end;
+    }
+    if (between.empty()) return;
+    for (Face& face : faces_) straighten(between, face);
+  }
+
+  bool is_between(int corner, int a, int b) const {
+    const Vec3 line = points_[at(b)] - points_[at(a)];
+    const Vec3 way = points_[at(corner)] - points_[at(a)];
+    const double length = line.norm();
+    if (!(length > kOnPlane)) return false;
+    const double along = way.dot(line) / length;
+    return along > 0 && along < length && way.cross(line).norm() <= kOnePlane * length;
+  }
+
+  /// Edges that begin where none that goes begins before, on to the next corner that stays. Rings
+  /// of corners that all go are left: that cannot be.
+  static void straighten(const std::map<int, Edge>& between, Face& face) {
+    const bool any = std::any_of(face.edges.begin(), face.edges.end(), [&](const Edge& edge) {
+      return between.contains(edge.first);
+    });
+    if (!any) return;
+    std::vector<Edge> edges;
+    for (auto [a, b] : face.edges) {
+      if (between.contains(a)) continue;
+      int before = a;
+      for (auto each = between.find(b); each != between.end(); each = between.find(b)) {
+        const int next = each->second.first == before ? each->second.second : each->second.first;
+        before = b;
+        b = next;
+        if (b == a) break;
+      }
+      if (a != b) edges.emplace_back(a, b);
+    }
+    face.edges = net(std::move(edges));
+    face.triangles.clear();
+  }
+
+  const std::vector<Vec3>& points_;
+  std::vector<Face> faces_;
+  std::size_t base_;
+  std::vector<std::size_t> root_;
+  std::set<std::size_t> changed_;
+};
+
 /// Area of a surface, for the bound of its volume's error.
 double area_of(const std::vector<Vec3>& points, const std::vector<Face>& faces) {
   double sum = 0;
   for (const Face& face : faces) sum += area_vector(points, face.edges).norm() / 2;
   return sum;
+}
+
+/// The triangles of faces; nothing if they do not close.
+std::optional<Solid> surface(const std::vector<Vec3>& points, std::vector<Face> faces,
+                             WorkBudget& budget) {
+  Solid solid;
+  solid.points = points;
+  for (Face& face : faces) {
+    if (!fill(points, face, budget)) return std::nullopt;
+    solid.triangles.insert(solid.triangles.end(), face.triangles.begin(), face.triangles.end());
+  }
+  if (solid.triangles.empty()) return Solid{};
+  // What rounding and kOnPlane make of a surface is allowed.
+  const double expected = volume_of(points, faces);
+  const double allowed = 1e-4 * std::fabs(expected) + kShift * area_of(points, faces);
+  if (!is_closed(solid) || std::fabs(volume_of(solid) - expected) > allowed) return std::nullopt;
+  return compact(solid);
 }
 
 /// Tries with the planes as they are, then a little farther out and in.
@@ -261,6 +447,7 @@ std::optional<Solid> cut_once(const Solid& body, WorkBudget& budget, F cut) {
 std::optional<FaceSolid> FaceSolid::of(const Solid& body, bool apart, WorkBudget& budget) {
   FaceSolid result;
   result.points_ = body.points;
+  result.given_ = body.points.size();
   result.faces_ = plane_faces(body, apart, budget);
   if (result.faces_.empty()) return std::nullopt;
   return result;
@@ -286,7 +473,7 @@ bool FaceSolid::subtract_once(const Cell& cell, bool fill_now, WorkBudget& budge
   const std::size_t base = points_.size();
   PartFinder finder(points_, faces_);
   const auto part = finder.inside(cell, budget);
-  const bool done = part && budget.spend(faces_.size());
+  const bool done = part && budget.spend(8 * faces_.size());
   const bool turned = done && volume_of(points_, *part) < -kOnPlane * area_of(points_, *part);
   if (!done || turned || part->empty()) {
     points_.resize(base);
@@ -351,24 +538,12 @@ bool FaceSolid::intersect_once(const Cell& cell, bool fill_now, WorkBudget& budg
 }
 
 std::optional<Solid> FaceSolid::triangles(WorkBudget& budget) const {
-  Solid solid;
-  solid.points = points_;
-  for (const Face& face : faces_) {
-    if (face.triangles.empty()) {
-      Face filled = face;
-      if (!fill(points_, filled, budget)) return std::nullopt;
-      solid.triangles.insert(solid.triangles.end(), filled.triangles.begin(),
-                             filled.triangles.end());
-    } else {
-      solid.triangles.insert(solid.triangles.end(), face.triangles.begin(), face.triangles.end());
-    }
+  constexpr std::uint64_t kStepsToTidy = 40;
+  if (!budget.spend(kStepsToTidy * corners())) return std::nullopt;
+  if (auto solid = surface(points_, FaceTidier(points_, faces_, given_).tidy(), budget)) {
+    return solid;
   }
-  if (solid.triangles.empty()) return Solid{};
-  // What rounding and kOnPlane make of a surface is allowed.
-  const double expected = volume_of(points_, faces_);
-  const double allowed = 1e-4 * std::fabs(expected) + kShift * area_of(points_, faces_);
-  if (!is_closed(solid) || std::fabs(volume_of(solid) - expected) > allowed) return std::nullopt;
-  return compact(solid);
+  return surface(points_, faces_, budget);
 }
 
 std::optional<std::vector<Cell>> convex_cells(const Solid& body, WorkBudget& budget) {
@@ -381,19 +556,12 @@ std::optional<std::vector<Cell>> convex_cells(const Solid& body, WorkBudget& bud
     pending.pop_back();
     if (cells.size() + pending.size() > kMostCells) return std::nullopt;
     const std::vector<HalfSpace> planes = face_planes(points, faces, budget);
-    const std::vector<int> corners = corners_of(faces);
-    const HalfSpace* reflex = nullptr;
-    for (const HalfSpace& plane : planes) {
-      if (!budget.spend(corners.size())) return std::nullopt;
-      const bool beyond = std::any_of(corners.begin(), corners.end(), [&](int i) {
-        return plane.n.dot(points[at(i)]) > plane.w + 2 * kOnPlane;
-      });
-      if (beyond) {
-        reflex = &plane;
-        break;
-      }
-    }
-    if (reflex == nullptr) {
+    const CornerGroups corners(points, corners_of(faces));
+    const auto reflex = std::find_if(planes.begin(), planes.end(), [&](const HalfSpace& plane) {
+      return corners.any_beyond(plane, budget);
+    });
+    if (budget.is_spent()) return std::nullopt;
+    if (reflex == planes.end()) {
       if (planes.size() > 3) cells.push_back(planes);
       continue;
     }
@@ -402,7 +570,6 @@ std::optional<std::vector<Cell>> convex_cells(const Solid& body, WorkBudget& bud
     pending.push_back(std::move(both->outside));
     pending.push_back(std::move(both->inside));
   }
-  if (budget.is_spent()) return std::nullopt;
   return cells;
 }
 

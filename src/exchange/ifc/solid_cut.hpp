@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -34,7 +35,8 @@ class FaceSolid {
   /// Of all faces.
   std::size_t corners() const;
 
-  /// The surface, closed and with the volume that the faces enclose. Nothing if that fails.
+  /// The surface, closed and with the volume that the faces enclose. Faces that cuts have left in one
+  /// plane are joined, where that can be done. Nothing if it does not close.
   std::optional<Solid> triangles(WorkBudget& budget) const;
 
  private:
@@ -43,6 +45,7 @@ class FaceSolid {
 
   std::vector<math::Vec3> points_;
   std::vector<Face> faces_;
+  std::size_t given_ = 0;  ///< corners of the body as it was
   bool is_changed_ = false;
 };
 

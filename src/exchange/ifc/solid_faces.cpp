@@ -21,7 +21,7 @@ using math::at;
 constexpr double kOneFace = 1e-6;
 
 /// What one look at a triangle or an edge costs, in steps of the budget.
-constexpr std::uint64_t kStepsToMerge = 20;
+constexpr std::uint64_t kStepsToMerge = 40;
 
 /// Whether an area is narrower than what tells the direction of its plane.
 bool is_narrow(const Vec3& area_vector, double length) {
