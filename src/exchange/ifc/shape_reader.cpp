@@ -46,9 +46,10 @@ struct CutBody {
   std::vector<std::size_t> missing;  ///< cuts
 };
 
-/// Nothing if not even what is left can be made a surface of.
+/// Nothing if not even what is left can be made a surface of. That has a budget of its own, `rest`:
+/// what could be cut is used, also where the budget was not enough for all.
 std::optional<CutBody> try_cuts(const Solid& body, const std::vector<BodyCut>& cuts, bool apart,
-                                bool fill_now, WorkBudget& budget) {
+                                bool fill_now, WorkBudget& budget, WorkBudget& rest) {
   std::optional<FaceSolid> faces = FaceSolid::of(body, apart, budget);
   if (!faces) return std::nullopt;
   CutBody result;
@@ -68,10 +69,7 @@ std::optional<CutBody> try_cuts(const Solid& body, const std::vector<BodyCut>& c
     result.solid = body;
     return result;
   }
-  // Of its own: what could be cut is used, also where the budget was not enough for all.
-  WorkBudget rest(kMostCutSteps / 4);
   auto solid = faces->triangles(rest);
-  budget.spend(rest.used());
   if (!solid) return std::nullopt;
   result.solid = std::move(*solid);
   return result;
@@ -88,10 +86,11 @@ CutBody cut_body(const Solid& body, const std::vector<BodyCut>& cuts, WorkBudget
   constexpr std::array<std::array<bool, 2>, 3> kWays{{{false, false}, {false, true}, {true, true}}};
   for (const auto& [apart, fill_now] : kWays) {
     WorkBudget share = budget.share(kMostCutSteps);
-    auto cut = try_cuts(whole, cuts, apart, fill_now, share);
-    budget.spend(share.used());
+    WorkBudget rest = share;
+    auto cut = try_cuts(whole, cuts, apart, fill_now, share, rest);
+    budget.spend(share.used() + rest.used());
     if (cut && cut->missing.size() < best.missing.size()) best = std::move(*cut);
-    if (best.missing.empty() || share.is_spent()) break;
+    if (best.missing.empty() || share.is_spent() || rest.is_spent()) break;
   }
   return best;
 }

@@ -213,14 +213,28 @@ class RestFinder {
 
   /// The new border of a face; nothing if it stays.
   std::optional<std::vector<Edge>> border(std::size_t i) const {
+    // Far from the part edges stay as they are.
     std::vector<Edge> edges;
-    for (const Edge& edge : faces_[i].edges) put_along(edge, edges);
-    if (share_[i] < 0) {
-      if (edges.size() == faces_[i].edges.size()) return std::nullopt;
-      return edges;
+    std::vector<Edge> near;
+    std::size_t count = 0;
+    for (const Edge& edge : faces_[i].edges) {
+      Extent extent;
+      extent.add(points_[at(edge.first)]);
+      extent.add(points_[at(edge.second)]);
+      if (extent.meets(extent_, kShift)) {
+        put_along(edge, near);
+        ++count;
+      } else {
+        edges.push_back(edge);
+      }
     }
-    for (const auto& [a, b] : part_[at(share_[i])].edges) edges.emplace_back(b, a);
-    return net(std::move(edges));
+    if (share_[i] < 0 && near.size() == count) return std::nullopt;
+    if (share_[i] >= 0) {
+      for (const auto& [a, b] : part_[at(share_[i])].edges) near.emplace_back(b, a);
+      near = net(std::move(near));
+    }
+    edges.insert(edges.end(), near.begin(), near.end());
+    return edges;
   }
 
  private:
@@ -473,7 +487,7 @@ bool FaceSolid::subtract_once(const Cell& cell, bool fill_now, WorkBudget& budge
   const std::size_t base = points_.size();
   PartFinder finder(points_, faces_);
   const auto part = finder.inside(cell, budget);
-  const bool done = part && budget.spend(8 * faces_.size());
+  const bool done = part && budget.spend(12 * faces_.size());
   const bool turned = done && volume_of(points_, *part) < -kOnPlane * area_of(points_, *part);
   if (!done || turned || part->empty()) {
     points_.resize(base);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <iterator>
 #include <utility>
 
 #include "src/motion/math/index.hpp"
@@ -17,8 +18,8 @@ using math::Vec3;
 using math::at;
 
 /// What a face far from the plane costs, and each edge of one near it, in steps of the budget.
-constexpr std::uint64_t kStepsPerFace = 4;
-constexpr std::uint64_t kStepsPerEdge = 30;
+constexpr std::uint64_t kStepsPerFace = 2;
+constexpr std::uint64_t kStepsPerEdge = 12;
 
 constexpr Edge kNoEdge{-1, -1};
 
@@ -34,30 +35,28 @@ std::optional<SplitFaces> FaceSplitter::split(std::vector<Face> faces, const Hal
   missing_outside_.clear();
   SplitFaces result;
   if (!budget.spend(kStepsPerFace * faces.size())) return std::nullopt;
-  for (Face& face : faces) {
+  std::vector<Face> cut;
+  for (std::size_t i = 0; i < faces.size();) {
     // Rounding must not decide otherwise here than at the corners.
-    const auto [least, most] = face.extent.distances(plane);
+    const auto [least, most] = faces[i].extent.distances(plane);
     if (most < -2 * kOnPlane) {
-      result.inside.push_back(std::move(face));
-    } else if (least > 2 * kOnPlane) {
+      ++i;
+      continue;
+    }
+    // Most faces stay: they are not moved.
+    Face face = std::move(faces[i]);
+    if (i + 1 < faces.size()) faces[i] = std::move(faces.back());
+    faces.pop_back();
+    if (least > 2 * kOnPlane) {
       if (outside_too) result.outside.push_back(std::move(face));
-    } else if (!budget.spend(kStepsPerEdge * face.edges.size())) {
+    } else if (!budget.spend(kStepsPerEdge * face.edges.size()) ||
+               !sort_face(std::move(face), cut, result.outside, budget)) {
       return std::nullopt;
-    } else {
-      const auto [low, high] = std::minmax_element(
-          face.edges.begin(), face.edges.end(),
-          [&](const Edge& a, const Edge& b) { return side(a.first) < side(b.first); });
-      const int lowest = side(low->first);
-      const int highest = side(high->first);
-      if (lowest < 0 && highest > 0) {
-        if (!cut_face(face, result, budget)) return std::nullopt;
-      } else {
-        const bool in_plane = lowest == 0 && highest == 0;
-        const bool is_inside = in_plane ? face.normal.dot(plane.n) > 0 : highest <= 0;
-        put(std::move(face), is_inside, is_inside ? result.inside : result.outside);
-      }
     }
   }
+  result.inside = std::move(faces);
+  result.inside.insert(result.inside.end(), std::make_move_iterator(cut.begin()),
+                       std::make_move_iterator(cut.end()));
   cover(true, result.inside);
   if (outside_too) cover(false, result.outside);
   return result;
@@ -78,10 +77,27 @@ int FaceSplitter::side(int corner) {
   return mark.side;
 }
 
+/// Puts a face near the plane on its side, or its pieces.
+bool FaceSplitter::sort_face(Face face, std::vector<Face>& inside, std::vector<Face>& outside,
+                             WorkBudget& budget) {
+  int low = 1;
+  int high = -1;
+  for (const Edge& edge : face.edges) {
+    low = std::min(low, side(edge.first));
+    high = std::max(high, side(edge.first));
+  }
+  if (low < 0 && high > 0) return cut_face(face, inside, outside, budget);
+  const bool in_plane = low == 0 && high == 0;
+  const bool is_inside = in_plane ? face.normal.dot(plane_.n) > 0 : high <= 0;
+  put(std::move(face), is_inside, is_inside ? inside : outside);
+  return true;
+}
+
 /// A face that reaches to both sides.
-bool FaceSplitter::cut_face(const Face& face, SplitFaces& result, WorkBudget& budget) {
-  std::vector<Edge> inside;
-  std::vector<Edge> outside;
+bool FaceSplitter::cut_face(const Face& face, std::vector<Face>& inside,
+                            std::vector<Face>& outside, WorkBudget& budget) {
+  std::vector<Edge> below;
+  std::vector<Edge> above;
   on_plane_.clear();
   for (const auto& [a, b] : face.edges) {
     const int from = side(a);
@@ -90,17 +106,17 @@ bool FaceSplitter::cut_face(const Face& face, SplitFaces& result, WorkBudget& bu
     if (from * to < 0) {
       const int c = crossing_of(a, b);
       on_plane_.push_back(c);
-      (from < 0 ? inside : outside).emplace_back(a, c);
-      (from < 0 ? outside : inside).emplace_back(c, b);
+      (from < 0 ? below : above).emplace_back(a, c);
+      (from < 0 ? above : below).emplace_back(c, b);
       continue;
     }
-    if (from <= 0 && to <= 0) inside.emplace_back(a, b);
-    if (from >= 0 && to >= 0) outside.emplace_back(a, b);
+    if (from <= 0 && to <= 0) below.emplace_back(a, b);
+    if (from >= 0 && to >= 0) above.emplace_back(a, b);
   }
   std::sort(on_plane_.begin(), on_plane_.end());
   on_plane_.erase(std::unique(on_plane_.begin(), on_plane_.end()), on_plane_.end());
-  return close_face(std::move(inside), face, true, result.inside, budget) &&
-         (!outside_too_ || close_face(std::move(outside), face, false, result.outside, budget));
+  return close_face(std::move(below), face, true, inside, budget) &&
+         (!outside_too_ || close_face(std::move(above), face, false, outside, budget));
 }
 
 /// Puts in the edges along the plane.
@@ -138,7 +154,14 @@ bool FaceSplitter::close_face(std::vector<Edge> edges, const Face& face, bool is
   }
   if (open != 0) return false;
   Face part;
-  part.edges = net(std::move(edges));
+  // Only edges along the plane may run both ways now.
+  const auto on_plane = std::partition(edges.begin(), edges.end(), [&](const Edge& edge) {
+    return marks_[at(edge.first)].side != 0 || marks_[at(edge.second)].side != 0;
+  });
+  const std::vector<Edge> left = net({on_plane, edges.end()});
+  edges.erase(on_plane, edges.end());
+  edges.insert(edges.end(), left.begin(), left.end());
+  part.edges = std::move(edges);
   part.normal = face.normal;
   part.source = face.source;
   part.extent = extent_of(points_, part.edges);
@@ -151,10 +174,9 @@ std::vector<FaceSplitter::Stop> FaceSplitter::stops_of(const std::vector<Edge>& 
   std::vector<Stop> stops;
   for (const int corner : on_plane_) stops.push_back({way.dot(points_[at(corner)]), corner, 0});
   const auto count = [&](int corner, int by) {
+    if (marks_[at(corner)].side != 0) return;
     const auto found = std::lower_bound(on_plane_.begin(), on_plane_.end(), corner);
-    if (found != on_plane_.end() && *found == corner) {
-      stops[static_cast<std::size_t>(found - on_plane_.begin())].surplus += by;
-    }
+    stops[static_cast<std::size_t>(found - on_plane_.begin())].surplus += by;
   };
   for (const auto& [a, b] : edges) {
     count(a, -1);

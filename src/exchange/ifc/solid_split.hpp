@@ -46,7 +46,10 @@ class FaceSplitter {
   };
 
   int side(int corner);
-  bool cut_face(const Face& face, SplitFaces& result, WorkBudget& budget);
+  bool sort_face(Face face, std::vector<Face>& inside, std::vector<Face>& outside,
+                 WorkBudget& budget);
+  bool cut_face(const Face& face, std::vector<Face>& inside, std::vector<Face>& outside,
+                WorkBudget& budget);
   bool close_face(std::vector<Edge> edges, const Face& face, bool is_inside, std::vector<Face>& to,
                   WorkBudget& budget);
   std::vector<Stop> stops_of(const std::vector<Edge>& edges, const math::Vec3& way) const;
