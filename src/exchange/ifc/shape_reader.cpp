@@ -75,8 +75,8 @@ std::optional<CutBody> try_cuts(const Solid& body, const std::vector<BodyCut>& c
   return result;
 }
 
-/// Cuts that leave borders which cross are found when triangles are made: then it is done again, and
-/// each cut looked at by itself; and again with triangles for faces.
+/// Cuts that leave borders which cross are found when triangles are made: then it is done again,
+/// and each cut looked at by itself; and again with triangles for faces.
 CutBody cut_body(const Solid& body, const std::vector<BodyCut>& cuts, WorkBudget& budget) {
   CutBody best{body, {}};
   for (std::size_t i = 0; i < cuts.size(); ++i) best.missing.push_back(i);

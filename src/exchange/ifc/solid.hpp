@@ -51,7 +51,6 @@ Solid compact(const Solid& solid);
 /// several meet the one most to the left is followed, seen against `normal`. Nothing if they do
 /// not meet end to end.
 std::optional<std::vector<Loop>> border_loops(const std::vector<math::Vec3>& points,
-                                              std::vector<Edge> edges,
-                                              const math::Vec3& normal);
+                                              std::vector<Edge> edges, const math::Vec3& normal);
 
 }  // namespace rubicon::ifc

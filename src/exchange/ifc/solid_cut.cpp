@@ -382,9 +382,8 @@ class FaceTidier {
   /// Edges that begin where none that goes begins before, on to the next corner that stays. Rings
   /// of corners that all go are left: that cannot be.
   static void straighten(const std::map<int, Edge>& between, Face& face) {
-    const bool any = std::any_of(face.edges.begin(), face.edges.end(), [&](const Edge& edge) {
-      return between.contains(edge.first);
-    });
+    const bool any = std::any_of(face.edges.begin(), face.edges.end(),
+                                 [&](const Edge& edge) { return between.contains(edge.first); });
     if (!any) return;
     std::vector<Edge> edges;
     for (auto [a, b] : face.edges) {

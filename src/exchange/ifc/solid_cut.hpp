@@ -35,8 +35,8 @@ class FaceSolid {
   /// Of all faces.
   std::size_t corners() const;
 
-  /// The surface, closed and with the volume that the faces enclose. Faces that cuts have left in one
-  /// plane are joined, where that can be done. Nothing if it does not close.
+  /// The surface, closed and with the volume that the faces enclose. Faces that cuts have left in
+  /// one plane are joined, where that can be done. Nothing if it does not close.
   std::optional<Solid> triangles(WorkBudget& budget) const;
 
  private:

@@ -94,8 +94,8 @@ bool FaceSplitter::sort_face(Face face, std::vector<Face>& inside, std::vector<F
 }
 
 /// A face that reaches to both sides.
-bool FaceSplitter::cut_face(const Face& face, std::vector<Face>& inside,
-                            std::vector<Face>& outside, WorkBudget& budget) {
+bool FaceSplitter::cut_face(const Face& face, std::vector<Face>& inside, std::vector<Face>& outside,
+                            WorkBudget& budget) {
   std::vector<Edge> below;
   std::vector<Edge> above;
   on_plane_.clear();
@@ -212,7 +212,8 @@ void FaceSplitter::cover(bool is_inside, std::vector<Face>& to) {
 /// The corner where an edge meets the plane, one for all faces of the edge.
 int FaceSplitter::crossing_of(int a, int b) {
   const auto [low, high] = std::minmax(a, b);
-  const auto [found, is_new] = crossings_.try_emplace({low, high}, static_cast<int>(points_.size()));
+  const auto [found, is_new] =
+      crossings_.try_emplace({low, high}, static_cast<int>(points_.size()));
   if (is_new) {
     const double d = marks_[at(low)].distance;
     const double t = d / (d - marks_[at(high)].distance);

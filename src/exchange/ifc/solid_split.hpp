@@ -26,8 +26,8 @@ class FaceSplitter {
   /// Cuts what closed faces enclose and closes both parts; the outer one only where it is wanted.
   /// What lies on the plane within kOnPlane belongs to the part it bounds. Nothing if the section
   /// cannot be closed.
-  std::optional<SplitFaces> split(std::vector<Face> faces, const HalfSpace& plane,
-                                  bool outside_too, WorkBudget& budget);
+  std::optional<SplitFaces> split(std::vector<Face> faces, const HalfSpace& plane, bool outside_too,
+                                  WorkBudget& budget);
 
   /// Of a new corner that lies on an edge of the body: the edge's ends, the smaller number first.
   std::optional<Edge> edge_of(int corner) const;
