@@ -77,18 +77,20 @@ class BodyReader {
 
   void cut_openings(const IfcElement& element, const std::vector<std::uint64_t>& openings,
                     Bodies& bodies) {
+    std::vector<BodyCut> cuts;
     for (const std::uint64_t id : openings) {
       const StepRecord* record = file_.find(id);
       const std::uint64_t shape = record == nullptr ? 0 : shape_of(*record);
       if (shape == 0) continue;  // an opening without a shape takes nothing away
       const std::optional<Bodies> hole = in_frame_of(element, id, shape);
-      const auto cells = hole ? cells_of(*hole, budget_) : std::nullopt;
+      std::optional<std::vector<Cell>> cells = hole ? cells_of(*hole, budget_) : std::nullopt;
       if (cells) {
-        cut_bodies(bodies, *cells, "an opening", budget_);
+        cuts.push_back({std::move(*cells), "an opening"});
       } else {
         bodies.notes.emplace_back("an opening cannot be read and is not cut out");
       }
     }
+    cut_bodies(bodies, cuts, budget_);
   }
 
   /// Adds what projects from the element, but for what the element fills already.
@@ -107,9 +109,10 @@ class BodyReader {
                                      [&](const Solid& each) { return overlap(solid, each); });
       if (meets) met.solids.push_back(solid);
     }
-    const auto cells = cells_of(met, budget_);
+    std::optional<std::vector<Cell>> cells = cells_of(met, budget_);
     if (cells) {
-      cut_bodies(*more, *cells, "the part of a projection that is inside of it", budget_);
+      cut_bodies(*more, {{std::move(*cells), "the part of a projection that is inside of it"}},
+                 budget_);
     } else {
       more->notes.emplace_back("the part of a projection that is inside of it counts twice");
     }

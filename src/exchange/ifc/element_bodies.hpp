@@ -20,7 +20,7 @@ struct ElementBody {
 };
 
 /// Steps that the shapes of a file may take, and more for each of its records. Real models take 0.7
-/// to 16 steps for each byte (2.7 million at most for 166 KB of stairs), so that one of 61 MB and
+/// to 13 steps for each byte (2.2 million at most for 166 KB of stairs), so that one of 61 MB and
 /// of the most laborious kind still has enough. Where it is not enough the file is refused.
 inline constexpr std::uint64_t kShapeSteps = 1'000'000'000;
 inline constexpr std::uint64_t kShapeStepsPerRecord = 2'000;

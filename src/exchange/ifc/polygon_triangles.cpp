@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <utility>
 
 namespace rubicon::ifc {
@@ -67,6 +69,63 @@ bool leads_inside(const Corner& before, const Corner& at, const Corner& after, c
   if (side(before, at, after) >= 0) return side(at, to, before) > 0 && side(at, after, to) > 0;
   return !(side(at, to, after) >= 0 && side(at, before, to) >= 0);
 }
+
+/// The corners of an outline by where they are, to look at those near an ear only.
+class CornerGrid {
+ public:
+  explicit CornerGrid(const std::vector<Corner>& outline) : gone_(outline.size(), 0) {
+    low_x_ = low_y_ = std::numeric_limits<std::int64_t>::max();
+    std::int64_t high_x = std::numeric_limits<std::int64_t>::min();
+    std::int64_t high_y = high_x;
+    for (const Corner& p : outline) {
+      low_x_ = std::min(low_x_, p.x);
+      low_y_ = std::min(low_y_, p.y);
+      high_x = std::max(high_x, p.x);
+      high_y = std::max(high_y, p.y);
+    }
+    // About four corners in a square; small outlines are not worth it.
+    constexpr std::size_t kSmall = 16;
+    if (outline.size() > kSmall) {
+      across_ = static_cast<std::int64_t>(std::sqrt(static_cast<double>(outline.size()) / 4));
+    }
+    width_ = 1 + (high_x - low_x_) / across_;
+    height_ = 1 + (high_y - low_y_) / across_;
+    squares_.resize(static_cast<std::size_t>(across_ * across_));
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      squares_[square(column(outline[i].x), row(outline[i].y))].push_back(i);
+    }
+  }
+
+  void remove(std::size_t i) { gone_[i] = 1; }
+
+  /// Whether `f` holds for a corner that is left and may lie within a triangle.
+  template <class F>
+  bool any_near(const Corner& a, const Corner& b, const Corner& c, WorkBudget& budget, F f) const {
+    const auto [left, right] = std::minmax({a.x, b.x, c.x});
+    const auto [bottom, top] = std::minmax({a.y, b.y, c.y});
+    for (std::int64_t v = row(bottom); v <= row(top); ++v) {
+      for (std::int64_t u = column(left); u <= column(right); ++u) {
+        const std::vector<std::size_t>& near = squares_[square(u, v)];
+        if (!budget.spend(1 + near.size())) return true;
+        for (const std::size_t i : near) {
+          if (gone_[i] == 0 && f(i)) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+ private:
+  std::int64_t column(std::int64_t x) const { return (x - low_x_) / width_; }
+  std::int64_t row(std::int64_t y) const { return (y - low_y_) / height_; }
+  std::size_t square(std::int64_t u, std::int64_t v) const {
+    return static_cast<std::size_t>(v * across_ + u);
+  }
+
+  std::int64_t low_x_ = 0, low_y_ = 0, width_ = 1, height_ = 1, across_ = 1;
+  std::vector<std::vector<std::size_t>> squares_;
+  std::vector<char> gone_;
+};
 
 class Cutter {
  public:
@@ -236,13 +295,18 @@ class Cutter {
                                     const std::vector<std::vector<Corner>>& holes, std::size_t h) {
     const Corner& from = holes[h].front();
     std::vector<std::pair<double, std::size_t>> order;
+    if (!budget_.spend(2 * outline.size())) return std::nullopt;
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const double x = static_cast<double>(outline[i].x - from.x);
       const double y = static_cast<double>(outline[i].y - from.y);
       order.emplace_back(x * x + y * y, i);
     }
-    std::sort(order.begin(), order.end());
-    for (const auto& [distance, i] : order) {
+    // The nearest are tried first; most often the first will do.
+    const auto farther = std::greater<>();
+    std::make_heap(order.begin(), order.end(), farther);
+    for (; !order.empty(); order.pop_back()) {
+      std::pop_heap(order.begin(), order.end(), farther);
+      const std::size_t i = order.back().second;
       const Corner& before = outline[(i + outline.size() - 1) % outline.size()];
       const Corner& after = outline[(i + 1) % outline.size()];
       const bool touch = outline[i].same_place(from);
@@ -274,6 +338,7 @@ class Cutter {
       next[i] = (i + 1) % outline.size();
       before[next[i]] = i;
     }
+    CornerGrid grid(outline);
     std::size_t left = outline.size();
     std::size_t at = 0;
     std::size_t without_ear = 0;
@@ -290,7 +355,7 @@ class Cutter {
       // There and back: nothing between.
       const bool forced = without_ear > left;
       const bool spike = a.same_place(c) || a.same_place(b) || b.same_place(c);
-      if (!forced && !spike && !is_ear(outline, next, at, before[at], left)) {
+      if (!forced && !spike && !is_ear(outline, grid, before[at], at, next[at])) {
         at = next[at];
         ++without_ear;
         continue;
@@ -298,6 +363,7 @@ class Cutter {
       if (a.index != b.index && b.index != c.index && a.index != c.index) {
         triangles_.push_back({a.index, b.index, c.index});
       }
+      grid.remove(at);
       next[before[at]] = next[at];
       before[next[at]] = before[at];
       // Not the neighbour: fans of narrow triangles would follow.
@@ -330,18 +396,17 @@ class Cutter {
     return best;
   }
 
-  bool is_ear(const std::vector<Corner>& outline, const std::vector<std::size_t>& next,
-              std::size_t at, std::size_t before, std::size_t left) {
+  bool is_ear(const std::vector<Corner>& outline, const CornerGrid& grid, std::size_t before,
+              std::size_t at, std::size_t next) {
     const Corner& a = outline[before];
     const Corner& b = outline[at];
-    const Corner& c = outline[next[at]];
-    if (side(a, b, c) <= 0 || !budget_.spend(left)) return false;
-    for (std::size_t i = next[next[at]]; i != before; i = next[i]) {
+    const Corner& c = outline[next];
+    if (side(a, b, c) <= 0 || !budget_.spend(1)) return false;
+    return !grid.any_near(a, b, c, budget_, [&](std::size_t i) {
       const Corner& p = outline[i];
-      if (p.same_place(a) || p.same_place(b) || p.same_place(c)) continue;
-      if (side(a, b, p) >= 0 && side(b, c, p) >= 0 && side(c, a, p) >= 0) return false;
-    }
-    return true;
+      if (p.same_place(a) || p.same_place(b) || p.same_place(c)) return false;
+      return side(a, b, p) >= 0 && side(b, c, p) >= 0 && side(c, a, p) >= 0;
+    });
   }
 
   const std::vector<Vec3>& points_;

@@ -1,6 +1,8 @@
 #include "src/exchange/ifc/shape_reader.hpp"
 
 #include <algorithm>
+#include <array>
+#include <set>
 #include <utility>
 
 #include "src/exchange/ifc/body_items.hpp"
@@ -38,16 +40,74 @@ std::optional<Axis> axis_of(const StepFile& file, std::uint64_t id) {
   return Axis{*point, unit_direction(file, (*values)[1].reference()).value_or(Vec3(Vec3::UnitZ()))};
 }
 
+/// A body with as many of the cuts as could be made.
+struct CutBody {
+  Solid solid;
+  std::vector<std::size_t> missing;  ///< cuts
+};
+
+/// Nothing if not even what is left can be made a surface of. That has a budget of its own, `rest`:
+/// what could be cut is used, also where the budget was not enough for all.
+std::optional<CutBody> try_cuts(const Solid& body, const std::vector<BodyCut>& cuts, bool apart,
+                                bool fill_now, WorkBudget& budget, WorkBudget& rest) {
+  std::optional<FaceSolid> faces = FaceSolid::of(body, apart, budget);
+  if (!faces) return std::nullopt;
+  CutBody result;
+  for (std::size_t i = 0; i < cuts.size() && !faces->is_empty(); ++i) {
+    const std::vector<Cell>& cells = cuts[i].cells;
+    std::optional<FaceSolid> before;
+    // One cell that fails changes nothing.
+    if (cells.size() > 1 && budget.spend(faces->corners())) before = faces;
+    const bool done = std::all_of(cells.begin(), cells.end(), [&](const Cell& cell) {
+      return faces->is_empty() || faces->subtract(cell, fill_now, budget);
+    });
+    if (done) continue;
+    result.missing.push_back(i);
+    if (before) faces = std::move(before);
+  }
+  if (!faces->is_changed()) {
+    result.solid = body;
+    return result;
+  }
+  auto solid = faces->triangles(rest);
+  if (!solid) return std::nullopt;
+  result.solid = std::move(*solid);
+  return result;
+}
+
+/// Cuts that leave borders which cross are found when triangles are made: then it is done again,
+/// and each cut looked at by itself; and again with triangles for faces.
+CutBody cut_body(const Solid& body, const std::vector<BodyCut>& cuts, WorkBudget& budget) {
+  CutBody best{body, {}};
+  for (std::size_t i = 0; i < cuts.size(); ++i) best.missing.push_back(i);
+  if (best.missing.empty()) return best;
+  const Solid whole = welded(body);
+  if (!is_closed(whole)) return best;
+  constexpr std::array<std::array<bool, 2>, 3> kWays{{{false, false}, {false, true}, {true, true}}};
+  for (const auto& [apart, fill_now] : kWays) {
+    WorkBudget share = budget.share(kMostCutSteps);
+    WorkBudget rest = share;
+    auto cut = try_cuts(whole, cuts, apart, fill_now, share, rest);
+    budget.spend(share.used() + rest.used());
+    if (cut && cut->missing.size() < best.missing.size()) best = std::move(*cut);
+    if (best.missing.empty() || share.is_spent() || rest.is_spent()) break;
+  }
+  return best;
+}
+
 /// The cells of intersections: bodies that touch.
 bool keep_common(Bodies& bodies, const std::vector<Cell>& cells, WorkBudget& budget) {
   std::vector<Solid> common;
   for (const Solid& body : bodies.solids) {
     if (!is_closed(body)) return false;
+    WorkBudget share = budget.share(kMostCutSteps);
     for (const Cell& cell : cells) {
-      auto part = intersect(body, cell, budget);
+      auto part = intersect(body, cell, share);
+      budget.spend(part ? 0 : share.used());
       if (!part) return false;
       if (!part->triangles.empty()) common.push_back(std::move(*part));
     }
+    budget.spend(share.used());
   }
   bodies.solids = std::move(common);
   return true;
@@ -64,25 +124,16 @@ void transform(const math::Mat3& linear, const Vec3& translation, std::vector<So
   }
 }
 
-void cut_bodies(Bodies& bodies, const std::vector<Cell>& cells, const std::string& what,
-                WorkBudget& budget) {
+void cut_bodies(Bodies& bodies, const std::vector<BodyCut>& cuts, WorkBudget& budget) {
   std::vector<Solid> left;
-  bool done = true;
+  std::set<std::size_t> missing;
   for (Solid& body : bodies.solids) {
-    std::optional<Solid> rest = welded(body);
-    if (!is_closed(*rest)) rest = std::nullopt;
-    for (const Cell& cell : cells) {
-      if (rest && !rest->triangles.empty()) rest = subtract(*rest, cell, budget);
-    }
-    done = done && rest.has_value();
-    if (!rest) {
-      left.push_back(std::move(body));
-    } else if (!rest->triangles.empty()) {
-      left.push_back(std::move(*rest));
-    }
+    CutBody cut = cut_body(body, cuts, budget);
+    missing.insert(cut.missing.begin(), cut.missing.end());
+    if (!cut.solid.triangles.empty()) left.push_back(std::move(cut.solid));
   }
   bodies.solids = std::move(left);
-  if (!done) bodies.notes.push_back(what + " is not cut out");
+  for (const std::size_t i : missing) bodies.notes.push_back(cuts[i].what + " is not cut out");
 }
 
 std::optional<std::vector<Cell>> cells_of(const Bodies& bodies, WorkBudget& budget) {
@@ -90,7 +141,9 @@ std::optional<std::vector<Cell>> cells_of(const Bodies& bodies, WorkBudget& budg
   for (const Solid& each : bodies.solids) {
     const Solid body = welded(each);
     if (!is_closed(body)) return std::nullopt;
-    const auto cells = convex_cells(body, budget);
+    WorkBudget share = budget.share(kMostCutSteps);
+    const auto cells = convex_cells(body, share);
+    budget.spend(share.used());
     if (!cells) return std::nullopt;
     all.insert(all.end(), cells->begin(), cells->end());
   }
@@ -182,24 +235,32 @@ bool ShapeReader::read_boolean(const StepRecord& record, int depth, Bodies& out)
     at = terms_.file.find(chain.back()[kFirstOperand].reference());
   }
   Bodies bodies;
+  std::vector<BodyCut> cuts;
+  const auto cut = [&] {
+    cut_bodies(bodies, cuts, terms_.budget);
+    cuts.clear();
+  };
   const int below = depth + 1;
   if (at == nullptr || !read_item(at->id, below, bodies)) return false;
   for (; !chain.empty(); chain.pop_back()) {
     const StepItem kind = chain.back()[0];
     const std::uint64_t second = chain.back()[kSecondOperand].reference();
     if (kind.is_enumeration("UNION")) {
+      cut();
       if (!read_item(second, below, bodies)) return false;
       continue;
     }
     const auto cells = cutter(second, below, bodies, bodies);
     const bool common = kind.is_enumeration("INTERSECTION");
+    if (common) cut();
     if (common && (!cells || !keep_common(bodies, *cells, terms_.budget))) return false;
     if (!common && !cells) {
       bodies.notes.emplace_back("what is to be cut off cannot be read: nothing is cut off");
     } else if (!common) {
-      cut_bodies(bodies, *cells, "what a boolean result takes away", terms_.budget);
+      cuts.push_back({*cells, "what a boolean result takes away"});
     }
   }
+  cut();
   for (Solid& solid : bodies.solids) out.solids.push_back(std::move(solid));
   out.notes.insert(out.notes.end(), bodies.notes.begin(), bodies.notes.end());
   return true;

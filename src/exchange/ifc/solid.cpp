@@ -12,23 +12,8 @@ namespace rubicon::ifc {
 namespace {
 
 using math::Vec3;
-using Edge = std::pair<int, int>;
 
 using math::at;
-
-/// Strikes out pairs that run both ways; sorted.
-std::vector<Edge> net(std::vector<Edge> edges) {
-  std::sort(edges.begin(), edges.end());
-  std::vector<Edge> left;
-  for (std::size_t i = 0; i < edges.size();) {
-    const auto [first, last] = std::equal_range(edges.begin(), edges.end(), edges[i]);
-    const auto [back, back_last] =
-        std::equal_range(edges.begin(), edges.end(), Edge(edges[i].second, edges[i].first));
-    for (auto k = back_last - back; k < last - first; ++k) left.push_back(edges[i]);
-    i = static_cast<std::size_t>(last - edges.begin());
-  }
-  return left;
-}
 
 /// How far `to` is turned to the left of `from` about `n`, (-180, 180].
 double turn_deg(const Vec3& from, const Vec3& to, const Vec3& n) {
@@ -54,6 +39,19 @@ void put_simple(const Loop& loop, std::vector<Loop>& loops) {
 }
 
 }  // namespace
+
+std::vector<Edge> net(std::vector<Edge> edges) {
+  std::sort(edges.begin(), edges.end());
+  std::vector<Edge> left;
+  for (std::size_t i = 0; i < edges.size();) {
+    const auto [first, last] = std::equal_range(edges.begin(), edges.end(), edges[i]);
+    const auto [back, back_last] =
+        std::equal_range(edges.begin(), edges.end(), Edge(edges[i].second, edges[i].first));
+    for (auto k = back_last - back; k < last - first; ++k) left.push_back(edges[i]);
+    i = static_cast<std::size_t>(last - edges.begin());
+  }
+  return left;
+}
 
 bool is_closed(const Solid& solid) {
   std::vector<Edge> edges;
@@ -91,6 +89,21 @@ Solid welded(const Solid& solid) {
     if (moved[0] != moved[1] && moved[1] != moved[2] && moved[2] != moved[0]) {
       result.triangles.push_back(moved);
     }
+  }
+  return result;
+}
+
+Solid compact(const Solid& solid) {
+  Solid result;
+  std::map<int, int> place;
+  for (const auto& t : solid.triangles) {
+    std::array<int, 3> moved{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [found, is_new] = place.try_emplace(t[k], static_cast<int>(result.points.size()));
+      if (is_new) result.points.push_back(solid.points[at(t[k])]);
+      moved[k] = found->second;
+    }
+    result.triangles.push_back(moved);
   }
   return result;
 }

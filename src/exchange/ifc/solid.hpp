@@ -18,6 +18,9 @@ struct Solid {
   std::vector<std::array<int, 3>> triangles;
 };
 
+/// From corner to corner, as indices.
+using Edge = std::pair<int, int>;
+
 /// A side of a plane: n * p <= w is inside. n has length 1.
 struct HalfSpace {
   math::Vec3 n = math::Vec3::UnitZ();
@@ -37,12 +40,17 @@ double volume_of(const Solid& solid);
 /// Corners at exactly the same place become one; triangles that lose a corner go.
 Solid welded(const Solid& solid);
 
+/// Strikes out pairs of edges that run both ways; sorted.
+std::vector<Edge> net(std::vector<Edge> edges);
+
+/// Without corners that nothing uses.
+Solid compact(const Solid& solid);
+
 /// The directed edges that remain when those that run both ways are struck out, in loops: how the
 /// area that is missing to a closed surface, or is left of one, is bordered. At a corner where
 /// several meet the one most to the left is followed, seen against `normal`. Nothing if they do
 /// not meet end to end.
 std::optional<std::vector<Loop>> border_loops(const std::vector<math::Vec3>& points,
-                                              std::vector<std::pair<int, int>> edges,
-                                              const math::Vec3& normal);
+                                              std::vector<Edge> edges, const math::Vec3& normal);
 
 }  // namespace rubicon::ifc

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 namespace rubicon::ifc {
@@ -22,6 +23,10 @@ class WorkBudget {
     left_ -= steps;
     return true;
   }
+
+  /// A budget of its own for one thing that can be left out when it takes too much: at most a
+  /// fourth of what is left, so that the rest of the file is read. What it used is to be spent.
+  WorkBudget share(std::uint64_t most) const { return WorkBudget(std::min(most, left_ / 4)); }
 
   /// Whether something had to be given up.
   bool is_spent() const { return is_spent_; }

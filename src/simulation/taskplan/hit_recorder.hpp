@@ -15,7 +15,7 @@ struct RecordedHit {
   std::vector<std::string> parameters;  ///< display names
   interpreter::Span span;
   interpreter::HitPair pair;
-  int way_point = 1;  ///< from 1, of its motion
+  int way_point = 1;            ///< from 1, of its motion
   interpreter::Ticks time = 0;  ///< when it was met
 };
 
