@@ -60,8 +60,8 @@ std::optional<std::vector<Cell>> cells_of(const Bodies& bodies, WorkBudget& budg
 void transform(const math::Mat3& linear, const math::Vec3& translation, std::vector<Solid>& solids);
 
 /// Steps that the cuts of one body may take, and those that make cells of one tool, but never more
-/// than a fourth of what is left for the file. 400 round holes in a slab take 170 million, a sphere
-/// of 1 m 20.
+/// than half of what is left for cuts (WorkBudget::share). 400 round holes in a slab take 170
+/// million, a sphere of 1 m 20.
 inline constexpr std::uint64_t kMostCutSteps = 250'000'000;
 /// Booleans in second operands, and maps in maps: real files have two or three.
 inline constexpr int kDeepestShape = 32;

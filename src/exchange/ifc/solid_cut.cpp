@@ -564,6 +564,7 @@ std::optional<std::vector<Cell>> convex_cells(const Solid& body, WorkBudget& bud
   std::vector<Vec3> points = body.points;
   std::vector<Cell> cells;
   std::vector<std::vector<Face>> pending{plane_faces(body, false, budget)};
+  if (pending.front().empty()) return std::nullopt;
   while (!pending.empty()) {
     std::vector<Face> faces = std::move(pending.back());
     pending.pop_back();

@@ -15,7 +15,8 @@ using Cell = std::vector<HalfSpace>;
 /// A closed body by its plane faces, to be cut many times.
 class FaceSolid {
  public:
-  /// Triangles in one plane make one face, but where `apart`. Nothing without budget.
+  /// Triangles in one plane make one face, but where `apart`. Nothing without budget, or too far
+  /// out.
   static std::optional<FaceSolid> of(const Solid& body, bool apart, WorkBudget& budget);
 
   /// Takes away what lies inside of a cell. False, and nothing is changed, if it cannot be worked

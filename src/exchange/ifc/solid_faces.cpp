@@ -20,6 +20,9 @@ using math::at;
 /// rounding leaves of coordinates, and a tenth of kOnPlane.
 constexpr double kOneFace = 1e-6;
 
+/// Metres. Farther out volumes, and in the end squares, are no numbers to reckon with.
+constexpr double kFarthest = 1e12;
+
 /// What one look at a triangle or an edge costs, in steps of the budget.
 constexpr std::uint64_t kStepsToMerge = 40;
 
@@ -167,6 +170,10 @@ Vec3 area_vector(const std::vector<Vec3>& points, const std::vector<Edge>& edges
 
 std::vector<Face> plane_faces(const Solid& body, bool apart, WorkBudget& budget) {
   if (!budget.spend(kStepsToMerge * body.triangles.size())) return {};
+  const bool is_near = std::all_of(body.points.begin(), body.points.end(), [](const Vec3& p) {
+    return p.cwiseAbs().maxCoeff() < kFarthest;
+  });
+  if (!is_near) return {};
   return FaceMerger(body).merge(apart);
 }
 

@@ -44,6 +44,7 @@ Extent extent_of(const std::vector<math::Vec3>& points, const std::vector<Edge>&
 math::Vec3 area_vector(const std::vector<math::Vec3>& points, const std::vector<Edge>& edges);
 
 /// The faces of a closed body: triangles in one plane that touch make one, but where `apart`.
+/// None without budget, and where corners lie too far out to reckon with.
 std::vector<Face> plane_faces(const Solid& body, bool apart, WorkBudget& budget);
 
 /// The plane of a face; nothing if it is too narrow to tell its direction.

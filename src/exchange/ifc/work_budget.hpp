@@ -24,9 +24,12 @@ class WorkBudget {
     return true;
   }
 
-  /// A budget of its own for one thing that can be left out when it takes too much: at most a
-  /// fourth of what is left, so that the rest of the file is read. What it used is to be spent.
-  WorkBudget share(std::uint64_t most) const { return WorkBudget(std::min(most, left_ / 4)); }
+  /// A budget of its own for one thing that can be left out when it takes too much: at most half of
+  /// what is left, where half of all stays for what cannot. What it used is to be spent.
+  WorkBudget share(std::uint64_t most) const {
+    const std::uint64_t kept = steps_ / 2;
+    return WorkBudget(left_ > kept ? std::min(most, (left_ - kept) / 2) : 0);
+  }
 
   /// Whether something had to be given up.
   bool is_spent() const { return is_spent_; }

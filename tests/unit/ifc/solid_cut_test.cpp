@@ -334,5 +334,17 @@ TEST(SolidCut, WithoutWorkThereIsNoAnswer) {
   EXPECT_FALSE(subtract(body, cell_of(box({0, 0, 0}, {0.5, 0.5, 0.5})), none));
 }
 
+TEST(SolidCut, WhatLiesTooFarOutIsNotCut) {
+  for (const double far : {1e13, 1e160, 1e300}) {
+    WorkBudget budget = plenty();
+    const Solid body = box({0, 0, 0}, {1, 1, 1});
+    Solid distant = body;
+    for (Vec3& p : distant.points) p *= far;
+    EXPECT_FALSE(convex_cells(distant, budget));
+    EXPECT_FALSE(subtract(distant, cell_of(body), budget));
+    EXPECT_FALSE(intersect(distant, cell_of(body), budget));
+  }
+}
+
 }  // namespace
 }  // namespace rubicon::ifc
