@@ -255,6 +255,7 @@ TEST(SolidCut, PointsAreInsideWhereTheBodyIsAndNoCutIs) {
                                     : box({-2, -1.5, 0}, {2, 1.5, 1})};
     const Solid whole = bodies.solids[0];
     std::vector<BodyCut> cuts;
+    std::vector<Solid> tools;
     const auto count = random() % 6 + 1;
     for (unsigned k = 0; k < count; ++k) {
       // Right through, flush, blind; on a grid in every other round, so that they touch.
@@ -265,12 +266,22 @@ TEST(SolidCut, PointsAreInsideWhereTheBodyIsAndNoCutIs) {
       const double height = std::array{1.2, 1.0, 0.5}[random() % 3];
       const int sides = 3 + static_cast<int>(random() % 30);
       const double radius = uniform(0.1, 0.6);
-      const auto kind = random() % 4;
+      const auto kind = random() % 5;
       Solid tool = kind == 0   ? globe(12, radius, foot)
                    : kind == 1 ? box(foot, foot + Vec3(0.75, 0.5, height))
                                : column(sides, radius, foot, height);
+      if (kind == 4) {
+        Region angle;
+        for (const auto& [x, y] :
+             {std::pair(0.0, 0.0), {1.0, 0.0}, {1.0, 0.5}, {0.5, 0.5}, {0.5, 1.0}, {0.0, 1.0}}) {
+          angle.outline.push_back(foot + Vec3(x, y, 0));
+        }
+        WorkBudget some = plenty();
+        tool = *extruded(angle, {0, 0, height}, some);
+      }
       if (kind == 3) tool = moved(tool, math::rotation_x_deg(uniform(-40, 40)));
       cuts.push_back(cut_of(tool));
+      tools.push_back(tool);
     }
     WorkBudget budget = plenty();
     cut_bodies(bodies, cuts, budget);
@@ -285,17 +296,17 @@ TEST(SolidCut, PointsAreInsideWhereTheBodyIsAndNoCutIs) {
       p.x() = uniform(-2, 2);
       p.y() = uniform(-1.5, 1.5);
       p.z() = uniform(0, 1);
-      bool is_cut = false;
       double near = 1;
       for (const BodyCut& cut : cuts) {
         for (const Cell& cell : cut.cells) {
           double most = -1;
           for (const HalfSpace& plane : cell) most = std::max(most, plane.n.dot(p) - plane.w);
-          is_cut = is_cut || most < 0;
           near = std::min(near, std::fabs(most));
         }
       }
       if (near < 2 * kShift) continue;
+      const bool is_cut = std::any_of(tools.begin(), tools.end(),
+                                      [&](const Solid& tool) { return winding(tool, p) > 0.5; });
       const bool was_inside = winding(whole, p) > 0.5;
       ASSERT_NEAR(winding(rest, p), was_inside && !is_cut ? 1 : 0, 1e-3);
       if (was_inside) ++(is_cut ? taken : inside);
