@@ -3,7 +3,7 @@ import { Clock } from '../src/clock';
 import { firstAfter, lanesOf, layoutGantt, noRun, piecesOf, stretched, type Bar } from '../src/gantt/layout';
 import { axisHeight, paintGantt, runsAt, type Scene } from '../src/gantt/paint';
 import type { Painter } from '../src/gantt/painter';
-import { panned, showing, timeOf, wholeView, xOf, zoomed } from '../src/gantt/view';
+import { panned, showing, timeOf, wholeView, xOf, zoomed, zoomPlace } from '../src/gantt/view';
 import type { MovingData } from '../src/header';
 import { Runs } from '../src/runs';
 import { makeFilm, robot } from './film_maker';
@@ -94,6 +94,8 @@ describe('view', () => {
     expect(xOf(closer, t)).toBeCloseTo(200, 6);
     expect(closer.to - closer.from).toBeCloseTo((whole.to - whole.from) / 4, 6);
     expect(zoomed(closer, 37, 4, 1000)).toEqual(whole);
+    expect(zoomPlace(whole, 250)).toBe(xOf(whole, 250));
+    expect(zoomPlace(closer, closer.to + 1)).toBe(closer.width / 2);
   });
 
   it('does not leave the plan, nor go closer than is of use', () => {

@@ -22,6 +22,11 @@ export function wholeView(end: number, width: number): TimeView {
   return { from: -0.03 * long, to: 1.03 * long, width };
 }
 
+/** Where to zoom without a pointer: at `t` if that is to be seen, else in the middle. */
+export function zoomPlace(view: TimeView, t: number): number {
+  return t >= view.from && t <= view.to ? xOf(view, t) : view.width / 2;
+}
+
 /** Zooms by a factor (below 1: closer); what is at x stays there, unless the ends of the plan are met. */
 export function zoomed(view: TimeView, x: number, factor: number, end: number): TimeView {
   const whole = wholeView(end, view.width);

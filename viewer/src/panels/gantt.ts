@@ -3,7 +3,7 @@ import { layoutGantt, stretched } from '../gantt/layout';
 import { axisHeight, paintGantt, runsAt, type Scene } from '../gantt/paint';
 import { CanvasPainter } from '../gantt/painter';
 import { SvgPainter } from '../gantt/svg';
-import { panned, showing, wholeView, zoomed, type TimeView } from '../gantt/view';
+import { panned, showing, wholeView, zoomed, zoomPlace, type TimeView } from '../gantt/view';
 import { button, make, onceAFrame, setText } from './dom';
 import { download, fileName } from './download';
 import { hideHint, showHint } from './hint';
@@ -57,7 +57,7 @@ export function mountGantt(host: HTMLElement, page: Page, shown: Shown): void {
     view = next;
     draw();
   };
-  const zoom = (factor: number, x = view.width / 2) => look(zoomed(view, x, factor, film.end));
+  const zoom = (factor: number, x = zoomPlace(view, player.time)) => look(zoomed(view, x, factor, film.end));
   const all = () => look(wholeView(film.end, view.width));
   const pick = (run: number) => {
     goToRun(page, run);
