@@ -132,6 +132,23 @@ class Moving(ResultCase):
         self.assertEqual(schedule["process_time"], 19)
         self.assertEqual(self.stops(), [(3, "left.car", 0), (8, "", 5)])
 
+    def test_what_is_in_something_at_the_beginning_is_told(self):
+        inside = "path 0 s trans(20, 0, 0), 9 s trans(20, 9, 0);"
+        shelf = "component shelf { shape box(20.2, -1, 0, 21, 1, 2); } robot right \"car.robot\" at trans(0, 0.5, 0) { start x 20; }"
+        self.run_plan(car_plan(inside, more=shelf))
+        self.assertIn("at the beginning visitor is 100 mm deep in shelf", self.run_result.stderr)
+        self.assertIn("at the beginning visitor is 300 mm deep in right.car", self.run_result.stderr)
+        self.assertIn("let it begin later than 0 s", self.run_result.stderr)
+        # verify finds what the header leaves out.
+        with open(os.path.join(self.out, "trace.jsonl"), encoding="utf-8") as file:
+            lines = file.readlines()
+        header = json.loads(lines[0])
+        header["beginning"]["overlaps"] = header["beginning"]["overlaps"][:1]
+        with open(os.path.join(self.out, "trace.jsonl"), "w", encoding="utf-8") as file:
+            file.writelines([json.dumps(header) + "\n", *lines[1:]])
+        done = rubicon("verify", self.out)
+        self.assertIn("at the beginning visitor is at least", done.stdout + done.stderr)
+
     def test_two_that_face_each_other(self):
         _, tasks = self.run_plan(car_plan("path 0 s trans(12, 0, 0), 12 s trans(0, 0, 0);"), expected=1)
         self.assertEqual(tasks["go"]["result"], "rejected")

@@ -68,6 +68,7 @@ class BeginningSearch {
       stand(std::move(thing));
     }
     for (std::size_t i = 0; i < plan_.robots.size(); ++i) add_robot(static_cast<int>(i));
+    for (const interpreter::MovingSpec& moving : plan_.movings) add_moving(moving);
     add_idle_waivers();
     return std::move(result_);
   }
@@ -138,6 +139,24 @@ class BeginningSearch {
     for (Thing& part : parts) stand(std::move(part));
   }
 
+  /// What is there from the beginning on, against all that stands; it is in nobody's way by design.
+  void add_moving(const interpreter::MovingSpec& moving) {
+    if (moving.timetable.begin() > 0) return;
+    const collision::BodyPtr body = prepare_named(moving.shapes, moving.name);
+    if (!body) return;
+    const math::Pose X_WO = geometry::pose_at(moving.timetable, 0);
+    collision::SweptQuery query;
+    query.contact_tolerance = plan_.contact;
+    query.items.push_back({{body.get(), geometry::stationary(X_WO)}, true});
+    if (!world_.test(query).hit) return;
+    for (const collision::BlockingPair& pair : world_.explain(query)) {
+      const Thing& other = standing_.at(*pair.hit.obstacle);
+      const double depth = collision::overlap_depth(*other.body, other.X_WB, *body, X_WO);
+      result_.overlaps.push_back(
+          {{other.name, moving.name, depth}, other.owner, {}, other.span, moving.span});
+    }
+  }
+
   const interpreter::PlanModel& plan_;
   std::set<std::pair<ThingRef, ThingRef>> waived_, met_;
   PreparedRobots prepared_;
@@ -179,13 +198,17 @@ std::vector<Diagnostic> warnings_of(const interpreter::PlanModel& plan,
                             {}));
       break;
     }
-    Diagnostic told = warning(
-        "P33", each.second,
-        fmt::format("at the beginning {} is {} deep in {}", each.pair.second,
-                    depth_text(each.pair.depth), each.pair.first),
-        fmt::format("move one of them, or, if it is meant, write touching {} {}; or, for "
-                    "an embedded part, within {} {};",
-                    each.first_owner, each.second_owner, each.second_owner, each.first_owner));
+    const std::string hint =
+        each.second_owner.empty()
+            ? std::string("let it begin later than 0 s: then it comes when there is room")
+            : fmt::format(
+                  "move one of them, or, if it is meant, write touching {} {}; or, for "
+                  "an embedded part, within {} {};",
+                  each.first_owner, each.second_owner, each.second_owner, each.first_owner);
+    Diagnostic told = warning("P33", each.second,
+                              fmt::format("at the beginning {} is {} deep in {}", each.pair.second,
+                                          depth_text(each.pair.depth), each.pair.first),
+                              hint);
     if (each.first.end > each.first.begin) told.notes.push_back({each.first, "the other one"});
     all.push_back(std::move(told));
   }

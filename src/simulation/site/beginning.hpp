@@ -12,13 +12,15 @@ namespace rubicon::site {
 /// Two things that are in each other when a plan begins.
 struct BeginningOverlap {
   interpreter::OverlapSpec pair;
-  std::string first_owner, second_owner;  ///< as waivers call them: a robot, not its body
+  /// As waivers call them: a robot, not its body; nothing for things with a timetable.
+  std::string first_owner, second_owner;
   /// Where the two stand in the plan; the site has no place.
   interpreter::Span first, second;
 };
 
 /// Which pairs of things that stand on the site at the beginning (its shapes, components, robots
-/// with what they carry) are in each other, and which waivers are about a pair that is not.
+/// with what they carry, things with a timetable that are there at 0 s) are in each other, and
+/// which waivers are about a pair that is not.
 struct Beginning {
   std::vector<BeginningOverlap> overlaps;  ///< by the second: components, robots, in their order
   std::vector<interpreter::Span> idle_waivers;

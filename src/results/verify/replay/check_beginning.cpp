@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -19,6 +20,7 @@ struct StandingThing {
   std::string owner;  ///< as waivers call it
   const Solid* solid = nullptr;
   Pose X_WS = Pose::Identity();
+  std::shared_ptr<const Solid> own;  ///< `solid`, where nobody else has it
 };
 
 using Names = std::pair<std::string, std::string>;
@@ -30,21 +32,32 @@ Names pair_of(const std::string& a, const std::string& b) {
 std::vector<StandingThing> standing_things(const Scene& scene, const SiteParts& site) {
   std::vector<StandingThing> things;
   for (const Obstacle& each : site.obstacles) {
-    if (each.component < 0) things.push_back({each.name, "site", each.solid.get(), each.X_WS});
+    if (each.component < 0) things.push_back({each.name, "site", each.solid.get(), each.X_WS, {}});
   }
   for (std::size_t i = 0; i < scene.components.size(); ++i) {
     const SceneComponent& component = scene.components[i];
     if (!site.components[i]) continue;
-    things.push_back({component.name, component.name, site.components[i].get(), component.X_WO});
+    things.push_back(
+        {component.name, component.name, site.components[i].get(), component.X_WO, {}});
   }
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {
     Leg leg;
     leg.q0 = start_values(scene.robots[i]);
     const LegFrames frames(*site.robots[i].mechanism, leg);
     for (const RobotPart& part : site.robots[i].bodies) {
-      things.push_back(
-          {part.name, scene.robots[i].name, part.solid, LegPart(frames, part).state(0, 1).X_WS});
+      things.push_back({part.name,
+                        scene.robots[i].name,
+                        part.solid,
+                        LegPart(frames, part).state(0, 1).X_WS,
+                        {}});
     }
+  }
+  for (const SceneMoving& moving : scene.movings) {
+    if (moving.path.front().time > 0) continue;
+    std::shared_ptr<const Solid> solid = make_solid(moving.shapes, scene.meshes);
+    if (solid == nullptr) continue;
+    const Solid* const it = solid.get();
+    things.push_back({moving.name, moving.name, it, moving.path.front().X_WO, std::move(solid)});
   }
   return things;
 }
@@ -77,7 +90,8 @@ void check_beginning(const Scene& scene, const SiteParts& site, Faults& faults) 
     for (const int index : near) {
       const StandingThing& a = things[static_cast<std::size_t>(index)];
       const StandingThing& b = things[i];
-      if (a.owner == b.owner) continue;
+      // Of two with a timetable the later one waits.
+      if (a.owner == b.owner || (a.own && b.own)) continue;
       const Names names = pair_of(a.name, b.name);
       near_pairs.insert(names);
       const StandingPart still_a(a.X_WS);

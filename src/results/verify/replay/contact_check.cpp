@@ -47,6 +47,7 @@ class ContactCheck {
       for (int b = a + 1; b < robots; ++b) check_robots(a, b);
     }
     check_zones();
+    forget_beginning();
     for (const MovingPath& moving : movings_) check_moving(moving);
     return counts_;
   }
@@ -278,6 +279,19 @@ class ContactCheck {
   static Bounds box_of(const Solid& solid, const PartMotion& motion) {
     const PartState state = motion.state(0, 1);
     return solid.bounds.placed(state.X_WS).grown(state.reach.most() + kBoundsMargin);
+  }
+
+  /// Where something with a timetable begins in what stands the header tells it.
+  void forget_beginning() {
+    if (!trace_.scene.beginning) return;
+    for (const SceneOverlap& each : trace_.scene.beginning->overlaps) {
+      const bool is_moving = std::any_of(movings_.begin(), movings_.end(), [&](const auto& moving) {
+        return moving.name() == each.second;
+      });
+      if (!is_moving) continue;
+      reported_.emplace(-1, each.first, each.second);
+      reported_.emplace(-1, each.second, each.first);
+    }
   }
 
   /// Something with a timetable against every robot at the same time, what is above its people
