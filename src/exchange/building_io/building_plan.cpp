@@ -29,15 +29,6 @@ constexpr double kAssumedDensity = 2500;
 /// kg, the most that a plan takes.
 constexpr double kMostMass = 1e8;
 
-std::string joined(const std::vector<std::string>& names, std::size_t most) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
-    text += (i == 0 ? "" : ", ") + names[i];
-  }
-  if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
-  return text;
-}
-
 /// What both kinds of plan have.
 class PlanParts {
  public:

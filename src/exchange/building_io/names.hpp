@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rubicon::building_io {
 
@@ -15,6 +16,9 @@ bool can_be_quoted(std::string_view text);
 
 /// "1 element", "3 elements".
 std::string counted(std::size_t count, const std::string& thing);
+
+/// "a, b and 3 more": no more than `most` by name.
+std::string joined(const std::vector<std::string>& names, std::size_t most);
 
 /// Between quotation marks for a remark, shortened where it is long; "-" if it is empty.
 std::string remark_name(std::string_view name);

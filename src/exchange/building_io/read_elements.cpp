@@ -249,19 +249,15 @@ class ElementReader {
   /// Elements in which a machine could stand unnoticed.
   void warn_of_sheets() {
     constexpr std::size_t kMostNamed = 20;
-    std::vector<std::string> names;
-    std::size_t sheets = 0;
+    std::vector<std::string> sheets;
     for (const Element& element : result_.all) {
-      if (element.frame.volume > 0) continue;
-      if (++sheets <= kMostNamed) names.push_back(element.component);
+      if (!(element.frame.volume > 0)) sheets.push_back(element.component);
     }
-    if (sheets == 0) return;
-    std::string text = fmt::format(
+    if (sheets.empty()) return;
+    const std::string text = fmt::format(
         "{} with a surface that is not closed; only the surface itself stands in the way of "
-        "machines, not "
-        "what it should enclose: {}",
-        counted(sheets, "element"), fmt::join(names, ", "));
-    if (sheets > kMostNamed) text += fmt::format(", and {} more", sheets - kMostNamed);
+        "machines, not what it should enclose: {}",
+        counted(sheets.size(), "element"), joined(sheets, kMostNamed));
     diagnostics_.warning("I14", {}, text, "export them as solids");
   }
 

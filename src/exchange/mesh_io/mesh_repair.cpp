@@ -98,6 +98,18 @@ std::vector<int> weld(const std::vector<Vec3>& vertices, double tolerance, int& 
   return representative;
 }
 
+/// The triangles on the corners that stand for theirs, without those that lose one.
+std::vector<Triangle> on_welded(const std::vector<Triangle>& triangles,
+                                const std::vector<int>& representative) {
+  std::vector<Triangle> kept;
+  kept.reserve(triangles.size());
+  for (const Triangle& t : triangles) {
+    const Triangle w{representative[at(t[0])], representative[at(t[1])], representative[at(t[2])]};
+    if (w[0] != w[1] && w[1] != w[2] && w[2] != w[0]) kept.push_back(w);
+  }
+  return kept;
+}
+
 /// The triangle begun at its smallest index, orientation kept: equal for equal triangles.
 Triangle canonical(Triangle t) {
   std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
@@ -335,17 +347,8 @@ RepairedMesh repair(const std::vector<Vec3>& vertices, const std::vector<Triangl
   const double tolerance = weld_tolerance(vertices);
   const std::vector<int> representative = weld(vertices, tolerance, report.welded_vertices);
 
-  std::vector<Triangle> kept;
-  kept.reserve(triangles.size());
-  for (const Triangle& t : triangles) {
-    const Triangle w{representative[at(t[0])], representative[at(t[1])], representative[at(t[2])]};
-    if (w[0] == w[1] || w[1] == w[2] || w[2] == w[0]) {
-      ++report.degenerate_triangles;
-    } else {
-      kept.push_back(w);
-    }
-  }
-  std::vector<Triangle> netted = kept;
+  std::vector<Triangle> kept = on_welded(triangles, representative);
+  report.degenerate_triangles = static_cast<int>(triangles.size() - kept.size());
   report.duplicate_triangles = drop_duplicates(kept);
 
   const auto thin = [&](const Triangle& t) { return on_a_line(vertices, t, tolerance); };
@@ -355,6 +358,7 @@ RepairedMesh repair(const std::vector<Vec3>& vertices, const std::vector<Triangl
   std::optional<std::vector<Triangle>> closed = closed_surface(vertices, kept, tolerance);
   if (!closed && report.duplicate_triangles > 0) {
     // Where welding folds thin triangles onto each other, equal ones may belong to it.
+    std::vector<Triangle> netted = on_welded(triangles, representative);
     const int struck = drop_opposite_pairs(netted);
     closed = closed_surface(vertices, netted, tolerance);
     if (closed) {

@@ -12,6 +12,10 @@ namespace rubicon::project_io {
 inline constexpr std::array<const char*, 7> kDays = {"mon", "tue", "wed", "thu",
                                                      "fri", "sat", "sun"};
 
+/// Seconds from the beginning of a plan beyond which no date is taken over; dates of plans go a
+/// little farther.
+inline constexpr long long kFarthestDate = 100LL * 365 * 86'400;
+
 /// The number of a day written YYYY-MM-DD; nothing for any other text.
 std::optional<int> day_number(std::string_view date);
 

@@ -7,7 +7,6 @@
 namespace rubicon::project_io {
 
 std::optional<FixedDates> fixed_dates(const Task& task, const Moment& start) {
-  constexpr std::int64_t kFarthest = 100LL * 365 * 86'400;  // s; plans go a little farther
   const bool is_point = task.duration.seconds == 0;
   Moment from = task.actual_start, to = task.actual_finish;
   // A milestone may be known by its finish alone.
@@ -15,14 +14,14 @@ std::optional<FixedDates> fixed_dates(const Task& task, const Moment& start) {
   if (from.text.empty() && task.manual) from = task.start;
   if (to.text.empty()) to = is_point ? from : task.finish;
   const auto begin = second_number(start.text), first = second_number(from.text);
-  if (!begin || !first || *first - *begin > kFarthest) return std::nullopt;
+  if (!begin || !first || *first - *begin > kFarthestDate) return std::nullopt;
   FixedDates dates;
   dates.start = std::max(*first - *begin, 0LL);
   dates.cut = *first < *begin;
   const auto last = second_number(to.text);
   // Dates that contradict each other or the duration say no more than when it begins.
   const bool makes_sense = last && (*last > *first || (*last == *first && is_point));
-  if (makes_sense && *last - *begin <= kFarthest) dates.finish = std::max(*last - *begin, 0LL);
+  if (makes_sense && *last - *begin <= kFarthestDate) dates.finish = std::max(*last - *begin, 0LL);
   return dates;
 }
 

@@ -416,14 +416,13 @@ std::optional<PlanLink> constraint_link(const Task& task, const Moment& start) {
 }
 
 std::optional<Moment> far_start(const Task& task, const Moment& start) {
-  constexpr long long kFarthest = 100LL * 365 * 86'400;  // s; dates of a plan go a little farther
   const auto begin = second_number(start.text), date = second_number(task.constraint_date.text);
   const bool starts = task.constraint == Constraint::start_no_earlier_than ||
                       task.constraint == Constraint::must_start_on;
   if (!starts || !begin || !date || *date <= *begin || constraint_link(task, start)) {
     return std::nullopt;
   }
-  if (*date - *begin > kFarthest) return std::nullopt;
+  if (*date - *begin > kFarthestDate) return std::nullopt;
   return Moment{task.constraint_date.text.substr(0, 16)};
 }
 

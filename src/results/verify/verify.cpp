@@ -46,8 +46,8 @@ namespace {
 
 using math::at;
 
-/// When all that happened is over, and a second more, so that what happens last lasts. What was
-/// undone may have gone on for longer: nobody kept the timetables of things up to then.
+/// When all that happened is over. What was undone may have gone on for longer: nobody kept the
+/// timetables of things up to then.
 Ticks end_of(const Trace& trace, const std::vector<TaskRun>& runs) {
   Ticks last = 0;
   for (const TaskRun& run : runs) {
@@ -56,12 +56,13 @@ Ticks end_of(const Trace& trace, const std::vector<TaskRun>& runs) {
     }
   }
   for (const MovingRecord& record : trace.movings) last = std::max(last, record.time);
-  return last + kSecond;
+  return last;
 }
 
 void check_motions(const Trace& trace, const std::vector<TaskRun>& runs, const WorkingHours& hours,
                    Verdict& verdict) {
-  const Ticks until = end_of(trace, runs);
+  const Ticks end = end_of(trace, runs);
+  const Ticks until = end + kSecond;  // what happens last lasts
   std::vector<RobotTrack> tracks;
   std::vector<LoadEvent> events;
   for (std::size_t robot = 0; robot < trace.scene.robots.size(); ++robot) {
@@ -71,17 +72,16 @@ void check_motions(const Trace& trace, const std::vector<TaskRun>& runs, const W
   const std::vector<Stay> stays =
       component_stays(trace, runs, tracks, events, until, verdict.faults);
   const SiteParts site = make_site_parts(trace, runs, stays, until);
-  check_beginning(trace.scene, site, verdict.faults);
-  check_support(trace, site, stays, until, verdict.faults);
   std::vector<MovingPath> movings;
   for (std::size_t i = 0; i < trace.scene.movings.size(); ++i) {
     std::vector<MovingRecord> records;
     std::copy_if(trace.movings.begin(), trace.movings.end(), std::back_inserter(records),
                  [&](const MovingRecord& each) { return each.moving == static_cast<int>(i); });
     // How they go on after the end nobody has looked at.
-    movings.emplace_back(trace.scene.movings[i], records, trace.scene.meshes, until - kSecond,
-                         verdict.faults);
+    movings.emplace_back(trace.scene.movings[i], records, trace.scene.meshes, end, verdict.faults);
   }
+  check_beginning(trace.scene, site, movings, verdict.faults);
+  check_support(trace, site, stays, until, verdict.faults);
   check_dug_soil(
       trace, runs, tracks, site,
       [&](const std::vector<int>& calendars, Ticks from, Ticks to) {

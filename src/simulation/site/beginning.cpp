@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -29,7 +30,7 @@ constexpr std::size_t kMostTold = 20;
 struct Thing {
   std::string name;
   std::string owner;
-  ThingRef ref;
+  std::optional<ThingRef> ref;  ///< nothing where no waiver can be about it
   Span span;
   collision::BodyPtr body;
   math::Pose X_WB;
@@ -53,7 +54,7 @@ class BeginningSearch {
       const std::string name = site_shape_name(plan_.site_names, i, plan_.site.size());
       stand({name,
              "site",
-             {Kind::site, -1},
+             ThingRef{Kind::site, -1},
              {},
              prepare_named({plan_.site[i]}, name),
              math::Pose::Identity()});
@@ -62,7 +63,7 @@ class BeginningSearch {
       const interpreter::ComponentSpec& component = plan_.components[i];
       collision::BodyPtr body = prepare_named(component.shapes, component.name);
       if (!body) continue;
-      Thing thing{component.name, component.name,  {Kind::component, static_cast<int>(i)},
+      Thing thing{component.name, component.name,  ThingRef{Kind::component, static_cast<int>(i)},
                   component.span, std::move(body), component.X_WO};
       compare(thing);
       stand(std::move(thing));
@@ -87,9 +88,11 @@ class BeginningSearch {
     if (!world_.test(query).hit) return;
     for (const collision::BlockingPair& pair : world_.explain(query)) {
       const Thing& other = standing_.at(*pair.hit.obstacle);
-      const auto both = pair_of(other.ref, thing.ref);
-      met_.insert(both);
-      if (waived_.contains(both)) continue;
+      if (thing.ref) {
+        const auto both = pair_of(*other.ref, *thing.ref);
+        met_.insert(both);
+        if (waived_.contains(both)) continue;
+      }
       const double depth =
           collision::overlap_depth(*other.body, other.X_WB, *thing.body, thing.X_WB);
       result_.overlaps.push_back(
@@ -139,22 +142,17 @@ class BeginningSearch {
     for (Thing& part : parts) stand(std::move(part));
   }
 
-  /// What is there from the beginning on, against all that stands; it is in nobody's way by design.
+  /// What keeps a timetable that begins at 0 s, where it then is.
   void add_moving(const interpreter::MovingSpec& moving) {
     if (moving.timetable.begin() > 0) return;
-    const collision::BodyPtr body = prepare_named(moving.shapes, moving.name);
+    collision::BodyPtr body = prepare_named(moving.shapes, moving.name);
     if (!body) return;
-    const math::Pose X_WO = geometry::pose_at(moving.timetable, 0);
-    collision::SweptQuery query;
-    query.contact_tolerance = plan_.contact;
-    query.items.push_back({{body.get(), geometry::stationary(X_WO)}, true});
-    if (!world_.test(query).hit) return;
-    for (const collision::BlockingPair& pair : world_.explain(query)) {
-      const Thing& other = standing_.at(*pair.hit.obstacle);
-      const double depth = collision::overlap_depth(*other.body, other.X_WB, *body, X_WO);
-      result_.overlaps.push_back(
-          {{other.name, moving.name, depth}, other.owner, {}, other.span, moving.span});
-    }
+    compare({moving.name,
+             {},
+             {},
+             moving.span,
+             std::move(body),
+             geometry::pose_at(moving.timetable, 0)});
   }
 
   const interpreter::PlanModel& plan_;

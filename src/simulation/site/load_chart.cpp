@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <variant>
 
-#include "src/motion/math/angles.hpp"
+#include "src/motion/collision/sweep/motion_bounds.hpp"
 
 namespace rubicon::site {
 
@@ -20,18 +19,6 @@ constexpr double kRadiusResolution = 1e-3;
 
 /// Halvings of a step, for motions without a useful bound.
 constexpr int kMostHalvings = 24;
-
-/// Upper bound (m) of how far the origin of a frame is beside its chord from s0 to s1.
-double chord_deviation(const geometry::Motion& motion, double s0, double s1) {
-  if (const auto* screw = std::get_if<geometry::ScrewMotion>(&motion.kind)) {
-    const double turn = math::radians(std::fabs(screw->angle_deg) * (s1 - s0));
-    const double radius =
-        screw->axis.cross(screw->X0.translation() - screw->point).norm();  // 1 - cos a <= a^2 / 2
-    return radius * turn * turn / 8;
-  }
-  return std::get<std::shared_ptr<const geometry::GeneralMotion>>(motion.kind)
-      ->chord_deviation(s0, s1, 0);
-}
 
 /// A step of a loaded machine, seen by its load chart.
 class LoadedStep {
@@ -55,14 +42,10 @@ class LoadedStep {
   Place place(double s) const { return (X_MW_ * X_WT_.pose(s).translation()).head<2>(); }
 
   bool allows(double radius) const {
-    const double capacity = capacity_at(chart_, radius);
-    if (mass_ <= capacity || std::fabs(radius - radius_at_start_) <= kRadiusRounding) return true;
-    if (capacity_at_start_ >= mass_) return false;
-    return capacity > capacity_at_start_ ||
-           (capacity == capacity_at_start_ && radius < radius_at_start_);
+    return std::fabs(radius - radius_at_start_) <= kRadiusRounding || allows_all(radius, radius);
   }
 
-  /// The same for all radii of an interval.
+  /// All radii of an interval.
   bool allows_all(double inner, double outer) const {
     const double capacity = least_capacity(chart_, inner, outer);
     if (mass_ <= capacity) return true;
@@ -73,7 +56,7 @@ class LoadedStep {
 
   bool allows_between(double s0, const Place& from, double s1, const Place& to,
                       int halvings) const {
-    const double deviation = chord_deviation(X_WT_, s0, s1);
+    const double deviation = collision::chord_deviation_of(X_WT_, {}, s0, s1).centre;
     const Place along = to - from;
     const double length2 = along.squaredNorm();
     const double nearest = length2 > 0 ? std::clamp(-from.dot(along) / length2, 0.0, 1.0) : 0.0;

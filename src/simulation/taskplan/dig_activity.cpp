@@ -491,8 +491,6 @@ bool DigActivity::raise(ActiveTask& task, Stage& stage) {
   if (!cut_.empty()) stage.site_changes.set_surface(dig.soil, cut_);
   const soil::Terrain& surface = *stage.site.surface(dig.soil);
   const bool stays_above = surface.heights[at(target_.cell)] > target_.floor + dig.tolerance;
-  // The next cut would be the same, for the soil is: what is left there is within the tolerance.
-  if (!is_full_ && !stays_above && cut_.empty()) leave_cell();
   if (!is_full_ && stays_above) {
     stage.reject(task.task, fmt::format("bucket {}: {} does not get down to the soil at {}",
                                         task.account.outcome.motion_dig->buckets.size() + 1,
@@ -500,6 +498,8 @@ bool DigActivity::raise(ActiveTask& task, Stage& stage) {
                                         place_text(task, stage)));
     return false;
   }
+  // The next cut would be the same, for the soil is: what is left there is within the tolerance.
+  if (!is_full_ && cut_.empty()) leave_cell();
   if (auto* const trace = stage.trace_of(task.task)) {
     trace->soil(stage.site.component_name(dig.soil), cut_volume_, cut_, entered_, stage.now());
   }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -20,7 +19,7 @@ struct StandingThing {
   std::string owner;  ///< as waivers call it
   const Solid* solid = nullptr;
   Pose X_WS = Pose::Identity();
-  std::shared_ptr<const Solid> own;  ///< `solid`, where nobody else has it
+  bool keeps_timetable = false;
 };
 
 using Names = std::pair<std::string, std::string>;
@@ -29,49 +28,48 @@ Names pair_of(const std::string& a, const std::string& b) {
   return a < b ? Names(a, b) : Names(b, a);
 }
 
-std::vector<StandingThing> standing_things(const Scene& scene, const SiteParts& site) {
+std::vector<StandingThing> standing_things(const Scene& scene, const SiteParts& site,
+                                           const std::vector<MovingPath>& movings) {
   std::vector<StandingThing> things;
   for (const Obstacle& each : site.obstacles) {
-    if (each.component < 0) things.push_back({each.name, "site", each.solid.get(), each.X_WS, {}});
+    if (each.component < 0)
+      things.push_back({each.name, "site", each.solid.get(), each.X_WS, false});
   }
   for (std::size_t i = 0; i < scene.components.size(); ++i) {
     const SceneComponent& component = scene.components[i];
     if (!site.components[i]) continue;
     things.push_back(
-        {component.name, component.name, site.components[i].get(), component.X_WO, {}});
+        {component.name, component.name, site.components[i].get(), component.X_WO, false});
   }
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {
     Leg leg;
     leg.q0 = start_values(scene.robots[i]);
     const LegFrames frames(*site.robots[i].mechanism, leg);
     for (const RobotPart& part : site.robots[i].bodies) {
-      things.push_back({part.name,
-                        scene.robots[i].name,
-                        part.solid,
-                        LegPart(frames, part).state(0, 1).X_WS,
-                        {}});
+      things.push_back({part.name, scene.robots[i].name, part.solid,
+                        LegPart(frames, part).state(0, 1).X_WS, false});
     }
   }
-  for (const SceneMoving& moving : scene.movings) {
-    if (moving.path.front().time > 0) continue;
-    std::shared_ptr<const Solid> solid = make_solid(moving.shapes, scene.meshes);
-    if (solid == nullptr) continue;
-    const Solid* const it = solid.get();
-    things.push_back({moving.name, moving.name, it, moving.path.front().X_WO, std::move(solid)});
+  for (std::size_t i = 0; i < movings.size(); ++i) {
+    const SceneMoving::Place& first = scene.movings[i].path.front();
+    const Solid* const solid = movings[i].solid();
+    if (first.time > 0 || solid == nullptr) continue;
+    things.push_back({movings[i].name(), movings[i].name(), solid, first.X_WO, true});
   }
   return things;
 }
 
 }  // namespace
 
-void check_beginning(const Scene& scene, const SiteParts& site, Faults& faults) {
+void check_beginning(const Scene& scene, const SiteParts& site,
+                     const std::vector<MovingPath>& movings, Faults& faults) {
   if (!scene.beginning) return;
   std::set<Names> waived, told;
   for (const auto& [first, second] : scene.beginning->waived) waived.insert(pair_of(first, second));
   for (const SceneOverlap& each : scene.beginning->overlaps) {
     told.insert(pair_of(each.first, each.second));
   }
-  const std::vector<StandingThing> things = standing_things(scene, site);
+  const std::vector<StandingThing> things = standing_things(scene, site, movings);
   std::vector<Bounds> boxes;
   for (const StandingThing& each : things) {
     boxes.push_back(each.solid->bounds.placed(each.X_WS).grown(kBoundsMargin));
@@ -91,7 +89,7 @@ void check_beginning(const Scene& scene, const SiteParts& site, Faults& faults) 
       const StandingThing& a = things[static_cast<std::size_t>(index)];
       const StandingThing& b = things[i];
       // Of two with a timetable the later one waits.
-      if (a.owner == b.owner || (a.own && b.own)) continue;
+      if (a.owner == b.owner || (a.keeps_timetable && b.keeps_timetable)) continue;
       const Names names = pair_of(a.name, b.name);
       near_pairs.insert(names);
       const StandingPart still_a(a.X_WS);
