@@ -389,9 +389,27 @@ class TrackBuilder {
   }
 
   double radius(const std::vector<double>& q) const {
-    const Vec3 p_MT = robot_.X_WM.inverse(Eigen::Isometry) *
-                      Vec3(mechanism_.pose(mechanism_.tool(), q).translation());
+    return radius(Vec3(mechanism_.pose(mechanism_.tool(), q).translation()));
+  }
+
+  double radius(const Vec3& p_WT) const {
+    const Vec3 p_MT = robot_.X_WM.inverse(Eigen::Isometry) * p_WT;
     return std::sqrt(p_MT.x() * p_MT.x() + p_MT.y() * p_MT.y());
+  }
+
+  /// Whether the chart allows the load wherever the tool may be on its way.
+  bool is_surely_within(const std::vector<double>& after) const {
+    const MechanismState way = mechanism_.state(q_, after);
+    const int tool = mechanism_.tool();
+    const Vec3 p_WT = way.X_WB[at(tool)].translation();
+    const double off = mechanism_.reach(way, tool, -1, p_WT, 0).most();
+    const double inner = std::max(radius(p_WT) - off, 0.0);
+    const double outer = radius(p_WT) + off;
+    double least = std::min(allowed(inner), allowed(outer));
+    for (const auto& [r, most] : robot_.capacity) {
+      if (r > inner && r < outer) least = std::min(least, most);
+    }
+    return mass() <= least;
   }
 
   double mass() const {
@@ -423,7 +441,7 @@ class TrackBuilder {
 
   /// At moments of a step, to the resolution with which the run judges it.
   void check_load_chart(const std::vector<double>& after) {
-    if (robot_.capacity.empty() || !(mass() > 0)) return;
+    if (robot_.capacity.empty() || !(mass() > 0) || is_surely_within(after)) return;
     const auto is_within = [&](double r, double slack) {
       const double most =
           std::max({allowed(std::max(r - slack, 0.0)), allowed(r), allowed(r + slack)});
