@@ -26,7 +26,7 @@ bool is_near(double a, double b) {
 }  // namespace
 
 bool FreeLine::has(std::span<const double> q) const {
-  const double share = (q[longest_] - q_from_[longest_]) / way_[longest_];
+  const double share = this->share(q);
   if (!(share >= -kRounding && share <= 1 + kRounding)) return false;
   for (std::size_t i = 0; i < way_.size(); ++i) {
     const bool on_line =
@@ -97,7 +97,7 @@ std::vector<double> FreeLine::ahead(const robot::RobotModel& model, std::span<co
 }
 
 void FreeLine::found_free(std::span<const double> q_from, std::vector<double> q_end,
-                          std::uint64_t version, const collision::Bounds& bounds) {
+                          std::uint64_t version) {
   q_from_.assign(q_from.begin(), q_from.end());
   way_ = std::move(q_end);
   longest_ = 0;
@@ -106,7 +106,6 @@ void FreeLine::found_free(std::span<const double> q_from, std::vector<double> q_
     if (std::fabs(way_[i]) > std::fabs(way_[longest_])) longest_ = i;
   }
   version_ = version;
-  bounds_ = bounds;
   steps_ = std::min(2 * steps_, kMostSteps);
 }
 

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "src/motion/collision/base/bounds.hpp"
 #include "src/motion/robot/robot_model.hpp"
 
 namespace rubicon::site {
@@ -21,8 +20,10 @@ class FreeLine {
   /// Whether the step lies on the line, and what was looked at then is as it was. `version`: of all
   /// that the line was tested against, and of what hangs on the robot.
   bool covers(std::span<const double> q_from, std::span<const double> q_to, std::uint64_t version);
-  /// The box around all that is swept along the line (world, m).
-  const collision::Bounds& bounds() const { return bounds_; }
+  /// The share of the line at which q, that is on it, lies.
+  double share(std::span<const double> q) const {
+    return (q[longest_] - q_from_[longest_]) / way_[longest_];
+  }
 
   /// Told of each step that is not on the line, before it is tested: where a line from `q_from`
   /// worth a test would end; empty: the step alone is to be tested. It lies within the limits of
@@ -30,8 +31,7 @@ class FreeLine {
   std::vector<double> ahead(const robot::RobotModel& model, std::span<const double> q_from,
                             std::span<const double> q_to);
   /// The line that `ahead` proposed is free.
-  void found_free(std::span<const double> q_from, std::vector<double> q_end, std::uint64_t version,
-                  const collision::Bounds& bounds);
+  void found_free(std::span<const double> q_from, std::vector<double> q_end, std::uint64_t version);
   /// It is not, or nobody knows.
   void found_blocked();
 
@@ -43,7 +43,6 @@ class FreeLine {
   std::vector<double> way_;  ///< from its start to its end; empty: there is no line
   std::size_t longest_ = 0;  ///< the parameter with the longest way
   std::uint64_t version_ = 0;
-  collision::Bounds bounds_;
 
   /// The last step that was not on a line.
   std::vector<double> last_from_;

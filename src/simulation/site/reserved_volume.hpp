@@ -24,6 +24,12 @@ struct ReservedPart {
   bool is_buffer = false;
 };
 
+/// What is known of the volume that a machine sweeps in a step, from its tests.
+struct StepVolume {
+  std::optional<collision::Bounds> bounds;  ///< a box around all of it, world
+  std::vector<geometry::Motion> motions;    ///< of its parts, see `part_motions`; or none
+};
+
 /// The volume that belongs to one owner: where a machine stands, all that it sweeps while a step of
 /// it lasts, or a zone.
 class ReservedVolume {

@@ -17,6 +17,10 @@ namespace {
 /// query.
 constexpr double kFreeDistanceResolution = 1e-6;
 
+/// m: by how much steps that count as on a line may be beside it. Far above the rounding of values
+/// that FreeLine allows, on a robot of any size.
+constexpr double kLineRounding = 1e-6;
+
 std::vector<int> numbers_of(const std::vector<ReservedPart>& parts) {
   std::vector<int> numbers;
   for (const ReservedPart& part : parts) numbers.push_back(part.part);
@@ -25,12 +29,24 @@ std::vector<int> numbers_of(const std::vector<ReservedPart>& parts) {
 
 }  // namespace
 
+/// What the robot sweeps along the line that was found free.
+struct RobotView::LineVolume {
+  explicit LineVolume(const StepQuery& step)
+      : movers(step.against_others()),
+        bodies(movers),
+        standing(collision::MovingBodies(step.standing()).bounds()) {}
+
+  collision::SweptQuery movers;
+  collision::MovingBodies bodies;
+  collision::Bounds standing;  ///< around the rest, ropes and buffers left out
+};
+
 std::optional<interpreter::HitPair> RobotView::propose(const interpreter::MotionStep& step) {
   if (auto pair = refusal(step)) return pair;
   site_.watch_workspaces(index_, step);
   std::vector<double> q(step.q_to.begin(), step.q_to.end());
   robot::normalise(*robot().model, q);
-  site_.begin_step(index_, step, std::move(q));
+  site_.begin_step(index_, step, std::move(q), std::move(step_volume_));
   return std::nullopt;
 }
 
@@ -106,6 +122,7 @@ std::optional<interpreter::HitPair> RobotView::foreseen_hit(std::span<const doub
 }
 
 std::optional<interpreter::HitPair> RobotView::refusal(const interpreter::MotionStep& step) const {
+  step_volume_ = {};
   if (nothing_to_meet()) return std::nullopt;
   const bool on_line = look_ahead(step);
   if (auto pair = swept_hit(step, on_line)) return pair;
@@ -169,28 +186,49 @@ bool RobotView::look_ahead(const interpreter::MotionStep& step) const {
     line_.found_blocked();
     return false;
   }
-  const collision::SweptQuery movers = query.against_others();
-  collision::MovingBodies bodies(movers);
-  if (zone_met(movers, query.parts_of_movers(), bodies)) {
+  const auto volume = std::make_shared<LineVolume>(query);
+  if (zone_met(volume->movers, query.parts_of_movers(), volume->bodies)) {
     line_.found_blocked();
     return false;
   }
   // Of a load that is too heavy each step is judged by where it begins.
   line_is_within_chart_ = has_chart_for_load() && is_within_chart(step.q_from) &&
                           is_allowed_by_chart(step.q_from, q_end);
-  line_.found_free(step.q_from, std::move(q_end), version, bodies.bounds());
+  line_.found_free(step.q_from, std::move(q_end), version);
+  line_volume_ = volume;
   return true;
+}
+
+/// A box around what it sweeps in a step that is on the line.
+collision::Bounds RobotView::bounds_on_line(const interpreter::MotionStep& step) const {
+  // The bodies of ropes were made for the test of the line alone.
+  if (!robot().ropes.empty()) return line_volume_->bodies.bounds();
+  collision::Bounds bounds =
+      line_volume_->bodies.bounds_between(line_.share(step.q_from), line_.share(step.q_to));
+  bounds.grow(math::Vec3::Constant(kLineRounding));
+  return bounds;
 }
 
 std::optional<interpreter::HitPair> RobotView::swept_hit(const interpreter::MotionStep& step,
                                                          bool on_line) const {
-  if (on_line && site_.is_alone_in(index_, line_.bounds())) return std::nullopt;
-  const StepQuery query(robot(), site_.load(index_), step.q_from, step.q_to,
-                        site_.contact_tolerance(), site_.has_obstacles());
+  if (on_line) {
+    if (!site_.has_others(index_)) return std::nullopt;
+    const collision::Bounds bounds = bounds_on_line(step);
+    if (robot().ropes.empty() && robot().buffers.empty()) {
+      step_volume_.bounds = bounds;
+      step_volume_.bounds->add(line_volume_->standing);
+    }
+    if (site_.is_alone_in(index_, bounds)) return std::nullopt;
+  }
+  StepQuery query(robot(), site_.load(index_), step.q_from, step.q_to, site_.contact_tolerance(),
+                  site_.has_obstacles());
   if (query.query().items.empty()) return std::nullopt;
-  if (on_line) return others_hit(query, site_.now() + step.duration);
-  if (auto pair = own_hit(query)) return pair;
-  return others_hit(query, site_.now() + step.duration);
+  if (!on_line) {
+    if (auto pair = own_hit(query)) return pair;
+  }
+  if (auto pair = others_hit(query, site_.now() + step.duration)) return pair;
+  step_volume_.motions = query.take_motions();
+  return std::nullopt;
 }
 
 /// As a test of the query, but that bodies may cut into some components: these against all but what

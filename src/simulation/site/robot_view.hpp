@@ -57,6 +57,7 @@ class RobotView : public interpreter::World {
  private:
   class BodiesOnLeg;
   struct Legs;
+  struct LineVolume;
 
   bool can_look_along() const;
   bool others_leave_free(std::span<const double> q_from, std::span<const double> q_to,
@@ -66,6 +67,7 @@ class RobotView : public interpreter::World {
   std::optional<interpreter::HitPair> swept_hit(const interpreter::MotionStep& step,
                                                 bool on_line) const;
   bool look_ahead(const interpreter::MotionStep& step) const;
+  collision::Bounds bounds_on_line(const interpreter::MotionStep& step) const;
   std::optional<interpreter::HitPair> overload(const interpreter::MotionStep& step,
                                                bool on_line) const;
   bool has_chart_for_load() const;
@@ -98,13 +100,15 @@ class RobotView : public interpreter::World {
 
   SiteWorld& site_;
   int index_;
-  std::vector<ForeseenRegion> foreseen_;       ///< when it was asked last
-  bool keeps_out_ = false;                     ///< of these
-  mutable collision::ClearanceBudget budget_;  ///< never changes an answer
-  mutable FreeLine line_;                      ///< nor does this: what lies on it is free
-  mutable bool line_is_within_chart_ = false;  ///< of the load, everywhere on it
-  mutable std::shared_ptr<Legs> legs_;         // shared: of a type that is not known here
-  mutable std::vector<bool> moved_bodies_;     ///< those that a step of it can move; found once
+  std::vector<ForeseenRegion> foreseen_;             ///< when it was asked last
+  bool keeps_out_ = false;                           ///< of these
+  mutable collision::ClearanceBudget budget_;        ///< never changes an answer
+  mutable FreeLine line_;                            ///< nor does this: what lies on it is free
+  mutable bool line_is_within_chart_ = false;        ///< of the load, everywhere on it
+  mutable std::shared_ptr<LineVolume> line_volume_;  // shared: of a type that is not known here
+  mutable StepVolume step_volume_;                   ///< of the step that was tested last
+  mutable std::shared_ptr<Legs> legs_;               // shared: of a type that is not known here
+  mutable std::vector<bool> moved_bodies_;  ///< those that a step of it can move; found once
 };
 
 }  // namespace rubicon::site

@@ -52,13 +52,13 @@ void SiteWorld::attach(int robot, int component) {
   assert(taken.standing && !entry(robot).load);
   const math::Pose X_TW = tool_pose(robot).inverse(Eigen::Isometry);
   entry(robot).load = Load{taken.name, taken.body, X_TW * taken.X_WO, taken.mass, component};
-  entry(robot).reserved.reset();
+  entry(robot).forget_volume();
   lift(taken);
 }
 
 void SiteWorld::attach_carry(int robot, collision::BodyPtr body) {
   entry(robot).load = Load{"load", std::move(body), math::Pose::Identity(), 0, -1};
-  entry(robot).reserved.reset();
+  entry(robot).forget_volume();
   ++changes_;
 }
 
@@ -66,13 +66,14 @@ void SiteWorld::detach(int robot) {
   assert(entry(robot).load && entry(robot).load->component >= 0);
   const Load load = *entry(robot).load;
   entry(robot).load.reset();
-  entry(robot).reserved.reset();
+  entry(robot).forget_volume();
   stand(components_[static_cast<std::size_t>(load.component)], tool_pose(robot) * load.X_TO);
 }
 
 void SiteWorld::remove(int component) { lift(components_[static_cast<std::size_t>(component)]); }
 
-void SiteWorld::begin_step(int robot, const interpreter::MotionStep& step, std::vector<double> q) {
+void SiteWorld::begin_step(int robot, const interpreter::MotionStep& step, std::vector<double> q,
+                           StepVolume known) {
   RobotEntry& moving = entry(robot);
   const bool waits = std::equal(step.q_from.begin(), step.q_from.end(), step.q_to.begin());
   if (waits && !moving.stepping && moving.q == q) return;
@@ -87,6 +88,7 @@ void SiteWorld::begin_step(int robot, const interpreter::MotionStep& step, std::
     moving.step.q_aim.assign(step.q_aim.begin(), step.q_aim.end());
   }
   changed(moving);
+  if (moving.stepping) moving.known = std::move(known);
 }
 
 void SiteWorld::begin_turn(int robot, double angle_deg, Ticks end) {
@@ -144,7 +146,7 @@ void SiteWorld::set_machine_state(int robot, MachineState state) {
   machine.workspace_now.reset();
   machine.stepping = state.step.has_value();
   if (state.step) machine.step = std::move(*state.step);
-  machine.reserved.reset();
+  machine.forget_volume();
   note_machine_change();
   ++changes_;
 }
@@ -252,12 +254,12 @@ bool SiteWorld::has_others(int robot) const {
 }
 
 bool SiteWorld::is_alone_in(int robot, const collision::Bounds& bounds) const {
-  const auto is_clear_of = [&](const MovingThing& each) {
+  const auto never_comes = [&](const MovingThing& each) {
     return !each.has_people() && each.reach().disjoint(bounds);
   };
-  if (!std::all_of(movings_.begin(), movings_.end(), is_clear_of)) return false;
+  if (!std::all_of(movings_.begin(), movings_.end(), never_comes)) return false;
   for (int i = 0; i < static_cast<int>(robots_.size()); ++i) {
-    if (i != robot && !reserved_volume(entry(i)).bounds().disjoint(bounds)) return false;
+    if (i != robot && !is_clear_of(entry(i), bounds)) return false;
   }
   return true;
 }
@@ -318,6 +320,7 @@ std::optional<OtherMet> SiteWorld::first_machine_met(int robot, collision::Movin
   for (int i = 0; i < static_cast<int>(robots_.size()); ++i) {
     const RobotEntry& other = entry(i);
     if (i == robot || (standing_only && other.stepping)) continue;
+    if (is_clear_of(other, bodies.bounds())) continue;
     if (const auto hit = reserved_volume(other).meets(bodies, are_buffers)) {
       return OtherMet{hit->item, part_name(other, hit->part), i, -1};
     }
@@ -408,13 +411,19 @@ void SiteWorld::lift(Component& component) {
 void SiteWorld::changed(RobotEntry& robot) {
   ++robot.changes;
   robot.changed_at = now_;
-  robot.reserved.reset();
+  robot.forget_volume();
   robot.workspace_now.reset();
   note_machine_change();
 }
 
 bool SiteWorld::is_load(const RobotEntry& robot, int part) {
   return part == robot.robot.load_part();
+}
+
+/// By the boxes around them.
+bool SiteWorld::is_clear_of(const RobotEntry& robot, const collision::Bounds& bounds) const {
+  if (robot.known.bounds && robot.known.bounds->disjoint(bounds)) return true;
+  return reserved_volume(robot).bounds().disjoint(bounds);
 }
 
 const ReservedVolume& SiteWorld::reserved_volume(const RobotEntry& robot) const {
@@ -430,7 +439,8 @@ std::vector<ReservedPart> SiteWorld::reserved_parts(const RobotEntry& robot) con
   const SiteRobot& machine = robot.robot;
   const std::vector<double>& from = robot.stepping ? robot.step.q_from : robot.q;
   const std::vector<double>& to = robot.stepping ? robot.step.q_to : robot.q;
-  std::vector<geometry::Motion> motions = part_motions(machine, robot.load, from, to);
+  std::vector<geometry::Motion> motions = robot.known.motions;
+  if (motions.empty()) motions = part_motions(machine, robot.load, from, to);
   std::vector<ReservedPart> parts;
   for (const int rope : machine.ropes) {
     for (RopeVolume& volume : rope_volumes(machine, rope, from, to, motions)) {

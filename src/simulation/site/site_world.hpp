@@ -173,7 +173,9 @@ class SiteWorld {
 
   /// The robot makes a step and stands at q (cyclic angles reduced) when it is over; at once where
   /// it takes no time or moves nothing. It takes the place of a step in progress.
-  void begin_step(int robot, const interpreter::MotionStep& step, std::vector<double> q);
+  /// `known`: of what it sweeps, from the tests of the step.
+  void begin_step(int robot, const interpreter::MotionStep& step, std::vector<double> q,
+                  StepVolume known = {});
 
   /// People turn what hangs on the robot, which stands, until `end`; from now on all that it sweeps
   /// meanwhile belongs to the robot. At the end it hangs as it was turned.
@@ -362,8 +364,13 @@ class SiteWorld {
     std::uint64_t changes = 0;  ///< of what belongs to it
     Ticks changed_at = 0;       ///< when the last of these came about
     mutable bool near_moving = false;  ///< it was where something with a timetable goes
-    mutable std::unique_ptr<ReservedVolume>
-        reserved;  ///< of what belongs to it now; made when asked for
+    StepVolume known;                  ///< of what belongs to it now
+    mutable std::unique_ptr<ReservedVolume> reserved;  ///< the whole of it; made when asked for
+
+    void forget_volume() {
+      known = {};
+      reserved.reset();
+    }
   };
   struct Zone {
     std::string name;
@@ -415,6 +422,7 @@ class SiteWorld {
   static bool is_load(const RobotEntry& robot, int part);
   std::vector<ReservedPart> reserved_parts(const RobotEntry& robot) const;
   const ReservedVolume& reserved_volume(const RobotEntry& robot) const;
+  bool is_clear_of(const RobotEntry& robot, const collision::Bounds& bounds) const;
   static const std::string& part_name(const RobotEntry& robot, int part);
 
   /// A network and who drives there.

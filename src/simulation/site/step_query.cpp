@@ -159,6 +159,15 @@ collision::SweptQuery StepQuery::against_others() const {
   return others;
 }
 
+collision::SweptQuery StepQuery::standing() const {
+  collision::SweptQuery result;
+  for (int part = 0; part <= load_part_; ++part) {
+    if (robot_.is_rope(part) || !body(part) || moves(part)) continue;
+    result.items.push_back({{body(part), motions_[static_cast<std::size_t>(part)]}, false});
+  }
+  return result;
+}
+
 std::vector<int> StepQuery::parts_of_movers() const {
   std::vector<int> parts;
   parts.reserve(movers_.size());

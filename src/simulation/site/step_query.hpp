@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "src/motion/collision/swept_query.hpp"
@@ -34,6 +35,10 @@ class StepQuery {
   /// The same of `against_others`, and of all its items.
   int part_of_mover(int item) const { return part_of(movers_[static_cast<std::size_t>(item)]); }
   std::vector<int> parts_of_movers() const;
+  /// Of all parts but the buffers, as `part_motions` makes them. Last of all: the query has copies.
+  std::vector<geometry::Motion> take_motions() { return std::move(motions_); }
+  /// What stands while the rest moves, but for ropes and buffers.
+  collision::SweptQuery standing() const;
   /// Of a body or the load.
   bool moves(int part) const { return moves_[static_cast<std::size_t>(part)]; }
 

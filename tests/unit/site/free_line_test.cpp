@@ -32,7 +32,7 @@ TEST(FreeLine, LooksAheadAlongEqualSteps) {
   const robot::RobotModel robot = model();
   FreeLine line;
   EXPECT_EQ(line.ahead(robot, Q{10, 5}, Q{12, 5}), (Q{18, 5}));
-  line.found_free(Q{10, 5}, {18, 5}, 1, {});
+  line.found_free(Q{10, 5}, {18, 5}, 1);
   EXPECT_TRUE(line.covers(Q{12, 5}, Q{14, 5}, 1));
   EXPECT_EQ(line.ahead(robot, Q{18, 5}, Q{20, 5}), (Q{34, 5})) << "twice as far";
 }
@@ -41,7 +41,7 @@ TEST(FreeLine, WaitsForEqualStepsWhereLinesWereOfNoUse) {
   const robot::RobotModel robot = model();
   FreeLine line;
   EXPECT_EQ(line.ahead(robot, Q{10, 5}, Q{12, 5}), (Q{18, 5}));
-  line.found_free(Q{10, 5}, {18, 5}, 1, {});
+  line.found_free(Q{10, 5}, {18, 5}, 1);
   EXPECT_TRUE(line.ahead(robot, Q{12, 5}, Q{12, 6}).empty());
   EXPECT_TRUE(line.ahead(robot, Q{12, 6}, Q{14, 6}).empty());
   EXPECT_TRUE(line.ahead(robot, Q{12, 6}, Q{14, 6}).empty()) << "the same step again";
@@ -51,7 +51,7 @@ TEST(FreeLine, WaitsForEqualStepsWhereLinesWereOfNoUse) {
 TEST(FreeLine, CoversWhatLiesOnItWhileNothingChanges) {
   FreeLine line;
   EXPECT_FALSE(line.covers(Q{0, 0}, Q{0, 0}, 0));
-  line.found_free(Q{10, 5}, {20, 10}, 7, {});
+  line.found_free(Q{10, 5}, {20, 10}, 7);
   EXPECT_TRUE(line.covers(Q{12, 6}, Q{14, 7}, 7));
   EXPECT_TRUE(line.covers(Q{14, 7}, Q{12, 6}, 7)) << "back again";
   EXPECT_TRUE(line.covers(Q{10, 5}, Q{20, 10}, 7));
@@ -59,7 +59,7 @@ TEST(FreeLine, CoversWhatLiesOnItWhileNothingChanges) {
   EXPECT_FALSE(line.covers(Q{12, 6}, Q{14, 7.000001}, 7));
   EXPECT_FALSE(line.covers(Q{18, 9}, Q{20.000001, 10.0000005}, 7));
   EXPECT_FALSE(line.covers(Q{9.999999, 4.9999995}, Q{12, 6}, 7));
-  line.found_free(Q{10, 5}, {20, 5}, 7, {});
+  line.found_free(Q{10, 5}, {20, 5}, 7);
   EXPECT_FALSE(line.covers(Q{12, 5}, Q{14, 5.0000000000001}, 7)) << "what stood still";
 }
 

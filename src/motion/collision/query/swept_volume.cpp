@@ -69,6 +69,12 @@ MovingBodies::MovingBodies(const SweptQuery& query) : contact_tolerance_(query.c
 
 MovingBodies::~MovingBodies() = default;
 
+Bounds MovingBodies::bounds_between(double s0, double s1) const {
+  Bounds result;
+  for (const auto& sweep : sweeps_) result.add(sweep->bounds_between(s0, s1));
+  return result;
+}
+
 class SweptVolume::Impl {
  public:
   Impl(BodyPtr body, Motion motion, double growth)

@@ -22,6 +22,8 @@ class MovingBodies {
   int count() const { return static_cast<int>(sweeps_.size()); }
   /// The box around all that they sweep, world.
   const Bounds& bounds() const { return bounds_; }
+  /// The box around what they sweep in the part [s0, s1] of their motions, world.
+  Bounds bounds_between(double s0, double s1) const;
 
  private:
   friend class SweptVolume;

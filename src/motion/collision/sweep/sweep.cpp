@@ -54,6 +54,15 @@ Bounds slice_bounds(const Body& body, const SweepSlice& slice) {
   return result;
 }
 
+/// The same of a translation.
+Bounds translation_bounds(const Body& body, const SweepSlice& slice) {
+  Bounds result = placed(body.bounds(), slice.start());
+  const Vec3 d = slice.end().t - slice.start().t;
+  result.lower += d.cwiseMin(0.0);
+  result.upper += d.cwiseMax(0.0);
+  return result;
+}
+
 }  // namespace
 
 SweepSlice::SweepSlice(const Body& body, const Motion& motion, double s0, double s1)
@@ -137,10 +146,7 @@ Sweep::Sweep(const Body& body, const Motion& motion, Valid)
       count_(is_translation_ ? 1 : useful_slices(body, motion)),
       first_(body, motion, 0, 1.0 / count_) {
   if (is_translation_) {
-    bounds_ = placed(body.bounds(), first_.start());
-    const Vec3 d = first_.end().t - first_.start().t;
-    bounds_.lower += d.cwiseMin(0.0);
-    bounds_.upper += d.cwiseMax(0.0);
+    bounds_ = translation_bounds(body, first_);
     return;
   }
   bounds_ = slice_bounds(body, first_);
@@ -149,6 +155,11 @@ Sweep::Sweep(const Body& body, const Motion& motion, Valid)
                        static_cast<double>(i + 1) / count_);
     bounds_.add(slice_bounds(body, more_.back()));
   }
+}
+
+Bounds Sweep::bounds_between(double s0, double s1) const {
+  const SweepSlice slice(*body_, *motion_, s0, s1);
+  return is_translation_ ? translation_bounds(*body_, slice) : slice_bounds(*body_, slice);
 }
 
 }  // namespace rubicon::collision

@@ -68,6 +68,8 @@ class Sweep {
   bool moves() const { return moves_; }
   /// The box around everything the body sweeps, world.
   const Bounds& bounds() const { return bounds_; }
+  /// The box around what it sweeps in the part [s0, s1] of its motion, world.
+  Bounds bounds_between(double s0, double s1) const;
   /// Cut so that boxes around slices are useful; one for all but very large steps.
   int slice_count() const { return count_; }
   SweepSlice& slice(int i) { return i == 0 ? first_ : more_[static_cast<std::size_t>(i - 1)]; }
