@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "src/motion/math/angles.hpp"
 
@@ -57,8 +58,24 @@ class BiteSearch {
         side_(static_cast<double>(now.cell) * 1e-3),
         step_(side_ * kStepOfCell),
         half_along_((print_.front - print_.back) / 2 + kGroundGap),
-        half_across_((print_.left - print_.right) / 2 + kGroundGap),
-        seen_(now.heights.size(), 0) {}
+        half_across_((print_.left - print_.right) / 2 + kGroundGap) {
+    // Cuts run from somewhat beyond the cell towards the machine.
+    const double margin = std::fabs(print_.front) + std::fabs(print_.back) +
+                          std::fabs(print_.left) + std::fabs(print_.right) +
+                          std::max(rules.spread, 0.0) + (kMostOn + kMostBack) * step_ + 2 * side_;
+    const math::Vec3 cell = place_of_cell(now, target.cell, 0);
+    const auto window = [&](double a, double b, int count) {
+      const auto number = [&](double value) {
+        return static_cast<int>(std::clamp(std::floor(value / side_), 0.0, count - 1.0));
+      };
+      return std::pair(number(std::min(a, b) - margin), number(std::max(a, b) + margin));
+    };
+    columns_ = window(cell.x(), rules.p_EM.x(), now.columns);
+    rows_ = window(cell.y(), rules.p_EM.y(), now.rows);
+    seen_.assign(static_cast<std::size_t>(columns_.second - columns_.first + 1) *
+                     static_cast<std::size_t>(rows_.second - rows_.first + 1),
+                 0);
+  }
 
   std::vector<Bite> run() {
     const math::Vec3 p = place_of_cell(now_, target_.cell, 0);
@@ -194,6 +211,14 @@ class BiteSearch {
     return false;
   }
 
+  /// The cut that covered a cell last.
+  std::uint32_t& seen_at(int cell) {
+    const int column = std::clamp(cell % now_.columns, columns_.first, columns_.second);
+    const int row = std::clamp(cell / now_.columns, rows_.first, rows_.second);
+    const int width = columns_.second - columns_.first + 1;
+    return seen_[static_cast<std::size_t>((row - rows_.first) * width + column - columns_.first)];
+  }
+
   /// Down to which a cell is lowered by a cut at that height.
   Millimetres lowered(int cell, Millimetres height) const {
     const Millimetres bottom = bottom_.heights[static_cast<std::size_t>(cell)];
@@ -230,7 +255,7 @@ class BiteSearch {
       passed = std::max(passed, under.soil);
       const CubicMillimetres before = bite.expected;
       for (const int cell : under.covered) {
-        std::uint32_t& seen = seen_[static_cast<std::size_t>(cell)];
+        std::uint32_t& seen = seen_at(cell);
         if (seen == stamp_) continue;
         seen = stamp_;
         const Millimetres height = now_.heights[static_cast<std::size_t>(cell)];
@@ -254,9 +279,10 @@ class BiteSearch {
   const DigTarget& target_;
   const BiteRules& rules_;
   Footprint print_;
-  double side_, step_;               ///< m
-  double half_along_, half_across_;  ///< m, of the footprint, grown by the gap
-  std::vector<std::uint32_t> seen_;
+  double side_, step_;                  ///< m
+  double half_along_, half_across_;     ///< m, of the footprint, grown by the gap
+  std::pair<int, int> columns_, rows_;  ///< first and last of the cells that cuts can cover
+  std::vector<std::uint32_t> seen_;     ///< to each of these, row by row
   std::uint32_t stamp_ = 0;
 };
 

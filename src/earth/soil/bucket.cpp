@@ -29,6 +29,11 @@ std::optional<double> lowest_in(const BucketBox& box, const math::Pose& X_SE, do
   return least <= most ? std::optional(least) : std::nullopt;
 }
 
+/// The height of a cell below a bucket whose lowest point there is at `lowest` (m).
+Millimetres down_to(double lowest) {
+  return static_cast<Millimetres>(std::ceil((lowest - kHeightRounding) * 1e3));
+}
+
 }  // namespace
 
 std::optional<double> lowest_over(const BucketBox& box, const math::Pose& X_EB, double x,
@@ -36,11 +41,14 @@ std::optional<double> lowest_over(const BucketBox& box, const math::Pose& X_EB, 
   return lowest_in(box, (X_EB * box.X_BS).inverse(Eigen::Isometry), x, y);
 }
 
-void BucketFill::take(int cell, Millimetres to) {
+Millimetres BucketFill::height(int cell) const {
   const auto known = changes_.find(cell);
-  const auto index = static_cast<std::size_t>(cell);
-  const Millimetres height = known == changes_.end() ? now_.heights[index] : known->second;
-  const Millimetres bottom = bottom_.heights[index];
+  return known == changes_.end() ? now_.heights[static_cast<std::size_t>(cell)] : known->second;
+}
+
+void BucketFill::take(int cell, Millimetres to) {
+  const Millimetres height = this->height(cell);
+  const Millimetres bottom = bottom_.heights[static_cast<std::size_t>(cell)];
   to = to <= bottom + tolerance_ ? bottom : to;
   const CubicMillimetres area = now_.cell * now_.cell;
   const Millimetres taken = std::min(height - to, (room_ - volume_) / area);
@@ -77,6 +85,8 @@ void BucketFill::pass(const math::Pose& X_EB) {
     if (distance <= spread_) return middle;
     return p + in * (spread_ / distance);
   };
+  // Nothing comes down lower than to here, but for what is left above the bottom.
+  const Millimetres lowest_of_all = down_to(bounds.min().z());
   const int end_row = end(bounds.max().y() + spread_, now_.rows);
   const int end_column = end(bounds.max().x() + spread_, now_.columns);
   for (int row = first(bounds.min().y() - spread_, now_.rows); row < end_row; ++row) {
@@ -85,6 +95,9 @@ void BucketFill::pass(const math::Pose& X_EB) {
       const auto cell = static_cast<int>(now_.index(column, row));
       const auto index = static_cast<std::size_t>(cell);
       if (now_.heights[index] <= bottom_.heights[index]) continue;
+      if (lowest_of_all > bottom_.heights[index] + tolerance_ && height(cell) <= lowest_of_all) {
+        continue;
+      }
       std::optional<double> lowest;
       for (std::size_t i = 0; i < boxes_.size(); ++i) {
         for (const double u : kQuarters) {
@@ -96,7 +109,7 @@ void BucketFill::pass(const math::Pose& X_EB) {
         }
       }
       if (!lowest) continue;
-      take(cell, static_cast<Millimetres>(std::ceil((*lowest - kHeightRounding) * 1e3)));
+      take(cell, down_to(*lowest));
     }
   }
 }

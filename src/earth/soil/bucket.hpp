@@ -51,6 +51,7 @@ class BucketFill {
 
  private:
   void take(int cell, Millimetres to);
+  Millimetres height(int cell) const;
 
   const Terrain& now_;
   const Terrain& bottom_;
