@@ -86,6 +86,30 @@ class DigByMotion(ResultCase):
         self.assertAlmostEqual(mean["cycle"], mean["to_the_cut"] + mean["cut"] + mean["swing"] + mean["dump"], 6)
         self.assertIn("m3 a bucket", self.run_result.stdout)
 
+    def with_mast_beyond_bucket(self, beyond):
+        """A pit of 1.2 m whose far wall the mast meets where the bucket keeps 20 mm from it."""
+        self.write("digger.robot", DIGGER.replace("shape box(-0.1, -0.1, 0.8, 0.1,", "shape box(-0.1, -0.1, 0.8, %g," % (0.25 + beyond)))
+        return plan(pit="box(3, -0.6, -1.2, 5, 0.6, 1)", trucks="")
+
+    def test_a_cut_that_is_blocked_begins_nearer(self):
+        self.run_plan(self.with_mast_beyond_bucket(0.08))
+        self.assertEqual(sum(soil["volume"] for soil in self.soils()), 2000 * 1200 * 1200)
+        with open(os.path.join(self.out, "trace.jsonl"), encoding="utf-8") as file:
+            ends = [record for record in map(json.loads, file) if record["type"] == "end"]
+        blocked = [end for end in ends if not end["reached"]]
+        self.assertTrue(blocked)
+        self.assertTrue(all(end["rejected"]["hit"] == 1 for end in blocked))
+
+        def hit_nothing(result):
+            end = next(record for record in result.records if record["type"] == "end" and not record["reached"])
+            end["rejected"].update({"hit": 0, "no direction": 1})
+
+        self.assertIn("the digging goes on and its motion ended with 'done'", self.faults_of(hit_nothing))
+
+    def test_a_pit_in_which_every_cut_is_blocked(self):
+        reason = self.rejected(self.with_mast_beyond_bucket(0.5))
+        self.assertIn("digger.mast meets ground", reason)
+
     def test_waits_for_its_only_truck(self):
         one, _ = self.run_plan(plan(count=1)), None
         waited = one[1]["dig"]["motion_dig"]["waited"]

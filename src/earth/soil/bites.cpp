@@ -102,6 +102,7 @@ class BiteSearch {
       for (int k = 0; k <= back + on; ++k) {
         const int i = k <= back ? k : back - k;
         const double far = distance + side_ / 2 - kGroundGap - i * step_ - print_.front;
+        if (far > rules_.before - step_ / 2) continue;
         if (auto bite = cut(heading, far)) {
           found.push_back({*bite, j});
           break;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <set>
 #include <vector>
@@ -7,6 +8,9 @@
 #include "src/earth/soil/bucket.hpp"
 
 namespace rubicon::soil {
+
+/// m, from the machine: a cut may begin however far away.
+inline constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
 /// How a machine digs a pit from one place: in layers from above, in each of them from far to near.
 /// Its bucket goes down, is drawn towards the machine at the bottom of the layer, and goes up, held
@@ -21,6 +25,7 @@ struct BiteRules {
   CubicMillimetres room = 0;
   Millimetres top = 0;             ///< layers are counted from here
   Millimetres rim = -kMostHeight;  ///< the bucket goes up over this, the ground round the pit
+  double before = kAnywhere;       ///< m, from the machine: cuts begin nearer than that
   double spread = 0;               ///< m: what lies so near beside the bucket comes away, too
 };
 

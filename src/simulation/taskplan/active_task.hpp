@@ -33,6 +33,7 @@ struct ActiveTask {
   Snapshot<Activity> activity;  ///< of the phase; null before the first and after the last
   Ticks held_since = 0;         ///< after the last: when it was done
   HitRecorder hits{nullptr};    ///< of its motions
+  std::string ended_short;      ///< why the last leg ended short where it may; empty: it did not
   math::Pose X_WO = math::Pose::Identity();  ///< where the component stood that it set out to take
 
   const Phase& now() const { return phases[phase]; }

@@ -213,12 +213,15 @@ Step DigActivity::next(ActiveTask& task, Stage& stage) {
       task.hits.keep_way(true);
       return begin_leg(task, stage, tool(bite_.far, bite_.low), "digging", "on its way down to");
     case Part::entering:
+      if (!task.ended_short.empty()) {
+        bite_.near = bite_.far;
+        return take(task, stage);
+      }
       part_ = Part::cutting;
       return begin_leg(task, stage, tool(bite_.near, bite_.low), "digging", "cutting at");
     case Part::cutting:
-      part_ = Part::filling;
-      fill(task, stage);
-      return begin_work(task, stage, dig.fill, "fill");
+      if (!task.ended_short.empty()) bite_.near = distance_now(task, stage);
+      return take(task, stage);
     case Part::filling:
       part_ = Part::raising;
       return begin_leg(task, stage, tool(bite_.near, bite_.high), "digging", "on its way up from");
@@ -227,6 +230,10 @@ Step DigActivity::next(ActiveTask& task, Stage& stage) {
       if (wants_more(task, stage)) {
         const Step step = choose_cut(task, stage);
         if (part_ == Part::approaching || step != Step::over) return step;
+      }
+      if (bucket_.volume == 0 && !blocked_.empty()) {
+        stage.reject(task.task, blocked_);
+        return Step::pending;
       }
       part_ = Part::awaiting;
       return dig.loads_bodies() ? await_truck(task, stage) : Step::over;
@@ -251,6 +258,21 @@ Step DigActivity::next(ActiveTask& task, Stage& stage) {
       break;
   }
   return Step::over;
+}
+
+/// Where the tool is, along the heading of the cut.
+double DigActivity::distance_now(const ActiveTask& task, const Stage& stage) const {
+  const math::Vec3 p_E = X_WE(task, stage).inverse(Eigen::Isometry) *
+                         stage.site.tool_pose(stage.spec(task.task).robot).translation();
+  const math::Vec3 away = p_E - rules_.p_EM;
+  return away.x() * math::cos_deg(bite_.heading_deg) + away.y() * math::sin_deg(bite_.heading_deg);
+}
+
+/// The cut is over.
+Step DigActivity::take(ActiveTask& task, Stage& stage) {
+  part_ = Part::filling;
+  fill(task, stage);
+  return begin_work(task, stage, spec_of(task, stage).fill, "fill");
 }
 
 /// Time in which the trucks are under way.
@@ -342,6 +364,8 @@ std::vector<soil::Bite> DigActivity::find_cuts(const ActiveTask& task, const Sta
   for (;;) {
     target_ = *soil::next_target(surface, *dig.after, *cells_, put_off_, rules_);
     rules_.spread = target_.is_last ? soil::kTrimmed : 0;
+    const auto blocked = blocked_from_.find(target_.cell);
+    rules_.before = blocked == blocked_from_.end() ? soil::kAnywhere : blocked->second;
     std::vector<soil::Bite> bites = soil::bites_for(surface, *dig.after, target_, rules_);
     // It comes last in its layer.
     if (bites.empty() && put_off_.insert(target_.cell).second) continue;
@@ -364,10 +388,13 @@ Step DigActivity::choose_cut(ActiveTask& task, Stage& stage) {
   const std::size_t number = task.account.outcome.motion_dig->buckets.size() + 1;
   if (bites.empty()) {
     if (!is_new) return Step::over;
-    stage.reject(task.task,
-                 fmt::format("bucket {}: the tool of {} does not fit in at {} beside the ground "
-                             "that stays",
-                             number, stage.robot_spec(spec.robot).name, place_text(task, stage)));
+    stage.reject(
+        task.task,
+        !blocked_.empty()
+            ? blocked_
+            : fmt::format("bucket {}: the tool of {} does not fit in at {} beside the "
+                          "ground that stays",
+                          number, stage.robot_spec(spec.robot).name, place_text(task, stage)));
     return Step::pending;
   }
   const robot::RobotModel& model = stage.robot_spec(spec.robot).robot->model;
@@ -426,7 +453,15 @@ Step DigActivity::begin_leg(ActiveTask& task, Stage& stage, const math::Pose& X_
   goal.X_WG = X_WG;
   goal.span = spec.span;
   leg.situation = situation;
-  const bool digs = part_ == Part::entering || part_ == Part::cutting || part_ == Part::raising;
+  task.ended_short.clear();
+  const bool cuts = part_ == Part::entering || part_ == Part::cutting;
+  if (cuts) {
+    // Nearer to the machine it may be free of the ground; of what else is there, nobody knows.
+    const int soil = spec.motion_dig->soil;
+    leg.may_end_at = {stage.plan.earths[at(spec.motion_dig->earth)].name,
+                      stage.site.component_name(soil)};
+  }
+  const bool digs = cuts || part_ == Part::raising;
   if (digs) {
     const robot::RobotModel& model = stage.robot_spec(spec.robot).robot->model;
     leg.entered.emplace_back(model.tool_body, spec.motion_dig->soil);
@@ -477,6 +512,8 @@ void DigActivity::fill(ActiveTask& task, Stage& stage) {
     }
     q0 = q;
   }
+  is_blocked_ = !task.ended_short.empty();
+  if (is_blocked_) blocked_ = task.ended_short;
   cut_ = bucket.changes();
   bucket_.volume += bucket.volume();
   cut_volume_ = bucket.volume();
@@ -491,7 +528,12 @@ bool DigActivity::raise(ActiveTask& task, Stage& stage) {
   if (!cut_.empty()) stage.site_changes.set_surface(dig.soil, cut_);
   const soil::Terrain& surface = *stage.site.surface(dig.soil);
   const bool stays_above = surface.heights[at(target_.cell)] > target_.floor + dig.tolerance;
-  if (!is_full_ && stays_above) {
+  if (!cut_.empty()) blocked_from_.clear();
+  if (!cut_.empty() && !is_blocked_) blocked_.clear();
+  if (is_blocked_) {
+    // One that is nearer may get there.
+    blocked_from_.insert_or_assign(bite_.cell, bite_.far);
+  } else if (!is_full_ && stays_above) {
     stage.reject(task.task, fmt::format("bucket {}: {} does not get down to the soil at {}",
                                         task.account.outcome.motion_dig->buckets.size() + 1,
                                         stage.robot_spec(stage.spec(task.task).robot).name,
@@ -499,7 +541,7 @@ bool DigActivity::raise(ActiveTask& task, Stage& stage) {
     return false;
   }
   // The next cut would be the same, for the soil is: what is left there is within the tolerance.
-  if (!is_full_ && cut_.empty()) leave_cell();
+  if (!is_full_ && cut_.empty() && !is_blocked_) leave_cell();
   if (auto* const trace = stage.trace_of(task.task)) {
     trace->soil(stage.site.component_name(dig.soil), cut_volume_, cut_, entered_, stage.now());
   }

@@ -61,6 +61,8 @@ class DigActivity : public Activity {
                  const char* what);
   Step begin_work(ActiveTask& task, Stage& stage, const interpreter::WorkSpec& work,
                   const char* what);
+  double distance_now(const ActiveTask& task, const Stage& stage) const;
+  Step take(ActiveTask& task, Stage& stage);
   void fill(ActiveTask& task, Stage& stage);
   bool raise(ActiveTask& task, Stage& stage);
   void leave_cell();
@@ -97,6 +99,9 @@ class DigActivity : public Activity {
   BucketOutcome bucket_;
   int passes_ = 0;  ///< of this bucket
   bool is_full_ = false;
+  bool is_blocked_ = false;  ///< its last cut ended short, for what stands was in the way
+  std::string blocked_;      ///< why one did, since soil was taken last
+  std::map<int, double> blocked_from_;  ///< by cell: where that cut began (m from the machine)
   hauling::TruckRounds trucks_;
 };
 

@@ -314,6 +314,12 @@ std::string MotionActivity::text_of_waits(const ActiveTask& task, const Stage& s
                      texts.empty() ? "" : ": ", fmt::join(texts, ", "));
 }
 
+bool MotionActivity::may_end_short(const RecordedHit* hit) const {
+  return leg_ && hit != nullptr &&
+         std::find(leg_->may_end_at.begin(), leg_->may_end_at.end(), hit->pair.met) !=
+             leg_->may_end_at.end();
+}
+
 Step MotionActivity::end_motion(ActiveTask& task, Stage& stage) {
   MotionOutcome made;
   made.purpose = task.now().purpose;
@@ -348,6 +354,10 @@ Step MotionActivity::end_motion(ActiveTask& task, Stage& stage) {
     const std::string component = spec.move ? stage.site.component_name(*spec.move) : std::string();
     std::string reason = task_reason(made, task.hits.last(), component, stage.sources);
     if (leg_) reason = leg_->what + ": " + reason;
+    if (end.status == MotionStatus::done && may_end_short(task.hits.last())) {
+      task.ended_short = std::move(reason);
+      return Step::over;
+    }
     const bool spent = end.status == MotionStatus::budget;
     if (spent && waits_ > 0) reason += "; " + text_of_waits(task, stage);
     stage.reject(task.task, std::move(reason), stage.in_the_way_of(task));

@@ -22,6 +22,8 @@ struct MotionLeg {
   std::vector<std::pair<int, int>> entered;  ///< bodies of the robot, components they may cut into
   bool guided = true;                        ///< by the guides of the task
   std::string what;                          ///< before the reason why it cannot be made
+  /// Where it meets one of these it may end short; `ended_short` of the task says why.
+  std::vector<std::string> may_end_at;
 };
 
 /// A motion of a task's robot: its script runs until it is at the goal, waits for machines in its
@@ -56,6 +58,7 @@ class MotionActivity : public Activity {
 
   Step start_machine(ActiveTask& task, Stage& stage);
   Step move_on(ActiveTask& task, Stage& stage);
+  bool may_end_short(const RecordedHit* hit) const;
   Step end_motion(ActiveTask& task, Stage& stage);
   Step retry(ActiveTask& task, Stage& stage);
   void wait_for_shift(ActiveTask& task, Stage& stage);

@@ -137,6 +137,12 @@ class PhaseCheck {
     return false;
   }
 
+  bool is_blocked() const {
+    if (last_end_ == nullptr || last_end_->reached || last_end_->status != "done") return false;
+    const auto hits = last_end_->refused_for.find("hit");
+    return hits != last_end_->refused_for.end() && hits->second > 0;
+  }
+
   bool follow(const SoilTaken& taken) {
     if (is_in(Phase::Kind::haul)) return has_reached();
     if (!digs() || phases_[next_].component != taken.component) {
@@ -162,7 +168,8 @@ class PhaseCheck {
         std::llabs(planned->time - work.time) > kTimeSlack) {
       fault(fmt::format("the work '{}' is not one of the digging, or not as long", work.what));
     }
-    return has_reached();
+    // A cut that meets what stands ends there; the bucket keeps what it has.
+    return (work.what == "fill" && is_blocked()) || has_reached();
   }
 
   bool in_motion(const char* found) {
