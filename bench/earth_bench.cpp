@@ -41,8 +41,8 @@ soil::Terrain hills(int side) {
   soil::Terrain ground = soil::flat(side, side, 250, 0);
   for (int row = 0; row < side; ++row) {
     for (int column = 0; column < side; ++column) {
-      ground.heights[ground.index(column, row)] =
-          100 * std::lround(20 * std::sin(column / 17.0) + 15 * std::cos(row / 11.0));
+      ground.heights.set(ground.index(column, row), 100 * std::lround(20 * std::sin(column / 17.0) +
+                                                                      15 * std::cos(row / 11.0)));
     }
   }
   return ground;

@@ -255,8 +255,9 @@ class SoilTaker {
     EarthWork& work = subject_.earth_works[at(index)];
     EarthWork::Dig& dig = work.digs.emplace_back();
     dig.task = &task_;
-    for (std::size_t cell = 0; cell < work.last_dig.size(); ++cell) {
-      if (dug.after.heights[cell] == earth.after.heights[cell]) continue;
+    const soil::Heights& now = earth.after.heights;
+    for (std::size_t cell = now.next_difference(dug.after.heights, 0); cell < now.size();
+         cell = now.next_difference(dug.after.heights, cell + 1)) {
       if (work.last_dig[cell] >= 0) dig.after.insert(work.last_dig[cell]);
       work.last_dig[cell] = static_cast<int>(work.digs.size()) - 1;
     }
@@ -277,8 +278,7 @@ class SoilTaker {
 
   /// m3, at most.
   static double above(const soil::Terrain& ground, soil::Millimetres bottom) {
-    const soil::Millimetres highest =
-        *std::max_element(ground.heights.begin(), ground.heights.end());
+    const soil::Millimetres highest = ground.heights.highest();
     const double side = static_cast<double>(ground.cell) * 1e-3;
     return static_cast<double>(ground.heights.size()) * side * side *
            static_cast<double>(std::max<soil::Millimetres>(highest - bottom, 0)) * 1e-3;
@@ -396,9 +396,8 @@ void finish_earths(Subject& subject) {
   for (std::size_t i = 0; i < model.earths.size(); ++i) {
     const EarthSpec& earth = model.earths[i];
     check_order(subject, subject.earth_works[i]);
-    soil::Terrain under = earth.after;
-    const auto lowest = std::min_element(under.heights.begin(), under.heights.end());
-    std::fill(under.heights.begin(), under.heights.end(), *lowest - kGroundBelow);
+    const soil::Terrain under = soil::flat(earth.after.columns, earth.after.rows, earth.after.cell,
+                                           earth.after.heights.lowest() - kGroundBelow);
     const auto ground = soil::blocks_between(under, earth.after);
     blocks += ground.size();
     model.site_names.resize(model.site.size());

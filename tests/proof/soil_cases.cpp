@@ -148,7 +148,7 @@ std::map<int, soil::Millimetres> random_change(Random& random, const Columns& so
 }
 
 soil::Terrain terrain_of_side(const Columns& soil, const std::vector<std::int64_t>& heights) {
-  return {soil.columns, soil.rows, soil.cell, heights};
+  return {soil.columns, soil.rows, soil.cell, soil::Heights(heights)};
 }
 
 /// A body that goes anywhere.

@@ -45,7 +45,7 @@ Excavation excavate(const Terrain& terrain, const Pit& pit, double stands_deg) {
   const bool upright = stands_deg >= 90;
   const double rise =
       upright ? 0 : math::sin_deg(stands_deg) / math::cos_deg(stands_deg);  // m per m
-  const Millimetres highest = *std::max_element(terrain.heights.begin(), terrain.heights.end());
+  const Millimetres highest = terrain.heights.highest();
   const double depth = static_cast<double>(std::max<Millimetres>(highest - pit.bottom, 0)) * 1e-3;
   const double reach = upright ? 0 : depth / rise;
   Point low = pit.outline.front();
@@ -74,7 +74,7 @@ Excavation excavate(const Terrain& terrain, const Pit& pit, double stands_deg) {
       const Millimetres height = pit.bottom + static_cast<Millimetres>(std::floor(allowed));
       const CubicMillimetres taken = (terrain.heights[at] - height) * area;
       if (taken == 0) continue;
-      result.after.heights[at] = height;
+      result.after.heights.set(at, height);
       result.volume += taken;
       if (inside) result.in_outline += taken;
       ++result.cells;

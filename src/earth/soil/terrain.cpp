@@ -14,9 +14,8 @@ std::string at_line(int line) { return "line " + std::to_string(line) + ": "; }
 }  // namespace
 
 Terrain flat(int columns, int rows, Millimetres cell, Millimetres height) {
-  Terrain result{columns, rows, cell, {}};
-  result.heights.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), height);
-  return result;
+  return {columns, rows, cell,
+          Heights(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), height)};
 }
 
 std::variant<Terrain, std::string> terrain_of(std::string_view text, int columns, int rows,
@@ -52,7 +51,7 @@ std::variant<Terrain, std::string> terrain_of(std::string_view text, int columns
       if (column == columns) {
         return at_line(line) + "more than " + std::to_string(columns) + " heights in a row";
       }
-      result.heights[result.index(column++, row)] = std::llround(metres * 1e3);
+      result.heights.set(result.index(column++, row), std::llround(metres * 1e3));
       rest.remove_prefix(length);
     }
     if (column < columns) {

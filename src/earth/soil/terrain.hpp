@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 #include <variant>
-#include <vector>
+
+#include "src/earth/soil/heights.hpp"
 
 namespace rubicon::soil {
 
-using Millimetres = std::int64_t;
 using CubicMillimetres = std::int64_t;
 
 /// The most cells of a terrain, and its largest height either way.
@@ -21,8 +21,8 @@ inline constexpr Millimetres kMostHeight = 10'000'000;
 /// flat top; heights are whole mm, so that each volume is whole mm3.
 struct Terrain {
   int columns = 0, rows = 0;
-  Millimetres cell = 0;              ///< the side of a cell
-  std::vector<Millimetres> heights;  ///< row by row
+  Millimetres cell = 0;  ///< the side of a cell
+  Heights heights;       ///< row by row
 
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +

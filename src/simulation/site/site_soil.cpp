@@ -67,15 +67,15 @@ void SiteWorld::set_drives(int robot) {
 void SiteWorld::add_pit(Pit pit) {
   const soil::Terrain& ground = *pit.before;
   const double side = static_cast<double>(ground.cell) * 1e-3;
-  for (int row = 0; row < ground.rows; ++row) {
-    for (int column = 0; column < ground.columns; ++column) {
-      const std::size_t cell = ground.index(column, row);
-      if (ground.heights[cell] == pit.after->heights[cell]) continue;
-      for (const int right : {0, 1}) {
-        for (const int up : {0, 1}) {
-          const math::Vec3 corner((column + right) * side, (row + up) * side, 0);
-          pit.around.extend((pit.X_WE * corner).head<2>());
-        }
+  const soil::Heights& after = pit.after->heights;
+  for (std::size_t cell = ground.heights.next_difference(after, 0); cell < after.size();
+       cell = ground.heights.next_difference(after, cell + 1)) {
+    const int column = static_cast<int>(cell) % ground.columns;
+    const int row = static_cast<int>(cell) / ground.columns;
+    for (const int right : {0, 1}) {
+      for (const int up : {0, 1}) {
+        const math::Vec3 corner((column + right) * side, (row + up) * side, 0);
+        pit.around.extend((pit.X_WE * corner).head<2>());
       }
     }
   }
@@ -152,7 +152,7 @@ void SiteWorld::set_surface(int component, const std::map<int, soil::Millimetres
   Soil& soil = soils_.at(component);
   std::set<int> pieces;
   for (const auto& [cell, height] : heights) {
-    soil.surface.heights[at(cell)] = height;
+    soil.surface.heights.set(at(cell), height);
     const int row = cell / soil.surface.columns / kPiece;
     const int column = cell % soil.surface.columns / kPiece;
     pieces.insert(row * pieces_in_row(soil) + column);
@@ -192,8 +192,8 @@ void SiteWorld::set_piece(const Component& component, Soil& soil, int piece) {
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       const std::size_t from = soil.surface.index(first_column + column, first_row + row);
-      under.heights[under.index(column, row)] = soil.bottom->heights[from];
-      above.heights[under.index(column, row)] = soil.surface.heights[from];
+      under.heights.set(under.index(column, row), soil.bottom->heights[from]);
+      above.heights.set(under.index(column, row), soil.surface.heights[from]);
     }
   }
   const std::vector<geometry::Shape> shapes =
@@ -211,18 +211,34 @@ void SiteWorld::set_piece(const Component& component, Soil& soil, int piece) {
   }
 }
 
+/// Those where the surface is not at the bottom; ascending.
+std::set<int> SiteWorld::pieces_with_soil(const Soil& soil) {
+  const soil::Terrain& surface = soil.surface;
+  std::set<int> pieces;
+  for (std::size_t cell = surface.heights.next_difference(soil.bottom->heights, 0);
+       cell < surface.heights.size();
+       cell = surface.heights.next_difference(soil.bottom->heights, cell + 1)) {
+    const int row = static_cast<int>(cell) / surface.columns / kPiece;
+    const int column = static_cast<int>(cell) % surface.columns / kPiece;
+    pieces.insert(row * pieces_in_row(soil) + column);
+  }
+  return pieces;
+}
+
 /// All pieces of soil of a component that was opened: in the way, or not any more.
 void SiteWorld::show_soil(int component, bool stands) {
   const auto found = soils_.find(component);
   if (found == soils_.end()) return;
   Soil& soil = found->second;
-  for (std::size_t piece = 0; piece < soil.ids.size(); ++piece) {
-    if (stands) {
-      set_piece(components_[at(component)], soil, static_cast<int>(piece));
-    } else if (soil.stands[piece]) {
-      erase(*soil.ids[piece]);
-      soil.stands[piece] = false;
+  if (stands) {
+    for (const int piece : pieces_with_soil(soil)) {
+      set_piece(components_[at(component)], soil, piece);
     }
+  } else {
+    for (std::size_t piece = 0; piece < soil.ids.size(); ++piece) {
+      if (soil.stands[piece]) erase(*soil.ids[piece]);
+    }
+    soil.stands.assign(soil.stands.size(), false);
   }
   list_standing(soil);
 }

@@ -392,6 +392,7 @@ class SiteWorld {
   static constexpr int kPiece = 3;
   void set_piece(const Component& component, Soil& soil, int piece);
   static void list_standing(Soil& soil);
+  static std::set<int> pieces_with_soil(const Soil& soil);
   static int pieces_in_row(const Soil& soil) {
     return (soil.surface.columns + kPiece - 1) / kPiece;
   }

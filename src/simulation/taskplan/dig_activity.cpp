@@ -109,10 +109,11 @@ Step DigActivity::begin(ActiveTask& task, Stage& stage) {
   rules_.clearance = dig.clearance;
   rules_.room = dig.bucket;
   std::vector<int> cells;
-  for (std::size_t i = 0; i < dig.before->heights.size(); ++i) {
-    if (dig.before->heights[i] <= dig.after->heights[i]) continue;
-    rules_.top =
-        cells.empty() ? dig.before->heights[i] : std::max(rules_.top, dig.before->heights[i]);
+  const soil::Heights& before = dig.before->heights;
+  for (std::size_t i = before.next_difference(dig.after->heights, 0); i < before.size();
+       i = before.next_difference(dig.after->heights, i + 1)) {
+    if (before[i] <= dig.after->heights[i]) continue;
+    rules_.top = cells.empty() ? before[i] : std::max(rules_.top, before[i]);
     cells.push_back(static_cast<int>(i));
     rules_.rim = std::max(rules_.rim, highest_round(*dig.before, static_cast<int>(i)));
   }

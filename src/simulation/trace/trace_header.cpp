@@ -372,8 +372,11 @@ std::vector<std::size_t> write_cells(JsonBuilder& json, const PlanModel& plan, c
   json.key("pose").pose(plan.earths[static_cast<std::size_t>(dig.earth)].X_WE);
   json.field("columns", dig.before->columns).field("cell", dig.before->cell);
   std::vector<std::size_t> cells;
-  for (std::size_t i = 0; i < dig.before->heights.size(); ++i) {
-    if (dig.before->heights[i] > dig.after->heights[i]) cells.push_back(i);
+  const soil::Heights& before = dig.before->heights;
+  const soil::Heights& after = dig.after->heights;
+  for (std::size_t i = before.next_difference(after, 0); i < before.size();
+       i = before.next_difference(after, i + 1)) {
+    if (before[i] > after[i]) cells.push_back(i);
   }
   json.key("cells").begin_array();
   for (const std::size_t cell : cells) json.value(static_cast<std::int64_t>(cell));
@@ -504,10 +507,11 @@ void write_heaps(JsonBuilder& json, const PlanModel& plan) {
     json.field("earth", earth.name).key("pose").pose(earth.X_WE);
     json.field("columns", earth.before.columns).field("cell", earth.before.cell);
     json.field("repose", *earth.repose_deg).key("ground").begin_array();
-    for (const soil::Millimetres height : earth.before.heights) json.value(height);
+    const soil::Heights& before = earth.before.heights;
+    for (std::size_t i = 0; i < before.size(); ++i) json.value(before[i]);
     json.end_array().key("dug").begin_array();
-    for (std::size_t i = 0; i < earth.before.heights.size(); ++i) {
-      if (earth.before.heights[i] == earth.after.heights[i]) continue;
+    for (std::size_t i = before.next_difference(earth.after.heights, 0); i < before.size();
+         i = before.next_difference(earth.after.heights, i + 1)) {
       json.value(static_cast<std::int64_t>(i));
     }
     json.end_array().end_object();

@@ -13,7 +13,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 Terrain apply(Terrain ground, const HeapGrowth& growth) {
   for (const auto& [cell, height] : growth.heights) {
-    ground.heights[static_cast<std::size_t>(cell)] = height;
+    ground.heights.set(static_cast<std::size_t>(cell), height);
   }
   return ground;
 }
@@ -73,8 +73,8 @@ TEST(Heap, ReachesTheBorder) {
 TEST(Heap, RandomLoadsKeepVolumeAndSlope) {
   std::mt19937_64 random(20261126);
   Terrain ground = flat(48, 40, 250, 0);
-  for (Millimetres& height : ground.heights) {
-    height = static_cast<Millimetres>(random() % 900);
+  for (std::size_t i = 0; i < ground.heights.size(); ++i) {
+    ground.heights.set(i, static_cast<Millimetres>(random() % 900));
   }
   std::int64_t total = 0;
   Terrain now = ground;

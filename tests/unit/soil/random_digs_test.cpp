@@ -37,7 +37,7 @@ class Dice {
 
 CubicMillimetres volume_of(const Terrain& terrain) {
   CubicMillimetres sum = 0;
-  for (const Millimetres height : terrain.heights) sum += height;
+  for (std::size_t i = 0; i < terrain.heights.size(); ++i) sum += terrain.heights[i];
   return sum * terrain.cell * terrain.cell;
 }
 
@@ -111,8 +111,8 @@ TEST(RandomDigs, KeepVolumeSlopeAndRoom) {
   for (int round = 0; round < rounds(); ++round) {
     if (round % 400 == 0) {
       for (std::size_t i = 0; i < ground.heights.size(); ++i) {
-        ground.heights[i] = static_cast<Millimetres>(dice.below(900));
-        bottom.heights[i] = ground.heights[i] - 500 - static_cast<Millimetres>(dice.below(2500));
+        ground.heights.set(i, static_cast<Millimetres>(dice.below(900)));
+        bottom.heights.set(i, ground.heights[i] - 500 - static_cast<Millimetres>(dice.below(2500)));
       }
       tip = flat_tip;
       dug = tipped = 0;
@@ -168,7 +168,7 @@ TEST(RandomDigs, KeepVolumeSlopeAndRoom) {
     }
     ASSERT_LE(fill.volume(), room);
     for (const auto& [cell, height] : fill.changes()) {
-      ground.heights[static_cast<std::size_t>(cell)] = height;
+      ground.heights.set(static_cast<std::size_t>(cell), height);
     }
     dug += fill.volume();
     ASSERT_EQ(volume_of(ground) + dug, at_first) << "round " << round;
@@ -180,7 +180,7 @@ TEST(RandomDigs, KeepVolumeSlopeAndRoom) {
     const HeapGrowth growth = tip_over(tip, place, units, kRepose_deg);
     ASSERT_FALSE(growth.reaches_border);
     for (const auto& [cell, height] : growth.heights) {
-      tip.heights[static_cast<std::size_t>(cell)] = height;
+      tip.heights.set(static_cast<std::size_t>(cell), height);
     }
     tipped += units * tip.cell * tip.cell;
     ASSERT_EQ(volume_of(tip), tipped) << "round " << round;

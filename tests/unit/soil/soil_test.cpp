@@ -55,7 +55,7 @@ TEST(Excavation, SlopesAreThoseOfTheHandbook) {
 
 TEST(Excavation, WhatIsLowerStays) {
   Terrain ground = flat(40, 40, 500, 0);
-  for (int row = 0; row < 40; ++row) ground.heights[ground.index(10, row)] = -5000;
+  for (int row = 0; row < 40; ++row) ground.heights.set(ground.index(10, row), -5000);
   const Excavation pit = excavate(ground, {rectangle(2, 2, 18, 18), -2000}, 90);
   EXPECT_EQ(pit.after.heights[ground.index(10, 20)], -5000);
   EXPECT_EQ(pit.volume, (32LL * 32 - 32) * 500 * 500 * 2000);
@@ -76,8 +76,8 @@ TEST(Excavation, RandomPitsKeepTheirBalance) {
     const int rows = 5 + static_cast<int>(random.index(30));
     Terrain ground = flat(columns, rows, 100 + static_cast<int>(random.index(5)) * 100, 0);
     const bool rough = random.index(2) == 0;
-    for (Millimetres& height : ground.heights) {
-      height = rough ? static_cast<Millimetres>(random.index(3000)) : 1000;
+    for (std::size_t i = 0; i < ground.heights.size(); ++i) {
+      ground.heights.set(i, rough ? static_cast<Millimetres>(random.index(3000)) : 1000);
     }
     Pit pit;
     pit.bottom = -static_cast<Millimetres>(random.index(4000));
@@ -131,7 +131,9 @@ TEST(TerrainText, IsReadAsAMapIsDrawn) {
   const auto read = terrain_of("# heights\n1, 2.5, 3\r\n\n4;5;6.0004\n", 3, 2, 500);
   ASSERT_TRUE(std::holds_alternative<Terrain>(read));
   const Terrain& ground = std::get<Terrain>(read);
-  EXPECT_EQ(ground.heights, (std::vector<Millimetres>{4000, 5000, 6000, 1000, 2500, 3000}));
+  ASSERT_EQ(ground.heights.size(), 6u);
+  const Heights expected(std::vector<Millimetres>{4000, 5000, 6000, 1000, 2500, 3000});
+  EXPECT_EQ(ground.heights.next_difference(expected, 0), 6u);
 }
 
 TEST(TerrainText, SaysWhatIsWrong) {
