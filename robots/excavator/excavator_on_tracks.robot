@@ -29,7 +29,7 @@ robot excavator_on_tracks {
   }
   touching boom bucket;
   tool bucket at trans(1.562, 0, 0);  # the tip of the teeth
-  deviation 5 mm, 0.5 deg;          # of the teeth beside the line of a cut; machine control on site holds them to 20 to 30 mm
+  deviation 5 mm, 0.5 deg;  # of the teeth beside the line of a cut; machine control on site holds them to 20 to 30 mm
   guide way rrt_connect { seed 1; }
   behaviour "excavator_digging.motion";
 }

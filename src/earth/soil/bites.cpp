@@ -132,6 +132,12 @@ class BiteSearch {
     Millimetres ground = std::numeric_limits<Millimetres>::min();  ///< highest that stays
     Millimetres soil = std::numeric_limits<Millimetres>::min();    ///< highest of all
     std::vector<int> covered;                                      ///< cells
+
+    void clear() {
+      is_free = true;
+      ground = soil = std::numeric_limits<Millimetres>::min();
+      covered.clear();
+    }
   };
 
   /// The middle of the footprint, in {E}.
@@ -153,20 +159,20 @@ class BiteSearch {
   }
 
   /// It is looked at no further than to ground that stays above `limit`.
-  Under look(const Heading& heading, double distance, Millimetres limit) const {
+  void look(const Heading& heading, double distance, Millimetres limit, Under& under) const {
     const auto& [deg, c, s] = heading;
     const Eigen::Vector2d p = middle_at(heading, distance);
     const double wide = half_along_ * std::fabs(c) + half_across_ * std::fabs(s);
     const double high = half_along_ * std::fabs(s) + half_across_ * std::fabs(c);
     const double half = side_ / 2 * (std::fabs(c) + std::fabs(s));
     const double more = std::max(rules_.spread, 0.0);
-    Under under;
+    under.clear();
     const auto cell_of = [&](double value) { return std::floor(value / side_); };
     const double columns[] = {cell_of(p.x() - wide + kTouches), cell_of(p.x() + wide - kTouches)};
     const double rows[] = {cell_of(p.y() - high + kTouches), cell_of(p.y() + high - kTouches)};
     if (columns[0] < 0 || rows[0] < 0 || columns[1] >= now_.columns || rows[1] >= now_.rows) {
       under.is_free = false;
-      return under;
+      return;
     }
     const auto within = [&](double value, int count) {
       return static_cast<int>(std::clamp(cell_of(value), 0.0, count - 1.0));
@@ -186,7 +192,7 @@ class BiteSearch {
           under.soil = std::max(under.soil, now_.heights[cell]);
           if (under.ground > limit) {
             under.is_free = false;
-            return under;
+            return;
           }
         }
         if (covers(du, dv, c, s, half_along_ - kGroundGap + more,
@@ -195,7 +201,6 @@ class BiteSearch {
         }
       }
     }
-    return under;
   }
 
   /// Whether one of the four points of a cell whose middle is at (du, dv) is in the footprint.
@@ -232,25 +237,25 @@ class BiteSearch {
     const int row = target_.cell / now_.columns;
     if (!covers(heading, middle_at(heading, far), column, row)) return std::nullopt;
     constexpr auto kGap = static_cast<Millimetres>(kGroundGap * 1e3);
-    const Under first = look(heading, far, target_.floor + rules_.tolerance - kGap);
-    if (!first.is_free) return std::nullopt;
-    const Millimetres floor = std::max(target_.floor, first.ground);
+    Under& under = under_;
+    look(heading, far, target_.floor + rules_.tolerance - kGap, under);
+    if (!under.is_free) return std::nullopt;
+    const Millimetres floor = std::max(target_.floor, under.ground);
     const auto cutting = floor + kGap;
     if (cutting > target_.floor + rules_.tolerance) return std::nullopt;
     Bite bite;
     bite.cell = target_.cell;
     bite.heading_deg = heading.deg;
     bite.far = bite.near = far;
-    Millimetres soil = first.soil;
-    Millimetres passed = first.soil;
+    Millimetres soil = under.soil;
+    Millimetres passed = under.soil;
     ++stamp_;
     const CubicMillimetres area = now_.cell * now_.cell;
-    Under under = first;
     for (int i = 0; i < kMostSteps; ++i) {
       const double distance = far - i * step_;
       if (i > 0) {
         if (distance + print_.back < kLeastDistance || bite.near - distance > kMostIdle) break;
-        under = look(heading, distance, floor);
+        look(heading, distance, floor, under);
         if (!under.is_free) break;
       }
       passed = std::max(passed, under.soil);
@@ -285,6 +290,7 @@ class BiteSearch {
   std::pair<int, int> columns_, rows_;  ///< first and last of the cells that cuts can cover
   std::vector<std::uint32_t> seen_;     ///< to each of these, row by row
   std::uint32_t stamp_ = 0;
+  Under under_;  ///< where it looked last
 };
 
 }  // namespace

@@ -145,20 +145,24 @@ std::optional<JointChain> joint_chain(const GoalProblem& problem) {
   const FormulaInput now = {problem.q_now(), {}, problem.mounting().starts};
   for (const FrameElement* element : problem.elements()) {
     const bool rotation = element->kind != FrameElement::Kind::trans;
-    FrameElement constant = *element;
+    FrameElement constant;  // the element without what moves it, if anything does
+    constant.kind = element->kind;
     ChainJoint joint;
     joint.rotation = rotation;
     bool moving = false;
+    const std::array<const Formula*, 3> given = {&element->a, &element->b, &element->c};
     const std::array<Formula*, 3> formulas = {&constant.a, &constant.b, &constant.c};
     for (std::size_t i = 0; i < (rotation ? 1 : 3); ++i) {
-      const Argument argument = argument_of(problem, *formulas[i]);
+      const Argument argument = argument_of(problem, *given[i]);
       if (argument.kind == Argument::Kind::other) return std::nullopt;
-      if (argument.kind == Argument::Kind::constant) continue;
+      if (argument.kind == Argument::Kind::constant) {
+        if (!rotation) *formulas[i] = *given[i];
+        continue;
+      }
       // A turn with a gear is left to the search.
       if (rotation && std::fabs(argument.slope) != 1) return std::nullopt;
       joint.parameters[i] = argument.parameter;
       joint.slopes[i] = argument.slope;
-      formulas[i]->code.clear();
       if (argument.offset != 0) {
         formulas[i]->code.push_back({FormulaOp::Kind::constant, 0, argument.offset});
       }

@@ -79,6 +79,8 @@ void SiteWorld::add_pit(Pit pit) {
       }
     }
   }
+  if (pits_.size() % kPitsTogether == 0) around_pits_.emplace_back();
+  around_pits_.back().extend(pit.around);
   pits_.push_back(std::move(pit));
 }
 
@@ -100,7 +102,12 @@ std::optional<std::string> SiteWorld::pit_met(int robot,
                                                  machine.wheels_reach, step.q_from, step.q_to);
   std::optional<PlanRegion> region;
   double lowest = 0;  // that the ground may be
-  for (const Pit& pit : pits_) {
+  for (std::size_t i = 0; i < pits_.size(); ++i) {
+    if (i % kPitsTogether == 0 && !around.intersects(around_pits_[i / kPitsTogether])) {
+      i += kPitsTogether - 1;
+      continue;
+    }
+    const Pit& pit = pits_[i];
     if (!around.intersects(pit.around)) continue;
     const auto opened = soils_.find(pit.component);
     // Nobody has dug there yet.

@@ -442,7 +442,9 @@ class SiteWorld {
   std::vector<Component> components_;
   std::map<int, Soil> soils_;  ///< by component
   std::vector<Pit> pits_;
-  std::set<int> being_dug_;  ///< soil
+  static constexpr std::size_t kPitsTogether = 16;
+  std::vector<Eigen::AlignedBox2d> around_pits_;  ///< around so many of them each
+  std::set<int> being_dug_;                       ///< soil
   WorkspaceRules workspaces_;
   std::vector<BodyCorners> moving_corners_;  ///< of people with a timetable
   std::vector<int> with_people_;             ///< components in or on which people are
