@@ -55,6 +55,36 @@ TEST(Evaluate, CountsAsAPlannerDoes) {
   EXPECT_EQ(value_of("sin(30) + cos(60 deg)"), "1 a plain number");
 }
 
+/// Lengths over the pitches of bays: quotients that rounding leaves below whole numbers.
+TEST(Evaluate, CountsBaysAsConditionsDo) {
+  for (const auto& [quotient, bays] :
+       std::vector<std::pair<std::string, std::string>>{{"4.8 m / 1.6 m", "3"},
+                                                        {"9.6 / 1.6", "6"},
+                                                        {"16.2 / 5.4", "3"},
+                                                        {"11.2 / 1.6", "7"},
+                                                        {"29.4 / 4.2", "7"},
+                                                        {"46.8 / 3.6", "13"},
+                                                        {"93.6 / 7.2", "13"}}) {
+    EXPECT_EQ(value_of("floor(" + quotient + ")"), bays + " a plain number");
+    EXPECT_EQ(value_of("floor(-" + quotient + ")"), "-" + bays + " a plain number");
+  }
+  EXPECT_EQ(value_of("floor(2.9999991)"), "3 a plain number");
+  EXPECT_EQ(value_of("floor(2.999998)"), "2 a plain number");
+  EXPECT_EQ(value_of("floor(-2.0000009)"), "-2 a plain number");
+  EXPECT_EQ(value_of("floor(0 - 1e-7)"), "0 a plain number");
+  EXPECT_EQ(value_of("floor(999999999.999)"), "999999999 a plain number");
+}
+
+TEST(Evaluate, LeavesNoRestOfRounding) {
+  EXPECT_EQ(value_of("mod(4.8 m, 1.6 m)"), "0 a length");
+  EXPECT_EQ(value_of("mod(0.3, 0.1)"), "0 a plain number");
+  EXPECT_EQ(value_of("mod(-4.8, 1.6)"), "0 a plain number");
+  EXPECT_EQ(value_of("mod(4.8, -1.6)"), "0 a plain number");
+  // of a long divisor, and of a short one
+  EXPECT_EQ(value_of("mod(100000.0625, 100000)"), "0.0625 a plain number");
+  EXPECT_EQ(value_of("mod(1.5 / 65536, 1 / 65536) * 65536"), "0.5 a plain number");
+}
+
 TEST(Evaluate, CarriesUnits) {
   EXPECT_EQ(value_of("3600 mm"), "3.6 a length");
   EXPECT_EQ(value_of("2 m + 50 cm"), "2.5 a length");
