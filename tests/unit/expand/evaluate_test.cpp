@@ -169,6 +169,22 @@ TEST(Parameters, AreSetFromOutside) {
             "P27 --set bays is given twice\n");
 }
 
+TEST(Parameters, AreSetByNamesWithBrackets) {
+  const std::string text = "parameter stock[1] = 3; parameter stock[2, 15] = 4;";
+  Parameters plan(text, {{"stock[1]", "7"}, {"stock[2, 15]", "8"}});
+  EXPECT_EQ(plan.said(), "");
+  EXPECT_EQ(plan.value("stock_1") + plan.value("stock_2_15"), "7 a plain number8 a plain number");
+  const auto said = [&](const std::string& name) { return Parameters(text, {{name, "1"}}).said(); };
+  EXPECT_EQ(said("stock[3]"),
+            "P27 --set stock_3=1: the plan has no parameter 'stock_3'; did you mean stock_1?\n");
+  EXPECT_NE(said("stock[1"), "");
+  EXPECT_NE(said("stock[1]]"), "");
+  EXPECT_NE(said("stock[i]"), "");
+  EXPECT_NE(said("stock[]"), "");
+  EXPECT_EQ(Parameters(text, {{"stock[1]", "5"}, {"stock_1", "6"}}).said(),
+            "P27 --set stock_1 is given twice\n");
+}
+
 }  // namespace
 
 }  // namespace rubicon::test
