@@ -143,14 +143,14 @@ class Evaluation {
     bool known = false;
     std::optional<Value> value = find_value(scope_, name, known);
     if (known) return value;
-    const auto later = scope_.later.find(name);
-    if (later != scope_.later.end()) {
+    if (const Scope* const plan = declared_later(scope_, name)) {
       Diagnostic diagnostic;
       diagnostic.code = "P23";
       diagnostic.span = at(expression.span);
-      diagnostic.message = fmt::format(
-          "parameter '{}' is declared further down; a parameter knows those above it", name);
-      diagnostic.notes.push_back({later->second, "declared here"});
+      diagnostic.message =
+          fmt::format("parameter '{}' is declared further down; {} knows those above it", name,
+                      plan == &scope_ ? "a parameter" : "an imported plan");
+      diagnostic.notes.push_back({plan->later.at(name), "declared here"});
       diagnostics_.add(std::move(diagnostic));
       return std::nullopt;
     }

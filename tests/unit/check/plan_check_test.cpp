@@ -92,6 +92,30 @@ TEST(PlanCheck, ImportsOtherPlans) {
   EXPECT_EQ(loaded.plan->tasks[5].after[0].task, 1);
 }
 
+TEST(PlanCheck, ImportedPlansKnowTheParametersOfThoseThatImportThem) {
+  const auto loaded = [](const std::string& text, const std::string& inner) {
+    return Loaded("plan p { " + text + " }",
+                  {{"site/o.plan", "plan o { parameter own = 1 s; import \"i.plan\" as i; }"},
+                   {"site/i.plan", "plan i { " + inner + " }"}});
+  };
+  const std::string outer = "parameter extra = 3 s; parameter i = 5; parameter own = 9 s; ";
+  const std::string import = "import \"o.plan\" as o; ";
+  const Loaded fine = loaded(outer + import, R"(for i from 1 to 2 {
+    task t[i] { name "{extra} s"; takes own + extra + i * 10 s; } })");
+  ASSERT_EQ(fine.said(), "");
+  EXPECT_EQ(fine.plan->tasks[1].takes[0].duration, 24);  // own: of the nearest
+  const Loaded hidden = loaded(outer + import, "parameter extra = 1 s; task t { takes extra; }");
+  ASSERT_EQ(hidden.said(), "");
+  EXPECT_EQ(hidden.plan->tasks[0].takes[0].duration, 1);
+  EXPECT_EQ(loaded(import + outer, "task t { takes extra; }").said().substr(0, 112),
+            "  => site/i.plan:1:25: P23 error: parameter 'extra' is declared further down; "
+            "an imported plan knows those above");
+  EXPECT_EQ(
+      loaded(outer + import, "task t { takes extr; }").said(),
+      "  => site/i.plan:1:25: P23 error: there is no parameter 'extr'; did you mean extra?\n");
+  EXPECT_NE(loaded(outer + import + "task t { takes o.extra; }", "").said(), "");
+}
+
 TEST(PlanCheck, NamesWhatImportedPlansPlaceAndImport) {
   const std::string yard = R"(plan yard {
     parameter n = 2;
