@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "interpreter/expand/evaluate.hpp"
+#include "interpreter/expand/plain_items.hpp"
 #include "interpreter/parse/parse.hpp"
 
 namespace rubicon::interpreter::expansion {
@@ -96,10 +97,11 @@ class Evaluator {
     std::optional<Value> value;
     if (item.value) {
       value = evaluate_number(*item.value, scope_, diagnostics_);
-    } else {
+    } else if (syntax::PlanParameter text = item;
+               PlainItems(scope_, diagnostics_).make_plain(text)) {
       value.emplace();
       value->kind = Value::Kind::text;
-      value->text = item.text.text;
+      value->text = std::move(text.text.text);
     }
     const auto given = set_.find(name);
     if (value && given != set_.end()) value = changed(name, *value, given->second);

@@ -185,6 +185,18 @@ TEST(Parameters, AreSetByNamesWithBrackets) {
             "P27 --set stock_1 is given twice\n");
 }
 
+TEST(Parameters, AreWrittenInTextsOfOthers) {
+  Parameters plan(
+      "parameter lot = \"A\"; parameter n = 3; parameter label = \"Lot {lot}{n}\"; "
+      "parameter sign = \"{label}: {} {1}\";",
+      {{"lot", "{B}"}});
+  EXPECT_EQ(plan.said(), "");
+  EXPECT_EQ(plan.value("label"), "Lot {B}3 a text");
+  EXPECT_EQ(plan.value("sign"), "Lot {B}3: {} {1} a text");
+  EXPECT_EQ(Parameters("parameter a = \"{b}\"; parameter b = 1;").said(),
+            "P23 there is no parameter 'b' for this text\n");
+}
+
 }  // namespace
 
 }  // namespace rubicon::test
