@@ -16,7 +16,8 @@ struct index_close : symbol<']'> {};
 struct indices : if_must<index_open, index_value, star<if_must<comma, index_value>>, index_close> {
 };
 struct indexed_name : seq<name, opt<indices>> {};
-struct qualified_indexed_name : seq<indexed_name, opt<if_must<dot, member_name, opt<indices>>>> {};
+/// More than one dot: of what an imported plan places or imports, yard.unit[2].slab.
+struct qualified_indexed_name : seq<indexed_name, star<if_must<dot, member_name, opt<indices>>>> {};
 
 // Operands.
 struct call_open : open_parenthesis {};

@@ -74,6 +74,8 @@ const syntax::TaskItem* task_item(const Subject& subject, const Scope& scope,
                                   const syntax::QualifiedName& name) {
   const ModuleInfo* module = scope.module;
   if (name.body) {
+    const auto imported = subject.task_items.find(name.text());
+    if (imported != subject.task_items.end()) return imported->second;
     const auto place = subject.places.find(name.body->text);
     if (place == subject.places.end()) return nullptr;
     const int index = subject.place_infos[at(place->second)].module;

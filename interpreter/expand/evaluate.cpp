@@ -17,7 +17,8 @@ using syntax::Dimension;
 using syntax::Expression;
 using Operator = Expression::Operator;
 
-/// As in scripts: what differs by less is equal.
+/// As in scripts: what differs by less is equal. Quotients of tenths are off by rounding, 4.8 / 1.6
+/// by 4e-16, so whole numbers are those of conditions: floor(a) is 3 where a == 3 holds.
 constexpr double kEqual = 1e-6;
 
 /// Largest whole number that is counted with.
@@ -47,6 +48,20 @@ Value condition_value(bool holds) {
 bool has_base_unit(Dimension dimension) {
   return dimension.time >= 0 || dimension == Dimension{1, 0, -1, 0} ||
          dimension == Dimension{0, 1, -1, 0};
+}
+
+/// Never -0.
+double nearest_whole(double value) { return std::round(value) + 0.0; }
+
+bool is_whole(double value) { return std::fabs(value - nearest_whole(value)) <= kEqual; }
+
+/// The rest of a / b, with the sign of b. What is within kEqual of 0 or b, as it stands and as a
+/// part of b, comes of rounding: nothing is left.
+double rest_of(double a, double b) {
+  double rest = std::fmod(a, b);
+  if (rest != 0 && (rest < 0) != (b < 0)) rest += b;
+  const double slack = kEqual * std::min(1.0, std::fabs(b));
+  return std::min(std::fabs(rest), std::fabs(b - rest)) <= slack ? 0.0 : rest;
 }
 
 class Evaluation {
@@ -128,14 +143,14 @@ class Evaluation {
     bool known = false;
     std::optional<Value> value = find_value(scope_, name, known);
     if (known) return value;
-    const auto later = scope_.later.find(name);
-    if (later != scope_.later.end()) {
+    if (const Scope* const plan = declared_later(scope_, name)) {
       Diagnostic diagnostic;
       diagnostic.code = "P23";
       diagnostic.span = at(expression.span);
-      diagnostic.message = fmt::format(
-          "parameter '{}' is declared further down; a parameter knows those above it", name);
-      diagnostic.notes.push_back({later->second, "declared here"});
+      diagnostic.message =
+          fmt::format("parameter '{}' is declared further down; {} knows those above it", name,
+                      plan == &scope_ ? "a parameter" : "an imported plan");
+      diagnostic.notes.push_back({plan->later.at(name), "declared here"});
       diagnostics_.add(std::move(diagnostic));
       return std::nullopt;
     }
@@ -169,9 +184,7 @@ class Evaluation {
     const Dimension dimension = a->dimension.is_bare() ? b->dimension : a->dimension;
     if (name == "mod") {
       if (b->number == 0) return zero_division(expression.span);
-      const double rest = std::fmod(a->number, b->number);
-      const bool wraps = rest != 0 && (rest < 0) != (b->number < 0);
-      return number_value(wraps ? rest + b->number : rest, dimension);
+      return number_value(rest_of(a->number, b->number), dimension);
     }
     const bool takes_a = name == "min" ? a->number <= b->number : a->number >= b->number;
     return number_value(takes_a ? a->number : b->number, dimension);
@@ -180,7 +193,10 @@ class Evaluation {
   std::optional<Value> function_of_one(const std::string& name, const Expression& expression,
                                        const Value& a) {
     if (name == "abs") return number_value(std::fabs(a.number), a.dimension);
-    if (name == "floor") return number_value(std::floor(a.number), a.dimension);
+    if (name == "floor") {
+      return number_value(is_whole(a.number) ? nearest_whole(a.number) : std::floor(a.number),
+                          a.dimension);
+    }
     if (!a.dimension.is_bare() && !(a.dimension == Dimension{0, 1, 0, 0})) {
       diagnostics_.error(
           "F09", at(expression.operands[0]->span),
@@ -325,14 +341,14 @@ std::optional<std::int64_t> evaluate_whole(const Expression& expression, std::st
         fmt::format("{} needs a plain number, but the value is {}", what, kind_text(*value)));
     return std::nullopt;
   }
-  if (std::floor(value->number) != value->number ||
-      std::fabs(value->number) > static_cast<double>(kMaxWhole)) {
+  const double whole = nearest_whole(value->number);
+  if (!is_whole(value->number) || std::fabs(whole) > static_cast<double>(kMaxWhole)) {
     diagnostics.error("P24", span,
                       fmt::format("{} needs a whole number of at most {}, found {}", what,
                                   kMaxWhole, number_text(value->number)));
     return std::nullopt;
   }
-  return static_cast<std::int64_t>(value->number);
+  return static_cast<std::int64_t>(whole);
 }
 
 std::optional<std::string> plain_name(const syntax::Name& name, Scope& scope,

@@ -198,9 +198,7 @@ class Expansion {
   }
 
   bool is_new_name(const syntax::Name& name) {
-    bool known = false;
-    find_value(scope_, name.text, known);
-    if (!known) return true;
+    if (!is_own_name(scope_, name.text)) return true;
     Diagnostic diagnostic;
     diagnostic.code = "P26";
     diagnostic.span = at(name.span);
@@ -324,6 +322,7 @@ std::optional<syntax::Plan> imported_plan(const syntax::ImportItem& item, const 
   const FileId file = sources.add(path, std::get<std::string>(std::move(text)));
   syntax::Plan plan = parse_plan(sources, file, diagnostics);
   Scope inner;
+  inner.importer = &scope;
   imports.open.push_back(path);
   expand_in(plan, set, inner, sources, diagnostics, &imports);
   imports.open.pop_back();

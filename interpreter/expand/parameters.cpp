@@ -3,14 +3,37 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "interpreter/expand/evaluate.hpp"
+#include "interpreter/expand/plain_items.hpp"
 #include "interpreter/parse/parse.hpp"
 
 namespace rubicon::interpreter::expansion {
 
 namespace {
+
+/// stock_1 of stock[1], stock_2_5 of stock[2, 5]. Brackets with anything else in them stay.
+std::string without_brackets(std::string_view name) {
+  std::string plain;
+  for (std::size_t at = 0; at < name.size(); ++at) {
+    const std::size_t end = name[at] == '[' ? name.find(']', at) : std::string_view::npos;
+    const std::string_view indices =
+        end == std::string_view::npos ? "[" : name.substr(at + 1, end - at - 1);
+    if (indices.find_first_not_of("0123456789, ") != std::string_view::npos) {
+      plain += name[at];
+      continue;
+    }
+    plain += '_';
+    for (const char c : indices) {
+      if (c != ' ') plain += c == ',' ? '_' : c;
+    }
+    at = end;
+  }
+  return plain;
+}
 
 class Evaluator {
  public:
@@ -18,7 +41,8 @@ class Evaluator {
       : scope_(scope), diagnostics_(diagnostics), on_import_(on_import) {}
 
   void take(const ParameterTexts& set) {
-    for (const auto& [name, text] : set) {
+    for (const auto& [given, text] : set) {
+      const std::string name = without_brackets(given);
       if (!set_.emplace(name, text).second) {
         diagnostics_.error("P27", {}, fmt::format("--set {} is given twice", name));
       }
@@ -73,10 +97,11 @@ class Evaluator {
     std::optional<Value> value;
     if (item.value) {
       value = evaluate_number(*item.value, scope_, diagnostics_);
-    } else {
+    } else if (syntax::PlanParameter text = item;
+               PlainItems(scope_, diagnostics_).make_plain(text)) {
       value.emplace();
       value->kind = Value::Kind::text;
-      value->text = item.text.text;
+      value->text = std::move(text.text.text);
     }
     const auto given = set_.find(name);
     if (value && given != set_.end()) value = changed(name, *value, given->second);

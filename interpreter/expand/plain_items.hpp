@@ -83,6 +83,7 @@ class PlainItems {
   void item(syntax::SupportItem& value) { each(value.mode), each(value.gap); }
   void item(syntax::AfterItem& value) { links(value.links); }
   void item(syntax::AttributeItem& value);
+  void item(syntax::PlanParameter& value) { text(value.text); }
 
   // What items are made of; overloads of `part` are called for each of a list.
   void part(syntax::Name& value) { name(value); }

@@ -36,13 +36,21 @@ struct Scope {
   std::map<std::string, Parameter> parameters = {};
   std::map<std::string, Span> later = {};  ///< parameters that are declared further down
   std::vector<Variable> variables = {};    ///< of the `for` around, the innermost last
+  const Scope* importer = nullptr;         ///< of the plan that imports this one
   std::uint32_t copy = 0;
   NameSuggestions suggestions = {};
 };
 
-/// The value of a parameter or variable; nothing where the name is unknown (`known` false) or its
-/// declaration wrong.
+/// The value of a parameter or variable, of this plan before those that import it; nothing where
+/// the name is unknown (`known` false) or its declaration wrong.
 std::optional<Value> find_value(const Scope& scope, const std::string& name, bool& known);
+
+/// Whether it is a parameter or a variable of this plan itself.
+bool is_own_name(const Scope& scope, const std::string& name);
+
+/// The scope, of this plan or of one that imports it, in which the parameter is declared further
+/// down; null if there is none.
+const Scope* declared_later(const Scope& scope, const std::string& name);
 
 /// "; did you mean bays?", or nothing.
 std::string near_name(Scope& scope, const std::string& name);

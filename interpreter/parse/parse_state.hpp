@@ -121,6 +121,7 @@ class ParseState {
     int minimum;  ///< the least depth from here to the end of the file
   };
 
+  void join_body();
   std::string expand(const char* what) const;
   bool is_remark(const char* at, const char* failure) const;
   [[noreturn]] void fail_remark(const char* at);

@@ -111,6 +111,7 @@ void ParseState::set_name(const char* from, const char* to) {
   part.span = span(from, to);
   if (dot_) {
     dot_ = false;
+    if (name_.body) join_body();
     name_.body = std::move(name_.name);
     name_.span.end = part.span.end;
   } else {
@@ -118,6 +119,17 @@ void ParseState::set_name(const char* from, const char* to) {
     name_.span = part.span;
   }
   name_.name = std::move(part);
+}
+
+/// Before a second dot: yard.unit of yard.unit[2].slab.
+void ParseState::join_body() {
+  const syntax::Name& import = *name_.body;
+  if (!import.indices.empty()) {
+    report_token(code_, begin_ + import.span.begin,
+                 "brackets stand behind the last two parts of a name only: NAME.x[i].y[j]");
+  }
+  name_.name.text = import.text + "." + name_.name.text;
+  name_.name.span.begin = import.span.begin;
 }
 
 void ParseState::open_indices() { indexed_.push_back({std::move(name_), {}}); }

@@ -30,7 +30,7 @@ struct Name {
   std::vector<ExpressionPtr> indices = {};  ///< of NAME[e, f], in plans until they are expanded
 };
 
-/// NAME or NAME.NAME
+/// NAME or NAME.NAME; of what an imported plan places or imports `body` has dots of its own.
 struct QualifiedName {
   std::optional<Name> body;
   Name name;

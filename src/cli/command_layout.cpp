@@ -197,14 +197,16 @@ int run_layout(const LayoutOptions& options) {
                     "3 m; }}",
                     asked.network->name));
   }
-  sizes.lane = std::max(classes.front().width, classes.back().width);
+  sizes.lane = classes.front().width;
+  sizes.cross_lane = classes.back().width;
   sizes.aisle_speed = classes.front().speed;
   sizes.cross_speed = classes.back().speed;
   for (const interpreter::FleetSpec& fleet : plan->fleets) {
     sizes.vehicle_speed =
         sizes.vehicle_speed > 0 ? std::min(sizes.vehicle_speed, fleet.speed) : fleet.speed;
   }
-  sizes.spacing = sizes.lane;
+  // A vehicle at a node beside a cross aisle stands clear of it.
+  sizes.spacing = std::max(sizes.lane, sizes.cross_lane);
   if (const auto wrong =
           take_length("--spacing", options.spacing, kLeastPart, kMostPart, sizes.spacing)) {
     return fail(*wrong);

@@ -242,7 +242,7 @@ module and from there to a gate, each pair as often), and the trips in an hour t
 load not counted). Beside them, how it is laid out, and the metres of its lanes. The most modules stand first.
 
   --module SIZE    a module: along its aisle, across it, and its height (2 m if not given)
-  --spacing LENGTH from node to node in an aisle at least; the width of a lane if not given. Not less than a vehicle is long
+  --spacing LENGTH from node to node in an aisle at least; the width of the widest lane if not given. Not less than a vehicle is long
   --out FILE       write the plan with the layout in it: nodes and lanes in its network, each module a shape of the site,
                    and, if the plan has a fleet and no tasks, up to 20 trips from the gates to modules
   --choose N       which layout of the table; 1 if not given

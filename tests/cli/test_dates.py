@@ -34,6 +34,16 @@ plan site {
 }
 """
 
+# Of two masons one is wanted again at 10 h: who built the walls. Who has not worked yet takes the stairs.
+MASONS = """
+plan masons {
+  crew masons { size SIZE; }
+  task walls { takes 1 h; needs 1 masons; }
+  task stairs { takes 8 h; needs 1 masons; not_before 2 h; }
+  task roof { takes 2 h; needs 1 masons; not_before 10 h; }
+}
+"""
+
 
 # A schedule of others: pour has a baseline of its own, dig only its dates.
 SCHEDULE = """<?xml version="1.0" encoding="UTF-8"?>
@@ -95,6 +105,22 @@ class Dates(ResultCase):
         with open(os.path.join(self.out, "schedule.csv"), encoding="utf-8", newline="") as file:
             rows = {row["task"]: row for row in csv.DictReader(file)}
         self.assertEqual((rows["fence"]["total_float"], rows["pour"]["late"]), ("25200", "1800"))
+
+    def test_floats_of_people_who_have_not_worked_yet(self):
+        for size, walls in ((1, 1), (2, 9), (3, 11), (20, 11)):
+            with self.subTest(size=size):
+                _, tasks = self.run_plan(MASONS.replace("SIZE", str(size)))
+                floats = {name: (task["float"]["total"] / HOUR, task["float"]["free"] / HOUR) for name, task in tasks.items()}
+                stairs = 2 if size > 1 else 0
+                self.assertEqual(floats, {"walls": (walls, walls), "stairs": (stairs, stairs), "roof": (0, 0)})
+                self.assertEqual(rubicon("verify", self.out).returncode, 0)
+
+    def test_floats_of_people_follow_the_order_in_which_tasks_got_them(self):
+        # slab has the first choice, and so who has not worked yet
+        _, tasks = self.run_plan("""plan p { crew c { size 2; } task walls { takes 1 h; needs 1 c; }
+          task stairs { takes 1 h; needs 1 c; not_before 2 h; } task slab { takes 5 h; needs 1 c; not_before 2 h; priority 1; } }""")
+        floats = {name: task["float"]["total"] / HOUR for name, task in tasks.items()}
+        self.assertEqual(floats, {"walls": 5, "stairs": 4, "slab": 0})
 
     def test_a_schedule_of_others_is_the_baseline(self):
         schedule, plan, back = (os.path.join(self.folder, name) for name in ("hall.xml", "hall.plan", "back.xml"))

@@ -37,6 +37,20 @@ class Layout(ResultCase):
         self.assertEqual(len(schedule["tasks"]), 40)
         self.assertEqual({task["result"] for task in schedule["tasks"]}, {"done"})
 
+    def test_aisles_are_as_wide_as_their_class(self):
+        area = "area hall { outline (0, 0), (30, 0), (30, 15), (0, 15); }"
+        narrow, wide = (NETWORK.replace("width 3.6 m; }", "width %s; } class wide { speed 1 m/s; width %s; }" % each)
+                        for each in (("3.6 m", "3 m"), ("2.2 m", "3.6 m")))
+        modules = [len(json.loads(self.layout(hall(area, each), "--format", "json").stdout)["layouts"][0]["modules"])
+                   for each in (NETWORK, narrow, wide)]
+        self.assertGreater(modules[1], modules[0])
+        self.assertGreater(modules[2], 1.2 * modules[0])
+        made = os.path.join(self.folder, "made.plan")
+        self.assertEqual(self.layout(hall(area, narrow, FLEET), "--out", made).returncode, 0)
+        with open(made, encoding="utf-8") as file:
+            schedule, _ = self.run_plan(file.read())
+        self.assertEqual({task["result"] for task in schedule["tasks"]}, {"done"})
+
     def test_names_and_remarks_are_kept(self):
         made = os.path.join(self.folder, "made.plan")
         text = hall(AREA, "# {the lanes}", NETWORK.replace("gate", "stop_1")) + "# the end }\n"

@@ -229,6 +229,18 @@ class Why(unittest.TestCase):
         west = next(task for task in run["tasks"] if task["task"] == "west")
         self.assertAlmostEqual(west["start"] + west["duration"], helping[0]["end"])
 
+    def test_a_task_that_is_not_reached_points_at_the_rejected_one(self):
+        plan = os.path.join(self.folder, "later.plan")
+        with open(os.path.join(self.folder, "tall.plan"), encoding="utf-8") as file:
+            text = file.read()
+        with open(plan, "w", encoding="utf-8") as file:
+            file.write(text.replace("  task west", "  task look { takes 1 min; after west; }\n  task last { takes 1 min; after look; }\n  task west"))
+        told = rubicon("why", plan, "last", "--advise")
+        self.assertEqual((told.returncode, told.stderr), (0, ""))
+        self.assertIn("\nno advice for last, which waits for west: what helps that one is told by why PLAN west --advise\n", told.stdout)
+        advice = json.loads(rubicon("why", plan, "last", "--advise", "--format", "json").stdout)["advice"]
+        self.assertEqual((advice["waits_for"], advice["tried"], advice["not_tried"]), ("west", [], []))
+
     def test_advice_needs_a_plan_with_tasks(self):
         told = rubicon("why", self.out, "east", "--advise")
         self.assertEqual(told.returncode, 2)

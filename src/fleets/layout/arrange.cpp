@@ -61,8 +61,12 @@ class Arranger {
   }
 
  private:
-  double half() const { return sizes_.lane / 2; }
-  double passage() const { return choice_.ways == Ways::two_lanes ? 2 * sizes_.lane : sizes_.lane; }
+  double half(bool is_cross) const { return sizes_.width(is_cross) / 2; }
+  /// Along a lane, at its nodes: a vehicle fits into the narrower of both.
+  double half_along() const { return std::min(half(false), half(true)); }
+  double passage(bool is_cross) const {
+    return (choice_.ways == Ways::two_lanes ? 2 : 1) * sizes_.width(is_cross);
+  }
 
   NodeIndex add_node(Point place, double heading_deg, bool is_crossing) {
     made_.nodes.push_back({"", place.x, place.y, heading_deg, true});
@@ -74,15 +78,15 @@ class Arranger {
     const double period = period_of(sizes_, choice_.ways);
     for (int i = 0;; ++i) {
       const double from = bounds_.y0 + choice_.shift + i * period;
-      if (from + passage() > bounds_.y1 + kSamePlace) break;
-      aisles_.push_back({from, from + passage()});
+      if (from + passage(false) > bounds_.y1 + kSamePlace) break;
+      aisles_.push_back({from, from + passage(false)});
     }
     for (const HallSpace::Wall& wall : space_.walls_along_y()) {
-      add_cross(wall.inside_is_right ? wall.x : wall.x - passage());
+      add_cross(wall.inside_is_right ? wall.x : wall.x - passage(true));
     }
     const double width = bounds_.x1 - bounds_.x0;
     for (int i = 1; i <= choice_.cross_aisles; ++i) {
-      add_cross(bounds_.x0 + i * width / (choice_.cross_aisles + 1) - passage() / 2);
+      add_cross(bounds_.x0 + i * width / (choice_.cross_aisles + 1) - passage(true) / 2);
     }
     std::sort(crosses_.begin(), crosses_.end(),
               [](const Passage& a, const Passage& b) { return a.from < b.from; });
@@ -90,7 +94,7 @@ class Arranger {
 
   /// Unless one that is there already has some of its place.
   void add_cross(double from) {
-    const double to = from + passage();
+    const double to = from + passage(true);
     for (const Passage& each : crosses_) {
       if (from < each.to - kSamePlace && each.from < to - kSamePlace) return;
     }
@@ -113,8 +117,8 @@ class Arranger {
           // On the right: below when going to the right, to the right when going up. A hall that is
           // turned is seen in a mirror.
           const int below = is_cross == choice_.along_y ? 1 : -1;
-          lines_.push_back({is_cross, middle - half(), below, {}});
-          lines_.push_back({is_cross, middle + half(), -below, {}});
+          lines_.push_back({is_cross, middle - half(is_cross), below, {}});
+          lines_.push_back({is_cross, middle + half(is_cross), -below, {}});
         }
       }
     };
@@ -122,8 +126,14 @@ class Arranger {
     lay(crosses_, true);
   }
 
-  Rectangle about(Point place) const {
-    return {place.x - half(), place.y - half(), place.x + half(), place.y + half()};
+  static Rectangle about(Point place, double x, double y) {
+    return {place.x - x, place.y - y, place.x + x, place.y + y};
+  }
+  /// What a node on a line needs.
+  Rectangle about(const Line& line, double place) const {
+    const Point on = place_on(line, place);
+    return line.is_cross ? about(on, half(true), half_along())
+                         : about(on, half_along(), half(false));
   }
   static Point place_on(const Line& line, double place) {
     return line.is_cross ? Point{line.at, place} : Point{place, line.at};
@@ -138,7 +148,7 @@ class Arranger {
       for (Line& cross : lines_) {
         if (!cross.is_cross) continue;
         const Point place{cross.at, aisle.at};
-        if (!space_.is_free(about(place))) continue;
+        if (!space_.is_free(about(place, half(true), half(false)))) continue;
         const NodeIndex node = add_node(place, heading_of(aisle), true);
         aisle.stops.push_back({place.x, node});
         cross.stops.push_back({place.y, node});
@@ -181,15 +191,15 @@ class Arranger {
       }
     }
     const Point on = place_on(line, found.place);
-    if (!space_.is_free(about(on))) return std::nullopt;
+    if (!space_.is_free(about(line, found.place))) return std::nullopt;
     // A gate may be in the wall or outside: its line crosses the outline once at most.
     const Point last{gate.x + (on.x - gate.x) * 1e-6, gate.y + (on.y - gate.y) * 1e-6};
     if (space_.crossings(on, last) > 1) return std::nullopt;
     found.corridor = {std::min(on.x, gate.x), std::min(on.y, gate.y), std::max(on.x, gate.x),
                       std::max(on.y, gate.y)};
     // As wide as a lane, across the line.
-    (line.is_cross ? found.corridor.y0 : found.corridor.x0) -= half();
-    (line.is_cross ? found.corridor.y1 : found.corridor.x1) += half();
+    (line.is_cross ? found.corridor.y0 : found.corridor.x0) -= half(true);
+    (line.is_cross ? found.corridor.y1 : found.corridor.x1) += half(true);
     if (space_.is_obstructed(found.corridor)) return std::nullopt;
     const double x = on.x - gate.x;
     const double y = on.y - gate.y;
@@ -240,7 +250,7 @@ class Arranger {
       node = stop->node;
     } else if (stop == nullptr || std::abs(stop->place - landing.place) >= sizes_.spacing) {
       const Point place = place_on(beside, landing.place);
-      if (!space_.is_free(about(place))) return;
+      if (!space_.is_free(about(beside, landing.place))) return;
       node = add_node(place, heading_of(beside), true);
       beside.stops.push_back({landing.place, node});
       sort_stops(beside);
@@ -269,16 +279,16 @@ class Arranger {
       for (int k = 1; k < parts; ++k) places.push_back(from + k * gap / parts);
     }
     for (double at = line.stops.back().place + sizes_.spacing;
-         at + half() <= bounds_.x1 + kSamePlace; at += sizes_.spacing) {
+         at + half_along() <= bounds_.x1 + kSamePlace; at += sizes_.spacing) {
       places.push_back(at);
     }
     for (double at = line.stops.front().place - sizes_.spacing;
-         at - half() >= bounds_.x0 - kSamePlace; at -= sizes_.spacing) {
+         at - half_along() >= bounds_.x0 - kSamePlace; at -= sizes_.spacing) {
       places.push_back(at);
     }
     for (const double place : places) {
       const Point on = place_on(line, place);
-      if (!space_.is_free(about(on))) continue;
+      if (!space_.is_free(about(line, place))) continue;
       line.stops.push_back({place, add_node(on, heading_of(line), false)});
     }
     sort_stops(line);
@@ -288,8 +298,8 @@ class Arranger {
     for (std::size_t i = 0; i + 1 < line.stops.size(); ++i) {
       const Line::Stop& a = line.stops[i];
       const Line::Stop& b = line.stops[i + 1];
-      Rectangle box = about(place_on(line, a.place));
-      (line.is_cross ? box.y1 : box.x1) = b.place + half();
+      Rectangle box = about(line, a.place);
+      (line.is_cross ? box.y1 : box.x1) = b.place + half_along();
       if (!space_.is_free(box)) continue;
       const int lane_class = line.is_cross ? 1 : 0;
       if (line.direction >= 0) add_lane(a.node, b.node, lane_class);

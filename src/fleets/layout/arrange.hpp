@@ -13,11 +13,15 @@ struct Sizes {
   double length = 2.4;       ///< m, of a module along its aisle
   double depth = 1.2;        ///< m, across it
   double height = 2;         ///< m
-  double lane = 3;           ///< m, the width of a lane; an aisle has one or two
+  double lane = 3;           ///< m, the width of a lane of an aisle, which has one or two
+  double cross_lane = 0;     ///< m, of a cross aisle, and to gates; 0: as in aisles
   double spacing = 3;        ///< m, from node to node in an aisle at least
   double aisle_speed = 1;    ///< m/s
   double cross_speed = 1;    ///< m/s, in cross aisles and to gates
   double vehicle_speed = 0;  ///< m/s at most; 0: as fast as the lanes
+
+  /// m, of a lane of an aisle or a cross aisle.
+  double width(bool is_cross) const { return is_cross && cross_lane != 0 ? cross_lane : lane; }
 };
 
 /// How lanes lie in aisles and cross aisles.

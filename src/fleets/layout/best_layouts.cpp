@@ -58,13 +58,14 @@ void check(const Hall& hall, const Sizes& sizes) {
   if (hall.gates.empty()) {
     throw std::invalid_argument("the hall has no gate: a layout has to be reached from somewhere");
   }
-  for (const auto& [what, value] :
-       std::initializer_list<std::pair<const char*, double>>{{"length of a module", sizes.length},
-                                                             {"depth of a module", sizes.depth},
-                                                             {"width of a lane", sizes.lane},
-                                                             {"spacing of nodes", sizes.spacing},
-                                                             {"speed in aisles", sizes.aisle_speed},
-                                                             {"speed across", sizes.cross_speed}}) {
+  for (const auto& [what, value] : std::initializer_list<std::pair<const char*, double>>{
+           {"length of a module", sizes.length},
+           {"depth of a module", sizes.depth},
+           {"width of a lane", sizes.lane},
+           {"width of a lane across", sizes.width(true)},
+           {"spacing of nodes", sizes.spacing},
+           {"speed in aisles", sizes.aisle_speed},
+           {"speed across", sizes.cross_speed}}) {
     if (!(value > 0 && std::isfinite(value))) {
       throw std::invalid_argument(fmt::format("the {} is not above 0", what));
     }

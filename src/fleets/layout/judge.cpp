@@ -24,8 +24,8 @@ std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 NetworkDescription described(const Arrangement& made, const Sizes& sizes) {
   NetworkDescription description;
-  description.classes = {{"aisle", sizes.aisle_speed, sizes.lane, 1},
-                         {"cross", sizes.cross_speed, sizes.lane, 1}};
+  description.classes = {{"aisle", sizes.aisle_speed, sizes.width(false), 1},
+                         {"cross", sizes.cross_speed, sizes.width(true), 1}};
   description.nodes = made.nodes;
   for (std::size_t i = 0; i < description.nodes.size(); ++i) {
     description.nodes[i].name = fmt::format("{}", i);

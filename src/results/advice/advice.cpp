@@ -39,6 +39,30 @@ std::map<std::string, bool> done_tasks(const Schedule& schedule) {
   return done;
 }
 
+/// The rejected task that one which is not reached comes after, by links over others too; "": none.
+std::string rejected_before(const interpreter::PlanModel& plan, const Schedule& schedule,
+                            const std::string& task) {
+  std::map<std::string, TaskResult> results;
+  for (const TaskOutcome& each : schedule.tasks) results[each.task] = each.result;
+  std::vector<bool> seen(plan.tasks.size(), false);
+  std::vector<std::size_t> open;
+  const auto add = [&](std::size_t index) {
+    if (!seen[index]) open.push_back(index);
+    seen[index] = true;
+  };
+  for (std::size_t i = 0; i < plan.tasks.size(); ++i) {
+    if (plan.tasks[i].name == task && results[task] == TaskResult::not_reached) add(i);
+  }
+  for (std::size_t next = 0; next < open.size(); ++next) {
+    const interpreter::TaskSpec& each = plan.tasks[open[next]];
+    const TaskResult result = results[each.name];
+    if (result == TaskResult::rejected || result == TaskResult::ended_short) return each.name;
+    if (result == TaskResult::done) continue;
+    for (const auto& link : each.after) add(static_cast<std::size_t>(link.task));
+  }
+  return "";
+}
+
 bool helps(const RunSummary& before, const Trial& trial) {
   const bool done = trial.run.result == name_of(TaskResult::done);
   const bool was_done = before.result == name_of(TaskResult::done);
@@ -56,6 +80,9 @@ Advice advise(const interpreter::PlanModel& plan, const interpreter::SourceMap& 
   advice.task = story.task;
   advice.tasks = static_cast<int>(done_before.size());
   advice.before = summary(schedule, story.task);
+  advice.waits_for = rejected_before(plan, schedule, story.task);
+  // No change of the task itself helps it then.
+  if (!advice.waits_for.empty()) return advice;
   Changes changes = changes_for(plan, story);
   advice.left_out = std::move(changes.left_out);
   for (const Change& change : changes.changes) {

@@ -32,6 +32,7 @@ struct Trial {
 
 struct Advice {
   std::string task;
+  std::string waits_for;  ///< a task that is not reached: the rejected one that it comes after
   int tasks = 0;
   RunSummary before;
   std::vector<Trial> trials;  ///< in the order of `changes_for`

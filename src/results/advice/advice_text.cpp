@@ -51,6 +51,12 @@ ordered_json run_json(const RunSummary& run) {
 }  // namespace
 
 std::string advice_text(const Advice& advice) {
+  if (!advice.waits_for.empty()) {
+    return fmt::format(
+        "\nno advice for {}, which waits for {}: what helps that one is told by why PLAN {} "
+        "--advise\n",
+        advice.task, advice.waits_for, advice.waits_for);
+  }
   if (advice.trials.empty() && advice.left_out.empty()) {
     if (advice.before.result == "not reached") {
       return "\nno advice: ask for the task that it comes after\n";
@@ -82,6 +88,7 @@ std::string json_with_advice(const std::string& story_json, const Advice& advice
     one["lost"] = trial.lost;
     result["tried"].push_back(std::move(one));
   }
+  if (!advice.waits_for.empty()) result["waits_for"] = advice.waits_for;
   result["not_tried"] = ordered_json::array();
   for (const LeftOut& each : advice.left_out) {
     result["not_tried"].push_back({{"change", each.text}, {"why", each.why}});

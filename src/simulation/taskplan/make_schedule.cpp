@@ -153,7 +153,7 @@ void Simulation::add_floats(const std::vector<std::size_t>& row_of, Schedule& sc
     if (schedule.tasks[row_of[index(task)]].result != TaskResult::done) continue;
     done.push_back({task, row_of[index(task)], &stage_.calendar(task),
                     stage_.links->is_milestone(task),
-                    interpreter::held_whole(plan_, stage_.spec(task))});
+                    interpreter::held_whole(plan_, stage_.spec(task)), stage_.spec(task).priority});
   }
   taskplan::add_floats(done, *stage_.links, schedule);
 }

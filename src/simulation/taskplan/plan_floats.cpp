@@ -20,7 +20,10 @@ struct Use {
   Ticks from = 0, to = 0;
   int node = -1;
   int people = 1;
-  auto operator<=>(const Use&) const = default;
+  double priority = 0;
+
+  /// In the order in which they were given. What is given back at once is there for the next.
+  std::tuple<Ticks, bool, double, int> place() const { return {from, to > from, -priority, node}; }
 };
 
 class Precedences {
@@ -90,28 +93,32 @@ class Precedences {
     std::vector<std::vector<Use>> uses(schedule_.resources.size());
     for (std::size_t i = 0; i < done_.size(); ++i) {
       for (const ResourceHold& hold : outcome(static_cast<int>(i)).holds) {
-        uses[at(hold.resource)].push_back({hold.from, hold.to, static_cast<int>(i), hold.people});
+        uses[at(hold.resource)].push_back(
+            {hold.from, hold.to, static_cast<int>(i), hold.people, done_[i].priority});
       }
     }
     for (const TaskOutcome& task : schedule_.tasks) {
       if (!task.parking || task.result != TaskResult::done) continue;
       for (const ResourceHold& hold : task.holds) {
-        uses[at(hold.resource)].push_back({hold.from, hold.to, -1, hold.people});
+        uses[at(hold.resource)].push_back({hold.from, hold.to, -1, hold.people, 0});
       }
     }
     for (std::size_t i = 0; i < uses.size(); ++i) {
-      std::sort(uses[i].begin(), uses[i].end());
-      add_uses(uses[i], schedule_.resources[i].robot);
+      std::sort(uses[i].begin(), uses[i].end(),
+                [](const Use& a, const Use& b) { return a.place() < b.place(); });
+      add_uses(uses[i], schedule_.resources[i]);
     }
   }
 
-  /// Hands people from task to task: those go first who have been free longest, as in the run.
-  void add_uses(const std::vector<Use>& uses, bool robot) {
+  /// Hands people from task to task: those go first who have been free longest, as in the run, and
+  /// so those who have not worked yet before all others.
+  void add_uses(const std::vector<Use>& uses, const ResourceUse& resource) {
     struct Free {
-      int node = -1;
+      int node = -1;  ///< who had them, -1: nobody yet
       int people = 0;
     };
     std::multimap<Ticks, Free> free;
+    free.emplace(0, Free{-1, static_cast<int>(resource.size)});
     Ticks parked = 0;
     for (const Use& use : uses) {
       if (use.node < 0) {
@@ -119,16 +126,20 @@ class Precedences {
         continue;
       }
       int wanted = use.people;
-      while (wanted > 0 && !free.empty() && free.begin()->first <= use.from) {
+      while (wanted > 0 && !free.empty()) {
         auto [since, last] = *free.begin();
         free.erase(free.begin());
         const int taken = std::min(wanted, last.people);
         wanted -= taken;
-        const Ticks later = start(use.node) - use.from + (robot ? parked : 0);
+        // The rest stays before those who have been free as long.
+        if (taken < last.people) {
+          free.emplace_hint(free.begin(), since, Free{last.node, last.people - taken});
+        }
+        if (last.node < 0) continue;
+        const Ticks later = start(use.node) - use.from + (resource.robot ? parked : 0);
         const Ticks gap = since - finish(last.node) + later;
         const Ticks most = start(use.node) - finish(last.node);
         all_.push_back({last.node, TaskEnd::finish, use.node, TaskEnd::start, std::min(gap, most)});
-        if (taken < last.people) free.emplace(since, Free{last.node, last.people - taken});
       }
       free.emplace(use.to, Free{use.node, use.people});
       parked = 0;

@@ -15,6 +15,7 @@ struct DoneTask {
   const schedule::WorkCalendar* calendar = nullptr;
   bool milestone = false;
   bool whole = false;  ///< nothing may hang on its hook out of working time
+  double priority = 0;
 };
 
 /// Gives each of `done` its floats, in `schedule`. By the links of the plan, by the order in which

@@ -92,6 +92,77 @@ TEST(PlanCheck, ImportsOtherPlans) {
   EXPECT_EQ(loaded.plan->tasks[5].after[0].task, 1);
 }
 
+TEST(PlanCheck, ImportedPlansKnowTheParametersOfThoseThatImportThem) {
+  const auto loaded = [](const std::string& text, const std::string& inner) {
+    return Loaded("plan p { " + text + " }",
+                  {{"site/o.plan", "plan o { parameter own = 1 s; import \"i.plan\" as i; }"},
+                   {"site/i.plan", "plan i { " + inner + " }"}});
+  };
+  const std::string outer = "parameter extra = 3 s; parameter i = 5; parameter own = 9 s; ";
+  const std::string import = "import \"o.plan\" as o; ";
+  const Loaded fine = loaded(outer + import, R"(for i from 1 to 2 {
+    task t[i] { name "{extra} s"; takes own + extra + i * 10 s; } })");
+  ASSERT_EQ(fine.said(), "");
+  EXPECT_EQ(fine.plan->tasks[1].takes[0].duration, 24);  // own: of the nearest
+  const Loaded hidden = loaded(outer + import, "parameter extra = 1 s; task t { takes extra; }");
+  ASSERT_EQ(hidden.said(), "");
+  EXPECT_EQ(hidden.plan->tasks[0].takes[0].duration, 1);
+  EXPECT_EQ(loaded(import + outer, "task t { takes extra; }").said().substr(0, 112),
+            "  => site/i.plan:1:25: P23 error: parameter 'extra' is declared further down; "
+            "an imported plan knows those above");
+  EXPECT_EQ(
+      loaded(outer + import, "task t { takes extr; }").said(),
+      "  => site/i.plan:1:25: P23 error: there is no parameter 'extr'; did you mean extra?\n");
+  EXPECT_NE(loaded(outer + import + "task t { takes o.extra; }", "").said(), "");
+}
+
+TEST(PlanCheck, NamesWhatImportedPlansPlaceAndImport) {
+  const std::string yard = R"(plan yard {
+    parameter n = 2;
+    crew gang; crew porters { size 3; }
+    robot left "crane.robot"; robot right "crane.robot" at trans(90, 0, 0);
+    pool cranes { of left, right; }
+    module bay {
+      component frame[1] { shape sphere(0, 0, 0, 1); grip trans(0, 0, 1); }
+      task set { by cranes; go x 30; }
+      for k from 1 to 2 { task fix[k] { by gang; takes 1 s; after set; } }
+    }
+    for i from 1 to n { place bay at trans(i * 9, 30, 0) as b[i]; }
+    task go { by cranes; go x 32; }
+  })";
+  const std::string middle = R"(plan middle {
+    import "yard.plan" as deep;
+    task between { by deep.gang; takes deep.n * 1 s; after deep.b[2].fix[deep.n - 1]; }
+  })";
+  const std::string text = R"(plan p {
+    import "yard.plan" as near;
+    import "middle.plan" as far;
+    task a { by near.gang; takes 1 s; needs (far.deep.n - 1) far.deep.porters;
+      after near.b[2].fix[1], near.b_1.set SS, far.deep.b[far.deep.n].fix_1 + 2 s, far.between; }
+    task b { by same as far.deep.b[1].set; go x 31; after far.deep.b[1].set; }
+    task d { by same as near.go; go x 33; after near.go; }
+    task c { remove near.b[2].frame[1]; takes 1 s; needs 1 far.deep.porters; after a; }
+    touching near.b[1].frame[1] far.deep.b[2].frame_1;
+  })";
+  const std::map<std::string, std::string> files = {{"site/yard.plan", yard},
+                                                    {"site/middle.plan", middle}};
+  const Loaded loaded(text, files, {{"far.deep.n", "3"}});
+  ASSERT_EQ(loaded.said(), "");
+  std::map<std::string, std::string> after;
+  for (const auto& task : loaded.plan->tasks) {
+    for (const auto& link : task.after) {
+      after[task.name] += loaded.plan->tasks[static_cast<std::size_t>(link.task)].name + " ";
+    }
+  }
+  EXPECT_EQ(after["far.between"], "far.deep.b_2.fix_2 ");
+  EXPECT_EQ(after["a"], "near.b_2.fix_1 near.b_1.set far.deep.b_3.fix_1 far.between ");
+  EXPECT_EQ(after["b"], "far.deep.b_1.set ");
+  for (const auto& task : loaded.plan->tasks) {
+    EXPECT_EQ(task.choices.size(), task.name == "b" || task.name == "d" ? 2u : task.choices.size())
+        << task.name;
+  }
+}
+
 TEST(PlanCheck, SaysWhatIsWrongWithAnImport) {
   const auto said = [](const std::string& text, const std::string& other) {
     return Loaded("plan p { task t { takes 1 s; } " + text + " }", {{"site/o.plan", other}}).said();
@@ -111,6 +182,19 @@ TEST(PlanCheck, SaysWhatIsWrongWithAnImport) {
                  "plan o { task a { takes 1 s; } task c { takes 1 s; after t, d; } }"),
             "  => 1:80: P01 error: unknown task 'o.b'; did you mean o.a?\n"
             "  => site/o.plan:1:61: P01 error: unknown task 'd'\n");
+  const auto said_of_place = [&](const std::string& name) {
+    return said("import \"o.plan\" as o; task u { takes 1 s; after " + name + "; }",
+                "plan o { module m { task a { takes 1 s; } } place m at rotz(0) as b[1]; }");
+  };
+  EXPECT_EQ(said_of_place("o.b[1].a"), "");
+  EXPECT_EQ(said_of_place("o.b[2].a"),
+            "  => 1:80: P01 error: unknown place 'o.b_2'; did you mean o.b_1?\n");
+  EXPECT_EQ(said_of_place("o.b[1].aa"),
+            "  => 1:87: P01 error: unknown task 'aa' of module 'o.m'\n");
+  EXPECT_EQ(said_of_place("o[1].b[1].a"),
+            "  => 1:80: P00 error: brackets stand behind the last two parts of a name only: "
+            "NAME.x[i].y[j]\n");
+  EXPECT_EQ(said_of_place("o.b[1].a.c"), said_of_place("o[1].b[1].a"));
 }
 
 TEST(PlanCheck, ReadsTheShortForm) {

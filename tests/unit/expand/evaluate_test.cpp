@@ -55,6 +55,36 @@ TEST(Evaluate, CountsAsAPlannerDoes) {
   EXPECT_EQ(value_of("sin(30) + cos(60 deg)"), "1 a plain number");
 }
 
+/// Lengths over the pitches of bays: quotients that rounding leaves below whole numbers.
+TEST(Evaluate, CountsBaysAsConditionsDo) {
+  for (const auto& [quotient, bays] :
+       std::vector<std::pair<std::string, std::string>>{{"4.8 m / 1.6 m", "3"},
+                                                        {"9.6 / 1.6", "6"},
+                                                        {"16.2 / 5.4", "3"},
+                                                        {"11.2 / 1.6", "7"},
+                                                        {"29.4 / 4.2", "7"},
+                                                        {"46.8 / 3.6", "13"},
+                                                        {"93.6 / 7.2", "13"}}) {
+    EXPECT_EQ(value_of("floor(" + quotient + ")"), bays + " a plain number");
+    EXPECT_EQ(value_of("floor(-" + quotient + ")"), "-" + bays + " a plain number");
+  }
+  EXPECT_EQ(value_of("floor(2.9999991)"), "3 a plain number");
+  EXPECT_EQ(value_of("floor(2.999998)"), "2 a plain number");
+  EXPECT_EQ(value_of("floor(-2.0000009)"), "-2 a plain number");
+  EXPECT_EQ(value_of("floor(0 - 1e-7)"), "0 a plain number");
+  EXPECT_EQ(value_of("floor(999999999.999)"), "999999999 a plain number");
+}
+
+TEST(Evaluate, LeavesNoRestOfRounding) {
+  EXPECT_EQ(value_of("mod(4.8 m, 1.6 m)"), "0 a length");
+  EXPECT_EQ(value_of("mod(0.3, 0.1)"), "0 a plain number");
+  EXPECT_EQ(value_of("mod(-4.8, 1.6)"), "0 a plain number");
+  EXPECT_EQ(value_of("mod(4.8, -1.6)"), "0 a plain number");
+  // of a long divisor, and of a short one
+  EXPECT_EQ(value_of("mod(100000.0625, 100000)"), "0.0625 a plain number");
+  EXPECT_EQ(value_of("mod(1.5 / 65536, 1 / 65536) * 65536"), "0.5 a plain number");
+}
+
 TEST(Evaluate, CarriesUnits) {
   EXPECT_EQ(value_of("3600 mm"), "3.6 a length");
   EXPECT_EQ(value_of("2 m + 50 cm"), "2.5 a length");
@@ -137,6 +167,34 @@ TEST(Parameters, AreSetFromOutside) {
             "P27 --set rate=6: the parameter is an hourly rate, found a plain number\n");
   EXPECT_EQ(Parameters(text, {{"bays", "5"}, {"bays", "6"}}).said(),
             "P27 --set bays is given twice\n");
+}
+
+TEST(Parameters, AreSetByNamesWithBrackets) {
+  const std::string text = "parameter stock[1] = 3; parameter stock[2, 15] = 4;";
+  Parameters plan(text, {{"stock[1]", "7"}, {"stock[2, 15]", "8"}});
+  EXPECT_EQ(plan.said(), "");
+  EXPECT_EQ(plan.value("stock_1") + plan.value("stock_2_15"), "7 a plain number8 a plain number");
+  const auto said = [&](const std::string& name) { return Parameters(text, {{name, "1"}}).said(); };
+  EXPECT_EQ(said("stock[3]"),
+            "P27 --set stock_3=1: the plan has no parameter 'stock_3'; did you mean stock_1?\n");
+  EXPECT_NE(said("stock[1"), "");
+  EXPECT_NE(said("stock[1]]"), "");
+  EXPECT_NE(said("stock[i]"), "");
+  EXPECT_NE(said("stock[]"), "");
+  EXPECT_EQ(Parameters(text, {{"stock[1]", "5"}, {"stock_1", "6"}}).said(),
+            "P27 --set stock_1 is given twice\n");
+}
+
+TEST(Parameters, AreWrittenInTextsOfOthers) {
+  Parameters plan(
+      "parameter lot = \"A\"; parameter n = 3; parameter label = \"Lot {lot}{n}\"; "
+      "parameter sign = \"{label}: {} {1}\";",
+      {{"lot", "{B}"}});
+  EXPECT_EQ(plan.said(), "");
+  EXPECT_EQ(plan.value("label"), "Lot {B}3 a text");
+  EXPECT_EQ(plan.value("sign"), "Lot {B}3: {} {1} a text");
+  EXPECT_EQ(Parameters("parameter a = \"{b}\"; parameter b = 1;").said(),
+            "P23 there is no parameter 'b' for this text\n");
 }
 
 }  // namespace

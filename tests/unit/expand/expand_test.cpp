@@ -111,6 +111,16 @@ TEST(Expand, TakesParametersFromOutside) {
             "crew c_1; crew c_2; crew c_3; ");
 }
 
+TEST(Expand, CountsBaysOfALength) {
+  EXPECT_EQ(Plain("for i from 1.6 / 4.8 * 3 to 4.8 m / 1.6 m { crew c[i * 1.6 / 4.8 * 3]; } "
+                  "when (mod(4.8, 1.6) == 0) { crew all; }")
+                .items(),
+            "crew c_1; crew c_2; crew c_3; crew all; ");
+  EXPECT_EQ(Plain("for i from 1 to 2.99999 { crew c; }").said(),
+            "P24 the last number of a for needs a whole number of at most 1000000000, found "
+            "2.99999\n");
+}
+
 TEST(Expand, SaysWhichCopyIsWrong) {
   const Plain plan("for i from 0 to 2 {\n  crew c[i - 1];\n}");
   EXPECT_EQ(plan.said(),

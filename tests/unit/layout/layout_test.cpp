@@ -190,6 +190,23 @@ std::vector<double> times_from(const lanes::NetworkDescription& network, std::si
   return times;
 }
 
+/// A hall of 54 x 15 m: four aisles of 2 m and eight rows of 0.8 m are 14.4 m deep, and between
+/// cross aisles of 3.6 m 24 modules of 1.9 m stand in a row.
+TEST(Layout, AislesAndCrossAislesHaveWidthsOfTheirOwn) {
+  Hall hall;
+  hall.outline = {{0, 0}, {54, 0}, {54, 15}, {0, 15}};
+  hall.gates = {{"g", {-4, 7}}};
+  const auto modules = [&](double aisle, double cross) {
+    Sizes sizes = sizes_of(1.9, 0.8, aisle);
+    sizes.cross_lane = cross;
+    sizes.spacing = std::max(aisle, cross);
+    return best_layouts(hall, sizes).best.front().modules.size();
+  };
+  EXPECT_EQ(modules(2, 2), 208u);
+  EXPECT_EQ(modules(2, 3.6), 192u);
+  EXPECT_GT(modules(3.6, 2), modules(3.6, 3.6));
+}
+
 TEST(Layout, WhatIsToldOfRandomHallsHolds) {
   int found = 0;
   const int runs = test::cases(40);
@@ -199,6 +216,8 @@ TEST(Layout, WhatIsToldOfRandomHallsHolds) {
     const Hall hall = random_hall(random);
     Sizes sizes = sizes_of(random.whole(10, 30) / 10.0, random.whole(8, 16) / 10.0, 2.5);
     sizes.cross_speed = 1.5;
+    sizes.cross_lane = run % 3 == 0 ? 0 : random.whole(15, 35) / 10.0;
+    const double narrow = std::min(sizes.width(false), sizes.width(true));
     const BestLayouts best = best_layouts(hall, sizes);
     for (std::size_t i = 0; i < best.best.size(); ++i) {
       const Layout& layout = best.best[i];
@@ -217,16 +236,24 @@ TEST(Layout, WhatIsToldOfRandomHallsHolds) {
           EXPECT_TRUE(&other == &module || !overlap(module.box, other.box));
         }
       }
-      // Along lanes inside the hall a vehicle as wide as a lane meets nothing.
+      // Along lanes inside the hall a vehicle as wide as a lane meets nothing; where it goes from
+      // one lane to that beside, one that fits into all lanes.
       for (const lanes::Lane& lane : network.lanes) {
         const lanes::Node& a = network.nodes[static_cast<std::size_t>(lane.from)];
         const lanes::Node& b = network.nodes[static_cast<std::size_t>(lane.to)];
         const bool to_gate = std::min(lane.from, lane.to) < static_cast<int>(hall.gates.size());
         const bool slants = std::abs(a.x - b.x) > 1e-9 && std::abs(a.y - b.y) > 1e-9;
         EXPECT_TRUE(!slants || to_gate);
-        const double h = sizes.lane / 2;
-        const Rectangle swept{std::min(a.x, b.x) - h, std::min(a.y, b.y) - h,
-                              std::max(a.x, b.x) + h, std::max(a.y, b.y) + h};
+        const double length = std::max(std::abs(a.x - b.x), std::abs(a.y - b.y));
+        const bool is_cross = lane.lane_class == 1;
+        const double widest = std::max(sizes.width(false), sizes.width(true));
+        const bool goes_beside = is_cross && length < widest + 1e-6;
+        const double across = (goes_beside ? narrow : sizes.width(is_cross)) / 2;
+        const bool along_x = std::abs(a.x - b.x) > std::abs(a.y - b.y);
+        const double x = along_x ? narrow / 2 : across;
+        const double y = along_x ? across : narrow / 2;
+        const Rectangle swept{std::min(a.x, b.x) - x, std::min(a.y, b.y) - y,
+                              std::max(a.x, b.x) + x, std::max(a.y, b.y) + y};
         if (!to_gate) expect_free(hall, swept);
         for (const Module& module : layout.modules) EXPECT_FALSE(overlap(swept, module.box));
       }
