@@ -126,6 +126,7 @@ class DigByMotion(ResultCase):
         schedule, tasks = self.run_plan(text)
         dig = tasks["dig"]
         use = {each["name"]: each for each in schedule["resources"]}
+        use_of = {each["name"]: i for i, each in enumerate(schedule["resources"])}
         working = dig["motion"] + dig["work"]
         self.assertGreater(dig["duration"] - working, 60)
         digger = (18 * working + 6 * (dig["duration"] - working)) / 3600
@@ -139,6 +140,11 @@ class DigByMotion(ResultCase):
         self.assertGreater(loads, 1)
         self.assertAlmostEqual(use["trucks"]["fuel"], (12 * driving + 3 * (dig["duration"] - driving)) / 3600, delta=6e-4)
         self.assertAlmostEqual(use["dozer"]["fuel"], 30 * 20 * loads / 3600, delta=6e-4)
+        # Busy: what a machine fills and empties is its own work, and trucks and dozer have their rounds.
+        busy = {name: each["busy"] for name, each in use.items()}
+        self.assertGreater(dig["work"], 0)
+        self.assertAlmostEqual(busy["digger"], working, 6)
+        self.assertEqual((busy["hand"], busy["trucks"], busy["dozer"]), (0, driving, 20 * loads))
         self.assertAlmostEqual(dig["fuel"], sum(use[name]["fuel"] for name in ("digger", "trucks", "dozer")), delta=2e-3)
         self.assertAlmostEqual(schedule["fuel"], dig["fuel"], delta=1e-6)
         self.assertAlmostEqual(dig["motion_dig"]["fuel_per_m3"], dig["fuel"] / dig["motion_dig"]["dug"], places=9)
@@ -150,6 +156,8 @@ class DigByMotion(ResultCase):
         for change, words in (
                 (lambda result: result.schedule["resources"][0].update(fuel=use["digger"]["fuel"] + 0.01), "digger burnt "),
                 (lambda result: result.schedule["resources"][0].pop("fuel"), "what digger burnt is missing"),
+                (lambda result: result.schedule["resources"][0].update(busy=dig["motion"]), "digger: the time busy is "),
+                (lambda result: result.schedule["resources"][use_of["trucks"]].update(busy=dig["work"]), "trucks: the time busy is "),
                 (lambda result: result.schedule["tasks"][0].update(fuel=dig["fuel"] - 0.01), "dig burnt "),
                 (lambda result: result.schedule.update(fuel=0), "the whole burnt 0"),
                 (lambda result: result.header["robots"][0]["fuel"].update(price=2.2), "fuel costs "),
@@ -158,6 +166,10 @@ class DigByMotion(ResultCase):
                 (lambda result: end(result).update(serving=[1]), "its trucks are not served as long"),
                 (lambda result: end(result).pop("driving"), "trucks burnt ")):
             self.assertIn(words, self.faults_of(change))
+        # Who sits beside the digger does not do what it fills and empties.
+        schedule, _ = self.run_plan(text.replace("by digger;", "by digger, hand;"))
+        hand = next(each for each in schedule["resources"] if each["name"] == "hand")
+        self.assertEqual((hand["held"], hand["busy"]), (dig["duration"], 0))
         # Two trucks that queue for the dozer.
         self.run_plan(text.replace("size 1", "size 3").replace("tip takes 20 s", "tip takes sequence(150 s, 130 s)"))
         # Nothing of it where nobody says so.

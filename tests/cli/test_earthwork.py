@@ -65,6 +65,7 @@ class Earthwork(ResultCase):
         digger, trucks = (use["fuel"] for use in schedule["resources"])
         self.assertAlmostEqual(digger, (18 * 280 + 4 * 128) / 60, delta=6e-4)
         self.assertAlmostEqual(trucks, (12 * driving + 2 * (4 * 408 - driving)) / 60, delta=6e-4)
+        self.assertEqual([use["busy"] for use in schedule["resources"]], [280 * 60, driving * 60 / 4])
         self.assertEqual(schedule["cost_by_kind"]["fuel"], round(1.5 * trucks, 2))
         self.assertAlmostEqual(tasks["dig_pit"]["dig"]["fuel_per_m3"], schedule["fuel"] / 40, places=9)
 

@@ -138,6 +138,14 @@ class Pools(ResultCase):
         self.assertAlmostEqual(masons["utilisation"], 13500 / 14400)
         self.assertEqual(schedule["cost"], 750)
 
+    def test_busy_is_what_it_moves_and_works(self):
+        # No crew is named for the 20 minutes: all that hold the task do them.
+        text = SITE.split("  task go")[0] + "  task a { by cart, masons; go x -12, y -12; within x 0.5, y 0.5; takes 20 min; }\n}\n"
+        schedule, tasks = self.run_plan(text)
+        self.assertGreater(tasks["a"]["motion"], 0)
+        self.assertEqual([use["busy"] for use in schedule["resources"]], [tasks["a"]["motion"] + 1200, 1200])
+        self.assertIn("cart: the time busy is ", self.faults_of(lambda result: result.schedule["resources"][0].update(busy=tasks["a"]["motion"])))
+
     def test_a_crew_is_shared_where_machines_move(self):
         schedule, tasks = self.run_plan(SITE)
         at = tasks["go"]["start"] + tasks["go"]["duration"]

@@ -210,6 +210,22 @@ class Support(unittest.TestCase):
                              move("on_top", "b", 20, 1.2, "after flat;"), warns=warns)
         self.assertEqual([rows["flat"]["result"], rows["on_top"]["result"]], ["done", "done"])
 
+    def test_what_only_rests_on_what_turns_comes_with_it(self):
+        # The motion with the fewest parts leaves `right` in the air: its own question, without any contact, crashed the library.
+        pier = "  component {0} {{ shape box({1}); at trans({2}); mass {3} t; }}\n".format
+        things = (pier("pier", "-0.3, -0.4, 0, 0.3, 0.4, 0.3", "18, 0, 0", 1) + pier("beam", "-1.5, -0.3, 0, 1.5, 0.3, 0.3", "19.3, 0, 0.3", 2)
+                  + pier("left", "-0.5, -0.3, 0, 0.5, 0.3, 0.3", "18.7, 0.3, 0.6", 0.5)
+                  + pier("right", "-0.5, -0.5, 0, 0.5, 0.5, 0.3", "20, 0, 0.6", 0.5))
+        turns = "beam would turn on pier, and left, right with it"
+        self.run_plan(things, self.EQUILIBRIUM, "  task look { by c; takes 1 min; }\n", warns=f"beam does not stand: {turns}")
+        self.assertIn(f"right does not stand: {turns}", self.rubicon("check", "site.plan").stderr)
+        # It rests on two beams, and each turns by itself.
+        two = (pier("a", "-0.3, -0.3, 0, 0.3, 0.3, 3", "10, 0, 0", 5) + pier("beam_a", "-0.5, -0.3, 0, 2.5, 0.3, 0.3", "10, 0, 3", 1)
+               + pier("b", "-0.3, -0.3, 0, 0.3, 0.3, 3", "16, 0, 0", 5) + pier("beam_b", "-2.5, -0.3, 0, 0.5, 0.3, 0.3", "16, 0, 3", 1)
+               + pier("top", "-1.5, -0.3, 0, 1.5, 0.3, 0.3", "13, 0, 3.3", 0.1))
+        self.run_plan(two, self.EQUILIBRIUM, "  task look { by c; takes 1 min; }\n", warns="beam_a does not stand: beam_a would turn on a")
+        self.assertIn("top does not stand: beam_b would turn on b, and top with it", self.rubicon("check", "site.plan").stderr)
+
     def test_what_has_no_weight_is_judged_by_its_middle(self):
         panel = box("stack", 10, height=1, more="mass 3 t;") + box("panel", 0, width=3, height=0.2, more="fixed to site;")
         rows = self.run_plan(panel, self.EQUILIBRIUM, move("store", "panel", 11.9, 1), exit_code=1)

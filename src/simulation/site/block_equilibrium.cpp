@@ -57,10 +57,25 @@ struct Optimum {
   std::vector<double> prices;  ///< of the rows
 };
 
+/// As `minimum`, without rows: each unknown goes where it costs least. The library must not be
+/// asked: without rows it makes no matrix, and ends in reading it.
+std::optional<Optimum> minimum_without_rows(const std::vector<double>& cost,
+                                            const std::vector<double>& least,
+                                            const std::vector<double>& most) {
+  Optimum found;
+  for (std::size_t i = 0; i < cost.size(); ++i) {
+    const double still = std::clamp(0.0, least[i], most[i]);
+    found.x.push_back(cost[i] > 0 ? least[i] : cost[i] < 0 ? most[i] : still);
+    if (!std::isfinite(found.x.back())) return std::nullopt;
+  }
+  return found;
+}
+
 /// minimise cost * x, with bounds on x and on the rows; nothing: not solved.
 std::optional<Optimum> minimum(const Rows& rows, const std::vector<double>& cost,
                                const std::vector<double>& least, const std::vector<double>& most,
                                bool by_primal) {
+  if (rows.lower.empty()) return minimum_without_rows(cost, least, most);
   const std::unique_ptr<Clp_Simplex, decltype(&Clp_deleteModel)> model(Clp_newModel(),
                                                                        &Clp_deleteModel);
   Clp_setLogLevel(model.get(), 0);

@@ -28,6 +28,25 @@ const char* manner_of(const BlockMotion& motion) {
   return motion.move.head<2>().norm() > 0.1 * -motion.move.z() ? "slide" : "come down";
 }
 
+/// Adds to what moves what rests on nothing else, directly or through others: the motion with the
+/// fewest parts may leave it in the air.
+void add_what_rests_on(std::set<int>& moving, const std::vector<BlockContact>& contacts,
+                       const std::vector<BlockJoint>& joints) {
+  const std::size_t before = moving.size();
+  std::map<int, bool> rests_elsewhere;
+  for (const BlockContact& contact : contacts) {
+    rests_elsewhere[contact.upper] |= !moving.contains(contact.lower);
+  }
+  for (const BlockJoint& joint : joints) {
+    rests_elsewhere[joint.first] |= !moving.contains(joint.second);
+    if (!moving.contains(joint.first)) rests_elsewhere[joint.second] = true;
+  }
+  for (const auto& [block, elsewhere] : rests_elsewhere) {
+    if (!elsewhere) moving.insert(block);
+  }
+  if (moving.size() > before) add_what_rests_on(moving, contacts, joints);
+}
+
 }  // namespace
 
 Equilibrium::Equilibrium(Support& support) : support_(support) {
@@ -154,23 +173,27 @@ std::optional<Support::Collapse> Equilibrium::collapse_of(const std::vector<Thin
   if (!moving)
     return Support::Collapse{things, "whether the forces balance could not be found out"};
   if (moving->empty()) return std::nullopt;
-  return describe(things, contacts, *moving);
+  return describe(things, contacts, joints, *moving);
 }
 
 Support::Collapse Equilibrium::describe(const std::vector<Thing>& things,
                                         const std::vector<BlockContact>& contacts,
+                                        const std::vector<BlockJoint>& joints,
                                         const std::vector<BlockMotion>& moving) {
   std::set<int> all;
   for (const BlockMotion& each : moving) all.insert(each.block);
+  add_what_rests_on(all, contacts, joints);
   // Those that leave something that stays come first, and what they leave is named.
-  std::vector<const BlockMotion*> hinged, others;
+  std::vector<const BlockMotion*> hinged;
   for (const BlockMotion& each : moving) {
     const bool leaves = std::any_of(contacts.begin(), contacts.end(), [&](const auto& contact) {
       return contact.upper == each.block && !all.contains(contact.lower);
     });
-    (leaves ? hinged : others).push_back(&each);
+    if (leaves) hinged.push_back(&each);
   }
-  if (hinged.empty()) std::swap(hinged, others);
+  if (hinged.empty()) {
+    for (const BlockMotion& each : moving) hinged.push_back(&each);
+  }
   Support::Collapse collapse;
   std::vector<std::string> names, with, on;
   for (const BlockMotion* each : hinged) {
@@ -181,12 +204,16 @@ Support::Collapse Equilibrium::describe(const std::vector<Thing>& things,
       const bool moves =
           place != things.end() && all.contains(static_cast<int>(place - things.begin()));
       const std::string name = support_.name_of(bearing.lower);
-      if (!moves && std::find(on.begin(), on.end(), name) == on.end()) on.push_back(name);
+      const bool carries = bearing.lower == support_.ground_ || support_.carries(bearing.lower, -1);
+      if (!moves && carries && std::find(on.begin(), on.end(), name) == on.end()) {
+        on.push_back(name);
+      }
     }
   }
-  for (const BlockMotion* each : others) {
-    collapse.components.push_back(things[Support::at(each->block)]);
-    with.push_back(support_.name_of(things[Support::at(each->block)]));
+  for (const BlockMotion* each : hinged) all.erase(each->block);
+  for (const int each : all) {
+    collapse.components.push_back(things[Support::at(each)]);
+    with.push_back(support_.name_of(things[Support::at(each)]));
   }
   collapse.text = fmt::format("{} would {}", list_of(names), manner_of(*hinged.front()));
   if (!on.empty()) collapse.text += " on " + list_of(on);

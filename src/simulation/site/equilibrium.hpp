@@ -45,6 +45,7 @@ class Equilibrium {
   bool may_move(Thing thing);
   Support::Collapse describe(const std::vector<Thing>& things,
                              const std::vector<BlockContact>& contacts,
+                             const std::vector<BlockJoint>& joints,
                              const std::vector<BlockMotion>& moving);
 
   Support& support_;

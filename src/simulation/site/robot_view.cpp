@@ -203,8 +203,9 @@ bool RobotView::look_ahead(const interpreter::MotionStep& step) const {
 collision::Bounds RobotView::bounds_on_line(const interpreter::MotionStep& step) const {
   // The bodies of ropes were made for the test of the line alone.
   if (!robot().ropes.empty()) return line_volume_->bodies.bounds();
-  collision::Bounds bounds =
-      line_volume_->bodies.bounds_between(line_.share(step.q_from), line_.share(step.q_to));
+  // On the line the robot may go back, too.
+  const auto [first, last] = std::minmax({line_.share(step.q_from), line_.share(step.q_to)});
+  collision::Bounds bounds = line_volume_->bodies.bounds_between(first, last);
   bounds.grow(math::Vec3::Constant(kLineRounding));
   return bounds;
 }

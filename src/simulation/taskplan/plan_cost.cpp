@@ -138,22 +138,8 @@ class CostCounter {
   /// are at work while they are neither loaded nor in a queue, and diggers and those who serve a
   /// stage while they have a truck.
   Wide time_at_work(const TaskOutcome& task, const ResourceHold& hold) const {
-    const int crew = hold.resource - static_cast<int>(plan_.robots.size());
-    const auto rounds = truck_work(plan_, task);
-    if (crew >= 0 && rounds) {
-      const std::string& name = plan_.crews[at(crew)].name;
-      if (name == rounds->trucks) return in_ticks(rounds->driving);
-      std::optional<double> serving;
-      for (const auto& [who, seconds] : rounds->serving) {
-        if (who == name) serving = serving.value_or(0) + seconds;
-      }
-      if (serving) return in_ticks(*serving);
-    }
-    return static_cast<Wide>(hold.busy + hold.own_work) * hold.people;
-  }
-
-  static Wide in_ticks(double seconds) {
-    return static_cast<Wide>(std::max(std::round(seconds * hauling::kPerSecond), 0.0));
+    if (const auto rounds = time_in_rounds(plan_, task, hold.resource)) return *rounds;
+    return static_cast<Wide>(hold.busy) * hold.people;
   }
 
   /// Of each component once: with the first task that moved it.

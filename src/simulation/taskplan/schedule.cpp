@@ -1,6 +1,7 @@
 #include "src/simulation/taskplan/schedule.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 namespace rubicon::taskplan {
@@ -66,6 +67,24 @@ std::optional<TruckWork> truck_work(const interpreter::PlanModel& plan, const Ta
     work.serving.emplace_back(queue.by, static_cast<double>(queue.busy) / hauling::kPerSecond);
   }
   return work;
+}
+
+std::optional<Ticks> time_in_rounds(const interpreter::PlanModel& plan, const TaskOutcome& task,
+                                    int resource) {
+  const int crew = resource - static_cast<int>(plan.robots.size());
+  const auto rounds = truck_work(plan, task);
+  if (crew < 0 || !rounds) return std::nullopt;
+  const auto in_ticks = [](double seconds) {
+    return static_cast<Ticks>(std::max(std::round(seconds * hauling::kPerSecond), 0.0));
+  };
+  const std::string& name = plan.crews[static_cast<std::size_t>(crew)].name;
+  if (name == rounds->trucks) return in_ticks(rounds->driving);
+  std::optional<double> serving;
+  for (const auto& [who, seconds] : rounds->serving) {
+    if (who == name) serving = serving.value_or(0) + seconds;
+  }
+  if (!serving) return std::nullopt;
+  return in_ticks(*serving);
 }
 
 std::vector<std::string> crew_names(const interpreter::PlanModel& plan,

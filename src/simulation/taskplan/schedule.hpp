@@ -48,9 +48,8 @@ struct WaitTimes {
 struct ResourceHold {
   int resource = -1;  ///< robots first, then crews
   Ticks held = 0;     ///< in its shifts, and motions after their end
-  Ticks busy = 0;     ///< of that it moved or worked
+  Ticks busy = 0;     ///< of that it moved or worked; trucks and who serves them: in their rounds
   Ticks from = 0, to = 0;
-  Ticks own_work = 0;  ///< of a robot, beside `busy`: works of its task that no crew does
   Ticks off = 0;       ///< of `held`: under repair, or nothing goes on out of somebody's shift
   int people = 1;      ///< of a crew, so many of its size
   Ticks overtime = 0;  ///< of `held`, by the plan's `overtime`
@@ -189,6 +188,10 @@ struct TruckWork {
 };
 /// Nothing of a task without such trucks.
 std::optional<TruckWork> truck_work(const interpreter::PlanModel& plan, const TaskOutcome& task);
+/// Of the trucks of a dig, or of those who serve them, all together: how long they are at work.
+/// Nothing: the task has no rounds, or the resource no part in them.
+std::optional<Ticks> time_in_rounds(const interpreter::PlanModel& plan, const TaskOutcome& task,
+                                    int resource);
 
 /// What money is spent on.
 enum class CostKind { use, overtime, rental, mobilisation, fuel, material, overhead };

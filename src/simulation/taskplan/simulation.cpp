@@ -387,11 +387,15 @@ void Simulation::hold_all(ActiveTask& active) {
         stage_.allocator->hours(resource).work_between(account.outcome.start, stage_.now()) +
         account.over_time[i];
     const bool robot = resource < stage_.robots();
-    hold.busy = robot ? account.outcome.motion_time : account.worked[i];
-    if (robot) hold.own_work = account.worked[i];
+    hold.people = stage_.share_of(active.task, resource).units;
+    hold.busy = account.worked[i];
+    if (robot) {
+      hold.busy += account.outcome.motion_time;
+    } else if (const auto rounds = time_in_rounds(plan_, account.outcome, resource)) {
+      hold.busy = std::min(hold.held, *rounds / hold.people);
+    }
     hold.off = account.off[i];
     if (resource == stage_.spec(active.task).robot) hold.off += account.repair;
-    hold.people = stage_.share_of(active.task, resource).units;
     hold.overtime = stage_.overtime.in_shifts(resource, account.outcome.start, stage_.now()) +
                     account.outside[i];
     active.account.outcome.holds.push_back(hold);
@@ -423,7 +427,7 @@ void Simulation::trace_end(int task, Ticks time, const TaskOutcome& outcome) {
   }
   if (auto* const trace = stage_.trace.of(task, *spec)) {
     std::optional<trace::TruckTimes> rounds;
-    if (const auto work = burns_fuel(plan_) ? truck_work(plan_, outcome) : std::nullopt) {
+    if (const auto work = truck_work(plan_, outcome)) {
       rounds.emplace().driving = work->driving;
       for (const auto& [who, seconds] : work->serving) rounds->serving.push_back(seconds);
     }

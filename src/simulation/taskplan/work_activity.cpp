@@ -199,10 +199,13 @@ Step WorkActivity::work(ActiveTask& task, Stage& stage) {
   task.account.outcome.waits.shift += finish - stage.now() - duration;
   stage.note_off(task, stage.now(), finish, duration);
   const std::vector<int>& held = stage.held_by(task.task);
+  const bool by_machine =
+      task.now().kind == Phase::Kind::dig || task.now().kind == Phase::Kind::haul;
   for (std::size_t i = 0; i < held.size(); ++i) {
-    if (spec.crew < 0 || held[i] == stage.crew_resource(spec.crew)) {
-      task.account.worked[i] += duration;
-    }
+    // A machine fills, dumps and tips by itself, whoever else holds the task.
+    const bool takes_part = spec.crew >= 0 ? held[i] == stage.crew_resource(spec.crew)
+                                           : !by_machine || held[i] < stage.robots();
+    if (takes_part) task.account.worked[i] += duration;
   }
   if (auto* const trace = stage.trace_of(task.task)) {
     trace->work(task.now().what,

@@ -92,6 +92,21 @@ TEST(BlockEquilibrium, ABeamOverAPierOfItsOwnWidthTurns) {
   EXPECT_EQ(tower.moving(), std::vector<int>{1});
 }
 
+// A programme without rows: the library crashed on it.
+TEST(BlockEquilibrium, WhatNothingCarriesComesDown) {
+  Tower tower;
+  tower.add(0, 1, 2, 3);
+  const auto found = find_collapse(tower.blocks, {}, {}, kFriction);
+  ASSERT_TRUE(found.has_value());
+  ASSERT_EQ(found->size(), 1U);
+  EXPECT_EQ(found->front().move, Vec3(0, 0, -1));
+  EXPECT_EQ(found->front().turn, Vec3::Zero());
+  tower.blocks[0].braced = true;
+  EXPECT_EQ(tower.moving(), std::vector<int>{0});
+  tower.blocks[0].mass = 0;
+  EXPECT_TRUE(tower.moving().empty());
+}
+
 // On a slope a block stays up to the angle of friction: inside of Coulomb's cone, and for the
 // pyramid never with less than 1 / sqrt(2) of the coefficient.
 TEST(BlockEquilibrium, ABlockSlidesOnASlope) {

@@ -82,7 +82,8 @@ class Bookkeeper {
     account_.work += work.time;
     account_.shift += record_->time - work.from - work.time;
     const bool lifts = whole_ && work.what != "takes";
-    works_.push_back({work.crew, work.from, record_->time, work.time, lifts});
+    const bool by_machine = work.what == "fill" || work.what == "dump" || work.what == "tip";
+    works_.push_back({work.crew, work.from, record_->time, work.time, lifts, by_machine});
   }
 
   void add(const Pause& pause) {
@@ -141,7 +142,8 @@ class Bookkeeper {
         held.held += work.to - work.from - hours_.between(calendar, work.from, work.to);
       }
       const bool own = work.crew >= 0 && robots + work.crew == hold.resource;
-      const bool counts = hold.whole ? own || work.crew < 0 : own && work.from == hold.from;
+      const bool shared = work.crew < 0 && (!work.by_machine || hold.resource < robots);
+      const bool counts = hold.whole ? own || shared : own && work.from == hold.from;
       if (counts) held.work += work.time;
     }
     if (!hold.whole) held.off = std::max<Ticks>(held.held - held.work, 0);
@@ -177,7 +179,8 @@ class Bookkeeper {
     Ticks from = 0;
     Ticks to = 0;
     Ticks time = 0;
-    bool lifts = false;  ///< part of a lift that is held whole
+    bool lifts = false;       ///< part of a lift that is held whole
+    bool by_machine = false;  ///< it fills, dumps or tips: nobody else works
   };
 
   const Trace& trace_;

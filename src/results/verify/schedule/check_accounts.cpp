@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "src/motion/math/index.hpp"
+#include "src/results/verify/schedule/check_costs.hpp"
 #include "src/results/verify/schedule/task_clock.hpp"
 
 namespace rubicon::verify {
@@ -140,12 +141,17 @@ void check_uses(const Trace& trace, const std::vector<TaskRun>& runs,
   };
   const std::size_t robots = scene.robots.size();
   std::vector<Use> uses(robots + scene.crews.size());
-  for (const TaskAccount& account : accounts) {
+  for (std::size_t run = 0; run < accounts.size(); ++run) {
     std::set<int> had;
-    for (const HeldTime& held : account.holds) {
+    for (const HeldTime& held : accounts[run].holds) {
       Use& use = uses[at(held.resource)];
+      auto work = static_cast<long double>(held.work);
+      const int crew = held.resource - static_cast<int>(robots);
+      if (const auto rounds = round_work(trace, runs[run], crew)) {
+        work = std::min(*rounds / held.people, static_cast<long double>(held.held));
+      }
       use.held += held.held * share_of(scene, held);
-      use.work += held.work * share_of(scene, held);
+      use.work += work * share_of(scene, held);
       if (had.insert(held.resource).second) ++use.tasks;
     }
   }
@@ -162,7 +168,7 @@ void check_uses(const Trace& trace, const std::vector<TaskRun>& runs,
       check.fault(fmt::format("expected {} here", resource_name(scene, resource)));
       continue;
     }
-    Ticks busy = i < robots ? 0 : static_cast<Ticks>(uses[i].work);
+    auto busy = static_cast<Ticks>(uses[i].work);
     if (i < robots) {
       for (const ScheduleRow& task : schedule.rows) {
         if (task.robot == row.name) busy += task.split.motion;

@@ -66,37 +66,6 @@ void add_uses(const Trace& trace, const std::vector<TaskAccount>& accounts, Cost
   }
 }
 
-/// How long, in ticks, all of a crew that trucks or those who serve them are together worked in a
-/// run; nothing of others.
-std::optional<long double> round_work(const Trace& trace, const TaskRun& run, int crew) {
-  if (run.task < 0 || run.records.empty() || crew < 0) return std::nullopt;
-  const SceneTask& task = trace.scene.tasks[at(run.task)];
-  const auto* end = std::get_if<TaskEnd>(&trace.records[at(run.records.back())].what);
-  if (end == nullptr) return std::nullopt;
-  int hauled_by = -1;
-  std::vector<int> servers;
-  const auto add_stages = [&](const auto& dig) {
-    hauled_by = dig.hauled_by;
-    for (const SceneStage& stage : dig.stages) {
-      if (stage.servers > 0) servers.push_back(stage.crew);
-    }
-  };
-  if (task.dig) {
-    servers = task.dig->digger_crews;
-    add_stages(*task.dig);
-  } else if (task.motion_dig && task.motion_dig->trucks > 0) {
-    add_stages(*task.motion_dig);
-  }
-  const long double second = static_cast<long double>(kSecond);
-  if (crew == hauled_by) return end->driving.value_or(0) * second;
-  if (std::find(servers.begin(), servers.end(), crew) == servers.end()) return std::nullopt;
-  long double sum = 0;
-  for (std::size_t i = 0; i < servers.size() && i < end->serving.size(); ++i) {
-    if (servers[i] == crew) sum += end->serving[i] * second;
-  }
-  return sum;
-}
-
 /// At work: a crew as long as it works, a machine as long as it moves, or works of its task go on
 /// that no crew does; trucks while they drive, and who serves them while they have one. All else of
 /// the time in which it is held, and not under repair: idling.
@@ -275,6 +244,35 @@ long double Costs::total() const { return std::accumulate(of_kind.begin(), of_ki
 
 bool is_rounded(double found, long double exact) {
   return std::fabs(found - exact) <= kRowSlack + kRelativeSlack * std::fabs(exact);
+}
+
+std::optional<long double> round_work(const Trace& trace, const TaskRun& run, int crew) {
+  if (run.task < 0 || run.records.empty() || crew < 0) return std::nullopt;
+  const SceneTask& task = trace.scene.tasks[at(run.task)];
+  const auto* end = std::get_if<TaskEnd>(&trace.records[at(run.records.back())].what);
+  if (end == nullptr || !end->driving) return std::nullopt;
+  int hauled_by = -1;
+  std::vector<int> servers;
+  const auto add_stages = [&](const auto& dig) {
+    hauled_by = dig.hauled_by;
+    for (const SceneStage& stage : dig.stages) {
+      if (stage.servers > 0) servers.push_back(stage.crew);
+    }
+  };
+  if (task.dig) {
+    servers = task.dig->digger_crews;
+    add_stages(*task.dig);
+  } else if (task.motion_dig && task.motion_dig->trucks > 0) {
+    add_stages(*task.motion_dig);
+  }
+  const long double second = static_cast<long double>(kSecond);
+  if (crew == hauled_by) return *end->driving * second;
+  if (std::find(servers.begin(), servers.end(), crew) == servers.end()) return std::nullopt;
+  long double sum = 0;
+  for (std::size_t i = 0; i < servers.size() && i < end->serving.size(); ++i) {
+    if (servers[i] == crew) sum += end->serving[i] * second;
+  }
+  return sum;
 }
 
 Costs costs_of(const Trace& trace, const std::vector<TaskRun>& runs,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "src/results/verify/schedule/accounts.hpp"
@@ -25,6 +26,10 @@ struct Costs {
 /// looks at that.
 Costs costs_of(const Trace& trace, const std::vector<TaskRun>& runs,
                const std::vector<TaskAccount>& accounts, const std::vector<ScheduleRow>& rows);
+
+/// How long, in ticks, all of a crew that trucks or those who serve them are together worked in a
+/// run; nothing of others.
+std::optional<long double> round_work(const Trace& trace, const TaskRun& run, int crew);
 
 /// Whether a rounded amount may stand for the exact one.
 bool is_rounded(double found, long double exact);
