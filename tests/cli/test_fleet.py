@@ -45,6 +45,26 @@ def plan(network, fleet, tasks):
     return "plan p {%s  fleet carts { robot \"cart.robot\"; on yard; %s }\n%s\n}\n" % (network, fleet, tasks)
 
 
+def gets_there(lanes, places, goal):
+    """Whether the first of the carts can get to the goal if any may move, one at a time, to a free node beside its own."""
+    beside = {}
+    for a, b in lanes:
+        beside.setdefault(a, []).append(b)
+        beside.setdefault(b, []).append(a)
+    known = {(places[0], frozenset(places[1:]))}
+    looks = list(known)
+    for first, others in looks:
+        if first == goal:
+            return True
+        nexts = [(to, others) for to in beside.get(first, []) if to not in others]
+        nexts += [(first, others - {each} | {to}) for each in others for to in beside.get(each, []) if to != first and to not in others]
+        for each in nexts:
+            if each not in known:
+                known.add(each)
+                looks.append(each)
+    return False
+
+
 class Fleet(ResultCase):
     def setUp(self):
         super().setUp()
@@ -85,6 +105,35 @@ class Fleet(ResultCase):
     def test_an_idle_one_in_the_way_goes_elsewhere(self):
         schedule, _ = self.run_plan(plan(yard(3), "at bay[1], bay[2];", "task a { by carts_1; go at yard.bay[2]; }"))
         self.assertEqual([(task["task"], task["result"]) for task in schedule["tasks"]], [("a", "done"), ("park carts_2", "done")])
+
+    def grid(self, left_out=(), columns=3):
+        """A yard of two rows, 6 m apart, with lanes both ways between neighbours but those left out; its text and its lanes."""
+        nodes = [(x, y) for x in range(columns) for y in range(2)]
+        lanes = [(a, b) for a in nodes for b in nodes if a < b and abs(a[0] - b[0]) + abs(a[1] - b[1]) == 1 and (a, b) not in left_out]
+        text = "network yard { class road { speed 1 m/s; }" + "".join(" node n_%d_%d at trans(%d, %d, 0);" % (*node, 6 * node[0], 6 * node[1]) for node in nodes)
+        return text + "".join(" lane n_%d_%d to n_%d_%d road both;" % (*a, *b) for a, b in lanes) + " }", nodes, lanes
+
+    def test_one_drives_round_and_comes_back_to_where_it_stood(self):
+        # One node is free: the only order of moves brings carts that are idle back to their own nodes.
+        text, _, _ = self.grid()
+        _, tasks = self.run_plan(plan(text, "size 5; at n_1_1, n_2_0, n_0_1, n_1_0, n_0_0;", "task a { by carts_3; go at yard.n_2_0; }"))
+        self.assertEqual(tasks["a"]["result"], "done", tasks["a"])
+        text, _, _ = self.grid([((1, 0), (2, 0))])
+        _, tasks = self.run_plan(plan(text, "size 3; at n_2_1, n_1_1, n_0_0;", "task a { by carts_1; go at yard.n_0_0; } task b { by carts_1; go at yard.n_1_1; after a; }"))
+        self.assertEqual([tasks[name]["result"] for name in "ab"], ["done", "done"], tasks)
+
+    def test_full_yards(self):
+        # Done if and only if there is an order of moves; the oracle goes through all arrangements.
+        for seed in range(RANDOM_PLANS // 4):
+            numbers = random.Random(seed)
+            left_out = [lane for lane in self.grid()[2] if numbers.random() < 0.2]
+            text, nodes, lanes = self.grid(left_out)
+            places = numbers.sample(nodes, numbers.randint(3, 5))
+            goal = numbers.choice(nodes)
+            with self.subTest(seed=seed):
+                fleet = "size %d; at %s;" % (len(places), ", ".join("n_%d_%d" % place for place in places))
+                _, tasks = self.run_plan(plan(text, fleet, "task a { by carts_1; go at yard.n_%d_%d; }" % goal), expected=None)
+                self.assertEqual(tasks["a"]["result"] == "done", gets_there(lanes, places, goal), tasks["a"])
 
     def test_without_a_way_past_it_says_who_stands_where(self):
         corridor = "network yard { class road { speed 1 m/s; } for i from 1 to 3 { node r[i] at trans(10 * i, 0, 0); } lane r[1] to r[2] both; lane r[2] to r[3] both; }"

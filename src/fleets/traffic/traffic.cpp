@@ -52,6 +52,13 @@ NodeIndex Traffic::next_of(int vehicle) const {
   return stays.size() > 1 ? stays[1].node : lanes::kNone;
 }
 
+NodeIndex Traffic::next_stop(int vehicle) const {
+  const std::vector<Stay>& stays = states_[at(vehicle)].stays;
+  if (stays.size() < 2) return lanes::kNone;
+  const NodeIndex end = stays.back().node;
+  return end == stays.front().node ? stays[stays.size() - 2].node : end;
+}
+
 const Traffic::Stay& Traffic::stay_of(const Turn& turn) const {
   const State& state = states_[at(turn.vehicle)];
   return state.stays[static_cast<std::size_t>(turn.number - state.first)];

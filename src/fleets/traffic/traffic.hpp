@@ -56,6 +56,9 @@ class Traffic {
   bool drives(int vehicle) const { return states_[at(vehicle)].drives; }
   /// Where its way ends.
   NodeIndex end_of(int vehicle) const { return states_[at(vehicle)].stays.back().node; }
+  /// Where its way ends; of a way that leads back to where it is, the last node before. kNone at
+  /// the end of its way.
+  NodeIndex next_stop(int vehicle) const;
   /// From the node that it reached last; times as they were foreseen at `now`.
   std::vector<TimedNode> way_of(int vehicle, Nanoseconds now);
 
@@ -73,7 +76,9 @@ class Traffic {
   /// so many steps finds; false and nothing changed if it finds none.
   bool untangle(int vehicle, const std::vector<bool>& movable, Nanoseconds now);
   /// Whether `plan` last found somebody in its way.
-  bool waits(int vehicle) const { return states_[at(vehicle)].wants != lanes::kNone; }
+  bool waits(int vehicle) const { return wants(vehicle) != lanes::kNone; }
+  /// The goal to which `plan` last found no way.
+  NodeIndex wants(int vehicle) const { return states_[at(vehicle)].wants; }
 
   /// Counts what may let others go on: ways that were found, nodes that were left.
   std::uint64_t changes() const { return changes_; }

@@ -64,14 +64,18 @@ LaneAnswer SiteWorld::next_node(int robot, const guides::LaneQuestion& question,
       before = std::move(pair);
     };
     answer.tells_way = !question.reached;
+    const lanes::NodeIndex goal = nearest_node(map, question.goal);
+    // It may have a way beyond its goal, out of the way of others: they will ask it to go on.
+    const bool stops_at_goal = traffic.wants(vehicle) != goal;
     const auto drive_to = [&](lanes::NodeIndex node) {
       answer.kind = LaneAnswer::Kind::node;
       answer.place = place_of(map, node);
       const std::vector<traffic::TimedNode> way = traffic.way_of(vehicle, now_);
-      const std::size_t first = traffic.node_of(vehicle) == node ? 0 : 1;
-      answer.left = static_cast<int>(way.size() - first) - 1;
-      for (std::size_t i = first; answer.tells_way && i < way.size(); ++i) {
-        answer.way.push_back(place_of(map, way[i].node));
+      answer.left = -1;
+      for (std::size_t i = traffic.node_of(vehicle) == node ? 0 : 1; i < way.size(); ++i) {
+        ++answer.left;
+        if (answer.tells_way) answer.way.push_back(place_of(map, way[i].node));
+        if (stops_at_goal && way[i].node == goal) break;
       }
     };
     if (question.reached) traffic.arrived(vehicle, now_);
@@ -79,7 +83,10 @@ LaneAnswer SiteWorld::next_node(int robot, const guides::LaneQuestion& question,
       drive_to(traffic.next_of(vehicle));
       return answer;
     }
-    const lanes::NodeIndex goal = nearest_node(map, question.goal);
+    if (stops_at_goal && traffic.node_of(vehicle) == goal) {
+      answer.kind = LaneAnswer::Kind::goal;
+      return answer;
+    }
     if (traffic.next_of(vehicle) == lanes::kNone && traffic.node_of(vehicle) != goal) {
       const traffic::PlanResult result = traffic.plan(vehicle, goal, now_);
       if (result.outcome == traffic::PlanResult::Outcome::no_way) {
@@ -163,13 +170,14 @@ std::vector<int> SiteWorld::robots_beside(int robot) const {
   return {};
 }
 
-std::optional<lanes::Node> SiteWorld::end_of_way(int robot) const {
+std::optional<lanes::Node> SiteWorld::next_stop(int robot) const {
   for (const Network& network : networks_) {
     const auto found = std::find(network.robots.begin(), network.robots.end(), robot);
     if (found == network.robots.end()) continue;
     const int vehicle = static_cast<int>(found - network.robots.begin());
-    if (network.traffic.next_of(vehicle) == lanes::kNone) continue;
-    return network.traffic.network().node(network.traffic.end_of(vehicle));
+    const lanes::NodeIndex stop = network.traffic.next_stop(vehicle);
+    if (stop == lanes::kNone) continue;
+    return network.traffic.network().node(stop);
   }
   return std::nullopt;
 }

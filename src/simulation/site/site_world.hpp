@@ -300,8 +300,9 @@ class SiteWorld {
   bool untangle(int robot, const std::vector<bool>& idle);
   /// All robots of the network of a robot but it; nothing of one on no network.
   std::vector<int> robots_beside(int robot) const;
-  /// Where the way of a robot ends; nothing of one that has none ahead.
-  std::optional<lanes::Node> end_of_way(int robot) const;
+  /// Where the way of a robot leads that was moved out of the way of others: `Traffic::next_stop`.
+  /// Nothing of a robot that has no way ahead.
+  std::optional<lanes::Node> next_stop(int robot) const;
   /// Counts what may let vehicles go on that wait for their turn.
   std::uint64_t traffic_changes() const;
   /// The traffic of each network, to go back to.

@@ -228,10 +228,10 @@ bool Simulation::untangle_fleets() {
   return any;
 }
 
-/// An idle vehicle of a fleet that has a way goes to its end.
+/// An idle vehicle of a fleet that has a way goes to its end, if need be in two drives.
 void Simulation::choose_park(int robot) {
   const interpreter::RobotSpec& machine = stage_.robot_spec(robot);
-  const auto node = stage_.site.end_of_way(robot);
+  const auto node = stage_.site.next_stop(robot);
   if (machine.fleet < 0 || !node || stage_.allocator->state(robot).holder() >= 0) return;
   const math::Pose X_WN =
       math::translation(node->x, node->y, 0) * math::rotation_z_deg(node->heading_deg);
