@@ -58,6 +58,22 @@ class StudyProgress {
   std::int64_t first_ = -1;
 };
 
+/// Digits behind each line of a progress file, of what stands before them.
+constexpr std::size_t kSealDigits = 8;
+
+std::string seal_of(std::string_view line) {
+  return encoding::sha256_hex(line).substr(0, kSealDigits);
+}
+
+/// What was noted in a line; nothing of one that is damaged.
+std::optional<std::string> unsealed(const std::string& line) {
+  if (line.size() <= kSealDigits) return std::nullopt;
+  const std::size_t tab = line.size() - kSealDigits - 1;
+  std::string noted = line.substr(0, tab);
+  if (line[tab] != '\t' || line.substr(tab + 1) != seal_of(noted)) return std::nullopt;
+  return noted;
+}
+
 /// The runs that a study has made so far, in a file: what one that was stopped goes on from.
 class StudyLog {
  public:
@@ -67,16 +83,19 @@ class StudyLog {
   /// What is there already; a message if it is of another study.
   std::optional<std::string> read(const study::StudyModel& study, std::size_t variants) {
     const std::vector<std::string>& lines = file_.lines();
-    if (!lines.empty() && lines.front() != head_) {
+    if (!lines.empty() && unsealed(lines.front()) != head_) {
       return "the runs in this folder are of another study, or of another version of this one; "
              "without --resume it begins again";
     }
-    for (const std::string& line : lines) {
-      if (auto run = study::read_line(line, study.questions.size())) {
+    for (const std::string& written : lines) {
+      // A run whose line is damaged is made again.
+      const std::optional<std::string> line = unsealed(written);
+      if (!line) continue;
+      if (auto run = study::read_line(*line, study.questions.size())) {
         if (run->variant < variants) known_.push_back(std::move(*run));
-      } else if (line.starts_with("variant\t") && line.ends_with("\t.")) {
-        const std::size_t tab = line.find('\t', 8);
-        digests_[line.substr(8, tab - 8)] = line;
+      } else if (line->starts_with("variant\t")) {
+        const std::size_t tab = line->find('\t', 8);
+        digests_[line->substr(8, tab - 8)] = *line;
       }
     }
     if (lines.empty()) append(head_);
@@ -88,7 +107,7 @@ class StudyLog {
 
   /// False if it could not be written.
   bool append(const std::string& line) {
-    if (!failure_) failure_ = file_.append(line);
+    if (!failure_) failure_ = file_.append(line + '\t' + seal_of(line));
     return !failure_;
   }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -31,12 +33,38 @@ std::string place_text(const interpreter::SourceMap& sources, const interpreter:
   return fmt::format("{}:{}:{}: ", sources.file(span.file).path, at.line, at.column);
 }
 
-std::string digest_of(const interpreter::SourceMap& sources) {
+/// The files of a plan, and the meshes that were asked for.
+class NotedFiles : public interpreter::FileProvider {
+ public:
+  explicit NotedFiles(files::CachedPlanFiles& files) : files_(files) {}
+
+  std::variant<std::string, interpreter::FileFailure> read_text(const std::string& path) override {
+    return files_.read_text(path);
+  }
+
+  std::variant<std::shared_ptr<const geometry::TriangleMesh>, interpreter::FileFailure> read_mesh(
+      const interpreter::MeshRequest& request) override {
+    const std::lock_guard lock(mutex_);
+    digests_.insert(files_.mesh_digest(request));
+    return files_.read_mesh(request);
+  }
+
+  /// Of all meshes, in one order whoever asked first.
+  const std::set<std::string>& mesh_digests() const { return digests_; }
+
+ private:
+  files::CachedPlanFiles& files_;
+  std::mutex mutex_;
+  std::set<std::string> digests_;
+};
+
+std::string digest_of(const interpreter::SourceMap& sources, const NotedFiles& files) {
   std::string all;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const auto& file = sources.file(static_cast<interpreter::FileId>(i));
     all += fmt::format("{}\n{}\n", file.path, encoding::sha256_hex(file.text));
   }
+  for (const std::string& mesh : files.mesh_digests()) all += mesh + '\n';
   return encoding::sha256_hex(all);
 }
 
@@ -48,9 +76,10 @@ struct ReadVariant {
 ReadVariant read_variant(const LoadedStudy& study, const interpreter::ParameterTexts& set) {
   ReadVariant result;
   study::LoadedVariant& loaded = result.loaded;
+  NotedFiles files(*study.files);
   try {
     ReadPlan read =
-        read_runnable_plan(study.files->plan_files().plan(), *study.files, loaded.sources, set);
+        read_runnable_plan(study.files->plan_files().plan(), files, loaded.sources, set);
     loaded.plan = std::move(read.plan);
     std::copy_if(read.found.begin(), read.found.end(), std::back_inserter(result.errors),
                  [](const interpreter::Diagnostic& each) {
@@ -63,7 +92,7 @@ ReadVariant read_variant(const LoadedStudy& study, const interpreter::ParameterT
   } catch (const std::invalid_argument& error) {
     loaded.fault = error.what();
   }
-  loaded.digest = digest_of(loaded.sources);
+  loaded.digest = digest_of(loaded.sources, files);
   return result;
 }
 

@@ -177,6 +177,26 @@ class Export(unittest.TestCase):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertIn(">detail_steps</title>", result.stdout)
 
+    def test_a_chart_shows_what_nobody_does(self):
+        # With a row for each task, and where there are too many for that.
+        for tasks in (3, 90):
+            plan = self.path("nobody.plan")
+            with open(plan, "w", encoding="utf-8") as file:
+                file.write("plan p { crew c; for i from 1 to %d { task t[i] { by c; takes 1 h; } }"
+                           " task harden { takes 48 h; after t[%d]; } task cure { takes 24 h; after t[%d]; } task handed_over { after harden; } }" % (tasks, tasks, tasks))
+            folder = self.path("nobody_%d" % tasks)
+            self.assertEqual(rubicon("run", plan, "--out", folder).returncode, 0)
+            root = xml.etree.ElementTree.fromstring(rubicon("export", folder, "--svg", "-").stdout)
+            titles = [title.text.split("\n")[0] for title in root.iter(SVG + "title")]
+            boxes = {rect.find(SVG + "title").text.split("\n")[0]: rect for rect in root.iter(SVG + "rect") if rect.find(SVG + "title") is not None}
+            self.assertLessEqual({"harden", "cure", "handed_over"}, set(titles), tasks)
+            self.assertNotEqual(boxes["harden"].get("y"), boxes["cure"].get("y"), "neither covers the other")
+            # A diamond where the milestone is, as wide as its title can be met.
+            end = float(boxes["harden"].get("x")) + float(boxes["harden"].get("width"))
+            diamonds = [path.get("d") for path in root.iter(SVG + "path") if path.get("d").startswith("M%g " % end) and "l" in path.get("d")]
+            self.assertTrue(diamonds, tasks)
+            self.assertGreater(float(boxes["handed_over"].get("width")), 5)
+
     def test_a_schedule_has_the_dates_of_the_run(self):
         name = "{http://schemas.microsoft.com/project}"
         for plan, folder in self.folders.items():

@@ -5,6 +5,7 @@ import io
 import json
 import os
 import random
+import re
 import resource
 import signal
 import subprocess
@@ -108,14 +109,20 @@ class Study(StudyCase):
         path, progress = os.path.join(self.folder, "s.study"), os.path.join(out, "study.progress")
         process = subprocess.Popen([RUBICON, "study", path, "--out", out], stdout=subprocess.DEVNULL)
         deadline = time.monotonic() + 5
-        while time.monotonic() < deadline and process.poll() is None and not (os.path.exists(progress) and os.path.getsize(progress)):
+        while time.monotonic() < deadline and process.poll() is None and not (os.path.exists(progress) and os.path.getsize(progress) > 2000):
             pass
         process.kill()
         process.wait()
         with open(progress, encoding="utf-8") as file:
-            head = file.readline()
+            head, *noted = file.read().splitlines(keepends=True)
+        # What is damaged within a line looks like another run: another first time, another run, two lines as one.
+        runs = [line for line in noted if line.startswith("run\t")][:3]
+        self.assertEqual(len(runs), 3)
+        runs[0] = re.sub(r"^(run\t\d+\t\d+\t)", r"\g<1>9", runs[0])
+        runs[1] = re.sub(r"^run\t(\d+)\t\d+", r"run\t\g<1>\t77", runs[1])
+        runs[2] = runs[2][:len(runs[2]) // 2] + runs[2][len(runs[2]) // 3:]
         with open(progress, "w", encoding="utf-8") as file:
-            file.write(head)
+            file.write(head + "".join(runs))
             file.write("run\t0\t0\t1 1 0\t99999999\t\t\t\t.\nrun\t1\t3\tinf inf 1\t\t\t-7\tno\t.\nrun\t0\t1\t1 1\t.\n\0\0\nvariant\t.\n")
         self.assertEqual(self.study(items, "--out", out, "--resume"), expected)
         self.assertEqual(self.files(out), self.files(whole))
@@ -131,6 +138,23 @@ class Study(StudyCase):
         self.assertIn("without --resume it begins again", self.result.stderr)
         self.study("vary floors 2, 3; runs 5;", "--out", out)
         self.assertNotIn("study.progress", os.listdir(out))
+
+    def test_it_does_not_go_on_with_a_mesh_that_has_changed(self):
+        corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+        faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+        self.write("stone.obj", "".join("v %d %d %d\n" % each for each in corners) + "".join("f %d %d %d\n" % tuple(i + 1 for i in each) for each in faces))
+        self.write("house.plan", PLAN.replace("parameter floors", 'component stone { shape mesh("stone.obj", m); at trans(0, 0, 0); }\n  parameter floors'))
+        out = os.path.join(self.folder, "out")
+        process = subprocess.Popen([RUBICON, "study", self.path_of("vary floors 2, 3; runs 20000;"), "--out", out], stdout=subprocess.DEVNULL)
+        progress, deadline = os.path.join(out, "study.progress"), time.monotonic() + 20
+        while time.monotonic() < deadline and process.poll() is None and not (os.path.exists(progress) and os.path.getsize(progress) > 2000):
+            pass
+        process.kill()
+        process.wait()
+        with open(os.path.join(self.folder, "stone.obj"), "a", encoding="utf-8") as file:
+            file.write("v 0 0 2\nf 1 2 5\nf 1 5 3\nf 2 3 5\n")
+        self.study("vary floors 2, 3; runs 20000;", "--out", out, "--resume", expected=2)
+        self.assertIn("has changed since the runs in this folder were made", self.result.stderr)
 
     def test_one_that_cannot_run_is_told_and_the_others_go_on(self):
         study = self.json_of("vary gang 2, 1, 3; runs 20; choose least mean(cost);")
@@ -267,7 +291,7 @@ class Study(StudyCase):
             self.assertGreaterEqual(os.path.getsize(os.path.join(out, "study.progress")), noted - 4096, "what was noted stays")
             subprocess.run(["mount", "-o", "remount,size=64m", small], check=True)
             with open(os.path.join(out, "study.progress"), encoding="utf-8") as file:
-                before = sum(line.startswith("run\t") and line.endswith("\t.\n") for line in file)
+                before = sum(re.search(r"^run\t.*\t\.\t[0-9a-f]{8}\n$", line) is not None for line in file)
             self.assertGreater(before, 100)
             self.assertEqual(self.study(items, "--out", out, "--resume"), expected)
             self.assertEqual(self.files(out), self.files(whole))

@@ -2,9 +2,12 @@ import { Clock } from './clock';
 import type { Film } from './film';
 import { common, merged, onShift, type Interval } from './shifts';
 
+/** Pauses in which nobody works for the task: till its shift, and held by a link to its finish. */
+const idlePauses = ['shift', 'lift', 'held'];
+
 /**
- * When some task goes on, in order and apart from each other: not while it waits for its shift, and of crew work only the
- * hours in which somebody works.
+ * When some task goes on, in order and apart from each other: not in such pauses, and of crew work only the hours in which
+ * somebody works.
  */
 export function busyTimes(film: Film): Interval[] {
   const pieces: Interval[] = [];
@@ -13,7 +16,7 @@ export function busyTimes(film: Film): Interval[] {
     const kind = film.kind(i);
     const run = film.run(i);
     const isWork = kind === 'work';
-    if (!film.runs[run].happened || !(isWork || (kind === 'pause' && ['shift', 'lift'].includes(film.text(i, 'pause.why'))))) continue;
+    if (!film.runs[run].happened || !(isWork || (kind === 'pause' && idlePauses.includes(film.text(i, 'pause.why'))))) continue;
     pieces.push([from[run], film.number(i, isWork ? 'work.from' : 'pause.from')]);
     if (isWork) pieces.push(...workedHours(film, i));
     from[run] = film.time(i);

@@ -109,6 +109,12 @@ export function hours(seconds: number): string {
   return `${Math.floor(seconds / 3600)}:${two(Math.floor(seconds / 60) % 60)}:${two(seconds % 60)}`;
 }
 
+/** Working time, `40:10:07` however long: a working day has other hours than a day. */
+export function workingTime(seconds: number): string {
+  const whole = Math.round(Math.abs(seconds));
+  return (seconds < -1e-6 && whole > 0 ? '-' : '') + hours(whole);
+}
+
 function two(value: number): string {
   return String(value).padStart(2, '0');
 }

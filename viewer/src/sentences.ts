@@ -1,4 +1,4 @@
-import { duration } from './clock';
+import { duration, workingTime } from './clock';
 import type { Film } from './film';
 
 /** The word of a plan for crew work, for people: `takes` is the whole of what a crew does. */
@@ -37,7 +37,7 @@ export function sentence(film: Film, record: number): string {
     case 'stop': return 'the machine comes to a stop';
     case 'work': {
       const crew = text('work.crew');
-      return `${workWord(text('work.what'))}${crew && ` by ${crew}`}, ${duration(number('work.time'))}`;
+      return `${workWord(text('work.what'))}${crew && ` by ${crew}`}, ${workingTime(number('work.time'))}`;
     }
     case 'pause': {
       const why = text('pause.why');

@@ -65,9 +65,11 @@ describe('busy times', () => {
       records: [
         { kind: 'work', run: 0, t: 18 * hour, what: 'takes', crew: '', from: 0, time: 3 * hour },
         { kind: 'pause', run: 1, t: 40 * hour, why: 'shift', for: '', from: 19 * hour },
+        // Done, and held by a link to its finish: nobody works for it.
+        { kind: 'pause', run: 1, t: 42 * hour, why: 'held', for: 'a', from: 41 * hour },
       ],
     });
     expect(workedHours(film, 0)).toEqual([[0, hour], [16 * hour, 18 * hour]]);
-    expect(busyTimes(film)).toEqual([[0, hour], [16 * hour, 19 * hour], [40 * hour, 42 * hour]]);
+    expect(busyTimes(film)).toEqual([[0, hour], [16 * hour, 19 * hour], [40 * hour, 41 * hour]]);
   });
 });

@@ -19,6 +19,9 @@ class CachedPlanFiles : public interpreter::FileProvider {
   std::variant<std::string, interpreter::FileFailure> read_text(const std::string& path) override;
   std::variant<std::shared_ptr<const geometry::TriangleMesh>, interpreter::FileFailure> read_mesh(
       const interpreter::MeshRequest& request) override;
+  /// Of what is asked for and what was read: equal ones stand for equal meshes. 64 hexadecimal
+  /// digits.
+  std::string mesh_digest(const interpreter::MeshRequest& request);
 
  private:
   using Text = std::variant<std::string, interpreter::FileFailure>;
@@ -29,6 +32,7 @@ class CachedPlanFiles : public interpreter::FileProvider {
   PlanFiles files_;
   std::map<std::string, Text> texts_;
   std::map<std::string, Mesh> meshes_;
+  std::map<std::string, std::string> digests_;  ///< of meshes
 };
 
 }  // namespace rubicon::files

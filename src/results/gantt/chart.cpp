@@ -88,6 +88,7 @@ class ChartBuilder {
 
   void add_tasks() {
     std::vector<Bar> bars;
+    std::vector<Bar> of_nobody;
     for (const TaskOutcome& task : schedule_.tasks) {
       if (task.result != TaskResult::done && !task.parking) {
         chart_.not_done.push_back(
@@ -95,7 +96,8 @@ class ChartBuilder {
       }
       if (task.result != TaskResult::done && task.duration == 0) continue;
       const Bar bar = make_bar(task);
-      add_to_lanes(task, bar);
+      if (!add_to_lanes(task, bar)) of_nobody.push_back(bar);
+      if (bar.span.to == bar.span.from) chart_.has_milestones = true;
       bars.push_back(bar);
       if (!task.baseline) continue;
       const Ticks from = std::clamp<Ticks>(task.baseline->start, 0, chart_.end);
@@ -103,6 +105,26 @@ class ChartBuilder {
       chart_.has_baselines = true;
     }
     chart_.rows = chart_rows(bars, chart_.rows_title);
+    // Where each task has a row of its own, all are to be seen.
+    if (chart_.rows.size() != bars.size()) add_lanes_of_nobody(std::move(of_nobody));
+  }
+
+  /// Lanes below those of machines and crews for what neither does: so many that no two overlap.
+  void add_lanes_of_nobody(std::vector<Bar> bars) {
+    std::stable_sort(bars.begin(), bars.end(),
+                     [](const Bar& a, const Bar& b) { return a.span.from < b.span.from; });
+    const std::size_t first = chart_.resources.size();
+    for (Bar& bar : bars) {
+      std::size_t lane = first;
+      const auto is_taken = [&](const Lane& each) {
+        return each.bars.back().span.to > bar.span.from;
+      };
+      while (lane < chart_.resources.size() && is_taken(chart_.resources[lane])) ++lane;
+      if (lane == chart_.resources.size()) {
+        chart_.resources.emplace_back().name = lane == first ? "no machine, no crew" : "";
+      }
+      chart_.resources[lane].bars.push_back(std::move(bar));
+    }
   }
 
   /// What moves by itself: when it goes, stays as its path says, and is stopped.
@@ -210,12 +232,18 @@ class ChartBuilder {
     return found == resource_.end() ? nullptr : &chart_.resources[found->second];
   }
 
-  void add_to_lanes(const TaskOutcome& task, const Bar& bar) {
-    if (Lane* lane = lane_of(task.robot)) lane->bars.push_back(bar);
+  /// Whether there is a lane of a machine or a crew for it.
+  bool add_to_lanes(const TaskOutcome& task, const Bar& bar) {
+    bool is_shown = false;
+    if (Lane* lane = lane_of(task.robot)) {
+      lane->bars.push_back(bar);
+      is_shown = true;
+    }
     const TaskTimes* times = times_of(task);
     for (const std::string& crew : task.crews) {
       Lane* lane = lane_of(crew);
       if (lane == nullptr) continue;
+      is_shown = true;
       if (times == nullptr || task.robot.empty() || holds(task, crew)) {
         lane->bars.push_back(bar);
       } else {
@@ -224,6 +252,7 @@ class ChartBuilder {
         }
       }
     }
+    return is_shown;
   }
 
   /// Whether a crew is there from the start of a task to its end.

@@ -17,7 +17,7 @@ struct Part {
   Span span;
 };
 
-/// A task in a lane or a row.
+/// A task in a lane or a row. One without length is a milestone.
 struct Bar {
   std::string name;
   Span span;
@@ -50,6 +50,7 @@ struct Chart {
   Ticks end = 0;
   bool has_shifts = false;
   bool has_baselines = false;
+  bool has_milestones = false;
   std::vector<Lane> resources;
   std::string rows_title;  ///< what the rows are: tasks, or groups of them
   std::vector<Lane> rows;

@@ -67,8 +67,8 @@ std::string task_label(const Schedule& schedule, const TaskOutcome& task, bool c
                                  duration_label(task.duration));
   if (!task.robot.empty()) text += "\nmachine: " + task.robot;
   if (!task.crews.empty()) text += "\ncrews: " + report::crew_text(task);
-  text += fmt::format("\nmotion {}, work {}", duration_label(task.motion_time),
-                      duration_label(task.work_time));
+  text +=
+      fmt::format("\nmotion {}, work {}", clock_text(task.motion_time), clock_text(task.work_time));
   if (task.waits.machine > 0) text += ", waited for machines " + duration_label(task.waits.machine);
   if (schedule.costed) text += "\ncost " + money_label(task.cost, schedule.currency);
   if (task.due) text += "\ndue " + moment_label(schedule, *task.due);
@@ -78,8 +78,8 @@ std::string task_label(const Schedule& schedule, const TaskOutcome& task, bool c
                         moment_label(schedule, task.baseline->finish));
   }
   if (task.floats) {
-    text += fmt::format("\ntotal float {}, free float {}", duration_label(task.floats->total),
-                        duration_label(task.floats->free));
+    text += fmt::format("\ntotal float {}, free float {}", clock_text(task.floats->total),
+                        clock_text(task.floats->free));
   }
   if (critical) text += "\non the critical path";
   if (task.result != TaskResult::done) text += fmt::format("\n{}", name_of(task.result));

@@ -23,6 +23,9 @@ constexpr double kLeastWidth = 1;
 /// Bars narrower than this have no outline: it would hide them.
 constexpr double kLeastOutlined = 4;
 
+/// Half the width of the diamond of a milestone beside bars of a height.
+double half_diamond(double height) { return height * 0.55; }
+
 std::vector<Span> spans_of(const std::vector<Bar>& bars, Part::Kind kind) {
   std::vector<Span> spans;
   for (const Bar& bar : bars) {
@@ -94,7 +97,8 @@ std::string SvgBars::bars(const std::vector<Bar>& bars, double top, double heigh
          filled(spans_of(bars, Kind::wait), kColours.wait, top + height / 5, height * 3 / 5) +
          filled(spans_of(bars, Kind::off), kColours.line, top + height * 2 / 5, height / 5) +
          filled(widened(baselines_of(bars)), kColours.muted, top + height, kBaseline) +
-         edges(bars, top, height) + critical(bars, top, height) + titles(bars, top, height);
+         edges(bars, top, height) + critical(bars, top, height) + milestones(bars, top, height) +
+         titles(bars, top, height);
 }
 
 /// The same, each at least so wide that it is seen.
@@ -146,15 +150,43 @@ std::string SvgBars::outline(const Span& span, double top, double height) const 
                      width);
 }
 
+/// Diamonds where something is done that takes no time.
+std::string SvgBars::milestones(const std::vector<Bar>& bars, double top, double height) const {
+  const double half = half_diamond(height);
+  const auto diamonds = [&](bool critical) {
+    std::string path;
+    for (const Bar& bar : bars) {
+      if (bar.span.to > bar.span.from || bar.critical != critical) continue;
+      path += fmt::format("M{} {}l{h} {h}l-{h} {h}l-{h} -{h}z", length_text(x_of(bar.span.from)),
+                          length_text(top + height / 2 - half), fmt::arg("h", length_text(half)));
+    }
+    return path;
+  };
+  std::string drawn;
+  if (const std::string path = diamonds(false); !path.empty()) {
+    drawn += fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", path, kColours.text);
+  }
+  if (const std::string path = diamonds(true); !path.empty()) {
+    drawn += fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"1.6\"/>\n", path,
+                         kColours.text, kColours.critical);
+  }
+  return drawn;
+}
+
 std::string SvgBars::titles(const std::vector<Bar>& bars, double top, double height) const {
   std::string titles;
   for (const Bar& bar : bars) {
-    const double width = x_of(bar.span.to) - x_of(bar.span.from);
+    double from = x_of(bar.span.from);
+    double width = x_of(bar.span.to) - from;
     if (bars.size() > kMostTitles && width < 1) continue;
+    if (width <= 0) {
+      from -= half_diamond(height);
+      width = 2 * half_diamond(height);
+    }
     titles +=
         fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>{}</title></rect>\n",
-                    length_text(x_of(bar.span.from)), length_text(top), length_text(width),
-                    length_text(height), xml_text(bar.text));
+                    length_text(from), length_text(top), length_text(width), length_text(height),
+                    xml_text(bar.text));
   }
   if (titles.empty()) return {};
   return "<g fill=\"none\" pointer-events=\"all\">\n" + titles + "</g>\n";

@@ -37,6 +37,7 @@ class SvgBars {
   std::vector<Span> widened(std::vector<Span> spans) const;
   std::string edges(const std::vector<Bar>& bars, double top, double height) const;
   std::string critical(const std::vector<Bar>& bars, double top, double height) const;
+  std::string milestones(const std::vector<Bar>& bars, double top, double height) const;
   std::string outline(const Span& span, double top, double height) const;
   std::string titles(const std::vector<Bar>& bars, double top, double height) const;
   std::vector<Labelled> labelled(const std::vector<Bar>& bars, bool of_places) const;

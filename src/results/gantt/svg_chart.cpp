@@ -117,6 +117,12 @@ class SvgWriter {
     if (chart_.has_baselines) {
       entry(fmt::format("fill=\"{}\"", kColours.muted), "baseline");
     }
+    if (chart_.has_milestones) {
+      body_ += fmt::format("<path d=\"M{} {}l6 6l-6 6l-6 -6z\" fill=\"{}\"/>\n", length_text(x + 9),
+                           length_text(y_ - 10.5), kColours.text);
+      text(x + 24, y_, kTextSize, kColours.text, "milestone");
+      x += 24 + text_width("milestone", kTextSize) + 20;
+    }
     if (chart_.has_shifts) {
       entry(fmt::format("fill=\"{}\" stroke=\"{}\"", kColours.off, kColours.line), "out of shift");
     }
@@ -149,7 +155,7 @@ class SvgWriter {
     constexpr double kRoom = kLeft - kMargin - 12;
     if (lane_is_tall(height)) {
       clipped_text(kMargin, y_ + 19, kRoom, 13, lane.name);
-      clipped_text(kMargin, y_ + 34, kRoom, kSmallSize, lane.note);
+      if (!lane.note.empty()) clipped_text(kMargin, y_ + 34, kRoom, kSmallSize, lane.note);
       return;
     }
     const double note = lane.brief.empty() ? 0 : text_width(lane.brief, kSmallSize) + 8;

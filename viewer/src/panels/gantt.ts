@@ -1,4 +1,4 @@
-import { duration } from '../clock';
+import { duration, workingTime } from '../clock';
 import { layoutGantt, stretched } from '../gantt/layout';
 import { axisHeight, paintGantt, runsAt, type Scene } from '../gantt/paint';
 import { CanvasPainter } from '../gantt/painter';
@@ -160,7 +160,7 @@ export function mountGantt(host: HTMLElement, page: Page, shown: Shown): void {
     const row = runs.row(run);
     const crew = row?.crew ?? '';
     if (runs.machine(run) || crew) lines.push([runs.machine(run), crew].filter((name) => name !== '').join(', '));
-    if (row) lines.push(`motion ${duration(row.motion)}, crew work ${duration(row.work)}`);
+    if (row) lines.push(`motion ${workingTime(row.motion)}, crew work ${workingTime(row.work)}`);
     const wait = runs.spansOf(run).find((span) => span.kind === 'wait' && span.from <= player.time && player.time < span.to)
       ?? runs.spansOf(run).find((span) => span.kind === 'wait');
     if (wait) lines.push(`${wait.text}: ${duration(wait.to - wait.from)}`);

@@ -1,4 +1,4 @@
-import { day, decimal, duration, money, number, roughly } from '../clock';
+import { day, decimal, duration, money, number, roughly, workingTime } from '../clock';
 import type { ScheduleData, ScheduledTask, Waited } from '../header';
 import { supportWords } from '../holding';
 import { tallyText } from '../runs';
@@ -102,19 +102,22 @@ function taskButton(page: Page, byName: Map<string, number>, task: string): HTML
   return run === undefined ? named(task, 200) : button(task, () => goToRun(page, run), { class: 'link' }, named(task, 200));
 }
 
-/** Tasks that were done later than they were due. */
+/** Tasks that were done later than they were due, or were not done. */
 function lateOf(page: Page, schedule: ScheduleData): HTMLElement[] {
   const due = schedule.tasks.filter((task) => task.due !== undefined);
-  const late = due.filter((task) => (task.late ?? 0) > 0);
+  const undone = due.filter((task) => task.result !== 'done');
+  const late = due.filter((task) => task.result !== 'done' || (task.late ?? 0) > 0);
   if (late.length === 0) return [];
   const byName = runsByName(page);
   const body = make('tbody');
   for (const task of late.slice(0, mostListed)) {
-    const cells = [page.clock.short(task.due ?? 0), page.clock.short(task.start + task.duration), duration(task.late ?? 0)];
+    const times = task.result === 'done' ? [page.clock.short(task.start + task.duration), duration(task.late ?? 0)] : ['', task.result];
+    const cells = [page.clock.short(task.due ?? 0), ...times];
     body.append(make('tr', {}, make('th', { scope: 'row' }, taskButton(page, byName, task.task)),
       ...cells.map((text) => make('td', {}, text))));
   }
-  return [make('h2', { class: 'bad' }, `Late: ${late.length} of ${due.length} due`),
+  const notDone = undone.length > 0 ? `, ${undone.length} not done` : '';
+  return [make('h2', { class: 'bad' }, `Late: ${late.length - undone.length} of ${due.length} due${notDone}`),
     make('table', {}, head('Task', 'Due', 'Finish', 'Late'), body)];
 }
 
@@ -205,7 +208,7 @@ function breakdownsOf({ clock }: Page, schedule: ScheduleData): HTMLElement[] {
   if (all.length === 0) return [];
   const body = make('tbody');
   for (const each of all.slice(0, mostListed)) {
-    const cells = [named(each.during), duration(each.worked), clock.short(each.from), clock.short(each.to), duration(each.repair)];
+    const cells = [named(each.during), workingTime(each.worked), clock.short(each.from), clock.short(each.to), duration(each.repair)];
     body.append(make('tr', {}, make('th', { scope: 'row' }, named(each.robot)), ...cells.map((text) => make('td', {}, text))));
   }
   return [make('h2', {}, 'Breakdowns'), make('table', {}, head('Machine', 'During', 'After work of', 'From', 'To', 'Repair'), body)];
@@ -239,7 +242,7 @@ function resourcesOf({ film }: Page, schedule: ScheduleData): HTMLElement[] {
     const meter = make('div', { class: resource.kind === 'crew' ? 'meter crew' : 'meter', role: 'img', 'aria-label': used,
       title: used }, held, busy);
     body.append(make('tr', {}, make('th', { scope: 'row' }, named(resource.name), meter), make('td', {}, String(resource.tasks)),
-      make('td', {}, duration(resource.held)), make('td', {}, duration(resource.busy)), make('td', {}, percent),
+      make('td', {}, workingTime(resource.held)), make('td', {}, workingTime(resource.busy)), make('td', {}, percent),
       ...(hasFuel ? [make('td', {}, resource.fuel === undefined ? '' : decimal(resource.fuel, 1))] : []),
       ...(hasCost ? [make('td', {}, resource.cost === undefined ? '' : money(resource.cost, ''))] : [])));
   }

@@ -1,4 +1,4 @@
-import { duration, money, type Clock } from '../clock';
+import { duration, money, workingTime, type Clock } from '../clock';
 import { visibleRows, scrollToRow } from '../virtual';
 import { button, cut, make, named, onceAFrame, setText } from './dom';
 import { goToRun, type Page } from './page';
@@ -18,6 +18,7 @@ interface Column {
 }
 
 const seconds = (value: number | null) => (value === null ? '' : duration(value));
+const worked = (value: number | null) => (value === null ? '' : workingTime(value));
 const columns: Column[] = [
   { key: 'name', title: 'Task', most: 220, text: ({ name }) => name },
   { key: 'start', title: 'Start', text: ({ start }, clock) => clock.brief(start) },
@@ -25,9 +26,9 @@ const columns: Column[] = [
   { key: 'result', title: 'Result', most: 110, text: ({ result }) => result },
   { key: 'who', title: 'By', most: 130, text: ({ who }) => who },
   { key: 'waits', title: 'Waited', hint: 'For busy machines and crews, on the way, for shifts; not for the tasks before it', text: ({ waits }) => seconds(waits) },
-  { key: 'motion', title: 'Motion', text: ({ motion }) => seconds(motion) },
-  { key: 'work', title: 'Crew work', text: ({ work }) => seconds(work) },
-  { key: 'float', title: 'Float', hint: 'Total float: how much later the task could be done and the plan end as it does', text: ({ float }) => seconds(float) },
+  { key: 'motion', title: 'Motion', text: ({ motion }) => worked(motion) },
+  { key: 'work', title: 'Crew work', text: ({ work }) => worked(work) },
+  { key: 'float', title: 'Float', hint: 'Total float: how much later the task could be done and the plan end as it does, in working time', text: ({ float }) => worked(float) },
   { key: 'cost', title: 'Cost', text: ({ cost }) => (cost === null ? '' : money(cost, '')) },
 ];
 /** Of a cell, both sides (px). */
