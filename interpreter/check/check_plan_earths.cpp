@@ -255,12 +255,10 @@ class SoilTaker {
     EarthWork& work = subject_.earth_works[at(index)];
     EarthWork::Dig& dig = work.digs.emplace_back();
     dig.task = &task_;
-    const soil::Heights& now = earth.after.heights;
-    for (std::size_t cell = now.next_difference(dug.after.heights, 0); cell < now.size();
-         cell = now.next_difference(dug.after.heights, cell + 1)) {
+    earth.after.heights.for_each_difference(dug.after.heights, [&](std::size_t cell) {
       if (work.last_dig[cell] >= 0) dig.after.insert(work.last_dig[cell]);
       work.last_dig[cell] = static_cast<int>(work.digs.size()) - 1;
-    }
+    });
     if (!work.now) work.now = std::make_shared<const soil::Terrain>(earth.after);
     DugSoil soil{index, add_component(earth, dug), dug.volume, work.now,
                  std::make_shared<const soil::Terrain>(dug.after)};

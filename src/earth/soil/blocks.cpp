@@ -4,14 +4,12 @@ namespace rubicon::soil {
 
 std::vector<Block> blocks_between(const Terrain& under, const Terrain& above) {
   std::vector<Block> blocks;
-  const std::size_t count = above.heights.size();
-  std::vector<bool> taken(count, false);
-  for (std::size_t first = above.heights.next_difference(under.heights, 0); first < count;
-       first = above.heights.next_difference(under.heights, first + 1)) {
+  std::vector<bool> taken(above.heights.size(), false);
+  above.heights.for_each_difference(under.heights, [&](std::size_t first) {
     const auto column = static_cast<int>(first % static_cast<std::size_t>(above.columns));
     const auto row = static_cast<int>(first / static_cast<std::size_t>(above.columns));
     Block block{column, column, row, row, under.heights[first], above.heights[first]};
-    if (taken[first] || block.top <= block.bottom) continue;
+    if (taken[first] || block.top <= block.bottom) return;
     const auto fits = [&](int c, int r) {
       const std::size_t at = above.index(c, r);
       return !taken[at] && under.heights[at] == block.bottom && above.heights[at] == block.top;
@@ -28,7 +26,7 @@ std::vector<Block> blocks_between(const Terrain& under, const Terrain& above) {
       for (int c = block.first_column; c < block.end_column; ++c) taken[above.index(c, r)] = true;
     }
     blocks.push_back(block);
-  }
+  });
   return blocks;
 }
 

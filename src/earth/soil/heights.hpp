@@ -27,6 +27,14 @@ class Heights {
   /// The first cell from `from` on that has another height there; `size()` if none has. Both of one
   /// size.
   std::size_t next_difference(const Heights& other, std::size_t from) const;
+  /// Calls `visit(cell)` for all cells that have another height there, ascending.
+  template <typename Visit>
+  void for_each_difference(const Heights& other, const Visit& visit) const {
+    for (std::size_t cell = next_difference(other, 0); cell < count_;
+         cell = next_difference(other, cell + 1)) {
+      visit(cell);
+    }
+  }
 
  private:
   static constexpr std::size_t kTile = 512;

@@ -67,9 +67,7 @@ void SiteWorld::set_drives(int robot) {
 void SiteWorld::add_pit(Pit pit) {
   const soil::Terrain& ground = *pit.before;
   const double side = static_cast<double>(ground.cell) * 1e-3;
-  const soil::Heights& after = pit.after->heights;
-  for (std::size_t cell = ground.heights.next_difference(after, 0); cell < after.size();
-       cell = ground.heights.next_difference(after, cell + 1)) {
+  ground.heights.for_each_difference(pit.after->heights, [&](std::size_t cell) {
     const int column = static_cast<int>(cell) % ground.columns;
     const int row = static_cast<int>(cell) / ground.columns;
     for (const int right : {0, 1}) {
@@ -78,7 +76,7 @@ void SiteWorld::add_pit(Pit pit) {
         pit.around.extend((pit.X_WE * corner).head<2>());
       }
     }
-  }
+  });
   if (pits_.size() % kPitsTogether == 0) around_pits_.emplace_back();
   around_pits_.back().extend(pit.around);
   pits_.push_back(std::move(pit));
@@ -222,13 +220,11 @@ void SiteWorld::set_piece(const Component& component, Soil& soil, int piece) {
 std::set<int> SiteWorld::pieces_with_soil(const Soil& soil) {
   const soil::Terrain& surface = soil.surface;
   std::set<int> pieces;
-  for (std::size_t cell = surface.heights.next_difference(soil.bottom->heights, 0);
-       cell < surface.heights.size();
-       cell = surface.heights.next_difference(soil.bottom->heights, cell + 1)) {
+  surface.heights.for_each_difference(soil.bottom->heights, [&](std::size_t cell) {
     const int row = static_cast<int>(cell) / surface.columns / kPiece;
     const int column = static_cast<int>(cell) % surface.columns / kPiece;
     pieces.insert(row * pieces_in_row(soil) + column);
-  }
+  });
   return pieces;
 }
 

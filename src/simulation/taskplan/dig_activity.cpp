@@ -110,13 +110,12 @@ Step DigActivity::begin(ActiveTask& task, Stage& stage) {
   rules_.room = dig.bucket;
   std::vector<int> cells;
   const soil::Heights& before = dig.before->heights;
-  for (std::size_t i = before.next_difference(dig.after->heights, 0); i < before.size();
-       i = before.next_difference(dig.after->heights, i + 1)) {
-    if (before[i] <= dig.after->heights[i]) continue;
+  before.for_each_difference(dig.after->heights, [&](std::size_t i) {
+    if (before[i] <= dig.after->heights[i]) return;
     rules_.top = cells.empty() ? before[i] : std::max(rules_.top, before[i]);
     cells.push_back(static_cast<int>(i));
     rules_.rim = std::max(rules_.rim, highest_round(*dig.before, static_cast<int>(i)));
-  }
+  });
   cells_ = std::make_shared<const std::vector<int>>(std::move(cells));
   stage.site_changes.open_soil(dig.soil, dig);
   MotionDigOutcome outcome;

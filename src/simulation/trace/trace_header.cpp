@@ -374,10 +374,9 @@ std::vector<std::size_t> write_cells(JsonBuilder& json, const PlanModel& plan, c
   std::vector<std::size_t> cells;
   const soil::Heights& before = dig.before->heights;
   const soil::Heights& after = dig.after->heights;
-  for (std::size_t i = before.next_difference(after, 0); i < before.size();
-       i = before.next_difference(after, i + 1)) {
+  before.for_each_difference(after, [&](std::size_t i) {
     if (before[i] > after[i]) cells.push_back(i);
-  }
+  });
   json.key("cells").begin_array();
   for (const std::size_t cell : cells) json.value(static_cast<std::int64_t>(cell));
   json.end_array();
@@ -510,10 +509,8 @@ void write_heaps(JsonBuilder& json, const PlanModel& plan) {
     const soil::Heights& before = earth.before.heights;
     for (std::size_t i = 0; i < before.size(); ++i) json.value(before[i]);
     json.end_array().key("dug").begin_array();
-    for (std::size_t i = before.next_difference(earth.after.heights, 0); i < before.size();
-         i = before.next_difference(earth.after.heights, i + 1)) {
-      json.value(static_cast<std::int64_t>(i));
-    }
+    before.for_each_difference(earth.after.heights,
+                               [&](std::size_t i) { json.value(static_cast<std::int64_t>(i)); });
     json.end_array().end_object();
   }
   json.end_array();

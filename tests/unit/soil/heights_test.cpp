@@ -29,10 +29,7 @@ TEST(Heights, DifferencesAreThoseOfEachCell) {
   b.set(600, 0);
   for (const Heights& other : {a, c}) {
     std::vector<std::size_t> found;
-    for (std::size_t cell = b.next_difference(other, 0); cell < b.size();
-         cell = b.next_difference(other, cell + 1)) {
-      found.push_back(cell);
-    }
+    b.for_each_difference(other, [&](std::size_t cell) { found.push_back(cell); });
     EXPECT_EQ(found, (std::vector<std::size_t>{0, 511, 512, 1024, 1999}));
   }
   EXPECT_EQ(a.next_difference(c, 0), 2000u);
