@@ -122,7 +122,7 @@ examples:
 )";
 
 const std::string_view kWhy =
-    R"(rubicon why - tell why a task failed, took long or came late
+    R"(rubicon why - say why a task failed, took long or came late
 
 usage: rubicon why PLAN|RESULT|TRACE TASK [--advise] [--format text|json] [--set NAME=VALUE]...
 
@@ -137,7 +137,7 @@ nothing is simulated again. A PLAN is run first.
   --format FORMAT  text (the default) or json, on standard output; times in seconds
   --set NAME=VALUE another value for a parameter of the PLAN
 
-Exit code: 0 the story is told, 2 there is no such task or the input is wrong.
+Exit code: 0 the story is printed, 2 there is no such task or the input is wrong.
 
 examples:
   rubicon why taskplans/unit.plan set_west_1
@@ -164,7 +164,7 @@ The table has, of all tries, how many found a way, and the medians of nodes, che
 milliseconds, these also as 95th percentile; of the ways found the medians of roughness, length and motion time
 (docs/guides.md).
 
-Of a task that covers an area it tells what its way over the area does: how much of it is covered, the length beside its
+Of a task that covers an area it reports what its way over the area does: how much of it is covered, the length beside its
 lower bound, turns, metres inside holes and outside (docs/coverage.md). Nothing is run. Where guides lead from strip to
 strip their comparison follows in the table.
 
@@ -201,7 +201,7 @@ examples:
 )";
 
 const std::string_view kFlow =
-    R"(rubicon flow - tell what became of the components, and the stock of storage places
+    R"(rubicon flow - report what became of the components, and the stock of storage places
 
 usage: rubicon flow PLAN|RESULT|TRACE [--format table|csv|json] [--set NAME=VALUE]...
 
@@ -283,7 +283,7 @@ loops, variables and configuration, the motion, the load and the time; one step 
 breakpoints at lines, at refusals and at what meets what. RESULT is the folder of rubicon run --out: nothing is simulated
 again. A PLAN is run first. Without TASK all tasks follow one another in the order in which they begin.
 
-Commands are read from standard input; 'help' tells them all, docs/debug.md shows them at work. Where the input is no
+Commands are read from standard input; 'help' lists them all, docs/debug.md shows them at work. Where the input is no
 terminal each command is shown before its answer.
 
   -x, --command COMMANDS  do these first; ';' separates them
@@ -329,7 +329,7 @@ usage: rubicon verify RESULT [--format text|json]
 RESULT is the folder that rubicon run --out wrote, or a trace of a run with all its steps. The result is replayed by a
 second, simpler and slower method, which shares nothing with the one that made it: whether the clock has gaps, whether
 each step is one that the robot's rules allow, whether anything meets anything at any moment, where loads are taken and put
-down, whether a robot or crew is in two places at once, shifts, links, whether the schedules tell the same, and whether
+down, whether a robot or crew is in two places at once, shifts, links, whether the schedules agree, and whether
 report.html was made of them. The ways of a network of cells (ways.json, or what rubicon run --format json printed of it) are
 walked tick by tick: walls, starts, goals, two in one cell, two through each other, and the sums; of jobs (jobs.json) also who
 takes which, where each is picked up and delivered, and who is late. Charts (charts.json) are worked
@@ -376,16 +376,16 @@ usage: rubicon import SCHEDULE [--level] [--baseline] [--out PLAN]
        rubicon import MACHINE.urdf|MACHINE.xacro [--package NAME=FOLDER]... [--arg NAME=VALUE]... [--tool LINK] [--out ROBOT]
        rubicon import FILE.map [FILE.scen] [--out PLAN]
 
-SCHEDULE is Microsoft Project XML (in Project: save as XML) or a Primavera XER file; its content tells which. Tasks become
+SCHEDULE is Microsoft Project XML (in Project: save as XML) or a Primavera XER file; its content decides which. Tasks become
 crew work (takes), milestones take no time, resources become crews, links keep their type and lag, calendars their week
 and days off; headings become remarks. What a plan has no word for is carried along in its import block, for the way back
 with rubicon export. What was not understood, and where the plan goes by less than the schedule says, is listed as
-warnings: docs/commands/import.md tells what each means.
+warnings: docs/commands/import.md says what each means.
 
 MODEL is an IFC file (2x3, 4 or 4.3), glTF, Collada, OBJ, STL or PLY, in the folder of the plan or below. Every element
 becomes a component that stands where the model has it. With a schedule and a match file, which says what belongs to
 which task and who lifts it, the elements wait in a stock area and the tasks put them into place; elements and tasks
-without partner are listed. Beside PLAN a table PLAN_elements.csv tells what became of each element:
+without partner are listed. Beside PLAN a table PLAN_elements.csv says what became of each element:
 docs/import_building.md.
 
 With --area the plan holds the floor instead, as an area: of the slabs of a STOREY ("01*" will do) of IFC models, with their
