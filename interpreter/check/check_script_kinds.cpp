@@ -173,7 +173,7 @@ class KindChecker {
     }
     const std::string who = fmt::format("move_to({}, ...)", command.name.text());
     if (!needs_.value(parameter.kind, *command.value, kind, who, command.keyword)) return;
-    if (parameter.model == nullptr || parameter.model->direct) return;
+    if (parameter.model == nullptr || parameter.model->direct || parameter.model->rotation) return;
     bool aims_at_goal = false;
     for_each_subexpression(*command.value, [&](const Expression& part) {
       aims_at_goal = aims_at_goal || (part.kind == Expression::Kind::call &&

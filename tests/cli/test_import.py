@@ -273,10 +273,13 @@ class Dates(unittest.TestCase):
         self.assertEqual((dates["heat"][0], dates["strip"][0]), ("03-05 16:00:00", "03-05 16:00:00"))
         self.assertEqual(said, "")
         self.round_trip(self.path("a.xer"))
-        for choice, strip in (("rcal_Successor", "03-13"), ("rcal_24hour", "03-05"), ("rcal_ProjDefault", "03-13")):
+        for choice, strip in (("rcal_Successor", "03-13"), ("rcal_24Hour", "03-05"), ("rcal_24hour", "03-05"), ("rcal_ProjDefault", "03-13")):
             options = ("SCHEDOPTIONS", "proj_id sched_calendar_on_relationship_lag", [(9, choice)])
             dates, _ = self.dates("a.xer", schedule_xer(CALENDARS, tasks, links=links, tables=[options]))
             self.assertEqual(dates["strip"][0][:5], strip, choice)
+        options = ("SCHEDOPTIONS", "proj_id sched_calendar_on_relationship_lag", [(9, "rcal_None")])
+        _, said = self.dates("a.xer", schedule_xer(CALENDARS, tasks, links=links, tables=[options]))
+        self.assertIn("'rcal_None' names no calendar of lags: they count in that of the predecessor", said)
         always = ("CalendarUID", 2)
         schedule = schedule_xml([(8, [], always), (8, [(1, 1, 72)], always)]).replace(
             b"</Calendars>", b"<Calendar><UID>2</UID><Name>24h</Name><IsBaseCalendar>1</IsBaseCalendar><WeekDays>" + b"".join(

@@ -54,6 +54,18 @@ ROW = """plan row {
 """
 
 
+# The gantry stands in the zone of those who grout the joints, on each of two floors.
+FLOORS = """plan floors {
+  robot g "g.robot" { start x 0; park x -20; }
+  crew c;
+  task set_1 { by g; go x 10; }
+  task joints_1 { by c; takes 1 h; after set_1; zone box(8, -2, 0, 12, 2, 9); }
+  task set_2 { by g; go x 10; after joints_1; }
+  task joints_2 { by c; takes 1 h; after set_2; zone box(8, -2, 0, 12, 2, 9); }
+}
+"""
+
+
 # A wall with a post higher than the hoist can go is set, then somebody wants to get past it.
 TALL = """plan tall {
   robot g "g.robot";
@@ -176,6 +188,24 @@ class Why(unittest.TestCase):
     def test_a_plan_is_run_and_tells_the_same(self):
         for task in ("east", "after_east", "paint"):
             self.assertEqual(rubicon("why", self.plan, task).stdout, rubicon("why", self.out, task).stdout)
+
+    def test_a_machine_that_parks_twice_is_followed_to_the_right_time(self):
+        plan, out = os.path.join(self.folder, "floors.plan"), os.path.join(self.folder, "floors")
+        with open(plan, "w", encoding="utf-8") as file:
+            file.write(FLOORS)
+        self.assertEqual(rubicon("run", plan, "--out", out).returncode, 0)
+        self.assertEqual(rubicon("verify", out).returncode, 0)
+        with open(os.path.join(out, "schedule.json"), encoding="utf-8") as file:
+            schedule = json.load(file)
+        waited = "'g', which park g had, to be out of the way"
+        self.assertEqual([each["text"] for each in schedule["critical"]],
+                         ["set_1 starts with the plan", "joints_1 could start after set_1 (FS); its own work does not count",
+                          "park g starts because joints_1 asks for it", "joints_1 starts after it waited for " + waited, "set_2 starts after joints_1 (FS)",
+                          "joints_2 could start after set_2 (FS); its own work does not count", "park g starts because joints_2 asks for it",
+                          "joints_2 starts after it waited for " + waited])
+        times = [each["start"] for each in json.loads(rubicon("why", out, "joints_1", "--format", "json").stdout)["waits"]]
+        self.assertEqual(times, sorted(times))
+        self.assertEqual(times[-1], next(task["start"] for task in schedule["tasks"] if task["task"] == "joints_1"))
 
     def test_an_unknown_task_gets_a_suggestion(self):
         told = rubicon("why", self.out, "jonts")

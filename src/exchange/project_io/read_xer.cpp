@@ -435,18 +435,33 @@ class XerReader {
   /// Lags count in a calendar that the schedule chooses, the predecessor's if it does not say:
   /// where that one never stops they are elapsed time.
   void settle_lags() {
-    std::string_view choice = "rcal_Predecessor";
+    // Primavera writes rcal_24Hour, others in lower case.
+    const std::set<std::string> known = {"rcal_predecessor", "rcal_successor", "rcal_projdefault",
+                                         "rcal_24hour"};
+    std::string choice = "rcal_predecessor";
     for (const XerRow& row : rows("SCHEDOPTIONS")) {
       const std::string_view said = row["sched_calendar_on_relationship_lag"];
-      if (row["proj_id"] == project_id_ && !said.empty()) choice = said;
+      if (row["proj_id"] != project_id_ || said.empty()) continue;
+      std::string lower(said);
+      std::transform(lower.begin(), lower.end(), lower.begin(), [](char letter) {
+        return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+      });
+      if (known.contains(lower)) {
+        choice = lower;
+      } else {
+        listing_.add("I03", "lag calendar", row.span(),
+                     fmt::format("'{}' names no calendar of lags: they count in that of the "
+                                 "predecessor",
+                                 clean_text(said)));
+      }
     }
     std::unordered_map<std::int64_t, std::int64_t> calendars;  // by task
     for (const Task& task : project_.tasks) calendars.emplace(task.uid, task.calendar);
     for (Task& task : project_.tasks) {
       for (Link& link : task.after) {
         if (link.lag == 0) continue;
-        const std::int64_t calendar = choice == "rcal_Successor" ? task.calendar
-                                      : choice == "rcal_ProjDefault"
+        const std::int64_t calendar = choice == "rcal_successor" ? task.calendar
+                                      : choice == "rcal_projdefault"
                                           ? project_.calendar
                                           : calendars.at(link.predecessor);
         link.format.elapsed = choice == "rcal_24hour" || works_always(project_, calendar);

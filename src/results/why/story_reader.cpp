@@ -67,13 +67,15 @@ void StoryReader::read_header(const trace::TraceHeader& header) {
 
 void StoryReader::read_record(const trace::Record& record) {
   if (const auto* start = std::get_if<trace::TaskStart>(&record.what)) {
-    TaskRun& run = runs_[std::string(record.task)];
+    TaskRun& run = runs_[std::string(record.task)].emplace_back();
     run.started = true;
     run.start = trace::seconds(start->t);
     run.because = start->because;
     run.after = start->after;
   } else if (const auto* end = std::get_if<trace::TaskEnd>(&record.what)) {
-    TaskRun& run = runs_[std::string(record.task)];
+    std::vector<TaskRun>& runs = runs_[std::string(record.task)];
+    if (runs.empty()) runs.emplace_back();
+    TaskRun& run = runs.back();
     run.end = trace::seconds(end->t);
     run.result = end->result;
     run.reason = end->reason;
@@ -232,7 +234,7 @@ bool StoryReader::has_task() const {
 TaskStory StoryReader::story() const {
   TaskStory story = story_;
   const auto run = runs_.find(task_);
-  if (run != runs_.end()) story.run = run->second;
+  if (run != runs_.end()) story.run = run->second.back();
   if (story.run.started && trace::has_happened(story.run.result)) {
     story.waits = wait_chain(task_, runs_);
   }

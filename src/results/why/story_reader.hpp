@@ -52,7 +52,7 @@ class StoryReader : public trace::TraceSink {
   trace::TraceReader reader_;
   int lines_ = 0;
   TaskStory story_;
-  std::map<std::string, TaskRun> runs_;
+  RunsByTask runs_;
   std::vector<std::string> order_;
   std::map<std::string, std::size_t> widths_;  ///< of each robot the number of its parameters
   bool carries_ = false;

@@ -95,6 +95,9 @@ struct TaskRun {
   std::string after;    ///< the task it waited for, "" for none
 };
 
+/// Of each task its runs, in order: a machine may be asked to its park position several times.
+using RunsByTask = std::map<std::string, std::vector<TaskRun>>;
+
 /// Why a task began when it did.
 struct WaitStep {
   std::string task;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -9,8 +8,7 @@
 namespace rubicon::why {
 
 /// Why a task began when it did: what it waited for last, what that waited for, and so on back to
-/// the beginning of the plan; first to last.
-std::vector<WaitStep> wait_chain(const std::string& task,
-                                 const std::map<std::string, TaskRun>& runs);
+/// the beginning of the plan; first to last. Begins with the last run of the task.
+std::vector<WaitStep> wait_chain(const std::string& task, const RunsByTask& runs);
 
 }  // namespace rubicon::why

@@ -36,12 +36,21 @@ struct Event {
   int task = -1;
   Moment moment = Moment::finish;
   Ticks time = 0;
+  std::optional<Parking> parking = {};  ///< of a machine that went out of the way
 };
 
 ChainStep step_of(const Network& network, const TaskTimes& own, const Event& event) {
   ChainStep step;
   step.task = event.task;
   step.work_counts = event.moment != Moment::start && network.tasks[at(event.task)].work > 0;
+  if (event.parking) {
+    step.held = event.parking->held;
+    step.resource = event.parking->resource;
+    step.task_before = event.parking->task_before;
+    step.given_back_midway = event.parking->midway;
+    step.wanted = event.parking->wanted;
+    return step;
+  }
   if (event.moment == Moment::finish && own.finish_link >= 0) {
     step.at_finish = true;
     step.work_counts = false;
@@ -56,16 +65,33 @@ ChainStep step_of(const Network& network, const TaskTimes& own, const Event& eve
     step.held = wait->held;
     step.resource = wait->resource;
     step.task_before = wait->task_before;
+    step.given_back_midway = true;
+    step.parking = wait->parking;
     step.wanted = wait->until;
     return step;
+  }
+  const auto& zone = own.start_wait;
+  if (zone && event.time >= zone->until) {
+    step.held = Held::machine;
+    step.resource = zone->resource;
+    step.task_before = zone->task_before;
+    step.given_back_midway = true;
+    step.parking = zone->parking;
+    step.wanted = zone->until;
+    return step;
+  }
+  if (zone) {
+    step.could_start = true;
+    step.work_counts = false;
   }
   step.held = own.held;
   step.link = own.link;
   step.resource = own.resource;
   step.task_before = own.task_before;
   step.wanted = own.wanted;
-  step.out_of_shift = own.start - own.wanted;
+  step.out_of_shift = (zone ? zone->since : own.start) - own.wanted;
   step.first_gain = own.first_gain;
+  step.given_back_midway = own.given_back_midway;
   step.kept = own.kept;
   return step;
 }
@@ -85,8 +111,8 @@ Event cause_of(const Network& network, const NetworkTimes& times, ChainStep& ste
     return {link.task, Moment::finish, before.finish};
   }
   if (step.task_before < 0) return {};
-  const bool midway = step.midway || times.tasks[at(step.task)].given_back_midway;
-  return {step.task_before, midway ? Moment::midway : Moment::finish, step.wanted};
+  const Moment moment = step.given_back_midway ? Moment::midway : Moment::finish;
+  return {step.task_before, moment, step.wanted, step.parking};
 }
 
 }  // namespace
@@ -118,10 +144,11 @@ ChainStep start_step(const Network& network, int task, const TaskTimes& times) {
 std::string text_of(const Network& network, const ChainStep& step) {
   const NetworkTask& task = network.tasks[at(step.task)];
   std::string text = task.name;
+  const std::string starts = step.could_start ? " could start" : " starts";
   if (step.held == Held::plan_start) {
-    text += " starts with the plan";
+    text += starts + " with the plan";
   } else if (step.held == Held::date) {
-    text += fmt::format(" starts at its not_before, {} after the beginning of the plan",
+    text += fmt::format("{} at its not_before, {} after the beginning of the plan", starts,
                         duration_text(task.not_before));
   } else if (step.held == Held::asked) {
     text += fmt::format(" starts because {} asks for it", network.tasks[at(step.task_before)].name);
@@ -138,7 +165,7 @@ std::string text_of(const Network& network, const ChainStep& step) {
     }
   } else if (step.held == Held::resource) {
     text += fmt::format(
-        " starts when '{}' is {}, which {} had", network.resources[at(step.resource)].name,
+        "{} when '{}' is {}, which {} had", starts, network.resources[at(step.resource)].name,
         step.kept ? "kept for nobody any more" : "free", network.tasks[at(step.task_before)].name);
   } else {
     const Link& link = task.after[at(step.link)];
@@ -146,9 +173,9 @@ std::string text_of(const Network& network, const ChainStep& step) {
     if (step.at_finish) {
       text += " finishes";
     } else if (end_after(link.type) == TaskEnd::finish) {
-      text += " starts so that it finishes";
+      text += starts + " so that it finishes";
     } else {
-      text += " starts";
+      text += starts;
     }
     text += fmt::format(" after {} ({})", before, link_text(link));
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,15 +13,18 @@ struct ChainStep {
   int task = -1;
   bool work_counts = false;  ///< the task's own work is part of what makes the whole so long
   Held held = Held::plan_start;
-  int link = -1;           ///< held by a link: index into `after`
-  int resource = -1;       ///< held by a resource: index
-  int task_before = -1;    ///< whose event held it, the step before; -1 for the first step
-  bool at_finish = false;  ///< its finish was held, not its start
-  bool midway = false;     ///< it stood still after its start
-  bool kept = false;       ///< the resource was kept for others after the task before
-  Ticks wanted = 0;        ///< when what held it let go
-  Ticks out_of_shift = 0;  ///< from then to the begin of the next shift
-  Ticks first_gain = 0;    ///< it starts no sooner unless it is let go more than this much sooner
+  int link = -1;                   ///< held by a link: index into `after`
+  int resource = -1;               ///< held by a resource: index
+  int task_before = -1;            ///< whose event held it, the step before; -1 for the first step
+  bool at_finish = false;          ///< its finish was held, not its start
+  bool midway = false;             ///< it stood still after its start
+  bool could_start = false;        ///< that let it start, and a machine stood in its zone
+  bool kept = false;               ///< the resource was kept for others after the task before
+  bool given_back_midway = false;  ///< the task before let go before its own finish
+  std::optional<Parking> parking = {};  ///< of the task before
+  Ticks wanted = 0;                     ///< when what held it let go
+  Ticks out_of_shift = 0;               ///< from then to the begin of the next shift
+  Ticks first_gain = 0;  ///< it starts no sooner unless it is let go more than this much sooner
 };
 
 /// What, if shortened, shortens the whole: from the task that finishes last (the first in the file

@@ -112,7 +112,7 @@ TaskTimes LinkState::ready_times(int task, int before, Ticks now) const {
 }
 
 bool LinkState::started_for_finish(const TaskTimes& times, int task) const {
-  return times.held == Held::link &&
+  return times.held == Held::link && !times.start_wait &&
          end_after(links_of(task)[at(times.link)].type) == TaskEnd::finish;
 }
 

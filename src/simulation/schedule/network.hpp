@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -39,13 +40,33 @@ struct Network {
 /// `machine`: for one in its way; `asked`: a machine moves out of the way of another task.
 enum class Held { plan_start, date, link, resource, machine, asked };
 
+/// Why a machine went out of the way when it did: it was asked, or came free then. It may do so
+/// several times in a plan.
+struct Parking {
+  Held held = Held::asked;  ///< asked or resource
+  int resource = -1;        ///< itself
+  int task_before = -1;     ///< who asked, or who had it
+  bool midway = true;       ///< at a moment before that task's finish
+  Ticks wanted = 0;
+};
+
 /// A wait of a task after its start: for a resource that another task had, or until a machine that
 /// another task moved was out of the way.
 struct MidWait {
   Ticks until = 0;
-  Held held = Held::resource;  ///< resource or machine
-  int resource = -1;           ///< what was waited for
-  int task_before = -1;        ///< who had it
+  Held held = Held::resource;           ///< resource or machine
+  int resource = -1;                    ///< what was waited for
+  int task_before = -1;                 ///< who had it
+  std::optional<Parking> parking = {};  ///< of `task_before`
+};
+
+/// A task that could start, but for a machine in its zone.
+struct StartWait {
+  Ticks since = 0;
+  Ticks until = 0;
+  int resource = -1;                    ///< the machine
+  int task_before = -1;                 ///< who moved it out of the way; -1: nobody did
+  std::optional<Parking> parking = {};  ///< of `task_before`
 };
 
 /// When a task is done, and why not sooner.
@@ -56,13 +77,14 @@ struct TaskTimes {
   Ticks finish = 0;
   Ticks first_gain = 0;  ///< `wanted` has to be sooner by more than this before `start` is sooner
   Held held = Held::plan_start;
-  int link = -1;                   ///< held by a link: index into `after`
-  bool known_late = false;         ///< that link allows it sooner than it was known to
-  int resource = -1;               ///< held by a resource: index
-  int task_before = -1;            ///< held by a resource: the task that had it
-  bool given_back_midway = false;  ///< that task gave it back before its own finish
-  bool kept = false;               ///< it was kept for others after that
-  std::vector<MidWait> mid_waits;  ///< in order; only of tasks that are simulated
+  int link = -1;                        ///< held by a link: index into `after`
+  bool known_late = false;              ///< that link allows it sooner than it was known to
+  int resource = -1;                    ///< held by a resource: index
+  int task_before = -1;                 ///< held by a resource: the task that had it
+  bool given_back_midway = false;       ///< that task gave it back before its own finish
+  bool kept = false;                    ///< it was kept for others after that
+  std::optional<StartWait> start_wait;  ///< after what held it
+  std::vector<MidWait> mid_waits;       ///< in order; only of tasks that are simulated
   int finish_link = -1;  ///< the link that holds the finish, if the task's own work does not
 };
 

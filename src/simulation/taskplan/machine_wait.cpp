@@ -145,7 +145,8 @@ void MachineWait::note_wait(Stage& stage, int task) const {
   const Blocker& first = blockers.front();
   if (first.moving >= 0 || stage.now() <= since) return;
   const int holder = first.robot >= 0 ? stage.allocator->state(first.robot).last : first.zone_task;
-  stage.links->add_mid_wait(task, {stage.now(), schedule::Held::machine, first.robot, holder});
+  stage.links->add_mid_wait(
+      task, {stage.now(), schedule::Held::machine, first.robot, holder, stage.parking_of(holder)});
 }
 
 std::string MachineWait::standstill_reason(const Stage& stage) const {

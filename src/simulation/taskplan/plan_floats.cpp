@@ -80,8 +80,8 @@ class Precedences {
 
   void add_waits(int node) {
     const schedule::TaskTimes& times = links_.times(done_[at(node)].task);
-    if (times.held == schedule::Held::machine && node_of(times.task_before) >= 0) {
-      add_as_it_went(node_of(times.task_before), TaskEnd::finish, node, TaskEnd::start);
+    if (times.start_wait && node_of(times.start_wait->task_before) >= 0) {
+      add_as_it_went(node_of(times.start_wait->task_before), TaskEnd::finish, node, TaskEnd::start);
     }
     for (const schedule::MidWait& wait : times.mid_waits) {
       const int before = node_of(wait.task_before);

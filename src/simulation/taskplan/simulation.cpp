@@ -243,14 +243,12 @@ void Simulation::begin_task(const ResourceAllocator::Grant& grant) {
   waits.resource = times.wanted - times.ready;
   waits.shift = now - times.wanted;
   if (const ZoneWait* const zone = zone_waits_.find(task)) {
-    const Ticks waited = now - std::max(zone->since, times.wanted);
+    const Ticks since = std::max(zone->since, times.wanted);
+    const Ticks waited = now - since;
     waits.machine = waited;
     waits.shift -= waited;
-    times.held = schedule::Held::machine;
-    times.resource = zone->robot;
-    times.task_before = stage_.allocator->state(zone->robot).last;
-    times.given_back_midway = true;
-    times.wanted = now;
+    const int mover = stage_.allocator->state(zone->robot).last;
+    times.start_wait = {since, now, zone->robot, mover, stage_.parking_of(mover)};
     zone_waits_.erase(task);
   }
   links.set_times(task, times);

@@ -259,12 +259,22 @@ bool Simulation::park_idle_machines() {
     grant.task = task;
     grant.queue = stage_.queue_of(task);
     grant.before = stage_.allocator->mark();
+    const schedule::ResourceState::Free last = stage_.allocator->state(robot).free.front();
     stage_.allocator->take_directly({robot, 1}, task);
     schedule::TaskTimes times;
     times.ready = times.wanted = stage_.now();
     times.held = schedule::Held::asked;
     times.task_before = asking;
     times.given_back_midway = true;
+    // Asked for while another task had it: it goes when that gives it back.
+    const ZoneWait* const zone = zone_waits_.find(asking);
+    if (zone && last.task_before >= 0 && last.since > zone->since) {
+      times.held = schedule::Held::resource;
+      times.resource = robot;
+      times.task_before = last.task_before;
+      times.given_back_midway = last.midway;
+      times.wanted = last.since;
+    }
     stage_.links->set_times(task, times);
     stage_.links->forget_known(task);
     begin_task(grant);

@@ -205,6 +205,13 @@ void Stage::came_further(ActiveTask& task) {
   announce({spec(task.task).robot, task.task});
 }
 
+std::optional<schedule::Parking> Stage::parking_of(int task) const {
+  if (task < 0 || !is_park(task)) return std::nullopt;
+  const schedule::TaskTimes& times = links->times(task);
+  return schedule::Parking{times.held, times.resource, times.task_before, times.given_back_midway,
+                           times.wanted};
+}
+
 void Stage::pause(int task, const char* why, const std::string& whom, Ticks since) {
   if (since == now()) return;
   if (auto* const writer = trace_of(task)) writer->pause(why, whom, since, now());

@@ -90,6 +90,8 @@ class Stage {
   int crew_resource(int crew) const { return robots() + crew; }
   int park_task(int robot) const { return plan_tasks() + robot; }
   bool is_park(int task) const { return task >= plan_tasks(); }
+  /// Why the machine went that a task waited for; nothing if it was no parking.
+  std::optional<schedule::Parking> parking_of(int task) const;
   /// Where the robot parks from now on.
   void set_park(int robot, std::vector<std::pair<int, double>> values) {
     parks_[at(robot)].go->values = std::move(values);

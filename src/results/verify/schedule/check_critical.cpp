@@ -137,6 +137,7 @@ class CriticalCheck {
   bool is_reason(std::size_t i, std::string_view text, Ticks later) const {
     const std::string& name = rows_[i].task;
     if (i > 0) return leads(rows_[i - 1].task, name, text, later);
+    if (text == " could start with the plan") return waits_for_zone(name);
     if (text == " starts with the plan") {
       return any_run(name, [&](const TaskRun& run) {
         return std::llabs(run.start - later) <= kTimeSlack || run.task < 0 || later == 0;
@@ -154,12 +155,25 @@ class CriticalCheck {
     const auto known = trace_.scene.task_index.find(name);
     if (known == trace_.scene.task_index.end()) return false;
     const Ticks date = trace_.scene.tasks[at(known->second)].not_before;
-    return date > 0 &&
-           text == fmt::format(" starts at its not_before, {} after the beginning of the plan",
-                               duration_text(date)) &&
-           any_run(name, [&](const TaskRun& run) {
+    const std::string tail =
+        fmt::format(" at its not_before, {} after the beginning of the plan", duration_text(date));
+    if (date > 0 && text == " could start" + tail) return starts_after(name, date + later);
+    return date > 0 && text == " starts" + tail && any_run(name, [&](const TaskRun& run) {
              return std::llabs(run.start - later - date) <= kTimeSlack;
            });
+  }
+
+  /// Whether a task with a zone, in which a machine stood meanwhile, starts later than it could.
+  bool starts_after(const std::string& name, Ticks could_start) const {
+    return waits_for_zone(name) &&
+           any_run(name, [&](const TaskRun& run) { return run.start > could_start + kTimeSlack; });
+  }
+
+  /// Whether the path says of a later step of the task that a machine was in its way at the start.
+  bool waits_for_zone(const std::string& name) const {
+    return std::any_of(rows_.begin(), rows_.end(), [&](const CriticalRow& row) {
+      return row.task == name && row.text.starts_with(name + " starts after it waited for '");
+    });
   }
 
   /// A machine was in the way that no task had.
@@ -199,6 +213,11 @@ class CriticalCheck {
       const std::string had = fmt::format(", which {} had", before);
       if (text == " starts when " + quoted + " is free" + had) {
         return given_over(before, name, resource, later);
+      }
+      if (text.starts_with(" could start when " + quoted + " is ") && text.ends_with(had)) {
+        return any_hold(before, resource, [&](const Hold& given) {
+          return starts_after(name, free_from(given) + later);
+        });
       }
       if (text == " starts when " + quoted + " is kept for nobody any more" + had) {
         return kept_no_more(before, name, resource, later);
@@ -269,12 +288,15 @@ class CriticalCheck {
       const std::string tail = fmt::format(" after {} ({})", before, link_text(link));
       const bool starts = text == " starts" + tail;
       const bool finishes = text == " finishes" + tail;
-      if (!starts && !finishes) return text == " starts so that it finishes" + tail;
+      const bool could_start = text == " could start" + tail;
+      if (text == " could start so that it finishes" + tail) return waits_for_zone(name);
+      if (!starts && !could_start && !finishes) return text == " starts so that it finishes" + tail;
       // What is allowed sooner than it was known comes when it was known.
       if (finishes || link.lag < 0) return true;
       const bool from_start = link.type == LinkType::SS || link.type == LinkType::SF;
       return any_run(before, [&](const TaskRun& first) {
         const Ticks wanted = (from_start ? first.start : first.end) + link.lag + later;
+        if (could_start) return starts_after(name, wanted);
         return any_run(name, [&](const TaskRun& run) {
           return std::llabs((starts ? run.start : run.end) - wanted) <= kTimeSlack;
         });
