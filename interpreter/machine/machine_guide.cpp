@@ -74,6 +74,10 @@ class Machine::GuideTests : public guides::MotionTests {
 
   std::vector<guides::Thing> things() const override { return world_.things(); }
 
+  void note_barring(const guides::Thing& thing) override {
+    note({"its way", thing.name, thing.machine, -1, thing.moving});
+  }
+
   guides::LaneAnswer next_node(const guides::LaneQuestion& question) override {
     std::optional<HitPair> before;
     guides::LaneAnswer answer = world_.next_node(question, before);

@@ -253,6 +253,36 @@ class Travel(ResultCase):
             self.assertIn("no way", tasks["over"]["reason"], kind)
         self.assertIn("there is none round what stands", tasks["over"]["reason"])
 
+    def test_who_bars_the_only_way_is_waited_for(self):
+        """As guides of other kinds do, whether it is a machine, something with a timetable, or people; walls are not waited for."""
+        self.write("disc.robot", """robot disc {
+  sensor 10;
+  body b { param x step(0.5) speed(1 m/s) range(-100, 100); param y step(0.5) speed(1 m/s) range(-100, 100); frame trans(x, y, 0); shape cylinder(0.5, 0.1, 1); }
+  tool b;
+  behaviour { chain { follow } }
+}
+""")
+        self.write("long.robot", """robot long {
+  body b { param x step(0.5) speed(1 m/s) range(-100, 100); frame trans(x, 0, 0); shape box(-0.5, -1.9, 0.1, 0.5, 1.9, 1); }
+  tool b;
+  behaviour { chain { move_to(x, goal(x)) } }
+}
+""")
+        walls = "component wall { shape box(5, -20, 0, 6, -2, 2); shape box(5, 2, 0, 6, 20, 2); shape box(5, -21, 0, 20, -20, 2);" \
+                " shape box(5, 20, 0, 20, 21, 2); shape box(19, -20, 0, 20, 20, 2); }"
+        gate = "moving gate { shape box(-0.5, -2, 0, 0.5, 2, 2); path 0 s trans(5.5, 0, 0), 60 s trans(5.5, 0, 0), 65 s trans(5.5, 0, 3); }"
+        machine = 'robot other "long.robot" { start x 5.5; } task work { by other; takes 60 s; } task leave { by other; go x 16; after work; }'
+        people = "crew gang; task pave { by gang; takes 60 s; zone box(5, -2, 0, 6, 2, 2); }"
+        plan = 'plan p { robot m "disc.robot" { start x 0, y 0; } support off; %s %s guide way %s; task cross { by m; go x 12, y 0; guide way; priority -1; } }'
+        for kind, things in (("bug2", gate), ("bug2", machine), ("tangent", people), ("visibility", gate), ("visibility", machine)):
+            _, tasks = self.run_plan(plan % (walls, things, kind))
+            self.assertEqual(tasks["cross"]["result"], "done", (kind, things, tasks["cross"].get("reason")))
+            self.assertGreater(tasks["cross"]["duration"], 60, (kind, things))
+        self.assertIn("other was in the way", rubicon("why", self.out, "cross").stdout)
+        closed = "component shut { shape box(5, -2, 0, 6, 2, 2); }"
+        _, tasks = self.run_plan(plan % (walls, closed + machine.replace("start x 5.5", "start x 30"), "bug2"), 1)
+        self.assertIn("as far as it was seen the goal cannot be reached", tasks["cross"]["reason"])
+
     def test_only_machines_that_travel(self):
         self.write("arm.robot", "robot arm { body b { param theta cyclic step(5) speed(5 deg/s); frame rotz(theta); shape box(0, 0, 0, 2, 0.1, 1); } tool b;"
                                 " behaviour { chain { follow } } }")

@@ -124,11 +124,70 @@ std::vector<std::string> texts_of(const std::vector<travel::Event>& events) {
   return texts;
 }
 
+/// A way in the plan view; empty: none, and `search` has the cause.
+std::vector<Vec2> way_among(const travel::TravelQuery& query, Space& space, const GuideTask& task,
+                            std::span<const double> q, Search& search) {
+  const GuideSpec& spec = space.spec();
+  if (spec.kind == GuideKind::visibility) {
+    travel::VisibilityResult shortest = travel::shortest_way(query);
+    search.nodes = shortest.nodes.size();
+    if (spec.tells_tree) {
+      search.tree = sight_lines(space, Vehicle(*task.model, task.mounting), q, shortest);
+    }
+    if (!shortest.reached) {
+      search.cause = "there is none round what stands, for a disc that holds the machine";
+    }
+    return std::move(shortest.way);
+  }
+  travel::TravelSettings settings;
+  settings.hand = spec.left_hand ? travel::Hand::kLeft : travel::Hand::kRight;
+  settings.vision = spec.vision > 0          ? spec.vision
+                    : task.model->sensor > 0 ? task.model->sensor
+                                             : kUsualVision;
+  settings.most_steps = static_cast<std::int64_t>(spec.nodes);
+  const travel::TravelResult result = travel::travel(method_of(spec.kind), query, settings);
+  search.nodes = result.events.size();
+  search.events = texts_of(result.events);
+  // Pledge may get out and be elsewhere.
+  const bool there =
+      !result.events.empty() && result.events.back().kind == travel::EventKind::kReached;
+  std::vector<Vec2> way;
+  if (result.verdict != travel::Verdict::kReached || !there) {
+    search.cause = result.verdict == travel::Verdict::kUnreachable
+                       ? "as far as it was seen the goal cannot be reached"
+                   : result.verdict == travel::Verdict::kLimit
+                       ? fmt::format("{} stretches were not enough", settings.most_steps)
+                       : std::string("it got out, and seeks no goal");
+    if (!result.events.empty()) search.cause += "; last " + text_of(result.events.back());
+    return way;
+  }
+  for (const travel::WayPoint& point : result.way) way.push_back(point.point);
+  return way;
+}
+
+/// There is no way: if there were one without what may leave, what of that is met on it bars it.
+/// `owners` are the things that the obstacles of the query are.
+void note_barring(const travel::TravelQuery& query, const std::vector<Thing>& owners, Space& space,
+                  const GuideTask& task, std::span<const double> q, MotionTests& tests) {
+  travel::TravelQuery rest = query;
+  rest.obstacles.clear();
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    if (!owners[i].may_leave()) rest.obstacles.push_back(query.obstacles[i]);
+  }
+  if (rest.obstacles.size() == query.obstacles.size()) return;
+  Search unused;
+  const std::vector<Vec2> way = way_among(rest, space, task, q, unused);
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    if (owners[i].may_leave() && travel::meets(query.obstacles[i], way)) {
+      tests.note_barring(owners[i]);
+    }
+  }
+}
+
 }  // namespace
 
 Search travel_way(Space& space, const GuideTask& task, std::span<const double> q, const Point& goal,
                   MotionTests& tests) {
-  const GuideSpec& spec = space.spec();
   const Vehicle vehicle(*task.model, task.mounting);
   const std::vector<double> q_goal = space.configuration(goal);
   Search search;
@@ -140,41 +199,15 @@ Search travel_way(Space& space, const GuideTask& task, std::span<const double> q
   // step.
   view.keep_free(query.start);
   view.keep_free(query.destination);
-  for (const Thing& thing : tests.things()) view.add(thing.name, *thing.shapes, thing.X_W);
+  std::vector<Thing> owners;
+  for (const Thing& thing : tests.things()) {
+    if (view.add(thing.name, *thing.shapes, thing.X_W) != nullptr) owners.push_back(thing);
+  }
   query.obstacles = std::move(view.obstacles());
-  std::vector<Vec2> way;
-  if (spec.kind == GuideKind::visibility) {
-    travel::VisibilityResult shortest = travel::shortest_way(query);
-    search.nodes = shortest.nodes.size();
-    if (spec.tells_tree) search.tree = sight_lines(space, vehicle, q, shortest);
-    if (!shortest.reached) {
-      search.cause = "there is none round what stands, for a disc that holds the machine";
-      return search;
-    }
-    way = std::move(shortest.way);
-  } else {
-    travel::TravelSettings settings;
-    settings.hand = spec.left_hand ? travel::Hand::kLeft : travel::Hand::kRight;
-    settings.vision = spec.vision > 0          ? spec.vision
-                      : task.model->sensor > 0 ? task.model->sensor
-                                               : kUsualVision;
-    settings.most_steps = static_cast<std::int64_t>(spec.nodes);
-    const travel::TravelResult result = travel::travel(method_of(spec.kind), query, settings);
-    search.nodes = result.events.size();
-    search.events = texts_of(result.events);
-    // Pledge may get out and be elsewhere.
-    const bool there =
-        !result.events.empty() && result.events.back().kind == travel::EventKind::kReached;
-    if (result.verdict != travel::Verdict::kReached || !there) {
-      search.cause = result.verdict == travel::Verdict::kUnreachable
-                         ? "as far as it was seen the goal cannot be reached"
-                     : result.verdict == travel::Verdict::kLimit
-                         ? fmt::format("{} stretches were not enough", settings.most_steps)
-                         : std::string("it got out, and seeks no goal");
-      if (!result.events.empty()) search.cause += "; last " + text_of(result.events.back());
-      return search;
-    }
-    for (const travel::WayPoint& point : result.way) way.push_back(point.point);
+  const std::vector<Vec2> way = way_among(query, space, task, q, search);
+  if (way.empty()) {
+    note_barring(query, owners, space, task, q, tests);
+    return search;
   }
   std::vector<Vec2> corners = corners_of(way);
   set_ends(corners, query);

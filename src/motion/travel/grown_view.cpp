@@ -21,6 +21,18 @@ constexpr double kOfCorners = 1e-5;
 /// m; a smaller disc is a point.
 constexpr double kLeastDisc = 1e-3;
 
+/// m; what is nearer touches.
+constexpr double kMetWithin = 1e-5;
+
+/// Whether c and d lie on different sides of the line a b.
+bool lie_apart(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const Vec2 along = b - a;
+  const auto is_left = [&](const Vec2& p) {
+    return along.x() * (p - a).y() - along.y() * (p - a).x() > 0;
+  };
+  return is_left(c) != is_left(d);
+}
+
 /// m from a place to the border of a polygon; 0 inside.
 double distance_to(const std::vector<Vec2>& outline, const Vec2& place) {
   double least = std::numeric_limits<double>::infinity();
@@ -91,6 +103,28 @@ Obstacle* GrownView::add(const std::string& name, const std::vector<geometry::Sh
   }
   if (obstacle.parts.empty()) return nullptr;
   return &obstacles_.emplace_back(std::move(obstacle));
+}
+
+bool meets(const Obstacle& obstacle, const std::vector<Vec2>& way) {
+  const auto passes = [&](const Vec2& from, const Vec2& to) {
+    return std::any_of(obstacle.parts.begin(), obstacle.parts.end(), [&](const auto& outline) {
+      if (distance_to(outline, from) <= kMetWithin || distance_to(outline, to) <= kMetWithin) {
+        return true;
+      }
+      for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+        if (distance_to({from, to}, outline[i]) <= kMetWithin) return true;
+        if (lie_apart(from, to, outline[j], outline[i]) &&
+            lie_apart(outline[j], outline[i], from, to)) {
+          return true;
+        }
+      }
+      return false;
+    });
+  };
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    if (passes(way[i], way[i + 1])) return true;
+  }
+  return false;
 }
 
 }  // namespace rubicon::travel

@@ -35,4 +35,7 @@ class GrownView {
   std::vector<Obstacle> obstacles_;
 };
 
+/// Whether a way through places meets an obstacle that stands, or touches it (within 10 um).
+bool meets(const Obstacle& obstacle, const std::vector<Vec2>& way);
+
 }  // namespace rubicon::travel
