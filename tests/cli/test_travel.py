@@ -283,6 +283,37 @@ class Travel(ResultCase):
         _, tasks = self.run_plan(plan % (walls, closed + machine.replace("start x 5.5", "start x 30"), "bug2"), 1)
         self.assertIn("as far as it was seen the goal cannot be reached", tasks["cross"]["reason"])
 
+    CART = """robot cart {
+  sensor 10;
+  body cart { param x range(-100, 100) step(0.5) speed(1 m/s); param y %s step(0.5) speed(1 m/s); frame trans(x, y, 0); %s }
+  tool cart;
+  behaviour { chain { follow } }
+}
+"""
+    SQUARE = "shape box(-0.4, -0.4, 0.1, 0.4, 0.4, 1);"
+
+    def cart(self, things, expected=0, shape=SQUARE, y="range(-100, 100)"):
+        """One motion of a cart, as a short plan; how it ended."""
+        self.write("cart.robot", self.CART % (y, shape))
+        _, tasks = self.run_plan('plan p { robot "cart.robot"; %s }' % things, expected)
+        return next(iter(tasks.values()))
+
+    def test_who_begins_or_ends_near_or_in_contact_leaves_straight(self):
+        disc = "shape cylinder(0.5, 0.1, 1);"
+        block = "component a { shape box(0.5, -5, 0, 4, 5, 2); } start x %s, y 0; goal x %s, y 0.3; guide k %s; guide k;"
+        for kind in ("bug1", "bug2", "visbug21", "tangent", "ace", "visibility"):
+            self.assertEqual(self.cart(block % ("0", "4.5", kind), shape=disc)["result"], "done", kind)
+        for start in ("-0.001", "-0.02"):
+            self.assertEqual(self.cart(block % (start, "8", "bug2"), shape=disc)["result"], "done", start)
+        # Nearer than its corners are to its place, and in a corner.
+        self.assertEqual(self.cart("component a { shape box(0.4, -5, 0, 4, 5, 2); shape box(-5, -2, 0, 0.4, -0.5, 2); }"
+                                   " start x -0.15, y 0; goal x 8, y 0; guide k visibility; guide k;")["result"], "done")
+        # A narrow garage that it can only leave ahead, and another one.
+        garage = "component bay_%d { shape box(-1, -0.6, 0, 2, -0.5, 2); shape box(-1, 0.5, 0, 2, 0.6, 2); shape box(-1.1, -0.6, 0, -1, 0.6, 2); at trans(%s, 0, 0); }"
+        for kind in ("bug2", "visibility"):
+            _, tasks = self.drive(kind + ";", garage % (1, "0") + garage % (2, "10"), start="x 0, y 0, theta 0", goal="x 10, y 0, theta 180")
+            self.assertEqual(tasks["over"]["result"], "done", kind)
+
     def test_only_machines_that_travel(self):
         self.write("arm.robot", "robot arm { body b { param theta cyclic step(5) speed(5 deg/s); frame rotz(theta); shape box(0, 0, 0, 2, 0.1, 1); } tool b;"
                                 " behaviour { chain { follow } } }")

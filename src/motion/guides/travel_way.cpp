@@ -9,7 +9,10 @@
 #include "src/motion/guides/vehicle.hpp"
 #include "src/motion/math/angles.hpp"
 #include "src/motion/math/index.hpp"
+#include "src/motion/robot/turns.hpp"
+#include "src/motion/travel/exits.hpp"
 #include "src/motion/travel/grown_view.hpp"
+#include "src/motion/travel/timetable.hpp"
 #include "src/motion/travel/visibility.hpp"
 
 namespace rubicon::guides {
@@ -70,15 +73,15 @@ std::vector<Vec2> corners_of(const std::vector<Vec2>& way) {
 }
 
 /// A way was searched between places of the lattice; it begins and ends where it was asked to.
-void set_ends(std::vector<Vec2>& corners, const travel::TravelQuery& query) {
+void set_ends(std::vector<Vec2>& corners, const Vec2& start, const Vec2& destination) {
   const auto near = [](const Vec2& end) {
     return [&end](const Vec2& p) { return (p - end).norm() <= kAtEnd; };
   };
-  while (!corners.empty() && near(query.destination)(corners.back())) corners.pop_back();
-  const auto first = std::find_if_not(corners.begin(), corners.end(), near(query.start));
+  while (!corners.empty() && near(destination)(corners.back())) corners.pop_back();
+  const auto first = std::find_if_not(corners.begin(), corners.end(), near(start));
   corners.erase(corners.begin(), first);
-  corners.insert(corners.begin(), query.start);
-  corners.push_back(query.destination);
+  corners.insert(corners.begin(), start);
+  corners.push_back(destination);
 }
 
 std::string text_of(const travel::Event& event) {
@@ -165,66 +168,179 @@ std::vector<Vec2> way_among(const travel::TravelQuery& query, Space& space, cons
   return way;
 }
 
-/// There is no way: if there were one without what may leave, what of that is met on it bars it.
-/// `owners` are the things that the obstacles of the query are.
-void note_barring(const travel::TravelQuery& query, const std::vector<Thing>& owners, Space& space,
-                  const GuideTask& task, std::span<const double> q, MotionTests& tests) {
-  travel::TravelQuery rest = query;
-  rest.obstacles.clear();
-  for (std::size_t i = 0; i < owners.size(); ++i) {
-    if (!owners[i].may_leave()) rest.obstacles.push_back(query.obstacles[i]);
+/// The search of one way in the plan view.
+class TravelSearch {
+ public:
+  TravelSearch(Space& space, const GuideTask& task, std::span<const double> q, const Point& goal,
+               MotionTests& tests)
+      : space_(space),
+        task_(task),
+        tests_(tests),
+        vehicle_(*task.model, task.mounting),
+        q_(q.begin(), q.end()),
+        q_goal_(space.configuration(goal)),
+        goal_(goal),
+        start_(vehicle_.place(q_)),
+        destination_(vehicle_.place(q_goal_)) {}
+
+  Search run() {
+    Search search;
+    travel::GrownView view(vehicle_.heights(q_), vehicle_.radius(q_) + kRoom);
+    for (const Thing& thing : tests_.things()) {
+      if (view.add(thing.name, *thing.shapes, thing.X_W) != nullptr) owners_.push_back(thing);
+    }
+    obstacles_ = std::move(view.obstacles());
+    std::vector<Vec2> way;
+    if (!find(obstacles_, search, way)) note_barring();
+    return search;
   }
-  if (rest.obstacles.size() == query.obstacles.size()) return;
-  Search unused;
-  const std::vector<Vec2> way = way_among(rest, space, task, q, unused);
-  for (std::size_t i = 0; i < owners.size(); ++i) {
-    if (owners[i].may_leave() && travel::meets(query.obstacles[i], way)) {
-      tests.note_barring(owners[i]);
+
+ private:
+  /// A way among obstacles; where they cover an end of it, it leaves or comes there straight.
+  bool find(const std::vector<travel::Obstacle>& obstacles, Search& search,
+            std::vector<Vec2>& way) {
+    travel::MovingOutline world(obstacles);
+    world.move_to(0);
+    const travel::Outline& outline = world.outline();
+    const bool starts_covered = outline.covers(travel::ExactPoint(travel::snap(start_)));
+    const bool ends_covered = outline.covers(travel::ExactPoint(travel::snap(destination_)));
+    const Point here = space_.point(q_);
+    if ((starts_covered || ends_covered) && space_.leg_is_free(here, goal_)) {
+      search.way = {here, goal_};
+      way = {start_, destination_};
+      return true;
+    }
+    const std::vector<Vec2> starts =
+        starts_covered ? free_exits(outline, true) : std::vector<Vec2>{start_};
+    const std::vector<Vec2> ends =
+        ends_covered ? free_exits(outline, false) : std::vector<Vec2>{destination_};
+    if (starts.empty() || ends.empty()) {
+      search.cause = fmt::format(
+          "something is nearer to the {} than the disc that holds the machine, and no straight way "
+          "leads {}",
+          starts.empty() ? "start" : "goal", starts.empty() ? "away" : "there");
+      return false;
+    }
+    for (const Vec2& from : starts) {
+      for (const Vec2& to : ends) {
+        search.cause.clear();
+        way = way_among({obstacles, from, to}, space_, task_, q_, search);
+        if (way.empty()) continue;
+        take(way, starts_covered, ends_covered, search);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Where a straight leg of the machine leads out of what covers the start, or from where one
+  /// leads to the goal: the shortest to each loop of the outlines.
+  std::vector<Vec2> free_exits(const travel::Outline& outline, bool of_start) {
+    constexpr std::size_t kMostExits = 4;
+    const Vec2& place = of_start ? start_ : destination_;
+    std::vector<Vec2> directions;
+    const Vec2 straight = of_start ? Vec2(destination_ - start_) : Vec2(start_ - destination_);
+    if (straight.norm() > 0) directions.push_back(straight.normalized());
+    if (space_.leg().heading() >= 0) {
+      directions.push_back((of_start ? 1 : -1) * ahead(of_start ? q_ : q_goal_));
+    }
+    std::vector<std::pair<int, int>> loops;
+    std::vector<Vec2> exits;
+    for (const travel::Exit& exit : travel::exits_of(outline, place, directions)) {
+      const std::pair loop(exit.composite, exit.loop);
+      if (exits.size() == kMostExits) break;
+      if (std::find(loops.begin(), loops.end(), loop) != loops.end()) continue;
+      const Vec2 along = of_start ? Vec2(exit.place - place) : Vec2(place - exit.place);
+      const Point there = point_at(exit.place, along);
+      const bool is_free =
+          of_start ? space_.leg_is_free(space_.point(q_), there) : space_.leg_is_free(there, goal_);
+      if (!is_free) continue;
+      loops.push_back(loop);
+      exits.push_back(exit.place);
+    }
+    return exits;
+  }
+
+  /// The direction that the vehicle drives in.
+  Vec2 ahead(const std::vector<double>& q) const {
+    const double from_east_deg =
+        q[at(space_.leg().heading())] - space_.heading_along(q, Vec2(1, 0));
+    return {math::cos_deg(from_east_deg), math::sin_deg(from_east_deg)};
+  }
+
+  /// The machine at a place of the plan, facing a direction if it drives along one.
+  Point point_at(const Vec2& place, const Vec2& along) const {
+    std::vector<double> there = q_;
+    vehicle_.set_place(place, there);
+    const int heading = space_.leg().heading();
+    if (heading >= 0) there[at(heading)] = space_.heading_along(q_, along);
+    return space_.point(there);
+  }
+
+  /// The corners of a way are waypoints, each with the heading of arrival: that of the leg, as the
+  /// vehicle turns to drive it. An end that is covered is joined to the way straight, by its exit
+  /// if it must be.
+  void take(const std::vector<Vec2>& way, bool starts_covered, bool ends_covered, Search& search) {
+    std::vector<Vec2> corners = corners_of(way);
+    set_ends(corners, starts_covered ? way.front() : start_,
+             ends_covered ? way.back() : destination_);
+    if (starts_covered) corners.insert(corners.begin(), start_);
+    if (ends_covered) corners.push_back(destination_);
+    const auto point = [&](std::size_t i) {
+      if (i == 0) return space_.point(q_);
+      if (i + 1 == corners.size()) return goal_;
+      return point_at(corners[i], corners[i] - corners[i - 1]);
+    };
+    if (starts_covered && corners.size() > 2) {
+      const Point next = corners.size() == 3 ? goal_ : point_at(corners[2], corners[2] - start_);
+      if (space_.leg_is_free(space_.point(q_), next)) corners.erase(corners.begin() + 1);
+    }
+    if (ends_covered && corners.size() > 2 &&
+        space_.leg_is_free(point(corners.size() - 3), goal_)) {
+      corners.erase(corners.end() - 2);
+    }
+    search.way.clear();
+    for (std::size_t i = 0; i < corners.size(); ++i) search.way.push_back(point(i));
+  }
+
+  /// There is no way: if there were one without what may leave, what of that is met on it bars it.
+  void note_barring() {
+    std::vector<travel::Obstacle> rest;
+    for (std::size_t i = 0; i < owners_.size(); ++i) {
+      if (!owners_[i].may_leave()) rest.push_back(obstacles_[i]);
+    }
+    if (rest.size() == obstacles_.size()) return;
+    Search search;
+    std::vector<Vec2> way;
+    if (!find(rest, search, way)) return;
+    way.clear();
+    for (const Point& point : search.way)
+      way.push_back(vehicle_.place(space_.configuration(point)));
+    for (std::size_t i = 0; i < owners_.size(); ++i) {
+      if (owners_[i].may_leave() && travel::meets(obstacles_[i], way)) {
+        tests_.note_barring(owners_[i]);
+      }
     }
   }
-}
+
+  Space& space_;
+  const GuideTask& task_;
+  MotionTests& tests_;
+  Vehicle vehicle_;
+  std::vector<double> q_;
+  std::vector<double> q_goal_;
+  Point goal_;
+  Vec2 start_;
+  Vec2 destination_;
+  std::vector<travel::Obstacle> obstacles_;
+  std::vector<Thing> owners_;  ///< the things that the obstacles are
+};
 
 }  // namespace
 
 Search travel_way(Space& space, const GuideTask& task, std::span<const double> q, const Point& goal,
                   MotionTests& tests) {
-  const Vehicle vehicle(*task.model, task.mounting);
-  const std::vector<double> q_goal = space.configuration(goal);
-  Search search;
-  travel::TravelQuery query;
-  query.start = vehicle.place(q);
-  query.destination = vehicle.place(q_goal);
-  travel::GrownView view(vehicle.heights(q), vehicle.radius(q) + kRoom);
-  // The machine stands there, if only turned so: what is nearer than the disc is tested step by
-  // step.
-  view.keep_free(query.start);
-  view.keep_free(query.destination);
-  std::vector<Thing> owners;
-  for (const Thing& thing : tests.things()) {
-    if (view.add(thing.name, *thing.shapes, thing.X_W) != nullptr) owners.push_back(thing);
-  }
-  query.obstacles = std::move(view.obstacles());
-  const std::vector<Vec2> way = way_among(query, space, task, q, search);
-  if (way.empty()) {
-    note_barring(query, owners, space, task, q, tests);
-    return search;
-  }
-  std::vector<Vec2> corners = corners_of(way);
-  set_ends(corners, query);
-  std::vector<double> at_corner(q.begin(), q.end());
-  search.way.push_back(space.point(q));
-  const int heading = space.leg().heading();
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    vehicle.set_place(corners[i], at_corner);
-    if (heading >= 0) {
-      // The heading of arrival: that of the leg, as the vehicle turns to drive it.
-      const Vec2 along = corners[i] - corners[i - 1];
-      at_corner[at(heading)] = space.heading_along(q, along);
-    }
-    search.way.push_back(space.point(at_corner));
-  }
-  search.way.push_back(goal);
-  return search;
+  return TravelSearch(space, task, q, goal, tests).run();
 }
 
 }  // namespace rubicon::guides
