@@ -314,6 +314,16 @@ class Travel(ResultCase):
             _, tasks = self.drive(kind + ";", garage % (1, "0") + garage % (2, "10"), start="x 0, y 0, theta 0", goal="x 10, y 0, theta 180")
             self.assertEqual(tasks["over"]["result"], "done", kind)
 
+    def test_ranges_and_what_is_kept_bound_the_way(self):
+        wall = "component a { shape box(4, -5, 0, 5, %s, 2); } start x 0, y 0; goal x 8, y 0; guide k %s guide k;"
+        for kind in ("visibility;", "bug1;", "bug2 { hand left; }", "visbug21;", "tangent;"):
+            self.assertEqual(self.cart(wall % (10, kind), y="range(-4, 100)")["result"], "done", kind)
+        self.assertEqual(self.cart(wall % (4, "visibility { keep (y >= -2); }"))["result"], "done")
+        self.assertEqual(self.cart(wall % (4, "bug2 { keep (y - 0.5 * x >= -5); hand left; }"))["result"], "done")
+        for kind, y, named in (("visibility;", "range(-4, 9)", "leaves the range of y"), ("bug2;", "range(-4, 9)", "the range of y"),
+                               ("visibility { keep (abs(y) <= 3); }", "range(-100, 100)", "leaves what the guide keeps")):
+            self.assertIn(named, self.cart(wall % (10, kind), 1, y=y)["reason"])
+
     def test_only_machines_that_travel(self):
         self.write("arm.robot", "robot arm { body b { param theta cyclic step(5) speed(5 deg/s); frame rotz(theta); shape box(0, 0, 0, 2, 0.1, 1); } tool b;"
                                 " behaviour { chain { follow } } }")

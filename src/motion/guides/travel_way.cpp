@@ -10,6 +10,7 @@
 #include "src/motion/math/angles.hpp"
 #include "src/motion/math/index.hpp"
 #include "src/motion/robot/turns.hpp"
+#include "src/motion/travel/border.hpp"
 #include "src/motion/travel/exits.hpp"
 #include "src/motion/travel/grown_view.hpp"
 #include "src/motion/travel/timetable.hpp"
@@ -35,6 +36,13 @@ constexpr double kAtEnd = 2 / travel::kPitchesPerMetre;
 
 /// What is seen without a setting: neither the guide nor the robot says how far.
 constexpr double kUsualVision = 10;
+
+/// m by which a way may be beyond a bound, and a bound that is an obstacle is nearer: corners are
+/// moved to the lattice.
+constexpr double kBeyond = 2 / travel::kPitchesPerMetre;
+
+/// m; so much room is left round all that stands, beside that for the machine.
+constexpr double kMargin = 1;
 
 travel::Method method_of(GuideKind kind) {
   switch (kind) {
@@ -168,6 +176,65 @@ std::vector<Vec2> way_among(const travel::TravelQuery& query, Space& space, cons
   return way;
 }
 
+/// What bounds where a machine's place may be, beside what stands, and its name.
+struct PlaceBound {
+  travel::HalfPlane where;
+  std::string name;
+};
+
+/// The ranges of its parameters x and y, and what the guide keeps of them, all others being as in
+/// q, on the plane. The heading is free.
+std::vector<PlaceBound> place_bounds(const Space& space, const robot::RobotModel& model,
+                                     const Vehicle& vehicle, std::span<const double> q) {
+  std::vector<PlaceBound> bounds;
+  std::vector<double> there(q.begin(), q.end());
+  const auto place_at = [&](double x, double y) {
+    there[at(vehicle.x())] = x;
+    there[at(vehicle.y())] = y;
+    return vehicle.place(there);
+  };
+  const Vec2 origin = place_at(0, 0);
+  const Vec2 along_x = place_at(1, 0) - origin;
+  const Vec2 along_y = place_at(0, 1) - origin;
+  const double turns = along_x.x() * along_y.y() - along_x.y() * along_y.x();
+  if (turns == 0) return bounds;
+  // x and y by the place.
+  const Vec2 x_by_place = Vec2(along_y.y(), -along_y.x()) / turns;
+  const Vec2 y_by_place = Vec2(-along_x.y(), along_x.x()) / turns;
+  const auto add = [&](double factor_x, double factor_y, double most, const std::string& name) {
+    const Vec2 normal = factor_x * x_by_place + factor_y * y_by_place;
+    const double length = normal.norm();
+    if (!(length > 0)) return;
+    bounds.push_back({{normal / length, most / length + (normal / length).dot(origin)}, name});
+  };
+  for (const int i : {vehicle.x(), vehicle.y()}) {
+    const robot::Parameter& p = model.parameters[at(i)];
+    if (p.cyclic || !std::isfinite(p.lower) || !std::isfinite(p.upper)) continue;
+    const double x = i == vehicle.x() ? 1 : 0;
+    const std::string name = "the range of " + p.display_name;
+    add(x, 1 - x, p.upper, name);
+    add(-x, x - 1, -p.lower, name);
+  }
+  for (const KeptBound& kept : space.spec().keep) {
+    double factor_x = 0;
+    double factor_y = 0;
+    double most = kept.most;
+    bool is_of_heading = false;
+    for (const auto& [index, factor] : kept.terms) {
+      if (index == vehicle.x()) {
+        factor_x += factor;
+      } else if (index == vehicle.y()) {
+        factor_y += factor;
+      } else {
+        most -= factor * q[at(index)];
+        is_of_heading = is_of_heading || index == space.leg().heading();
+      }
+    }
+    if (!is_of_heading) add(factor_x, factor_y, most, "what the guide keeps");
+  }
+  return bounds;
+}
+
 /// The search of one way in the plan view.
 class TravelSearch {
  public:
@@ -181,21 +248,86 @@ class TravelSearch {
         q_goal_(space.configuration(goal)),
         goal_(goal),
         start_(vehicle_.place(q_)),
-        destination_(vehicle_.place(q_goal_)) {}
+        destination_(vehicle_.place(q_goal_)),
+        bounds_(place_bounds(space, *task.model, vehicle_, q)) {}
 
   Search run() {
     Search search;
+    if (!may_go_anywhere(search)) return search;
     travel::GrownView view(vehicle_.heights(q_), vehicle_.radius(q_) + kRoom);
     for (const Thing& thing : tests_.things()) {
       if (view.add(thing.name, *thing.shapes, thing.X_W) != nullptr) owners_.push_back(thing);
     }
     obstacles_ = std::move(view.obstacles());
-    std::vector<Vec2> way;
-    if (!find(obstacles_, search, way)) note_barring();
+    if (!find_within_bounds(obstacles_, search)) note_barring();
     return search;
   }
 
  private:
+  /// Where x or y stays as it is there is at most the straight way.
+  bool may_go_anywhere(Search& search) {
+    const std::vector<int>& moved = space_.leg().parameters();
+    std::string fixed;
+    for (const int i : {vehicle_.x(), vehicle_.y()}) {
+      if (std::find(moved.begin(), moved.end(), i) != moved.end()) continue;
+      if (!fixed.empty()) fixed += ", ";
+      fixed += task_.model->parameters[at(i)].display_name;
+    }
+    if (fixed.empty()) return true;
+    const Point here = space_.point(q_);
+    if (space_.leg_is_free(here, goal_)) {
+      search.way = {here, goal_};
+    } else {
+      search.cause = "the straight way is not free, and any other would change " + fixed;
+    }
+    return false;
+  }
+
+  /// A way that keeps within the bounds: they are obstacles, too, once a way has left them.
+  bool find_within_bounds(std::vector<travel::Obstacle> obstacles, Search& search) {
+    std::vector<Vec2> way;
+    if (!find(obstacles, search, way)) return false;
+    std::string names;
+    for (const PlaceBound& bound : bounds_) {
+      const bool is_left = std::any_of(
+          way.begin(), way.end(), [&](const Vec2& p) { return bound.where.beyond(p) > kBeyond; });
+      if (!is_left || names.find(bound.name) != std::string::npos) continue;
+      names += (names.empty() ? "" : ", ") + bound.name;
+    }
+    if (names.empty()) return true;
+    search.way.clear();
+    obstacles.push_back({names, border(obstacles), {}});
+    if (find(obstacles, search, way)) return true;
+    search.cause += "; the way among what stands leaves " + names;
+    return false;
+  }
+
+  /// What is left of the bounds, so far as anything stands; the machine stands on this side.
+  std::vector<std::vector<Vec2>> border(const std::vector<travel::Obstacle>& obstacles) const {
+    Vec2 low = start_.cwiseMin(destination_);
+    Vec2 high = start_.cwiseMax(destination_);
+    for (const travel::Obstacle& obstacle : obstacles) {
+      for (const std::vector<Vec2>& part : obstacle.parts) {
+        for (const Vec2& corner : part) {
+          low = low.cwiseMin(corner);
+          high = high.cwiseMax(corner);
+        }
+      }
+    }
+    const Vec2 margin = Vec2::Constant(2 * vehicle_.radius(q_) + kMargin);
+    std::vector<travel::HalfPlane> planes;
+    for (const PlaceBound& bound : bounds_) {
+      travel::HalfPlane& plane = planes.emplace_back(bound.where);
+      const auto keep = [&](const Vec2& p) {
+        plane.most = std::max(plane.most, plane.normal.dot(p));
+      };
+      plane.most -= kBeyond;
+      keep(start_);
+      keep(destination_);
+    }
+    return travel::border_of(planes, low - margin, high + margin);
+  }
+
   /// A way among obstacles; where they cover an end of it, it leaves or comes there straight.
   bool find(const std::vector<travel::Obstacle>& obstacles, Search& search,
             std::vector<Vec2>& way) {
@@ -272,6 +404,11 @@ class TravelSearch {
   Point point_at(const Vec2& place, const Vec2& along) const {
     std::vector<double> there = q_;
     vehicle_.set_place(place, there);
+    // Corners lie on a lattice, and bounds need not.
+    for (const int i : {vehicle_.x(), vehicle_.y()}) {
+      const robot::Parameter& p = task_.model->parameters[at(i)];
+      if (!p.cyclic) there[at(i)] = std::clamp(there[at(i)], p.lower, p.upper);
+    }
     const int heading = space_.leg().heading();
     if (heading >= 0) there[at(heading)] = space_.heading_along(q_, along);
     return space_.point(there);
@@ -311,9 +448,8 @@ class TravelSearch {
     }
     if (rest.size() == obstacles_.size()) return;
     Search search;
+    if (!find_within_bounds(rest, search)) return;
     std::vector<Vec2> way;
-    if (!find(rest, search, way)) return;
-    way.clear();
     for (const Point& point : search.way)
       way.push_back(vehicle_.place(space_.configuration(point)));
     for (std::size_t i = 0; i < owners_.size(); ++i) {
@@ -332,6 +468,7 @@ class TravelSearch {
   Point goal_;
   Vec2 start_;
   Vec2 destination_;
+  std::vector<PlaceBound> bounds_;
   std::vector<travel::Obstacle> obstacles_;
   std::vector<Thing> owners_;  ///< the things that the obstacles are
 };
