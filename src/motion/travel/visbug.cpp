@@ -163,10 +163,12 @@ class VisBug {
            hit_.along > spot_.along + kThere && hit_.along <= seen + kThere;
   }
 
-  /// Whether a point of the line that the target comes to is one to leave at; notes X.
-  bool counts(double at, bool opens) {
+  /// Whether a point of the line that the target comes to is one to leave at; notes X. At a pinch
+  /// one that is no farther than the hit counts, too.
+  bool counts(double at, bool opens, bool pinch = false) {
     const double to_go = line_.length() - at;
-    if (!(at > -kThere && to_go > -kThere && to_go < hit_distance_ - 1e-8)) return false;
+    const double most = pinch && opens ? hit_distance_ + 1e-8 : hit_distance_ - 1e-8;
+    if (!(at > -kThere && to_go > -kThere && to_go < most)) return false;
     crossing_ = at;
     if (!opens) return false;
     free_from_ = at;
@@ -197,7 +199,8 @@ class VisBug {
     const ExactPoint& at = node(edge().from);
     if (side(line_.from(), line_.through(), at) != 0) return false;
     return counts(line_.distance_of(at.p),
-                  corner_before(composite(), spot_.edge).opens_to(walker_.aim()));
+                  corner_before(composite(), spot_.edge).opens_to(walker_.aim()),
+                  composite().pinch[static_cast<std::size_t>(edge().from)]);
   }
 
   /// Step 4: whether the robot, left of the line, sees a point of it further on.
