@@ -96,7 +96,7 @@ class VisBug {
   }
 
   /// Where the line meets the next obstacle, exactly, wherever sight has moved the target since.
-  std::optional<Hit> hit_ahead() const { return first_hit(outline(), line_, free_from_, true); }
+  std::optional<Hit> hit_ahead() const { return first_hit(outline(), line_, free_from_, leaves_); }
 
   void compute_target() {
     const View view(outline(), walker_.position(), walker_.settings().vision);
@@ -172,6 +172,7 @@ class VisBug {
     crossing_ = at;
     if (!opens) return false;
     free_from_ = at;
+    leaves_ = true;
     place_target_on_line(at);
     note(EventKind::kLeave);
     return true;
@@ -219,6 +220,7 @@ class VisBug {
     if (hit) at = std::min(at, hit->distance);
     if (at <= begin + 1e-6) return false;
     free_from_ = free_from;
+    leaves_ = true;
     place_target_on_line(at);
     note(EventKind::kTarget);
     return true;
@@ -237,6 +239,7 @@ class VisBug {
   Spot spot_;             ///< where it is on an outline
   double at_line_ = 0;    ///< m from the start, where it is on the line
   double free_from_ = 0;  ///< m from the start, where the line was last known to be free
+  bool leaves_ = false;   ///< and it leaves an outline there that is known to let it
   Spot hit_;              ///< H, and how far from the destination it is
   double hit_distance_ = 0;
   double crossing_ = 0;  ///< X, m from the start
