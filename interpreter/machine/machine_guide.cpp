@@ -402,7 +402,11 @@ std::string Machine::cause_of(const PlanReport& report, const GuideTests& tests)
     case Outcome::goal_not_kept:
       return "no way: what the guide keeps does not hold at the goal";
     case Outcome::not_certified:
-      return "no way: none of the ways found could be followed step by step";
+      return fmt::format("no way: {}{}",
+                         report.cause.empty()
+                             ? "none of the ways found could be followed step by step"
+                             : report.cause,
+                         most ? "; most often " + pair : "");
     case Outcome::no_way:
       return "no way: " + report.cause;
     case Outcome::out_of_nodes:

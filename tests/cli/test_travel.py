@@ -314,6 +314,18 @@ class Travel(ResultCase):
             _, tasks = self.drive(kind + ";", garage % (1, "0") + garage % (2, "10"), start="x 0, y 0, theta 0", goal="x 10, y 0, theta 180")
             self.assertEqual(tasks["over"]["result"], "done", kind)
 
+    def test_what_refused_the_steps_of_a_way_is_named(self):
+        """The boom comes out on the last leg, and the disc is that of where the machine stands."""
+        boom = self.SQUARE + " } body arm on cart { param z range(0, 5) step(0.5) speed(1 m/s); frame trans(0, z, 1.2); shape box(-0.1, -0.1, 0, 0.1, 0.1, 0.1);"
+        ended = self.cart("component post { shape box(3.5, 1.5, 0, 5, 5, 2); } start x 0, y 0; goal x 8, y 0, z 4; guide k visibility; guide k;", 1, shape=boom)
+        self.assertRegex(ended["reason"], r"step by step; most often \S*arm meets post")
+        # So is what bars the only legs that there are.
+        block = "component post { shape box(3, -1, 0, 4, 1, 2); } start x 0, y 0; goal x 8; lock y; guide k visibility; guide k;"
+        self.assertRegex(self.cart(block, 1)["reason"], r"any other would change y; most often \S*cart meets post")
+        ring = "component ring { shape box(-1, 0.4, 0, 1, 1, 2); shape box(-1, -1, 0, 1, -0.4, 2); shape box(0.4, -1, 0, 1, 1, 2); shape box(-1, -1, 0, -0.4, 1, 2); }"
+        self.assertRegex(self.cart(ring + " start x 0, y 0; goal x 8, y 0; guide k bug2; guide k;", 1)["reason"],
+                         r"no straight way leads away; most often \S*cart meets ring")
+
     def test_ranges_and_what_is_kept_bound_the_way(self):
         wall = "component a { shape box(4, -5, 0, 5, %s, 2); } start x 0, y 0; goal x 8, y 0; guide k %s guide k;"
         for kind in ("visibility;", "bug1;", "bug2 { hand left; }", "visbug21;", "tangent;"):

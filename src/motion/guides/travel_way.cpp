@@ -279,6 +279,7 @@ class TravelSearch {
       search.way = {here, goal_};
     } else {
       search.cause = "the straight way is not free, and any other would change " + fixed;
+      search.was_refused = true;
     }
     return false;
   }
@@ -351,6 +352,7 @@ class TravelSearch {
           "something is nearer to the {} than the disc that holds the machine, and no straight way "
           "leads {}",
           starts.empty() ? "start" : "goal", starts.empty() ? "away" : "there");
+      search.was_refused = true;
       return false;
     }
     for (const Vec2& from : starts) {
