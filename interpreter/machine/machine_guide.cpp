@@ -74,6 +74,10 @@ class Machine::GuideTests : public guides::MotionTests {
 
   std::vector<guides::Thing> things() const override { return world_.things(); }
 
+  void note_barring(const guides::Thing& thing) override {
+    note({"its way", thing.name, thing.machine, -1, thing.moving});
+  }
+
   guides::LaneAnswer next_node(const guides::LaneQuestion& question) override {
     std::optional<HitPair> before;
     guides::LaneAnswer answer = world_.next_node(question, before);
@@ -398,7 +402,11 @@ std::string Machine::cause_of(const PlanReport& report, const GuideTests& tests)
     case Outcome::goal_not_kept:
       return "no way: what the guide keeps does not hold at the goal";
     case Outcome::not_certified:
-      return "no way: none of the ways found could be followed step by step";
+      return fmt::format("no way: {}{}",
+                         report.cause.empty()
+                             ? "none of the ways found could be followed step by step"
+                             : report.cause,
+                         most ? "; most often " + pair : "");
     case Outcome::no_way:
       return "no way: " + report.cause;
     case Outcome::out_of_nodes:

@@ -253,6 +253,89 @@ class Travel(ResultCase):
             self.assertIn("no way", tasks["over"]["reason"], kind)
         self.assertIn("there is none round what stands", tasks["over"]["reason"])
 
+    def test_who_bars_the_only_way_is_waited_for(self):
+        """As guides of other kinds do, whether it is a machine, something with a timetable, or people; walls are not waited for."""
+        self.write("disc.robot", """robot disc {
+  sensor 10;
+  body b { param x step(0.5) speed(1 m/s) range(-100, 100); param y step(0.5) speed(1 m/s) range(-100, 100); frame trans(x, y, 0); shape cylinder(0.5, 0.1, 1); }
+  tool b;
+  behaviour { chain { follow } }
+}
+""")
+        self.write("long.robot", """robot long {
+  body b { param x step(0.5) speed(1 m/s) range(-100, 100); frame trans(x, 0, 0); shape box(-0.5, -1.9, 0.1, 0.5, 1.9, 1); }
+  tool b;
+  behaviour { chain { move_to(x, goal(x)) } }
+}
+""")
+        walls = "component wall { shape box(5, -20, 0, 6, -2, 2); shape box(5, 2, 0, 6, 20, 2); shape box(5, -21, 0, 20, -20, 2);" \
+                " shape box(5, 20, 0, 20, 21, 2); shape box(19, -20, 0, 20, 20, 2); }"
+        gate = "moving gate { shape box(-0.5, -2, 0, 0.5, 2, 2); path 0 s trans(5.5, 0, 0), 60 s trans(5.5, 0, 0), 65 s trans(5.5, 0, 3); }"
+        machine = 'robot other "long.robot" { start x 5.5; } task work { by other; takes 60 s; } task leave { by other; go x 16; after work; }'
+        people = "crew gang; task pave { by gang; takes 60 s; zone box(5, -2, 0, 6, 2, 2); }"
+        plan = 'plan p { robot m "disc.robot" { start x 0, y 0; } support off; %s %s guide way %s; task cross { by m; go x 12, y 0; guide way; priority -1; } }'
+        for kind, things in (("bug2", gate), ("bug2", machine), ("tangent", people), ("visibility", gate), ("visibility", machine)):
+            _, tasks = self.run_plan(plan % (walls, things, kind))
+            self.assertEqual(tasks["cross"]["result"], "done", (kind, things, tasks["cross"].get("reason")))
+            self.assertGreater(tasks["cross"]["duration"], 60, (kind, things))
+        self.assertIn("other was in the way", rubicon("why", self.out, "cross").stdout)
+        closed = "component shut { shape box(5, -2, 0, 6, 2, 2); }"
+        _, tasks = self.run_plan(plan % (walls, closed + machine.replace("start x 5.5", "start x 30"), "bug2"), 1)
+        self.assertIn("as far as it was seen the goal cannot be reached", tasks["cross"]["reason"])
+
+    CART = """robot cart {
+  sensor 10;
+  body cart { param x range(-100, 100) step(0.5) speed(1 m/s); param y %s step(0.5) speed(1 m/s); frame trans(x, y, 0); %s }
+  tool cart;
+  behaviour { chain { follow } }
+}
+"""
+    SQUARE = "shape box(-0.4, -0.4, 0.1, 0.4, 0.4, 1);"
+
+    def cart(self, things, expected=0, shape=SQUARE, y="range(-100, 100)"):
+        """One motion of a cart, as a short plan; how it ended."""
+        self.write("cart.robot", self.CART % (y, shape))
+        _, tasks = self.run_plan('plan p { robot "cart.robot"; %s }' % things, expected)
+        return next(iter(tasks.values()))
+
+    def test_who_begins_or_ends_near_or_in_contact_leaves_straight(self):
+        disc = "shape cylinder(0.5, 0.1, 1);"
+        block = "component a { shape box(0.5, -5, 0, 4, 5, 2); } start x %s, y 0; goal x %s, y 0.3; guide k %s; guide k;"
+        for kind in ("bug1", "bug2", "visbug21", "tangent", "ace", "visibility"):
+            self.assertEqual(self.cart(block % ("0", "4.5", kind), shape=disc)["result"], "done", kind)
+        for start in ("-0.001", "-0.02"):
+            self.assertEqual(self.cart(block % (start, "8", "bug2"), shape=disc)["result"], "done", start)
+        # Nearer than its corners are to its place, and in a corner.
+        self.assertEqual(self.cart("component a { shape box(0.4, -5, 0, 4, 5, 2); shape box(-5, -2, 0, 0.4, -0.5, 2); }"
+                                   " start x -0.15, y 0; goal x 8, y 0; guide k visibility; guide k;")["result"], "done")
+        # A narrow garage that it can only leave ahead, and another one.
+        garage = "component bay_%d { shape box(-1, -0.6, 0, 2, -0.5, 2); shape box(-1, 0.5, 0, 2, 0.6, 2); shape box(-1.1, -0.6, 0, -1, 0.6, 2); at trans(%s, 0, 0); }"
+        for kind in ("bug2", "visibility"):
+            _, tasks = self.drive(kind + ";", garage % (1, "0") + garage % (2, "10"), start="x 0, y 0, theta 0", goal="x 10, y 0, theta 180")
+            self.assertEqual(tasks["over"]["result"], "done", kind)
+
+    def test_what_refused_the_steps_of_a_way_is_named(self):
+        """The boom comes out on the last leg, and the disc is that of where the machine stands."""
+        boom = self.SQUARE + " } body arm on cart { param z range(0, 5) step(0.5) speed(1 m/s); frame trans(0, z, 1.2); shape box(-0.1, -0.1, 0, 0.1, 0.1, 0.1);"
+        ended = self.cart("component post { shape box(3.5, 1.5, 0, 5, 5, 2); } start x 0, y 0; goal x 8, y 0, z 4; guide k visibility; guide k;", 1, shape=boom)
+        self.assertRegex(ended["reason"], r"step by step; most often \S*arm meets post")
+        # So is what bars the only legs that there are.
+        block = "component post { shape box(3, -1, 0, 4, 1, 2); } start x 0, y 0; goal x 8; lock y; guide k visibility; guide k;"
+        self.assertRegex(self.cart(block, 1)["reason"], r"any other would change y; most often \S*cart meets post")
+        ring = "component ring { shape box(-1, 0.4, 0, 1, 1, 2); shape box(-1, -1, 0, 1, -0.4, 2); shape box(0.4, -1, 0, 1, 1, 2); shape box(-1, -1, 0, -0.4, 1, 2); }"
+        self.assertRegex(self.cart(ring + " start x 0, y 0; goal x 8, y 0; guide k bug2; guide k;", 1)["reason"],
+                         r"no straight way leads away; most often \S*cart meets ring")
+
+    def test_ranges_and_what_is_kept_bound_the_way(self):
+        wall = "component a { shape box(4, -5, 0, 5, %s, 2); } start x 0, y 0; goal x 8, y 0; guide k %s guide k;"
+        for kind in ("visibility;", "bug1;", "bug2 { hand left; }", "visbug21;", "tangent;"):
+            self.assertEqual(self.cart(wall % (10, kind), y="range(-4, 100)")["result"], "done", kind)
+        self.assertEqual(self.cart(wall % (4, "visibility { keep (y >= -2); }"))["result"], "done")
+        self.assertEqual(self.cart(wall % (4, "bug2 { keep (y - 0.5 * x >= -5); hand left; }"))["result"], "done")
+        for kind, y, named in (("visibility;", "range(-4, 9)", "leaves the range of y"), ("bug2;", "range(-4, 9)", "the range of y"),
+                               ("visibility { keep (abs(y) <= 3); }", "range(-100, 100)", "leaves what the guide keeps")):
+            self.assertIn(named, self.cart(wall % (10, kind), 1, y=y)["reason"])
+
     def test_only_machines_that_travel(self):
         self.write("arm.robot", "robot arm { body b { param theta cyclic step(5) speed(5 deg/s); frame rotz(theta); shape box(0, 0, 0, 2, 0.1, 1); } tool b;"
                                 " behaviour { chain { follow } } }")

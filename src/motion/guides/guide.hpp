@@ -34,11 +34,12 @@ struct PlanReport {
     goal_not_kept,
     out_of_nodes,
     out_of_checks,
-    not_certified,  ///< a way was found that `follow` could not make
+    not_certified,  ///< a way was found that `follow` could not make, or no first or last leg of
+                    ///< one
     no_way          ///< and `cause` says why
   };
   Outcome outcome = Outcome::found;
-  std::string cause;  ///< of no_way
+  std::string cause;  ///< of no_way; of not_certified if it is known
   double seed = 0;    ///< with which it was planned
   std::size_t nodes = 0;
   std::size_t checks = 0;

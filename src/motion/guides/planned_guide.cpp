@@ -95,7 +95,7 @@ PlanReport plan_way(const GuideSpec& spec, const GuideTask& task, std::span<cons
     }
     if (found.way.empty() && !found.cause.empty()) {
       report.cause = std::move(found.cause);
-      return end(Outcome::no_way);
+      return end(found.was_refused ? Outcome::not_certified : Outcome::no_way);
     }
     if (found.way.empty()) {
       return end(found.out_of_nodes ? Outcome::out_of_nodes : Outcome::out_of_checks);

@@ -18,7 +18,8 @@ struct Search {
   double cost = 0;  ///< of a way over a lattice, before legs are joined
   std::size_t nodes = 0;
   std::vector<std::string> events = {};  ///< see PlanReport
-  std::string cause;  ///< of no way, where it is not that the search was too short
+  std::string cause;         ///< of no way, where it is not that the search was too short
+  bool was_refused = false;  ///< and what refused its legs belongs to that
   std::vector<std::pair<Point, Point>> tree = {};  ///< see PlanReport
   bool out_of_nodes = false;  ///< it stopped at the limit of nodes or had no more, else at that of
                               ///< checks

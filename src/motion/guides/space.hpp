@@ -23,6 +23,11 @@ struct Thing {
   std::string name;
   const std::vector<geometry::Shape>* shapes = nullptr;
   math::Pose X_W = math::Pose::Identity();
+  int machine = -1;  ///< whose part or load it is
+  int moving = -1;   ///< the thing with a timetable that it is
+
+  /// Whether it may go out of the way.
+  bool may_leave() const { return machine >= 0 || moving >= 0; }
 };
 
 /// What a vehicle on a network is told when it asks where to drive next.
@@ -81,6 +86,8 @@ class MotionTests {
   }
   /// All that is on the site but the robot, as it stands now: for ways in the plan view.
   virtual std::vector<Thing> things() const { return {}; }
+  /// Told of each of these that may leave and bars the way: without them there would be one.
+  virtual void note_barring(const Thing&) {}
   /// What comes nearest within `range` (m) to anything that the robot can move, if it stands at q.
   virtual Nearness nearest(std::span<const double>, double, const PairsLeftOut&) {
     return {std::numeric_limits<double>::infinity(), {}, {}};

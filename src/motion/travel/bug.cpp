@@ -93,15 +93,25 @@ class Bug1 {
     const Vec2 goal = metres(walker_.destination());
     const double along = std::clamp(on.heading.dot(goal - from), begin, end);
     const double distance = (from + along * on.heading - goal).norm();
-    if (distance >= nearest_.distance - kNearer) return;
     const bool at_end = along == on.length;
+    const bool is_nearer = distance < nearest_.distance - kNearer;
+    if (!is_nearer && !(at_end && opens_pinch(on.next, distance))) return;
     nearest_ = {distance, round + along - begin, at_end ? on.next : index, at_end ? 0 : along};
   }
 
+  /// Whether the node where an edge starts is as near as the nearest point, and lets the robot go
+  /// on where that does not: obstacles meet there, and it came to another side of it first.
+  bool opens_pinch(int edge, double distance) const {
+    const Composite& at = composite();
+    if (!at.pinch[static_cast<std::size_t>(this->edge(edge).from)]) return false;
+    return distance < nearest_.distance + kNearer && !leaves() &&
+           corner_before(at, edge).opens_to(walker_.aim());
+  }
+
   bool leaves() const {
-    const Edge& on = walker_.edge();
+    const Edge& on = edge(nearest_.edge);
     if (nearest_.along > 0) return side(on.line_a, on.line_b, walker_.aim()) > 0;
-    return corner_before(composite(), walker_.edge_index()).opens_to(walker_.aim());
+    return corner_before(composite(), nearest_.edge).opens_to(walker_.aim());
   }
 
   Walker& walker_;

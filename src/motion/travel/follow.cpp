@@ -15,11 +15,12 @@ constexpr double kOnIt = 1e-7;
 
 std::size_t of(int index) { return static_cast<std::size_t>(index); }
 
-/// Whether a point of the watched line counts.
-bool counts(const LineWatch& watch, const Vec2& point) {
+/// Whether a point of the watched line counts: it is nearer, or `here_too` no farther.
+bool counts(const LineWatch& watch, const Vec2& point, bool here_too = false) {
   const double distance = watch.line.distance_of(point);
+  const double most = here_too ? watch.nearer_than + kSameSpot : watch.nearer_than - kSameSpot;
   return distance > -kSameSpot && distance < watch.line.length() + kSameSpot &&
-         watch.line.length() - distance < watch.nearer_than - kSameSpot;
+         watch.line.length() - distance < most;
 }
 
 /// Whether a walk in a direction from a point on is at the mark, and how far on.
@@ -162,7 +163,10 @@ void Walker::look_at_node(const Watches& watches, Stop& stop) const {
   stop.destination = compare(node, ExactPoint(destination_)) == 0;
   if (watches.line != nullptr) {
     const Leg& leg = watches.line->line;
-    stop.line = side(leg.from(), leg.through(), node) == 0 && counts(*watches.line, node.p) &&
+    // Where obstacles meet in the very point that closed the line, it may be open on another side.
+    const bool pinch = composite.pinch[of(edge().from)];
+    stop.line = side(leg.from(), leg.through(), node) == 0 &&
+                counts(*watches.line, node.p, pinch) &&
                 corner_before(composite, footing_->edge).opens_to(leg.aim());
   }
   if (watches.mark != nullptr) {

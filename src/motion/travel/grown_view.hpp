@@ -15,10 +15,6 @@ class GrownView {
   /// `radius` (m) 0: a point.
   GrownView(const Heights& heights, double radius);
 
-  /// What is added from now on and is nearer to the place than the disc, and does not cover it, is
-  /// grown by so much less that the place is free.
-  void keep_free(const Vec2& place) { free_.push_back(place); }
-
   /// Adds shapes that stand at X_WB, as one obstacle; nothing where they are above or below. Null:
   /// nothing was added.
   Obstacle* add(const std::string& name, const std::vector<geometry::Shape>& shapes,
@@ -29,10 +25,11 @@ class GrownView {
   std::vector<std::vector<Vec2>> grown(const std::vector<Vec2>& outline) const;
 
   Heights heights_;
-  double radius_;
   std::vector<Vec2> footprint_;
-  std::vector<Vec2> free_;
   std::vector<Obstacle> obstacles_;
 };
+
+/// Whether a way through places meets an obstacle that stands, or touches it (within 10 um).
+bool meets(const Obstacle& obstacle, const std::vector<Vec2>& way);
 
 }  // namespace rubicon::travel

@@ -96,7 +96,7 @@ class VisBug {
   }
 
   /// Where the line meets the next obstacle, exactly, wherever sight has moved the target since.
-  std::optional<Hit> hit_ahead() const { return first_hit(outline(), line_, free_from_, true); }
+  std::optional<Hit> hit_ahead() const { return first_hit(outline(), line_, free_from_, leaves_); }
 
   void compute_target() {
     const View view(outline(), walker_.position(), walker_.settings().vision);
@@ -163,13 +163,16 @@ class VisBug {
            hit_.along > spot_.along + kThere && hit_.along <= seen + kThere;
   }
 
-  /// Whether a point of the line that the target comes to is one to leave at; notes X.
-  bool counts(double at, bool opens) {
+  /// Whether a point of the line that the target comes to is one to leave at; notes X. At a pinch
+  /// one that is no farther than the hit counts, too.
+  bool counts(double at, bool opens, bool pinch = false) {
     const double to_go = line_.length() - at;
-    if (!(at > -kThere && to_go > -kThere && to_go < hit_distance_ - 1e-8)) return false;
+    const double most = pinch && opens ? hit_distance_ + 1e-8 : hit_distance_ - 1e-8;
+    if (!(at > -kThere && to_go > -kThere && to_go < most)) return false;
     crossing_ = at;
     if (!opens) return false;
     free_from_ = at;
+    leaves_ = true;
     place_target_on_line(at);
     note(EventKind::kLeave);
     return true;
@@ -197,7 +200,8 @@ class VisBug {
     const ExactPoint& at = node(edge().from);
     if (side(line_.from(), line_.through(), at) != 0) return false;
     return counts(line_.distance_of(at.p),
-                  corner_before(composite(), spot_.edge).opens_to(walker_.aim()));
+                  corner_before(composite(), spot_.edge).opens_to(walker_.aim()),
+                  composite().pinch[static_cast<std::size_t>(edge().from)]);
   }
 
   /// Step 4: whether the robot, left of the line, sees a point of it further on.
@@ -216,6 +220,7 @@ class VisBug {
     if (hit) at = std::min(at, hit->distance);
     if (at <= begin + 1e-6) return false;
     free_from_ = free_from;
+    leaves_ = true;
     place_target_on_line(at);
     note(EventKind::kTarget);
     return true;
@@ -234,6 +239,7 @@ class VisBug {
   Spot spot_;             ///< where it is on an outline
   double at_line_ = 0;    ///< m from the start, where it is on the line
   double free_from_ = 0;  ///< m from the start, where the line was last known to be free
+  bool leaves_ = false;   ///< and it leaves an outline there that is known to let it
   Spot hit_;              ///< H, and how far from the destination it is
   double hit_distance_ = 0;
   double crossing_ = 0;  ///< X, m from the start

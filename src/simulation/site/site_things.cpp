@@ -36,18 +36,19 @@ std::vector<guides::Thing> SiteWorld::things(int robot) const {
     robot::body_poses(model, other.robot.mounting, other.q, X_WB);
     for (std::size_t body = 0; body < model.bodies.size(); ++body) {
       if (model.bodies[body].shapes.empty()) continue;
-      things.push_back({other.robot.body_names[body], &model.bodies[body].shapes, X_WB[body]});
+      things.push_back({other.robot.body_names[body], &model.bodies[body].shapes, X_WB[body], i});
     }
     if (!other.load || other.load->component < 0) continue;
     const std::size_t component = at(other.load->component);
     if (component >= shown_components_.size() || shown_components_[component] == nullptr) continue;
     things.push_back(
-        {other.load->name, shown_components_[component], tool_pose(i) * other.load->X_TO});
+        {other.load->name, shown_components_[component], tool_pose(i) * other.load->X_TO, i});
   }
   for (std::size_t i = 0; i < shown_movings_.size(); ++i) {
     const MovingThing& moving = movings_[i];
     if (shown_movings_[i] == nullptr || !moving.is_present(now_)) continue;
-    things.push_back({moving.name(), shown_movings_[i], moving.pose(now_)});
+    things.push_back(
+        {moving.name(), shown_movings_[i], moving.pose(now_), -1, static_cast<int>(i)});
   }
   return things;
 }

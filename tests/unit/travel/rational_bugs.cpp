@@ -236,7 +236,8 @@ class Bug {
         next(place);
         if (same(place.point, goal_)) return end(true, goal_, goal_);
         const Rational at = dot(place.point - start_, way) / dot(way, way);
-        if (cross(way, place.point - start_).sign() == 0 && stroke->share < at && !(kOne < at) &&
+        // Where walls meet in the point of the hit, the line may be open on another side of it.
+        if (cross(way, place.point - start_).sign() == 0 && !(at < stroke->share) && !(kOne < at) &&
             world_.opens(place.wall, goal_ - place.point, false)) {
           here = place.point;
           share = at;
@@ -275,11 +276,13 @@ class Bug {
         if (last < t) t = last;
         const Point p = along(a, world_.to(place.wall), t);
         const Rational square = dot(goal_ - p, goal_ - p);
-        if (square < least) {
+        Place there{place.wall, t, p};
+        if (t == kOne) there = {world_.at(place.wall).next, kZero, p};
+        const bool other_side = same(p, nearest.point) && !leaves(nearest) && leaves(there);
+        if (square < least || other_side) {
           least = square;
-          nearest = {place.wall, t, p};
+          nearest = there;
           round_to_nearest = round + distance(before.point, p);
-          if (t == kOne) nearest = {world_.at(place.wall).next, kZero, p};
         }
         if (back) {
           length_ += distance(place.point, stroke->hit.point);
@@ -292,15 +295,17 @@ class Bug {
         back = place.wall == stroke->hit.wall && stroke->hit.t == kZero;
       }
       length_ += std::min(round_to_nearest, round - round_to_nearest);
-      const bool leaves =
-          kZero < nearest.t ? cross(world_.heading(nearest.wall), goal_ - nearest.point).sign() > 0
-                            : world_.opens(nearest.wall, goal_ - nearest.point, false);
-      if (!leaves) return end(false, goal_, goal_);
+      if (!leaves(nearest)) return end(false, goal_, goal_);
       here = nearest.point;
     }
   }
 
  private:
+  bool leaves(const Place& place) const {
+    return kZero < place.t ? cross(world_.heading(place.wall), goal_ - place.point).sign() > 0
+                           : world_.opens(place.wall, goal_ - place.point, false);
+  }
+
   std::optional<Rational> goal_on(const Place& place) const {
     const Point heading = world_.heading(place.wall);
     const Point way = goal_ - world_.from(place.wall);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "src/motion/travel/travel.hpp"
 #include "tests/unit/travel/travel_worlds.hpp"
 
@@ -33,6 +35,17 @@ TEST(VisBug, ADestinationInABoxIsUnreachable) {
   const TravelResult result =
       travel(Method::kVisBug21, query_of({box(-10, 0, 20, 10)}, {0, -40}, {0, 5}), seeing(10));
   EXPECT_EQ(result.verdict, Verdict::kUnreachable);
+}
+
+TEST(VisBug, StartsOnACornerAsItStartsBesideIt) {
+  const double shortest = 4 + 2 * std::sqrt(10);
+  for (const Vec2& start : {Vec2(0, 0), Vec2(-0.001, -0.001)}) {
+    const TravelResult result =
+        travel(Method::kVisBug21, query_of({box(0, 0, 4, 4)}, start, {6, 6}), seeing(10));
+    EXPECT_EQ(result.verdict, Verdict::kReached);
+    EXPECT_GT(result.length, shortest - 1e-9) << told(result);
+    EXPECT_LT(result.length, shortest + 2) << told(result);
+  }
 }
 
 TEST(VisBug, DecidesLikeBug2WithAShorterWay) {
