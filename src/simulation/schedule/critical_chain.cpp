@@ -67,6 +67,7 @@ ChainStep step_of(const Network& network, const TaskTimes& own, const Event& eve
   step.out_of_shift = own.start - own.wanted;
   step.first_gain = own.first_gain;
   step.kept = own.kept;
+  step.repaired = own.repaired;
   return step;
 }
 
@@ -137,9 +138,12 @@ std::string text_of(const Network& network, const ChainStep& step) {
       if (step.held == Held::machine) text += ", to be out of the way";
     }
   } else if (step.held == Held::resource) {
-    text += fmt::format(
-        " starts when '{}' is {}, which {} had", network.resources[at(step.resource)].name,
-        step.kept ? "kept for nobody any more" : "free", network.tasks[at(step.task_before)].name);
+    text += fmt::format(" starts when '{}' is {}, which {} had",
+                        network.resources[at(step.resource)].name,
+                        step.kept       ? "kept for nobody any more"
+                        : step.repaired ? "repaired"
+                                        : "free",
+                        network.tasks[at(step.task_before)].name);
   } else {
     const Link& link = task.after[at(step.link)];
     const std::string& before = network.tasks[at(link.task)].name;

@@ -18,6 +18,7 @@ struct ChainStep {
   bool at_finish = false;  ///< its finish was held, not its start
   bool midway = false;     ///< it stood still after its start
   bool kept = false;       ///< the resource was kept for others after the task before
+  bool repaired = false;   ///< the machine was repaired after the task before
   Ticks wanted = 0;        ///< when what held it let go
   Ticks out_of_shift = 0;  ///< from then to the begin of the next shift
   Ticks first_gain = 0;    ///< it starts no sooner unless it is let go more than this much sooner

@@ -90,7 +90,8 @@ class BackwardPass {
  private:
   /// How late the task before may finish if the event after comes at `moment`.
   Ticks limit(const Precedence& each, Ticks moment) const {
-    const Ticks event = moment - each.gap;
+    Ticks event = moment - each.gap;
+    if (each.hours != nullptr) event = each.hours->latest_start(event, each.repair);
     return each.from == TaskEnd::finish ? event
                                         : places_[at(each.before)].finish_if_started_by(event);
   }

@@ -18,13 +18,16 @@ struct TimedTask {
 };
 
 /// An event of one task keeps another from coming sooner than `gap` after it: a link with its lag,
-/// or a crew or machine that the one gives back and the other takes.
+/// or a crew or machine that the one gives back and the other takes. Where the machine is repaired
+/// between them, the gap begins with so much working time.
 struct Precedence {
   int before = -1;
   TaskEnd from = TaskEnd::finish;
   int after = -1;
   TaskEnd to = TaskEnd::start;
   Ticks gap = 0;
+  Ticks repair = 0;
+  const WorkCalendar* hours = nullptr;  ///< in which it is repaired; null: it is not
 };
 
 /// How much later a task could have been. Total float: without the whole becoming later; free

@@ -155,7 +155,10 @@ void Simulation::add_floats(const std::vector<std::size_t>& row_of, Schedule& sc
                     stage_.links->is_milestone(task),
                     interpreter::held_whole(plan_, stage_.spec(task)), stage_.spec(task).priority});
   }
-  taskplan::add_floats(done, *stage_.links, schedule);
+  const auto hours_of = [this](int resource) -> const schedule::WorkCalendar& {
+    return stage_.allocator->hours(resource);
+  };
+  taskplan::add_floats(done, *stage_.links, hours_of, schedule);
 }
 
 void Simulation::add_critical_chain(Schedule& schedule) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 #include <tuple>
 
 #include "src/motion/math/index.hpp"
@@ -15,12 +16,15 @@ using schedule::TaskEnd;
 
 using math::at;
 
+using HoursOf = std::function<const schedule::WorkCalendar&(int resource)>;
+
 /// A robot or crew for a time; `node` -1: a robot that went out of the way.
 struct Use {
   Ticks from = 0, to = 0;
   int node = -1;
   int people = 1;
   double priority = 0;
+  Ticks repair = 0;  ///< of the robot when it was given back
 
   /// In the order in which they were given. What is given back at once is there for the next.
   std::tuple<Ticks, bool, double, int> place() const { return {from, to > from, -priority, node}; }
@@ -29,9 +33,12 @@ struct Use {
 class Precedences {
  public:
   Precedences(const std::vector<DoneTask>& done, const schedule::LinkState& links,
-              const Schedule& schedule)
-      : done_(done), links_(links), schedule_(schedule) {
+              const HoursOf& hours_of, const Schedule& schedule)
+      : done_(done), links_(links), hours_of_(hours_of), schedule_(schedule) {
     for (std::size_t i = 0; i < done.size(); ++i) node_of_[done[i].task] = static_cast<int>(i);
+    for (const BreakdownOutcome& each : schedule.breakdowns) {
+      repairs_[{each.robot, each.during, each.from}] = each.repair;
+    }
   }
 
   std::vector<Precedence> take() {
@@ -53,6 +60,14 @@ class Precedences {
   int node_of(int task) const {
     const auto found = node_of_.find(task);
     return found == node_of_.end() ? -1 : found->second;
+  }
+
+  /// How long its robot was repaired after the task, in its hours.
+  Ticks repair_after(const TaskOutcome& task, const ResourceHold& hold) const {
+    const ResourceUse& resource = schedule_.resources[at(hold.resource)];
+    if (!resource.robot) return 0;
+    const auto found = repairs_.find({resource.name, task.task, hold.to});
+    return found == repairs_.end() ? 0 : found->second;
   }
 
   /// As it went: one of them later, the other later.
@@ -93,36 +108,40 @@ class Precedences {
     std::vector<std::vector<Use>> uses(schedule_.resources.size());
     for (std::size_t i = 0; i < done_.size(); ++i) {
       for (const ResourceHold& hold : outcome(static_cast<int>(i)).holds) {
-        uses[at(hold.resource)].push_back(
-            {hold.from, hold.to, static_cast<int>(i), hold.people, done_[i].priority});
+        uses[at(hold.resource)].push_back({hold.from, hold.to, static_cast<int>(i), hold.people,
+                                           done_[i].priority,
+                                           repair_after(outcome(static_cast<int>(i)), hold)});
       }
     }
     for (const TaskOutcome& task : schedule_.tasks) {
       if (!task.parking || task.result != TaskResult::done) continue;
       for (const ResourceHold& hold : task.holds) {
-        uses[at(hold.resource)].push_back({hold.from, hold.to, -1, hold.people, 0});
+        uses[at(hold.resource)].push_back(
+            {hold.from, hold.to, -1, hold.people, 0, repair_after(task, hold)});
       }
     }
     for (std::size_t i = 0; i < uses.size(); ++i) {
       std::sort(uses[i].begin(), uses[i].end(),
                 [](const Use& a, const Use& b) { return a.place() < b.place(); });
-      add_uses(uses[i], schedule_.resources[i]);
+      add_uses(uses[i], static_cast<int>(i));
     }
   }
 
   /// Hands people from task to task: those go first who have been free longest, as in the run, and
   /// so those who have not worked yet before all others.
-  void add_uses(const std::vector<Use>& uses, const ResourceUse& resource) {
+  void add_uses(const std::vector<Use>& uses, int number) {
+    const ResourceUse& resource = schedule_.resources[at(number)];
     struct Free {
       int node = -1;  ///< who had them, -1: nobody yet
       int people = 0;
     };
     std::multimap<Ticks, Free> free;
     free.emplace(0, Free{-1, static_cast<int>(resource.size)});
-    Ticks parked = 0;
+    Ticks parked = 0, repair = 0;
     for (const Use& use : uses) {
       if (use.node < 0) {
         parked += use.to - use.from;
+        repair += use.repair;
         continue;
       }
       int wanted = use.people;
@@ -140,15 +159,21 @@ class Precedences {
         const Ticks gap = since - finish(last.node) + later;
         const Ticks most = start(use.node) - finish(last.node);
         all_.push_back({last.node, TaskEnd::finish, use.node, TaskEnd::start, std::min(gap, most)});
+        if (repair == 0) continue;
+        all_.back().repair = repair;
+        all_.back().hours = &hours_of_(number);
       }
       free.emplace(use.to, Free{use.node, use.people});
       parked = 0;
+      repair = use.repair;
     }
   }
 
   const std::vector<DoneTask>& done_;
   const schedule::LinkState& links_;
+  const HoursOf& hours_of_;
   const Schedule& schedule_;
+  std::map<std::tuple<std::string, std::string, Ticks>, Ticks> repairs_;  ///< robot, during, from
   std::map<int, int> node_of_;
   std::vector<Precedence> all_;
 };
@@ -156,7 +181,7 @@ class Precedences {
 }  // namespace
 
 void add_floats(const std::vector<DoneTask>& done, const schedule::LinkState& links,
-                Schedule& schedule) {
+                const HoursOf& hours_of, Schedule& schedule) {
   std::vector<schedule::TimedTask> tasks;
   for (const DoneTask& each : done) {
     const TaskOutcome& outcome = schedule.tasks[each.row];
@@ -169,7 +194,8 @@ void add_floats(const std::vector<DoneTask>& done, const schedule::LinkState& li
         each.whole && task.calendar->work_between(task.start, task.finish) == outcome.duration;
   }
   const auto floats =
-      schedule::floats_of(tasks, Precedences(done, links, schedule).take(), schedule.process_time);
+      schedule::floats_of(tasks, Precedences(done, links, hours_of, schedule).take(),
+                          schedule.process_time);
   for (std::size_t i = 0; i < done.size(); ++i) schedule.tasks[done[i].row].floats = floats[i];
 }
 

@@ -231,6 +231,8 @@ void Simulation::begin_task(const ResourceAllocator::Grant& grant) {
     times.task_before = grant.last.task_before;
     times.given_back_midway = grant.last.midway;
     times.kept = grant.last.kept;
+    times.repaired = grant.last.resource < stage_.robots() &&
+                     stage_.breakdowns.out_until(grant.last.resource) == grant.last.since;
   }
   times.start = now;
   const schedule::WorkCalendar& calendar = stage_.calendar(task);

@@ -183,11 +183,33 @@ class PlanDateCheck {
   void check_handover(const Hold& given, const Hold& taken) {
     const int before = runs_[at(given.run)].task, after = runs_[at(taken.run)].task;
     if (!has_floats(before) || !has_floats(after) || !has_room(before)) return;
-    if (latest(before, false) <= latest(after, true) + kTimeSlack) return;
+    if (latest(before, false) <= latest(after, true) + kTimeSlack) {
+      check_repair(given, taken);
+      return;
+    }
     fault(*place_of_[at(before)].row,
           fmt::format("its float is too large: at its latest it has {} when {} needs it",
                       resource_name(trace_.scene, given.resource),
                       trace_.scene.tasks[at(after)].name));
+  }
+
+  /// A machine that broke down at the end of a task is repaired before the next has it.
+  void check_repair(const Hold& given, const Hold& taken) {
+    const TaskRun& own = runs_[at(given.run)];
+    for (const BreakdownRecord& each : trace_.breakdowns) {
+      if (each.robot != given.resource || each.during != trace_.runs[at(own.run)] ||
+          differ(each.from, given.to)) {
+        continue;
+      }
+      const Ticks left = hours_.between(calendar_of_resource(trace_.scene, given.resource),
+                                        latest(own.task, false),
+                                        latest(runs_[at(taken.run)].task, true));
+      if (left >= each.repair - kTimeSlack) continue;
+      fault(*place_of_[at(own.task)].row,
+            fmt::format("its float is too large: at its latest {} is not repaired when {} needs it",
+                        resource_name(trace_.scene, given.resource),
+                        trace_.scene.tasks[at(runs_[at(taken.run)].task)].name));
+    }
   }
 
   const Trace& trace_;
