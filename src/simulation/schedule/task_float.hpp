@@ -8,13 +8,20 @@
 
 namespace rubicon::schedule {
 
+/// Part of a task: so much working time by a calendar of its own.
+struct TaskPart {
+  Ticks work = 0;
+  const WorkCalendar* calendar = nullptr;
+  bool whole = false;  ///< a lift: it stays in one shift
+};
+
 /// A task as it went.
 struct TimedTask {
   Ticks start = 0;
   Ticks finish = 0;
-  const WorkCalendar* calendar = nullptr;  ///< hours that all it needs have in common
+  const WorkCalendar* calendar = nullptr;  ///< hours that all it holds have in common
   bool milestone = false;                  ///< it needs no shift
-  bool whole = false;                      ///< a lift: it stays in one shift
+  std::vector<TaskPart> parts = {};        ///< one after the other; none: it is one, by `calendar`
 };
 
 /// An event of one task keeps another from coming sooner than `gap` after it: a link with its lag,

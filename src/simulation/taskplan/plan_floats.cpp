@@ -25,6 +25,8 @@ struct Use {
   int people = 1;
   double priority = 0;
   Ticks repair = 0;  ///< of the robot when it was given back
+  Ticks before = 0;  ///< working time of the task until it was taken
+  Ticks after = 0;   ///< and since it was given back
 
   /// In the order in which they were given. What is given back at once is there for the next.
   std::tuple<Ticks, bool, double, int> place() const { return {from, to > from, -priority, node}; }
@@ -108,9 +110,9 @@ class Precedences {
     std::vector<std::vector<Use>> uses(schedule_.resources.size());
     for (std::size_t i = 0; i < done_.size(); ++i) {
       for (const ResourceHold& hold : outcome(static_cast<int>(i)).holds) {
-        uses[at(hold.resource)].push_back({hold.from, hold.to, static_cast<int>(i), hold.people,
-                                           done_[i].priority,
-                                           repair_after(outcome(static_cast<int>(i)), hold)});
+        uses[at(hold.resource)].push_back(
+            {hold.from, hold.to, static_cast<int>(i), hold.people, done_[i].priority,
+             repair_after(outcome(static_cast<int>(i)), hold), hold.before, hold.after});
       }
     }
     for (const TaskOutcome& task : schedule_.tasks) {
@@ -134,6 +136,7 @@ class Precedences {
     struct Free {
       int node = -1;  ///< who had them, -1: nobody yet
       int people = 0;
+      Ticks after = 0;  ///< working time of their task since it gave them back
     };
     std::multimap<Ticks, Free> free;
     free.emplace(0, Free{-1, static_cast<int>(resource.size)});
@@ -152,18 +155,19 @@ class Precedences {
         wanted -= taken;
         // The rest stays before those who have been free as long.
         if (taken < last.people) {
-          free.emplace_hint(free.begin(), since, Free{last.node, last.people - taken});
+          free.emplace_hint(free.begin(), since, Free{last.node, last.people - taken, last.after});
         }
         if (last.node < 0) continue;
-        const Ticks later = start(use.node) - use.from + (resource.robot ? parked : 0);
-        const Ticks gap = since - finish(last.node) + later;
-        const Ticks most = start(use.node) - finish(last.node);
-        all_.push_back({last.node, TaskEnd::finish, use.node, TaskEnd::start, std::min(gap, most)});
+        // Of tasks that have them midway: what these waited for shifts does not count.
+        const Ticks midway = last.after + use.before;
+        Ticks gap = (resource.robot ? parked : 0) - midway;
+        if (midway == 0) gap = std::min(gap, start(use.node) - finish(last.node));
+        all_.push_back({last.node, TaskEnd::finish, use.node, TaskEnd::start, gap});
         if (repair == 0) continue;
         all_.back().repair = repair;
         all_.back().hours = &hours_of_(number);
       }
-      free.emplace(use.to, Free{use.node, use.people});
+      free.emplace(use.to, Free{use.node, use.people, use.after});
       parked = 0;
       repair = use.repair;
     }
@@ -190,12 +194,10 @@ void add_floats(const std::vector<DoneTask>& done, const schedule::LinkState& li
     task.finish = outcome.start + outcome.duration;
     task.calendar = each.calendar;
     task.milestone = each.milestone;
-    task.whole =
-        each.whole && task.calendar->work_between(task.start, task.finish) == outcome.duration;
+    task.parts = each.parts;
   }
-  const auto floats =
-      schedule::floats_of(tasks, Precedences(done, links, hours_of, schedule).take(),
-                          schedule.process_time);
+  const auto floats = schedule::floats_of(
+      tasks, Precedences(done, links, hours_of, schedule).take(), schedule.process_time);
   for (std::size_t i = 0; i < done.size(); ++i) schedule.tasks[done[i].row].floats = floats[i];
 }
 

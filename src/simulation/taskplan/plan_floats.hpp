@@ -15,8 +15,8 @@ struct DoneTask {
   std::size_t row = 0;  ///< its place in Schedule::tasks
   const schedule::WorkCalendar* calendar = nullptr;
   bool milestone = false;
-  bool whole = false;  ///< nothing may hang on its hook out of working time
   double priority = 0;
+  std::vector<schedule::TaskPart> parts = {};
 };
 
 /// Gives each of `done` its floats, in `schedule`. By the links of the plan, by the order in which
