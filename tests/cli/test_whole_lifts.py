@@ -178,6 +178,13 @@ class WholeLifts(unittest.TestCase):
             lift, end = run(20 * 3600)
             self.assertEqual((lift["float"]["total"], lift["float"]["latest_start"]), (0, 20 * 3600))
 
+    def test_what_is_at_its_goal_needs_no_shift(self):
+        self.write("g.motion", "chain { move_to(x, goal(x)) }; chain { move_to(z, goal(z)) };")
+        _, tasks, records = self.one_lift("whole off; hook 3585 s;", begin=f"{FRIDAY} 15:00")
+        # The carrying motion ends after the shift, and there is nothing left to place.
+        self.assertEqual(self.hanging(records, "lift"), (3598, 3608))
+        self.assertEqual(tasks["lift"]["duration"], 3608)
+
     def test_the_lunch_of_a_crew_counts_from_hook_to_release(self):
         """The crew that releases eats at 11:00, the robot and who hooks at 12:00."""
         calendars = SITE + "calendar early { mon-fri 07:00-11:00, 11:30-16:00; }\n"
