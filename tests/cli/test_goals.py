@@ -140,6 +140,14 @@ class Goals(unittest.TestCase):
         made, _ = self.run_plan(ARM, 'plan p { robot r "r.robot"; support off; budget 100000; %s }' % "\n".join(tasks))
         self.assertNotIn("out of reach", made.stdout)
 
+    def test_near_decides_by_what_it_names(self):
+        # Two configurations: boom -33.69, elbow 90, hand -56.31, and the mirrored one.
+        for side in (1, -1):
+            for near in (90, 60, -60, -90, -130):
+                _, q = self.run_plan(PLANAR % ("frame trans(0, 0, 1);", "follow"), 'plan p { robot "r.robot"; start boom.phi %d, elbow.phi %d; goal at trans(4.60555127546399, 0, 1); near elbow.phi %d; }'
+                                     % (-40 * side, 20 * side, near * side))
+                self.assertAlmostEqual(q["elbow.phi"], math.copysign(90, near * side), 5, (side, near))
+
     def test_line_moves_evenly_what_is_more_than_the_tool_needs(self):
         made, q = self.run_plan(PLANAR % ("param x range(-5, 5) step(0.5); frame trans(x, 0, 1);", "line"),
                                 'plan p { robot "r.robot"; start x 0, boom.phi 60, elbow.phi -80, hand.phi 20; goal x 1, boom.phi 50, elbow.phi -80, hand.phi 30; within 0.001; }')
