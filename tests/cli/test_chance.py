@@ -289,6 +289,23 @@ class Breakdowns(Chance):
         self.assertEqual(tasks["t"]["duration"], 86400 + 4 * 3600)
         self.assertEqual(tasks["t"]["waited"]["repair"], 86400 + 7200 - 14400)
 
+    def test_a_repair_between_two_tasks_is_no_float(self):
+        # h works 3 h, is repaired for 2 h, mornings only, and works 1 h; others make the plan 52 h long: until Wednesday 11:00.
+        text = """plan p { parameter later = 0; start_at "2026-03-02 07:00"; calendar day { mon-fri 07:00-12:00; } crew c;
+          robot h "hoist.robot" { calendar day; breakdown every 3 h takes 2 h; }
+          task a { by h; takes 3 h; not_before later * 1 h; } task b { by h; takes 1 h; after a; } task others { by c; takes 52 h; } }"""
+        for later, (start, total, end) in {"0": (0, 8, 52), "24": (24, 3, 52), "49": (49, 0, 74)}.items():
+            schedule, tasks = self.run_plan(text, options=("--sample", "1", "--set", "later=" + later))
+            self.assertEqual((tasks["a"]["start"], tasks["a"]["float"]["total"], schedule["process_time"]), (start * 3600, total * 3600, end * 3600))
+        self.assertEqual([step["text"] for step in schedule["critical"]][1:], ["b starts when 'h' is repaired, which a had"])
+        self.run_plan(text, options=("--sample", "1"))
+
+        def at_the_end(result):
+            task = next(each for each in result.schedule["tasks"] if each["task"] == "a")
+            task["float"].update(total=9 * 3600, latest_start=24 * 3600 + 4 * 3600, latest_finish=48 * 3600 + 2 * 3600)
+
+        self.assertIn("at its latest h is not repaired when b needs it", self.faults_of(at_the_end))
+
     def test_others_wait_or_take_another(self):
         pool = """plan p { support off; robot a "hoist.robot" { breakdown every 100 s takes 10 h; } robot b "hoist.robot" at trans(20, 0, 0); pool ab { of a, b; choose first; }
           %s task one { by ab; move c to trans(0, 0, 4); hook 2 min; release 1 min; } task two { by ab; go z 9; after one; } task three { by a; go z 8; after one; } }""" % BLOCK

@@ -152,6 +152,12 @@ class Dates(ResultCase):
         self.assertAlmostEqual(tasks["a"]["float"]["total"], tasks["go"]["duration"], places=6)
         self.assertAlmostEqual(tasks["b"]["start"] + tasks["b"]["duration"], schedule["process_time"], places=6)
 
+    def test_who_holds_what_the_task_before_needs_waits_for_its_finish(self):
+        texts = {"x": "task x { by d; takes 3 h; }", "a": "task a { by cart; takes 2 h; after x; }", "b": "task b { by cart; takes 1 h; after a FF; }"}
+        for order in ("bax", "xab"):
+            _, tasks = self.run_plan('plan p { robot cart "ROBOTS/cart.robot" { start x -20, y -12; } crew d; %s }' % " ".join(texts[name] for name in order))
+            self.assertEqual((tasks["a"]["start"], tasks["b"]["start"], tasks["b"]["waited"]["predecessor"]), (3 * HOUR, 5 * HOUR, 5 * HOUR))
+
     def test_verify_finds_dates_that_are_wrong(self):
         self.run_plan(CREWS)
 

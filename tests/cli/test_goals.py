@@ -51,6 +51,24 @@ ARM = """robot arm {
   behaviour { chain { follow } }
 }
 """
+# Three joints in a plane, and what carries them.
+PLANAR = """robot planar {
+  body base { %s }
+  body boom on base { param phi range(-150, 150) step(5); frame roty(-phi); }
+  body elbow on boom { param phi range(-150, 150) step(5); frame trans(3, 0, 0) * roty(-phi); }
+  body hand on elbow { param phi range(-300, 300) step(5); frame trans(2, 0, 0) * roty(-phi); }
+  tool hand at trans(1, 0, 0);
+  behaviour { chain { %s } }
+}
+"""
+# What one slides forth the other can slide back.
+SLIDES = """robot slides {
+  body outer { param x range(0, 5) step(0.2); frame trans(x, 0, 1); }
+  body inner on outer { param x range(0, 5) step(0.2); frame trans(x, 0, 0); }
+  tool inner;
+  behaviour { chain { line } }
+}
+"""
 ARM_RANGES = ((-170, 170), (-120, 60), (-60, 150), (-180, 180), (-120, 120), (-180, 180))
 
 
@@ -121,6 +139,24 @@ class Goals(unittest.TestCase):
         tasks = ["task t_%d { by r; go at %s; }" % (i, arm_frame([draws.uniform(*each) for each in ARM_RANGES])) for i in range(120)]
         made, _ = self.run_plan(ARM, 'plan p { robot r "r.robot"; support off; budget 100000; %s }' % "\n".join(tasks))
         self.assertNotIn("out of reach", made.stdout)
+
+    def test_near_decides_by_what_it_names(self):
+        # Two configurations: boom -33.69, elbow 90, hand -56.31, and the mirrored one.
+        for side in (1, -1):
+            for near in (90, 60, -60, -90, -130):
+                _, q = self.run_plan(PLANAR % ("frame trans(0, 0, 1);", "follow"), 'plan p { robot "r.robot"; start boom.phi %d, elbow.phi %d; goal at trans(4.60555127546399, 0, 1); near elbow.phi %d; }'
+                                     % (-40 * side, 20 * side, near * side))
+                self.assertAlmostEqual(q["elbow.phi"], math.copysign(90, near * side), 5, (side, near))
+
+    def test_line_moves_evenly_what_is_more_than_the_tool_needs(self):
+        made, q = self.run_plan(PLANAR % ("param x range(-5, 5) step(0.5); frame trans(x, 0, 1);", "line"),
+                                'plan p { robot "r.robot"; start x 0, boom.phi 60, elbow.phi -80, hand.phi 20; goal x 1, boom.phi 50, elbow.phi -80, hand.phi 30; within 0.001; }')
+        self.assertEqual(made.returncode, 0, made.stdout)
+        for name, value in (("x", 1), ("boom.phi", 50), ("elbow.phi", -80), ("hand.phi", 30)):
+            self.assertAlmostEqual(q[name], value, 5)
+        made, q = self.run_plan(SLIDES, 'plan p { robot "r.robot"; start outer.x 0, inner.x 1; goal outer.x 1, inner.x 0; within 0.001; }')
+        self.assertEqual(made.returncode, 0, made.stdout)
+        self.assertAlmostEqual(q["outer.x"], 1, 5)
 
     def test_line_leads_nowhere_where_what_it_steps_does_not_move(self):
         made, _ = self.run_plan(MAST % "line", 'plan p { robot "r.robot"; start x 0, y 0, theta 0, z 1; goal x 3; }')

@@ -161,6 +161,30 @@ class WholeLifts(unittest.TestCase):
         _, tasks, _ = self.run_plan(plan + lift.format("whole on;"), begin=f"{DAY} 11:50")
         self.assertIn("lift", tasks["lift"])
 
+    def test_floats_keep_the_hours_of_riggers(self):
+        # A gantry that works day and night and riggers by day; others work for 20 h, to Tuesday 03:00.
+        for whole in ("", "whole off; "):
+            def run(later):
+                _, tasks, _ = self.run_plan(
+                    'robot g "g.robot" { }\ncrew c { calendar site; }\ncrew d;\n' + crate("a", 10) + "task others { by d; takes 20 h; }\n"
+                    + f"task lift {{ by g; move a to trans(20, 0, 0); {whole}hook 30 min by c; release 20 min by c; not_before {later} s; }}\n")
+                return tasks["lift"], max(each["start"] + each["duration"] for each in tasks.values())
+
+            lift, end = run(0)
+            self.assertEqual((lift["float"]["latest_finish"], end), (9 * 3600, 20 * 3600))
+            latest = lift["float"]["latest_start"]
+            self.assertEqual((run(latest)[1], run(latest + 1)[1] > 24 * 3600), (20 * 3600, True))
+            # In the night before it waits for the riggers, and is as early as it can be.
+            lift, end = run(20 * 3600)
+            self.assertEqual((lift["float"]["total"], lift["float"]["latest_start"]), (0, 20 * 3600))
+
+    def test_what_is_at_its_goal_needs_no_shift(self):
+        self.write("g.motion", "chain { move_to(x, goal(x)) }; chain { move_to(z, goal(z)) };")
+        _, tasks, records = self.one_lift("whole off; hook 3585 s;", begin=f"{FRIDAY} 15:00")
+        # The carrying motion ends after the shift, and there is nothing left to place.
+        self.assertEqual(self.hanging(records, "lift"), (3598, 3608))
+        self.assertEqual(tasks["lift"]["duration"], 3608)
+
     def test_the_lunch_of_a_crew_counts_from_hook_to_release(self):
         """The crew that releases eats at 11:00, the robot and who hooks at 12:00."""
         calendars = SITE + "calendar early { mon-fri 07:00-11:00, 11:30-16:00; }\n"

@@ -48,7 +48,10 @@ GoalChain::GoalChain(const RobotModel& model, GoalClauses clauses)
         is_any_beside || (!is_taken[i] && !is_on_chain[static_cast<std::size_t>(parameter.body)]);
   }
   const auto take = [&](std::size_t i, int level) {
-    variables_.push_back({i, level, model.parameters[i].rotation ? 180 / math::kPi : 1});
+    const bool named =
+        std::any_of(clauses_.near.begin(), clauses_.near.end(),
+                    [i](const auto& each) { return static_cast<std::size_t>(each.first) == i; });
+    variables_.push_back({i, level, model.parameters[i].rotation ? 180 / math::kPi : 1, named});
     is_taken[i] = true;
   };
   int level = 0;
@@ -134,11 +137,26 @@ double GoalProblem::moved(const GoalState& state, std::size_t variable) const {
   return reduced(parameter(variable), change) / variables()[variable].scale;
 }
 
+/// From the values at which the search begins: those that `near` names.
+double GoalProblem::from_named(const GoalState& state) const {
+  double squared = 0;
+  for (std::size_t v = 0; v < variables().size(); ++v) {
+    if (!variables()[v].named) continue;
+    const double off = moved(state, v);
+    squared += off * off;
+  }
+  return std::sqrt(squared);
+}
+
 bool GoalProblem::better(const GoalState& a, const GoalState& b) const {
   if (std::fabs(a.position_error - b.position_error) > kSolved)
     return a.position_error < b.position_error;
   if (std::fabs(a.orientation_error - b.orientation_error) > kSolved)
     return a.orientation_error < b.orientation_error;
+  if (chain_.has_named()) {
+    const double difference = from_named(a) - from_named(b);
+    if (std::fabs(difference) > kSolved) return difference < 0;
+  }
   for (std::size_t v = variables().size(); v > 0;) {
     const int level = variables()[v - 1].level;
     double a_squared = 0;

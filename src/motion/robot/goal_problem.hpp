@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -22,8 +23,9 @@ using PoseJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 /// A control parameter the solver may move.
 struct GoalVariable {
   std::size_t parameter = 0;
-  int level = 0;     ///< 0: of the tool's body or what drives it, 1: of its parent, ...
-  double scale = 1;  ///< file units per metre or radian
+  int level = 0;       ///< 0: of the tool's body or what drives it, 1: of its parent, ...
+  double scale = 1;    ///< file units per metre or radian
+  bool named = false;  ///< `near` names it
 };
 
 /// A configuration with what is left to the goal.
@@ -46,6 +48,11 @@ class GoalChain {
   /// Ordered by level.
   const std::vector<GoalVariable>& variables() const { return variables_; }
   bool has_derived() const { return has_derived_; }
+  /// Whether `near` names any of the variables.
+  bool has_named() const {
+    return std::any_of(variables_.begin(), variables_.end(),
+                       [](const GoalVariable& each) { return each.named; });
+  }
   /// How many parameters a robot needs to meet any goal in reach: 6, less what may turn freely.
   std::size_t numbers_asked() const {
     return clauses_.free == FreeTurn::none ? 6 : clauses_.free == FreeTurn::all ? 3 : 5;
@@ -87,8 +94,9 @@ class GoalProblem {
   /// How far a variable is from its value now (m or rad, signed; a cyclic one the shorter way).
   double moved(const GoalState& state, std::size_t variable) const;
 
-  /// Whether `a` is to be preferred to `b`: nearer in position, then in orientation, then the
-  /// parents moved less, the base before all; differences below kSolved do not count.
+  /// Whether `a` is to be preferred to `b`: nearer in position, then in orientation, then to the
+  /// values that `near` names (m and rad, squared), then the parents moved less, the base before
+  /// all; differences below kSolved do not count.
   bool better(const GoalState& a, const GoalState& b) const;
 
   /// Whether the solver may change a parameter, as far as locks say.
@@ -96,6 +104,7 @@ class GoalProblem {
     return model().parameters[static_cast<std::size_t>(parameter)].free &&
            !chain_.clauses().locks(parameter);
   }
+  const GoalChain& chain() const { return chain_; }
   std::size_t numbers_asked() const { return chain_.numbers_asked(); }
   bool turns_freely() const { return chain_.clauses().free != FreeTurn::none; }
   bool locks_any() const { return !chain_.clauses().locked.empty(); }
@@ -109,6 +118,8 @@ class GoalProblem {
   bool exhausted() const { return work_ > kMostWork; }
 
  private:
+  double from_named(const GoalState& state) const;
+
   static constexpr std::size_t kMostWork =
       30'000'000;  ///< derivatives of frame elements: about two seconds
 

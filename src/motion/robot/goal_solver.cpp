@@ -29,6 +29,9 @@ constexpr std::size_t kMostRefined = 40;
 constexpr int kSpreadStarts = 10;
 constexpr int kMostSpreadStarts = 200;
 
+/// So many with the values that `near` names, where the goal can be met: a wrist has several ways.
+constexpr int kNamedStarts = 40;
+
 /// Unlimited translations are spread over this distance (m) about their value now.
 constexpr double kSpread = 10;
 
@@ -61,6 +64,9 @@ class GoalSearch {
       for (int i = 1; i <= spread_starts && !problem_.solved(best) && !problem_.exhausted(); ++i) {
         improve(best, problem_.at(spread(start, count, i)), count);
       }
+      if (problem_.chain().has_named() && problem_.solved(best)) {
+        for (GoalState& other : named_starts(start, count)) improve(best, std::move(other), count);
+      }
       best = refined(std::move(best), count);
     }
     return best;
@@ -86,6 +92,36 @@ class GoalSearch {
     }
     return {best, problem_.at(facing(best.q, count)), problem_.at(middle),
             problem_.at(facing(middle, count))};
+  }
+
+  /// With the values that `near` names: what the other variables make of the goal while these are
+  /// held, from where they are and from points spread over their ranges.
+  std::vector<GoalState> named_starts(const GoalState& best, std::size_t count) const {
+    GoalClauses clauses = problem_.chain().clauses();
+    std::vector<double> named = best.q;
+    for (std::size_t v = 0; v < problem_.variables().size(); ++v) {
+      const GoalVariable& variable = problem_.variables()[v];
+      if (variable.named) named[variable.parameter] = problem_.q_now()[variable.parameter];
+      if (variable.named || v >= count) {
+        clauses.locked.push_back(static_cast<int>(variable.parameter));
+      }
+    }
+    std::sort(clauses.locked.begin(), clauses.locked.end());
+    named = clamped(std::move(named));
+    const GoalChain others(problem_.model(), std::move(clauses));
+    const GoalProblem rest(others, problem_.mounting(), named, problem_.goal());
+    std::vector<GoalState> starts;
+    for (int i = 0; i <= kNamedStarts; ++i) {
+      std::vector<double> q = i == 0 ? named : spread(best, count, i);
+      for (std::size_t v = 0; v < count; ++v) {
+        const GoalVariable& variable = problem_.variables()[v];
+        if (variable.named) q[variable.parameter] = named[variable.parameter];
+      }
+      const GoalState met = damped_least_squares(rest, rest.at(std::move(q)),
+                                                 others.variables().size(), GoalPart::pose);
+      starts.push_back(problem_.at(met.q));
+    }
+    return starts;
   }
 
   /// q with the rotations set to their r_goal one after the other, base first.

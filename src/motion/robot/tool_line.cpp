@@ -30,6 +30,12 @@ constexpr int kParts = 8;
 /// m or rad of the tool for m or rad of a parameter that hardly moves it.
 constexpr double kIdle = 1e-9;
 
+/// Part of what a parameter does to the tool that others do not do; less is rounding.
+constexpr double kNothingNew = 1e-6;
+
+/// Configurations in which it is looked at what each parameter does.
+constexpr int kSamples = 3;
+
 /// Trials of shorter steps.
 constexpr int kMostTrials = 60;
 
@@ -37,6 +43,18 @@ constexpr int kMostTrials = 60;
 constexpr double kStepSlack = 1e-9;
 
 using math::at;
+
+/// A value within the range of a parameter that is like any: spread by the golden ratio. Without
+/// limits within a quarter turn, or 10 m, of 0.
+double sample_of(const Parameter& p, int index, std::size_t number) {
+  constexpr double kGolden = 0.6180339887498949;
+  double whole = 0;
+  const double part = std::modf(kGolden * (index + kSamples * static_cast<double>(number)), &whole);
+  const double half = p.rotation ? 90 : 10;
+  const double lower = std::isfinite(p.lower) ? p.lower : std::min(-half, p.upper - 2 * half);
+  const double upper = std::isfinite(p.upper) ? p.upper : std::max(half, lower + 2 * half);
+  return lower + (0.05 + 0.9 * part) * (upper - lower);
+}
 
 }  // namespace
 
@@ -99,6 +117,17 @@ ToolLine::ToolLine(const RobotModel& model, const Mounting& mounting, LineDeviat
   clauses_.locked = held;
   chain_ = std::make_shared<const GoalChain>(model, clauses_);
   if (stepped_.empty()) refusal_ = "no parameter of it has a step or a speed of its own";
+  for (int i = 1; i <= kSamples; ++i) {
+    std::vector<double> q(model.parameters.size());
+    for (std::size_t k = 0; k < q.size(); ++k) q[k] = sample_of(model.parameters[k], i, k);
+    const GoalProblem problem(*chain_, mounting_, q, Pose::Identity());
+    const PoseJacobian jacobian = problem.jacobian(problem.at(q), chain_->variables().size());
+    if (!jacobian.allFinite()) continue;
+    std::vector<std::array<double, 6>>& sample = samples_.emplace_back(chain_->variables().size());
+    for (std::size_t v = 0; v < sample.size(); ++v) {
+      Eigen::Map<PoseResidual>(sample[v].data()) = jacobian.col(static_cast<Eigen::Index>(v));
+    }
+  }
 }
 
 std::vector<double> ToolLine::change_between(std::span<const double> q,
@@ -183,11 +212,13 @@ class StepMotion {
 ToolLine::Way ToolLine::way_between(std::span<const double> q, std::span<const double> q_end,
                                     std::span<const int> named) const {
   double shift = 0;
-  for (const int i : named) {
+  const auto count = [&](int i) {
     const Parameter& p = model_.parameters[at(i)];
     const double off = std::fabs(robot::way_between(p, q[at(i)], q_end[at(i)]));
     shift = std::max(shift, p.rotation ? math::radians(off) : off);
-  }
+  };
+  for (const int i : named) count(i);
+  for (const int i : steered(named)) count(i);
   return {tool_pose(model_, mounting_, q), tool_pose(model_, mounting_, q_end), clauses_.free,
           shift};
 }
@@ -198,32 +229,37 @@ bool ToolLine::is_there(std::span<const double> q, std::span<const double> q_end
 }
 
 /// Parameters that run evenly to their values at the end: the named ones, and of the others that
-/// move the tool, from the base on, as many as are more than its pose needs. Ascending.
-std::vector<int> ToolLine::steered(const Way& way, std::span<const double> q,
-                                   std::span<const int> named) const {
+/// move the tool those that add nothing to what others nearer to the tool can do. Ascending.
+std::vector<int> ToolLine::steered(std::span<const int> named) const {
   std::vector<int> result;
   for (const int i : named) {
     if (std::binary_search(moved_.begin(), moved_.end(), i)) result.push_back(i);
   }
   const auto& variables = chain_->variables();
-  const std::size_t needed = chain_->numbers_asked();
-  if (variables.size() <= needed) {
-    std::sort(result.begin(), result.end());
-    return result;
+  std::vector<int> spare, spare_here;
+  std::size_t most = 0;
+  for (const std::vector<std::array<double, 6>>& sample : samples_) {
+    spare_here.clear();
+    std::vector<PoseResidual> needed;  // orthonormal: what the tool can do by those looked at
+    for (std::size_t v = 0; v < variables.size(); ++v) {  // tip first
+      const int i = static_cast<int>(variables[v].parameter);
+      if (std::find(named.begin(), named.end(), i) != named.end()) continue;
+      PoseResidual column = Eigen::Map<const PoseResidual>(sample[v].data());
+      const double length = column.norm();
+      if (length <= kIdle) continue;
+      for (const PoseResidual& each : needed) column -= each.dot(column) * each;
+      for (const PoseResidual& each : needed) column -= each.dot(column) * each;
+      if (column.norm() > kNothingNew * length) {
+        needed.push_back(column.normalized());
+      } else {
+        spare_here.push_back(i);
+      }
+    }
+    if (needed.size() <= most) continue;
+    most = needed.size();
+    spare = spare_here;
   }
-  const GoalProblem problem(*chain_, mounting_, q, way.at(0));
-  const PoseJacobian jacobian =
-      problem.jacobian(problem.at({q.begin(), q.end()}), variables.size());
-  std::vector<int> moving;  // tip first
-  for (std::size_t v = 0; v < variables.size(); ++v) {
-    const int i = static_cast<int>(variables[v].parameter);
-    const bool is_named = std::find(result.begin(), result.end(), i) != result.end();
-    if (!is_named && jacobian.col(static_cast<Eigen::Index>(v)).norm() > kIdle) moving.push_back(i);
-  }
-  while (moving.size() > needed) {
-    result.push_back(moving.back());
-    moving.pop_back();
-  }
+  result.insert(result.end(), spare.begin(), spare.end());
   std::sort(result.begin(), result.end());
   return result;
 }
@@ -246,7 +282,7 @@ ToolLine::Step ToolLine::next_step(std::span<const double> q, std::span<const do
   const Way way = way_between(q, q_end, named);
   if (way.is_over()) return {Step::Kind::there, -1};
 
-  const std::vector<int> even = steered(way, q, named);
+  const std::vector<int> even = steered(named);
   const std::vector<double> whole = change_between(q, q_end);
   std::optional<GoalChain> without_even;
   if (!even.empty()) {

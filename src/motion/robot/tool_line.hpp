@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -17,9 +18,10 @@ class GoalChain;
 /// step the tool is on the line to 1e-9 m and rad; within it, while the parameters run linearly, as
 /// near as `deviation` says: as measured at nine moments, plus a bound on what lies between. Steps
 /// are as long as that, and the `step` of each parameter, allow. Parameters that have no step of
-/// their own, and locked ones, stay. Where more move than the tool's pose needs, those nearest to
-/// the base run evenly to their values at the end, and so do those that are named. Stateless: what
-/// is left of a straight way is straight. The robot must outlive it.
+/// their own, and locked ones, stay. Where more move than the tool's pose needs (three
+/// in a plane, six in space), those nearest to the base run evenly to their values at the end, and
+/// so do those that are named. Stateless: what is left of a straight way is straight. The robot
+/// must outlive it.
 class ToolLine {
  public:
   ToolLine(const RobotModel& model, const Mounting& mounting, LineDeviation deviation,
@@ -53,8 +55,7 @@ class ToolLine {
 
   Way way_between(std::span<const double> q, std::span<const double> q_end,
                   std::span<const int> named) const;
-  std::vector<int> steered(const Way& way, std::span<const double> q,
-                           std::span<const int> named) const;
+  std::vector<int> steered(std::span<const int> named) const;
 
   double share_allowed(std::span<const double> change) const;
   std::vector<double> change_between(std::span<const double> q, std::span<const double> q_to) const;
@@ -68,6 +69,8 @@ class ToolLine {
   std::vector<int> stepped_;
   std::vector<int> moved_;  ///< of these the ones that are not locked
   std::shared_ptr<const GoalChain> chain_;
+  /// How the tool moves by the variables of the chain, in some configurations that are like any.
+  std::vector<std::vector<std::array<double, 6>>> samples_;
 };
 
 }  // namespace rubicon::robot

@@ -93,6 +93,7 @@ ChainStep step_of(const Network& network, const TaskTimes& own, const Event& eve
   step.first_gain = own.first_gain;
   step.given_back_midway = own.given_back_midway;
   step.kept = own.kept;
+  step.repaired = own.repaired;
   return step;
 }
 
@@ -164,9 +165,12 @@ std::string text_of(const Network& network, const ChainStep& step) {
       if (step.held == Held::machine) text += ", to be out of the way";
     }
   } else if (step.held == Held::resource) {
-    text += fmt::format(
-        "{} when '{}' is {}, which {} had", starts, network.resources[at(step.resource)].name,
-        step.kept ? "kept for nobody any more" : "free", network.tasks[at(step.task_before)].name);
+    text += fmt::format("{} when '{}' is {}, which {} had", starts,
+                        network.resources[at(step.resource)].name,
+                        step.kept       ? "kept for nobody any more"
+                        : step.repaired ? "repaired"
+                                        : "free",
+                        network.tasks[at(step.task_before)].name);
   } else {
     const Link& link = task.after[at(step.link)];
     const std::string& before = network.tasks[at(link.task)].name;

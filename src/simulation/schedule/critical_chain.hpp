@@ -20,6 +20,7 @@ struct ChainStep {
   bool midway = false;             ///< it stood still after its start
   bool could_start = false;        ///< that let it start, and a machine stood in its zone
   bool kept = false;               ///< the resource was kept for others after the task before
+  bool repaired = false;           ///< the machine was repaired after the task before
   bool given_back_midway = false;  ///< the task before let go before its own finish
   std::optional<Parking> parking = {};  ///< of the task before
   Ticks wanted = 0;                     ///< when what held it let go

@@ -37,15 +37,32 @@ void LinkState::count_links() {
   for (int task = 0; task < size(); ++task) {
     for (const Link& link : links_of(task)) {
       if (left_out_[at(link.task)]) continue;
-      if (waits_to_start(task, link.type)) ++to_start_[at(task)];
+      if (waits_to_start(task, link.task, link.type)) ++to_start_[at(task)];
       if (end_after(link.type) == TaskEnd::finish) ++to_finish_[at(task)];
     }
   }
 }
 
-bool LinkState::waits_to_start(int task, LinkType type) const {
+bool LinkState::waits_to_start(int task, int before, LinkType type) const {
   return end_after(type) == TaskEnd::start ||
-         (known_work(task) && !mutually_constrained_[at(task)]);
+         (!mutually_constrained_[at(task)] && (known_work(task) || take_turns(task, before)));
+}
+
+/// Whether two tasks hold from start to finish what is not enough for both.
+bool LinkState::take_turns(int task, int other) const {
+  if (is_milestone(task) || is_milestone(other)) return false;
+  const NetworkTask& a = network_.tasks[at(task)];
+  const NetworkTask& b = network_.tasks[at(other)];
+  const auto units = [&](const NetworkTask& each, std::size_t i) {
+    return each.units.empty() ? network_.resources[at(each.resources[i])].size : each.units[i];
+  };
+  for (std::size_t i = 0; i < a.resources.size(); ++i) {
+    const auto same = std::find(b.resources.begin(), b.resources.end(), a.resources[i]);
+    if (same == b.resources.end()) continue;
+    const auto place = static_cast<std::size_t>(same - b.resources.begin());
+    if (units(a, i) + units(b, place) > network_.resources[at(a.resources[i])].size) return true;
+  }
+  return false;
 }
 
 LinkBounds LinkState::bounds_of(int task, bool with_finish) const {
@@ -67,7 +84,7 @@ std::vector<int> LinkState::open_links(int task, TaskEnd end) const {
   std::vector<int> open;
   const std::vector<Link>& links = links_of(task);
   for (std::size_t i = 0; i < links.size(); ++i) {
-    const bool holds = end == TaskEnd::start ? waits_to_start(task, links[i].type)
+    const bool holds = end == TaskEnd::start ? waits_to_start(task, links[i].task, links[i].type)
                                              : end_after(links[i].type) == TaskEnd::finish;
     if (holds && !is_known(links[i].task, end_before(links[i].type))) {
       open.push_back(static_cast<int>(i));
@@ -97,7 +114,7 @@ TaskTimes LinkState::ready_times(int task, int before, Ticks now) const {
     // Of several links from it the one that became known now.
     const bool by_finish = is_known(before, TaskEnd::finish) && times_[at(before)].finish == now;
     const auto leads = [&](const Link& link) {
-      return link.task == before && waits_to_start(task, link.type);
+      return link.task == before && waits_to_start(task, before, link.type);
     };
     auto last = std::find_if(links.begin(), links.end(), [&](const Link& link) {
       return leads(link) && (end_before(link.type) == TaskEnd::finish) == by_finish;
@@ -152,7 +169,7 @@ void LinkState::propagate(Listener& listener) {
         count_down(to_finish_[at(follower)]);
         if (may_finish(follower)) listener.may_finish(follower);
       }
-      if (waits_to_start(follower, type)) {
+      if (waits_to_start(follower, task, type)) {
         count_down(to_start_[at(follower)]);
         if (may_start(follower)) listener.may_start(follower, task);
       }

@@ -47,9 +47,10 @@ class LinkState {
   /// Counts again what each task waits for: once, after the first `leave_out`s.
   void count_links();
 
-  /// Whether a link of that type keeps the task from starting. Work that is known starts so late
-  /// that it does not finish too early, and so waits for what holds its finish too.
-  bool waits_to_start(int task, LinkType type) const;
+  /// Whether a link of that type from `before` keeps the task from starting. Work that is known
+  /// starts so late that it does not finish too early, and so waits for what holds its finish too;
+  /// so does what holds the machine or people that the task before needs.
+  bool waits_to_start(int task, int before, LinkType type) const;
   bool may_start(int task) const { return to_start_[at(task)] == 0; }
   bool may_finish(int task) const { return to_finish_[at(task)] == 0; }
   bool is_known(int task, TaskEnd end) const { return (known_[at(task)] & bit(end)) != 0; }
@@ -98,6 +99,7 @@ class LinkState {
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
   static std::uint8_t bit(TaskEnd end) { return end == TaskEnd::start ? 1 : 2; }
   void count_down(int& counter);
+  bool take_turns(int task, int other) const;
 
   Network network_;
   std::vector<Ticks> work_;

@@ -83,6 +83,7 @@ struct TaskTimes {
   int task_before = -1;                 ///< held by a resource: the task that had it
   bool given_back_midway = false;       ///< that task gave it back before its own finish
   bool kept = false;                    ///< it was kept for others after that
+  bool repaired = false;                ///< it was repaired after that
   std::optional<StartWait> start_wait;  ///< after what held it
   std::vector<MidWait> mid_waits;       ///< in order; only of tasks that are simulated
   int finish_link = -1;  ///< the link that holds the finish, if the task's own work does not

@@ -10,42 +10,54 @@ namespace rubicon::schedule {
 
 namespace {
 
-/// A task that is moved as it is, its working time the same wherever it stands.
+/// A task that is moved as it is, the working time of its parts the same wherever they stand.
 class Placement {
  public:
-  explicit Placement(const TimedTask& task)
-      : task_(task),
-        work_(task.milestone ? 0 : task.calendar->work_between(task.start, task.finish)) {}
+  explicit Placement(const TimedTask& task) : task_(task), parts_(task.parts) {
+    if (task.milestone) {
+      parts_.clear();
+    } else if (parts_.empty()) {
+      parts_.push_back(
+          {task.calendar->work_between(task.start, task.finish), task.calendar, false});
+    }
+    std::erase_if(parts_, [](const TaskPart& part) { return part.work == 0; });
+  }
 
   /// The latest finish that is not after `limit`; never sooner than its own.
   Ticks finish_by(Ticks limit) const {
     if (limit <= task_.finish) return task_.finish;
-    if (work_ == 0) return limit;
+    if (parts_.empty()) return limit;
     // What a link held to a finish out of shift may be held longer.
-    if (task_.calendar->last_working(task_.finish) < task_.finish && !task_.whole) return limit;
-    Ticks finish = std::max(task_.finish, task_.calendar->last_working(limit));
-    if (!task_.whole) return finish;
-    while (finish > task_.finish) {
-      const Ticks start = task_.calendar->latest_start(finish, work_);
-      if (finish - start == work_) return finish;
-      finish = task_.calendar->shift_end(start);
-    }
-    return task_.finish;
+    if (task_.calendar->last_working(task_.finish) < task_.finish) return limit;
+    const TaskPart& last = parts_.back();
+    if (!last.whole) return std::max(task_.finish, last.calendar->last_working(limit));
+    const Ticks start = start_of(last, limit, task_.finish);
+    return start > task_.finish - last.work ? start + last.work : task_.finish;
   }
 
   /// Its start when it finishes then.
   Ticks start_for(Ticks finish) const {
     if (finish == task_.finish) return task_.start;
-    if (work_ == 0) return finish - (task_.finish - task_.start);
-    return std::max(task_.start, task_.calendar->latest_start(finish, work_));
+    if (parts_.empty()) return finish - (task_.finish - task_.start);
+    Ticks start = finish;
+    for (std::size_t i = parts_.size(); i-- > 0 && start > task_.start;) {
+      start = start_of(parts_[i], start, task_.start);
+    }
+    return std::max(task_.start, start);
   }
 
   /// The latest finish with which it starts not after `limit`; never sooner than its own.
   Ticks finish_if_started_by(Ticks limit) const {
     if (limit <= task_.start) return task_.finish;
-    if (work_ == 0) return limit + (task_.finish - task_.start);
-    if (!task_.calendar->works_at(limit)) limit = task_.calendar->last_working(limit) - kSecond;
-    return std::max(task_.finish, task_.calendar->finish(limit, work_));
+    if (parts_.empty()) return limit + (task_.finish - task_.start);
+    Ticks start = limit;
+    if (!task_.calendar->works_at(limit)) start = task_.calendar->last_working(limit) - kSecond;
+    Ticks finish = start;
+    for (const TaskPart& part : parts_) finish = finish_of(part, finish);
+    finish = std::max(finish, task_.finish);
+    // Where it would wait on its way it could start later: it finishes sooner.
+    if (start_for(finish) > limit) finish = finish_by(finish - 1);
+    return start_for(finish) > limit ? task_.finish : finish;
   }
 
   /// Working time from its finish to a later one.
@@ -55,8 +67,31 @@ class Placement {
   }
 
  private:
+  /// The last start of a part that is over by then; of one that is whole the search ends where it
+  /// would finish before `least`.
+  static Ticks start_of(const TaskPart& part, Ticks finish, Ticks least) {
+    Ticks start = part.calendar->latest_start(finish, part.work);
+    if (!part.whole) return start;
+    finish = part.calendar->last_working(finish);
+    while (finish - start != part.work && finish > least) {
+      finish = part.calendar->shift_end(start);
+      start = part.calendar->latest_start(finish, part.work);
+    }
+    return start;
+  }
+
+  /// When a part is over that can begin then.
+  static Ticks finish_of(const TaskPart& part, Ticks from) {
+    if (!part.whole) return part.calendar->finish(from, part.work);
+    Ticks start = part.calendar->next_working(from);
+    while (start < kEndOfTime && part.calendar->shift_end(start) - start < part.work) {
+      start = part.calendar->next_working(part.calendar->shift_end(start));
+    }
+    return within_time(start + part.work);
+  }
+
   const TimedTask& task_;
-  Ticks work_;
+  std::vector<TaskPart> parts_;
 };
 
 class BackwardPass {
@@ -90,7 +125,8 @@ class BackwardPass {
  private:
   /// How late the task before may finish if the event after comes at `moment`.
   Ticks limit(const Precedence& each, Ticks moment) const {
-    const Ticks event = moment - each.gap;
+    Ticks event = moment - each.gap;
+    if (each.hours != nullptr) event = each.hours->latest_start(event, each.repair);
     return each.from == TaskEnd::finish ? event
                                         : places_[at(each.before)].finish_if_started_by(event);
   }

@@ -8,23 +8,33 @@
 
 namespace rubicon::schedule {
 
+/// Part of a task: so much working time by a calendar of its own.
+struct TaskPart {
+  Ticks work = 0;
+  const WorkCalendar* calendar = nullptr;
+  bool whole = false;  ///< a lift: it stays in one shift
+};
+
 /// A task as it went.
 struct TimedTask {
   Ticks start = 0;
   Ticks finish = 0;
-  const WorkCalendar* calendar = nullptr;  ///< hours that all it needs have in common
+  const WorkCalendar* calendar = nullptr;  ///< hours that all it holds have in common
   bool milestone = false;                  ///< it needs no shift
-  bool whole = false;                      ///< a lift: it stays in one shift
+  std::vector<TaskPart> parts = {};        ///< one after the other; none: it is one, by `calendar`
 };
 
 /// An event of one task keeps another from coming sooner than `gap` after it: a link with its lag,
-/// or a crew or machine that the one gives back and the other takes.
+/// or a crew or machine that the one gives back and the other takes. Where the machine is repaired
+/// between them, the gap begins with so much working time.
 struct Precedence {
   int before = -1;
   TaskEnd from = TaskEnd::finish;
   int after = -1;
   TaskEnd to = TaskEnd::start;
   Ticks gap = 0;
+  Ticks repair = 0;
+  const WorkCalendar* hours = nullptr;  ///< in which it is repaired; null: it is not
 };
 
 /// How much later a task could have been. Total float: without the whole becoming later; free

@@ -23,6 +23,8 @@ struct ActiveTask {
     std::vector<Ticks> worked;     ///< crew work of each of these
     std::vector<Ticks> off;      ///< in their shifts, while nothing goes on out of somebody's shift
     Ticks repair = 0;            ///< of its robot, in the shifts of that
+    Ticks part_since = 0;        ///< the last of its parts (TaskOutcome) began
+    Ticks part_off = 0;          ///< of that, in its own hours, it waited for those of others
     std::uint64_t progress = 0;  ///< grows with every phase done and every new place
   };
 

@@ -152,10 +152,15 @@ void Simulation::add_floats(const std::vector<std::size_t>& row_of, Schedule& sc
   for (int task = 0; task < static_cast<int>(plan_.tasks.size()); ++task) {
     if (schedule.tasks[row_of[index(task)]].result != TaskResult::done) continue;
     done.push_back({task, row_of[index(task)], &stage_.calendar(task),
-                    stage_.links->is_milestone(task),
-                    interpreter::held_whole(plan_, stage_.spec(task)), stage_.spec(task).priority});
+                    stage_.links->is_milestone(task), stage_.spec(task).priority});
+    for (const TaskStretch& part : schedule.tasks[row_of[index(task)]].parts) {
+      done.back().parts.push_back({part.work, &stage_.allocator->calendar(part.queue), part.whole});
+    }
   }
-  taskplan::add_floats(done, *stage_.links, schedule);
+  const auto hours_of = [this](int resource) -> const schedule::WorkCalendar& {
+    return stage_.allocator->hours(resource);
+  };
+  taskplan::add_floats(done, *stage_.links, hours_of, schedule);
 }
 
 void Simulation::add_critical_chain(Schedule& schedule) const {

@@ -62,7 +62,10 @@ Step MotionActivity::begin(ActiveTask& task, Stage& stage) {
       return Step::pending;
     }
   }
-  if (!lift_of(stage, task.task) && !stage.calendar(task.task).works_at(stage.now())) {
+  goals_ = leg_ ? leg_->goals : goals_of(stage.plan, spec, purpose, stage.site);
+  // What makes no step needs no shift.
+  const bool is_held = is_at_goal(task, stage);
+  if (!is_held && !lift_of(stage, task.task) && !stage.calendar(task.task).works_at(stage.now())) {
     wait_for_shift(task, stage);
     return Step::pending;
   }
@@ -72,7 +75,6 @@ Step MotionActivity::begin(ActiveTask& task, Stage& stage) {
       return Step::pending;
     }
   }
-  goals_ = leg_ ? leg_->goals : goals_of(stage.plan, spec, purpose, stage.site);
   if (purpose == MotionPurpose::grip) task.X_WO = stage.site.X_WO(*spec.move);
   memory_ = std::make_shared<interpreter::GoalMemory>();
   budget_ = spec.budget.value_or(stage.plan.budget);
@@ -80,16 +82,12 @@ Step MotionActivity::begin(ActiveTask& task, Stage& stage) {
   way_points_ = goals_dropped_ = 0;
   // What stopped the carrying motion still keeps the placing one from its goal.
   if (purpose != MotionPurpose::place) task.hits.forget();
-  const std::vector<double>& q = stage.site.configuration(spec.robot);
-  const robot::RobotModel& model = stage.robot_spec(spec.robot).robot->model;
-  const robot::Mounting& mounting = stage.site.robot(spec.robot).mounting;
-  if (goals_.size() == 1 && goal_holds(model, mounting, q, goals_.front(),
-                                       within_of(stage.plan, spec, purpose), spec.clauses.free)) {
+  if (is_held) {
     MotionOutcome held;
     held.purpose = purpose;
     held.start = stage.now();
     held.end.reached = true;
-    held.end.q = q;
+    held.end.q = stage.site.configuration(spec.robot);
     held.end.time = stage.now();
     if (auto* const trace = stage.trace_of(task.task)) trace->motion_end(held.end);
     ++task.account.outcome.motions;

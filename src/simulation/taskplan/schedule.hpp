@@ -53,6 +53,16 @@ struct ResourceHold {
   Ticks off = 0;       ///< of `held`: under repair, or nothing goes on out of somebody's shift
   int people = 1;      ///< of a crew, so many of its size
   Ticks overtime = 0;  ///< of `held`, by the plan's `overtime`
+  Ticks before = 0;    ///< working time of the task until it was taken
+  Ticks after = 0;     ///< and since it was given back
+};
+
+/// Part of a task: so much working time, by the hours in which it waits in a queue of the
+/// allocator.
+struct TaskStretch {
+  Ticks work = 0;
+  int queue = -1;
+  bool whole = false;  ///< a lift: it stays in one shift
 };
 
 /// A lift that waited for a shift into which it fits, or that went on after one.
@@ -149,6 +159,7 @@ struct TaskOutcome {
   interpreter::Attributes attributes;  ///< as the plan gives them
   int motions = 0;                     ///< how many it made; the trace tells of each
   std::vector<ResourceHold> holds;
+  std::vector<TaskStretch> parts;  ///< where not all of it goes by the hours of what it holds
   interpreter::Rare<LiftOutcome> lift;
   std::string choice;                             ///< by pools: whom it has and why
   std::optional<Ticks> due;                       ///< after the beginning of the plan

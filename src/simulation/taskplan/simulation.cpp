@@ -203,7 +203,7 @@ ActiveTask& Simulation::activate(int task) {
   outcome.parking = stage_.is_park(task);
   if (each.robot >= 0) outcome.robot = stage_.robot_spec(each.robot).name;
   outcome.crews = crew_names(plan_, each);
-  outcome.start = stage_.now();
+  outcome.start = active.account.part_since = stage_.now();
   outcome.dig = each.dig;
   if (outcome.dig) outcome.dig->result = stage_.draws.result(*each.dig);
   if (each.dig && each.dig->soil >= 0) stage_.site_changes.begin_dig(each.dig->soil);
@@ -231,6 +231,8 @@ void Simulation::begin_task(const ResourceAllocator::Grant& grant) {
     times.task_before = grant.last.task_before;
     times.given_back_midway = grant.last.midway;
     times.kept = grant.last.kept;
+    times.repaired = grant.last.resource < stage_.robots() &&
+                     stage_.breakdowns.out_until(grant.last.resource) == grant.last.since;
   }
   times.start = now;
   const schedule::WorkCalendar& calendar = stage_.calendar(task);
@@ -338,6 +340,7 @@ void Simulation::complete(ActiveTask& active) {
   repair_after(active);
   hold_all(active);
   outcome.duration = now - outcome.start;
+  if (!outcome.parts.empty()) stage_.end_part(active);
   find_cold_joints(task, outcome);
   trace_end(task, now, outcome);
   const interpreter::TaskSpec& each = stage_.spec(task);
@@ -374,6 +377,8 @@ void Simulation::repair_after(ActiveTask& active) {
 /// Gives back what the task held, and counts for how long it did.
 void Simulation::hold_all(ActiveTask& active) {
   const ActiveTask::Account& account = active.account;
+  const Ticks worked = stage_.working_time(active);
+  for (ResourceHold& hold : active.account.outcome.holds) hold.after = worked - hold.after;
   const std::vector<int>& resources = stage_.held_by(active.task);
   for (std::size_t i = 0; i < resources.size(); ++i) {
     const int resource = resources[i];

@@ -178,7 +178,7 @@ void Simulation::exclude_followers(int first, int cause) {
     for (const auto& [follower, type] : stage_.links->followers_of(task)) {
       if (excluded_.contains(follower)) continue;
       // Where the run begins again nothing that starts after it has happened.
-      const bool undone = must_restart_ && stage_.links->waits_to_start(follower, type);
+      const bool undone = must_restart_ && stage_.links->waits_to_start(follower, task, type);
       if (!undone && records_.status(follower) == Status::done) continue;
       ActiveTask* const active = stage_.active.find(follower);
       if (active && !undone) {

@@ -224,6 +224,33 @@ void Stage::note_off(ActiveTask& task, Ticks from, Ticks to, Ticks works) const 
     const Ticks hours = allocator->hours(held[i]).work_between(from, to);
     task.account.off[i] += std::max<Ticks>(hours - works, 0);
   }
+  const Ticks own = calendar(task.task).work_between(from, to);
+  task.account.part_off += std::max<Ticks>(own - works, 0);
+}
+
+void Stage::end_part(ActiveTask& task) const {
+  task.account.outcome.parts.push_back({time_of_part(task), queue_of(task.task), false});
+  task.account.part_since = now();
+  task.account.part_off = 0;
+}
+
+void Stage::end_part(ActiveTask& task, int queue, bool whole) const {
+  const Ticks work = allocator->calendar(queue).work_between(task.account.part_since, now());
+  task.account.outcome.parts.push_back({work, queue, whole});
+  task.account.part_since = now();
+  task.account.part_off = 0;
+}
+
+/// Of the part under way, without what it waited for shifts.
+Ticks Stage::time_of_part(const ActiveTask& task) const {
+  const Ticks own = calendar(task.task).work_between(task.account.part_since, now());
+  return std::max<Ticks>(own - task.account.part_off, 0);
+}
+
+Ticks Stage::working_time(const ActiveTask& task) const {
+  Ticks time = time_of_part(task);
+  for (const TaskStretch& part : task.account.outcome.parts) time += part.work;
+  return time;
 }
 
 WaitTarget Stage::move_of(int robot, WaitTarget::Kind kind, int number) const {

@@ -148,6 +148,12 @@ class Stage {
   /// From then on, to a moment, all that the task has is off, for it is out of the shift of some,
   /// but for the time in which it works.
   void note_off(ActiveTask& task, Ticks from, Ticks to, Ticks works = 0) const;
+  /// A part of the task is over that went by the hours of all that it holds.
+  void end_part(ActiveTask& task) const;
+  /// One that went by the hours of this queue; `whole`: a lift.
+  void end_part(ActiveTask& task, int queue, bool whole) const;
+  /// Of the task until now, without what it waited for shifts.
+  Ticks working_time(const ActiveTask& task) const;
 
   /// Who may move a robot out of the way: who has it, else the tasks that will have it some day.
   WaitTarget move_of(int robot, WaitTarget::Kind kind, int number) const;
@@ -173,6 +179,7 @@ class Stage {
  private:
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
   Ticks prepare_queue(int task);
+  Ticks time_of_part(const ActiveTask& task) const;
   void prepare_choices(int task);
   void set_groups();
 

@@ -144,9 +144,12 @@ std::vector<int> lift_resources(const Stage& stage, int task) {
   return resources;
 }
 
+int lift_queue(Stage& stage, int task) {
+  return std::get<int>(stage.allocator->queue_for({}, lift_resources(stage, task)));
+}
+
 const schedule::WorkCalendar& lift_hours(Stage& stage, int task) {
-  const auto queue = stage.allocator->queue_for({}, lift_resources(stage, task));
-  return stage.allocator->calendar(std::get<int>(queue));
+  return stage.allocator->calendar(lift_queue(stage, task));
 }
 
 const WholeLift* lift_of(const Stage& stage, int task) {
@@ -155,10 +158,11 @@ const WholeLift* lift_of(const Stage& stage, int task) {
   return found == stage.lifts.end() ? nullptr : &*found;
 }
 
-void begin_lift(const ActiveTask& task, Stage& stage, const LiftNote* waited_for) {
+void begin_lift(ActiveTask& task, Stage& stage, const LiftNote* waited_for) {
   const schedule::WorkCalendar& hours = lift_hours(stage, task.task);
   WholeLift lift;
   lift.task = task.task;
+  stage.end_part(task);
   lift.from = stage.now();
   lift.shift_end = hours.shift_end(stage.now());
   lift.fresh = !hours.works_at(stage.now() - 1);
@@ -216,6 +220,11 @@ bool end_lift(ActiveTask& task, Stage& stage) {
         lift.outside_before[i] + stage.overtime.out_of_shift(held[i], lift.from, now);
   }
   forget_lift(stage, task.task);
+  if (late) {
+    stage.end_part(task);
+  } else {
+    stage.end_part(task, lift_queue(stage, task.task), true);
+  }
   if (!late && lift.because.empty()) return true;
   LiftOutcome outcome;
   outcome.from = lift.from;

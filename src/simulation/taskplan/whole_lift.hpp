@@ -74,13 +74,15 @@ class LiftNotes {
 bool is_held_whole(const Stage& stage, int task);
 /// The hours in which all works that the lift of the task needs.
 const schedule::WorkCalendar& lift_hours(Stage& stage, int task);
+/// A queue with these hours, in which nobody waits.
+int lift_queue(Stage& stage, int task);
 /// The robot and crews that the lift needs, as resources.
 std::vector<int> lift_resources(const Stage& stage, int task);
 /// The lift of the task, if it is under way and held whole; else null.
 const WholeLift* lift_of(const Stage& stage, int task);
 
 /// It begins now; `waited_for`: why it waited for this shift, null if it did not.
-void begin_lift(const ActiveTask& task, Stage& stage, const LiftNote* waited_for);
+void begin_lift(ActiveTask& task, Stage& stage, const LiftNote* waited_for);
 /// It is to be released now. False if that is not to be: it is begun again in a shift into which
 /// it fits, or its task is rejected because there is none.
 bool end_lift(ActiveTask& task, Stage& stage);

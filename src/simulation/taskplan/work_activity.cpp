@@ -157,6 +157,8 @@ Step WorkActivity::granted(ActiveTask& task, Stage& stage, const ResourceAllocat
                               {free, schedule::Held::resource, crew_, grant.last.task_before});
   }
   crew_since_ = stage.now();
+  before_ = stage.working_time(task);
+  if (!lift_of(stage, task.task)) stage.end_part(task);
   return work(task, stage);
 }
 
@@ -250,6 +252,11 @@ void WorkActivity::give_back(ActiveTask& task, Stage& stage) {
   hold.resource = crew_;
   hold.from = crew_since_;
   hold.to = stage.now();
+  if (!lift_of(stage, task.task)) {
+    stage.end_part(task, work_queue(task, stage), false);
+  }
+  hold.before = before_;
+  hold.after = stage.working_time(task);  // until now: the rest when the task is done
   hold.held = stage.allocator->hours(crew_).work_between(crew_since_, stage.now());
   hold.people = stage.share_of(task.task, crew_).units;
   hold.overtime = stage.overtime.in_shifts(crew_, crew_since_, stage.now());

@@ -54,6 +54,7 @@ class WorkActivity : public Activity {
   bool held_back_ = false;  ///< the lift that it begins has waited for a shift into which it fits
   int crew_ = -1;           ///< a crew it has, or asks for, for this work only: a resource
   Ticks crew_since_ = 0;    ///< when it got it
+  Ticks before_ = 0;        ///< working time of the task until then
   LoadTurning turning_;     ///< of work that turns the load
   MachineWait wait_;        ///< for those in the way of that
 };

@@ -73,10 +73,31 @@ TEST(TaskFloat, ALiftStaysInItsShift) {
   // An hour into the next shift it would hang over the break.
   const auto free_to_stop = floats_of({lift}, {}, next + kHour);
   EXPECT_EQ(free_to_stop[0].latest_finish, next + kHour);
-  lift.whole = true;
+  lift.parts = {{2 * kHour, &day, true}};
   const auto whole = floats_of({lift}, {}, next + kHour);
   EXPECT_EQ(whole[0].latest_finish, shift_end);
   EXPECT_EQ(whole[0].latest_start, shift_end - 2 * kHour);
+}
+
+TEST(TaskFloat, PartsKeepTheirOwnHours) {
+  // Monday 07:00: a machine that works day and night for 2 h, then people by day for 1 h, then the
+  // machine for 1 h.
+  const WorkCalendar day = test::calendar(test::weekday_shift(), "2026-03-02 07:00");
+  const Ticks evening = day.last_working(kDay - kMinute);
+  const Ticks morning = day.next_working(evening);
+  TimedTask each = task(0, 4 * kHour);
+  each.parts = {{2 * kHour, &kAlways, false}, {kHour, &day, true}, {kHour, &kAlways, false}};
+  // In the night nobody could follow.
+  const auto night = floats_of({each}, {}, evening + 3 * kHour);
+  EXPECT_EQ(night[0].latest_finish, evening + 3 * kHour);
+  EXPECT_EQ(night[0].latest_start, evening - 3 * kHour);
+  const auto next = floats_of({each}, {}, morning + 2 * kHour);
+  EXPECT_EQ(next[0].latest_start, morning - 2 * kHour);
+  // Held by its start, it does not wait on its way.
+  const auto held = floats_of({each, task(6 * kHour, 40 * kHour)},
+                              {{0, TaskEnd::start, 1, TaskEnd::start, 0}}, 40 * kHour);
+  EXPECT_EQ(held[0].latest_start, 6 * kHour);
+  EXPECT_EQ(held[0].latest_finish, 10 * kHour);
 }
 
 TEST(TaskFloat, OfARingEnds) {

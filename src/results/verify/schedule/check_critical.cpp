@@ -211,8 +211,10 @@ class CriticalCheck {
     return any_resource([&](int resource) {
       const std::string quoted = fmt::format("'{}'", resource_name(trace_.scene, resource));
       const std::string had = fmt::format(", which {} had", before);
-      if (text == " starts when " + quoted + " is free" + had) {
-        return given_over(before, name, resource, later);
+      for (const bool repaired : {false, true}) {
+        if (text == " starts when " + quoted + (repaired ? " is repaired" : " is free") + had) {
+          return given_over(before, name, resource, later, repaired);
+        }
       }
       if (text.starts_with(" could start when " + quoted + " is ") && text.ends_with(had)) {
         return any_hold(before, resource, [&](const Hold& given) {
@@ -243,12 +245,13 @@ class CriticalCheck {
     return false;
   }
 
-  /// The one gives back what the other has from then, or from the next shift.
-  bool given_over(const std::string& before, const std::string& name, int resource,
-                  Ticks later) const {
+  /// The one gives back what the other has from then, or from its repair, or from the next shift.
+  bool given_over(const std::string& before, const std::string& name, int resource, Ticks later,
+                  bool repaired) const {
     return any_hold(name, resource, [&](const Hold& taken) {
       return any_hold(before, resource, [&](const Hold& given) {
-        return std::llabs(taken.from - later - free_from(given)) <= kTimeSlack;
+        const Ticks free = free_from(given);
+        return repaired == (free > given.to) && std::llabs(taken.from - later - free) <= kTimeSlack;
       });
     });
   }

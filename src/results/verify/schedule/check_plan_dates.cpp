@@ -7,9 +7,11 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "src/motion/math/index.hpp"
 #include "src/results/verify/replay/holds.hpp"
+#include "src/results/verify/schedule/check_lifts.hpp"
 #include "src/results/verify/schedule/task_clock.hpp"
 
 namespace rubicon::verify {
@@ -125,16 +127,51 @@ class PlanDateCheck {
                              clock_text(floats.total), clock_text(total)));
     }
     check_latest_start(place, calendars);
+    check_latest_lift(place);
     for (const SceneLink& link : trace_.scene.tasks[at(task)].after) check_link(task, link);
+  }
+
+  /// Working time of a run in which it waited for the hours of those who hook, adjust and release.
+  Ticks waited_for_hours(const TaskRun& own, const std::vector<int>& calendars) const {
+    Ticks waited = 0;
+    for (const int i : own.records) {
+      const Record& record = trace_.records[at(i)];
+      if (const auto* pause = std::get_if<Pause>(&record.what)) {
+        if (pause->why != "shift" && pause->why != "lift") continue;
+        waited += hours_.between(calendars, pause->from, record.time);
+      } else if (const auto* work = std::get_if<Work>(&record.what)) {
+        const Ticks own_hours = hours_.between(calendars, work->from, record.time);
+        waited += std::max<Ticks>(own_hours - work->time, 0);
+      }
+    }
+    return waited;
+  }
+
+  /// A lift that was in time is in time at its latest, too.
+  void check_latest_lift(const Place& place) {
+    const TaskRun& own = run(place);
+    const auto lift = find_lift(trace_, own);
+    if (!lift || lift->overtime > 0 || !has_room(own.task) || differ(lift->to, own.end)) return;
+    const Ticks latest_finish = place.row->floats->latest_finish;
+    const auto calendars = calendars_of_lift(trace_.scene, trace_.scene.tasks[at(own.task)]);
+    const Ticks whole = lift->to - lift->from;
+    if (hours_.between(calendars, latest_finish - whole, latest_finish) >= whole - kTimeSlack) {
+      return;
+    }
+    fault(*place.row, "its float is too large: at its latest its lift is not in one shift");
   }
 
   /// At its latest it has as much working time as it had, and starts where all that it needs work;
   /// a second sooner where that is the end of a shift. What has no working time takes as long as it
-  /// took.
+  /// took. Who works in it for a time, by hours of his own, may take longer at its latest.
   void check_latest_start(const Place& place, const std::vector<int>& calendars) {
     const TaskRun& own = run(place);
     const RowFloat& floats = *place.row->floats;
-    const Ticks work = hours_.between(calendars, own.start, own.end);
+    const Ticks work =
+        hours_.between(calendars, own.start, own.end) - waited_for_hours(own, calendars);
+    const std::vector<Hold> holds = holds_of(trace_, runs_, place.run);
+    const bool may_wait =
+        std::any_of(holds.begin(), holds.end(), [](const Hold& hold) { return !hold.whole; });
     const Ticks least = floats.latest_finish - floats.latest_start;
     if (!has_room(own.task) || work == 0) {
       if (!differ(least, own.end - own.start)) return;
@@ -142,7 +179,8 @@ class PlanDateCheck {
       const Ticks left = hours_.between(calendars, floats.latest_start, floats.latest_finish);
       const bool works =
           hours_.between(calendars, floats.latest_start, floats.latest_start + 2 * kSecond) > 0;
-      if (left >= work - kTimeSlack && left <= work + kSecond + kTimeSlack && works) return;
+      const bool is_all = may_wait || left <= work + kSecond + kTimeSlack;
+      if (left >= work - kTimeSlack && is_all && works) return;
     }
     fault(*place.row, fmt::format("it works for {}, and its latest start is {} before its latest "
                                   "finish",
@@ -183,11 +221,33 @@ class PlanDateCheck {
   void check_handover(const Hold& given, const Hold& taken) {
     const int before = runs_[at(given.run)].task, after = runs_[at(taken.run)].task;
     if (!has_floats(before) || !has_floats(after) || !has_room(before)) return;
-    if (latest(before, false) <= latest(after, true) + kTimeSlack) return;
+    if (latest(before, false) <= latest(after, true) + kTimeSlack) {
+      check_repair(given, taken);
+      return;
+    }
     fault(*place_of_[at(before)].row,
           fmt::format("its float is too large: at its latest it has {} when {} needs it",
                       resource_name(trace_.scene, given.resource),
                       trace_.scene.tasks[at(after)].name));
+  }
+
+  /// A machine that broke down at the end of a task is repaired before the next has it.
+  void check_repair(const Hold& given, const Hold& taken) {
+    const TaskRun& own = runs_[at(given.run)];
+    for (const BreakdownRecord& each : trace_.breakdowns) {
+      if (each.robot != given.resource || each.during != trace_.runs[at(own.run)] ||
+          differ(each.from, given.to)) {
+        continue;
+      }
+      const Ticks left =
+          hours_.between(calendar_of_resource(trace_.scene, given.resource),
+                         latest(own.task, false), latest(runs_[at(taken.run)].task, true));
+      if (left >= each.repair - kTimeSlack) continue;
+      fault(*place_of_[at(own.task)].row,
+            fmt::format("its float is too large: at its latest {} is not repaired when {} needs it",
+                        resource_name(trace_.scene, given.resource),
+                        trace_.scene.tasks[at(runs_[at(taken.run)].task)].name));
+    }
   }
 
   const Trace& trace_;
