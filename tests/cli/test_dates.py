@@ -185,6 +185,17 @@ class Dates(ResultCase):
         self.assertIn("late by", self.faults_of(lambda result: cell(result, "pour", "late", "60")))
         self.assertIn("above its total float", self.faults_of(lambda result: cell(result, "dig", "total_float", "60")))
 
+    def test_what_looks_ahead_to_a_motion_starts_after_it(self):
+        # Nobody knows when the drive ends: neither the lead nor the finish-to-finish link is float of it.
+        text = """plan lead { parameter begins = 0 s; robot truck "ROBOTS/cart.robot" { start x -30, y 20; } crew masons; crew others;
+          task drive { by truck; go x -20; not_before begins; } task other { by others; takes 2 h; } task wall { by masons; takes 4 h; after drive %s, other FS; } }"""
+        for link in ("FS - 48 min", "FF + 3 min"):
+            schedule, tasks = self.run_plan(text % link)
+            latest = tasks["drive"]["float"]["latest_finish"]
+            self.assertAlmostEqual(latest, 2 * HOUR, 6, link)
+            later, _ = self.run_plan(text % link, options=("--set", "begins=%d s" % (tasks["drive"]["float"]["latest_start"] // 1)))
+            self.assertEqual(later["process_time"], schedule["process_time"], link)
+
     def test_verify_finds_a_wrong_latest_start(self):
         _, tasks = self.run_plan("""plan late { start_at "2026-03-02 07:00"; calendar day { mon-fri 07:00-16:00; }
           crew a { calendar day; } crew b { calendar day; } crew c;

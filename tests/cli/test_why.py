@@ -203,6 +203,8 @@ class Why(unittest.TestCase):
                           "park g starts because joints_1 asks for it", "joints_1 starts after it waited for " + waited, "set_2 starts after joints_1 (FS)",
                           "joints_2 could start after set_2 (FS); its own work does not count", "park g starts because joints_2 asks for it",
                           "joints_2 starts after it waited for " + waited])
+        # The machine always has to leave first: what comes before has no float.
+        self.assertEqual([task["float"]["total"] for task in schedule["tasks"] if task["task"] in ("set_1", "set_2")], [0, 0])
         times = [each["start"] for each in json.loads(rubicon("why", out, "joints_1", "--format", "json").stdout)["waits"]]
         self.assertEqual(times, sorted(times))
         self.assertEqual(times[-1], next(task["start"] for task in schedule["tasks"] if task["task"] == "joints_1"))

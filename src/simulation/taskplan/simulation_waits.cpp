@@ -268,7 +268,8 @@ bool Simulation::park_idle_machines() {
     times.given_back_midway = true;
     // Asked for while another task had it: it goes when that gives it back.
     const ZoneWait* const zone = zone_waits_.find(asking);
-    if (zone && last.task_before >= 0 && last.since > zone->since) {
+    const bool came_free = zone ? last.since > zone->since : last.since == stage_.now();
+    if (came_free && last.task_before >= 0) {
       times.held = schedule::Held::resource;
       times.resource = robot;
       times.task_before = last.task_before;
