@@ -48,6 +48,7 @@ ChainStep step_of(const Network& network, const TaskTimes& own, const Event& eve
     step.resource = event.parking->resource;
     step.task_before = event.parking->task_before;
     step.given_back_midway = event.parking->midway;
+    step.repaired = event.parking->repaired;
     step.wanted = event.parking->wanted;
     return step;
   }

@@ -129,7 +129,9 @@ TaskTimes LinkState::ready_times(int task, int before, Ticks now) const {
 }
 
 bool LinkState::started_for_finish(const TaskTimes& times, int task) const {
-  return times.held == Held::link && !times.start_wait &&
+  // Where the moment to start had passed when it became known, its own work makes it finish later.
+  if (times.known_late || times.start_wait) return false;
+  return times.held == Held::link &&
          end_after(links_of(task)[at(times.link)].type) == TaskEnd::finish;
 }
 

@@ -47,6 +47,7 @@ struct Parking {
   int resource = -1;        ///< itself
   int task_before = -1;     ///< who asked, or who had it
   bool midway = true;       ///< at a moment before that task's finish
+  bool repaired = false;    ///< it was repaired after that task
   Ticks wanted = 0;
 };
 

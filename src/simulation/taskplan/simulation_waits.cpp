@@ -274,6 +274,7 @@ bool Simulation::park_idle_machines() {
       times.resource = robot;
       times.task_before = last.task_before;
       times.given_back_midway = last.midway;
+      times.repaired = stage_.breakdowns.out_until(robot) == last.since;
       times.wanted = last.since;
     }
     stage_.links->set_times(task, times);

@@ -208,8 +208,9 @@ void Stage::came_further(ActiveTask& task) {
 std::optional<schedule::Parking> Stage::parking_of(int task) const {
   if (task < 0 || !is_park(task)) return std::nullopt;
   const schedule::TaskTimes& times = links->times(task);
-  return schedule::Parking{times.held, times.resource, times.task_before, times.given_back_midway,
-                           times.wanted};
+  return schedule::Parking{times.held,        times.resource,
+                           times.task_before, times.given_back_midway,
+                           times.repaired,    times.wanted};
 }
 
 void Stage::pause(int task, const char* why, const std::string& whom, Ticks since) {
