@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <mutex>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -44,7 +43,6 @@ class NotedFiles : public interpreter::FileProvider {
 
   std::variant<std::shared_ptr<const geometry::TriangleMesh>, interpreter::FileFailure> read_mesh(
       const interpreter::MeshRequest& request) override {
-    const std::lock_guard lock(mutex_);
     digests_.insert(files_.mesh_digest(request));
     return files_.read_mesh(request);
   }
@@ -54,7 +52,6 @@ class NotedFiles : public interpreter::FileProvider {
 
  private:
   files::CachedPlanFiles& files_;
-  std::mutex mutex_;
   std::set<std::string> digests_;
 };
 

@@ -1,8 +1,6 @@
 #include "src/motion/travel/exits.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 
 namespace rubicon::travel {

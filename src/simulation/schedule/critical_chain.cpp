@@ -60,27 +60,22 @@ ChainStep step_of(const Network& network, const TaskTimes& own, const Event& eve
     step.wanted = own.finish;
     return step;
   }
+  const auto waits_for = [&](const MidWait& wait) {
+    step.held = wait.held;
+    step.resource = wait.resource;
+    step.task_before = wait.task_before;
+    step.given_back_midway = true;
+    step.parking = wait.parking;
+    step.wanted = wait.until;
+    return step;
+  };
   for (auto wait = own.mid_waits.rbegin(); wait != own.mid_waits.rend(); ++wait) {
     if (event.moment == Moment::start || wait->until > event.time) continue;
     step.midway = true;
-    step.held = wait->held;
-    step.resource = wait->resource;
-    step.task_before = wait->task_before;
-    step.given_back_midway = true;
-    step.parking = wait->parking;
-    step.wanted = wait->until;
-    return step;
+    return waits_for(*wait);
   }
   const auto& zone = own.start_wait;
-  if (zone && event.time >= zone->until) {
-    step.held = Held::machine;
-    step.resource = zone->resource;
-    step.task_before = zone->task_before;
-    step.given_back_midway = true;
-    step.parking = zone->parking;
-    step.wanted = zone->until;
-    return step;
-  }
+  if (zone && event.time >= zone->wait.until) return waits_for(zone->wait);
   if (zone) {
     step.could_start = true;
     step.work_counts = false;

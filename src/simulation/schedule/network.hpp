@@ -64,10 +64,7 @@ struct MidWait {
 /// A task that could start, but for a machine in its zone.
 struct StartWait {
   Ticks since = 0;
-  Ticks until = 0;
-  int resource = -1;                    ///< the machine
-  int task_before = -1;                 ///< who moved it out of the way; -1: nobody did
-  std::optional<Parking> parking = {};  ///< of `task_before`
+  MidWait wait;  ///< for the machine, and who moved it out of the way; -1: nobody did
 };
 
 /// When a task is done, and why not sooner.

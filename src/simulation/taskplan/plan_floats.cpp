@@ -80,9 +80,9 @@ class Precedences {
   /// How long a machine that was asked took to leave the zone of the task: whatever lets it start
   /// later, this comes after it.
   Ticks leaving(int node) const {
-    const auto& wait = links_.times(done_[at(node)].task).start_wait;
-    if (!wait || !wait->parking) return 0;
-    return wait->until - std::max(wait->since, wait->parking->wanted);
+    const auto& zone = links_.times(done_[at(node)].task).start_wait;
+    if (!zone || !zone->wait.parking) return 0;
+    return zone->wait.until - std::max(zone->since, zone->wait.parking->wanted);
   }
 
   void add_links(int node) {
@@ -113,10 +113,11 @@ class Precedences {
 
   void add_waits(int node) {
     const schedule::TaskTimes& times = links_.times(done_[at(node)].task);
-    if (const auto& wait = times.start_wait) {
+    if (times.start_wait) {
+      const schedule::MidWait& wait = times.start_wait->wait;
       // Who moved the machine out of the zone, or had it until it could go.
-      const int mover = wait->parking ? wait->parking->task_before : wait->task_before;
-      const bool asked = wait->parking && wait->parking->held == schedule::Held::asked;
+      const int mover = wait.parking ? wait.parking->task_before : wait.task_before;
+      const bool asked = wait.parking && wait.parking->held == schedule::Held::asked;
       if (!asked && node_of(mover) >= 0) {
         add_as_it_went(node_of(mover), TaskEnd::finish, node, TaskEnd::start);
       }

@@ -212,6 +212,20 @@ ActiveTask& Simulation::activate(int task) {
   return *stage_.active.find(task);
 }
 
+/// What a task asked for came free last, from another one.
+void Simulation::hold_until_free(schedule::TaskTimes& times,
+                                 const schedule::ResourceStates::Last& last) const {
+  times.wanted = last.since;
+  times.held = schedule::Held::resource;
+  times.link = -1;
+  times.resource = last.resource;
+  times.task_before = last.task_before;
+  times.given_back_midway = last.midway;
+  times.kept = last.kept;
+  times.repaired =
+      last.resource < stage_.robots() && stage_.breakdowns.out_until(last.resource) == last.since;
+}
+
 void Simulation::begin_task(const ResourceAllocator::Grant& grant) {
   const int task = grant.task;
   checkpoints_.add(task, grant.before);
@@ -224,15 +238,7 @@ void Simulation::begin_task(const ResourceAllocator::Grant& grant) {
       stage_.allocator->take_directly(share, task);
     }
   } else if (grant.last.resource >= 0 && grant.last.since > times.ready) {
-    times.wanted = grant.last.since;
-    times.held = schedule::Held::resource;
-    times.link = -1;
-    times.resource = grant.last.resource;
-    times.task_before = grant.last.task_before;
-    times.given_back_midway = grant.last.midway;
-    times.kept = grant.last.kept;
-    times.repaired = grant.last.resource < stage_.robots() &&
-                     stage_.breakdowns.out_until(grant.last.resource) == grant.last.since;
+    hold_until_free(times, grant.last);
   }
   times.start = now;
   const schedule::WorkCalendar& calendar = stage_.calendar(task);
@@ -250,7 +256,8 @@ void Simulation::begin_task(const ResourceAllocator::Grant& grant) {
     waits.machine = waited;
     waits.shift -= waited;
     const int mover = stage_.allocator->state(zone->robot).last;
-    times.start_wait = {since, now, zone->robot, mover, stage_.parking_of(mover)};
+    times.start_wait = {
+        since, {now, schedule::Held::machine, zone->robot, mover, stage_.parking_of(mover)}};
     zone_waits_.erase(task);
   }
   links.set_times(task, times);

@@ -88,6 +88,8 @@ class Simulation : private LinkState::Listener {
   bool zone_is_free(const ResourceAllocator::Grant& grant);
   void ask_again_for_zones();
   ActiveTask& activate(int task);
+  void hold_until_free(schedule::TaskTimes& times,
+                       const schedule::ResourceStates::Last& last) const;
   void begin_task(const ResourceAllocator::Grant& grant);
   void go_on(ActiveTask& active, Step step);
   void finish_task(ActiveTask& active);

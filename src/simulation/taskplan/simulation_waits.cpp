@@ -270,12 +270,7 @@ bool Simulation::park_idle_machines() {
     const ZoneWait* const zone = zone_waits_.find(asking);
     const bool came_free = zone ? last.since > zone->since : last.since == stage_.now();
     if (came_free && last.task_before >= 0) {
-      times.held = schedule::Held::resource;
-      times.resource = robot;
-      times.task_before = last.task_before;
-      times.given_back_midway = last.midway;
-      times.repaired = stage_.breakdowns.out_until(robot) == last.since;
-      times.wanted = last.since;
+      hold_until_free(times, {robot, last.task_before, last.since, last.midway, false});
     }
     stage_.links->set_times(task, times);
     stage_.links->forget_known(task);
