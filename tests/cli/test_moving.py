@@ -65,6 +65,8 @@ class Moving(ResultCase):
         self.assertEqual(schedule["process_time"], 14)
         self.assertEqual([(each["for"], each["from"], each["t"]) for each in self.records("pause")], [("visitor", 5, 7)])
         self.assertEqual(self.stops(), [])
+        # What comes before the wait does not make the plan longer.
+        self.assertEqual([step["text"] for step in schedule["critical"]], ["go waits on its way for 'visitor'"])
 
     def test_it_stops_where_a_machine_has_its_next_second(self):
         # At 5 the car stands where it would go; a second later it has gone.

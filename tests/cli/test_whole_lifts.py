@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -160,6 +161,32 @@ class WholeLifts(unittest.TestCase):
         self.assertNotIn("lift", tasks["lift"])
         _, tasks, _ = self.run_plan(plan + lift.format("whole on;"), begin=f"{DAY} 11:50")
         self.assertIn("lift", tasks["lift"])
+
+    def critical_path(self):
+        with open(os.path.join(self.out, "schedule.json"), encoding="utf-8") as file:
+            return [step["text"] for step in json.load(file)["critical"]]
+
+    def test_the_critical_path_names_the_shift_and_what_it_takes_to_catch_the_one_before(self):
+        def end_of(lay):
+            _, tasks, _ = self.run_plan(
+                'robot g "g.robot" { calendar site; }\ncrew c { calendar site; }\n' + crate("a", 10)
+                + f"task lay {{ by c; takes {lay} s; }}\n"
+                + "task lift { by g; move a to trans(20, 0, 0); hook 80 min by c; after lay; }\n", begin=f"{DAY} 07:00")
+            return tasks["lift"]["start"] + tasks["lift"]["duration"]
+
+        lay = 4 * 3600
+        end = end_of(lay)
+        path = self.critical_path()
+        self.assertEqual(path[0], "lay starts with the plan")
+        found = re.fullmatch(r"lift starts after lay \(FS\), then waits (\d+) h (\d+) min (\d+) s for the next shift "
+                             r"\(less than (\d+) min (\d+) s sooner gains nothing\)", path[1])
+        self.assertTrue(found, path[1])
+        hours, minutes, rest, gain, gain_rest = map(int, found.groups())
+        # The hoist is there 13 s after the crew is done; 12:30 is 5 h 30 min after the beginning.
+        self.assertEqual(hours * 3600 + minutes * 60 + rest, 90 * 60 - 13)
+        gain = gain * 60 + gain_rest
+        self.assertEqual(end_of(lay - gain + 2), end)
+        self.assertLess(end_of(lay - gain - 2), end - 80 * 60)
 
     def test_floats_keep_the_hours_of_riggers(self):
         # A gantry that works day and night and riggers by day; others work for 20 h, to Tuesday 03:00.

@@ -13,10 +13,24 @@ namespace rubicon::schedule {
 
 namespace {
 
+/// "47 h", "1 h 30 min", "7 h 33 min 14.1 s".
 std::string duration_text(Ticks ticks) {
-  if (ticks % kHour == 0) return fmt::format("{} h", ticks / kHour);
-  if (ticks % kMinute == 0) return fmt::format("{} min", ticks / kMinute);
-  return fmt::format("{} s", static_cast<double>(ticks) / static_cast<double>(kSecond));
+  std::string text;
+  if (ticks >= kHour) text += fmt::format("{} h ", ticks / kHour);
+  if (ticks % kHour >= kMinute) text += fmt::format("{} min ", ticks % kHour / kMinute);
+  const Ticks rest = ticks % kMinute;
+  if (rest != 0 || text.empty()) {
+    return text + fmt::format("{} s", static_cast<double>(rest) / static_cast<double>(kSecond));
+  }
+  text.pop_back();
+  return text;
+}
+
+/// What nobody plans to the nanosecond: whole seconds from a minute on, else tenths; rounded, or
+/// down to what is certain.
+std::string about_text(Ticks ticks, bool down) {
+  const Ticks unit = ticks < kMinute ? kSecond / 10 : kSecond;
+  return duration_text((ticks + (down ? 0 : unit / 2)) / unit * unit);
 }
 
 std::string link_text(const Link& link) {
@@ -67,10 +81,17 @@ ChainStep step_of(const Network& network, const TaskTimes& own, const Event& eve
     step.given_back_midway = true;
     step.parking = wait.parking;
     step.wanted = wait.until;
+    step.thing = wait.thing;
+    step.delayed = wait.delayed;
     return step;
   };
   for (auto wait = own.mid_waits.rbegin(); wait != own.mid_waits.rend(); ++wait) {
     if (event.moment == Moment::start || wait->until > event.time) continue;
+    if (wait->held == Held::shift) {
+      step.shift_waits += wait->until - wait->since;
+      step.first_gain = wait->first_gain;
+      continue;
+    }
     step.midway = true;
     return waits_for(*wait);
   }
@@ -86,7 +107,7 @@ ChainStep step_of(const Network& network, const TaskTimes& own, const Event& eve
   step.task_before = own.task_before;
   step.wanted = own.wanted;
   step.out_of_shift = (zone ? zone->since : own.start) - own.wanted;
-  step.first_gain = own.first_gain;
+  if (step.out_of_shift > 0) step.first_gain = own.first_gain;
   step.given_back_midway = own.given_back_midway;
   step.kept = own.kept;
   step.repaired = own.repaired;
@@ -153,7 +174,10 @@ std::string text_of(const Network& network, const ChainStep& step) {
     text += step.midway ? " waits on its way for " : " starts after it waited for ";
     const std::string before =
         step.task_before >= 0 ? network.tasks[at(step.task_before)].name : std::string();
-    if (step.resource < 0) {
+    if (step.held == Held::timetable) {
+      text += fmt::format("'{}'{}", step.thing,
+                          step.delayed ? ", which came later than its timetable says" : "");
+    } else if (step.resource < 0) {
       text += "the zone of " + before;
     } else {
       text += fmt::format("'{}'", network.resources[at(step.resource)].name);
@@ -180,7 +204,13 @@ std::string text_of(const Network& network, const ChainStep& step) {
     text += fmt::format(" after {} ({})", before, link_text(link));
   }
   if (step.out_of_shift > 0) {
-    text += fmt::format(", {} later: the next shift", duration_text(step.out_of_shift));
+    text += fmt::format(", {} later: the next shift", about_text(step.out_of_shift, false));
+  }
+  if (step.shift_waits > 0) {
+    text += fmt::format(", then waits {} for the next shift", about_text(step.shift_waits, false));
+  }
+  if (step.first_gain >= kSecond / 10) {
+    text += fmt::format(" (less than {} sooner gains nothing)", about_text(step.first_gain, true));
   }
   if (!step.work_counts && task.work > 0) text += "; its own work does not count";
   return text;

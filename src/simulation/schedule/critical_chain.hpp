@@ -25,7 +25,11 @@ struct ChainStep {
   std::optional<Parking> parking = {};  ///< of the task before
   Ticks wanted = 0;                     ///< when what held it let go
   Ticks out_of_shift = 0;               ///< from then to the begin of the next shift
-  Ticks first_gain = 0;  ///< it starts no sooner unless it is let go more than this much sooner
+  Ticks shift_waits = 0;                ///< for shifts after that, on its way
+  Ticks first_gain =
+      0;  ///< let go less than this sooner, it comes through its first shift no sooner
+  std::string thing = {};  ///< with a timetable, for which it waited
+  bool delayed = false;    ///< that came later than its timetable says
 };
 
 /// What, if shortened, shortens the whole: from the task that finishes last (the first in the file

@@ -36,9 +36,10 @@ struct Network {
   std::vector<NetworkTask> tasks;
 };
 
-/// What a task waited for last before it started, shifts aside. `date`: it starts not before one;
-/// `machine`: for one in its way; `asked`: a machine moves out of the way of another task.
-enum class Held { plan_start, date, link, resource, machine, asked };
+/// What a task waited for last before it started, shifts aside, or on its way. `date`: it starts
+/// not before one; `machine`: for one in its way; `asked`: a machine moves out of the way of
+/// another task; `timetable`: for something that keeps one; `shift`: for the next one.
+enum class Held { plan_start, date, link, resource, machine, asked, timetable, shift };
 
 /// Why a machine went out of the way when it did: it was asked, or came free then. It may do so
 /// several times in a plan.
@@ -51,14 +52,18 @@ struct Parking {
   Ticks wanted = 0;
 };
 
-/// A wait of a task after its start: for a resource that another task had, or until a machine that
-/// another task moved was out of the way.
+/// A wait of a task after its start: for a resource that another task had, until a machine that
+/// another task moved was out of the way, for something with a timetable, or for the next shift.
 struct MidWait {
   Ticks until = 0;
-  Held held = Held::resource;           ///< resource or machine
+  Held held = Held::resource;           ///< resource, machine, timetable or shift
   int resource = -1;                    ///< what was waited for
   int task_before = -1;                 ///< who had it
   std::optional<Parking> parking = {};  ///< of `task_before`
+  std::string thing = {};               ///< with a timetable: its name
+  bool delayed = false;                 ///< it came later than its timetable says
+  Ticks since = 0;                      ///< for a shift
+  Ticks first_gain = 0;                 ///< for a shift: less than this sooner gains nothing
 };
 
 /// A task that could start, but for a machine in its zone.
@@ -73,7 +78,7 @@ struct TaskTimes {
   Ticks wanted = 0;  ///< links let it start and what it needs is free; in or out of shift
   Ticks start = 0;   ///< `wanted`, or the begin of the next shift of all it needs
   Ticks finish = 0;
-  Ticks first_gain = 0;  ///< `wanted` has to be sooner by more than this before `start` is sooner
+  Ticks first_gain = 0;  ///< with `wanted` less than this sooner, `start` is not sooner
   Held held = Held::plan_start;
   int link = -1;                        ///< held by a link: index into `after`
   bool known_late = false;              ///< that link allows it sooner than it was known to

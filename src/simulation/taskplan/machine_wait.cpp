@@ -143,7 +143,15 @@ void MachineWait::wait_for_timetables(Stage& stage, int task) const {
 
 void MachineWait::note_wait(Stage& stage, int task) const {
   const Blocker& first = blockers.front();
-  if (first.moving >= 0 || stage.now() <= since) return;
+  if (stage.now() <= since) return;
+  if (first.moving >= 0) {
+    const site::MovingThing& moving = moving_of(stage, first);
+    schedule::MidWait wait{stage.now(), schedule::Held::timetable};
+    wait.thing = moving.name();
+    wait.delayed = moving.state().delay > 0;
+    stage.links->add_mid_wait(task, std::move(wait));
+    return;
+  }
   const int holder = first.robot >= 0 ? stage.allocator->state(first.robot).last : first.zone_task;
   stage.links->add_mid_wait(
       task, {stage.now(), schedule::Held::machine, first.robot, holder, stage.parking_of(holder)});

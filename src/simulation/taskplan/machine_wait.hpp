@@ -54,7 +54,7 @@ struct MachineWait {
   std::vector<int> robots(const Stage& stage) const;
   /// Things with a timetable go on without anybody's doing: sets when the task looks again.
   void wait_for_timetables(Stage& stage, int task) const;
-  /// Where it is known that the task waited for a machine or a zone, for the critical path.
+  /// Where it is known that the task waited for who was in the way, for the critical path.
   void note_wait(Stage& stage, int task) const;
   std::string standstill_reason(const Stage& stage) const;
   /// Whom the trace names.

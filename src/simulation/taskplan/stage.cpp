@@ -218,6 +218,14 @@ void Stage::pause(int task, const char* why, const std::string& whom, Ticks sinc
   if (auto* const writer = trace_of(task)) writer->pause(why, whom, since, now());
 }
 
+void Stage::note_shift_wait(int task, Ticks since, Ticks first_gain) {
+  if (since == now()) return;
+  schedule::MidWait wait{now(), schedule::Held::shift};
+  wait.since = since;
+  wait.first_gain = first_gain;
+  links->add_mid_wait(task, std::move(wait));
+}
+
 void Stage::note_off(ActiveTask& task, Ticks from, Ticks to, Ticks works) const {
   if (to - from <= works) return;
   const std::vector<int>& held = held_by(task.task);

@@ -95,7 +95,7 @@ void repeat(Stage& stage, const WholeLift& lift, Ticks own, const std::string& w
     return;
   }
   const std::string because = fmt::format("{} {}", what, moment_text(stage, lift.shift_end, start));
-  stage.lift_notes.add(lift.task, {start, lift.shift_end, because, 1});
+  stage.lift_notes.add(lift.task, {start, lift.shift_end, because, 1, own});
   stage.lift_to_repeat = lift.task;
 }
 
@@ -150,6 +150,11 @@ int lift_queue(Stage& stage, int task) {
 
 const schedule::WorkCalendar& lift_hours(Stage& stage, int task) {
   return stage.allocator->calendar(lift_queue(stage, task));
+}
+
+Ticks first_gain_of_lift(Stage& stage, int task, Ticks since, const LiftNote* note) {
+  if (note) return std::max<Ticks>(since - (note->shift_end - note->own), 0);
+  return since - lift_hours(stage, task).last_working(since);
 }
 
 const WholeLift* lift_of(const Stage& stage, int task) {

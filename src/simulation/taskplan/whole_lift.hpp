@@ -40,6 +40,7 @@ struct LiftNote {
   Ticks shift_end = 0;  ///< of the shift into which it does not fit
   std::string because;  ///< "23 min do not fit before 12:00"
   int times = 1;        ///< that it was found for this task and shift
+  Ticks own = 0;        ///< the lift's motion and crew work, at least
 };
 
 /// What runs found out about lifts and went back for. A later run begins with it, but for tasks
@@ -78,6 +79,9 @@ const schedule::WorkCalendar& lift_hours(Stage& stage, int task);
 int lift_queue(Stage& stage, int task);
 /// The robot and crews that the lift needs, as resources.
 std::vector<int> lift_resources(const Stage& stage, int task);
+/// Less than this sooner, a lift that waited from `since` for a shift begins no sooner; `note`: why
+/// it waited, null: it came out of shift.
+Ticks first_gain_of_lift(Stage& stage, int task, Ticks since, const LiftNote* note);
 /// The lift of the task, if it is under way and held whole; else null.
 const WholeLift* lift_of(const Stage& stage, int task);
 

@@ -44,13 +44,16 @@ Step WorkActivity::resume(ActiveTask& task, Stage& stage) {
   if (doing_ == Doing::waiting_for_shift) {
     task.account.outcome.waits.shift += stage.now() - since_;
     stage.note_off(task, since_, stage.now());
+    note_shift_wait(task, stage, since_);
     stage.pause(task.task, "shift", "", since_);
     return work(task, stage);
   }
   if (doing_ == Doing::waiting_for_lift) {
     task.account.outcome.waits.shift += stage.now() - since_;
     stage.note_off(task, since_, stage.now());
-    stage.pause(task.task, "lift", stage.lift_notes.of(task.task)->because, since_);
+    const LiftNote* const note = stage.lift_notes.of(task.task);
+    stage.note_shift_wait(task.task, since_, first_gain_of_lift(stage, task.task, since_, note));
+    stage.pause(task.task, "lift", note->because, since_);
     held_back_ = true;
     return ask(task, stage);
   }
@@ -143,6 +146,17 @@ int WorkActivity::work_queue(const ActiveTask& task, Stage& stage) {
       stage.allocator->queue_for({stage.share_of(task.task, resource)}, std::move(hours)));
 }
 
+/// The hours in which the work begins and, but for a lift that is held whole, goes on.
+const schedule::WorkCalendar& WorkActivity::work_hours(const ActiveTask& task, Stage& stage) {
+  const bool begins = task.now().begins_lift && is_held_whole(stage, task.task);
+  return begins ? lift_hours(stage, task.task) : stage.allocator->calendar(work_queue(task, stage));
+}
+
+/// It waited from then until now for a shift of all that the work needs.
+void WorkActivity::note_shift_wait(const ActiveTask& task, Stage& stage, Ticks since) {
+  stage.note_shift_wait(task.task, since, since - work_hours(task, stage).last_working(since));
+}
+
 Step WorkActivity::granted(ActiveTask& task, Stage& stage, const ResourceAllocator::Grant& grant) {
   const Ticks free = std::clamp(grant.last.since, since_, stage.now());
   task.account.outcome.waits.resource += free - since_;
@@ -156,6 +170,7 @@ Step WorkActivity::granted(ActiveTask& task, Stage& stage, const ResourceAllocat
     stage.links->add_mid_wait(task.task,
                               {free, schedule::Held::resource, crew_, grant.last.task_before});
   }
+  note_shift_wait(task, stage, free);
   crew_since_ = stage.now();
   before_ = stage.working_time(task);
   if (!lift_of(stage, task.task)) stage.end_part(task);
@@ -166,8 +181,7 @@ Step WorkActivity::granted(ActiveTask& task, Stage& stage, const ResourceAllocat
 Step WorkActivity::work(ActiveTask& task, Stage& stage) {
   const interpreter::WorkSpec& spec = *task.now().work;
   const bool begins = task.now().begins_lift && is_held_whole(stage, task.task);
-  const schedule::WorkCalendar& calendar =
-      begins ? lift_hours(stage, task.task) : stage.allocator->calendar(work_queue(task, stage));
+  const schedule::WorkCalendar& calendar = work_hours(task, stage);
   const bool goes_on = stage.links->is_milestone(task.task) || lift_of(stage, task.task);
   if (!goes_on && !calendar.works_at(stage.now())) {
     doing_ = Doing::waiting_for_shift;

@@ -40,6 +40,8 @@ class WorkActivity : public Activity {
 
   Step ask(ActiveTask& task, Stage& stage);
   static int work_queue(const ActiveTask& task, Stage& stage);
+  static const schedule::WorkCalendar& work_hours(const ActiveTask& task, Stage& stage);
+  static void note_shift_wait(const ActiveTask& task, Stage& stage, Ticks since);
   Step work(ActiveTask& task, Stage& stage);
   bool finds_a_turn(ActiveTask& task, Stage& stage);
   bool may_turn(ActiveTask& task, Stage& stage);

@@ -97,7 +97,8 @@ TEST(Network, CallsACrewAgainAfterTheWeekendByPriority) {
   EXPECT_EQ(plan.when("old"), "2026-03-10 08:00 .. 2026-03-10 09:00");
   EXPECT_THAT(plan.chain(),
               ElementsAre("first starts with the plan", "weekend starts after first (FS)",
-                          "urgent starts after weekend (FS), 47 h later: the next shift",
+                          "urgent starts after weekend (FS), 47 h later: the next shift (less than "
+                          "40 h sooner gains nothing)",
                           "old starts when 'c' is free, which urgent had"));
 }
 

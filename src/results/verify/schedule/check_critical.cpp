@@ -1,14 +1,17 @@
 #include "src/results/verify/schedule/check_critical.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "src/motion/math/index.hpp"
 #include "src/results/verify/replay/holds.hpp"
@@ -23,10 +26,19 @@ using math::at;
 constexpr std::string_view kUncounted = "; its own work does not count";
 constexpr std::string_view kNextShift = " later: the next shift";
 
+constexpr std::string_view kThenWaits = ", then waits ";
+constexpr std::string_view kForShift = " for the next shift";
+constexpr std::string_view kGainsNothing = " sooner gains nothing)";
+/// Waits for shifts are rounded to seconds.
+constexpr Ticks kRounded = kSecond;
+
 std::string duration_text(Ticks time) {
-  if (time % kHour == 0) return fmt::format("{} h", time / kHour);
-  if (time % kMinute == 0) return fmt::format("{} min", time / kMinute);
-  return fmt::format("{} s", static_cast<double>(time) / static_cast<double>(kSecond));
+  std::vector<std::string> parts;
+  if (time >= kHour) parts.push_back(fmt::format("{} h", time / kHour));
+  if (time / kMinute % 60 > 0) parts.push_back(fmt::format("{} min", time / kMinute % 60));
+  const double rest = static_cast<double>(time % kMinute) / static_cast<double>(kSecond);
+  if (rest > 0 || parts.empty()) parts.push_back(fmt::format("{} s", rest));
+  return fmt::format("{}", fmt::join(parts, " "));
 }
 
 std::string link_text(const SceneLink& link) {
@@ -37,17 +49,38 @@ std::string link_text(const SceneLink& link) {
   return text;
 }
 
-/// The seconds of "15 h", "3 min" or "2.5 s"; nothing if it is none of these.
+/// "15 h", "3 min 2.5 s"; nothing if it is no duration.
 std::optional<Ticks> duration_of(std::string_view text) {
-  for (const auto& [unit, size] : {std::pair(" h", kHour), {" min", kMinute}, {" s", kSecond}}) {
-    if (!text.ends_with(unit)) continue;
-    const std::string number(text.substr(0, text.size() - std::string_view(unit).size()));
+  Ticks time = 0;
+  std::istringstream words{std::string(text)};
+  std::string number, unit;
+  while (words >> number) {
     char* end = nullptr;
     const double value = std::strtod(number.c_str(), &end);
-    if (number.empty() || end != number.c_str() + number.size() || !(value < 1e9)) return {};
-    return static_cast<Ticks>(std::llround(value * static_cast<double>(size)));
+    if (end != number.c_str() + number.size() || !(value < 1e9) || !(words >> unit)) return {};
+    const Ticks size = unit == "h" ? kHour : unit == "min" ? kMinute : unit == "s" ? kSecond : 0;
+    if (size == 0) return {};
+    time += static_cast<Ticks>(std::llround(value * static_cast<double>(size)));
   }
-  return {};
+  return text.empty() ? std::nullopt : std::optional(time);
+}
+
+/// What the end of a sentence says: ", D later: the next shift". Takes it off the sentence.
+std::optional<Ticks> take_duration(std::string_view& text, std::string_view before,
+                                   std::string_view after) {
+  if (!text.ends_with(after)) return {};
+  const std::size_t begin = text.rfind(before);
+  if (begin == std::string_view::npos) return {};
+  const std::size_t from = begin + before.size();
+  if (from + after.size() > text.size()) return {};
+  const auto time = duration_of(text.substr(from, text.size() - after.size() - from));
+  if (time) text = text.substr(0, begin);
+  return time;
+}
+
+/// Whether something is at a moment that a sentence says is later by `later`.
+bool is_near(Ticks time, Ticks said, Ticks later) {
+  return std::llabs(time - said) <= kTimeSlack + (later > 0 ? kRounded : 0);
 }
 
 class CriticalCheck {
@@ -113,15 +146,17 @@ class CriticalCheck {
     if (uncounted && row.work_counts) {
       fault(row.line, row.task, "its work counts, and its sentence says that it does not");
     }
-    Ticks later = 0;
-    if (text.ends_with(kNextShift)) {
-      const std::size_t comma = text.rfind(", ");
-      const std::size_t begin = comma == std::string_view::npos ? text.size() : comma + 2;
-      const auto time = duration_of(text.substr(begin, text.size() - kNextShift.size() - begin));
-      if (time) {
-        later = *time;
-        text = text.substr(0, comma);
-      }
+    const std::optional<Ticks> gain = take_duration(text, " (less than ", kGainsNothing);
+    const std::optional<Ticks> waits = take_duration(text, kThenWaits, kForShift);
+    const Ticks later = take_duration(text, ", ", kNextShift).value_or(0);
+    if (waits && !waited_for_shift(row.task, *waits)) {
+      fault(row.line, row.task,
+            fmt::format("it says that it waits {} for a shift on its way, and its pauses say "
+                        "otherwise",
+                        duration_text(*waits)));
+    }
+    if (gain && !waits && later == 0) {
+      fault(row.line, row.task, "what is sooner gains nothing, and it waits for no shift");
     }
     if (!text.starts_with(row.task)) {
       fault(row.line, row.task, "its sentence is about another task");
@@ -134,17 +169,50 @@ class CriticalCheck {
                       i > 0 ? ", " + rows_[i - 1].task : ""));
   }
 
+  /// Whether some of its pauses for shifts, one after the other, take so long together.
+  bool waited_for_shift(const std::string& name, Ticks time) const {
+    return any_run(name, [&](const TaskRun& run) {
+      std::vector<Ticks> pauses;
+      for (const std::size_t number : run.records) {
+        const Record& record = trace_.records[number];
+        const auto* pause = std::get_if<Pause>(&record.what);
+        if (pause == nullptr || (pause->why != "shift" && pause->why != "lift")) continue;
+        pauses.push_back(record.time - pause->from);
+      }
+      for (std::size_t first = 0; first < pauses.size(); ++first) {
+        Ticks sum = 0;
+        for (std::size_t i = first; i < pauses.size(); ++i) {
+          sum += pauses[i];
+          if (std::llabs(sum - time) <= kRounded) return true;
+        }
+      }
+      return false;
+    });
+  }
+
+  /// Whether it waited on its way for something with a timetable.
+  bool waits_for_timetable(const std::string& name, std::string_view text) const {
+    return any_run(name, [&](const TaskRun& run) {
+      return std::any_of(run.records.begin(), run.records.end(), [&](std::size_t number) {
+        const auto* pause = std::get_if<Pause>(&trace_.records[number].what);
+        if (pause == nullptr || pause->why != "machine") return false;
+        const std::string waits = fmt::format(" waits on its way for '{}'", pause->whom);
+        return text == waits || text == waits + ", which came later than its timetable says";
+      });
+    });
+  }
+
   bool is_reason(std::size_t i, std::string_view text, Ticks later) const {
     const std::string& name = rows_[i].task;
     if (i > 0) return leads(rows_[i - 1].task, name, text, later);
     if (text == " could start with the plan") return waits_for_zone(name);
     if (text == " starts with the plan") {
       return any_run(name, [&](const TaskRun& run) {
-        return std::llabs(run.start - later) <= kTimeSlack || run.task < 0 || later == 0;
+        return is_near(run.start, later, later) || run.task < 0 || later == 0;
       });
     }
     if (starts_at_its_date(name, text, later)) return true;
-    if (waits_for_nobody(name, text)) return true;
+    if (waits_for_nobody(name, text) || waits_for_timetable(name, text)) return true;
     // The path may lead back to one of its own tasks: a machine that parks several times.
     return std::any_of(rows_.begin(), rows_.end(), [&](const CriticalRow& other) {
       return leads(other.task, name, text, later);
@@ -159,7 +227,7 @@ class CriticalCheck {
         fmt::format(" at its not_before, {} after the beginning of the plan", duration_text(date));
     if (date > 0 && text == " could start" + tail) return starts_after(name, date + later);
     return date > 0 && text == " starts" + tail && any_run(name, [&](const TaskRun& run) {
-             return std::llabs(run.start - later - date) <= kTimeSlack;
+             return is_near(run.start, date + later, later);
            });
   }
 
@@ -251,7 +319,7 @@ class CriticalCheck {
     return any_hold(name, resource, [&](const Hold& taken) {
       return any_hold(before, resource, [&](const Hold& given) {
         const Ticks free = free_from(given);
-        return repaired == (free > given.to) && std::llabs(taken.from - later - free) <= kTimeSlack;
+        return repaired == (free > given.to) && is_near(taken.from, free + later, later);
       });
     });
   }
@@ -263,7 +331,7 @@ class CriticalCheck {
       if (kept.resource != resource) return false;
       const auto gave_back = [&](const Hold& given) { return given.to < kept.until; };
       const auto takes = [&](const Hold& taken) {
-        return std::llabs(taken.from - later - kept.until) <= kTimeSlack;
+        return is_near(taken.from, kept.until + later, later);
       };
       return any_hold(before, resource, gave_back) && any_hold(name, resource, takes);
     });
@@ -301,7 +369,7 @@ class CriticalCheck {
         const Ticks wanted = (from_start ? first.start : first.end) + link.lag + later;
         if (could_start) return starts_after(name, wanted);
         return any_run(name, [&](const TaskRun& run) {
-          return std::llabs((starts ? run.start : run.end) - wanted) <= kTimeSlack;
+          return is_near(starts ? run.start : run.end, wanted, later);
         });
       });
     });
