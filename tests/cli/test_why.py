@@ -54,6 +54,24 @@ ROW = """plan row {
 """
 
 
+# One hoist would have to pass the other to get to its park position; the other's script places by z alone.
+RAIL = """plan rail {
+  robot left "rail.robot" { start x 2; park x 28; }
+  robot right "rail.robot" { start x 20; park x 25; }
+  component crate { shape box(-0.5, -0.5, 0, 0.5, 0.5, 1); at trans(15, 0, 0); grip trans(0, 0, 1); }
+  task bring { by right; move crate to trans(1, 0, 0); }
+}
+"""
+
+
+RAIL_SCRIPT = """which {
+  place: chain { move_to(z, goal(z)) };
+  default: chain { move_to(z, 5) }; chain { move_to(x, goal(x)) };
+    which { when (dist(x, goal(x)) < 0.001): chain { move_to(z, goal(z)) }; default: ; };
+};
+"""
+
+
 # The gantry stands in the zone of those who grout the joints, on each of two floors.
 FLOORS = """plan floors {
   robot g "g.robot" { start x 0; park x -20; }
@@ -188,6 +206,18 @@ class Why(unittest.TestCase):
     def test_a_plan_is_run_and_tells_the_same(self):
         for task in ("east", "after_east", "paint"):
             self.assertEqual(rubicon("why", self.plan, task).stdout, rubicon("why", self.out, task).stdout)
+
+    def test_a_load_that_is_put_down_short_says_who_barred_the_way(self):
+        for name, text in (("rail.robot", ROBOT.replace("g.motion", "rail.motion").replace("gantry", "rail")),
+                           ("rail.motion", RAIL_SCRIPT), ("rail.plan", RAIL)):
+            with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        run = rubicon("run", os.path.join(self.folder, "rail.plan"), "--format", "json")
+        self.assertEqual(run.returncode, 1, run.stderr)
+        reasons = {task["task"]: task["reason"] for task in json.loads(run.stdout)["tasks"]}
+        self.assertEqual(reasons["bring"],
+                         "short of the goal: x is 2 m above the goal, while placing crate; "
+                         "before that right (bring) waits for left: right.hoist meets left.hoist")
 
     def test_a_machine_that_parks_twice_is_followed_to_the_right_time(self):
         plan, out = os.path.join(self.folder, "floors.plan"), os.path.join(self.folder, "floors")

@@ -354,6 +354,10 @@ Step MotionActivity::end_motion(ActiveTask& task, Stage& stage) {
     const std::string component = spec.move ? stage.site.component_name(*spec.move) : std::string();
     std::string reason = task_reason(made, task.hits.last(), component, stage.sources);
     if (leg_) reason = leg_->what + ": " + reason;
+    // What it met before it waited may have kept it from its goal, though it meets nothing now.
+    if (end.status == MotionStatus::done && !waited_for_.empty() && !task.hits.last()) {
+      reason += "; before that " + waited_for_;
+    }
     if (end.status == MotionStatus::done && may_end_short(task.hits.last())) {
       task.ended_short = std::move(reason);
       return Step::over;
@@ -447,6 +451,7 @@ Step MotionActivity::retry(ActiveTask& task, Stage& stage) {
   task.account.outcome.waits.machine += stage.now() - wait_.since;
   stage.pause(task.task, "machine", wait_.first_name(stage), wait_.since);
   task.hits.forget();
+  waited_for_ = text_of_way(stage, task.task, wait_.blockers.front());
   const Step step = start_machine(task, stage);
   const bool fruitless = doing_ == Doing::waiting_for_machine && !stage.rejection &&
                          task.account.outcome.accepted == account.outcome.accepted;

@@ -91,6 +91,7 @@ class MotionActivity : public Activity {
   /// What would be accepted when the stop began that its motion may end with.
   std::optional<std::uint64_t> version_at_stop_;
   Ticks looked_again_ = -1;  ///< when it did so as something had gone since it was met
+  std::string waited_for_;   ///< who was in its way when it waited last
   bool stands_ = false;      ///< what goes on is a `wait` or a stop, and no step
   StripProgress strip_;      ///< of a task that covers a floor
 };
