@@ -249,6 +249,7 @@ class Machine {
   int first_locked(std::span<const double> q) const;
   Refusal plan(const Node& node, const World& world, std::int32_t& limit);
   Refusal plan_line(std::int32_t& limit);
+  void find_steps_of_run();
   Ticks plan_run(bool loaded);
   bool must_stop(const World& world, Ticks duration) const;
   std::string describe_next(std::int32_t command) const;
@@ -334,6 +335,8 @@ class Machine {
 
   // scratch, no part of the state but where `stopped_` says so
   std::vector<double> steps_;
+  std::vector<double>
+      run_steps_;  ///< of these, those that decide how long they take; 0: the others
   std::vector<double> refused_steps_;  ///< those of the command's own parameters
   std::vector<double> q_next_;
   std::vector<MotionRun> run_next_;

@@ -10,6 +10,13 @@
 
 namespace rubicon::interpreter {
 
+namespace {
+
+/// Part of its longest step by which a parameter is at a value (LANGUAGE 4).
+constexpr double kStepThere = 1e-6;
+
+}  // namespace
+
 /// Makes one attempt of a command, or comes to the stop that it needs before it; false if a
 /// livelock, circling or the budget stopped it first.
 bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
@@ -170,14 +177,32 @@ Refusal Machine::plan_line(std::int32_t& limit) {
   return Refusal::no_direction;
 }
 
+/// The steps that decide how long the planned steps take: all that are as long as counts as there.
+/// What is shorter (a heading that is turned by its rounding) is over long before the others; where
+/// all are, the longest decides.
+void Machine::find_steps_of_run() {
+  run_steps_.assign(steps_.size(), 0.0);
+  std::size_t longest = 0;
+  bool any = false;
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const double length = std::fabs(steps_[i]);
+    if (length > std::fabs(steps_[longest])) longest = i;
+    if (!(length > kStepThere * model_->parameters[i].step)) continue;
+    run_steps_[i] = steps_[i];
+    any = true;
+  }
+  if (!any && !steps_.empty()) run_steps_[longest] = steps_[longest];
+}
+
 /// How long the planned steps take together: as long as the slowest. `run_next_` is then the run
 /// that they begin, or go on with.
 Ticks Machine::plan_run(bool loaded) {
+  find_steps_of_run();
   run_next_.clear();
   bool goes_on = true;
   std::size_t moved = 0;
-  for (std::size_t i = 0; i < steps_.size(); ++i) {
-    const double ds = steps_[i];
+  for (std::size_t i = 0; i < run_steps_.size(); ++i) {
+    const double ds = run_steps_[i];
     if (ds == 0) continue;
     const robot::Parameter& p = model_->parameters[i];
     run_next_.emplace_back(static_cast<std::int32_t>(i), ds > 0, loaded ? p.loaded_speed : p.speed,
@@ -191,7 +216,7 @@ Ticks Machine::plan_run(bool loaded) {
   Ticks duration = 0;
   bool accelerates = false;
   std::size_t next = 0;
-  for (const double ds : steps_) {
+  for (const double ds : run_steps_) {
     if (ds == 0) continue;
     duration = std::max(duration, run_next_[next].advance(std::fabs(ds)));
     accelerates = accelerates || run_next_[next].accelerates();

@@ -167,6 +167,26 @@ class Fleet(ResultCase):
         schedule, _ = self.run_plan(plan(one_way, "at b;", "task t { by carts; go at yard.a; }"), expected=1)
         self.assertIn("no lanes of yard that are wide enough lead from b to a", schedule["tasks"][0]["reason"])
 
+    def test_on_a_site_in_a_national_grid_it_takes_as_long(self):
+        # Two lanes of 30 m and 40 m turned by 37 degrees, from standstill: a quarter turn between them, and one back at the end.
+        self.write("cart.robot", CART.replace("step(0.5) speed(1 m/s) range(-500, 500)", "step(1) speed(5 m/s) accel(0.8 m/s2) range(-10000000, 10000000)")
+                   .replace("param y range(-500, 500)", "param y range(-10000000, 10000000)").replace("speed(90 deg/s)", "speed(20 deg/s) accel(10 deg/s2)"))
+        for east, north in ((0, 0), (500000, 5000000), (2600000, 1200000)):
+            at = f"trans({east} m, {north} m, 0) * rotz(37) * "
+            network = (f"network roads {{ class road {{ speed 5 m/s; width 4 m; }} node a at {at}trans(0, 0, 0); node b at {at}trans(30, 0, 0); "
+                       f"node c at {at}trans(30, 40, 0); lane a to b; lane b to c; }}")
+            with self.subTest(east=east):
+                schedule, _ = self.run_plan(f'plan p {{ {network} fleet carts {{ robot "cart.robot"; on roads; at a; }} task go {{ by carts; go at roads.c; }} }}')
+                self.assertAlmostEqual(schedule["process_time"], 2 * (30 / 0.8) ** 0.5 + 2 * (90 / 20 + 20 / 10) + (40 / 5 + 5 / 0.8), delta=1e-6)
+
+    def test_nobody_is_repaired_who_did_not_break_down(self):
+        network = """network yard { class lane { speed 2 m/s; width 3 m; }
+          node a at trans(0, 0, 0); node b at trans(10, 0, 0); node c at trans(20, 0, 0); node side at trans(10, 10, 0);
+          lane a to b both; lane b to c both; lane b to side both; }"""
+        schedule, _ = self.run_plan(f'plan p {{ {network} fleet carts {{ robot "cart.robot"; on yard; at b, a; choose nearest; }} '
+                                    "task stand { by carts_1; go at yard.b; } task through { by carts_2; go at yard.c; takes 5 s; } }")
+        self.assertIn("park carts_1 starts when 'carts_1' is free, which stand had", [each["text"] for each in schedule["critical"]])
+
     def test_what_is_undone_leaves_no_mark(self):
         tasks = "task a { by carts_1; go at yard.bay[4]; }"
         alone, _ = self.run_plan(plan(yard(4), "at bay[1], bay[2];", tasks))

@@ -17,8 +17,9 @@ namespace {
 /// Part of its step by which a parameter is at a value (LANGUAGE 4).
 constexpr double kThere = 1e-6;
 
-/// m by which a vehicle may pass beside its target. Far below what counts as there.
-constexpr double kBeside = 1e-9;
+/// Part of what counts as there by which a vehicle may pass beside its target: what is less needs
+/// no turn. More than the coordinates of a site in a national grid are rounded by.
+constexpr double kBeside = 0.25;
 
 /// A chord that is exactly a step may be longer by rounding.
 constexpr double kLongerChord = 1 + 1e-9;
@@ -187,6 +188,8 @@ double Leg::missing(int index, std::span<const double> q, std::span<const double
   return std::fabs(off) <= kThere * p.quantum ? 0 : off;
 }
 
+double Leg::most_beside() const { return kBeside * kThere * parameter(drive_).quantum; }
+
 Leg::Facing Leg::facing(std::span<const double> q, std::span<const double> target) const {
   Facing result;
   if (drive_ < 0) return result;
@@ -200,7 +203,7 @@ Leg::Facing Leg::facing(std::span<const double> q, std::span<const double> targe
   direction(q, x, y);
   const double beside = x * dy - y * dx;
   const double ahead = x * dx + y * dy;
-  if (std::fabs(beside) <= kBeside && ahead > 0) return result;
+  if (std::fabs(beside) <= most_beside() && ahead > 0) return result;
   result.turn = math::atan2_deg(beside, ahead);
   return result;
 }
@@ -388,14 +391,14 @@ bool Leg::next_chord(std::span<const double> q, std::span<const double> target,
   const double drive_step = parameter(drive_).step;
   const double turn = missing(heading_, q, target);
   const double beside = face.distance * math::sin_deg(face.turn - turn / 2);
-  const bool on_chord = std::fabs(beside) <= kBeside &&
+  const bool on_chord = std::fabs(beside) <= most_beside() &&
                         std::fabs(face.distance) <= drive_step * kLongerChord &&
                         std::fabs(turn) <= parameter(heading_).step * kLongerChord;
   if (chords_ && on_chord) {
     steps[at(heading_)] = turn;
     steps[at(drive_)] = face.distance;
   } else {
-    const bool is_beside = std::fabs(face.distance * math::sin_deg(face.turn)) > kBeside;
+    const bool is_beside = std::fabs(face.distance * math::sin_deg(face.turn)) > most_beside();
     turn_or_drive(face.turn, is_beside, face.distance, steps);
   }
   return true;

@@ -92,6 +92,8 @@ class Leg {
   /// How the driven parameters change per metre.
   void direction(std::span<const double> q, double& along_x, double& along_y) const;
   Facing facing(std::span<const double> q, std::span<const double> target) const;
+  /// m by which it may pass beside its target.
+  double most_beside() const;
   double missing(int parameter, std::span<const double> q, std::span<const double> target) const;
   const robot::Parameter& parameter(int index) const {
     return model_.parameters[static_cast<std::size_t>(index)];

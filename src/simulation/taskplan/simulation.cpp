@@ -222,8 +222,10 @@ void Simulation::hold_until_free(schedule::TaskTimes& times,
   times.task_before = last.task_before;
   times.given_back_midway = last.midway;
   times.kept = last.kept;
-  times.repaired =
-      last.resource < stage_.robots() && stage_.breakdowns.out_until(last.resource) == last.since;
+  // 0: it has never been out of order.
+  const Ticks repaired_at =
+      last.resource < stage_.robots() ? stage_.breakdowns.out_until(last.resource) : 0;
+  times.repaired = repaired_at > 0 && repaired_at == last.since;
 }
 
 void Simulation::begin_task(const ResourceAllocator::Grant& grant) {

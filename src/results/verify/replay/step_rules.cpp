@@ -224,7 +224,7 @@ class StepSolver {
     std::sort(moved.begin(), moved.end());
     for (const int p : moved) {
       const double step = steps_[at(p)];
-      if (std::fabs(step) > robot_.parameters[at(p)].step * kStepShare / 2) {
+      if (std::fabs(step) > robot_.parameters[at(p)].step * kStepShare) {
         run.parts.push_back({p, step});
       }
     }

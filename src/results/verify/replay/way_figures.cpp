@@ -15,6 +15,9 @@ namespace rubicon::verify {
 
 namespace {
 
+/// Part of its step by which a parameter is at a value.
+constexpr double kThere = 1e-6;
+
 /// Share of a figure that it may differ by. Reason: arms are found by differences of poses, here
 /// and there with other distances. Consequence: what is off by less than a millionth is not seen.
 constexpr double kFigureShare = 1e-6;
@@ -113,7 +116,6 @@ class WayReckoning {
       const double dx = to[vehicle_->x] - from[vehicle_->x];
       const double dy = to[vehicle_->y] - from[vehicle_->y];
       const double distance = std::sqrt(dx * dx + dy * dy);
-      constexpr double kThere = 1e-6;  // of a step
       if (distance > kThere * robot_.parameters[vehicle_->drive].step) {
         turned = steers_ ? drive_chord(from, to, distance) : face_and_drive(from, dx, dy, distance);
       }
@@ -135,9 +137,9 @@ class WayReckoning {
     const double ahead_deg = from[vehicle_->heading] + vehicle_->drift_deg;
     const double along = dx * math::cos_deg(ahead_deg) + dy * math::sin_deg(ahead_deg);
     const double beside = dy * math::cos_deg(ahead_deg) - dx * math::sin_deg(ahead_deg);
-    constexpr double kBeside = 1e-9;  // m
-    const double turn =
-        std::fabs(beside) <= kBeside && along > 0 ? 0 : math::atan2_deg(beside, along);
+    // A vehicle that comes near enough straight ahead need not turn.
+    const double near = 0.25 * kThere * robot_.parameters[vehicle_->drive].step;
+    const double turn = std::fabs(beside) <= near && along > 0 ? 0 : math::atan2_deg(beside, along);
     take(time_of(vehicle_->heading, turn) + time_of(vehicle_->drive, distance));
     return turn;
   }
