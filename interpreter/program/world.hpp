@@ -33,7 +33,7 @@ struct MotionStep {
 struct HitPair {
   std::string moved;
   std::string met;
-  int machine = -1;    ///< index of the machine that was met
+  int machine = -1;    ///< index of the machine that was met; -1 for a part that it never moves
   int zone_task = -1;  ///< task whose zone was met
   int moving = -1;     ///< index of the thing with a timetable that was met
   /// Nothing was touched: the machine has its turn before the other at `met`, a node; `moved` is

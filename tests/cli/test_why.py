@@ -207,6 +207,27 @@ class Why(unittest.TestCase):
         for task in ("east", "after_east", "paint"):
             self.assertEqual(rubicon("why", self.plan, task).stdout, rubicon("why", self.out, task).stdout)
 
+    def test_the_mast_of_a_machine_does_not_leave(self):
+        crane = ROBOT.replace("robot gantry {", "robot post { body mast { shape box(3, -1, 0, 4, 1, 12); } body arm on mast { param x range(-50, 50) "
+                              "step(1) speed(1); frame trans(x, 20, 0); shape box(-1, -1, 0, 1, 1, 1); } tool arm; behaviour { chain { move_to(x, goal(x)) } } }\n"
+                              "robot gantry {", 1)
+        post, gantry = crane.split("robot gantry", 1)
+        plan = """plan masts {
+          robot g "rail.robot" { start x 0; }
+          robot post "post.robot" { park x 9; }
+          crew c;
+          task hold { by post, c; go x 2; takes 1 h; }
+          task cross { by g; go x 8; }
+        }"""
+        for name, text in (("rail.robot", ROBOT), ("post.robot", post), ("masts.plan", plan)):
+            with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        run = rubicon("run", os.path.join(self.folder, "masts.plan"), "--format", "json")
+        self.assertEqual(run.returncode, 1, run.stderr)
+        cross = next(task for task in json.loads(run.stdout)["tasks"] if task["task"] == "cross")
+        self.assertRegex(cross["reason"], r"^blocked by post\.mast at step \d+ .*: g\.hoist meets post\.mast; ")
+        self.assertEqual(cross["start"], 0)
+
     def test_a_load_that_is_put_down_short_says_who_barred_the_way(self):
         for name, text in (("rail.robot", ROBOT.replace("g.motion", "rail.motion").replace("gantry", "rail")),
                            ("rail.motion", RAIL_SCRIPT), ("rail.plan", RAIL)):

@@ -23,7 +23,7 @@ struct Thing {
   std::string name;
   const std::vector<geometry::Shape>* shapes = nullptr;
   math::Pose X_W = math::Pose::Identity();
-  int machine = -1;  ///< whose part or load it is
+  int machine = -1;  ///< whose part or load it is; -1 for a part that it never moves
   int moving = -1;   ///< the thing with a timetable that it is
 
   /// Whether it may go out of the way.

@@ -296,8 +296,8 @@ std::optional<interpreter::HitPair> RobotView::turn_hit(double angle_deg, Ticks 
   }
   const auto others = other_met(alone, std::span(part_of).first(1), until);
   if (!others) return std::nullopt;
-  return interpreter::HitPair{load.name, others->name, others->machine, others->zone_task,
-                              others->moving};
+  return interpreter::HitPair{load.name, others->name, others->machine_that_may_leave(),
+                              others->zone_task, others->moving};
 }
 
 std::vector<bool> RobotView::are_buffers(std::span<const int> parts) const {
@@ -364,7 +364,7 @@ std::optional<interpreter::HitPair> RobotView::others_hit(const StepQuery& step,
   const auto met = other_met(movers, moving, until);
   if (!met) return std::nullopt;
   return interpreter::HitPair{part_name(moving[static_cast<std::size_t>(met->item)]), met->name,
-                              met->machine, met->zone_task, met->moving};
+                              met->machine_that_may_leave(), met->zone_task, met->moving};
 }
 
 /// The robot's bodies, its load and its buffers, standing at q.
@@ -416,7 +416,7 @@ bool RobotView::is_met_moving(std::span<const double> q, double heading_deg, dou
   if (site_.obstacles().test(query).hit) return false;
   const auto met = other_met(query, numbers_of(parts), site_.now());
   if (!met) return false;
-  if (met->machine >= 0) return site_.is_in_step(met->machine);
+  if (met->machine >= 0) return !met->is_fixed && site_.is_in_step(met->machine);
   return met->moving >= 0 && site_.is_on_its_way(met->moving);
 }
 
@@ -496,7 +496,8 @@ std::optional<interpreter::HitPair> RobotView::standing_machine_at(
   if (!met) met = site_.first_moving_met(index_, bodies, site_.now(), false);
   if (!met) return std::nullopt;
   const ReservedPart& part = parts[static_cast<std::size_t>(met->item)];
-  return interpreter::HitPair{part_name(part.part), met->name, met->machine, -1, met->moving};
+  return interpreter::HitPair{part_name(part.part), met->name, met->machine_that_may_leave(), -1,
+                              met->moving};
 }
 
 }  // namespace rubicon::site

@@ -43,6 +43,14 @@ std::vector<int> parameters_between_parts(const robot::RobotModel& model, int a,
   return parameters;
 }
 
+/// Whether no parameter moves the body (of a rope: either end).
+bool is_fixed_body(const robot::RobotModel& model, int body) {
+  const std::vector<int> frames = carriers(model, body);
+  return std::all_of(frames.begin(), frames.end(), [&](int frame) {
+    return robot::parameters_of(model, robot::elements_to_body(model, frame)).empty();
+  });
+}
+
 /// Whether the rope is fixed to the body.
 bool is_end_of(const robot::RobotModel& model, int rope, int body) {
   const robot::Body& each = model.bodies[static_cast<std::size_t>(rope)];
@@ -105,6 +113,7 @@ SiteRobot make_site_robot(std::string name, std::shared_ptr<const robot::RobotMo
     site.rope_bodies->add(part, robot::RopePath(m, site.mounting, part),
                           parameters_between(m, body.rope->from, body.parent, false));
   }
+  for (int body = 0; body < count; ++body) site.fixed_bodies.push_back(is_fixed_body(m, body));
   const auto is_there = [&](int part) {
     return site.bodies[static_cast<std::size_t>(part)] != nullptr || site.is_rope(part);
   };

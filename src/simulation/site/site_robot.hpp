@@ -46,6 +46,12 @@ struct SiteRobot {
   std::vector<OwnPair> load_pairs;  ///< bodies the load must not meet: all with shapes but the tool
                                     ///< body, its hook, and the ropes that hold it
 
+  std::vector<bool> fixed_bodies;  ///< per body of the model: no parameter moves it
+
+  /// Whether no step of the machine moves the part: a mast, a foundation.
+  bool is_fixed(int part) const {
+    return part != load_part() && fixed_bodies[static_cast<std::size_t>(body_of(part))];
+  }
   /// The name of a part that is not the load.
   const std::string& name_of(int part) const {
     return is_buffer(part) ? buffer_names[static_cast<std::size_t>(part - load_part() - 1)]

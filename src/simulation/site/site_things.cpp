@@ -36,7 +36,8 @@ std::vector<guides::Thing> SiteWorld::things(int robot) const {
     robot::body_poses(model, other.robot.mounting, other.q, X_WB);
     for (std::size_t body = 0; body < model.bodies.size(); ++body) {
       if (model.bodies[body].shapes.empty()) continue;
-      things.push_back({other.robot.body_names[body], &model.bodies[body].shapes, X_WB[body], i});
+      things.push_back({other.robot.body_names[body], &model.bodies[body].shapes, X_WB[body],
+                        other.robot.fixed_bodies[body] ? -1 : i});
     }
     if (!other.load || other.load->component < 0) continue;
     const std::size_t component = at(other.load->component);

@@ -322,7 +322,9 @@ std::optional<OtherMet> SiteWorld::first_machine_met(int robot, collision::Movin
     if (i == robot || (standing_only && other.stepping)) continue;
     if (is_clear_of(other, bodies.bounds())) continue;
     if (const auto hit = reserved_volume(other).meets(bodies, are_buffers)) {
-      return OtherMet{hit->item, part_name(other, hit->part), i, -1};
+      OtherMet met{hit->item, part_name(other, hit->part), i};
+      met.is_fixed = other.robot.is_fixed(hit->part);
+      return met;
     }
   }
   return std::nullopt;

@@ -90,6 +90,10 @@ struct OtherMet {
   int machine = -1;
   int zone_task = -1;
   int moving = -1;
+  bool is_fixed = false;  ///< the part of the machine that no step of it moves
+
+  /// The machine, if it may take the part out of the way; else -1.
+  int machine_that_may_leave() const { return is_fixed ? -1 : machine; }
 };
 
 /// Something with a timetable stops, or goes on.
