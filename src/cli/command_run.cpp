@@ -15,6 +15,7 @@
 #include "interpreter/check/plan_model.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/fail.hpp"
+#include "src/cli/input_file.hpp"
 #include "src/cli/load_runnable_plan.hpp"
 #include "src/cli/progress_line.hpp"
 #include "src/cli/report_file.hpp"
@@ -186,6 +187,7 @@ int run_plan_command(const RunOptions& options) {
   const auto plan =
       load_runnable_plan(options.plan, sources, parameter_texts(options.set), false, &inputs);
   if (!plan) return kWrongInput;
+  if (const auto mistake = overwriting(inputs, {options.trace})) return fail(*mistake);
   if (const auto sample = sample_spec(options.sample)) draw_durations(*plan, *sample);
 
   TraceFiles trace_files;
