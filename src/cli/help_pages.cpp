@@ -354,7 +354,7 @@ usage: rubicon fmt [--check] FILE...
        rubicon fmt [--kind motion|robot|plan|study] -
 
 Rewrites .robot, .motion and .plan files in place: indentation, spaces, line breaks. Comments stay. A file with errors
-is left alone and its errors are printed. Writing it twice changes nothing.
+is left alone and its errors are printed. Writing it twice changes nothing. Links, modes and owners stay as they are.
 
   --check        change nothing; name the files that would change and exit with 1
   -              read standard input, write standard output

@@ -250,9 +250,21 @@ std::optional<std::string> ResultFolder::replace() {
   terms_.names = written();
   if (auto message = obstacle_in(target_, terms_, shown_)) return message;
   const std::set<std::string> old = own_names(target_, terms_.read);
+  keep_modes(old);
   if (beside_ && may_be_exchanged(target_) && exchange(old) == 0) return std::nullopt;
   if (const int error = move_in(temporary_, target_, old)) return failure(error);
   return std::nullopt;
+}
+
+/// A file that takes the place of an old one has its mode.
+void ResultFolder::keep_modes(const std::set<std::string>& old) const {
+  for (const std::string& name : terms_.names) {
+    struct stat status {};
+    if (old.count(name) == 0 || ::stat(fmt::format("{}/{}", target_, name).c_str(), &status) != 0) {
+      continue;
+    }
+    ::chmod(fmt::format("{}/{}", temporary_, name).c_str(), status.st_mode & 0777);
+  }
 }
 
 /// The files that this result has.

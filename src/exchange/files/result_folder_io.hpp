@@ -62,6 +62,7 @@ class ResultFolder {
   int make_temporary(const std::string& pattern);
   void protect();
   std::vector<std::string> written() const;
+  void keep_modes(const std::set<std::string>& old) const;
   std::optional<std::string> replace();
   int exchange(const std::set<std::string>& old);
 
