@@ -125,6 +125,14 @@ class Help(Case):
             result = subprocess.run(["bash", "-c", script + call], capture_output=True, text=True, check=True)
             self.assertEqual(result.stdout, expected + "\n")
 
+    def test_the_shell_completes_names_with_spaces(self):
+        script = rubicon("help", "--completion", "bash").stdout
+        for name in ("my hall.plan", "my *.plan"):
+            self.write(name, "")
+        call = 'COMP_WORDS=(rubicon run my); COMP_CWORD=2; _rubicon; printf "%s\\n" "${COMPREPLY[@]}"'
+        result = subprocess.run(["bash", "-c", script + call], capture_output=True, text=True, check=True, cwd=self.folder)
+        self.assertEqual(sorted(result.stdout.splitlines()), ["my *.plan", "my hall.plan"])
+
     def test_help_lists_the_functions_of_the_language(self):
         page = rubicon("help", "functions")
         self.assertEqual(page.returncode, 0)
