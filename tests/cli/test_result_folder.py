@@ -270,7 +270,11 @@ class Foreign(Case):
   map "g.map"; scenario "g.scen"; } }""")
         self.write("plans/g.map", "type octile\nheight 2\nwidth 3\nmap\n...\n...\n")
         self.write("plans/g.scen", "version 1\n0\tg.map\t3\t2\t0\t0\t2\t1\t3\n")
-        calls = {"run": ("run", plan), "study": ("study", study), "grid": ("run", grid), "packed": ("run", plan, "--compress"),
+        walk = self.write("plans/w.plan", """plan w { network n { policy tarry; class road { speed 2 m/s; }
+  node a at trans(0, 0, 0); node b at trans(10, 0, 0); lane a to b both; explore r from a; } }""")
+        jobs = self.write("plans/j.plan", """plan j { network floor { policy grid { seed 3; } map "g.map";
+  agent a from (0, 0) to (0, 0); jobs 2; } }""")
+        calls = {"run": ("run", plan), "walk": ("run", walk), "jobs": ("run", jobs), "study": ("study", study), "grid": ("run", grid), "packed": ("run", plan, "--compress"),
                  "empty": ("run", empty)}
         for folders in (False, True):
             if folders:
