@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -41,7 +42,7 @@ struct Output {
 };
 
 /// The files that the call reads.
-std::vector<std::string> inputs_of(const ExportOptions& options) {
+std::set<std::string> inputs_of(const ExportOptions& options) {
   if (!files::is_folder(options.source)) return {options.source};
   const ResultFiles result(options.source);
   return {result.trace_path(), result.schedule_path()};
@@ -90,6 +91,10 @@ std::optional<Output> plan_output(const ExportOptions& options) {
   const std::unique_ptr<interpreter::PlanModel> plan =
       load_plan(options.source, sources, disk, diagnostics, parameter_texts(options.set));
   std::optional<Output> output;
+  if (const auto mistake = overwriting(disk.read(), {options.mspdi})) {
+    fail(*mistake);
+    return std::nullopt;
+  }
   if (plan) {
     const project_io::Project project = project_io::project_of(*plan, sources, diagnostics);
     output = Output{options.mspdi, project_io::write_mspdi(project)};

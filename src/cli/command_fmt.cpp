@@ -96,7 +96,7 @@ int run_format(const FormatOptions& options) {
       if (options.check) {
         fmt::print(stdout, "{}\n", path);
         code = std::max(code, kInfeasible);
-      } else if (const auto failure = files::write_file(path, *result)) {
+      } else if (const auto failure = files::change_file(path, *result)) {
         complain(path, *failure);
         code = kWrongInput;
       }

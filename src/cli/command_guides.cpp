@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -66,12 +67,11 @@ std::vector<std::string> names_in(const std::string& list) {
 }
 
 /// To a file, or to standard output.
-int write_picture(const GuidesOptions& options, const std::string& path, const std::string& svg) {
+int write_picture(const std::string& path, const std::string& svg) {
   if (path == "-") {
     std::fwrite(svg.data(), 1, svg.size(), stdout);
     return kFine;
   }
-  if (const auto mistake = overwriting({options.plan}, {path})) return fail(*mistake);
   if (const auto failure = files::write_file(path, svg)) return fail(*failure);
   return kFine;
 }
@@ -103,15 +103,20 @@ int draw_guide(const GuidesOptions& options, const interpreter::PlanModel& plan,
     return fail(error.what());
   }
   if (svg.empty()) return fail(no_motion_text(options, task));
-  return write_picture(options, chart ? options.chart : page ? options.page : options.svg, svg);
+  return write_picture(chart ? options.chart : page ? options.page : options.svg, svg);
 }
 
 }  // namespace
 
 int run_guides(const GuidesOptions& options) {
   interpreter::SourceMap sources;
-  const auto plan = load_runnable_plan(options.plan, sources, parameter_texts(options.set));
+  std::set<std::string> inputs;
+  const auto plan =
+      load_runnable_plan(options.plan, sources, parameter_texts(options.set), false, &inputs);
   if (!plan) return kWrongInput;
+  for (const std::string& picture : {options.svg, options.page, options.chart}) {
+    if (const auto mistake = overwriting(inputs, {picture})) return fail(*mistake);
+  }
   std::vector<std::string> tasks = comparison::moving_tasks(*plan);
   std::string task = options.task;
   if (task.empty() && tasks.size() == 1) task = tasks.front();
@@ -134,8 +139,7 @@ int run_guides(const GuidesOptions& options) {
   }
   if (!options.kind.empty()) return fail("--kind goes with --svg, --page or --chart");
   if (!options.svg.empty()) {
-    const int code =
-        write_picture(options, options.svg, comparison::cover_steps_svg(*plan, *found));
+    const int code = write_picture(options.svg, comparison::cover_steps_svg(*plan, *found));
     if (code != kFine || options.svg == "-") return code;
   }
   if (covers) {

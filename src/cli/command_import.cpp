@@ -10,6 +10,7 @@
 #include "src/cli/fail.hpp"
 #include "src/cli/import_grid.hpp"
 #include "src/cli/import_schedule.hpp"
+#include "src/cli/input_file.hpp"
 #include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/exchange/mesh_io/mesh_format.hpp"
@@ -34,6 +35,7 @@ int import_schedule(const ImportOptions& options) {
   interpreter::SourceMap sources;
   interpreter::Diagnostics diagnostics;
   const std::string& path = options.files.front();
+  if (const auto mistake = overwriting({path}, {options.out})) return fail(*mistake);
   const std::optional<project_io::Project> project =
       read_schedule(path, disk, sources, diagnostics);
   building_io::BuildingPlan plan;

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/fail.hpp"
 #include "src/cli/import_schedule.hpp"
+#include "src/cli/input_file.hpp"
 #include "src/cli/length_option.hpp"
 #include "src/exchange/area_io/storey_floor.hpp"
 #include "src/exchange/building_io/building_plan.hpp"
@@ -52,6 +54,9 @@ class BuildingImport {
             take_length("--tolerance", options_.tolerance, 1e-4, kMostTolerance, tolerance_)) {
       return fail(*wrong);
     }
+    std::vector<std::string> outputs = {options_.out};
+    if (!options_.out.empty() && !options_.area) outputs.push_back(table());
+    if (const auto mistake = overwriting(inputs(), outputs)) return fail(*mistake);
     const std::optional<building_io::BuildingPlan> plan = make_plan();
     const std::string messages =
         report::print_text(diagnostics_.sorted(), sources_, files::wants_colour(stderr));
@@ -63,6 +68,14 @@ class BuildingImport {
   }
 
  private:
+  std::set<std::string> inputs() const {
+    std::set<std::string> result(options_.files.begin(), options_.files.end());
+    result.insert({options_.schedule, options_.match});
+    return result;
+  }
+  /// The list of elements that goes beside the plan.
+  std::string table() const { return folder_ + "/" + stem_ + "_elements.csv"; }
+
   std::optional<building_io::BuildingPlan> make_plan() {
     std::vector<building_io::ModelFile>& models = models_;
     for (const std::string& path : options_.files) {
@@ -182,6 +195,9 @@ class BuildingImport {
   int write(const building_io::BuildingPlan& plan) const {
     const files::SignalHold hold;  // all of them or none
     const std::string base = folder_ + "/";
+    std::vector<std::string> outputs;
+    for (const auto& mesh : plan.meshes) outputs.push_back(base + mesh.name);
+    if (const auto mistake = overwriting(inputs(), outputs)) return fail(*mistake);
     if (!plan.meshes.empty()) {
       if (const auto failure = files::make_folder(base + stem_ + "_meshes")) return fail(*failure);
     }
@@ -191,8 +207,7 @@ class BuildingImport {
       }
     }
     if (options_.area) return finish(plan);
-    const std::string table = base + stem_ + "_elements.csv";
-    if (const auto failure = files::write_file(table, plan.elements)) return fail(*failure);
+    if (const auto failure = files::write_file(table(), plan.elements)) return fail(*failure);
     return finish(plan);
   }
   int finish(const building_io::BuildingPlan& plan) const {

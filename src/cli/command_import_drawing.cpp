@@ -11,6 +11,7 @@
 #include "src/cli/check_import.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/fail.hpp"
+#include "src/cli/input_file.hpp"
 #include "src/cli/length_option.hpp"
 #include "src/exchange/area_io/floor_drawing.hpp"
 #include "src/exchange/building_io/names.hpp"
@@ -48,6 +49,7 @@ std::optional<std::string> take_layers(const std::vector<std::string>& layers,
 int import_drawing(const ImportOptions& options) {
   area_io::DrawingTerms terms;
   const std::string& path = options.files.front();
+  if (const auto mistake = overwriting({path}, {options.out})) return fail(*mistake);
   terms.file = building_io::clean(fs::path(path).filename().string());
   if (const auto wrong = take_layers(options.layers, terms)) return fail(*wrong);
   terms.unit = options.unit == "mm"   ? 1e-3

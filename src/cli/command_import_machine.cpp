@@ -5,13 +5,16 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <system_error>
 #include <variant>
 #include <vector>
 
 #include "interpreter/check/check.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/fail.hpp"
+#include "src/cli/input_file.hpp"
 #include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/exchange/files/temporaries_io.hpp"
@@ -92,6 +95,16 @@ class MachineFiles {
     for (const auto* each : {&packages, &arguments}) {
       if (const auto* message = std::get_if<std::string>(each)) return fail(*message);
     }
+    const std::set<std::string> inputs(options_.files.begin(), options_.files.end());
+    if (const auto mistake = overwriting(inputs, {options_.out})) return fail(*mistake);
+    // A description includes others, which only its reader knows.
+    for (const char* ending : {".urdf", ".xacro"}) {
+      if (options_.out.ends_with(ending)) {
+        return fail(
+            fmt::format("--out takes the robot file to write, such as machine.robot, found '{}'",
+                        options_.out));
+      }
+    }
     const auto machine = read(std::get<0>(packages), std::get<0>(arguments));
     if (!machine || refused(*machine)) return kWrongInput;
     if (!options_.out.empty()) return write(*machine);
@@ -156,10 +169,24 @@ class MachineFiles {
     return true;
   }
 
+  /// Whether a mesh lies where it is to be copied, and as it is to be.
+  static bool is_there(const urdf::MeshCopy& mesh, const std::string& base) {
+    std::error_code error;
+    return !mesh.scale && fs::equivalent(mesh.source, base + mesh.target, error);
+  }
+
   /// The robot file last: when it is there, all it needs is.
   int write(const urdf::MachineImport& machine) {
     const std::string folder = fs::path(out_).parent_path().string();
     const std::string base = folder.empty() ? "" : folder + "/";
+    std::set<std::string> inputs(options_.files.begin(), options_.files.end());
+    std::vector<std::string> outputs = {out_};
+    for (const urdf::MeshCopy& each : machine.meshes) {
+      if (is_there(each, base)) continue;
+      inputs.insert(each.source);
+      outputs.push_back(base + each.target);
+    }
+    if (const auto mistake = overwriting(inputs, outputs)) return fail(*mistake);
     const files::SignalHold hold;  // all of them or none
     if (!machine.meshes.empty()) {
       const std::string first = machine.meshes.front().target;
@@ -168,6 +195,7 @@ class MachineFiles {
       }
     }
     for (const urdf::MeshCopy& each : machine.meshes) {
+      if (is_there(each, base)) continue;
       const auto bytes = bytes_of(each);
       if (const auto* failure = std::get_if<FileFailure>(&bytes)) {
         return fail(fmt::format("mesh '{}': {}", each.source, failure->message));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -185,8 +186,10 @@ int run_layout(const LayoutOptions& options) {
   layout::Sizes sizes;
   if (const auto wrong = take_module(options.module, sizes)) return fail(*wrong);
   interpreter::SourceMap sources;
-  const auto plan = load_runnable_plan(options.plan, sources, {}, true);
+  std::set<std::string> inputs;
+  const auto plan = load_runnable_plan(options.plan, sources, {}, true, &inputs);
   if (!plan) return kWrongInput;
+  if (const auto mistake = overwriting(inputs, {options.out})) return fail(*mistake);
   const interpreter::FileId file = 0;
   Asked asked;
   if (const auto wrong = find_asked(*plan, file, asked)) return fail(*wrong);
@@ -223,9 +226,6 @@ int run_layout(const LayoutOptions& options) {
                             options.choose));
   }
   if (best > 0 && !options.out.empty()) {
-    if (const auto mistake = overwriting({options.plan}, {options.out})) {
-      return fail(*mistake);
-    }
     building_io::BuildingPlan made;
     made.plan = with_layout(sources.file(file).text, *plan, asked,
                             found.best[at(options.choose - 1)], sizes);

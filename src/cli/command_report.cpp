@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "src/cli/commands.hpp"
 #include "src/cli/fail.hpp"
@@ -12,6 +14,7 @@
 #include "src/cli/result_files.hpp"
 #include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/disk_io.hpp"
+#include "src/exchange/files/result_owner_io.hpp"
 #include "src/results/page/report_page.hpp"
 #include "src/results/report/schedule_reader.hpp"
 
@@ -54,6 +57,14 @@ int run_report(const ReportOptions& options) {
         fmt::format("'{}' is no folder: name the page to write with --out FILE", options.result));
   }
   const std::string out = options.out.empty() ? options.result + "/report.html" : options.out;
+  std::error_code error;
+  if (options.out.empty() && std::filesystem::exists(out, error) &&
+      !files::is_own_page(std::filesystem::canonical(out, error).string())) {
+    return fail(fmt::format(
+        "'{}' is not a page of rubicon, and the new one would replace it: move it away, or name "
+        "another file with --out",
+        out));
+  }
   try {
     if (const auto failure = make_page(options, folder, out)) return fail(*failure);
   } catch (const WrongInput& wrong) {

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -13,6 +15,7 @@
 #include "interpreter/check/plan_model.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/fail.hpp"
+#include "src/cli/input_file.hpp"
 #include "src/cli/load_runnable_plan.hpp"
 #include "src/cli/progress_line.hpp"
 #include "src/cli/report_file.hpp"
@@ -132,6 +135,20 @@ class TraceFiles : public trace::TraceSink {
   std::vector<TraceFile> files_;
 };
 
+/// What --out asks for.
+files::ResultTerms result_terms(const RunOptions& options, const interpreter::PlanModel& plan,
+                                const std::set<std::string>& inputs) {
+  files::ResultTerms terms{
+      {options.compress ? "trace.jsonl.gz" : "trace.jsonl", "schedule.json", "schedule.csv"},
+      inputs};
+  const bool digs = std::any_of(plan.tasks.begin(), plan.tasks.end(), [](const auto& task) {
+    return task.dig || task.motion_dig || task.haul;
+  });
+  if (digs) terms.names.emplace_back("loads.csv");
+  if (!page::viewer_page().empty()) terms.names.emplace_back("report.html");
+  return terms;
+}
+
 /// What --out asks for, beside the trace, and all of it to its place. A message on failure.
 std::optional<std::string> write_result(files::ResultFolder& folder,
                                         const interpreter::PlanModel& plan,
@@ -166,8 +183,11 @@ int run_plan_command(const RunOptions& options) {
   if (const auto code = run_grid(options)) return *code;
   if (const auto code = run_network(options)) return *code;
   SourceMap sources;
-  const auto plan = load_runnable_plan(options.plan, sources, parameter_texts(options.set));
+  std::set<std::string> inputs;
+  const auto plan =
+      load_runnable_plan(options.plan, sources, parameter_texts(options.set), false, &inputs);
   if (!plan) return kWrongInput;
+  if (const auto mistake = overwriting(inputs, {options.trace})) return fail(*mistake);
   if (const auto sample = sample_spec(options.sample)) draw_durations(*plan, *sample);
 
   TraceFiles trace_files;
@@ -179,7 +199,7 @@ int run_plan_command(const RunOptions& options) {
   }
   std::optional<files::ResultFolder> folder;
   if (!options.out.empty()) {
-    auto opened = files::ResultFolder::open(options.out);
+    auto opened = files::ResultFolder::open(options.out, result_terms(options, *plan, inputs));
     if (auto* message = std::get_if<std::string>(&opened)) return fail(*message);
     folder.emplace(std::get<files::ResultFolder>(std::move(opened)));
     if (const auto failure =

@@ -4,11 +4,14 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -74,11 +77,29 @@ std::optional<std::string> unsealed(const std::string& line) {
   return noted;
 }
 
+constexpr std::string_view kLogHead = "study\t";
+
+/// Why a study must not keep its runs in this file: one of somebody else is there.
+std::optional<std::string> not_ours(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
+  std::string begin(kLogHead.size(), '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  // One that was stopped at once may have left less.
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  if (kLogHead.starts_with(begin)) return std::nullopt;
+  return fmt::format(
+      "'{}' is not from an earlier study, and this one would replace it: move it away, or write to "
+      "another folder",
+      path);
+}
+
 /// The runs that a study has made so far, in a file: what one that was stopped goes on from.
 class StudyLog {
  public:
   StudyLog(files::AppendFile file, std::string digest)
-      : file_(std::move(file)), head_("study\t" + std::move(digest) + "\t.") {}
+      : file_(std::move(file)), head_(std::string(kLogHead) + std::move(digest) + "\t.") {}
 
   /// What is there already; a message if it is of another study.
   std::optional<std::string> read(const study::StudyModel& study, std::size_t variants) {
@@ -138,6 +159,15 @@ class StudyLog {
   std::map<std::string, std::string> digests_;  ///< the lines of variants, by number
   std::optional<std::string> failure_;
 };
+
+/// What --out asks for, made of what was read so far.
+files::ResultTerms result_terms(const LoadedStudy& study) {
+  files::ResultTerms terms{{"study.json", "variants.csv", "runs.csv", "progress.csv"},
+                           study.read()};
+  if (study.model->sampled) terms.names.emplace_back("drivers.csv");
+  if (!page::empty_study_page().empty()) terms.names.emplace_back("study.html");
+  return terms;
+}
 
 std::optional<std::string> write_study(files::ResultFolder& folder, const study::StudyModel& study,
                                        const std::vector<study::VariantRuns>& variants,
@@ -303,7 +333,12 @@ int make_study(const StudyOptions& options, cluster::MpiChannel* channel) {
   std::optional<StudyLog> log;
   std::optional<files::ResultFolder> folder;
   if (!options.out.empty()) {
-    auto file = files::AppendFile::open(options.out + "/study.progress", options.resume);
+    if (const auto obstacle = files::ResultFolder::obstacle(options.out, result_terms(study))) {
+      return fail(*obstacle);
+    }
+    const std::string progress = options.out + "/study.progress";
+    if (const auto obstacle = not_ours(progress)) return fail(*obstacle);
+    auto file = files::AppendFile::open(progress, options.resume);
     if (auto* message = std::get_if<std::string>(&file)) return fail(*message);
     log.emplace(std::get<files::AppendFile>(std::move(file)), digest_of(study));
     if (const auto failure = log->read(*study.model, study::count_variants(*study.model))) {
@@ -346,7 +381,7 @@ int make_study(const StudyOptions& options, cluster::MpiChannel* channel) {
       answers.kept = study::runs_to_keep(*study.model, *variants, answers);
       if (!write_films(options, *study.model, *variants, answers)) return kWrongInput;
     }
-    auto opened = files::ResultFolder::open(options.out);
+    auto opened = files::ResultFolder::open(options.out, result_terms(study));
     if (auto* message = std::get_if<std::string>(&opened)) return fail(*message);
     folder.emplace(std::get<files::ResultFolder>(std::move(opened)));
     if (const auto unwritten = write_study(*folder, *study.model, *variants, answers)) {

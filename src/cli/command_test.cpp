@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "src/cli/commands.hpp"
+#include "src/cli/input_file.hpp"
 #include "src/cli/thread_count.hpp"
 #include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/disk_io.hpp"
@@ -99,6 +100,16 @@ int run_test(const TestOptions& options) {
                "rubicon: error: no case found: no folder with a site.plan at or below '{}'{}\n",
                fmt::join(options.folders, "', '"),
                options.filter.empty() ? "" : fmt::format(" with '{}' in its path", options.filter));
+    return kWrongInput;
+  }
+  std::set<std::string> inputs;
+  for (const std::string& each : cases) {
+    for (const char* name : {"/site.plan", "/expected.json", "/expected.trace"}) {
+      inputs.insert(each + name);
+    }
+  }
+  if (const auto mistake = overwriting(inputs, {options.junit})) {
+    fmt::print(stderr, "rubicon: error: {}\n", *mistake);
     return kWrongInput;
   }
   const std::vector<golden::CaseResult> results = run_all(cases, options.jobs);

@@ -98,10 +98,10 @@ std::string bash_completion(const CLI::App& app) {
          commands +
          " functions\" -- \"$word\"))\n"
          "  else\n"
-         "    COMPREPLY=($(compgen -f -- \"$word\"))\n"
+         "    mapfile -t COMPREPLY < <(compgen -f -- \"$word\")\n"
          "  fi\n"
          "}\n"
-         "complete -o filenames -F _rubicon rubicon\n";
+         "complete -o filenames -o default -F _rubicon rubicon\n";
 }
 
 }  // namespace rubicon::cli

@@ -76,7 +76,9 @@ walk of each robot that explores the network is printed.
                          (a whole number, 0 if it is left out) draw the same
 
 Files appear whole or not at all, and the files of --out all at once: a stop at any moment leaves the old result or the
-new one. Other files in DIR stay. Paths in what is written are relative to the folder of the plan.
+new one. What an older result left in DIR goes, whatever kind of result it was; all other files stay. Where one of them has
+the name of a file of the new result, the command says so and runs nothing. Paths in what is written are relative to the
+folder of the plan.
 What the command does not execute is refused at its place before anything runs.
 
 Exit code: 0 every task was done (a short plan: its motion is at its goal; cells: all have ways; charts: all
@@ -101,7 +103,7 @@ anything is rejected never finishes: it counts in quantiles, and a variant with 
 allows it.
 
   --out DIR        write study.json, variants.csv, runs.csv, drivers.csv, progress.csv and study.html, the page that shows it
-                   all, into DIR
+                   all, into DIR; what an older result left there goes, all other files stay (see rubicon help run)
   --films          run again what is worth looking at, each into DIR/films/..., and link study.html to the animations: of the variant
                    that is chosen the runs at the quantiles of the process time, of the others of the Pareto front that at the median
   --resume         go on where a study that was stopped had come to; its runs are kept in DIR/study.progress
@@ -352,7 +354,7 @@ usage: rubicon fmt [--check] FILE...
        rubicon fmt [--kind motion|robot|plan|study] -
 
 Rewrites .robot, .motion and .plan files in place: indentation, spaces, line breaks. Comments stay. A file with errors
-is left alone and its errors are printed. Writing it twice changes nothing.
+is left alone and its errors are printed. Writing it twice changes nothing. Links, modes and owners stay as they are.
 
   --check        change nothing; name the files that would change and exit with 1
   -              read standard input, write standard output

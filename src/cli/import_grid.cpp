@@ -11,6 +11,7 @@
 #include "interpreter/syntax/token.hpp"
 #include "src/cli/check_import.hpp"
 #include "src/cli/fail.hpp"
+#include "src/cli/input_file.hpp"
 #include "src/exchange/files/atomic_file_io.hpp"
 #include "src/exchange/files/disk_io.hpp"
 #include "src/fleets/grid/solve_grid.hpp"
@@ -69,6 +70,7 @@ int import_grid(const ImportOptions& options) {
     place = file;
   }
   if (map.empty()) return fail("a scenario (.scen) goes with its map: FILE.map FILE.scen");
+  if (const auto mistake = overwriting({map, scenario}, {options.out})) return fail(*mistake);
   const std::string out = options.out.empty() ? "grid.plan" : options.out;
   building_io::BuildingPlan plan;
   plan.plan = fmt::format("plan {} {{\n  network floor {{\n    policy grid {{ expansions {}; }}\n",

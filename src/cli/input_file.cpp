@@ -1,6 +1,7 @@
 #include "src/cli/input_file.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -102,16 +103,15 @@ void each_line(const std::string& path, const std::function<bool(const std::stri
   throw WrongInput(fmt::format("{}:1: expected the header of a trace, found nothing", path));
 }
 
-/// Whether two names mean one file, be it there or yet to be written.
-bool is_same_file(const std::string& one, const std::string& other) {
-  std::error_code error;
-  if (std::filesystem::equivalent(one, other, error)) {
-    return std::filesystem::is_regular_file(one, error);
+/// The same text for all names, links and hard links of one file, be it there or yet to be written;
+/// "" of what is no file, as a device.
+std::string identity_of(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0) {
+    return S_ISREG(status.st_mode) ? fmt::format("{}:{}", status.st_dev, status.st_ino) : "";
   }
-  const auto whole = [&](const std::string& path) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
-  };
-  return !std::filesystem::exists(one, error) && !whole(one).empty() && whole(one) == whole(other);
+  std::error_code error;
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error).string();
 }
 
 bool is_file_name(const std::string& path) { return !path.empty() && path != "-"; }
@@ -152,19 +152,22 @@ std::string read_trace_header(const std::string& path) {
   return header;
 }
 
-std::optional<std::string> overwriting(const std::vector<std::string>& inputs,
+std::optional<std::string> overwriting(const std::set<std::string>& inputs,
                                        const std::vector<std::string>& outputs) {
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    if (!is_file_name(outputs[i])) continue;
-    for (const std::string& input : inputs) {
-      if (is_same_file(input, outputs[i])) {
-        return fmt::format("'{}' is read here: write to another file", outputs[i]);
-      }
+  std::set<std::string> read;
+  std::set<std::string> written;
+  for (const std::string& input : inputs) {
+    if (is_file_name(input)) read.insert(identity_of(input));
+  }
+  for (const std::string& output : outputs) {
+    if (!is_file_name(output)) continue;
+    const std::string identity = identity_of(output);
+    if (identity.empty()) continue;
+    if (read.count(identity) != 0) {
+      return fmt::format("'{}' is read here: write to another file", output);
     }
-    for (std::size_t k = 0; k < i; ++k) {
-      if (is_file_name(outputs[k]) && is_same_file(outputs[k], outputs[i])) {
-        return fmt::format("two outputs cannot go into one file, '{}'", outputs[i]);
-      }
+    if (!written.insert(identity).second) {
+      return fmt::format("two outputs cannot go into one file, '{}'", output);
     }
   }
   return std::nullopt;

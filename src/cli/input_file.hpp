@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -27,8 +28,11 @@ void each_trace_line(const std::string& path, const std::function<void(const std
 std::string read_trace_header(const std::string& path);
 
 /// What is wrong with a call that would write over one of the files that it reads, or write two
-/// outputs into one file; a message, or nothing. Empty names and "-" are no files.
-std::optional<std::string> overwriting(const std::vector<std::string>& inputs,
+/// outputs into one file, however these are spelled, linked or hard linked; a message, or nothing.
+/// Empty names and "-" are no files. Every command that writes a file asks this with all files that
+/// it read (DiskFiles::read), also those that its plan names, before it writes, and where it can
+/// before it computes.
+std::optional<std::string> overwriting(const std::set<std::string>& inputs,
                                        const std::vector<std::string>& outputs);
 
 }  // namespace rubicon::cli

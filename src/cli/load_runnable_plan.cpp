@@ -73,7 +73,8 @@ ReadPlan read_runnable_plan(const std::string& plan, interpreter::FileProvider& 
 std::unique_ptr<interpreter::PlanModel> load_runnable_plan(const std::string& path,
                                                            interpreter::SourceMap& sources,
                                                            const interpreter::ParameterTexts& set,
-                                                           bool without_tasks) {
+                                                           bool without_tasks,
+                                                           std::set<std::string>* inputs) {
   files::PlanFiles disk(path);
   ReadPlan read;
   const auto text = disk.read_text(disk.plan());
@@ -84,6 +85,7 @@ std::unique_ptr<interpreter::PlanModel> load_runnable_plan(const std::string& pa
   } else {
     read = read_runnable_plan(disk.plan(), disk, sources, set);
   }
+  if (inputs != nullptr) *inputs = disk.read();
   if (without_tasks) {
     std::erase_if(read.found,
                   [](const interpreter::Diagnostic& each) { return each.code == kNothingToDo; });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,10 +24,11 @@ ReadPlan read_runnable_plan(const std::string& plan, interpreter::FileProvider& 
 /// Reads and checks a plan that is to be run, with `set` for its parameters, and prints what is
 /// wrong with it; null if it cannot be run. Paths in the plan and in `sources` are relative to the
 /// folder of the plan.
-/// A plan need not have anything to do `without_tasks`.
+/// A plan need not have anything to do `without_tasks`. `inputs` gets the files that were read.
 std::unique_ptr<interpreter::PlanModel> load_runnable_plan(const std::string& path,
                                                            interpreter::SourceMap& sources,
                                                            const interpreter::ParameterTexts& set,
-                                                           bool without_tasks = false);
+                                                           bool without_tasks = false,
+                                                           std::set<std::string>* inputs = nullptr);
 
 }  // namespace rubicon::cli

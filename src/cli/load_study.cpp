@@ -144,9 +144,16 @@ void check_first_variant(LoadedStudy& study, interpreter::Diagnostics& diagnosti
 
 }  // namespace
 
+std::set<std::string> LoadedStudy::read() const {
+  std::set<std::string> result = {path};
+  if (files) result.insert(files->plan_files().read().begin(), files->plan_files().read().end());
+  return result;
+}
+
 LoadedStudy load_study(const std::string& path, interpreter::SourceMap& sources,
                        interpreter::Diagnostics& diagnostics, bool look_at_plan) {
   LoadedStudy result;
+  result.path = path;
   files::DiskFiles disk;
   auto text = disk.read_text(path);
   if (const auto* failure = std::get_if<interpreter::FileFailure>(&text)) {

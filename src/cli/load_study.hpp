@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,13 @@ struct LoadedStudy {
   std::unique_ptr<study::StudyModel> model;
   std::vector<interpreter::ParameterTexts> variants;
   std::unique_ptr<files::CachedPlanFiles> files;
+  std::string path;
   std::string text;                           ///< of the study itself
   std::optional<study::LoadedVariant> first;  ///< read to check the study: the first that can run
   std::size_t first_number = 0;               ///< of the variant that it is
+
+  /// The files that were read so far, those of the plan by the paths that the user would type.
+  std::set<std::string> read() const;
 };
 
 /// Reads a study, and with `look_at_plan` its plan with the settings of the first variant that can

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "interpreter/check/plan_model.hpp"
 #include "src/exchange/files/disk_io.hpp"
@@ -68,9 +69,15 @@ std::string result_mspdi(const ResultFiles& result, const taskplan::Schedule& sc
   }
   interpreter::SourceMap sources;
   interpreter::Diagnostics diagnostics;
-  const std::unique_ptr<interpreter::PlanModel> plan =
-      load_plan(files->plan_path(), sources, *files, diagnostics, files->set());
   std::string text;
+  std::unique_ptr<interpreter::PlanModel> plan;
+  {
+    interpreter::Diagnostics checked;
+    plan = load_plan(files->plan_path(), sources, *files, checked, files->set());
+    // What is only doubtful was said when the plan was run; of shapes, for which there are
+    // stand-ins here, it would be wrong.
+    if (!plan) diagnostics = std::move(checked);
+  }
   if (plan) {
     const project_io::SimulatedRun run = run_of(schedule);
     text = project_io::write_mspdi(project_io::project_of(*plan, sources, diagnostics, &run));

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "interpreter/check/check_grid.hpp"
 #include "interpreter/check/plan_model.hpp"
@@ -30,7 +31,10 @@ std::optional<int> run_grid(const RunOptions& options) {
       report::print_text(found.sorted(), disk.typed(plan_sources), files::wants_colour(stderr));
   std::fwrite(messages.data(), 1, messages.size(), stderr);
   std::optional<files::ResultFolder> folder;
-  if (const auto code = open_taskless(options, "a network with policy grid has ways", folder)) {
+  files::ResultTerms terms{{"ways.json", "ways.csv"}, disk.read()};
+  if (!spec->jobs.empty()) terms.names = {"jobs.json", "jobs.csv", "agents.csv"};
+  if (const auto code =
+          open_taskless(options, "a network with policy grid has ways", std::move(terms), folder)) {
     return code;
   }
   if (!spec->jobs.empty()) {

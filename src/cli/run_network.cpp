@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "interpreter/check/plan_model.hpp"
@@ -80,7 +81,10 @@ std::optional<int> run_network(const RunOptions& options) {
       report::print_text(diagnostics.sorted(), disk.typed(sources), files::wants_colour(stderr));
   std::fwrite(messages.data(), 1, messages.size(), stderr);
   std::optional<files::ResultFolder> folder;
-  if (const auto code = open_taskless(options, "a network with this policy has none", folder)) {
+  files::ResultTerms terms{{"walk.json", "walk.csv"}, disk.read()};
+  if (plan->charts) terms.names = {"charts.json", "charts.csv", "charts.svg", "report.html"};
+  if (const auto code =
+          open_taskless(options, "a network with this policy has none", std::move(terms), folder)) {
     return code;
   }
   return plan->charts ? run_charts(options, *plan, folder) : run_walks(options, *plan, folder);

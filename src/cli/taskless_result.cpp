@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <utility>
 #include <variant>
 
 namespace rubicon::cli {
 
 std::optional<int> open_taskless(const RunOptions& options, const char* instead,
+                                 files::ResultTerms terms,
                                  std::optional<files::ResultFolder>& folder) {
   if (!options.trace.empty() || options.compress || !options.sample.empty()) {
     return fail(
@@ -16,7 +18,7 @@ std::optional<int> open_taskless(const RunOptions& options, const char* instead,
                     instead));
   }
   if (options.out.empty()) return std::nullopt;
-  auto opened = files::ResultFolder::open(options.out);
+  auto opened = files::ResultFolder::open(options.out, std::move(terms));
   if (auto* message = std::get_if<std::string>(&opened)) return fail(*message);
   folder.emplace(std::get<files::ResultFolder>(std::move(opened)));
   return std::nullopt;

@@ -16,7 +16,7 @@ namespace rubicon::cli {
 struct TasklessResult {
   using Text = std::function<std::string()>;
   Text table, csv, json;
-  std::vector<std::pair<const char*, Text>> files;  ///< of the result folder
+  std::vector<std::pair<const char*, Text>> files;  ///< of the result folder, those of its terms
   int code = kFine;
 };
 
@@ -24,6 +24,7 @@ struct TasklessResult {
 /// what only tasks leave. `instead` says what the plan has, as in "a network with policy grid has
 /// ways".
 std::optional<int> open_taskless(const RunOptions& options, const char* instead,
+                                 files::ResultTerms terms,
                                  std::optional<files::ResultFolder>& folder);
 
 /// Writes the folder, if there is one, and prints what `--format` asks for. The exit code.

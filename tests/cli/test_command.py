@@ -125,6 +125,14 @@ class Help(Case):
             result = subprocess.run(["bash", "-c", script + call], capture_output=True, text=True, check=True)
             self.assertEqual(result.stdout, expected + "\n")
 
+    def test_the_shell_completes_names_with_spaces(self):
+        script = rubicon("help", "--completion", "bash").stdout
+        for name in ("my hall.plan", "my *.plan"):
+            self.write(name, "")
+        call = 'COMP_WORDS=(rubicon run my); COMP_CWORD=2; _rubicon; printf "%s\\n" "${COMPREPLY[@]}"'
+        result = subprocess.run(["bash", "-c", script + call], capture_output=True, text=True, check=True, cwd=self.folder)
+        self.assertEqual(sorted(result.stdout.splitlines()), ["my *.plan", "my hall.plan"])
+
     def test_help_lists_the_functions_of_the_language(self):
         page = rubicon("help", "functions")
         self.assertEqual(page.returncode, 0)
@@ -239,6 +247,44 @@ class Fmt(Case):
         self.assertIn("move_to(x, goal(x))", text)
         self.assertEqual(rubicon("fmt", "--check", script).returncode, 0)
         self.assertEqual(rubicon("fmt", "-", input=text).stdout, text)
+
+    def test_links_modes_and_owners_stay(self):
+        script = self.write("shared.motion", "chain{ wait } ;\n")
+        os.makedirs(os.path.join(self.folder, "deep"))
+        os.symlink("../shared.motion", os.path.join(self.folder, "deep", "link"))
+        link = os.path.join(self.folder, "link.motion")
+        os.symlink("deep/link", link)
+        os.chmod(script, 0o640)
+        owner = (1234, 2345) if os.geteuid() == 0 else (os.geteuid(), os.getegid())
+        os.chown(script, *owner)
+        self.assertEqual(rubicon("fmt", link).returncode, 0)
+        status = os.stat(script)
+        self.assertEqual((stat.S_IMODE(status.st_mode), status.st_uid, status.st_gid), (0o640, *owner))
+        self.assertTrue(os.path.islink(link) and os.path.islink(os.path.join(self.folder, "deep", "link")))
+        self.assertEqual(self.read("shared.motion"), "chain { wait };\n")
+        # All names of a file show the change, be it longer or shorter than before.
+        for text in ("chain{ wait } ;        \n\n\n\n", "chain{wait};\n"):
+            hard = self.write("hard.motion", text)
+            other = os.path.join(self.folder, "other.motion")
+            os.link(hard, other)
+            os.chmod(hard, 0o600)
+            self.assertEqual(rubicon("fmt", hard).returncode, 0)
+            self.assertEqual((self.read("other.motion"), self.read("hard.motion")), (self.read("shared.motion"),) * 2)
+            self.assertEqual((os.stat(hard).st_nlink, stat.S_IMODE(os.stat(hard).st_mode)), (2, 0o600))
+            os.remove(other)
+
+    def test_outputs_keep_the_mode_of_what_they_replace(self):
+        trace = self.write("trace.jsonl", "")
+        os.chmod(trace, 0o600)
+        os.symlink("trace.jsonl", os.path.join(self.folder, "link"))
+        out = os.path.join(self.folder, "out")
+        for i in range(2):
+            self.assertEqual(rubicon("run", self.plan, "--trace", os.path.join(self.folder, "link"), "--out", out).returncode, 0)
+            self.assertEqual(stat.S_IMODE(os.stat(trace).st_mode), 0o600)
+            self.assertEqual(stat.S_IMODE(os.stat(os.path.join(out, "trace.jsonl")).st_mode), 0o600 if i else 0o644)
+            os.chmod(os.path.join(out, "trace.jsonl"), 0o600)
+        self.assertGreater(os.path.getsize(trace), 0)
+        self.assertTrue(os.path.islink(os.path.join(self.folder, "link")))
 
     def test_leaves_a_wrong_file_alone(self):
         script = self.write("s.motion", "chain{ move_to(x }\n")

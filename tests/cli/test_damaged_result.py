@@ -3,6 +3,7 @@
 import copy
 import json
 import os
+import pathlib
 import random
 import re
 import shutil
@@ -96,6 +97,62 @@ class DamagedResult(unittest.TestCase):
             with open(os.path.join(self.good, name), "rb") as one, open(os.path.join(good, name), "rb") as other:
                 self.assertEqual(one.read(), other.read(), name)
         self.assertEqual(rubicon("export", good, "--svg", "/dev/null", "--csv", "/dev/null").returncode, 0)
+
+    def test_nothing_is_written_over_what_the_plan_names(self):
+        texts = {"site.plan": """plan m {
+  robot gantry "gantry.robot" at trans(0, 0, 0); crew a; support off;
+  component beam { shape mesh("beam.stl", mm) at trans(50, 0, 0); }
+  task go { by gantry; go x 1; }
+  task count { by a; takes measured("times.csv", min); }
+}
+""", "gantry.robot": """robot gantry {
+  body trolley { param x step(0.5) range(0, 10); frame trans(x, 0, 0); shape box(-1, -1, 0, 1, 1, 1); }
+  tool trolley; behaviour "move.motion";
+}
+""", "move.motion": "chain { move_to(x, goal(x)) };\n", "times.csv": "3\n4\n"}
+        for name, text in texts.items():
+            with open(self.path(name), "w", encoding="utf-8") as file:
+                file.write(text)
+        shutil.copy(os.path.join(ROOT, "tests/cli/models/beam.stl"), self.folder)
+        plan, new = self.path("site.plan"), self.path("new")
+        self.assertEqual(rubicon("run", plan, "--trace", new).returncode, 0)
+        os.symlink("move.motion", self.path("link"))
+        os.link(self.path("beam.stl"), self.path("hard"))
+        names = [*texts, "beam.stl", "link", "hard", "../" + os.path.basename(self.folder) + "/times.csv"]
+        before = {name: pathlib.Path(self.path(name)).read_bytes() for name in names}
+        for name in names:
+            for call in (("run", plan, "--trace"), ("guides", plan, "go", "--svg"), ("guides", plan, "go", "--chart"),
+                         ("guides", plan, "go", "--page"), ("export", plan, "--mspdi"), ("layout", plan, "--out")):
+                more = {"layout": ("--module", "2 m x 1 m"), "--page": ("--axes", "x")}
+                self.assertIn("is read here", self.refused(
+                    *call, self.path(name), *more.get(call[0], more.get(call[-1], ()))))
+        for call in (["a.xml"], ["a.ifc"], ["a.ifc", "--schedule", "a.xml", "--match", "b.match"], ["a.urdf"], ["f.dxf", "--area"],
+                     ["g.map", "g.scen"]):
+            for output in filter(lambda word: "." in word, call):
+                shutil.copy(plan, self.path(output))
+                before[output] = before["site.plan"]
+                words = [self.path(word) if "." in word else word for word in call]
+                self.assertIn("is read here", self.refused("import", *words, "--out", self.path(".", output)))
+        shutil.copy(plan, self.path("a_elements.csv"))
+        self.assertIn("is read here", self.refused("import", self.path("a.ifc"), "--schedule", self.path("a_elements.csv"), "--match",
+                                                   self.path("b.match"), "--out", self.path("a.plan")))
+        shutil.copytree(os.path.join(ROOT, "examples/08_what_cannot_be_done"), self.path("case"))
+        for name in ("site.plan", "expected.json"):
+            self.assertIn("is read here", self.refused("test", self.path("case"), "--junit", self.path("case", name)))
+        self.assertEqual({name: pathlib.Path(self.path(name)).read_bytes() for name in before}, before)
+
+    def test_a_report_replaces_no_page_of_somebody(self):
+        if not self.has_page:
+            self.skipTest("this build has no page")
+        good = self.path("good")
+        shutil.copytree(self.good, good)
+        page = os.path.join(good, "report.html")
+        self.assertEqual(rubicon("report", good).returncode, 0)
+        with open(page, "w", encoding="utf-8") as file:
+            file.write("<!doctype html><title>what we did last week</title>")
+        self.assertIn("is not a page of rubicon", self.refused("report", good))
+        os.remove(page)
+        self.assertEqual(rubicon("report", good).returncode, 0)
 
     def places(self, value, place=()):
         """The place of everything in a JSON value."""

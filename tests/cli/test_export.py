@@ -57,6 +57,24 @@ class Export(unittest.TestCase):
         self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
         return result.stderr
 
+    def test_a_result_is_not_checked_again_with_shapes_that_it_does_not_carry(self):
+        folder = os.path.join(self.temporary.name, "mesh")
+        os.makedirs(folder)
+        # A box of 1 m whose mesh lies 20 m from its origin; its grip is 1.5 m above it.
+        corners = [(x, y, z) for x in (20, 21) for y in (20, 21) for z in (0, 1)]
+        sides = ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4))
+        with open(os.path.join(folder, "far.obj"), "w", encoding="utf-8") as file:
+            file.writelines([f"v {x} {y} {z}\n" for x, y, z in corners] + [f"f {a} {b} {c} {d}\n" for a, b, c, d in sides])
+        plan = os.path.join(folder, "p.plan")
+        with open(plan, "w", encoding="utf-8") as file:
+            file.write("""plan p { start_at "2026-03-02 07:00"; crew a; component far {
+  shape mesh("far.obj", m) at trans(0, 0, 0); grip trans(20.5, 20.5, 2.5); } task t { by a; takes 1 h; } }""")
+        out = os.path.join(folder, "out")
+        run = rubicon("run", plan, "--out", out)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        result = rubicon("export", out, "--mspdi", os.path.join(folder, "x.xml"))
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
     def test_csv_is_that_of_the_run(self):
         for plan, folder in self.folders.items():
             with self.subTest(plan=plan):

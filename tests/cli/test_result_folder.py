@@ -210,6 +210,92 @@ class Whole(Case):
         self.assertTrue(os.path.exists(self.path("results/.other.rubicon-AbCd12")))
 
 
+class Foreign(Case):
+    """A name tells nothing: only what an older result left in the folder may be replaced or removed."""
+
+    MINE = ("runs.csv", "jobs.csv", "agents.csv", "loads.csv", "charts.csv", "walk.csv", "variants.csv", "drivers.csv",
+            "progress.csv", "study.json", "study.html", "ways.json", "charts.svg", "trace.jsonl.gz")
+
+    def test_files_of_somebody_with_names_of_ours_stay(self):
+        self.write("work/times.csv", "hook\n100\n150\n")
+        for name in self.MINE:
+            self.write("work/" + name, "hook\n100\n150\n")
+        plan = self.write("work/site.plan", """plan site { crew a; parameter n = 1;
+  task x { by a; takes measured("runs.csv", min, column "hook"); } }""")
+        mine = files_of(self.path("work"))
+        os.makedirs(self.path("work/walk.json"))
+        for out, cwd in (("work", self.folder), (".", self.path("work"))):
+            self.run_plan("site.plan" if cwd != self.folder else plan, out, cwd=cwd)
+            self.assertEqual({name: text for name, text in files_of(self.path("work")).items() if name in mine}, mine)
+            self.assertEqual(rubicon("verify", self.path("work")).returncode, 0)
+            self.assertEqual(self.strangers(self.path("work")), [])
+        # A study would write some of them: it refuses before it computes.
+        study = self.write("work/s.study", 'study s { plan "site.plan"; vary n 1, 2; runs 20; }')
+        before = files_of(self.path("work"))
+        result = rubicon("study", study, "--out", self.path("work"))
+        self.assertEqual(result.returncode, 2)
+        self.assertIn(f"'{self.path('work')}/runs.csv' is read here: write to another folder", result.stderr)
+        self.assertEqual(files_of(self.path("work")), before)
+
+    def test_a_result_does_not_replace_what_is_not_one(self):
+        out = self.path("results/out")
+        names = ("schedule.csv", "schedule.json", "trace.jsonl", "report.html")
+        for name in names:
+            self.write("results/out/" + name, '{"tasks": [], "of": "my planning tool"}\n')
+            result = rubicon("run", self.short, "--out", out)
+            if name not in NAMES or name == "report.html" and result.returncode == 0:
+                self.skipTest("this build has no page")
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(f"'{out}/{name}' is not from an earlier result", result.stderr)
+            self.assertEqual(os.listdir(out), [name])
+            os.remove(os.path.join(out, name))
+        # A table of ours alone, as somebody copies it to read it, is theirs.
+        self.run_plan(self.short, self.path("results/other"))
+        shutil.copy(self.path("results/other/schedule.csv"), out)
+        self.assertEqual(rubicon("run", self.short, "--out", out).returncode, 2)
+        os.remove(os.path.join(out, "schedule.csv"))
+        os.symlink(self.path("results/other/schedule.csv"), os.path.join(out, "schedule.csv"))
+        self.assertEqual(rubicon("run", self.short, "--out", out).returncode, 2)
+        self.write("results/out/study.progress", "mine")
+        self.write("plans/s.study", 'study s { plan "short.plan"; runs 1; }')
+        result = rubicon("study", self.path("plans/s.study"), "--out", out)
+        self.assertEqual((result.returncode, files_of(out)["study.progress"]), (2, b"mine"), result.stderr)
+
+    def test_results_replace_each_other_and_earlier_versions(self):
+        out = self.path("results/out")
+        plan = self.write("plans/crew.plan", "plan c { crew a; parameter n = 1; task x { by a; takes uniform(1 min, 5 min); } }")
+        study = self.write("plans/s.study", 'study s { plan "crew.plan"; vary n 1, 2; runs 20; }')
+        empty = self.write("plans/empty.plan", "plan e { crew a; }")
+        grid = self.write("plans/g.plan", """plan g { network floor { policy grid { expansions 1000; }
+  map "g.map"; scenario "g.scen"; } }""")
+        self.write("plans/g.map", "type octile\nheight 2\nwidth 3\nmap\n...\n...\n")
+        self.write("plans/g.scen", "version 1\n0\tg.map\t3\t2\t0\t0\t2\t1\t3\n")
+        walk = self.write("plans/w.plan", """plan w { network n { policy tarry; class road { speed 2 m/s; }
+  node a at trans(0, 0, 0); node b at trans(10, 0, 0); lane a to b both; explore r from a; } }""")
+        jobs = self.write("plans/j.plan", """plan j { network floor { policy grid { seed 3; } map "g.map";
+  agent a from (0, 0) to (0, 0); jobs 2; } }""")
+        calls = {"run": ("run", plan), "walk": ("run", walk), "jobs": ("run", jobs), "study": ("study", study), "grid": ("run", grid), "packed": ("run", plan, "--compress"),
+                 "empty": ("run", empty)}
+        for folders in (False, True):
+            if folders:
+                os.makedirs(os.path.join(out, "photos"))
+            alone = {}
+            for name in [*calls, *reversed(calls)]:
+                for target in (out, self.path("results", name + "_alone")):
+                    result = rubicon(*calls[name], "--out", target)
+                    self.assertEqual(result.returncode, 0, f"{name}: {result.stderr}")
+                alone[name] = digests(self.path("results", name + "_alone"))
+                self.assertEqual(digests(out), alone[name], name)
+        # What earlier versions left had no marks in its page and fewer columns.
+        self.run_plan(plan, out)
+        for name, text in files_of(out).items():
+            text = re.sub(rb'\n<meta name="rubicon-[^>]*>', b"", text).replace(b",attributes", b"")
+            with open(os.path.join(out, name), "wb") as file:
+                file.write(text)
+        self.run_plan(plan, out)
+        self.assertEqual(digests(out), digests(self.path("results/run_alone")))
+
+
 class Stopped(Case):
     def time_of(self, *arguments):
         start = time.monotonic()

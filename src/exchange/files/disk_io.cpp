@@ -96,6 +96,7 @@ std::string no_such_file(const std::string& path) {
 }  // namespace
 
 std::variant<std::string, interpreter::FileFailure> DiskFiles::read_text(const std::string& path) {
+  read_.insert(path);
   // O_NONBLOCK: opening a pipe that nobody writes to must not hang.
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) {
@@ -121,6 +122,7 @@ std::variant<std::string, interpreter::FileFailure> DiskFiles::read_text(const s
 
 std::variant<std::shared_ptr<const geometry::TriangleMesh>, interpreter::FileFailure>
 DiskFiles::read_mesh(const interpreter::MeshRequest& request) {
+  read_.insert(request.path);
   mesh_io::MeshRequest wanted;
   wanted.path = request.path;
   wanted.folder = request.folder;

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -21,8 +22,11 @@ class DiskFiles : public interpreter::FileProvider {
 
   /// The reader itself, for whole models.
   const mesh_io::MeshReader& meshes() const { return meshes_; }
+  /// The files that were asked for so far, texts and meshes: nothing may be written over them.
+  const std::set<std::string>& read() const { return read_; }
 
  private:
+  std::set<std::string> read_;
   mesh_io::MeshReader meshes_ = mesh_io::MeshReader::beside_command();
 };
 

@@ -83,10 +83,6 @@ class Folder {
   int descriptor_;
 };
 
-bool is_ours(std::string_view name) {
-  return std::find(kResultNames.begin(), kResultNames.end(), name) != kResultNames.end();
-}
-
 /// Extended attributes other than the label that every file of some systems has: access lists,
 /// notes.
 bool has_attributes(int descriptor) {
@@ -122,7 +118,7 @@ bool holds_plain_files_only(const Folder& folder) {
   std::size_t links = 0;
   for (const std::string& name : folder.names()) {
     struct stat status {};
-    if (is_ours(name) || !folder.look(name, status)) continue;
+    if (!folder.look(name, status)) continue;
     if (!S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode)) return false;
     if (++links > kMostLinks) return false;
   }
@@ -151,7 +147,8 @@ void clear_one(const std::string& path, const std::string& home) {
   const Folder left(path);
   struct stat status {};
   if (!left.is_open() || !left.look("", status) || status.st_uid != ::geteuid()) return;
-  if (left.take(path)) discard(path, home);
+  // In a folder of ours the names tell: what is not ours and has such a name is a second link.
+  if (left.take(path)) discard(path, home, {kResultNames.begin(), kResultNames.end()});
 }
 
 }  // namespace
@@ -206,7 +203,8 @@ bool may_be_exchanged(const std::string& path) {
          holds_plain_files_only(folder);
 }
 
-int take_over(const std::string& from, const std::string& to) {
+int take_over(const std::string& from, const std::string& to,
+              const std::set<std::string>& old_names) {
   const Folder old(from);
   const Folder fresh(to);
   struct stat status {};
@@ -220,7 +218,7 @@ int take_over(const std::string& from, const std::string& to) {
   }
   if (::fchmod(fresh.descriptor(), status.st_mode & 07777) != 0) return errno;
   for (const std::string& name : old.names()) {
-    if (is_ours(name)) continue;
+    if (old_names.count(name) != 0) continue;
     if (::linkat(old.descriptor(), name.c_str(), fresh.descriptor(), name.c_str(), 0) != 0) {
       return errno;
     }
@@ -228,15 +226,21 @@ int take_over(const std::string& from, const std::string& to) {
   return 0;
 }
 
-void drop_links(const std::string& to) {
+void drop_links(const std::string& from, const std::string& to) {
+  const Folder home(from);
   const Folder folder(to);
-  if (!folder.is_open()) return;
+  if (!home.is_open() || !folder.is_open()) return;
   for (const std::string& name : folder.names()) {
-    if (!is_ours(name)) ::unlinkat(folder.descriptor(), name.c_str(), 0);
+    struct stat first {};
+    struct stat second {};
+    if (home.look(name, first) && folder.look(name, second) && is_same(first, second)) {
+      ::unlinkat(folder.descriptor(), name.c_str(), 0);
+    }
   }
 }
 
-void discard(const std::string& path, const std::string& home) {
+void discard(const std::string& path, const std::string& home,
+             const std::set<std::string>& result) {
   const Folder folder(path);
   const Folder keeper(home);
   if (!folder.is_open()) return;
@@ -244,7 +248,8 @@ void discard(const std::string& path, const std::string& home) {
     struct stat status {};
     struct stat kept {};
     if (!folder.look(name, status)) continue;
-    if (is_ours(name) || (keeper.is_open() && keeper.look(name, kept) && is_same(status, kept))) {
+    if (result.count(name) != 0 ||
+        (keeper.is_open() && keeper.look(name, kept) && is_same(status, kept))) {
       ::unlinkat(folder.descriptor(), name.c_str(), 0);
     } else if (keeper.is_open()) {
       ::renameat2(folder.descriptor(), name.c_str(), keeper.descriptor(), name.c_str(),
@@ -254,7 +259,7 @@ void discard(const std::string& path, const std::string& home) {
   ::rmdir(path.c_str());
 }
 
-int move_in(const std::string& from, const std::string& folder) {
+int move_in(const std::string& from, const std::string& folder, const std::set<std::string>& old) {
   const std::string staged = folder + "/" + std::string(kStagedName);
   for (int attempt = 0; ::rename(from.c_str(), staged.c_str()) != 0; ++attempt) {
     if ((errno != EEXIST && errno != ENOTEMPTY) || attempt == kPatience) return errno;
@@ -267,11 +272,11 @@ int move_in(const std::string& from, const std::string& folder) {
     }
   }
   const Folder fresh(staged);
-  for (const std::string_view name : kResultNames) {
+  // The last first, as own_names knows the others by those that come before them.
+  for (auto name = kResultNames.rbegin(); name != kResultNames.rend(); ++name) {
+    const std::string each(*name);
     struct stat status {};
-    if (!fresh.look(std::string(name), status)) {
-      ::unlink((folder + "/" + std::string(name)).c_str());
-    }
+    if (old.count(each) != 0 && !fresh.look(each, status)) ::unlink((folder + "/" + each).c_str());
   }
   return complete(fresh, staged, folder);
 }

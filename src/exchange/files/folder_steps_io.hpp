@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -19,18 +20,20 @@ inline constexpr std::string_view kStagedName = ".rubicon-new";
 bool may_be_exchanged(const std::string& folder);
 
 /// Gives `to`, a new folder, the rights of `from` and a second link to every file of `from` that is
-/// not one of ours.
-int take_over(const std::string& from, const std::string& to);
+/// not of the `old` result.
+int take_over(const std::string& from, const std::string& to, const std::set<std::string>& old);
 
 /// Takes back what take_over linked.
-void drop_links(const std::string& to);
+void drop_links(const std::string& from, const std::string& to);
 
-/// Removes a result that is no longer of use. What is not ours goes to `home`, if it is not there.
-void discard(const std::string& folder, const std::string& home);
+/// Removes a folder with the files of a result, which are no longer of use. What else is in it goes
+/// to `home`, if it is not there.
+void discard(const std::string& folder, const std::string& home,
+             const std::set<std::string>& result);
 
-/// Puts the result in the temporary folder `from` into `folder`, file by file. From its first step
-/// on result_path finds the new one.
-int move_in(const std::string& from, const std::string& folder);
+/// Puts the result in the temporary folder `from` into `folder`, file by file, and removes what the
+/// `old` one has beside. From its first step on result_path finds the new one.
+int move_in(const std::string& from, const std::string& folder, const std::set<std::string>& old);
 
 /// Removes or completes what ended programs left over beside and in `folder`, but not what belongs
 /// to one that is alive.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "interpreter/syntax/file_provider.hpp"
@@ -22,6 +23,8 @@ class PlanFiles : public interpreter::FileProvider {
   std::string typed(const std::string& path) const;
   /// The same files by these paths: for messages.
   interpreter::SourceMap typed(const interpreter::SourceMap& sources) const;
+  /// The files that were asked for so far, by these paths.
+  const std::set<std::string>& read() const { return disk_.read(); }
 
   std::variant<std::string, interpreter::FileFailure> read_text(const std::string& path) override;
   std::variant<std::shared_ptr<const geometry::TriangleMesh>, interpreter::FileFailure> read_mesh(
