@@ -168,7 +168,7 @@ TEST(SideBySideProperty, MachinesThatStepAtRandomNeverOverlap) {
     refused += crowd.refused_by_others;
   }
   EXPECT_GT(made, 300);
-  EXPECT_GT(refused, 300);
+  EXPECT_GT(refused, 250);  // by parts that move
 }
 
 }  // namespace
