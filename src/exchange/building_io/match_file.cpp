@@ -126,6 +126,7 @@ class MatchReader {
       if (depth > 0) next();
     } while (depth > 0);
     result_.plan_items += std::string(begin, token_.begin);
+    result_.plan_places.push_back(span_of(begin, token_.begin));
     next();
     return true;
   }
@@ -226,12 +227,14 @@ class MatchReader {
       terms.unlinked = true;
       return true;
     }
+    const char* const begin = token_.begin;
     if (word == "density") {
       double density = 0;
       if (!number(density)) return false;
       if (!(density > 0)) return expected("a density above 0, in kg for each cubic metre");
       terms.density = density;
       terms.mass.clear();
+      terms.places.insert_or_assign("mass", span_of(begin, last_end_));
       return true;
     }
     std::string& text = word == "by"         ? terms.by
@@ -241,21 +244,31 @@ class MatchReader {
                         : word == "mass"     ? terms.mass
                         : word == "priority" ? terms.priority
                                              : terms.release;
-    return words(text);
+    if (!words(word, text)) return false;
+    terms.places.insert_or_assign(std::string(word), span_of(begin, last_end_));
+    return true;
   }
 
   /// The text up to the next ';', as it stands.
-  bool words(std::string& text) {
+  bool words(std::string_view word, std::string& text) {
     const char* const begin = token_.begin;
     while (!token_.is_symbol(';')) {
-      if (token_.kind == Token::Kind::end || token_.is_symbol('{') || token_.is_symbol('}')) {
-        return expected("';'");
+      if (token_.kind == Token::Kind::end || token_.is_symbol('{') || token_.is_symbol('}') ||
+          begins_statement(word)) {
+        return expected(fmt::format("';' after {}", word));
       }
       next();
     }
     if (begin == token_.begin) return expected("something before ';'");
     text = std::string(begin, last_end_);
     return true;
+  }
+
+  /// Whether the next statement begins here, so that the ';' of the last one is missing.
+  bool begins_statement(std::string_view of) const {
+    if (!token_.first_on_line) return false;
+    if (is("by")) return of != "hook" && of != "adjust" && of != "release";
+    return is_term() || is_field() || is("stock") || is("plan");
   }
 
   // ---- rules
