@@ -34,7 +34,10 @@ std::optional<schedule::CivilTime> resolve_civil_time(Subject& subject,
   if (!time) {
     subject.error("P10", written.span,
                   fmt::format("expected a date and time such as \"2026-03-02 07:00\", found \"{}\"",
-                              written.text));
+                              written.text),
+                  schedule::parse_date(written.text)
+                      ? fmt::format("say at what time of the day: \"{} 07:00\"", written.text)
+                      : "");
   }
   return time;
 }
