@@ -217,13 +217,26 @@ class WithASchedule(InAFolder):
                 ("trans(0, 0, 1);\ndensity", "trans(0, 0, 1)\ndensity",
                  "house.match:13:1: error: expected ';' after grip, found 'density'"),
                 ("by crane;\n", "", "house.match:13:1: error: this rule does not say who lifts its elements"),
-                ("density 500", "density 90000000", "house.match:13:9: error: the mass of component")):
+                ("density 500", "density 90000000", "house.match:13:9: error: the mass of component"),
+                ("stock box", "\0stock box", "house.match:7:1: error: not UTF-8: byte 0x00")):
             done = self.put_up(MATCH.replace(old, new))
             self.assertEqual(done.returncode, 2, new + done.stderr)
             self.assertIn(words, done.stderr)
             self.assertNotIn("house.plan:", done.stderr)
             self.assertEqual(done.stderr.count(words.partition(" error: ")[2]), 1)
             self.assertFalse(os.path.exists(self.path("house.plan")))
+
+    def test_doubts_of_the_match_file(self):
+        done = self.put_up(MATCH.replace("density 500", "density 0.5") + "type IfcStair -> stands;\n"
+                           "type IfcSlab -> stands;\n")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for words in ("house.match:13:9: warning: density 0.5 has no unit and is taken as 0.5 kg/m3: are tons meant?",
+                      "house.match:16:1: warning: no element fits this rule",
+                      "house.match:17:1: warning: rules above this one take all elements that it fits"):
+            self.assertIn(words, done.stderr)
+        done = self.put_up(MATCH.replace("density 500", "density 2.4 t/m3"))
+        self.assertNotIn("density", done.stderr)
+        self.assertEqual(self.rows("house_elements.csv")["slab_ground_floor"]["mass"], "17280")
 
     def test_mistakes_of_the_match_file_are_told_and_the_old_plan_stays(self):
         self.write("house.plan", "plan old { }\n")
