@@ -410,7 +410,8 @@ RUBICON_EXPECT(entering_body, "the body of the tool");
 RUBICON_EXPECT(entered_component, "the name of a component");
 RUBICON_EXPECT(locked_parameter, "the name of a control parameter");
 RUBICON_EXPECT(deviation_quantity, "a length, then an angle if you like");
-RUBICON_EXPECT(moment, "a date and time in quotes, or a duration after the plan begins");
+RUBICON_EXPECT(moment,
+               "a date and time such as 2026-03-02 07:00, or a duration after the plan begins");
 RUBICON_EXPECT(up_to_height, "the height that it reaches");
 RUBICON_EXPECT(baseline_to, "'to' and the end of the baseline");
 RUBICON_EXPECT(

@@ -86,9 +86,18 @@ struct number_key
 struct number_value : quantity {};
 struct number_item : if_must<number_key, number_value, plan_semicolon> {};
 
+// Dates and times of day, which are read before numbers and differences.
+struct time_parts : seq<digits, one<':'>, digits, not_at<name_other>> {};
+struct time_text : seq<at<time_parts>, time_parts> {};
+struct date_parts : seq<digits, one<'-'>, digits, one<'-'>, digits, not_at<name_other>> {};
+struct date_text : seq<at<date_parts>, date_parts> {};
+struct bare_date : token<date_text> {};
+struct bare_time : token<time_text> {};
+struct date_and_time : sor<string_literal, seq<bare_date, opt<bare_time>>> {};
+
 struct text_key
     : token<sor<word<TAO_PEGTL_STRING("start_at")>, word<TAO_PEGTL_STRING("currency")>>> {};
-struct text_value : string_literal {};
+struct text_value : date_and_time {};
 struct text_item : if_must<text_key, text_value, plan_semicolon> {};
 
 struct situation_key : token<word<TAO_PEGTL_STRING("situation")>> {};
@@ -114,14 +123,10 @@ struct within_limit : sor<within_length, within_values> {};
 struct within_item : if_must<within_key, within_limit, plan_semicolon> {};
 
 // Calendars.
-struct time_parts : seq<digits, one<':'>, digits, not_at<name_other>> {};
-struct time_text : seq<at<time_parts>, time_parts> {};
 struct shift_from : token<time_text> {};
 struct shift_to : token<time_text> {};
 struct shift_dash : minus_sign {};
 struct shift_time : if_must<shift_from, shift_dash, shift_to> {};
-struct date_parts : seq<digits, one<'-'>, digits, one<'-'>, digits, not_at<name_other>> {};
-struct date_text : seq<at<date_parts>, date_parts> {};
 struct off_date : token<date_text> {};
 struct off_quoted_date : string_literal {};
 struct off_day : sor<off_date, off_quoted_date> {};
@@ -782,7 +787,7 @@ struct motion_clause
 struct task_number_key
     : token<sor<word<TAO_PEGTL_STRING("budget")>, word<TAO_PEGTL_STRING("priority")>>> {};
 struct task_number_item : if_must<task_number_key, number_value, plan_semicolon> {};
-struct moment_date : string_literal {};
+struct moment_date : date_and_time {};
 struct moment_after_start : quantity {};
 struct moment : sor<moment_date, moment_after_start> {};
 struct date_key : token<sor<word<TAO_PEGTL_STRING("not_before")>, word<TAO_PEGTL_STRING("due")>>> {

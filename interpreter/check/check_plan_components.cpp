@@ -78,6 +78,7 @@ ComponentSpec resolve_component(Subject& subject, const syntax::ComponentItem& i
   if (!check_unit(*mass, syntax::UnitKind::mass, what, subject.diagnostics)) return component;
   if (mass->value > 0 && mass->value <= kMaxMass) {
     component.mass = mass->value;
+    check_light_mass(subject, *mass, what, component.shapes);
   } else {
     subject.error("P09", mass->span,
                   fmt::format("{} must be greater than 0 and at most {} kg, found {}", what,

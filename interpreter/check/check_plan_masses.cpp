@@ -15,6 +15,10 @@ namespace {
 
 /// Densest thing on a site, in kg/m3: gold is 19300.
 constexpr double kMaxDensity = 25000;
+/// Lightest thing that is lifted, in kg/m3: what is less is a number of t/m3. Foam has 15 and more.
+constexpr double kLightest = kMaxDensity / 1000;
+/// The same of a mass and the volume of its shapes, which may be hollow.
+constexpr double kLightestHollow = kLightest / 5;
 
 bool has_chart(const Subject& subject, int robot) {
   const RobotSpec& spec = subject.model.robots[static_cast<std::size_t>(robot)];
@@ -50,6 +54,25 @@ void check_equilibrium_masses(Subject& subject, std::map<int, Span>& said) {
 
 }  // namespace
 
+void warn_of_tons(Subject& subject, const syntax::Number& number, const std::string& what,
+                  const char* unit) {
+  if (number.unit != syntax::UnitKind::none) return;
+  subject.diagnostics.warning(
+      "P22", number.span,
+      fmt::format("{0} is {1:g} without a unit, taken as {1:g} kg{2}: are tons meant?", what,
+                  number.value, unit),
+      fmt::format("write {0:g} t{1} or {0:g} kg{1}", number.value, unit));
+}
+
+void check_light_mass(Subject& subject, const syntax::Number& mass, const std::string& what,
+                      const std::vector<geometry::Shape>& shapes) {
+  if (mass.unit != syntax::UnitKind::none) return;
+  const auto volume = geometry::volume_of(shapes);
+  if (volume && mass.value < kLightestHollow * volume->volume) {
+    warn_of_tons(subject, mass, what, "");
+  }
+}
+
 std::optional<double> mass_by_density(Subject& subject, const syntax::ComponentItem& item,
                                       const std::vector<geometry::Shape>& shapes) {
   const auto number_span = [](const syntax::Number& number) { return number.span; };
@@ -65,6 +88,7 @@ std::optional<double> mass_by_density(Subject& subject, const syntax::ComponentI
                               kMaxDensity, density->value));
     return std::nullopt;
   }
+  if (density->value <= kLightest) warn_of_tons(subject, *density, what, "/m3");
   // A shape that is wrong was reported where it stands.
   if (shapes.size() != item.shapes.size()) return std::nullopt;
   if (const auto volume = geometry::volume_of(shapes)) return volume->volume * density->value;

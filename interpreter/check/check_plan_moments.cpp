@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "interpreter/check/check_number.hpp"
 #include "interpreter/check/check_plan_parts.hpp"
 
@@ -11,6 +13,10 @@ std::optional<schedule::Ticks> resolve_date_of_plan(Subject& subject, const synt
   const auto time = resolve_civil_time(subject, date);
   if (!time) return std::nullopt;
   if (!subject.model.start_at) {
+    const auto is_start = [](const auto& use) { return use.what == "start_at"; };
+    const bool is_wrong =
+        std::any_of(subject.model.uses.begin(), subject.model.uses.end(), is_start);
+    if (is_wrong || subject.plan.broken) return std::nullopt;  // told there
     subject.error("P10", date.span,
                   "a date says nothing in a plan that does not say when it begins",
                   "give the plan start_at \"2026-03-02 07:00\", or write a duration after its "
@@ -34,7 +40,10 @@ std::optional<schedule::CivilTime> resolve_civil_time(Subject& subject,
   if (!time) {
     subject.error("P10", written.span,
                   fmt::format("expected a date and time such as \"2026-03-02 07:00\", found \"{}\"",
-                              written.text));
+                              written.text),
+                  schedule::parse_date(written.text)
+                      ? fmt::format("say at what time of the day: \"{} 07:00\"", written.text)
+                      : "");
   }
   return time;
 }

@@ -167,6 +167,13 @@ void check_networks(Subject& subject);
 std::vector<syntax::RobotUse> members_of(Subject& subject, const syntax::FleetItem& item);
 /// Fleets whose robots are there: where they stand, and their pools: P01, P02, P51, G04.
 void check_fleets(Subject& subject);
+/// A mass or density without a unit that can only be meant in tons: P22.
+void warn_of_tons(Subject& subject, const syntax::Number& number, const std::string& what,
+                  const char* unit);
+/// The same of a mass that is too little for its shapes.
+void check_light_mass(Subject& subject, const syntax::Number& mass, const std::string& what,
+                      const std::vector<geometry::Shape>& shapes);
+
 /// One pool: P01, P02, P40.
 void add_pool(Subject& subject, const syntax::PoolItem& item);
 

@@ -52,7 +52,9 @@ class TaskChecker {
     }
     std::vector<GoalSpec> goals = task_.via;
     if (task_.go) goals.push_back(*task_.go);
-    check_clauses(subject_, robot(), task_.clauses, goals, move_ != nullptr, given_);
+    if (goals_known_) {
+      check_clauses(subject_, robot(), task_.clauses, goals, move_ != nullptr, given_);
+    }
     if (dig_ != nullptr) check_dig(diggers);
     if (haul_ != nullptr) check_haul();
     check_robot();
@@ -303,7 +305,10 @@ class TaskChecker {
       return;
     }
     auto way = resolve_cover(subject_, *cover_);
-    if (!way) return;
+    if (!way) {
+      goals_known_ = false;
+      return;
+    }
     task_.cover = way->cover;
     task_.go = std::move(way->goals.back());
     way->goals.pop_back();
@@ -465,6 +470,7 @@ class TaskChecker {
       task_.guides = {subject_.model.fleets[static_cast<std::size_t>(robot()->fleet)].guide};
     }
     if (!moves() || task_.robot >= 0 || !all_known_) return;
+    if (by_ == nullptr && subject_.plan.broken) return;
     const Span span = move_ != nullptr ? move_->span : go_ != nullptr ? go_->span : cover_->span;
     subject_.error("P05", span,
                    fmt::format("{} needs a robot, but task '{}' is done by {}",
@@ -510,7 +516,7 @@ class TaskChecker {
       task_.takes.push_back(work);
       return;
     }
-    if (move_ == nullptr) {
+    if (move_ == nullptr && !subject_.plan.broken) {
       subject_.error("P06", item.name.span,
                      fmt::format("{} belongs to a task that moves a component; '{}' has no move",
                                  item.name.text, item_.name.text),
@@ -637,7 +643,7 @@ class TaskChecker {
 
   void check_part(const syntax::WholeItem& item) {
     once("whole", item.span);
-    if (move_ == nullptr) {
+    if (move_ == nullptr && !subject_.plan.broken) {
       subject_.error("P06", item.span,
                      fmt::format("whole is about a lift; task '{}' has no move", item_.name.text));
     }
@@ -675,7 +681,7 @@ class TaskChecker {
   }
 
   void needs_motion(Span span, const char* what) {
-    if (drives()) return;
+    if (drives() || subject_.plan.broken) return;  // it may have had one
     subject_.error("P06", span,
                    fmt::format("{} is about a motion, but task '{}' has neither move nor go", what,
                                item_.name.text));
@@ -701,6 +707,7 @@ class TaskChecker {
   const syntax::DigItem* dig_ = nullptr;
   const syntax::HaulItem* haul_ = nullptr;
   bool all_known_ = true;
+  bool goals_known_ = true;  ///< false: what is covered is wrong, which was said
   Span robot_span_;
   std::map<std::string, Span> by_spans_;
   std::map<std::string, Span> given_;

@@ -154,6 +154,7 @@ class Evaluation {
       diagnostics_.add(std::move(diagnostic));
       return std::nullopt;
     }
+    if (may_be_declared(scope_)) return std::nullopt;
     diagnostics_.error("P23", at(expression.span),
                        fmt::format("there is no parameter '{}'{}", name, near_name(scope_, name)));
     return std::nullopt;

@@ -284,6 +284,7 @@ std::optional<syntax::Plan> imported_plan(const syntax::ImportItem& item, const 
 void expand_in(syntax::Plan& plan, const ParameterTexts& set, Scope& scope, SourceMap& sources,
                Diagnostics& diagnostics, ImportFiles* imports) {
   const int errors_before = diagnostics.errors();
+  scope.broken = plan.broken;
   std::deque<std::vector<syntax::PlanItem>> imported;
   evaluate_parameters(plan, set, scope, diagnostics,
                       [&](const syntax::ImportItem& item, const ParameterTexts& set_of_it) {
@@ -293,6 +294,7 @@ void expand_in(syntax::Plan& plan, const ParameterTexts& set, Scope& scope, Sour
                         auto read =
                             imported_plan(item, set_of_it, scope, sources, diagnostics, *imports);
                         plan.broken = plan.broken || !read || read->broken;
+                        scope.broken = plan.broken;
                         if (read) imported.back() = std::move(read->items);
                       });
   Expansion expansion(scope, sources, diagnostics, std::move(imported));

@@ -479,7 +479,7 @@ std::size_t PlainItems::insert(const syntax::String& value, std::size_t at, std:
   const std::optional<Value> found = find_value(scope_, name, known);
   if (!found) {
     failed_ = true;
-    if (known) return end + 1;
+    if (known || may_be_declared(scope_)) return end + 1;
     diagnostics_.error(
         "P23", value.span,
         fmt::format("there is no parameter '{}' for this text{}", name, near_name(scope_, name)),

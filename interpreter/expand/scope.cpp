@@ -33,6 +33,12 @@ const Scope* declared_later(const Scope& scope, const std::string& name) {
   return each;
 }
 
+bool may_be_declared(const Scope& scope) {
+  const Scope* each = &scope;
+  while (each != nullptr && !each->broken) each = each->importer;
+  return each != nullptr;
+}
+
 std::string near_name(Scope& scope, const std::string& name) {
   return scope.suggestions.ending(name, [&] {
     std::vector<std::string> names;

@@ -37,6 +37,7 @@ struct Scope {
   std::map<std::string, Span> later = {};  ///< parameters that are declared further down
   std::vector<Variable> variables = {};    ///< of the `for` around, the innermost last
   const Scope* importer = nullptr;         ///< of the plan that imports this one
+  bool broken = false;  ///< a mistake in the syntax: what is unknown may be declared there
   std::uint32_t copy = 0;
   NameSuggestions suggestions = {};
 };
@@ -51,6 +52,9 @@ bool is_own_name(const Scope& scope, const std::string& name);
 /// The scope, of this plan or of one that imports it, in which the parameter is declared further
 /// down; null if there is none.
 const Scope* declared_later(const Scope& scope, const std::string& name);
+
+/// Whether an unknown name may be that of a parameter whose declaration is wrong.
+bool may_be_declared(const Scope& scope);
 
 /// "; did you mean bays?", or nothing.
 std::string near_name(Scope& scope, const std::string& name);

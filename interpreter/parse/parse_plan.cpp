@@ -152,6 +152,13 @@ syntax::String token_string(const PlanState& st, const char* begin) {
   return {std::string(begin, st.last_end), st.span_from(begin)};
 }
 
+RUBICON_ACTION(PlanAction, PlanState, bare_date) { st.string = token_string(st, begin); }
+RUBICON_ACTION(PlanAction, PlanState, bare_time) {
+  const syntax::String time = token_string(st, begin);
+  st.string.text += " " + time.text;
+  st.string.span.end = time.span.end;
+}
+
 // values, goals, links
 RUBICON_ACTION(PlanAction, PlanState, value_name) { st.value_name = st.take_qualified_name(); }
 RUBICON_ACTION(PlanAction, PlanState, value_number) {

@@ -194,6 +194,14 @@ void ParseState::unknown_unit(const char* from, const char* to) {
     report(code_, from, to, fmt::format("unknown unit {}", found(from)), std::string(foreign));
     return;
   }
+  if (word == "per") {
+    const Token of = token(to);
+    const bool hours = of.is("hour") || of.is("hours") || of.is("hr");
+    report(code_, from, of.kind == Token::Kind::name ? of.end : to,
+           fmt::format("'per {}' is no unit", of.text()),
+           hours ? "write h: 140 per h" : "write for example 140 per h");
+    return;
+  }
   const std::string_view meant = look_up(kUnitWords, word);
   const std::string near = meant.empty() ? did_you_mean(word, names) : std::string(meant);
   report(code_, from, to,

@@ -10,6 +10,7 @@
 
 #include "interpreter/check/plan_model.hpp"
 #include "interpreter/parse/parse.hpp"
+#include "src/exchange/building_io/match_places.hpp"
 #include "src/results/report/diagnostic_printer.hpp"
 
 namespace rubicon::cli {
@@ -51,9 +52,9 @@ class PlanFilesToBe : public interpreter::FileProvider {
 
 }  // namespace
 
-bool refused(const PlanToCheck& plan, files::DiskFiles& disk) {
+bool refused(const PlanToCheck& plan, interpreter::SourceMap& sources, files::DiskFiles& disk) {
   PlanFilesToBe files(plan, disk);
-  interpreter::SourceMap sources;
+  const auto file = static_cast<interpreter::FileId>(sources.size());  // of the plan
   interpreter::Diagnostics diagnostics;
   interpreter::load_plan(plan.path, sources, files, diagnostics);
   if (!diagnostics.has_errors()) return false;
@@ -61,9 +62,17 @@ bool refused(const PlanToCheck& plan, files::DiskFiles& disk) {
   for (const interpreter::Diagnostic& each : diagnostics.sorted()) {
     if (each.severity == interpreter::Severity::error) errors.push_back(each);
   }
+  if (plan.match != nullptr && sources.size() > file) {
+    errors = building_io::MatchPlaces(*plan.match, *plan.building, file, sources).moved(errors);
+  }
   fmt::print(stderr, "{}rubicon: error: the plan is not written: 'rubicon check' refuses it\n",
              report::print_text(errors, sources, files::wants_colour(stderr)));
   return true;
+}
+
+bool refused(const PlanToCheck& plan, files::DiskFiles& disk) {
+  interpreter::SourceMap sources;
+  return refused(plan, sources, disk);
 }
 
 }  // namespace rubicon::cli

@@ -63,7 +63,9 @@ class BuildingImport {
     std::fwrite(messages.data(), 1, messages.size(), stderr);
     if (!plan || diagnostics_.has_errors()) return kWrongInput;
     const std::string path = options_.out.empty() ? "building.plan" : options_.out;
-    if (refused({path, &*plan}, disk_)) return kWrongInput;
+    if (refused({path, &*plan, match_ ? &*match_ : nullptr}, sources_, disk_)) {
+      return kWrongInput;
+    }
     return options_.out.empty() ? print(*plan) : write(*plan);
   }
 
@@ -126,13 +128,13 @@ class BuildingImport {
       diagnostics_.error("F01", {}, fmt::format("'{}': {}", options_.match, failure->message));
       return std::nullopt;
     }
-    const building_io::MatchFile match = building_io::read_match_file(
+    match_ = building_io::read_match_file(
         sources_, sources_.add(options_.match, std::get<std::string>(text)), diagnostics_);
     if (!project || diagnostics_.has_errors()) return std::nullopt;
     building_io::BuildingTasks tasks;
     tasks.project = &*project;
     tasks.schedule = building_io::clean(fs::path(options_.schedule).filename().string());
-    tasks.match = &match;
+    tasks.match = &*match_;
     if (options_.baseline) tasks.baselines = project_io::Baselines::written;
     if (options_.level) {
       tasks.levelling = project_io::Levelling::resources;
@@ -218,6 +220,7 @@ class BuildingImport {
   const ImportOptions& options_;
   double tolerance_ = area_io::StoreyTerms{}.tolerance;  ///< m, of floors
   std::vector<building_io::ModelFile> models_;
+  std::optional<building_io::MatchFile> match_;
   std::string folder_;  ///< of the plan
   std::string stem_;    ///< its name without ending
   files::DiskFiles disk_;

@@ -113,6 +113,7 @@ class BadInput(unittest.TestCase):
                 ("not UTF-8", "motion", b"chain {move_to(x, 3)}; # caf\xe9\n", "1: UTF-8"),
                 ("not UTF-8 in a robot", "robot", robot.replace(b"ok", b"\xff\xfe"), "1:"),
                 ("UTF-16", "plan", "plan p { }".encode("utf-16"), "1:"),
+                ("Latin-1 in a name", "plan", b'plan p { component k { name "St\xfctze"; } }\n', "1:32: not UTF-8"),
                 ("cut in the middle of a character", "motion", "chain {move_to(\u03b8, 3)};\n".encode()[:16], "1:"),
                 ("an overlong character", "robot", b"robot \xc0\xaf { }\n", "1:"),
                 ("BOM before a mistake", "motion", b"\xef\xbb\xbfchain {moveto(x, 3)};\n", "1:8: did you mean move_to?"),

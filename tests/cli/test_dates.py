@@ -2,6 +2,7 @@
 
 import csv
 import os
+import re
 import unittest
 
 from result_case import ResultCase, rubicon
@@ -76,6 +77,17 @@ class Dates(ResultCase):
         with open(again, encoding="utf-8") as file:
             _, back = self.run_plan(file.read())
         self.assertEqual({name: back[name]["start"] for name in tasks}, {name: task["start"] for name, task in tasks.items()})
+
+    def test_dates_without_quotes_are_the_same_dates(self):
+        bare = re.sub(r'"(2026-[^"]*)"', r"\1", CREWS)
+        self.assertNotEqual(bare, CREWS)
+        self.assertEqual(self.run_plan(bare)[1], self.run_plan(CREWS)[1])
+        plan = os.path.join(self.folder, "bare.plan")
+        with open(plan, "w", encoding="utf-8") as file:
+            file.write(bare)
+        self.assertEqual(rubicon("fmt", plan).returncode, 0)
+        with open(plan, encoding="utf-8") as file:
+            self.assertIn("not_before 2026-03-02 10:00;", file.read())
 
     def test_late_tasks_and_baselines_are_listed(self):
         _, tasks = self.run_plan(CREWS)

@@ -199,7 +199,7 @@ class WithASchedule(InAFolder):
 
     def test_a_plan_that_check_would_refuse_is_not_written(self):
         self.write("house.plan", "plan old { }\n")
-        for wrong, words in (("grip nonsense;", "house.plan:"), ("hook 3 min by nobody;", "'nobody'"),
+        for wrong, words in (("grip nonsense;", "house.match:16:6:"), ("hook 3 min by nobody;", "'nobody'"),
                              ("mass -5 kg;", "greater than 0"), ("priority x;", "no parameter"),
                              ("density 1e300;", "the mass of component")):
             done = self.put_up(MATCH + f"{wrong}\n-> task \"Roof\";\n")
@@ -207,6 +207,36 @@ class WithASchedule(InAFolder):
             self.assertIn("the plan is not written: 'rubicon check' refuses it", done.stderr)
             self.assertIn(words, done.stderr)
             self.assertEqual(self.text("house.plan"), "plan old { }\n")
+
+    def test_mistakes_are_told_where_the_match_file_has_them(self):
+        for old, new, words in (
+                ("hook 3 min", "hook 3 m", "house.match:9:6: error: hook needs a time, but 'm' is a length"),
+                ("3 min by riggers", "3 min by rigers", "house.match:9:15: error: unknown crew 'rigers'"),
+                ("by crane", "by krane", "house.match:8:4: error: unknown robot or crew 'krane'"),
+                ("tower_crane_swivel", "towercrane", "house.match:3:15: error: robot file 'towercrane.robot'"),
+                ("trans(0, 0, 1);\ndensity", "trans(0, 0, 1)\ndensity",
+                 "house.match:13:1: error: expected ';' after grip, found 'density'"),
+                ("by crane;\n", "", "house.match:13:1: error: this rule does not say who lifts its elements"),
+                ("density 500", "density 90000000", "house.match:13:9: error: the mass of component"),
+                ("stock box", "\0stock box", "house.match:7:1: error: not UTF-8: byte 0x00")):
+            done = self.put_up(MATCH.replace(old, new))
+            self.assertEqual(done.returncode, 2, new + done.stderr)
+            self.assertIn(words, done.stderr)
+            self.assertNotIn("house.plan:", done.stderr)
+            self.assertEqual(done.stderr.count(words.partition(" error: ")[2]), 1)
+            self.assertFalse(os.path.exists(self.path("house.plan")))
+
+    def test_doubts_of_the_match_file(self):
+        done = self.put_up(MATCH.replace("density 500", "density 0.5") + "type IfcStair -> stands;\n"
+                           "type IfcSlab -> stands;\n")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for words in ("house.match:13:9: warning: density 0.5 has no unit and is taken as 0.5 kg/m3: are tons meant?",
+                      "house.match:16:1: warning: no element fits this rule",
+                      "house.match:17:1: warning: rules above this one take all elements that it fits"):
+            self.assertIn(words, done.stderr)
+        done = self.put_up(MATCH.replace("density 500", "density 2.4 t/m3"))
+        self.assertNotIn("density", done.stderr)
+        self.assertEqual(self.rows("house_elements.csv")["slab_ground_floor"]["mass"], "17280")
 
     def test_mistakes_of_the_match_file_are_told_and_the_old_plan_stays(self):
         self.write("house.plan", "plan old { }\n")

@@ -87,6 +87,7 @@ class WorkWriter {
     list_elements(matching_.unmatched, "unmatched", "no rule is about");
     list_elements(matching_.left_out, "left out", "a rule leaves out");
     write_standing();
+    if (nobody_lifts()) return {};
     write_moved();
     parts_.result.plan = project_io::plan_text(*tasks_.project, tasks_.schedule, diagnostics_,
                                                insert_, tasks_.levelling, tasks_.baselines);
@@ -145,6 +146,22 @@ class WorkWriter {
     }
   }
 
+  /// Whether a rule with elements does not say who lifts them; told of the first.
+  bool nobody_lifts() {
+    std::optional<std::size_t> first;
+    for (const Activity& activity : matching_.activities) {
+      for (const Activity::Move& move : activity.moves) {
+        if (!match_.rules[move.rule].terms.by.empty()) continue;
+        first = std::min(first.value_or(move.rule), move.rule);
+      }
+    }
+    if (!first) return false;
+    diagnostics_.error("I12", match_.rules[*first].span,
+                       "this rule does not say who lifts its elements",
+                       "above the rules or in their braces: by ROBOT, CREW;");
+    return true;
+  }
+
   void write_moved() {
     std::vector<StockItem> items;
     for (std::size_t a = 0; a < matching_.activities.size(); ++a) {
@@ -177,8 +194,9 @@ class WorkWriter {
     terms.mass_source = mass_source_;
     insert_.items += component_text(element, terms);
     project_io::PlanInsert::Part part;
-    part.name = "set_" + element.component;
+    part.name = std::string(kPartPrefix) + element.component;
     part.awaited = !how.unlinked;
+    parts_.result.rules.emplace(element.component, move.rule);
     part.items =
         fmt::format("by {};\nmove {} to {};\n", how.by, element.component, target_text(element));
     for (const auto& [word, text] : {std::pair("hook", &how.hook),

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +26,7 @@ struct BuildingPlan {
     std::shared_ptr<const geometry::TriangleMesh> mesh;  ///< the same; shared as a shape wants it
   };
   std::vector<MeshFile> meshes;  ///< of elements that the plan cannot name in their model
+  std::map<std::string, std::size_t> rules;  ///< by components that are moved: their rules
 };
 
 /// The tasks that put a building up.

@@ -25,6 +25,8 @@ constexpr std::array<std::pair<std::string_view, Field>, 5> kFields = {{{"storey
 
 /// More elements on each other than this are a slip of the pen.
 constexpr int kHighestStack = 100;
+/// Lightest thing that is lifted, in kg/m3: what is less is a number of t/m3.
+constexpr double kLightest = 25;
 /// The farthest a stock area may reach (metres).
 constexpr double kFarthest = 1e6;
 
@@ -39,6 +41,7 @@ class MatchReader {
   }
 
   MatchFile read() {
+    if (!is_utf8()) return {};
     while (token_.kind != Token::Kind::end) {
       if (!statement()) recover();
     }
@@ -46,6 +49,22 @@ class MatchReader {
   }
 
  private:
+  /// Whether the file is text as this reads it; says where not.
+  bool is_utf8() {
+    const char* const end = text_.data() + text_.size();
+    for (const char* at = text_.data(); at != end;) {
+      const std::size_t length = interpreter::utf8_length(at, end);
+      if (length == 0 || *at == '\0') {
+        diagnostics_.error("I12", span_of(at, at + 1),
+                           fmt::format("not UTF-8: byte 0x{:02x}", static_cast<unsigned char>(*at)),
+                           "save the file as UTF-8");
+        return false;
+      }
+      at += length;
+    }
+    return true;
+  }
+
   // ---- tokens
 
   void next() {
@@ -126,6 +145,7 @@ class MatchReader {
       if (depth > 0) next();
     } while (depth > 0);
     result_.plan_items += std::string(begin, token_.begin);
+    result_.plan_places.push_back(span_of(begin, token_.begin));
     next();
     return true;
   }
@@ -226,12 +246,31 @@ class MatchReader {
       terms.unlinked = true;
       return true;
     }
+    const char* const begin = token_.begin;
     if (word == "density") {
       double density = 0;
       if (!number(density)) return false;
+      const bool tons = is("t");
+      const bool bare = !tons && !is("kg");
+      if (!bare) {
+        next();
+        if (!token_.is_symbol('/')) return expected("a density in kg/m3 or t/m3");
+        next();
+        if (!is("m3")) return expected("a density in kg/m3 or t/m3");
+        next();
+        if (tons) density *= 1000;
+      }
       if (!(density > 0)) return expected("a density above 0, in kg for each cubic metre");
+      if (bare && density <= kLightest) {
+        diagnostics_.warning(
+            "P22", span_of(begin, last_end_),
+            fmt::format("density {0:g} has no unit and is taken as {0:g} kg/m3: are tons meant?",
+                        density),
+            fmt::format("write {0:g} t/m3 or {0:g} kg/m3", density));
+      }
       terms.density = density;
       terms.mass.clear();
+      terms.places.insert_or_assign("mass", span_of(begin, last_end_));
       return true;
     }
     std::string& text = word == "by"         ? terms.by
@@ -241,21 +280,31 @@ class MatchReader {
                         : word == "mass"     ? terms.mass
                         : word == "priority" ? terms.priority
                                              : terms.release;
-    return words(text);
+    if (!words(word, text)) return false;
+    terms.places.insert_or_assign(std::string(word), span_of(begin, last_end_));
+    return true;
   }
 
   /// The text up to the next ';', as it stands.
-  bool words(std::string& text) {
+  bool words(std::string_view word, std::string& text) {
     const char* const begin = token_.begin;
     while (!token_.is_symbol(';')) {
-      if (token_.kind == Token::Kind::end || token_.is_symbol('{') || token_.is_symbol('}')) {
-        return expected("';'");
+      if (token_.kind == Token::Kind::end || token_.is_symbol('{') || token_.is_symbol('}') ||
+          begins_statement(word)) {
+        return expected(fmt::format("';' after {}", word));
       }
       next();
     }
     if (begin == token_.begin) return expected("something before ';'");
     text = std::string(begin, last_end_);
     return true;
+  }
+
+  /// Whether the next statement begins here, so that the ';' of the last one is missing.
+  bool begins_statement(std::string_view of) const {
+    if (!token_.first_on_line) return false;
+    if (is("by")) return of != "hook" && of != "adjust" && of != "release";
+    return is_term() || is_field() || is("stock") || is("plan");
   }
 
   // ---- rules

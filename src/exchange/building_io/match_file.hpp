@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -20,6 +21,8 @@ struct MoveTerms {
   std::optional<double> density;      ///< kg/m3
   bool unlinked = false;              ///< what comes after the task does not wait for them
   std::string stock;                  ///< name of the area they wait in; empty: the first with room
+  /// Where what is said after each word ("by", "hook", "mass" ...) stands in the match file.
+  std::map<std::string, interpreter::Span, std::less<>> places;
 };
 
 /// One line of a match file.
@@ -55,9 +58,10 @@ struct StockArea {
 /// Which elements of a building belong to which tasks of its schedule, who puts them there, and
 /// what else the plan has.
 struct MatchFile {
-  std::string plan_items;           ///< robots, crews, site ...: items of the plan
-  std::set<std::string> workers;    ///< names of the robots and crews in them
-  std::set<std::string> calendars;  ///< names of the calendars in them
+  std::string plan_items;                      ///< robots, crews, site ...: items of the plan
+  std::vector<interpreter::Span> plan_places;  ///< of the texts that plan_items is made of
+  std::set<std::string> workers;               ///< names of the robots and crews in them
+  std::set<std::string> calendars;             ///< names of the calendars in them
   std::vector<StockArea> stocks;
   std::vector<MatchRule> rules;
 };

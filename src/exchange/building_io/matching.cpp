@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include "src/exchange/building_io/glob.hpp"
@@ -71,6 +72,7 @@ class Matcher {
     find_tasks();
     std::map<std::size_t, Activity> by_task;
     for (std::size_t i = 0; i < elements_.size(); ++i) place(i, by_task);
+    report_idle_rules();
     for (auto& [task, activity] : by_task) {
       sort(activity);
       result_.activities.push_back(std::move(activity));
@@ -130,6 +132,7 @@ class Matcher {
       return;
     }
     const auto index = static_cast<std::size_t>(rule - match_.rules.begin());
+    used_.insert(index);
     switch (rule->action) {
       case MatchRule::Action::stands:
         result_.standing.push_back(element);
@@ -146,6 +149,22 @@ class Matcher {
     activity.task = *task;
     activity.plan_name = result_.plan_names[*task];
     activity.moves.push_back({element, index});
+  }
+
+  /// Rules that put no element anywhere: most often a slip in a pattern.
+  void report_idle_rules() {
+    for (std::size_t i = 0; i < match_.rules.size(); ++i) {
+      if (used_.contains(i)) continue;
+      const MatchRule& rule = match_.rules[i];
+      const bool hidden = std::any_of(elements_.begin(), elements_.end(),
+                                      [&](const Element& element) { return fits(rule, element); });
+      diagnostics_.warning("I30", rule.span,
+                           hidden ? "rules above this one take all elements that it fits"
+                                  : "no element fits this rule",
+                           hidden ? "the first rule that fits counts"
+                                  : "the names of storeys, types and elements stand in "
+                                    "PLAN_elements.csv; * stands for anything");
+    }
   }
 
   void sort(Activity& activity) const {
@@ -170,6 +189,7 @@ class Matcher {
   const project_io::Project& project_;
   interpreter::Diagnostics& diagnostics_;
   std::vector<bool> is_task_;
+  std::set<std::size_t> used_;  ///< rules with elements
   std::vector<std::optional<std::size_t>> task_of_rule_;
   Matching result_;
 };

@@ -7,6 +7,9 @@
 
 namespace rubicon::building_io {
 
+/// What the task that puts a component into place is called, before the component's name.
+inline constexpr std::string_view kPartPrefix = "set_";
+
 /// A name out of a model for a plan, a table or a message: UTF-8 on one line, without control
 /// characters.
 std::string clean(std::string_view name);

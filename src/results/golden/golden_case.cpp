@@ -204,7 +204,7 @@ CaseResult run_case(const std::string& folder, const std::string& expected,
   if (!tolerant || old.contains("events")) document["events"] = observation.events();
   result.expected_json = pretty(document);
   result.expected_trace = head + observation.text();
-  result.report = expected.empty() ? "expected.json is missing; write it with --update\n"
+  result.report = expected.empty() ? "expected.json is missing or empty; write it with --update\n"
                                    : difference(old, document);
   result.passed = result.report.empty();
   return result;

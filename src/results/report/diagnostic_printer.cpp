@@ -232,6 +232,12 @@ std::string print_json(const std::vector<Diagnostic>& diagnostics, const SourceM
     }
     (*entry)["diagnostics"].push_back(std::move(object));
   }
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const std::string file = printable(sources.file(static_cast<interpreter::FileId>(i)).path);
+    const bool told = std::any_of(files.begin(), files.end(),
+                                  [&](const auto& one) { return one.at("uri") == file; });
+    if (!told) files.push_back({{"uri", file}, {"diagnostics", nlohmann::ordered_json::array()}});
+  }
   return files.dump(2) + "\n";
 }
 

@@ -226,8 +226,11 @@ std::vector<Diagnostic> warnings_of(const interpreter::PlanModel& plan,
     all.push_back(
         warning("P45", component.span,
                 fmt::format("at the beginning {} does not stand: {}", component.name, reason),
-                "set it down, or say what holds it: fixed to NAME; or braced by NAME; in the "
-                "component, or support off; in the plan"));
+                component.fixed_to.empty()
+                    ? "set it down, or say what holds it: fixed to NAME; or braced by NAME; in "
+                      "the component, or support off; in the plan"
+                    : "what it is fixed to does not touch it: bring them together, or support off; "
+                      "in the plan"));
   }
   return all;
 }
