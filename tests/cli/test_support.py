@@ -101,6 +101,25 @@ class Support(unittest.TestCase):
         rows = self.run_plan(pillars, move("one", "slab", 20, 0), move("two", "left", 30, 0, "after one;"))
         self.assertEqual([row["result"] for row in rows.values()], ["done", "done"])
 
+    def test_parts_that_hold_only_each_other(self):
+        men = "  crew men;\n"
+        post = box("post", 0, width=2, height=3)
+        pair = box("left", -0.5, z=3, more="fixed to right;") + box("right", 0.5, z=3, more="fixed to left;")
+        strike = "  task strike { by men; remove post; takes 1 min; }\n"
+        rows = self.run_plan(men, post, pair, strike, exit_code=1)
+        self.assertEqual(rows["strike"]["reason"], "post cannot be taken away: without it left, right do not stand")
+        # The second opinion finds it in a result that let it be done: right was fixed to a wall.
+        pair = pair.replace("fixed to left", "fixed to wall")
+        self.run_plan(men, post, pair, box("wall", 1.5, height=5, more="fixed to site;"), strike)
+        trace = os.path.join(self.folder, "out", "trace.jsonl")
+        with open(trace, encoding="utf-8") as file:
+            text = file.read()
+        with open(trace, "w", encoding="utf-8") as file:
+            file.write(text.replace('"wall"]', '"left"]'))
+        verdict = self.rubicon("verify", "out")
+        self.assertEqual(verdict.returncode, 1, verdict.stdout)
+        self.assertIn("left, right hold only each other", verdict.stdout)
+
     def test_what_is_fixed_or_braced(self):
         # A shelf on the side of a wall; a sheet that leans over is held by a prop until that is taken away.
         shelf = box("wall", 10, height=4) + box("shelf", 0, height=1, more="fixed to wall;")

@@ -85,7 +85,7 @@ const Equilibrium::Holding& Equilibrium::holding_of(Thing component) {
       if (stands && support_.touches(component, placed.X_WO, each.index)) {
         holding.joints.push_back(each.index);
       }
-    } else if (support_.holder({each}, component, placed.X_WO, -1)) {
+    } else if (support_.holder({each}, component, placed.X_WO, {})) {
       holding.is_fixed = true;
     }
   }
@@ -149,14 +149,14 @@ std::optional<Support::Collapse> Equilibrium::collapse_of(const std::vector<Thin
     const interpreter::ComponentSpec& spec = support_.plan_.components[Support::at(thing)];
     const math::Pose& X_WO = support_.placed_[Support::at(thing)].X_WO;
     blocks.push_back({X_WO * support_.surfaces_[Support::at(thing)]->centre_of_mass, spec.mass,
-                      support_.holder(spec.braced_by, thing, X_WO, -1).has_value()});
+                      support_.holder(spec.braced_by, thing, X_WO, {}).has_value()});
   }
   std::vector<BlockContact> contacts;
   std::vector<BlockJoint> joints;
   for (const Thing thing : things) {
     const Holding& holding = holding_of(thing);
     for (const Holding::Bearing& bearing : holding.bearings) {
-      if (bearing.lower != support_.ground_ && !support_.carries(bearing.lower, -1)) continue;
+      if (bearing.lower != support_.ground_ && !support_.carries(bearing.lower, {})) continue;
       const auto lower = block_of.find(bearing.lower);
       for (const ContactPatch& patch : bearing.patches) {
         contacts.push_back({block_of[thing], lower == block_of.end() ? -1 : lower->second,
@@ -164,7 +164,7 @@ std::optional<Support::Collapse> Equilibrium::collapse_of(const std::vector<Thin
       }
     }
     for (const Thing joint : holding.joints) {
-      if (!support_.carries(joint, -1)) continue;
+      if (!support_.carries(joint, {})) continue;
       const auto other = block_of.find(joint);
       joints.push_back({block_of[thing], other == block_of.end() ? -1 : other->second});
     }
@@ -204,7 +204,7 @@ Support::Collapse Equilibrium::describe(const std::vector<Thing>& things,
       const bool moves =
           place != things.end() && all.contains(static_cast<int>(place - things.begin()));
       const std::string name = support_.name_of(bearing.lower);
-      const bool carries = bearing.lower == support_.ground_ || support_.carries(bearing.lower, -1);
+      const bool carries = bearing.lower == support_.ground_ || support_.carries(bearing.lower, {});
       if (!moves && carries && std::find(on.begin(), on.end(), name) == on.end()) {
         on.push_back(name);
       }

@@ -50,6 +50,7 @@ Support::Support(const interpreter::PlanModel& plan, const SiteWorld& site,
   bodies_.resize(things);
   placed_.resize(things);
   floating_.resize(things);
+  ranks_.assign(plan.components.size(), kUnranked);
   for (std::size_t i = 0; i < plan.components.size(); ++i) {
     if (surfaces_[i] && site.stands(static_cast<int>(i))) {
       place(static_cast<Thing>(i), site.X_WO(static_cast<int>(i)));
@@ -77,8 +78,10 @@ void Support::follow() {
     if (!surfaces_[at(component)]) continue;
     take_away(component);
     // Soil that is being dug carries nothing.
-    if (site_.stands(component) && site_.surface(component) == nullptr)
+    if (site_.stands(component) && site_.surface(component) == nullptr) {
       place(component, site_.X_WO(component));
+      ranks_[at(component)] = ++last_rank_;
+    }
   }
 }
 
@@ -169,9 +172,12 @@ bool Support::floats(Thing thing) const {
 }
 
 /// In warned plans also what does not stand itself.
-bool Support::carries(Thing thing, Thing without) const {
+bool Support::carries(Thing thing, const Carriers& carriers) const {
   const bool strict = plan_.support.mode == interpreter::SupportRules::Mode::on;
-  return thing != without && placed_[at(thing)].stands && !(strict && floats(thing));
+  if (thing == carriers.without || !placed_[at(thing)].stands) return false;
+  if (!is_component(thing)) return true;
+  return ranks_[at(thing)] <= carriers.up_to && !(strict && floats(thing)) &&
+         !(carriers.fallen && carriers.fallen->contains(thing));
 }
 
 bool Support::touches(int component, const math::Pose& X_WO, Thing thing) {
@@ -187,11 +193,11 @@ bool Support::touches(int component, const math::Pose& X_WO, Thing thing) {
 
 /// The first of them that the component touches, or a crew (-1).
 std::optional<Support::Thing> Support::holder(const std::vector<ThingRef>& holders, int component,
-                                              const math::Pose& X_WO, Thing without) {
+                                              const math::Pose& X_WO, const Carriers& carriers) {
   for (const ThingRef& each : holders) {
     if (each.kind == ThingRef::Kind::crew) return -1;
     if (each.kind == ThingRef::Kind::component) {
-      if (!surfaces_[at(each.index)] || !carries(each.index, without)) continue;
+      if (!surfaces_[at(each.index)] || !carries(each.index, carriers)) continue;
       if (touches(component, X_WO, each.index)) return each.index;
       continue;
     }
@@ -245,7 +251,7 @@ bool Support::hangs_on(Thing thing, int component) const {
 
 /// What is fixed to the component carries it only if it stands without it; asked for what is judged
 /// first, so that the question ends.
-Support::Answer Support::judge(int component, const math::Pose& X_WO, Thing without,
+Support::Answer Support::judge(int component, const math::Pose& X_WO, const Carriers& carriers,
                                bool is_first) {
   Answer answer;
   const SupportSurfacePtr& surface = surfaces_[at(component)];
@@ -261,12 +267,13 @@ Support::Answer Support::judge(int component, const math::Pose& X_WO, Thing with
   const auto rest_on = [&](Thing thing, const StandingSurface& top) {
     const Resting resting = rest(bottom, top, gap_, depth_, plan_.contact);
     if (resting.points.empty()) return;
-    if (thing != ground_ && !carries(thing, without)) {
+    if (thing != ground_ && !carries(thing, carriers)) {
       if (!not_standing) not_standing = thing;
       return;
     }
     if (is_first && hangs_on(thing, component) &&
-        !judge(thing, placed_[at(thing)].X_WO, component, false).stands) {
+        !judge(thing, placed_[at(thing)].X_WO, {.without = component, .for_reason = false}, false)
+             .stands) {
       return;
     }
     points.insert(points.end(), resting.points.begin(), resting.points.end());
@@ -274,7 +281,7 @@ Support::Answer Support::judge(int component, const math::Pose& X_WO, Thing with
   };
   for (const Thing thing : near(lower, upper)) {
     const Placed& placed = placed_[at(thing)];
-    if (thing == component || thing == without) continue;
+    if (thing == component || thing == carriers.without) continue;
     if (placed.lower.z() > upper.z() + gap_ || placed.upper.z() < lower.z() - gap_) continue;
     rest_on(thing, top_of(thing));
   }
@@ -282,7 +289,7 @@ Support::Answer Support::judge(int component, const math::Pose& X_WO, Thing with
     rest_on(ground_, ground_under(lower, upper));
   }
   const interpreter::ComponentSpec& spec = plan_.components[at(component)];
-  if (const auto held = holder(fixings_of(component), component, X_WO, without)) {
+  if (const auto held = holder(fixings_of(component), component, X_WO, carriers)) {
     return {true, {*held}, {}};
   }
   const Vec2 centre = (X_WO * surface->centre_of_mass).head<2>();
@@ -292,11 +299,14 @@ Support::Answer Support::judge(int component, const math::Pose& X_WO, Thing with
   answer.stands = balances ? !points.empty() : inside >= kMargin;
   if (answer.stands) return answer;
   if (!points.empty()) {
-    if (const auto brace = holder(spec.braced_by, component, X_WO, without)) {
+    if (const auto brace = holder(spec.braced_by, component, X_WO, carriers)) {
       answer.stands = true;
       answer.held_by.push_back(*brace);
       return answer;
     }
+  }
+  if (!carriers.for_reason) return answer;
+  if (!points.empty()) {
     std::vector<std::string> names;
     for (const Thing thing : answer.held_by) names.push_back(name_of(thing));
     constexpr std::size_t kMostNames = 3;
@@ -309,7 +319,7 @@ Support::Answer Support::judge(int component, const math::Pose& X_WO, Thing with
   } else if (not_standing) {
     answer.reason = fmt::format("it rests on {}, which does not stand", name_of(*not_standing));
   } else {
-    answer.reason = reason_below(component, bottom, without);
+    answer.reason = reason_below(component, bottom, carriers.without);
   }
   answer.reason += pending_fixings(component);
   return answer;
@@ -368,44 +378,84 @@ std::string Support::reason_below(int component, const StandingSurface& bottom, 
   return "nothing is below it";
 }
 
-std::vector<std::pair<int, std::string>> Support::find_floating() {
-  follow();
-  std::fill(floating_.begin(), floating_.end(), true);
-  for (Thing thing = components(); thing < static_cast<Thing>(floating_.size()); ++thing) {
-    floating_[at(thing)] = false;
+/// Whether a component that stands does so by these.
+bool Support::stands_by(int component, const Carriers& carriers) {
+  Carriers only = carriers;
+  only.for_reason = false;
+  // Ranks and what has fallen leave no ring: nobody need be asked what stands without it.
+  return judge(component, placed_[at(component)].X_WO, only, false).stands;
+}
+
+/// Components that stand where they may touch the thing.
+std::vector<int> Support::beside(Thing thing) {
+  const Placed& one = placed_[at(thing)];
+  std::vector<int> found;
+  for (const Thing each : near(one.lower, one.upper)) {
+    if (each == thing || !is_component(each)) continue;
+    const Placed& other = placed_[at(each)];
+    if ((other.lower.array() <= one.upper.array() + gap_ + kResolution).all() &&
+        (other.upper.array() >= one.lower.array() - gap_ - kResolution).all()) {
+      found.push_back(each);
+    }
   }
-  std::vector<int> open;
+  return found;
+}
+
+/// Ranks all that stands: what the site carries, what that carries, and so on; then, from below,
+/// what is carried by neither.
+void Support::rank_all() {
+  is_ranked_ = true;
+  ranks_.assign(ranks_.size(), kUnranked);
+  std::vector<int> order;
   for (int i = 0; i < components(); ++i) {
-    if (!surfaces_[at(i)]) floating_[at(i)] = false;
-    if (surfaces_[at(i)] && placed_[at(i)].stands) open.push_back(i);
+    if (surfaces_[at(i)] && placed_[at(i)].stands) order.push_back(i);
   }
-  std::stable_sort(open.begin(), open.end(), [this](int a, int b) {
+  std::stable_sort(order.begin(), order.end(), [this](int a, int b) {
     return placed_[at(a)].lower.z() < placed_[at(b)].lower.z();
   });
-  for (bool any = true; any && !open.empty();) {
-    any = false;
-    std::vector<int> left;
-    for (const int each : open) {
-      if (judge(each, placed_[at(each)].X_WO, -1).stands) {
-        floating_[at(each)] = false;
-        any = true;
-      } else {
-        left.push_back(each);
-      }
-    }
-    open = std::move(left);
+  std::vector<std::size_t> place(at(components()));
+  std::set<std::size_t> open;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    place[at(order[i])] = i;
+    open.insert(i);
   }
-  std::sort(open.begin(), open.end());
+  while (!open.empty()) {
+    const int each = order[*open.begin()];
+    open.erase(open.begin());
+    if (!stands_by(each, {.up_to = kUnranked - 1})) continue;
+    ranks_[at(each)] = ++last_rank_;
+    for (const int other : beside(each)) {
+      if (ranks_[at(other)] == kUnranked) open.insert(place[at(other)]);
+    }
+  }
+}
+
+std::vector<std::pair<int, std::string>> Support::find_floating() {
+  follow();
+  std::fill(floating_.begin(), floating_.end(), false);
+  rank_all();
+  const bool strict = plan_.support.mode == interpreter::SupportRules::Mode::on;
+  std::vector<int> unranked;
+  for (int i = 0; i < components(); ++i) {
+    if (placed_[at(i)].stands && ranks_[at(i)] == kUnranked) unranked.push_back(i);
+  }
+  for (const int each : unranked) floating_[at(each)] = strict || !stands_by(each, {});
   std::vector<std::pair<int, std::string>> found;
-  for (const int each : open)
-    found.emplace_back(each, judge(each, placed_[at(each)].X_WO, -1).reason);
+  for (const int each : unranked) {
+    if (floating_[at(each)])
+      found.emplace_back(each, judge(each, placed_[at(each)].X_WO, {}).reason);
+  }
+  std::stable_sort(unranked.begin(), unranked.end(), [this](int a, int b) {
+    return placed_[at(a)].lower.z() < placed_[at(b)].lower.z();
+  });
+  for (const int each : unranked) ranks_[at(each)] = ++last_rank_;
   if (plan_.support.equilibrium) Equilibrium(*this).find_collapsing(found);
   return found;
 }
 
 std::optional<std::string> Support::why_not(int component, const math::Pose& X_WO) {
   follow();
-  Answer answer = judge(component, X_WO, -1);
+  Answer answer = judge(component, X_WO, {});
   if (answer.stands) return std::nullopt;
   return std::move(answer.reason);
 }
@@ -424,24 +474,62 @@ std::string Support::left_text(const std::vector<int>& left) const {
   return text + pending;
 }
 
+/// What falls when a thing that stands is taken: those that it helped to stand, then those that
+/// these helped, unless others carry them that stand without. Each is asked by rank, so that what
+/// it stands by has been asked before. Those that others carry get a new rank: after these.
+std::vector<int> Support::unheld(Thing taken) {
+  std::set<std::pair<Rank, int>> open;
+  const auto ask_beside = [&](Thing thing) {
+    for (const int each : beside(thing)) {
+      if (each != taken && ranks_[at(each)] > ranks_[at(thing)])
+        open.emplace(ranks_[at(each)], each);
+    }
+  };
+  std::set<Thing> fallen;
+  ask_beside(taken);
+  while (!open.empty()) {
+    const auto [rank, each] = *open.begin();
+    open.erase(open.begin());
+    if (stands_by(each, {.without = taken, .up_to = rank - 1, .fallen = &fallen})) continue;
+    // What did not stand before does not fall by this.
+    if (!stands_by(each, {.up_to = rank - 1})) continue;
+    fallen.insert(each);
+    ask_beside(each);
+  }
+  for (const int each : fallen) open.emplace(ranks_[at(each)], each);
+  while (!open.empty()) {
+    const int each = open.begin()->second;
+    open.erase(open.begin());
+    if (!stands_by(each, {.without = taken, .fallen = &fallen})) continue;
+    fallen.erase(each);
+    ranks_[at(each)] = ++last_rank_;
+    for (const int other : beside(each)) {
+      if (fallen.contains(other)) open.emplace(ranks_[at(other)], other);
+    }
+  }
+  return {fallen.begin(), fallen.end()};
+}
+
 std::vector<int> Support::left_without(int component) {
   follow();
   if (!surfaces_[at(component)] || !placed_[at(component)].stands) return {};
-  std::vector<int> left;
-  const Placed& taken = placed_[at(component)];
-  for (const Thing each : near(taken.lower, taken.upper)) {
-    if (each == component || !is_component(each) || floats(each)) continue;
-    const Placed& other = placed_[at(each)];
-    if ((other.lower.array() > taken.upper.array() + gap_ + kResolution).any() ||
-        (other.upper.array() < taken.lower.array() - gap_ - kResolution).any()) {
-      continue;
+  if (!is_ranked_) rank_all();
+  const std::vector<int> fallen = unheld(component);
+  std::vector<int> left, in_rings;
+  for (const int each : beside(component)) {
+    if (floats(each)) continue;
+    const math::Pose& X_WO = placed_[at(each)].X_WO;
+    if (!judge(each, X_WO, {.without = component, .for_reason = false}).stands) {
+      const Answer now = judge(each, X_WO, {.for_reason = false});
+      const bool has_part =
+          std::find(now.held_by.begin(), now.held_by.end(), component) != now.held_by.end();
+      if (now.stands && has_part) left.push_back(each);
+    } else if (std::binary_search(fallen.begin(), fallen.end(), each) &&
+               touches(each, X_WO, component)) {
+      in_rings.push_back(each);
     }
-    const Answer now = judge(each, other.X_WO, -1);
-    const bool has_part =
-        std::find(now.held_by.begin(), now.held_by.end(), component) != now.held_by.end();
-    if (now.stands && has_part && !judge(each, other.X_WO, component).stands) left.push_back(each);
   }
-  return left;
+  return left.empty() ? in_rings : left;
 }
 
 }  // namespace rubicon::site

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,7 +39,8 @@ class Support {
   /// The reason why a component at X_WO does not stand among what stands now: "the nearest below is
   /// slab, 120 mm lower". Nothing: it stands.
   std::optional<std::string> why_not(int component, const math::Pose& X_WO);
-  /// Those that stand now and would not without the component.
+  /// Those that stand now and would not without the component, because it holds them, or because
+  /// they and what it holds would hold only each other.
   std::vector<int> left_without(int component);
   /// "wall does not stand; it is fixed to slab only after grout"
   std::string left_text(const std::vector<int>& left) const;
@@ -63,6 +67,17 @@ class Support {
     math::Vec3 lower, upper;             ///< box around it, world
     std::optional<StandingSurface> top;  ///< made when asked for
   };
+  /// The order in which things came to stand: each stands by what has a lower rank.
+  using Rank = std::int64_t;
+  static constexpr Rank kUnranked = std::numeric_limits<Rank>::max();
+
+  /// What may carry.
+  struct Carriers {
+    Thing without = -1;
+    Rank up_to = kUnranked;
+    const std::set<Thing>* fallen = nullptr;  ///< these do not
+    bool for_reason = true;                   ///< whether a reason is asked for
+  };
   struct Answer {
     bool stands = false;
     std::vector<Thing> held_by;  ///< what has a part in that
@@ -80,8 +95,13 @@ class Support {
   std::vector<std::pair<int, int>> cells_of(const Placed& placed, double grown) const;
   std::vector<Thing> near(const math::Vec3& lower, const math::Vec3& upper);
   const StandingSurface& top_of(Thing thing);
-  bool carries(Thing thing, Thing without) const;
-  Answer judge(int component, const math::Pose& X_WO, Thing without, bool is_first = true);
+  bool carries(Thing thing, const Carriers& carriers) const;
+  Answer judge(int component, const math::Pose& X_WO, const Carriers& carriers,
+               bool is_first = true);
+  bool stands_by(int component, const Carriers& carriers);
+  std::vector<int> beside(Thing thing);
+  void rank_all();
+  std::vector<int> unheld(Thing taken);
   static StandingSurface ground_under(const math::Vec3& lower, const math::Vec3& upper);
   std::vector<interpreter::ThingRef> fixings_of(int component) const;
   std::string pending_fixings(int component) const;
@@ -89,7 +109,7 @@ class Support {
   std::string reason_below(int component, const StandingSurface& bottom, Thing without);
   bool touches(int component, const math::Pose& X_WO, Thing thing);
   std::optional<Thing> holder(const std::vector<interpreter::ThingRef>& holders, int component,
-                              const math::Pose& X_WO, Thing without);
+                              const math::Pose& X_WO, const Carriers& carriers);
   const collision::BodyPtr& body_of(Thing thing);
   std::optional<Collapse> only_new(Collapse collapse, const std::vector<Thing>& around);
 
@@ -106,6 +126,9 @@ class Support {
   std::vector<collision::BodyPtr> bodies_;
   std::vector<Placed> placed_;
   std::vector<bool> floating_;
+  std::vector<Rank> ranks_;  ///< of components
+  Rank last_rank_ = 0;
+  bool is_ranked_ = false;
   /// Where things stand, in squares; those that are in many of them.
   std::map<std::pair<int, int>, std::vector<Thing>> squares_;
   std::vector<Thing> wide_;

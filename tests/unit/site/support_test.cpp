@@ -182,6 +182,31 @@ TEST_F(SupportTest, WhatOthersStandOnCannotBeTakenAway) {
   EXPECT_THAT(support.left_without(middle), ::testing::ElementsAre(slab));
 }
 
+TEST_F(SupportTest, PartsThatHoldOnlyEachOtherFall) {
+  ground();
+  const int post = add_box("post", {0, 0, 0}, {2, 1, 3});
+  const int prop = add_box("prop", {3, 0, 0}, {3.2, 1, 3});
+  const int left = add_box("left", {0, 0, 3}, {1, 1, 3.5});
+  const int right = add_box("right", {1, 0, 3}, {3.2, 1, 3.5});
+  const int load = add_box("load", {0.5, 0, 3.5}, {1.5, 1, 4});
+  spec(left).fixed_to = {Fixing{component_ref(right)}};
+  spec(right).fixed_to = {Fixing{component_ref(left)}};
+  SiteWorld site = make_site(plan_);
+  Support support(plan_, site, prepare_site(plan_).surfaces);
+  EXPECT_TRUE(support.find_floating().empty());
+  // While the prop carries one of them, that one carries the other; then the post must.
+  EXPECT_THAT(support.left_without(prop), ::testing::IsEmpty());
+  site.remove(prop);
+  EXPECT_THAT(support.left_without(post), ::testing::ElementsAre(left, right));
+  EXPECT_THAT(support.left_without(load), ::testing::IsEmpty());
+  // One of them fixed to a wall is enough.
+  spec(right).fixed_to.push_back(Fixing{component_ref(add_box("wall", {3.2, 0, 0}, {4, 1, 4}))});
+  SiteWorld walled = make_site(plan_);
+  Support held(plan_, walled, prepare_site(plan_).surfaces);
+  EXPECT_TRUE(held.find_floating().empty());
+  EXPECT_THAT(held.left_without(post), ::testing::IsEmpty());
+}
+
 TEST_F(SupportTest, TheBeginningTellsWhatDoesNotStandAndWhatRestsOnThat) {
   ground();
   add_box("stands", {0, 0, 0}, {1, 1, 1});

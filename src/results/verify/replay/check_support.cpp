@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -109,6 +110,7 @@ class SupportCheck {
         if (left.component >= 0 && left.from <= each.to && each.to < left.to) check(other, each.to);
       }
     }
+    check_grounds();
   }
 
  private:
@@ -131,6 +133,12 @@ class SupportCheck {
            floating_.contains(scene_.components[at(each.component)].name);
   }
 
+  /// Neither moves while it stands.
+  bool touch(int one, int other) {
+    const auto [known, is_new] = touches_.try_emplace({one, other}, false);
+    if (is_new) known->second = touch(standing_[at(one)], standing_[at(other)]);
+    return known->second;
+  }
   bool touch(const Standing& a, const Standing& b) const {
     const Pose X_BA = b.X_WS.inverse(Eigen::Isometry) * a.X_WS;
     DepthQuery query;
@@ -143,13 +151,12 @@ class SupportCheck {
     return false;
   }
 
-  bool is_held(const Standing& each, const std::vector<std::string>& names,
-               const std::vector<int>& carriers) const {
+  bool is_held(int each, const std::vector<std::string>& names, const std::vector<int>& carriers) {
     return std::any_of(carriers.begin(), carriers.end(), [&](int index) {
       const Standing& other = standing_[at(index)];
       const std::string& name =
           other.component < 0 ? kSite : scene_.components[at(other.component)].name;
-      return std::find(names.begin(), names.end(), name) != names.end() && touch(each, other);
+      return std::find(names.begin(), names.end(), name) != names.end() && touch(each, index);
     });
   }
 
@@ -175,25 +182,8 @@ class SupportCheck {
       const Standing& under = standing_[at(other)];
       if (under.from <= time && time < under.to && !floats(under)) carriers.push_back(other);
     }
-    const Faces bottom = faces_looking(*each.hull, each.X_WS, false);
-    std::vector<Vec2> points;
-    const auto rest_on = [&](const Faces& top) {
-      const std::vector<Vec2> more = footing(bottom, top, gap_, depth_);
-      points.insert(points.end(), more.begin(), more.end());
-    };
-    for (const int other : carriers) {
-      Standing& under = standing_[at(other)];
-      if (under.top.empty()) under.top = faces_looking(*under.hull, under.X_WS, true);
-      rest_on(under.top);
-    }
-    if (scene_.site.empty()) rest_on(ground(each.bounds));
-    if (scene_.support->friction && component.mass > 0 && !points.empty()) return;
-    if (is_between((each.X_WS * each.hull->centre_of_mass).head<2>(), points)) return;
-    if (is_held(each, fixed_by(component, time), carriers)) return;
-    if (!points.empty() &&
-        (component.has_brace_crew || is_held(each, component.braced_by, carriers))) {
-      return;
-    }
+    const std::vector<Vec2> points = feet(index, carriers);
+    if (is_carried(index, time, points, carriers)) return;
     faults_.push_back(
         {FaultKind::support, ResultFile::trace, 0, "", time,
          fmt::format("{} does not stand: {}", component.name,
@@ -202,12 +192,141 @@ class SupportCheck {
                                     : "its centre of mass is outside of what carries it")});
   }
 
+  /// Where it rests on these.
+  std::vector<Vec2> feet(int index, const std::vector<int>& carriers) {
+    const Standing& each = standing_[at(index)];
+    std::vector<Vec2> points;
+    const auto add_to_points = [&](const std::vector<Vec2>& more) {
+      points.insert(points.end(), more.begin(), more.end());
+    };
+    for (const int other : carriers) {
+      const auto [known, is_new] = feet_.try_emplace({index, other});
+      if (is_new) {
+        Standing& under = standing_[at(other)];
+        if (under.top.empty()) under.top = faces_looking(*under.hull, under.X_WS, true);
+        known->second =
+            footing(faces_looking(*each.hull, each.X_WS, false), under.top, gap_, depth_);
+      }
+      add_to_points(known->second);
+    }
+    if (scene_.site.empty()) {
+      add_to_points(
+          footing(faces_looking(*each.hull, each.X_WS, false), ground(each.bounds), gap_, depth_));
+    }
+    return points;
+  }
+
+  bool is_carried(int index, Ticks time, const std::vector<Vec2>& points,
+                  const std::vector<int>& carriers) {
+    const Standing& each = standing_[at(index)];
+    const SceneComponent& component = scene_.components[at(each.component)];
+    if (scene_.support->friction && component.mass > 0 && !points.empty()) return true;
+    if (is_between((each.X_WS * each.hull->centre_of_mass).head<2>(), points)) return true;
+    if (is_held(index, fixed_by(component, time), carriers)) return true;
+    return !points.empty() &&
+           (component.has_brace_crew || is_held(index, component.braced_by, carriers));
+  }
+
+  /// Whether what stands is carried by what came to stand before it, down to the site: parts that
+  /// hold only each other have no such order.
+  void check_grounds() {
+    turns_.assign(standing_.size(), 0);
+    std::map<Ticks, std::pair<std::vector<int>, std::vector<int>>> events;  // taken, put
+    for (int i = 0; i < components_; ++i) {
+      const Standing& each = standing_[at(i)];
+      if (!floats(each)) {
+        turns_[at(i)] = kNoTurn;
+        events[each.from].second.push_back(i);
+      }
+      if (each.to < until_) events[each.to].first.push_back(i);
+    }
+    for (const auto& [time, event] : events) {
+      std::set<int> loose = loose_without(event.first, time);
+      for (const int each : event.second) {
+        if (stands(standing_[at(each)], time)) loose.insert(each);
+      }
+      ground_again(loose, time);
+      tell_loose(loose, time);
+    }
+  }
+
+  /// By those whose turn was before `turn` and that are not loose.
+  bool is_carried_before(int index, Ticks time, std::int64_t turn, const std::set<int>& loose) {
+    std::vector<int> carriers;
+    for (const int other : near(index)) {
+      if (turns_[at(other)] < turn && !loose.contains(other) && stands(standing_[at(other)], time))
+        carriers.push_back(other);
+    }
+    return is_carried(index, time, feet(index, carriers), carriers);
+  }
+
+  /// Those that lose what came to stand before them when these are taken.
+  std::set<int> loose_without(const std::vector<int>& taken, Ticks time) {
+    std::set<std::pair<std::int64_t, int>> open;
+    const auto ask_near = [&](int index) {
+      for (const int other : near(index)) {
+        const std::int64_t turn = turns_[at(other)];
+        const bool is_later = turns_[at(index)] < turn && turn < kNoTurn;
+        if (is_later && !known_loose_.contains(other) && stands(standing_[at(other)], time))
+          open.emplace(turn, other);
+      }
+    };
+    for (const int each : taken) ask_near(each);
+    std::set<int> loose;
+    while (!open.empty()) {
+      const auto [turn, index] = *open.begin();
+      open.erase(open.begin());
+      if (is_carried_before(index, time, turn, loose)) continue;
+      loose.insert(index);
+      ask_near(index);
+    }
+    return loose;
+  }
+
+  /// Takes those out that others carry that are not loose, from below.
+  void ground_again(std::set<int>& loose, Ticks time) {
+    std::set<std::pair<double, int>> open;
+    const auto ask = [&](int index) { open.emplace(standing_[at(index)].bounds.lower.z(), index); };
+    for (const int index : loose) ask(index);
+    while (!open.empty()) {
+      const int index = open.begin()->second;
+      open.erase(open.begin());
+      if (!is_carried_before(index, time, kNoTurn, loose)) continue;
+      loose.erase(index);
+      turns_[at(index)] = ++last_turn_;
+      for (const int other : near(index)) {
+        if (loose.contains(other)) ask(other);
+      }
+    }
+  }
+
+  void tell_loose(const std::set<int>& loose, Ticks time) {
+    std::vector<std::string> names;
+    bool are_told = false;
+    for (const int index : loose) {
+      names.push_back(scene_.components[at(standing_[at(index)].component)].name);
+      // What nothing carries at all is told of by itself.
+      are_told = are_told || !is_carried_before(index, time, kNoTurn, {});
+    }
+    for (const int index : loose) {
+      if (turns_[at(index)] == kNoTurn) turns_[at(index)] = ++last_turn_;
+      known_loose_.insert(index);
+    }
+    if (names.empty() || are_told) return;
+    constexpr std::size_t kMostNames = 5;
+    const std::size_t more = names.size() > kMostNames ? names.size() - kMostNames : 0;
+    names.resize(names.size() - more);
+    faults_.push_back({FaultKind::support, ResultFile::trace, 0, "", time,
+                       fmt::format("{}{} hold only each other", fmt::join(names, ", "),
+                                   more > 0 ? fmt::format(" and {} more", more) : "")});
+  }
+
   bool stands(const Standing& each, Ticks time) const {
     return each.from <= time && time < each.to && !floats(each);
   }
 
   /// Carried by what is outside: the ground, soil, what is fixed to the site.
-  bool is_anchored(int index, Ticks time) const {
+  bool is_anchored(int index, Ticks time) {
     const Standing& each = standing_[at(index)];
     if (each.component < 0) return true;
     const SceneComponent& component = scene_.components[at(each.component)];
@@ -215,7 +334,7 @@ class SupportCheck {
     const auto is_site = [](const std::string& name) { return name == kSite; };
     const std::vector<std::string> fixed = fixed_by(component, time);
     if (std::none_of(fixed.begin(), fixed.end(), is_site)) return false;
-    return is_held(each, {kSite}, near(index));
+    return is_held(index, {kSite}, near(index));
   }
 
   /// Points at which one that stands rests on another, once each. Neither moves while it stands.
@@ -277,14 +396,14 @@ class SupportCheck {
         if (its.component < 0) continue;
         if (!bearing(other, index).empty()) take(other);
         const SceneComponent& named = scene_.components[at(its.component)];
-        if (is_held(each, fixed_by(component, time), {other})) {
+        if (is_held(index, fixed_by(component, time), {other})) {
           joints.emplace_back(index, other);
           take(other);
         }
-        if (is_held(its, fixed_by(named, time), {index})) take(other);
+        if (is_held(other, fixed_by(named, time), {index})) take(other);
       }
       bodies.push_back({each.X_WS * each.hull->centre_of_mass, component.mass,
-                        component.has_brace_crew || is_held(each, component.braced_by, around)});
+                        component.has_brace_crew || is_held(index, component.braced_by, around)});
     }
     if (members.empty() || !balanced_.emplace(members, time).second) return;
     std::vector<BalancePoint> points;
@@ -338,6 +457,13 @@ class SupportCheck {
   std::map<std::string, Ticks> done_;  ///< when tasks were done
   std::map<std::pair<int, int>, std::vector<FootingPoint>> bearings_;
   std::set<std::pair<std::vector<int>, Ticks>> balanced_;
+  std::map<std::pair<int, int>, std::vector<Vec2>> feet_;
+  std::map<std::pair<int, int>, bool> touches_;
+  /// In which turn each came to stand by those of earlier turns; the site is there before.
+  static constexpr std::int64_t kNoTurn = std::numeric_limits<std::int64_t>::max();
+  std::vector<std::int64_t> turns_;
+  std::int64_t last_turn_ = 0;
+  std::set<int> known_loose_;
 };
 
 }  // namespace
