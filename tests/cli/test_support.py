@@ -166,7 +166,7 @@ class Support(unittest.TestCase):
         header = json.loads(first)
         change(header)
         with open(path, "w", encoding="utf-8") as file:
-            file.write(json.dumps(header) + "\n" + rest)
+            file.write(json.dumps(header, separators=(",", ":")) + "\n" + rest)
         verdict = self.rubicon("verify", "out")
         self.assertIn("plate does not stand", verdict.stdout)
         return verdict.returncode

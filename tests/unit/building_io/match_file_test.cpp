@@ -99,7 +99,7 @@ TEST(MatchFile, MistakesAreToldAtTheirPlace) {
   expect_mistake("name \"a\n-> task b;", "expected '\"' at the end of this text");
   expect_mistake("density -5;", "expected a density above 0");
   expect_mistake("by ;", "expected something before ';'");
-  expect_mistake("by crane", "expected ';', found the end");
+  expect_mistake("by crane", "expected ';' after by, found the end");
   expect_mistake("plan { robot a;", "I12 1:6 this block is not closed");
   expect_mistake("plan robot;", "expected '{' after plan");
   expect_mistake("stock sphere(1);", "expected box(");
