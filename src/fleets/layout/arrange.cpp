@@ -257,8 +257,18 @@ class Arranger {
     } else {
       return;  // no room for a node
     }
-    add_lane(landing.node, node, 1);
-    add_lane(node, landing.node, 1);
+    const Point a = place_on(line, landing.place);
+    const Point b = place_on(beside, landing.place);
+    // As wide as there is room between the two.
+    for (const int lane_class : {1, 0}) {
+      Rectangle box{std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
+      (line.is_cross ? box.y0 : box.x0) -= half(lane_class == 1);
+      (line.is_cross ? box.y1 : box.x1) += half(lane_class == 1);
+      if (space_.is_obstructed(box)) continue;
+      add_lane(landing.node, node, lane_class);
+      add_lane(node, landing.node, lane_class);
+      return;
+    }
   }
 
   /// Unless it is there: between the lanes of a passage another may lie across.

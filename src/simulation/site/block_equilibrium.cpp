@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -28,6 +29,8 @@ constexpr double kUnbalanced = 1e-6;
 constexpr double kHindered = 1e-8;
 /// Of the largest part of a motion: less is none.
 constexpr double kStill = 1e-5;
+/// The slope up to which a contact is level.
+constexpr double kLevel = 1e-3;
 constexpr int kMostIterations = 1'000'000;
 /// m: the least size of a block.
 constexpr double kLeastSize = 0.05;
@@ -163,30 +166,46 @@ class Collapse {
     }
   }
 
-  /// No motion against any of the four edges of the pyramid of forces.
+  /// The first edge of the pyramid of forces: down the slope, or along the longest side of a
+  /// contact that is level. How the plan is turned has no part in that.
+  static Vec3 first_direction(const BlockContact& contact) {
+    const Vec3& normal = contact.normal;
+    if (normal.head<2>().norm() > kLevel) {
+      return Vec3(normal.x(), normal.y(), 0).cross(normal).cross(normal).normalized();
+    }
+    Vec3 longest = Vec3::Zero();
+    for (std::size_t i = 0; i < contact.corners.size(); ++i) {
+      const Vec3 side =
+          contact.corners[i] - contact.corners[i == 0 ? contact.corners.size() - 1 : i - 1];
+      const Vec3 along = side - side.dot(normal) * normal;
+      if (along.norm() > longest.norm() + kNothing) longest = along;
+    }
+    return longest.norm() > 0 ? Vec3(longest.normalized()) : normal.unitOrthogonal();
+  }
+
+  /// No motion against any of the eight edges of the pyramid of forces, which lie on the cone.
   void add_contact(const BlockContact& contact, double friction) {
     Vec3 middle = Vec3::Zero();
     for (const Vec3& corner : contact.corners) {
       middle += corner / static_cast<double>(contact.corners.size());
     }
-    const Vec3 first =
-        contact.normal
-            .cross(std::abs(contact.normal.x()) < 0.5 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY()))
-            .normalized();
+    const Vec3 first = first_direction(contact);
     const Vec3 second = contact.normal.cross(first);
-    const double share = friction / std::sqrt(2.0);
+    const double half = std::sqrt(0.5);
+    const std::array<Vec3, 8> edges = {
+        first,  half * (first + second),  second,  half * (second - first),
+        -first, -half * (first + second), -second, half * (first - second)};
     for (const Vec3& corner : contact.corners) {
       const Vec3 inwards = middle - corner;
       const double way = inwards.norm();
       const Vec3 point =
           way > 0 ? Vec3(corner + inwards * (std::min(kInset, way / 2) / way)) : corner;
-      for (const Vec3& along : {Vec3(first + second), Vec3(first - second), Vec3(second - first),
-                                Vec3(-first - second)}) {
-        const Vec3 force = contact.normal + share * along;
+      for (const Vec3& along : edges) {
+        const Vec3 force = contact.normal + friction * along;
         add_speed(contact.upper, point, force, 1);
         if (contact.lower >= 0) add_speed(contact.lower, point, force, -1);
         rows_.end(0, std::numeric_limits<double>::infinity());
-        if (share == 0) break;
+        if (friction == 0) break;
       }
     }
   }
