@@ -8,23 +8,11 @@
 #include <tuple>
 
 #include "src/simulation/schedule/index.hpp"
+#include "src/simulation/schedule/time_text.hpp"
 
 namespace rubicon::schedule {
 
 namespace {
-
-/// "47 h", "1 h 30 min", "7 h 33 min 14.1 s".
-std::string duration_text(Ticks ticks) {
-  std::string text;
-  if (ticks >= kHour) text += fmt::format("{} h ", ticks / kHour);
-  if (ticks % kHour >= kMinute) text += fmt::format("{} min ", ticks % kHour / kMinute);
-  const Ticks rest = ticks % kMinute;
-  if (rest != 0 || text.empty()) {
-    return text + fmt::format("{} s", static_cast<double>(rest) / static_cast<double>(kSecond));
-  }
-  text.pop_back();
-  return text;
-}
 
 /// What nobody plans to the nanosecond: whole seconds from a minute on, else tenths; rounded, or
 /// down to what is certain.

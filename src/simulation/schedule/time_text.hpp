@@ -14,4 +14,7 @@ inline constexpr std::array<const char*, 7> kWeekdayNames = {"Mon", "Tue", "Wed"
 /// h:mm:ss, rounded to seconds; for times from 0 on.
 std::string clock_text(Ticks ticks);
 
+/// "47 h", "1 h 30 min", "7 h 33 min 14.1 s"; from 0 on.
+std::string duration_text(Ticks ticks);
+
 }  // namespace rubicon::schedule

@@ -143,12 +143,9 @@ Step HandlingActivity::resume(ActiveTask& task, Stage& stage) {
   if (holds_back_) {
     const LiftNote* const note = stage.lift_notes.of(task.task);
     held_back_ = note && since_ < note->not_before;
-    task.account.outcome.waits.shift += stage.now() - since_;
-    stage.note_off(task, since_, stage.now());
-    stage.note_shift_wait(
-        task.task, since_,
-        first_gain_of_lift(stage, task.task, since_, held_back_ ? note : nullptr));
-    stage.pause(task.task, held_back_ ? "lift" : "shift", held_back_ ? note->because : "", since_);
+    const LiftNote* const waited_for = held_back_ ? note : nullptr;
+    stage.end_shift_wait(task, since_, first_gain_of_lift(stage, task.task, since_, waited_for),
+                         waited_for);
     holds_back_ = false;
     return attach(task, stage);
   }

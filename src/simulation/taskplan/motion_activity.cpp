@@ -102,11 +102,7 @@ Step MotionActivity::resume(ActiveTask& task, Stage& stage) {
       if (!stands_) stage.announce({stage.spec(task.task).robot, -1});
       return move_on(task, stage);
     case Doing::waiting_for_shift:
-      task.account.outcome.waits.shift += stage.now() - since_;
-      stage.note_off(task, since_, stage.now());
-      stage.note_shift_wait(task.task, since_,
-                            since_ - stage.calendar(task.task).last_working(since_));
-      stage.pause(task.task, "shift", "", since_);
+      stage.end_shift_wait(task, since_, since_ - stage.calendar(task.task).last_working(since_));
       if (!machine_) return begin(task, stage);
       machine_->resume_at(stage.now());
       doing_ = Doing::moving;

@@ -218,12 +218,15 @@ void Stage::pause(int task, const char* why, const std::string& whom, Ticks sinc
   if (auto* const writer = trace_of(task)) writer->pause(why, whom, since, now());
 }
 
-void Stage::note_shift_wait(int task, Ticks since, Ticks first_gain) {
+void Stage::end_shift_wait(ActiveTask& task, Ticks since, Ticks first_gain, const LiftNote* lift) {
   if (since == now()) return;
+  task.account.outcome.waits.shift += now() - since;
+  note_off(task, since, now());
   schedule::MidWait wait{now(), schedule::Held::shift};
   wait.since = since;
   wait.first_gain = first_gain;
-  links->add_mid_wait(task, std::move(wait));
+  links->add_mid_wait(task.task, std::move(wait));
+  pause(task.task, lift ? "lift" : "shift", lift ? lift->because : std::string(), since);
 }
 
 void Stage::note_off(ActiveTask& task, Ticks from, Ticks to, Ticks works) const {

@@ -145,9 +145,10 @@ class Stage {
   trace::TraceWriter* trace_of(int task) { return trace.of(task, spec(task)); }
   /// The task stood still from `since` until now.
   void pause(int task, const char* why, const std::string& whom, Ticks since);
-  /// The task waited on its way for a shift, from `since` until now: for the critical path. It had
-  /// to be there `first_gain` sooner to go on sooner.
-  void note_shift_wait(int task, Ticks since, Ticks first_gain);
+  /// The task waited on its way for a shift, from `since` until now; `lift`: for the one into which
+  /// its lift fits. It had to be there `first_gain` sooner to go on sooner.
+  void end_shift_wait(ActiveTask& task, Ticks since, Ticks first_gain,
+                      const LiftNote* lift = nullptr);
   /// From then on, to a moment, all that the task has is off, for it is out of the shift of some,
   /// but for the time in which it works.
   void note_off(ActiveTask& task, Ticks from, Ticks to, Ticks works = 0) const;

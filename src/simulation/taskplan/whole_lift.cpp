@@ -23,15 +23,7 @@ using schedule::kWeekdayNames;
 
 /// "1 h 5 min", whole seconds, rounded up.
 std::string duration_text(Ticks ticks) {
-  const Ticks seconds = -schedule::floor_division(-ticks, kSecond);
-  std::string text;
-  const auto part = [&](Ticks count, const char* unit) {
-    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : " ", count, unit);
-  };
-  part(seconds / 3600, "h");
-  part(seconds / 60 % 60, "min");
-  part(seconds % 60, "s");
-  return text.empty() ? "0 s" : text;
+  return schedule::duration_text(-schedule::floor_division(-ticks, kSecond) * kSecond);
 }
 
 /// "07:00"; with its weekday where it is not on the day of `beside` or one beside it.

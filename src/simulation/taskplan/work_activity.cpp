@@ -42,18 +42,12 @@ Step WorkActivity::ask(ActiveTask& task, Stage& stage) {
 
 Step WorkActivity::resume(ActiveTask& task, Stage& stage) {
   if (doing_ == Doing::waiting_for_shift) {
-    task.account.outcome.waits.shift += stage.now() - since_;
-    stage.note_off(task, since_, stage.now());
-    note_shift_wait(task, stage, since_);
-    stage.pause(task.task, "shift", "", since_);
+    end_shift_wait(task, stage, since_);
     return work(task, stage);
   }
   if (doing_ == Doing::waiting_for_lift) {
-    task.account.outcome.waits.shift += stage.now() - since_;
-    stage.note_off(task, since_, stage.now());
     const LiftNote* const note = stage.lift_notes.of(task.task);
-    stage.note_shift_wait(task.task, since_, first_gain_of_lift(stage, task.task, since_, note));
-    stage.pause(task.task, "lift", note->because, since_);
+    stage.end_shift_wait(task, since_, first_gain_of_lift(stage, task.task, since_, note), note);
     held_back_ = true;
     return ask(task, stage);
   }
@@ -153,24 +147,21 @@ const schedule::WorkCalendar& WorkActivity::work_hours(const ActiveTask& task, S
 }
 
 /// It waited from then until now for a shift of all that the work needs.
-void WorkActivity::note_shift_wait(const ActiveTask& task, Stage& stage, Ticks since) {
-  stage.note_shift_wait(task.task, since, since - work_hours(task, stage).last_working(since));
+void WorkActivity::end_shift_wait(ActiveTask& task, Stage& stage, Ticks since) {
+  stage.end_shift_wait(task, since, since - work_hours(task, stage).last_working(since));
 }
 
 Step WorkActivity::granted(ActiveTask& task, Stage& stage, const ResourceAllocator::Grant& grant) {
   const Ticks free = std::clamp(grant.last.since, since_, stage.now());
-  task.account.outcome.waits.resource += free - since_;
-  task.account.outcome.waits.shift += stage.now() - free;
-  stage.note_off(task, free, stage.now());
-  if (auto* const trace = stage.trace_of(task.task)) {
-    if (free > since_) trace->pause("crew", stage.allocator->name(crew_), since_, free);
-    if (stage.now() > free) trace->pause("shift", "", free, stage.now());
-  }
   if (free > since_) {
+    task.account.outcome.waits.resource += free - since_;
+    if (auto* const trace = stage.trace_of(task.task)) {
+      trace->pause("crew", stage.allocator->name(crew_), since_, free);
+    }
     stage.links->add_mid_wait(task.task,
                               {free, schedule::Held::resource, crew_, grant.last.task_before});
   }
-  note_shift_wait(task, stage, free);
+  end_shift_wait(task, stage, free);
   crew_since_ = stage.now();
   before_ = stage.working_time(task);
   if (!lift_of(stage, task.task)) stage.end_part(task);

@@ -41,7 +41,7 @@ class WorkActivity : public Activity {
   Step ask(ActiveTask& task, Stage& stage);
   static int work_queue(const ActiveTask& task, Stage& stage);
   static const schedule::WorkCalendar& work_hours(const ActiveTask& task, Stage& stage);
-  static void note_shift_wait(const ActiveTask& task, Stage& stage, Ticks since);
+  static void end_shift_wait(ActiveTask& task, Stage& stage, Ticks since);
   Step work(ActiveTask& task, Stage& stage);
   bool finds_a_turn(ActiveTask& task, Stage& stage);
   bool may_turn(ActiveTask& task, Stage& stage);
