@@ -5,7 +5,7 @@
 
 #include "interpreter/check/check_plan_parts.hpp"
 #include "interpreter/syntax/attribute_text.hpp"
-#include "interpreter/syntax/token.hpp"
+#include "interpreter/syntax/utf8_character.hpp"
 
 namespace rubicon::interpreter {
 
@@ -46,11 +46,7 @@ void add_attribute(Subject& subject, const syntax::AttributeItem& item, const st
     return;
   }
   std::string text = plain_attribute(item.text.text);
-  for (const char* at = text.data(); at != text.data() + text.size();) {
-    const std::size_t length = utf8_length(at, text.data() + text.size());
-    if (length == 0) return;  // not UTF-8, which the parser says
-    at += length;
-  }
+  if (first_not_utf8(text) != std::string::npos) return;  // which the parser says
   const std::string mistake = attribute_mistake(text);
   if (mistake.empty()) {
     attributes.push_back({item.key.text, std::move(text)});

@@ -15,10 +15,8 @@ namespace {
 
 /// Densest thing on a site, in kg/m3: gold is 19300.
 constexpr double kMaxDensity = 25000;
-/// Lightest thing that is lifted, in kg/m3: what is less is a number of t/m3. Foam has 15 and more.
-constexpr double kLightest = kMaxDensity / 1000;
-/// The same of a mass and the volume of its shapes, which may be hollow.
-constexpr double kLightestHollow = kLightest / 5;
+/// kLightestDensity of a mass and the volume of its shapes, which may be hollow.
+constexpr double kLightestHollow = kLightestDensity / 5;
 
 bool has_chart(const Subject& subject, int robot) {
   const RobotSpec& spec = subject.model.robots[static_cast<std::size_t>(robot)];
@@ -88,7 +86,7 @@ std::optional<double> mass_by_density(Subject& subject, const syntax::ComponentI
                               kMaxDensity, density->value));
     return std::nullopt;
   }
-  if (density->value <= kLightest) warn_of_tons(subject, *density, what, "/m3");
+  if (density->value <= kLightestDensity) warn_of_tons(subject, *density, what, "/m3");
   // A shape that is wrong was reported where it stands.
   if (shapes.size() != item.shapes.size()) return std::nullopt;
   if (const auto volume = geometry::volume_of(shapes)) return volume->volume * density->value;

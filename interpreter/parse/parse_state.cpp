@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "interpreter/syntax/utf8_character.hpp"
+
 namespace rubicon::interpreter {
 
 namespace {
@@ -64,19 +66,16 @@ void ParseState::report_token(const char* code, const char* at, std::string mess
 }
 
 void ParseState::check_bytes() {
-  for (const char* at = begin_; at != end_;) {
-    const auto byte = static_cast<unsigned char>(*at);
-    if (byte == 0) {
-      report(code_, at, at + 1, "unexpected character U+0000: this is not a text file");
-      return;
-    }
-    const std::size_t length = byte < 0x80 ? 1 : utf8_length(at, end_);
-    if (length == 0) {
-      report(code_, at, at + 1, fmt::format("not UTF-8: byte 0x{:02x}", byte),
-             "save the file as UTF-8");
-      return;
-    }
-    at += length;
+  const std::string_view text(begin_, static_cast<std::size_t>(end_ - begin_));
+  const std::size_t bad = std::min(first_not_utf8(text), text.find('\0'));
+  if (bad == std::string_view::npos) return;
+  const char* const at = begin_ + bad;
+  if (*at == '\0') {
+    report(code_, at, at + 1, "unexpected character U+0000: this is not a text file");
+  } else {
+    report(code_, at, at + 1,
+           fmt::format("not UTF-8: byte 0x{:02x}", static_cast<unsigned char>(*at)),
+           "save the file as UTF-8");
   }
 }
 

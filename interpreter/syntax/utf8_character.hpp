@@ -14,4 +14,7 @@ struct Utf8Character {
 /// The code point at the begin of a text (The Unicode Standard, table 3-7).
 Utf8Character utf8_character(std::string_view text);
 
+/// Where the first byte is that is not UTF-8; npos: all is.
+std::size_t first_not_utf8(std::string_view text);
+
 }  // namespace rubicon::interpreter

@@ -63,7 +63,7 @@ bool refused(const PlanToCheck& plan, interpreter::SourceMap& sources, files::Di
     if (each.severity == interpreter::Severity::error) errors.push_back(each);
   }
   if (plan.match != nullptr && sources.size() > file) {
-    errors = building_io::MatchPlaces(*plan.match, *plan.building, file, sources).moved(errors);
+    errors = building_io::at_match_places(errors, *plan.match, *plan.building, file, sources);
   }
   fmt::print(stderr, "{}rubicon: error: the plan is not written: 'rubicon check' refuses it\n",
              report::print_text(errors, sources, files::wants_colour(stderr)));

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <utility>
 
+#include "interpreter/check/check_number.hpp"
 #include "interpreter/syntax/token.hpp"
+#include "interpreter/syntax/utf8_character.hpp"
 
 namespace rubicon::building_io {
 
@@ -25,8 +28,6 @@ constexpr std::array<std::pair<std::string_view, Field>, 5> kFields = {{{"storey
 
 /// More elements on each other than this are a slip of the pen.
 constexpr int kHighestStack = 100;
-/// Lightest thing that is lifted, in kg/m3: what is less is a number of t/m3.
-constexpr double kLightest = 25;
 /// The farthest a stock area may reach (metres).
 constexpr double kFarthest = 1e6;
 
@@ -51,16 +52,13 @@ class MatchReader {
  private:
   /// Whether the file is text as this reads it; says where not.
   bool is_utf8() {
-    const char* const end = text_.data() + text_.size();
-    for (const char* at = text_.data(); at != end;) {
-      const std::size_t length = interpreter::utf8_length(at, end);
-      if (length == 0 || *at == '\0') {
-        diagnostics_.error("I12", span_of(at, at + 1),
-                           fmt::format("not UTF-8: byte 0x{:02x}", static_cast<unsigned char>(*at)),
-                           "save the file as UTF-8");
-        return false;
-      }
-      at += length;
+    const std::size_t bad = std::min(interpreter::first_not_utf8(text_), text_.find('\0'));
+    if (bad != std::string_view::npos) {
+      const char* const at = text_.data() + bad;
+      diagnostics_.error("I12", span_of(at, at + 1),
+                         fmt::format("not UTF-8: byte 0x{:02x}", static_cast<unsigned char>(*at)),
+                         "save the file as UTF-8");
+      return false;
     }
     return true;
   }
@@ -261,7 +259,7 @@ class MatchReader {
         if (tons) density *= 1000;
       }
       if (!(density > 0)) return expected("a density above 0, in kg for each cubic metre");
-      if (bare && density <= kLightest) {
+      if (bare && density <= interpreter::kLightestDensity) {
         diagnostics_.warning(
             "P22", span_of(begin, last_end_),
             fmt::format("density {0:g} has no unit and is taken as {0:g} kg/m3: are tons meant?",

@@ -1,8 +1,11 @@
 #include "src/exchange/building_io/match_places.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <set>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -29,15 +32,13 @@ void add_tokens(std::string_view text, std::vector<Token>& tokens) {
   }
 }
 
-}  // namespace
-
 /// The tokens of the plan and of the match file. The plan is in canonical form, which changes no
 /// token.
-class MatchPlaces::Finder {
+class Finder {
  public:
   Finder(const MatchFile& match, const BuildingPlan& plan, FileId file,
          const interpreter::SourceMap& sources)
-      : match_(match), plan_(plan), file_(file), sources_(sources) {
+      : match_(match), plan_(plan), sources_(sources) {
     text_ = sources.file(file).text;
     add_tokens(text_, tokens_);
     for (const Span& span : match.plan_places) add_tokens(sources.text(span), items_);
@@ -46,8 +47,6 @@ class MatchPlaces::Finder {
         std::search(tokens_.begin(), tokens_.end(), items_.begin(), items_.end(), same) -
         tokens_.begin());
   }
-
-  FileId file() const { return file_; }
 
   /// Where the match file says what stands at this place of the plan.
   std::optional<Span> place_of(const Span& span) const {
@@ -112,7 +111,6 @@ class MatchPlaces::Finder {
 
   const MatchFile& match_;
   const BuildingPlan& plan_;
-  FileId file_;
   const interpreter::SourceMap& sources_;
   std::string_view text_;
   std::vector<Token> tokens_;
@@ -120,25 +118,24 @@ class MatchPlaces::Finder {
   std::size_t first_item_ = 0;
 };
 
-MatchPlaces::MatchPlaces(const MatchFile& match, const BuildingPlan& plan, FileId file,
-                         const interpreter::SourceMap& sources)
-    : finder_(std::make_unique<const Finder>(match, plan, file, sources)) {}
+}  // namespace
 
-MatchPlaces::~MatchPlaces() = default;
-
-std::vector<Diagnostic> MatchPlaces::moved(const std::vector<Diagnostic>& mistakes) const {
+std::vector<Diagnostic> at_match_places(const std::vector<Diagnostic>& mistakes,
+                                        const MatchFile& match, const BuildingPlan& plan,
+                                        FileId file, const interpreter::SourceMap& sources) {
+  const Finder finder(match, plan, file, sources);
   std::vector<Diagnostic> result;
   std::set<std::tuple<std::string, FileId, std::uint32_t>> told;
   for (Diagnostic each : mistakes) {
-    if (each.span.file == finder_->file()) {
-      each.span = finder_->place_of(each.span).value_or(Span{});
+    if (each.span.file == file) {
+      each.span = finder.place_of(each.span).value_or(Span{});
       const bool placed = each.span.file != interpreter::kNoFile;
       if (placed && !told.emplace(each.code, each.span.file, each.span.begin).second) continue;
     }
     std::vector<Diagnostic::Related> notes;
     for (Diagnostic::Related note : each.notes) {
-      if (note.span.file == finder_->file()) {
-        const auto place = finder_->place_of(note.span);
+      if (note.span.file == file) {
+        const auto place = finder.place_of(note.span);
         if (!place) continue;
         note.span = *place;
       }
