@@ -10,13 +10,6 @@
 
 namespace rubicon::interpreter {
 
-namespace {
-
-/// Part of its longest step by which a parameter is at a value (LANGUAGE 4).
-constexpr double kStepThere = 1e-6;
-
-}  // namespace
-
 /// Makes one attempt of a command, or comes to the stop that it needs before it; false if a
 /// livelock, circling or the budget stopped it first.
 bool Machine::attempt(std::int32_t index, World& world, EventSink* events) {
@@ -187,7 +180,7 @@ void Machine::find_steps_of_run() {
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const double length = std::fabs(steps_[i]);
     if (length > std::fabs(steps_[longest])) longest = i;
-    if (!(length > kStepThere * model_->parameters[i].step)) continue;
+    if (!(length > kEpsilon * model_->parameters[i].step)) continue;
     run_steps_[i] = steps_[i];
     any = true;
   }

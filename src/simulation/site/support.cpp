@@ -401,6 +401,12 @@ std::vector<int> Support::beside(Thing thing) {
   return found;
 }
 
+void Support::sort_from_below(std::vector<int>& some) const {
+  std::stable_sort(some.begin(), some.end(), [this](int a, int b) {
+    return placed_[at(a)].lower.z() < placed_[at(b)].lower.z();
+  });
+}
+
 /// Ranks all that stands: what the site carries, what that carries, and so on; then, from below,
 /// what is carried by neither.
 void Support::rank_all() {
@@ -410,9 +416,7 @@ void Support::rank_all() {
   for (int i = 0; i < components(); ++i) {
     if (surfaces_[at(i)] && placed_[at(i)].stands) order.push_back(i);
   }
-  std::stable_sort(order.begin(), order.end(), [this](int a, int b) {
-    return placed_[at(a)].lower.z() < placed_[at(b)].lower.z();
-  });
+  sort_from_below(order);
   std::vector<std::size_t> place(at(components()));
   std::set<std::size_t> open;
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -445,9 +449,7 @@ std::vector<std::pair<int, std::string>> Support::find_floating() {
     if (floating_[at(each)])
       found.emplace_back(each, judge(each, placed_[at(each)].X_WO, {}).reason);
   }
-  std::stable_sort(unranked.begin(), unranked.end(), [this](int a, int b) {
-    return placed_[at(a)].lower.z() < placed_[at(b)].lower.z();
-  });
+  sort_from_below(unranked);
   for (const int each : unranked) ranks_[at(each)] = ++last_rank_;
   if (plan_.support.equilibrium) Equilibrium(*this).find_collapsing(found);
   return found;

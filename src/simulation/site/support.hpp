@@ -100,6 +100,7 @@ class Support {
                bool is_first = true);
   bool stands_by(int component, const Carriers& carriers);
   std::vector<int> beside(Thing thing);
+  void sort_from_below(std::vector<int>& components) const;
   void rank_all();
   std::vector<int> unheld(Thing taken);
   static StandingSurface ground_under(const math::Vec3& lower, const math::Vec3& upper);
