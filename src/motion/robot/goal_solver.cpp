@@ -24,8 +24,9 @@ constexpr double kLeastPart = 1.0 / 128;
 constexpr std::size_t kMostRefined = 40;
 
 /// Points spread over the ranges that are tried as starts where the obvious ones lead nowhere: so
-/// many where only some poses can be met at all, and so many by all parameters of a robot that has
-/// as many as the goal asks for.
+/// many where few poses can be met at all, and so many by all parameters of a robot that has as
+/// many as the goal asks for, or one less: of 30 starts of an arm with five joints four led to its
+/// goal.
 constexpr int kSpreadStarts = 10;
 constexpr int kMostSpreadStarts = 200;
 
@@ -59,7 +60,7 @@ class GoalSearch {
       while (count < variables.size() && variables[count].level == level) ++count;
       const GoalState start = best;
       for (GoalState& other : starts(start, count)) improve(best, std::move(other), count);
-      const bool can_meet = count == variables.size() && count >= problem_.numbers_asked();
+      const bool can_meet = count == variables.size() && count + 1 >= problem_.numbers_asked();
       const int spread_starts = can_meet ? kMostSpreadStarts : kSpreadStarts;
       for (int i = 1; i <= spread_starts && !problem_.solved(best) && !problem_.exhausted(); ++i) {
         improve(best, problem_.at(spread(start, count, i)), count);
