@@ -16,7 +16,7 @@ using Columns = std::set<std::string_view>;
 /// something in them.
 const std::map<std::string_view, Columns>& known_columns() {
   static const std::map<std::string_view, Columns> columns = {
-      {"CURRTYPE", {"curr_id", "curr_short_name", "curr_symbol"}},
+      {"CURRTYPE", {"curr_id", "curr_short_name", "curr_symbol", "decimal_symbol"}},
       {"PROJECT",
        {"proj_id", "proj_short_name", "plan_start_date", "plan_end_date", "clndr_id",
         "task_code_base", "last_recalc_date"}},
