@@ -142,21 +142,28 @@ class XerReader {
     seconds = 0;
   }
 
+  /// The first with activities of those that were exported. P6 sends along what is linked to them:
+  /// projects whose export_flag is not Y.
   const XerRow* choose_project() {
-    const XerRow* chosen = nullptr;
+    const std::vector<XerRow>& projects = rows("PROJECT");
     std::set<std::string_view> with_tasks;
     for (const XerRow& row : rows("TASK")) with_tasks.insert(row["proj_id"]);
-    for (const XerRow& row : rows("PROJECT")) {
-      if (chosen == nullptr && (with_tasks.empty() || with_tasks.contains(row["proj_id"]))) {
-        chosen = &row;
-      } else {
-        listing_.add("I07", "project", row.span(),
-                     fmt::format("project '{}' is left out: one plan holds one project",
-                                 text(row["proj_short_name"])),
-                     "export it into a file of its own");
-      }
+    const auto is_exported = [](const XerRow& row) { return row["export_flag"] == "Y"; };
+    const bool is_told = std::any_of(projects.begin(), projects.end(), is_exported);
+    const auto chosen = std::find_if(projects.begin(), projects.end(), [&](const XerRow& row) {
+      return (!is_told || is_exported(row)) &&
+             (with_tasks.empty() || with_tasks.contains(row["proj_id"]));
+    });
+    for (auto row = projects.begin(); row != projects.end(); ++row) {
+      if (row == chosen) continue;
+      const bool is_linked = is_told && !is_exported(*row);
+      listing_.add("I07", is_linked ? "linked project" : "project", row->span(),
+                   fmt::format("project '{}' is left out: {}", text((*row)["proj_short_name"]),
+                               is_linked ? "it was not exported, only what is linked to another"
+                                         : "one plan holds one project"),
+                   "export it into a file of its own");
     }
-    return chosen;
+    return chosen == projects.end() ? nullptr : &*chosen;
   }
 
   void read_currency() {

@@ -19,7 +19,7 @@ const std::map<std::string_view, Columns>& known_columns() {
       {"CURRTYPE", {"curr_id", "curr_short_name", "curr_symbol", "decimal_symbol"}},
       {"PROJECT",
        {"proj_id", "proj_short_name", "plan_start_date", "plan_end_date", "clndr_id",
-        "task_code_base", "last_recalc_date"}},
+        "task_code_base", "last_recalc_date", "export_flag"}},
       {"CALENDAR",
        {"clndr_id", "clndr_name", "base_clndr_id", "clndr_data", "default_flag", "day_hr_cnt",
         "week_hr_cnt", "clndr_type", "proj_id"}},

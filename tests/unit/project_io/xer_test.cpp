@@ -113,6 +113,30 @@ TEST_F(Xer, lists_what_it_does_not_understand) {
   EXPECT_FALSE(reading_.says("I03", ""));
 }
 
+TEST_F(Xer, of_several_projects_takes_the_one_that_was_exported) {
+  const auto schedule = [](const std::string& projects) {
+    return read_schedule(
+        "ERMHDR\t1\n%T\tPROJECT\n%F\tproj_id\tproj_short_name\texport_flag\n" + projects +
+        "%T\tTASK\n%F\ttask_id\tproj_id\ttask_name\n%R\t2\t2\thandover\n%R\t10\t1\tdig\n%R\t30"
+        "\t3\troof\n%E\n");
+  };
+  const std::string linked = "%R\t2\tENABLING\tN\n", exported = "%R\t1\tMAIN\tY\n",
+                    other = "%R\t3\tOTHER\tY\n", empty = "%R\t4\tEMPTY\tY\n";
+  for (const std::string& projects :
+       {linked + exported, exported + linked, empty + linked + exported + other}) {
+    const Reading reading = schedule(projects);
+    ASSERT_TRUE(reading.project);
+    EXPECT_EQ(reading.project->name, "MAIN");
+    EXPECT_EQ(reading.project->tasks.size(), 1u);
+    EXPECT_TRUE(reading.says("I07", "'ENABLING' is left out: it was not exported"));
+    EXPECT_FALSE(reading.says("I07", "export_flag"));
+  }
+  EXPECT_TRUE(schedule(exported + other).says("I07", "'OTHER' is left out: one plan holds one"));
+  // Where none is said to be exported, the first with activities.
+  EXPECT_EQ(schedule("%R\t4\tEMPTY\t\n%R\t3\tOTHER\tN\n").project->name, "OTHER");
+  EXPECT_TRUE(schedule(empty + linked).says("I02", "no project"));
+}
+
 TEST_F(Xer, says_what_is_wrong_with_rows) {
   const Reading reading = read_schedule(
       "ERMHDR\t1\n%R\t1\n%T\tPROJECT\n%F\tproj_id\n%R\t1\t2\n%T\tPROJWBS\n%F\twbs_id\tproj_"
