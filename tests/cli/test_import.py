@@ -404,6 +404,31 @@ class Dates(unittest.TestCase):
         self.round_trip(self.path("a.xer"))
 
 
+    def test_of_two_constraints_of_primavera_that_which_moves_the_work_holds(self):
+        permit, finish = ("2026-03-17 08:00", "CS_MSOA"), ("2026-03-20 17:00", "CS_MEOB")
+        tasks = [(1, "TT_Task", "close", 16, *permit, *finish), (1, "TT_Task", "open", 16, *finish, *permit),
+                 (1, "TT_Task", "dig", 8, "", "", *permit), (1, "TT_Task", "fill", 8, *finish, "2026-03-18 08:00", "CS_MSOB")]
+        schedule = schedule_xer(CALENDARS, tasks, more="cstr_date cstr_type cstr_date2 cstr_type2")
+        dates, said = self.dates("a.xer", schedule, "--baseline")
+        for name, start in (("close", "03-17"), ("open", "03-17"), ("dig", "03-17"), ("fill", "03-02")):
+            self.assertEqual(dates[name][0], start + " 08:00:00", name)
+        self.assertNotIn("cstr", said)
+        self.assertIn("activity 'fill' has two constraints: that of 2026-03-20 17:00 holds, that of 2026-03-18 08:00 is left out", said)
+        # The latest finish is a deadline, and goes out as one.
+        with open(self.path("s.plan"), encoding="utf-8") as file:
+            self.assertEqual(file.read().count('due "2026-03-20 17:00";'), 2)
+        self.round_trip(self.path("a.xer"))
+        root = ElementTree.parse(self.path("b.xml")).getroot()
+        space = "{http://schemas.microsoft.com/project}"
+        found = [[each.findtext(space + name) for name in ("ConstraintType", "ConstraintDate", "Deadline")] for each in root.iter(space + "Task")]
+        self.assertEqual(found[0], ["4", "2026-03-17T08:00:00", "2026-03-20T17:00:00"])
+        self.assertEqual(found[1], found[0])
+        # Nor does a latest finish let anything begin before the data date.
+        at = b"plan_start_date\n%R\t9\t1\tX\t2026-03-02 08:00"
+        dates, _ = self.dates("a.xer", schedule.replace(at, b"plan_start_date\tlast_recalc_date\n%R\t9\t1\tX\t2026-03-02 08:00\t2026-03-10 08:00"))
+        self.assertEqual((dates["fill"][0], dates["open"][0]), ("03-10 08:00:00", "03-17 08:00:00"))
+
+
 class Levelling(unittest.TestCase):
     """By default links and calendars alone decide, as in the schedule's own program."""
 

@@ -374,7 +374,12 @@ class XerReader {
     push(std::move(task), row.span());
   }
 
-  void read_constraint(const XerRow& row, Task& task) {
+  struct DatedConstraint {
+    Constraint constraint = Constraint::as_soon_as_possible;
+    Moment date;
+  };
+
+  DatedConstraint constraint_in(const XerRow& row, const char* type, const char* date) {
     static const std::map<std::string_view, Constraint> kTypes = {
         {"CS_ALAP", Constraint::as_late_as_possible},
         {"CS_MSO", Constraint::must_start_on},
@@ -385,16 +390,51 @@ class XerReader {
         {"CS_MSOB", Constraint::start_no_later_than},
         {"CS_MEOA", Constraint::finish_no_earlier_than},
         {"CS_MEOB", Constraint::finish_no_later_than}};
-    const std::string_view name = row["cstr_type"];
-    if (name.empty()) return;
+    DatedConstraint read;
+    const std::string_view name = row[type];
+    if (name.empty()) return read;
     const auto found = kTypes.find(name);
     if (found == kTypes.end()) {
       listing_.add("I03", "constraint", row.span(),
                    fmt::format("unknown constraint '{}'; left out", clean_text(name)));
+      return read;
+    }
+    read.constraint = found->second;
+    cell(row, "TASK", date, read.date);
+    return read;
+  }
+
+  /// Whether it says when a task starts or finishes at the earliest.
+  static bool bounds_below(Constraint constraint) {
+    return constraint == Constraint::must_start_on || constraint == Constraint::must_finish_on ||
+           constraint == Constraint::start_no_earlier_than ||
+           constraint == Constraint::finish_no_earlier_than;
+  }
+
+  /// An activity has up to two constraints, in either order; a task has one. That is the one which
+  /// moves the work. "Finish on or before" beside it moves nothing, as a deadline.
+  void read_constraint(const XerRow& row, Task& task) {
+    DatedConstraint first = constraint_in(row, "cstr_type", "cstr_date");
+    DatedConstraint second = constraint_in(row, "cstr_type2", "cstr_date2");
+    const bool has_first = first.constraint != Constraint::as_soon_as_possible;
+    if (!has_first || (bounds_below(second.constraint) && !bounds_below(first.constraint))) {
+      std::swap(first, second);
+    }
+    task.constraint = first.constraint;
+    task.constraint_date = first.date;
+    if (second.constraint == Constraint::as_soon_as_possible) return;
+    if (second.constraint == Constraint::finish_no_later_than) {
+      task.deadline = second.date;
       return;
     }
-    task.constraint = found->second;
-    cell(row, "TASK", "cstr_date", task.constraint_date);
+    listing_.add("I07", "second constraint", row.span(),
+                 fmt::format("activity '{}' has two constraints: that of {} holds, that of {} is "
+                             "left out",
+                             task.name, shown(first), shown(second)));
+  }
+
+  static std::string shown(const DatedConstraint& constraint) {
+    return constraint.date.text.empty() ? "no date" : constraint.date.text;
   }
 
   void push(Task task, Span span) {
@@ -529,10 +569,12 @@ class XerReader {
         return to_start && link.lag >= 0 && from != index_.end() &&
                !has_begun(project_.tasks[from->second]);
       });
-      const bool is_free = task.constraint == Constraint::as_soon_as_possible ||
+      const bool is_due = task.constraint == Constraint::finish_no_later_than;
+      const bool is_free = task.constraint == Constraint::as_soon_as_possible || is_due ||
                            (task.constraint == Constraint::start_no_earlier_than &&
                             task.constraint_date.text < data_date_.text);
       if (waits || !is_free) continue;
+      if (is_due) task.deadline = task.constraint_date;
       task.constraint = Constraint::start_no_earlier_than;
       task.constraint_date = data_date_;
     }
