@@ -93,6 +93,7 @@ class Measured(Chance):
                 ("min\n2\nn/a\n", "", "times.csv:3:1: error: expected a time, found 'n/a'"), ("2\n-1\n", "", "times.csv:2:1: error: a time is not below 0, found -1"),
                 ("2\nnan\n", "", "times.csv:2:1: error: expected a time, found 'nan'"), ("", "", "times.csv:1:1: error: there is no time in this file"),
                 ("2,5\n", "", "times.csv:1:1: error: this line has 2 fields; expected one time"),
+                ("hook\n2,9\n3,9\n", ', column "hook"', "times.csv:2:1: error: this line has 2 fields, the first line has 1"),
                 ("lift;hook\n1;2,5\n", ', column "hook"', "times.csv:2:3: error: expected a time, found '2,5'"),
                 ("lift,hook\n1,2\n", ', column "hok"', "there is no column 'hok'; the first line has: lift, hook; did you mean hook?"),
                 ("1,2\n", ", column 3", "there is no column 3; the first line has 2"), ("1\n" * 1000001, "", "times.csv:1000001:1: error: there are more than 1000000 times")):

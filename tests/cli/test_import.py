@@ -93,19 +93,28 @@ class Import(unittest.TestCase):
         with open(plan, encoding="utf-8") as file:
             self.assertEqual(file.read(), "plan old { }\n")
 
-    def imported_xer(self, *rows):
+    def imported_xer(self, *rows, code=0):
         """The plan and the remarks of a Primavera file with these activities."""
         lines = ["ERMHDR\t8.0", "%T\tPROJECT", "%F\tproj_id\tproj_short_name\tplan_start_date", "%R\t100\tP\t2026-03-02 08:00",
                  "%T\tPROJWBS", "%F\twbs_id\tproj_id\tproj_node_flag\twbs_name\tparent_wbs_id", "%R\t10\t100\tY\tP\t", "%T\tTASK",
                  "%F\ttask_id\tproj_id\twbs_id\ttask_code\ttask_name\ttask_type\ttarget_drtn_hr_cnt\tcstr_type\tcstr_date", *rows, "%E"]
         result = rubicon("import", self.write("a.xer", "\n".join(lines).encode()))
-        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.returncode, code, result.stderr)
         return result.stdout, result.stderr
 
-    def test_a_negative_duration_is_told(self):
-        plan, told = self.imported_xer("%R\t1\t100\t10\tA1\tdig\tTT_Task\t-8\t\t")
-        self.assertIn("task dig", plan)
-        self.assertIn("a.xer:10:1: warning: expected 0 hours or more in column target_drtn_hr_cnt of TASK, found '-8'; left out", told)
+    def test_durations_that_cannot_be_read_are_errors(self):
+        for hours, words in (("-8", "expected 0 hours or more in column target_drtn_hr_cnt of TASK, found '-8'"),
+                             ("7,5", "expected a number in column target_drtn_hr_cnt of TASK, found '7,5'")):
+            plan, told = self.imported_xer(f"%R\t1\t100\t10\tA1\tdig\tTT_Task\t{hours}\t\t", code=2)
+            self.assertEqual(plan, "")
+            self.assertIn("a.xer:10:1: error: " + words, told)
+        self.assertIn("hint: the decimal symbol of this file is '.'", told)
+        with open(os.path.join(SAMPLES, "house.xml"), encoding="utf-8") as file:
+            house = file.read()
+        wrong = self.write("house.xml", house.replace("PT72H0M0S", "3 days").encode())
+        result = rubicon("import", wrong)
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertIn("error: expected a duration such as PT8H0M0S in Duration of Task, found '3 days'", result.stderr)
 
     def test_rows_that_lack_cells_are_told(self):
         plan, told = self.imported_xer("%R\t1\t100\t10\tA1\tTT_Task\t8\t\t", "%R\t2\t100\t10\tA2\tdig\tTT_Task\t8")
@@ -290,6 +299,24 @@ class Dates(unittest.TestCase):
         self.assertEqual((dates["t2"][0], said), ("03-05 16:00:00", ""))
         self.round_trip(self.path("s.xml"))
 
+    def test_numbers_have_the_decimal_symbol_of_the_currency(self):
+        header = b"ERMHDR\t19.12\t2026-01-05\tProject\tadmin\tAdmin\tdb\tProject Management\tEUR"
+        money = ("CURRTYPE", "curr_id curr_short_name curr_symbol decimal_symbol", [(1, "USD", "$", "."), (2, "EUR", "\u20ac", ",")])
+        rates = ("RSRCRATE", "rsrc_rate_id rsrc_id cost_per_qty max_qty_per_hr", [(1, 1, "48,5", "4")])
+        around = ("SCHEDOPTIONS", "proj_id sched_calendar_on_relationship_lag", [(9, "rcal_24Hour")])
+        tasks = [(1, "TT_Task", "form", "7,5"), (1, "TT_Task", "fix", "22,5"), (1, "TT_Task", "pour", "8")]
+        schedule = schedule_xer(CALENDARS, tasks, [(1, "Gang")], links=[(1, 2, "PR_FS", 0), (2, 3, "PR_FS", "4,5")],
+                                tables=[money, rates, around]).replace(b"ERMHDR\t19.12", header)
+        dates, said = self.dates("a.xer", schedule)
+        self.assertEqual(dates["form"], ("03-02 08:00:00", "03-02 16:30:00"))
+        self.assertEqual(dates["fix"], ("03-02 16:30:00", "03-05 15:00:00"))
+        self.assertEqual(dates["pour"], ("03-06 08:00:00", "03-06 17:00:00"))  # not before 19:30 on the 5th
+        self.assertNotIn("expected a number", said)
+        with open(self.path("s.plan"), encoding="utf-8") as file:
+            plan = file.read()
+        self.assertIn('currency "\u20ac";', plan)
+        self.assertIn("cost 194 per h;", plan)
+
     def test_of_several_rates_the_one_at_the_beginning_counts(self):
         columns = "rsrc_rate_id rsrc_id start_date cost_per_qty max_qty_per_hr"
         rates = [(1, 1, "2026-01-01 00:00", 50, 1), (2, 1, "2027-01-01 00:00", 99, 1), (3, 2, "2027-01-01 00:00", 30, 1),
@@ -375,6 +402,31 @@ class Dates(unittest.TestCase):
         self.assertEqual(dates["ready"][0], "03-13 17:00:00")
         self.assertEqual(said, "")
         self.round_trip(self.path("a.xer"))
+
+
+    def test_of_two_constraints_of_primavera_that_which_moves_the_work_holds(self):
+        permit, finish = ("2026-03-17 08:00", "CS_MSOA"), ("2026-03-20 17:00", "CS_MEOB")
+        tasks = [(1, "TT_Task", "close", 16, *permit, *finish), (1, "TT_Task", "open", 16, *finish, *permit),
+                 (1, "TT_Task", "dig", 8, "", "", *permit), (1, "TT_Task", "fill", 8, *finish, "2026-03-18 08:00", "CS_MSOB")]
+        schedule = schedule_xer(CALENDARS, tasks, more="cstr_date cstr_type cstr_date2 cstr_type2")
+        dates, said = self.dates("a.xer", schedule, "--baseline")
+        for name, start in (("close", "03-17"), ("open", "03-17"), ("dig", "03-17"), ("fill", "03-02")):
+            self.assertEqual(dates[name][0], start + " 08:00:00", name)
+        self.assertNotIn("cstr", said)
+        self.assertIn("activity 'fill' has two constraints: that of 2026-03-20 17:00 holds, that of 2026-03-18 08:00 is left out", said)
+        # The latest finish is a deadline, and goes out as one.
+        with open(self.path("s.plan"), encoding="utf-8") as file:
+            self.assertEqual(file.read().count('due "2026-03-20 17:00";'), 2)
+        self.round_trip(self.path("a.xer"))
+        root = ElementTree.parse(self.path("b.xml")).getroot()
+        space = "{http://schemas.microsoft.com/project}"
+        found = [[each.findtext(space + name) for name in ("ConstraintType", "ConstraintDate", "Deadline")] for each in root.iter(space + "Task")]
+        self.assertEqual(found[0], ["4", "2026-03-17T08:00:00", "2026-03-20T17:00:00"])
+        self.assertEqual(found[1], found[0])
+        # Nor does a latest finish let anything begin before the data date.
+        at = b"plan_start_date\n%R\t9\t1\tX\t2026-03-02 08:00"
+        dates, _ = self.dates("a.xer", schedule.replace(at, b"plan_start_date\tlast_recalc_date\n%R\t9\t1\tX\t2026-03-02 08:00\t2026-03-10 08:00"))
+        self.assertEqual((dates["fill"][0], dates["open"][0]), ("03-10 08:00:00", "03-17 08:00:00"))
 
 
 class Levelling(unittest.TestCase):

@@ -72,6 +72,12 @@ class BlockReader {
       result_.resource_order.push_back(record.name);
     } else if (keyword == "milestone") {
       result_.milestones.insert(record.name);
+      MilestonePlace place;
+      CarriedReader reader(record);
+      reader("begins", "", place.line);
+      place.ends = record.value("ends") != nullptr;
+      if (place.ends) reader("ends", "", place.line);
+      if (!place.line.empty()) result_.milestone_places.emplace(record.name, place);
     } else if (keyword == "own_crew") {
       result_.own_crews.insert(record.name);
     } else if (keyword == "free_crew") {
@@ -142,6 +148,10 @@ class BlockReader {
 };
 
 }  // namespace
+
+std::string usual_milestone(const std::string& line, bool ends) {
+  return line + (ends ? "_ends" : "_begins");
+}
 
 CarriedProject read_carried_project(const std::vector<CarriedRecord>& records, Listing& listing) {
   return BlockReader(listing).run(records);

@@ -32,6 +32,15 @@ struct CarriedTask {
   std::optional<Fixed> fixed;
 };
 
+/// Where a milestone of a plan stands that is no line of the schedule.
+struct MilestonePlace {
+  std::string line;
+  bool ends = false;  ///< at the end of that line, else at its beginning
+};
+
+/// How such a milestone is called unless that name is taken or too long.
+std::string usual_milestone(const std::string& line, bool ends);
+
 /// What the import block of a plan carries, by the names that the plan uses.
 struct CarriedProject {
   std::optional<Project> project;  ///< its plain fields
@@ -40,6 +49,7 @@ struct CarriedProject {
   std::map<std::string, CarriedTask> tasks;
   std::vector<std::string> calendar_order, resource_order, task_order;
   std::set<std::string> milestones;  ///< tasks of the plan that are no line of the schedule
+  std::map<std::string, MilestonePlace> milestone_places;  ///< of those with other names than usual
   std::set<std::string> own_crews;   ///< crews of the plan that are no resource
   /// Crews that do not have the calendar of their resource: the one that they have, or kNone.
   std::map<std::string, std::int64_t> free_crews;

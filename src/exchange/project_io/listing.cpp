@@ -30,7 +30,9 @@ void Listing::add(interpreter::Diagnostic diagnostic, const std::string& kind) {
     ++entries_[found->second].count;
     return;
   }
-  if (entries_.size() >= kMaxKinds) {
+  const bool is_error = diagnostic.severity == interpreter::Severity::error;
+  has_errors_ = has_errors_ || is_error;
+  if (entries_.size() >= kMaxKinds && !is_error) {
     ++unlisted_;
     return;
   }

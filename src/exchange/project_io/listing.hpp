@@ -17,11 +17,14 @@ class Listing {
   void add(const std::string& code, const std::string& kind, interpreter::Span span,
            const std::string& message, const std::string& hint = {});
 
-  /// The same for a diagnostic of any severity.
+  /// The same for a diagnostic of any severity. An error is listed however many kinds there are.
   void add(interpreter::Diagnostic diagnostic, const std::string& kind);
 
   /// How often something of this kind was added.
   int count(const std::string& kind) const;
+
+  /// Whether any error was added: what was read is then no schedule.
+  bool has_errors() const { return has_errors_; }
 
   /// Everything so far, in the order of the first places; beyond a few hundred kinds (garbage makes
   /// new ones) a last warning tells how many were left out.
@@ -41,6 +44,7 @@ class Listing {
   std::vector<Entry> entries_;
   std::map<std::string, std::size_t> index_;
   int unlisted_ = 0;
+  bool has_errors_ = false;
 };
 
 }  // namespace rubicon::project_io

@@ -341,7 +341,8 @@ class NetworkBuilder {
           if (part.awaited) end_links_[i].push_back({part.name, LinkType::FS, 0});
         }
       }
-      network_.milestones.push_back({end_name_[i], i, is_in_parts(i), std::move(end_links_[i])});
+      network_.milestones.push_back(
+          {end_name_[i], i, is_in_parts(i), std::move(end_links_[i]), true});
     }
   }
 

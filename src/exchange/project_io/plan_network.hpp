@@ -35,6 +35,7 @@ struct PlanMilestone {
   std::size_t before = 0;  ///< the line before which it is written
   bool ends = false;       ///< it stands behind all parts of that line
   std::vector<PlanLink> after;
+  bool at_end = false;  ///< of the line, else at its beginning
 };
 
 /// The lines of a schedule as tasks of a plan with names and links. Links to and from headings go

@@ -11,6 +11,7 @@
 #include "interpreter/syntax/attribute_text.hpp"
 #include "interpreter/syntax/token.hpp"
 #include "src/exchange/project_io/carried.hpp"
+#include "src/exchange/project_io/carried_project.hpp"
 #include "src/exchange/project_io/dates.hpp"
 #include "src/exchange/project_io/fixed_dates.hpp"
 #include "src/exchange/project_io/identifiers.hpp"
@@ -491,7 +492,12 @@ class PlanWriter {
       }
     }
     for (const PlanMilestone& each : network_.milestones) {
-      out_ += fmt::format("milestone {};\n", each.name);
+      const std::string& line = network_.tasks[each.before].name;
+      const bool is_usual =
+          each.name == kPlanBegins || each.name == usual_milestone(line, each.at_end);
+      out_ += is_usual ? fmt::format("milestone {};\n", each.name)
+                       : fmt::format("milestone {} {} {};\n", each.name,
+                                     each.at_end ? "ends" : "begins", quoted(line));
     }
     for (const auto& [uid, parts] : insert_.parts) {
       for (const PlanInsert::Part& part : parts) {

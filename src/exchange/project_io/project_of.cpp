@@ -7,11 +7,13 @@
 #include <map>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "interpreter/syntax/attribute_text.hpp"
 #include "src/exchange/project_io/carried_project.hpp"
 #include "src/exchange/project_io/dates.hpp"
 #include "src/exchange/project_io/left_out.hpp"
+#include "src/exchange/project_io/outline_bounds.hpp"
 #include "src/exchange/project_io/plan_network.hpp"
 #include "src/exchange/project_io/plan_terms.hpp"
 #include "src/exchange/project_io/tidy_project.hpp"
@@ -30,7 +32,8 @@ class ProjectBuilder {
       : plan_(plan),
         diagnostics_(diagnostics),
         run_(run),
-        carried_(read_carried_project(carried_records(plan, sources), listing_)) {}
+        carried_(read_carried_project(carried_records(plan, sources), listing_)),
+        bounds_(plan, carried_) {}
 
   Project build() {
     build_settings();
@@ -248,8 +251,13 @@ class ProjectBuilder {
         new_behind[before].push_back(i);
       }
     }
-    int level = 1;
-    for (const std::size_t i : new_behind[""]) push_new(i, level);
+    std::vector<OpenLine> open;
+    bool has_begun = false;
+    const auto begin = [&] {
+      if (!std::exchange(has_begun, true)) {
+        for (const std::size_t i : new_behind[""]) push_new(i, 1);
+      }
+    };
     for (const std::string& name : carried_.task_order) {
       CarriedTask& carried = carried_.tasks.at(name);
       const auto found = index.find(name);
@@ -260,12 +268,50 @@ class ProjectBuilder {
         take_fixed(plan_.tasks[found->second], carried);
         if (!carried.fixed) take_duration(plan_.tasks[found->second], carried.task);
       }
-      level = carried.task.level;
+      if (carried.task.level > 0) begin();  // the line of the project itself stays the first
+      close_lines(open, carried.task.level);
       push_task(carried.task, carried.planned ? &plan_.tasks[found->second] : nullptr, name);
       const auto more = new_behind.find(name);
-      if (more == new_behind.end()) continue;
-      for (const std::size_t i : more->second) push_new(i, std::max(level, 1));
+      if (more != new_behind.end()) {
+        for (const std::size_t i : more->second) place_new(i, carried.task.level, open);
+      }
+      open.push_back({name, carried.task.name, carried.task.level, {}});
     }
+    begin();
+    close_lines(open, 0);
+  }
+
+  /// A line below which the next ones may stand.
+  struct OpenLine {
+    std::string name;   ///< in the plan
+    std::string title;  ///< in the schedule
+    int level = 0;
+    std::vector<std::size_t> behind;  ///< new tasks that stand behind all that is below it
+  };
+
+  /// Ends the lines that have nothing more below them where the next one has this level.
+  void close_lines(std::vector<OpenLine>& open, int level) {
+    while (!open.empty() && open.back().level >= level) {
+      const OpenLine line = std::move(open.back());
+      open.pop_back();
+      for (const std::size_t i : line.behind) push_new(i, line.level);
+    }
+  }
+
+  /// A new task stands behind the line before it, but below no heading whose links would then say
+  /// of it what the plan does not.
+  void place_new(std::size_t i, int level, std::vector<OpenLine>& open) {
+    for (OpenLine& heading : open) {
+      if (heading.level == 0) continue;
+      const std::string objection = bounds_.objection(heading.name, i);
+      if (objection.empty()) continue;
+      listing_.add("I09", "outside of heading", plan_.tasks[i].span,
+                   fmt::format("task '{}' goes behind the heading '{}', not below it: {}",
+                               plan_.tasks[i].name, heading.title, objection));
+      heading.behind.push_back(i);
+      return;
+    }
+    push_new(i, std::max(level, 1));
   }
 
   void push_task(const Task& task, const TaskSpec* spec, const std::string& name) {
@@ -351,46 +397,34 @@ class ProjectBuilder {
   // ---- links, assignments
   // ------------------------------------------------------------------------
 
+  /// The links that were carried along, of those that the plan says now.
+  using KnownLinks = std::map<std::pair<std::int64_t, LinkType>, Link>;
+
   void build_links() {
     for (std::size_t i = 0; i < project_.tasks.size(); ++i)
       uid_index_.emplace(project_.tasks[i].uid, i);
+    find_below();
     for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
       Task& task = project_.tasks[i];
       const auto carried = carried_.tasks.find(names_[i]);
-      std::map<std::pair<std::int64_t, LinkType>, Link> known;
+      const TaskSpec* begins = heading_begins(i);
+      const TaskSpec* spec = begins != nullptr ? begins : specs_[i];
+      KnownLinks known;
       if (carried != carried_.tasks.end()) {
         for (const Link& each : carried->second.links) take_carried(each, i, known);
       }
-      if (specs_[i] == nullptr) continue;
+      if (spec == nullptr) continue;
       bool has_begin = false;
-      for (const interpreter::LinkSpec& link : specs_[i]->after) {
+      for (const interpreter::LinkSpec& link : spec->after) {
         const std::string& name = plan_.tasks[static_cast<std::size_t>(link.task)].name;
-        has_begin = has_begin || (name == kPlanBegins && carried_.milestones.contains(name));
-        if (carried_.milestones.contains(name)) {
-          if (name == kPlanBegins) take_constraint(link, task);
-          continue;
+        if (name == kPlanBegins && carried_.milestones.contains(name)) {
+          has_begin = true;
+          if (begins == nullptr) take_constraint(link, task);
+        } else {
+          take_link(link, i, *spec, known);
         }
-        const auto uid = task_uid_.find(name);
-        if (uid == task_uid_.end()) continue;
-        const double exact = schedule::seconds_from_ticks(link.lag);
-        const std::int64_t lag = std::llround(exact);
-        constexpr std::int64_t kTenthOfMinute = 6;  // s
-        const std::int64_t rounded = std::llround(exact / kTenthOfMinute) * kTenthOfMinute;
-        Link made{uid->second, link.type, rounded, plan_lag_format(rounded)};
-        const auto before = known.find({made.predecessor, made.type});
-        if (before != known.end() &&
-            plan_lag(project_, before->second, project_.tasks[uid_index_.at(made.predecessor)],
-                     task) == lag) {
-          made = before->second;
-        } else if (static_cast<double>(rounded) != exact && run_ == nullptr) {
-          listing_.add(
-              "I09", "lag", specs_[i]->span,
-              fmt::format("the lag of {} s from '{}' to '{}' is written as {} s: a schedule "
-                          "has tenths of minutes",
-                          exact, name, specs_[i]->name, rounded));
-        }
-        task.after.push_back(made);
       }
+      if (begins != nullptr) continue;
       if (carried != carried_.tasks.end()) take_held(carried->second.held, task);
       if (carried != carried_.tasks.end() && carried->second.fixed) continue;
       // The link that kept the constraint is gone: so is the constraint.
@@ -400,11 +434,98 @@ class ProjectBuilder {
       }
       take_not_before(*specs_[i], task);
     }
+    list_ends();
     for (const TaskSpec& spec : plan_.tasks) {
       if (spec.not_before <= 0 || !carried_.milestones.contains(spec.name)) continue;
       listing_.add("I09", "not_before", spec.span,
                    fmt::format("the not_before of '{}' is left out: the schedule has no such task",
                                spec.name));
+    }
+  }
+
+  /// The task of the plan that has the links of a heading; null if it needs none.
+  const TaskSpec* heading_begins(std::size_t i) const {
+    if (specs_[i] != nullptr || !project_.is_heading(i)) return nullptr;
+    return bounds_.milestone_of(names_[i], false);
+  }
+
+  /// Where what is below each line ends.
+  void find_below() {
+    below_until_.assign(project_.tasks.size(), project_.tasks.size());
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
+      while (!open.empty() && project_.tasks[open.back()].level >= project_.tasks[i].level) {
+        below_until_[open.back()] = i;
+        open.pop_back();
+      }
+      open.push_back(i);
+    }
+  }
+  bool is_below(std::size_t i, std::size_t heading) const {
+    return i > heading && i < below_until_[heading];
+  }
+
+  /// A link that the plan says: of a task, or of the beginning of a heading.
+  void take_link(const interpreter::LinkSpec& link, std::size_t i, const TaskSpec& spec,
+                 const KnownLinks& known) {
+    const std::string& name = plan_.tasks[static_cast<std::size_t>(link.task)].name;
+    const bool is_milestone = carried_.milestones.contains(name);
+    const MilestonePlace* place = is_milestone ? bounds_.place(name) : nullptr;
+    if (is_milestone && place == nullptr) return;  // it does a part of a task
+    const auto uid = task_uid_.find(place != nullptr ? place->line : name);
+    if (uid == task_uid_.end()) return;
+    const std::size_t from = uid_index_.at(uid->second);
+    LinkType type = link.type;
+    if (place != nullptr) type = link_type(place->ends, is_of_finish(type));
+    // A heading has no links to its end; that it begins is a point in time.
+    if (specs_[i] == nullptr) type = link_type(type == LinkType::FS || type == LinkType::FF, false);
+    const auto before = known.find({uid->second, type});
+    Task& task = project_.tasks[i];
+    if (place != nullptr && is_below(i, from)) {
+      // The outline says it, unless a link of the schedule does.
+      const bool is_said = std::any_of(task.after.begin(), task.after.end(), [&](const Link& each) {
+        return each.predecessor == uid->second && each.type == type;
+      });
+      if (before == known.end() || is_said) return;
+    }
+    const double exact = schedule::seconds_from_ticks(link.lag);
+    const std::int64_t lag = std::llround(exact);
+    constexpr std::int64_t kTenthOfMinute = 6;  // s
+    const std::int64_t rounded = std::llround(exact / kTenthOfMinute) * kTenthOfMinute;
+    Link made{uid->second, type, rounded, plan_lag_format(rounded)};
+    if (before != known.end() &&
+        plan_lag(project_, before->second, project_.tasks[from], task) == lag) {
+      made = before->second;
+    } else if (static_cast<double>(rounded) != exact && run_ == nullptr) {
+      listing_.add("I09", "lag", spec.span,
+                   fmt::format("the lag of {} s from '{}' to '{}' is written as {} s: a schedule "
+                               "has tenths of minutes",
+                               exact, name, spec.name, rounded));
+    }
+    task.after.push_back(made);
+  }
+
+  static bool is_of_finish(LinkType type) { return type == LinkType::FF || type == LinkType::SF; }
+  static LinkType link_type(bool from_finish, bool to_finish) {
+    if (from_finish) return to_finish ? LinkType::FF : LinkType::FS;
+    return to_finish ? LinkType::SF : LinkType::SS;
+  }
+
+  /// The end of a heading waits in a schedule for what is below it, and for nothing else.
+  void list_ends() {
+    for (std::size_t i = 0; i < project_.tasks.size(); ++i) {
+      if (specs_[i] != nullptr || !project_.is_heading(i)) continue;
+      const TaskSpec* ends = bounds_.milestone_of(names_[i], true);
+      if (ends == nullptr) continue;
+      for (const interpreter::LinkSpec& link : ends->after) {
+        const std::string& name = plan_.tasks[static_cast<std::size_t>(link.task)].name;
+        const auto uid = task_uid_.find(name);
+        if (uid == task_uid_.end() || is_below(uid_index_.at(uid->second), i)) continue;
+        listing_.add("I09", "end of heading", ends->span,
+                     fmt::format("that '{}' waits for '{}' is left out: '{}' is not below the "
+                                 "heading '{}'",
+                                 ends->name, name, name, project_.tasks[i].name));
+      }
     }
   }
 
@@ -437,14 +558,18 @@ class ProjectBuilder {
 
   /// A carried link holds by itself where the plan has no task for one of its ends; else it only
   /// says how the plan's link is written.
-  void take_carried(const Link& link, std::size_t i,
-                    std::map<std::pair<std::int64_t, LinkType>, Link>& known) {
+  void take_carried(const Link& link, std::size_t i, KnownLinks& known) {
     const auto from = uid_index_.find(link.predecessor);
     if (from == uid_index_.end()) return;  // somebody took the predecessor out of the plan
-    if (specs_[i] == nullptr || specs_[from->second] == nullptr) {
-      project_.tasks[i].after.push_back(link);
-    } else {
+    const bool of_finish = link.type == LinkType::FS || link.type == LinkType::FF;
+    const bool is_from_there = specs_[from->second] != nullptr ||
+                               bounds_.milestone_of(names_[from->second], of_finish) != nullptr;
+    const bool is_to_there =
+        specs_[i] != nullptr || (heading_begins(i) != nullptr && !is_of_finish(link.type));
+    if (is_from_there && is_to_there) {
       known[{link.predecessor, link.type}] = link;
+    } else {
+      project_.tasks[i].after.push_back(link);
     }
   }
 
@@ -599,6 +724,7 @@ class ProjectBuilder {
   const SimulatedRun* run_;  ///< null: the schedule is that of the plan
   Listing listing_;
   CarriedProject carried_;
+  OutlineBounds bounds_;
   Project project_;
   Moment start_;          ///< of the plan
   Moment carried_start_;  ///< of the plan as it was written
@@ -610,6 +736,7 @@ class ProjectBuilder {
   std::vector<const TaskSpec*>
       specs_;                       ///< of each line; null for those that the plan has no task for
   std::vector<std::string> names_;  ///< of each line
+  std::vector<std::size_t> below_until_;  ///< the line with which what is below each one ends
 };
 
 }  // namespace

@@ -28,7 +28,7 @@ class MspdiReader {
  public:
   explicit MspdiReader(interpreter::FileId file) { reading_.file = file; }
 
-  Project read(const pugi::xml_node& root, interpreter::Diagnostics& diagnostics) {
+  std::optional<Project> read(const pugi::xml_node& root, interpreter::Diagnostics& diagnostics) {
     XmlElement element(root, reading_);
     visit_project(project_, element);
     element.take("SaveVersion");
@@ -50,6 +50,7 @@ class MspdiReader {
     element.finish();
     tidy_project(project_, places_, reading_.listing);
     reading_.listing.report(diagnostics);
+    if (reading_.listing.has_errors()) return std::nullopt;
     return std::move(project_);
   }
 
@@ -69,6 +70,7 @@ class MspdiReader {
       return;
     }
     Task task;
+    require_duration(node, element);
     visit_task(task, element);
     for (const char* name : kComputed) element.take(name);
     if (text_in(node.child("Estimated")) == "1") task.format.estimated = true;
@@ -83,6 +85,26 @@ class MspdiReader {
     project_.tasks.push_back(std::move(task));
     places_.tasks.push_back(reading_.span(node));
     places_.links.push_back(std::move(places));
+  }
+
+  /// A task whose duration cannot be read is no task of 0 h. That of a heading counts for nothing.
+  void require_duration(const pugi::xml_node& node, XmlElement& element) {
+    const pugi::xml_node child = node.child("Duration");
+    const std::string text = text_in(child);
+    Duration duration;
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos ||
+        project_io::read(text, duration) || text_in(node.child("Summary")) == "1") {
+      return;
+    }
+    element.take("Duration");
+    interpreter::Diagnostic diagnostic;
+    diagnostic.severity = interpreter::Severity::error;
+    diagnostic.code = "I03";
+    diagnostic.span = reading_.span(child);
+    diagnostic.message = fmt::format("expected {} in Duration of Task, found '{}'",
+                                     expected_for(text, duration), text);
+    diagnostic.hint = "correct it in the schedule";
+    reading_.listing.add(std::move(diagnostic), "duration");
   }
 
   /// Of up to eleven baselines the first; its work and cost are left out.

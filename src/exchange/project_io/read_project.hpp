@@ -17,7 +17,7 @@ namespace rubicon::project_io {
 std::optional<Project> read_mspdi(const interpreter::SourceMap& sources, interpreter::FileId file,
                                   interpreter::Diagnostics& diagnostics);
 
-/// A Primavera P6 export (XER): the first project of it that has activities.
+/// A Primavera P6 export (XER): the first project of it that was exported and has activities.
 std::optional<Project> read_xer(const interpreter::SourceMap& sources, interpreter::FileId file,
                                 interpreter::Diagnostics& diagnostics);
 

@@ -13,6 +13,7 @@
 #include "src/exchange/project_io/value_text.hpp"
 #include "src/exchange/project_io/xer_calendar.hpp"
 #include "src/exchange/project_io/xer_columns.hpp"
+#include "src/exchange/project_io/xer_number.hpp"
 #include "src/exchange/project_io/xer_table.hpp"
 
 namespace rubicon::project_io {
@@ -22,7 +23,11 @@ namespace {
 using interpreter::Span;
 class XerReader {
  public:
-  XerReader(const XerFile& xer, Listing& listing) : xer_(xer), listing_(listing) {}
+  XerReader(const XerFile& xer, Listing& listing)
+      : xer_(xer),
+        listing_(listing),
+        currency_(currency_of(xer)),
+        decimal_(decimal_symbol(currency_)) {}
 
   /// Null if there is no project.
   std::optional<Project> read() {
@@ -63,13 +68,48 @@ class XerReader {
     return result.find_first_not_of(" \t\r\n") == std::string::npos ? std::string() : result;
   }
 
+  /// Whether a schedule can do without a cell that says nothing sensible. Not without those by
+  /// which its tasks have their dates.
+  enum class Weight { left_out, decides };
+
+  void refuse(Weight weight, const std::string& kind, const XerRow& row, std::string message,
+              std::string hint = {}) {
+    interpreter::Diagnostic diagnostic;
+    diagnostic.severity =
+        weight == Weight::decides ? interpreter::Severity::error : interpreter::Severity::warning;
+    diagnostic.code = "I03";
+    diagnostic.span = row.span();
+    diagnostic.message = std::move(message) + (weight == Weight::decides ? "" : "; left out");
+    diagnostic.hint = std::move(hint);
+    listing_.add(std::move(diagnostic), kind);
+  }
+
   template <typename T>
-  void cell(const XerRow& row, const char* table, const char* column, T& value) {
+  bool read_cell(std::string_view text, T& value) const {
+    return project_io::read(text, value);
+  }
+  bool read_cell(std::string_view text, double& value) const {
+    return read_xer_number(text, decimal_, value);
+  }
+
+  template <typename T>
+  void cell(const XerRow& row, const char* table, const char* column, T& value,
+            Weight weight = Weight::left_out) {
     const std::string_view found = row[column];
-    if (found.empty() || project_io::read(found, value)) return;
-    listing_.add("I03", fmt::format("cell {}.{}", table, column), row.span(),
-                 fmt::format("expected {} in column {} of {}, found '{}'; left out",
-                             expected(value), column, table, clean_text(found)));
+    if (found.empty() || read_cell(found, value)) return;
+    refuse(weight, fmt::format("cell {}.{}", table, column), row,
+           fmt::format("expected {} in column {} of {}, found '{}'", expected(value), column, table,
+                       clean_text(found)),
+           std::is_same_v<T, double> ? decimal_hint(found) : std::string());
+  }
+
+  /// What to say of a number that may have the wrong decimal symbol.
+  std::string decimal_hint(std::string_view found) const {
+    if (found.find_first_of(",.") == std::string_view::npos) return {};
+    const std::string code =
+        currency_ == nullptr ? std::string() : text((*currency_)["curr_short_name"]);
+    return fmt::format("the decimal symbol of this file is '{}'{}", clean_text(decimal_),
+                       code.empty() ? "" : ", that of its currency " + code);
   }
 
   /// A number that names another row; none if there is none.
@@ -78,53 +118,58 @@ class XerReader {
   }
 
   /// Hours with a fraction, as whole seconds; a lag may be negative.
-  void hours(const XerRow& row, const char* table, const char* column, std::int64_t& seconds) {
+  void hours(const XerRow& row, const char* table, const char* column, std::int64_t& seconds,
+             Weight weight = Weight::left_out) {
     constexpr double kMaxHours = 2.7e6;  // 300 years
     double value = 0;
-    cell(row, table, column, value);
+    cell(row, table, column, value, weight);
     if (std::abs(value) > kMaxHours) {
-      listing_.add(
-          "I03", fmt::format("hours {}", column), row.span(),
-          fmt::format("{} hours in column {} is no sensible time; left out", value, column));
+      refuse(weight, fmt::format("hours {}", column), row,
+             fmt::format("{} hours in column {} is no sensible time", value, column));
       return;
     }
     seconds = std::llround(value * 3600);
   }
 
   /// Hours of work or duration.
-  void hours_from_0(const XerRow& row, const char* table, const char* column,
-                    std::int64_t& seconds) {
-    hours(row, table, column, seconds);
+  void hours_from_0(const XerRow& row, const char* table, const char* column, std::int64_t& seconds,
+                    Weight weight = Weight::left_out) {
+    hours(row, table, column, seconds, weight);
     if (seconds >= 0) return;
-    listing_.add("I03", fmt::format("cell {}.{}", table, column), row.span(),
-                 fmt::format("expected 0 hours or more in column {} of {}, found '{}'; left out",
-                             column, table, clean_text(row[column])));
+    refuse(weight, fmt::format("cell {}.{}", table, column), row,
+           fmt::format("expected 0 hours or more in column {} of {}, found '{}'", column, table,
+                       clean_text(row[column])));
     seconds = 0;
   }
 
+  /// The first with activities of those that were exported. P6 sends along what is linked to them:
+  /// projects whose export_flag is not Y.
   const XerRow* choose_project() {
-    const XerRow* chosen = nullptr;
+    const std::vector<XerRow>& projects = rows("PROJECT");
     std::set<std::string_view> with_tasks;
     for (const XerRow& row : rows("TASK")) with_tasks.insert(row["proj_id"]);
-    for (const XerRow& row : rows("PROJECT")) {
-      if (chosen == nullptr && (with_tasks.empty() || with_tasks.contains(row["proj_id"]))) {
-        chosen = &row;
-      } else {
-        listing_.add("I07", "project", row.span(),
-                     fmt::format("project '{}' is left out: one plan holds one project",
-                                 text(row["proj_short_name"])),
-                     "export it into a file of its own");
-      }
+    const auto is_exported = [](const XerRow& row) { return row["export_flag"] == "Y"; };
+    const bool is_told = std::any_of(projects.begin(), projects.end(), is_exported);
+    const auto chosen = std::find_if(projects.begin(), projects.end(), [&](const XerRow& row) {
+      return (!is_told || is_exported(row)) &&
+             (with_tasks.empty() || with_tasks.contains(row["proj_id"]));
+    });
+    for (auto row = projects.begin(); row != projects.end(); ++row) {
+      if (row == chosen) continue;
+      const bool is_linked = is_told && !is_exported(*row);
+      listing_.add("I07", is_linked ? "linked project" : "project", row->span(),
+                   fmt::format("project '{}' is left out: {}", text((*row)["proj_short_name"]),
+                               is_linked ? "it was not exported, only what is linked to another"
+                                         : "one plan holds one project"),
+                   "export it into a file of its own");
     }
-    return chosen;
+    return chosen == projects.end() ? nullptr : &*chosen;
   }
 
   void read_currency() {
-    for (const XerRow& row : rows("CURRTYPE")) {
-      project_.currency_code = text(row["curr_short_name"]);
-      project_.currency_symbol = text(row["curr_symbol"]);
-      return;
-    }
+    if (currency_ == nullptr) return;
+    project_.currency_code = text((*currency_)["curr_short_name"]);
+    project_.currency_symbol = text((*currency_)["curr_symbol"]);
   }
 
   void read_calendars() {
@@ -310,7 +355,7 @@ class XerReader {
       cell(row, "TASK", "reend_date", expected);
       if (!expected.text.empty()) task.finish = expected;
     }
-    hours_from_0(row, "TASK", "target_drtn_hr_cnt", task.duration.seconds);
+    hours_from_0(row, "TASK", "target_drtn_hr_cnt", task.duration.seconds, Weight::decides);
     hours_from_0(row, "TASK", "target_work_qty", task.work.seconds);
     task.format.unit = TimeUnit::hours;
     double complete = 0;
@@ -329,7 +374,12 @@ class XerReader {
     push(std::move(task), row.span());
   }
 
-  void read_constraint(const XerRow& row, Task& task) {
+  struct DatedConstraint {
+    Constraint constraint = Constraint::as_soon_as_possible;
+    Moment date;
+  };
+
+  DatedConstraint constraint_in(const XerRow& row, const char* type, const char* date) {
     static const std::map<std::string_view, Constraint> kTypes = {
         {"CS_ALAP", Constraint::as_late_as_possible},
         {"CS_MSO", Constraint::must_start_on},
@@ -340,16 +390,51 @@ class XerReader {
         {"CS_MSOB", Constraint::start_no_later_than},
         {"CS_MEOA", Constraint::finish_no_earlier_than},
         {"CS_MEOB", Constraint::finish_no_later_than}};
-    const std::string_view name = row["cstr_type"];
-    if (name.empty()) return;
+    DatedConstraint read;
+    const std::string_view name = row[type];
+    if (name.empty()) return read;
     const auto found = kTypes.find(name);
     if (found == kTypes.end()) {
       listing_.add("I03", "constraint", row.span(),
                    fmt::format("unknown constraint '{}'; left out", clean_text(name)));
+      return read;
+    }
+    read.constraint = found->second;
+    cell(row, "TASK", date, read.date);
+    return read;
+  }
+
+  /// Whether it says when a task starts or finishes at the earliest.
+  static bool bounds_below(Constraint constraint) {
+    return constraint == Constraint::must_start_on || constraint == Constraint::must_finish_on ||
+           constraint == Constraint::start_no_earlier_than ||
+           constraint == Constraint::finish_no_earlier_than;
+  }
+
+  /// An activity has up to two constraints, in either order; a task has one. That is the one which
+  /// moves the work. "Finish on or before" beside it moves nothing, as a deadline.
+  void read_constraint(const XerRow& row, Task& task) {
+    DatedConstraint first = constraint_in(row, "cstr_type", "cstr_date");
+    DatedConstraint second = constraint_in(row, "cstr_type2", "cstr_date2");
+    const bool has_first = first.constraint != Constraint::as_soon_as_possible;
+    if (!has_first || (bounds_below(second.constraint) && !bounds_below(first.constraint))) {
+      std::swap(first, second);
+    }
+    task.constraint = first.constraint;
+    task.constraint_date = first.date;
+    if (second.constraint == Constraint::as_soon_as_possible) return;
+    if (second.constraint == Constraint::finish_no_later_than) {
+      task.deadline = second.date;
       return;
     }
-    task.constraint = found->second;
-    cell(row, "TASK", "cstr_date", task.constraint_date);
+    listing_.add("I07", "second constraint", row.span(),
+                 fmt::format("activity '{}' has two constraints: that of {} holds, that of {} is "
+                             "left out",
+                             task.name, shown(first), shown(second)));
+  }
+
+  static std::string shown(const DatedConstraint& constraint) {
+    return constraint.date.text.empty() ? "no date" : constraint.date.text;
   }
 
   void push(Task task, Span span) {
@@ -372,7 +457,7 @@ class XerReader {
       link.format.unit = TimeUnit::hours;
       cell(row, "TASKPRED", "task_id", uid);
       cell(row, "TASKPRED", "pred_task_id", link.predecessor);
-      hours(row, "TASKPRED", "lag_hr_cnt", link.lag);
+      hours(row, "TASKPRED", "lag_hr_cnt", link.lag, Weight::decides);
       link.lag = link.lag / 6 * 6;  // tenths of a minute, as the way out has them
       const auto type = kTypes.find(row["pred_type"]);
       if (type == kTypes.end()) {
@@ -484,10 +569,12 @@ class XerReader {
         return to_start && link.lag >= 0 && from != index_.end() &&
                !has_begun(project_.tasks[from->second]);
       });
-      const bool is_free = task.constraint == Constraint::as_soon_as_possible ||
+      const bool is_due = task.constraint == Constraint::finish_no_later_than;
+      const bool is_free = task.constraint == Constraint::as_soon_as_possible || is_due ||
                            (task.constraint == Constraint::start_no_earlier_than &&
                             task.constraint_date.text < data_date_.text);
       if (waits || !is_free) continue;
+      if (is_due) task.deadline = task.constraint_date;
       task.constraint = Constraint::start_no_earlier_than;
       task.constraint_date = data_date_;
     }
@@ -495,6 +582,8 @@ class XerReader {
 
   const XerFile& xer_;
   Listing& listing_;
+  const XerRow* currency_;    ///< of the file; null if it has none
+  std::string_view decimal_;  ///< in its numbers
   Project project_;
   Moment data_date_;  ///< up to which the schedule knows what has been done
   ProjectPlaces places_;
@@ -523,6 +612,7 @@ std::optional<Project> read_xer(const interpreter::SourceMap& sources, interpret
                 "this file has no last line %E: it may be cut off");
   }
   listing.report(diagnostics);
+  if (listing.has_errors()) return std::nullopt;
   return project;
 }
 

@@ -41,7 +41,12 @@ class TableReader {
     std::vector<std::string_view> cells = cells_of(line);
     const std::string_view mark = cells.front();
     cells.erase(cells.begin());
-    if (mark == "ERMHDR") return;
+    if (mark == "ERMHDR") {
+      // Version, date, kind, user, full name, database, module, currency.
+      constexpr std::size_t kCurrency = 7;
+      if (cells.size() > kCurrency) result_.currency = cells[kCurrency];
+      return;
+    }
     if (mark == "%E") {
       result_.complete = true;
     } else if (mark == "%T" && !cells.empty()) {

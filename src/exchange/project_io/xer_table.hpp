@@ -42,6 +42,7 @@ struct XerTable {
 /// columns, are listed. An end that is missing is told by `complete`.
 struct XerFile {
   std::map<std::string_view, XerTable> tables;
+  std::string_view currency;  ///< the code of the one that the header names; may be empty
   bool complete = false;
 };
 XerFile read_xer_tables(std::string_view text, interpreter::FileId file, Listing& listing);

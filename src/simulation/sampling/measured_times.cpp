@@ -83,6 +83,7 @@ class TableReader {
       if (is_first) set_separator(whole);
       split(whole, begin, separator_, fields_);
       if (is_first && !take_first(line)) break;
+      if (is_first) columns_ = fields_.size();
       if (!(is_first && has_heading_)) take_line(line);
       is_first = false;
     }
@@ -163,6 +164,15 @@ class TableReader {
                  : "column 1 or column \"NAME\" says which");
       return;
     }
+    // A decimal comma cuts a number in two, which makes one field more than there are columns.
+    while (fields_.size() > columns_ && fields_.back().text.empty()) fields_.pop_back();
+    if (separator_ == ',' && fields_.size() > columns_) {
+      fail(line,
+           "this line has " + std::to_string(fields_.size()) + " fields, the first line has " +
+               std::to_string(columns_),
+           "a decimal point is a point: 2.5");
+      return;
+    }
     if (column_ >= fields_.size() || fields_[column_].text.empty()) return;  // nothing was measured
     const TableField& field = fields_[column_];
     const std::optional<double> value = number_of(field.text);
@@ -203,6 +213,7 @@ class TableReader {
   std::size_t at_ = 0;
   char separator_ = ',';
   std::size_t column_ = 0;
+  std::size_t columns_ = 0;  ///< of the first line
   bool has_heading_ = false;
   std::vector<TableField> fields_;
   MeasuredTimes result_;

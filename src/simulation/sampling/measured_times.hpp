@@ -41,7 +41,8 @@ inline constexpr double kLongestMeasured = 4e9;
 /// Reads a column of times. Fields are parted by `;` where the first line has one, else by tabs,
 /// else by commas; they may stand in double quotes. The first line is a heading where what stands
 /// in the column is no number. Empty lines and fields are no times; lines that begin with # are
-/// comments. `file` and `unit` of the result are left to the caller.
+/// comments. Between commas no line has more fields than the first: its decimal point would be a
+/// comma. `file` and `unit` of the result are left to the caller.
 std::variant<MeasuredTimes, MeasuredFault> read_measured(std::string_view text,
                                                          const MeasuredColumn& column);
 

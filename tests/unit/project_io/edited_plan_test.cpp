@@ -76,6 +76,7 @@ TEST_F(EditedPlan, calendars_and_crews) {
 TEST_F(EditedPlan, new_tasks_come_behind_the_one_before_them) {
   replace("  task ausharten {",
           "  task extra { by maurer; takes 2 h; after fundament; }\n  task ausharten {");
+  replace("decke, rohbau_fertig;", "decke, rohbau_fertig, extra;");
   const Project changed = back();
   ASSERT_EQ(changed.tasks.size(), 12u);
   EXPECT_EQ(changed.tasks[3].name, "extra");
@@ -84,6 +85,115 @@ TEST_F(EditedPlan, new_tasks_come_behind_the_one_before_them) {
   EXPECT_EQ(changed.tasks[3].after.at(0).predecessor, 2);
   EXPECT_EQ(changed.assignments.back().task, 11);
   EXPECT_EQ(changed.assignments.back().resource, 1);
+}
+
+TEST_F(EditedPlan, a_new_first_task_comes_behind_the_line_of_the_project) {
+  replace("  // = House\n", "  task extra { by maurer; takes 2 h; }\n\n  // = House\n");
+  const Reading reading = project_of_plan(text_);
+  ASSERT_TRUE(reading.project);
+  EXPECT_EQ(reading.project->tasks.at(0).name, "House");
+  EXPECT_EQ(reading.project->tasks[0].level, 0);
+  EXPECT_EQ(reading.project->tasks.at(1).name, "extra");
+  EXPECT_TRUE(reading.said.empty()) << testing::PrintToString(reading.said);
+}
+
+/// "Clear" before the heading "Structure", below which are "Frame" (with "Walls") and "Roof", and
+/// "Handover" behind it.
+class LinkedHeading : public EditedPlan {
+ protected:
+  void take(const std::string& heading) {
+    const auto at = [](int level) { return fmt::format("<OutlineLevel>{}</OutlineLevel>", level); };
+    const auto behind = [](int uid) {
+      return fmt::format(
+          "<PredecessorLink><PredecessorUID>{}</PredecessorUID><Type>1</Type></PredecessorLink>",
+          uid);
+    };
+    const std::string hours = "<Duration>PT8H0M0S</Duration>";
+    project_ =
+        read_schedule(mspdi("<StartDate>2026-03-02T08:00:00</StartDate><Tasks>" +
+                            mspdi_task(1, "Clear", hours + at(1)) +
+                            mspdi_task(2, heading, at(1) + behind(1)) +
+                            mspdi_task(3, "Frame", at(2)) + mspdi_task(4, "Walls", hours + at(3)) +
+                            mspdi_task(5, "Roof", hours + at(2) + behind(4)) +
+                            mspdi_task(6, "Handover", hours + at(1) + behind(2)) + "</Tasks>"))
+            .project.value();
+    text_ = plan_of(project_).text;
+  }
+  void SetUp() override { take("Structure"); }
+
+  /// The schedule with `more` before the import block: its lines "LEVEL NAME", what was said.
+  std::vector<std::string> lines(const std::string& more) {
+    if (!more.empty()) replace("  // For the way back", more + "\n  // For the way back");
+    reading_ = project_of_plan(text_);
+    std::vector<std::string> result;
+    for (const Task& each : reading_.project.value_or(Project{}).tasks) {
+      result.push_back(fmt::format("{} {}", each.level, each.name));
+    }
+    return result;
+  }
+  const Task& task(const std::string& name) const {
+    for (const Task& each : reading_.project->tasks) {
+      if (each.name == name) return each;
+    }
+    ADD_FAILURE() << name;
+    return reading_.project->tasks.front();
+  }
+
+  Reading reading_;
+};
+
+TEST_F(LinkedHeading, does_not_catch_a_new_task_that_it_does_not_bind) {
+  replace("  task handover {", "  task survey { takes 8 h; }\n  task handover {");
+  EXPECT_THAT(lines(""), testing::ElementsAre("1 Clear", "1 Structure", "2 Frame", "3 Walls",
+                                              "2 Roof", "1 survey", "1 Handover"));
+  EXPECT_TRUE(reading_.says("I09",
+                            "task 'survey' goes behind the heading 'Structure', not below "
+                            "it: it does not wait for 'structure_begins'"));
+  const std::string again = plan_of(*reading_.project).text;
+  EXPECT_EQ(again.find("structure_begins, survey"), std::string::npos) << again;
+  EXPECT_EQ(again.find("survey;"), std::string::npos) << again;
+}
+
+TEST_F(LinkedHeading, has_below_it_what_the_plan_binds_just_so) {
+  // By way of the walls it waits for the beginning, and by way of the roof the end waits for it.
+  replace("  task roof {", "  task survey { takes 8 h; after walls; }\n  task roof {");
+  replace("after walls, structure_begins;", "after walls, structure_begins, survey;");
+  EXPECT_THAT(lines(""), testing::ElementsAre("1 Clear", "1 Structure", "2 Frame", "3 Walls",
+                                              "3 survey", "2 Roof", "1 Handover"));
+  EXPECT_TRUE(reading_.said.empty()) << testing::PrintToString(reading_.said);
+}
+
+TEST_F(LinkedHeading, whose_end_does_not_wait_for_a_task_has_it_not_below) {
+  replace("  task handover {", "  task paint { takes 8 h; after walls; }\n  task handover {");
+  EXPECT_EQ(lines("").at(5), "1 paint");
+  EXPECT_TRUE(reading_.says("I09", "not below it: 'structure_ends' does not wait for it"));
+}
+
+TEST_F(LinkedHeading, is_linked_as_the_plan_says_now) {
+  replace("task structure_begins {\n    takes 0 s;\n    after clear;",
+          "task structure_begins {\n    takes 0 s;\n    after clear FS + 24 h, survey;");
+  replace("after structure_ends;", "after structure_begins;");
+  lines("  task survey { takes 8 h; }\n  task clean { takes 1 h; after structure_ends FS + 8 h; }");
+  const TimeFormat elapsed{TimeUnit::hours, true, false};
+  const std::int64_t survey = task("survey").uid;
+  EXPECT_EQ(task("Structure").after,
+            (std::vector<Link>{{1, LinkType::FS, 86400, elapsed}, {survey, LinkType::FS, 0, {}}}));
+  EXPECT_EQ(task("clean").after, (std::vector<Link>{{2, LinkType::FS, 8 * 3600, elapsed}}));
+  EXPECT_EQ(task("Handover").after, (std::vector<Link>{{2, LinkType::SS, 0, {}}}));
+  EXPECT_TRUE(reading_.said.empty()) << testing::PrintToString(reading_.said);
+}
+
+TEST_F(LinkedHeading, whose_end_waits_for_what_is_not_below_it_is_told) {
+  replace("after walls, roof;", "after walls, roof, survey;");
+  lines("  task survey { takes 8 h; }");
+  EXPECT_TRUE(reading_.says("I09", "that 'structure_ends' waits for 'survey' is left out"));
+}
+
+TEST_F(LinkedHeading, is_known_by_a_name_that_is_too_long_for_its_milestones) {
+  take("Structure of the north wing with all that stands on it");
+  EXPECT_TRUE(project_of_plan(text_).project == project_) << text_;
+  replace("  task handover {", "  task survey { takes 8 h; }\n  task handover {");
+  EXPECT_EQ(lines("").at(5), "1 survey");
 }
 
 TEST_F(EditedPlan, tasks_taken_out_are_gone_with_their_links) {

@@ -167,18 +167,25 @@ TEST(Mspdi, lists_what_it_does_not_understand_once_a_kind_at_its_place) {
 
 TEST(Mspdi, leaves_wrong_values_out_and_says_so) {
   const Reading reading = two_tasks(
-      "<Start>2026-02-30T07:00:00</Start><Duration>a day</Duration><Priority>high</Priority>"
+      "<Start>2026-02-30T07:00:00</Start><Work>a day</Work><Priority>high</Priority>"
       "<DurationFormat>99</DurationFormat><ConstraintType>12</ConstraintType><Milestone>no</"
       "Milestone>"
       "<PercentComplete>1e99</PercentComplete><FixedCost>nan</FixedCost>" +
       link(1, 9, 0, 7));
   ASSERT_TRUE(reading.project);
-  for (const char* word : {"Start of Task, found '2026-02-30T07:00:00'", "Duration of Task",
+  for (const char* word : {"Start of Task, found '2026-02-30T07:00:00'", "Work of Task",
                            "Priority of Task", "DurationFormat", "ConstraintType", "Milestone",
                            "PercentComplete", "FixedCost", "type of link"}) {
     EXPECT_TRUE(reading.says("I03", word)) << word;
   }
   EXPECT_EQ(reading.project->tasks[1].after[0].type, LinkType::FS);
+}
+
+TEST(Mspdi, a_task_whose_duration_cannot_be_read_is_an_error_a_heading_is_none) {
+  const Reading task = two_tasks("<Duration>a day</Duration>");
+  EXPECT_FALSE(task.project);
+  EXPECT_TRUE(task.says("I03", "Duration of Task, found 'a day'"));
+  EXPECT_TRUE(two_tasks("<Summary>1</Summary><Duration>a day</Duration>").project);
 }
 
 TEST(Mspdi, gives_new_numbers_to_doubles) {

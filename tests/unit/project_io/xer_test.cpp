@@ -3,6 +3,7 @@
 
 #include "src/exchange/project_io/value_text.hpp"
 #include "src/exchange/project_io/xer_calendar.hpp"
+#include "src/exchange/project_io/xer_number.hpp"
 #include "tests/unit/project_io/project_support.hpp"
 #include "tests/unit/project_io/sample_files_io.hpp"
 
@@ -112,12 +113,36 @@ TEST_F(Xer, lists_what_it_does_not_understand) {
   EXPECT_FALSE(reading_.says("I03", ""));
 }
 
+TEST_F(Xer, of_several_projects_takes_the_one_that_was_exported) {
+  const auto schedule = [](const std::string& projects) {
+    return read_schedule(
+        "ERMHDR\t1\n%T\tPROJECT\n%F\tproj_id\tproj_short_name\texport_flag\n" + projects +
+        "%T\tTASK\n%F\ttask_id\tproj_id\ttask_name\n%R\t2\t2\thandover\n%R\t10\t1\tdig\n%R\t30"
+        "\t3\troof\n%E\n");
+  };
+  const std::string linked = "%R\t2\tENABLING\tN\n", exported = "%R\t1\tMAIN\tY\n",
+                    other = "%R\t3\tOTHER\tY\n", empty = "%R\t4\tEMPTY\tY\n";
+  for (const std::string& projects :
+       {linked + exported, exported + linked, empty + linked + exported + other}) {
+    const Reading reading = schedule(projects);
+    ASSERT_TRUE(reading.project);
+    EXPECT_EQ(reading.project->name, "MAIN");
+    EXPECT_EQ(reading.project->tasks.size(), 1u);
+    EXPECT_TRUE(reading.says("I07", "'ENABLING' is left out: it was not exported"));
+    EXPECT_FALSE(reading.says("I07", "export_flag"));
+  }
+  EXPECT_TRUE(schedule(exported + other).says("I07", "'OTHER' is left out: one plan holds one"));
+  // Where none is said to be exported, the first with activities.
+  EXPECT_EQ(schedule("%R\t4\tEMPTY\t\n%R\t3\tOTHER\tN\n").project->name, "OTHER");
+  EXPECT_TRUE(schedule(empty + linked).says("I02", "no project"));
+}
+
 TEST_F(Xer, says_what_is_wrong_with_rows) {
   const Reading reading = read_schedule(
       "ERMHDR\t1\n%R\t1\n%T\tPROJECT\n%F\tproj_id\n%R\t1\t2\n%T\tPROJWBS\n%F\twbs_id\tproj_"
       "id\tparent_wbs_id\n"
       "%R\t5\t1\t6\n%R\t6\t1\t5\n%R\t6\t1\t\n"
-      "%T\tTASK\n%F\ttask_id\tproj_id\twbs_id\ttarget_drtn_hr_cnt\tcstr_type\n%R\tx\t1\t6\t1e9\tCS_"
+      "%T\tTASK\n%F\ttask_id\tproj_id\twbs_id\ttarget_work_qty\tcstr_type\n%R\tx\t1\t6\t1e9\tCS_"
       "ODD\n%R\t2\t1\t\tten\t\n"
       "%T\tCALENDAR\n%F\tclndr_id\tclndr_data\n%R\t1\t(0||Calendar\n"
       "%T\tTASKPRED\n%F\ttask_id\tpred_task_id\tpred_type\n%R\t2\t9\tPR_X\n%R\t77\t2\tPR_FS\n");
@@ -130,7 +155,7 @@ TEST_F(Xer, says_what_is_wrong_with_rows) {
            {"I03", "expected a number in column task_id"},
            {"I03", "no sensible time"},
            {"I03", "unknown constraint 'CS_ODD'"},
-           {"I03", "target_drtn_hr_cnt of TASK, found 'ten'"},
+           {"I03", "target_work_qty of TASK, found 'ten'; left out"},
            {"I03", "could not be read to the end"},
            {"I03", "expected PR_FS"},
            {"I05", "no activity 77"},
@@ -140,6 +165,74 @@ TEST_F(Xer, says_what_is_wrong_with_rows) {
     EXPECT_TRUE(reading.says(code, words)) << words << "\n" << testing::PrintToString(reading.said);
   }
   EXPECT_TRUE(read_schedule("ERMHDR\t1\n%E\n").says("I02", "no project"));
+}
+
+TEST_F(Xer, numbers_have_the_decimal_symbol_of_the_currency_of_the_file) {
+  const std::vector<std::tuple<const char*, const char*, double>> good = {
+      {"7,5", ",", 7.5},     {"-2,25", ",", -2.25},      {"8", ",", 8},
+      {"1500", ",", 1500},   {"1,500", ",", 1.5},        {"7.5", ",", 7.5},
+      {"0.125", ",", 0.125}, {"1234.5", ",", 1234.5},    {"7.5", ".", 7.5},
+      {"1.500", ".", 1.5},   {"7\u066b5", "\u066b", 7.5}};
+  for (const auto& [text, decimal, expected] : good) {
+    double value = -1;
+    EXPECT_TRUE(read_xer_number(text, decimal, value)) << text;
+    EXPECT_EQ(value, expected) << text;
+  }
+  for (const auto& [text, decimal] :
+       std::vector<std::pair<const char*, const char*>>{{"1.500", ","},
+                                                        {"-12.000", ","},
+                                                        {"1.234,5", ","},
+                                                        {"7,5,1", ","},
+                                                        {",", ","},
+                                                        {"7,5", "."},
+                                                        {"1,500", "."},
+                                                        {"seven", ","}}) {
+    double value = -1;
+    EXPECT_FALSE(read_xer_number(text, decimal, value)) << text;
+    EXPECT_EQ(value, -1) << text;
+  }
+}
+
+TEST_F(Xer, takes_the_currency_that_its_header_names) {
+  const auto schedule = [](const char* header, const char* hours) {
+    return read_schedule(std::string("ERMHDR\t1\t2026-01-05\tProject\ta\tA\tdb\tPM") + header +
+                         "\n%T\tCURRTYPE\n%F\tcurr_short_name\tcurr_symbol\tdecimal_symbol\n"
+                         "%R\tUSD\t$\t.\n%R\tEUR\tE\t,\n%T\tPROJECT\n%F\tproj_id\n%R\t1\n"
+                         "%T\tTASK\n%F\ttask_id\tproj_id\ttarget_drtn_hr_cnt\n%R\t1\t1\t" +
+                         hours + "\n%E\n");
+  };
+  const Reading euro = schedule("\tEUR", "7,5");
+  ASSERT_TRUE(euro.project);
+  EXPECT_EQ(euro.project->currency_symbol, "E");
+  EXPECT_EQ(euro.project->tasks.at(0).duration.seconds, 27000);
+  EXPECT_FALSE(euro.says("I03", ""));
+  const Reading none = schedule("", "7.5");
+  ASSERT_TRUE(none.project);
+  EXPECT_EQ(none.project->currency_symbol, "$");
+  EXPECT_EQ(none.project->tasks.at(0).duration.seconds, 27000);
+  EXPECT_FALSE(schedule("\tUSD", "7,5").project);
+}
+
+TEST_F(Xer, without_its_durations_and_lags_it_is_no_schedule) {
+  const auto schedule = [](const std::string& hours, const std::string& lag) {
+    return read_schedule(
+        "ERMHDR\t1\n%T\tPROJECT\n%F\tproj_id\n%R\t1\n"
+        "%T\tTASK\n%F\ttask_id\tproj_id\ttarget_drtn_hr_cnt\n%R\t1\t1\t8\n%R\t2\t1\t" +
+        hours +
+        "\n%T\tTASKPRED\n%F\ttask_id\tpred_task_id\tpred_type\tlag_hr_cnt\n%R\t2\t1\tPR_FS\t" +
+        lag + "\n%E\n");
+  };
+  EXPECT_TRUE(schedule("8", "-4.5").project);
+  for (const auto& [hours, lag, words] :
+       std::vector<std::tuple<const char*, const char*, const char*>>{
+           {"ten", "0", "expected a number in column target_drtn_hr_cnt of TASK, found 'ten'"},
+           {"-8", "0", "expected 0 hours or more in column target_drtn_hr_cnt of TASK"},
+           {"1e9", "0", "1000000000 hours in column target_drtn_hr_cnt is no sensible time"},
+           {"8", "4,5", "expected a number in column lag_hr_cnt of TASKPRED, found '4,5'"}}) {
+    const Reading reading = schedule(hours, lag);
+    EXPECT_FALSE(reading.project) << words;
+    EXPECT_TRUE(reading.says("I03", words)) << testing::PrintToString(reading.said);
+  }
 }
 
 TEST_F(Xer, calendar_data_of_any_text_is_read_without_harm) {

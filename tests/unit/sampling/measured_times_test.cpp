@@ -43,6 +43,9 @@ TEST(MeasuredTimes, FindsAColumnByNameOrNumber) {
   EXPECT_EQ(times_of(table, {{}, 3, 1}).times, (std::vector<double>{7, 8, 9}));
   EXPECT_EQ(times_of("1,2\n3,4\n", {{}, 2, 1}).times, (std::vector<double>{2, 4}));
   EXPECT_EQ(times_of("a\tb\n3\t4\n", {"b", {}, 1}).column, 2);
+  // Lines may end sooner; what stands behind the last column is no time unless commas part fields.
+  EXPECT_EQ(times_of("a,b\n3\n4,5,\n", {"a", {}, 1}).times, (std::vector<double>{3, 4}));
+  EXPECT_EQ(times_of("a;b\n3;4;late\n", {"b", {}, 1}).times, (std::vector<double>{4}));
 }
 
 TEST(MeasuredTimes, SaysWhatIsWrongAndWhere) {
@@ -58,6 +61,15 @@ TEST(MeasuredTimes, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(fault_of("2min\n"), Fault("expected a time, found '2min'", "2min"));
   EXPECT_EQ(fault_of("1,5\n2,5\n").first, "this line has 2 fields; expected one time");
   EXPECT_EQ(fault_of("a;b\n1;2,5\n", {"b", {}, 1}), Fault("expected a time, found '2,5'", "2,5"));
+  // One field more than there are columns: a decimal comma.
+  EXPECT_EQ(fault_of("hook time\n2,9\n3,9\n", {"hook time", {}, 1}),
+            Fault("this line has 2 fields, the first line has 1", "2,9"));
+  EXPECT_EQ(fault_of("hook time\r\n3\r\n2,9\r\n", {{}, 1, 1}),
+            Fault("this line has 2 fields, the first line has 1", "2,9"));
+  EXPECT_EQ(fault_of("lift,hook\n1,2,9\n", {"hook", {}, 1}),
+            Fault("this line has 3 fields, the first line has 2", "1,2,9"));
+  EXPECT_EQ(fault_of("3\n2,9\n", {{}, 1, 1}),
+            Fault("this line has 2 fields, the first line has 1", "2,9"));
   EXPECT_EQ(fault_of("a,b\n1,2\n", {{}, 3, 1}).first, "there is no column 3; the first line has 2");
   EXPECT_EQ(fault_of("a,b\n1,2\n", {"c", {}, 1}).first,
             "there is no column 'c'; the first line has: a, b");
