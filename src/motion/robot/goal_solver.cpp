@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "src/motion/math/turns.hpp"
@@ -225,6 +226,10 @@ bool finite(std::span<const double> values) {
                      [](double value) { return std::isfinite(value); });
 }
 
+/// m: a robot that stands farther from the origin is solved as if it stood there. Of a redundant
+/// arm at 9 km, rounding chose another posture.
+constexpr double kFarFromOrigin = 1000;
+
 }  // namespace
 
 GoalState search_goal(const GoalProblem& problem) { return GoalSearch(problem).run(); }
@@ -244,8 +249,15 @@ GoalSolution solve_goal(const RobotModel& model, const Mounting& mounting,
     solution.position_error = solution.orientation_error = std::numeric_limits<double>::infinity();
     return solution;
   }
+  Pose X_NG = X_WG;
+  std::optional<Mounting> near;
+  if (mounting.X_WM.translation().norm() > kFarFromOrigin) {
+    near = mounting;
+    near->X_WM.translation().setZero();
+    X_NG.translation() -= mounting.X_WM.translation();
+  }
   const GoalChain chain(model, clauses);
-  const GoalProblem problem(chain, mounting, solution.q, X_WG);
+  const GoalProblem problem(chain, near ? *near : mounting, solution.q, X_NG);
   const bool plain = clauses.free == FreeTurn::none;
   GoalState state = problem.at(solution.q);
   if (!problem.solved(state)) {
