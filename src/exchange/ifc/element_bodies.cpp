@@ -14,6 +14,9 @@ namespace rubicon::ifc {
 
 namespace {
 
+/// More bodies than these, such as the bars of a cage, are taken as they are.
+constexpr std::size_t kMostTakenApart = 100;
+
 class BodyReader {
  public:
   BodyReader(const StepFile& file, const IfcModel& model, WorkBudget& budget)
@@ -39,6 +42,7 @@ class BodyReader {
     if (projections != projections_.end()) {
       for (const std::uint64_t id : projections->second) add_projection(element, id, *bodies);
     }
+    take_apart(*bodies);
     ElementBody result;
     for (const Solid& solid : bodies->solids) append(solid, result.solid);
     std::sort(bodies->notes.begin(), bodies->notes.end());
@@ -105,8 +109,9 @@ class BodyReader {
     }
     Bodies met;
     for (const Solid& solid : bodies.solids) {
+      const Box box = box_of(solid);
       const bool meets = std::any_of(more->solids.begin(), more->solids.end(),
-                                     [&](const Solid& each) { return overlap(solid, each); });
+                                     [&](const Solid& each) { return overlap(box, box_of(each)); });
       if (meets) met.solids.push_back(solid);
     }
     std::optional<std::vector<Cell>> cells = cells_of(met, budget_);
@@ -120,21 +125,57 @@ class BodyReader {
     bodies.notes.insert(bodies.notes.end(), more->notes.begin(), more->notes.end());
   }
 
-  /// Whether the boxes around two bodies have more than a face in common.
-  static bool overlap(const Solid& a, const Solid& b) {
-    math::Vec3 low = math::Vec3::Constant(-std::numeric_limits<double>::infinity());
-    math::Vec3 high = -low;
-    for (const Solid* each : {&a, &b}) {
-      math::Vec3 from = math::Vec3::Constant(std::numeric_limits<double>::infinity());
-      math::Vec3 to = -from;
-      for (const math::Vec3& p : each->points) {
-        from = from.cwiseMin(p);
-        to = to.cwiseMax(p);
+  /// Takes from each body what those before it fill already: an L of two walls has its corner once.
+  void take_apart(Bodies& bodies) {
+    if (bodies.solids.size() < 2 || bodies.solids.size() > kMostTakenApart) return;
+    Bodies apart;
+    std::vector<Box> boxes;
+    for (Solid& solid : bodies.solids) {
+      const Box box = box_of(solid);
+      Bodies met;
+      for (std::size_t i = 0; i < apart.solids.size(); ++i) {
+        if (overlap(box, boxes[i])) met.solids.push_back(apart.solids[i]);
       }
-      low = low.cwiseMax(from);
-      high = high.cwiseMin(to);
+      Bodies left{{std::move(solid)}, {}};
+      if (!met.solids.empty()) take_away(met, left);
+      for (Solid& each : left.solids) {
+        boxes.push_back(box_of(each));
+        apart.solids.push_back(std::move(each));
+      }
+      bodies.notes.insert(bodies.notes.end(), left.notes.begin(), left.notes.end());
     }
-    return (high - low).minCoeff() > kOnPlane;
+    bodies.solids = std::move(apart.solids);
+  }
+
+  void take_away(const Bodies& met, Bodies& from) {
+    const bool closed = std::all_of(met.solids.begin(), met.solids.end(),
+                                    [](const Solid& each) { return is_closed(welded(each)); });
+    if (!closed) return;  // it has no volume
+    std::optional<std::vector<Cell>> cells = cells_of(met, budget_);
+    if (cells) {
+      cut_bodies(from, {{std::move(*cells), "what two of its bodies have in common"}}, budget_);
+    } else {
+      from.notes.emplace_back("what two of its bodies may have in common counts twice");
+    }
+  }
+
+  struct Box {
+    math::Vec3 low = math::Vec3::Constant(std::numeric_limits<double>::infinity());
+    math::Vec3 high = -low;
+  };
+
+  static Box box_of(const Solid& solid) {
+    Box box;
+    for (const math::Vec3& p : solid.points) {
+      box.low = box.low.cwiseMin(p);
+      box.high = box.high.cwiseMax(p);
+    }
+    return box;
+  }
+
+  /// Whether two boxes have more than a face in common.
+  static bool overlap(const Box& a, const Box& b) {
+    return (a.high.cwiseMin(b.high) - a.low.cwiseMax(b.low)).minCoeff() > kOnPlane;
   }
 
   const StepFile& file_;

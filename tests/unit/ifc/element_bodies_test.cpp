@@ -94,6 +94,23 @@ TEST(ElementBodies, WhatProjectsIsAPartOfItsElementAndCountsOnce) {
   EXPECT_NEAR(volume_of(with_projection("0.1", "0.1")[0]->solid), 5.4, 1e-9);
 }
 
+/// Two blocks of 2 x 1 x 1 m, the second moved along x.
+TEST(ElementBodies, WhatTwoBodiesHaveInCommonCountsOnce) {
+  for (const auto& [x, volume] :
+       {std::pair("1.", 3.0), std::pair("0.5", 2.5), std::pair("2.", 4.0), std::pair("5.", 4.0)}) {
+    const auto bodies = bodies_of(
+        "#1000= IFCBOOLEANRESULT(.UNION.,#1010,#1011);\n#1010= IFCBLOCK(#1001,2.,1.,1.);\n"
+        "#1011= IFCBLOCK(#1012,2.,1.,1.);\n#1012= IFCAXIS2PLACEMENT3D(#1013,$,$);\n"
+        "#1013= IFCCARTESIANPOINT((" +
+        std::string(x) + ",0.,0.));\n");
+    ASSERT_EQ(bodies.size(), 1U);
+    ASSERT_TRUE(bodies[0]);
+    EXPECT_NEAR(volume_of(bodies[0]->solid), volume, 1e-9) << x;
+    EXPECT_TRUE(is_closed(bodies[0]->solid)) << x;
+    EXPECT_TRUE(bodies[0]->notes.empty()) << x;
+  }
+}
+
 TEST(ElementBodies, AProjectionThatCannotBeReadIsNoted) {
   const auto bodies = with_projection("0.3", "0.5", "#600005");
   ASSERT_EQ(bodies.size(), 1U);
