@@ -6,8 +6,8 @@
 namespace rubicon::grammar {
 
 // Frames.
-struct frame_word : token<sor<word<TAO_PEGTL_STRING("trans")>, word<TAO_PEGTL_STRING("rotx")>,
-                              word<TAO_PEGTL_STRING("roty")>, word<TAO_PEGTL_STRING("rotz")>>> {};
+struct frame_word : token<sor<word<exact<"trans">>, word<exact<"rotx">>, word<exact<"roty">>,
+                              word<exact<"rotz">>>> {};
 struct frame_open : open_parenthesis {};
 struct frame_argument : expression {};
 struct frame_close : close_parenthesis {};
@@ -20,7 +20,7 @@ struct frame_factor : sor<frame_element, frame_node> {};
 struct frame : seq<frame_factor, star<if_must<star_sign, frame_factor>>> {};
 
 // Shapes.
-struct at_key : token<word<TAO_PEGTL_STRING("at")>> {};
+struct at_key : token<word<exact<"at">>> {};
 struct shape_frame : frame {};
 struct shape_at : if_must<at_key, shape_frame> {};
 
@@ -30,15 +30,15 @@ struct shape_close : close_parenthesis {};
 /// In robots a number with a sign, in plans what is computed.
 struct computed_number : seq<ask<Query::computes_numbers>, quantity> {};
 
-struct mesh_name : token<word<TAO_PEGTL_STRING("mesh")>> {};
+struct mesh_name : token<word<exact<"mesh">>> {};
 struct mesh_file : string_literal {};
-struct scale_key : token<word<TAO_PEGTL_STRING("scale")>> {};
+struct scale_key : token<word<exact<"scale">>> {};
 struct mesh_scale : sor<computed_number, signed_number> {};
-struct up_key : token<word<TAO_PEGTL_STRING("up")>> {};
+struct up_key : token<word<exact<"up">>> {};
 struct mesh_up : name {};
-struct part_key : token<word<TAO_PEGTL_STRING("part")>> {};
+struct part_key : token<word<exact<"part">>> {};
 struct mesh_part : string_literal {};
-struct mesh_hull : token<word<TAO_PEGTL_STRING("hull")>> {};
+struct mesh_hull : token<word<exact<"hull">>> {};
 struct mesh_unit : name {};
 struct mesh_option : sor<if_must<scale_key, mesh_scale>, if_must<up_key, mesh_up>,
                          if_must<part_key, mesh_part>, mesh_hull, mesh_unit> {};

@@ -1,12 +1,28 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <tao/pegtl.hpp>
+#include <utility>
 
 /// The tokens of scripts, robots and plans. Every token takes the white space and comments behind
 /// it, so that a rule that fails after a token fails exactly where the next token stands.
 namespace rubicon::grammar {
 
 using namespace tao::pegtl;
+
+/// A text as an argument of a template.
+template <std::size_t Size>
+struct Letters {
+  constexpr Letters(const char (&text)[Size]) { std::copy_n(text, Size, each); }
+  char each[Size] = {};
+};
+
+template <Letters Text, std::size_t... Places>
+string<Text.each[Places]...> string_of(std::index_sequence<Places...>);
+/// exact<"to"> is string<'t', 'o'>. PEGTL's macro for that compiles twenty times as long.
+template <Letters Text>
+using exact = decltype(string_of<Text>(std::make_index_sequence<sizeof(Text.each) - 1>()));
 
 // White space.
 struct line_comment : seq<sor<one<'#'>, two<'/'>>, until<at<eolf>>> {};
@@ -43,23 +59,23 @@ struct identifier_text : seq<name_first, star<name_other>> {};
 template <typename Word>
 struct word : seq<at<Word, not_at<name_other>>, Word> {};
 
-struct chain_word : word<TAO_PEGTL_STRING("chain")> {};
-struct cycle_word : word<TAO_PEGTL_STRING("cycle")> {};
-struct first_word : word<TAO_PEGTL_STRING("first")> {};
-struct together_word : word<TAO_PEGTL_STRING("together")> {};
-struct each_word : word<TAO_PEGTL_STRING("each")> {};
-struct which_word : word<TAO_PEGTL_STRING("which")> {};
-struct when_word : word<TAO_PEGTL_STRING("when")> {};
-struct default_word : word<TAO_PEGTL_STRING("default")> {};
-struct until_word : word<TAO_PEGTL_STRING("until")> {};
-struct move_to_word : word<TAO_PEGTL_STRING("move_to")> {};
-struct move_dir_word : word<TAO_PEGTL_STRING("move_dir")> {};
-struct var_word : word<TAO_PEGTL_STRING("var")> {};
-struct and_word : word<TAO_PEGTL_STRING("and")> {};
-struct or_word : word<TAO_PEGTL_STRING("or")> {};
-struct not_word : word<TAO_PEGTL_STRING("not")> {};
-struct wait_word : word<TAO_PEGTL_STRING("wait")> {};
-struct behaviour_word : word<sor<TAO_PEGTL_STRING("behaviour"), TAO_PEGTL_STRING("behavior")>> {};
+struct chain_word : word<exact<"chain">> {};
+struct cycle_word : word<exact<"cycle">> {};
+struct first_word : word<exact<"first">> {};
+struct together_word : word<exact<"together">> {};
+struct each_word : word<exact<"each">> {};
+struct which_word : word<exact<"which">> {};
+struct when_word : word<exact<"when">> {};
+struct default_word : word<exact<"default">> {};
+struct until_word : word<exact<"until">> {};
+struct move_to_word : word<exact<"move_to">> {};
+struct move_dir_word : word<exact<"move_dir">> {};
+struct var_word : word<exact<"var">> {};
+struct and_word : word<exact<"and">> {};
+struct or_word : word<exact<"or">> {};
+struct not_word : word<exact<"not">> {};
+struct wait_word : word<exact<"wait">> {};
+struct behaviour_word : word<sor<exact<"behaviour">, exact<"behavior">>> {};
 
 struct reserved_word
     : seq<at<one<'a', 'b', 'c', 'd', 'e', 'f', 'm', 'n', 'o', 't', 'u', 'v', 'w'>>,
@@ -95,35 +111,35 @@ struct exponent : seq<one<'e', 'E'>, opt<one<'+', '-'>>, digits> {};
 struct number_text
     : seq<sor<seq<digits, opt<one<'.'>, digits>>, seq<one<'.'>, digits>>, opt<exponent>> {};
 
+/// m2 or m², m3 or m³.
+struct squared : sor<one<'2'>, utf8::one<0xB2>> {};
+struct cubed : sor<one<'3'>, utf8::one<0xB3>> {};
 /// Longest first; `m/s` is one unit, without space inside.
 struct simple_unit
-    : sor<word<TAO_PEGTL_STRING("mm/s2")>, word<TAO_PEGTL_STRING("deg/s2")>,
-          word<TAO_PEGTL_STRING("rad/s2")>, word<TAO_PEGTL_STRING("m/s2")>,
-          word<TAO_PEGTL_STRING("mm/s")>, word<TAO_PEGTL_STRING("deg/s")>,
-          word<TAO_PEGTL_STRING("rad/s")>, word<TAO_PEGTL_STRING("km/h")>,
-          word<TAO_PEGTL_STRING("m/s")>, word<TAO_PEGTL_STRING("mm")>, word<TAO_PEGTL_STRING("cm")>,
-          word<TAO_PEGTL_STRING("min")>, word<TAO_PEGTL_STRING("deg")>,
-          word<TAO_PEGTL_STRING("rad")>, word<TAO_PEGTL_STRING("rpm")>,
-          word<TAO_PEGTL_STRING("kg/m3")>, word<TAO_PEGTL_STRING("t/m3")>,
-          word<TAO_PEGTL_STRING("kg")>, word<TAO_PEGTL_STRING("m2")>, word<TAO_PEGTL_STRING("m3")>,
-          word<one<'m'>>, word<one<'s'>>, word<one<'h'>>, word<one<'t'>>, word<one<'l'>>> {};
-struct per_unit : seq<word<TAO_PEGTL_STRING("per")>, plus<blank>, simple_unit> {};
+    : sor<word<seq<exact<"mm/s">, squared>>, word<seq<exact<"deg/s">, squared>>,
+          word<seq<exact<"rad/s">, squared>>, word<seq<exact<"m/s">, squared>>, word<exact<"mm/s">>,
+          word<exact<"deg/s">>, word<exact<"rad/s">>, word<exact<"km/h">>, word<exact<"m/s">>,
+          word<exact<"mm">>, word<exact<"cm">>, word<exact<"min">>, word<exact<"deg">>,
+          word<exact<"rad">>, word<exact<"rpm">>, word<seq<exact<"kg/m">, cubed>>,
+          word<seq<exact<"t/m">, cubed>>, word<exact<"kg">>, word<seq<one<'m'>, squared>>,
+          word<seq<one<'m'>, cubed>>, word<one<'m'>>, word<one<'s'>>, word<one<'h'>>,
+          word<one<'t'>>, word<one<'l'>>> {};
+struct per_unit : seq<word<exact<"per">>, plus<blank>, simple_unit> {};
 /// m, t per m3, per h.
 struct unit_text : sor<seq<simple_unit, opt<seq<plus<blank>, per_unit>>>, per_unit> {};
 
 /// Words that may follow a number without being its unit: what follows it in a plan or a condition,
 /// and parameters (a comma was forgotten) or calls (an operator was).
 struct follows_number
-    : sor<reserved_word, word<TAO_PEGTL_STRING("by")>, word<TAO_PEGTL_STRING("at")>,
-          word<TAO_PEGTL_STRING("as")>, word<TAO_PEGTL_STRING("after")>,
-          word<TAO_PEGTL_STRING("to")>, word<TAO_PEGTL_STRING("of")>,
-          word<TAO_PEGTL_STRING("outside")>,
-          seq<word<TAO_PEGTL_STRING("per")>, plus<blank>, word<TAO_PEGTL_STRING("day")>>,
-          word<one<'x', 'y', 'z'>>, word<TAO_PEGTL_STRING("psi")>, word<TAO_PEGTL_STRING("phi")>,
-          word<TAO_PEGTL_STRING("theta")>, word<greek_letter>,
+    : sor<reserved_word, word<exact<"by">>, word<exact<"at">>, word<exact<"as">>,
+          word<exact<"after">>, word<exact<"to">>, word<exact<"of">>, word<exact<"outside">>,
+          seq<word<exact<"per">>, plus<blank>, word<exact<"day">>>, word<one<'x', 'y', 'z'>>,
+          word<exact<"psi">>, word<exact<"phi">>, word<exact<"theta">>, word<greek_letter>,
           seq<identifier_text, star<blank>, one<'(', '.', '{', ':', '='>>> {};
 /// Any other word in a unit's place is a misspelt unit; an action reports it.
-struct unknown_unit : seq<not_at<follows_number>, identifier_text> {};
+struct unknown_unit
+    : seq<not_at<follows_number>,
+          sor<seq<word<exact<"per">>, plus<blank>, identifier_text>, identifier_text>> {};
 
 /// 30, 2.5 mm, 6 m/s, 180 per h; the unit on the same line, with or without a blank.
 struct number : token<number_text, opt<seq<star<blank>, sor<unit_text, unknown_unit>>>> {};

@@ -32,7 +32,7 @@ struct wait_key : token<wait_word> {};
 
 /// The only outcome that a script may name is `unreachable`. No reserved word: what counts is the
 /// parenthesis behind it.
-struct stop_word : word<TAO_PEGTL_STRING("stop")> {};
+struct stop_word : word<exact<"stop">> {};
 struct stop_ahead : at<stop_word, space, one<'('>> {};
 struct stop_key : token<stop_word> {};
 struct stop_open : open_parenthesis {};

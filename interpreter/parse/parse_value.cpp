@@ -76,6 +76,16 @@ std::string_view look_up(std::span<const std::pair<std::string_view, std::string
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
+/// m3 for m³.
+std::string with_plain_digits(std::string_view unit) {
+  std::string plain(unit);
+  for (const auto& [raised, digit] : {std::pair{"\u00b2", "2"}, std::pair{"\u00b3", "3"}}) {
+    const std::size_t at = plain.find(raised);
+    if (at != std::string::npos) plain.replace(at, std::string_view(raised).size(), digit);
+  }
+  return plain;
+}
+
 const Unit* find_unit(std::string_view text) {
   for (const Unit& unit : kUnits) {
     if (unit.text == text) return &unit;
@@ -156,11 +166,11 @@ void ParseState::set_number(const char* from, const char* to) {
 
 void ParseState::set_unit(const char* from, const char* to) {
   number.span.end = static_cast<std::uint32_t>(to - begin_);
-  std::vector<std::string_view> words;
+  std::vector<std::string> words;
   for (const char* at = from; at != to;) {
     const char* end = at;
     while (end != to && !is_blank(*end)) ++end;
-    words.emplace_back(at, static_cast<std::size_t>(end - at));
+    words.push_back(with_plain_digits({at, static_cast<std::size_t>(end - at)}));
     for (at = end; at != to && is_blank(*at);) ++at;
   }
   number.unit_text = fmt::format("{}", fmt::join(words, " "));
@@ -194,12 +204,16 @@ void ParseState::unknown_unit(const char* from, const char* to) {
     report(code_, from, to, fmt::format("unknown unit {}", found(from)), std::string(foreign));
     return;
   }
-  if (word == "per") {
-    const Token of = token(to);
-    const bool hours = of.is("hour") || of.is("hours") || of.is("hr");
-    report(code_, from, of.kind == Token::Kind::name ? of.end : to,
-           fmt::format("'per {}' is no unit", of.text()),
-           hours ? "write h: 140 per h" : "write for example 140 per h");
+  if (const std::size_t blank = word.find_last_of(" \t"); blank != std::string::npos) {  // per day
+    const std::string_view of = std::string_view(word).substr(blank + 1);
+    const std::string_view meant = look_up(kUnitWords, of);
+    report(code_, from, to, fmt::format("'per {}' is no unit", of),
+           meant.empty() ? std::string("write for example 140 per h")
+                         : fmt::format("write {}: 140 per {}", meant, meant));
+    if (const Unit* const unit = find_unit(meant)) {  // no second error of a wrong kind
+      number.dimension = combined({}, unit->dimension, -1);
+      number.unit = unit_kind(number.dimension);
+    }
     return;
   }
   const std::string_view meant = look_up(kUnitWords, word);

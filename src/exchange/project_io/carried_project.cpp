@@ -75,7 +75,8 @@ class BlockReader {
     } else if (keyword == "own_crew") {
       result_.own_crews.insert(record.name);
     } else if (keyword == "free_crew") {
-      result_.free_crews.insert(record.name);
+      CarriedReader reader(record);
+      reader("calendar", "", result_.free_crews.emplace(record.name, kNone).first->second);
     } else if (keyword == "crew_of") {
       CarriedReader reader(record);
       reader("resource", "", result_.crews_of[record.name]);

@@ -41,7 +41,8 @@ struct CarriedProject {
   std::vector<std::string> calendar_order, resource_order, task_order;
   std::set<std::string> milestones;  ///< tasks of the plan that are no line of the schedule
   std::set<std::string> own_crews;   ///< crews of the plan that are no resource
-  std::set<std::string> free_crews;  ///< crews that work at any time though their resource does not
+  /// Crews that do not have the calendar of their resource: the one that they have, or kNone.
+  std::map<std::string, std::int64_t> free_crews;
   /// Further crews of a resource that is not levelled, and its first.
   std::map<std::string, std::string> crews_of;
   std::vector<Assignment> assignments;

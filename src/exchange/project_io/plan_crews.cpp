@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <unordered_map>
 #include <utility>
 
 #include "src/exchange/project_io/crew_lanes.hpp"
+#include "src/exchange/project_io/plan_calendar.hpp"
 #include "src/exchange/project_io/plan_terms.hpp"
 
 namespace rubicon::project_io {
@@ -38,6 +40,37 @@ std::vector<TaskAndResource> workers_of(const Project& project,
   return pairs;
 }
 
+/// The hours of a week that all calendars so far have.
+class CommonHours {
+ public:
+  /// False, and nothing taken, if the calendar has no hour in common with those so far.
+  bool add(const Project& project, std::int64_t uid) {
+    const auto found = std::find_if(project.calendars.begin(), project.calendars.end(),
+                                    [&](const Calendar& each) { return each.uid == uid; });
+    if (found == project.calendars.end()) return true;
+    const auto plan = plan_calendar(project, *found, "");
+    if (!plan) return true;
+    std::array<DayTimes, 7> both;
+    bool any = false;
+    for (std::size_t day = 0; day < 7; ++day) {
+      for (const Interval& here : week_[day]) {
+        for (const Interval& there : plan->week[day]) {
+          const Interval common{std::max(here.from, there.from), std::min(here.to, there.to)};
+          if (common.from < common.to) both[day].push_back(common);
+        }
+      }
+      any |= !both[day].empty();
+    }
+    if (any) week_ = both;
+    return any;
+  }
+
+ private:
+  static constexpr int kDay = 24 * 60;  // min
+  std::array<DayTimes, 7> week_ = {DayTimes{{0, kDay}}, {{0, kDay}}, {{0, kDay}}, {{0, kDay}},
+                                   {{0, kDay}},         {{0, kDay}}, {{0, kDay}}};
+};
+
 /// Which crews are free of the calendar of their resource, and what then holds by itself.
 void free_crews(const Project& project, const PlanNetwork& network,
                 const std::vector<TaskAndResource>& pairs, PlanCrews& crews) {
@@ -45,19 +78,49 @@ void free_crews(const Project& project, const PlanNetwork& network,
     return network.tasks[task].planned && plan_seconds(project.tasks[task]) > 0 &&
            !runs_day_and_night(project.tasks[task]);
   };
+  const auto calendar_of = [&](std::size_t resource) {
+    return crew_calendar(project, project.resources[resource]);
+  };
   std::vector<std::size_t> nth(project.tasks.size(), 0);
   std::vector<std::string> names;  // by pair
+  std::vector<bool> by_itself;     // by pair: the task does not ask for the hours of this resource
+  std::map<std::size_t, CommonHours> common;
+  std::vector<std::int64_t> hours_of_task;  // by line: its own calendar, or that of the first on it
+  for (const Task& task : project.tasks) hours_of_task.push_back(task.calendar);
   for (const auto& [task, resource] : pairs) {
     names.push_back(crews.of_task[task][nth[task]++].crew);
-    if (works(task) && goes_by_itself(project.tasks[task])) crews.free.insert(names.back());
+    by_itself.push_back(works(task) && (goes_by_itself(project.tasks[task]) ||
+                                        (project.tasks[task].calendar != kNone &&
+                                         works_always(project, calendar_of(resource)))));
+    if (works(task) && !by_itself.back()) {
+      if (hours_of_task[task] == kNone) hours_of_task[task] = calendar_of(resource);
+      const auto [hours, is_first] = common.try_emplace(task);
+      if (is_first) hours->second.add(project, hours_of_task[task]);
+      if (!hours->second.add(project, calendar_of(resource))) {
+        by_itself.back() = true;
+        crews.apart.push_back({task, resource});
+      }
+    }
+    if (by_itself.back()) crews.free[names.back()] = kNone;
+  }
+  // A crew whose tasks all have the same hours has these, so that nights cost nothing.
+  std::map<std::string, std::set<std::int64_t>> hours;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [task, resource] = pairs[i];
+    if (!works(task) || !crews.free.contains(names[i])) continue;
+    hours[names[i]].insert(by_itself[i] ? hours_of_task[task] : calendar_of(resource));
+  }
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto found = crews.free.find(names[i]);
+    if (found == crews.free.end() || hours[names[i]].size() > 1) continue;
+    found->second = *hours[names[i]].begin();
+    if (found->second == calendar_of(pairs[i].second)) crews.free.erase(found);
   }
   crews.calendars.resize(project.tasks.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto& [task, resource] = pairs[i];
-    if (!works(task) || goes_by_itself(project.tasks[task]) || !crews.free.contains(names[i])) {
-      continue;
-    }
-    const std::int64_t calendar = crew_calendar(project, project.resources[resource]);
+    if (!works(task) || by_itself[i] || !crews.free.contains(names[i])) continue;
+    const std::int64_t calendar = calendar_of(resource);
     std::vector<std::int64_t>& known = crews.calendars[task];
     if (std::find(known.begin(), known.end(), calendar) == known.end()) known.push_back(calendar);
   }

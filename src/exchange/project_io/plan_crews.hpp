@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,9 +28,15 @@ struct PlanWorker {
 struct PlanCrews {
   std::vector<std::vector<std::string>> names;   ///< by resource: at least one
   std::vector<std::vector<PlanWorker>> of_task;  ///< by line of the schedule: who works on it
-  /// Crews that work at any time although their resource has a calendar, because a task of theirs
-  /// does not go by it.
-  std::set<std::string> free;
+  /// Crews that do not have the calendar of their resource, because a task of theirs does not go by
+  /// it: the calendar that all their tasks have, kNone (day and night) where these differ.
+  std::map<std::string, std::int64_t> free;
+  /// Who has no hour in common with the others on a task, and does not count for its hours.
+  struct Apart {
+    std::size_t task = 0;
+    std::size_t resource = 0;
+  };
+  std::vector<Apart> apart;
   /// By line of the schedule: calendars of the resources in such crews by which it does go.
   std::vector<std::vector<std::int64_t>> calendars;
 };

@@ -14,6 +14,15 @@ constexpr double kMaxCrew = 1e6;
 /// Largest cost per hour that is written; anything more is damage.
 constexpr double kMaxCost = 1e9;
 
+/// The number of at most 12 digits that is nearest to `value` > 0.
+double without_rounding(double value) {
+  constexpr int kDigits = 12;
+  const int behind_point = kDigits - 1 - static_cast<int>(std::floor(std::log10(value)));
+  if (behind_point < 0) return value;
+  const double scale = std::pow(10.0, behind_point);
+  return std::round(value * scale) / scale;
+}
+
 }  // namespace
 
 Moment plan_start(const Project& project) {
@@ -66,7 +75,8 @@ std::optional<double> cost_per_hour(const Resource& resource, double size) {
   if (resource.rate_format == kPerPiece) return std::nullopt;
   const double cost = resource.standard_rate * size;
   if (!(cost > 0) || cost > kMaxCost) return std::nullopt;
-  return cost;
+  // 123 shared by seven was written as 17.571428571428573: what comes back is 123 again.
+  return size == 1 ? cost : without_rounding(cost);
 }
 
 std::int64_t crew_calendar(const Project& project, const Resource& resource) {

@@ -230,8 +230,16 @@ class PlanWriter {
       const std::int64_t calendar = crew_calendar(project_, resource);
       for (const std::string& name : names) {
         out_ += fmt::format("crew {} {{\n{}", name, terms);
-        if (planned_calendars_.contains(calendar) && !crews_.free.contains(name)) {
-          out_ += fmt::format("calendar {};\n", calendar_name_.at(calendar));
+        const auto free = crews_.free.find(name);
+        const std::int64_t hours = free == crews_.free.end() ? calendar : free->second;
+        if (free != crews_.free.end() && hours == kNone && !terms.empty()) {
+          listing_.add("I08", "nights", {},
+                       fmt::format("the tasks of '{}' have different hours: in the plan it has no "
+                                   "calendar, and its cost counts nights and weekends too",
+                                   name));
+        }
+        if (planned_calendars_.contains(hours)) {
+          out_ += fmt::format("calendar {};\n", calendar_name_.at(hours));
         }
         out_ += "}\n";
       }
@@ -239,6 +247,13 @@ class PlanWriter {
   }
 
   void write_tasks() {
+    for (const PlanCrews::Apart& each : crews_.apart) {
+      listing_.add(
+          "I08", "hours apart", {},
+          fmt::format("'{}' has no hour in common with the others on task '{}': in the "
+                      "plan it is there in their hours",
+                      project_.resources[each.resource].name, project_.tasks[each.task].name));
+    }
     std::size_t milestone = 0;
     const auto write_milestones = [&](std::size_t until) {
       for (;
@@ -483,7 +498,11 @@ class PlanWriter {
         out_ += fmt::format("milestone {};\n", part.name);
       }
     }
-    for (const std::string& name : crews_.free) out_ += fmt::format("free_crew {};\n", name);
+    for (const auto& [name, calendar] : crews_.free) {
+      out_ += fmt::format("free_crew {}", name);
+      if (planned_calendars_.contains(calendar)) out_ += fmt::format(" calendar {}", calendar);
+      out_ += ";\n";
+    }
     for (const std::string& name : own_crews_) out_ += fmt::format("own_crew {};\n", name);
     carry_tasks();
     out_ += fixed_;

@@ -192,7 +192,9 @@ class ProjectBuilder {
 
   void take_crew(const interpreter::CrewSpec& crew, Resource& resource) {
     if (crew_size(resource) != crew.size) resource.max_units = crew.size;
-    const bool free = crew.calendar.empty() && carried_.free_crews.contains(crew.name);
+    const auto freed = carried_.free_crews.find(crew.name);
+    const bool free =
+        freed != carried_.free_crews.end() && uid_of_calendar(crew.calendar) == freed->second;
     const std::int64_t calendar = resource.calendar;
     take_terms(crew.cost_per_hour, crew.calendar, resource, crew.size);
     if (free) resource.calendar = calendar;

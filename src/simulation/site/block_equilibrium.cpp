@@ -55,48 +55,70 @@ struct Rows {
   }
 };
 
+/// The motion with the least cost that the rows allow, and the forces in the rows that prove it.
 struct Optimum {
-  std::vector<double> x;
-  std::vector<double> prices;  ///< of the rows
+  std::vector<double> motion;
+  std::vector<double> forces;
 };
 
-/// As `minimum`, without rows: each unknown goes where it costs least. The library must not be
-/// asked: without rows it makes no matrix, and ends in reading it.
-std::optional<Optimum> minimum_without_rows(const std::vector<double>& cost,
-                                            const std::vector<double>& least,
-                                            const std::vector<double>& most) {
-  Optimum found;
-  for (std::size_t i = 0; i < cost.size(); ++i) {
-    const double still = std::clamp(0.0, least[i], most[i]);
-    found.x.push_back(cost[i] > 0 ? least[i] : cost[i] < 0 ? most[i] : still);
-    if (!std::isfinite(found.x.back())) return std::nullopt;
+/// minimise x * cost, each x between -limit and limit, the rows at least 0 (or 0); or, with the
+/// limits as prices, minimise |x| * limit, x * cost at most -1. Nothing: not solved.
+///
+/// Solved as the dual programme, whose unknowns are the forces: it has six rows for each block, the
+/// programme of the motion has 32 for each contact, and the time goes with the square of the rows.
+enum class Goal { most_power, fewest_parts };
+std::optional<Optimum> minimum(const Rows& contacts, const std::vector<double>& cost,
+                               const std::vector<double>& limit, Goal goal, bool by_primal) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::size_t forces = contacts.lower.size();
+  // A row of the motion is a column of the forces.
+  Rows programme = contacts;
+  std::vector<double> price(forces, 0), least, most(forces, kInfinity);
+  for (const double upper : contacts.upper) least.push_back(upper > 0 ? 0 : -kInfinity);
+  std::vector<double> lower, upper;
+  const auto add_column = [&](double column_price) {
+    programme.starts.push_back(static_cast<CoinBigIndex>(programme.columns.size()));
+    price.push_back(column_price);
+    least.push_back(0);
+    most.push_back(kInfinity);
+  };
+  if (goal == Goal::most_power) {
+    // The weights are carried; what is not is the power of the motion.
+    lower = upper = cost;
+    for (std::size_t i = 0; i < cost.size(); ++i) {
+      for (const double sign : {1.0, -1.0}) {
+        programme.add(static_cast<int>(i), sign);
+        add_column(limit[i]);
+      }
+    }
+  } else {
+    for (const double each : limit) {
+      lower.push_back(each > 0 ? -each : -kInfinity);
+      upper.push_back(each > 0 ? each : kInfinity);
+    }
+    for (std::size_t i = 0; i < cost.size(); ++i) programme.add(static_cast<int>(i), -cost[i]);
+    add_column(-1);
   }
-  return found;
-}
-
-/// minimise cost * x, with bounds on x and on the rows; nothing: not solved.
-std::optional<Optimum> minimum(const Rows& rows, const std::vector<double>& cost,
-                               const std::vector<double>& least, const std::vector<double>& most,
-                               bool by_primal) {
-  if (rows.lower.empty()) return minimum_without_rows(cost, least, most);
   const std::unique_ptr<Clp_Simplex, decltype(&Clp_deleteModel)> model(Clp_newModel(),
                                                                        &Clp_deleteModel);
   Clp_setLogLevel(model.get(), 0);
-  Clp_resize(model.get(), 0, static_cast<int>(cost.size()));
-  Clp_chgColumnLower(model.get(), least.data());
-  Clp_chgColumnUpper(model.get(), most.data());
-  Clp_chgObjCoefficients(model.get(), cost.data());
-  Clp_addRows(model.get(), static_cast<int>(rows.lower.size()), rows.lower.data(),
-              rows.upper.data(), rows.starts.data(), rows.columns.data(), rows.values.data());
+  Clp_loadProblem(model.get(), static_cast<int>(price.size()), static_cast<int>(cost.size()),
+                  programme.starts.data(), programme.columns.data(), programme.values.data(),
+                  least.data(), most.data(), price.data(), lower.data(), upper.data());
   Clp_setPrimalTolerance(model.get(), kTolerance);
   Clp_setDualTolerance(model.get(), kTolerance);
   Clp_setMaximumIterations(model.get(), kMostIterations);
   Clp_scaling(model.get(), 0);  // lengths and weights are shares already
   by_primal ? Clp_primal(model.get(), 0) : Clp_dual(model.get(), 0);
   if (Clp_status(model.get()) != 0) return std::nullopt;
-  const double* const x = Clp_getColSolution(model.get());
-  const double* const prices = Clp_getRowPrice(model.get());
-  return Optimum{{x, x + cost.size()}, {prices, prices + rows.lower.size()}};
+  const double* const force = Clp_getColSolution(model.get());
+  Optimum found;
+  found.forces.assign(force, force + forces);
+  const double* const shadow = Clp_getRowPrice(model.get());
+  for (std::size_t i = 0; i < cost.size(); ++i) {
+    found.motion.push_back(limit[i] > 0 ? -shadow[i] : 0);
+  }
+  return found;
 }
 
 class Collapse {
@@ -125,18 +147,15 @@ class Collapse {
       if (!blocks_[i].braced) continue;
       for (const std::size_t axis : {0, 1, 3, 4, 5}) most[6 * i + axis] = 0;
     }
-    std::vector<double> least;
-    for (const double each : most) least.push_back(-each);
     for (const bool by_primal : {false, true}) {
-      const auto down = minimum(rows_, cost, least, most, by_primal);
+      const auto down = minimum(rows_, cost, most, Goal::most_power, by_primal);
       if (!down) continue;
       double power = 0;
-      for (std::size_t i = 0; i < down->x.size(); ++i) power -= cost[i] * down->x[i];
+      for (std::size_t i = 0; i < cost.size(); ++i) power -= cost[i] * down->motion[i];
       if (power <= kPower) {
-        if (forces_balance(down->prices, cost, most)) return none;
-      } else if (is_free(down->x)) {
-        const auto fewest = with_fewest_parts(cost, most, power);
-        return moving(fewest ? *fewest : down->x);
+        if (forces_balance(down->forces, cost, most)) return none;
+      } else if (is_free(down->motion)) {
+        return moving(with_fewest_parts(cost, most, power).value_or(down->motion));
       }
     }
     return std::nullopt;
@@ -227,13 +246,13 @@ class Collapse {
     }
   }
 
-  /// Whether the prices of the rows, as forces along the edges of the pyramids, carry all weights.
-  bool forces_balance(const std::vector<double>& prices, const std::vector<double>& cost,
+  /// Whether the forces along the edges of the pyramids carry all weights.
+  bool forces_balance(const std::vector<double>& forces, const std::vector<double>& cost,
                       const std::vector<double>& bound) const {
     std::vector<double> left = cost;
-    for (std::size_t row = 0; row < prices.size(); ++row) {
+    for (std::size_t row = 0; row < forces.size(); ++row) {
       const bool pushes_only = rows_.upper[row] > 0;
-      const double force = pushes_only ? std::max(prices[row], 0.0) : prices[row];
+      const double force = pushes_only ? std::max(forces[row], 0.0) : forces[row];
       for (auto i = rows_.starts[row]; i < rows_.starts[row + 1]; ++i) {
         const auto entry = static_cast<std::size_t>(i);
         left[static_cast<std::size_t>(rows_.columns[entry])] -= force * rows_.values[entry];
@@ -262,36 +281,12 @@ class Collapse {
   std::optional<std::vector<double>> with_fewest_parts(const std::vector<double>& cost,
                                                        const std::vector<double>& bound,
                                                        double power) const {
-    // Each unknown is the difference of two that are not negative.
-    Rows rows;
-    const auto count = static_cast<int>(unknowns());
-    for (std::size_t row = 0; row < rows_.lower.size(); ++row) {
-      for (auto i = rows_.starts[row]; i < rows_.starts[row + 1]; ++i) {
-        const auto entry = static_cast<std::size_t>(i);
-        rows.add(rows_.columns[entry], rows_.values[entry]);
-        rows.add(count + rows_.columns[entry], -rows_.values[entry]);
-      }
-      rows.end(rows_.lower[row], rows_.upper[row]);
-    }
-    for (int i = 0; i < count; ++i) {
-      rows.add(i, -cost[static_cast<std::size_t>(i)] / power);
-      rows.add(count + i, cost[static_cast<std::size_t>(i)] / power);
-    }
-    rows.end(1, std::numeric_limits<double>::infinity());
-    std::vector<double> most;
-    for (int twice = 0; twice < 2; ++twice) {
-      for (const double each : bound) {
-        most.push_back(each == 0 ? 0 : std::numeric_limits<double>::infinity());
-      }
-    }
-    const auto both = minimum(rows, std::vector<double>(2 * unknowns(), 1),
-                              std::vector<double>(2 * unknowns(), 0), most, false);
-    if (!both) return std::nullopt;
-    std::vector<double> motion;
-    for (std::size_t i = 0; i < unknowns(); ++i) {
-      motion.push_back(both->x[i] - both->x[unknowns() + i]);
-    }
-    return motion;
+    std::vector<double> share = cost, price;
+    for (double& each : share) each /= power;
+    for (const double each : bound) price.push_back(each > 0 ? 1 : 0);
+    const auto fewest = minimum(rows_, share, price, Goal::fewest_parts, false);
+    if (!fewest || !is_free(fewest->motion)) return std::nullopt;
+    return fewest->motion;
   }
 
   std::vector<BlockMotion> moving(const std::vector<double>& motion) const {

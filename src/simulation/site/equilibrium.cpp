@@ -127,8 +127,8 @@ std::vector<Equilibrium::Thing> Equilibrium::neighbours(Thing component) {
   return {found.begin(), found.end()};
 }
 
-/// Whether all that has forces with `first`, directly or through others, can balance.
-std::optional<Support::Collapse> Equilibrium::collapse_of(const std::vector<Thing>& first) {
+/// All that has forces with `first`, directly or through others.
+std::set<Equilibrium::Thing> Equilibrium::assembly_of(const std::vector<Thing>& first) {
   std::set<Thing> assembly;
   std::deque<Thing> open;
   for (const Thing thing : first) {
@@ -141,6 +141,15 @@ std::optional<Support::Collapse> Equilibrium::collapse_of(const std::vector<Thin
       if (assembly.insert(next).second) open.push_back(next);
     }
   }
+  return assembly;
+}
+
+/// Whether all that has forces with `first` can balance.
+std::optional<Support::Collapse> Equilibrium::collapse_of(const std::vector<Thing>& first) {
+  return collapse_in(assembly_of(first));
+}
+
+std::optional<Support::Collapse> Equilibrium::collapse_in(const std::set<Thing>& assembly) {
   const std::vector<Thing> things(assembly.begin(), assembly.end());
   std::map<Thing, int> block_of;
   std::vector<RigidBlock> blocks;
@@ -233,9 +242,12 @@ void Equilibrium::find_collapsing(std::vector<std::pair<int, std::string>>& foun
   }
   while (!open.empty()) {
     const Thing thing = *open.begin();
-    const auto collapse = collapse_of({thing});
+    const std::set<Thing> assembly = assembly_of({thing});
+    const auto collapse = collapse_in(assembly);
     if (!collapse) {
-      open.erase(open.begin());
+      // What has forces with it was looked at with it.
+      open.erase(thing);
+      for (const Thing each : assembly) open.erase(each);
       continue;
     }
     for (const int each : collapse->components) {

@@ -41,6 +41,8 @@ class Equilibrium {
   };
 
   const Holding& holding_of(Thing component);
+  std::set<Thing> assembly_of(const std::vector<Thing>& first);
+  std::optional<Support::Collapse> collapse_in(const std::set<Thing>& assembly);
   bool is_anchored(Thing thing);
   bool may_move(Thing thing);
   Support::Collapse describe(const std::vector<Thing>& things,

@@ -194,6 +194,15 @@ TEST_F(EditedPlan, dates_that_are_too_far_for_a_lag_come_back_as_not_before) {
   EXPECT_THAT(told.said, testing::Contains(testing::HasSubstr("the date of 'far', 2199-01-01")));
 }
 
+// A schedule has the rate of one of a crew: 123 / 7 * 7 is 123.00000000000001.
+TEST_F(EditedPlan, rates_of_crews_come_back_without_rounding) {
+  const Reading reading = project_of_plan(
+      "plan p { start_at \"2026-03-02 07:00\"; crew gang { size 7; cost 123 per h; }\n"
+      "task a { by gang; takes 1 h; } }");
+  ASSERT_TRUE(reading.project);
+  EXPECT_THAT(plan_of(*reading.project).text, testing::HasSubstr("cost 123 per h;"));
+}
+
 TEST_F(EditedPlan, people_of_a_crew_are_units) {
   const Reading reading = project_of_plan(
       "plan p { start_at \"2026-03-02 07:00\"; crew gang { size 4; cost 90 per h; } crew two { "

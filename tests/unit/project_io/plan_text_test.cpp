@@ -153,6 +153,67 @@ TEST(PlanTextLimits, long_and_late_things_are_said_as_far_as_a_plan_can) {
   }
 }
 
+/// One task of 8 h and those on it, with their calendars; calendar 1 is day, 2 is night, 3 is any.
+Project with_hours(std::int64_t task_calendar, const std::vector<std::int64_t>& of_resources) {
+  Project project;
+  project.start.text = "2026-03-02 00:00";
+  const DayTimes hours[] = {{{480, 960}}, {{1080, 1320}}, {{0, 1440}}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    Calendar calendar;
+    calendar.uid = static_cast<std::int64_t>(i + 1);
+    calendar.name = std::vector<std::string>{"day", "night", "any"}[i];
+    for (auto& day : calendar.week) day = hours[i];
+    project.calendars.push_back(calendar);
+  }
+  Task task;
+  task.uid = 1;
+  task.name = "dig";
+  task.duration.seconds = 8 * 3600;
+  task.calendar = task_calendar;
+  project.tasks = {task};
+  for (std::size_t i = 0; i < of_resources.size(); ++i) {
+    Resource resource;
+    resource.uid = static_cast<std::int64_t>(i + 1);
+    resource.name = std::string("gang") + std::to_string(i + 1);
+    resource.standard_rate = 100;
+    resource.rate_format = 2;
+    resource.calendar = of_resources[i];
+    project.resources.push_back(resource);
+    Assignment assignment;
+    assignment.uid = resource.uid;
+    assignment.task = 1;
+    assignment.resource = resource.uid;
+    project.assignments.push_back(assignment);
+  }
+  return project;
+}
+
+// Without a calendar its cost would count nights.
+TEST(PlanTextHours, a_crew_has_the_hours_of_its_tasks) {
+  Project by_itself = with_hours(1, {1});
+  by_itself.tasks[0].ignores_resource_calendars = true;
+  EXPECT_THAT(plan_of(by_itself).text,
+              HasSubstr("crew gang1 {\n    cost 100 per h;\n    calendar day;\n  }"));
+  by_itself.resources[0].calendar = 2;
+  const std::string at_day = plan_of(by_itself).text;
+  EXPECT_THAT(at_day, HasSubstr("crew gang1 {\n    cost 100 per h;\n    calendar day;\n  }"));
+  EXPECT_THAT(at_day, HasSubstr("free_crew gang1 calendar 1;"));
+  EXPECT_THAT(plan_of(with_hours(1, {3})).text,
+              HasSubstr("crew gang1 {\n    cost 100 per h;\n    calendar day;\n  }"));
+  EXPECT_THAT(plan_of(with_hours(kNone, {3})).text,
+              HasSubstr("crew gang1 {\n    cost 100 per h;\n    calendar any;\n  }"));
+}
+
+// Two gangs that relieve each other: together they would never work.
+TEST(PlanTextHours, who_has_no_hour_in_common_is_there_in_the_hours_of_the_others) {
+  const Planned planned = plan_of(with_hours(kNone, {1, 2}));
+  EXPECT_EQ(planned.mistakes, "");
+  EXPECT_THAT(planned.text, HasSubstr("crew gang2 {\n    cost 100 per h;\n    calendar day;\n  }"));
+  EXPECT_THAT(
+      planned.said,
+      testing::Contains(HasSubstr("'gang2' has no hour in common with the others on task 'dig'")));
+}
+
 TEST(PlanTextLimits, a_date_that_must_hold_is_only_not_before) {
   Project project;
   project.start.text = "2026-03-02 07:00";
