@@ -133,9 +133,9 @@ what the script tried instead and how each try ended. For any task: what it wait
 waits back to the beginning of the plan that made it begin when it did. RESULT is the folder of rubicon run --out:
 nothing is simulated again. A PLAN is run first.
 
-  --advise         of a PLAN also what would help: another order of two tasks, a start when others have gone, another
-                   robot, a waypoint above the goal. At most 12 changes are tried, each by running the changed plan;
-                   what was not tried is named
+  --advise         of a PLAN also what would help: another order of two tasks where something was in the way or a robot
+                   or crew was waited for, a start when others have gone, another robot, a waypoint above the goal. At
+                   most 12 changes are tried, each by running the changed plan; what was not tried is named
   --format FORMAT  text (the default) or json, on standard output; times in seconds
   --set NAME=VALUE another value for a parameter of the PLAN
 

@@ -324,6 +324,27 @@ class Why(unittest.TestCase):
         advice = json.loads(rubicon("why", plan, "last", "--advise", "--format", "json").stdout)["advice"]
         self.assertEqual((advice["waits_for"], advice["tried"], advice["not_tried"]), ("west", [], []))
 
+    def test_advice_tries_who_had_the_crew(self):
+        plan = os.path.join(self.folder, "queue.plan")
+        with open(plan, "w", encoding="utf-8") as file:
+            file.write("""plan queue {
+              robot g "g.robot";
+              crew riggers;
+              task tidy { by riggers; takes 5 h; }
+              component wall { shape box(-0.2, -2, 0, 0.2, 2, 8); at trans(-10, 0, 0); grip trans(0, 0, 8); }
+              task set { by g; move wall to trans(8, 0, 0); hook 10 min by riggers; }
+              task roof { takes 5 h; after set; }
+            }""")
+        # What comes before a task is looked at too.
+        for task in ("set", "roof"):
+            advice = json.loads(rubicon("why", plan, task, "--advise", "--format", "json").stdout)["advice"]
+            self.assertEqual([(each["change"], each["helps"]) for each in advice["tried"]], [("set before tidy", True)])
+            self.assertLess(advice["tried"][0]["end"], advice["before"]["end"] - 4 * 3600)
+            self.assertLess(advice["tried"][0]["process_time"], advice["before"]["process_time"] - 4 * 3600)
+        told = rubicon("why", plan, "tidy", "--advise").stdout
+        self.assertIn("no change was found to try. Looked for: ", told)
+        self.assertNotIn("helps", told)
+
     def test_advice_needs_a_plan_with_tasks(self):
         told = rubicon("why", self.out, "east", "--advise")
         self.assertEqual(told.returncode, 2)

@@ -83,7 +83,7 @@ Advice advise(const interpreter::PlanModel& plan, const interpreter::SourceMap& 
   advice.waits_for = rejected_before(plan, schedule, story.task);
   // No change of the task itself helps it then.
   if (!advice.waits_for.empty()) return advice;
-  Changes changes = changes_for(plan, story);
+  Changes changes = changes_for(plan, story, schedule);
   advice.left_out = std::move(changes.left_out);
   for (const Change& change : changes.changes) {
     if (advice.trials.size() >= kMostTrials) {

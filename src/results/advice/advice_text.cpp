@@ -62,7 +62,9 @@ std::string advice_text(const Advice& advice) {
       return "\nno advice: ask for the task that it comes after\n";
     }
     return fmt::format(
-        "\nno advice: nothing is in the way of {} that another order, robot or way could change\n",
+        "\nno advice: no change was found to try. Looked for: what stood in the way of {}; who had "
+        "the robots and crews that it, or those before it, waited for; other robots. Not looked "
+        "for: two changes at once, other scripts, other positions of machines, more crews\n",
         advice.task);
   }
   std::string good, bad;

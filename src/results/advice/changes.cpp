@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "src/motion/math/index.hpp"
+#include "src/results/advice/queue_orders.hpp"
 
 namespace rubicon::advice {
 
@@ -35,12 +36,25 @@ class ChangeFinder {
   ChangeFinder(const PlanModel& plan, const why::TaskStory& story)
       : plan_(plan), story_(story), task_(task_named(story.task)) {}
 
-  Changes find() {
+  Changes find(const taskplan::Schedule& schedule) {
     if (task_ < 0) return {};
     find_obstacles();
     for (const Obstacle& each : obstacles_) try_order(each);
+    std::vector<QueueOrder> orders = queue_orders(plan_, schedule, task_, kMostQueueOrders + 1);
+    const bool more = orders.size() > kMostQueueOrders;
+    if (more) orders.pop_back();
+    for (const QueueOrder& each : orders) {
+      if (each.first == task_) link(each.first, each.second);
+    }
     if (spec().robot >= 0) try_robots();
     if (!is_done()) try_waypoints();
+    for (const QueueOrder& each : orders) {
+      if (each.first != task_) link(each.first, each.second);
+    }
+    if (more) {
+      found_.left_out.push_back({"other orders of tasks that waited for robots and crews",
+                                 fmt::format("the first {} were looked at", kMostQueueOrders)});
+    }
     return std::move(found_);
   }
 
@@ -131,10 +145,10 @@ class ChangeFinder {
     if (obstacle.kind != Obstacle::Kind::put_there) link(other, task_);
   }
 
-  /// One of the two is the task of the story.
   void link(int first, int second) {
+    if (!linked_.emplace(first, second).second) return;
     std::string text = fmt::format("{} before {}", name(first), name(second));
-    if (first != task_) text = fmt::format("{} after {}", name(second), name(first));
+    if (second == task_) text = fmt::format("{} after {}", name(second), name(first));
     if (comes_after(second, first, true)) return;  // so it was
     if (comes_after(first, second, false)) {
       found_.left_out.push_back({text, fmt::format("{} comes after {} by links over other tasks",
@@ -214,13 +228,15 @@ class ChangeFinder {
   const why::TaskStory& story_;
   int task_;
   std::vector<Obstacle> obstacles_;
+  std::set<std::pair<int, int>> linked_;  ///< looked at already
   Changes found_;
 };
 
 }  // namespace
 
-Changes changes_for(const PlanModel& plan, const why::TaskStory& story) {
-  return ChangeFinder(plan, story).find();
+Changes changes_for(const PlanModel& plan, const why::TaskStory& story,
+                    const taskplan::Schedule& schedule) {
+  return ChangeFinder(plan, story).find(schedule);
 }
 
 }  // namespace rubicon::advice
