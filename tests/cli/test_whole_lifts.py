@@ -188,6 +188,29 @@ class WholeLifts(unittest.TestCase):
         self.assertEqual(end_of(lay - gain + 2), end)
         self.assertLess(end_of(lay - gain - 2), end - 80 * 60)
 
+    def test_less_sooner_goes_back_to_a_shift_into_which_the_lift_fits(self):
+        def run(lay, hook, begin="07:00"):
+            _, tasks, _ = self.run_plan(
+                'robot g "g.robot" { calendar site; }\ncrew c { calendar site; }\ncrew d;\n' + crate("a", 10)
+                + f"task lay {{ by d; takes {lay} s; }}\n"
+                + f"task lift {{ by g; move a to trans(20, 0, 0); hook {hook} min by c; after lay; }}\n", begin=f"{FRIDAY} {begin}",
+                calendars="calendar site { mon-fri 07:00-12:00, 12:30-15:00; }\n")
+            return tasks["lift"]["start"] + tasks["lift"]["duration"]
+
+        # The afternoon is too short for 160 min. At 11:59:55 the hoist sets out, and comes after the end of the shift.
+        for lay, hook in ((seconds("5:41"), 160), (seconds("5:00") - 5, 160), (seconds("5:00") - 5, 20)):
+            end = run(lay, hook)
+            found = re.search(r"less than (?:(\d+) h )?(\d+) min (\d+) s sooner gains nothing", self.critical_path()[1])
+            self.assertTrue(found, self.critical_path())
+            hours, minutes, rest = (int(each or 0) for each in found.groups())
+            gain = hours * 3600 + minutes * 60 + rest
+            self.assertEqual(run(lay - gain + 2, hook), end)
+            self.assertLess(run(lay - gain - 2, hook), end - 20 * 60)
+        # What cannot be soon enough in this plan says nothing of it.
+        run(60 * 60, 290, begin="08:00")
+        self.assertIn("for the next shift", self.critical_path()[1])
+        self.assertNotIn("sooner", self.critical_path()[1])
+
     def test_floats_keep_the_hours_of_riggers(self):
         # A gantry that works day and night and riggers by day; others work for 20 h, to Tuesday 03:00.
         for whole in ("", "whole off; "):

@@ -75,6 +75,35 @@ void reject_too_long(Stage& stage, const WholeLift& lift, const ActiveTask& task
                   shift_text(longest), duration_text(length(longest))));
 }
 
+/// How much sooner than `since` a lift of so much must begin to fit into a shift before that; 0 if
+/// there is none since the plan began.
+Ticks gain_of(const schedule::WorkCalendar& hours, Ticks since, Ticks own) {
+  Ticks end = hours.works_at(since) ? hours.shift_end(since) : hours.last_working(since);
+  while (end >= own) {
+    const Ticks begin = hours.latest_start(end, own);
+    if (hours.idle_between(begin, end) == 0) return std::max<Ticks>(since - begin, 0);
+    // The shifts between are shorter.
+    const Ticks before = hours.shift_end(begin);
+    if (before >= end) return 0;
+    end = before;
+  }
+  return 0;
+}
+
+/// Now that the lift is over it is known how long it takes: what came before a shift with which it
+/// began had to be so much sooner.
+void note_gain(Stage& stage, const WholeLift& lift, Ticks own) {
+  const std::vector<schedule::MidWait>& waits = stage.links->times(lift.task).mid_waits;
+  const auto wait = std::find_if(waits.begin(), waits.end(), [&](const schedule::MidWait& each) {
+    return each.held == schedule::Held::shift && each.until == lift.from;
+  });
+  if (wait == waits.end()) return;
+  schedule::TaskTimes times = stage.links->times(lift.task);
+  times.mid_waits[static_cast<std::size_t>(wait - waits.begin())].first_gain =
+      gain_of(lift_hours(stage, lift.task), wait->since, own);
+  stage.links->set_times(lift.task, std::move(times));
+}
+
 /// The lift waits for the next shift that is long enough; the run goes back to before its task.
 void repeat(Stage& stage, const WholeLift& lift, Ticks own, const std::string& what) {
   const schedule::WorkCalendar& hours = lift_hours(stage, lift.task);
@@ -145,8 +174,8 @@ const schedule::WorkCalendar& lift_hours(Stage& stage, int task) {
 }
 
 Ticks first_gain_of_lift(Stage& stage, int task, Ticks since, const LiftNote* note) {
-  if (note) return std::max<Ticks>(since - (note->shift_end - note->own), 0);
-  return since - lift_hours(stage, task).last_working(since);
+  const schedule::WorkCalendar& hours = lift_hours(stage, task);
+  return note ? gain_of(hours, since, note->own) : since - hours.last_working(since);
 }
 
 const WholeLift* lift_of(const Stage& stage, int task) {
@@ -216,6 +245,7 @@ bool end_lift(ActiveTask& task, Stage& stage) {
     task.account.outside[i] =
         lift.outside_before[i] + stage.overtime.out_of_shift(held[i], lift.from, now);
   }
+  note_gain(stage, lift, own);
   forget_lift(stage, task.task);
   if (late) {
     stage.end_part(task);
