@@ -1,7 +1,11 @@
 #include "src/exchange/project_io/plan_terms.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <string>
 
 #include "src/exchange/project_io/plan_text.hpp"
 
@@ -14,13 +18,12 @@ constexpr double kMaxCrew = 1e6;
 /// Largest cost per hour that is written; anything more is damage.
 constexpr double kMaxCost = 1e9;
 
-/// The number of at most 12 digits that is nearest to `value` > 0.
+/// The number of at most 12 digits that is nearest.
 double without_rounding(double value) {
-  constexpr int kDigits = 12;
-  const int behind_point = kDigits - 1 - static_cast<int>(std::floor(std::log10(value)));
-  if (behind_point < 0) return value;
-  const double scale = std::pow(10.0, behind_point);
-  return std::round(value * scale) / scale;
+  const std::string text = fmt::format("{:.12g}", value);
+  double rounded = value;
+  std::from_chars(text.data(), text.data() + text.size(), rounded);
+  return rounded;
 }
 
 }  // namespace
