@@ -68,6 +68,8 @@ class OrderSearch {
     auto operator<=>(const Use&) const = default;
   };
 
+  static bool ends_before(const Use& a, const Use& b) { return a.to < b.to; }
+
   Ticks moment(int task, TaskEnd end) const {
     const TaskOutcome& outcome = *done_[at(task)];
     return end == TaskEnd::start ? outcome.start : outcome.start + outcome.duration;
@@ -82,8 +84,8 @@ class OrderSearch {
     const Ticks waited = outcome.waits.resource + outcome.waits.shift + outcome.waits.machine;
     for (const ResourceHold& hold : outcome.holds) {
       const std::vector<Use>& uses = uses_[at(hold.resource)];
-      for (auto use = std::upper_bound(uses.begin(), uses.end(), Use{hold.from - waited, -1, 0},
-                                       [](const Use&a, const Use&b) { return a.to < b.to; });
+      const Use earliest{hold.from - waited, -1, 0};
+      for (auto use = std::upper_bound(uses.begin(), uses.end(), earliest, ends_before);
            use != uses.end() && use->to <= hold.from; ++use) {
         if (use->task != task && use->from < use->to) found.push_back(*use);
       }

@@ -39,10 +39,10 @@ struct BlockMotion {
 /// Whether forces between rigid blocks can balance their weights: compression at the corners of
 /// contacts, friction within an eight-sided pyramid inside of Coulomb's cone, which lies as the
 /// contact does, whatever joints and braces have to give (Livesley 1978; Whiting, Ochsendorf and
-/// Durand 2009). Answered by a linear programme in the dual form: is there a motion that no contact
-/// forbids and in which the centre of mass of all comes down? Empty: the forces balance. Else the
-/// motion with the fewest parts, those that move only. Nothing: the programme was not solved within
-/// its bound of iterations.
+/// Durand 2009). A linear programme finds the forces; what they leave over is the power of a motion
+/// that no contact forbids and in which the centre of mass of all comes down. Empty: the forces
+/// balance. Else the motion with the fewest parts, those that move only. Nothing: the programme was
+/// not solved within its bound of iterations.
 std::optional<std::vector<BlockMotion>> find_collapse(const std::vector<RigidBlock>& blocks,
                                                       const std::vector<BlockContact>& contacts,
                                                       const std::vector<BlockJoint>& joints,
