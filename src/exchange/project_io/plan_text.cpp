@@ -492,12 +492,15 @@ class PlanWriter {
       }
     }
     for (const PlanMilestone& each : network_.milestones) {
-      const std::string& line = network_.tasks[each.before].name;
-      const bool is_usual =
-          each.name == kPlanBegins || each.name == usual_milestone(line, each.at_end);
-      out_ += is_usual ? fmt::format("milestone {};\n", each.name)
-                       : fmt::format("milestone {} {} {};\n", each.name,
-                                     each.at_end ? "ends" : "begins", quoted(line));
+      out_ += fmt::format("milestone {}", each.name);
+      // The one of the whole plan belongs to no line; there may be none.
+      if (each.name != kPlanBegins) {
+        const std::string& line = network_.tasks[each.before].name;
+        if (each.name != usual_milestone(line, each.at_end)) {
+          out_ += fmt::format(" {} {}", each.at_end ? "ends" : "begins", quoted(line));
+        }
+      }
+      out_ += ";\n";
     }
     for (const auto& [uid, parts] : insert_.parts) {
       for (const PlanInsert::Part& part : parts) {
