@@ -243,7 +243,7 @@ class Support(unittest.TestCase):
                + pier("b", "-0.3, -0.3, 0, 0.3, 0.3, 3", "16, 0, 0", 5) + pier("beam_b", "-2.5, -0.3, 0, 0.5, 0.3, 0.3", "16, 0, 3", 1)
                + pier("top", "-1.5, -0.3, 0, 1.5, 0.3, 0.3", "13, 0, 3.3", 0.1))
         self.run_plan(two, self.EQUILIBRIUM, "  task look { by c; takes 1 min; }\n", warns="beam_a does not stand: beam_a would turn on a")
-        self.assertRegex(self.rubicon("check", "site.plan").stderr, "top does not stand: beam_([ab]) would turn on \\1, and top with it")
+        self.assertIn("top does not stand: beam_a would turn on a, and top with it", self.rubicon("check", "site.plan").stderr)
 
     def test_what_has_no_weight_is_judged_by_its_middle(self):
         panel = box("stack", 10, height=1, more="mass 3 t;") + box("panel", 0, width=3, height=0.2, more="fixed to site;")
