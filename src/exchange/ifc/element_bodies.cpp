@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <string>
 #include <utility>
 
 #include "src/exchange/ifc/ifc_placement.hpp"
@@ -114,13 +115,7 @@ class BodyReader {
                                      [&](const Solid& each) { return overlap(box, box_of(each)); });
       if (meets) met.solids.push_back(solid);
     }
-    std::optional<std::vector<Cell>> cells = cells_of(met, budget_);
-    if (cells) {
-      cut_bodies(*more, {{std::move(*cells), "the part of a projection that is inside of it"}},
-                 budget_);
-    } else {
-      more->notes.emplace_back("the part of a projection that is inside of it counts twice");
-    }
+    take_away(met, *more, "the part of a projection that is inside of it");
     for (Solid& solid : more->solids) bodies.solids.push_back(std::move(solid));
     bodies.notes.insert(bodies.notes.end(), more->notes.begin(), more->notes.end());
   }
@@ -137,7 +132,12 @@ class BodyReader {
         if (overlap(box, boxes[i])) met.solids.push_back(apart.solids[i]);
       }
       Bodies left{{std::move(solid)}, {}};
-      if (!met.solids.empty()) take_away(met, left);
+      // What is open has no volume.
+      const bool closed = std::all_of(met.solids.begin(), met.solids.end(),
+                                      [](const Solid& each) { return is_closed(welded(each)); });
+      if (!met.solids.empty() && closed) {
+        take_away(met, left, "what two of its bodies may have in common");
+      }
       for (Solid& each : left.solids) {
         boxes.push_back(box_of(each));
         apart.solids.push_back(std::move(each));
@@ -147,15 +147,13 @@ class BodyReader {
     bodies.solids = std::move(apart.solids);
   }
 
-  void take_away(const Bodies& met, Bodies& from) {
-    const bool closed = std::all_of(met.solids.begin(), met.solids.end(),
-                                    [](const Solid& each) { return is_closed(welded(each)); });
-    if (!closed) return;  // it has no volume
+  /// Takes `met` from other bodies; `what` they lose.
+  void take_away(const Bodies& met, Bodies& from, const std::string& what) {
     std::optional<std::vector<Cell>> cells = cells_of(met, budget_);
     if (cells) {
-      cut_bodies(from, {{std::move(*cells), "what two of its bodies have in common"}}, budget_);
+      cut_bodies(from, {{std::move(*cells), what}}, budget_);
     } else {
-      from.notes.emplace_back("what two of its bodies may have in common counts twice");
+      from.notes.push_back(what + " counts twice");
     }
   }
 
