@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -40,36 +41,32 @@ std::vector<TaskAndResource> workers_of(const Project& project,
   return pairs;
 }
 
-/// The hours of a week that all calendars so far have.
-class CommonHours {
- public:
-  /// False, and nothing taken, if the calendar has no hour in common with those so far.
-  bool add(const Project& project, std::int64_t uid) {
-    const auto found = std::find_if(project.calendars.begin(), project.calendars.end(),
-                                    [&](const Calendar& each) { return each.uid == uid; });
-    if (found == project.calendars.end()) return true;
-    const auto plan = plan_calendar(project, *found, "");
-    if (!plan) return true;
-    std::array<DayTimes, 7> both;
-    bool any = false;
-    for (std::size_t day = 0; day < 7; ++day) {
-      for (const Interval& here : week_[day]) {
-        for (const Interval& there : plan->week[day]) {
-          const Interval common{std::max(here.from, there.from), std::min(here.to, there.to)};
-          if (common.from < common.to) both[day].push_back(common);
-        }
-      }
-      any |= !both[day].empty();
-    }
-    if (any) week_ = both;
-    return any;
-  }
+using Week = std::array<DayTimes, 7>;
 
- private:
-  static constexpr int kDay = 24 * 60;  // min
-  std::array<DayTimes, 7> week_ = {DayTimes{{0, kDay}}, {{0, kDay}}, {{0, kDay}}, {{0, kDay}},
-                                   {{0, kDay}},         {{0, kDay}}, {{0, kDay}}};
-};
+/// The hours that both weeks have; nothing: none.
+std::optional<Week> common_hours(const Week& a, const Week& b) {
+  Week both;
+  bool any = false;
+  for (std::size_t day = 0; day < 7; ++day) {
+    for (const Interval& here : a[day]) {
+      for (const Interval& there : b[day]) {
+        const Interval common{std::max(here.from, there.from), std::min(here.to, there.to)};
+        if (common.from < common.to) both[day].push_back(common);
+      }
+    }
+    any |= !both[day].empty();
+  }
+  return any ? std::optional(both) : std::nullopt;
+}
+
+/// The week of each calendar that ever works.
+std::map<std::int64_t, Week> weeks_of(const Project& project) {
+  std::map<std::int64_t, Week> weeks;
+  for (const Calendar& each : project.calendars) {
+    if (auto plan = plan_calendar(project, each, "")) weeks.emplace(each.uid, plan->week);
+  }
+  return weeks;
+}
 
 /// Which crews are free of the calendar of their resource, and what then holds by itself.
 void free_crews(const Project& project, const PlanNetwork& network,
@@ -84,7 +81,8 @@ void free_crews(const Project& project, const PlanNetwork& network,
   std::vector<std::size_t> nth(project.tasks.size(), 0);
   std::vector<std::string> names;  // by pair
   std::vector<bool> by_itself;     // by pair: the task does not ask for the hours of this resource
-  std::map<std::size_t, CommonHours> common;
+  const std::map<std::int64_t, Week> weeks = weeks_of(project);
+  std::map<std::size_t, Week> common;       // by line: of those on it so far
   std::vector<std::int64_t> hours_of_task;  // by line: its own calendar, or that of the first on it
   for (const Task& task : project.tasks) hours_of_task.push_back(task.calendar);
   for (const auto& [task, resource] : pairs) {
@@ -94,9 +92,14 @@ void free_crews(const Project& project, const PlanNetwork& network,
                                          works_always(project, calendar_of(resource)))));
     if (works(task) && !by_itself.back()) {
       if (hours_of_task[task] == kNone) hours_of_task[task] = calendar_of(resource);
-      const auto [hours, is_first] = common.try_emplace(task);
-      if (is_first) hours->second.add(project, hours_of_task[task]);
-      if (!hours->second.add(project, calendar_of(resource))) {
+      for (const std::int64_t calendar : {hours_of_task[task], calendar_of(resource)}) {
+        const auto week = weeks.find(calendar);
+        if (week == weeks.end()) continue;
+        const auto hours = common.try_emplace(task, week->second).first;
+        if (const auto both = common_hours(hours->second, week->second)) {
+          hours->second = *both;
+          continue;
+        }
         by_itself.back() = true;
         crews.apart.push_back({task, resource});
       }
