@@ -61,12 +61,13 @@ struct Optimum {
   std::vector<double> forces;
 };
 
+enum class Goal { most_power, fewest_parts };
+
 /// minimise x * cost, each x between -limit and limit, the rows at least 0 (or 0); or, with the
 /// limits as prices, minimise |x| * limit, x * cost at most -1. Nothing: not solved.
 ///
 /// Solved as the dual programme, whose unknowns are the forces: it has six rows for each block, the
 /// programme of the motion has 32 for each contact, and the time goes with the square of the rows.
-enum class Goal { most_power, fewest_parts };
 std::optional<Optimum> minimum(const Rows& contacts, const std::vector<double>& cost,
                                const std::vector<double>& limit, Goal goal, bool by_primal) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
