@@ -188,6 +188,39 @@ class WholeLifts(unittest.TestCase):
         self.assertEqual(end_of(lay - gain + 2), end)
         self.assertLess(end_of(lay - gain - 2), end - 80 * 60)
 
+    def test_the_critical_path_leads_to_who_made_a_lift_miss_its_shift(self):
+        def end_of(busy, hook=240, begin="07:00"):
+            run, tasks, _ = self.run_plan(
+                'robot g "g.robot" { calendar site; }\ncrew c { calendar site; }\ncrew d;\n' + crate("a", 10)
+                + f"task busy {{ by d; takes {busy} s; }}\n"
+                + f"task lift {{ by g; move a to trans(20, 0, 0); hook {hook} min by c; release 10 min by d; }}\n",
+                begin=f"{DAY} {begin}")
+            self.said = run.stdout
+            return tasks["lift"]["start"] + tasks["lift"]["duration"]
+
+        busy = 4 * 3600 + 52 * 60
+        late = end_of(busy)
+        path = self.critical_path()
+        self.assertEqual(path[0], "busy starts with the plan")
+        found = re.fullmatch(r"lift misses a shift waiting for 'd', which busy had, then waits .* for the next shift "
+                             r"\(less than (\d+) min sooner gains nothing\)", path[1])
+        self.assertTrue(found, path)
+        self.assertIn("waiting for others (last for 'd', which busy had), do not fit before 12:00", self.said)
+        self.assertEqual(end_of(busy - int(found[1]) * 60 + 1), late)
+        self.assertLess(end_of(busy - int(found[1]) * 60), late - 4 * 3600)
+        # Another crew, or another time, is a fault.
+        end_of(busy)
+        file = os.path.join(self.out, "schedule.json")
+        with open(file, encoding="utf-8") as json_file:
+            text = json_file.read()
+        for said in ("waiting for 'c', which busy", "waiting for 'd', which lift"):
+            with open(file, "w", encoding="utf-8") as json_file:
+                json_file.write(text.replace("shift waiting for 'd', which busy", "shift " + said))
+            self.assertEqual(rubicon("verify", self.out).returncode, 1)
+        # One that is too long for the rest of the morning misses it by itself.
+        end_of(busy - 3600, hook=235, begin="08:00")
+        self.assertNotIn("misses", self.critical_path()[-1])
+
     def test_less_sooner_goes_back_to_a_shift_into_which_the_lift_fits(self):
         def run(lay, hook, begin="07:00"):
             _, tasks, _ = self.run_plan(

@@ -122,7 +122,7 @@ void check_schedules(const Result& result, const Trace& trace, const std::vector
     check_plan_dates(trace, runs, hours, schedule.rows, ResultFile::schedule_json,
                      schedule.process_time, faults);
     check_whole(trace.scene, schedule, faults);
-    check_critical(trace, runs, schedule, faults);
+    check_critical(trace, runs, hours, schedule, faults);
     check_joint_rows(trace, runs, schedule.rows, faults);
     check_chance(trace, schedule, faults);
   }

@@ -78,7 +78,12 @@ ChainStep step_of(const Network& network, const TaskTimes& own, const Event& eve
     if (wait->held == Held::shift) {
       step.shift_waits += wait->until - wait->since;
       step.first_gain = wait->first_gain;
-      continue;
+      if (!wait->missed) continue;
+      step.midway = step.missed = true;
+      MidWait cause{wait->missed->until, Held::resource};
+      cause.resource = wait->missed->resource;
+      cause.task_before = wait->missed->task_before;
+      return waits_for(cause);
     }
     step.midway = true;
     return waits_for(*wait);
@@ -159,7 +164,9 @@ std::string text_of(const Network& network, const ChainStep& step) {
   } else if (step.held == Held::asked) {
     text += fmt::format(" starts because {} asks for it", network.tasks[at(step.task_before)].name);
   } else if (step.midway || step.held == Held::machine) {
-    text += step.midway ? " waits on its way for " : " starts after it waited for ";
+    text += step.missed   ? " misses a shift waiting for "
+            : step.midway ? " waits on its way for "
+                          : " starts after it waited for ";
     const std::string before =
         step.task_before >= 0 ? network.tasks[at(step.task_before)].name : std::string();
     if (step.held == Held::timetable) {

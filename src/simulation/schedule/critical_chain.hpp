@@ -18,6 +18,7 @@ struct ChainStep {
   int task_before = -1;            ///< whose event held it, the step before; -1 for the first step
   bool at_finish = false;          ///< its finish was held, not its start
   bool midway = false;             ///< it stood still after its start
+  bool missed = false;             ///< it would have stood still, and waited for a shift instead
   bool could_start = false;        ///< that let it start, and a machine stood in its zone
   bool kept = false;               ///< the resource was kept for others after the task before
   bool repaired = false;           ///< the machine was repaired after the task before

@@ -52,18 +52,28 @@ struct Parking {
   Ticks wanted = 0;
 };
 
+/// Why a task waited for a shift: it would have waited in the one before until another task gave a
+/// resource back, and would not have been done in time.
+struct MissedShift {
+  Ticks until = 0;  ///< the other gave it back
+  int resource = -1;
+  int task_before = -1;  ///< who had it
+  Ticks gain = 0;        ///< given back so much sooner, it would have been done in time
+};
+
 /// A wait of a task after its start: for a resource that another task had, until a machine that
 /// another task moved was out of the way, for something with a timetable, or for the next shift.
 struct MidWait {
   Ticks until = 0;
-  Held held = Held::resource;           ///< resource, machine, timetable or shift
-  int resource = -1;                    ///< what was waited for
-  int task_before = -1;                 ///< who had it
-  std::optional<Parking> parking = {};  ///< of `task_before`
-  std::string thing = {};               ///< with a timetable: its name
-  bool delayed = false;                 ///< it came later than its timetable says
-  Ticks since = 0;                      ///< for a shift
-  Ticks first_gain = 0;                 ///< for a shift: less than this sooner gains nothing
+  Held held = Held::resource;              ///< resource, machine, timetable or shift
+  int resource = -1;                       ///< what was waited for
+  int task_before = -1;                    ///< who had it
+  std::optional<Parking> parking = {};     ///< of `task_before`
+  std::string thing = {};                  ///< with a timetable: its name
+  bool delayed = false;                    ///< it came later than its timetable says
+  Ticks since = 0;                         ///< for a shift
+  Ticks first_gain = 0;                    ///< for a shift: less than this sooner gains nothing
+  std::optional<MissedShift> missed = {};  ///< for a shift: why not the one before
 };
 
 /// A task that could start, but for a machine in its zone.

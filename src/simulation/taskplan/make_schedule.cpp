@@ -125,7 +125,7 @@ Schedule Simulation::make_schedule() {
   count_uses(schedule);
   add_costs(plan_, schedule);
   add_floats(row_of, schedule);
-  add_critical_chain(schedule);
+  add_critical_chain(row_of, schedule);
   return schedule;
 }
 
@@ -163,7 +163,19 @@ void Simulation::add_floats(const std::vector<std::size_t>& row_of, Schedule& sc
   taskplan::add_floats(done, *stage_.links, hours_of, schedule);
 }
 
-void Simulation::add_critical_chain(Schedule& schedule) const {
+/// A shift was missed in a run that went back: whether the other task gave the resource back at
+/// that moment in the end, too.
+bool Simulation::gave_back(const schedule::MissedShift& missed,
+                           const std::vector<std::size_t>& row_of, const Schedule& schedule) const {
+  if (stage_.is_park(missed.task_before) || excluded_.contains(missed.task_before)) return false;
+  const std::vector<ResourceHold>& holds = schedule.tasks[row_of[index(missed.task_before)]].holds;
+  return std::any_of(holds.begin(), holds.end(), [&](const ResourceHold& hold) {
+    return hold.resource == missed.resource && hold.to == missed.until;
+  });
+}
+
+void Simulation::add_critical_chain(const std::vector<std::size_t>& row_of,
+                                    Schedule& schedule) const {
   if (schedule.process_time == 0) return;
   schedule::NetworkTimes times;
   times.tasks = stage_.links->all_times();
@@ -171,6 +183,11 @@ void Simulation::add_critical_chain(Schedule& schedule) const {
     if (excluded_.contains(static_cast<int>(task))) times.tasks[task] = {};
     // The plan is over with its own tasks.
     if (stage_.is_park(static_cast<int>(task))) times.tasks[task].finish = 0;
+    for (schedule::MidWait& wait : times.tasks[task].mid_waits) {
+      if (!wait.missed || gave_back(*wait.missed, row_of, schedule)) continue;
+      wait.missed.reset();
+      wait.first_gain = 0;
+    }
   }
   for (const schedule::ChainStep& step : critical_chain(stage_.links->network(), times)) {
     schedule.critical.push_back({stage_.spec(step.task).name, step.work_counts,

@@ -148,7 +148,9 @@ class Simulation : private LinkState::Listener {
   Schedule make_schedule();
   void add_lost_days(Schedule& schedule, Ticks end);
   void add_floats(const std::vector<std::size_t>& row_of, Schedule& schedule) const;
-  void add_critical_chain(Schedule& schedule) const;
+  bool gave_back(const schedule::MissedShift& missed, const std::vector<std::size_t>& row_of,
+                 const Schedule& schedule) const;
+  void add_critical_chain(const std::vector<std::size_t>& row_of, Schedule& schedule) const;
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 

@@ -225,6 +225,10 @@ void Stage::end_shift_wait(ActiveTask& task, Ticks since, Ticks first_gain, cons
   schedule::MidWait wait{now(), schedule::Held::shift};
   wait.since = since;
   wait.first_gain = first_gain;
+  if (lift && lift->missed) {
+    wait.missed = lift->missed;
+    wait.first_gain = lift->missed->gain;
+  }
   links->add_mid_wait(task.task, std::move(wait));
   pause(task.task, lift ? "lift" : "shift", lift ? lift->because : std::string(), since);
 }

@@ -97,7 +97,7 @@ void note_gain(Stage& stage, const WholeLift& lift, Ticks own) {
   const auto wait = std::find_if(waits.begin(), waits.end(), [&](const schedule::MidWait& each) {
     return each.held == schedule::Held::shift && each.until == lift.from;
   });
-  if (wait == waits.end()) return;
+  if (wait == waits.end() || wait->missed) return;
   schedule::TaskTimes times = stage.links->times(lift.task);
   times.mid_waits[static_cast<std::size_t>(wait - waits.begin())].first_gain =
       gain_of(lift_hours(stage, lift.task), wait->since, own);
@@ -105,7 +105,8 @@ void note_gain(Stage& stage, const WholeLift& lift, Ticks own) {
 }
 
 /// The lift waits for the next shift that is long enough; the run goes back to before its task.
-void repeat(Stage& stage, const WholeLift& lift, Ticks own, const std::string& what) {
+void repeat(Stage& stage, const WholeLift& lift, Ticks own, const std::string& what,
+            std::optional<schedule::MissedShift> missed) {
   const schedule::WorkCalendar& hours = lift_hours(stage, lift.task);
   Ticks start = hours.next_working(lift.shift_end);
   while (start < schedule::kEndOfTime && hours.shift_end(start) - start < own) {
@@ -116,16 +117,38 @@ void repeat(Stage& stage, const WholeLift& lift, Ticks own, const std::string& w
     return;
   }
   const std::string because = fmt::format("{} {}", what, moment_text(stage, lift.shift_end, start));
-  stage.lift_notes.add(lift.task, {start, lift.shift_end, because, 1, own});
+  stage.lift_notes.add(lift.task, {start, lift.shift_end, because, 1, own, missed});
   stage.lift_to_repeat = lift.task;
 }
 
-/// "23 min do not fit before"; of a lift that waited for others with its load also how long.
-std::string misfit(Ticks all, Ticks waited) {
-  const std::string text = duration_text(all);
-  if (waited <= 0) return text + " do not fit before";
-  return fmt::format("{}, {} of them waiting for others, do not fit before", text,
-                     duration_text(waited));
+/// The crew that a lift waited for last, if it would have been over in time without its waits.
+std::optional<schedule::MissedShift> missed_for(const Stage& stage, const WholeLift& lift,
+                                                Ticks own) {
+  if (lift.from + own > lift.shift_end) return std::nullopt;
+  const std::vector<schedule::MidWait>& waits = stage.links->times(lift.task).mid_waits;
+  const auto last = std::find_if(waits.rbegin(), waits.rend(), [](const schedule::MidWait& each) {
+    return each.held != schedule::Held::shift;
+  });
+  if (last == waits.rend() || last->until <= lift.from) return std::nullopt;
+  if (last->held != schedule::Held::resource || last->task_before < 0) return std::nullopt;
+  return schedule::MissedShift{last->until, last->resource, last->task_before,
+                               stage.now() - lift.shift_end};
+}
+
+/// "23 min do not fit before"; of a lift that waited for others with its load also how long, and
+/// for whom last.
+std::string misfit(const Stage& stage, Ticks all, Ticks waited,
+                   const std::optional<schedule::MissedShift>& missed) {
+  std::string text = duration_text(all);
+  if (waited > 0) {
+    text += fmt::format(", {} of them waiting for others", duration_text(waited));
+    if (missed) {
+      text += fmt::format(" (last for '{}', which {} had)", stage.allocator->name(missed->resource),
+                          stage.spec(missed->task_before).name);
+    }
+    text += ",";
+  }
+  return text + " do not fit before";
 }
 
 bool is_overdue(const WholeLift& lift, Ticks now) {
@@ -233,7 +256,8 @@ bool end_lift(ActiveTask& task, Stage& stage) {
     // One that was held up by others ends in overtime, but nothing hangs until the next shift.
     const bool ends_soon = now <= hours.next_working(lift.shift_end);
     if (!lift.stays && !(lift.fresh && own <= lift.shift_end - lift.from && ends_soon)) {
-      repeat(stage, lift, own, misfit(now - lift.from, waited));
+      const std::optional<schedule::MissedShift> missed = missed_for(stage, lift, own);
+      repeat(stage, lift, own, misfit(stage, now - lift.from, waited, missed), missed);
       return false;
     }
   }
@@ -287,7 +311,7 @@ void repeat_overdue_lift(Stage& stage, int task) {
   if (own > length(longest)) {
     reject_too_long(stage, lift, *stage.active.look_at(task), longest);
   } else {
-    repeat(stage, lift, own, "it would hang on the hook beyond");
+    repeat(stage, lift, own, "it would hang on the hook beyond", std::nullopt);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/simulation/schedule/network.hpp"
 #include "src/simulation/schedule/ticks.hpp"
 
 namespace rubicon::schedule {
@@ -37,10 +38,11 @@ struct WholeLift {
 /// Why a lift does not begin before a certain shift.
 struct LiftNote {
   Ticks not_before = 0;
-  Ticks shift_end = 0;  ///< of the shift into which it does not fit
-  std::string because;  ///< "23 min do not fit before 12:00"
-  int times = 1;        ///< that it was found for this task and shift
-  Ticks own = 0;        ///< the lift's motion and crew work, at least
+  Ticks shift_end = 0;                               ///< of the shift into which it does not fit
+  std::string because;                               ///< "23 min do not fit before 12:00"
+  int times = 1;                                     ///< that it was found for this task and shift
+  Ticks own = 0;                                     ///< the lift's motion and crew work, at least
+  std::optional<schedule::MissedShift> missed = {};  ///< whom it waited for, if it would have fit
 };
 
 /// What runs found out about lifts and went back for. A later run begins with it, but for tasks

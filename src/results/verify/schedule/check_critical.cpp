@@ -16,6 +16,7 @@
 #include "src/motion/math/index.hpp"
 #include "src/results/verify/replay/holds.hpp"
 #include "src/results/verify/schedule/check_choices.hpp"
+#include "src/results/verify/schedule/check_lifts.hpp"
 
 namespace rubicon::verify {
 
@@ -85,10 +86,11 @@ bool is_near(Ticks time, Ticks said, Ticks later) {
 
 class CriticalCheck {
  public:
-  CriticalCheck(const Trace& trace, const std::vector<TaskRun>& runs, const ScheduleJson& schedule,
-                Faults& faults)
+  CriticalCheck(const Trace& trace, const std::vector<TaskRun>& runs, const WorkingHours& hours,
+                const ScheduleJson& schedule, Faults& faults)
       : trace_(trace),
         runs_(runs),
+        hours_(hours),
         rows_(schedule.critical),
         faults_(faults),
         kept_(kept_for_nothing(trace, runs)) {
@@ -163,7 +165,7 @@ class CriticalCheck {
       return;
     }
     text.remove_prefix(row.task.size());
-    if (is_reason(i, text, later)) return;
+    if (is_reason(i, text, later) || misses_shift(row.task, text, gain.value_or(0))) return;
     fault(row.line, row.task,
           fmt::format("'{}' does not lead from the task before it in the critical path{}", row.text,
                       i > 0 ? ", " + rows_[i - 1].task : ""));
@@ -187,6 +189,44 @@ class CriticalCheck {
         }
       }
       return false;
+    });
+  }
+
+  /// " misses a shift waiting for 'crew', which other had": whether the other gave the crew back
+  /// while a lift of the task waited for a shift, and without that wait the lift would have fit
+  /// into the shift in which it began to wait.
+  bool misses_shift(const std::string& name, std::string_view text, Ticks gain) const {
+    return any_resource([&](int resource) {
+      const std::string crew = resource_name(trace_.scene, resource);
+      const std::string begin = fmt::format(" misses a shift waiting for '{}', which ", crew);
+      if (!text.starts_with(begin) || !text.ends_with(" had")) return false;
+      text.remove_prefix(begin.size());
+      text.remove_suffix(std::string_view(" had").size());
+      return any_hold(name, resource, [](const Hold&) { return true; }) &&
+             any_run(name, [&](const TaskRun& run) {
+               return any_hold(std::string(text), resource, [&](const Hold& given) {
+                 return misses_shift(run, given.to, gain);
+               });
+             });
+    });
+  }
+
+  bool misses_shift(const TaskRun& run, Ticks given, Ticks gain) const {
+    const std::optional<Lift> lift = find_lift(trace_, run);
+    if (!lift) return false;
+    const std::vector<int> calendars =
+        calendars_of_lift(trace_.scene, trace_.scene.tasks[at(run.task)]);
+    const auto is_within_shift = [&](Ticks from, Ticks to) {
+      return to - from - hours_.between(calendars, from, to) <= kTimeSlack;
+    };
+    return std::any_of(run.records.begin(), run.records.end(), [&](std::size_t number) {
+      const Record& record = trace_.records[number];
+      const auto* pause = std::get_if<Pause>(&record.what);
+      if (pause == nullptr || pause->why != "lift") return false;
+      if (given <= pause->from || given > record.time) return false;
+      // It may have missed that shift for another reason, and a later one for this.
+      if (!is_within_shift(pause->from, pause->from + lift->own)) return true;
+      return !is_within_shift(pause->from, given + lift->own - gain + kRounded);
     });
   }
 
@@ -377,6 +417,7 @@ class CriticalCheck {
 
   const Trace& trace_;
   const std::vector<TaskRun>& runs_;
+  const WorkingHours& hours_;
   const std::vector<CriticalRow>& rows_;
   Faults& faults_;
   std::vector<Kept> kept_;
@@ -386,9 +427,9 @@ class CriticalCheck {
 
 }  // namespace
 
-void check_critical(const Trace& trace, const std::vector<TaskRun>& runs,
+void check_critical(const Trace& trace, const std::vector<TaskRun>& runs, const WorkingHours& hours,
                     const ScheduleJson& schedule, Faults& faults) {
-  if (!trace.scene.short_form) CriticalCheck(trace, runs, schedule, faults).check();
+  if (!trace.scene.short_form) CriticalCheck(trace, runs, hours, schedule, faults).check();
 }
 
 }  // namespace rubicon::verify
