@@ -193,8 +193,9 @@ class CriticalCheck {
   }
 
   /// " misses a shift waiting for 'crew', which other had": whether the other gave the crew back
-  /// while a lift of the task waited for a shift, and without that wait the lift would have fit
-  /// into the shift in which it began to wait.
+  /// after a lift of the task began to wait for a shift and before the task had the crew, and
+  /// without the wait for the crew the lift would have fit into the shift in which it began to
+  /// wait.
   bool misses_shift(const std::string& name, std::string_view text, Ticks gain) const {
     return any_resource([&](int resource) {
       const std::string crew = resource_name(trace_.scene, resource);
@@ -202,12 +203,14 @@ class CriticalCheck {
       if (!text.starts_with(begin) || !text.ends_with(" had")) return false;
       text.remove_prefix(begin.size());
       text.remove_suffix(std::string_view(" had").size());
-      return any_hold(name, resource, [](const Hold&) { return true; }) &&
-             any_run(name, [&](const TaskRun& run) {
-               return any_hold(std::string(text), resource, [&](const Hold& given) {
-                 return misses_shift(run, given.to, gain);
-               });
-             });
+      return any_run(name, [&](const TaskRun& run) {
+        return any_hold(std::string(text), resource, [&](const Hold& given) {
+          const auto taken_later = [&](const Hold& taken) {
+            return taken.from >= given.to - kTimeSlack;
+          };
+          return any_hold(name, resource, taken_later) && misses_shift(run, given.to, gain);
+        });
+      });
     });
   }
 
@@ -223,7 +226,7 @@ class CriticalCheck {
       const Record& record = trace_.records[number];
       const auto* pause = std::get_if<Pause>(&record.what);
       if (pause == nullptr || pause->why != "lift") return false;
-      if (given <= pause->from || given > record.time) return false;
+      if (given <= pause->from) return false;
       // It may have missed that shift for another reason, and a later one for this.
       if (!is_within_shift(pause->from, pause->from + lift->own)) return true;
       return !is_within_shift(pause->from, given + lift->own - gain + kRounded);
