@@ -76,8 +76,7 @@ class ObstacleCheck {
     if (!find_standing(index, item, area, *ways.front(), places, parts.columns)) return;
     if (parts.columns.empty()) return;
     add_floor(area, parts);
-    std::vector<std::string> notes;
-    const std::vector<coverage::MadeFloor> floors = make_floors(parts, notes);
+    const std::vector<coverage::MadeFloor> floors = make_floors(parts);
     if (floors.size() != 1) {
       subject_.error(
           "P54", item.area.span,
@@ -155,8 +154,7 @@ class ObstacleCheck {
         inner.columns.push_back({thing.name, std::move(each.outline), false, {}, 0});
       }
     }
-    std::vector<std::string> notes;
-    std::vector<coverage::MadeFloor> floors = make_floors(inner, notes);
+    std::vector<coverage::MadeFloor> floors = make_floors(inner);
     return std::move(floors.front().floor);
   }
 

@@ -279,6 +279,36 @@ class BadDrawings(InAFolder):
         self.refused(dxf(*pieces), "cross more than 500000 times")
 
 
+def ifc(*blocks):
+    """A storey of blocks: type, name, corner and size, m."""
+    texts = ["#1=IFCSIUNIT(*,.LENGTHUNIT.,$,.METRE.);", "#2=IFCUNITASSIGNMENT((#1));", "#3=IFCCARTESIANPOINT((0.,0.,0.));",
+             "#4=IFCAXIS2PLACEMENT3D(#3,$,$);", "#5=IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-5,#4,$);",
+             "#6=IFCPROJECT('p',$,'P',$,$,$,$,(#5),#2);", "#7=IFCLOCALPLACEMENT($,#4);",
+             "#8=IFCBUILDING('b',$,'B',$,$,#7,$,$,.ELEMENT.,$,$,$);", "#9=IFCBUILDINGSTOREY('s',$,'01 first',$,$,#7,$,$,.ELEMENT.,0.);",
+             "#10=IFCRELAGGREGATES('r',$,$,$,#6,(#8));", "#11=IFCRELAGGREGATES('q',$,$,$,#8,(#9));"]
+    for i, (kind, name, corner, size) in enumerate(blocks):
+        n = 100 + 10 * i
+        texts += [f"#{n}=IFCCARTESIANPOINT(({','.join(str(float(c)) for c in corner)}));", f"#{n + 1}=IFCAXIS2PLACEMENT3D(#{n},$,$);",
+                  f"#{n + 2}=IFCLOCALPLACEMENT(#7,#{n + 1});", f"#{n + 3}=IFCBLOCK(#4,{','.join(str(float(c)) for c in size)});",
+                  f"#{n + 4}=IFCSHAPEREPRESENTATION(#5,'Body','CSG',(#{n + 3}));", f"#{n + 5}=IFCPRODUCTDEFINITIONSHAPE($,$,(#{n + 4}));",
+                  f"#{n + 6}=IFC{kind}('e{i}',$,'{name}',$,$,#{n + 2},#{n + 5},$,$);"]
+    elements = ",".join(f"#{100 + 10 * i + 6}" for i in range(len(blocks)))
+    texts.append(f"#12=IFCRELCONTAINEDINSPATIALSTRUCTURE('c',$,$,$,({elements}),#9);")
+    return ("ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA(('IFC4'));\n"
+            "ENDSEC;\nDATA;\n" + "\n".join(texts) + "\nENDSEC;\nEND-ISO-10303-21;\n")
+
+
+class StoreyOfTwoFloors(InAFolder):
+    def test_what_stands_in_one_floor_is_not_outside_of_every_slab(self):
+        self.write("two.ifc", ifc(("SLAB", "high", (0, 0, 2.8), (10, 8, 0.2)), ("SLAB", "low", (10, 0, 2.4), (5, 8, 0.2)),
+                                  ("COLUMN", "in high", (4, 4, 0), (0.4, 0.4, 6)), ("COLUMN", "in low", (12, 4, 0), (0.4, 0.4, 6)),
+                                  ("WALL", "far wall", (20, 0, 0), (0.2, 8, 6)), ("COLUMN", "far column", (22, 0, 0), (0.4, 0.4, 6))))
+        ran = rubicon("import", self.path("two.ifc"), "--area", "01*")
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertEqual(re.findall(r"// (.*) lies outside of every slab", ran.stdout), ["wall 'far wall'", "column 'far column'"])
+        self.assertEqual(len(re.findall(r"column \(.*// 'in ", ran.stdout)), 2)
+
+
 @unittest.skipUnless(os.path.isdir(REAL), "../shared/data is not there")
 class RealBuilding(InAFolder):
     def test_ground_floor(self):

@@ -60,10 +60,12 @@ class DrawingReader {
     tell_rest();
     if (diagnostics_.has_errors()) return {};
     std::vector<std::string> made;
+    std::vector<std::size_t> outside;
     std::vector<ImportedArea> areas;
-    for (coverage::MadeFloor& each : make_floors(parts, made)) {
+    for (coverage::MadeFloor& each : make_floors(parts, made, outside)) {
       areas.push_back({terms_.height, std::move(each.floor), each.slab});
     }
+    for (const std::size_t i : outside) made.push_back(text_of_outside(parts.columns[i]));
     for (const std::string& note : made) warning(note, "");
     if (areas.empty()) {
       error(fmt::format("the lines of '{}' on the layer '{}' enclose no floor", terms_.file,

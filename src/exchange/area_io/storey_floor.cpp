@@ -69,6 +69,11 @@ class StoreyReader {
                  areas);
       first = last;
     }
+    for (const Element& each : elements_.all) {
+      const auto found = outside_.find(&each);
+      if (found == outside_.end() || inside_.contains(&each)) continue;
+      if (told_.insert(found->second).second) notes_.push_back(found->second);
+    }
     std::stable_sort(areas.begin(), areas.end(),
                      [](const auto& a, const auto& b) { return a.slab > b.slab; });
     if (areas.empty() && !diagnostics_.has_errors()) {
@@ -135,6 +140,7 @@ class StoreyReader {
 
   void add_floors(const std::vector<const Element*>& slabs, std::vector<ImportedArea>& areas) {
     coverage::FloorParts parts;
+    std::vector<const Element*> owners;  // of columns
     std::vector<Ring> rings;
     for (const Element* slab : slabs) {
       if (!is_in_reach(*slab)) {
@@ -154,6 +160,7 @@ class StoreyReader {
       const bool column = each.type.starts_with("IfcColumn") && foot <= top + kStands;
       const bool wall = each.type.starts_with("IfcWall") && foot <= top - kThrough;
       if ((column || wall) && top_of(each) >= top + kStands) add_standing(each, parts);
+      owners.resize(parts.columns.size(), &each);
       if (each.type.starts_with("IfcBeam") && top_of(each) <= top + kThrough &&
           top_of(each) >= top - kBelow) {
         add_beam(each, parts);
@@ -161,7 +168,16 @@ class StoreyReader {
     }
     if (is_too_large()) return;
     std::vector<std::string> notes;
-    std::vector<coverage::MadeFloor> made = make_floors(parts, notes);
+    std::vector<std::size_t> outside;
+    std::vector<coverage::MadeFloor> made = make_floors(parts, notes, outside);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < parts.columns.size(); ++i) {
+      const bool is_outside = next < outside.size() && outside[next] == i;
+      if (is_outside) ++next;
+      // A storey of several floors: it is outside where it stands in none of them.
+      const std::string text = text_of_outside(parts.columns[i]);
+      (is_outside ? outside_ : inside_).emplace(owners[i], text);
+    }
     for (const std::string& note : notes) {
       if (told_.insert(note).second) notes_.push_back(note);
     }
@@ -187,6 +203,7 @@ class StoreyReader {
     std::string name = element.name.empty() ? element.type : element.name;
     for (Region& region : coverage::united(shadow(element))) {
       parts.columns.push_back(coverage::standing_of(name, std::move(region.outline)));
+      if (element.type.starts_with("IfcWall")) parts.columns.back().kind = "wall";
     }
   }
 
@@ -205,6 +222,7 @@ class StoreyReader {
   interpreter::Diagnostics& diagnostics_;
   std::string storey_;
   std::set<std::string> told_;
+  std::map<const Element*, std::string> outside_, inside_;  ///< of a floor
   std::size_t triangles_ = 0;
 };
 

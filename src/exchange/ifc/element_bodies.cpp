@@ -1,5 +1,7 @@
 #include "src/exchange/ifc/element_bodies.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -15,8 +17,11 @@ namespace rubicon::ifc {
 
 namespace {
 
-/// More bodies than these, such as the bars of a cage, are taken as they are.
+/// Elements in which more bodies than these meet others, such as cages of bars, are taken as they
+/// are.
 constexpr std::size_t kMostTakenApart = 100;
+/// And those of more bodies than these, of which each would be looked at beside all others.
+constexpr std::size_t kMostBodies = 2000;
 
 class BodyReader {
  public:
@@ -122,7 +127,15 @@ class BodyReader {
 
   /// Takes from each body what those before it fill already: an L of two walls has its corner once.
   void take_apart(Bodies& bodies) {
-    if (bodies.solids.size() < 2 || bodies.solids.size() > kMostTakenApart) return;
+    const std::size_t met_bodies = count_of_met(bodies);
+    if (met_bodies == 0) return;
+    if (met_bodies > kMostTakenApart) {
+      bodies.notes.push_back(
+          fmt::format("{} of its bodies may overlap: what they have in common counts more than "
+                      "once in volume and mass",
+                      met_bodies));
+      return;
+    }
     Bodies apart;
     std::vector<Box> boxes;
     for (Solid& solid : bodies.solids) {
@@ -145,6 +158,23 @@ class BodyReader {
       bodies.notes.insert(bodies.notes.end(), left.notes.begin(), left.notes.end());
     }
     bodies.solids = std::move(apart.solids);
+  }
+
+  /// Bodies that may have something in common with others; all of them where they are too many.
+  static std::size_t count_of_met(const Bodies& bodies) {
+    const std::size_t all = bodies.solids.size();
+    if (all > kMostBodies) return all;
+    std::vector<Box> boxes;
+    for (const Solid& solid : bodies.solids) boxes.push_back(box_of(solid));
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < all; ++i) {
+      for (std::size_t j = 0; j < all; ++j) {
+        if (i == j || !overlap(boxes[i], boxes[j])) continue;
+        ++count;
+        break;
+      }
+    }
+    return count;
   }
 
   /// Takes `met` from other bodies; `what` they lose.

@@ -78,8 +78,9 @@ std::optional<ColumnDescription> column_of(const Standing& thing) {
 
 class FloorMaker {
  public:
-  FloorMaker(const FloorParts& parts, std::vector<std::string>& notes)
-      : parts_(parts), notes_(notes), slabs_(parts.slabs) {}
+  FloorMaker(const FloorParts& parts, std::vector<std::string>& notes,
+             std::vector<std::size_t>& outside)
+      : parts_(parts), notes_(notes), outside_(outside), slabs_(parts.slabs) {}
 
   std::vector<MadeFloor> run() {
     cut_shafts();
@@ -128,7 +129,7 @@ class FloorMaker {
       const Standing& thing = parts_.columns[i];
       const Ring ring = ring_of(thing);
       if (!meets_a_slab(ring)) {
-        notes_.push_back(fmt::format("column {} lies outside of every slab", told(thing.name)));
+        outside_.push_back(i);
         continue;
       }
       const bool alone = std::none_of(boxes.begin(), boxes.end(), [&](const Box& other) {
@@ -143,9 +144,12 @@ class FloorMaker {
     }
     if (!cut.empty()) slabs_ = difference(slabs_, cut);
     if (!cut.empty()) {
-      notes_.push_back(fmt::format(
-          "{} of the columns cut out of the slab: not square along x and y, or at a border",
-          cut.size()));
+      const bool has_walls =
+          std::any_of(parts_.columns.begin(), parts_.columns.end(),
+                      [](const Standing& thing) { return thing.kind != "column"; });
+      notes_.push_back(
+          fmt::format("{} of the {} cut out of the slab: not square along x and y, or at a border",
+                      cut.size(), has_walls ? "columns and walls" : "columns"));
     }
   }
 
@@ -176,6 +180,7 @@ class FloorMaker {
 
   const FloorParts& parts_;
   std::vector<std::string>& notes_;
+  std::vector<std::size_t>& outside_;
   std::vector<Region> slabs_;
   std::vector<std::pair<ColumnDescription, Ring>> columns_;
 };
@@ -211,8 +216,19 @@ Standing standing_of(std::string name, Ring ring) {
   return thing;
 }
 
-std::vector<MadeFloor> make_floors(const FloorParts& parts, std::vector<std::string>& notes) {
-  return FloorMaker(parts, notes).run();
+std::vector<MadeFloor> make_floors(const FloorParts& parts, std::vector<std::string>& notes,
+                                   std::vector<std::size_t>& outside) {
+  return FloorMaker(parts, notes, outside).run();
+}
+
+std::vector<MadeFloor> make_floors(const FloorParts& parts) {
+  std::vector<std::string> notes;
+  std::vector<std::size_t> outside;
+  return make_floors(parts, notes, outside);
+}
+
+std::string text_of_outside(const Standing& thing) {
+  return fmt::format("{} {} lies outside of every slab", thing.kind, told(thing.name));
 }
 
 }  // namespace rubicon::coverage

@@ -111,6 +111,33 @@ TEST(ElementBodies, WhatTwoBodiesHaveInCommonCountsOnce) {
   }
 }
 
+/// 101 blocks in a row, each with half of it in the next.
+TEST(ElementBodies, TooManyBodiesThatOverlapAreNoted) {
+  for (const int step : {1, 3}) {
+    std::string text;
+    for (int i = 0; i <= 100; ++i) {
+      const int block = 10'000 + 10 * i;
+      text += "#" + std::to_string(block) + "= IFCBLOCK(#" + std::to_string(block + 1) +
+              ",2.,1.,1.);\n#" + std::to_string(block + 1) + "= IFCAXIS2PLACEMENT3D(#" +
+              std::to_string(block + 2) + ",$,$);\n#" + std::to_string(block + 2) +
+              "= IFCCARTESIANPOINT((" + std::to_string(step * i) + ".,0.,0.));\n";
+      if (i == 0) continue;
+      const int before = i == 1 ? 10'000 : 20'000 + i - 1;
+      text += "#" + std::to_string(i == 100 ? 1000 : 20'000 + i) + "= IFCBOOLEANRESULT(.UNION.,#" +
+              std::to_string(before) + ",#" + std::to_string(block) + ");\n";
+    }
+    const auto bodies = bodies_of(text);
+    ASSERT_EQ(bodies.size(), 1U);
+    ASSERT_TRUE(bodies[0]);
+    EXPECT_NEAR(volume_of(bodies[0]->solid), 202, 1e-9) << step;
+    if (step == 1) {
+      EXPECT_THAT(bodies[0]->notes, ElementsAre(HasSubstr("101 of its bodies may overlap")));
+    } else {
+      EXPECT_TRUE(bodies[0]->notes.empty());
+    }
+  }
+}
+
 TEST(ElementBodies, AProjectionThatCannotBeReadIsNoted) {
   const auto bodies = with_projection("0.3", "0.5", "#600005");
   ASSERT_EQ(bodies.size(), 1U);
