@@ -146,7 +146,11 @@ struct lost_months
 struct lost_key : token<word<exact<"lost">>> {};
 struct lost_share : quantity {};
 struct lost_shift : if_must<lost_key, opt<lost_months>, lost_share, plan_semicolon> {};
-struct first_day : name {};
+/// Items of a plan: before one of these the '}' of the calendar is missing.
+struct not_a_day : word<sor<exact<"calendar">, exact<"robot">, exact<"crew">, exact<"pool">,
+                            exact<"component">, exact<"site">, exact<"task">, exact<"situation">,
+                            exact<"parameter">, exact<"budget">, exact<"start_at">>> {};
+struct first_day : seq<not_at<not_a_day>, name> {};
 struct last_day : name {};
 struct day_shift : if_must<first_day, opt<if_must<minus_sign, last_day>>, shift_time,
                            star<if_must<comma, shift_time>>, plan_semicolon> {};

@@ -325,6 +325,7 @@ std::optional<syntax::Plan> imported_plan(const syntax::ImportItem& item, const 
   syntax::Plan plan = parse_plan(sources, file, diagnostics);
   Scope inner;
   inner.importer = &scope;
+  inner.prefix = scope.prefix + item.as->text + ".";
   imports.open.push_back(path);
   expand_in(plan, set, inner, sources, diagnostics, &imports);
   imports.open.pop_back();

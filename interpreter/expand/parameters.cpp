@@ -62,9 +62,10 @@ class Evaluator {
     scope_.later.clear();
     for (const auto& [name, text] : set_) {
       if (scope_.parameters.count(name) != 0 || plan.broken) continue;
+      const std::string whole = scope_.prefix + name;
       diagnostics_.error("P27", {},
-                         fmt::format("--set {}={}: the plan has no parameter '{}'{}", name, text,
-                                     name, near_name(scope_, name)));
+                         fmt::format("--set {}={}: the plan has no parameter '{}'{}", whole, text,
+                                     whole, near_whole_name(name)));
     }
   }
 
@@ -78,6 +79,16 @@ class Evaluator {
       if (name.starts_with(prefix)) result.emplace_back(name.substr(prefix.size()), text);
     }
     return result;
+  }
+
+  /// "; did you mean yard.pitch?": one of that name in a plan that is imported, else the nearest.
+  std::string near_whole_name(const std::string& name) {
+    std::vector<std::string> all;
+    for (const auto& [each, parameter] : scope_.parameters) {
+      all.push_back(scope_.prefix + each);
+      if (each.ends_with("." + name)) return "; did you mean " + all.back() + "?";
+    }
+    return scope_.suggestions.ending(scope_.prefix + name, [&] { return all; });
   }
 
   void declare(const syntax::PlanParameter& item) {
@@ -118,7 +129,7 @@ class Evaluator {
       return result;
     }
     std::optional<Value> given = number_of(text);
-    const std::string asked = fmt::format("--set {}={}: ", name, text);
+    const std::string asked = fmt::format("--set {}{}={}: ", scope_.prefix, name, text);
     if (!given) {
       diagnostics_.error("P27", {}, asked + "expected a number, such as 6 or \"3.5 m\"");
       return std::nullopt;

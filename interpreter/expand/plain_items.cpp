@@ -470,7 +470,15 @@ void PlainItems::text(syntax::String& value) {
 std::size_t PlainItems::insert(const syntax::String& value, std::size_t at, std::string& out) {
   const std::string& written = value.text;
   std::size_t end = at + 1;
-  while (end < written.size() && (is_letter(written[end]) || is_digit(written[end]))) ++end;
+  const auto is_in_name = [&](std::size_t place) {
+    return place < written.size() && (is_letter(written[place]) || is_digit(written[place]));
+  };
+  // `yard.pitch` is the parameter of a plan that is imported.
+  const auto is_point = [&](std::size_t place) {
+    return place > at + 1 && written[place] == '.' && is_in_name(place - 1) &&
+           is_in_name(place + 1) && !is_digit(written[place + 1]);
+  };
+  while (end < written.size() && (is_in_name(end) || is_point(end))) ++end;
   const std::string name = written.substr(at + 1, end - at - 1);
   if (name.empty() || is_digit(name.front()) || end == written.size() || written[end] != '}') {
     return 0;

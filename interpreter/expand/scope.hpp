@@ -39,6 +39,7 @@ struct Scope {
   const Scope* importer = nullptr;         ///< of the plan that imports this one
   bool broken = false;  ///< a mistake in the syntax: what is unknown may be declared there
   std::uint32_t copy = 0;
+  std::string prefix = {};  ///< of its names in the plan that is run: "yard."
   NameSuggestions suggestions = {};
 };
 

@@ -14,7 +14,8 @@ namespace rubicon::interpreter {
 
 namespace {
 
-/// Below it (m or degrees) a distance is rounding: a message says 0 instead.
+/// Below it (m or degrees) a distance is rounding: a message says 0 instead, and `within` allows
+/// it.
 constexpr double kRounding = 1e-6;
 
 /// Plans round what is foreseen, on the way to one waypoint: after these only workspaces stop it.
@@ -345,13 +346,14 @@ void Machine::judge() {
     const robot::PoseTolerance tolerance = frame_tolerance();
     const std::vector<std::pair<int, double>>& values = task_.goals[way_point_].values;
     end_->reached =
-        *end_->position_error <= tolerance.position &&
-        math::radians(*end_->orientation_error) <= tolerance.orientation &&
+        readable(*end_->position_error - tolerance.position) <= 0 &&
+        readable(*end_->orientation_error - math::degrees(tolerance.orientation)) <= 0 &&
         std::all_of(values.begin(), values.end(), [&](const auto& named) {
           return std::fabs(delta(named.first, named.second)) <= tolerance_of(named.first);
         });
   } else {
-    const bool near = task_.within.length >= 0 && tool_distance(goal_.p_WG) <= task_.within.length;
+    const bool near =
+        task_.within.length >= 0 && readable(tool_distance(goal_.p_WG) - task_.within.length) <= 0;
     end_->reached = std::all_of(end_->residual.begin(), end_->residual.end(),
                                 [&](const std::pair<int, double>& off) {
                                   return std::fabs(off.second) <= tolerance_of(off.first) ||

@@ -140,6 +140,13 @@ class Goals(unittest.TestCase):
         made, _ = self.run_plan(ARM, 'plan p { robot r "r.robot"; support off; budget 100000; %s }' % "\n".join(tasks))
         self.assertNotIn("out of reach", made.stdout)
 
+    def test_what_is_as_far_off_as_within_allows_is_there(self):
+        robot = ("robot r { body t { param x step(1) speed(1 m/s) range(-60, 60); frame trans(x, 0, 0); "
+                 "shape box(-0.4, -0.4, 0, 0.4, 0.4, 1); } tool t;\n  behaviour { chain { move_to(x, goal(x) - 0.1) }; }\n}")
+        for x in (1, 2, 3, 5.3, -2.5, -19.53):
+            made, _ = self.run_plan(robot, f'plan p {{ robot r "r.robot"; task t {{ by r; go at trans({x}, 0, 0); within 0.1; }} }}')
+            self.assertEqual(made.returncode, 0, made.stdout)
+
     def test_near_decides_by_what_it_names(self):
         # Two configurations: boom -33.69, elbow 90, hand -56.31, and the mirrored one.
         for side in (1, -1):

@@ -187,6 +187,16 @@ class Pools(ResultCase):
         why = rubicon("why", self.out, "one")
         self.assertIn("near of carts: the nearest that is free", why.stdout, why.stderr)
 
+    def test_of_equally_near_ones_the_first_is_chosen_wherever_they_stand(self):
+        for middle in (1, 3.7, 5.3, 7.7):
+            for order in ("near, far", "far, near"):
+                _, tasks = self.run_plan(f"""plan pool {{
+                  robot near "ROBOTS/cart.robot" {{ start x {middle} - 10.1, y 0; }}
+                  robot far "ROBOTS/cart.robot" {{ start x {middle} + 10.1, y 0; }}
+                  pool carts {{ of {order}; choose nearest; }}
+                  task one {{ by carts; go x {middle}, y 0; within x 0.6, y 0.6; }} }}""")
+                self.assertEqual(tasks["one"]["robot"], order.split(",")[0], (middle, order))
+
     def test_the_first_is_chosen(self):
         _, tasks = self.run_plan(POOL.replace("RULE", "first"))
         self.assertEqual([tasks[name]["robot"] for name in ("one", "two", "home")], ["far", "near", "far"])

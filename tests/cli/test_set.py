@@ -54,6 +54,20 @@ class Set(unittest.TestCase):
             self.assertEqual(result.returncode, 0, (call, result.stderr))
         self.assertEqual(rubicon("why", PLAN, "span_3").returncode, 2)
 
+    def test_parameters_of_an_imported_plan_have_their_full_names(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in (("yard.plan", 'plan yard { parameter pitch = 2 m; crew c; task t { by c; takes 1 h; name "pitch {pitch}"; } }'),
+                               ("main.plan", 'plan p { import "yard.plan" as yard; crew c; task t { by c; takes 1 h; name "twice {yard.pitch}"; } }')):
+                with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                    file.write(text)
+            plan = os.path.join(folder, "main.plan")
+            for given, said in (("yard.pich=3", "--set yard.pich=3: the plan has no parameter 'yard.pich'; did you mean yard.pitch?"),
+                                ("pitch=3", "--set pitch=3: the plan has no parameter 'pitch'; did you mean yard.pitch?"),
+                                ("yard.pitch=3 deg", "--set yard.pitch=3 deg: the parameter is a length, found an angle")):
+                self.assertIn(said, rubicon("check", plan, "--set", given).stderr)
+            run = json.loads(rubicon("run", plan, "--set", "yard.pitch=3", "--format", "json").stdout)
+            self.assertEqual(sorted(task["attributes"]["name"] for task in run["tasks"]), ["pitch 3", "twice 3"])
+
     def test_says_what_is_wrong(self):
         for given, said in (
             ("bay=3", "the plan has no parameter 'bay'; did you mean bays?"),

@@ -13,6 +13,8 @@ namespace {
 
 /// Fraction of a step within which a value counts as met (LANGUAGE section 4).
 constexpr double kStepFraction = 1e-6;
+/// m, degrees: so much more than `within` allows is rounding.
+constexpr double kRounding = 1e-6;
 
 bool frame_holds(const robot::RobotModel& model, const robot::Mounting& mounting,
                  std::span<const double> q, const math::Pose& X_WG,
@@ -26,7 +28,8 @@ bool frame_holds(const robot::RobotModel& model, const robot::Mounting& mounting
   const math::Pose X_WT = robot::tool_pose(model, mounting, q);
   const double off = (X_WT.translation() - X_WG.translation()).norm();
   const double turned = robot::turn_off_deg(X_WT.linear(), X_WG.linear(), free);
-  return off <= tolerance.position && math::radians(turned) <= tolerance.orientation;
+  return off <= tolerance.position + kRounding &&
+         turned <= math::degrees(tolerance.orientation) + kRounding;
 }
 
 }  // namespace

@@ -16,6 +16,16 @@ namespace {
 
 using Choice = interpreter::PoolSpec::Choice;
 
+/// Whether the first of the ranks that differ by more than rounding is less.
+bool is_less(const std::vector<double>& ranks, const std::vector<double>& others) {
+  constexpr double kSame = 1e-6;
+  for (std::size_t i = 0; i < ranks.size(); ++i) {
+    const bool same = ranks[i] == others[i] || std::fabs(ranks[i] - others[i]) <= kSame;
+    if (!same) return ranks[i] < others[i];
+  }
+  return false;
+}
+
 /// What the rule of a pool goes by, with the number it found.
 std::string rank_text(Choice rule, double rank) {
   switch (rule) {
@@ -82,7 +92,7 @@ int Simulation::choose_queue(int task, const std::vector<int>& queues) const {
     if (std::find(queues.begin(), queues.end(), queue) == queues.end()) continue;
     std::vector<double> ranks;
     for (const auto& member : choices[i].members) ranks.push_back(rank_of(choices[i], member));
-    if (best >= 0 && !(ranks < best_ranks)) continue;
+    if (best >= 0 && !is_less(ranks, best_ranks)) continue;
     best = queue;
     best_ranks = std::move(ranks);
   }

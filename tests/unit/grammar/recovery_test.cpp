@@ -53,6 +53,15 @@ TEST(Recovery, AMissingBraceIsOneMistakeWhateverStandsBehindIt) {
       ElementsAre("3:3: error: 'component' does not belong into this crew; is a '}' missing "
                   "before it?"));
   EXPECT_THAT(
+      in_plan("plan p {\n"
+              "  calendar day { mon-fri 07:00-12:00, 12:30-16:00;\n"
+              "  crew masons { size 3; calendar day; }\n"
+              "  component a { shape box(0, 0, 0, 1, 1, 1); }\n"
+              "  task t { by masons; takes 1 h; }\n"
+              "}\n"),
+      ElementsAre(
+          "3:3: error: 'crew' does not belong into this calendar; is a '}' missing before it?"));
+  EXPECT_THAT(
       in_robot("robot gantry {\n"
                "  body bridge { param x step(1); frame trans(x, 0, 0);\n"
                "  body hoist on bridge { param z step(1); frame trans(0, 0, z); }\n"

@@ -49,7 +49,7 @@ function numbersOf({ film, runs, clock }: Page): HTMLElement {
     list.append(make('div', {}, make('dt', {}, name), shown));
   };
   const long = schedule?.process_time ?? film.end;
-  if (clock.dated) add('Finishes', clock.brief(Math.round(long)), `${clock.dayName(long)}, begins ${clock.brief(0)}`);
+  if (clock.dated) add('Finishes', clock.brief(long), `${clock.dayName(long)}, begins ${clock.brief(0)}`);
   add('Process time', duration(long), long < day ? roughly(long) : 'from beginning to end');
   if (schedule?.uncertain) {
     const { sample, uncertain } = schedule;
@@ -298,7 +298,6 @@ function chainOf(page: Page, schedule: ScheduleData): HTMLElement[] {
     const run = byName.get(link.task);
     const text = named(link.text, 400);
     const item = make('li', {}, run === undefined ? text : button(link.text, () => goToRun(page, run), { class: 'link' }, text));
-    if (!link.work_counts) item.append(' ', make('small', {}, '(its own work does not count)'));
     list.append(item);
   }
   const more = schedule.critical.length - mostListed;

@@ -29,7 +29,7 @@ export function mountTopBar(host: HTMLElement, page: Page, showRefusals: () => v
   const facts = make('dl');
   const fact = (name: string, value: string) => facts.append(make('div', {}, make('dt', {}, name), make('dd', {}, value)));
   const long = schedule?.process_time ?? film.end;
-  if (clock.dated) fact('Finishes', `${clock.dayName(long)} ${clock.time(Math.round(long))}`);
+  if (clock.dated) fact('Finishes', `${clock.dayName(long)} ${clock.time(long)}`);
   fact('Process time', duration(long));
   if (schedule?.cost !== undefined) fact('Cost', money(schedule.cost, cut(schedule.currency ?? header.currency, 8)));
 
