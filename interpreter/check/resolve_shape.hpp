@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 
@@ -55,6 +56,7 @@ class ShapeResolver {
   FormulaNames& names_;
   Diagnostics& diagnostics_;
   std::map<std::string, MeshResult> meshes_;
+  std::set<std::string> open_meshes_;  ///< paths of which it was said
 };
 
 }  // namespace rubicon::interpreter

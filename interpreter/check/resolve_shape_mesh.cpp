@@ -48,8 +48,18 @@ std::optional<geometry::Solid> ShapeResolver::resolve_mesh(const syntax::Shape& 
     diagnostics_.error("F02", shape.file.span, failure->message);
     return std::nullopt;
   }
-  return geometry::Mesh{shape.file.text,
-                        std::get<std::shared_ptr<const geometry::TriangleMesh>>(result)};
+  const auto& mesh = std::get<std::shared_ptr<const geometry::TriangleMesh>>(result);
+  if (!mesh->closed && open_meshes_.insert(request->path).second) {
+    diagnostics_.warning(
+        "F15", shape.file.span,
+        fmt::format(
+            "the surface of mesh '{}'{} is not closed: only the surface itself is in the way, "
+            "not what it encloses",
+            shape.file.text,
+            request->part.empty() ? "" : fmt::format(", part '{}',", request->part)),
+        "close it, or add hull for the solid around it");
+  }
+  return geometry::Mesh{shape.file.text, mesh};
 }
 
 std::optional<MeshRequest> ShapeResolver::mesh_request(const syntax::Shape& shape) {

@@ -1,10 +1,13 @@
 #include "src/exchange/mesh_io/mesh_repair.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -166,6 +169,24 @@ int drop_opposite_pairs(std::vector<Triangle>& triangles) {
   return drop(triangles, struck);
 }
 
+/// Of triangles of the same corners, whichever side they show, the first stays: many programs write
+/// a front and a back of each.
+int drop_same_corners(std::vector<Triangle>& triangles) {
+  std::vector<std::pair<Triangle, int>> order;
+  order.reserve(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    Triangle corners = triangles[i];
+    std::sort(corners.begin(), corners.end());
+    order.emplace_back(corners, static_cast<int>(i));
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<char> same(triangles.size(), 0);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (order[i].first == order[i - 1].first) same[at(order[i].second)] = 1;
+  }
+  return drop(triangles, same);
+}
+
 bool on_a_line(const std::vector<Vec3>& v, const Triangle& t, double tolerance) {
   const Vec3 a = v[at(t[1])] - v[at(t[0])];
   const Vec3 b = v[at(t[2])] - v[at(t[0])];
@@ -320,6 +341,34 @@ std::optional<std::vector<Triangle>> closed_surface(const std::vector<Vec3>& v,
   return result;
 }
 
+/// Whether a part of the surface may lie in another: which of them shows outwards is not known
+/// where all triangles have two sides.
+bool may_be_nested(const std::vector<Vec3>& v, const std::vector<Triangle>& triangles) {
+  std::vector<int> parent(v.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int i) {
+    while (parent[at(i)] != i) i = parent[at(i)] = parent[at(parent[at(i)])];
+    return i;
+  };
+  for (const Triangle& t : triangles) {
+    parent[at(root(t[1]))] = root(t[0]);
+    parent[at(root(t[2]))] = root(t[0]);
+  }
+  std::map<int, Eigen::AlignedBox3d> boxes;
+  for (const Triangle& t : triangles) {
+    Eigen::AlignedBox3d& box = boxes[root(t[0])];
+    for (const int corner : t) box.extend(v[at(corner)]);
+  }
+  constexpr std::size_t kMostParts = 1000;
+  if (boxes.size() > kMostParts) return true;
+  for (const auto& [part, box] : boxes) {
+    for (const auto& [other, inner] : boxes) {
+      if (other != part && box.contains(inner)) return true;
+    }
+  }
+  return false;
+}
+
 geometry::TriangleMesh compacted(const std::vector<Vec3>& v, const std::vector<Triangle>& t) {
   geometry::TriangleMesh mesh;
   std::vector<int> place(v.size(), -1);
@@ -364,6 +413,17 @@ RepairedMesh repair(const std::vector<Vec3>& vertices, const std::vector<Triangl
     if (closed) {
       kept = std::move(netted);
       report.duplicate_triangles = struck;
+    }
+  }
+  if (!closed) {
+    std::vector<Triangle> one_sided = on_welded(triangles, representative);
+    const int same = drop_same_corners(one_sided);
+    if (same > report.duplicate_triangles && !may_be_nested(vertices, one_sided)) {
+      closed = closed_surface(vertices, one_sided, tolerance);
+    }
+    if (closed) {
+      kept = std::move(one_sided);
+      report.duplicate_triangles = same;
     }
   }
   if (closed) {

@@ -24,7 +24,7 @@ inline constexpr double kLargestWeldTolerance = 1e-4;
 struct RepairReport {
   int welded_vertices = 0;       ///< corners that became one with an earlier one
   int degenerate_triangles = 0;  ///< left out: two corners are one, or they lie on a line
-  int duplicate_triangles = 0;   ///< left out: an equal triangle came before
+  int duplicate_triangles = 0;   ///< left out: one of the same corners came before
   int turned_triangles = 0;     ///< orientation reversed so that neighbours agree and face outwards
   int thin_triangles_kept = 0;  ///< corners on a line, but the closed surface needs them
 };

@@ -111,6 +111,30 @@ TEST(MeshRepair, TwoBoxesThatShareAFaceStayClosed) {
   EXPECT_DOUBLE_EQ(volume(result.mesh), 2);
 }
 
+TEST(MeshRepair, LeavesOutTheBacksOfTrianglesWithTwoSides) {
+  const auto back = [](std::array<Vec3, 3> t) {
+    std::swap(t[1], t[2]);
+    return t;
+  };
+  for (const std::size_t doubled : {1U, 12U}) {
+    for (const bool back_first : {false, true}) {
+      Soup soup = unit_box();
+      Soup backs;
+      for (std::size_t i = 0; i < doubled; ++i) backs.push_back(back(soup[i]));
+      soup.insert(back_first ? soup.begin() : soup.end(), backs.begin(), backs.end());
+      const RepairedMesh result = repair_soup(soup);
+      EXPECT_TRUE(result.mesh.closed) << doubled;
+      EXPECT_EQ(result.report.duplicate_triangles, static_cast<int>(doubled));
+      EXPECT_DOUBLE_EQ(volume(result.mesh), 1);
+    }
+  }
+  // Of two shells, one in the other, nobody knows which shows outwards.
+  Soup hollow = box_soup({0, 0, 0}, {4, 4, 4});
+  for (const auto& t : box_soup({1, 1, 1}, {2, 2, 2})) hollow.push_back(t);
+  for (std::size_t i = 0; i < 24; ++i) hollow.push_back(back(hollow[i]));
+  EXPECT_FALSE(repair_soup(hollow).mesh.closed);
+}
+
 TEST(MeshRepair, LeavesOutDuplicatesAndDegenerates) {
   Soup soup = unit_box();
   const auto first = soup.front();
