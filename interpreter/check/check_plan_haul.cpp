@@ -217,15 +217,14 @@ void finish_haul(Subject& subject, TaskSpec& task) {
       return;
     }
     const MotionDigSpec& dig = *other.motion_dig;
-    const EarthSpec& earth = subject.model.earths[at(dig.earth)];
     double load = haul.bed > 0 ? haul.bed / (1 + dig.swell) : kMostBed;
-    if (haul.payload > 0 && !earth.density) {
-      wrong(
-          fmt::format("the payload of '{}' needs the density of earth '{}'", task.name, earth.name),
-          "density 1.8 t per m3;");
+    if (haul.payload > 0 && !dig.density) {
+      wrong(fmt::format("the payload of '{}' needs the density of earth '{}'", task.name,
+                        subject.model.earths[at(dig.earth)].name),
+            "density 1.8 t per m3;");
       return;
     }
-    if (haul.payload > 0) load = std::min(load, haul.payload / *earth.density);
+    if (haul.payload > 0) load = std::min(load, haul.payload / *dig.density);
     const auto whole =
         static_cast<soil::CubicMillimetres>(std::llround(load * hauling::kPerCubicMetre));
     if (whole < dig.bucket) {

@@ -93,6 +93,7 @@ class MotionDigCheck {
       return std::nullopt;
     }
     if (dig_.trucks >= 0 && !resolve_load()) return std::nullopt;
+    dig_.density = density_;
     return std::move(dig_);
   }
 

@@ -302,6 +302,7 @@ struct MotionDigSpec {
   std::optional<math::Pose> X_WL = {};  ///< where the tool frame of one that is loaded stands
   std::vector<math::Pose> queue = {};   ///< where others wait for that, in this order
   std::vector<int> haulers = {};        ///< the tasks that haul what it digs
+  std::optional<double> density = {};   ///< kg/m3 as it lies: its own, else that of the earth
   bool loads_bodies() const { return X_WL.has_value(); }
 };
 

@@ -220,6 +220,15 @@ class HaulByMotion(ResultCase):
         _, tasks = self.run_plan(plan().replace("-0.8, 5", "-60, 5").replace("layer 0.4", "layer 5"), 1)
         self.assertIn("bucket 1: digger cannot reach (4.90, -0.50, -5.00) to dig there", tasks["dig"]["reason"])
 
+    def test_a_payload_is_of_the_density_of_the_dig(self):
+        heavy = "density 5 t per m3;"
+        for text in (plan(bed="bed 1 m3; payload 3 t;").replace("queue at", heavy + " queue at"),
+                     plan(bed="bed 1 m3; payload 3 t;").replace("density 1.8 t per m3;", heavy),
+                     plan(bed="bed 1 m3; payload 3 t;").replace("density 1.8 t per m3;", "").replace("queue at", heavy + " queue at")):
+            _, tasks = self.run_plan(text)
+            loads = [load["volume"] for load in tasks["haul_1"]["haul"]["loads"]]
+            self.assertEqual(max(loads), 0.6)
+
     def test_mistakes(self):
         for text, expected in (
                 (plan(tip=""), "does not say where the truck tips"),
