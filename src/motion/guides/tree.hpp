@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include "src/motion/guides/nearest_index.hpp"
 #include "src/motion/guides/space.hpp"
 #include "src/motion/math/turns.hpp"
 
 namespace rubicon::guides {
 
-/// A tree of points, each reached from its parent by a free leg. The nearest node is found by
-/// looking at all: of the trees that guides grow (some thousand nodes) that is fast.
+/// A tree of points, each reached from its parent by a free leg.
 class Tree {
  public:
   Tree(const Space& space, Point root) : space_(space) {
@@ -23,12 +23,14 @@ class Tree {
       half_turns_.push_back(cyclic ? math::kHalfTurn_deg : std::numeric_limits<double>::infinity());
       turns_.push_back(cyclic ? math::kTurn_deg : 0);
     }
+    index_ = NearestIndex(weights_, turns_);
     add(std::move(root), -1);
   }
 
   int add(Point point, int parent) {
     coordinates_.insert(coordinates_.end(), point.begin(), point.end());
     reduced_ = reduced_ && is_reduced(point);
+    if (reduced_ && !space_.leg().steers()) index_.add(point);
     points_.push_back(std::move(point));
     parents_.push_back(parent);
     return static_cast<int>(points_.size()) - 1;
@@ -40,11 +42,14 @@ class Tree {
   /// Of equally near nodes the first.
   int nearest(std::span<const double> point) const {
     if (space_.leg().steers()) return nearest_steered(point);
+    if (reduced_ && is_reduced(point)) {
+      return index_.nearest(
+          point, [&](int i) { return square_of_way(static_cast<std::size_t>(i), point); });
+    }
     int best = 0;
     double least = std::numeric_limits<double>::infinity();
-    const bool quick = reduced_ && is_reduced(point);
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const double sum = quick ? square_of_way(i, point) : square_of_any_way(i, point);
+      const double sum = square_of_any_way(i, point);
       if (sum >= least) continue;
       least = sum;
       best = static_cast<int>(i);
@@ -131,6 +136,7 @@ class Tree {
   std::vector<double> turns_;        ///< else 0
   std::vector<double> coordinates_;  ///< of all points, one after the other
   bool reduced_ = true;              ///< all points are
+  NearestIndex index_{{}, {}};       ///< of points that are reduced
   std::vector<Point> points_;
   std::vector<int> parents_;
 };
