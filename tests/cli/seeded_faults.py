@@ -391,6 +391,20 @@ def move_the_grip(good, rng):
     return Fault("move the grip", result, [good.records[index]["task"]], index + 1, words="from where it stood")
 
 
+def move_where_it_is_gripped(good, rng):
+    places = good.places("attach")
+    if not places:
+        return None
+    index = rng.choice(places)
+    task = good.task(good.records[index]["task"])
+    if task.get("within"):
+        return None
+    result = copy.deepcopy(good)
+    component = next(each for each in result.header["components"] if each["name"] == good.records[index]["component"])
+    component["grip"][rng.choice((3, 7, 11))] += rng.choice((-1, 1)) * rng.uniform(2e-3, 1)
+    return Fault("move where it is gripped", result, [task["name"]], index + 1, words="it takes its load")
+
+
 def move_what_is_put_down(good, rng):
     places = good.places("detach")
     if not places:
@@ -1424,7 +1438,7 @@ def turn_without_leave(good, rng):
 
 
 KINDS = (shift_a_step, shift_the_rest_of_a_task, drop_a_wait, close_a_wait_up, swap_times, start_too_early,
-         move_a_component, change_a_value, drop_a_step, drop_a_step_neatly, repeat_a_step, move_the_grip,
+         move_a_component, change_a_value, drop_a_step, drop_a_step_neatly, repeat_a_step, move_the_grip, move_where_it_is_gripped,
          move_what_is_put_down, turn_what_is_put_down, move_the_goal, drop_a_load_change, overload, forget_a_mass,
          hide_an_overlap, sink_the_site, shift_what_carries, lengthen_work,
          take_a_day_off, shorten_a_shift, hang_a_load, invent_overtime, book_a_crew_twice, give_work_to_another, break_a_link,

@@ -83,6 +83,7 @@ void read_components(const JsonFields& header, Scene& scene) {
     SceneComponent component;
     component.name = fields.text("name");
     component.X_WO = fields.pose("pose");
+    component.X_OG = fields.pose("grip");
     component.mass = fields.number("mass");
     if (fields.has("cost")) component.cost = fields.number("cost");
     for (const auto& [key, names] : {std::pair("fixed_to", &component.fixed_to),

@@ -129,6 +129,7 @@ struct SceneRobot {
 struct SceneComponent {
   std::string name;
   Pose X_WO = Pose::Identity();
+  Pose X_OG = Pose::Identity();  ///< where the tool takes it
   double mass = 0;
   double cost = 0;
   std::vector<ShapeData> shapes;

@@ -332,7 +332,8 @@ class TrackBuilder {
     }
   }
 
-  void expect_pose(const Pose& X_WG, const SceneTask& task, const char* what);
+  void expect_pose(const Pose& X_WG, const SceneTask& task, const char* what,
+                   bool any_turn = false);
 
   void follow(const LoadChange& change) {
     expect_standing("a load changes");
@@ -344,6 +345,14 @@ class TrackBuilder {
       if (hanging_ >= 0) fault(FaultKind::load, "it takes something and carries something already");
       hang({change.component, change.X, 0});
       check_weight();
+      const int task = runs_[at(run_)].task;
+      if (task >= 0 && change.component >= 0) {
+        const SceneTask& spec = trace_.scene.tasks[at(task)];
+        const Pose X_WG =
+            event.X_WT * change.X * trace_.scene.components[at(change.component)].X_OG;
+        // What people turn is taken as the hook happens to be turned.
+        expect_pose(X_WG, spec, "it takes its load", spec.adjust && spec.adjust->turning);
+      }
     } else {
       event.hung = hanging_;
       hanging_ = -1;
@@ -490,8 +499,10 @@ class TrackBuilder {
   const Record* record_ = nullptr;
 };
 
-void TrackBuilder::expect_pose(const Pose& X_WG, const SceneTask& task, const char* what) {
-  const GoalTolerance allowed = goal_tolerance(robot_, task.within);
+void TrackBuilder::expect_pose(const Pose& X_WG, const SceneTask& task, const char* what,
+                               bool any_turn) {
+  GoalTolerance allowed = goal_tolerance(robot_, task.within);
+  if (any_turn) allowed.turned_deg = math::kTurn_deg;
   const PoseMiss off = pose_miss(mechanism_.pose(mechanism_.tool(), q_), X_WG, task.free_axis);
   if (off.within(allowed)) return;
   fault(FaultKind::motion, fmt::format("{} with the tool {} from its goal", what, text_of(off)));
