@@ -381,7 +381,8 @@ std::string kind_text(const Value& value) {
 
 std::string number_text(double value) {
   if (value == 0) return "0";
-  return fmt::format("{}", value);
+  // What counting left over in the last digits is nothing to tell: 3 * 1.1 m is 3.3 m.
+  return fmt::format("{:.15g}", value);
 }
 
 }  // namespace rubicon::interpreter::expansion

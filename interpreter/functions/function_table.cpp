@@ -26,9 +26,11 @@ double way_to(const FunctionScope& motion, int index, double value) {
 }
 
 /// A whole step must get nearer: a dead band of half a step, else robots turn to and fro for ever.
+/// What is exactly half a step away is in it, however it was rounded.
 double direction_to(const FunctionScope& motion, int index, double value) {
+  constexpr double kHalfAStep = 0.5 * (1 + 1e-6);
   const double way = way_to(motion, index, value);
-  if (std::fabs(way) <= parameter(motion, index).quantum / 2) return 0;
+  if (std::fabs(way) <= kHalfAStep * parameter(motion, index).quantum) return 0;
   return way > 0 ? 1 : -1;
 }
 

@@ -147,6 +147,13 @@ class Goals(unittest.TestCase):
             made, _ = self.run_plan(robot, f'plan p {{ robot r "r.robot"; task t {{ by r; go at trans({x}, 0, 0); within 0.1; }} }}')
             self.assertEqual(made.returncode, 0, made.stdout)
 
+    def test_half_a_step_away_is_no_direction_however_it_is_rounded(self):
+        robot = ("robot r { body t { param x step(0.5) speed(1 m/s) range(-60, 60); frame trans(x, 0, 0); "
+                 "shape box(-0.4, -0.4, 0, 0.4, 0.4, 1); } tool t;\n  behaviour { chain { move_dir(x, dir(x, goal(x))) }; }\n}")
+        for x in (0.1, 0.2, 0.3, 0.7, -3.3, 17.9):
+            made, q = self.run_plan(robot, f'plan p {{ robot "r.robot"; start x {x}; goal x {x} + 0.25; within x 0.3; }}')
+            self.assertEqual((made.returncode, q), (0, {}), x)
+
     def test_near_decides_by_what_it_names(self):
         # Two configurations: boom -33.69, elbow 90, hand -56.31, and the mirrored one.
         for side in (1, -1):

@@ -56,7 +56,7 @@ class Set(unittest.TestCase):
 
     def test_parameters_of_an_imported_plan_have_their_full_names(self):
         with tempfile.TemporaryDirectory() as folder:
-            for name, text in (("yard.plan", 'plan yard { parameter pitch = 2 m; crew c; task t { by c; takes 1 h; name "pitch {pitch}"; } }'),
+            for name, text in (("yard.plan", 'plan yard { parameter pitch = 2 m; parameter long = 3 * 1.1 m; crew c; task t { by c; takes 1 h; name "pitch {pitch} of {long}"; } }'),
                                ("main.plan", 'plan p { import "yard.plan" as yard; crew c; task t { by c; takes 1 h; name "twice {yard.pitch}"; } }')):
                 with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
                     file.write(text)
@@ -66,7 +66,7 @@ class Set(unittest.TestCase):
                                 ("yard.pitch=3 deg", "--set yard.pitch=3 deg: the parameter is a length, found an angle")):
                 self.assertIn(said, rubicon("check", plan, "--set", given).stderr)
             run = json.loads(rubicon("run", plan, "--set", "yard.pitch=3", "--format", "json").stdout)
-            self.assertEqual(sorted(task["attributes"]["name"] for task in run["tasks"]), ["pitch 3", "twice 3"])
+            self.assertEqual(sorted(task["attributes"]["name"] for task in run["tasks"]), ["pitch 3 of 3.3", "twice 3"])
 
     def test_says_what_is_wrong(self):
         for given, said in (
