@@ -152,7 +152,7 @@ class Goals(unittest.TestCase):
                  "shape box(-0.4, -0.4, 0, 0.4, 0.4, 1); } tool t;\n  behaviour { chain { move_dir(x, dir(x, goal(x))) }; }\n}")
         for x in (0.1, 0.2, 0.3, 0.7, -3.3, 17.9):
             made, q = self.run_plan(robot, f'plan p {{ robot "r.robot"; start x {x}; goal x {x} + 0.25; within x 0.3; }}')
-            self.assertEqual((made.returncode, q), (0, {}), x)
+            self.assertEqual((made.returncode, q), (0, {"x": x}))
 
     def test_near_decides_by_what_it_names(self):
         # Two configurations: boom -33.69, elbow 90, hand -56.31, and the mirrored one.
