@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -261,6 +260,12 @@ double area2(const std::vector<Vec3>& v, const std::vector<Triangle>& triangles)
   return sum;
 }
 
+/// A sheet with a front and a back.
+bool encloses_nothing(const std::vector<Vec3>& v, const std::vector<Triangle>& triangles,
+                      double tolerance) {
+  return std::fabs(volume6(v, triangles)) <= 3 * tolerance * area2(v, triangles);
+}
+
 void turn(Triangle& t) { std::swap(t[1], t[2]); }
 
 /// Makes neighbours agree, component by component, where every edge has exactly two triangles; a
@@ -321,6 +326,79 @@ std::optional<std::vector<Triangle>> oriented(const std::vector<Vec3>& v,
   return result;
 }
 
+/// Parts of a surface that have no corner in common.
+struct Parts {
+  std::vector<int> of;  ///< each triangle's
+  std::vector<Eigen::AlignedBox3d> boxes;
+};
+
+Parts parts_of(const std::vector<Vec3>& v, const std::vector<Triangle>& triangles) {
+  std::vector<int> parent(v.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int i) {
+    while (parent[at(i)] != i) i = parent[at(i)] = parent[at(parent[at(i)])];
+    return i;
+  };
+  for (const Triangle& t : triangles) {
+    parent[at(root(t[1]))] = root(t[0]);
+    parent[at(root(t[2]))] = root(t[0]);
+  }
+  Parts parts;
+  std::vector<int> number(v.size(), -1);
+  for (const Triangle& t : triangles) {
+    int& part = number[at(root(t[0]))];
+    if (part < 0) {
+      part = static_cast<int>(parts.boxes.size());
+      parts.boxes.emplace_back();
+    }
+    parts.of.push_back(part);
+    for (const int corner : t) parts.boxes[at(part)].extend(v[at(corner)]);
+  }
+  return parts;
+}
+
+/// Whether a part lies in the box of another.
+bool may_be_in_another(const Parts& parts, std::size_t part) {
+  for (std::size_t other = 0; other < parts.boxes.size(); ++other) {
+    if (other != part && parts.boxes[other].contains(parts.boxes[part])) return true;
+  }
+  return false;
+}
+
+/// So many parts of a surface are looked at beside all others.
+constexpr std::size_t kMostParts = 1000;
+
+/// Whether a part of the surface may lie in another: which of them shows outwards is not known
+/// where all triangles have two sides.
+bool may_be_nested(const std::vector<Vec3>& v, const std::vector<Triangle>& triangles) {
+  const Parts parts = parts_of(v, triangles);
+  if (parts.boxes.size() > kMostParts) return true;
+  for (std::size_t part = 0; part < parts.boxes.size(); ++part) {
+    if (may_be_in_another(parts, part)) return true;
+  }
+  return false;
+}
+
+/// Turns the parts of a closed surface that are inside out and lie in no other, so are no cavity.
+void turn_outwards(const std::vector<Vec3>& v, std::vector<Triangle>& triangles, double tolerance) {
+  const Parts parts = parts_of(v, triangles);
+  if (parts.boxes.size() < 2 || parts.boxes.size() > kMostParts) return;
+  std::vector<std::vector<Triangle>> members(parts.boxes.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    members[at(parts.of[i])].push_back(triangles[i]);
+  }
+  std::vector<char> turned(parts.boxes.size(), 0);
+  for (std::size_t part = 0; part < parts.boxes.size(); ++part) {
+    if (volume6(v, members[part]) < 0 && !encloses_nothing(v, members[part], tolerance) &&
+        !may_be_in_another(parts, part)) {
+      turned[part] = 1;
+    }
+  }
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (turned[at(parts.of[i])] != 0) turn(triangles[i]);
+  }
+}
+
 /// The triangles, oriented outwards, if they enclose a volume.
 std::optional<std::vector<Triangle>> closed_surface(const std::vector<Vec3>& v,
                                                     const std::vector<Triangle>& triangles,
@@ -332,41 +410,12 @@ std::optional<std::vector<Triangle>> closed_surface(const std::vector<Vec3>& v,
     if (!agreed) return std::nullopt;
     result = std::move(*agreed);
   }
-  const double volume = volume6(v, result);
-  // A sheet with a front and a back encloses nothing.
-  if (std::fabs(volume) <= 3 * tolerance * area2(v, result)) return std::nullopt;
-  if (volume < 0) {
+  if (volume6(v, result) < 0) {
     for (Triangle& t : result) turn(t);
   }
+  turn_outwards(v, result, tolerance);
+  if (encloses_nothing(v, result, tolerance)) return std::nullopt;
   return result;
-}
-
-/// Whether a part of the surface may lie in another: which of them shows outwards is not known
-/// where all triangles have two sides.
-bool may_be_nested(const std::vector<Vec3>& v, const std::vector<Triangle>& triangles) {
-  std::vector<int> parent(v.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int i) {
-    while (parent[at(i)] != i) i = parent[at(i)] = parent[at(parent[at(i)])];
-    return i;
-  };
-  for (const Triangle& t : triangles) {
-    parent[at(root(t[1]))] = root(t[0]);
-    parent[at(root(t[2]))] = root(t[0]);
-  }
-  std::map<int, Eigen::AlignedBox3d> boxes;
-  for (const Triangle& t : triangles) {
-    Eigen::AlignedBox3d& box = boxes[root(t[0])];
-    for (const int corner : t) box.extend(v[at(corner)]);
-  }
-  constexpr std::size_t kMostParts = 1000;
-  if (boxes.size() > kMostParts) return true;
-  for (const auto& [part, box] : boxes) {
-    for (const auto& [other, inner] : boxes) {
-      if (other != part && box.contains(inner)) return true;
-    }
-  }
-  return false;
 }
 
 geometry::TriangleMesh compacted(const std::vector<Vec3>& v, const std::vector<Triangle>& t) {

@@ -23,7 +23,7 @@ namespace rubicon::mesh_io {
 namespace {
 
 /// To be raised when the same file would give another scene than before.
-constexpr std::string_view kReaderVersion = "rubicon mesh reader 8";
+constexpr std::string_view kReaderVersion = "rubicon mesh reader 9";
 
 /// A larger file is refused unread: parsed it would not fit the memory limit either.
 constexpr std::uint64_t kLargestFile = 256'000'000;

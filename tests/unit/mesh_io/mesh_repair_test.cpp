@@ -102,6 +102,23 @@ TEST(MeshRepair, KeepsACavityFacingInwards) {
   EXPECT_DOUBLE_EQ(volume(result.mesh), 63);
 }
 
+TEST(MeshRepair, TurnsAPartThatIsInsideOutAndLiesInNoOther) {
+  // Into the first, beside it, and beside it with as much volume.
+  for (const auto& [low, high] :
+       {std::pair(Vec3(2, 1, 1), Vec3(7, 2, 2)), std::pair(Vec3(9, 1, 1), Vec3(14, 2, 2)),
+        std::pair(Vec3(9, 0, 0), Vec3(13, 4, 4))}) {
+    Soup soup = box_soup({0, 0, 0}, {4, 4, 4});
+    for (auto t : box_soup(low, high)) {
+      std::swap(t[0], t[1]);
+      soup.push_back(t);
+    }
+    const RepairedMesh result = repair_soup(soup);
+    EXPECT_TRUE(result.mesh.closed);
+    EXPECT_EQ(result.report.turned_triangles, 12);
+    EXPECT_NEAR(volume(result.mesh), 64 + (high - low).prod(), 1e-12);
+  }
+}
+
 TEST(MeshRepair, TwoBoxesThatShareAFaceStayClosed) {
   Soup soup = unit_box();
   for (const auto& t : box_soup({1, 0, 0}, {2, 1, 1})) soup.push_back(t);
