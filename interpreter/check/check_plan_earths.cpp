@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "interpreter/check/check_number.hpp"
@@ -263,6 +264,8 @@ class SoilTaker {
     DugSoil soil{index, add_component(earth, dug), dug.volume, work.now,
                  std::make_shared<const soil::Terrain>(dug.after)};
     work.now = soil.after;
+    dig.before = soil.before;
+    dig.below = soil.after;
     earth.after = dug.after;
     return soil;
   }
@@ -335,23 +338,82 @@ std::set<int> done_before(const PlanModel& model, int task) {
   return found;
 }
 
-/// Who digs deeper where another digs comes after it: the volumes are so.
-void check_order(Subject& subject, const EarthWork& work) {
-  std::map<std::string, int> tasks;
-  for (std::size_t i = 0; i < subject.model.tasks.size(); ++i) {
-    tasks.emplace(subject.model.tasks[i].name, static_cast<int>(i));
-  }
+/// A dig of an earth as a task of the plan.
+struct LinkedDig {
+  int task = -1;
+  std::set<int> done;  ///< digs of the earth that are over before it begins, by the links
+};
+
+std::vector<LinkedDig> linked_digs(const Subject& subject, const EarthWork& work) {
+  std::vector<LinkedDig> digs;
   for (const EarthWork::Dig& dig : work.digs) {
-    if (dig.after.empty()) continue;
-    const std::set<int> before = done_before(subject.model, tasks.at(dig.task->name.text));
+    digs.emplace_back().task = subject.tasks.at(dig.task->name.text);
+  }
+  for (LinkedDig& dig : digs) {
+    const std::set<int> before = done_before(subject.model, dig.task);
+    for (std::size_t i = 0; i < digs.size(); ++i) {
+      if (before.contains(digs[i].task)) dig.done.insert(static_cast<int>(i));
+    }
+  }
+  return digs;
+}
+
+/// Who digs deeper where another digs comes after it: the volumes are so.
+void check_order(Subject& subject, const EarthWork& work, const std::vector<LinkedDig>& digs) {
+  for (std::size_t i = 0; i < digs.size(); ++i) {
+    const EarthWork::Dig& dig = work.digs[i];
     for (const int each : dig.after) {
-      const syntax::Name& other = work.digs[static_cast<std::size_t>(each)].task->name;
-      if (before.contains(tasks.at(other.text))) continue;
+      if (digs[i].done.contains(each)) continue;
+      const std::string& other = work.digs[static_cast<std::size_t>(each)].task->name.text;
       subject.error("P56", dig.task->name.span,
                     fmt::format("'{}' digs where '{}' digs, and does not come after it",
-                                dig.task->name.text, other.text),
-                    fmt::format("after {};", other.text));
+                                dig.task->name.text, other),
+                    fmt::format("after {};", other));
     }
+  }
+}
+
+void dig_out(soil::Terrain& ground, const EarthWork::Dig& dig) {
+  dig.before->heights.for_each_difference(dig.below->heights, [&](std::size_t cell) {
+    ground.heights.set(cell, dig.below->heights[cell]);
+  });
+}
+
+/// The ground in which robots dig. Soil stands for them until the links say that it is gone, in
+/// whatever order the file has the tasks.
+void set_grounds(PlanModel& model, const EarthSpec& earth, const EarthWork& work,
+                 const std::vector<LinkedDig>& digs) {
+  const auto count = [&](std::size_t dig) { return digs[dig].done.size(); };
+  std::vector<std::size_t> order(digs.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return count(a) < count(b); });
+  std::vector<std::shared_ptr<const soil::Terrain>> below(digs.size());
+  for (const std::size_t i : order) {
+    // All but a few of them are done before one of them, mostly.
+    int last = -1;
+    for (const int each : digs[i].done) {
+      const auto number = static_cast<std::size_t>(each);
+      if (!below[number]) continue;
+      if (last < 0 || count(number) > count(static_cast<std::size_t>(last))) last = each;
+    }
+    soil::Terrain ground = last < 0 ? earth.before : *below[static_cast<std::size_t>(last)];
+    for (const int each : digs[i].done) {
+      const bool is_known =
+          last >= 0 && (each == last || digs[static_cast<std::size_t>(last)].done.contains(each));
+      if (!is_known) dig_out(ground, work.digs[static_cast<std::size_t>(each)]);
+    }
+    const auto before = std::make_shared<const soil::Terrain>(ground);
+    dig_out(ground, work.digs[i]);
+    below[i] = std::make_shared<const soil::Terrain>(std::move(ground));
+    const auto set = [&](TaskSpec& task) {
+      if (!task.motion_dig) return;
+      task.motion_dig->before = before;
+      task.motion_dig->after = below[i];
+    };
+    TaskSpec& task = model.tasks[static_cast<std::size_t>(digs[i].task)];
+    set(task);
+    for (TaskSpec& choice : task.choices) set(choice);
   }
 }
 
@@ -393,7 +455,10 @@ void finish_earths(Subject& subject) {
   std::size_t blocks = 0;
   for (std::size_t i = 0; i < model.earths.size(); ++i) {
     const EarthSpec& earth = model.earths[i];
-    check_order(subject, subject.earth_works[i]);
+    const EarthWork& work = subject.earth_works[i];
+    const std::vector<LinkedDig> digs = linked_digs(subject, work);
+    check_order(subject, work, digs);
+    set_grounds(model, earth, work, digs);
     const soil::Terrain under = soil::flat(earth.after.columns, earth.after.rows, earth.after.cell,
                                            earth.after.heights.lowest() - kGroundBelow);
     const auto ground = soil::blocks_between(under, earth.after);

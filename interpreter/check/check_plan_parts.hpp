@@ -60,6 +60,7 @@ struct EarthWork {
   struct Dig {
     const syntax::TaskItem* task = nullptr;
     std::set<int> after;  ///< digs of it that must be done before
+    std::shared_ptr<const soil::Terrain> before = {}, below = {};  ///< as `DugSoil` has them
   };
   std::vector<Dig> digs = {};
   std::vector<int> last_dig = {};                 ///< by cell, -1: nobody

@@ -283,7 +283,7 @@ struct DigSpec {
 struct MotionDigSpec {
   int earth = -1;
   int soil = -1;  ///< the component that is dug away
-  /// The ground of the earth without the digs before this one, and without this one, too.
+  /// The ground without the digs that are over before it by the links; without this one, too.
   std::shared_ptr<const soil::Terrain> before, after;  // shared: they are large, and tasks copied
   soil::CubicMillimetres volume = 0;                   ///< bank volume, all of the task
   soil::CubicMillimetres bucket = 0;                   ///< bank volume that a bucket takes at most

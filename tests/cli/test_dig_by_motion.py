@@ -213,6 +213,26 @@ class DigByMotion(ResultCase):
         self.assertEqual({task["result"] for task in tasks.values()}, {"done"})
         self.assertGreater(sum(task["waited"]["machine"] for task in tasks.values()), 0)
 
+    def test_pits_side_by_side_in_any_order_of_the_file(self):
+        # Soil stands until the links say that it is gone: beside the pit that is dug, as any ground that stays.
+        def dig(name, by, pit, dump, after=""):
+            return """task %s { by %s; dig ground to %s { bucket 0.5 m3; layer 0.4 m; cut roty(0); dump at trans(%g, 4, 1.5); fill takes 2 s; dump takes 1 s; } %s }
+              """ % (name, by, pit, dump, after)
+
+        head = "plan p { %s robot digger \"digger.robot\"; " % (EARTH % 90)
+        second = "robot other \"digger.robot\" at trans(9, 0, 0) { start theta 180; } "
+        near, far = "box(3, -0.6, -0.8, 4.4, 0.6, 1)", "box(4.4, -0.6, -0.8, 6, 0.6, 1)"
+        for digs in ((("near", "digger", near, 0, ""), ("far", "digger", far, 0, "after near;")),
+                     (("near", "digger", near, 0, "after far;"), ("far", "digger", far, 0, "")),
+                     (("near", "digger", near, 0, ""), ("far", "other", far, 9, ""))):
+            ends = []
+            for order in (digs, digs[::-1]):
+                text = "".join(dig(*each) for each in order)
+                _, tasks = self.run_plan(head + (second if "other" in text else "") + text + "}")
+                self.assertEqual({task["result"] for task in tasks.values()}, {"done"}, tasks)
+                ends.append([task["duration"] for _, task in sorted(tasks.items())])
+            self.assertEqual(ends[0], ends[1])
+
     def test_verify_sees_what_is_changed(self):
         self.run_plan(plan(count=1))
 

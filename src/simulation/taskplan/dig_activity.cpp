@@ -58,6 +58,21 @@ soil::Millimetres highest_round(const soil::Terrain& ground, int cell) {
   return highest;
 }
 
+/// The names of an earth and of all soil that is dug in it, by whomever.
+std::set<std::string> grounds_of(const Stage& stage, int earth) {
+  std::set<std::string> names = {stage.plan.earths[at(earth)].name};
+  for (int task = 0; task < stage.plan_tasks(); ++task) {
+    const interpreter::TaskSpec& spec = stage.spec(task);
+    if (spec.dig && spec.dig->earth == earth) {
+      names.insert(stage.site.component_name(spec.dig->soil));
+    }
+    if (spec.motion_dig && spec.motion_dig->earth == earth) {
+      names.insert(stage.site.component_name(spec.motion_dig->soil));
+    }
+  }
+  return names;
+}
+
 std::string point_text(const math::Vec3& p) {
   return fmt::format("({:.2f}, {:.2f}, {:.2f})", p.x(), p.y(), p.z());
 }
@@ -100,6 +115,7 @@ Step DigActivity::begin(ActiveTask& task, Stage& stage) {
   const math::Pose X_TB =
       robot::tool_pose(model, mounting, q).inverse(Eigen::Isometry) * X_WB[at(model.tool_body)];
   boxes_ = bucket_boxes(model);
+  grounds_ = std::make_shared<const std::set<std::string>>(grounds_of(stage, dig.earth));
   rules_.boxes = boxes_;
   for (soil::BucketBox& box : rules_.boxes) box.X_BS = X_TB * box.X_BS;
   rules_.p_EM = X_EW * X_WB.front().translation();
@@ -457,9 +473,7 @@ Step DigActivity::begin_leg(ActiveTask& task, Stage& stage, const math::Pose& X_
   const bool cuts = part_ == Part::entering || part_ == Part::cutting;
   if (cuts) {
     // Nearer to the machine it may be free of the ground; of what else is there, nobody knows.
-    const int soil = spec.motion_dig->soil;
-    leg.may_end_at = {stage.plan.earths[at(spec.motion_dig->earth)].name,
-                      stage.site.component_name(soil)};
+    leg.may_end_at = grounds_;
   }
   const bool digs = cuts || part_ == Part::raising;
   if (digs) {

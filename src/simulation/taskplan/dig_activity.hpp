@@ -88,6 +88,8 @@ class DigActivity : public Activity {
   bool waits_for_truck_ = false;
   std::shared_ptr<const std::vector<int>> cells_;  // shared: never changed
   soil::BiteRules rules_;
+  /// Its earth and all soil in it.
+  std::shared_ptr<const std::set<std::string>> grounds_;  // shared: never changed
   std::vector<soil::BucketBox> boxes_;  ///< of the bucket, in the frame of its body
   std::set<int> put_off_;               ///< cells that no cut can reach
   soil::DigTarget target_;

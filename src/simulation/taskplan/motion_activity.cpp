@@ -311,9 +311,7 @@ std::string MotionActivity::text_of_waits(const ActiveTask& task, const Stage& s
 }
 
 bool MotionActivity::may_end_short(const RecordedHit* hit) const {
-  return leg_ && hit != nullptr &&
-         std::find(leg_->may_end_at.begin(), leg_->may_end_at.end(), hit->pair.met) !=
-             leg_->may_end_at.end();
+  return leg_ && leg_->may_end_at && hit != nullptr && leg_->may_end_at->contains(hit->pair.met);
 }
 
 Step MotionActivity::end_motion(ActiveTask& task, Stage& stage) {

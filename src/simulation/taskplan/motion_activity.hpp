@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,8 +23,8 @@ struct MotionLeg {
   std::vector<std::pair<int, int>> entered;  ///< bodies of the robot, components they may cut into
   bool guided = true;                        ///< by the guides of the task
   std::string what;                          ///< before the reason why it cannot be made
-  /// Where it meets one of these it may end short; `ended_short` of the task says why.
-  std::vector<std::string> may_end_at;
+  /// Where it meets one of these it may end short; `ended_short` of the task says why. Null: none.
+  std::shared_ptr<const std::set<std::string>> may_end_at;  // shared: each cut has the same
 };
 
 /// A motion of a task's robot: its script runs until it is at the goal, waits for machines in its
